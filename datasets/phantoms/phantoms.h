@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "haptics/core/error.h"
+#include "haptics/core/volume.h"
+
+namespace datasets {
+
+/// An analytic volume and the isovalue at which its surface is the one its formula describes.
+struct Phantom {
+  haptics::Volume volume;
+  double isovalue = 0.0;
+  std::string tool;  ///< the named tool that fits it
+};
+
+/// demo, sphere, halfspace, torus, gyroid, wedge, hole, …
+std::vector<std::string> phantomNames();
+
+/// Makes a named phantom; deterministic to the bit. An unknown name lists the known ones.
+haptics::Expected<Phantom> makePhantom(const std::string& name);
+
+}  // namespace datasets

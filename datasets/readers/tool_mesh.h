@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "haptics/core/error.h"
+#include "haptics/core/triangle_mesh.h"
+
+namespace datasets {
+
+enum class MeshUnit { Metre, Millimetre, Centimetre, Inch };
+
+struct ToolMesh {
+  haptics::TriangleMesh mesh;         ///< metres; coincident vertices merged
+  std::vector<std::string> warnings;  ///< open, non-manifold, suspiciously long or short
+};
+
+/// Reads STL, OBJ or PLY through VTK. Refuses a mesh without a triangle, with a non-finite
+/// vertex, truncated, or with an index out of range; says when it is open or non-manifold, longer
+/// than 0.5 m or shorter than 1 mm.
+haptics::Expected<ToolMesh> readToolMesh(const std::filesystem::path& path, MeshUnit unit);
+
+}  // namespace datasets

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/core/volume.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <type_traits>
+
+namespace haptics {
+
+const char* nameOf(ScalarType type) {
+  switch (type) {
+    case ScalarType::UInt8: return "uint8";
+    case ScalarType::Int8: return "int8";
+    case ScalarType::UInt16: return "uint16";
+    case ScalarType::Int16: return "int16";
+    case ScalarType::UInt32: return "uint32";
+    case ScalarType::Int32: return "int32";
+    case ScalarType::Float32: break;
+  }
+  return "float32";
+}
+
+std::size_t sizeOf(ScalarType type) {
+  return visitVoxels(type, nullptr, [](auto* p) { return sizeof(*p); });
+}
+
+Expected<std::shared_ptr<void>> allocateVoxels(std::int64_t voxel_count, ScalarType type) {
+  const auto size = static_cast<std::int64_t>(sizeOf(type));
+  const std::int64_t most = std::numeric_limits<std::int64_t>::max() / size - 1024;
+  void* memory = nullptr;
+  // calloc leaves untouched pages to the system, so a large volume costs what is written to it
+  if (voxel_count > 0 && voxel_count <= most)
+    memory = std::calloc(static_cast<std::size_t>(voxel_count * size) + kVoxelPadding, 1);
+  if (memory == nullptr)
+    return tl::unexpected(Error{Error::Kind::Unsupported,
+                                "The volume needs " +
+                                    std::to_string(voxel_count / 1'000'000 * size) +
+                                    " MB of memory, which this machine does not give; try a "
+                                    "smaller series or close other programs.",
+                                "too-large"});
+  return std::shared_ptr<void>(memory, [](void* p) { std::free(p); });
+}
+
+namespace {
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
+  std::int64_t non_finite = 0;
+};
+
+template <class T>
+Range rangeOf(const T* voxels, std::int64_t count) {
+  Range range;
+  if constexpr (std::is_floating_point_v<T>) {
+    for (std::int64_t i = 0; i < count; ++i) {
+      if (!std::isfinite(voxels[i])) {
+        ++range.non_finite;
+        continue;
+      }
+      range.least = std::min(range.least, double{voxels[i]});
+      range.greatest = std::max(range.greatest, double{voxels[i]});
+    }
+  } else {
+    T least = voxels[0], greatest = voxels[0];
+    for (std::int64_t i = 1; i < count; ++i) {
+      least = std::min(least, voxels[i]);
+      greatest = std::max(greatest, voxels[i]);
+    }
+    range.least = static_cast<double>(least);
+    range.greatest = static_cast<double>(greatest);
+  }
+  return range;
+}
+
+Error malformed(std::string what, std::string reason) {
+  return {Error::Kind::Malformed, std::move(what), std::move(reason)};
+}
+
+}  // namespace
+
+Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<void> voxels,
+                            VolumeFacts facts) {
+  for (const std::int64_t n : grid.dims)
+    if (n < 1) return tl::unexpected(malformed("The volume has an axis without voxels.", "bad-header"));
+  if (!grid.spacing.allFinite() || grid.spacing.minCoeff() <= 0.0)
+    return tl::unexpected(
+        malformed("The volume's voxel spacing is not a positive number; its header cannot be used.",
+                  "bad-header"));
+  if (!grid.origin.allFinite() || !grid.direction.allFinite())
+    return tl::unexpected(
+        malformed("The volume's position or orientation is not a number; its header cannot be used.",
+                  "bad-header"));
+  const Mat3 gram = grid.direction.transpose() * grid.direction;
+  if ((gram - Mat3::Identity()).cwiseAbs().maxCoeff() > 1e-4)
+    return tl::unexpected(malformed(
+        "The volume's axes are not at right angles; only right-angled stacks can be loaded.",
+        "sheared"));
+
+  Volume volume;
+  volume.grid = grid;
+  volume.type = type;
+  const std::int64_t count = grid.voxelCount();
+  const Range range = visitVoxels(type, static_cast<const void*>(voxels.get()),
+                                  [&](const auto* v) { return rangeOf(v, count); });
+  if (range.non_finite == count)
+    return tl::unexpected(
+        malformed("The volume holds no finite voxel; there is nothing to see or touch.",
+                  "no-pixels"));
+  volume.least = range.least;
+  volume.greatest = range.greatest;
+  volume.replaced = range.non_finite;
+  if (range.non_finite > 0) {
+    auto* v = static_cast<float*>(voxels.get());
+    const auto background = static_cast<float>(range.least);
+    for (std::int64_t i = 0; i < count; ++i)
+      if (!std::isfinite(v[i])) v[i] = background;
+  }
+  volume.voxels = std::move(voxels);
+  volume.unit = std::move(facts.unit);
+  volume.modality = std::move(facts.modality);
+  volume.orientation_known = facts.orientation_known;
+  return volume;
+}
+
+}  // namespace haptics

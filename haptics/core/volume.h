@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "haptics/core/error.h"
+#include "haptics/core/geometry.h"
+
+namespace haptics {
+
+enum class ScalarType { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32 };
+
+/// "uint8", "int16", …: the names of the command line.
+const char* nameOf(ScalarType type);
+std::size_t sizeOf(ScalarType type);  ///< bytes of one voxel
+
+/// Where the voxels lie. Index (i, j, k) has its centre at
+/// origin + direction · (i spacing.x, j spacing.y, k spacing.z).
+struct Grid {
+  std::array<std::int64_t, 3> dims{};  ///< voxels along i (fastest), j, k; each at least 1
+  Vec3 spacing = Vec3::Ones();         ///< m, positive
+  Vec3 origin = Vec3::Zero();          ///< m, W (patient LPS): the centre of voxel (0, 0, 0)
+  /// Columns are the unit directions of i, j, k in W: orthogonal, but as left- or right-handed
+  /// as the file's.
+  Mat3 direction = Mat3::Identity();
+
+  std::int64_t voxelCount() const { return dims[0] * dims[1] * dims[2]; }
+  Vec3 worldOf(const Vec3& index) const {
+    return origin + direction * index.cwiseProduct(spacing);
+  }
+  Vec3 indexOf(const Vec3& p_W) const {
+    return (direction.transpose() * (p_W - origin)).cwiseQuotient(spacing);
+  }
+};
+
+/// A scan: one evenly spaced, right-angled, single-component stack of voxels. Immutable once
+/// made, shared by picture, slices and touch; there is one copy of the voxels.
+struct Volume {
+  Grid grid;
+  ScalarType type = ScalarType::Int16;
+  /// dims[0]·dims[1]·dims[2] voxels, i fastest, followed by kVoxelPadding readable bytes.
+  std::shared_ptr<const void> voxels;
+  double least = 0.0;     ///< smallest finite voxel: the background beyond the grid
+  double greatest = 0.0;  ///< greatest finite voxel
+  std::string unit = {};      ///< "HU" or empty
+  std::string modality = {};  ///< "CT", "MR", … or empty
+  bool orientation_known = true;  ///< false: no left and right may be shown
+  std::int64_t replaced = 0;      ///< non-finite voxels that became background
+};
+
+inline constexpr std::size_t kVoxelPadding = 64;  ///< bytes
+
+/// Room for `voxel_count` voxels and the padding (zeroed), or an error naming the size.
+Expected<std::shared_ptr<void>> allocateVoxels(std::int64_t voxel_count, ScalarType type);
+
+/// What a reader or a phantom knows beside the voxels.
+struct VolumeFacts {
+  std::string unit = {};
+  std::string modality = {};
+  bool orientation_known = true;
+};
+
+/// Finishes a volume: checks the grid (dims, finite positive spacing, right angles to 1e-4),
+/// makes non-finite voxels background and counts them, and finds the range. Refuses a volume
+/// without a finite voxel. `voxels` must come from allocateVoxels and not be written afterwards.
+Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<void> voxels,
+                            VolumeFacts facts = {});
+
+/// Calls f with a typed pointer to the first voxel.
+template <class F>
+decltype(auto) visitVoxels(ScalarType type, const void* voxels, F&& f) {
+  switch (type) {
+    case ScalarType::UInt8: return f(static_cast<const std::uint8_t*>(voxels));
+    case ScalarType::Int8: return f(static_cast<const std::int8_t*>(voxels));
+    case ScalarType::UInt16: return f(static_cast<const std::uint16_t*>(voxels));
+    case ScalarType::Int16: return f(static_cast<const std::int16_t*>(voxels));
+    case ScalarType::UInt32: return f(static_cast<const std::uint32_t*>(voxels));
+    case ScalarType::Int32: return f(static_cast<const std::int32_t*>(voxels));
+    case ScalarType::Float32: break;
+  }
+  return f(static_cast<const float*>(voxels));
+}
+
+}  // namespace haptics

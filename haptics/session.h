@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "haptics/core/error.h"
+#include "haptics/core/geometry.h"
+#include "haptics/scene.h"
+#include "haptics/settings.h"
+#include "haptics/snapshot.h"
+
+namespace haptics {
+
+/// One sample of the force plot.
+struct ForceSample {
+  double time = 0.0;   ///< s since the loop started
+  float force = 0.0F;   ///< N, norm of what was sent
+  float torque = 0.0F;  ///< N·m, norm of what was sent
+};
+
+/// Which hand holds the device.
+enum class HandKind {
+  Mouse,      ///< follows Session::pull through a spring of its own
+  Tap,        ///< the simulated hand, in one of its motions, over and over
+  Slide,
+  Wedge,
+  Pry,
+  Hook,
+  Jerk,
+  Twist
+};
+
+/// A device, a servo thread and what passes between them and the window.
+///
+/// All calls come from one thread, the GUI's; none of them waits for the servo thread except
+/// close() and the destructor. There is a tick only while a hand is open; it touches something
+/// only once a scene was adopted.
+class Session {
+ public:
+  Session();
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Opens the device that this hand holds and starts the servo loop; an open one is closed
+  /// first. The simulated hands aim at the current scene and need one.
+  Expected<void> open(HandKind hand);
+  /// Stops the loop with the force at zero.
+  void close();
+  bool isOpen() const;
+
+  /// Hands over a scene; the servo thread adopts it at a tick boundary, with the force ramping
+  /// from zero. The old one is destroyed here, by collectGarbage(), once the servo has left it.
+  void adopt(std::shared_ptr<const Scene> scene, const Pose& start_W);
+  void collectGarbage();
+
+  void set(const Settings& settings);
+  /// Where the mouse wants the tool to be, W.
+  void pull(const Pose& X_WH);
+
+  /// Zero force from the next tick on, until arm().
+  void forceOff();
+  void arm();
+
+  /// Replaces `snapshot` and returns true if there is a newer one.
+  bool latest(Snapshot& snapshot);
+  /// Moves force samples, one a tick, oldest first, into `samples`; returns how many.
+  std::size_t forces(std::span<ForceSample> samples);
+
+ private:
+  class Loop;
+  std::unique_ptr<Loop> loop_;
+};
+
+}  // namespace haptics

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "haptics/core/error.h"
+#include "haptics/core/geometry.h"
+#include "haptics/core/triangle_mesh.h"
+
+namespace haptics {
+
+/// The tool as the haptics know it: points on its surface, about their centroid.
+///
+/// The tool frame has its origin at the centroid of the points and the axes of the mesh.
+struct PointShell {
+  std::vector<Vec3> points;          ///< m, in the tool frame
+  double radius = 0.0;               ///< m, of the farthest point
+  Mat3 inertia = Mat3::Identity();   ///< m², mean inertia about the centroid, regularised
+  double spacing = 0.0;              ///< m, median distance to the nearest other point
+};
+
+/// A tool: what is drawn, and what is felt, in the same frame.
+struct Tool {
+  std::string name;
+  TriangleMesh mesh;  ///< in the tool frame; empty for a tool that is only points
+  PointShell shell;
+};
+
+/// Makes the shell of a set of points and centres it; inertia is regularised by 1e-6 r².
+/// Refuses no point, or a non-finite one.
+Expected<PointShell> makeShell(std::vector<Vec3> points);
+
+/// The mesh's vertices as the shell ([Chan 2011], 2.2), or with `point_count` > 0 that many
+/// points spread evenly by area; deterministic.
+Expected<Tool> makeTool(std::string name, TriangleMesh mesh, int point_count = 0);
+
+}  // namespace haptics
