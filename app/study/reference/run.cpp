@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/reference/run.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "app/study/reference/motion.h"
+
+namespace reference {
+
+std::vector<Record> run(const Scene& scene, std::span<const Pose> device_poses) {
+  std::vector<Record> records;
+  records.reserve(device_poses.size());
+  State state;
+  if (!device_poses.empty()) state.X_WP = device_poses.front();
+  for (const Pose& X_WD : device_poses) {
+    const std::int64_t before = scene.solid.samples();
+    Record record;
+    record.wrench = tick(scene, X_WD, state);
+    record.samples = scene.solid.samples() - before;
+    record.X_WP = state.X_WP;
+    record.contacts = static_cast<int>(state.contacts.size());
+    record.penetration = deepestPoint(scene.solid, scene.shell, state.X_WP);
+    records.push_back(record);
+  }
+  return records;
+}
+
+double deepestPoint(const Solid& solid, const haptics::PointShell& shell, const Pose& X_WP) {
+  double deepest = 0.0;
+  for (const Vec3& r_P : shell.points) deepest = std::max(deepest, solid.penetration(X_WP * r_P));
+  return deepest;
+}
+
+double frozenShare(std::span<const Record> records, std::span<const Pose> device_poses,
+                   double radius) {
+  assert(records.size() == device_poses.size());
+  const auto distance = [radius](const Pose& a, const Pose& b) {
+    return pathBound(unconstrainedMotion(a, b), radius);
+  };
+  int in_contact = 0, frozen = 0;
+  for (std::size_t k = 1; k < records.size(); ++k) {
+    if (records[k].contacts == 0) continue;
+    ++in_contact;
+    const bool still = distance(records[k - 1].X_WP, records[k].X_WP) < 1e-9;
+    const bool behind = distance(records[k].X_WP, device_poses[k]) > 1e-4;
+    const bool led = distance(device_poses[k - 1], device_poses[k]) > 0.0;
+    frozen += still && behind && led;
+  }
+  return in_contact > 0 ? static_cast<double>(frozen) / in_contact : 0.0;
+}
+
+}  // namespace reference

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "app/study/reference/tick.h"
+
+namespace reference {
+
+/// What one tick of a run came to.
+struct Record {
+  Pose X_WP = Pose::Identity();
+  Wrench wrench;  ///< on the hand
+  int contacts = 0;
+  double penetration = 0.0;  ///< m, of the deepest point of the shell at X_WP; 0 if all are outside
+  std::int64_t samples = 0;  ///< look-ups of F in the tick, without those for `penetration`
+};
+
+/// Runs one tick for each device pose; the proxy starts at the first, which must be outside.
+std::vector<Record> run(const Scene& scene, std::span<const Pose> device_poses);
+
+/// The deepest point of the shell at a pose, in m; 0 if all are outside.
+double deepestPoint(const Solid& solid, const haptics::PointShell& shell, const Pose& X_WP);
+
+/// A tick is frozen if the proxy has moved less than 1e-9 m (translation + radius x rotation)
+/// while it is more than 1e-4 m from a device that moves. The share of the ticks in contact; 0 if
+/// there is none. Records and poses belong together, tick by tick.
+double frozenShare(std::span<const Record> records, std::span<const Pose> device_poses,
+                   double radius);
+
+}  // namespace reference
