@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 
+#include "haptics/collision/contact.h"
 #include "haptics/core/error.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/volume.h"
 #include "haptics/field/isosurface.h"
+#include "haptics/solver/mass_metric.h"
 #include "haptics/tool/point_shell.h"
 
 namespace haptics {
@@ -19,7 +21,9 @@ struct Scene {
   std::uint64_t id = 0;  ///< unique in the process, from 1
   std::shared_ptr<const Volume> volume;
   Tool tool;
-  ScalarField field;  ///< reads `volume`; holds the pyramid over it
+  ScalarField field;    ///< reads `volume`; holds the pyramid over it
+  MassMetric metric;    ///< of the tool
+  Tolerances lengths;   ///< from the voxel
 };
 
 /// Builds a scene; takes tens to hundreds of milliseconds, so not on the GUI or servo thread.

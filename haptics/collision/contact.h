@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "haptics/core/fixed_vector.h"
+#include "haptics/core/geometry.h"
+
+namespace haptics {
+
+/// One shell point and the surface it is at.
+struct Contact {
+  int point = 0;               ///< index into the shell
+  Vec3 r_W = Vec3::Zero();     ///< the point about the tool's origin, in W [m]
+  Vec3 n_W = Vec3::Zero();     ///< unit normal of the surface, out of the solid
+  double gap = 0.0;            ///< m along n to the surface, to first order; negative inside
+};
+
+/// Contacts that sweep met and that stood in the way; kept from tick to tick until prune lets go
+/// of them.
+using Contacts = FixedVector<Contact, 24>;
+
+/// Lengths of the algorithm, all derived from the voxel h [m].
+struct Tolerances {
+  explicit Tolerances(double h)
+      : epsilon{0.05 * h},
+        rest_gap{0.025 * h},
+        band{0.1 * h},
+        sagitta{1e-4 * h},
+        root{1e-5 * h},
+        still{0.001 * h},
+        step_free{24.0 * h},
+        step_near{1.0 * h} {}
+  double epsilon;   ///< how near counts as contact; the paper's epsilon
+  double rest_gap;  ///< what a contact keeps between point and surface: half of epsilon
+  double band;      ///< points nearer than this constrain the motion
+  double sagitta;   ///< how far a path may leave its chord in collision detection
+  double root;      ///< how finely a first crossing is found
+  double still;     ///< a motion shorter than this is none
+  double step_free; ///< longest sub-step
+  double step_near; ///< longest sub-step with many points about
+};
+
+}  // namespace haptics

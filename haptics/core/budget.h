@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <ctime>
+#include <limits>
+
+#include "haptics/core/realtime.h"
+
+namespace haptics {
+
+/// What a tick may spend. One unit of work is one cell of the volume fetched, or one block of the
+/// pyramid asked: about 40 ns. Two clocks, one interface: counted work, which repeats exactly, and
+/// the thread's CPU time for the live loop, where the work at the cut is remembered so that a
+/// replay can cut at the same place.
+class Budget {
+ public:
+  /// As much work as this, whatever the time.
+  static Budget counted(std::int64_t work) { return Budget{work, 0}; }
+  /// CPU time of the calling thread from now on [ns]; starts the clock.
+  static Budget timed(std::int64_t nanoseconds) HAPTICS_RT {
+    return Budget{std::numeric_limits<std::int64_t>::max(), threadTime() + nanoseconds};
+  }
+
+  void spend(std::int64_t work = 1) HAPTICS_RT { spent_ += work; }
+  /// False once the budget is used up, and from then on.
+  bool left() HAPTICS_RT {
+    if (cut_) return false;
+    if (spent_ >= work_) cut_ = true;
+    // the clock costs as much as ten units of work: look at it only now and then
+    if (deadline_ != 0 && spent_ >= next_look_) {
+      next_look_ = spent_ + 128;
+      if (threadTime() >= deadline_) cut_ = true;
+    }
+    return !cut_;
+  }
+  std::int64_t spent() const HAPTICS_RT { return spent_; }
+  bool cut() const HAPTICS_RT { return cut_; }
+
+  /// CPU time of the calling thread [ns].
+  static std::int64_t threadTime() HAPTICS_RT {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+  }
+
+ private:
+  Budget(std::int64_t work, std::int64_t deadline) : work_{work}, deadline_{deadline} {}
+  std::int64_t work_, deadline_;
+  std::int64_t spent_ = 0, next_look_ = 0;
+  bool cut_ = false;
+};
+
+}  // namespace haptics

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+
+#include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
+#include "haptics/snapshot.h"
+
+namespace haptics {
+
+/// What the motors may be asked for.
+struct ForceLimits {
+  double force = std::numeric_limits<double>::infinity();   ///< N, norm
+  double torque = std::numeric_limits<double>::infinity();  ///< N·m, norm; 0: no torque motors
+  double ramp_time = 0.0;  ///< s from zero to full after arming or a change of scene
+  /// s from zero to the limit while the force follows a moved isovalue; 0: no such limit
+  double slew_time = 0.0;
+};
+
+/// The last gate before the motors. One state machine:
+///
+///   Off ──arm──▶ Ramping ──ramp_time──▶ On ──isovalue left the proxy inside──▶ Recovering
+///    ▲              ▲                                                              │
+///    └── forceOff, from anywhere          faded out, and the proxy outside again ──┘
+///
+/// Servo thread only. Any number that is not finite ends in zero for that tick.
+class Safety {
+ public:
+  explicit Safety(const ForceLimits& limits) : limits_{limits} {}
+
+  void arm() HAPTICS_RT;
+  void forceOff() HAPTICS_RT { state_ = ForceState::Off; }
+  /// A new scene or start: the force ramps from zero again, unless it is off.
+  void restart() HAPTICS_RT;
+  /// The isovalue moved: until the force has caught up it changes no faster than the slew limit.
+  void isovalueMoved() HAPTICS_RT { slewing_ = limits_.slew_time > 0.0; }
+
+  /// What may be sent in this tick. `outside`: the proxy is legal. `period` [s].
+  Wrench pass(const Wrench& wanted, bool outside, double period) HAPTICS_RT;
+
+  ForceState state() const HAPTICS_RT { return state_; }
+
+ private:
+  ForceLimits limits_;
+  ForceState state_ = ForceState::Off;
+  double gain_ = 0.0;    ///< 0 to 1
+  bool slewing_ = false;
+  Wrench sent_;
+};
+
+}  // namespace haptics

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
+#include "haptics/field/scalar_field.h"
+
+namespace haptics {
+
+/// The level set { p : F(p) = s } of a field, seen as a solid: inside is F >= s.
+///
+/// s - F is *not* a distance. Dividing by |grad F| gives one only to first order, and only near
+/// the surface, so contact is decided by sign and located by root finding, never by value alone.
+struct Isosurface {
+  const ScalarField& field;
+  double isovalue;
+
+  /// A pose is legal when every point stays below this: the isovalue less what rounding may do,
+  /// so that whoever evaluates F another way agrees.
+  double ceiling() const HAPTICS_RT { return isovalue - field.roundingMargin(); }
+  bool inside(const Vec3& p_W) const HAPTICS_RT {
+    return field.value(field.indexOf(p_W)) >= ceiling();
+  }
+};
+
+}  // namespace haptics

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/field/max_pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace haptics {
+namespace {
+
+using Counts = std::array<std::int64_t, 3>;
+
+/// The next float at or above x, so that a rounded bound is still a bound.
+float roundedUp(double x) {
+  const auto f = static_cast<float>(x);
+  return double{f} < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+}
+
+/// Greatest voxel and greatest edge difference of each finest block, for block layers
+/// [first, last) along k.
+template <class T>
+void scanBlocks(const T* voxels, const Counts& dims, double background, const Vec3& spacing,
+                const Counts& blocks, std::int64_t first, std::int64_t last, float* greatest,
+                float* lipschitz) {
+  constexpr int n = 5;  // voxels along a side of a block of four cells
+  // differences of 32-bit integers need more than 32 bits
+  using Wide = double;
+  const std::int64_t row = dims[0], slice = dims[0] * dims[1];
+  for (std::int64_t bk = first; bk < last; ++bk)
+    for (std::int64_t bj = 0; bj < blocks[1]; ++bj)
+      for (std::int64_t bi = 0; bi < blocks[0]; ++bi) {
+        const std::int64_t i0 = 4 * bi - 1, j0 = 4 * bj - 1, k0 = 4 * bk - 1;
+        const bool interior = i0 >= 0 && j0 >= 0 && k0 >= 0 && i0 + n <= dims[0] &&
+                              j0 + n <= dims[1] && k0 + n <= dims[2];
+        T v[n][n][n];
+        bool same = true;
+        if (interior) {
+          const T* corner = voxels + k0 * slice + j0 * row + i0;
+          for (int k = 0; k < n; ++k)
+            for (int j = 0; j < n; ++j)
+              for (int i = 0; i < n; ++i) v[k][j][i] = corner[k * slice + j * row + i];
+        } else {
+          for (int k = 0; k < n; ++k)
+            for (int j = 0; j < n; ++j)
+              for (int i = 0; i < n; ++i) {
+                const std::int64_t x = i0 + i, y = j0 + j, z = k0 + k;
+                const bool within = x >= 0 && y >= 0 && z >= 0 && x < dims[0] && y < dims[1] &&
+                                    z < dims[2];
+                v[k][j][i] =
+                    within ? voxels[z * slice + y * row + x] : static_cast<T>(background);
+              }
+        }
+        T top = v[0][0][0];
+        for (int k = 0; k < n; ++k)
+          for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+              top = std::max(top, v[k][j][i]);
+              same = same && v[k][j][i] == v[0][0][0];
+            }
+        Wide dx = 0, dy = 0, dz = 0;
+        if (!same) {
+          for (int k = 0; k < n; ++k)
+            for (int j = 0; j < n; ++j)
+              for (int i = 0; i + 1 < n; ++i) {
+                dx = std::max(dx, std::abs(Wide(v[k][j][i + 1]) - Wide(v[k][j][i])));
+                dy = std::max(dy, std::abs(Wide(v[k][i + 1][j]) - Wide(v[k][i][j])));
+                dz = std::max(dz, std::abs(Wide(v[i + 1][k][j]) - Wide(v[i][k][j])));
+              }
+        }
+        const std::int64_t at = (bk * blocks[1] + bj) * blocks[0] + bi;
+        greatest[at] = roundedUp(double(top));
+        lipschitz[at] = roundedUp(Vec3{dx, dy, dz}.cwiseQuotient(spacing).norm());
+      }
+}
+
+/// The greatest of every block and its 26 neighbours; beyond the grid nothing counts.
+std::vector<float> dilated(std::vector<float> values, const Counts& blocks) {
+  const std::int64_t stride[3] = {1, blocks[0], blocks[0] * blocks[1]};
+  std::vector<float> out(values.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    std::int64_t at = 0;
+    for (std::int64_t k = 0; k < blocks[2]; ++k)
+      for (std::int64_t j = 0; j < blocks[1]; ++j)
+        for (std::int64_t i = 0; i < blocks[0]; ++i, ++at) {
+          const std::int64_t b = axis == 0 ? i : axis == 1 ? j : k;
+          float top = values[at];
+          if (b > 0) top = std::max(top, values[at - stride[axis]]);
+          if (b + 1 < blocks[axis]) top = std::max(top, values[at + stride[axis]]);
+          out[at] = top;
+        }
+    std::swap(values, out);
+  }
+  return values;
+}
+
+}  // namespace
+
+MaxPyramid::MaxPyramid(const Volume& volume)
+    : dims_{volume.grid.dims}, smallest_spacing_{volume.grid.spacing.minCoeff()} {
+  Counts blocks;
+  for (int axis = 0; axis < 3; ++axis) blocks[axis] = (dims_[axis] + 1 + kCells - 1) / kCells;
+  const auto count = static_cast<std::size_t>(blocks[0] * blocks[1] * blocks[2]);
+  std::vector<float> greatest(count);
+  lipschitz_.resize(count);
+
+  // every block layer is independent of the others
+  visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
+    const std::int64_t workers =
+        std::clamp<std::int64_t>(std::thread::hardware_concurrency(), 1, blocks[2]);
+    std::vector<std::thread> threads;
+    for (std::int64_t w = 0; w < workers; ++w)
+      threads.emplace_back([&, w] {
+        scanBlocks(voxels, dims_, volume.least, volume.grid.spacing, blocks,
+                   blocks[2] * w / workers, blocks[2] * (w + 1) / workers, greatest.data(),
+                   lipschitz_.data());
+      });
+    for (std::thread& thread : threads) thread.join();
+  });
+  lipschitz_ = dilated(std::move(lipschitz_), blocks);
+
+  // each coarser level from the undilated one below it
+  for (int l = 0; l < kLevels; ++l) {
+    levels_[l].blocks = blocks;
+    levels_[l].greatest = dilated(greatest, blocks);
+    Counts coarser;
+    for (int axis = 0; axis < 3; ++axis) coarser[axis] = (blocks[axis] + 1) / 2;
+    std::vector<float> next(static_cast<std::size_t>(coarser[0] * coarser[1] * coarser[2]),
+                            -std::numeric_limits<float>::infinity());
+    std::int64_t at = 0;
+    for (std::int64_t k = 0; k < blocks[2]; ++k)
+      for (std::int64_t j = 0; j < blocks[1]; ++j)
+        for (std::int64_t i = 0; i < blocks[0]; ++i, ++at) {
+          float& top = next[((k / 2) * coarser[1] + j / 2) * coarser[0] + i / 2];
+          top = std::max(top, greatest[at]);
+        }
+    blocks = coarser;
+    greatest = std::move(next);
+  }
+}
+
+std::array<std::int64_t, 3> MaxPyramid::blockOf(const Vec3& u, int level) const HAPTICS_RT {
+  std::array<std::int64_t, 3> b;
+  for (int axis = 0; axis < 3; ++axis) {
+    // a place beyond the grid is judged by the nearest block: nothing lies between
+    const double cell = std::clamp(std::floor(u[axis]), -1.0, double(dims_[axis] - 1));
+    b[axis] = (static_cast<std::int64_t>(cell) + 1) / (std::int64_t{kCells} << level);
+  }
+  return b;
+}
+
+MaxPyramid::Bound MaxPyramid::bound(const Vec3& u, double s) const HAPTICS_RT {
+  // beyond the grid there is only background, as far as the grid is away
+  double outside = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    outside = std::max({outside, -1.0 - u[axis], u[axis] - double(dims_[axis])});
+  const std::array<std::int64_t, 3> finest = blockOf(u, 0);
+  if (levels_[0].greatest[levels_[0].at(finest)] >= s) {
+    if (outside >= double{kCells}) return {outside * smallest_spacing_, 0.0};
+    return {finestRadius(), double{lipschitz_[levels_[0].at(finest)]}};
+  }
+  int level = 0;
+  std::array<std::int64_t, 3> b = finest;
+  while (level + 1 < kLevels) {
+    for (std::int64_t& x : b) x /= 2;
+    if (levels_[level + 1].greatest[levels_[level + 1].at(b)] >= s) break;
+    ++level;
+  }
+  return {std::max(double(kCells << level), outside) * smallest_spacing_, 0.0};
+}
+
+double MaxPyramid::lipschitz(const Vec3& u) const HAPTICS_RT {
+  return double{lipschitz_[levels_[0].at(blockOf(u, 0))]};
+}
+
+std::size_t MaxPyramid::bytes() const {
+  std::size_t floats = lipschitz_.size();
+  for (const Level& level : levels_) floats += level.greatest.size();
+  return floats * sizeof(float);
+}
+
+}  // namespace haptics

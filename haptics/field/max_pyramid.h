@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
+#include "haptics/core/volume.h"
+
+namespace haptics {
+
+/// What is certain about a volume near a place, whatever the isovalue: how high it may get, and
+/// how fast. Built once; moving the isovalue rebuilds nothing.
+///
+/// Blocks of 4^3 cells (then 8^3, … 64^3) hold the greatest voxel of themselves and their 26
+/// neighbours, so that a block below the isovalue proves a ball of one block side empty. The
+/// finest level also holds a Lipschitz constant over the same neighbourhood. Cells run from -1 to
+/// dims - 1 on each axis: the outermost ring is the fall to the background.
+class MaxPyramid {
+ public:
+  explicit MaxPyramid(const Volume& volume);
+
+  /// What is known about a ball around a place.
+  struct Bound {
+    double radius;     ///< m: how far the statement reaches
+    double lipschitz;  ///< per metre, over that ball; 0 where the ball is proven below s
+  };
+  /// At index coordinates u: a radius within which F < s if lipschitz is 0; else the radius
+  /// within which |F(a) - F(b)| <= lipschitz |a - b|.
+  Bound bound(const Vec3& u, double s) const HAPTICS_RT;
+
+  /// Lipschitz constant of F in W [per metre] within finestRadius() of index coordinates u.
+  double lipschitz(const Vec3& u) const HAPTICS_RT;
+  double finestRadius() const HAPTICS_RT { return kCells * smallest_spacing_; }  ///< m
+
+  std::size_t bytes() const;
+
+ private:
+  static constexpr int kCells = 4;  ///< cells along a side of the finest block
+  static constexpr int kLevels = 5;
+
+  struct Level {
+    std::array<std::int64_t, 3> blocks{};
+    std::vector<float> greatest;  ///< dilated by one block
+    std::int64_t at(const std::array<std::int64_t, 3>& b) const {
+      return (b[2] * blocks[1] + b[1]) * blocks[0] + b[0];
+    }
+  };
+  std::array<std::int64_t, 3> blockOf(const Vec3& u, int level) const HAPTICS_RT;
+
+  std::array<Level, kLevels> levels_;
+  std::vector<float> lipschitz_;  ///< finest level, dilated
+  std::array<std::int64_t, 3> dims_;
+  double smallest_spacing_;  ///< m
+};
+
+}  // namespace haptics

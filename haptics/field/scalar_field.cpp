@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/field/scalar_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace haptics {
+
+double Cell::value(const Vec3& u) const HAPTICS_RT {
+  const double x = u.x() - double(at[0]), y = u.y() - double(at[1]), z = u.z() - double(at[2]);
+  const double c00 = corner[0] + x * (corner[1] - corner[0]);
+  const double c10 = corner[2] + x * (corner[3] - corner[2]);
+  const double c01 = corner[4] + x * (corner[5] - corner[4]);
+  const double c11 = corner[6] + x * (corner[7] - corner[6]);
+  const double c0 = c00 + y * (c10 - c00);
+  const double c1 = c01 + y * (c11 - c01);
+  return c0 + z * (c1 - c0);
+}
+
+Vec3 Cell::gradient(const Vec3& u) const HAPTICS_RT {
+  const double x = u.x() - double(at[0]), y = u.y() - double(at[1]), z = u.z() - double(at[2]);
+  const double dx00 = corner[1] - corner[0], dx10 = corner[3] - corner[2];
+  const double dx01 = corner[5] - corner[4], dx11 = corner[7] - corner[6];
+  const double c00 = corner[0] + x * dx00, c10 = corner[2] + x * dx10;
+  const double c01 = corner[4] + x * dx01, c11 = corner[6] + x * dx11;
+  const double dx0 = dx00 + y * (dx10 - dx00), dx1 = dx01 + y * (dx11 - dx01);
+  return {dx0 + z * (dx1 - dx0), (c10 - c00) + z * ((c11 - c01) - (c10 - c00)),
+          (c01 + y * (c11 - c01)) - (c00 + y * (c10 - c00))};
+}
+
+ScalarField::ScalarField(std::shared_ptr<const Volume> volume)
+    : volume_{std::move(volume)}, pyramid_{*volume_} {
+  const Grid& grid = volume_->grid;
+  A_VW_ = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
+  A_VW_t_ = A_VW_.transpose();
+  b_V_ = -(A_VW_ * grid.origin);
+  voxel_ = grid.spacing.minCoeff();
+  // index coordinates err by some 1e-13; a billionth of the range is far beyond what that does
+  rounding_margin_ = 1e-9 * std::max(volume_->greatest - volume_->least, 1e-30);
+}
+
+namespace {
+
+template <class T>
+void fetch(const T* voxels, const Grid& grid, double background, Cell& cell) HAPTICS_RT {
+  const std::int64_t row = grid.dims[0], slice = grid.dims[0] * grid.dims[1];
+  const auto [i, j, k] = cell.at;
+  if (i >= 0 && j >= 0 && k >= 0 && i + 1 < grid.dims[0] && j + 1 < grid.dims[1] &&
+      k + 1 < grid.dims[2]) {
+    const T* v = voxels + k * slice + j * row + i;
+    cell.corner = {double(v[0]),           double(v[1]),
+                   double(v[row]),         double(v[row + 1]),
+                   double(v[slice]),       double(v[slice + 1]),
+                   double(v[slice + row]), double(v[slice + row + 1])};
+    return;
+  }
+  for (int bit = 0; bit < 8; ++bit) {
+    const std::int64_t x = i + (bit & 1), y = j + (bit >> 1 & 1), z = k + (bit >> 2 & 1);
+    const bool within = x >= 0 && y >= 0 && z >= 0 && x < grid.dims[0] && y < grid.dims[1] &&
+                        z < grid.dims[2];
+    cell.corner[bit] = within ? double(voxels[z * slice + y * row + x]) : background;
+  }
+}
+
+/// floor(x) as an index, kept where the conversion is defined; far outside all is background.
+std::int64_t cellIndex(double x, std::int64_t dim) HAPTICS_RT {
+  return static_cast<std::int64_t>(std::clamp(std::floor(x), -2.0, double(dim)));
+}
+
+}  // namespace
+
+Cell ScalarField::cellAt(const std::array<std::int64_t, 3>& at) const HAPTICS_RT {
+  Cell cell;
+  cell.at = at;
+  const Volume& v = *volume_;
+  visitVoxels(v.type, v.voxels.get(),
+              [&](const auto* voxels) { fetch(voxels, v.grid, v.least, cell); });
+  return cell;
+}
+
+Cell ScalarField::cellAround(const Vec3& u) const HAPTICS_RT {
+  const Grid& grid = volume_->grid;
+  return cellAt({cellIndex(u.x(), grid.dims[0]), cellIndex(u.y(), grid.dims[1]),
+                 cellIndex(u.z(), grid.dims[2])});
+}
+
+Vec3 ScalarField::centralGradient(const Vec3& u) const HAPTICS_RT {
+  Vec3 per_index;
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 a = u, b = u;
+    a[axis] -= 1.0;
+    b[axis] += 1.0;
+    per_index[axis] = 0.5 * (value(b) - value(a));
+  }
+  return worldGradient(per_index);
+}
+
+}  // namespace haptics

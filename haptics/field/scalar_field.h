@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
+#include "haptics/core/volume.h"
+#include "haptics/field/max_pyramid.h"
+
+namespace haptics {
+
+/// The eight corner values of one cell, and where it lies. Inside it the field is trilinear.
+struct Cell {
+  std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the fall outside
+  std::array<double, 8> corner{};    ///< bit 0 set: i + 1, bit 1: j + 1, bit 2: k + 1
+
+  double value(const Vec3& u) const HAPTICS_RT;     ///< at index coordinates u within the cell
+  Vec3 gradient(const Vec3& u) const HAPTICS_RT;    ///< per index step
+};
+
+/// The trilinear field over the unmodified voxels ([Chan 2011], 2.2). Beyond the grid it falls to
+/// the background (the least voxel) within one voxel, so that cut faces are solid.
+///
+/// u are index coordinates: voxel (i, j, k) has its centre at u = (i, j, k).
+class ScalarField {
+ public:
+  explicit ScalarField(std::shared_ptr<const Volume> volume);
+
+  Vec3 indexOf(const Vec3& p_W) const HAPTICS_RT { return A_VW_ * p_W + b_V_; }
+  /// A motion or direction in W as index steps.
+  Vec3 indexStepOf(const Vec3& d_W) const HAPTICS_RT { return A_VW_ * d_W; }
+  /// A gradient per index step as one per metre in W.
+  Vec3 worldGradient(const Vec3& per_index) const HAPTICS_RT { return A_VW_t_ * per_index; }
+
+  Cell cellAt(const std::array<std::int64_t, 3>& at) const HAPTICS_RT;
+  Cell cellAround(const Vec3& u) const HAPTICS_RT;
+  double value(const Vec3& u) const HAPTICS_RT { return cellAround(u).value(u); }
+
+  /// Central differences over one voxel, divided by 2 delta on each axis [per metre, W]:
+  /// [Chan 2011], (1), with the division it leaves out (contract: Inside).
+  Vec3 centralGradient(const Vec3& u) const HAPTICS_RT;
+
+  const MaxPyramid& pyramid() const HAPTICS_RT { return pyramid_; }
+  const Volume& volume() const HAPTICS_RT { return *volume_; }
+  double voxel() const HAPTICS_RT { return voxel_; }  ///< m: the smallest voxel side
+  /// What rounding may do to a value: legality keeps this much away from the isovalue.
+  double roundingMargin() const HAPTICS_RT { return rounding_margin_; }
+
+ private:
+  std::shared_ptr<const Volume> volume_;
+  MaxPyramid pyramid_;
+  Mat3 A_VW_, A_VW_t_;
+  Vec3 b_V_;
+  double voxel_;
+  double rounding_margin_;
+};
+
+}  // namespace haptics

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "haptics/core/geometry.h"
+#include "haptics/coupling/safety.h"
+#include "haptics/coupling/virtual_coupling.h"
+#include "haptics/scene.h"
+#include "haptics/servo/tick.h"
+#include "haptics/simulation/grip.h"
+#include "haptics/simulation/hand.h"
+
+namespace haptics {
+
+/// One row of a trace: the state after a tick, with the device pose that it read and the force
+/// that it sent.
+struct TraceRow {
+  double time = 0.0;  ///< s
+  Pose X_WD, X_WP;
+  Wrench sent_W;
+  int contacts = 0;
+  std::int64_t cpu_ns = 0;  ///< thread CPU time of the tick; not part of the trace
+};
+
+/// Hand, grip, servo tick and limits in one loop, without threads or clocks: the same rows every
+/// time.
+struct ClosedLoop {
+  std::shared_ptr<const Scene> scene;
+  double isovalue = 0.0;
+  VirtualCoupling coupling;
+  ForceLimits limits;
+  Grip grip;
+  /// A recorded device path is the device itself: its poses are read as they are, ungripped.
+  bool hand_is_device = false;
+  double period = 1e-3;  ///< s
+
+  /// Runs `ticks` ticks and hands over each row. Refuses a start with no legal pose near.
+  Expected<void> run(const Hand& hand, std::int64_t ticks,
+                     const std::function<void(const TraceRow&)>& each);
+};
+
+}  // namespace haptics

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+
+#include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
+#include "haptics/solver/mass_metric.h"
+
+namespace haptics {
+
+/// One contact's claim on the motion: n·(v + w x r) >= -room.
+struct MotionRow {
+  Vec3 n_W;     ///< unit normal, out of the solid
+  Vec3 r_W;     ///< the point about the tool's origin [m]
+  double room;  ///< m it may still approach; negative: it must leave by that much
+};
+
+struct ConstrainedMotion {
+  enum class Status {
+    Exact,      ///< the nearest allowed motion
+    Relaxed,    ///< the rows contradicted each other; none was asked to leave, none may approach more
+    Infeasible  ///< no motion was found; the twist is zero
+  };
+  Twist twist;
+  Vector6 whitened = Vector6::Zero();  ///< the twist in the metric's coordinates [m]
+  Status status = Status::Exact;
+  int active = 0;  ///< rows that bear on the result: at most six
+};
+
+/// Step 3: the motion nearest to `free` that leaves every contact its room. Gauss' principle of
+/// least constraint, as used for the god-object by [Ortega 2007], with signed gaps.
+///
+///   minimise  1/2 (V - V_free)^T M (V - V_free)      over V = (v, w)
+///   such that n_i · (v + w x r_i) >= -room_i         for every row i
+///
+/// With zero rooms this is the projection onto the paper's cone, [Chan 2011], (3) and (4), which
+/// freezes on noisy scans (README, "Freezing"). Dual active set after [Goldfarb 1983], whitened by
+/// M: exact, at most six active rows.
+ConstrainedMotion constrainedMotion(const Twist& free, std::span<const MotionRow> rows,
+                                    const MassMetric& metric, const Mat3& R_WP) HAPTICS_RT;
+
+}  // namespace haptics
