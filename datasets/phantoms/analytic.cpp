@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/phantoms/analytic.h"
+
+#include "datasets/phantoms/sampling.h"
+#include "datasets/phantoms/shapes.h"
+
+namespace datasets {
+namespace {
+
+constexpr double kSpacing = 0.001;       // m
+constexpr double kHoleSpacing = 0.0003;  // m
+
+/// uint8 has 256 steps: three voxels either side of the middle, 42 apart.
+constexpr Ramp kByteRamp{.isovalue = 128.0, .slope = 42.0, .reach = 3.0};
+
+template <class T, class Shape>
+haptics::Expected<Phantom> phantomOf(const Shape& shape, const haptics::Grid& grid,
+                                     const Ramp& ramp, const char* tool,
+                                     haptics::VolumeFacts facts = {}) {
+  return sampled<T>(
+             grid, ramp, [&](const haptics::Vec3& p_W) { return shape.distance(p_W); },
+             std::move(facts))
+      .map([&](haptics::Volume&& volume) {
+        return Phantom{.volume = std::move(volume), .isovalue = ramp.isovalue, .tool = tool};
+      });
+}
+
+template <class Shape>
+haptics::Expected<Phantom> cube(const Shape& shape, std::int64_t side, const char* tool) {
+  return phantomOf<std::int16_t>(shape, centredGrid(side, side, side, kSpacing), Ramp{}, tool);
+}
+
+}  // namespace
+
+haptics::Expected<Phantom> spherePhantom() { return cube(shapes::Sphere{}, 64, "probe"); }
+haptics::Expected<Phantom> halfSpacePhantom() { return cube(shapes::HalfSpace{}, 64, "probe"); }
+haptics::Expected<Phantom> gyroidPhantom() { return cube(shapes::Gyroid{}, 96, "sphere"); }
+haptics::Expected<Phantom> cylinderPhantom() { return cube(shapes::Cylinder{}, 64, "sphere"); }
+haptics::Expected<Phantom> wedgePhantom() { return cube(shapes::Wedge{}, 65, "sphere"); }
+haptics::Expected<Phantom> slotPhantom() { return cube(shapes::Slot{}, 65, "sphere"); }
+
+haptics::Expected<Phantom> torusPhantom() {
+  return phantomOf<std::int16_t>(shapes::Torus{}, centredGrid(72, 72, 40, kSpacing), Ramp{},
+                                 "cane");
+}
+
+haptics::Expected<Phantom> holePhantom() {
+  return phantomOf<std::uint8_t>(shapes::Hole{}, centredGrid(256, 256, 256, kHoleSpacing),
+                                 kByteRamp, "peg");
+}
+
+haptics::Expected<Phantom> markerPhantom() {
+  return phantomOf<std::int16_t>(shapes::Marker{}, centredGrid(65, 65, 65, kSpacing), Ramp{},
+                                 "probe", {.modality = "CT"});
+}
+
+}  // namespace datasets

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/phantoms/skull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <thread>
+
+#include "datasets/phantoms/noise.h"
+#include "datasets/phantoms/sampling.h"
+#include "datasets/phantoms/skull_shape.h"
+
+namespace datasets {
+namespace {
+
+using skull::Vec3f;
+
+constexpr std::int64_t kDims[3] = {188, 232, 224};
+constexpr double kSpacing = 0.001;  // m
+constexpr float kBrick = 8;         // voxels: the head is planned by bricks of this side
+constexpr float kMargin = 3.0f;     // mm: what is further off cannot show in a voxel
+constexpr float kNoise = 16.0f;     // HU, standard deviation
+constexpr float kShift[3] = {0.0f, -9.0f,
+                             -6.0f};  // mm: the grid's middle in the head's coordinates
+
+// HU
+constexpr float kAir = -1000, kSkin = 70, kFat = -95, kMuscle = 50, kBrain = 36, kFluid = 8,
+                kVitreous = 14, kCortex = 1350, kMarrow = 80, kDentine = 1750, kEnamel = 2500;
+
+float mixed(float a, float b, float t) { return a + t * (b - a); }
+
+/// From 0 to 1 while x goes from a to b.
+float eased(float a, float b, float x) {
+  const float t = std::clamp((x - a) / (b - a), 0.0f, 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
+
+/// How much of a voxel a solid fills, with the scanner's blur of 0.7 voxel.
+float share(float distance) { return eased(1.1f, -1.1f, distance); }
+
+/// Cortex outside, a sponge of trabeculae within.
+float boneValue(float depth, const Vec3f& p) {
+  const float compact = eased(2.6f, 1.7f, depth);
+  if (compact >= 1.0f) return kCortex;
+  const float cells = noise::smooth(p.x() / 1.9f, p.y() / 1.9f, p.z() / 1.9f, 31) +
+                      0.5f * noise::smooth(p.x() / 4.5f, p.y() / 4.5f, p.z() / 4.5f, 32);
+  return mixed(mixed(kMarrow, 820.0f, eased(-0.55f, 0.5f, cells)), kCortex, compact);
+}
+
+/// Skin, a layer of fat, muscle.
+float fleshValue(float depth, const Vec3f& p) {
+  const float fat_ends = 5.0f + 1.5f * noise::smooth(p.x() / 14, p.y() / 14, p.z() / 14, 33);
+  const float under_skin = mixed(kFat, kMuscle, eased(fat_ends - 0.8f, fat_ends + 0.8f, depth));
+  return mixed(kSkin, under_skin, eased(1.6f, 2.6f, depth));
+}
+
+/// Brain with fluid at its rim and in its furrows.
+float brainValue(float depth, const Vec3f& p) {
+  const float furrow = std::abs(noise::smooth(p.x() / 11, p.y() / 11, p.z() / 11, 34));
+  const float reach = 2.0f + 9.0f * eased(0.09f, 0.0f, furrow);
+  return mixed(kFluid, kBrain, eased(reach - 1.0f, reach + 1.0f, depth));
+}
+
+/// The head without noise, HU, at p in the head's millimetres.
+float tissue(const skull::Anatomy& head, const Vec3f& p) {
+  const float skin =
+      std::max(skull::distanceTo(head.skin, p), -skull::distanceTo(head.skin_cuts, p));
+  if (skin > 1.1f) return kAir;
+  const float cavity = skull::cavityDistance(p);
+  const float soft = skull::distanceTo(head.fat, p);
+  const float air = skull::distanceTo(head.air, p);
+  const float septa = skull::distanceTo(head.septa, p);
+
+  float value = skin < 0.0f ? fleshValue(-skin, p) : kSkin;
+  if (soft < 1.1f) {
+    const float eye = share(skull::distanceTo(head.eyes, p));
+    value = mixed(value, mixed(kFat + 20.0f, kVitreous, eye), share(soft));
+  }
+  if (cavity < 1.1f) value = mixed(value, brainValue(-cavity, p), share(cavity));
+
+  float bone = skull::distanceTo(head.bone, p);
+  if (bone < 3.0f && cavity > 2.0f) bone += skull::relief(p);
+  bone = std::max({bone, -cavity, -soft, -air});
+  bone = std::min(bone, septa);
+  // air is laid down first, so that a thin wall keeps its share of the voxel
+  value = mixed(value, kAir, share(std::max(air, -septa)));
+  if (bone < 1.1f) value = mixed(value, boneValue(-bone, p), share(bone));
+  const float tooth = skull::distanceTo(head.teeth, p);
+  if (tooth < 1.1f)
+    value = mixed(value, mixed(kEnamel, kDentine, eased(0.8f, 1.8f, -tooth)), share(tooth));
+  return mixed(kAir, value, share(skin));
+}
+
+/// Fills the bricks of layers k0 to k1 of voxels.
+void fill(const skull::Anatomy& whole, std::int64_t k0, std::int64_t k1, std::int16_t* voxels) {
+  const auto placed = [](std::int64_t i, std::int64_t j, std::int64_t k) {
+    const auto along = [](std::int64_t n, int axis) {
+      return static_cast<float>(n) - 0.5f * static_cast<float>(kDims[axis] - 1) + kShift[axis];
+    };
+    return Vec3f{along(i, 0), along(j, 1), along(k, 2)};
+  };
+  constexpr auto side = static_cast<std::int64_t>(kBrick);
+  const Vec3f half = Vec3f::Constant(0.5f * (kBrick - 1.0f));
+  for (std::int64_t k = k0; k < k1; k += side)
+    for (std::int64_t j = 0; j < kDims[1]; j += side)
+      for (std::int64_t i = 0; i < kDims[0]; i += side) {
+        const Vec3f middle = placed(i, j, k) + half;
+        const auto kept = [&](const skull::Solid& s) {
+          return skull::near(s, middle, half, kMargin);
+        };
+        const skull::Anatomy head{kept(whole.bone), kept(whole.teeth),    kept(whole.septa),
+                                  kept(whole.fat),  kept(whole.air),      kept(whole.eyes),
+                                  kept(whole.skin), kept(whole.skin_cuts)};
+        for (std::int64_t c = k; c < std::min(k + side, k1); ++c)
+          for (std::int64_t b = j; b < std::min(j + side, kDims[1]); ++b)
+            for (std::int64_t a = i; a < std::min(i + side, kDims[0]); ++a) {
+              const float clean = head.skin.empty() ? kAir : tissue(head, placed(a, b, c));
+              const float grain = kNoise * noise::gaussian(noise::hashed(a, b, c, 41));
+              voxels[(c * kDims[1] + b) * kDims[0] + a] = static_cast<std::int16_t>(
+                  std::floor(std::clamp(clean + grain, -1024.0f, 3071.0f) + 0.5f));
+            }
+      }
+}
+
+}  // namespace
+
+haptics::Expected<Phantom> skullPhantom() {
+  const haptics::Grid grid = centredGrid(kDims[0], kDims[1], kDims[2], kSpacing);
+  auto voxels = haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16);
+  if (!voxels) return tl::unexpected(voxels.error());
+  auto* first = static_cast<std::int16_t*>(voxels->get());
+  const skull::Anatomy head = skull::anatomy();
+  {
+    const std::int64_t middle = kDims[2] / 2 / 8 * 8;
+    std::jthread lower{[&] { fill(head, 0, middle, first); }};
+    fill(head, middle, kDims[2], first);
+  }
+  return haptics::makeVolume(grid, haptics::ScalarType::Int16, std::move(*voxels),
+                             {.unit = "HU", .modality = "CT"})
+      .map([](haptics::Volume&& volume) {
+        return Phantom{.volume = std::move(volume), .isovalue = 300.0, .tool = "drill"};
+      });
+}
+
+}  // namespace datasets
