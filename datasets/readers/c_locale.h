@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <clocale>
+#include <locale.h>
+
+namespace datasets {
+
+/// While it lives, this thread reads "0.5" as a half whatever language the desktop speaks:
+/// teem and VTK parse numbers with the C library, and a window toolkit sets its locale.
+class CLocale {
+ public:
+  CLocale() : plain_(newlocale(LC_ALL_MASK, "C", nullptr)), before_(uselocale(plain_)) {}
+  ~CLocale() {
+    uselocale(before_);
+    if (plain_ != nullptr) freelocale(plain_);
+  }
+  CLocale(const CLocale&) = delete;
+  CLocale& operator=(const CLocale&) = delete;
+
+ private:
+  locale_t plain_;
+  locale_t before_;
+};
+
+}  // namespace datasets

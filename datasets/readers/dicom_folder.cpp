@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/dicom_folder.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "datasets/readers/refusal.h"
+
+namespace datasets {
+
+namespace fs = std::filesystem;
+using haptics::Expected;
+
+namespace {
+
+bool stopped(const ReadProgress& progress) { return progress.cancel != nullptr && *progress.cancel; }
+
+/// The first fault among the files, saying how many share its reason; else their stack.
+Expected<Stack> judge(const std::vector<DicomFile>& files) {
+  const auto faulty = std::ranges::find_if(files, [](const DicomFile& f) { return f.fault.has_value(); });
+  if (faulty != files.end()) {
+    haptics::Error error = *faulty->fault;
+    const auto alike = std::ranges::count_if(files, [&](const DicomFile& f) {
+      return f.fault && f.fault->reason == error.reason;
+    });
+    if (files.size() > 1 && error.what.ends_with('.')) {
+      error.what.pop_back();
+      error.what += " (" + std::to_string(alike) + " of " + std::to_string(files.size()) + " files).";
+    }
+    return tl::unexpected(std::move(error));
+  }
+  std::vector<SlicePlane> planes;
+  planes.reserve(files.size());
+  for (const DicomFile& file : files) {
+    if (file.bits_allocated != files.front().bits_allocated || file.is_signed != files.front().is_signed)
+      return unsupported("mixed-size",
+                         "The series mixes voxel types; put them into folders of their own.");
+    planes.push_back(file.plane);
+  }
+  return stackOf(planes);
+}
+
+Expected<std::vector<fs::path>> filesOf(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code ignored;
+    if (it->is_regular_file(ignored)) paths.push_back(it->path());
+  }
+  if (error) return notFound(folder);
+  std::ranges::sort(paths);
+  return paths;
+}
+
+/// Headers of the folder's DICOM files, in the order of their names.
+Expected<std::vector<DicomFile>> headersOf(const fs::path& folder, const ReadProgress& progress) {
+  const auto paths = filesOf(folder);
+  if (!paths) return tl::unexpected(paths.error());
+  std::vector<DicomFile> headers;
+  for (std::size_t i = 0; i < paths->size(); ++i) {
+    if (stopped(progress)) return cancelled();
+    progress.advanced(static_cast<double>(i) / static_cast<double>(paths->size()));
+    if (!looksLikeDicom((*paths)[i])) continue;
+    if (auto header = readDicomHeader((*paths)[i])) headers.push_back(std::move(*header));
+  }
+  return headers;
+}
+
+}  // namespace
+
+Expected<std::vector<DicomSeries>> scanFolder(const fs::path& folder, const ReadProgress& progress) {
+  auto headers = headersOf(folder, progress);
+  if (!headers) return tl::unexpected(std::move(headers.error()));
+  if (headers->empty())
+    return unsupported("unreadable", "The folder " + quoted(folder) +
+                                         " itself holds no DICOM file; open the folder of one "
+                                         "series, or an NRRD file.");
+  std::map<std::string, DicomSeries> by_series;
+  for (DicomFile& file : *headers) by_series[file.series].files.push_back(std::move(file));
+
+  std::vector<DicomSeries> all;
+  for (auto& [uid, series] : by_series) {
+    series.stack = judge(series.files);
+    all.push_back(std::move(series));
+  }
+  std::ranges::sort(all, {}, [](const DicomSeries& s) {
+    return std::pair(s.files.front().series_number, s.files.front().path);
+  });
+  return all;
+}
+
+Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progress) {
+  const auto named = readDicomHeader(path);
+  if (!named)
+    return unsupported("no-pixels", quoted(path) +
+                                        " is the index of a folder and holds no image; open the "
+                                        "folder of one series.");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  auto headers = headersOf(folder, progress);
+  if (!headers) return tl::unexpected(std::move(headers.error()));
+  DicomSeries series;
+  for (DicomFile& file : *headers) {
+    if (file.series != named->series) continue;
+    const bool is_named = file.path.filename() == path.filename();
+    // files without identifiers stand for themselves
+    if (!is_named && file.series.empty()) continue;
+    if (!is_named && !file.instance.empty() && file.instance == named->instance) {
+      ++series.copies_left_out;
+      continue;
+    }
+    series.files.push_back(std::move(file));
+  }
+  series.stack = judge(series.files);
+  return series;
+}
+
+SeriesVerdict verdictOf(const DicomSeries& series, int index) {
+  const DicomFile& first = series.files.front();
+  SeriesVerdict verdict;
+  verdict.index = index;
+  verdict.modality = first.modality;
+  verdict.dims = {first.plane.columns, first.plane.rows, static_cast<std::int64_t>(series.files.size())};
+  verdict.spacing_mm = {first.plane.column_step_mm, first.plane.row_step_mm, first.plane.thickness_mm};
+  verdict.sound = series.stack.has_value();
+  if (!verdict.sound) {
+    verdict.reasons.push_back(series.stack.error().reason);
+    verdict.message = series.stack.error().what;
+    return verdict;
+  }
+  verdict.dims = series.stack->geometry.dims;
+  verdict.spacing_mm = series.stack->geometry.steps_mm.colwise().norm().transpose();
+  verdict.message = "One evenly spaced stack of " + std::to_string(series.files.size()) +
+                    (series.files.size() == 1 ? " slice." : " slices.");
+  if (series.files.size() == 1)
+    verdict.message = first.plane.thickness_mm > 0.0
+                          ? "A single slice, taken to be as thick as it states."
+                          : "A single slice of unstated thickness, taken to be 1 mm thick.";
+  if (series.copies_left_out > 0) {
+    verdict.message.pop_back();
+    verdict.message += "; " + std::to_string(series.copies_left_out) +
+                       " other copies of the named image in its folder are left out.";
+  }
+  return verdict;
+}
+
+}  // namespace datasets

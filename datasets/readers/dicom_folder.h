@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "datasets/readers/dicom_file.h"
+#include "datasets/readers/dicom_series.h"
+#include "datasets/readers/volume_reader.h"
+#include "haptics/core/error.h"
+
+namespace datasets {
+
+/// Files that share a series, in the order of their names, and what can be made of them.
+struct DicomSeries {
+  std::vector<DicomFile> files;
+  haptics::Expected<Stack> stack = Stack{};  ///< geometry and order, or why there is none
+  int copies_left_out = 0;  ///< other files with an image that the user named by its file
+};
+
+/// The series of a folder (its own files, not those of folders inside), by series number.
+/// `advanced` runs from 0 to 1.
+haptics::Expected<std::vector<DicomSeries>> scanFolder(const std::filesystem::path& folder,
+                                                       const ReadProgress& progress = {});
+
+/// The series that one file stands for, from the file's own folder. Of several copies of the
+/// named image (in other encodings, say) the named one is taken.
+haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file,
+                                        const ReadProgress& progress = {});
+
+SeriesVerdict verdictOf(const DicomSeries& series, int index);
+
+}  // namespace datasets

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/dicom_pixels.h"
+
+#include <vtkDICOMReader.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include "datasets/readers/c_locale.h"
+#include "datasets/readers/refusal.h"
+#include "datasets/readers/vtk_errors.h"
+
+namespace datasets {
+
+using haptics::Expected;
+using haptics::ScalarType;
+
+namespace {
+
+std::optional<ScalarType> typeOf(int vtk_type) {
+  switch (vtk_type) {
+    case VTK_UNSIGNED_CHAR: return ScalarType::UInt8;
+    case VTK_CHAR:
+    case VTK_SIGNED_CHAR: return ScalarType::Int8;
+    case VTK_UNSIGNED_SHORT: return ScalarType::UInt16;
+    case VTK_SHORT: return ScalarType::Int16;
+    case VTK_UNSIGNED_INT: return ScalarType::UInt32;
+    case VTK_INT: return ScalarType::Int32;
+    case VTK_FLOAT: return ScalarType::Float32;
+    default: return {};
+  }
+}
+
+ScalarType storedType(const DicomFile& file) {
+  switch (file.bits_allocated) {
+    case 8: return file.is_signed ? ScalarType::Int8 : ScalarType::UInt8;
+    case 16: return file.is_signed ? ScalarType::Int16 : ScalarType::UInt16;
+    default: return file.is_signed ? ScalarType::Int32 : ScalarType::UInt32;
+  }
+}
+
+struct Interval {
+  double least, greatest;
+};
+
+Interval rangeOf(ScalarType type) {
+  return haptics::visitVoxels(type, nullptr, [](auto* v) {
+    using T = std::remove_const_t<std::remove_pointer_t<decltype(v)>>;
+    return Interval{static_cast<double>(std::numeric_limits<T>::lowest()),
+                    static_cast<double>(std::numeric_limits<T>::max())};
+  });
+}
+
+bool covers(ScalarType type, Interval values) {
+  const Interval range = rangeOf(type);
+  return range.least <= values.least && values.greatest <= range.greatest;
+}
+
+bool isInteger(double number) { return std::nearbyint(number) == number; }
+
+/// The types to try, in order: the header's bits may allow more than the voxels use, so a 16-bit
+/// type comes before a 32-bit one, and the next is tried when a voxel does not fit.
+std::vector<ScalarType> candidates(const DicomSeries& series) {
+  const DicomFile& first = series.files.front();
+  const ScalarType stored = storedType(first);
+  bool plain = true, integers = true;
+  Interval values{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const DicomFile& file : series.files) {
+    plain = plain && file.slope == 1.0 && file.intercept == 0.0;
+    integers = integers && isInteger(file.slope) && isInteger(file.intercept);
+    const int bits = std::clamp(file.bits_stored, 1, file.bits_allocated);
+    const double low = file.is_signed ? -std::ldexp(1.0, bits - 1) : 0.0;
+    const double high = std::ldexp(1.0, file.is_signed ? bits - 1 : bits) - 1.0;
+    for (const double v : {low, high}) {
+      values.least = std::min(values.least, file.slope * v + file.intercept);
+      values.greatest = std::max(values.greatest, file.slope * v + file.intercept);
+    }
+  }
+  if (plain) return {stored};
+  std::vector<ScalarType> types;
+  if (integers) {
+    if (covers(stored, values)) types.push_back(stored);
+    if (haptics::sizeOf(stored) <= 2 && values.least < 0.0) types.push_back(ScalarType::Int16);
+    if (haptics::sizeOf(stored) <= 2 && values.least >= 0.0) types.push_back(ScalarType::UInt16);
+    if (values.least >= 0.0) types.push_back(ScalarType::UInt32);
+    types.push_back(ScalarType::Int32);
+  }
+  types.push_back(ScalarType::Float32);
+  return types;
+}
+
+/// One slice rescaled; false if a value does not fit an integer type.
+template <class From, class To>
+bool rescale(const From* from, To* to, std::int64_t count, const DicomFile& file) {
+  if constexpr (std::is_same_v<From, To>) {
+    if (file.slope == 1.0 && file.intercept == 0.0) {
+      std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(To));
+      return true;
+    }
+  }
+  if constexpr (std::is_integral_v<To>) {
+    double least = 0.0, greatest = 0.0;
+    const Interval range{static_cast<double>(std::numeric_limits<To>::lowest()),
+                         static_cast<double>(std::numeric_limits<To>::max())};
+    for (std::int64_t i = 0; i < count; ++i) {
+      const double v = file.slope * static_cast<double>(from[i]) + file.intercept;
+      least = std::min(least, v);
+      greatest = std::max(greatest, v);
+      to[i] = static_cast<To>(std::clamp(v, range.least, range.greatest));
+    }
+    return range.least <= least && greatest <= range.greatest;
+  } else {
+    for (std::int64_t i = 0; i < count; ++i)
+      to[i] = static_cast<To>(file.slope * static_cast<double>(from[i]) + file.intercept);
+    return true;
+  }
+}
+
+/// The voxels of one file, as stored, in the file's own row order.
+class SliceDecoder {
+ public:
+  SliceDecoder() {
+    errors_->watch(reader_);
+    reader_->SetMemoryRowOrderToFileNative();
+    reader_->SetAutoRescale(0);
+    reader_->SetAutoYBRToRGB(0);
+    reader_->SetSorting(0);
+  }
+
+  Expected<vtkImageData*> decode(const DicomFile& file) {
+    errors_->forget();
+    reader_->SetFileName(file.path.c_str());
+    reader_->Update();
+    vtkImageData* image = reader_->GetOutput();
+    int dims[3] = {0, 0, 0};
+    if (image != nullptr) image->GetDimensions(dims);
+    const bool whole = errors_->errors() == 0 && reader_->GetErrorCode() == 0 && image != nullptr &&
+                       dims[0] == file.plane.columns && dims[1] == file.plane.rows && dims[2] == 1 &&
+                       image->GetScalarPointer() != nullptr &&
+                       image->GetNumberOfScalarComponents() == 1 &&
+                       typeOf(image->GetScalarType()).has_value();
+    if (!whole)
+      return malformed("truncated", "The pixels of " + quoted(file.path) +
+                                        " cannot be decoded: they are cut off, damaged or in a form "
+                                        "unknown here; fetch the file again or export it as explicit "
+                                        "little endian.");
+    return image;
+  }
+
+ private:
+  vtkNew<vtkDICOMReader> reader_;
+  vtkNew<VtkErrors> errors_;
+};
+
+enum class Outcome { Done, DoesNotFit };
+
+Expected<Outcome> decodeAll(const DicomSeries& series, ScalarType type, void* voxels,
+                            const ReadProgress& progress) {
+  SliceDecoder decoder;
+  const std::vector<std::size_t>& order = series.stack->order;
+  const FileGeometry& geometry = series.stack->geometry;
+  const std::int64_t slice = geometry.dims[0] * geometry.dims[1];
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (progress.cancel != nullptr && *progress.cancel) return cancelled();
+    progress.advanced(static_cast<double>(k) / static_cast<double>(order.size()));
+    const DicomFile& file = series.files[order[k]];
+    const auto image = decoder.decode(file);
+    if (!image) return tl::unexpected(image.error());
+    const bool fits = haptics::visitVoxels(
+        *typeOf((*image)->GetScalarType()), (*image)->GetScalarPointer(), [&](const auto* from) {
+          return haptics::visitVoxels(type, voxels, [&](const auto* to) {
+            using To = std::remove_const_t<std::remove_pointer_t<decltype(to)>>;
+            return rescale(from, static_cast<To*>(voxels) + static_cast<std::int64_t>(k) * slice,
+                           slice, file);
+          });
+        });
+    if (!fits) return Outcome::DoesNotFit;
+  }
+  return Outcome::Done;
+}
+
+}  // namespace
+
+Expected<haptics::Volume> readSeries(const DicomSeries& series, const ReadProgress& progress) {
+  if (!series.stack) return tl::unexpected(series.stack.error());
+  const auto grid = gridOf(series.stack->geometry);
+  if (!grid) return tl::unexpected(grid.error());
+  const CLocale numbers_with_points;
+
+  for (const ScalarType type : candidates(series)) {
+    const auto room = checkRoom(grid->voxelCount(), static_cast<std::int64_t>(haptics::sizeOf(type)));
+    if (!room) return tl::unexpected(room.error());
+    auto voxels = haptics::allocateVoxels(grid->voxelCount(), type);
+    if (!voxels) return tl::unexpected(std::move(voxels.error()));
+    const auto outcome = decodeAll(series, type, voxels->get(), progress);
+    if (!outcome) return tl::unexpected(outcome.error());
+    if (*outcome == Outcome::DoesNotFit) continue;
+    const bool hounsfield = std::ranges::all_of(series.files, &DicomFile::hounsfield);
+    return haptics::makeVolume(*grid, type, std::move(*voxels),
+                               {.unit = hounsfield ? "HU" : "",
+                                .modality = series.files.front().modality,
+                                .orientation_known = true});
+  }
+  return unsupported("bad-header", "The series' rescaled values fit no voxel type; export it again.");
+}
+
+}  // namespace datasets

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
+#include <bit>
+#include <charconv>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include "datasets/readers/refusal.h"
+#include "datasets/readers/volume_reader.h"
+
+namespace datasets {
+
+namespace fs = std::filesystem;
+using haptics::ScalarType;
+using haptics::Vec3;
+
+static_assert(std::endian::native == std::endian::little, "voxels are written as they lie in memory");
+
+namespace {
+
+const char* nrrdTypeOf(ScalarType type) {
+  switch (type) {
+    case ScalarType::UInt8: return "uint8";
+    case ScalarType::Int8: return "int8";
+    case ScalarType::UInt16: return "uint16";
+    case ScalarType::Int16: return "int16";
+    case ScalarType::UInt32: return "uint32";
+    case ScalarType::Int32: return "int32";
+    case ScalarType::Float32: break;
+  }
+  return "float";
+}
+
+/// Metres as millimetres, such that reading them gives the same metres wherever a decimal of 15
+/// digits can: 0.337891 and not 0.33789100000000003.
+std::string millimetres(double metres) {
+  char text[40];
+  for (const int digits : {15, 16}) {
+    std::snprintf(text, sizeof text, "%.*g", digits, metres * 1e3);
+    for (char& c : text)
+      if (c == ',') c = '.';  // the locale's
+    double mm = 0.0;
+    std::from_chars(text, text + std::char_traits<char>::length(text), mm);
+    if (mm * 1e-3 == metres) return text;
+  }
+  return exact(metres * 1e3);
+}
+
+std::string vectorOf(const Vec3& v) {
+  return "(" + millimetres(v.x()) + "," + millimetres(v.y()) + "," + millimetres(v.z()) + ")";
+}
+
+std::string headerOf(const haptics::Volume& volume) {
+  const haptics::Grid& grid = volume.grid;
+  std::string text = "NRRD0005\n# Palpate\ntype: ";
+  text += std::string(nrrdTypeOf(volume.type)) + "\ndimension: 3\nsizes:";
+  for (const std::int64_t n : grid.dims) text += " " + std::to_string(n);
+  if (volume.orientation_known) {
+    text += "\nspace: left-posterior-superior\nspace directions:";
+    for (int a = 0; a < 3; ++a) text += " " + vectorOf(grid.direction.col(a) * grid.spacing[a]);
+    text += "\nspace units: \"mm\" \"mm\" \"mm\"\nspace origin: " + vectorOf(grid.origin);
+  } else if (grid.direction.isIdentity(0.0) && grid.origin.isZero(0.0)) {
+    text += "\nspacings:";
+    for (int a = 0; a < 3; ++a) text += " " + millimetres(grid.spacing[a]);
+    text += "\nunits: \"mm\" \"mm\" \"mm\"";
+  } else {
+    // a place, but in a space whose left and right nobody knows
+    text += "\nspace dimension: 3\nspace directions:";
+    for (int a = 0; a < 3; ++a) text += " " + vectorOf(grid.direction.col(a) * grid.spacing[a]);
+    text += "\nspace units: \"mm\" \"mm\" \"mm\"\nspace origin: " + vectorOf(grid.origin);
+  }
+  text += "\nkinds: domain domain domain\nendian: little\nencoding: raw\n";
+  if (!volume.unit.empty()) text += "unit:=" + volume.unit + "\n";
+  if (!volume.modality.empty()) text += "modality:=" + volume.modality + "\n";
+  return text + "\n";
+}
+
+tl::unexpected<haptics::Error> cannotWrite(const fs::path& out) {
+  return unsupported("unwritable", "The file " + quoted(out) +
+                                       " cannot be written; check that its folder exists, may be "
+                                       "written to and has room.");
+}
+
+}  // namespace
+
+haptics::Expected<void> writeNrrd(const haptics::Volume& volume, const fs::path& out) {
+  fs::path temporary = out;
+  temporary += ".part" + std::to_string(getpid());
+  std::error_code error;
+  {
+    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+    const std::string header = headerOf(volume);
+    file.write(header.data(), static_cast<std::streamsize>(header.size()));
+    file.write(static_cast<const char*>(volume.voxels.get()),
+               static_cast<std::streamsize>(volume.grid.voxelCount()) *
+                   static_cast<std::streamsize>(haptics::sizeOf(volume.type)));
+    file.close();
+    if (!file) {
+      fs::remove(temporary, error);
+      return cannotWrite(out);
+    }
+  }
+  fs::rename(temporary, out, error);
+  if (error) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    return cannotWrite(out);
+  }
+  return {};
+}
+
+}  // namespace datasets

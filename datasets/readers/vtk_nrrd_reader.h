@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkImageAlgorithm.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "haptics/core/error.h"
+#include "haptics/core/volume.h"
+
+namespace datasets {
+
+/// NRRD as a VTK algorithm. The output is an image in metres, patient LPS, with its direction
+/// matrix; its scalars are the voxels of `volume()`, lent and not copied, so keep the volume as
+/// long as the image. Reports progress as VTK does; SetAbortExecute during a ProgressEvent stops
+/// it with Error::Kind::Cancelled.
+class VtkNrrdReader : public vtkImageAlgorithm {
+ public:
+  static VtkNrrdReader* New();
+  vtkTypeMacro(VtkNrrdReader, vtkImageAlgorithm)
+
+  void setPath(const std::filesystem::path& path);
+  /// What the last Update() came to.
+  const haptics::Expected<haptics::Volume>& volume() const { return volume_; }
+
+ protected:
+  VtkNrrdReader();
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+ private:
+  std::filesystem::path path_;
+  haptics::Expected<haptics::Volume> volume_;
+};
+
+}  // namespace datasets
