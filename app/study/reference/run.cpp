@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "app/study/reference/motion.h"
 
@@ -33,18 +34,20 @@ double deepestPoint(const Solid& solid, const haptics::PointShell& shell, const 
 }
 
 double frozenShare(std::span<const Record> records, std::span<const Pose> device_poses,
-                   double radius) {
+                   const haptics::PointShell& shell) {
   assert(records.size() == device_poses.size());
-  const auto distance = [radius](const Pose& a, const Pose& b) {
-    return pathBound(unconstrainedMotion(a, b), radius);
+  const auto way = [&](const Pose& a, const Pose& b) {
+    return pathBound(unconstrainedMotion(a, b), shell.radius);
   };
   int in_contact = 0, frozen = 0;
-  for (std::size_t k = 1; k < records.size(); ++k) {
-    if (records[k].contacts == 0) continue;
-    ++in_contact;
-    const bool still = distance(records[k - 1].X_WP, records[k].X_WP) < 1e-9;
-    const bool behind = distance(records[k].X_WP, device_poses[k]) > 1e-4;
-    const bool led = distance(device_poses[k - 1], device_poses[k]) > 0.0;
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    in_contact += records[k].contacts > 0;
+    if (k == 0 || records[k].contacts == 0) continue;
+    const Twist left = unconstrainedMotion(records[k].X_WP, device_poses[k]);
+    const MassMetric M = massMetric(records[k].X_WP, shell.inertia);
+    const bool still = way(records[k - 1].X_WP, records[k].X_WP) < 1e-9;
+    const bool behind = std::sqrt(M.inner(left, left)) > 1e-4;
+    const bool led = way(device_poses[k - 1], device_poses[k]) > 1e-9;
     frozen += still && behind && led;
   }
   return in_contact > 0 ? static_cast<double>(frozen) / in_contact : 0.0;

@@ -25,9 +25,10 @@ std::vector<Record> run(const Scene& scene, std::span<const Pose> device_poses);
 double deepestPoint(const Solid& solid, const haptics::PointShell& shell, const Pose& X_WP);
 
 /// A tick is frozen if the proxy has moved less than 1e-9 m (translation + radius x rotation)
-/// while it is more than 1e-4 m from a device that moves. The share of the ticks in contact; 0 if
-/// there is none. Records and poses belong together, tick by tick.
+/// while it is more than 1e-4 m, by the mass metric, from a device that has moved more than that
+/// 1e-9 m. The share of the ticks in contact; 0 if there is none. Records and poses belong
+/// together, tick by tick.
 double frozenShare(std::span<const Record> records, std::span<const Pose> device_poses,
-                   double radius);
+                   const haptics::PointShell& shell);
 
 }  // namespace reference

@@ -120,16 +120,19 @@ Vec3 Solid::cellGradient(const Vec3& p_W) const {
   const auto j = static_cast<std::int64_t>(low.y());
   const auto k = static_cast<std::int64_t>(low.z());
 
-  // d/dt of the eight products of weights, corner by corner
+  // the four edges along each axis, so that equal voxels give exactly zero
   Vec3 slope = Vec3::Zero();
-  for (int c = 0; c < 8; ++c) {
-    const std::array<int, 3> high = {c & 1, c >> 1 & 1, c >> 2};
-    const double F = voxel(i + high[0], j + high[1], k + high[2]);
-    for (int axis = 0; axis < 3; ++axis) {
-      double weight = high[axis] ? 1.0 : -1.0;
-      for (int other = 0; other < 3; ++other)
-        if (other != axis) weight *= high[other] ? t[other] : 1.0 - t[other];
-      slope[axis] += weight * F;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    for (int edge = 0; edge < 4; ++edge) {
+      std::array<std::int64_t, 3> at = {i, j, k};
+      at[next] += edge & 1;
+      at[last] += edge >> 1;
+      const double weight =
+          (edge & 1 ? t[next] : 1.0 - t[next]) * (edge >> 1 ? t[last] : 1.0 - t[last]);
+      const double below = voxel(at[0], at[1], at[2]);
+      ++at[axis];
+      slope[axis] += weight * (voxel(at[0], at[1], at[2]) - below);
     }
   }
   return volume_.grid.direction * slope.cwiseQuotient(volume_.grid.spacing);

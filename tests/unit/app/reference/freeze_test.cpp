@@ -45,7 +45,7 @@ Outcome outcomeOf(Variant variant, double noise) {
   const Scene scene = sceneOf(variant, noise);
   const std::vector<Pose> hand = slide();
   const std::vector<Record> records = reference::run(scene, hand);
-  Outcome outcome{reference::frozenShare(records, hand, scene.shell.radius), 0.0, 0.0, 0.0};
+  Outcome outcome{reference::frozenShare(records, hand, scene.shell), 0.0, 0.0, 0.0};
   for (const Record& record : records) {
     outcome.deepest = std::max(outcome.deepest, record.penetration);
     outcome.samples_per_point += static_cast<double>(record.samples) / 200 / records.size();

@@ -68,7 +68,8 @@ TEST(ReferenceSolid, MeasuresPenetrationBySlopeAndOnAPlateauByDistance) {
   EXPECT_EQ(Solid(ramp, 0.0, {}).penetration({0, 0, 1e-9}), 0.0);
   EXPECT_NEAR(Solid(ramp, 0.0, {}).penetration({0, 0, -2e-3}), 2e-3, 1e-9);
 
-  // a block of one value: the nearest voxel below the isovalue tells
+  // a block of one value: the nearest voxel below the isovalue tells. A value that weights sum to
+  // with rounding must not pass for a slope.
   const auto block =
       sampled(20, Vec3::Constant(1e-3), [](const Vec3& p) { return p.z() < 0 ? 1000.0 : 0.0; });
   const double depth = Solid(block, 500.0, {}).penetration({0, 0, -3e-3});
