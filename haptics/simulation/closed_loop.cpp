@@ -4,7 +4,7 @@
 namespace haptics {
 
 Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
-                               const std::function<void(const TraceRow&)>& each) {
+                               const std::function<bool(const TraceRow&)>& each) {
   grip.X_WD = hand.at(0.0);
   const std::optional<Pose> start = legalPoseNear(*scene, isovalue, grip.X_WD);
   if (!start)
@@ -28,7 +28,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     const TickResult result = tick(*scene, isovalue, coupling, grip.X_WD, proxy, budget);
     sent = safety.pass(result.wrench_W, result.outside, period);
     const std::int64_t ended = Budget::threadTime();
-    each({time, grip.X_WD, proxy.X_WP, sent, result.contacts, ended - begun});
+    if (!each({time, grip.X_WD, proxy.X_WP, sent, result.contacts, ended - begun})) break;
   }
   return {};
 }

@@ -37,9 +37,10 @@ struct ClosedLoop {
   bool hand_is_device = false;
   double period = 1e-3;  ///< s
 
-  /// Runs `ticks` ticks and hands over each row. Refuses a start with no legal pose near.
+  /// Runs `ticks` ticks and hands over each row, until `each` returns false. Refuses a start with
+  /// no legal pose near.
   Expected<void> run(const Hand& hand, std::int64_t ticks,
-                     const std::function<void(const TraceRow&)>& each);
+                     const std::function<bool(const TraceRow&)>& each);
 };
 
 }  // namespace haptics

@@ -2,6 +2,7 @@
 #include "haptics/simulation/hand.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -10,6 +11,13 @@
 
 namespace haptics {
 namespace {
+
+/// The isovalue as a person would write it.
+std::string plain(double value) {
+  char text[32];
+  const auto [end, error] = std::to_chars(text, text + sizeof text, value);
+  return {text, end};
+}
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLeadIn = 0.5;  // s from outside the volume to the surface
@@ -132,7 +140,7 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
   if (!middle)
     return tl::unexpected(Error{Error::Kind::NotFound,
                                 "Nothing in the volume reaches the isovalue " +
-                                    std::to_string(isovalue) + "; choose a lower one.",
+                                    plain(isovalue) + "; choose a lower one.",
                                 "nothing-inside"});
   const Grid& grid = scene.volume->grid;
   const Vec3 extent{double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1)};
@@ -177,7 +185,7 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
   if (best.merit == -INFINITY)
     return tl::unexpected(Error{Error::Kind::NotFound,
                                 "The tool finds no surface at the isovalue " +
-                                    std::to_string(isovalue) + "; choose a lower one.",
+                                    plain(isovalue) + "; choose a lower one.",
                                 "nothing-inside"});
   Hand hand;
   hand.motion_ = motion;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "app/cli/outcome.h"
+
+namespace app::cli {
+
+/// Each adds its subcommand to the program; `chosen` becomes what to do when it was named.
+using Chosen = std::function<Outcome()>;
+void addTool(CLI::App& program, Chosen& chosen);
+void addRun(CLI::App& program, Chosen& chosen);
+#ifdef PALPATE_READERS
+void addInfo(CLI::App& program, Chosen& chosen);
+void addConvert(CLI::App& program, Chosen& chosen);
+#endif
+
+}  // namespace app::cli

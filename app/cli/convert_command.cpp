@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/sources.h"
+#include "datasets/readers/volume_reader.h"
+
+namespace app::cli {
+namespace {
+
+struct ConvertOptions {
+  VolumeChoice volume;
+  std::vector<std::string> paths;
+};
+
+Outcome convert(ConvertOptions options) {
+  const bool phantom = !options.volume.phantom.empty();
+  if (options.paths.size() != (phantom ? 1U : 2U))
+    return usage("convert needs a volume (a path, or --phantom NAME) and OUT.nrrd.");
+  if (!phantom) options.volume.path = options.paths.front();
+  const std::string& out = options.paths.back();
+  if (!out.ends_with(".nrrd")) return usage("\"" + out + "\" must end in .nrrd.");
+  auto volume = loadVolume(options.volume);
+  if (!volume) return refused(volume.error());
+  if (auto written = datasets::writeNrrd(**volume, out); !written)
+    return {Exit::Failed, {}, {}, written.error().what};
+  Outcome outcome;
+  outcome.json["dims"] = (*volume)->grid.dims;
+  outcome.json["scalar"] = haptics::nameOf((*volume)->type);
+  outcome.json["unit"] = (*volume)->unit;
+  outcome.json["modality"] = (*volume)->modality;
+  return outcome;
+}
+
+}  // namespace
+
+void addConvert(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command = program.add_subcommand("convert", "Write what was read as NRRD");
+  command->add_option("paths", options->paths, "PATH OUT.nrrd, or with --phantom OUT.nrrd")
+      ->required()
+      ->expected(1, 2);
+  command->add_option("--phantom", options->volume.phantom, "A named phantom in place of PATH");
+  command->add_option("--series", options->volume.series, "Which series of a folder");
+  command->callback([options, &chosen] { chosen = [options] { return convert(*options); }; });
+}
+
+}  // namespace app::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <string_view>
+
+#include "app/cli/commands.h"
+
+namespace {
+
+/// --json is wanted even when the rest of the line cannot be parsed.
+bool asksForJson(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (std::string_view(argv[i]) == "--json") return true;
+  return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace app::cli;
+  CLI::App program{
+      "Palpate without a window: what a scan is, what a tool is, and how one feels the other.\n"
+      "Not a medical device, not for diagnosis.",
+      "palpate-cli"};
+  program.require_subcommand(1);
+  Chosen chosen;
+#ifdef PALPATE_READERS
+  addInfo(program, chosen);
+  addConvert(program, chosen);
+#endif
+  addTool(program, chosen);
+  addRun(program, chosen);
+  bool json = asksForJson(argc, argv);
+  for (CLI::App* command : program.get_subcommands({}))
+    command->add_flag("--json", json, "Print one JSON object and nothing else");
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return program.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return print(usage(std::string{error.what()} + " (palpate-cli --help tells more)"), json);
+  }
+  watchForInterrupts();
+  try {
+    return print(chosen(), json);
+  } catch (const std::exception&) {
+    // libraries may throw where memory ends; there is nothing better to say of it
+    return print({Exit::Failed, {}, {}, "Palpate ran out of memory; try a smaller volume."}, json);
+  }
+}

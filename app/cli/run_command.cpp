@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numeric>
+
+#include "app/cli/commands.h"
+#include "app/cli/sources.h"
+#include "app/cli/trace.h"
+#include "haptics/devices/ratings.h"
+#include "haptics/simulation/closed_loop.h"
+#include "haptics/simulation/penetration.h"
+
+namespace app::cli {
+namespace {
+
+constexpr double kDepth = 0.004;  // m that a hand brings the device beyond the surface
+
+struct RunOptions {
+  VolumeChoice volume;
+  ToolChoice tool;
+  double isovalue = 0.0;
+  std::string hand = "tap";
+  double seconds = 5.0;
+  double stiffness = 1000.0;
+  double angular_stiffness = 0.0;
+  std::string device = {};
+  std::string trace = {};
+  std::uint64_t seed = 1;
+};
+
+const std::map<std::string, haptics::HandMotion>& motions() {
+  using haptics::HandMotion;
+  static const std::map<std::string, HandMotion> kMotions{
+      {"tap", HandMotion::Tap},   {"slide", HandMotion::Slide}, {"wedge", HandMotion::Wedge},
+      {"pry", HandMotion::Pry},   {"hook", HandMotion::Hook},   {"jerk", HandMotion::Jerk},
+      {"twist", HandMotion::Twist}};
+  return kMotions;
+}
+
+/// What is told of a run, gathered row by row.
+struct Tally {
+  std::vector<double> tick_us;
+  std::int64_t ticks = 0, contact_ticks = 0, non_finite = 0;
+  int most_contacts = 0;
+  double penetration_mm = 0.0, coupling_m = 0.0, force = 0.0, torque = 0.0;
+
+  void add(const haptics::TraceRow& row, const haptics::Scene& scene, double isovalue) {
+    ++ticks;
+    tick_us.push_back(double(row.cpu_ns) * 1e-3);
+    if (!row.X_WP.matrix().allFinite() || !row.sent_W.force.allFinite() ||
+        !row.sent_W.torque.allFinite()) {
+      ++non_finite;
+      return;
+    }
+    penetration_mm = std::max(penetration_mm, haptics::penetration(scene, isovalue, row.X_WP) * 1e3);
+    force = std::max(force, row.sent_W.force.norm());
+    torque = std::max(torque, row.sent_W.torque.norm());
+    most_contacts = std::max(most_contacts, row.contacts);
+    if (row.contacts == 0) return;
+    ++contact_ticks;
+    const Eigen::AngleAxisd turn{row.X_WD.linear() * row.X_WP.linear().transpose()};
+    const haptics::Twist apart{row.X_WD.translation() - row.X_WP.translation(),
+                               turn.angle() * turn.axis()};
+    coupling_m += scene.metric.whitened(apart, row.X_WP.linear()).norm();
+  }
+
+  nlohmann::ordered_json report() const {
+    std::vector<double> sorted = tick_us;
+    std::sort(sorted.begin(), sorted.end());
+    const auto quantile = [&](double q) {
+      if (sorted.empty()) return 0.0;
+      return sorted[static_cast<std::size_t>(q * double(sorted.size() - 1))];
+    };
+    nlohmann::ordered_json json;
+    json["ticks"] = ticks;
+    json["mean_us"] = sorted.empty() ? 0.0
+                                     : std::accumulate(sorted.begin(), sorted.end(), 0.0) /
+                                           double(sorted.size());
+    json["p50_us"] = quantile(0.5);
+    json["p99_us"] = quantile(0.99);
+    json["max_us"] = quantile(1.0);
+    json["contact_ticks"] = contact_ticks;
+    json["max_contacts"] = most_contacts;
+    json["max_penetration_mm"] = penetration_mm;
+    json["coupling_mm"] = contact_ticks > 0 ? coupling_m / double(contact_ticks) * 1e3 : 0.0;
+    json["max_force_N"] = force;
+    json["max_torque_Nm"] = torque;
+    json["nonfinite"] = non_finite;
+    return json;
+  }
+};
+
+haptics::Expected<haptics::Hand> handFor(const RunOptions& options, const haptics::Scene& scene,
+                                         const haptics::Grip& grip) {
+  const auto found = motions().find(options.hand);
+  if (found == motions().end()) return readHand(options.hand);
+  const double reach = haptics::Hand::reachFor(kDepth, options.stiffness, grip.stiffness);
+  return haptics::Hand::aimed(found->second, scene, options.isovalue, reach, options.seed);
+}
+
+Outcome run(const RunOptions& options) {
+  if (options.volume.path.empty() == options.volume.phantom.empty())
+    return usage("run needs either --volume or --phantom.");
+  haptics::ForceLimits limits;
+  if (!options.device.empty()) {
+    const haptics::DeviceRating* rating = haptics::findRating(options.device);
+    if (rating == nullptr) {
+      std::string names;
+      for (const auto& r : haptics::deviceRatings())
+        names += (names.empty() ? "" : ", ") + std::string{r.name};
+      return usage("There is no device \"" + options.device + "\"; choose one of " + names + ".");
+    }
+    limits = {rating->force, rating->torque, 1.0, 0.02};
+  }
+  auto loaded = loadTool(options.tool);
+  if (!loaded) return refused(loaded.error());
+  auto volume = loadVolume(options.volume);
+  if (!volume) return refused(volume.error());
+  if (options.isovalue <= (*volume)->least)
+    return refused({haptics::Error::Kind::Unsupported,
+                    "The isovalue " + nlohmann::json(options.isovalue).dump() +
+                        " is at or below the background " + nlohmann::json((*volume)->least).dump() +
+                        ", where everything would be solid; choose a higher one.",
+                    "isovalue"});
+  auto scene = haptics::makeScene(*volume, std::move(loaded->tool));
+  if (!scene) return refused(scene.error());
+
+  haptics::ClosedLoop loop{*scene, options.isovalue,
+                           {options.stiffness, options.angular_stiffness}, limits, {},
+                           !motions().contains(options.hand), 1e-3};
+  loop.grip.gyration = std::sqrt((*scene)->tool.shell.inertia.trace() / 3.0);
+  auto hand = handFor(options, **scene, loop.grip);
+  if (!hand) return refused(hand.error());
+
+  std::unique_ptr<TraceWriter> trace;
+  if (!options.trace.empty()) {
+    auto opened = TraceWriter::open(options.trace);
+    if (!opened) return {Exit::Failed, {}, {}, opened.error().what};
+    trace = std::make_unique<TraceWriter>(std::move(*opened));
+  }
+  Tally tally;
+  bool stopped = false;
+  const auto ticks = static_cast<std::int64_t>(std::llround(options.seconds * 1000.0));
+  const auto done = loop.run(*hand, ticks, [&](const haptics::TraceRow& row) {
+    tally.add(row, **scene, options.isovalue);
+    if (trace) trace->write(row);
+    stopped = stopped || interrupted();
+    return !stopped;
+  });
+  if (!done) return refused(done.error());
+  Outcome outcome{Exit::Done, tally.report(), {}, {}};
+  if (trace) {
+    if (auto finished = trace->finish(); !finished)
+      return {Exit::Failed, outcome.json, {}, finished.error().what};
+  }
+  if (stopped) {
+    outcome.code = Exit::Interrupted;
+    outcome.error = "Stopped; what was run until then is reported.";
+  } else if (tally.non_finite > 0 || tally.penetration_mm > 0.0) {
+    outcome.code = Exit::Failed;
+    outcome.error = tally.non_finite > 0
+                        ? "The run produced numbers that are not finite; please report it."
+                        : "The proxy entered the surface; please report it.";
+  }
+  return outcome;
+}
+
+}  // namespace
+
+void addRun(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command =
+      program.add_subcommand("run", "Touch a volume with the simulated hand, in closed loop");
+  auto* path = command->add_option("--volume", options->volume.path, "DICOM folder or file, or NRRD");
+  command->add_option("--phantom", options->volume.phantom, "A named phantom")->excludes(path);
+  command->add_option("--series", options->volume.series, "Which series of a folder");
+  command->add_option("--isovalue", options->isovalue, "Where the surface is")->required();
+  command->add_option("--tool", options->tool.name, "A named tool, or a mesh or CSV file")->required();
+  command->add_option("--points", options->tool.points, "So many points, spread evenly by area")
+      ->check(CLI::Range(1, 10'000'000));
+  command->add_option("--tool-unit", options->tool.unit, "Unit of a mesh file")
+      ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
+  command->add_option("--hand", options->hand,
+                      "tap, slide, wedge, pry, hook, jerk, twist, or a CSV of poses")
+      ->required();
+  command->add_option("--seconds", options->seconds, "How long")
+      ->required()
+      ->check(CLI::Range(0.001, 86'400.0));
+  command->add_option("--stiffness", options->stiffness, "Of the virtual coupling [N/m]")
+      ->required()
+      ->check(CLI::Range(0.0, 20'000.0));
+  command->add_option("--angular-stiffness", options->angular_stiffness,
+                      "In place of the tool's own [N·m/rad]")
+      ->check(CLI::Range(0.0, 1000.0));
+  command->add_option("--device", options->device, "Take the limits of this device");
+  command->add_option("--trace", options->trace, "CSV to write, one row a tick");
+  command->add_option("--seed", options->seed, "Of the hand's aim");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace app::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/sources.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+
+#include "datasets/phantoms/phantoms.h"
+#include "resources/named_tools.h"
+#ifdef PALPATE_READERS
+#include "datasets/readers/tool_mesh.h"
+#include "datasets/readers/volume_reader.h"
+#endif
+
+namespace app::cli {
+namespace {
+
+using haptics::Error;
+
+tl::unexpected<Error> malformed(std::string what) {
+  return tl::unexpected(Error{Error::Kind::Malformed, std::move(what)});
+}
+
+haptics::Expected<LoadedTool> toolFromPoints(const ToolChoice& choice) {
+  auto rows = readNumbers(choice.name, 3);
+  if (!rows) return tl::unexpected(rows.error());
+  std::vector<haptics::Vec3> points;
+  for (const std::vector<double>& row : *rows) points.emplace_back(row[0], row[1], row[2]);
+  auto shell = haptics::makeShell(std::move(points));
+  if (!shell) return tl::unexpected(shell.error());
+  return LoadedTool{{"points", {}, std::move(*shell)}, {}};
+}
+
+}  // namespace
+
+haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const VolumeChoice& choice) {
+  if (!choice.phantom.empty()) {
+    auto phantom = datasets::makePhantom(choice.phantom);
+    if (!phantom) return tl::unexpected(phantom.error());
+    return std::make_shared<const haptics::Volume>(std::move(phantom->volume));
+  }
+#ifdef PALPATE_READERS
+  auto volume = datasets::readVolume(choice.path, choice.series);
+  if (!volume) return tl::unexpected(volume.error());
+  return std::make_shared<const haptics::Volume>(std::move(*volume));
+#else
+  return tl::unexpected(Error{Error::Kind::Unsupported,
+                              "This palpate-cli was built without readers and opens no files; use "
+                              "--phantom, or the desktop build."});
+#endif
+}
+
+haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
+  const std::vector<std::string> named = resources::namedTools();
+  if (std::find(named.begin(), named.end(), choice.name) != named.end()) {
+    auto mesh = resources::namedToolMesh(choice.name);
+    if (!mesh) return tl::unexpected(mesh.error());
+    auto tool = haptics::makeTool(choice.name, std::move(*mesh), choice.points);
+    if (!tool) return tl::unexpected(tool.error());
+    return LoadedTool{std::move(*tool), {}};
+  }
+  const std::string extension = std::filesystem::path(choice.name).extension().string();
+  if (extension == ".csv" || extension == ".CSV") return toolFromPoints(choice);
+  if (extension.empty() && !std::filesystem::exists(choice.name)) {
+    std::string names;
+    for (const std::string& name : named) names += (names.empty() ? "" : ", ") + name;
+    return tl::unexpected(Error{Error::Kind::NotFound, "There is no tool \"" + choice.name +
+                                                           "\"; choose one of " + names +
+                                                           ", or a mesh file."});
+  }
+#ifdef PALPATE_READERS
+  using datasets::MeshUnit;
+  const MeshUnit unit = choice.unit == "m"    ? MeshUnit::Metre
+                        : choice.unit == "cm" ? MeshUnit::Centimetre
+                        : choice.unit == "in" ? MeshUnit::Inch
+                                              : MeshUnit::Millimetre;
+  auto read = datasets::readToolMesh(choice.name, unit);
+  if (!read) return tl::unexpected(read.error());
+  auto tool = haptics::makeTool("file", std::move(read->mesh), choice.points);
+  if (!tool) return tl::unexpected(tool.error());
+  return LoadedTool{std::move(*tool), std::move(read->warnings)};
+#else
+  return tl::unexpected(Error{Error::Kind::Unsupported,
+                              "This palpate-cli was built without readers and opens no mesh files; "
+                              "use a named tool or a CSV of points."});
+#endif
+}
+
+haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,
+                                                                std::size_t columns) {
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path))
+    return tl::unexpected(
+        Error{Error::Kind::NotFound, "\"" + path + "\" cannot be opened; check the path."});
+  std::string line;
+  if (!std::getline(file, line)) return malformed("\"" + path + "\" is empty.");
+  std::vector<std::vector<double>> rows;
+  for (std::size_t number = 2; std::getline(file, line); ++number) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.empty()) continue;
+    std::vector<double> row;
+    const char *at = line.data(), *end = line.data() + line.size();
+    while (at < end) {
+      while (at < end && (*at == ' ' || *at == '\t')) ++at;
+      double value = 0.0;
+      const auto [stop, error] = std::from_chars(at, end, value);
+      if (error != std::errc{}) break;
+      row.push_back(value);
+      at = stop;
+      while (at < end && (*at == ' ' || *at == '\t')) ++at;
+      if (at < end && *at != ',') break;
+      ++at;
+    }
+    if (at < end || row.size() < columns)
+      return malformed("\"" + path + "\" needs " + std::to_string(columns) +
+                       " numbers, separated by commas, in line " + std::to_string(number) + ".");
+    rows.push_back(std::move(row));
+  }
+  if (rows.empty()) return malformed("\"" + path + "\" holds a header and no rows.");
+  return rows;
+}
+
+}  // namespace app::cli

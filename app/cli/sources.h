@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "haptics/core/error.h"
+#include "haptics/core/volume.h"
+#include "haptics/tool/point_shell.h"
+
+namespace app::cli {
+
+/// Which volume a command works on: a path, or a named phantom.
+struct VolumeChoice {
+  std::string path = {};
+  std::string phantom = {};
+  std::optional<int> series = {};
+};
+haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const VolumeChoice& choice);
+
+/// Which tool: a named one, a mesh file, or a CSV of points (x,y,z in metres, one header line).
+struct ToolChoice {
+  std::string name = {};
+  int points = 0;           ///< 0: the mesh's vertices
+  std::string unit = "mm";  ///< of a mesh file: m, mm, cm, in
+};
+struct LoadedTool {
+  haptics::Tool tool;
+  std::vector<std::string> warnings;
+};
+haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice);
+
+/// Rows of numbers under one header line; every row has at least `columns` of them.
+haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,
+                                                                std::size_t columns);
+
+}  // namespace app::cli
