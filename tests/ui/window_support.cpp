@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "window_support.h"
+
+#include <QDir>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace window {
+
+std::shared_ptr<const haptics::Volume> volumeOf(
+    const haptics::Grid& grid, haptics::ScalarType type,
+    const std::function<double(const haptics::Vec3& p_W)>& intensity, haptics::VolumeFacts facts) {
+  auto voxels = haptics::allocateVoxels(grid.voxelCount(), type).value();
+  haptics::visitVoxels(type, voxels.get(), [&](const auto* first) {
+    using T = std::remove_cv_t<std::remove_pointer_t<decltype(first)>>;
+    auto* out = const_cast<T*>(first);
+    for (std::int64_t k = 0; k < grid.dims[2]; ++k)
+      for (std::int64_t j = 0; j < grid.dims[1]; ++j)
+        for (std::int64_t i = 0; i < grid.dims[0]; ++i) {
+          const haptics::Vec3 index{static_cast<double>(i), static_cast<double>(j),
+                                    static_cast<double>(k)};
+          *out++ = static_cast<T>(std::lround(intensity(grid.worldOf(index))));
+        }
+  });
+  return std::make_shared<const haptics::Volume>(
+      haptics::makeVolume(grid, type, std::move(voxels), std::move(facts)).value());
+}
+
+haptics::Grid cubeGrid(int n, const haptics::Mat3& direction) {
+  haptics::Grid grid;
+  grid.dims = {n, n, n};
+  grid.spacing = haptics::Vec3::Constant(1e-3);
+  grid.direction = direction;
+  grid.origin = -direction * haptics::Vec3::Constant(0.5e-3 * (n - 1));
+  return grid;
+}
+
+std::function<double(const haptics::Vec3&)> ball(const haptics::Vec3& centre_W, double radius) {
+  return [=](const haptics::Vec3& p) {
+    return std::clamp(50.0 + ((radius - (p - centre_W).norm()) / 3e-3) * 100.0, 0.0, 100.0);
+  };
+}
+
+haptics::TriangleMesh octahedron(double size) {
+  haptics::TriangleMesh mesh;
+  for (int a = 0; a < 3; ++a)
+    for (const double side : {size, -size}) mesh.vertices.push_back(haptics::Vec3::Unit(a) * side);
+  for (const std::uint32_t x : {0U, 1U})
+    for (const std::uint32_t y : {2U, 3U})
+      for (const std::uint32_t z : {4U, 5U}) {
+        if ((x + y + z) % 2 == 0)
+          mesh.triangles.push_back({x, y, z});
+        else
+          mesh.triangles.push_back({x, z, y});
+      }
+  return mesh;
+}
+
+void showAndWait(QWidget& widget, QSize size) {
+  widget.resize(size);
+  widget.show();
+  if (!QTest::qWaitForWindowExposed(&widget, 20'000)) std::fprintf(stderr, "not exposed\n");
+  QTest::qWait(50);
+}
+
+QImage pictureOf(QWidget& widget) {
+  QTest::qWait(30);
+  return widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+QImage pictureAtRest(ui::VolumeView& view) {
+  QTest::qWait(500);
+  return view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+}
+
+void keep(const QImage& image, const char* name) {
+  const QString folder = QDir::tempPath() + "/palpate-window-tests";
+  QDir().mkpath(folder);
+  image.save(folder + "/" + name + ".png");
+}
+
+double differing(const QImage& a, const QImage& b, int tolerance) {
+  if (a.size() != b.size()) return 1.0;
+  std::int64_t apart = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+      apart += std::max({std::abs(p.red() - q.red()), std::abs(p.green() - q.green()),
+                         std::abs(p.blue() - q.blue())}) > tolerance;
+    }
+  return static_cast<double>(apart) / (static_cast<double>(a.width()) * a.height());
+}
+
+QPointF centroid(const QImage& image, const std::function<bool(QColor)>& wanted, int least) {
+  QPointF sum;
+  int found = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (wanted(image.pixelColor(x, y))) {
+        sum += QPointF{x + 0.5, y + 0.5};
+        ++found;
+      }
+  return found < least ? QPointF{-1.0, -1.0} : sum / found;
+}
+
+int count(const QImage& image, const std::function<bool(QColor)>& wanted) {
+  int found = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) found += wanted(image.pixelColor(x, y));
+  return found;
+}
+
+bool proxyColoured(QColor c) { return c.blue() > 90 && c.blue() > 2 * c.red() + 20; }
+bool deviceColoured(QColor c) { return c.red() > 150 && c.red() > 2 * c.green() && c.blue() < 90; }
+bool surfaceColoured(QColor c) {
+  return c.red() > 45 && c.red() >= c.green() && c.green() > c.blue() &&
+         c.red() < 1.5 * c.blue() + 20;
+}
+
+}  // namespace window

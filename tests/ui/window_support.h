@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QWidget>
+#include <functional>
+#include <memory>
+
+#include "haptics/core/triangle_mesh.h"
+#include "haptics/core/volume.h"
+#include "ui/volume_view.h"
+
+namespace window {
+
+/// A volume whose voxels follow a formula of their place in W.
+std::shared_ptr<const haptics::Volume> volumeOf(
+    const haptics::Grid& grid, haptics::ScalarType type,
+    const std::function<double(const haptics::Vec3& p_W)>& intensity,
+    haptics::VolumeFacts facts = {});
+
+/// A grid of n^3 voxels of 1 mm whose middle is the origin, with these axes.
+haptics::Grid cubeGrid(int n, const haptics::Mat3& direction = haptics::Mat3::Identity());
+
+/// 100 inside a ball about `centre_W`, falling to 0 over 3 mm at its surface (50 there); m.
+std::function<double(const haptics::Vec3&)> ball(const haptics::Vec3& centre_W, double radius);
+
+/// An octahedron with corners this far from its middle, m.
+haptics::TriangleMesh octahedron(double size);
+
+/// Shows the widget and waits until it has been drawn.
+void showAndWait(QWidget& widget, QSize size);
+/// Waits until nothing more is drawn, and takes the widget's picture.
+QImage pictureOf(QWidget& widget);
+/// The same, of a 3-D view; waits past its time of rest.
+QImage pictureAtRest(ui::VolumeView& view);
+/// Keeps a picture in the tests' folder, so that it can be looked at.
+void keep(const QImage& image, const char* name);
+
+/// The share of pixels that differ by more than `tolerance` in some channel.
+double differing(const QImage& a, const QImage& b, int tolerance = 24);
+/// Mean place of the pixels that `wanted` picks; {-1, -1} if fewer than `least`.
+QPointF centroid(const QImage& image, const std::function<bool(QColor)>& wanted, int least = 4);
+int count(const QImage& image, const std::function<bool(QColor)>& wanted);
+
+bool proxyColoured(QColor colour);
+bool deviceColoured(QColor colour);
+bool surfaceColoured(QColor colour);
+
+}  // namespace window

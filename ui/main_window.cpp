@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/escape_filter.h"
+#include "ui/panels/force_panel.h"
+#include "ui/panels/isosurface_panel.h"
+#include "ui/panels/status_line.h"
+#include "ui/volume_view.h"
+
+namespace ui {
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      view_(new VolumeView),
+      isosurface_(new IsosurfacePanel),
+      device_(new DevicePanel),
+      force_(new ForcePanel),
+      status_(new StatusLine),
+      message_bar_(new QFrame),
+      message_(new QLabel),
+      loading_(new QFrame),
+      loading_what_(new QLabel),
+      progress_(new QProgressBar) {
+  setWindowTitle(QStringLiteral("Palpate"));
+  setWindowIcon(QIcon(QStringLiteral(":/icons/palpate.svg")));
+  setAcceptDrops(true);
+  setContextMenuPolicy(Qt::NoContextMenu);  // its menu could hide the force bar
+  buildForceBar();
+  buildViews();
+  buildDocks();
+  buildMenus();
+  buildStatusBar();
+  connect(new EscapeFilter(this), &EscapeFilter::pressed, this, &MainWindow::forceOffWanted);
+  resize(1240, 840);
+}
+
+void MainWindow::buildForceBar() {
+  auto* bar = new QToolBar(tr("Force"));
+  bar->setObjectName("forceBar");
+  bar->setMovable(false);
+  bar->toggleViewAction()->setEnabled(false);
+  auto* off = new QToolButton;
+  off->setObjectName("forceOff");
+  off->setText(tr("FORCE OFF"));
+  off->setToolTip(tr("Zero force at once (Escape anywhere, Space in the 3-D view)"));
+  off->setStyleSheet(
+      "QToolButton { background: #c81e1e; color: white; font-weight: bold; padding: 6px 18px; }"
+      "QToolButton:hover { background: #e03030; }");
+  auto* on = new QToolButton;
+  on->setObjectName("forceOn");
+  on->setText(tr("Force on"));
+  on->setStyleSheet("padding: 6px 12px;");
+  connect(off, &QToolButton::clicked, this, &MainWindow::forceOffWanted);
+  connect(on, &QToolButton::clicked, this, &MainWindow::forceOnWanted);
+  bar->addWidget(off);  // leftmost: never in the overflow
+  bar->addWidget(on);
+  bar->addSeparator();
+  addToolBar(Qt::TopToolBarArea, bar);
+}
+
+void MainWindow::buildViews() {
+  message_->setObjectName("message");
+  message_->setWordWrap(true);
+  message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* close_message = new QToolButton;
+  close_message->setText(tr("Close"));
+  connect(close_message, &QToolButton::clicked, this, &MainWindow::clearMessage);
+  message_bar_->setStyleSheet("QFrame { background: #7a4a00; } QLabel { color: white; }");
+  auto* message_row = new QHBoxLayout(message_bar_);
+  message_row->addWidget(message_, 1);
+  message_row->addWidget(close_message);
+  message_bar_->hide();
+
+  auto* slices = new QSplitter(Qt::Vertical);
+  for (const Plane plane : {Plane::Axial, Plane::Coronal, Plane::Sagittal}) {
+    auto* slice = new SliceView(plane);
+    slices_[static_cast<std::size_t>(plane)] = slice;
+    slices->addWidget(slice);
+    connect(slice, &SliceView::crossMoved, this, &MainWindow::moveCross);
+    connect(slice, &SliceView::greyChanged, this, &MainWindow::setGrey);
+  }
+  auto* views = new QSplitter(Qt::Horizontal);
+  views->addWidget(view_);
+  views->addWidget(slices);
+  views->setStretchFactor(0, 3);
+  views->setStretchFactor(1, 1);
+  views->setChildrenCollapsible(false);
+  slices->setChildrenCollapsible(false);
+  auto* centre = new QWidget;
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(message_bar_);
+  column->addWidget(views, 1);
+  setCentralWidget(centre);
+
+  view_->setObjectName("view");
+  connect(view_, &VolumeView::forceOffWanted, this, &MainWindow::forceOffWanted);
+  connect(view_, &VolumeView::surfaceChosen, status_, &StatusLine::setSurface);
+}
+
+void MainWindow::buildDocks() {
+  const auto dock = [this](const QString& title, const char* name, QWidget* panel) {
+    auto* frame = new QDockWidget(title);
+    frame->setObjectName(name);
+    frame->setWidget(panel);
+    frame->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+    addDockWidget(Qt::LeftDockWidgetArea, frame);
+  };
+  dock(tr("Isosurface"), "isosurfaceDock", isosurface_);
+  dock(tr("Device and tool"), "deviceDock", device_);
+  dock(tr("Force"), "forceDock", force_);
+  connect(isosurface_, &IsosurfacePanel::isovalueChanged, view_, &VolumeView::setIsovalue);
+  connect(isosurface_, &IsosurfacePanel::isovalueChanged, this, &MainWindow::isovalueChanged);
+  connect(isosurface_, &IsosurfacePanel::refused, this,
+          [this](const QString& sentence) { statusBar()->showMessage(sentence, 6000); });
+}
+
+void MainWindow::buildMenus() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  const auto ask = [this](QFileDialog::FileMode mode, const QString& title) {
+    // Qt's own dialog: in a foreign one Escape would not reach the application
+    QFileDialog dialog(this, title);
+    dialog.setFileMode(mode);
+    dialog.setOption(QFileDialog::DontUseNativeDialog);
+    if (dialog.exec() == QDialog::Accepted) emit openWanted(dialog.selectedFiles().value(0));
+  };
+  QAction* open = file->addAction(tr("&Open file…"), this, [ask] {
+    ask(QFileDialog::ExistingFile, tr("Open a scan"));
+  });
+  open->setShortcut(QKeySequence::Open);
+  QAction* folder = file->addAction(tr("Open &folder…"), this, [ask] {
+    ask(QFileDialog::Directory, tr("Open a folder of slices"));
+  });
+  folder->setShortcut(QKeySequence(tr("Ctrl+Shift+O")));
+  phantoms_ = file->addMenu(tr("Open &phantom"));
+  file->addSeparator();
+  file->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
+
+  QMenu* look = menuBar()->addMenu(tr("&View"));
+  look->addAction(tr("Show &everything"), view_, &VolumeView::resetCamera);
+  QMenu* surface = look->addMenu(tr("&Surface"));
+  surface->addAction(tr("Automatic"), this, [this] { view_->setSurfaceWish(std::nullopt); });
+  surface->addAction(tr("Ray casting"), this,
+                     [this] { view_->setSurfaceWish(SurfaceMode::RayCast); });
+  surface->addAction(tr("Mesh"), this, [this] { view_->setSurfaceWish(SurfaceMode::Mesh); });
+
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->addAction(tr("&Controls"), this, &MainWindow::showControls)->setShortcut(Qt::Key_F1);
+  help->addAction(tr("&About Palpate"), this, &MainWindow::showAbout);
+}
+
+void MainWindow::buildStatusBar() {
+  auto* cancel = new QToolButton;
+  cancel->setObjectName("cancelLoading");
+  cancel->setText(tr("Cancel"));
+  connect(cancel, &QToolButton::clicked, this, &MainWindow::cancelWanted);
+  progress_->setRange(0, 1000);
+  progress_->setMaximumWidth(180);
+  auto* row = new QHBoxLayout(loading_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(loading_what_);
+  row->addWidget(progress_);
+  row->addWidget(cancel);
+  loading_->hide();
+  statusBar()->addWidget(status_, 1);
+  statusBar()->addPermanentWidget(loading_);
+}
+
+void MainWindow::show(const Picture& picture, double isovalue, const QString& title) {
+  view_->show(picture, isovalue);
+  isosurface_->show(picture, isovalue);
+  for (SliceView* slice : slices_) slice->show(picture);
+  const haptics::Volume& volume = *picture.volume;
+  // bone and soft tissue in one picture where the unit is known, else the whole range
+  setGrey(volume.unit == "HU" ? GreyWindow{.level = 200.0, .width = 1600.0}
+                              : GreyWindow{.level = 0.5 * (volume.least + volume.greatest),
+                                           .width = volume.greatest - volume.least});
+  moveCross(boxOf_mm(volume.grid).center());
+  setWindowTitle(title.isEmpty() ? QStringLiteral("Palpate") : tr("%1 — Palpate").arg(title));
+}
+
+void MainWindow::show(const haptics::TriangleMesh& tool) { view_->show(tool); }
+
+void MainWindow::display(const haptics::Snapshot& snapshot) {
+  view_->display(snapshot);
+  force_->display(snapshot);
+  status_->display(snapshot);
+  for (SliceView* slice : slices_) slice->setProxy(snapshot.X_WP.translation() * kMmPerM);
+}
+
+void MainWindow::appendForces(std::span<const ForcePoint> points) { force_->append(points); }
+
+void MainWindow::setPhantoms(const QStringList& names) {
+  phantoms_->clear();
+  for (const QString& name : names)
+    phantoms_->addAction(name, this, [this, name] { emit phantomWanted(name); });
+}
+
+void MainWindow::showMessage(const QString& sentence) {
+  message_->setText(sentence);
+  message_bar_->show();
+}
+
+void MainWindow::clearMessage() { message_bar_->hide(); }
+
+void MainWindow::showLoading(const QString& what) {
+  loading_what_->setText(what);
+  progress_->setRange(0, 0);  // busy, until a fraction is known
+  loading_->show();
+}
+
+void MainWindow::showProgress(double fraction) {
+  progress_->setRange(0, 1000);
+  progress_->setValue(qRound(fraction * 1000.0));
+}
+
+void MainWindow::endLoading() { loading_->hide(); }
+
+int MainWindow::askWhich(const QString& question, const QStringList& choices) {
+  bool chosen = false;
+  const QString choice =
+      QInputDialog::getItem(this, tr("Which one?"), question, choices, 0, false, &chosen);
+  return chosen ? static_cast<int>(choices.indexOf(choice)) : -1;
+}
+
+void MainWindow::showHandInUse(const QString& id, const QString& label) {
+  device_->showHand(id);
+  status_->setHand(label);
+}
+
+void MainWindow::moveCross(const Eigen::Vector3d& cross_W_mm) {
+  for (SliceView* slice : slices_) slice->setCross(cross_W_mm);
+}
+
+void MainWindow::setGrey(const GreyWindow& grey) {
+  for (SliceView* slice : slices_) slice->setGrey(grey);
+}
+
+void MainWindow::showControls() {
+  QMessageBox::information(
+      this, tr("Controls"),
+      tr("<p><b>Force off</b>: Escape anywhere, Space in the 3-D view, or the red button.</p>"
+         "<p><b>3-D view</b>: left drag turns the picture. With the mouse as hand, left drag "
+         "moves the tool in the plane of the screen, Shift and left drag turns it, and the wheel "
+         "moves it in depth; right drag turns the picture. Middle drag shifts the picture, Ctrl "
+         "and wheel (without a mouse hand the wheel alone) come nearer, R shows everything.</p>"
+         "<p><b>Slices</b>: click moves the crosshair, the wheel goes through the slices, right "
+         "drag changes brightness (up and down) and contrast (left and right).</p>"
+         "<p><b>Isovalue</b>: drag on the histogram, arrow keys, or type.</p>"));
+}
+
+QString noticeText() {
+  return MainWindow::tr(
+      "Not a medical device. Not for diagnosis. Force feedback hardware can move suddenly.");
+}
+
+void MainWindow::showNotice() {
+  QMessageBox box(QMessageBox::Warning, tr("Before you begin"), noticeText(), QMessageBox::Ok,
+                  this);
+  box.setInformativeText(
+      tr("Keep hands and face clear of a device until it is at rest. Escape takes the force away "
+         "at any time."));
+  box.exec();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, tr("About Palpate"),
+                     tr("<p><b>Palpate %1</b></p><p>See a CT scan, and feel it through a haptic "
+                        "device.</p><p><b>%2</b></p><p>BSD-3-Clause licence.</p>")
+                         .arg(QCoreApplication::applicationVersion(), noticeText()));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  emit closing();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (!urls.isEmpty() && urls.first().isLocalFile()) emit openWanted(urls.first().toLocalFile());
+}
+
+}  // namespace ui

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QMainWindow>
+#include <array>
+#include <span>
+
+#include "haptics/core/triangle_mesh.h"
+#include "haptics/snapshot.h"
+#include "ui/panels/device_panel.h"
+#include "ui/panels/force_plot.h"
+#include "ui/props/volume_prop.h"
+#include "ui/slice_view.h"
+
+class QFrame;
+class QLabel;
+class QMenu;
+class QProgressBar;
+
+namespace ui {
+
+class ForcePanel;
+class IsosurfacePanel;
+class StatusLine;
+class VolumeView;
+
+/// The window: views, panels, menus. It shows what it is given and says what the user wishes.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+
+  /// Another volume takes the place of the one shown.
+  void show(const Picture& picture, double isovalue, const QString& title);
+  void show(const haptics::TriangleMesh& tool);
+  using QMainWindow::show;
+  /// The state of the touch, at display rate.
+  void display(const haptics::Snapshot& snapshot);
+  void appendForces(std::span<const ForcePoint> points);
+  void setPhantoms(const QStringList& names);
+
+  /// One sentence for the user, until closed or until clearMessage().
+  void showMessage(const QString& sentence);
+  void clearMessage();
+  void showLoading(const QString& what);
+  void showProgress(double fraction);
+  void endLoading();
+  /// Asks which of several; -1 if none.
+  int askWhich(const QString& question, const QStringList& choices);
+  void showNotice();
+  void showHandInUse(const QString& id, const QString& label);
+
+  VolumeView& view() { return *view_; }
+  DevicePanel& devicePanel() { return *device_; }
+  IsosurfacePanel& isosurfacePanel() { return *isosurface_; }
+  SliceView& slice(Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
+
+ signals:
+  void openWanted(const QString& path);
+  void phantomWanted(const QString& name);
+  void cancelWanted();
+  void isovalueChanged(double isovalue);
+  void forceOffWanted();
+  void forceOnWanted();
+  void closing();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void buildViews();
+  void buildDocks();
+  void buildForceBar();
+  void buildMenus();
+  void buildStatusBar();
+  void moveCross(const Eigen::Vector3d& cross_W_mm);
+  void setGrey(const GreyWindow& grey);
+  void showControls();
+  void showAbout();
+
+  VolumeView* view_;
+  std::array<SliceView*, 3> slices_{};
+  IsosurfacePanel* isosurface_;
+  DevicePanel* device_;
+  ForcePanel* force_;
+  StatusLine* status_;
+  QFrame* message_bar_;
+  QLabel* message_;
+  QFrame* loading_;
+  QLabel* loading_what_;
+  QProgressBar* progress_;
+  QMenu* phantoms_ = nullptr;
+};
+
+/// What every user must have read once.
+QString noticeText();
+
+}  // namespace ui

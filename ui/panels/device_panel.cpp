@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/device_panel.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr int kMostStiff = 20'000;  // N/m, as haptics::Settings allows
+constexpr int kSliderSteps = 400;   // by the logarithm, from 50 N/m
+constexpr double kLeastShown = 50.0;
+
+int stepOf(double stiffness) {
+  return qRound(std::log(std::max(stiffness, kLeastShown) / kLeastShown) /
+                std::log(kMostStiff / kLeastShown) * kSliderSteps);
+}
+
+double stiffnessAt(int step) {
+  return kLeastShown * std::pow(kMostStiff / kLeastShown, static_cast<double>(step) / kSliderSteps);
+}
+
+}  // namespace
+
+DevicePanel::DevicePanel(QWidget* parent)
+    : QWidget(parent),
+      hands_(new QComboBox),
+      tools_(new QComboBox),
+      stiffness_(new QSlider(Qt::Horizontal)),
+      stiffness_typed_(new QSpinBox) {
+  hands_->setObjectName("hands");
+  tools_->setObjectName("tools");
+  stiffness_->setObjectName("stiffness");
+  stiffness_->setRange(0, kSliderSteps);
+  stiffness_->setAccessibleName(tr("Stiffness"));
+  stiffness_typed_->setRange(0, kMostStiff);
+  stiffness_typed_->setSingleStep(100);
+  stiffness_typed_->setSuffix(tr(" N/m"));
+  stiffness_typed_->setKeyboardTracking(false);
+  auto* stiff = new QHBoxLayout;
+  stiff->addWidget(stiffness_, 1);
+  stiff->addWidget(stiffness_typed_);
+  auto* form = new QFormLayout(this);
+  form->addRow(tr("Hand"), hands_);
+  form->addRow(tr("Tool"), tools_);
+  form->addRow(tr("Stiffness"), stiff);
+  showStiffness(1000.0);
+
+  connect(hands_, &QComboBox::activated, this,
+          [this](int i) { emit handChosen(hands_->itemData(i).toString()); });
+  connect(tools_, &QComboBox::activated, this, [this](int i) {
+    const QString id = tools_->itemData(i).toString();
+    if (id.isEmpty())
+      chooseFile();
+    else
+      emit toolChosen(id);
+  });
+  connect(stiffness_, &QSlider::valueChanged, this, [this](int step) {
+    const double stiffness = std::round(stiffnessAt(step) / 10.0) * 10.0;
+    const QSignalBlocker quiet(stiffness_typed_);
+    stiffness_typed_->setValue(qRound(stiffness));
+    emit stiffnessChanged(stiffness);
+  });
+  connect(stiffness_typed_, &QSpinBox::valueChanged, this, [this](int stiffness) {
+    const QSignalBlocker quiet(stiffness_);
+    stiffness_->setValue(stepOf(stiffness));
+    emit stiffnessChanged(stiffness);
+  });
+}
+
+void DevicePanel::setHands(const QList<Choice>& hands) {
+  hands_->clear();
+  for (const Choice& hand : hands) hands_->addItem(hand.label, hand.id);
+}
+
+void DevicePanel::setTools(const QList<Choice>& tools) {
+  tools_->clear();
+  for (const Choice& tool : tools) tools_->addItem(tool.label, tool.id);
+  tools_->addItem(tr("From file…"), QString());
+}
+
+void DevicePanel::showHand(const QString& id) { hands_->setCurrentIndex(hands_->findData(id)); }
+
+void DevicePanel::showTool(const QString& id, const QString& label) {
+  tool_ = id;
+  if (tools_->findData(id) < 0) tools_->insertItem(tools_->count() - 1, label, id);
+  tools_->setCurrentIndex(tools_->findData(id));
+}
+
+void DevicePanel::showStiffness(double newton_per_metre) {
+  const QSignalBlocker quiet_slider(stiffness_), quiet_typed(stiffness_typed_);
+  stiffness_->setValue(stepOf(newton_per_metre));
+  stiffness_typed_->setValue(qRound(newton_per_metre));
+}
+
+void DevicePanel::chooseFile() {
+  tools_->setCurrentIndex(tools_->findData(tool_));
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Tool"), {}, tr("Meshes (*.stl *.obj *.ply);;All files (*)"), nullptr,
+      QFileDialog::DontUseNativeDialog);
+  if (path.isEmpty()) return;
+  bool chosen = false;
+  const QString unit = QInputDialog::getItem(this, tr("Unit"), tr("The file's numbers are in"),
+                                             {"mm", "cm", "m", "in"}, 0, false, &chosen);
+  if (chosen) emit toolFileChosen(path, unit);
+}
+
+}  // namespace ui

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QWidget>
+
+class QComboBox;
+class QSlider;
+class QSpinBox;
+
+namespace ui {
+
+/// Something to choose: what the program calls it, and what the user reads.
+struct Choice {
+  QString id;
+  QString label;
+};
+
+/// Who holds the device, what tool it carries, how stiff the coupling is.
+class DevicePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit DevicePanel(QWidget* parent = nullptr);
+
+  void setHands(const QList<Choice>& hands);
+  void setTools(const QList<Choice>& tools);
+  /// Shows what is in use; these emit nothing.
+  void showHand(const QString& id);
+  void showTool(const QString& id, const QString& label);
+  void showStiffness(double newton_per_metre);
+
+ signals:
+  void handChosen(const QString& id);
+  void toolChosen(const QString& id);
+  /// `unit` is m, mm, cm or in.
+  void toolFileChosen(const QString& path, const QString& unit);
+  void stiffnessChanged(double newton_per_metre);
+
+ private:
+  void chooseFile();
+  QComboBox* hands_;
+  QComboBox* tools_;
+  QSlider* stiffness_;
+  QSpinBox* stiffness_typed_;
+  QString tool_;
+};
+
+}  // namespace ui

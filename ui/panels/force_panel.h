@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+
+#include "haptics/snapshot.h"
+#include "ui/panels/force_plot.h"
+
+class QLabel;
+
+namespace ui {
+
+/// What the hand feels: now, in large figures, and over the last seconds.
+class ForcePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ForcePanel(QWidget* parent = nullptr);
+  void display(const haptics::Snapshot& snapshot);
+  void append(std::span<const ForcePoint> points) { plot_->append(points); }
+
+ private:
+  QLabel* force_;
+  QLabel* torque_;
+  QLabel* state_;
+  ForcePlot* plot_;
+};
+
+}  // namespace ui

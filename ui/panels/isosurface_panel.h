@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+
+#include "ui/panels/histogram_slider.h"
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace ui {
+
+/// Where the surface is: a slider on the histogram, a typed value, and presets where the
+/// intensities are Hounsfield units.
+class IsosurfacePanel : public QWidget {
+  Q_OBJECT
+ public:
+  static constexpr double kBone_HU = 300.0;
+  static constexpr double kSkin_HU = -300.0;
+
+  explicit IsosurfacePanel(QWidget* parent = nullptr);
+
+  /// Shows another volume; emits nothing.
+  void show(const Picture& picture, double isovalue);
+  /// The nearest isovalue that this volume has: above its least intensity.
+  double allowed(double isovalue) const;
+
+ signals:
+  void isovalueChanged(double isovalue);
+  /// One sentence: the value asked for cannot be had.
+  void refused(const QString& sentence);
+
+ private:
+  void choose(double isovalue);
+  void showValue(double isovalue);
+
+  HistogramSlider* slider_;
+  QDoubleSpinBox* typed_;
+  QWidget* presets_;
+  QLabel* range_;
+  double least_ = 0.0, greatest_ = 1.0, grain_ = 1.0;
+  double isovalue_ = 0.0;
+};
+
+}  // namespace ui

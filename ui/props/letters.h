@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Geometry>
+#include <array>
+
+class vtkBillboardTextActor3D;
+class vtkRenderer;
+
+namespace ui {
+
+/// L R A P S I about the volume in the 3-D view; they always face the viewer.
+class Letters {
+ public:
+  explicit Letters(vtkRenderer* renderer);
+  ~Letters();
+
+  /// Around a box of W, mm.
+  void place(const Eigen::AlignedBox3d& box_mm);
+  void setVisible(bool visible);
+  /// Where a letter stands, W, mm.
+  Eigen::Vector3d positionOf(char letter) const;
+
+ private:
+  std::array<vtkSmartPointer<vtkBillboardTextActor3D>, 6> actors_;
+};
+
+}  // namespace ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "haptics/core/geometry.h"
+#include "haptics/core/volume.h"
+
+namespace ui {
+
+inline constexpr double kMmPerM = 1000.0;
+
+/// How often each intensity occurs.
+struct Histogram {
+  double least = 0.0;     ///< lower edge of the first bin, in the volume's unit
+  double greatest = 0.0;  ///< upper edge of the last bin
+  std::vector<double> counts = {};
+};
+
+/// A volume as the window needs it. Made away from the GUI thread, then handed over whole.
+///
+/// Images are in the grid's own frame L: voxel (0, 0, 0) at the origin, axes along i, j, k,
+/// millimetres. X_WL_mm takes L to W and may mirror, because a file's axes may be left-handed.
+struct Picture {
+  std::shared_ptr<const haptics::Volume> volume;
+  vtkSmartPointer<vtkImageData> image;    ///< the volume's own voxels, not a copy
+  vtkSmartPointer<vtkImageData> reduced;  ///< averaged over blocks, with a rim of background
+  Eigen::Affine3d X_WL_mm = Eigen::Affine3d::Identity();
+  Histogram histogram;
+};
+
+Picture pictureOf(std::shared_ptr<const haptics::Volume> volume);
+
+/// The volume's voxels as an image of L; the image keeps them alive.
+vtkSmartPointer<vtkImageData> imageOf(const haptics::Volume& volume);
+
+/// The volume averaged over the smallest cubes of voxels that leave at most `most_voxels`, with a
+/// rim of background so that cut faces are closed.
+vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
+                                             std::int64_t most_voxels);
+
+/// From at most a few million voxels, evenly taken.
+Histogram histogramOf(const haptics::Volume& volume, int bins);
+
+/// The isosurface of an image of L as triangles with normals, in L. Any thread.
+vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue);
+
+vtkSmartPointer<vtkMatrix4x4> matrixOf(const Eigen::Affine3d& X);
+/// From metres to millimetres.
+vtkSmartPointer<vtkMatrix4x4> matrixOf(const haptics::Pose& X);
+
+/// The box of W that the volume's voxel centres fill, mm.
+Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid);
+
+}  // namespace ui

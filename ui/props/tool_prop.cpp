@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/props/tool_prop.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+
+#include "ui/props/picture.h"
+
+namespace ui {
+namespace {
+
+vtkSmartPointer<vtkPolyData> polyDataOf(const haptics::TriangleMesh& mesh) {
+  vtkNew<vtkPoints> points;
+  for (const haptics::Vec3& v : mesh.vertices)
+    points->InsertNextPoint((v * kMmPerM).eval().data());
+  vtkNew<vtkCellArray> cells;
+  for (const auto& t : mesh.triangles) {
+    const vtkIdType ids[3] = {t[0], t[1], t[2]};
+    cells->InsertNextCell(3, ids);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  if (!mesh.triangles.empty()) {
+    data->SetPolys(cells);
+    return data;
+  }
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) cells->InsertNextCell(1, &i);
+  data->SetVerts(cells);
+  return data;
+}
+
+// 10 µm or a tenth of a degree: less than a pixel in any view of a patient
+bool visiblyApart(const haptics::Pose& a, const haptics::Pose& b) {
+  return (a.translation() - b.translation()).norm() > 1e-5 ||
+         (a.linear() - b.linear()).cwiseAbs().maxCoeff() > 2e-3;
+}
+
+}  // namespace
+
+ToolProp::ToolProp()
+    : proxy_(vtkSmartPointer<vtkActor>::New()), device_(vtkSmartPointer<vtkActor>::New()) {
+  vtkProperty* solid = proxy_->GetProperty();
+  solid->SetColor(kProxyColour[0], kProxyColour[1], kProxyColour[2]);
+  solid->SetAmbient(0.5);  // flat: its colour is found again whichever way it faces
+  solid->SetDiffuse(0.5);
+  solid->SetPointSize(4.0F);
+  vtkProperty* wire = device_->GetProperty();
+  wire->SetColor(kDeviceColour[0], kDeviceColour[1], kDeviceColour[2]);
+  wire->SetRepresentationToWireframe();
+  wire->LightingOff();
+  wire->SetPointSize(3.0F);
+  proxy_->VisibilityOff();
+  device_->VisibilityOff();
+}
+
+ToolProp::~ToolProp() = default;
+
+void ToolProp::show(const haptics::TriangleMesh& mesh) {
+  auto data = polyDataOf(mesh);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(data);
+  normals->SetFeatureAngle(40.0);
+  normals->ConsistencyOff();
+  vtkNew<vtkPolyDataMapper> solid;
+  if (mesh.triangles.empty())
+    solid->SetInputData(data);
+  else
+    solid->SetInputConnection(normals->GetOutputPort());
+  solid->ScalarVisibilityOff();
+  proxy_->SetMapper(solid);
+  vtkNew<vtkPolyDataMapper> wire;
+  wire->SetInputData(data);
+  wire->ScalarVisibilityOff();
+  device_->SetMapper(wire);
+  proxy_->VisibilityOn();
+  device_->VisibilityOn();
+}
+
+bool ToolProp::move(const haptics::Pose& X_WP, const haptics::Pose& X_WD) {
+  if (!visiblyApart(X_WP, X_WP_) && !visiblyApart(X_WD, X_WD_)) return false;
+  X_WP_ = X_WP;
+  X_WD_ = X_WD;
+  proxy_->SetUserMatrix(matrixOf(X_WP));
+  device_->SetUserMatrix(matrixOf(X_WD));
+  return true;
+}
+
+}  // namespace ui

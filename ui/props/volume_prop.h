@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+#include <vtkVolume.h>
+
+#include <QString>
+#include <optional>
+
+#include "ui/props/picture.h"
+#include "ui/viewport.h"
+
+class vtkOpenGLGPUVolumeRayCastMapper;
+class vtkPolyDataMapper;
+
+namespace ui {
+
+enum class SurfaceMode { RayCast, Mesh };
+
+/// How the isosurface is drawn, and why, in words for the status bar.
+struct SurfaceChoice {
+  SurfaceMode mode = SurfaceMode::Mesh;
+  QString reason;
+};
+
+/// The ray caster where the graphics can: OpenGL 3.2, not drawn by the processor, textures as
+/// large as the volume. The mesh elsewhere. A wish overrides what is a matter of speed.
+SurfaceChoice chooseSurface(std::optional<SurfaceMode> wish, const Graphics& graphics,
+                            const haptics::Grid& grid);
+
+/// The volume's isosurface, by one of two means: cast on the GPU from the voxels themselves, or
+/// as a mesh, reduced while something moves and fine when still.
+class VolumeProp {
+ public:
+  VolumeProp();
+  ~VolumeProp();
+
+  void show(const Picture& picture);
+  void setMode(SurfaceMode mode);
+  SurfaceMode mode() const { return mode_; }
+  void setIsovalue(double isovalue);
+  /// Hides the fine mesh behind the reduced one.
+  void setMoving(bool moving);
+  /// A mesh of L in full detail; ignored if the isovalue is another by now.
+  void showFine(vtkPolyData* mesh, double isovalue);
+  /// Finds the ray's hit by bisection between samples (on) or takes the sample after it (off).
+  void setHitRefinement(bool on);
+  /// Brings what is drawn up to date; before each drawing.
+  void update();
+
+  vtkVolume* rayCast() const { return volume_; }
+  vtkActor* mesh() const { return mesh_; }
+
+ private:
+  vtkSmartPointer<vtkVolume> volume_;
+  vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper> caster_;
+  vtkSmartPointer<vtkActor> mesh_;
+  vtkSmartPointer<vtkPolyDataMapper> mesh_mapper_;
+  vtkSmartPointer<vtkPolyData> reduced_mesh_;
+  vtkSmartPointer<vtkPolyData> fine_mesh_;
+  Picture picture_;
+  SurfaceMode mode_ = SurfaceMode::Mesh;
+  double isovalue_ = 0.0;
+  bool moving_ = false;
+};
+
+}  // namespace ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <optional>
+
+#include "ui/props/slice.h"
+
+namespace ui {
+
+/// One slice through the crosshair, with the crosshair, the proxy's foot and the letters of the
+/// edges. Left button moves the crosshair, right drag the grey window, the wheel the slice.
+class SliceView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SliceView(Plane plane, QWidget* parent = nullptr);
+
+  void show(const Picture& picture);
+  void setCross(const Eigen::Vector3d& cross_W_mm);
+  void setGrey(const GreyWindow& grey);
+  /// Where the proxy is drawn; solid when it lies in this slice.
+  void setProxy(const Eigen::Vector3d& proxy_W_mm);
+
+  Plane plane() const { return plane_; }
+  /// Widget coordinates of a point of W, mm.
+  QPointF projected(const Eigen::Vector3d& p_W_mm) const;
+  QSize sizeHint() const override { return {300, 260}; }
+
+ signals:
+  void crossMoved(const Eigen::Vector3d& cross_W_mm);
+  void greyChanged(const ui::GreyWindow& grey);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  double mmPerPixel() const;
+  void moveCrossTo(QPointF at);
+  void drawLetters(QPainter& painter) const;
+
+  Plane plane_;
+  PlaneAxes axes_;
+  Slice slice_;
+  QImage image_;
+  bool stale_ = true;
+  bool letters_ = false;
+  Eigen::AlignedBox3d box_mm_;
+  double step_mm_ = 1.0;
+  double full_width_ = 1.0;
+  Eigen::Vector3d cross_mm_ = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> proxy_mm_;
+  GreyWindow grey_;
+  QPointF last_mouse_;
+};
+
+}  // namespace ui

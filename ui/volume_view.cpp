@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/volume_view.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkVolume.h>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ui/props/held_pass.h"
+
+namespace ui {
+namespace {
+
+constexpr int kStillMs = 400;              // no movement for this long is rest
+constexpr double kTurnPerWidget = 180.0;   // degrees of camera for a drag across the widget
+constexpr double kHandTurn = 0.008;        // rad of hand for a pixel
+constexpr double kHandStep = 0.002;        // m of depth for a notch of the wheel
+constexpr double kViewAngle_deg = 30.0;
+
+}  // namespace
+
+VolumeView::VolumeView(QWidget* parent)
+    : Viewport(parent),
+      camera_(vtkSmartPointer<vtkCamera>::New()),
+      surface_layer_(vtkSmartPointer<vtkRenderer>::New()),
+      proxy_layer_(vtkSmartPointer<vtkRenderer>::New()),
+      overlay_layer_(vtkSmartPointer<vtkRenderer>::New()),
+      held_(vtkSmartPointer<HeldPass>::New()) {
+  setAccessibleName(tr("3-D view"));
+  camera_->SetViewAngle(kViewAngle_deg);
+  camera_->SetViewUp(0.0, 0.0, 1.0);
+  surface_layer_->SetBackground(0.07, 0.08, 0.10);
+  renderWindow()->SetNumberOfLayers(3);
+  int layer = 0;
+  for (const auto& renderer : {surface_layer_, proxy_layer_, overlay_layer_}) {
+    renderer->SetLayer(layer++);
+    renderer->SetActiveCamera(camera_);
+    renderWindow()->AddRenderer(renderer);
+  }
+  // the proxy is hidden by the surface in front of it; the device never is
+  proxy_layer_->PreserveDepthBufferOn();
+  surface_layer_->AddVolume(surface_.rayCast());
+  surface_layer_->AddActor(surface_.mesh());
+  overlay_layer_->AddActor(tool_.device());
+  letters_ = std::make_unique<Letters>(overlay_layer_);
+  still_.setSingleShot(true);
+  still_.setInterval(kStillMs);
+  connect(&still_, &QTimer::timeout, this, &VolumeView::settle);
+  connect(this, &Viewport::graphicsKnown, this, [this] { chooseMode(); });
+}
+
+VolumeView::~VolumeView() = default;
+
+void VolumeView::show(const Picture& picture, double isovalue) {
+  grid_ = picture.volume->grid;
+  box_mm_ = boxOf_mm(grid_);
+  isovalue_ = isovalue;
+  surface_.show(picture);
+  surface_.setIsovalue(isovalue);
+  letters_->place(box_mm_);
+  letters_->setVisible(picture.volume->orientation_known);
+  chooseMode();
+  resetCamera();
+}
+
+void VolumeView::show(const haptics::TriangleMesh& tool) {
+  tool_radius_ = 0.0;
+  for (const haptics::Vec3& v : tool.vertices) tool_radius_ = std::max(tool_radius_, v.norm());
+  tool_.show(tool);
+  redraw();
+}
+
+void VolumeView::setIsovalue(double isovalue) {
+  isovalue_ = isovalue;
+  surface_.setIsovalue(isovalue);
+  still_.start();
+  redrawSurface();
+}
+
+void VolumeView::setSurfaceWish(std::optional<SurfaceMode> wish) {
+  wish_ = wish;
+  chooseMode();
+}
+
+void VolumeView::display(const haptics::Snapshot& snapshot) {
+  last_ = snapshot;
+  displayed_ = true;
+  if (tool_.move(snapshot.X_WP, snapshot.X_WD)) redraw();
+}
+
+void VolumeView::setMouseHand(bool on) {
+  mouse_hand_ = on;
+  hand_target_.reset();
+}
+
+void VolumeView::showFine(vtkPolyData* mesh, double isovalue) {
+  surface_.showFine(mesh, isovalue);
+  redrawSurface();
+}
+
+void VolumeView::chooseMode() {
+  if (!graphics() || box_mm_.isEmpty()) return;
+  const SurfaceChoice choice = chooseSurface(wish_, *graphics(), grid_);
+  surface_.setMode(choice.mode);
+  // the ray caster writes no depth: the proxy must be there before it. A mesh is drawn once and
+  // kept, so that the proxy may move over it at no cost.
+  const bool cast = choice.mode == SurfaceMode::RayCast;
+  surface_layer_->RemoveActor(tool_.proxy());
+  proxy_layer_->RemoveActor(tool_.proxy());
+  (cast ? surface_layer_ : proxy_layer_)->AddActor(tool_.proxy());
+  surface_layer_->SetPass(cast ? nullptr : held_.Get());
+  still_.start();
+  redrawSurface();
+  emit surfaceChosen(choice);
+}
+
+void VolumeView::redrawSurface() {
+  held_->forget();
+  redraw();
+}
+
+void VolumeView::cameraMoved() {
+  surface_.setMoving(true);
+  still_.start();
+  redrawSurface();
+}
+
+void VolumeView::settle() {
+  surface_.setMoving(false);
+  redrawSurface();
+  if (surface_.mode() == SurfaceMode::Mesh && !box_mm_.isEmpty()) emit fineMeshWanted(isovalue_);
+}
+
+void VolumeView::aboutToDraw() {
+  surface_.update();
+  fitClippingRange();
+}
+
+void VolumeView::fitClippingRange() {
+  if (box_mm_.isEmpty()) return;
+  Eigen::AlignedBox3d box = box_mm_;
+  const Eigen::Vector3d room = Eigen::Vector3d::Constant(tool_radius_ * kMmPerM + 1.0);
+  if (displayed_)
+    for (const haptics::Pose* X : {&last_.X_WP, &last_.X_WD}) {
+      const Eigen::Vector3d p_mm = X->translation() * kMmPerM;
+      box.extend(p_mm - room);
+      box.extend(p_mm + room);
+    }
+  const Eigen::Vector3d eye{camera_->GetPosition()};
+  const Eigen::Vector3d away = -viewAxes().col(2);
+  const double reach = 0.65 * box.diagonal().norm();  // letters stand a little outside
+  const double middle = away.dot(box.center() - eye);
+  const double far_mm = std::max(middle + reach, 1.0);
+  // a device that flies off must not move the planes that the kept surface was drawn between
+  const double grain = std::pow(2.0, std::ceil(2.0 * std::log2(far_mm)) / 2.0);
+  const double near_mm = std::max(middle - reach, grain * 0.002);
+  double* range = camera_->GetClippingRange();
+  const bool enough = range[0] <= near_mm && range[0] > 0.2 * near_mm && range[1] >= far_mm &&
+                      range[1] < 3.0 * far_mm;
+  if (enough) return;
+  camera_->SetClippingRange(std::max(0.5 * near_mm, grain * 0.002), 1.5 * far_mm);
+  held_->forget();
+}
+
+void VolumeView::resetCamera() {
+  if (box_mm_.isEmpty()) return;
+  const double radius = 0.5 * box_mm_.diagonal().norm();
+  const double distance = 1.05 * radius / std::sin(0.5 * kViewAngle_deg * std::numbers::pi / 180);
+  const Eigen::Vector3d centre = box_mm_.center();
+  camera_->SetFocalPoint(centre.x(), centre.y(), centre.z());
+  // from the front, head up: the patient's left on the right
+  camera_->SetPosition(centre.x(), centre.y() - distance, centre.z());
+  camera_->SetViewUp(0.0, 0.0, 1.0);
+  cameraMoved();
+}
+
+QPointF VolumeView::projected(const haptics::Vec3& p_W) const {
+  const double aspect = static_cast<double>(width()) / std::max(1, height());
+  vtkMatrix4x4* view = camera_->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  const Eigen::Vector3d p_mm = p_W * kMmPerM;
+  const double in[4] = {p_mm.x(), p_mm.y(), p_mm.z(), 1.0};
+  double out[4];
+  view->MultiplyPoint(in, out);
+  return {(out[0] / out[3] + 1.0) * 0.5 * width(), (1.0 - out[1] / out[3]) * 0.5 * height()};
+}
+
+Eigen::Matrix3d VolumeView::viewAxes() const {
+  const Eigen::Vector3d towards =
+      (Eigen::Vector3d{camera_->GetPosition()} - Eigen::Vector3d{camera_->GetFocalPoint()})
+          .normalized();
+  const Eigen::Vector3d right = Eigen::Vector3d{camera_->GetViewUp()}.cross(towards).normalized();
+  Eigen::Matrix3d axes;
+  axes << right, towards.cross(right), towards;
+  return axes;
+}
+
+double VolumeView::metresPerPixel(const haptics::Vec3& p_W) const {
+  const Eigen::Vector3d eye{camera_->GetPosition()};
+  const double depth_mm = std::max(1.0, -viewAxes().col(2).dot(p_W * kMmPerM - eye));
+  const double half = std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180.0);
+  return 2.0 * depth_mm * half / std::max(1, height()) / kMmPerM;
+}
+
+void VolumeView::rotateCamera(QPointF by) {
+  camera_->Azimuth(-by.x() / std::max(1, width()) * kTurnPerWidget);
+  camera_->Elevation(by.y() / std::max(1, height()) * kTurnPerWidget);
+  camera_->OrthogonalizeViewUp();
+  cameraMoved();
+}
+
+void VolumeView::panCamera(QPointF by) {
+  const Eigen::Vector3d focus{camera_->GetFocalPoint()};
+  const double mm = metresPerPixel(focus / kMmPerM) * kMmPerM;
+  const Eigen::Matrix3d axes = viewAxes();
+  const Eigen::Vector3d shift = (-by.x() * axes.col(0) + by.y() * axes.col(1)) * mm;
+  const Eigen::Vector3d eye = Eigen::Vector3d{camera_->GetPosition()} + shift;
+  const Eigen::Vector3d aim = focus + shift;
+  camera_->SetPosition(eye.x(), eye.y(), eye.z());
+  camera_->SetFocalPoint(aim.x(), aim.y(), aim.z());
+  cameraMoved();
+}
+
+void VolumeView::zoomCamera(double factor) {
+  camera_->Dolly(factor);
+  cameraMoved();
+}
+
+haptics::Pose& VolumeView::handTarget() {
+  if (!hand_target_) hand_target_ = last_.X_WD;
+  return *hand_target_;
+}
+
+void VolumeView::moveHand(QPointF by, bool turn) {
+  haptics::Pose& X_WH = handTarget();
+  const Eigen::Matrix3d axes = viewAxes();
+  if (turn) {
+    const Eigen::Vector3d about = axes.col(0) * by.y() + axes.col(1) * by.x();
+    const double angle = about.norm() * kHandTurn;
+    if (angle > 0.0)
+      X_WH.linear() = (Eigen::AngleAxisd(angle, about.normalized()) * haptics::rotationOf(X_WH))
+                          .toRotationMatrix();
+  } else {
+    const double m = metresPerPixel(X_WH.translation());
+    X_WH.translation() += (by.x() * axes.col(0) - by.y() * axes.col(1)) * m;
+  }
+  emit handPulled(X_WH);
+}
+
+void VolumeView::mousePressEvent(QMouseEvent* event) {
+  last_mouse_ = event->position();
+  event->accept();
+}
+
+void VolumeView::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF by = event->position() - last_mouse_;
+  last_mouse_ = event->position();
+  if (event->buttons() & Qt::LeftButton) {
+    if (mouse_hand_ && displayed_)
+      moveHand(by, event->modifiers() & Qt::ShiftModifier);
+    else
+      rotateCamera(by);
+  } else if (event->buttons() & Qt::RightButton) {
+    rotateCamera(by);
+  } else if (event->buttons() & Qt::MiddleButton) {
+    panCamera(by);
+  }
+}
+
+void VolumeView::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  if (mouse_hand_ && displayed_ && !(event->modifiers() & Qt::ControlModifier)) {
+    haptics::Pose& X_WH = handTarget();
+    X_WH.translation() -= viewAxes().col(2) * (notches * kHandStep);
+    emit handPulled(X_WH);
+  } else {
+    zoomCamera(std::pow(1.1, notches));
+  }
+  event->accept();
+}
+
+void VolumeView::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Space: emit forceOffWanted(); break;
+    case Qt::Key_R: resetCamera(); break;
+    default: Viewport::keyPressEvent(event);
+  }
+}
+
+}  // namespace ui

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkCamera.h>
+
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "haptics/snapshot.h"
+#include "ui/props/letters.h"
+#include "ui/props/tool_prop.h"
+#include "ui/props/volume_prop.h"
+#include "ui/viewport.h"
+
+class vtkRenderer;
+
+namespace ui {
+
+class HeldPass;
+
+/// The 3-D view: isosurface, proxy, device and orientation letters, in W, millimetres.
+///
+/// Left drag turns the camera, or with the mouse as hand moves the hand in the view plane (Shift
+/// turns it, the wheel pushes it away); right drag always turns the camera, middle drag shifts
+/// it, Ctrl and wheel (without a mouse hand the wheel alone) come nearer. Space wishes the force
+/// off, R shows everything again.
+class VolumeView : public Viewport {
+  Q_OBJECT
+ public:
+  explicit VolumeView(QWidget* parent = nullptr);
+  ~VolumeView() override;
+
+  void show(const Picture& picture, double isovalue);
+  void show(const haptics::TriangleMesh& tool);
+  void setIsovalue(double isovalue);
+  void setSurfaceWish(std::optional<SurfaceMode> wish);
+  void display(const haptics::Snapshot& snapshot);
+  void setMouseHand(bool on);
+  /// The answer to fineMeshWanted.
+  void showFine(vtkPolyData* mesh, double isovalue);
+  void resetCamera();
+
+  /// Where a point of W is drawn, in widget coordinates.
+  QPointF projected(const haptics::Vec3& p_W) const;
+  Eigen::Vector3d letterPosition_mm(char letter) const { return letters_->positionOf(letter); }
+  VolumeProp& surface() { return surface_; }
+  vtkCamera* camera() const { return camera_; }
+
+ signals:
+  void forceOffWanted();
+  /// Where the hand wants the tool, W.
+  void handPulled(const haptics::Pose& X_WH);
+  void surfaceChosen(const ui::SurfaceChoice& choice);
+  /// Nothing has moved for a while: the picture may become finer.
+  void fineMeshWanted(double isovalue);
+
+ protected:
+  void aboutToDraw() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void chooseMode();
+  void redrawSurface();
+  void cameraMoved();
+  void settle();
+  void rotateCamera(QPointF by);
+  void panCamera(QPointF by);
+  void zoomCamera(double factor);
+  haptics::Pose& handTarget();
+  void moveHand(QPointF by, bool turn);
+  /// Metres across one widget pixel at a point of W.
+  double metresPerPixel(const haptics::Vec3& p_W) const;
+  Eigen::Matrix3d viewAxes() const;  ///< columns: right, up, towards the viewer; in W
+  void fitClippingRange();
+
+  vtkSmartPointer<vtkCamera> camera_;
+  vtkSmartPointer<vtkRenderer> surface_layer_;
+  vtkSmartPointer<vtkRenderer> proxy_layer_;
+  vtkSmartPointer<vtkRenderer> overlay_layer_;
+  vtkSmartPointer<HeldPass> held_;
+  VolumeProp surface_;
+  ToolProp tool_;
+  std::unique_ptr<Letters> letters_;
+  Eigen::AlignedBox3d box_mm_;
+  haptics::Grid grid_;
+  std::optional<SurfaceMode> wish_;
+  double isovalue_ = 0.0;
+  double tool_radius_ = 0.0;  ///< m
+  haptics::Snapshot last_;
+  bool displayed_ = false;
+  bool mouse_hand_ = false;
+  std::optional<haptics::Pose> hand_target_;
+  QPointF last_mouse_;
+  QTimer still_;
+};
+
+}  // namespace ui
