@@ -56,7 +56,7 @@ Solid bones() {
   s.push_back(ellipsoid({0, -40, 30}, {53, 47, 48}, 14));
   s.push_back(ellipsoid({0, 52, 2}, {54, 42, 40}, 14));
   s.push_back(ellipsoid({0, 2, -6}, {56, 50, 28}, 14));
-  both(s, ellipsoid({50, 30, 52}, {22, 28, 24}, 20));  // parietal bosses
+  both(s, ellipsoid({42, 30, 48}, {23, 30, 26}, 14));  // parietal bosses
   // base: clivus, condyles, mastoids, root of the arches, styloids
   s.push_back(ellipsoid({0, 0, -22}, {24, 26, 14}, 8));
   both(s, ellipsoid({14, 22, -38}, {6, 10, 6}, 4));
@@ -64,11 +64,14 @@ Solid bones() {
   both(s, ellipsoid({54, 21, -34}, {11, 13, 20}, 6, 10));
   both(s, cone({45, 10, -34}, 2.6f, {40, 2, -60}, 1.0f, 3));
   // brow, rims of the orbits, bridge of the nose
-  both(s, ellipsoid({24, -81, 15}, {22, 8, 7}, 8, -18));
+  both(s, ellipsoid({25, -78, 15}, {24, 8, 7}, 8, 20));
   both(s, cone({48, -68, 17}, 5, {51, -63, -14}, 4.8f, 5));
   both(s, cone({49, -64, -18}, 5, {17, -81, -22}, 4.2f, 5));
   both(s, cone({12, -84, 12}, 4.5f, {16, -80, -18}, 3.6f, 5));
   s.push_back(cone({0, -84, 10}, 7, {0, -96, -13}, 3.2f, 5));
+  both(s, cone({6, -88, 4}, 4, {12, -86, -24}, 3, 5));
+  // side walls of the orbits: the wings of the sphenoid
+  both(s, ellipsoid({39, -49, -3}, {3.6f, 21, 21}, 4, 43));
   // cheekbones and their arches
   both(s, ellipsoid({46, -62, -27}, {14, 11, 11}, 7, 30));
   both(s, cone({52, -55, -28}, 5, {64, -30, -26}, 3.4f, 5, {1, 1, 0.62f}));
@@ -86,16 +89,17 @@ Solid bones() {
   both(s, cone({21, -80, -94}, 6, {37, -52, -90}, 5.5f, 5, {1, 1, 0.55f}));
   both(s, cone({37, -52, -90}, 5.5f, {48, -14, -80}, 5, 5, {1, 1, 0.5f}));
   both(s, cone({48, -14, -78}, 4.5f, {51, -8, -46}, 3.6f, 5, {1, 0.33f, 1}));
+  both(s, ellipsoid({48, -18, -72}, {4.5f, 13, 15}, 6));
   both(s, cone({50, -18, -54}, 3.4f, {49, -26, -30}, 1.6f, 4, {1, 0.6f, 1}));
   both(s, cone({51, -3, -52}, 3.8f, {53, -2, -33}, 4.0f, 4));
   both(s, ellipsoid({53, -2, -31}, {9, 4.5f, 4}, 2));
-  s.push_back(ellipsoid({0, -88, -98}, {15, 6, 7}, 5));
+  s.push_back(ellipsoid({0, -86, -98}, {15, 7, 7}, 9));
   // neck: bodies, arches and processes of the upper vertebrae
   for (int level = 0; level < 4; ++level) {
     const float z = -58.0f - 17.0f * static_cast<float>(level),
                 y = 18.0f + 2.0f * static_cast<float>(level);
     s.push_back(ellipsoid({0, y, z}, {11, 9, 7.5f}, 1));
-    both(s, ellipsoid({20, y + 8, z}, {8, 7, 6}, 3));
+    both(s, ellipsoid({20, y + 8, z}, {8, 7, 8.5f}, 2));
     both(s, cone({18, y + 12, z}, 4.5f, {4, y + 30, z - 2}, 3.5f, 3));
     s.push_back(cone({0, y + 30, z - 2}, 3.5f, {0, y + 42, z - 8}, 3.0f, 3));
   }
@@ -154,7 +158,7 @@ void addCells(Solid& s, const Vec3f& centre, const Vec3f& half, int tries, float
 Solid airSpaces() {
   Solid s;
   // the nose: a pear at the front, a passage to the throat
-  s.push_back(cone({0, -94, -20}, 4.5f, {0, -92, -35}, 10.5f));
+  s.push_back(cone({0, -89, -20}, 4.5f, {0, -87, -35}, 11.5f));
   s.push_back(ellipsoid({0, -60, -30}, {13, 38, 17}, 6));
   // sinuses: those of the upper jaw leave the floor of the orbit 1.5 mm thick
   both(s, ellipsoid({29, -57, -33.5f}, {11, 15, 11}));
@@ -181,7 +185,7 @@ Solid softHollows() {
   s.push_back(cone({0, 36, -50}, 8, {0, 42, -130}, 8));        // spinal canal
   both(s, cone({27, -95, -28}, 1.7f, {28, -70, -26}, 1.5f));   // below the orbit
   both(s, cone({25, -92, 18}, 1.5f, {25, -74, 15}, 1.4f));     // above it
-  both(s, cone({26, -92, -90}, 1.8f, {25, -72, -91}, 1.5f));   // chin
+  both(s, ellipsoid({27, -82, -92}, {1.6f, 4, 1.6f}, 0, 30));  // chin
   both(s, cone({20, 2, -10}, 3.0f, {20, 2, -50}, 3.0f));       // ovale, carotid canal
   both(s, cone({29, 18, -10}, 4.0f, {29, 22, -50}, 4.0f));     // jugular
   s.push_back(cone({48, 16, 100}, 5.5f, {34, 14, 60}, 5.5f));  // burr hole, on the left
@@ -199,15 +203,22 @@ Solid skinSurface() {
   both(s, ellipsoid({40, -62, -30}, {21, 18, 19}, 14));
   s.push_back(ellipsoid({0, -44, -80}, {53, 48, 30}, 14));
   both(s, ellipsoid({44, -20, -74}, {16, 24, 24}, 14));
-  s.push_back(ellipsoid({0, -90, -97}, {20, 12, 13}, 12));
+  s.push_back(ellipsoid({0, -86, -96}, {25, 15, 15}, 14));
   s.push_back(cone({0, 16, -40}, 52, {0, 26, -150}, 55, 20, {1, 0.95f, 1}));
+  // over cheek arches, rims of the orbits, mastoids
+  both(s, cone({50, -58, -28}, 13, {63, -10, -24}, 13, 12));
+  both(s, ellipsoid({50, -62, 2}, {10, 11, 24}, 10));
+  both(s, ellipsoid({57, 20, -34}, {15, 19, 24}, 10));
   // nose
-  s.push_back(cone({0, -91, 8}, 7, {0, -113, -30}, 7.5f, 10));
-  both(s, ellipsoid({11, -103, -34}, {6.5f, 9, 6.5f}, 5, -14));
-  // lips, brow, lids
-  s.push_back(ellipsoid({0, -96, -62}, {21, 7.5f, 5.5f}, 6));
-  s.push_back(ellipsoid({0, -95, -73}, {19, 7, 5.5f}, 6));
-  both(s, ellipsoid({26, -84, 15}, {22, 8, 6}, 8, -18));
+  s.push_back(ellipsoid({0, -84, -36}, {22, 17, 20}, 14));
+  s.push_back(cone({0, -90, 8}, 7, {0, -112, -30}, 8, 14));
+  both(s, ellipsoid({10, -103, -34}, {8, 9, 7}, 7));
+  // mouth, brow, lids
+  s.push_back(ellipsoid({0, -78, -68}, {32, 19, 20}, 14));
+  s.push_back(ellipsoid({0, -92, -62}, {23, 9, 5.5f}, 8));
+  s.push_back(ellipsoid({0, -91, -73}, {20, 9, 6}, 8));
+  both(s, ellipsoid({26, -80, 15}, {25, 11, 8}, 8, 20));
+  both(s, ellipsoid({33, -77, -4}, {14.5f, 13.5f, 12.5f}, 5));
   // ears
   both(s, ellipsoid({79, 20, -16}, {4.5f, 17, 30}, 5, -28));
   both(s, ellipsoid({80, 13, -40}, {4.5f, 8, 9}, 4, -20));
@@ -216,9 +227,8 @@ Solid skinSurface() {
 
 Solid skinCuts() {
   Solid s;
-  both(s, ellipsoid({34, -104, -4}, {19, 17, 12}, 8, 22));
-  both(s, ellipsoid({7, -105, -44}, {3.4f, 6, 6}, 2));
-  s.push_back(ellipsoid({0, -104, -67.5f}, {22, 7, 1.3f}, 2));
+  both(s, ellipsoid({7, -103, -42}, {3, 5.5f, 6}, 2));
+  s.push_back(ellipsoid({0, -104, -67.5f}, {22, 8, 1.2f}, 2));
   both(s, ellipsoid({87, 13, -20}, {7, 9, 14}, 4, -28));
   return s;
 }
@@ -242,7 +252,7 @@ Anatomy anatomy() {
   head.septa = septa();
   head.fat = softHollows();
   head.air = airSpaces();
-  both(head.eyes, ellipsoid({33, -79, -4}, {12, 12, 12}));
+  both(head.eyes, ellipsoid({33, -77, -4}, {12, 12, 12}));
   head.skin = skinSurface();
   head.skin_cuts = skinCuts();
   return head;

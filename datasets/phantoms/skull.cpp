@@ -44,11 +44,12 @@ float boneValue(float depth, const Vec3f& p) {
   if (compact >= 1.0f) return kCortex;
   const float cells = noise::smooth(p.x() / 1.9f, p.y() / 1.9f, p.z() / 1.9f, 31) +
                       0.5f * noise::smooth(p.x() / 4.5f, p.y() / 4.5f, p.z() / 4.5f, 32);
-  return mixed(mixed(kMarrow, 820.0f, eased(-0.55f, 0.5f, cells)), kCortex, compact);
+  return mixed(mixed(kMarrow, 820.0f, eased(-0.8f, 0.7f, cells)), kCortex, compact);
 }
 
 /// Skin, a layer of fat, muscle.
 float fleshValue(float depth, const Vec3f& p) {
+  if (depth > 8.0f) return kMuscle;
   const float fat_ends = 5.0f + 1.5f * noise::smooth(p.x() / 14, p.y() / 14, p.z() / 14, 33);
   const float under_skin = mixed(kFat, kMuscle, eased(fat_ends - 0.8f, fat_ends + 0.8f, depth));
   return mixed(kSkin, under_skin, eased(1.6f, 2.6f, depth));
@@ -63,10 +64,11 @@ float brainValue(float depth, const Vec3f& p) {
 
 /// The head without noise, HU, at p in the head's millimetres.
 float tissue(const skull::Anatomy& head, const Vec3f& p) {
+  const float cavity = skull::cavityDistance(p);
+  if (cavity < -6.0f) return brainValue(-cavity, p);
   const float skin =
       std::max(skull::distanceTo(head.skin, p), -skull::distanceTo(head.skin_cuts, p));
   if (skin > 1.1f) return kAir;
-  const float cavity = skull::cavityDistance(p);
   const float soft = skull::distanceTo(head.fat, p);
   const float air = skull::distanceTo(head.air, p);
   const float septa = skull::distanceTo(head.septa, p);
@@ -79,7 +81,7 @@ float tissue(const skull::Anatomy& head, const Vec3f& p) {
   if (cavity < 1.1f) value = mixed(value, brainValue(-cavity, p), share(cavity));
 
   float bone = skull::distanceTo(head.bone, p);
-  if (bone < 3.0f && cavity > 2.0f) bone += skull::relief(p);
+  if (std::abs(bone) < 3.0f && cavity > 2.0f) bone += skull::relief(p);
   bone = std::max({bone, -cavity, -soft, -air});
   bone = std::min(bone, septa);
   // air is laid down first, so that a thin wall keeps its share of the voxel

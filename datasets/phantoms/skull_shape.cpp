@@ -20,11 +20,13 @@ float united(float a, float b, float blend) {
 }
 
 float ellipsoidDistance(const Vec3f& p, const Vec3f& radii) {
-  const float k0 = p.cwiseQuotient(radii).norm();
+  const Vec3f inverse = radii.cwiseInverse(), q = p.cwiseProduct(inverse);
+  const float k0 = q.norm();
   if (k0 < 1e-3f) return -radii.minCoeff();
-  const float k1 = p.cwiseQuotient(radii.cwiseProduct(radii)).norm();
-  return k0 * (k0 - 1.0f) / k1;
+  return k0 * (k0 - 1.0f) / q.cwiseProduct(inverse).norm();
 }
+
+float length(float x, float y) { return std::sqrt(x * x + y * y); }
 
 }  // namespace
 
@@ -43,12 +45,12 @@ float Primitive::distance(const Vec3f& p) const {
       break;
   }
   // a horseshoe open to the back: an ellipse's rim b.x by b.y, ra to either side, rb up and down
-  const float rho = std::hypot(q.x() / b.x(), q.y() / b.y());
-  const float steep = std::hypot(q.x() / (b.x() * b.x()), q.y() / (b.y() * b.y()));
+  const float rho = length(q.x() / b.x(), q.y() / b.y());
+  const float steep = length(q.x() / (b.x() * b.x()), q.y() / (b.y() * b.y()));
   const float aside = std::abs(rho * (rho - 1.0f) / std::max(steep, 1e-4f));
   const float u = aside - ra + 1.5f, v = std::abs(q.z()) - rb + 1.5f;
   const float slab =
-      std::hypot(std::max(u, 0.0f), std::max(v, 0.0f)) + std::min(std::max(u, v), 0.0f) - 1.5f;
+      length(std::max(u, 0.0f), std::max(v, 0.0f)) + std::min(std::max(u, v), 0.0f) - 1.5f;
   return std::max(slab, q.y() - b.z());
 }
 

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Who may include whom. Run as: cmake -DROOT=<tree> -P include_rules.cmake
+# Prints every violation as file:line and fails if there is one.
+cmake_minimum_required(VERSION 3.25)
+
+set(rule_count 0)
+# rule(FOLDERS regex FORBIDS regex [EXCEPT regex] [PERMITS regex] WHY words): files in FOLDERS, less
+# those in EXCEPT, include nothing that FORBIDS matches, save what PERMITS matches
+macro(rule)
+  cmake_parse_arguments(rule_${rule_count} "" "FOLDERS;EXCEPT;FORBIDS;PERMITS;WHY" "" ${ARGN})
+  math(EXPR rule_count "${rule_count} + 1")
+endmacro()
+
+rule(FOLDERS "haptics" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|resources/)"
+     WHY "haptics knows neither window nor picture nor files")
+rule(FOLDERS "haptics/(core|field|tool|collision|solver|coupling)"
+     FORBIDS "^haptics/(servo|devices|session)"
+     WHY "the algorithm knows neither threads nor devices")
+rule(FOLDERS "haptics/core" FORBIDS "^haptics/" PERMITS "^haptics/core/"
+     WHY "the common words depend on nothing")
+rule(FOLDERS "haptics/devices" FORBIDS "^haptics/"
+     PERMITS "^haptics/(core|devices|simulation)/"
+     WHY "a driver sees its interface and its kit")
+rule(FOLDERS "ui" FORBIDS "^(haptics/|datasets/|app/)"
+     PERMITS "^haptics/(snapshot[.]h|settings[.]h|core/)"
+     WHY "the window is told; it opens nothing")
+rule(FOLDERS "datasets" FORBIDS "^(Q[A-Za-z]|ui/|app/|haptics/)" PERMITS "^haptics/core/"
+     WHY "datasets make volumes, and know of haptics only the words")
+rule(FOLDERS "datasets/phantoms" FORBIDS "^vtk" WHY "phantoms build without VTK")
+rule(FOLDERS "resources" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|haptics/)"
+     PERMITS "^haptics/core/" WHY "resources are read by all")
+rule(FOLDERS "app" EXCEPT "app/(study|cli)"
+     FORBIDS "^haptics/(field|collision|solver|coupling|servo|devices)/"
+     WHY "the application uses haptics through its root headers")
+rule(FOLDERS "(haptics|ui|datasets|resources|app)" FORBIDS "^[.][.]/"
+     WHY "an include names its path from the root, so that these rules can read it")
+
+set(violations "")
+file(GLOB_RECURSE files RELATIVE ${ROOT}
+     ${ROOT}/app/*.h ${ROOT}/app/*.cpp ${ROOT}/datasets/*.h ${ROOT}/datasets/*.cpp
+     ${ROOT}/haptics/*.h ${ROOT}/haptics/*.cpp ${ROOT}/resources/*.h ${ROOT}/resources/*.cpp
+     ${ROOT}/resources/*.cpp.in ${ROOT}/ui/*.h ${ROOT}/ui/*.cpp)
+list(LENGTH files file_count)
+if(file_count LESS 4)
+  message(FATAL_ERROR "Only ${file_count} source files under '${ROOT}': nothing was checked.")
+endif()
+
+foreach(file IN LISTS files)
+  file(READ ${ROOT}/${file} text)
+  string(REGEX REPLACE "[][;\\]" " " text "${text}") # what a CMake list would trip over
+  string(REPLACE "\n" ";" lines "${text}")
+  set(number 0)
+  foreach(line IN LISTS lines)
+    math(EXPR number "${number} + 1")
+    if(NOT line MATCHES "^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"]+)[>\"]")
+      continue()
+    endif()
+    set(included "${CMAKE_MATCH_1}")
+    math(EXPR last "${rule_count} - 1")
+    foreach(r RANGE ${last})
+      if(NOT file MATCHES "^(${rule_${r}_FOLDERS})/" OR NOT included MATCHES "${rule_${r}_FORBIDS}")
+        continue()
+      endif()
+      if(rule_${r}_EXCEPT AND file MATCHES "^(${rule_${r}_EXCEPT})/")
+        continue()
+      endif()
+      if(rule_${r}_PERMITS AND included MATCHES "${rule_${r}_PERMITS}")
+        continue()
+      endif()
+      list(APPEND violations "${file}:${number}: includes ${included}, but ${rule_${r}_WHY}")
+    endforeach()
+  endforeach()
+endforeach()
+
+if(violations)
+  list(LENGTH violations count)
+  list(JOIN violations "\n" text)
+  message("${text}")
+  message(FATAL_ERROR "${count} includes point the wrong way.")
+endif()
+message("${file_count} files, ${rule_count} rules: every include points the right way.")
