@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <clocale>
 #include <locale.h>
+#include <clocale>
 
 namespace datasets {
 

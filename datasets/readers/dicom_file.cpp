@@ -46,12 +46,19 @@ bool numbersOf(vtkDICOMMetaData* meta, vtkDICOMTag tag, std::array<double, N>& n
 
 /// Syntaxes that Part 5 retired or that describe films: nobody decodes them here.
 bool decodable(const std::string& syntax) {
-  static constexpr std::array<std::string_view, 13> kKnown = {
-      "1.2.840.10008.1.2",      "1.2.840.10008.1.2.1",    "1.2.840.10008.1.2.2",
-      "1.2.840.10008.1.2.5",    "1.2.840.10008.1.2.4.50", "1.2.840.10008.1.2.4.51",
-      "1.2.840.10008.1.2.4.57", "1.2.840.10008.1.2.4.70", "1.2.840.10008.1.2.4.80",
-      "1.2.840.10008.1.2.4.81", "1.2.840.10008.1.2.4.90", "1.2.840.10008.1.2.4.91",
-      ""};
+  static constexpr std::array<std::string_view, 13> kKnown = {"1.2.840.10008.1.2",
+                                                              "1.2.840.10008.1.2.1",
+                                                              "1.2.840.10008.1.2.2",
+                                                              "1.2.840.10008.1.2.5",
+                                                              "1.2.840.10008.1.2.4.50",
+                                                              "1.2.840.10008.1.2.4.51",
+                                                              "1.2.840.10008.1.2.4.57",
+                                                              "1.2.840.10008.1.2.4.70",
+                                                              "1.2.840.10008.1.2.4.80",
+                                                              "1.2.840.10008.1.2.4.81",
+                                                              "1.2.840.10008.1.2.4.90",
+                                                              "1.2.840.10008.1.2.4.91",
+                                                              ""};
   for (const std::string_view known : kKnown)
     if (syntax == known) return true;
   return false;
@@ -78,7 +85,8 @@ bool encapsulationCloses(const std::filesystem::path& path, std::int64_t begin, 
     if (head[0] != 0xfe || head[1] != 0xff) return false;
     if (head[2] == 0xdd && head[3] == 0xe0) return true;
     if (head[2] != 0x00 || head[3] != 0xe0) return false;
-    const std::int64_t length = head[4] | head[5] << 8 | head[6] << 16 | std::int64_t{head[7]} << 24;
+    const std::int64_t length =
+        head[4] | head[5] << 8 | head[6] << 16 | std::int64_t{head[7]} << 24;
     at += 8 + length;
   }
   return false;
@@ -96,21 +104,34 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
       return fault(malformed("no-pixels",
                              "A file of the series describes an image and ends without its pixels; "
                              "fetch it again."));
-    return fault(unsupported("no-pixels",
-                             "The series holds no image (modality " +
-                                 (file.modality.empty() ? "not stated" : file.modality) +
-                                 "); choose the series of the scan."));
+    return fault(
+        unsupported("no-pixels", "The series holds no image (modality " +
+                                     (file.modality.empty() ? "not stated" : file.modality) +
+                                     "); choose the series of the scan."));
   }
   if (samples > 1 || meaning == "RGB" || meaning == "PALETTE COLOR")
     return fault(unsupported("not-scalar",
                              "The series holds colour pictures, which have no isosurface; choose "
                              "the series of the scan."));
   if (frames > 1 || meta->Has(DC::SharedFunctionalGroupsSequence))
+    return fault(unsupported(
+        "multi-frame", "The series is an enhanced multi-frame object of " + std::to_string(frames) +
+                           " frames, which this version does not read; export it as one "
+                           "file per slice."));
+  // some files misstate their frames: then the pixels tell
+  const std::int64_t needed = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
+  const bool compressed = parser->GetPixelDataVL() == kUndefinedLength;
+  if (!compressed && needed > 0 && parser->GetPixelDataVL() >= 2 * needed)
     return fault(unsupported("multi-frame",
-                             "The series is an enhanced multi-frame object of " +
-                                 std::to_string(frames) +
-                                 " frames, which this version does not read; export it as one "
-                                 "file per slice."));
+                             "A file of the series holds more pixels than the one slice it states; "
+                             "export it as one file per slice."));
+  const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 2
+                               ? meta->Get(DC::ImageType).GetString(2)
+                               : std::string();
+  if (kind == "LOCALIZER")
+    return fault(unsupported("localizer",
+                             "The series is a scout view for planning and no stack of slices; "
+                             "choose the series of the scan."));
   if (!decodable(syntax)) return syntaxFault(syntax);
   if (file.plane.rows < 1 || file.plane.columns < 1 ||
       (file.bits_allocated != 8 && file.bits_allocated != 16 && file.bits_allocated != 32))
@@ -119,14 +140,11 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
                                                std::to_string(file.plane.rows) + " pixels of " +
                                                std::to_string(file.bits_allocated) +
                                                " bits, which is not an image that can be read."));
-  const std::int64_t needed = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
-  const bool whole = parser->GetPixelDataVL() == kUndefinedLength
-                         ? encapsulationCloses(file.path, begin, size)
-                         : needed <= parser->GetPixelDataVL() && begin + needed <= size;
+  const bool whole = compressed ? encapsulationCloses(file.path, begin, size)
+                                : needed <= parser->GetPixelDataVL() && begin + needed <= size;
   if (!whole)
-    return fault(malformed("truncated",
-                           "The file " + quoted(file.path) +
-                               " ends before its pixels do; copy or fetch it again."));
+    return fault(malformed("truncated", "The file " + quoted(file.path) +
+                                            " ends before its pixels do; copy or fetch it again."));
   return {};
 }
 
@@ -188,7 +206,8 @@ std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   file.plane.rows = meta->Get(DC::Rows).AsInt();
   file.plane.columns = meta->Get(DC::Columns).AsInt();
   file.bits_allocated = meta->Get(DC::BitsAllocated).AsInt();
-  file.bits_stored = meta->Has(DC::BitsStored) ? meta->Get(DC::BitsStored).AsInt() : file.bits_allocated;
+  file.bits_stored =
+      meta->Has(DC::BitsStored) ? meta->Get(DC::BitsStored).AsInt() : file.bits_allocated;
   file.is_signed = meta->Get(DC::PixelRepresentation).AsInt() == 1;
 
   const std::string syntax = textOf(meta, DC::TransferSyntaxUID);
@@ -197,13 +216,20 @@ std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path) {
     return file;
   }
   if (errors->errors() > 0 || parser->GetErrorCode() != 0) {
-    file.fault = fault(malformed("truncated", "The header of " + quoted(path) +
-                                                  " is damaged or cut off; copy or fetch it again."));
+    file.fault =
+        fault(malformed("truncated", "The header of " + quoted(path) +
+                                         " is damaged or cut off; copy or fetch it again."));
+    return file;
+  }
+  if (file.series.empty() && file.modality.empty() && file.plane.rows == 0) {
+    file.fault = fault(malformed(
+        "bad-header", "The header of " + quoted(path) + " cannot be understood; export it again."));
     return file;
   }
   file.fault = pixelFault(file, meta, parser, syntax);
   readRescale(meta, file);
-  if (!file.fault && (!std::isfinite(file.slope) || !std::isfinite(file.intercept) || file.slope == 0.0))
+  if (!file.fault &&
+      (!std::isfinite(file.slope) || !std::isfinite(file.intercept) || file.slope == 0.0))
     file.fault = fault(malformed("bad-header",
                                  "The series states a rescale slope or intercept that cannot be "
                                  "used; export it again."));

@@ -15,26 +15,30 @@ using haptics::Expected;
 
 namespace {
 
-bool stopped(const ReadProgress& progress) { return progress.cancel != nullptr && *progress.cancel; }
+bool stopped(const ReadProgress& progress) {
+  return progress.cancel != nullptr && *progress.cancel;
+}
 
 /// The first fault among the files, saying how many share its reason; else their stack.
 Expected<Stack> judge(const std::vector<DicomFile>& files) {
-  const auto faulty = std::ranges::find_if(files, [](const DicomFile& f) { return f.fault.has_value(); });
+  const auto faulty =
+      std::ranges::find_if(files, [](const DicomFile& f) { return f.fault.has_value(); });
   if (faulty != files.end()) {
     haptics::Error error = *faulty->fault;
-    const auto alike = std::ranges::count_if(files, [&](const DicomFile& f) {
-      return f.fault && f.fault->reason == error.reason;
-    });
+    const auto alike = std::ranges::count_if(
+        files, [&](const DicomFile& f) { return f.fault && f.fault->reason == error.reason; });
     if (files.size() > 1 && error.what.ends_with('.')) {
       error.what.pop_back();
-      error.what += " (" + std::to_string(alike) + " of " + std::to_string(files.size()) + " files).";
+      error.what +=
+          " (" + std::to_string(alike) + " of " + std::to_string(files.size()) + " files).";
     }
     return tl::unexpected(std::move(error));
   }
   std::vector<SlicePlane> planes;
   planes.reserve(files.size());
   for (const DicomFile& file : files) {
-    if (file.bits_allocated != files.front().bits_allocated || file.is_signed != files.front().is_signed)
+    if (file.bits_allocated != files.front().bits_allocated ||
+        file.is_signed != files.front().is_signed)
       return unsupported("mixed-size",
                          "The series mixes voxel types; put them into folders of their own.");
     planes.push_back(file.plane);
@@ -70,7 +74,8 @@ Expected<std::vector<DicomFile>> headersOf(const fs::path& folder, const ReadPro
 
 }  // namespace
 
-Expected<std::vector<DicomSeries>> scanFolder(const fs::path& folder, const ReadProgress& progress) {
+Expected<std::vector<DicomSeries>> scanFolder(const fs::path& folder,
+                                              const ReadProgress& progress) {
   auto headers = headersOf(folder, progress);
   if (!headers) return tl::unexpected(std::move(headers.error()));
   if (headers->empty())
@@ -121,8 +126,10 @@ SeriesVerdict verdictOf(const DicomSeries& series, int index) {
   SeriesVerdict verdict;
   verdict.index = index;
   verdict.modality = first.modality;
-  verdict.dims = {first.plane.columns, first.plane.rows, static_cast<std::int64_t>(series.files.size())};
-  verdict.spacing_mm = {first.plane.column_step_mm, first.plane.row_step_mm, first.plane.thickness_mm};
+  verdict.dims = {first.plane.columns, first.plane.rows,
+                  static_cast<std::int64_t>(series.files.size())};
+  verdict.spacing_mm = {first.plane.column_step_mm, first.plane.row_step_mm,
+                        first.plane.thickness_mm};
   verdict.sound = series.stack.has_value();
   if (!verdict.sound) {
     verdict.reasons.push_back(series.stack.error().reason);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/dicom_pixels.h"
 
+#include <dlfcn.h>
 #include <vtkDICOMReader.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -25,23 +26,34 @@ namespace {
 
 std::optional<ScalarType> typeOf(int vtk_type) {
   switch (vtk_type) {
-    case VTK_UNSIGNED_CHAR: return ScalarType::UInt8;
+    case VTK_UNSIGNED_CHAR:
+      return ScalarType::UInt8;
     case VTK_CHAR:
-    case VTK_SIGNED_CHAR: return ScalarType::Int8;
-    case VTK_UNSIGNED_SHORT: return ScalarType::UInt16;
-    case VTK_SHORT: return ScalarType::Int16;
-    case VTK_UNSIGNED_INT: return ScalarType::UInt32;
-    case VTK_INT: return ScalarType::Int32;
-    case VTK_FLOAT: return ScalarType::Float32;
-    default: return {};
+    case VTK_SIGNED_CHAR:
+      return ScalarType::Int8;
+    case VTK_UNSIGNED_SHORT:
+      return ScalarType::UInt16;
+    case VTK_SHORT:
+      return ScalarType::Int16;
+    case VTK_UNSIGNED_INT:
+      return ScalarType::UInt32;
+    case VTK_INT:
+      return ScalarType::Int32;
+    case VTK_FLOAT:
+      return ScalarType::Float32;
+    default:
+      return {};
   }
 }
 
 ScalarType storedType(const DicomFile& file) {
   switch (file.bits_allocated) {
-    case 8: return file.is_signed ? ScalarType::Int8 : ScalarType::UInt8;
-    case 16: return file.is_signed ? ScalarType::Int16 : ScalarType::UInt16;
-    default: return file.is_signed ? ScalarType::Int32 : ScalarType::UInt32;
+    case 8:
+      return file.is_signed ? ScalarType::Int8 : ScalarType::UInt8;
+    case 16:
+      return file.is_signed ? ScalarType::Int16 : ScalarType::UInt16;
+    default:
+      return file.is_signed ? ScalarType::Int32 : ScalarType::UInt32;
   }
 }
 
@@ -70,7 +82,8 @@ std::vector<ScalarType> candidates(const DicomSeries& series) {
   const DicomFile& first = series.files.front();
   const ScalarType stored = storedType(first);
   bool plain = true, integers = true;
-  Interval values{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Interval values{std::numeric_limits<double>::infinity(),
+                  -std::numeric_limits<double>::infinity()};
   for (const DicomFile& file : series.files) {
     plain = plain && file.slope == 1.0 && file.intercept == 0.0;
     integers = integers && isInteger(file.slope) && isInteger(file.intercept);
@@ -122,10 +135,19 @@ bool rescale(const From* from, To* to, std::int64_t count, const DicomFile& file
   }
 }
 
+/// The codec library under vtk-dicom writes its warnings to standard error; it comes without
+/// headers, so its switches are looked up by name and missing ones are no harm.
+void silenceCodecs() {
+  for (const char* name :
+       {"_ZN4gdcm5Trace10WarningOffEv", "_ZN4gdcm5Trace8DebugOffEv", "_ZN4gdcm5Trace8ErrorOffEv"})
+    if (void* off = dlsym(RTLD_DEFAULT, name)) reinterpret_cast<void (*)()>(off)();
+}
+
 /// The voxels of one file, as stored, in the file's own row order.
 class SliceDecoder {
  public:
   SliceDecoder() {
+    silenceCodecs();
     errors_->watch(reader_);
     reader_->SetMemoryRowOrderToFileNative();
     reader_->SetAutoRescale(0);
@@ -141,15 +163,16 @@ class SliceDecoder {
     int dims[3] = {0, 0, 0};
     if (image != nullptr) image->GetDimensions(dims);
     const bool whole = errors_->errors() == 0 && reader_->GetErrorCode() == 0 && image != nullptr &&
-                       dims[0] == file.plane.columns && dims[1] == file.plane.rows && dims[2] == 1 &&
-                       image->GetScalarPointer() != nullptr &&
+                       dims[0] == file.plane.columns && dims[1] == file.plane.rows &&
+                       dims[2] == 1 && image->GetScalarPointer() != nullptr &&
                        image->GetNumberOfScalarComponents() == 1 &&
                        typeOf(image->GetScalarType()).has_value();
     if (!whole)
-      return malformed("truncated", "The pixels of " + quoted(file.path) +
-                                        " cannot be decoded: they are cut off, damaged or in a form "
-                                        "unknown here; fetch the file again or export it as explicit "
-                                        "little endian.");
+      return malformed("truncated",
+                       "The pixels of " + quoted(file.path) +
+                           " cannot be decoded: they are cut off, damaged or in a form "
+                           "unknown here; fetch the file again or export it as explicit "
+                           "little endian.");
     return image;
   }
 
@@ -194,7 +217,8 @@ Expected<haptics::Volume> readSeries(const DicomSeries& series, const ReadProgre
   const CLocale numbers_with_points;
 
   for (const ScalarType type : candidates(series)) {
-    const auto room = checkRoom(grid->voxelCount(), static_cast<std::int64_t>(haptics::sizeOf(type)));
+    const auto room =
+        checkRoom(grid->voxelCount(), static_cast<std::int64_t>(haptics::sizeOf(type)));
     if (!room) return tl::unexpected(room.error());
     auto voxels = haptics::allocateVoxels(grid->voxelCount(), type);
     if (!voxels) return tl::unexpected(std::move(voxels.error()));
@@ -207,7 +231,8 @@ Expected<haptics::Volume> readSeries(const DicomSeries& series, const ReadProgre
                                 .modality = series.files.front().modality,
                                 .orientation_known = true});
   }
-  return unsupported("bad-header", "The series' rescaled values fit no voxel type; export it again.");
+  return unsupported("bad-header",
+                     "The series' rescaled values fit no voxel type; export it again.");
 }
 
 }  // namespace datasets

@@ -17,15 +17,17 @@ using haptics::Vec3;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kParallel = 0.1 * kDegree;       // rad, between planes and off the normal
-constexpr double kUnitError = 1e-3;               // of a direction's length, and of a right angle
-constexpr double kSamePosition_mm = 1e-3;         // steps below this are none
-constexpr double kEvenStep = 0.01;                // of the median
-constexpr double kEvenStep_mm = 0.05;             //
-constexpr double kMultipleStep = 0.05;            // of the multiple
-constexpr double kEqualPixelSpacing = 1e-4;       // relative
+constexpr double kParallel = 0.1 * kDegree;  // rad, between planes and off the normal
+constexpr double kUnitError = 1e-3;          // of a direction's length, and of a right angle
+constexpr double kSamePosition_mm = 1e-3;    // steps below this are none
+constexpr double kEvenStep = 0.01;           // of the median
+constexpr double kEvenStep_mm = 0.05;        //
+constexpr double kMultipleStep = 0.05;       // of the multiple
+constexpr double kEqualPixelSpacing = 1e-4;  // relative
 
-double angleBetween(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angleBetween(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 Expected<void> checkPlane(const SlicePlane& s) {
   if (!s.position_mm.allFinite() || !std::isfinite(s.column_step_mm) ||
@@ -48,12 +50,11 @@ Expected<void> checkAlike(const std::vector<SlicePlane>& slices) {
   double widest = 0.0;
   for (const SlicePlane& s : slices) {
     if (s.columns != first.columns || s.rows != first.rows)
-      return unsupported("mixed-size", "The series mixes slices of " +
-                                           std::to_string(first.columns) + " x " +
-                                           std::to_string(first.rows) + " and " +
-                                           std::to_string(s.columns) + " x " +
-                                           std::to_string(s.rows) +
-                                           " pixels; put them into folders of their own.");
+      return unsupported("mixed-size",
+                         "The series mixes slices of " + std::to_string(first.columns) + " x " +
+                             std::to_string(first.rows) + " and " + std::to_string(s.columns) +
+                             " x " + std::to_string(s.rows) +
+                             " pixels; put them into folders of their own.");
     widest = std::max({widest, angleBetween(s.along_row, first.along_row),
                        angleBetween(s.along_column, first.along_column)});
   }
@@ -89,11 +90,13 @@ Expected<void> checkSteps(std::vector<double> steps_mm) {
       missing += static_cast<int>(times) - 1;
   }
   if (odd == 0) return {};
-  const std::string gaps = std::to_string(odd) + " of " + std::to_string(steps_mm.size()) + " steps";
+  const std::string gaps =
+      std::to_string(odd) + " of " + std::to_string(steps_mm.size()) + " steps";
   if (multiples)
-    return unsupported("missing-slices", std::to_string(missing) + (missing == 1 ? " slice is" : " slices are") +
-                                             " missing from the series (" + gaps + " are a multiple of " +
-                                             brief(median) + " mm); fetch the series again.");
+    return unsupported("missing-slices",
+                       std::to_string(missing) + (missing == 1 ? " slice is" : " slices are") +
+                           " missing from the series (" + gaps + " are a multiple of " +
+                           brief(median) + " mm); fetch the series again.");
   return unsupported("uneven-spacing", "The slices are unevenly spaced: " + gaps + " differ from " +
                                            brief(median) + " mm, from " + brief(sorted.front()) +
                                            " to " + brief(sorted.back()) +
@@ -146,7 +149,8 @@ Expected<Stack> stackOf(const std::vector<SlicePlane>& slices) {
     for (const SlicePlane& s : slices) {
       const Vec3 offset_mm = s.position_mm - first.position_mm;
       const double aside_mm = (offset_mm - normal * normal.dot(offset_mm)).norm();
-      if (aside_mm > 0.05 * std::min(s.row_step_mm, s.column_step_mm) + std::tan(kParallel) * std::abs(normal.dot(offset_mm)))
+      if (aside_mm > 0.05 * std::min(s.row_step_mm, s.column_step_mm) +
+                         std::tan(kParallel) * std::abs(normal.dot(offset_mm)))
         return unsupported("sheared", "A slice of the series lies " + brief(aside_mm) +
                                           " mm beside the others; ask for a reconstruction as one "
                                           "straight stack.");

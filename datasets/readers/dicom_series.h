@@ -13,9 +13,9 @@ namespace datasets {
 
 /// Where one slice lies: ImagePositionPatient, ImageOrientationPatient and PixelSpacing.
 struct SlicePlane {
-  haptics::Vec3 position_mm = haptics::Vec3::Zero();   ///< centre of the first pixel, LPS
-  haptics::Vec3 along_row = haptics::Vec3::UnitX();    ///< unit, towards growing columns
-  haptics::Vec3 along_column = haptics::Vec3::UnitY(); ///< unit, towards growing rows
+  haptics::Vec3 position_mm = haptics::Vec3::Zero();    ///< centre of the first pixel, LPS
+  haptics::Vec3 along_row = haptics::Vec3::UnitX();     ///< unit, towards growing columns
+  haptics::Vec3 along_column = haptics::Vec3::UnitY();  ///< unit, towards growing rows
   double column_step_mm = 1.0;  ///< between pixels of one row: the second value of PixelSpacing
   double row_step_mm = 1.0;     ///< between rows: the first value of PixelSpacing
   std::int64_t columns = 0;

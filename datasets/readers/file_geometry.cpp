@@ -22,10 +22,13 @@ constexpr double kRounding = 1e-12;     // cosine below which axes are left as t
 /// The signs that turn a file's world into LPS.
 Vec3 signsOf(FileSpace space) {
   switch (space) {
-    case FileSpace::RightAnteriorSuperior: return {-1.0, -1.0, 1.0};
-    case FileSpace::LeftAnteriorSuperior: return {1.0, -1.0, 1.0};
+    case FileSpace::RightAnteriorSuperior:
+      return {-1.0, -1.0, 1.0};
+    case FileSpace::LeftAnteriorSuperior:
+      return {1.0, -1.0, 1.0};
     case FileSpace::LeftPosteriorSuperior:
-    case FileSpace::Unknown: break;
+    case FileSpace::Unknown:
+      break;
   }
   return Vec3::Ones();
 }
@@ -41,8 +44,9 @@ haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file) {
                      "with its geometry.");
   const Vec3 spacing_mm = file.steps_mm.colwise().norm().transpose();
   if (spacing_mm.minCoeff() < 1e-6 || spacing_mm.maxCoeff() > 1e6)
-    return malformed("bad-header", "The volume's voxel spacing of " + brief(spacing_mm.x()) + " x " +
-                                       brief(spacing_mm.y()) + " x " + brief(spacing_mm.z()) +
+    return malformed("bad-header", "The volume's voxel spacing of " + brief(spacing_mm.x()) +
+                                       " x " + brief(spacing_mm.y()) + " x " +
+                                       brief(spacing_mm.z()) +
                                        " mm cannot be right; export it again with its geometry.");
 
   Mat3 direction = signsOf(file.space).asDiagonal() * file.steps_mm;
@@ -50,7 +54,8 @@ haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file) {
 
   // axes at right angles, up to rounding
   const Mat3 gram = direction.transpose() * direction;
-  const double cosine = std::max({std::abs(gram(0, 1)), std::abs(gram(0, 2)), std::abs(gram(1, 2))});
+  const double cosine =
+      std::max({std::abs(gram(0, 1)), std::abs(gram(0, 2)), std::abs(gram(1, 2))});
   if (cosine > kSquareEnough) {
     const double angle_deg = std::asin(std::min(cosine, 1.0)) * 180.0 / std::numbers::pi;
     return unsupported("sheared", "The volume's axes are " + brief(angle_deg) +

@@ -10,7 +10,12 @@
 namespace datasets {
 
 /// What the axes of a file's world point at. Unknown is taken as it stands, without letters.
-enum class FileSpace { LeftPosteriorSuperior, RightAnteriorSuperior, LeftAnteriorSuperior, Unknown };
+enum class FileSpace {
+  LeftPosteriorSuperior,
+  RightAnteriorSuperior,
+  LeftAnteriorSuperior,
+  Unknown
+};
 
 /// Where a file says its voxels lie, in millimetres and in its own world.
 struct FileGeometry {

@@ -17,7 +17,8 @@ NrrdStream::NrrdStream(std::string text, const std::filesystem::path& file,
     : text_(std::move(text)), file_(file, std::ios::binary | std::ios::ate), progress_(progress) {
   if (!file_) return;
   size_ = static_cast<std::int64_t>(text_.size()) + static_cast<std::int64_t>(file_.tellg());
-  stream_ = fopencookie(this, "rb", {.read = read, .write = nullptr, .seek = seek, .close = nullptr});
+  stream_ =
+      fopencookie(this, "rb", {.read = read, .write = nullptr, .seek = seek, .close = nullptr});
   if (stream_ != nullptr) std::setvbuf(stream_, nullptr, _IOFBF, kBlock);
 }
 

@@ -75,10 +75,14 @@ std::optional<double> millimetresIn(const char* unit) {
 
 FileSpace spaceOf(int space) {
   switch (space) {
-    case nrrdSpaceLeftPosteriorSuperior: return FileSpace::LeftPosteriorSuperior;
-    case nrrdSpaceRightAnteriorSuperior: return FileSpace::RightAnteriorSuperior;
-    case nrrdSpaceLeftAnteriorSuperior: return FileSpace::LeftAnteriorSuperior;
-    default: return FileSpace::Unknown;
+    case nrrdSpaceLeftPosteriorSuperior:
+      return FileSpace::LeftPosteriorSuperior;
+    case nrrdSpaceRightAnteriorSuperior:
+      return FileSpace::RightAnteriorSuperior;
+    case nrrdSpaceLeftAnteriorSuperior:
+      return FileSpace::LeftAnteriorSuperior;
+    default:
+      return FileSpace::Unknown;
   }
 }
 
@@ -187,14 +191,22 @@ tl::unexpected<haptics::Error> headerRefused(const std::filesystem::path& path) 
 
 std::optional<ScalarType> typeOf(int teem_type) {
   switch (teem_type) {
-    case nrrdTypeChar: return ScalarType::Int8;
-    case nrrdTypeUChar: return ScalarType::UInt8;
-    case nrrdTypeShort: return ScalarType::Int16;
-    case nrrdTypeUShort: return ScalarType::UInt16;
-    case nrrdTypeInt: return ScalarType::Int32;
-    case nrrdTypeUInt: return ScalarType::UInt32;
-    case nrrdTypeFloat: return ScalarType::Float32;
-    default: return {};
+    case nrrdTypeChar:
+      return ScalarType::Int8;
+    case nrrdTypeUChar:
+      return ScalarType::UInt8;
+    case nrrdTypeShort:
+      return ScalarType::Int16;
+    case nrrdTypeUShort:
+      return ScalarType::UInt16;
+    case nrrdTypeInt:
+      return ScalarType::Int32;
+    case nrrdTypeUInt:
+      return ScalarType::UInt32;
+    case nrrdTypeFloat:
+      return ScalarType::Float32;
+    default:
+      return {};
   }
 }
 
@@ -203,8 +215,9 @@ Expected<std::shared_ptr<void>> adopted(Nrrd& nrrd, std::int64_t bytes) {
   const auto size = static_cast<std::size_t>(bytes);
   void* grown = std::realloc(nrrd.data, size + haptics::kVoxelPadding);
   if (grown == nullptr)
-    return unsupported("too-large", "The memory of this machine does not hold the volume; close "
-                                    "other programs.");
+    return unsupported("too-large",
+                       "The memory of this machine does not hold the volume; close "
+                       "other programs.");
   nrrd.data = nullptr;
   std::memset(static_cast<char*>(grown) + size, 0, haptics::kVoxelPadding);
   return std::shared_ptr<void>(grown, [](void* p) { std::free(p); });

@@ -16,19 +16,27 @@ namespace fs = std::filesystem;
 using haptics::ScalarType;
 using haptics::Vec3;
 
-static_assert(std::endian::native == std::endian::little, "voxels are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little,
+              "voxels are written as they lie in memory");
 
 namespace {
 
 const char* nrrdTypeOf(ScalarType type) {
   switch (type) {
-    case ScalarType::UInt8: return "uint8";
-    case ScalarType::Int8: return "int8";
-    case ScalarType::UInt16: return "uint16";
-    case ScalarType::Int16: return "int16";
-    case ScalarType::UInt32: return "uint32";
-    case ScalarType::Int32: return "int32";
-    case ScalarType::Float32: break;
+    case ScalarType::UInt8:
+      return "uint8";
+    case ScalarType::Int8:
+      return "int8";
+    case ScalarType::UInt16:
+      return "uint16";
+    case ScalarType::Int16:
+      return "int16";
+    case ScalarType::UInt32:
+      return "uint32";
+    case ScalarType::Int32:
+      return "int32";
+    case ScalarType::Float32:
+      break;
   }
   return "float";
 }

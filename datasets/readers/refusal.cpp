@@ -47,8 +47,8 @@ std::string exact(double number) {
 
 haptics::Expected<void> checkRoom(std::int64_t voxels, std::int64_t bytes_per_voxel) {
   const double needed = static_cast<double>(voxels) * static_cast<double>(bytes_per_voxel);
-  const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double there =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed <= there) return {};
   return unsupported("too-large", "The volume needs " + brief(needed / 1e9) +
                                       " GB of memory and this machine has " + brief(there / 1e9) +

@@ -33,9 +33,10 @@ Expected<Format> formatOf(const fs::path& path) {
   const fs::path extension = path.extension();
   if (looksLikeNrrd(path) || extension == ".nrrd" || extension == ".nhdr") return Format::Nrrd;
   if (looksLikeDicom(path)) return Format::DicomFile;
-  return unsupported("unreadable", quoted(path) +
-                                       " is neither a DICOM nor an NRRD file; open the folder of a "
-                                       "DICOM series, one of its files, or an .nrrd or .nhdr file.");
+  return unsupported("unreadable",
+                     quoted(path) +
+                         " is neither a DICOM nor an NRRD file; open the folder of a "
+                         "DICOM series, one of its files, or an .nrrd or .nhdr file.");
 }
 
 /// No exception leaves the readers.
@@ -47,8 +48,9 @@ Expected<T> guarded(const fs::path& path, F&& read) {
     return unsupported("too-large", "The memory of this machine does not hold " + quoted(path) +
                                         "; close other programs or try a smaller series.");
   } catch (const std::exception&) {
-    return malformed("unreadable", quoted(path) + " cannot be read; copy it to another folder and "
-                                                  "try again.");
+    return malformed("unreadable", quoted(path) +
+                                       " cannot be read; copy it to another folder and "
+                                       "try again.");
   }
 }
 
@@ -82,8 +84,9 @@ std::string listOf(const std::vector<DicomSeries>& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const SeriesVerdict v = verdictOf(all[i], static_cast<int>(i));
     list += (i == 0 ? "" : "; ") + std::to_string(i) + " is " +
-            (v.modality.empty() ? "of no modality" : v.modality) + ", " + std::to_string(v.dims[0]) +
-            " x " + std::to_string(v.dims[1]) + " x " + std::to_string(v.dims[2]) + ", " +
+            (v.modality.empty() ? "of no modality" : v.modality) + ", " +
+            std::to_string(v.dims[0]) + " x " + std::to_string(v.dims[1]) + " x " +
+            std::to_string(v.dims[2]) + ", " +
             (v.sound ? brief(v.spacing_mm.x()) + " x " + brief(v.spacing_mm.y()) + " x " +
                            brief(v.spacing_mm.z()) + " mm"
                      : "refused (" + v.reasons.front() + ")");
@@ -104,14 +107,15 @@ Expected<DicomSeries> chosen(const fs::path& folder, std::vector<DicomSeries> al
   const auto sound = [](const DicomSeries& s) { return s.stack.has_value(); };
   const auto loadable = std::ranges::count_if(all, sound);
   if (loadable > 1)
-    return unsupported("which-series", "The folder " + quoted(folder) + " holds " +
-                                           std::to_string(loadable) +
-                                           " series that can be loaded; name one: " + listOf(all) + ".");
+    return unsupported("which-series",
+                       "The folder " + quoted(folder) + " holds " + std::to_string(loadable) +
+                           " series that can be loaded; name one: " + listOf(all) + ".");
   if (loadable == 1) return std::move(*std::ranges::find_if(all, sound));
   if (all.size() > 1)
     return unsupported(all.front().stack.error().reason,
                        "None of the " + std::to_string(all.size()) + " series in " +
-                           quoted(folder) + " can be loaded; the first: " + all.front().stack.error().what);
+                           quoted(folder) +
+                           " can be loaded; the first: " + all.front().stack.error().what);
   return std::move(all.front());
 }
 

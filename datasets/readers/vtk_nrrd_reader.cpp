@@ -24,13 +24,20 @@ namespace {
 
 int vtkTypeOf(haptics::ScalarType type) {
   switch (type) {
-    case haptics::ScalarType::UInt8: return VTK_UNSIGNED_CHAR;
-    case haptics::ScalarType::Int8: return VTK_SIGNED_CHAR;
-    case haptics::ScalarType::UInt16: return VTK_UNSIGNED_SHORT;
-    case haptics::ScalarType::Int16: return VTK_SHORT;
-    case haptics::ScalarType::UInt32: return VTK_UNSIGNED_INT;
-    case haptics::ScalarType::Int32: return VTK_INT;
-    case haptics::ScalarType::Float32: break;
+    case haptics::ScalarType::UInt8:
+      return VTK_UNSIGNED_CHAR;
+    case haptics::ScalarType::Int8:
+      return VTK_SIGNED_CHAR;
+    case haptics::ScalarType::UInt16:
+      return VTK_UNSIGNED_SHORT;
+    case haptics::ScalarType::Int16:
+      return VTK_SHORT;
+    case haptics::ScalarType::UInt32:
+      return VTK_UNSIGNED_INT;
+    case haptics::ScalarType::Int32:
+      return VTK_INT;
+    case haptics::ScalarType::Float32:
+      break;
   }
   return VTK_FLOAT;
 }

@@ -20,7 +20,7 @@ class VtkNrrdReader : public vtkImageAlgorithm {
   static VtkNrrdReader* New();
   vtkTypeMacro(VtkNrrdReader, vtkImageAlgorithm)
 
-  void setPath(const std::filesystem::path& path);
+      void setPath(const std::filesystem::path& path);
   /// What the last Update() came to.
   const haptics::Expected<haptics::Volume>& volume() const { return volume_; }
 

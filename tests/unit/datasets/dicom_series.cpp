@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The verdict on a stack, from positions and orientations alone.
+#include "datasets/readers/dicom_series.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace datasets {
+namespace {
+
+using haptics::Vec3;
+
+/// Slices at the given heights of an oblique stack with unequal pixel spacing.
+std::vector<SlicePlane> stack(const std::vector<double>& heights_mm, double tilt_deg = 0.0) {
+  const Eigen::Quaterniond turn =
+      Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()) * Eigen::Quaterniond::Identity();
+  const Vec3 row = turn * Vec3::UnitX(), column = turn * Vec3::UnitY(),
+             normal = turn * Vec3::UnitZ();
+  std::vector<SlicePlane> slices;
+  for (const double h : heights_mm) {
+    SlicePlane s;
+    s.position_mm =
+        Vec3(10, -20, 30) + normal * h + column * h * std::tan(tilt_deg * std::numbers::pi / 180.0);
+    s.along_row = row;
+    s.along_column = column;
+    s.column_step_mm = 0.6;
+    s.row_step_mm = 0.7;
+    s.columns = 8;
+    s.rows = 9;
+    slices.push_back(s);
+  }
+  return slices;
+}
+
+std::string reasonFor(const std::vector<SlicePlane>& slices) {
+  const auto verdict = stackOf(slices);
+  return verdict ? "" : verdict.error().reason;
+}
+
+TEST(DicomSeries, ShuffledSlicesAreOrderedAlongTheNormal) {
+  auto slices = stack({0, 1.25, 2.5, 3.75, 5, 6.25});
+  std::shuffle(slices.begin(), slices.end(), std::mt19937(3));
+  const auto verdict = stackOf(slices);
+  ASSERT_TRUE(verdict) << verdict.error().what;
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    const auto grid = gridOf(verdict->geometry);
+    ASSERT_TRUE(grid);
+    const Vec3 where_mm = 1e3 * grid->worldOf({0, 0, static_cast<double>(k)});
+    EXPECT_LT((where_mm - slices[verdict->order[k]].position_mm).norm(), 1e-9) << k;
+  }
+}
+
+TEST(DicomSeries, ColumnsGoAlongRowsAndRowsDownColumns) {
+  const auto slices = stack({0, 2});
+  const auto grid = gridOf(stackOf(slices)->geometry);
+  ASSERT_TRUE(grid);
+  const SlicePlane& s = slices.front();
+  // the voxel in column 3 and row 5, by the standard's own equation (C.7.6.2.1-1)
+  const Vec3 expected_mm =
+      s.position_mm + 3 * s.column_step_mm * s.along_row + 5 * s.row_step_mm * s.along_column;
+  EXPECT_LT((1e3 * grid->worldOf({3, 5, 0}) - expected_mm).norm(), 1e-9);
+  EXPECT_EQ(grid->dims[0], 8);
+  EXPECT_EQ(grid->dims[1], 9);
+}
+
+TEST(DicomSeries, RefusesByName) {
+  EXPECT_EQ(reasonFor(stack({0, 1, 2, 4, 5, 6})), "missing-slices");
+  EXPECT_EQ(reasonFor(stack({0, 1, 2, 5, 6, 7})), "missing-slices");
+  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3.5, 4.5, 5.5})), "uneven-spacing");
+  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3, 6.5, 8})), "uneven-spacing");
+  EXPECT_EQ(reasonFor(stack({0, 1, 2, 2, 3})), "duplicate");
+  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3}, 0.2)), "gantry-tilt");
+  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3}, 0.05)), "");
+  EXPECT_EQ(reasonFor({}), "no-pixels");
+
+  auto turned = stack({0, 1, 2, 3});
+  turned[2].along_column =
+      Eigen::AngleAxisd(0.003, turned[2].along_row) * turned[2].along_column;  // 0.17 degrees
+  EXPECT_EQ(reasonFor(turned), "mixed-orientation");
+
+  auto sized = stack({0, 1, 2});
+  sized[1].rows = 10;
+  EXPECT_EQ(reasonFor(sized), "mixed-size");
+  auto spaced = stack({0, 1, 2});
+  spaced[1].row_step_mm = 0.71;
+  EXPECT_EQ(reasonFor(spaced), "mixed-size");
+  auto aside = stack({0, 1, 2});
+  aside[1].position_mm += 0.3 * aside[1].along_row;
+  EXPECT_EQ(reasonFor(aside), "sheared");
+  auto broken = stack({0, 1, 2});
+  broken[1].along_row = Vec3::Zero();
+  EXPECT_EQ(reasonFor(broken), "bad-header");
+  broken = stack({0, 1, 2});
+  broken[1].position_mm.x() = std::nan("");
+  EXPECT_EQ(reasonFor(broken), "bad-header");
+}
+
+TEST(DicomSeries, StepsMayWanderByOnePercentOrATwentiethOfAMillimetre) {
+  EXPECT_EQ(reasonFor(stack({0, 1, 2.04, 3.0, 4})), "");
+  EXPECT_EQ(reasonFor(stack({0, 1, 2.06, 3.12, 4})), "uneven-spacing");
+  EXPECT_EQ(reasonFor(stack({0, 10, 20.09, 30, 40})), "");
+  EXPECT_EQ(reasonFor(stack({0, 10, 20.11, 30, 40})), "uneven-spacing");
+}
+
+TEST(DicomSeries, TheSentenceNamesTheAngle) {
+  const auto verdict = stackOf(stack({0, 1, 2, 3}, 12.0));
+  ASSERT_FALSE(verdict);
+  EXPECT_NE(verdict.error().what.find("12 degrees"), std::string::npos) << verdict.error().what;
+}
+
+}  // namespace
+}  // namespace datasets
