@@ -112,7 +112,8 @@ void Viewport::paintGL() {
 void Viewport::onVtkEvent(vtkObject*, unsigned long event, void* call_data) {
   switch (event) {
     case vtkCommand::WindowMakeCurrentEvent:
-      if (context() != nullptr) makeCurrent();
+      // makeCurrent() also binds Qt's framebuffer: not while VTK has bound its own
+      if (context() != nullptr && QOpenGLContext::currentContext() != context()) makeCurrent();
       break;
     case vtkCommand::WindowIsCurrentEvent:
       *static_cast<bool*>(call_data) =
