@@ -2,14 +2,12 @@
 #include "datasets/readers/nrrd_header.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string_view>
 
+#include "datasets/readers/nrrd_text.h"
 #include "datasets/readers/refusal.h"
 
 namespace datasets {
@@ -18,106 +16,6 @@ namespace fs = std::filesystem;
 using haptics::Expected;
 
 namespace {
-
-constexpr std::int64_t kLongestHeader = 1 << 20;  // bytes, a list of data files included
-constexpr std::size_t kMostDataFiles = 100'000;
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r");
-  if (begin == text.npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
-std::string lowered(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
-
-std::vector<std::string_view> wordsOf(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
-    const auto end = std::min(text.find_first_of(" \t"), text.size());
-    words.push_back(text.substr(0, end));
-    text.remove_prefix(end);
-  }
-  return words;
-}
-
-std::optional<std::int64_t> integerOf(std::string_view word) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return {};
-  return number;
-}
-
-/// Fields by lower-case name, and the names of a LIST.
-struct HeaderText {
-  std::map<std::string, std::string> fields;
-  std::vector<std::string> listed_files;
-  std::string lines;  ///< all but the one that names data files
-  std::int64_t bytes = 0;
-};
-
-tl::unexpected<haptics::Error> badHeader(const fs::path& path, const std::string& why) {
-  return malformed("bad-header",
-                   "The header of " + quoted(path) + " " + why + "; export it again.");
-}
-
-Expected<HeaderText> textOf(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return notFound(path);
-  const auto nextLine = [&](std::string& line) {
-    line.clear();
-    for (int c = in.get(); c != std::ifstream::traits_type::eof(); c = in.get()) {
-      if (c == '\n') return true;
-      line.push_back(static_cast<char>(c));
-      if (static_cast<std::int64_t>(line.size()) > kLongestHeader) return false;
-    }
-    return !line.empty();
-  };
-
-  HeaderText text;
-  std::string line;
-  nextLine(line);
-  const std::string_view magic = trimmed(line);
-  if (!magic.starts_with("NRRD000") || magic.size() != 8 || magic[7] < '1' || magic[7] > '5')
-    return badHeader(path, "does not begin with NRRD0001 to NRRD0005");
-  text.lines = std::string(magic) + "\n";
-  bool listing = false, closed = false;
-  while (nextLine(line)) {
-    if (static_cast<std::int64_t>(in.tellg()) > kLongestHeader)
-      return badHeader(path, "is longer than 1 MB");
-    const std::string_view content = trimmed(line);
-    if (listing) {
-      if (!content.empty()) text.listed_files.emplace_back(content);
-      if (text.listed_files.size() > kMostDataFiles) return badHeader(path, "lists too many files");
-      continue;
-    }
-    if (content.empty()) {
-      closed = true;
-      break;
-    }
-    const auto colon = content.find(':');
-    const std::string field = lowered(trimmed(content.substr(0, std::min(colon, content.size()))));
-    const bool names_data = field == "data file" || field == "datafile";
-    if (!names_data) text.lines.append(content).append("\n");
-    if (content.front() == '#' || colon == content.npos) continue;
-    if (colon + 1 < content.size() && content[colon + 1] == '=') continue;  // key and value
-    const std::string_view value = trimmed(content.substr(colon + 1));
-    if (!text.fields.emplace(field, value).second) return badHeader(path, "states a field twice");
-    listing = names_data && value.starts_with("LIST");
-  }
-  if (!closed) in.clear();
-  text.bytes = closed ? static_cast<std::int64_t>(in.tellg()) : 0;
-  return text;
-}
-
-const std::string* find(const HeaderText& text, const char* name, const char* other = nullptr) {
-  auto it = text.fields.find(name);
-  if (it == text.fields.end() && other != nullptr) it = text.fields.find(other);
-  return it == text.fields.end() ? nullptr : &it->second;
-}
 
 struct TypeName {
   std::string_view name;
@@ -154,8 +52,8 @@ constexpr TypeName kTypes[] = {{"signed char", "signed char", 1},
                                {"float", "float", 4},
                                {"double", "double", 8}};
 
-Expected<void> readType(const fs::path& path, const HeaderText& text, NrrdHeader& header) {
-  const std::string* type = find(text, "type");
+Expected<void> readType(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::string* type = text.find("type");
   if (type == nullptr) return badHeader(path, "states no type");
   const std::string name = lowered(*type);
   for (const TypeName& known : kTypes)
@@ -177,8 +75,8 @@ Expected<void> readType(const fs::path& path, const HeaderText& text, NrrdHeader
   return badHeader(path, "states an unknown type");
 }
 
-Expected<void> readSizes(const fs::path& path, const HeaderText& text, NrrdHeader& header) {
-  const std::string* dimension = find(text, "dimension");
+Expected<void> readSizes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::string* dimension = text.find("dimension");
   const auto axes = dimension ? integerOf(*dimension) : std::nullopt;
   if (!axes) return badHeader(path, "states no dimension");
   if (*axes != 3)
@@ -186,7 +84,7 @@ Expected<void> readSizes(const fs::path& path, const HeaderText& text, NrrdHeade
                        "The dimension of " + quoted(path) + " is " + std::to_string(*axes) +
                            "; only a volume of three axes and one value per voxel can "
                            "be loaded, so export one such volume.");
-  const std::string* sizes = find(text, "sizes");
+  const std::string* sizes = text.find("sizes");
   if (sizes == nullptr) return badHeader(path, "states no sizes");
   const auto words = wordsOf(*sizes);
   if (words.size() != 3) return badHeader(path, "does not state three sizes");
@@ -201,7 +99,7 @@ Expected<void> readSizes(const fs::path& path, const HeaderText& text, NrrdHeade
     room /= *size;
     header.dims[a] = *size;
   }
-  const std::string* kinds = find(text, "kinds");
+  const std::string* kinds = text.find("kinds");
   if (kinds == nullptr) return {};
   for (const std::string_view kind : wordsOf(*kinds)) {
     const std::string k = lowered(kind);
@@ -213,8 +111,8 @@ Expected<void> readSizes(const fs::path& path, const HeaderText& text, NrrdHeade
   return {};
 }
 
-Expected<void> readEncoding(const fs::path& path, const HeaderText& text, NrrdHeader& header) {
-  const std::string* encoding = find(text, "encoding");
+Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::string* encoding = text.find("encoding");
   if (encoding == nullptr) return badHeader(path, "states no encoding");
   const std::string name = lowered(*encoding);
   if (name == "raw")
@@ -231,11 +129,11 @@ Expected<void> readEncoding(const fs::path& path, const HeaderText& text, NrrdHe
     return unsupported("unsupported-syntax", "The voxels of " + quoted(path) +
                                                  " are in an encoding that is unknown here; save "
                                                  "them as raw or gzip.");
-  if (header.encoding != NrrdEncoding::Ascii && header.bytes_per_voxel > 1 && !find(text, "endian"))
+  if (header.encoding != NrrdEncoding::Ascii && header.bytes_per_voxel > 1 && !text.find("endian"))
     return badHeader(path, "does not state the byte order");
   const auto skip = [&](const char* name_of_field, const char* other, std::int64_t least,
                         std::int64_t& count) {
-    const std::string* field = find(text, name_of_field, other);
+    const std::string* field = text.find(name_of_field, other);
     if (field == nullptr) return true;
     header.skip_stated = true;
     const auto number = integerOf(*field);
@@ -302,8 +200,8 @@ Expected<fs::path> dataFile(const fs::path& header, const std::string& name) {
   return real;
 }
 
-Expected<void> readDataFiles(const fs::path& path, const HeaderText& text, NrrdHeader& header) {
-  const std::string* field = find(text, "data file", "datafile");
+Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::string* field = text.find("data file", "datafile");
   if (field == nullptr) {
     if (text.bytes == 0)
       return malformed("truncated", quoted(path) + " ends with its header; fetch it again whole.");
@@ -406,7 +304,7 @@ bool looksLikeNrrd(const fs::path& path) {
 }
 
 Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
-  const auto text = textOf(path);
+  const auto text = readNrrdText(path);
   if (!text) return tl::unexpected(text.error());
   NrrdHeader header;
   header.header_bytes = text->bytes;
