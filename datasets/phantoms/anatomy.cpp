@@ -160,8 +160,8 @@ Solid airSpaces() {
   // the nose: a pear at the front, a passage to the throat
   s.push_back(cone({0, -89, -20}, 4.5f, {0, -87, -35}, 11.5f));
   s.push_back(ellipsoid({0, -60, -30}, {13, 38, 17}, 6));
-  // sinuses: those of the upper jaw leave the floor of the orbit 1.5 mm thick
-  both(s, ellipsoid({29, -57, -33.5f}, {11, 15, 11}));
+  // sinuses: of the upper jaw, forehead, sphenoid and ethmoid
+  both(s, ellipsoid({29, -56, -31}, {11.5f, 16, 15}));
   s.push_back(ellipsoid({9, -80, 17}, {9, 3.6f, 8}, 2, -14));
   s.push_back(ellipsoid({-11, -80, 15}, {8, 3.4f, 6}, 2, 14));
   s.push_back(ellipsoid({5, -20, -13}, {8, 10, 8}));

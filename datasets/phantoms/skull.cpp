@@ -20,6 +20,7 @@ constexpr double kSpacing = 0.001;  // m
 constexpr float kBrick = 8;         // voxels: the head is planned by bricks of this side
 constexpr float kMargin = 3.0f;     // mm: what is further off cannot show in a voxel
 constexpr float kNoise = 16.0f;     // HU, standard deviation
+constexpr float kPlate = 1.3f;      // mm, thickness of the orbits' walls towards the sinuses
 constexpr float kShift[3] = {0.0f, -9.0f,
                              -6.0f};  // mm: the grid's middle in the head's coordinates
 
@@ -70,7 +71,8 @@ float tissue(const skull::Anatomy& head, const Vec3f& p) {
       std::max(skull::distanceTo(head.skin, p), -skull::distanceTo(head.skin_cuts, p));
   if (skin > 1.1f) return kAir;
   const float soft = skull::distanceTo(head.fat, p);
-  const float air = skull::distanceTo(head.air, p);
+  // no air nearer than this to an orbit: what stays between them is a plate one to two voxels thin
+  const float air = std::max(skull::distanceTo(head.air, p), kPlate - soft);
   const float septa = skull::distanceTo(head.septa, p);
 
   float value = skin < 0.0f ? fleshValue(-skin, p) : kSkin;
