@@ -15,7 +15,7 @@
 namespace app::cli {
 namespace {
 
-constexpr double kDepth = 0.004;  // m that a hand brings the device beyond the surface
+constexpr double kDepth = 0.008;  // m that a hand brings the device beyond the surface
 
 struct RunOptions {
   VolumeChoice volume;

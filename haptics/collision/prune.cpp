@@ -19,23 +19,17 @@ void prune(const Isosurface& solid, const PointShell& shell, const Pose& X_WP, c
   for (std::size_t i = 0; i < contacts.size();) {
     Contact& contact = contacts[i];
     contact.r_W = X_WP.linear() * shell.points[static_cast<std::size_t>(contact.point)];
-    budget.spend(2);
-    bool holds = standsInTheWay(solid, X_WP.translation(), contact.r_W, free, epsilon);
-    if (holds) {
-      const Vec3 u = solid.field.indexOf(X_WP.translation() + contact.r_W);
-      const Cell cell = solid.field.cellAround(u);
-      const Vec3 gradient = solid.field.worldGradient(cell.gradient(u));
-      const double slope = gradient.norm();
-      holds = slope > 0.0;
-      if (holds) {
-        contact.n_W = -gradient / slope;
-        contact.gap = (solid.ceiling() - cell.value(u)) / slope;
-      }
-    }
-    if (holds)
+    const Vec3 p_W = X_WP.translation() + contact.r_W;
+    const Vec3 moved = p_W - contact.p_W;
+    budget.spend();
+    if (moved.norm() <= epsilon &&
+        standsInTheWay(solid, X_WP.translation(), contact.r_W, free, epsilon)) {
+      contact.gap += contact.n_W.dot(moved);
+      contact.p_W = p_W;
       ++i;
-    else
+    } else {
       contacts.dropUnordered(i);
+    }
   }
 }
 

@@ -16,7 +16,9 @@ bool standsInTheWay(const Isosurface& solid, const Vec3& c_W, const Vec3& r_W, c
                     double epsilon) HAPTICS_RT;
 
 /// Step 2: verifies the contacts at the proxy's pose. Those that no longer stand in the way of
-/// `free` are dropped; the others get their gap and the exact normal of the cell they are in.
+/// `free`, or have moved more than epsilon from where they were met, are dropped; the others keep
+/// their normal, which is that of the cell beyond, not of the one the point stands in, and get
+/// the gap that is left along it.
 void prune(const Isosurface& solid, const PointShell& shell, const Pose& X_WP, const Twist& free,
            double epsilon, Contacts& contacts, Budget& budget) HAPTICS_RT;
 

@@ -158,15 +158,22 @@ Impact sweep(const Isosurface& solid, const Clearance& near, const Pose& X_WP, c
     // the exact normal of the cell in which the first point was met
     const NearPoint& point = near.near(static_cast<std::size_t>(met));
     const PointPath path{X_WP.translation(), point.r_W, motion};
-    const Vec3 u = solid.field.indexOf(path.at(impact.time));
+    // just beyond the crossing, so that a crossing on a face belongs to the cell behind it
+    const double beyond = lengths.root / path.speed();
+    const Vec3 u = solid.field.indexOf(path.at(impact.time + beyond));
     const Cell cell = solid.field.cellAround(u);
     const Vec3 gradient = solid.field.worldGradient(cell.gradient(u));
     const double slope = gradient.norm();
     budget.spend();
-    impact.contact.point = point.point;
-    impact.contact.r_W = point.r_W;
-    impact.contact.n_W = slope > 0.0 ? Vec3{-gradient / slope} : Vec3::Zero();
-    impact.contact.gap = slope > 0.0 ? (solid.ceiling() - cell.value(u)) / slope : 0.0;
+    Contact& contact = impact.contact;
+    contact.point = point.point;
+    contact.r_W = point.r_W;
+    contact.p_W = X_WP.translation() + point.r_W;
+    if (slope > 0.0) {
+      contact.n_W = -gradient / slope;
+      contact.gap = (solid.ceiling() - cell.value(u)) / slope +
+                    contact.n_W.dot(contact.p_W - path.at(impact.time + beyond));
+    }
   }
   return impact;
 }

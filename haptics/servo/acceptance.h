@@ -37,6 +37,11 @@ class Acceptance {
   /// Whether a pose this far [m] from the device, with a step of this length [m] left to do, may
   /// be taken. What is told apart: `resolution` [m].
   bool take(double distance, double step, double resolution) HAPTICS_RT {
+    // arrived: there is nothing better
+    if (distance == 0.0) {
+      nearest_ = 0.0;
+      return true;
+    }
     const bool nearer = distance < nearest_ - resolution;
     for (const Visit& earlier : visited_)
       if (distance > earlier.distance - resolution && step > earlier.step - resolution)

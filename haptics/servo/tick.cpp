@@ -66,8 +66,9 @@ class Tick {
       ConstrainedMotion allowed = constrainedMotion(aimed, {rows_.begin(), rows_.size()},
                                                     scene_.metric, X_.linear());
       const double step = allowed.whitened.norm();
-      if (fresh) judge(tries == 0, distance, step, turn, allowed.active, result);
+      if (fresh) judge(tries == 0, distance, step, turn);
       fresh = false;
+      if (atTaken()) result.contacts = allowed.active;
       if (tries == kSubSteps || !budget_.left()) break;
       double length = reachOf(allowed.twist, radius_);
       if (length < (allowed.active == 0 ? 1e-12 : 0.02 * lengths().epsilon)) break;
@@ -157,8 +158,7 @@ class Tick {
   }
 
   /// Takes the pose X_ for the proxy if the filter lets it.
-  void judge(bool start, double distance, double step, const Vec3& turn, int active,
-             TickResult& result) HAPTICS_RT {
+  void judge(bool start, double distance, double step, const Vec3& turn) HAPTICS_RT {
     if (start)
       proxy_.acceptance.start(distance, step);
     else if (!proxy_.acceptance.take(distance, step, 0.002 * lengths().epsilon))
@@ -167,13 +167,13 @@ class Tick {
     taken_turn_ = turn;
     way_since_taken_ = turn_since_taken_ = 0.0;
     taken_contacts_ = proxy_.contacts;
-    result.contacts = active;
   }
+  bool atTaken() const HAPTICS_RT { return way_since_taken_ == 0.0 && turn_since_taken_ == 0.0; }
 
   /// Goes back to the pose that was taken last; the way back is motion too.
   void settle() HAPTICS_RT {
     proxy_.turn = taken_turn_;
-    if (way_since_taken_ == 0.0 && turn_since_taken_ == 0.0) return;
+    if (atTaken()) return;
     proxy_.clearance.moved(way_since_taken_, turn_since_taken_);
     proxy_.contacts = taken_contacts_;
   }

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every hand on every real scan, judged by the evaluator that shares no code with Palpate.
+
+touch_scans.py CLI EVALUATOR SCANS WORK [--only NAME] [--hands tap,slide] [--seconds S] [--table]
+
+Exit 0 when every run holds its bounds, 1 otherwise, 77 (skipped) where the scans are absent.
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+
+# name: path under SCANS, isovalue, tool, most frozen ticks as a share of contact ticks
+SCANS = {
+    "bunny": ("stanford_bunny/bunny_512x512x361_airflat.nrrd", 1500, "cane", 0.20),
+    "engine": ("volvis_classics/engine.nhdr", 90, "wrench", 0.20),
+    "head-bone": ("visible_human_female_head/vhf_head_512x512x234.nrrd", 300, "drill", 0.30),
+    "slab-bone": ("visible_human_female_head/dicom_slab", 300, "drill", 0.30),
+    "phantom-bone": ("philips_head_phantom/bone_1mm", 300, "drill", 0.30),
+}
+HANDS = ["tap", "slide", "wedge", "pry", "hook", "jerk", "twist"]
+
+
+def call(command):
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise SystemExit(f"{' '.join(map(str, command))}: exit {done.returncode}\n{done.stderr}{done.stdout}")
+    return done.stdout
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("cli")
+    parser.add_argument("evaluator")
+    parser.add_argument("scans", type=pathlib.Path)
+    parser.add_argument("work", type=pathlib.Path)
+    parser.add_argument("--only")
+    parser.add_argument("--hands", default=",".join(HANDS))
+    parser.add_argument("--seconds", default="4")
+    parser.add_argument("--stiffness", default="1000")
+    parser.add_argument("--no-repeat", action="store_true")
+    args = parser.parse_args()
+    if not args.scans.is_dir():
+        print(f"SKIPPED: the real scans are not at {args.scans}")
+        return 77
+    args.work.mkdir(parents=True, exist_ok=True)
+    failures = []
+    for name, (path, isovalue, tool, most_frozen) in SCANS.items():
+        if args.only and args.only != name:
+            continue
+        volume = args.scans / path
+        shell = args.work / f"{tool}.csv"
+        call([args.cli, "tool", tool, "--out", shell])
+        judged = volume
+        if volume.is_dir():  # the evaluator reads NRRD
+            judged = args.work / f"{name}.nrrd"
+            call([args.cli, "convert", volume, judged])
+        for hand in args.hands.split(","):
+            trace = args.work / f"{name}-{hand}.csv"
+            command = [args.cli, "run", "--volume", volume, "--isovalue", str(isovalue), "--tool", tool,
+                       "--hand", hand, "--seconds", args.seconds, "--stiffness", args.stiffness, "--json"]
+            report = json.loads(call(command + ["--trace", trace]))
+            verdict = json.loads(call([sys.executable, args.evaluator, "--volume", judged, "--isovalue",
+                                       str(isovalue), "--shell", shell, "--json", trace]))
+            bounds = {
+                "penetration": verdict["max_penetration_mm"] == 0.0 and report["max_penetration_mm"] == 0.0,
+                "finite": verdict["nonfinite"] == 0 and report["nonfinite"] == 0,
+                "contact": verdict["contact_share"] >= 0.20,
+                "depth": verdict["device_depth_mm"] >= 2.0,
+            }
+            if hand in ("tap", "slide", "hook"):
+                bounds["frozen"] = verdict["frozen_share"] < most_frozen
+            if hand == "slide":
+                bounds["travel"] = verdict["travel"]["ratio"] >= 0.90
+            if not args.no_repeat and hand == "slide":
+                again = args.work / f"{name}-{hand}-again.csv"
+                call(command + ["--trace", again])
+                bounds["identical"] = trace.read_bytes() == again.read_bytes()
+            missed = [bound for bound, held in bounds.items() if not held]
+            print(f"{name:13} {hand:6} mean {report['mean_us']:6.1f} p99 {report['p99_us']:6.0f} max "
+                  f"{report['max_us']:6.0f} us  contact {verdict['contact_share']:.2f}  depth "
+                  f"{verdict['device_depth_mm']:5.2f} mm  coupling {report['coupling_mm']:6.3f} mm  frozen "
+                  f"{verdict['frozen_share']:.3f}  travel {verdict['travel']['ratio']:.3f}  "
+                  f"{'FAILED: ' + ', '.join(missed) if missed else 'held'}", flush=True)
+            failures += [f"{name} {hand} {bound}" for bound in missed]
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
