@@ -151,6 +151,29 @@ TEST(AnalyticPhantom, TheMarkerTellsLeftFrontAndTop) {
   EXPECT_FALSE(solid(0, 0, -0.0165));
 }
 
+// the sizes that README.md and shapes.h state, in numbers of their own
+TEST(AnalyticPhantom, TheSolidsStandWhereTheyAreSaidToStand) {
+  const auto expectWall = [](const char* name, const Vec3& inside_mm, const Vec3& outside_mm) {
+    const auto phantom = makePhantom(name);
+    ASSERT_TRUE(phantom.has_value());
+    EXPECT_GE(fieldAt(phantom->volume, 1e-3 * inside_mm), phantom->isovalue) << name;
+    EXPECT_LT(fieldAt(phantom->volume, 1e-3 * outside_mm), phantom->isovalue) << name;
+  };
+  expectWall("sphere", {19.9, 0, 0}, {20.1, 0, 0});
+  expectWall("halfspace", {3, 4, -0.01}, {3, 4, 0.01});
+  expectWall("torus", {27.9, 0, 0}, {28.1, 0, 0});
+  expectWall("torus", {0, 12.1, 0}, {0, 11.8, 0});
+  expectWall("cylinder", {25, 0, 11.9}, {25, 0, 12.1});
+  expectWall("wedge", {0, 5, -16.01}, {0, 5, -15.99});
+  expectWall("wedge", {10, 0, 1.3}, {10, 0, 1.4});  // -16 + 10 / tan 30 degrees = 1.32
+  expectWall("wedge", {-10, 0, 1.3}, {-10, 0, 1.4});
+  expectWall("slot", {4.01, 0, 0}, {3.99, 0, 0});
+  expectWall("slot", {-4.01, 0, 0}, {-3.99, 0, 0});
+  expectWall("slot", {0, 0, -12.01}, {0, 0, -11.99});
+  // sin X cos Y < 0 on the line Z = 0, X = 2, Y = 2 + pi / 2 of a period of 32 mm
+  expectWall("gyroid", {0, -4, 0}, {0, 4, 0});
+}
+
 TEST(Shapes, NormalsAreTheGradientsOfTheDistances) {
   std::mt19937 draw{11};
   int compared = 0;
