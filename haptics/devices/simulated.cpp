@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/devices/simulated.h"
+
+#include <atomic>
+#include <utility>
+
+namespace haptics {
+namespace {
+
+constexpr DeviceLimits kRating{.force = 12.0, .torque = 0.2, .io_wait = 0.0};
+
+/// A grip under a force, pulled along by whoever knows where the hand is.
+class Gripped : public Device {
+ public:
+  Gripped(Grip grip, double period) : grip_{std::move(grip)}, period_{period} {}
+  const DeviceLimits& limits() const noexcept override { return kRating; }
+  DeviceStatus read(DeviceReading& reading) noexcept override {
+    grip_.advance(target(), stopped_.load(std::memory_order_relaxed) ? Wrench{} : felt_, period_);
+    reading.X_BD = grip_.X_WD;
+    return DeviceStatus::Ok;
+  }
+  DeviceStatus write(const Wrench& wrench_B) noexcept override {
+    felt_ = wrench_B;
+    return DeviceStatus::Ok;
+  }
+  void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
+
+ private:
+  virtual Pose target() noexcept = 0;
+
+  Grip grip_;
+  double period_;
+  Wrench felt_;
+  std::atomic<bool> stopped_{false};
+};
+
+class Simulated final : public Gripped {
+ public:
+  Simulated(Hand hand, Grip grip, double period)
+      : Gripped{std::move(grip), period}, hand_{std::move(hand)}, period_{period} {}
+
+ private:
+  Pose target() noexcept override { return hand_.at(double(reads_++) * period_); }
+
+  Hand hand_;
+  double period_;
+  std::uint64_t reads_ = 0;
+};
+
+class Mouse final : public Gripped {
+ public:
+  Mouse(LatestValue<Pose>& target, Grip grip, double period)
+      : Gripped{grip, period}, targets_{target}, X_WH_{grip.X_WD} {}
+
+ private:
+  Pose target() noexcept override {
+    targets_.take(X_WH_);
+    return X_WH_;
+  }
+
+  LatestValue<Pose>& targets_;
+  Pose X_WH_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> openSimulated(Hand hand, Grip grip, double period) {
+  grip.X_WD = hand.at(0.0);
+  return std::make_unique<Simulated>(std::move(hand), std::move(grip), period);
+}
+
+std::unique_ptr<Device> openMouse(LatestValue<Pose>& target, Grip grip, double period) {
+  return std::make_unique<Mouse>(target, std::move(grip), period);
+}
+
+}  // namespace haptics

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "haptics/core/latest_value.h"
+#include "haptics/devices/device.h"
+#include "haptics/simulation/grip.h"
+#include "haptics/simulation/hand.h"
+
+namespace haptics {
+
+/// The simulated hand: a device in a soft grip that follows a hand's path, one period a read. Its
+/// base is the world. Its rating is that of a sigma.7.
+std::unique_ptr<Device> openSimulated(Hand hand, Grip grip, double period);
+
+/// The mouse: a device in a soft grip that is pulled to where the mouse points. Its base is the
+/// world. `target` outlives it; poses are published by the GUI thread.
+std::unique_ptr<Device> openMouse(LatestValue<Pose>& target, Grip grip, double period);
+
+}  // namespace haptics

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <readerwriterqueue/readerwriterqueue.h>
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+#include "haptics/core/latest_value.h"
+#include "haptics/coupling/safety.h"
+#include "haptics/devices/device.h"
+#include "haptics/servo/engagement.h"
+#include "haptics/servo/tick_stats.h"
+#include "haptics/session.h"
+#include "haptics/settings.h"
+#include "haptics/snapshot.h"
+
+namespace haptics {
+
+/// The servo thread: read the device, tick, write the device, a thousand times a second at
+/// absolute times. Takes real-time priority where it is granted and says which it got. A period
+/// that was missed is counted and not made up for.
+class ServoLoop {
+ public:
+  static constexpr double kPeriod = 1e-3;  ///< s
+  static constexpr std::int64_t kTickBudget = 200'000;  ///< ns of CPU for the proxy
+
+  ServoLoop(std::unique_ptr<Device> device, const Settings& settings);
+  ~ServoLoop();  ///< ends the thread with the force at zero
+
+  // The other thread's side; none of these waits.
+  LatestValue<Settings> settings;
+  LatestValue<Snapshot> snapshots;
+  moodycamel::ReaderWriterQueue<ForceSample> forces{4096};
+  SceneHandOver scenes;
+  std::atomic<bool> armed{true};  ///< false: zero force from the next tick on
+
+  /// Starts the thread.
+  void start();
+
+  /// One period's work, at `time` [s] since the start. Public for the allocation and lock test.
+  void step(double time) HAPTICS_RT;
+
+ private:
+  void run();
+
+  std::unique_ptr<Device> device_;
+  Settings in_force_;
+  Safety safety_;
+  TickStats stats_;
+  Snapshot snapshot_;
+  DeviceReading reading_;
+  std::atomic<bool> ending_{false};
+  std::thread thread_;
+};
+
+}  // namespace haptics

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/session.h"
+
+#include <cmath>
+#include <utility>
+
+#include "haptics/devices/simulated.h"
+#include "haptics/servo/servo_loop.h"
+
+namespace haptics {
+namespace {
+
+constexpr double kDepth = 0.004;  // m that a simulated hand brings the device beyond the surface
+constexpr std::uint64_t kSeed = 1;
+
+HandMotion motionOf(HandKind hand) {
+  switch (hand) {
+    case HandKind::Slide: return HandMotion::Slide;
+    case HandKind::Wedge: return HandMotion::Wedge;
+    case HandKind::Pry: return HandMotion::Pry;
+    case HandKind::Hook: return HandMotion::Hook;
+    case HandKind::Jerk: return HandMotion::Jerk;
+    case HandKind::Twist: return HandMotion::Twist;
+    case HandKind::Tap:
+    case HandKind::Mouse: break;
+  }
+  return HandMotion::Tap;
+}
+
+}  // namespace
+
+/// The GUI's side of an open loop, and what outlives one.
+class Session::Loop {
+ public:
+  LatestValue<Pose> mouse;  // before the servo: its device reads from it
+  std::unique_ptr<ServoLoop> servo;
+  std::shared_ptr<const Scene> scene;
+  Pose X_start = Pose::Identity();
+  Settings settings;
+
+  /// Where the tool starts: the pose itself, or a legal one near it.
+  void offer() {
+    const std::optional<Pose> legal = legalPoseNear(*scene, settings.isovalue, X_start);
+    // with no room near, the proxy starts where it is and is brought out, force faded
+    servo->scenes.offer(std::make_unique<Engagement>(scene, legal.value_or(X_start)));
+  }
+};
+
+Session::Session() : loop_{std::make_unique<Loop>()} {}
+Session::~Session() = default;
+
+Expected<void> Session::open(HandKind hand) {
+  close();
+  if (!loop_->scene)
+    return tl::unexpected(Error{Error::Kind::NotFound, "There is nothing to touch yet; open a volume."});
+  Grip grip;
+  grip.gyration = std::sqrt(loop_->scene->tool.shell.inertia.trace() / 3.0);
+  grip.X_WD = loop_->X_start;
+  std::unique_ptr<Device> device;
+  if (hand == HandKind::Mouse) {
+    loop_->mouse.publish(loop_->X_start);
+    device = openMouse(loop_->mouse, grip, ServoLoop::kPeriod);
+  } else {
+    const double reach = Hand::reachFor(kDepth, loop_->settings.stiffness, grip.stiffness);
+    auto aimed = Hand::aimed(motionOf(hand), *loop_->scene, loop_->settings.isovalue, reach, kSeed);
+    if (!aimed) return tl::unexpected(aimed.error());
+    loop_->X_start = aimed->at(0.0);
+    device = openSimulated(std::move(*aimed), grip, ServoLoop::kPeriod);
+  }
+  loop_->servo = std::make_unique<ServoLoop>(std::move(device), loop_->settings);
+  loop_->offer();
+  loop_->servo->start();
+  return {};
+}
+
+void Session::close() { loop_->servo.reset(); }
+bool Session::isOpen() const { return loop_->servo != nullptr; }
+
+void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W) {
+  loop_->scene = std::move(scene);
+  loop_->X_start = start_W;
+  if (loop_->servo) loop_->offer();
+}
+
+void Session::collectGarbage() {
+  if (loop_->servo) loop_->servo->scenes.collect();
+}
+
+void Session::set(const Settings& settings) {
+  loop_->settings = settings;
+  if (loop_->servo) loop_->servo->settings.publish(settings);
+}
+
+void Session::pull(const Pose& X_WH) { loop_->mouse.publish(X_WH); }
+
+void Session::forceOff() {
+  if (loop_->servo) loop_->servo->armed.store(false, std::memory_order_relaxed);
+}
+void Session::arm() {
+  if (loop_->servo) loop_->servo->armed.store(true, std::memory_order_relaxed);
+}
+
+bool Session::latest(Snapshot& snapshot) {
+  return loop_->servo && loop_->servo->snapshots.take(snapshot);
+}
+
+std::size_t Session::forces(std::span<ForceSample> samples) {
+  if (!loop_->servo) return 0;
+  std::size_t count = 0;
+  while (count < samples.size() && loop_->servo->forces.try_dequeue(samples[count])) ++count;
+  return count;
+}
+
+}  // namespace haptics
