@@ -264,7 +264,7 @@ Pose Hand::scripted(double t) const HAPTICS_RT {
       target(beat + 1, to, turn_to);
       const Vec3 place = from + share * (to - from), turn = turn_from + share * (turn_to - turn_from);
       X.translation() += place.x() * side_ + place.y() * other_ +
-                         (place.z() + 0.3 * reach_) * in_;
+                         (place.z() + 0.7 * reach_) * in_;
       if (turn.norm() > 0.0) X = turned(X, turn.normalized(), turn.norm());
       break;
     }
