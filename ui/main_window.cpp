@@ -144,9 +144,8 @@ void MainWindow::buildMenus() {
     dialog.setOption(QFileDialog::DontUseNativeDialog);
     if (dialog.exec() == QDialog::Accepted) emit openWanted(dialog.selectedFiles().value(0));
   };
-  QAction* open = file->addAction(tr("&Open file…"), this, [ask] {
-    ask(QFileDialog::ExistingFile, tr("Open a scan"));
-  });
+  QAction* open = file->addAction(tr("&Open file…"), this,
+                                  [ask] { ask(QFileDialog::ExistingFile, tr("Open a scan")); });
   open->setShortcut(QKeySequence::Open);
   QAction* folder = file->addAction(tr("Open &folder…"), this, [ask] {
     ask(QFileDialog::Directory, tr("Open a folder of slices"));

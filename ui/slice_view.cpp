@@ -13,9 +13,12 @@ namespace {
 
 QString nameOf(Plane plane) {
   switch (plane) {
-    case Plane::Axial: return SliceView::tr("Axial");
-    case Plane::Coronal: return SliceView::tr("Coronal");
-    case Plane::Sagittal: break;
+    case Plane::Axial:
+      return SliceView::tr("Axial");
+    case Plane::Coronal:
+      return SliceView::tr("Coronal");
+    case Plane::Sagittal:
+      break;
   }
   return SliceView::tr("Sagittal");
 }
@@ -116,8 +119,7 @@ void SliceView::drawLetters(QPainter& painter) const {
   painter.setPen(QColor(255, 217, 51));
   const std::array<QString, 4> letters = lettersOf(plane_);
   const std::array<int, 4> edges{Qt::AlignLeft | Qt::AlignVCenter,
-                                 Qt::AlignRight | Qt::AlignVCenter,
-                                 Qt::AlignHCenter | Qt::AlignTop,
+                                 Qt::AlignRight | Qt::AlignVCenter, Qt::AlignHCenter | Qt::AlignTop,
                                  Qt::AlignHCenter | Qt::AlignBottom};
   for (std::size_t i = 0; i < letters.size(); ++i)
     painter.drawText(rect().adjusted(6, 4, -6, -4), edges[i], letters[i]);
@@ -147,8 +149,8 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     moveCrossTo(event->position());
   } else if (event->buttons() & Qt::RightButton) {
     GreyWindow grey = grey_;
-    grey.width = std::clamp(grey.width * std::exp(by.x() * 0.01), 1e-4 * full_width_,
-                            2.0 * full_width_);
+    grey.width =
+        std::clamp(grey.width * std::exp(by.x() * 0.01), 1e-4 * full_width_, 2.0 * full_width_);
     grey.level -= by.y() * 0.003 * grey.width;
     emit greyChanged(grey);
   }

@@ -119,8 +119,11 @@ void Viewport::onVtkEvent(vtkObject*, unsigned long event, void* call_data) {
       *static_cast<bool*>(call_data) =
           context() != nullptr && QOpenGLContext::currentContext() == context();
       break;
-    case vtkCommand::WindowSupportsOpenGLEvent: *static_cast<int*>(call_data) = 1; break;
-    default: break;
+    case vtkCommand::WindowSupportsOpenGLEvent:
+      *static_cast<int*>(call_data) = 1;
+      break;
+    default:
+      break;
   }
 }
 

@@ -14,9 +14,9 @@ namespace ui {
 struct Graphics {
   int major = 0;  ///< OpenGL version
   int minor = 0;
-  QString renderer;          ///< GL_RENDERER
-  int max_3d_texture = 0;    ///< voxels along an axis
-  bool software() const;     ///< drawn by the processor: llvmpipe, softpipe, swrast
+  QString renderer;        ///< GL_RENDERER
+  int max_3d_texture = 0;  ///< voxels along an axis
+  bool software() const;   ///< drawn by the processor: llvmpipe, softpipe, swrast
 };
 
 /// A VTK render window inside a Qt 6 OpenGL widget.

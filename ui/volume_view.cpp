@@ -21,10 +21,10 @@
 namespace ui {
 namespace {
 
-constexpr int kStillMs = 400;              // no movement for this long is rest
-constexpr double kTurnPerWidget = 180.0;   // degrees of camera for a drag across the widget
-constexpr double kHandTurn = 0.008;        // rad of hand for a pixel
-constexpr double kHandStep = 0.002;        // m of depth for a notch of the wheel
+constexpr int kStillMs = 400;             // no movement for this long is rest
+constexpr double kTurnPerWidget = 180.0;  // degrees of camera for a drag across the widget
+constexpr double kHandTurn = 0.008;       // rad of hand for a pixel
+constexpr double kHandStep = 0.002;       // m of depth for a notch of the wheel
 constexpr double kViewAngle_deg = 30.0;
 
 }  // namespace
@@ -143,6 +143,7 @@ void VolumeView::settle() {
 
 void VolumeView::aboutToDraw() {
   surface_.update();
+  letters_->face(viewAxes().col(2));
   fitClippingRange();
 }
 
@@ -290,9 +291,14 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
-    case Qt::Key_Space: emit forceOffWanted(); break;
-    case Qt::Key_R: resetCamera(); break;
-    default: Viewport::keyPressEvent(event);
+    case Qt::Key_Space:
+      emit forceOffWanted();
+      break;
+    case Qt::Key_R:
+      resetCamera();
+      break;
+    default:
+      Viewport::keyPressEvent(event);
   }
 }
 

@@ -24,10 +24,10 @@ using haptics::Vec3;
 ui::Picture ctPicture(const char* unit = "HU") {
   const auto skin = window::ball(Vec3::Zero(), 0.026);
   const auto bone = window::ball({0.004, 0.0, 0.0}, 0.014);
-  return ui::pictureOf(window::volumeOf(
-      window::cubeGrid(64), haptics::ScalarType::Int16,
-      [=](const Vec3& p) { return -1000.0 + 10.4 * skin(p) + 9.0 * bone(p); },
-      {.unit = unit, .modality = "CT"}));
+  return ui::pictureOf(
+      window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
+                       [=](const Vec3& p) { return -1000.0 + 10.4 * skin(p) + 9.0 * bone(p); },
+                       {.unit = unit, .modality = "CT"}));
 }
 
 TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheRedButtonWishTheForceOff) {
@@ -45,7 +45,8 @@ TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheRedButtonWishTheForceOff) {
   QTest::keyClick(&window.view(), Qt::Key_Space);
   EXPECT_TRUE(wished());
   for (QWidget* focus :
-       {static_cast<QWidget*>(&window.view()), static_cast<QWidget*>(&window.slice(ui::Plane::Axial)),
+       {static_cast<QWidget*>(&window.view()),
+        static_cast<QWidget*>(&window.slice(ui::Plane::Axial)),
         static_cast<QWidget*>(window.findChild<QDoubleSpinBox*>("isovalueTyped"))}) {
     QTest::keyClick(focus, Qt::Key_Escape);
     EXPECT_TRUE(wished());
@@ -142,7 +143,8 @@ TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
   window::keep(image, "main_window_force");
   EXPECT_EQ(window.findChild<QLabel*>("forceNow")->text(), "5.00 N");
   const QString status = window.findChild<QLabel*>("statusLine")->text();
-  for (const char* part : {"1000 Hz", "real-time", "42 µs", "7 contacts", "5.00 N", "Surface: mesh"})
+  for (const char* part :
+       {"1000 Hz", "real-time", "42 µs", "7 contacts", "5.00 N", "Surface: mesh"})
     EXPECT_TRUE(status.contains(QString::fromUtf8(part))) << status.toStdString();
   EXPECT_FLOAT_EQ(window.findChild<ui::ForcePlot*>("forcePlot")->greatestForce(), 9.5F);
 }

@@ -40,9 +40,8 @@ std::vector<Axes> someAxes() {
 }
 
 ui::Picture marker(const Mat3& direction, bool orientation_known = true) {
-  return ui::pictureOf(window::volumeOf(window::cubeGrid(64, direction),
-                                        haptics::ScalarType::Int16, marked,
-                                        {.orientation_known = orientation_known}));
+  return ui::pictureOf(window::volumeOf(window::cubeGrid(64, direction), haptics::ScalarType::Int16,
+                                        marked, {.orientation_known = orientation_known}));
 }
 
 bool bright(QColor c) { return c.saturation() < 20 && c.red() > 200; }
@@ -97,8 +96,7 @@ TEST(SliceView, MovesTheCrosshairToAClickAndThroughTheSlicesWithTheWheel) {
   view.setCross({0.0, 5.0, 0.0});
   window::showAndWait(view, {300, 300});
   Eigen::Vector3d cross = Eigen::Vector3d::Zero();
-  QObject::connect(&view, &ui::SliceView::crossMoved,
-                   [&](const Eigen::Vector3d& p) { cross = p; });
+  QObject::connect(&view, &ui::SliceView::crossMoved, [&](const Eigen::Vector3d& p) { cross = p; });
   const Eigen::Vector3d wanted{10.0, 5.0, -12.0};
   QTest::mouseClick(&view, Qt::LeftButton, {}, view.projected(wanted).toPoint());
   EXPECT_LT((cross - wanted).norm(), 0.3);  // mm: a pixel is 0.23

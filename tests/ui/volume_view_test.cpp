@@ -20,7 +20,8 @@ using ui::SurfaceMode;
 
 const char* nameOf(SurfaceMode mode) { return mode == SurfaceMode::Mesh ? "mesh" : "raycast"; }
 
-ui::Picture ballPicture(const Vec3& centre_W, double radius, const Mat3& direction = Mat3::Identity(),
+ui::Picture ballPicture(const Vec3& centre_W, double radius,
+                        const Mat3& direction = Mat3::Identity(),
                         haptics::ScalarType type = haptics::ScalarType::Int16) {
   return ui::pictureOf(
       window::volumeOf(window::cubeGrid(64, direction), type, window::ball(centre_W, radius)));
@@ -67,9 +68,8 @@ TEST(VolumeView, PutsLOnTheSideOfTheLeftMarkerWhicheverWayTheVoxelsLie) {
   Mat3 permuted, left_handed;
   permuted << 0, 0, 1, 1, 0, 0, 0, 1, 0;
   left_handed = Vec3{1.0, 1.0, -1.0}.asDiagonal();
-  const Mat3 oblique =
-      Eigen::AngleAxisd(0.5, Vec3{1.0, 2.0, 0.5}.normalized()).toRotationMatrix() *
-      Vec3{-1.0, 1.0, 1.0}.asDiagonal();
+  const Mat3 oblique = Eigen::AngleAxisd(0.5, Vec3{1.0, 2.0, 0.5}.normalized()).toRotationMatrix() *
+                       Vec3{-1.0, 1.0, 1.0}.asDiagonal();
   const Vec3 marker{0.016, -0.004, 0.010};  // left, front, head
   for (const SurfaceMode mode : {SurfaceMode::Mesh, SurfaceMode::RayCast})
     for (const Mat3& direction : {Mat3{Mat3::Identity()}, permuted, left_handed, oblique}) {
@@ -86,10 +86,12 @@ TEST(VolumeView, PutsLOnTheSideOfTheLeftMarkerWhicheverWayTheVoxelsLie) {
       const QPointF L = view.projected(view.letterPosition_mm('L') / ui::kMmPerM);
       EXPECT_GT(L.x(), 150.0);  // seen from the front, the patient's left is on the right
       EXPECT_GT(seen.x(), 160.0);
-      const auto yellow = [](QColor c) { return c.red() > 170 && c.green() > 130 && c.blue() < 90; };
-      EXPECT_GT(window::count(image.copy(L.toPoint().x() - 14, L.toPoint().y() - 14, 28, 28),
-                              yellow),
-                20);
+      const auto yellow = [](QColor c) {
+        return c.red() > 170 && c.green() > 130 && c.blue() < 90;
+      };
+      EXPECT_GT(
+          window::count(image.copy(L.toPoint().x() - 14, L.toPoint().y() - 14, 28, 28), yellow),
+          20);
       // lit from the viewer: the middle of the ball is bright, so its normals point outwards
       EXPECT_GT(image.pixelColor(meant.toPoint()).red(), 150);
     }
@@ -104,7 +106,7 @@ TEST(VolumeView, CastsTheSameSilhouetteAsTheMeshAndRefinesTheHit) {
     view.setSurfaceWish(mode);
     window::showAndWait(view, {300, 300});
     view.show(picture, 50.0);
-    view.showFine(ui::isosurfaceMesh(picture.image, 50.0), 50.0);
+    view.showFine(ui::isosurfaceMesh(picture.image, 50.0, picture.mirrored()), 50.0);
     shown[static_cast<int>(mode)] = window::pictureAtRest(view);
     if (mode == SurfaceMode::RayCast) {
       view.surface().setHitRefinement(false);
@@ -186,8 +188,8 @@ TEST(VolumeView, TurnsTheCameraOrMovesTheHand) {
   const auto drag = [&](QPoint by, Qt::MouseButton button, Qt::KeyboardModifiers keys = {}) {
     QTest::mousePress(&view, button, keys, {150, 150});
     // QTest's moves carry no buttons: send the event itself
-    QMouseEvent move(QEvent::MouseMove, QPointF{150, 150} + by, view.mapToGlobal(QPointF{150, 150} + by),
-                     Qt::NoButton, button, keys);
+    QMouseEvent move(QEvent::MouseMove, QPointF{150, 150} + by,
+                     view.mapToGlobal(QPointF{150, 150} + by), Qt::NoButton, button, keys);
     QCoreApplication::sendEvent(&view, &move);
     QTest::mouseRelease(&view, button, keys, QPoint{150, 150} + by);
   };
@@ -204,7 +206,8 @@ TEST(VolumeView, TurnsTheCameraOrMovesTheHand) {
   EXPECT_GT(hand->translation().x(), 0.003);  // to the right: the patient's left
   EXPECT_NEAR(hand->translation().y(), -0.03, 1e-6);
   // the hand's pixel is the mouse's
-  EXPECT_NEAR(view.projected(hand->translation()).x() - view.projected({0, -0.03, 0}).x(), 40.0, 0.5);
+  EXPECT_NEAR(view.projected(hand->translation()).x() - view.projected({0, -0.03, 0}).x(), 40.0,
+              0.5);
   drag({0, -40}, Qt::LeftButton);
   EXPECT_GT(hand->translation().z(), 0.003);  // up: the head
   drag({40, 0}, Qt::LeftButton, Qt::ShiftModifier);
@@ -236,9 +239,8 @@ TEST(VolumeView, ChoosesTheMeansByWhatTheGraphicsCan) {
 std::shared_ptr<const haptics::Volume> head() {
   const std::filesystem::path path =
       std::filesystem::path(PALPATE_SCANS) / "visible_human_female_head";
-  for (const auto& entry :
-       std::filesystem::exists(path) ? std::filesystem::directory_iterator(path)
-                                     : std::filesystem::directory_iterator()) {
+  for (const auto& entry : std::filesystem::exists(path) ? std::filesystem::directory_iterator(path)
+                                                         : std::filesystem::directory_iterator()) {
     if (entry.path().extension() != ".nrrd" && entry.path().extension() != ".nhdr") continue;
     auto volume = datasets::readVolume(entry.path());
     if (volume) return std::make_shared<const haptics::Volume>(std::move(*volume));
@@ -274,7 +276,7 @@ TEST(VolumeView, CastsTheHeadAsTheMeshShowsIt) {
     window::showAndWait(view, {200, 150});
     view.show(picture, -300.0);
     if (mode == SurfaceMode::Mesh)
-      view.showFine(ui::isosurfaceMesh(picture.image, -300.0), -300.0);
+      view.showFine(ui::isosurfaceMesh(picture.image, -300.0, picture.mirrored()), -300.0);
     shown[static_cast<int>(mode)] = window::pictureAtRest(view);
     window::keep(shown[static_cast<int>(mode)],
                  mode == SurfaceMode::Mesh ? "head_small_mesh" : "head_small_raycast");

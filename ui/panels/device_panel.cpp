@@ -103,9 +103,9 @@ void DevicePanel::showStiffness(double newton_per_metre) {
 void DevicePanel::chooseFile() {
   tools_->setCurrentIndex(tools_->findData(tool_));
   // Qt's own dialog: in a foreign one Escape would not reach the application
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Tool"), {}, tr("Meshes (*.stl *.obj *.ply);;All files (*)"), nullptr,
-      QFileDialog::DontUseNativeDialog);
+  const QString path = QFileDialog::getOpenFileName(this, tr("Tool"), {},
+                                                    tr("Meshes (*.stl *.obj *.ply);;All files (*)"),
+                                                    nullptr, QFileDialog::DontUseNativeDialog);
   if (path.isEmpty()) return;
   bool chosen = false;
   const QString unit = QInputDialog::getItem(this, tr("Unit"), tr("The file's numbers are in"),

@@ -10,10 +10,14 @@ namespace {
 
 QString wordsFor(haptics::ForceState state) {
   switch (state) {
-    case haptics::ForceState::Off: return ForcePanel::tr("Force off");
-    case haptics::ForceState::Ramping: return ForcePanel::tr("Force rising");
-    case haptics::ForceState::On: return ForcePanel::tr("Force on");
-    case haptics::ForceState::Recovering: break;
+    case haptics::ForceState::Off:
+      return ForcePanel::tr("Force off");
+    case haptics::ForceState::Ramping:
+      return ForcePanel::tr("Force rising");
+    case haptics::ForceState::On:
+      return ForcePanel::tr("Force on");
+    case haptics::ForceState::Recovering:
+      break;
   }
   return ForcePanel::tr("Surface moved: finding the outside");
 }

@@ -20,8 +20,7 @@ HistogramSlider::HistogramSlider(QWidget* parent) : QAbstractSlider(parent) {
 void HistogramSlider::setHistogram(const Histogram& histogram) {
   histogram_ = histogram;
   tallest_ = 1.0;
-  for (const double count : histogram_.counts)
-    tallest_ = std::max(tallest_, std::log1p(count));
+  for (const double count : histogram_.counts) tallest_ = std::max(tallest_, std::log1p(count));
   update();
 }
 

@@ -83,8 +83,8 @@ double IsosurfacePanel::allowed(double isovalue) const {
 void IsosurfacePanel::choose(double isovalue) {
   const double possible = allowed(isovalue);
   if (isovalue <= least_)
-    emit refused(tr("The isovalue must lie above the volume's least value, %1.")
-                     .arg(least_, 0, 'g', 6));
+    emit refused(
+        tr("The isovalue must lie above the volume's least value, %1.").arg(least_, 0, 'g', 6));
   else if (isovalue > greatest_)
     emit refused(tr("Nothing in this volume is above %1.").arg(greatest_, 0, 'g', 6));
   showValue(possible);

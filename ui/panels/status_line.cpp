@@ -6,9 +6,12 @@ namespace {
 
 QString wordsFor(haptics::SchedulingPolicy policy) {
   switch (policy) {
-    case haptics::SchedulingPolicy::NotStarted: return StatusLine::tr("not started");
-    case haptics::SchedulingPolicy::Ordinary: return StatusLine::tr("ordinary priority");
-    case haptics::SchedulingPolicy::RealTime: break;
+    case haptics::SchedulingPolicy::NotStarted:
+      return StatusLine::tr("not started");
+    case haptics::SchedulingPolicy::Ordinary:
+      return StatusLine::tr("ordinary priority");
+    case haptics::SchedulingPolicy::RealTime:
+      break;
   }
   return StatusLine::tr("real-time priority");
 }

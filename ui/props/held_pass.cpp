@@ -24,11 +24,15 @@ void HeldPass::Render(const vtkRenderState* state) {
   const int w = window->GetSize()[0], h = window->GetSize()[1];
 
   if (kept_ == nullptr || w != width_ || h != height_) {
+    // the format of the window's own framebuffer: depth is copied between equal formats only
+    GLint depth_bits = 24;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+                                          GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &depth_bits);
     gl->PushFramebufferBindings();
     kept_ = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     kept_->SetContext(window);
-    // the formats of the window's own framebuffer: depth is copied between equal formats only
-    kept_->PopulateFramebuffer(w, h, true, 1, VTK_UNSIGNED_CHAR, true, 24, 0);
+    kept_->PopulateFramebuffer(w, h, true, 1, VTK_UNSIGNED_CHAR, true, depth_bits, 0,
+                               window->GetStencilCapable() != 0);
     gl->PopFramebufferBindings();
     width_ = w;
     height_ = h;

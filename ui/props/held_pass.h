@@ -15,7 +15,7 @@ class HeldPass : public vtkRenderPass {
   static HeldPass* New();
   vtkTypeMacro(HeldPass, vtkRenderPass)
 
-  void Render(const vtkRenderState* state) override;
+      void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void forget() { held_ = false; }
 

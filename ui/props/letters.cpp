@@ -5,6 +5,8 @@
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 
+#include <cmath>
+
 namespace ui {
 namespace {
 
@@ -43,8 +45,11 @@ void Letters::place(const Eigen::AlignedBox3d& box_mm) {
   }
 }
 
-void Letters::setVisible(bool visible) {
-  for (auto& actor : actors_) actor->SetVisibility(visible);
+void Letters::face(const Eigen::Vector3d& view_direction) {
+  for (std::size_t i = 0; i < actors_.size(); ++i) {
+    const double along = std::abs(view_direction[static_cast<Eigen::Index>(i / 2)]);
+    actors_[i]->SetVisibility(visible_ && along < 0.93);
+  }
 }
 
 Eigen::Vector3d Letters::positionOf(char letter) const {

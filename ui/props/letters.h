@@ -19,12 +19,15 @@ class Letters {
 
   /// Around a box of W, mm.
   void place(const Eigen::AlignedBox3d& box_mm);
-  void setVisible(bool visible);
+  void setVisible(bool visible) { visible_ = visible; }
+  /// Shows the letters beside the volume, and hides those in front of it or behind it.
+  void face(const Eigen::Vector3d& view_direction);
   /// Where a letter stands, W, mm.
   Eigen::Vector3d positionOf(char letter) const;
 
  private:
   std::array<vtkSmartPointer<vtkBillboardTextActor3D>, 6> actors_;
+  bool visible_ = false;
 };
 
 }  // namespace ui

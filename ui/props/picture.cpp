@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkReverseSense.h>
 #include <vtkShortArray.h>
 #include <vtkSignedCharArray.h>
 #include <vtkUnsignedCharArray.h>
@@ -31,14 +32,21 @@ constexpr int kHistogramBins = 256;
 vtkSmartPointer<vtkDataArray> emptyArray(haptics::ScalarType type) {
   using haptics::ScalarType;
   switch (type) {
-    case ScalarType::UInt8: return vtkSmartPointer<vtkUnsignedCharArray>::New();
+    case ScalarType::UInt8:
+      return vtkSmartPointer<vtkUnsignedCharArray>::New();
     // plain VTK_CHAR is a type that the ray caster does not know
-    case ScalarType::Int8: return vtkSmartPointer<vtkSignedCharArray>::New();
-    case ScalarType::UInt16: return vtkSmartPointer<vtkUnsignedShortArray>::New();
-    case ScalarType::Int16: return vtkSmartPointer<vtkShortArray>::New();
-    case ScalarType::UInt32: return vtkSmartPointer<vtkUnsignedIntArray>::New();
-    case ScalarType::Int32: return vtkSmartPointer<vtkIntArray>::New();
-    case ScalarType::Float32: break;
+    case ScalarType::Int8:
+      return vtkSmartPointer<vtkSignedCharArray>::New();
+    case ScalarType::UInt16:
+      return vtkSmartPointer<vtkUnsignedShortArray>::New();
+    case ScalarType::Int16:
+      return vtkSmartPointer<vtkShortArray>::New();
+    case ScalarType::UInt32:
+      return vtkSmartPointer<vtkUnsignedIntArray>::New();
+    case ScalarType::Int32:
+      return vtkSmartPointer<vtkIntArray>::New();
+    case ScalarType::Float32:
+      break;
   }
   return vtkSmartPointer<vtkFloatArray>::New();
 }
@@ -102,8 +110,8 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
     blocks[a] = grid.dims[a] / factor;
     spacing_mm[a] = grid.spacing[a] * kMmPerM * static_cast<double>(factor);
     // a block's centre, and one block further out for the rim
-    origin_mm[a] = 0.5 * static_cast<double>(factor - 1) * grid.spacing[a] * kMmPerM -
-                   spacing_mm[a];
+    origin_mm[a] =
+        0.5 * static_cast<double>(factor - 1) * grid.spacing[a] * kMmPerM - spacing_mm[a];
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(static_cast<int>(blocks[0] + 2), static_cast<int>(blocks[1] + 2),
@@ -128,8 +136,7 @@ Histogram histogramOf(const haptics::Volume& volume, int bins) {
   const std::int64_t step = (count / kHistogramVoxels) | 1;
   haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
     for (std::int64_t i = 0; i < count; i += step) {
-      const auto bin =
-          static_cast<int>((static_cast<double>(voxels[i]) - volume.least) / width);
+      const auto bin = static_cast<int>((static_cast<double>(voxels[i]) - volume.least) / width);
       histogram.counts[static_cast<std::size_t>(std::clamp(bin, 0, bins - 1))] += 1.0;
     }
   });
@@ -148,15 +155,22 @@ Picture pictureOf(std::shared_ptr<const haptics::Volume> volume) {
   return picture;
 }
 
-vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue) {
+vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue, bool mirrored) {
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(image);
   edges->SetValue(0, isovalue);
   edges->ComputeNormalsOn();
   edges->ComputeScalarsOff();
-  edges->Update();
-  vtkSmartPointer<vtkPolyData> mesh = edges->GetOutput();
-  return mesh;
+  vtkAlgorithm* last = edges;
+  vtkNew<vtkReverseSense> reverse;
+  if (mirrored) {
+    reverse->SetInputConnection(edges->GetOutputPort());
+    reverse->ReverseCellsOn();
+    reverse->ReverseNormalsOff();
+    last = reverse;
+  }
+  last->Update();
+  return vtkPolyData::SafeDownCast(last->GetOutputDataObject(0));
 }
 
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const Eigen::Affine3d& X) {

@@ -35,6 +35,8 @@ struct Picture {
   vtkSmartPointer<vtkImageData> reduced;  ///< averaged over blocks, with a rim of background
   Eigen::Affine3d X_WL_mm = Eigen::Affine3d::Identity();
   Histogram histogram;
+
+  bool mirrored() const { return X_WL_mm.linear().determinant() < 0.0; }
 };
 
 Picture pictureOf(std::shared_ptr<const haptics::Volume> volume);
@@ -50,8 +52,9 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
 /// From at most a few million voxels, evenly taken.
 Histogram histogramOf(const haptics::Volume& volume, int bins);
 
-/// The isosurface of an image of L as triangles with normals, in L. Any thread.
-vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue);
+/// The isosurface of an image of L as triangles with normals, in L. Any thread. Where X_WL
+/// mirrors, triangles are turned about so that they face outwards in W.
+vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue, bool mirrored);
 
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const Eigen::Affine3d& X);
 /// From metres to millimetres.

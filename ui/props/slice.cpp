@@ -14,18 +14,24 @@ PlaneAxes axesOf(Plane plane) {
   const Eigen::Vector3d back = Eigen::Vector3d::UnitY();
   const Eigen::Vector3d head = Eigen::Vector3d::UnitZ();
   switch (plane) {
-    case Plane::Axial: return {left, -back, head};
-    case Plane::Coronal: return {left, head, back};
-    case Plane::Sagittal: break;
+    case Plane::Axial:
+      return {left, -back, head};
+    case Plane::Coronal:
+      return {left, head, back};
+    case Plane::Sagittal:
+      break;
   }
   return {back, head, left};
 }
 
 std::array<QString, 4> lettersOf(Plane plane) {
   switch (plane) {
-    case Plane::Axial: return {"R", "L", "A", "P"};
-    case Plane::Coronal: return {"R", "L", "S", "I"};
-    case Plane::Sagittal: break;
+    case Plane::Axial:
+      return {"R", "L", "A", "P"};
+    case Plane::Coronal:
+      return {"R", "L", "S", "I"};
+    case Plane::Sagittal:
+      break;
   }
   return {"A", "P", "S", "I"};
 }

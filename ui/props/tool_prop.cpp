@@ -18,8 +18,7 @@ namespace {
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const haptics::TriangleMesh& mesh) {
   vtkNew<vtkPoints> points;
-  for (const haptics::Vec3& v : mesh.vertices)
-    points->InsertNextPoint((v * kMmPerM).eval().data());
+  for (const haptics::Vec3& v : mesh.vertices) points->InsertNextPoint((v * kMmPerM).eval().data());
   vtkNew<vtkCellArray> cells;
   for (const auto& t : mesh.triangles) {
     const vtkIdType ids[3] = {t[0], t[1], t[2]};

@@ -22,7 +22,7 @@
 namespace ui {
 namespace {
 
-constexpr std::array<double, 3> kSurfaceColour{0.93, 0.88, 0.78};  // ivory
+constexpr std::array<double, 3> kSurfaceColour{0.93, 0.88, 0.78};  // ivory; the shader below too
 
 // VTK 9.1 shades the first sample beyond the crossing, which draws terraces. Both replacements
 // lean on the text of its shader; tests/ui holds them to it.
@@ -30,6 +30,10 @@ constexpr const char* kShadeHere = "vec4 vs = vec4(s);";
 constexpr const char* kRefineHit = R"(vec3 before = g_dataPos - g_dirStep;
         vec3 beyond = g_dataPos;
         bool rising = scalar[maxComp] > s;
+        // a ray that begins inside the solid meets the cut face where it enters
+        float first = texture3D(in_volume[0], before).r * in_volume_scale[0].r
+                    + in_volume_bias[0].r;
+        bool cut = rising && first > s;
         for (int bisection = 0; bisection < 6; ++bisection)
         {
           g_dataPos = 0.5 * (before + beyond);
@@ -39,6 +43,17 @@ constexpr const char* kRefineHit = R"(vec3 before = g_dataPos - g_dirStep;
         }
         vec4 vs = vec4(s);)";
 // A ray that enters the volume inside the solid meets the cut face, as the touch does.
+// There the gradient says nothing: the face is lit by how squarely it is seen.
+constexpr const char* kPremultiply = "g_srcColor.rgb *= g_srcColor.a;";
+constexpr const char* kLightCutFace = R"(if (cut)
+        {
+          vec3 ray = abs(normalize(g_dirStep / in_cellStep[0] * in_cellSpacing[0]));
+          vec3 edge = min(abs(g_dataPos - in_texMin[0]), abs(in_texMax[0] - g_dataPos));
+          float facing = edge.x < edge.y ? (edge.x < edge.z ? ray.x : ray.z)
+                                         : (edge.y < edge.z ? ray.y : ray.z);
+          g_srcColor.rgb = vec3(0.93, 0.88, 0.78) * (0.15 + 0.8 * facing);
+        }
+        g_srcColor.rgb *= g_srcColor.a;)";
 constexpr const char* kStartIndex =
     "l_initialIndex = findIsoSurfaceIndex(scalar[maxComp], l_normValues);";
 constexpr const char* kStartOutside = "l_initialIndex = 0;";
@@ -137,8 +152,10 @@ void VolumeProp::showFine(vtkPolyData* mesh, double isovalue) {
 void VolumeProp::setHitRefinement(bool on) {
   vtkShaderProperty* shader = volume_->GetShaderProperty();
   shader->ClearAllFragmentShaderReplacements();
+  if (!on) return;
   shader->AddFragmentShaderReplacement(kStartIndex, false, kStartOutside, false);
-  if (on) shader->AddFragmentShaderReplacement(kShadeHere, false, kRefineHit, false);
+  shader->AddFragmentShaderReplacement(kShadeHere, false, kRefineHit, false);
+  shader->AddFragmentShaderReplacement(kPremultiply, false, kLightCutFace, false);
 }
 
 void VolumeProp::update() {
@@ -147,7 +164,8 @@ void VolumeProp::update() {
     mesh_mapper_->SetInputData(fine_mesh_);
     return;
   }
-  if (reduced_mesh_ == nullptr) reduced_mesh_ = isosurfaceMesh(picture_.reduced, isovalue_);
+  if (reduced_mesh_ == nullptr)
+    reduced_mesh_ = isosurfaceMesh(picture_.reduced, isovalue_, picture_.mirrored());
   mesh_mapper_->SetInputData(reduced_mesh_);
 }
 
