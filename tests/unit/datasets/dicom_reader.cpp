@@ -62,6 +62,19 @@ TEST(DicomReader, HeadSlabIsTheSameRegionOfTheHead) {
   EXPECT_EQ(unequal, 0);
 }
 
+TEST(DicomReader, NamesDoNotOrderTheSlices) {
+  const fs::path folder = scan("visible_human_female_head/dicom_slab");
+  NEEDS_SCAN(folder);
+  const auto files = filesIn(folder);
+  Workshop workshop;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    workshop.copy(files[i], std::to_string(100 + (i * 13) % files.size()));
+  const auto named = readVolume(folder), renamed = readVolume(workshop.folder());
+  ASSERT_TRUE(named && renamed);
+  EXPECT_EQ(renamed->grid.origin, named->grid.origin);
+  EXPECT_EQ(differing(*named, *renamed), 0);
+}
+
 TEST(DicomReader, OneFileStandsForItsSeries) {
   const fs::path folder = scan("visible_human_female_head/dicom_slab");
   NEEDS_SCAN(folder);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -99,6 +100,17 @@ TEST(ToolMesh, UnitsAndTheirWarning) {
   EXPECT_NEAR(height(MeshUnit::Metre), 40.0, 1e-12);
   EXPECT_EQ(readToolMesh(path, MeshUnit::Centimetre)->warnings.size(), 0u);
   EXPECT_EQ(readToolMesh(path, MeshUnit::Inch)->warnings.size(), 1u);
+}
+
+TEST(ToolMesh, NumbersAreReadAlikeInEveryLanguage) {
+  Workshop workshop;
+  const fs::path path = workshop.write("h.obj", "v 0 0 0\nv 10.5 0 0\nv 0 10.25 0\nf 1 2 3\n");
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
+    GTEST_SKIP() << "NOT CHECKED: no locale with a decimal comma is installed";
+  const auto tool = readToolMesh(path, MeshUnit::Metre);
+  std::setlocale(LC_ALL, "C");
+  ASSERT_TRUE(tool) << tool.error().what;
+  EXPECT_EQ(tool->mesh.vertices[1].x(), 10.5);
 }
 
 TEST(ToolMesh, PolygonsBecomeTriangles) {
