@@ -67,7 +67,6 @@ void VolumeView::show(const Picture& picture, double isovalue) {
   isovalue_ = isovalue;
   surface_.show(picture);
   surface_.setIsovalue(isovalue);
-  letters_->place(box_mm_);
   letters_->setVisible(picture.volume->orientation_known);
   chooseMode();
   resetCamera();
@@ -175,9 +174,15 @@ void VolumeView::fitClippingRange() {
 
 void VolumeView::resetCamera() {
   if (box_mm_.isEmpty()) return;
-  const double radius = 0.5 * box_mm_.diagonal().norm();
-  const double distance = 1.05 * radius / std::sin(0.5 * kViewAngle_deg * std::numbers::pi / 180);
-  const Eigen::Vector3d centre = box_mm_.center();
+  // the surface rather than the volume, which may be mostly air
+  const Eigen::AlignedBox3d shown = surface_.bounds_mm();
+  letters_->place(shown);
+  const Eigen::Vector3d size = shown.sizes();
+  const double aspect = static_cast<double>(std::max(1, width())) / std::max(1, height());
+  const double half = 0.5 * std::max(size.z(), size.x() / aspect) + 0.06 * size.norm();
+  const double distance =
+      1.15 * half / std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180) + 0.5 * size.y();
+  const Eigen::Vector3d centre = shown.center();
   camera_->SetFocalPoint(centre.x(), centre.y(), centre.z());
   // from the front, head up: the patient's left on the right
   camera_->SetPosition(centre.x(), centre.y() - distance, centre.z());

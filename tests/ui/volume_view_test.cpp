@@ -78,6 +78,9 @@ TEST(VolumeView, PutsLOnTheSideOfTheLeftMarkerWhicheverWayTheVoxelsLie) {
       view.setSurfaceWish(mode);
       window::showAndWait(view, {300, 300});
       view.show(ballPicture(marker, 0.008, direction), 50.0);
+      // look at the volume's middle, not at the marker
+      view.camera()->SetFocalPoint(0.0, 0.0, 0.0);
+      view.camera()->SetPosition(0.0, -180.0, 0.0);
       const QImage image = window::pictureAtRest(view);
       window::keep(image, mode == SurfaceMode::Mesh ? "left_mesh" : "left_raycast");
       const QPointF seen = window::centroid(image, window::surfaceColoured, 200);

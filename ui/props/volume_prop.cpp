@@ -164,9 +164,26 @@ void VolumeProp::update() {
     mesh_mapper_->SetInputData(fine_mesh_);
     return;
   }
+  mesh_mapper_->SetInputData(reducedMesh());
+}
+
+vtkPolyData* VolumeProp::reducedMesh() {
   if (reduced_mesh_ == nullptr)
     reduced_mesh_ = isosurfaceMesh(picture_.reduced, isovalue_, picture_.mirrored());
-  mesh_mapper_->SetInputData(reduced_mesh_);
+  return reduced_mesh_;
+}
+
+Eigen::AlignedBox3d VolumeProp::bounds_mm() {
+  if (picture_.volume == nullptr) return {};
+  vtkPolyData* mesh = reducedMesh();
+  if (mesh->GetNumberOfPoints() == 0) return boxOf_mm(picture_.volume->grid);
+  const double* b = mesh->GetBounds();
+  Eigen::AlignedBox3d box;
+  for (int corner = 0; corner < 8; ++corner)
+    box.extend(Eigen::Vector3d{picture_.X_WL_mm * Eigen::Vector3d{b[corner & 1],
+                                                                  b[2 + ((corner >> 1) & 1)],
+                                                                  b[4 + ((corner >> 2) & 1)]}});
+  return box;
 }
 
 }  // namespace ui

@@ -46,6 +46,8 @@ class VolumeProp {
   void showFine(vtkPolyData* mesh, double isovalue);
   /// Finds the ray's hit by bisection between samples (on) or takes the sample after it (off).
   void setHitRefinement(bool on);
+  /// The box of W that the surface fills, mm; the volume's where there is no surface.
+  Eigen::AlignedBox3d bounds_mm();
   /// Brings what is drawn up to date; before each drawing.
   void update();
 
@@ -53,6 +55,7 @@ class VolumeProp {
   vtkActor* mesh() const { return mesh_; }
 
  private:
+  vtkPolyData* reducedMesh();
   vtkSmartPointer<vtkVolume> volume_;
   vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper> caster_;
   vtkSmartPointer<vtkActor> mesh_;

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/application.h"
+
+#include <QCoreApplication>
+#include <QPixmap>
+#include <array>
+#include <cstdio>
+
+#include "datasets/phantoms/phantoms.h"
+#include "datasets/readers/volume_reader.h"
+#include "resources/named_tools.h"
+#include "ui/panels/device_panel.h"
+#include "ui/volume_view.h"
+
+namespace app {
+namespace {
+
+using haptics::HandKind;
+
+constexpr int kDisplayMs = 16;  // 60 Hz
+constexpr std::size_t kSamplesAtOnce = 4096;
+// A fine mesh of more voxels than this would take seconds to draw where there is no GPU.
+constexpr std::int64_t kFineVoxels = 24'000'000;
+
+struct Hand {
+  const char* id;
+  HandKind kind;
+  const char* label;
+};
+constexpr std::array<Hand, 8> kHands{{
+    {"mouse", HandKind::Mouse, QT_TRANSLATE_NOOP("app::Application", "Mouse")},
+    {"tap", HandKind::Tap, QT_TRANSLATE_NOOP("app::Application", "Simulated: tap")},
+    {"slide", HandKind::Slide, QT_TRANSLATE_NOOP("app::Application", "Simulated: slide")},
+    {"wedge", HandKind::Wedge, QT_TRANSLATE_NOOP("app::Application", "Simulated: wedge")},
+    {"pry", HandKind::Pry, QT_TRANSLATE_NOOP("app::Application", "Simulated: pry")},
+    {"hook", HandKind::Hook, QT_TRANSLATE_NOOP("app::Application", "Simulated: hook")},
+    {"jerk", HandKind::Jerk, QT_TRANSLATE_NOOP("app::Application", "Simulated: jerk")},
+    {"twist", HandKind::Twist, QT_TRANSLATE_NOOP("app::Application", "Simulated: twist")},
+}};
+
+const Hand* handOf(const std::string& name) {
+  for (const Hand& hand : kHands)
+    if (name == hand.id) return &hand;
+  return nullptr;
+}
+
+QString labelOf(const ToolSource& tool) {
+  return tool.file ? QString::fromStdString(tool.file->filename().string())
+                   : QString::fromStdString(tool.name);
+}
+
+}  // namespace
+
+std::optional<HandKind> handNamed(const std::string& name) {
+  const Hand* hand = handOf(name);
+  return hand == nullptr ? std::nullopt : std::optional{hand->kind};
+}
+
+Application::Application(Arguments arguments)
+    : arguments_(std::move(arguments)),
+      preferences_(loadPreferences()),
+      hand_(arguments_.hand),
+      samples_(kSamplesAtOnce),
+      points_(kSamplesAtOnce) {
+  settings_.stiffness = preferences_.stiffness;
+  QList<ui::Choice> hands, tools;
+  for (const Hand& hand : kHands) hands.append({hand.id, tr(hand.label)});
+  for (const std::string& tool : resources::namedTools())
+    tools.append({QString::fromStdString(tool), QString::fromStdString(tool)});
+  QStringList phantoms;
+  for (const std::string& name : datasets::phantomNames())
+    phantoms.append(QString::fromStdString(name));
+  window_.devicePanel().setHands(hands);
+  window_.devicePanel().setTools(tools);
+  window_.devicePanel().showStiffness(settings_.stiffness);
+  window_.setPhantoms(phantoms);
+  window_.view().setSurfaceWish(arguments_.surface);
+  connectWindow();
+  connectLoader();
+  display_.setInterval(kDisplayMs);
+  display_.setTimerType(Qt::PreciseTimer);
+  connect(&display_, &QTimer::timeout, this, &Application::refresh);
+}
+
+Application::~Application() {
+  display_.stop();
+  session_.close();
+  if (mesher_.joinable()) mesher_.join();
+}
+
+void Application::start() {
+  if (!preferences_.geometry.isEmpty() && arguments_.screenshot.empty()) {
+    window_.restoreGeometry(preferences_.geometry);
+    window_.restoreState(preferences_.layout);
+  }
+  window_.show();
+  display_.start();
+  LoadRequest request = arguments_.load;
+  if (!request.path && !request.phantom) request.phantom = "demo";
+  load(std::move(request), tr("Loading"));
+  if (arguments_.notice && !preferences_.notice_seen) {
+    window_.showNotice();
+    preferences_.notice_seen = true;
+    remember();
+  }
+}
+
+void Application::connectWindow() {
+  ui::DevicePanel& device = window_.devicePanel();
+  connect(&window_, &ui::MainWindow::openWanted, this, [this](const QString& path) {
+    load({.path = std::filesystem::path(path.toStdString())}, tr("Reading"));
+  });
+  connect(&window_, &ui::MainWindow::phantomWanted, this,
+          [this](const QString& name) { load({.phantom = name.toStdString()}, tr("Making")); });
+  connect(&window_, &ui::MainWindow::cancelWanted, &loader_, &Loader::cancel);
+  connect(&window_, &ui::MainWindow::isovalueChanged, this, [this](double isovalue) {
+    settings_.isovalue = isovalue;
+    session_.set(settings_);
+  });
+  connect(&window_, &ui::MainWindow::forceOffWanted, this, &Application::forceOff);
+  connect(&window_, &ui::MainWindow::forceOnWanted, this, [this] {
+    force_off_ = false;
+    session_.arm();
+  });
+  connect(&window_, &ui::MainWindow::closing, this, [this] {
+    session_.close();
+    remember();
+  });
+  connect(&window_.view(), &ui::VolumeView::handPulled, this,
+          [this](const haptics::Pose& X_WH) { session_.pull(X_WH); });
+  connect(&window_.view(), &ui::VolumeView::fineMeshWanted, this, &Application::makeFineMesh);
+  connect(&device, &ui::DevicePanel::handChosen, this,
+          [this](const QString& id) { openHand(id.toStdString()); });
+  connect(&device, &ui::DevicePanel::toolChosen, this,
+          [this](const QString& id) { changeTool({.name = id.toStdString()}); });
+  connect(&device, &ui::DevicePanel::toolFileChosen, this,
+          [this](const QString& path, const QString& unit) {
+            changeTool({.name = path.toStdString(),
+                        .file = std::filesystem::path(path.toStdString()),
+                        .unit = unit.toStdString()});
+          });
+  connect(&device, &ui::DevicePanel::stiffnessChanged, this, [this](double stiffness) {
+    settings_.stiffness = stiffness;
+    session_.set(settings_);
+  });
+}
+
+void Application::connectLoader() {
+  connect(&loader_, &Loader::progressed, &window_, &ui::MainWindow::showProgress);
+  connect(&loader_, &Loader::loaded, this, &Application::adopt);
+  connect(&loader_, &Loader::failed, this, &Application::onFailed);
+}
+
+void Application::load(LoadRequest request, const QString& what) {
+  window_.clearMessage();
+  window_.showLoading(what);
+  loader_.start(std::move(request));
+}
+
+void Application::adopt(const Loaded& loaded) {
+  const bool new_volume = !shown_ || shown_->picture.volume != loaded.picture.volume;
+  const QString title = new_volume ? loaded.title : shown_->title;
+  shown_ = loaded;
+  shown_->title = title;
+  window_.endLoading();
+  if (!loaded.note.isEmpty()) window_.showMessage(loaded.note);
+  settings_.isovalue = loaded.isovalue;
+  session_.set(settings_);
+  session_.adopt(loaded.scene, loaded.start);
+  if (new_volume) window_.show(loaded.picture, loaded.isovalue, title);
+  window_.show(loaded.scene->tool.mesh);
+  const QString label = labelOf(loaded.tool);
+  window_.devicePanel().showTool(QString::fromStdString(loaded.tool.name), label);
+  // a simulated hand aims at its scene, so a new one needs a new hand
+  openHand(hand_);
+  if (!arguments_.screenshot.empty() && new_volume)
+    QTimer::singleShot(static_cast<int>(arguments_.screenshot_after * 1000.0), this,
+                       &Application::takeScreenshot);
+  emit adopted();
+}
+
+void Application::onFailed(const LoadRequest& request, const haptics::Error& error) {
+  window_.endLoading();
+  if (shown_)
+    window_.devicePanel().showTool(QString::fromStdString(shown_->tool.name),
+                                   labelOf(shown_->tool));
+  if (error.reason == "which-series" && request.path) return offerSeries(request);
+  if (error.kind != haptics::Error::Kind::Cancelled)
+    window_.showMessage(QString::fromStdString(error.what));
+  if (!arguments_.screenshot.empty()) {
+    std::fprintf(stderr, "%s\n", error.what.c_str());
+    emit finished(3);
+  }
+}
+
+void Application::offerSeries(LoadRequest request) {
+  const auto survey = datasets::survey(*request.path);
+  if (!survey) return window_.showMessage(QString::fromStdString(survey.error().what));
+  QStringList choices;
+  std::vector<int> indices;
+  for (const datasets::SeriesVerdict& series : survey->series) {
+    if (!series.sound) continue;
+    choices << tr("%1: %2, %3 × %4 × %5 voxels of %6 × %7 × %8 mm")
+                   .arg(series.index)
+                   .arg(QString::fromStdString(series.modality))
+                   .arg(series.dims[0])
+                   .arg(series.dims[1])
+                   .arg(series.dims[2])
+                   .arg(series.spacing_mm.x(), 0, 'g', 4)
+                   .arg(series.spacing_mm.y(), 0, 'g', 4)
+                   .arg(series.spacing_mm.z(), 0, 'g', 4);
+    indices.push_back(series.index);
+  }
+  const int chosen = window_.askWhich(tr("This folder holds several series."), choices);
+  if (chosen < 0) return;
+  request.series = indices[static_cast<std::size_t>(chosen)];
+  load(std::move(request), tr("Reading"));
+}
+
+void Application::openHand(const std::string& name) {
+  const Hand* hand = handOf(name);
+  if (hand == nullptr) return;
+  const auto opened = session_.open(hand->kind);
+  // another hand or tool does not undo the user's word
+  if (force_off_) session_.forceOff();
+  window_.view().setMouseHand(hand->kind == HandKind::Mouse);
+  if (!opened) {
+    window_.showMessage(QString::fromStdString(opened.error().what));
+    return;
+  }
+  hand_ = name;
+  window_.showHandInUse(hand->id, tr(hand->label));
+}
+
+void Application::forceOff() {
+  force_off_ = true;
+  session_.forceOff();
+}
+
+void Application::changeTool(const ToolSource& tool) {
+  if (!shown_) return;
+  load({.keep = shown_->picture, .tool = tool, .isovalue = settings_.isovalue},
+       tr("Preparing the tool"));
+}
+
+void Application::refresh() {
+  session_.collectGarbage();
+  while (const std::size_t count = session_.forces(samples_)) {
+    for (std::size_t i = 0; i < count; ++i)
+      points_[i] = {samples_[i].time, static_cast<float>(samples_[i].force),
+                    static_cast<float>(samples_[i].torque)};
+    window_.appendForces(std::span{points_}.first(count));
+    if (count < samples_.size()) break;
+  }
+  if (session_.latest(snapshot_) && shown_) window_.display(snapshot_);
+}
+
+void Application::makeFineMesh(double isovalue) {
+  if (!shown_) return;
+  mesh_next_ = isovalue;
+  if (meshing_) return;
+  meshing_ = true;
+  mesh_next_.reset();
+  if (mesher_.joinable()) mesher_.join();
+  mesher_ = std::thread(
+      [this, isovalue, volume = shown_->picture.volume, mirrored = shown_->picture.mirrored()] {
+        const auto image = volume->grid.voxelCount() <= kFineVoxels
+                               ? ui::imageOf(*volume)
+                               : ui::reducedImageOf(*volume, kFineVoxels);
+        auto mesh = ui::isosurfaceMesh(image, isovalue, mirrored);
+        QMetaObject::invokeMethod(
+            this,
+            [this, mesh, isovalue, volume] {
+              meshing_ = false;
+              if (shown_ && shown_->picture.volume == volume)
+                window_.view().showFine(mesh, isovalue);
+              if (mesh_next_ && *mesh_next_ != isovalue) makeFineMesh(*mesh_next_);
+            },
+            Qt::QueuedConnection);
+      });
+}
+
+void Application::takeScreenshot() {
+  const bool saved = window_.grab().save(QString::fromStdString(arguments_.screenshot));
+  if (!saved) std::fprintf(stderr, "The picture could not be written.\n");
+  emit finished(saved ? 0 : 4);
+}
+
+void Application::remember() {
+  preferences_.geometry = window_.saveGeometry();
+  preferences_.layout = window_.saveState();
+  preferences_.stiffness = settings_.stiffness;
+  if (arguments_.screenshot.empty()) savePreferences(preferences_);
+}
+
+}  // namespace app

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/loader.h"
+#include "app/preferences.h"
+#include "haptics/session.h"
+#include "ui/main_window.h"
+
+namespace app {
+
+/// What the command line asks for.
+struct Arguments {
+  LoadRequest load = {};  ///< nothing to load: the demo phantom
+  std::string hand = "mouse";
+  std::optional<ui::SurfaceMode> surface = {};
+  std::string screenshot = {};    ///< a PNG to write, then quit; or empty
+  double screenshot_after = 3.0;  ///< s of running with a scene
+  bool notice = true;
+};
+
+/// The names of the hands, as the command line knows them.
+std::optional<haptics::HandKind> handNamed(const std::string& name);
+
+/// Owns the window, the session and the loader, and makes every connection between them.
+class Application : public QObject {
+  Q_OBJECT
+ public:
+  explicit Application(Arguments arguments);
+  ~Application() override;
+
+  void start();
+  ui::MainWindow& window() { return window_; }
+  haptics::Session& session() { return session_; }
+  const haptics::Snapshot& snapshot() const { return snapshot_; }
+
+ signals:
+  /// The screenshot was written, or could not be.
+  void finished(int exit_code);
+  /// A scene is being touched.
+  void adopted();
+
+ private:
+  void connectWindow();
+  void connectLoader();
+  void load(LoadRequest request, const QString& what);
+  void adopt(const Loaded& loaded);
+  void onFailed(const LoadRequest& request, const haptics::Error& error);
+  void offerSeries(LoadRequest request);
+  void openHand(const std::string& name);
+  void changeTool(const ToolSource& tool);
+  void forceOff();
+  void refresh();
+  void makeFineMesh(double isovalue);
+  void takeScreenshot();
+  void remember();
+
+  Arguments arguments_;
+  Preferences preferences_;
+  ui::MainWindow window_;
+  haptics::Session session_;
+  Loader loader_;
+  haptics::Settings settings_;
+  haptics::Snapshot snapshot_;
+  std::optional<Loaded> shown_;
+  std::string hand_;
+  bool force_off_ = false;  ///< by the user, until the user wants it on again
+  QTimer display_;
+  std::vector<haptics::ForceSample> samples_;
+  std::vector<ui::ForcePoint> points_;
+  std::thread mesher_;
+  bool meshing_ = false;
+  std::optional<double> mesh_next_;  ///< the isovalue asked for while another was being meshed
+};
+
+}  // namespace app

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace app {
+
+/// Whether there is an X display to open a window on. Asked before anything of Qt or VTK begins,
+/// because both end the process where there is none.
+bool displayReachable();
+
+}  // namespace app

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+
+#include <QApplication>
+#include <algorithm>
+#include <cstdio>
+
+#include "app/application.h"
+#include "app/display.h"
+#include "datasets/phantoms/phantoms.h"
+#include "resources/named_tools.h"
+
+namespace {
+
+constexpr int kUsage = 2, kFailed = 4;
+
+// a list of names as CLI11 wants it
+template <class Names>
+CLI::Validator oneOf(const Names& names) {
+  return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  app::Arguments arguments;
+  std::string path, phantom, tool, tool_unit = "mm", surface;
+  double isovalue = 0.0;
+  int series = 0;
+  bool no_notice = false;
+  CLI::App cli{"Palpate: see a CT scan, and feel it through a haptic device."};
+  cli.set_version_flag("--version", PALPATE_VERSION);
+  auto* path_given = cli.add_option("path", path, "A scan: NRRD, or a DICOM folder or file");
+  auto* phantom_given = cli.add_option("--phantom", phantom, "A volume made by formula")
+                            ->check(oneOf(datasets::phantomNames()));
+  path_given->excludes(phantom_given);
+  auto* isovalue_given = cli.add_option("--isovalue", isovalue, "Where the surface is");
+  auto* tool_given = cli.add_option("--tool", tool, "A named tool, or an STL, OBJ or PLY file");
+  cli.add_option("--tool-unit", tool_unit, "Of a tool file")
+      ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
+  cli.add_option("--hand", arguments.hand, "Who holds the device")
+      ->check(CLI::IsMember({"mouse", "tap", "slide", "wedge", "pry", "hook", "jerk", "twist"}));
+  auto* surface_given = cli.add_option("--surface", surface, "How the surface is drawn")
+                            ->check(CLI::IsMember({"raycast", "mesh"}));
+  auto* series_given = cli.add_option("--series", series, "Which of a folder's series");
+  auto* screenshot_given =
+      cli.add_option("--screenshot", arguments.screenshot, "Write the window as a PNG and quit");
+  cli.add_option("--after", arguments.screenshot_after, "Seconds before the screenshot")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(screenshot_given);
+  cli.add_flag("--no-notice", no_notice, "Do not show the notice of the first start");
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? 0 : kUsage;
+  }
+  if (*path_given) arguments.load.path = path;
+  if (*phantom_given) arguments.load.phantom = phantom;
+  if (*isovalue_given) arguments.load.isovalue = isovalue;
+  if (*series_given) arguments.load.series = series;
+  if (*tool_given) {
+    const auto names = resources::namedTools();
+    app::ToolSource source{.name = tool, .unit = tool_unit};
+    if (std::find(names.begin(), names.end(), tool) == names.end()) source.file = tool;
+    arguments.load.tool = source;
+  }
+  if (*surface_given)
+    arguments.surface = surface == "mesh" ? ui::SurfaceMode::Mesh : ui::SurfaceMode::RayCast;
+  arguments.notice = !no_notice && arguments.screenshot.empty();
+
+  if (!app::displayReachable()) {
+    std::fprintf(stderr,
+                 "There is no X display to open a window on; set DISPLAY, or use "
+                 "palpate-cli, which needs none.\n");
+    return kFailed;
+  }
+  // VTK's windows are X windows, also where Qt would choose Wayland
+  qputenv("QT_QPA_PLATFORM", "xcb");
+  ui::Viewport::prepareApplication();
+  QCoreApplication::setOrganizationName("Palpate");
+  QCoreApplication::setApplicationName("Palpate");
+  QCoreApplication::setApplicationVersion(PALPATE_VERSION);
+  int qt_argc = 1;  // the arguments are ours
+  QApplication qt(qt_argc, argv);
+  app::Application application(std::move(arguments));
+  QObject::connect(
+      &application, &app::Application::finished, &qt,
+      [](int code) { QCoreApplication::exit(code); }, Qt::QueuedConnection);
+  application.start();
+  return QApplication::exec();
+}
