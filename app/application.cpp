@@ -229,6 +229,8 @@ void Application::openHand(const std::string& name) {
     return;
   }
   hand_ = name;
+  // a simulated hand aims where it likes: show where
+  look_from_tool_ = hand->kind != HandKind::Mouse;
   window_.showHandInUse(hand->id, tr(hand->label));
 }
 
@@ -252,7 +254,12 @@ void Application::refresh() {
     window_.appendForces(std::span{points_}.first(count));
     if (count < samples_.size()) break;
   }
-  if (session_.latest(snapshot_) && shown_) window_.display(snapshot_);
+  if (!session_.latest(snapshot_) || !shown_) return;
+  window_.display(snapshot_);
+  if (look_from_tool_ && snapshot_.scene == shown_->scene->id) {
+    look_from_tool_ = false;
+    window_.view().lookFromTool();
+  }
 }
 
 void Application::makeFineMesh(double isovalue) {

@@ -70,7 +70,8 @@ class Application : public QObject {
   haptics::Snapshot snapshot_;
   std::optional<Loaded> shown_;
   std::string hand_;
-  bool force_off_ = false;  ///< by the user, until the user wants it on again
+  bool look_from_tool_ = false;  ///< at the next snapshot
+  bool force_off_ = false;       ///< by the user, until the user wants it on again
   QTimer display_;
   std::vector<haptics::ForceSample> samples_;
   std::vector<ui::ForcePoint> points_;

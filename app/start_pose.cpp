@@ -7,6 +7,7 @@ namespace app {
 namespace {
 
 constexpr double kStandOff = 0.008;  // m between tool and surface at the start
+constexpr double kApproach = 0.001;  // m, the step towards it
 
 double nearestVoxel(const haptics::Volume& volume, const haptics::Vec3& p_W) {
   const haptics::Grid& grid = volume.grid;
@@ -38,7 +39,16 @@ std::optional<haptics::Pose> startPose(const haptics::Scene& scene, double isova
   while (depth < reach && nearestVoxel(volume, middle + inwards * depth) < isovalue) depth += step;
   if (depth >= reach) depth = 0.0;  // nothing on this line
   haptics::Pose X_WT = haptics::Pose::Identity();
-  X_WT.translation() = middle + inwards * (depth - scene.tool.shell.radius - kStandOff);
+  // from where the whole tool is in front of the surface, nearer until something would touch
+  double offset = depth - scene.tool.shell.radius - kStandOff;
+  const auto touches = [&](double at) {
+    for (const haptics::Vec3& p : scene.tool.shell.points)
+      if (nearestVoxel(volume, middle + inwards * at + p) >= isovalue) return true;
+    return false;
+  };
+  for (; offset < depth && !touches(offset + kStandOff + kApproach); offset += kApproach) {
+  }
+  X_WT.translation() = middle + inwards * offset;
   return haptics::legalPoseNear(scene, isovalue, X_WT);
 }
 

@@ -104,6 +104,7 @@ void MainWindow::buildViews() {
   views->addWidget(slices);
   views->setStretchFactor(0, 3);
   views->setStretchFactor(1, 1);
+  views->setSizes({640, 300});
   views->setChildrenCollapsible(false);
   slices->setChildrenCollapsible(false);
   auto* centre = new QWidget;
@@ -157,6 +158,7 @@ void MainWindow::buildMenus() {
 
   QMenu* look = menuBar()->addMenu(tr("&View"));
   look->addAction(tr("Show &everything"), view_, &VolumeView::resetCamera);
+  look->addAction(tr("From the &tool's side"), view_, &VolumeView::lookFromTool);
   QMenu* surface = look->addMenu(tr("&Surface"));
   surface->addAction(tr("Automatic"), this, [this] { view_->setSurfaceWish(std::nullopt); });
   surface->addAction(tr("Ray casting"), this,
@@ -262,7 +264,8 @@ void MainWindow::showControls() {
          "<p><b>3-D view</b>: left drag turns the picture. With the mouse as hand, left drag "
          "moves the tool in the plane of the screen, Shift and left drag turns it, and the wheel "
          "moves it in depth; right drag turns the picture. Middle drag shifts the picture, Ctrl "
-         "and wheel (without a mouse hand the wheel alone) come nearer, R shows everything.</p>"
+         "and wheel (without a mouse hand the wheel alone) come nearer, R shows everything, T from "
+         "the tool's side.</p>"
          "<p><b>Slices</b>: click moves the crosshair, the wheel goes through the slices, right "
          "drag changes brightness (up and down) and contrast (left and right).</p>"
          "<p><b>Isovalue</b>: drag on the histogram, arrow keys, or type.</p>"));

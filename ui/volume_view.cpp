@@ -26,6 +26,7 @@ constexpr double kTurnPerWidget = 180.0;  // degrees of camera for a drag across
 constexpr double kHandTurn = 0.008;       // rad of hand for a pixel
 constexpr double kHandStep = 0.002;       // m of depth for a notch of the wheel
 constexpr double kViewAngle_deg = 30.0;
+constexpr double kBeside_deg = 40.0;  // between the device and the eye, about the patient's axis
 
 }  // namespace
 
@@ -173,19 +174,37 @@ void VolumeView::fitClippingRange() {
 }
 
 void VolumeView::resetCamera() {
+  // from the front, head up: the patient's left on the right
+  frameSurface(-Eigen::Vector3d::UnitY());
+}
+
+void VolumeView::lookFromTool() {
+  if (!displayed_ || box_mm_.isEmpty()) return;
+  Eigen::Vector3d from = last_.X_WD.translation() * kMmPerM - surface_.bounds_mm().center();
+  if (!(from.norm() > 1e-3)) return resetCamera();
+  // a little from beside, so that tool and surface are seen against each other; never from
+  // straight above, where the head has no up
+  from = Eigen::AngleAxisd(kBeside_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitZ()) * from;
+  const double level = std::max(std::hypot(from.x(), from.y()), 1e-3);
+  from.z() = std::clamp(from.z(), -0.8 * level, 0.8 * level);
+  frameSurface(from.normalized());
+}
+
+void VolumeView::frameSurface(const Eigen::Vector3d& from) {
   if (box_mm_.isEmpty()) return;
   // the surface rather than the volume, which may be mostly air
   const Eigen::AlignedBox3d shown = surface_.bounds_mm();
   letters_->place(shown);
   const Eigen::Vector3d size = shown.sizes();
   const double aspect = static_cast<double>(std::max(1, width())) / std::max(1, height());
-  const double half = 0.5 * std::max(size.z(), size.x() / aspect) + 0.06 * size.norm();
-  const double distance =
-      1.15 * half / std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180) + 0.5 * size.y();
+  const Eigen::Vector3d right = from.cross(Eigen::Vector3d::UnitZ()).normalized().cwiseAbs();
+  const double half = 0.5 * std::max(size.z(), right.dot(size) / aspect) + 0.06 * size.norm();
+  const double distance = 1.15 * half / std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180) +
+                          0.5 * from.cwiseAbs().dot(size);
   const Eigen::Vector3d centre = shown.center();
+  const Eigen::Vector3d eye = centre + from * distance;
   camera_->SetFocalPoint(centre.x(), centre.y(), centre.z());
-  // from the front, head up: the patient's left on the right
-  camera_->SetPosition(centre.x(), centre.y() - distance, centre.z());
+  camera_->SetPosition(eye.x(), eye.y(), eye.z());
   camera_->SetViewUp(0.0, 0.0, 1.0);
   cameraMoved();
 }
@@ -301,6 +320,9 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
       break;
     case Qt::Key_R:
       resetCamera();
+      break;
+    case Qt::Key_T:
+      lookFromTool();
       break;
     default:
       Viewport::keyPressEvent(event);

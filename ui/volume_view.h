@@ -24,7 +24,7 @@ class HeldPass;
 /// Left drag turns the camera, or with the mouse as hand moves the hand in the view plane (Shift
 /// turns it, the wheel pushes it away); right drag always turns the camera, middle drag shifts
 /// it, Ctrl and wheel (without a mouse hand the wheel alone) come nearer. Space wishes the force
-/// off, R shows everything again.
+/// off, R shows everything again, T the same from the tool's side.
 class VolumeView : public Viewport {
   Q_OBJECT
  public:
@@ -40,6 +40,8 @@ class VolumeView : public Viewport {
   /// The answer to fineMeshWanted.
   void showFine(vtkPolyData* mesh, double isovalue);
   void resetCamera();
+  /// Everything, from the side on which the device is.
+  void lookFromTool();
 
   /// Where a point of W is drawn, in widget coordinates.
   QPointF projected(const haptics::Vec3& p_W) const;
@@ -67,6 +69,7 @@ class VolumeView : public Viewport {
   void redrawSurface();
   void cameraMoved();
   void settle();
+  void frameSurface(const Eigen::Vector3d& from);
   void rotateCamera(QPointF by);
   void panCamera(QPointF by);
   void zoomCamera(double factor);

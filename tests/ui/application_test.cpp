@@ -61,9 +61,10 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
                       {}, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &wheel);
   };
-  for (int i = 0; i < 12; ++i) {
+  // 2 mm a notch; the tool waits some millimetres off
+  for (int i = 0; i < 20 && application.snapshot().felt_W.force.norm() < 1.0; ++i) {
     push(1);
-    QTest::qWait(50);
+    QTest::qWait(200);
   }
   ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.3; }, 5.0));
   QTest::qWait(500);

@@ -10,11 +10,16 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
+#include <vtkQuadricDecimation.h>
+
+#include <algorithm>
 
 #include "ui/props/picture.h"
 
 namespace ui {
 namespace {
+
+constexpr double kWireTriangles = 90.0;
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const haptics::TriangleMesh& mesh) {
   vtkNew<vtkPoints> points;
@@ -75,7 +80,15 @@ void ToolProp::show(const haptics::TriangleMesh& mesh) {
   solid->ScalarVisibilityOff();
   proxy_->SetMapper(solid);
   vtkNew<vtkPolyDataMapper> wire;
-  wire->SetInputData(data);
+  // few lines: a dense wireframe would hide the proxy that it stands over
+  vtkNew<vtkQuadricDecimation> coarse;
+  const auto triangles = static_cast<double>(mesh.triangles.size());
+  coarse->SetInputData(data);
+  coarse->SetTargetReduction(1.0 - kWireTriangles / std::max(triangles, kWireTriangles));
+  if (triangles > kWireTriangles)
+    wire->SetInputConnection(coarse->GetOutputPort());
+  else
+    wire->SetInputData(data);
   wire->ScalarVisibilityOff();
   device_->SetMapper(wire);
   proxy_->VisibilityOn();
