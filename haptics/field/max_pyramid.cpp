@@ -157,7 +157,9 @@ MaxPyramid::Bound MaxPyramid::bound(const Vec3& u, double s) const HAPTICS_RT {
   const std::array<std::int64_t, 3> finest = blockOf(u, 0);
   if (levels_[0].greatest[levels_[0].at(finest)] >= s) {
     if (outside >= double{kCells}) return {outside * smallest_spacing_, 0.0};
-    return {finestRadius(), double{lipschitz_[levels_[0].at(finest)]}};
+    // a plateau at or above s has no slope, but is not empty: 0 says that only of what is below
+    const double slope = double{lipschitz_[levels_[0].at(finest)]};
+    return {finestRadius(), std::max(slope, std::numeric_limits<double>::min())};
   }
   int level = 0;
   std::array<std::int64_t, 3> b = finest;
