@@ -21,6 +21,11 @@ const char* verdictOf(const datasets::SeriesVerdict& series) {
 
 ordered_json asJson(const haptics::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+/// Metres as millimetres, to the picometre: what the change of unit rounds is not the file's.
+haptics::Vec3 inMillimetres(const haptics::Vec3& metres) {
+  return (metres * 1e12).array().round() / 1e9;
+}
+
 ordered_json listed(const datasets::SeriesVerdict& series) {
   ordered_json json;
   json["index"] = series.index;
@@ -37,8 +42,8 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
               ordered_json& json) {
   const haptics::Grid& grid = volume.grid;
   json["dims"] = grid.dims;
-  json["spacing_mm"] = asJson(grid.spacing * 1e3);
-  json["origin_mm"] = asJson(grid.origin * 1e3);
+  json["spacing_mm"] = asJson(inMillimetres(grid.spacing));
+  json["origin_mm"] = asJson(inMillimetres(grid.origin));
   json["direction"] = ordered_json::array();
   for (int row = 0; row < 3; ++row) json["direction"].push_back(asJson(grid.direction.row(row)));
   json["scalar"] = haptics::nameOf(volume.type);

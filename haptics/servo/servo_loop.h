@@ -32,7 +32,7 @@ class ServoLoop {
   // The other thread's side; none of these waits.
   LatestValue<Settings> settings;
   LatestValue<Snapshot> snapshots;
-  moodycamel::ReaderWriterQueue<ForceSample> forces{4096};
+  moodycamel::ReaderWriterQueue<ForceSample> forces{8192};
   SceneHandOver scenes;
   std::atomic<bool> armed{true};  ///< false: zero force from the next tick on
 

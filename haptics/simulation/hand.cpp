@@ -89,6 +89,23 @@ std::optional<double> firstTouch(const Scene& scene, const Isosurface& solid, co
   return {};
 }
 
+/// How far the solid goes on from index coordinates u, within a cone about `way` [m], up to `most`.
+double thickness(const Scene& scene, const Isosurface& solid, const Vec3& u, const Vec3& way,
+                 double most) {
+  const ScalarField& field = scene.field;
+  const double h = field.voxel();
+  const Vec3 side = way.unitOrthogonal(), other = way.cross(side);
+  double least = most;
+  for (const Vec3& lean : {Vec3{Vec3::Zero()}, side, Vec3{-side}, other, Vec3{-other}}) {
+    const Vec3 step = field.indexStepOf((way + 0.6 * lean).normalized());
+    // a grain of soft material at the touch itself does not count as the far side
+    double d = 1.5 * h;
+    while (d < least && field.value(u + step * d) >= solid.ceiling()) d += 0.5 * h;
+    least = std::min(least, d);
+  }
+  return least;
+}
+
 /// A rotation whose -z axis points along `way`.
 Mat3 tipAlong(const Vec3& way) {
   return Quat::FromTwoVectors(-Vec3::UnitZ(), way).toRotationMatrix();
@@ -178,7 +195,9 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
     const double facing = gradient.norm() > 0.0 ? gradient.dot(way) / gradient.norm() : -1.0;
     const double border =
         std::min(u_touch.minCoeff(), (extent - u_touch).minCoeff());  // voxels inside the grid
-    const double merit = std::min(facing, 0.95) - (border < 3.0 ? 1.0 : 0.0) -
+    constexpr double kThick = 0.006;  // m: something to press on
+    const double merit = std::min(facing, 0.95) - (border < 3.0 ? 1.0 : 0.0) +
+                         0.6 * thickness(scene, solid, u_touch, way, kThick) / kThick -
                          0.5 * *touch / back;  // the nearer the better
     if (merit > best.merit) best = {X, way, *touch, merit};
   }
