@@ -195,10 +195,12 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
     const double facing = gradient.norm() > 0.0 ? gradient.dot(way) / gradient.norm() : -1.0;
     const double border =
         std::min(u_touch.minCoeff(), (extent - u_touch).minCoeff());  // voxels inside the grid
-    constexpr double kThick = 0.006;  // m: something to press on
+    // near, thick enough to press on, and rather from the front and above, as a person sits
+    constexpr double kThick = 0.006;  // m
+    static const Vec3 kFromTheFront{0.0, 0.8, -0.6};
     const double merit = std::min(facing, 0.95) - (border < 3.0 ? 1.0 : 0.0) +
-                         0.6 * thickness(scene, solid, u_touch, way, kThick) / kThick -
-                         0.5 * *touch / back;  // the nearer the better
+                         0.6 * thickness(scene, solid, u_touch, way, kThick) / kThick +
+                         0.3 * way.dot(kFromTheFront) - 0.5 * *touch / back;
     if (merit > best.merit) best = {X, way, *touch, merit};
   }
   if (best.merit == -INFINITY)
