@@ -63,7 +63,8 @@ Wrench Safety::pass(const Wrench& wanted, bool outside, double period) HAPTICS_R
     const double share = period / limits_.slew_time;
     wrench.force = approached(sent_.force, wrench.force, share * limits_.force, reached);
     wrench.torque = approached(sent_.torque, wrench.torque, share * limits_.torque, reached);
-    slewing_ = !reached;
+    // the proxy may yet be set down elsewhere, and the wish jump with it
+    slewing_ = !reached || state_ == ForceState::Recovering;
   }
   sent_ = wrench;
   return wrench;
