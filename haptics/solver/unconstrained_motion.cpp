@@ -11,11 +11,12 @@ Vec3 unwrappedTurn(const Pose& from, const Pose& to, const Vec3& last) HAPTICS_R
   Quat q = Quat{to.linear()} * Quat{from.linear()}.conjugate();
   q.normalize();
   const double sine = q.vec().norm();
-  if (sine < 1e-300) {
+  // a whole turn away, rounding alone would choose the axis
+  const double before = last.norm();
+  if (sine < (before > std::numbers::pi ? 1e-9 : 1e-300)) {
     // no rotation, or whole turns of the last axis
-    const double angle = last.norm();
-    const double turns = std::round(angle / kTurn);
-    return turns > 0.0 ? Vec3{last * (turns * kTurn / angle)} : Vec3::Zero();
+    const double turns = std::round(before / kTurn);
+    return turns > 0.0 ? Vec3{last * (turns * kTurn / before)} : Vec3::Zero();
   }
   const double angle = 2.0 * std::atan2(sine, q.w());  // in [0, 2 pi]
   const Vec3 axis = q.vec() / sine;
