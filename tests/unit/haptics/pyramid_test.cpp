@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "haptics/field/max_pyramid.h"
+#include "haptics/field/scalar_field.h"
+#include "tests/support/evaluator.h"
+#include "tests/unit/haptics/made.h"
+
+namespace {
+
+using haptics::Grid;
+using haptics::MaxPyramid;
+using haptics::ScalarField;
+using haptics::ScalarType;
+using haptics::Vec3;
+using haptics::Volume;
+using made::Random;
+
+/// Constant blocks, far apart in value: plateaus with steep walls, and much of nothing.
+Volume plateaus(const Grid& grid, ScalarType type, Random& random) {
+  std::vector<double> levels(64);
+  for (double& level : levels) level = random.below(3) == 0 ? random.in(20.0, 120.0) : 0.0;
+  return made::filled(grid, type, [&](auto i, auto j, auto k) {
+    return levels[static_cast<std::size_t>((i / 20) % 4 + 4 * ((j / 20) % 4) + 16 * (k / 20 % 4))];
+  });
+}
+
+struct Seen {
+  int empty = 0, sloped = 0, wide = 0, inside = 0;
+};
+
+/// Samples what `bound` states about places in and around the volume.
+void check(const ScalarField& field, Random& random, int places, Seen& seen) {
+  const Volume& volume = field.volume();
+  const Grid& grid = volume.grid;
+  const double range = volume.greatest - volume.least;
+  for (int n = 0; n < places; ++n) {
+    Vec3 u;
+    for (int axis = 0; axis < 3; ++axis) u[axis] = random.in(-8.0, double(grid.dims[axis]) + 8.0);
+    const Vec3 p_W = grid.worldOf(u);
+    const double s = volume.least + std::fmax(range, 1.0) * random.in(0.01, 1.01);
+    const MaxPyramid::Bound bound = field.pyramid().bound(u, s);
+    ASSERT_GT(bound.radius, 0.0);
+    const double here = evaluator::fieldAt(volume, p_W);
+    seen.inside += here >= s;
+    for (int i = 0; i < 24; ++i) {
+      const double distance = bound.radius * std::cbrt(random.in(0.0, 1.0));
+      const double there = evaluator::fieldAt(volume, p_W + distance * random.direction());
+      if (bound.lipschitz == 0.0)
+        ASSERT_LT(there, s) << "proven empty within " << bound.radius << " m of index "
+                            << u.transpose();
+      else
+        ASSERT_LE(std::abs(there - here), bound.lipschitz * distance + 1e-9 * range);
+    }
+    ++(bound.lipschitz == 0.0 ? seen.empty : seen.sloped);
+    seen.wide += bound.lipschitz == 0.0 && bound.radius > 1.5 * field.pyramid().finestRadius();
+    // and the statement of the finest level, whatever the isovalue
+    const double rate = field.pyramid().lipschitz(u);
+    const Vec3 a = p_W + field.pyramid().finestRadius() * random.in(0.0, 1.0) * random.direction();
+    ASSERT_LE(std::abs(evaluator::fieldAt(volume, a) - here),
+              rate * (a - p_W).norm() + 1e-9 * range);
+  }
+}
+
+TEST(MaxPyramid, StatesOnlyBoundsThatHoldInNoiseOfEveryTypeAndFrame) {
+  Random random{11};
+  Seen seen;
+  int k = 0;
+  for (const ScalarType type : made::kTypes) {
+    SCOPED_TRACE(haptics::nameOf(type));
+    const Grid grid = made::oddGrid(k, {17 + k, 9, 30 - k}, random);
+    ++k;
+    check(ScalarField{made::shared(made::randomVolume(grid, type, random))}, random,
+          made::trials(2000), seen);
+  }
+  EXPECT_GT(seen.sloped, made::trials(5000));
+  EXPECT_GT(seen.empty, made::trials(500));
+}
+
+// a plateau at or above the isovalue has no slope, and is as inside as can be
+TEST(MaxPyramid, StatesOnlyBoundsThatHoldOnPlateausOfEveryTypeAndFrame) {
+  Random random{12};
+  Seen seen;
+  int k = 0;
+  for (const ScalarType type : made::kTypes) {
+    SCOPED_TRACE(haptics::nameOf(type));
+    const Grid grid = made::oddGrid(k++, {60, 47, 80}, random);
+    check(ScalarField{made::shared(plateaus(grid, type, random))}, random, made::trials(2000),
+          seen);
+  }
+  EXPECT_GT(seen.empty, made::trials(3000));
+  EXPECT_GT(seen.wide, made::trials(300));
+  EXPECT_GT(seen.sloped, made::trials(2000));
+  EXPECT_GT(seen.inside, made::trials(500));
+}
+
+TEST(MaxPyramid, ReachesAsFarAsTheFarthestLevelInEmptySpace) {
+  Grid grid = made::centred(200, 1e-3);
+  const Volume volume = made::filled(grid, ScalarType::UInt8, [](auto i, auto j, auto k) {
+    return i == 199 && j == 199 && k == 199 ? 200.0 : 0.0;
+  });
+  const MaxPyramid pyramid{volume};
+  EXPECT_EQ(pyramid.bound({30, 30, 30}, 100.0).lipschitz, 0.0);
+  EXPECT_GE(pyramid.bound({30, 30, 30}, 100.0).radius, 0.064 - 1e-12);  // 64 cells
+  EXPECT_GT(pyramid.bound({198, 198, 198}, 100.0).lipschitz, 0.0);
+  // far outside: at least the way to the grid
+  EXPECT_GE(pyramid.bound({-500, 100, 100}, 100.0).radius, 0.499);
+}
+
+TEST(MaxPyramid, IsSmallBesideItsVolume) {
+  const Volume volume = made::filled(made::centred(128, 1e-3), ScalarType::Int16,
+                                     [](auto i, auto, auto) { return double(i); });
+  // 2 floats for 4^3 voxels of two bytes are 6 %, the coarser levels a seventh of one of them
+  EXPECT_LT(MaxPyramid{volume}.bytes(), 0.10 * 2 * 128 * 128 * 128);
+}
+
+TEST(MaxPyramid, HoldsForASingleVoxelAndForThinVolumes) {
+  Random random{13};
+  for (const std::array<std::int64_t, 3> dims :
+       {std::array<std::int64_t, 3>{1, 1, 1}, {1, 40, 1}, {2, 2, 90}, {5, 4, 3}}) {
+    Grid grid = made::oddGrid(1, dims, random);
+    Seen seen;
+    check(ScalarField{made::shared(made::filled(
+              grid, ScalarType::Int16, [&](auto, auto, auto) { return random.in(-9.0, 900.0); }))},
+          random, 300, seen);
+  }
+}
+
+}  // namespace

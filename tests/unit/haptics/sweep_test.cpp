@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/collision/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <optional>
+
+#include "tests/support/evaluator.h"
+#include "tests/unit/haptics/made.h"
+
+namespace {
+
+using haptics::Budget;
+using haptics::Crossing;
+using haptics::Grid;
+using haptics::Isosurface;
+using haptics::PointPath;
+using haptics::ScalarField;
+using haptics::Tolerances;
+using haptics::Twist;
+using haptics::Vec3;
+using made::Random;
+
+constexpr double h = 1e-3;  // m: the voxel of these volumes
+
+Budget unlimited() { return Budget::counted(std::numeric_limits<std::int64_t>::max()); }
+
+Crossing cross(const Isosurface& solid, const PointPath& path) {
+  Budget budget = unlimited();
+  return haptics::firstCrossing(solid, path, 0.0, 1.0,
+                                solid.field.value(solid.field.indexOf(path.at(0.0))), Tolerances{h},
+                                budget);
+}
+
+TEST(FirstCrossing, OfAPlaneIsWhereTheClosedFormSays) {
+  // F falls by 4,000 a voxel with height: exact in trilinear samples
+  const auto volume = made::shared(
+      made::sampled(made::centred(60, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }));
+  const ScalarField field{volume};
+  const Isosurface solid{field, 1000.0};
+  Random random{31};
+  int met = 0, missed = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Vec3 c{random.in(-5e-3, 5e-3), random.in(-5e-3, 5e-3), random.in(1e-4, 5e-3)};
+    const PointPath path{c, Vec3::Zero(), {5e-3 * random.direction(), Vec3::Zero()}};
+    const double fall = c.z() - path.at(1.0).z();
+    const Crossing crossing = cross(solid, path);
+    if (fall < c.z()) {
+      // not in reach: it may stop short only within the rounding margin
+      EXPECT_TRUE(!crossing.met || fall > c.z() - 1e-6 * h);
+      missed += !crossing.met;
+    } else {
+      ASSERT_TRUE(crossing.met);
+      const double height = path.at(crossing.time).z();
+      EXPECT_GE(height, 0.0);       // never later
+      EXPECT_LE(height, 1e-4 * h);  // and early by the root's 1e-5 voxel and the margin
+      ++met;
+    }
+  }
+  EXPECT_GT(met, 300);
+  EXPECT_GT(missed, 300);
+}
+
+// the point on a turning arm comes down on the plane: z0 + r sin(a t) = 0
+TEST(FirstCrossing, OfAnArcWithAPlaneIsWhereTheClosedFormSays) {
+  const auto volume = made::shared(
+      made::sampled(made::centred(80, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }));
+  const ScalarField field{volume};
+  const Isosurface solid{field, 1000.0};
+  Random random{32};
+  for (int n = 0; n < 500; ++n) {
+    const double height = random.in(0.5e-3, 8e-3), arm = random.in(1.1, 2.0) * height;
+    const double angle = 1.2 + random.in(0.0, 0.5);
+    if (height / arm > std::sin(std::min(angle, M_PI / 2))) continue;
+    const PointPath path{{0, 0, height}, {arm, 0, 0}, {Vec3::Zero(), {0, angle, 0}}};
+    const Crossing crossing = cross(solid, path);
+    ASSERT_TRUE(crossing.met);
+    const double z = path.at(crossing.time).z();
+    EXPECT_GE(z, 0.0);
+    EXPECT_LE(z, 5e-4 * h);  // four times the sagitta a chord may have, for guard and chord
+  }
+}
+
+TEST(FirstCrossing, OfASphereIsWhereTheClosedFormSays) {
+  const double radius = 12e-3;
+  const auto volume = made::shared(
+      made::solid(made::centred(40, h), [&](const Vec3& p) { return p.norm() - radius; }));
+  const ScalarField field{volume};
+  const Isosurface solid{field, made::kIso};
+  Random random{33};
+  int met = 0, passed = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Vec3 from = 18e-3 * random.direction();
+    const Vec3 to = 15e-3 * random.direction();
+    const Vec3 way = to - from;
+    const PointPath path{from, Vec3::Zero(), {way, Vec3::Zero()}};
+    // |from + t way| = radius
+    const double a = way.squaredNorm(), b = from.dot(way), c = from.squaredNorm() - radius * radius;
+    const double inner = b * b - a * c;
+    const double nearest = (from - way * (b / a)).norm();
+    const Crossing crossing = cross(solid, path);
+    // the trilinear surface lies within h² / 8 r · 3 = 0.03 voxel of the sphere
+    if (inner < 0.0 && nearest > radius + 0.04 * h) {
+      EXPECT_FALSE(crossing.met);
+      ++passed;
+    } else if (nearest < radius - 0.5 * h && -b / a > 0.0 && -b / a < 1.0) {
+      ASSERT_TRUE(crossing.met);
+      EXPECT_NEAR(path.at(crossing.time).norm(), radius, 0.04 * h);
+      EXPECT_LT(crossing.time, -b / a);  // where it enters, not where it leaves
+      ++met;
+    }
+  }
+  EXPECT_GT(met, 300);
+  EXPECT_GT(passed, 100);
+}
+
+struct Tally {
+  int arcs = 0, met = 0, early = 0;
+  double latest = 0.0;  // voxels of path
+};
+
+/// Sends arcs through a volume from outside, and looks at each with dense samples in double.
+void shoot(const haptics::Volume& volume, const std::vector<double>& isovalues, double half,
+           int arcs, int samples, Random& random, Tally& tally) {
+  const ScalarField field{std::make_shared<const haptics::Volume>(volume)};
+  const double steepest =
+      field.pyramid().lipschitz({double(volume.grid.dims[0]) / 2, double(volume.grid.dims[1]) / 2,
+                                 double(volume.grid.dims[2]) / 2});
+  while (arcs > 0) {
+    const double s = isovalues[static_cast<std::size_t>(random.below(int(isovalues.size())))];
+    const Isosurface solid{field, s};
+    const Vec3 r = random.in(0.0, 0.02) * random.direction();
+    const PointPath path{random.box(half) - r,
+                         r,
+                         {3e-3 * random.in(0.0, 1.0) * random.direction(),
+                          0.35 * random.in(0.0, 1.0) * random.direction()}};
+    if (evaluator::fieldAt(volume, path.at(0.0)) >= solid.ceiling()) continue;
+    --arcs;
+    ++tally.arcs;
+    const Crossing crossing = cross(solid, path);
+    const double length = path.speed();
+    double first = 2.0;  // the first dense sample inside
+    for (int n = 0; n <= samples && first > 1.0; ++n) {
+      const double t = double(n) / samples;
+      if (evaluator::fieldAt(volume, path.at(t)) >= s) first = t;
+    }
+    if (first <= 1.0) {
+      ASSERT_TRUE(crossing.met) << "missed at " << path.at(first).transpose();
+      const double late = (crossing.time - first) * length / h;
+      tally.latest = std::max(tally.latest, late);
+      ASSERT_LE(late, 1e-3) << "met at " << crossing.time << ", inside at " << first;
+    }
+    if (crossing.met) {
+      ++tally.met;
+      // what stopped it is there: F within what sagitta, root and guard amount to
+      const double F = evaluator::fieldAt(volume, path.at(crossing.time));
+      tally.early += F < s - 5e-4 * h * steepest;
+    }
+  }
+}
+
+TEST(FirstCrossing, MissesNothingInWhiteNoise) {
+  Random random{34};
+  const auto volume = made::noise(made::centred(40, h), 35);
+  Tally tally;
+  // a third to two standard deviations
+  shoot(volume, {33.0, 67.0, 100.0, 133.0, 200.0}, 18 * h, made::trials(20'000), 1500, random,
+        tally);
+  std::cout << tally.arcs << " arcs in noise, " << tally.met << " met, latest " << tally.latest
+            << " voxel\n";
+  EXPECT_GT(tally.met, tally.arcs / 10);
+  EXPECT_LT(tally.met, tally.arcs);
+  // a point that starts within the guard may be held where it starts (it goes no deeper)
+  EXPECT_LT(tally.early, tally.met / 100);
+}
+
+// one voxel of plate, seen at isovalues near its peak: 0.4 to 0.02 voxel thick
+TEST(FirstCrossing, MissesNoPlateDownToAFiftiethOfAVoxel) {
+  Random random{36};
+  Tally tally;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 n = random.direction();
+    const auto volume = made::sampled(made::centred(40, h), [&](const Vec3& p) {
+      return 1000.0 * std::max(0.0, 1.0 - std::abs(n.dot(p)) / h);
+    });
+    shoot(volume, {0.8 * volume.greatest, 0.95 * volume.greatest, 0.99 * volume.greatest}, 4 * h,
+          made::trials(2'000), 3000, random, tally);
+    // and upright plates, whose peak is the voxel's value itself
+    const auto upright = made::filled(made::centred(40, h), haptics::ScalarType::Int16,
+                                      [&](auto i, auto, auto) { return i % 8 == 4 ? 1000. : 0.; });
+    shoot(upright, {800.0, 950.0, 990.0}, 15 * h, made::trials(2'000), 3000, random, tally);
+  }
+  std::cout << tally.arcs << " arcs at plates, " << tally.met << " met, latest " << tally.latest
+            << " voxel\n";
+  EXPECT_GT(tally.met, tally.arcs / 20);
+  EXPECT_LT(tally.met, tally.arcs);
+}
+
+TEST(FirstCrossing, OfABudgetThatIsUsedUpIsEarlyNeverLate) {
+  Random random{37};
+  const auto volume = made::noise(made::centred(30, h), 38);
+  const ScalarField field{made::shared(volume)};
+  const Isosurface solid{field, 150.0};
+  int cut = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const PointPath path{random.box(10e-3), random.box(5e-3), {random.box(8e-3), random.box(0.3)}};
+    if (solid.inside(path.at(0.0))) continue;
+    const Crossing whole = cross(solid, path);
+    Budget little = Budget::counted(random.below(12));
+    const Crossing part = haptics::firstCrossing(
+        solid, path, 0.0, 1.0, field.value(field.indexOf(path.at(0.0))), Tolerances{h}, little);
+    EXPECT_LE(part.time, whole.time);
+    cut += part.time < whole.time;
+  }
+  EXPECT_GT(cut, 200);
+}
+
+}  // namespace
