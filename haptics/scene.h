@@ -21,9 +21,9 @@ struct Scene {
   std::uint64_t id = 0;  ///< unique in the process, from 1
   std::shared_ptr<const Volume> volume;
   Tool tool;
-  ScalarField field;    ///< reads `volume`; holds the pyramid over it
-  MassMetric metric;    ///< of the tool
-  Tolerances lengths;   ///< from the voxel
+  ScalarField field;   ///< reads `volume`; holds the pyramid over it
+  MassMetric metric;   ///< of the tool
+  Tolerances lengths;  ///< from the voxel
 };
 
 /// Builds a scene; takes tens to hundreds of milliseconds, so not on the GUI or servo thread.

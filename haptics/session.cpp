@@ -15,14 +15,21 @@ constexpr std::uint64_t kSeed = 1;
 
 HandMotion motionOf(HandKind hand) {
   switch (hand) {
-    case HandKind::Slide: return HandMotion::Slide;
-    case HandKind::Wedge: return HandMotion::Wedge;
-    case HandKind::Pry: return HandMotion::Pry;
-    case HandKind::Hook: return HandMotion::Hook;
-    case HandKind::Jerk: return HandMotion::Jerk;
-    case HandKind::Twist: return HandMotion::Twist;
+    case HandKind::Slide:
+      return HandMotion::Slide;
+    case HandKind::Wedge:
+      return HandMotion::Wedge;
+    case HandKind::Pry:
+      return HandMotion::Pry;
+    case HandKind::Hook:
+      return HandMotion::Hook;
+    case HandKind::Jerk:
+      return HandMotion::Jerk;
+    case HandKind::Twist:
+      return HandMotion::Twist;
     case HandKind::Tap:
-    case HandKind::Mouse: break;
+    case HandKind::Mouse:
+      break;
   }
   return HandMotion::Tap;
 }
@@ -37,38 +44,46 @@ class Session::Loop {
   std::shared_ptr<const Scene> scene;
   Pose X_start = Pose::Identity();
   Settings settings;
-
-  /// Where the tool starts: the pose itself, or a legal one near it.
-  void offer() {
-    const std::optional<Pose> legal = legalPoseNear(*scene, settings.isovalue, X_start);
-    // with no room near, the proxy starts where it is and is brought out, force faded
-    servo->scenes.offer(std::make_unique<Engagement>(scene, legal.value_or(X_start)));
-  }
+  bool armed = true;  ///< the user's word, through every hand and scene
 };
 
 Session::Session() : loop_{std::make_unique<Loop>()} {}
 Session::~Session() = default;
 
 Expected<void> Session::open(HandKind hand) {
-  close();
   if (!loop_->scene)
-    return tl::unexpected(Error{Error::Kind::NotFound, "There is nothing to touch yet; open a volume."});
+    return tl::unexpected(
+        Error{Error::Kind::NotFound, "There is nothing to touch yet; open a volume."});
   Grip grip;
   grip.gyration = std::sqrt(loop_->scene->tool.shell.inertia.trace() / 3.0);
-  grip.X_WD = loop_->X_start;
-  std::unique_ptr<Device> device;
-  if (hand == HandKind::Mouse) {
-    loop_->mouse.publish(loop_->X_start);
-    device = openMouse(loop_->mouse, grip, ServoLoop::kPeriod);
-  } else {
+  Pose X_start = loop_->X_start;
+  std::optional<Hand> path;
+  if (hand != HandKind::Mouse) {
     const double reach = Hand::reachFor(kDepth, loop_->settings.stiffness, grip.stiffness);
     auto aimed = Hand::aimed(motionOf(hand), *loop_->scene, loop_->settings.isovalue, reach, kSeed);
     if (!aimed) return tl::unexpected(aimed.error());
-    loop_->X_start = aimed->at(0.0);
-    device = openSimulated(std::move(*aimed), grip, ServoLoop::kPeriod);
+    X_start = aimed->at(0.0);
+    path = std::move(*aimed);
   }
-  loop_->servo = std::make_unique<ServoLoop>(std::move(device), loop_->settings);
-  loop_->offer();
+  const std::optional<Pose> legal = legalPoseNear(*loop_->scene, loop_->settings.isovalue, X_start);
+  if (!legal)
+    return tl::unexpected(Error{Error::Kind::Unsupported,
+                                "The tool would start inside the solid, with no room within 50 mm; "
+                                "raise the isovalue."});
+
+  // from here on nothing can fail: the old hand lets go, the new one takes over
+  close();
+  loop_->X_start = X_start;
+  grip.X_WD = X_start;
+  std::unique_ptr<Device> device;
+  if (path) {
+    device = openSimulated(std::move(*path), grip, ServoLoop::kPeriod);
+  } else {
+    loop_->mouse.publish(X_start);
+    device = openMouse(loop_->mouse, grip, ServoLoop::kPeriod);
+  }
+  loop_->servo = std::make_unique<ServoLoop>(std::move(device), loop_->settings, loop_->armed);
+  loop_->servo->scenes.offer(std::make_unique<Engagement>(loop_->scene, *legal));
   loop_->servo->start();
   return {};
 }
@@ -79,7 +94,11 @@ bool Session::isOpen() const { return loop_->servo != nullptr; }
 void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W) {
   loop_->scene = std::move(scene);
   loop_->X_start = start_W;
-  if (loop_->servo) loop_->offer();
+  if (!loop_->servo) return;
+  // with no room near, the proxy starts where it is and is brought out, force faded
+  const Pose X_legal =
+      legalPoseNear(*loop_->scene, loop_->settings.isovalue, start_W).value_or(start_W);
+  loop_->servo->scenes.offer(std::make_unique<Engagement>(loop_->scene, X_legal));
 }
 
 void Session::collectGarbage() {
@@ -94,9 +113,11 @@ void Session::set(const Settings& settings) {
 void Session::pull(const Pose& X_WH) { loop_->mouse.publish(X_WH); }
 
 void Session::forceOff() {
+  loop_->armed = false;
   if (loop_->servo) loop_->servo->armed.store(false, std::memory_order_relaxed);
 }
 void Session::arm() {
+  loop_->armed = true;
   if (loop_->servo) loop_->servo->armed.store(true, std::memory_order_relaxed);
 }
 

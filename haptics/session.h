@@ -15,15 +15,15 @@ namespace haptics {
 
 /// One sample of the force plot.
 struct ForceSample {
-  double time = 0.0;   ///< s since the loop started
+  double time = 0.0;    ///< s since the loop started
   float force = 0.0F;   ///< N, norm of what was sent
   float torque = 0.0F;  ///< N·m, norm of what was sent
 };
 
 /// Which hand holds the device.
 enum class HandKind {
-  Mouse,      ///< follows Session::pull through a spring of its own
-  Tap,        ///< the simulated hand, in one of its motions, over and over
+  Mouse,  ///< follows Session::pull through a spring of its own
+  Tap,    ///< the simulated hand, in one of its motions, over and over
   Slide,
   Wedge,
   Pry,
@@ -44,8 +44,9 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Opens the device that this hand holds and starts the servo loop; an open one is closed
-  /// first. The simulated hands aim at the current scene and need one.
+  /// Opens the device that this hand holds and starts the servo loop in place of an open one. The
+  /// simulated hands aim at the current scene. Refused without a scene, where a hand finds no
+  /// surface, and where the tool has no room; an open hand then goes on.
   Expected<void> open(HandKind hand);
   /// Stops the loop with the force at zero.
   void close();
@@ -60,7 +61,7 @@ class Session {
   /// Where the mouse wants the tool to be, W.
   void pull(const Pose& X_WH);
 
-  /// Zero force from the next tick on, until arm().
+  /// Zero force from the next tick on, through every hand and scene, until arm().
   void forceOff();
   void arm();
 

@@ -8,6 +8,10 @@
 
 namespace app::cli {
 
+/// Option checks: a number that is finite; some text.
+CLI::Validator finiteNumber();
+CLI::Validator notEmpty();
+
 /// Each adds its subcommand to the program; `chosen` becomes what to do when it was named.
 using Chosen = std::function<Outcome()>;
 void addTool(CLI::App& program, Chosen& chosen);

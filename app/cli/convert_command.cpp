@@ -19,10 +19,12 @@ Outcome convert(ConvertOptions options) {
     return usage("convert needs a volume (a path, or --phantom NAME) and OUT.nrrd.");
   if (!phantom) options.volume.path = options.paths.front();
   const std::string& out = options.paths.back();
+  const auto target = writableTarget(out);
+  if (!target) return {Exit::Failed, {}, {}, target.error().what};
   if (!out.ends_with(".nrrd")) return usage("\"" + out + "\" must end in .nrrd.");
   auto volume = loadVolume(options.volume);
   if (!volume) return refused(volume.error());
-  if (auto written = datasets::writeNrrd(**volume, out); !written)
+  if (auto written = datasets::writeNrrd(**volume, *target); !written)
     return {Exit::Failed, {}, {}, written.error().what};
   Outcome outcome;
   outcome.json["dims"] = (*volume)->grid.dims;

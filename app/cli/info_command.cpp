@@ -52,9 +52,14 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
   json["modality"] = volume.modality;
   json["replaced"] = volume.replaced;
   json["verdict"] = "sound";
-  std::vector<std::string> reasons = series != nullptr ? series->reasons : std::vector<std::string>{};
+  std::vector<std::string> reasons =
+      series != nullptr ? series->reasons : std::vector<std::string>{};
   json["reasons"] = reasons;
-  json["message"] = series != nullptr ? series->message : "";
+  std::string message = series != nullptr ? series->message : "";
+  if (volume.replaced > 0)
+    message += " " + std::to_string(volume.replaced) +
+               " voxels that are not numbers were made background.";
+  json["message"] = message;
 }
 
 Outcome info(const InfoOptions& options) {
@@ -69,8 +74,8 @@ Outcome info(const InfoOptions& options) {
     if (wanted) only = &series;
   }
   if (options.series && only == nullptr)
-    return usage("There is no series " + std::to_string(*options.series) + " in \"" +
-                 options.path + "\".");
+    return usage("There is no series " + std::to_string(*options.series) + " in \"" + options.path +
+                 "\".");
   if (survey->folder) {
     json["series"] = ordered_json::array();
     for (const datasets::SeriesVerdict& series : survey->series)
@@ -78,8 +83,9 @@ Outcome info(const InfoOptions& options) {
   }
   if (only == nullptr || !only->sound) {
     // nothing here can be loaded: the sentence of what was asked for, or of the first
-    const datasets::SeriesVerdict* shown =
-        only != nullptr ? only : survey->series.empty() ? nullptr : &survey->series.front();
+    const datasets::SeriesVerdict* shown = only != nullptr          ? only
+                                           : survey->series.empty() ? nullptr
+                                                                    : &survey->series.front();
     json["verdict"] = "refused";
     json["reasons"] = shown != nullptr ? shown->reasons : std::vector<std::string>{"no-pixels"};
     const std::string sentence =
@@ -102,7 +108,8 @@ Outcome info(const InfoOptions& options) {
 
 void addInfo(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* command = program.add_subcommand("info", "What a scan is, and whether it can be trusted");
+  CLI::App* command =
+      program.add_subcommand("info", "What a scan is, and whether it can be trusted");
   command->add_option("path", options->path, "DICOM folder or file, or NRRD")->required();
   command->add_option("--series", options->series, "Which series of a folder");
   command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <charconv>
+#include <cmath>
 #include <exception>
 #include <string_view>
 
@@ -14,6 +16,26 @@ bool asksForJson(int argc, char** argv) {
 }
 
 }  // namespace
+
+namespace app::cli {
+
+CLI::Validator finiteNumber() {
+  return {[](std::string& text) {
+            double value = 0.0;
+            const char* end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            const bool number = error == std::errc{} && stop == end && std::isfinite(value);
+            return number ? std::string{} : "\"" + text + "\" is not a number";
+          },
+          "NUMBER"};
+}
+
+CLI::Validator notEmpty() {
+  return {[](std::string& text) { return text.empty() ? std::string{"is empty"} : std::string{}; },
+          "TEXT"};
+}
+
+}  // namespace app::cli
 
 int main(int argc, char** argv) {
   using namespace app::cli;

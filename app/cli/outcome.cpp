@@ -22,10 +22,10 @@ std::string asLines(const nlohmann::ordered_json& json) {
 Outcome refused(const haptics::Error& error, nlohmann::ordered_json known) {
   Outcome outcome{Exit::Refused, std::move(known), {}, error.what};
   // a folder with several series and none named is a question of usage
-  if (error.reason == "which-series") outcome.code = Exit::Usage;
+  if (error.reason == "which-series" || error.reason == "no-such-series")
+    outcome.code = Exit::Usage;
   if (outcome.json.is_null()) outcome.json = nlohmann::ordered_json::object();
-  if (!error.reason.empty() && !outcome.json.contains("reasons") &&
-      outcome.code == Exit::Refused) {
+  if (!error.reason.empty() && !outcome.json.contains("reasons") && outcome.code == Exit::Refused) {
     outcome.json["verdict"] = "refused";
     outcome.json["reasons"] = {error.reason};
   }
@@ -36,12 +36,15 @@ Outcome usage(std::string what) { return {Exit::Usage, {}, {}, std::move(what)};
 
 int print(const Outcome& outcome, bool json) {
   const int code = static_cast<int>(outcome.code);
-  if (!outcome.error.empty()) std::cerr << outcome.error << '\n';
+  // a file's name may hold anything; what would steer the terminal is not printed
+  std::string sentence = outcome.error;
+  for (char& c : sentence)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  if (!sentence.empty()) std::cerr << sentence << '\n';
   if (json) {
     nlohmann::ordered_json object = outcome.json;
     if (object.is_null()) object = nlohmann::ordered_json::object();
-    if (outcome.code != Exit::Done)
-      object["error"] = {{"code", code}, {"message", outcome.error}};
+    if (outcome.code != Exit::Done) object["error"] = {{"code", code}, {"message", outcome.error}};
     // a path may hold bytes that are no UTF-8: replaced, not thrown over
     std::cout << object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   } else if (outcome.code == Exit::Done || !outcome.json.empty()) {

@@ -16,7 +16,7 @@ enum class Exit : int { Done = 0, Usage = 2, Refused = 3, Failed = 4, Interrupte
 struct Outcome {
   Exit code = Exit::Done;
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  std::string text = {};   ///< for people; empty: made from the JSON
+  std::string text = {};  ///< for people; empty: made from the JSON
   std::string error = {};
 };
 

@@ -33,8 +33,8 @@ struct RunOptions {
 const std::map<std::string, haptics::HandMotion>& motions() {
   using haptics::HandMotion;
   static const std::map<std::string, HandMotion> kMotions{
-      {"tap", HandMotion::Tap},   {"slide", HandMotion::Slide}, {"wedge", HandMotion::Wedge},
-      {"pry", HandMotion::Pry},   {"hook", HandMotion::Hook},   {"jerk", HandMotion::Jerk},
+      {"tap", HandMotion::Tap},    {"slide", HandMotion::Slide}, {"wedge", HandMotion::Wedge},
+      {"pry", HandMotion::Pry},    {"hook", HandMotion::Hook},   {"jerk", HandMotion::Jerk},
       {"twist", HandMotion::Twist}};
   return kMotions;
 }
@@ -49,12 +49,14 @@ struct Tally {
   void add(const haptics::TraceRow& row, const haptics::Scene& scene, double isovalue) {
     ++ticks;
     tick_us.push_back(double(row.cpu_ns) * 1e-3);
-    if (!row.X_WP.matrix().allFinite() || !row.sent_W.force.allFinite() ||
-        !row.sent_W.torque.allFinite()) {
+    // the norms, too: a force may be finite and its size not
+    if (!row.X_WP.matrix().allFinite() || !std::isfinite(row.coupling_W.force.norm()) ||
+        !std::isfinite(row.coupling_W.torque.norm())) {
       ++non_finite;
       return;
     }
-    penetration_mm = std::max(penetration_mm, haptics::penetration(scene, isovalue, row.X_WP) * 1e3);
+    penetration_mm =
+        std::max(penetration_mm, haptics::penetration(scene, isovalue, row.X_WP) * 1e3);
     force = std::max(force, row.sent_W.force.norm());
     torque = std::max(torque, row.sent_W.torque.norm());
     most_contacts = std::max(most_contacts, row.contacts);
@@ -75,9 +77,9 @@ struct Tally {
     };
     nlohmann::ordered_json json;
     json["ticks"] = ticks;
-    json["mean_us"] = sorted.empty() ? 0.0
-                                     : std::accumulate(sorted.begin(), sorted.end(), 0.0) /
-                                           double(sorted.size());
+    json["mean_us"] =
+        sorted.empty() ? 0.0
+                       : std::accumulate(sorted.begin(), sorted.end(), 0.0) / double(sorted.size());
     json["p50_us"] = quantile(0.5);
     json["p99_us"] = quantile(0.99);
     json["max_us"] = quantile(1.0);
@@ -95,7 +97,17 @@ struct Tally {
 haptics::Expected<haptics::Hand> handFor(const RunOptions& options, const haptics::Scene& scene,
                                          const haptics::Grip& grip) {
   const auto found = motions().find(options.hand);
-  if (found == motions().end()) return readHand(options.hand);
+  if (found == motions().end()) {
+    if (options.hand.find('.') == std::string::npos) {
+      std::string names;
+      for (const auto& [name, motion] : motions()) names += (names.empty() ? "" : ", ") + name;
+      return tl::unexpected(
+          haptics::Error{haptics::Error::Kind::NotFound, "There is no hand \"" + options.hand +
+                                                             "\"; choose one of " + names +
+                                                             ", or a CSV of poses."});
+    }
+    return readHand(options.hand);
+  }
   const double reach = haptics::Hand::reachFor(kDepth, options.stiffness, grip.stiffness);
   return haptics::Hand::aimed(found->second, scene, options.isovalue, reach, options.seed);
 }
@@ -121,15 +133,20 @@ Outcome run(const RunOptions& options) {
   if (options.isovalue <= (*volume)->least)
     return refused({haptics::Error::Kind::Unsupported,
                     "The isovalue " + nlohmann::json(options.isovalue).dump() +
-                        " is at or below the background " + nlohmann::json((*volume)->least).dump() +
+                        " is at or below the background " +
+                        nlohmann::json((*volume)->least).dump() +
                         ", where everything would be solid; choose a higher one.",
                     "isovalue"});
   auto scene = haptics::makeScene(*volume, std::move(loaded->tool));
   if (!scene) return refused(scene.error());
 
-  haptics::ClosedLoop loop{*scene, options.isovalue,
-                           {options.stiffness, options.angular_stiffness}, limits, {},
-                           !motions().contains(options.hand), 1e-3};
+  haptics::ClosedLoop loop{*scene,
+                           options.isovalue,
+                           {options.stiffness, options.angular_stiffness},
+                           limits,
+                           {},
+                           !motions().contains(options.hand),
+                           1e-3};
   loop.grip.gyration = std::sqrt((*scene)->tool.shell.inertia.trace() / 3.0);
   auto hand = handFor(options, **scene, loop.grip);
   if (!hand) return refused(hand.error());
@@ -173,29 +190,35 @@ void addRun(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command =
       program.add_subcommand("run", "Touch a volume with the simulated hand, in closed loop");
-  auto* path = command->add_option("--volume", options->volume.path, "DICOM folder or file, or NRRD");
+  auto* path =
+      command->add_option("--volume", options->volume.path, "DICOM folder or file, or NRRD");
   command->add_option("--phantom", options->volume.phantom, "A named phantom")->excludes(path);
   command->add_option("--series", options->volume.series, "Which series of a folder");
-  command->add_option("--isovalue", options->isovalue, "Where the surface is")->required();
-  command->add_option("--tool", options->tool.name, "A named tool, or a mesh or CSV file")->required();
+  command->add_option("--isovalue", options->isovalue, "Where the surface is")
+      ->required()
+      ->check(finiteNumber());
+  command->add_option("--tool", options->tool.name, "A named tool, or a mesh or CSV file")
+      ->required();
   command->add_option("--points", options->tool.points, "So many points, spread evenly by area")
       ->check(CLI::Range(1, 10'000'000));
   command->add_option("--tool-unit", options->tool.unit, "Unit of a mesh file")
       ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
-  command->add_option("--hand", options->hand,
-                      "tap, slide, wedge, pry, hook, jerk, twist, or a CSV of poses")
+  command
+      ->add_option("--hand", options->hand,
+                   "tap, slide, wedge, pry, hook, jerk, twist, or a CSV of poses")
       ->required();
   command->add_option("--seconds", options->seconds, "How long")
       ->required()
-      ->check(CLI::Range(0.001, 86'400.0));
+      ->check(finiteNumber() & CLI::Range(0.001, 86'400.0));
   command->add_option("--stiffness", options->stiffness, "Of the virtual coupling [N/m]")
       ->required()
-      ->check(CLI::Range(0.0, 20'000.0));
-  command->add_option("--angular-stiffness", options->angular_stiffness,
-                      "In place of the tool's own [N·m/rad]")
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(finiteNumber() & CLI::Range(0.0, 20'000.0));
+  command
+      ->add_option("--angular-stiffness", options->angular_stiffness,
+                   "In place of the tool's own [N·m/rad]")
+      ->check(finiteNumber() & CLI::Range(0.0, 1000.0));
   command->add_option("--device", options->device, "Take the limits of this device");
-  command->add_option("--trace", options->trace, "CSV to write, one row a tick");
+  command->add_option("--trace", options->trace, "CSV to write, one row a tick")->check(notEmpty());
   command->add_option("--seed", options->seed, "Of the hand's aim");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -65,17 +65,17 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
   if (extension.empty() && !std::filesystem::exists(choice.name)) {
     std::string names;
     for (const std::string& name : named) names += (names.empty() ? "" : ", ") + name;
-    return tl::unexpected(Error{Error::Kind::NotFound, "There is no tool \"" + choice.name +
-                                                           "\"; choose one of " + names +
-                                                           ", or a mesh file."});
+    return tl::unexpected(Error{
+        Error::Kind::NotFound,
+        "There is no tool \"" + choice.name + "\"; choose one of " + names + ", or a mesh file."});
   }
 #ifdef PALPATE_READERS
-  using datasets::MeshUnit;
-  const MeshUnit unit = choice.unit == "m"    ? MeshUnit::Metre
-                        : choice.unit == "cm" ? MeshUnit::Centimetre
-                        : choice.unit == "in" ? MeshUnit::Inch
-                                              : MeshUnit::Millimetre;
-  auto read = datasets::readToolMesh(choice.name, unit);
+  const auto unit = datasets::meshUnitNamed(choice.unit);
+  if (!unit)
+    return tl::unexpected(
+        Error{Error::Kind::Unsupported,
+              "There is no unit \"" + choice.unit + "\"; choose one of m, mm, cm, in."});
+  auto read = datasets::readToolMesh(choice.name, *unit);
   if (!read) return tl::unexpected(read.error());
   auto tool = haptics::makeTool("file", std::move(read->mesh), choice.points);
   if (!tool) return tl::unexpected(tool.error());
@@ -87,10 +87,22 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
 #endif
 }
 
+haptics::Expected<std::string> writableTarget(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+  if (error) return malformed("\"" + path + "\" cannot be written; check the path.");
+  if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error))
+    return malformed("\"" + path + "\" is no regular file, and is not written over; name a file.");
+  return target.string();
+}
+
 haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,
                                                                 std::size_t columns) {
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path))
+  std::error_code unknown;
+  const bool regular = std::filesystem::is_regular_file(path, unknown);
+  std::ifstream file;
+  if (regular) file.open(path);
+  if (!regular || !file)
     return tl::unexpected(
         Error{Error::Kind::NotFound, "\"" + path + "\" cannot be opened; check the path."});
   std::string line;

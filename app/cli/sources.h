@@ -31,6 +31,10 @@ struct LoadedTool {
 };
 haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice);
 
+/// Where to write: the path with links resolved, or a refusal where something stands that is no
+/// regular file (a folder, a device, a pipe).
+haptics::Expected<std::string> writableTarget(const std::string& path);
+
 /// Rows of numbers under one header line; every row has at least `columns` of them.
 haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,
                                                                 std::size_t columns);

@@ -26,11 +26,16 @@ Outcome writeShell(const ToolOptions& options) {
       text.append(number, end);
       text += axis < 2 ? ',' : '\n';
     }
+  if (auto target = writableTarget(options.out); !target)
+    return {Exit::Failed, {}, {}, target.error().what};
   std::FILE* file = std::fopen(options.out.c_str(), "wb");
-  const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const bool written =
+      file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
   const bool closed = file != nullptr && std::fclose(file) == 0;
   if (!written || !closed)
-    return {Exit::Failed, {}, {},
+    return {Exit::Failed,
+            {},
+            {},
             "\"" + options.out + "\" cannot be written; check the folder and the disk."};
 
   Outcome outcome;
@@ -47,7 +52,8 @@ Outcome writeShell(const ToolOptions& options) {
 void addTool(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ToolOptions>();
   CLI::App* command = program.add_subcommand("tool", "Write a tool's point shell");
-  command->add_option("tool", options->tool.name, "A named tool, or a mesh or CSV file")->required();
+  command->add_option("tool", options->tool.name, "A named tool, or a mesh or CSV file")
+      ->required();
   command->add_option("--points", options->tool.points, "So many points, spread evenly by area")
       ->check(CLI::Range(1, 10'000'000));
   command->add_option("--tool-unit", options->tool.unit, "Unit of a mesh file")

@@ -13,8 +13,9 @@ namespace {
 using haptics::Error;
 
 tl::unexpected<Error> unwritable(const std::string& path) {
-  return tl::unexpected(Error{Error::Kind::Unsupported,
-                              "\"" + path + "\" cannot be written; check the folder and the disk."});
+  return tl::unexpected(
+      Error{Error::Kind::Unsupported,
+            "\"" + path + "\" cannot be written; check the folder and the disk."});
 }
 
 std::string partOf(const std::string& path) { return path + ".part"; }
@@ -22,14 +23,16 @@ std::string partOf(const std::string& path) { return path + ".part"; }
 }  // namespace
 
 haptics::Expected<TraceWriter> TraceWriter::open(const std::string& path) {
-  std::FILE* file = std::fopen(partOf(path).c_str(), "wb");
+  const auto target = writableTarget(path);
+  if (!target) return tl::unexpected(target.error());
+  std::FILE* file = std::fopen(partOf(*target).c_str(), "wb");
   if (file == nullptr) return unwritable(path);
   std::fputs(
       "t_s,device_x_m,device_y_m,device_z_m,device_qw,device_qx,device_qy,device_qz,"
       "proxy_x_m,proxy_y_m,proxy_z_m,proxy_qw,proxy_qx,proxy_qy,proxy_qz,"
       "force_x_N,force_y_N,force_z_N,torque_x_Nm,torque_y_Nm,torque_z_Nm,contacts\n",
       file);
-  return TraceWriter{path, file};
+  return TraceWriter{*target, file};
 }
 
 TraceWriter::TraceWriter(TraceWriter&& other) noexcept
@@ -48,9 +51,9 @@ void TraceWriter::write(const haptics::TraceRow& row) {
   const haptics::Quat q_D = haptics::rotationOf(row.X_WD), q_P = haptics::rotationOf(row.X_WP);
   const haptics::Vec3 d = row.X_WD.translation(), p = row.X_WP.translation();
   const haptics::Vec3 &f = row.sent_W.force, &m = row.sent_W.torque;
-  const double numbers[] = {row.time, d.x(),   d.y(),   d.z(),   q_D.w(), q_D.x(), q_D.y(),
-                            q_D.z(),  p.x(),   p.y(),   p.z(),   q_P.w(), q_P.x(), q_P.y(),
-                            q_P.z(),  f.x(),   f.y(),   f.z(),   m.x(),   m.y(),   m.z()};
+  const double numbers[] = {row.time, d.x(), d.y(), d.z(), q_D.w(), q_D.x(), q_D.y(),
+                            q_D.z(),  p.x(), p.y(), p.z(), q_P.w(), q_P.x(), q_P.y(),
+                            q_P.z(),  f.x(), f.y(), f.z(), m.x(),   m.y(),   m.z()};
   char line[1024];
   char* at = line;
   for (const double number : numbers) {

@@ -17,7 +17,6 @@ Clearance::Verdict Clearance::collect(const Isosurface& solid, const PointShell&
   const double ceiling = solid.ceiling();
   const Mat3 R = X_WP.linear();
   const Vec3 c = X_WP.translation();
-  Verdict verdict = Verdict::Legal;
   found_ = 0;
   for (std::size_t i = 0; i < shell.points.size(); ++i) {
     const double travelled = translated_ + rotated_ * shell.points[i].norm();
@@ -33,7 +32,7 @@ Clearance::Verdict Clearance::collect(const Isosurface& solid, const PointShell&
       const Cell cell = field.cellAround(u);
       const double value = cell.value(u);
       free = std::clamp((ceiling - value) / bound.lipschitz, 0.0, bound.radius);
-      if (value >= ceiling) verdict = Verdict::Inside;
+      if (value >= ceiling) return Verdict::Inside;
       if (free < reach) {
         NearPoint& near = near_[found_++];
         near.point = static_cast<int>(i);
@@ -54,7 +53,7 @@ Clearance::Verdict Clearance::collect(const Isosurface& solid, const PointShell&
     }
     until_[i] = free + travelled;
   }
-  return verdict;
+  return Verdict::Legal;
 }
 
 }  // namespace haptics

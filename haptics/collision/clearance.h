@@ -15,11 +15,11 @@ namespace haptics {
 /// A shell point close enough to the surface to matter, as it was found.
 struct NearPoint {
   int point = 0;
-  Vec3 r_W;              ///< about the tool's origin [m]
-  Vec3 u;                ///< index coordinates
-  double value = 0.0;    ///< F there
-  double free = 0.0;     ///< m it may move in any direction: proven
-  Vec3 gradient_W;       ///< of its cell, per metre
+  Vec3 r_W;            ///< about the tool's origin [m]
+  Vec3 u;              ///< index coordinates
+  double value = 0.0;  ///< F there
+  double free = 0.0;   ///< m it may move in any direction: proven
+  Vec3 gradient_W;     ///< of its cell, per metre
 };
 
 /// How far each shell point can go before it could possibly meet the surface: proven by the
@@ -38,8 +38,8 @@ class Clearance {
   }
 
   enum class Verdict { Legal, Inside, Cut };
-  /// Finds all points with less than `reach` [m] of clearance at this pose, into near(). Inside if
-  /// one of them is at or beyond the ceiling; Cut if the budget ran out, and near() is then not
+  /// Finds all points with less than `reach` [m] of clearance at this pose, into near(). Inside at
+  /// the first one at or beyond the ceiling; Cut if the budget ran out: near() is then not
   /// complete.
   Verdict collect(const Isosurface& solid, const PointShell& shell, const Pose& X_WP, double reach,
                   Budget& budget) HAPTICS_RT;
@@ -48,9 +48,9 @@ class Clearance {
   const NearPoint& near(std::size_t i) const HAPTICS_RT { return near_[i]; }
 
  private:
-  std::vector<double> until_;  ///< clearance plus what had been travelled when it was proven
-  double translated_ = 0.0;    ///< m, since forget()
-  double rotated_ = 0.0;       ///< rad
+  std::vector<double> until_;    ///< clearance plus what had been travelled when it was proven
+  double translated_ = 0.0;      ///< m, since forget()
+  double rotated_ = 0.0;         ///< rad
   std::vector<NearPoint> near_;  ///< the first found_ are valid; room for every point
   std::size_t found_ = 0;
 };

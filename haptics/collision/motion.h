@@ -56,8 +56,7 @@ class PointPath {
 inline Pose moved(const Pose& X_WP, const Twist& motion, double t) HAPTICS_RT {
   const double angle = motion.angular.norm();
   Quat q{X_WP.linear()};
-  if (angle > 0.0)
-    q = Quat{Eigen::AngleAxisd{angle * t, Vec3{motion.angular / angle}}} * q;
+  if (angle > 0.0) q = Quat{Eigen::AngleAxisd{angle * t, Vec3{motion.angular / angle}}} * q;
   // orthonormal again at every step: the quaternion is the state, the matrix its picture
   q.normalize();
   Pose X = Pose::Identity();

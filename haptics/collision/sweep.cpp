@@ -146,8 +146,8 @@ Impact sweep(const Isosurface& solid, const Clearance& near, const Pose& X_WP, c
       continue;
     }
     const PointPath path{X_WP.translation(), point.r_W, motion};
-    const Crossing crossing = firstCrossing(solid, path, earliest, impact.time, point.value,
-                                            lengths, budget);
+    const Crossing crossing =
+        firstCrossing(solid, path, earliest, impact.time, point.value, lengths, budget);
     if (crossing.time < impact.time) {
       impact.time = crossing.time;
       impact.met = crossing.met;

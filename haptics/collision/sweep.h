@@ -21,9 +21,9 @@ Crossing firstCrossing(const Isosurface& solid, const PointPath& path, double fr
 
 /// How far the tool gets.
 struct Impact {
-  double time = 1.0;   ///< fraction of the motion that is free for every shell point
-  bool met = false;    ///< stopped by a point, not by the end of the motion or the budget
-  Contact contact;     ///< that point, with the exact normal of the cell it met
+  double time = 1.0;  ///< fraction of the motion that is free for every shell point
+  bool met = false;   ///< stopped by a point, not by the end of the motion or the budget
+  Contact contact;    ///< that point, with the exact normal of the cell it met
 };
 
 /// Step 4: continuous collision detection of the whole shell along a motion. `near` must hold all

@@ -26,10 +26,6 @@ class FixedVector {
     assert(i < size_);
     items_[i] = items_[--size_];
   }
-  void shrink(std::size_t size) HAPTICS_RT {
-    assert(size <= size_);
-    size_ = size;
-  }
 
   std::size_t size() const HAPTICS_RT { return size_; }
   bool empty() const HAPTICS_RT { return size_ == 0; }

@@ -17,7 +17,8 @@ namespace haptics {
 /// side ever sees a slot that the other is touching.
 template <class T>
 class LatestValue {
-  static_assert(std::is_trivially_destructible_v<T>, "T must own nothing: copies stay off the heap");
+  static_assert(std::is_trivially_destructible_v<T>,
+                "T must own nothing: copies stay off the heap");
 
  public:
   /// Writer thread only.

@@ -10,13 +10,20 @@ namespace haptics {
 
 const char* nameOf(ScalarType type) {
   switch (type) {
-    case ScalarType::UInt8: return "uint8";
-    case ScalarType::Int8: return "int8";
-    case ScalarType::UInt16: return "uint16";
-    case ScalarType::Int16: return "int16";
-    case ScalarType::UInt32: return "uint32";
-    case ScalarType::Int32: return "int32";
-    case ScalarType::Float32: break;
+    case ScalarType::UInt8:
+      return "uint8";
+    case ScalarType::Int8:
+      return "int8";
+    case ScalarType::UInt16:
+      return "uint16";
+    case ScalarType::Int16:
+      return "int16";
+    case ScalarType::UInt32:
+      return "uint32";
+    case ScalarType::Int32:
+      return "int32";
+    case ScalarType::Float32:
+      break;
   }
   return "float32";
 }
@@ -83,15 +90,16 @@ Error malformed(std::string what, std::string reason) {
 Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<void> voxels,
                             VolumeFacts facts) {
   for (const std::int64_t n : grid.dims)
-    if (n < 1) return tl::unexpected(malformed("The volume has an axis without voxels.", "bad-header"));
+    if (n < 1)
+      return tl::unexpected(malformed("The volume has an axis without voxels.", "bad-header"));
   if (!grid.spacing.allFinite() || grid.spacing.minCoeff() <= 0.0)
     return tl::unexpected(
         malformed("The volume's voxel spacing is not a positive number; its header cannot be used.",
                   "bad-header"));
   if (!grid.origin.allFinite() || !grid.direction.allFinite())
-    return tl::unexpected(
-        malformed("The volume's position or orientation is not a number; its header cannot be used.",
-                  "bad-header"));
+    return tl::unexpected(malformed(
+        "The volume's position or orientation is not a number; its header cannot be used.",
+        "bad-header"));
   const Mat3 gram = grid.direction.transpose() * grid.direction;
   if ((gram - Mat3::Identity()).cwiseAbs().maxCoeff() > 1e-4)
     return tl::unexpected(malformed(
@@ -105,9 +113,8 @@ Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<v
   const Range range = visitVoxels(type, static_cast<const void*>(voxels.get()),
                                   [&](const auto* v) { return rangeOf(v, count); });
   if (range.non_finite == count)
-    return tl::unexpected(
-        malformed("The volume holds no finite voxel; there is nothing to see or touch.",
-                  "no-pixels"));
+    return tl::unexpected(malformed(
+        "The volume holds no finite voxel; there is nothing to see or touch.", "no-pixels"));
   volume.least = range.least;
   volume.greatest = range.greatest;
   volume.replaced = range.non_finite;

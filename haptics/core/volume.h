@@ -30,9 +30,7 @@ struct Grid {
   Mat3 direction = Mat3::Identity();
 
   std::int64_t voxelCount() const { return dims[0] * dims[1] * dims[2]; }
-  Vec3 worldOf(const Vec3& index) const {
-    return origin + direction * index.cwiseProduct(spacing);
-  }
+  Vec3 worldOf(const Vec3& index) const { return origin + direction * index.cwiseProduct(spacing); }
   Vec3 indexOf(const Vec3& p_W) const {
     return (direction.transpose() * (p_W - origin)).cwiseQuotient(spacing);
   }
@@ -45,10 +43,10 @@ struct Volume {
   ScalarType type = ScalarType::Int16;
   /// dims[0]·dims[1]·dims[2] voxels, i fastest, followed by kVoxelPadding readable bytes.
   std::shared_ptr<const void> voxels;
-  double least = 0.0;     ///< smallest finite voxel: the background beyond the grid
-  double greatest = 0.0;  ///< greatest finite voxel
-  std::string unit = {};      ///< "HU" or empty
-  std::string modality = {};  ///< "CT", "MR", … or empty
+  double least = 0.0;             ///< smallest finite voxel: the background beyond the grid
+  double greatest = 0.0;          ///< greatest finite voxel
+  std::string unit = {};          ///< "HU" or empty
+  std::string modality = {};      ///< "CT", "MR", … or empty
   bool orientation_known = true;  ///< false: no left and right may be shown
   std::int64_t replaced = 0;      ///< non-finite voxels that became background
 };
@@ -75,13 +73,20 @@ Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<v
 template <class F>
 decltype(auto) visitVoxels(ScalarType type, const void* voxels, F&& f) {
   switch (type) {
-    case ScalarType::UInt8: return f(static_cast<const std::uint8_t*>(voxels));
-    case ScalarType::Int8: return f(static_cast<const std::int8_t*>(voxels));
-    case ScalarType::UInt16: return f(static_cast<const std::uint16_t*>(voxels));
-    case ScalarType::Int16: return f(static_cast<const std::int16_t*>(voxels));
-    case ScalarType::UInt32: return f(static_cast<const std::uint32_t*>(voxels));
-    case ScalarType::Int32: return f(static_cast<const std::int32_t*>(voxels));
-    case ScalarType::Float32: break;
+    case ScalarType::UInt8:
+      return f(static_cast<const std::uint8_t*>(voxels));
+    case ScalarType::Int8:
+      return f(static_cast<const std::int8_t*>(voxels));
+    case ScalarType::UInt16:
+      return f(static_cast<const std::uint16_t*>(voxels));
+    case ScalarType::Int16:
+      return f(static_cast<const std::int16_t*>(voxels));
+    case ScalarType::UInt32:
+      return f(static_cast<const std::uint32_t*>(voxels));
+    case ScalarType::Int32:
+      return f(static_cast<const std::int32_t*>(voxels));
+    case ScalarType::Float32:
+      break;
   }
   return f(static_cast<const float*>(voxels));
 }

@@ -41,6 +41,11 @@ Wrench Safety::pass(const Wrench& wanted, bool outside, double period) HAPTICS_R
     sent_ = {};
     return {};
   }
+  // any doubt ends in zero, and in a new ramp
+  if (!wanted.force.allFinite() || !wanted.torque.allFinite()) {
+    restart();
+    return {};
+  }
   if (!outside) state_ = ForceState::Recovering;
   switch (state_) {
     case ForceState::Recovering:
@@ -52,7 +57,8 @@ Wrench Safety::pass(const Wrench& wanted, bool outside, double period) HAPTICS_R
       if (gain_ == 1.0) state_ = ForceState::On;
       break;
     case ForceState::On:
-    case ForceState::Off: break;
+    case ForceState::Off:
+      break;
   }
 
   Wrench wrench = saturated(wanted, limits_.force, limits_.torque);

@@ -24,7 +24,8 @@ struct ForceLimits {
 ///    ▲              ▲                                                              │
 ///    └── forceOff, from anywhere          faded out, and the proxy outside again ──┘
 ///
-/// Servo thread only. Any number that is not finite ends in zero for that tick.
+/// Servo thread only. A number that is not finite ends in zero for that tick, and in a
+/// new ramp.
 class Safety {
  public:
   explicit Safety(const ForceLimits& limits) : limits_{limits} {}
@@ -33,8 +34,9 @@ class Safety {
   void forceOff() HAPTICS_RT { state_ = ForceState::Off; }
   /// A new scene or start: the force ramps from zero again, unless it is off.
   void restart() HAPTICS_RT;
-  /// The isovalue moved: until the force has caught up it changes no faster than the slew limit.
-  void isovalueMoved() HAPTICS_RT { slewing_ = limits_.slew_time > 0.0; }
+  /// The isovalue or the stiffness moved: until the force has caught up it changes no faster than
+  /// the slew limit.
+  void settingMoved() HAPTICS_RT { slewing_ = limits_.slew_time > 0.0; }
 
   /// What may be sent in this tick. `outside`: the proxy is legal. `period` [s].
   Wrench pass(const Wrench& wanted, bool outside, double period) HAPTICS_RT;
@@ -44,7 +46,7 @@ class Safety {
  private:
   ForceLimits limits_;
   ForceState state_ = ForceState::Off;
-  double gain_ = 0.0;    ///< 0 to 1
+  double gain_ = 0.0;  ///< 0 to 1
   bool slewing_ = false;
   Wrench sent_;
 };

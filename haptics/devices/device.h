@@ -25,7 +25,7 @@ class Device {
   virtual ~Device() = default;
   virtual const DeviceLimits& limits() const noexcept = 0;
   // Servo thread only; may wait no longer than limits().io_wait. `Stale` keeps the last
-  // reading, `Lost` ends the loop.
+  // reading. After `Lost` the device is stopped, and there is no force until it is armed again.
   virtual DeviceStatus read(DeviceReading& reading) noexcept = 0;
   virtual DeviceStatus write(const Wrench& wrench_B) noexcept = 0;
   /// Any thread: zero is the last word from here on.

@@ -45,10 +45,9 @@ void scanBlocks(const T* voxels, const Counts& dims, double background, const Ve
             for (int j = 0; j < n; ++j)
               for (int i = 0; i < n; ++i) {
                 const std::int64_t x = i0 + i, y = j0 + j, z = k0 + k;
-                const bool within = x >= 0 && y >= 0 && z >= 0 && x < dims[0] && y < dims[1] &&
-                                    z < dims[2];
-                v[k][j][i] =
-                    within ? voxels[z * slice + y * row + x] : static_cast<T>(background);
+                const bool within =
+                    x >= 0 && y >= 0 && z >= 0 && x < dims[0] && y < dims[1] && z < dims[2];
+                v[k][j][i] = within ? voxels[z * slice + y * row + x] : static_cast<T>(background);
               }
         }
         T top = v[0][0][0];

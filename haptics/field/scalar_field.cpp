@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace haptics {
 
@@ -28,6 +29,25 @@ Vec3 Cell::gradient(const Vec3& u) const HAPTICS_RT {
           (c01 + y * (c11 - c01)) - (c00 + y * (c10 - c00))};
 }
 
+namespace {
+
+/// How far most voxels lie apart: from the first to the last percentile of some 4,096 of them, so
+/// that one voxel of 1e30 does not count; the whole range where those are all alike.
+double usualRange(const Volume& volume) {
+  const std::int64_t count = volume.grid.voxelCount();
+  const std::int64_t step = std::max<std::int64_t>(1, count / 4096) | 1;
+  std::vector<double> values;
+  visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
+    for (std::int64_t i = 0; i < count; i += step) values.push_back(double(voxels[i]));
+  });
+  std::sort(values.begin(), values.end());
+  const std::size_t percent = values.size() / 100;
+  const double range = values[values.size() - 1 - percent] - values[percent];
+  return range > 0.0 ? range : std::max(volume.greatest - volume.least, 1e-30);
+}
+
+}  // namespace
+
 ScalarField::ScalarField(std::shared_ptr<const Volume> volume)
     : volume_{std::move(volume)}, pyramid_{*volume_} {
   const Grid& grid = volume_->grid;
@@ -35,8 +55,7 @@ ScalarField::ScalarField(std::shared_ptr<const Volume> volume)
   A_VW_t_ = A_VW_.transpose();
   b_V_ = -(A_VW_ * grid.origin);
   voxel_ = grid.spacing.minCoeff();
-  // index coordinates err by some 1e-13; a billionth of the range is far beyond what that does
-  rounding_margin_ = 1e-9 * std::max(volume_->greatest - volume_->least, 1e-30);
+  rounding_margin_ = 1e-9 * usualRange(*volume_);
 }
 
 namespace {
@@ -48,16 +67,15 @@ void fetch(const T* voxels, const Grid& grid, double background, Cell& cell) HAP
   if (i >= 0 && j >= 0 && k >= 0 && i + 1 < grid.dims[0] && j + 1 < grid.dims[1] &&
       k + 1 < grid.dims[2]) {
     const T* v = voxels + k * slice + j * row + i;
-    cell.corner = {double(v[0]),           double(v[1]),
-                   double(v[row]),         double(v[row + 1]),
-                   double(v[slice]),       double(v[slice + 1]),
-                   double(v[slice + row]), double(v[slice + row + 1])};
+    cell.corner = {
+        double(v[0]),     double(v[1]),         double(v[row]),         double(v[row + 1]),
+        double(v[slice]), double(v[slice + 1]), double(v[slice + row]), double(v[slice + row + 1])};
     return;
   }
   for (int bit = 0; bit < 8; ++bit) {
     const std::int64_t x = i + (bit & 1), y = j + (bit >> 1 & 1), z = k + (bit >> 2 & 1);
-    const bool within = x >= 0 && y >= 0 && z >= 0 && x < grid.dims[0] && y < grid.dims[1] &&
-                        z < grid.dims[2];
+    const bool within =
+        x >= 0 && y >= 0 && z >= 0 && x < grid.dims[0] && y < grid.dims[1] && z < grid.dims[2];
     cell.corner[bit] = within ? double(voxels[z * slice + y * row + x]) : background;
   }
 }

@@ -16,8 +16,8 @@ struct Cell {
   std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the fall outside
   std::array<double, 8> corner{};    ///< bit 0 set: i + 1, bit 1: j + 1, bit 2: k + 1
 
-  double value(const Vec3& u) const HAPTICS_RT;     ///< at index coordinates u within the cell
-  Vec3 gradient(const Vec3& u) const HAPTICS_RT;    ///< per index step
+  double value(const Vec3& u) const HAPTICS_RT;   ///< at index coordinates u within the cell
+  Vec3 gradient(const Vec3& u) const HAPTICS_RT;  ///< per index step
 };
 
 /// The trilinear field over the unmodified voxels ([Chan 2011], 2.2). Beyond the grid it falls to
@@ -45,7 +45,8 @@ class ScalarField {
   const MaxPyramid& pyramid() const HAPTICS_RT { return pyramid_; }
   const Volume& volume() const HAPTICS_RT { return *volume_; }
   double voxel() const HAPTICS_RT { return voxel_; }  ///< m: the smallest voxel side
-  /// What rounding may do to a value: legality keeps this much away from the isovalue.
+  /// What rounding may do to a value: legality keeps this much away from the isovalue. Index
+  /// coordinates err by some 1e-13; a billionth of the usual range is far beyond what that does.
   double roundingMargin() const HAPTICS_RT { return rounding_margin_; }
 
  private:

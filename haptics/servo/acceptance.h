@@ -11,23 +11,28 @@ namespace haptics {
 /// its distance to the device (mass metric) and the length of the step that would still be made
 /// from it. A pose is taken when no earlier one at this device position was as good in both. A
 /// dozen poses may be taken that are not nearer the device; after that only nearer ones. The
-/// memory clears when the device moves.
+/// memory clears when the device moves, however little, since what it holds are distances to it;
+/// the dozen is given anew only when it has moved by more than it may tremble.
 ///
 /// Taking only the nearest pose sticks and slips on real surfaces, since the direction of a step
 /// (a smooth normal) and the distance (the facets of the field) disagree by microns; taking every
 /// pose shakes at rest. The filter does neither.
 class Acceptance {
  public:
-  /// A tick begins. `still` [m]: the device counts as moved beyond this.
+  /// A tick begins. `still` [m]: what the device may tremble.
   void begin(const Pose& X_WD, double radius, double still) HAPTICS_RT {
     const Eigen::AngleAxisd turn{X_WD.linear() * X_WD_.linear().transpose()};
-    const double motion = (X_WD.translation() - X_WD_.translation()).norm() +
-                          radius * std::abs(turn.angle());
+    const double motion =
+        (X_WD.translation() - X_WD_.translation()).norm() + radius * std::abs(turn.angle());
     if (fresh_ || motion > still) {
       X_WD_ = X_WD;
       forget();
       fresh_ = false;
+    } else if (X_WD.matrix() != X_WD_last_.matrix()) {
+      visited_.clear();
+      nearest_ = INFINITY;
     }
+    X_WD_last_ = X_WD;
   }
   void forget() HAPTICS_RT {
     visited_.clear();
@@ -65,7 +70,8 @@ class Acceptance {
   };
   static constexpr int kDetours = 12;
   FixedVector<Visit, 64> visited_;
-  Pose X_WD_ = Pose::Identity();
+  Pose X_WD_ = Pose::Identity();       ///< where the dozen was given
+  Pose X_WD_last_ = Pose::Identity();  ///< in the last tick
   double nearest_ = INFINITY;
   int detours_ = 0;
   bool fresh_ = true;

@@ -14,8 +14,8 @@ namespace haptics {
 /// and felt of it never gets deeper.
 struct Recovery {
   bool active = false;
-  int ticks = 0;           ///< since the proxy was found inside
-  int candidate = 0;       ///< of the search around
+  int ticks = 0;                 ///< since the proxy was found inside
+  int candidate = 0;             ///< of the search around
   Pose X_WT = Pose::Identity();  ///< the trial pose
 };
 

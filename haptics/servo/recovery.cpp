@@ -10,9 +10,9 @@
 namespace haptics {
 namespace {
 
-constexpr int kPushTicks = 6;    // ticks of following the gradients
-constexpr int kLastTick = 17;    // then the certain way out
-constexpr int kPushes = 4;       // pushes a tick
+constexpr int kPushTicks = 6;  // ticks of following the gradients
+constexpr int kLastTick = 17;  // then the certain way out
+constexpr int kPushes = 4;     // pushes a tick
 constexpr std::size_t kRows = 48;
 
 /// Moves the trial pose by the least motion that takes its deepest points out, to first order.
@@ -22,6 +22,7 @@ void push(const Scene& scene, const Isosurface& solid, Pose& X_WT, Budget& budge
   FixedVector<MotionRow, kRows> rows;
   FixedVector<double, kRows> depths;
   for (const Vec3& p : scene.tool.shell.points) {
+    if (!budget.left()) break;
     const Vec3 r = X_WT.linear() * p;
     const Vec3 u = field.indexOf(X_WT.translation() + r);
     budget.spend();
@@ -45,8 +46,8 @@ void push(const Scene& scene, const Isosurface& solid, Pose& X_WT, Budget& budge
     }
   }
   if (rows.empty()) return;
-  const ConstrainedMotion out = constrainedMotion({}, {rows.begin(), rows.size()}, scene.metric,
-                                                  X_WT.linear());
+  const ConstrainedMotion out =
+      constrainedMotion({}, {rows.begin(), rows.size()}, scene.metric, X_WT.linear());
   if (out.status == ConstrainedMotion::Status::Exact) {
     const double size = out.whitened.norm();
     X_WT = moved(X_WT, out.twist, size > 4.0 * h ? 4.0 * h / size : 1.0);
@@ -84,6 +85,7 @@ Pose outsideGrid(const Scene& scene, const Pose& X_WP) HAPTICS_RT {
 bool legal(const Isosurface& solid, const PointShell& shell, const Pose& X_WT,
            Budget& budget) HAPTICS_RT {
   for (const Vec3& p : shell.points) {
+    if (!budget.left()) return false;
     budget.spend();
     if (solid.inside(X_WT * p)) return false;
   }
@@ -100,8 +102,7 @@ double placeAround(const Pose& X_WT, double voxel, int n, Pose& place) HAPTICS_R
   return distance;
 }
 
-bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy,
-             Budget& budget) HAPTICS_RT {
+bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, Budget& budget) HAPTICS_RT {
   Recovery& recovery = proxy.recovery;
   const PointShell& shell = scene.tool.shell;
   if (!recovery.active) {

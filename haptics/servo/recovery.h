@@ -6,7 +6,8 @@
 
 namespace haptics {
 
-/// Whether every shell point is outside at a pose.
+/// Whether every shell point is outside at a pose; false, too, if the budget ends before that is
+/// certain.
 bool legal(const Isosurface& solid, const PointShell& shell, const Pose& X_WT,
            Budget& budget) HAPTICS_RT;
 

@@ -26,8 +26,9 @@ std::int64_t monotonic() HAPTICS_RT {
 
 }  // namespace
 
-ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial)
-    : device_{std::move(device)},
+ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bool arm)
+    : armed{arm},
+      device_{std::move(device)},
       in_force_{initial},
       safety_{{device_->limits().force, device_->limits().torque, kRampTime, kSlewTime}} {}
 
@@ -68,10 +69,12 @@ void ServoLoop::run() {
 
 void ServoLoop::step(double time) HAPTICS_RT {
   const std::int64_t begun = Budget::threadTime();
-  const double isovalue_before = in_force_.isovalue;
+  const Settings before = in_force_;
   settings.take(in_force_);
   if (scenes.adopt()) safety_.restart();
-  if (in_force_.isovalue != isovalue_before) safety_.isovalueMoved();
+  if (in_force_.isovalue != before.isovalue || in_force_.stiffness != before.stiffness ||
+      in_force_.angular_stiffness != before.angular_stiffness)
+    safety_.settingMoved();
   if (armed.load(std::memory_order_relaxed))
     safety_.arm();
   else
@@ -84,11 +87,12 @@ void ServoLoop::step(double time) HAPTICS_RT {
   if (Engagement* touched = scenes.current(); touched != nullptr && read != DeviceStatus::Lost) {
     Budget budget = Budget::timed(kTickBudget);
     result = tick(*touched->scene, in_force_.isovalue,
-                  {in_force_.stiffness, in_force_.angular_stiffness}, reading_.X_BD,
-                  touched->proxy, budget);
+                  {in_force_.stiffness, in_force_.angular_stiffness}, reading_.X_BD, touched->proxy,
+                  budget);
     snapshot_.X_WP = touched->proxy.X_WP;
     snapshot_.scene = touched->scene->id;
   }
+  if (read == DeviceStatus::Lost) safety_.forceOff();
   const Wrench sent = safety_.pass(result.wrench_W, result.outside, kPeriod);
   if (device_->write(sent) == DeviceStatus::Lost || read == DeviceStatus::Lost) {
     armed.store(false, std::memory_order_relaxed);
@@ -108,8 +112,8 @@ void ServoLoop::step(double time) HAPTICS_RT {
   snapshot_.tick_p99 = stats_.p99();
   snapshots.publish(snapshot_);
   // a full queue drops the newest: the plot is not worth waiting for
-  forces.try_enqueue({time, static_cast<float>(sent.force.norm()),
-                      static_cast<float>(sent.torque.norm())});
+  forces.try_enqueue(
+      {time, static_cast<float>(sent.force.norm()), static_cast<float>(sent.torque.norm())});
 }
 
 }  // namespace haptics

@@ -23,10 +23,10 @@ namespace haptics {
 /// that was missed is counted and not made up for.
 class ServoLoop {
  public:
-  static constexpr double kPeriod = 1e-3;  ///< s
+  static constexpr double kPeriod = 1e-3;               ///< s
   static constexpr std::int64_t kTickBudget = 200'000;  ///< ns of CPU for the proxy
 
-  ServoLoop(std::unique_ptr<Device> device, const Settings& settings);
+  ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bool arm = true);
   ~ServoLoop();  ///< ends the thread with the force at zero
 
   // The other thread's side; none of these waits.
@@ -34,7 +34,7 @@ class ServoLoop {
   LatestValue<Snapshot> snapshots;
   moodycamel::ReaderWriterQueue<ForceSample> forces{8192};
   SceneHandOver scenes;
-  std::atomic<bool> armed{true};  ///< false: zero force from the next tick on
+  std::atomic<bool> armed;  ///< false: zero force from the next tick on
 
   /// Starts the thread.
   void start();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "haptics/collision/motion.h"
 #include "haptics/collision/motion_rows.h"
@@ -15,8 +16,8 @@
 namespace haptics {
 namespace {
 
-constexpr int kSubSteps = 5;         // moves, and blocked tries, in one tick
-constexpr double kLargestTurn = 0.3;  // rad in one sub-step
+constexpr int kSubSteps = 5;           // moves, and blocked tries, in one tick
+constexpr double kLargestTurn = 0.3;   // rad in one sub-step
 constexpr std::size_t kManyNear = 96;  // points near the path: then the step is kept short
 
 /// How far the farthest point of the tool travels at most [m].
@@ -63,24 +64,25 @@ class Tick {
       gatherRows(solid_, proxy_.clearance, proxy_.contacts, lengths(), rows_, budget_);
 
       // 3  the nearest motion that leaves every contact its room
-      ConstrainedMotion allowed = constrainedMotion(aimed, {rows_.begin(), rows_.size()},
-                                                    scene_.metric, X_.linear());
+      ConstrainedMotion allowed =
+          constrainedMotion(aimed, {rows_.begin(), rows_.size()}, scene_.metric, X_.linear());
       const double step = allowed.whitened.norm();
       if (fresh) judge(tries == 0, distance, step, turn);
       fresh = false;
       if (atTaken()) result.contacts = allowed.active;
       if (tries == kSubSteps || !budget_.left()) break;
       double length = reachOf(allowed.twist, radius_);
-      if (length < (allowed.active == 0 ? 1e-12 : 0.02 * lengths().epsilon)) break;
+      // in free space even the last billionth of a metre is gone
+      if (length == 0.0 || (allowed.active > 0 && length < 0.02 * lengths().epsilon)) break;
       const bool unhindered = allowed.active == 0 && aimed.linear == free.linear &&
                               aimed.angular == free.angular && length <= trust;
 
       // 4  how far along it the tool gets
       Twist motion = length > trust ? scaled(allowed.twist, trust / length) : allowed.twist;
       length = std::min(length, trust);
-      ++result.sub_steps;
       if (!findNear(motion, length)) break;
-      const bool whole = unhindered && motion.linear == free.linear;
+      const bool whole =
+          unhindered && motion.linear == free.linear && motion.angular == free.angular;
       const Impact impact = sweep(solid_, proxy_.clearance, X_, motion, lengths(), budget_);
       double advance = impact.time;
       if (impact.time < 1.0)
@@ -184,8 +186,8 @@ class Tick {
   Proxy& proxy_;
   Budget& budget_;
   MotionRows rows_;
-  Pose X_;            ///< where the sub-steps have got to
-  Vec3 taken_turn_;   ///< unwrapped rotation to the device from the pose taken
+  Pose X_;           ///< where the sub-steps have got to
+  Vec3 taken_turn_;  ///< unwrapped rotation to the device from the pose taken
   Contacts taken_contacts_;
   double radius_;
   double way_since_taken_ = 0.0, turn_since_taken_ = 0.0;
@@ -196,7 +198,12 @@ class Tick {
 TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling,
                 const Pose& X_WD, Proxy& proxy, Budget& budget) HAPTICS_RT {
   TickResult result;
-  if (!X_WD.matrix().allFinite()) return result;
+  if (!X_WD.matrix().allFinite()) {
+    // nothing is known of the hand: no number, which safety turns into no force
+    result.wrench_W.force.setConstant(std::numeric_limits<double>::quiet_NaN());
+    result.outside = !proxy.recovery.active;
+    return result;
+  }
   if (isovalue != proxy.isovalue) {
     proxy.isovalue = isovalue;
     proxy.contacts.clear();
@@ -205,8 +212,11 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
     proxy.recovery.active = false;
   }
   if (!proxy.recovery.active) Tick{scene, isovalue, X_WD, proxy, budget}.run(result);
-  if (!result.outside || proxy.recovery.active)
-    result.outside = recover(scene, {scene.field, isovalue}, proxy, budget);
+  if (!result.outside || proxy.recovery.active) {
+    // even when it succeeds at once: the force fades before it follows the proxy elsewhere
+    result.outside = false;
+    recover(scene, {scene.field, isovalue}, proxy, budget);
+  }
 
   // 6  what the hand feels; in free space exactly nothing
   if (proxy.X_WP.matrix() == X_WD.matrix()) {
@@ -215,8 +225,8 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
   }
   proxy.turn = unwrappedTurn(proxy.X_WP, X_WD, proxy.turn);
   const Mat3 R = proxy.X_WP.linear();
-  result.wrench_W = coupling.pull(proxy.X_WP, X_WD, -proxy.turn,
-                                  R * scene.metric.inertia() * R.transpose());
+  result.wrench_W =
+      coupling.pull(proxy.X_WP, X_WD, -proxy.turn, R * scene.metric.inertia() * R.transpose());
   return result;
 }
 

@@ -15,10 +15,11 @@ inline constexpr std::int64_t kTickWork = 5000;
 
 /// What one tick came to.
 struct TickResult {
-  Wrench wrench_W;      ///< of the virtual coupling, before any limit
-  int contacts = 0;     ///< rows that bear on the proxy at its pose
-  bool outside = true;  ///< false while the proxy is being brought out after the isovalue moved
-  int sub_steps = 0;
+  Wrench wrench_W;   ///< of the virtual coupling, before any limit
+  int contacts = 0;  ///< rows that bear on the proxy at its pose
+  /// False in every tick in which the proxy was found inside, after the isovalue moved, and had to
+  /// be brought out.
+  bool outside = true;
   bool cut = false;  ///< the budget ended the tick: a shorter step, never a wrong one
 };
 

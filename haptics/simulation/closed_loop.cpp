@@ -28,7 +28,8 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     const TickResult result = tick(*scene, isovalue, coupling, grip.X_WD, proxy, budget);
     sent = safety.pass(result.wrench_W, result.outside, period);
     const std::int64_t ended = Budget::threadTime();
-    if (!each({time, grip.X_WD, proxy.X_WP, sent, result.contacts, ended - begun})) break;
+    if (!each({time, grip.X_WD, proxy.X_WP, sent, result.wrench_W, result.contacts, ended - begun}))
+      break;
   }
   return {};
 }

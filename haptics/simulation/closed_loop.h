@@ -21,6 +21,7 @@ struct TraceRow {
   double time = 0.0;  ///< s
   Pose X_WD, X_WP;
   Wrench sent_W;
+  Wrench coupling_W;  ///< before the limits; not part of the trace
   int contacts = 0;
   std::int64_t cpu_ns = 0;  ///< thread CPU time of the tick; not part of the trace
 };

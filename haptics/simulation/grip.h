@@ -12,10 +12,10 @@ namespace haptics {
 /// Free, it follows with about 15 ms of lag. Against a held force it is stable up to
 /// 2 damping / period = 16 kN/m at 1 kHz, the limit of a sampled spring.
 struct Grip {
-  double mass = 0.1;        ///< kg: device and hand
-  double damping = 8.0;     ///< N·s/m: device and hand
-  double stiffness = 500.0; ///< N/m: hand
-  double gyration = 0.03;   ///< m: rotation has mass, damping and stiffness times its square
+  double mass = 0.1;         ///< kg: device and hand
+  double damping = 8.0;      ///< N·s/m: device and hand
+  double stiffness = 500.0;  ///< N/m: hand
+  double gyration = 0.03;    ///< m: rotation has mass, damping and stiffness times its square
 
   Pose X_WD = Pose::Identity();
   Twist velocity;  ///< m/s, rad/s

@@ -137,12 +137,13 @@ Expected<Hand> Hand::along(std::vector<double> times, std::vector<Pose> poses) {
     return tl::unexpected(Error{Error::Kind::Malformed, "The hand has no poses."});
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || !poses[i].matrix().allFinite())
-      return tl::unexpected(Error{Error::Kind::Malformed,
-                                  "The hand's row " + std::to_string(i + 1) +
-                                      " holds something that is not a number."});
+      return tl::unexpected(Error{
+          Error::Kind::Malformed,
+          "The hand's row " + std::to_string(i + 1) + " holds something that is not a number."});
     if (i > 0 && times[i] <= times[i - 1])
-      return tl::unexpected(Error{Error::Kind::Malformed, "The hand's time does not increase at row " +
-                                                              std::to_string(i + 1) + "."});
+      return tl::unexpected(
+          Error{Error::Kind::Malformed,
+                "The hand's time does not increase at row " + std::to_string(i + 1) + "."});
   }
   Hand hand;
   hand.times_ = std::move(times);
@@ -155,10 +156,10 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
   const Isosurface solid{scene.field, isovalue};
   const std::optional<Vec3> middle = middleOfSolid(scene, isovalue);
   if (!middle)
-    return tl::unexpected(Error{Error::Kind::NotFound,
-                                "Nothing in the volume reaches the isovalue " +
-                                    plain(isovalue) + "; choose a lower one.",
-                                "nothing-inside"});
+    return tl::unexpected(Error{
+        Error::Kind::NotFound,
+        "Nothing in the volume reaches the isovalue " + plain(isovalue) + "; choose a lower one.",
+        "nothing-inside"});
   const Grid& grid = scene.volume->grid;
   const Vec3 extent{double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1)};
   const double diagonal = extent.cwiseProduct(grid.spacing).norm();
@@ -199,15 +200,15 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
     constexpr double kThick = 0.006;  // m
     static const Vec3 kFromTheFront{0.0, 0.8, -0.6};
     const double merit = std::min(facing, 0.95) - (border < 3.0 ? 1.0 : 0.0) +
-                         0.6 * thickness(scene, solid, u_touch, way, kThick) / kThick +
-                         0.3 * way.dot(kFromTheFront) - 0.5 * *touch / back;
+                         thickness(scene, solid, u_touch, way, kThick) / kThick +
+                         0.25 * way.dot(kFromTheFront) - 0.5 * *touch / back;
     if (merit > best.merit) best = {X, way, *touch, merit};
   }
   if (best.merit == -INFINITY)
-    return tl::unexpected(Error{Error::Kind::NotFound,
-                                "The tool finds no surface at the isovalue " +
-                                    plain(isovalue) + "; choose a lower one.",
-                                "nothing-inside"});
+    return tl::unexpected(Error{
+        Error::Kind::NotFound,
+        "The tool finds no surface at the isovalue " + plain(isovalue) + "; choose a lower one.",
+        "nothing-inside"});
   Hand hand;
   hand.motion_ = motion;
   hand.X_WA_ = best.X_touch;
@@ -217,11 +218,10 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
   hand.reach_ = reach;
   // from just outside the volume, not from infinity
   const Vec3 u = grid.indexOf(best.X_touch.translation());
-  const double within = (0.5 * extent - (u - 0.5 * extent).cwiseAbs())
-                            .cwiseProduct(grid.spacing)
-                            .minCoeff();
-  hand.approach_ = std::min(best.approach, std::max(0.0, within) * std::sqrt(3.0) +
-                                               scene.tool.shell.radius + 0.020);
+  const double within =
+      (0.5 * extent - (u - 0.5 * extent).cwiseAbs()).cwiseProduct(grid.spacing).minCoeff();
+  hand.approach_ = std::min(
+      best.approach, std::max(0.0, within) * std::sqrt(3.0) + scene.tool.shell.radius + 0.020);
   hand.seed_ = seed;
   return hand;
 }
@@ -283,9 +283,9 @@ Pose Hand::scripted(double t) const HAPTICS_RT {
       Vec3 from, to, turn_from, turn_to;
       target(beat, from, turn_from);
       target(beat + 1, to, turn_to);
-      const Vec3 place = from + share * (to - from), turn = turn_from + share * (turn_to - turn_from);
-      X.translation() += place.x() * side_ + place.y() * other_ +
-                         (place.z() + 0.7 * reach_) * in_;
+      const Vec3 place = from + share * (to - from),
+                 turn = turn_from + share * (turn_to - turn_from);
+      X.translation() += place.x() * side_ + place.y() * other_ + (place.z() + 0.7 * reach_) * in_;
       if (turn.norm() > 0.0) X = turned(X, turn.normalized(), turn.norm());
       break;
     }

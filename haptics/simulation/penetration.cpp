@@ -36,13 +36,12 @@ double penetration(const Scene& scene, double isovalue, const Pose& X_WP) {
   double deepest = 0.0;
   for (const Vec3& p : scene.tool.shell.points) {
     const Vec3 u = scene.field.indexOf(X_WP * p);
-    if (scene.field.pyramid().bound(u, isovalue).lipschitz == 0.0) continue;
     const Cell cell = scene.field.cellAround(u);
     const double above = cell.value(u) - isovalue;
     if (above < 0.0) continue;
     const double slope = scene.field.worldGradient(cell.gradient(u)).norm();
-    deepest = std::max(deepest, slope > 0.0 ? above / slope
-                                            : nearestLegalVoxel(scene.field, isovalue, u));
+    deepest = std::max(deepest,
+                       slope > 0.0 ? above / slope : nearestLegalVoxel(scene.field, isovalue, u));
   }
   return deepest;
 }

@@ -95,8 +95,9 @@ Expected<Tool> makeTool(std::string name, TriangleMesh mesh, int point_count) {
         return tl::unexpected(Error{Error::Kind::Malformed,
                                     "The tool \"" + name + "\" has a triangle without vertices."});
   if (point_count > 0 && mesh.triangles.empty())
-    return tl::unexpected(Error{Error::Kind::Malformed,
-                                "The tool \"" + name + "\" has no triangle to spread points over."});
+    return tl::unexpected(
+        Error{Error::Kind::Malformed,
+              "The tool \"" + name + "\" has no triangle to spread points over."});
   std::vector<Vec3> points = point_count > 0 ? sampleByArea(mesh, point_count) : mesh.vertices;
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : points) centroid += p;

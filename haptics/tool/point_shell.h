@@ -14,10 +14,10 @@ namespace haptics {
 ///
 /// The tool frame has its origin at the centroid of the points and the axes of the mesh.
 struct PointShell {
-  std::vector<Vec3> points;          ///< m, in the tool frame
-  double radius = 0.0;               ///< m, of the farthest point
-  Mat3 inertia = Mat3::Identity();   ///< m², mean inertia about the centroid, regularised
-  double spacing = 0.0;              ///< m, median distance to the nearest other point
+  std::vector<Vec3> points;         ///< m, in the tool frame
+  double radius = 0.0;              ///< m, of the farthest point
+  Mat3 inertia = Mat3::Identity();  ///< m², mean inertia about the centroid, regularised
+  double spacing = 0.0;             ///< m, median distance to the nearest other point
 };
 
 /// A tool: what is drawn, and what is felt, in the same frame.

@@ -147,7 +147,7 @@ TEST(Safety, ForceOffIsZeroInTheVeryNextTickFromEveryState) {
       Safety safety{kLimits};
       safety.arm();
       for (int n = 0; n < ticks; ++n) safety.pass(kPress, true, kPeriod);
-      safety.isovalueMoved();
+      safety.settingMoved();
       safety.pass(kPress, outside, kPeriod);
       safety.forceOff();
       for (int n = 0; n < 5; ++n) {
@@ -169,7 +169,7 @@ TEST(Safety, KeepsNormsWithinTheRatings) {
 
 TEST(Safety, SlewsAfterTheIsovalueMovedUntilTheForceHasCaughtUp) {
   Safety safety = onAlready(kLimits);
-  safety.isovalueMoved();
+  safety.settingMoved();
   const Wrench other{{0, 9, 0}, {0, 0, -0.19}};
   Wrench last = kPress;
   int ticks = 0;
@@ -189,7 +189,7 @@ TEST(Safety, SlewsAfterTheIsovalueMovedUntilTheForceHasCaughtUp) {
 
 TEST(Safety, FadesOutWhileTheProxyIsInsideAndRampsInAgain) {
   Safety safety = onAlready(kLimits);
-  safety.isovalueMoved();
+  safety.settingMoved();
   Wrench last = kPress;
   for (int n = 0; n < 60; ++n) {
     const Wrench sent = safety.pass(kPress, false, kPeriod);
@@ -213,7 +213,7 @@ TEST(Safety, FadesOutWhileTheProxyIsInsideAndRampsInAgain) {
 // the proxy is found outside, far from where it was, before the force has faded
 TEST(Safety, StaysUnderTheSlewLimitWhenTheProxyIsSetOutsideWhileItStillFades) {
   Safety safety = onAlready(kLimits);
-  safety.isovalueMoved();
+  safety.settingMoved();
   Wrench last = kPress;
   for (int n = 0; n < 200; ++n) {
     const bool outside = n >= 5;
@@ -240,7 +240,7 @@ TEST(Safety, AnythingNotFiniteIsZeroForThatTickOnly) {
   const Wrench bad{{NAN, 0, 0}, Vec3::Zero()};
   EXPECT_TRUE(safety.pass(bad, true, kPeriod).force.isZero());
   EXPECT_EQ(safety.pass(kPress, true, kPeriod).force, kPress.force);
-  safety.isovalueMoved();
+  safety.settingMoved();
   safety.pass(bad, true, kPeriod);
   EXPECT_TRUE(safety.pass(kPress, true, kPeriod).force.allFinite());
 }
@@ -248,7 +248,7 @@ TEST(Safety, AnythingNotFiniteIsZeroForThatTickOnly) {
 TEST(Safety, WithoutLimitsPassesTheWrenchAsItIs) {
   Safety safety{{}};
   safety.arm();
-  safety.isovalueMoved();
+  safety.settingMoved();
   const Wrench large{{1e4, 0, 0}, {0, 1e3, 0}};
   EXPECT_EQ(safety.pass(large, true, kPeriod).force, large.force);
 }
