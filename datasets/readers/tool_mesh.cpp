@@ -216,6 +216,14 @@ Expected<ToolMesh> read(const fs::path& path, MeshUnit unit) {
 
 }  // namespace
 
+std::optional<MeshUnit> meshUnitNamed(std::string_view name) {
+  if (name == "m") return MeshUnit::Metre;
+  if (name == "mm") return MeshUnit::Millimetre;
+  if (name == "cm") return MeshUnit::Centimetre;
+  if (name == "in") return MeshUnit::Inch;
+  return std::nullopt;
+}
+
 Expected<ToolMesh> readToolMesh(const fs::path& path, MeshUnit unit) {
   try {
     return read(path, unit);

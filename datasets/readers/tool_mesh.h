@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "haptics/core/error.h"
@@ -11,6 +13,9 @@
 namespace datasets {
 
 enum class MeshUnit { Metre, Millimetre, Centimetre, Inch };
+
+/// Of "m", "mm", "cm" or "in"; none of anything else.
+std::optional<MeshUnit> meshUnitNamed(std::string_view name);
 
 struct ToolMesh {
   haptics::TriangleMesh mesh;         ///< metres; coincident vertices merged
