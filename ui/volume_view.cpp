@@ -69,6 +69,8 @@ void VolumeView::show(const Picture& picture, double isovalue) {
   surface_.show(picture);
   surface_.setIsovalue(isovalue);
   letters_->setVisible(picture.volume->orientation_known);
+  hand_target_.reset();
+  displayed_ = false;
   chooseMode();
   resetCamera();
 }
@@ -101,6 +103,7 @@ void VolumeView::display(const haptics::Snapshot& snapshot) {
 void VolumeView::setMouseHand(bool on) {
   mouse_hand_ = on;
   hand_target_.reset();
+  displayed_ = false;  // the next hand starts elsewhere
 }
 
 void VolumeView::showFine(vtkPolyData* mesh, double isovalue) {

@@ -202,8 +202,11 @@ TEST(VolumeView, TurnsTheCameraOrMovesTheHand) {
   EXPECT_FALSE(hand.has_value());
   EXPECT_GT((Vec3{view.camera()->GetPosition()} - before).norm(), 10.0);  // mm
 
-  view.resetCamera();
   view.setMouseHand(true);
+  drag({40, 0}, Qt::LeftButton);
+  EXPECT_FALSE(hand.has_value());  // the last pose was another hand's
+  view.resetCamera();
+  view.display(at({0.0, -0.03, 0.0}, {0.0, -0.03, 0.0}));
   drag({40, 0}, Qt::LeftButton);
   ASSERT_TRUE(hand.has_value());
   EXPECT_GT(hand->translation().x(), 0.003);  // to the right: the patient's left

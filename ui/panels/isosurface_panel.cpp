@@ -11,6 +11,31 @@
 #include <cmath>
 
 namespace ui {
+namespace {
+
+// the power of ten below a thousandth of the range
+int magnitudeOf(const haptics::Volume& volume) {
+  const double range = std::max(volume.greatest - volume.least, 1e-6);
+  return static_cast<int>(std::floor(std::log10(range / 1000.0)));
+}
+
+// the least step above the background that is a surface
+double grainOf(const haptics::Volume& volume) {
+  return volume.type == haptics::ScalarType::Float32 ? std::pow(10.0, magnitudeOf(volume)) : 1.0;
+}
+
+// finer than a step of the slider, which must never be rounded back to where it was
+int decimalsOf(const haptics::Volume& volume) { return std::clamp(1 - magnitudeOf(volume), 0, 9); }
+
+}  // namespace
+
+double allowedIsovalue(const haptics::Volume& volume, double isovalue) {
+  const double scale = std::pow(10.0, decimalsOf(volume));
+  const double lowest = std::ceil((volume.least + grainOf(volume)) * scale);
+  const double highest = std::floor(volume.greatest * scale);
+  if (!(lowest <= highest)) return volume.greatest;
+  return std::clamp(std::round(isovalue * scale), lowest, highest) / scale;
+}
 
 IsosurfacePanel::IsosurfacePanel(QWidget* parent)
     : QWidget(parent),
@@ -53,40 +78,34 @@ IsosurfacePanel::IsosurfacePanel(QWidget* parent)
 }
 
 void IsosurfacePanel::show(const Picture& picture, double isovalue) {
-  const haptics::Volume& volume = *picture.volume;
-  least_ = volume.least;
-  greatest_ = volume.greatest;
-  const bool whole = volume.type != haptics::ScalarType::Float32;
-  const double range = greatest_ - least_;
-  grain_ = whole ? 1.0 : std::pow(10.0, std::floor(std::log10(std::max(range, 1e-6) / 1000.0)));
+  volume_ = picture.volume;
+  const haptics::Volume& volume = *volume_;
+  const double range = volume.greatest - volume.least;
   const QSignalBlocker quiet_slider(slider_), quiet_typed(typed_);
   slider_->setHistogram(picture.histogram);
-  typed_->setDecimals(std::clamp(whole ? 0 : 1 - static_cast<int>(std::log10(grain_)), 0, 9));
+  typed_->setDecimals(decimalsOf(volume));
   // wider than what is allowed, so that a refusal can be said instead of silently corrected
-  typed_->setRange(least_ - range - 1.0, greatest_);
-  typed_->setSingleStep(std::max(grain_, range / 200.0));
+  typed_->setRange(volume.least - range - 1.0, volume.greatest);
+  typed_->setSingleStep(std::max(grainOf(volume), range / 200.0));
   typed_->setSuffix(volume.unit.empty() ? QString() : " " + QString::fromStdString(volume.unit));
   range_->setText(tr("%1 to %2 %3")
-                      .arg(least_, 0, 'g', 6)
-                      .arg(greatest_, 0, 'g', 6)
+                      .arg(volume.least, 0, 'g', 6)
+                      .arg(volume.greatest, 0, 'g', 6)
                       .arg(QString::fromStdString(volume.unit)));
   presets_->setVisible(volume.unit == "HU");
   setEnabled(true);
-  isovalue_ = allowed(isovalue);
+  isovalue_ = isovalue;
   showValue(isovalue_);
 }
 
-double IsosurfacePanel::allowed(double isovalue) const {
-  return std::clamp(isovalue, std::min(least_ + grain_, greatest_), greatest_);
-}
-
 void IsosurfacePanel::choose(double isovalue) {
-  const double possible = allowed(isovalue);
-  if (isovalue <= least_)
-    emit refused(
-        tr("The isovalue must lie above the volume's least value, %1.").arg(least_, 0, 'g', 6));
-  else if (isovalue > greatest_)
-    emit refused(tr("Nothing in this volume is above %1.").arg(greatest_, 0, 'g', 6));
+  if (!volume_) return;
+  const double possible = allowedIsovalue(*volume_, isovalue);
+  if (isovalue <= volume_->least)
+    emit refused(tr("The isovalue must lie above the volume's least value, %1.")
+                     .arg(volume_->least, 0, 'g', 6));
+  else if (isovalue > volume_->greatest)
+    emit refused(tr("Nothing in this volume is above %1.").arg(volume_->greatest, 0, 'g', 6));
   showValue(possible);
   if (possible == isovalue_) return;
   isovalue_ = possible;

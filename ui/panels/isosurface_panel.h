@@ -10,6 +10,10 @@ class QLabel;
 
 namespace ui {
 
+/// The nearest isovalue that a volume can have: above its least intensity, not above its greatest,
+/// and with no more decimals than the panel shows. Any thread.
+double allowedIsovalue(const haptics::Volume& volume, double isovalue);
+
 /// Where the surface is: a slider on the histogram, a typed value, and presets where the
 /// intensities are Hounsfield units.
 class IsosurfacePanel : public QWidget {
@@ -20,10 +24,8 @@ class IsosurfacePanel : public QWidget {
 
   explicit IsosurfacePanel(QWidget* parent = nullptr);
 
-  /// Shows another volume; emits nothing.
+  /// Shows another volume, at an isovalue that it can have; emits nothing.
   void show(const Picture& picture, double isovalue);
-  /// The nearest isovalue that this volume has: above its least intensity.
-  double allowed(double isovalue) const;
 
  signals:
   void isovalueChanged(double isovalue);
@@ -38,7 +40,7 @@ class IsosurfacePanel : public QWidget {
   QDoubleSpinBox* typed_;
   QWidget* presets_;
   QLabel* range_;
-  double least_ = 0.0, greatest_ = 1.0, grain_ = 1.0;
+  std::shared_ptr<const haptics::Volume> volume_;
   double isovalue_ = 0.0;
 };
 
