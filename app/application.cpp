@@ -5,6 +5,7 @@
 #include <QPixmap>
 #include <array>
 #include <cstdio>
+#include <new>
 
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
@@ -117,11 +118,8 @@ void Application::connectWindow() {
     settings_.isovalue = isovalue;
     session_.set(settings_);
   });
-  connect(&window_, &ui::MainWindow::forceOffWanted, this, &Application::forceOff);
-  connect(&window_, &ui::MainWindow::forceOnWanted, this, [this] {
-    force_off_ = false;
-    session_.arm();
-  });
+  connect(&window_, &ui::MainWindow::forceOffWanted, this, [this] { session_.forceOff(); });
+  connect(&window_, &ui::MainWindow::forceOnWanted, this, [this] { session_.arm(); });
   connect(&window_, &ui::MainWindow::closing, this, [this] {
     session_.close();
     remember();
@@ -159,32 +157,53 @@ void Application::load(LoadRequest request, const QString& what) {
 
 void Application::adopt(const Loaded& loaded) {
   const bool new_volume = !shown_ || shown_->picture.volume != loaded.picture.volume;
+  // whether the last snapshot is of the scene that is about to go
+  const bool placed = shown_ && snapshot_.scene == shown_->scene->id;
   const QString title = new_volume ? loaded.title : shown_->title;
   shown_ = loaded;
   shown_->title = title;
   window_.endLoading();
   if (!loaded.note.isEmpty()) window_.showMessage(loaded.note);
-  settings_.isovalue = loaded.isovalue;
-  session_.set(settings_);
-  session_.adopt(loaded.scene, loaded.start);
-  if (new_volume) window_.show(loaded.picture, loaded.isovalue, title);
+  // with another tool the isovalue is the slider's, which may have moved meanwhile
+  if (new_volume) settings_.isovalue = loaded.isovalue;
+  // a simulated hand aims at its scene, so a new one needs a new hand; the mouse goes on
+  const bool live = session_.isOpen() && handNamed(hand_) == HandKind::Mouse;
+  if (!live) {
+    session_.close();
+    session_.set(settings_);
+    session_.adopt(loaded.scene, loaded.start);
+  } else {
+    std::optional<haptics::Pose> start;
+    if (!new_volume && placed)
+      start = haptics::legalPoseNear(*loaded.scene, settings_.isovalue, snapshot_.X_WP);
+    // the hand comes along where the tool starts elsewhere
+    if (!start) {
+      session_.pull(loaded.start);
+      window_.view().setMouseHand(true);
+    }
+    session_.adopt(loaded.scene, start.value_or(loaded.start));
+    // not before the scene: in the old volume this isovalue may make everything solid
+    session_.set(settings_);
+  }
+  if (new_volume) window_.show(loaded.picture, settings_.isovalue, title);
   window_.show(loaded.scene->tool.mesh);
   const QString label = labelOf(loaded.tool);
   window_.devicePanel().showTool(QString::fromStdString(loaded.tool.name), label);
-  // a simulated hand aims at its scene, so a new one needs a new hand
-  openHand(hand_);
+  // where a simulated hand finds nothing to aim at, the mouse may
+  if (!live && !openHand(hand_) && handNamed(hand_) != HandKind::Mouse) openHand("mouse");
   if (!arguments_.screenshot.empty() && new_volume)
     QTimer::singleShot(static_cast<int>(arguments_.screenshot_after * 1000.0), this,
                        &Application::takeScreenshot);
   emit adopted();
 }
 
-void Application::onFailed(const LoadRequest& request, const haptics::Error& error) {
+void Application::onFailed(const LoadRequest& request, const haptics::Error& error,
+                           const datasets::Survey& survey) {
   window_.endLoading();
   if (shown_)
     window_.devicePanel().showTool(QString::fromStdString(shown_->tool.name),
                                    labelOf(shown_->tool));
-  if (error.reason == "which-series" && request.path) return offerSeries(request);
+  if (!survey.series.empty()) return offerSeries(request, survey);
   if (error.kind != haptics::Error::Kind::Cancelled)
     window_.showMessage(QString::fromStdString(error.what));
   if (!arguments_.screenshot.empty()) {
@@ -193,12 +212,10 @@ void Application::onFailed(const LoadRequest& request, const haptics::Error& err
   }
 }
 
-void Application::offerSeries(LoadRequest request) {
-  const auto survey = datasets::survey(*request.path);
-  if (!survey) return window_.showMessage(QString::fromStdString(survey.error().what));
+void Application::offerSeries(LoadRequest request, const datasets::Survey& survey) {
   QStringList choices;
   std::vector<int> indices;
-  for (const datasets::SeriesVerdict& series : survey->series) {
+  for (const datasets::SeriesVerdict& series : survey.series) {
     if (!series.sound) continue;
     choices << tr("%1: %2, %3 × %4 × %5 voxels of %6 × %7 × %8 mm")
                    .arg(series.index)
@@ -217,26 +234,21 @@ void Application::offerSeries(LoadRequest request) {
   load(std::move(request), tr("Reading"));
 }
 
-void Application::openHand(const std::string& name) {
+bool Application::openHand(const std::string& name) {
   const Hand* hand = handOf(name);
-  if (hand == nullptr) return;
+  if (hand == nullptr) return false;
   const auto opened = session_.open(hand->kind);
-  // another hand or tool does not undo the user's word
-  if (force_off_) session_.forceOff();
-  window_.view().setMouseHand(hand->kind == HandKind::Mouse);
   if (!opened) {
     window_.showMessage(QString::fromStdString(opened.error().what));
-    return;
+    window_.devicePanel().showHand(QString::fromStdString(hand_));
+    return false;
   }
+  window_.view().setMouseHand(hand->kind == HandKind::Mouse);
   hand_ = name;
   // a simulated hand aims where it likes: show where
   look_from_tool_ = hand->kind != HandKind::Mouse;
   window_.showHandInUse(hand->id, tr(hand->label));
-}
-
-void Application::forceOff() {
-  force_off_ = true;
-  session_.forceOff();
+  return true;
 }
 
 void Application::changeTool(const ToolSource& tool) {
@@ -254,9 +266,10 @@ void Application::refresh() {
     window_.appendForces(std::span{points_}.first(count));
     if (count < samples_.size()) break;
   }
-  if (!session_.latest(snapshot_) || !shown_) return;
+  // poses of the old scene would mislead in the new one
+  if (!session_.latest(snapshot_) || !shown_ || snapshot_.scene != shown_->scene->id) return;
   window_.display(snapshot_);
-  if (look_from_tool_ && snapshot_.scene == shown_->scene->id) {
+  if (look_from_tool_) {
     look_from_tool_ = false;
     window_.view().lookFromTool();
   }
@@ -271,17 +284,21 @@ void Application::makeFineMesh(double isovalue) {
   if (mesher_.joinable()) mesher_.join();
   mesher_ = std::thread(
       [this, isovalue, volume = shown_->picture.volume, mirrored = shown_->picture.mirrored()] {
-        const auto image = volume->grid.voxelCount() <= kFineVoxels
-                               ? ui::imageOf(*volume)
-                               : ui::reducedImageOf(*volume, kFineVoxels);
-        auto mesh = ui::isosurfaceMesh(image, isovalue, mirrored);
+        vtkSmartPointer<vtkPolyData> mesh;
+        try {
+          const auto image = volume->grid.voxelCount() <= kFineVoxels
+                                 ? ui::imageOf(*volume)
+                                 : ui::reducedImageOf(*volume, kFineVoxels);
+          mesh = ui::isosurfaceMesh(image, isovalue, mirrored);
+        } catch (const std::bad_alloc&) {  // then the reduced mesh stays
+        }
         QMetaObject::invokeMethod(
             this,
             [this, mesh, isovalue, volume] {
               meshing_ = false;
-              if (shown_ && shown_->picture.volume == volume)
-                window_.view().showFine(mesh, isovalue);
-              if (mesh_next_ && *mesh_next_ != isovalue) makeFineMesh(*mesh_next_);
+              const bool same = shown_ && shown_->picture.volume == volume;
+              if (same && mesh) window_.view().showFine(mesh, isovalue);
+              if (mesh_next_ && !(same && *mesh_next_ == isovalue)) makeFineMesh(*mesh_next_);
             },
             Qt::QueuedConnection);
       });

@@ -51,11 +51,12 @@ class Application : public QObject {
   void connectLoader();
   void load(LoadRequest request, const QString& what);
   void adopt(const Loaded& loaded);
-  void onFailed(const LoadRequest& request, const haptics::Error& error);
-  void offerSeries(LoadRequest request);
-  void openHand(const std::string& name);
+  void onFailed(const LoadRequest& request, const haptics::Error& error,
+                const datasets::Survey& survey);
+  void offerSeries(LoadRequest request, const datasets::Survey& survey);
+  /// False, with the reason in the window, if the hand that was open goes on.
+  bool openHand(const std::string& name);
   void changeTool(const ToolSource& tool);
-  void forceOff();
   void refresh();
   void makeFineMesh(double isovalue);
   void takeScreenshot();
@@ -71,7 +72,6 @@ class Application : public QObject {
   std::optional<Loaded> shown_;
   std::string hand_;
   bool look_from_tool_ = false;  ///< at the next snapshot
-  bool force_off_ = false;       ///< by the user, until the user wants it on again
   QTimer display_;
   std::vector<haptics::ForceSample> samples_;
   std::vector<ui::ForcePoint> points_;

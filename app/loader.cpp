@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <new>
 
 #include "app/start_pose.h"
 #include "datasets/phantoms/phantoms.h"
@@ -10,6 +12,7 @@
 #include "datasets/readers/volume_reader.h"
 #include "haptics/tool/point_shell.h"
 #include "resources/named_tools.h"
+#include "ui/panels/isosurface_panel.h"
 
 namespace app {
 namespace {
@@ -17,7 +20,18 @@ namespace {
 using haptics::Error;
 using haptics::Expected;
 
-Error cancelled() { return {Error::Kind::Cancelled, "Loading was cancelled.", "cancelled"}; }
+tl::unexpected<Error> refused(Error::Kind kind, const QString& what, const char* reason) {
+  return tl::unexpected(Error{kind, what.toStdString(), reason});
+}
+
+tl::unexpected<Error> cancelled() {
+  return refused(Error::Kind::Cancelled, Loader::tr("Loading was cancelled."), "cancelled");
+}
+
+void addTo(QString& note, const QString& sentence) {
+  if (!note.isEmpty()) note += QLatin1Char(' ');
+  note += sentence;
+}
 
 struct Source {
   ui::Picture picture;
@@ -53,7 +67,7 @@ Expected<Source> readSource(const LoadRequest& request, const std::function<void
   } else if (request.keep) {
     source.picture = *request.keep;
   } else {
-    return tl::unexpected(Error{Error::Kind::NotFound, "There is nothing to load.", "nothing"});
+    return refused(Error::Kind::NotFound, Loader::tr("There is nothing to load."), "nothing");
   }
   return source;
 }
@@ -64,15 +78,15 @@ Expected<haptics::Tool> readTool(const ToolSource& source, QString& note) {
     if (!mesh) return tl::unexpected(mesh.error());
     return haptics::makeTool(source.name, std::move(*mesh));
   }
-  using datasets::MeshUnit;
-  const MeshUnit unit = source.unit == "m"    ? MeshUnit::Metre
-                        : source.unit == "cm" ? MeshUnit::Centimetre
-                        : source.unit == "in" ? MeshUnit::Inch
-                                              : MeshUnit::Millimetre;
-  auto file = datasets::readToolMesh(*source.file, unit);
+  const auto unit = datasets::meshUnitNamed(source.unit);
+  if (!unit)
+    return refused(Error::Kind::Unsupported,
+                   Loader::tr("There is no unit \"%1\"; choose one of m, mm, cm, in.")
+                       .arg(QString::fromStdString(source.unit)),
+                   "unit");
+  auto file = datasets::readToolMesh(*source.file, *unit);
   if (!file) return tl::unexpected(file.error());
-  for (const std::string& warning : file->warnings)
-    note += (note.isEmpty() ? "" : " ") + QString::fromStdString(warning);
+  for (const std::string& warning : file->warnings) addTo(note, QString::fromStdString(warning));
   return haptics::makeTool(source.file->stem().string(), std::move(file->mesh));
 }
 
@@ -82,38 +96,41 @@ Expected<Loaded> load(const LoadRequest& request, const std::function<void(doubl
                       const std::atomic<bool>& cancel) {
   auto source = readSource(request, advanced, cancel);
   if (!source) return tl::unexpected(source.error());
-  if (cancel) return tl::unexpected(cancelled());
+  if (cancel) return cancelled();
   advanced(0.85);
 
   Loaded loaded;
   loaded.picture = std::move(source->picture);
   loaded.title = source->title;
   const haptics::Volume& volume = *loaded.picture.volume;
-  loaded.isovalue = request.isovalue.value_or(source->isovalue.value_or(firstIsovalue(volume)));
-  if (!(loaded.isovalue > volume.least)) {
-    loaded.note =
-        QObject::tr("The isovalue must lie above the volume's least value, %1.").arg(volume.least);
-    loaded.isovalue = firstIsovalue(volume);
-  }
+  const double wanted = request.isovalue.value_or(source->isovalue.value_or(firstIsovalue(volume)));
+  loaded.isovalue =
+      ui::allowedIsovalue(volume, std::isfinite(wanted) ? wanted : firstIsovalue(volume));
+  if (request.isovalue && loaded.isovalue != wanted)
+    addTo(loaded.note,
+          Loader::tr("The isovalue is %1 instead of %2: this volume goes from %3 to %4.")
+              .arg(loaded.isovalue)
+              .arg(wanted)
+              .arg(volume.least)
+              .arg(volume.greatest));
   if (volume.replaced > 0)
-    loaded.note +=
-        QObject::tr(" %1 voxels were not numbers and count as background.").arg(volume.replaced);
+    addTo(loaded.note,
+          Loader::tr("%1 voxels were not numbers and count as background.").arg(volume.replaced));
   loaded.tool = request.tool.value_or(ToolSource{.name = source->tool});
   auto tool = readTool(loaded.tool, loaded.note);
   if (!tool) return tl::unexpected(tool.error());
-  if (cancel) return tl::unexpected(cancelled());
+  if (cancel) return cancelled();
   advanced(0.9);
   auto scene = haptics::makeScene(loaded.picture.volume, std::move(*tool));
   if (!scene) return tl::unexpected(scene.error());
-  if (cancel) return tl::unexpected(cancelled());
+  if (cancel) return cancelled();
   advanced(0.98);
   const auto start = startPose(**scene, loaded.isovalue);
   if (!start)
-    return tl::unexpected(
-        Error{Error::Kind::Unsupported,
-              "There is no room for the tool near this volume at this isovalue; try a smaller "
-              "tool or another isovalue.",
-              "no-start"});
+    return refused(Error::Kind::Unsupported,
+                   Loader::tr("There is no room for the tool near this volume at this isovalue; "
+                              "try a smaller tool or another isovalue."),
+                   "no-start");
   loaded.start = *start;
   loaded.scene = std::move(*scene);
   return loaded;
@@ -122,13 +139,12 @@ Expected<Loaded> load(const LoadRequest& request, const std::function<void(doubl
 Loader::Loader(QObject* parent) : QObject(parent) {}
 
 Loader::~Loader() {
-  if (!job_) return;
-  job_->cancel = true;
-  job_->thread.join();
+  for (Job& job : jobs_) job.cancel = true;
+  for (Job& job : jobs_) job.thread.join();
 }
 
 void Loader::cancel() {
-  if (job_) job_->cancel = true;
+  if (!jobs_.empty()) jobs_.back().cancel = true;
 }
 
 void Loader::onThisThread(std::uint64_t number, std::function<void()> action) {
@@ -141,24 +157,46 @@ void Loader::onThisThread(std::uint64_t number, std::function<void()> action) {
 }
 
 void Loader::start(LoadRequest request) {
-  if (job_) {
-    job_->cancel = true;
-    job_->thread.join();
-  }
-  const std::uint64_t number = ++number_;
-  job_ = std::make_unique<Job>();
-  Job* job = job_.get();
-  job->thread = std::thread([this, job, number, request = std::move(request)] {
-    const auto advanced = [&](double fraction) {
-      onThisThread(number, [this, fraction] { emit progressed(fraction); });
-    };
-    auto result = load(request, advanced, job->cancel);
-    if (result)
-      onThisThread(number, [this, loaded = std::move(*result)] { emit this->loaded(loaded); });
-    else
-      onThisThread(number,
-                   [this, request, error = result.error()] { emit failed(request, error); });
+  for (Job& job : jobs_) job.cancel = true;
+  // a job that cannot stop at once ends beside the new one
+  jobs_.remove_if([](Job& job) {
+    if (job.done) job.thread.join();
+    return !job.thread.joinable();
   });
+  const std::uint64_t number = ++number_;
+  Job& job = jobs_.emplace_back();
+  job.thread = std::thread([this, &job, number, request = std::move(request)] {
+    work(job, number, request);
+    job.done = true;
+  });
+}
+
+void Loader::work(Job& job, std::uint64_t number, const LoadRequest& request) {
+  const auto advanced = [&](double fraction) {
+    onThisThread(number, [this, fraction] { emit progressed(fraction); });
+  };
+  Expected<Loaded> result;
+  datasets::Survey survey;
+  try {
+    result = load(request, advanced, job.cancel);
+    if (!result && result.error().reason == "which-series" && request.path)
+      if (auto found = datasets::survey(*request.path)) survey = std::move(*found);
+  } catch (const std::bad_alloc&) {
+    result = refused(Error::Kind::Unsupported,
+                     Loader::tr("There is not enough memory for this volume and tool; close other "
+                                "programs or take a smaller one."),
+                     "no-memory");
+  } catch (const std::exception& thrown) {
+    result =
+        refused(Error::Kind::Malformed,
+                Loader::tr("It could not be loaded: %1").arg(QString(thrown.what())), "exception");
+  }
+  if (result)
+    onThisThread(number, [this, loaded = std::move(*result)] { emit this->loaded(loaded); });
+  else
+    onThisThread(number, [this, request, error = result.error(), survey = std::move(survey)] {
+      emit failed(request, error, survey);
+    });
 }
 
 }  // namespace app

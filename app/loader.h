@@ -6,11 +6,13 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <thread>
 
+#include "datasets/readers/volume_reader.h"
 #include "haptics/core/error.h"
 #include "haptics/scene.h"
 #include "ui/props/picture.h"
@@ -45,8 +47,9 @@ struct Loaded {
   QString note;  ///< a sentence worth saying although it was loaded, or empty
 };
 
-/// Reads and prepares on a thread of its own, one request at a time; a new one cancels the last.
-/// Signals arrive on the thread that owns the loader, and only for the newest request.
+/// Reads and prepares on a thread of its own for each request; a new one cancels the last.
+/// Signals arrive on the thread that owns the loader, and only for the newest request. No call
+/// waits for a thread, except the destructor.
 class Loader : public QObject {
   Q_OBJECT
  public:
@@ -59,16 +62,20 @@ class Loader : public QObject {
  signals:
   void progressed(double fraction);
   void loaded(const app::Loaded& loaded);
-  void failed(const app::LoadRequest& request, const haptics::Error& error);
+  /// `survey` lists the series where one must be chosen (reason "which-series"); else it is empty.
+  void failed(const app::LoadRequest& request, const haptics::Error& error,
+              const datasets::Survey& survey);
 
  private:
   void onThisThread(std::uint64_t number, std::function<void()> action);
 
   struct Job {
     std::atomic<bool> cancel{false};
+    std::atomic<bool> done{false};  ///< its thread is about to end
     std::thread thread;
   };
-  std::unique_ptr<Job> job_;
+  void work(Job& job, std::uint64_t number, const LoadRequest& request);
+  std::list<Job> jobs_;       ///< the newest last; older ones are cancelled, and kept until done
   std::uint64_t number_ = 0;  ///< of the newest request
 };
 
