@@ -4,9 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QDoubleSpinBox>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
+#include <vector>
 
 #include "ui/panels/histogram_slider.h"
 #include "ui/panels/isosurface_panel.h"
@@ -16,6 +22,8 @@
 namespace {
 
 using haptics::ForceState;
+
+constexpr double kSlewOfTick_N = 12.0 / 20.0;  // rated force within 20 ms
 
 app::Arguments sphere(const char* hand) {
   app::Arguments arguments;
@@ -34,13 +42,33 @@ bool waitFor(const std::function<bool()>& done, double seconds) {
   return done();
 }
 
+// Every tick's force, as the plot gets them, for so many seconds in which no event is handled:
+// the application's own timer would take them first.
+std::vector<double> forcesOfTicks(haptics::Session& session, double seconds) {
+  std::vector<double> forces;
+  std::vector<haptics::ForceSample> samples(1024);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  do {
+    while (const std::size_t count = session.forces(samples))
+      for (std::size_t i = 0; i < count; ++i) forces.push_back(samples[i].force);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  } while (std::chrono::steady_clock::now() < end);
+  return forces;
+}
+
 TEST(Application, AHandPressesOnASphereAndEscapeDropsTheForce) {
   app::Application application(sphere("tap"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 20.0));
   window::keep(window::pictureOf(application.window()), "application_touching");
+  forcesOfTicks(application.session(), 0.0);
   QTest::keyClick(&application.window().view(), Qt::Key_Escape);
+  // what was sent until the key was handled; after it, a tick under way may still end
+  forcesOfTicks(application.session(), 0.0);
+  const std::vector<double> after = forcesOfTicks(application.session(), 0.3);
+  EXPECT_GT(after.size(), 50U);
+  EXPECT_LE(std::count_if(after.begin(), after.end(), [](double f) { return f != 0.0; }), 1);
   QTest::qWait(100);
   EXPECT_EQ(application.snapshot().force_state, ForceState::Off);
   EXPECT_EQ(application.snapshot().felt_W.force.norm(), 0.0);
@@ -78,12 +106,21 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
   EXPECT_GT(window::count(image, window::deviceColoured), 10);
 
   // the surface moved under the tool: the force changes, and not by a jump
-  const double before = application.snapshot().felt_W.force.norm();
   auto* slider = application.window().findChild<ui::HistogramSlider*>("isovalueSlider");
   slider->setFocus();
-  QTest::keyClick(slider, Qt::Key_PageUp);
-  EXPECT_TRUE(waitFor(
-      [&] { return std::abs(application.snapshot().felt_W.force.norm() - before) > 0.01; }, 5.0));
+  for (const Qt::Key key : {Qt::Key_PageUp, Qt::Key_PageDown}) {
+    std::vector<double> forces = forcesOfTicks(application.session(), 0.1);
+    QTest::keyClick(slider, key);
+    const std::vector<double> after = forcesOfTicks(application.session(), 1.5);
+    forces.insert(forces.end(), after.begin(), after.end());
+    ASSERT_GT(after.size(), 200U);
+    double steepest = 0.0;
+    for (std::size_t i = 1; i < forces.size(); ++i)
+      steepest = std::max(steepest, std::abs(forces[i] - forces[i - 1]));
+    EXPECT_LE(steepest, kSlewOfTick_N + 0.01) << "key " << key;
+    const auto [least, greatest] = std::minmax_element(forces.begin(), forces.end());
+    EXPECT_GT(*greatest - *least, 0.05) << "key " << key;
+  }
 }
 
 TEST(Application, KeepsTheOldVolumeWhenTheNewOneCannotBeRead) {
@@ -97,6 +134,34 @@ TEST(Application, KeepsTheOldVolumeWhenTheNewOneCannotBeRead) {
   EXPECT_EQ(refused.first().first().toInt(), 3);
   QTest::qWait(100);
   EXPECT_EQ(application.snapshot().scene, scene);
+}
+
+TEST(Application, AnIsovalueThatTheVolumeHasNotIsReplacedEverywhereAndSaid) {
+  app::Arguments arguments = sphere("mouse");
+  arguments.load.isovalue = 1e9;
+  app::Application application(std::move(arguments));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  auto* typed = application.window().findChild<QDoubleSpinBox*>("isovalueTyped");
+  EXPECT_LT(typed->value(), 1e9);
+  EXPECT_EQ(application.snapshot().isovalue, typed->value());
+  auto* message = application.window().findChild<QLabel*>("message");
+  EXPECT_TRUE(message->isVisible());
+  EXPECT_TRUE(message->text().contains("instead of")) << message->text().toStdString();
+}
+
+TEST(Application, AnotherToolKeepsTheIsovalueThatMovedMeanwhile) {
+  app::Application application(sphere("mouse"));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  const auto scene = application.snapshot().scene;
+  emit application.window().devicePanel().toolChosen("wrench");
+  auto* slider = application.window().findChild<ui::HistogramSlider*>("isovalueSlider");
+  QTest::keyClick(slider, Qt::Key_PageUp);
+  const double chosen = application.window().findChild<QDoubleSpinBox*>("isovalueTyped")->value();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
+  QTest::qWait(100);
+  EXPECT_EQ(application.snapshot().isovalue, chosen);
 }
 
 }  // namespace
