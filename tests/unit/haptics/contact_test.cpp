@@ -178,7 +178,7 @@ TEST(Clearance, ProvesHowFarEveryPointItLeavesOutMayGo) {
       EXPECT_NEAR(point.value, evaluator::fieldAt(*volume, p_W), field.roundingMargin());
       EXPECT_LT(point.free, reach);
     }
-    for (std::size_t i = 0; i < shell.points.size(); ++i) {
+    for (std::size_t i = 0; i < shell.points.size() && !truly_inside; ++i) {
       if (near[i]) {
         ++looked_at;
         continue;
@@ -189,7 +189,7 @@ TEST(Clearance, ProvesHowFarEveryPointItLeavesOutMayGo) {
                   solid.isovalue);
     }
     // the budget carries over: motion spends it, jumps forget it
-    if (n % 50 == 49) {
+    if (n % 10 == 9) {
       X = at(random.box(0.028), random.rotation());
       clearance.forget();
     } else {

@@ -235,14 +235,23 @@ TEST(Safety, ANewSceneRampsFromZeroUnlessTheForceIsOff) {
   EXPECT_TRUE(safety.pass(kPress, true, kPeriod).force.isZero());
 }
 
-TEST(Safety, AnythingNotFiniteIsZeroForThatTickOnly) {
-  Safety safety = onAlready(kLimits);
-  const Wrench bad{{NAN, 0, 0}, Vec3::Zero()};
-  EXPECT_TRUE(safety.pass(bad, true, kPeriod).force.isZero());
-  EXPECT_EQ(safety.pass(kPress, true, kPeriod).force, kPress.force);
-  safety.settingMoved();
-  safety.pass(bad, true, kPeriod);
-  EXPECT_TRUE(safety.pass(kPress, true, kPeriod).force.allFinite());
+TEST(Safety, AnythingNotFiniteIsZeroAndThenANewRamp) {
+  for (const bool slewing : {false, true}) {
+    Safety safety = onAlready(kLimits);
+    if (slewing) safety.settingMoved();
+    const Wrench bad{{NAN, 0, 0}, Vec3::Zero()};
+    for (int n = 0; n < 5; ++n) {
+      const Wrench sent = safety.pass(bad, true, kPeriod);
+      EXPECT_TRUE((sent.force.array() == 0.0).all());
+      EXPECT_TRUE((sent.torque.array() == 0.0).all());
+    }
+    for (int n = 1; n <= 1001; ++n)
+      EXPECT_NEAR(safety.pass(kPress, true, kPeriod).force.z(), 4.0 * std::min(1.0, n * 1e-3),
+                  1e-9);
+  }
+  Safety off{kLimits};
+  EXPECT_TRUE(off.pass({{NAN, 0, 0}, Vec3::Zero()}, true, kPeriod).force.isZero(0.0));
+  EXPECT_EQ(off.state(), ForceState::Off);
 }
 
 TEST(Safety, WithoutLimitsPassesTheWrenchAsItIs) {
