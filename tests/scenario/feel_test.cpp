@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "tests/scenario/trial.h"
+
+namespace {
+
+using haptics::Mat3;
+using haptics::Pose;
+using haptics::Quat;
+using haptics::Vec3;
+using haptics::Wrench;
+using made::at;
+using made::Random;
+
+constexpr double h = 1e-3;  // m
+
+TEST(Feel, InFreeSpaceTheProxyIsTheDeviceAndTheWrenchIsNothingAtAnySpeed) {
+  const Stage stage = stageOf("sphere", namedTool("probe"));
+  int ticks = 0;
+  for (const double speed : {0.01, 0.1, 0.5, 1.0, 2.0}) {
+    Random random{111};
+    const double step = speed * 1e-3;  // m a tick
+    Pose D = at(0, 0, 0.120);
+    Trial trial{stage.scene, stage.isovalue, D};
+    for (int n = 0; n < 400; ++n) {
+      // round a circle of 120 mm, turning as it goes: near the phantom and never in it
+      const double angle = n * step / 0.12;
+      D = at(Vec3{0.12 * std::sin(angle), 0.0, 0.12 * std::cos(angle)},
+             Quat{Eigen::AngleAxisd{4.0 * angle, Vec3{1, 1, 0}.normalized()}});
+      trial.step(D);
+      ASSERT_TRUE((trial.proxy.X_WP.matrix().array() == D.matrix().array()).all())
+          << speed << " m/s, tick " << n;
+      ASSERT_TRUE((trial.last.wrench_W.force.array() == 0.0).all());
+      ASSERT_TRUE((trial.last.wrench_W.torque.array() == 0.0).all());
+      ++ticks;
+    }
+  }
+  EXPECT_EQ(ticks, 2000);
+}
+
+TEST(Feel, JustAboveTheSurfaceThereIsNothingToFeelEither) {
+  const Stage stage = stageOf("halfspace", ballTool(200, 3e-3));
+  Trial trial{stage.scene, stage.isovalue, at(0, 0.01, 3.2e-3)};
+  for (int n = 0; n < 500; ++n) {
+    const Pose D = at(0.015 * std::sin(n * 0.02), 0.01 * std::cos(n * 0.013), 3.2e-3);
+    trial.step(D);
+    ASSERT_TRUE((trial.proxy.X_WP.matrix().array() == D.matrix().array()).all()) << n;
+    ASSERT_TRUE(trial.last.wrench_W.force.isZero(0.0));
+  }
+}
+
+TEST(Feel, SlidingOverAHalfSpaceIsWithoutFriction) {
+  for (const bool ball : {false, true}) {
+    const Stage stage = stageOf("halfspace", ball ? ballTool(400, 3e-3) : made::point());
+    const double rest = ball ? 3e-3 : 0.0;
+    const auto device = [&](int n) {
+      return at(1e-5 * n - 0.02, 0.008 * std::sin(n * 2e-3), rest - 2e-3);
+    };
+    Pose D = device(0);
+    Trial trial{stage.scene, stage.isovalue, at(D.translation() + Vec3{0, 0, 4e-3})};
+    trial.carry(at(D.translation() + Vec3{0, 0, 4e-3}), D, 50);
+    trial.hold(D, 50);
+    double worst = 0.0, least = 1e9;
+    for (int n = 0; n < 4000; ++n) {
+      trial.step(device(n));
+      worst = std::max(worst, trial.last.wrench_W.force.head<2>().norm());
+      least = std::min(least, trial.last.wrench_W.force.z());
+    }
+    std::cout << (ball ? "ball" : "point") << ": tangential force at most " << worst << " N\n";
+    EXPECT_EQ(trial.illegal, 0);
+    EXPECT_GT(least, 1.9);   // N: 1000 N/m · 2 mm, less the ball's bulge
+    EXPECT_LE(worst, 1e-6);  // N
+  }
+}
+
+TEST(Feel, PressingIsPushedBackAlongTheNormal) {
+  const Stage stage = stageOf("sphere", namedTool("sphere"));
+  Random random{112};
+  for (int n = 0; n < 20; ++n) {
+    const Vec3 out = random.direction();
+    const Pose from = at(0.045 * out), D = at(0.018 * out);
+    Trial trial{stage.scene, stage.isovalue, from};
+    trial.carry(from, D, 60);
+    trial.hold(D, 50);
+    EXPECT_GT(trial.last.wrench_W.force.dot(out), 0.95 * trial.last.wrench_W.force.norm());
+    EXPECT_GT(trial.last.wrench_W.force.norm(), 1.0);  // N
+    EXPECT_EQ(trial.illegal, 0);
+  }
+}
+
+/// The half-space on the far side of the origin from n, as voxels: solid where n · p < 0.
+std::shared_ptr<const haptics::Volume> halfSpace(const Vec3& n) {
+  return made::shared(
+      made::sampled(made::centred(80, h), [&](const Vec3& p) { return 1000.0 - 4e6 * n.dot(p); }));
+}
+
+// a body about the origin and a tip aside of it, pressed onto a wall from each of six sides: the
+// torque about the handle is r x F
+TEST(Feel, ATipPressedSidewaysTurnsTheHandByItsArm) {
+  double worst = 0.0;
+  int signs[6] = {};
+  for (int side = 0; side < 6; ++side)
+    for (int aside = 0; aside < 4; ++aside) {
+      const Vec3 n = (side % 2 == 0 ? 1.0 : -1.0) * Vec3::Unit(side / 2);
+      const Vec3 b = (aside % 2 == 0 ? 1.0 : -1.0) * Vec3::Unit((side / 2 + 1 + aside / 2) % 3);
+      std::vector<Vec3> points = made::ballPoints(60, 5e-3);
+      const Vec3 tip = -12e-3 * n + 15e-3 * b;
+      points.push_back(tip);
+      const haptics::Tool tool = made::tool(points);
+      const Vec3 r = tool.shell.points.back();  // the tip, about the centroid
+      const auto scene = haptics::makeScene(halfSpace(n), tool).value();
+      const Pose from = at(14e-3 * n - 4e-3 * b);
+      const Pose D = at(from.translation() - 4e-3 * n);  // the tip some 2 mm in
+      for (const double angular : {0.0, 0.5}) {
+        Trial trial{scene, 1000.0, from};
+        trial.coupling.angular_stiffness = angular;
+        trial.carry(from, D, 40);
+        trial.hold(D);
+        const Wrench& wrench = trial.last.wrench_W;
+        ASSERT_GT(wrench.force.dot(n), 0.1);  // N: the tip mostly turns away
+        const Vec3 torque = (trial.proxy.X_WP.linear() * r).cross(wrench.force);
+        // right in sign on each axis, by hand: b x n
+        ASSERT_GT(wrench.torque.dot(b.cross(n)), 0.8 * wrench.torque.norm());
+        if (angular == 0.0) {
+          worst = std::max(worst, (wrench.torque - torque).norm() / torque.norm());
+          int axis = 0;
+          b.cross(n).cwiseAbs().maxCoeff(&axis);
+          ++signs[2 * axis + (b.cross(n)[axis] > 0.0)];
+        }
+        EXPECT_EQ(trial.illegal, 0);
+      }
+    }
+  std::cout << "torque differs from r x F by at most " << 100.0 * worst << " %\n";
+  EXPECT_LE(worst, 0.01);
+  for (const int count : signs) EXPECT_EQ(count, 4);
+}
+
+/// x to -x.
+Pose mirrored(const Pose& X) {
+  const Mat3 S = Vec3{-1, 1, 1}.asDiagonal();
+  Pose out = Pose::Identity();
+  out.linear() = S * X.linear() * S;
+  out.translation() = S * X.translation();
+  return out;
+}
+
+TEST(Feel, AMirroredSceneMirrorsTheWrench) {
+  Random random{113};
+  const Mat3 S = Vec3{-1, 1, 1}.asDiagonal();
+  // a bumpy ball that is not its own mirror image
+  const auto shape = [](const Vec3& p) {
+    return p.norm() - 0.016 -
+           1.5e-3 * std::sin(400 * p.x() + 1) * std::sin(300 * p.y() + p.z() * 250);
+  };
+  const auto grid = made::centred(50, h);
+  std::vector<Vec3> points, reflected;
+  for (int n = 0; n < 40; ++n) {
+    points.push_back(Vec3{0.5, 1, 2}.cwiseProduct(random.box(3e-3)));
+    reflected.push_back(S * points.back());
+  }
+  const auto left = made::scene(made::solid(grid, shape), made::tool(points));
+  const auto right = made::scene(made::solid(grid, [&](const Vec3& p) { return shape(S * p); }),
+                                 made::tool(reflected));
+  const Pose start = at(4e-3, -3e-3, 0.03);
+  Trial a{left, made::kIso, start}, b{right, made::kIso, mirrored(start)};
+  int contact = 0;
+  double worst = 0.0, largest = 0.0;
+  for (int n = 0; n < 600; ++n) {
+    const double t = n * 1e-3;
+    const Pose D =
+        at({4e-3 + 6e-3 * std::sin(3 * t), -3e-3 + 4e-3 * t, 0.03 - 0.017 * std::min(1.0, 5 * t)},
+           Quat{Eigen::AngleAxisd{0.6 * std::sin(5 * t), Vec3{1, 2, -1}.normalized()}});
+    const Wrench wa = a.step(D).wrench_W, wb = b.step(mirrored(D)).wrench_W;
+    contact += a.last.contacts > 0;
+    largest = std::max(largest, wa.force.norm());
+    worst = std::max(worst, (S * wa.force - wb.force).norm());
+    // a torque is a pseudovector
+    worst = std::max(worst, (-(S * wa.torque) - wb.torque).norm() / 3e-3);
+  }
+  std::cout << "mirrored wrenches differ by at most " << worst << " N of " << largest << "\n";
+  EXPECT_GT(contact, 200);
+  EXPECT_GT(largest, 1.0);
+  EXPECT_LE(worst, 1e-3);  // N: rounding may choose another of two equal contacts for a tick
+}
+
+TEST(Feel, AtRestTheProxyIsStillToTheBit) {
+  for (const char* phantom : {"sphere", "gyroid", "wedge"}) {
+    const Stage stage = stageOf(phantom, namedTool("probe"));
+    Random random{114};
+    int still = 0, held = 0;
+    for (int n = 0; n < made::trials(30); ++n) {
+      const Pose from =
+          at(Vec3{random.in(-5e-3, 5e-3), random.in(-5e-3, 5e-3), 0.1}, Quat::Identity());
+      const auto start = haptics::legalPoseNear(*stage.scene, stage.isovalue, from);
+      ASSERT_TRUE(start);
+      Trial trial{stage.scene, stage.isovalue, *start};
+      trial.judged = false;
+      const Pose D =
+          at(random.box(0.012) + Vec3{0, 0, 0.03}, random.rotation().slerp(0.8, Quat::Identity()));
+      trial.carry(*start, D, 100);
+      trial.hold(D, 200);
+      if (trial.last.contacts == 0) continue;
+      ++held;
+      const Eigen::Matrix4d before = trial.proxy.X_WP.matrix();
+      trial.hold(D, 100);
+      still += (trial.proxy.X_WP.matrix().array() == before.array()).all();
+    }
+    std::cout << phantom << ": " << still << " of " << held << " holds bit-still\n";
+    EXPECT_GT(held, made::trials(30) / 4);
+    EXPECT_EQ(still, held);
+  }
+}
+
+// a peg jammed in its slot while the device is turned three half turns and back
+TEST(Feel, TheTorqueNeverFlipsAsTheDeviceTurnsThroughPi) {
+  std::vector<Vec3> bar;
+  for (int i = -20; i <= 20; ++i)
+    for (const double y : {-1e-3, 1e-3}) bar.push_back({1e-3 * y / 1e-3, 0.5e-3 * i, 0.0});
+  const auto slot = [](const Vec3& p) { return 2.5e-3 - std::abs(p.x()); };  // along y and z
+  const auto scene = made::scene(made::solid(made::centred(60, h), slot), made::tool(bar));
+  Trial trial{scene, made::kIso, Pose::Identity()};
+  trial.coupling.angular_stiffness = 1.0;  // N·m/rad
+  int turned = 0;
+  for (int n = 0; n <= 1080; ++n) {
+    const double degrees = n <= 540 ? n : 1080 - n;
+    const Pose D = at(Vec3::Zero(), Quat{Eigen::AngleAxisd{degrees * M_PI / 180.0, Vec3::UnitZ()}});
+    trial.step(D);
+    if (degrees < 30.0) continue;
+    ASSERT_LT(trial.last.wrench_W.torque.z(), 0.0) << degrees << " degrees";
+    turned += degrees > 180.0;
+  }
+  EXPECT_GT(turned, 500);
+  EXPECT_EQ(trial.illegal, 0);
+}
+
+}  // namespace

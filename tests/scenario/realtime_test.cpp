@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <condition_variable>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include "haptics/devices/simulated.h"
+#include "tests/scenario/fake_device.h"
+#include "tests/scenario/trial.h"
+#include "tests/support/no_allocation.h"
+
+namespace {
+
+using haptics::Hand;
+using haptics::HandMotion;
+using haptics::Pose;
+using haptics::ServoLoop;
+using haptics::Vec3;
+using made::at;
+using support::Calls;
+using support::NoAllocation;
+
+constexpr HandMotion kHands[] = {HandMotion::Tap,  HandMotion::Slide, HandMotion::Wedge,
+                                 HandMotion::Pry,  HandMotion::Hook,  HandMotion::Jerk,
+                                 HandMotion::Twist};
+
+void* volatile planted_here = nullptr;
+
+TEST(NoAllocation, CountsWhatIsPlanted) {
+  const auto of = [](auto&& plant) {
+    const NoAllocation guard;
+    plant();
+    return guard.calls();
+  };
+  EXPECT_EQ(of([] {}).all(), 0);
+  EXPECT_GE(of([] {
+              planted_here = ::operator new(24);
+              ::operator delete(planted_here);
+            }).allocations,
+            2);
+  EXPECT_GE(of([] {
+              planted_here = std::calloc(3, 8);
+              planted_here = std::realloc(planted_here, 100);
+              std::free(planted_here);
+            }).allocations,
+            3);
+  EXPECT_GE(of([] {
+              planted_here = std::aligned_alloc(64, 128);
+              std::free(planted_here);
+            }).allocations,
+            2);
+  EXPECT_GE(of([] {
+              planted_here = new (std::align_val_t{64}) char[128];
+              ::operator delete[](planted_here, std::align_val_t{64});
+            }).allocations,
+            2);
+  std::mutex mutex;
+  EXPECT_EQ(of([&] { const std::lock_guard lock{mutex}; }).waits, 1);
+  EXPECT_STREQ(of([&] { const std::lock_guard lock{mutex}; }).first, "pthread_mutex_lock");
+  EXPECT_GE(of([&] {
+              std::condition_variable condition;
+              std::unique_lock lock{mutex};
+              condition.wait_for(lock, std::chrono::microseconds{1}, [] { return true; });
+              condition.notify_one();
+            }).waits,
+            1);
+  EXPECT_GE(of([] { std::this_thread::sleep_for(std::chrono::microseconds{1}); }).waits, 1);
+  EXPECT_GE(of([] { std::this_thread::yield(); }).waits, 1);
+  // another thread's are not this one's
+  std::atomic<bool> go{false}, done{false};
+  std::thread other{[&] {
+    while (!go) {
+    }
+    planted_here = std::malloc(10);
+    std::free(planted_here);
+    done = true;
+  }};
+  const Calls calls = of([&] {
+    go = true;
+    while (!done) {
+    }
+  });
+  other.join();
+  EXPECT_EQ(calls.all(), 0);
+}
+
+/// One step under the guard; says what it called.
+Calls guarded(ServoLoop& loop, double time) {
+  const NoAllocation guard;
+  loop.step(time);
+  return guard.calls();
+}
+
+long checked = 0;
+
+void run(ServoLoop& loop, std::int64_t& tick, int ticks) {
+  for (int n = 0; n < ticks; ++n) {
+    const Calls calls = guarded(loop, 1e-3 * double(tick++));
+    ASSERT_EQ(calls.all(), 0) << calls.first << " in tick " << tick;
+    ++checked;
+    haptics::ForceSample sample;
+    while (loop.forces.try_dequeue(sample)) {
+    }
+  }
+}
+
+class EveryHand : public testing::TestWithParam<const char*> {};
+
+TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
+  datasets::Phantom made = datasets::makePhantom(GetParam()).value();
+  const auto volume = made::shared(std::move(made.volume));
+  const auto scene = haptics::makeScene(volume, namedTool(made.tool)).value();
+  const auto other = haptics::makeScene(volume, namedTool("drill")).value();
+  long touching = 0, recovering = 0, adopted = 0;
+  for (const HandMotion motion : kHands) {
+    SCOPED_TRACE(int(motion));
+    auto hand = Hand::aimed(motion, *scene, made.isovalue, Hand::reachFor(4e-3, 1000.0, 500.0), 7);
+    ASSERT_TRUE(hand);
+    const Pose start = hand->at(0.0);
+    haptics::Grip grip;
+    haptics::Settings settings{.isovalue = made.isovalue};
+    ServoLoop loop{haptics::openSimulated(std::move(*hand), grip, ServoLoop::kPeriod), settings};
+    loop.scenes.offer(std::make_unique<haptics::Engagement>(scene, start));
+    std::int64_t tick = 0;
+    haptics::Snapshot snapshot;
+    for (int part = 0; part < 12; ++part) {
+      run(loop, tick, 100);
+      if (HasFatalFailure()) return;
+      loop.snapshots.take(snapshot);
+      touching += snapshot.contacts > 0;
+      recovering += snapshot.force_state == haptics::ForceState::Recovering;
+      adopted += snapshot.scene == other->id;
+      // the isovalue down so that the tool is buried, and back; then another tool, and back
+      settings.isovalue =
+          part % 3 == 0 ? volume->least + 0.2 * (made.isovalue - volume->least) : made.isovalue;
+      loop.settings.publish(settings);
+      run(loop, tick, 5);
+      loop.snapshots.take(snapshot);
+      recovering += snapshot.force_state == haptics::ForceState::Recovering;
+      if (part % 4 == 3)
+        loop.scenes.offer(
+            std::make_unique<haptics::Engagement>(part % 8 == 3 ? other : scene, snapshot.X_WD));
+      loop.armed = part % 5 != 4;
+    }
+  }
+  std::cout << GetParam() << ": " << checked << " ticks so far without a call\n";
+  EXPECT_GT(touching, 5);
+  EXPECT_GT(recovering, 0);
+  EXPECT_GT(adopted, 0);
+}
+INSTANTIATE_TEST_SUITE_P(On, EveryHand, testing::Values("sphere", "gyroid", "demo"),
+                         [](const auto& phantom) { return std::string{phantom.param}; });
+
+TEST(EveryTick, NeitherAllocatesNorLocksWhateverTheDeviceReads) {
+  const Stage stage = stageOf("gyroid", namedTool("probe"));
+  made::Random random{131};
+  const Pose start = haptics::legalPoseNear(*stage.scene, stage.isovalue, at(0, 0, 0.2)).value();
+  Trial trial{stage.scene, stage.isovalue, start};
+  trial.judged = false;
+  Pose D = start;
+  for (int n = 0; n < 5000; ++n) {
+    if (n % 20 == 0) D = at(random.box(0.05), random.rotation());
+    D.translation() += random.box(1e-3);
+    Pose read = D;
+    if (n % 97 == 0) read.matrix()(n % 3, n % 4) = NAN;
+    const NoAllocation guard;
+    trial.step(read);
+    ASSERT_EQ(guard.calls().all(), 0) << guard.calls().first << " in tick " << n;
+  }
+  EXPECT_GT(trial.contact, 1000);
+}
+
+}  // namespace
