@@ -68,9 +68,10 @@ def main():
                 "penetration": verdict["max_penetration_mm"] == 0.0 and report["max_penetration_mm"] == 0.0,
                 "finite": verdict["nonfinite"] == 0 and report["nonfinite"] == 0,
                 "contact": verdict["contact_share"] >= 0.20,
-                # how far the device is beyond where the surface stops the proxy; the depth in the
-                # solid is printed too, but no wall thinner than 4 mm has 2 mm of it
-                "depth": verdict["device_offset_mm"] >= 2.0,
+                # beyond the surface, in the solid or along the force from where the proxy is held:
+                # no wall thinner than 4 mm has 2 mm of depth, and a tip that gives way by turning
+                # leaves little along the force
+                "depth": max(verdict["device_depth_mm"], verdict["device_offset_mm"]) >= 2.0,
             }
             if hand in ("tap", "slide", "hook"):
                 bounds["frozen"] = verdict["frozen_share"] < most_frozen
