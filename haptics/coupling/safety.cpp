@@ -69,8 +69,10 @@ Wrench Safety::pass(const Wrench& wanted, bool outside, double period) HAPTICS_R
     const double share = period / limits_.slew_time;
     wrench.force = approached(sent_.force, wrench.force, share * limits_.force, reached);
     wrench.torque = approached(sent_.torque, wrench.torque, share * limits_.torque, reached);
-    // the proxy may yet be set down elsewhere, and the wish jump with it
-    slewing_ = !reached || state_ == ForceState::Recovering;
+    // a proxy that the budget held back follows ticks later, and one that is brought out is set
+    // down elsewhere: the wish may yet jump
+    slew_left_ -= period;
+    slewing_ = slew_left_ > 0.0 || !reached || state_ == ForceState::Recovering;
   }
   sent_ = wrench;
   return wrench;

@@ -34,9 +34,12 @@ class Safety {
   void forceOff() HAPTICS_RT { state_ = ForceState::Off; }
   /// A new scene or start: the force ramps from zero again, unless it is off.
   void restart() HAPTICS_RT;
-  /// The isovalue or the stiffness moved: until the force has caught up it changes no faster than
-  /// the slew limit.
-  void settingMoved() HAPTICS_RT { slewing_ = limits_.slew_time > 0.0; }
+  /// The isovalue or the stiffness moved: until the force has caught up, and for slew_time at
+  /// least, it changes no faster than the slew limit.
+  void settingMoved() HAPTICS_RT {
+    slewing_ = limits_.slew_time > 0.0;
+    slew_left_ = limits_.slew_time;
+  }
 
   /// What may be sent in this tick. `outside`: the proxy is legal. `period` [s].
   Wrench pass(const Wrench& wanted, bool outside, double period) HAPTICS_RT;
@@ -48,6 +51,7 @@ class Safety {
   ForceState state_ = ForceState::Off;
   double gain_ = 0.0;  ///< 0 to 1
   bool slewing_ = false;
+  double slew_left_ = 0.0;  ///< s
   Wrench sent_;
 };
 
