@@ -131,20 +131,25 @@ TEST(ServoLoop, ANewSceneIsAdoptedAtTheNextTickWithTheForceFromZero) {
 
 TEST(ServoLoop, PublishesWhatItReadMovedAndSent) {
   Pressed loop;
+  int contacts = 0;  // a tick that the time cut may know of none
+  for (int n = 0; n < 20; ++n) {
+    loop.step();
+    contacts = std::max(contacts, loop.snapshot().contacts);
+  }
+  EXPECT_GE(contacts, 1);
   loop.step();
   const Snapshot snapshot = loop.snapshot();
   EXPECT_TRUE((snapshot.X_WD.matrix().array() == kPressed.matrix().array()).all());
   EXPECT_EQ(snapshot.felt_W.force, loop.device->writes.back().force);
-  EXPECT_EQ(snapshot.tick, 1201u);
+  EXPECT_EQ(snapshot.tick, 1221u);
 #ifndef __SANITIZE_ADDRESS__  // where the CPU budget may end the tick before it knows
-  EXPECT_GE(snapshot.contacts, 1);
 #endif
   EXPECT_NEAR(snapshot.coupling_W.force.z(), 1000.0 * (snapshot.X_WP.translation().z() - 0.020),
               1e-9);
   haptics::ForceSample sample;
   std::size_t count = 0;
   while (loop.loop->forces.try_dequeue(sample)) ++count;
-  EXPECT_EQ(count, 1201u);
+  EXPECT_EQ(count, 1221u);
   EXPECT_NEAR(sample.force, snapshot.felt_W.force.norm(), 1e-5);
 }
 

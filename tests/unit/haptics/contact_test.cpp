@@ -160,7 +160,7 @@ TEST(Clearance, ProvesHowFarEveryPointItLeavesOutMayGo) {
   Clearance clearance{shell.points.size()};
   Pose X = at(0.028, 0, 0);
   int left_out = 0, looked_at = 0, legal = 0, inside = 0;
-  for (int n = 0; n < made::trials(400); ++n) {
+  for (int n = 0; n < 400; ++n) {
     const double reach = random.in(0.05, 0.6) * h;
     Budget budget = unlimited();
     const auto verdict = clearance.collect(solid, shell, X, reach, budget);

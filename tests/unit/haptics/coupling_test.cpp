@@ -210,6 +210,20 @@ TEST(Safety, FadesOutWhileTheProxyIsInsideAndRampsInAgain) {
   EXPECT_EQ(last.force, elsewhere.force);
 }
 
+// a tick that the budget cut leaves the proxy where it was; it follows a few ticks later
+TEST(Safety, StaysUnderTheSlewLimitWhenTheProxyFollowsOnlyTicksLater) {
+  Safety safety = onAlready(kLimits);
+  safety.settingMoved();
+  Wrench last = kPress;
+  for (int n = 0; n < 60; ++n) {
+    const Wrench wanted = n < 8 ? kPress : Wrench{{0, 0, 0.1}, Vec3::Zero()};
+    const Wrench sent = safety.pass(wanted, true, kPeriod);
+    EXPECT_LE((sent.force - last.force).norm(), 10.0 / 20 + 1e-12) << "tick " << n;
+    last = sent;
+  }
+  EXPECT_EQ(last.force.z(), 0.1);
+}
+
 // the proxy is found outside, far from where it was, before the force has faded
 TEST(Safety, StaysUnderTheSlewLimitWhenTheProxyIsSetOutsideWhileItStillFades) {
   Safety safety = onAlready(kLimits);
