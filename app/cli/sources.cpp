@@ -72,9 +72,8 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
 #ifdef PALPATE_READERS
   const auto unit = datasets::meshUnitNamed(choice.unit);
   if (!unit)
-    return tl::unexpected(
-        Error{Error::Kind::Unsupported,
-              "There is no unit \"" + choice.unit + "\"; choose one of m, mm, cm, in."});
+    return tl::unexpected(Error{Error::Kind::Unsupported, "There is no unit \"" + choice.unit +
+                                                              "\"; choose one of m, mm, cm, in."});
   auto read = datasets::readToolMesh(choice.name, *unit);
   if (!read) return tl::unexpected(read.error());
   auto tool = haptics::makeTool("file", std::move(read->mesh), choice.points);

@@ -73,13 +73,12 @@ TEST_P(Rivals, LiteralFreezesWhereOursMovesAndAcceptInsideEnters) {
   EXPECT_GT(deepest, 0.1 * volume->grid.spacing.minCoeff());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    RealScans, Rivals,
-    testing::Values(Case{"stanford_bunny/bunny_512x512x361_airflat.nrrd", 1500, "cane",
-                         haptics::HandMotion::Slide, 0.20},
-                    Case{"volvis_classics/engine.nhdr", 90, "wrench", haptics::HandMotion::Hook,
-                         0.20},
-                    Case{"visible_human_female_head/vhf_head_512x512x234.nrrd", 300, "drill",
-                         haptics::HandMotion::Slide, 0.30}));
+INSTANTIATE_TEST_SUITE_P(RealScans, Rivals,
+                         testing::Values(Case{"stanford_bunny/bunny_512x512x361_airflat.nrrd", 1500,
+                                              "cane", haptics::HandMotion::Slide, 0.20},
+                                         Case{"volvis_classics/engine.nhdr", 90, "wrench",
+                                              haptics::HandMotion::Hook, 0.20},
+                                         Case{"visible_human_female_head/vhf_head_512x512x234.nrrd",
+                                              300, "drill", haptics::HandMotion::Slide, 0.30}));
 
 }  // namespace
