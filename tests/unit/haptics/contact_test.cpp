@@ -204,6 +204,41 @@ TEST(Clearance, ProvesHowFarEveryPointItLeavesOutMayGo) {
   EXPECT_GT(inside, 5);
 }
 
+// above a plane the bounds are tight: what motion spends must be spent in full
+TEST(Clearance, SpendsAllOfAMotionOverAPlane) {
+  const HalfSpace space;
+  const haptics::PointShell shell = haptics::makeShell(made::ballPoints(60, 4e-3)).value();
+  for (const bool turning : {false, true}) {
+    Random random{48};
+    Clearance clearance{shell.points.size()};
+    Pose X = at(0, 0, 11e-3);
+    int met = 0, skipped = 0;
+    for (int n = 0; n < 200 && met < 20; ++n) {
+      const double reach = random.in(0.02, 0.2) * h;
+      Budget budget = unlimited();
+      ASSERT_EQ(clearance.collect(space.solid, shell, X, reach, budget), Clearance::Verdict::Legal);
+      skipped += budget.spent() < 60;
+      std::vector<bool> near(shell.points.size(), false);
+      for (std::size_t i = 0; i < clearance.size(); ++i)
+        near[static_cast<std::size_t>(clearance.near(i).point)] = true;
+      for (std::size_t i = 0; i < shell.points.size(); ++i) {
+        const double height = (X * shell.points[i]).z();
+        met += height < reach;
+        if (height < reach) {
+          ASSERT_TRUE(near[i]) << "at " << height << " m, within " << reach;
+        }
+      }
+      // down to where the lowest points are in reach; turning, each comes down in its turn
+      const double fall = std::min(0.1 * h, X.translation().z() - 4.02e-3);
+      const Twist step{{0, 0, -fall}, {turning ? 0.03 : 0.0, 0, 0}};
+      X = haptics::moved(X, step, 1.0);
+      clearance.moved(step.linear.norm(), step.angular.norm());
+    }
+    EXPECT_GT(met, 0);
+    EXPECT_GT(skipped, 20);
+  }
+}
+
 TEST(Clearance, LooksAtNothingTwiceThatCannotHaveComeNear) {
   const HalfSpace space;
   const haptics::PointShell shell = haptics::makeShell(made::ballPoints(100, 2e-3)).value();
