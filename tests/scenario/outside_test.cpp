@@ -257,41 +257,4 @@ TEST(Outside, HoldsTenMetresFromTheOriginAndSettlesAsItDoesThere) {
   EXPECT_LT((settled[1] - settled[0]).norm(), 3e-7);  // m: a thousandth of a voxel
 }
 
-// the literal method is frozen here; sticking would show as a proxy far from the ideal one
-TEST(Outside, NoiseOnASphereDoesNotFreezeTheProxy) {
-  const double radius = 0.015, ball = 3e-3;
-  for (const double noise : {0.005, 0.02, 0.05}) {
-    std::mt19937 engine{128};
-    std::normal_distribution<double> grain{0.0, 1.0};
-    const auto scene =
-        made::scene(made::sampled(made::centred(48, h),
-                                  [&](const Vec3& p) {
-                                    return std::clamp(1e5 * (radius - p.norm()), -300.0, 300.0) +
-                                           noise * 600.0 * grain(engine);
-                                  }),
-                    ballTool(200, ball));
-    const auto device = [&](int n) {
-      const double angle = n * 1e-3;
-      return at((radius + ball - 3e-3) * Vec3{std::sin(angle), 0.0, std::cos(angle)});
-    };
-    Trial trial{scene, 0.0, at(0, 0, 0.03)};
-    trial.carry(at(0, 0, 0.03), device(0), 60);
-    double sum = 0.0;
-    int frozen = 0;
-    const int ticks = 3000;
-    for (int n = 0; n < ticks; ++n) {
-      const Vec3 before = trial.place();
-      trial.step(device(n));
-      const Vec3 ideal = (radius + ball) * device(n).translation().normalized();
-      sum += (trial.place() - ideal).norm();
-      frozen += (trial.place() - before).norm() < 1e-9;  // m: 1e-6 mm
-    }
-    std::cout << 100 * noise << " % noise: " << 1e3 * sum / ticks << " mm from ideal, "
-              << 100.0 * frozen / ticks << " % frozen\n";
-    EXPECT_EQ(trial.illegal, 0);
-    EXPECT_LT(sum / ticks, 1.2e-3);  // m: with the noise's own bumps
-    EXPECT_LT(frozen, ticks / 5);
-  }
-}
-
 }  // namespace

@@ -28,10 +28,13 @@ struct Trial {
   int illegal = 0;  ///< ticks with a shell point inside
   int contact = 0;  ///< ticks in contact
   bool judged = true;
+  std::int64_t allowance = haptics::kTickWork;  ///< units of work a tick may spend
+  std::int64_t most_work = 0;                   ///< spent in any tick
 
   const haptics::TickResult& step(const haptics::Pose& X_WD) {
-    haptics::Budget budget = haptics::Budget::counted(haptics::kTickWork);
+    haptics::Budget budget = haptics::Budget::counted(allowance);
     last = haptics::tick(*scene, isovalue, coupling, X_WD, proxy, budget);
+    most_work = std::max(most_work, budget.spent());
     contact += last.contacts > 0;
     if (judged) illegal += !isLegal();
     return last;
@@ -46,6 +49,14 @@ struct Trial {
   }
   void hold(const haptics::Pose& X_WD, int ticks = 200) {
     for (int n = 0; n < ticks; ++n) step(X_WD);
+  }
+  /// Holds the device until the proxy has arrived there to the bit; the ticks it took, or `most`.
+  int ticksToReach(const haptics::Pose& X_WD, int most) {
+    for (int n = 1; n <= most; ++n) {
+      step(X_WD);
+      if (proxy.X_WP.matrix() == X_WD.matrix()) return n;
+    }
+    return most;
   }
   bool isLegal() const {
     return evaluator::isLegal(*scene->volume, isovalue, scene->tool.shell.points, proxy.X_WP);
