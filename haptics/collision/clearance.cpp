@@ -28,9 +28,9 @@ Clearance::Verdict Clearance::collect(const Isosurface& solid, const PointShell&
     const MaxPyramid::Bound bound = field.pyramid().bound(u, ceiling);
     double free = bound.radius;
     if (bound.lipschitz > 0.0) {
-      budget.spend();
-      const Cell cell = field.cellAround(u);
-      const double value = cell.value(u);
+      budget.spend(field.work());
+      const FieldSample here = field.sample(u);
+      const double value = here.value;
       free = std::clamp((ceiling - value) / bound.lipschitz, 0.0, bound.radius);
       if (value >= ceiling) return Verdict::Inside;
       if (free < reach) {
@@ -40,7 +40,7 @@ Clearance::Verdict Clearance::collect(const Isosurface& solid, const PointShell&
         near.u = u;
         near.value = value;
         near.free = free;
-        near.gradient_W = field.worldGradient(cell.gradient(u));
+        near.gradient_W = here.gradient_W;
       }
     } else if (free < reach) {
       NearPoint& near = near_[found_++];

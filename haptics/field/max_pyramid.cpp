@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <type_traits>
 
 namespace haptics {
 namespace {
@@ -73,6 +74,56 @@ void scanBlocks(const T* voxels, const Counts& dims, double background, const Ve
       }
 }
 
+/// The same for the cubic spline: of the voxels that its cells are means of. In the ring the face
+/// falls to the background, and the face is a mean of voxels too.
+template <class T>
+void scanSplineBlocks(const T* voxels, const Counts& dims, double background, const Vec3& spacing,
+                      const Counts& blocks, std::int64_t first, std::int64_t last, float* greatest,
+                      float* lipschitz) {
+  const std::int64_t stride[3] = {1, dims[0], dims[0] * dims[1]};
+  for (std::int64_t bk = first; bk < last; ++bk)
+    for (std::int64_t bj = 0; bj < blocks[1]; ++bj)
+      for (std::int64_t bi = 0; bi < blocks[0]; ++bi) {
+        const std::int64_t b[3] = {bi, bj, bk};
+        std::int64_t from[3], to[3];  // voxels in the grid, both inclusive
+        bool ring[3];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          from[axis] = std::max<std::int64_t>(0, 4 * b[axis] - 2);
+          to[axis] = std::min(dims[axis] - 1, 4 * b[axis] + 4);
+          ring[axis] = b[axis] == 0 || 4 * b[axis] + 2 >= dims[axis] - 1;
+        }
+        const T origin = voxels[from[2] * stride[2] + from[1] * stride[1] + from[0]];
+        T least = origin, top = origin;
+        for (std::int64_t k = from[2]; k <= to[2]; ++k)
+          for (std::int64_t j = from[1]; j <= to[1]; ++j) {
+            const T* row = voxels + k * stride[2] + j * stride[1];
+            for (std::int64_t i = from[0]; i <= to[0]; ++i) {
+              least = std::min(least, row[i]);
+              top = std::max(top, row[i]);
+            }
+          }
+        Vec3 rise = Vec3::Zero();
+        if (least != top)
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            std::int64_t end[3] = {to[0], to[1], to[2]};
+            --end[axis];
+            double& steepest = rise[static_cast<int>(axis)];
+            for (std::int64_t k = from[2]; k <= end[2]; ++k)
+              for (std::int64_t j = from[1]; j <= end[1]; ++j) {
+                const T* row = voxels + k * stride[2] + j * stride[1];
+                for (std::int64_t i = from[0]; i <= end[0]; ++i)
+                  steepest =
+                      std::max(steepest, std::abs(double(row[i + stride[axis]]) - double(row[i])));
+              }
+          }
+        for (int axis = 0; axis < 3; ++axis)
+          if (ring[axis]) rise[axis] = std::max(rise[axis], double(top) - background);
+        const std::int64_t at = (bk * blocks[1] + bj) * blocks[0] + bi;
+        greatest[at] = roundedUp(double(top));
+        lipschitz[at] = roundedUp(rise.cwiseQuotient(spacing).norm());
+      }
+}
+
 /// The greatest of every block and its 26 neighbours; beyond the grid nothing counts.
 std::vector<float> dilated(std::vector<float> values, const Counts& blocks) {
   const std::int64_t stride[3] = {1, blocks[0], blocks[0] * blocks[1]};
@@ -95,7 +146,7 @@ std::vector<float> dilated(std::vector<float> values, const Counts& blocks) {
 
 }  // namespace
 
-MaxPyramid::MaxPyramid(const Volume& volume)
+MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind)
     : dims_{volume.grid.dims}, smallest_spacing_{volume.grid.spacing.minCoeff()} {
   Counts blocks;
   for (int axis = 0; axis < 3; ++axis) blocks[axis] = (dims_[axis] + 1 + kCells - 1) / kCells;
@@ -110,9 +161,15 @@ MaxPyramid::MaxPyramid(const Volume& volume)
     std::vector<std::thread> threads;
     for (std::int64_t w = 0; w < workers; ++w)
       threads.emplace_back([&, w] {
-        scanBlocks(voxels, dims_, volume.least, volume.grid.spacing, blocks,
-                   blocks[2] * w / workers, blocks[2] * (w + 1) / workers, greatest.data(),
-                   lipschitz_.data());
+        const auto scan = [&](auto&& scanned) {
+          scanned(voxels, dims_, volume.least, volume.grid.spacing, blocks, blocks[2] * w / workers,
+                  blocks[2] * (w + 1) / workers, greatest.data(), lipschitz_.data());
+        };
+        using T = std::remove_cvref_t<decltype(*voxels)>;
+        if (kind == FieldKind::CubicSpline)
+          scan(scanSplineBlocks<T>);
+        else
+          scan(scanBlocks<T>);
       });
     for (std::thread& thread : threads) thread.join();
   });

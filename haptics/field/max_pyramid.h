@@ -8,19 +8,22 @@
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
 #include "haptics/core/volume.h"
+#include "haptics/field/field_kind.h"
 
 namespace haptics {
 
-/// What is certain about a volume near a place, whatever the isovalue: how high it may get, and
-/// how fast. Built once; moving the isovalue rebuilds nothing.
+/// What is certain about a volume's field near a place, whatever the isovalue: how high it may get,
+/// and how fast. Built once; moving the isovalue rebuilds nothing.
 ///
 /// Blocks of 4^3 cells (then 8^3, … 64^3) hold the greatest voxel of themselves and their 26
 /// neighbours, so that a block below the isovalue proves a ball of one block side empty. The
 /// finest level also holds a Lipschitz constant over the same neighbourhood. Cells run from -1 to
-/// dims - 1 on each axis: the outermost ring is the fall to the background.
+/// dims - 1 on each axis: the outermost ring is the fall to the background. A spline's value is a
+/// mean of the voxels about its cell, and its slope one of their differences: its blocks take in
+/// one more voxel on every side.
 class MaxPyramid {
  public:
-  explicit MaxPyramid(const Volume& volume);
+  explicit MaxPyramid(const Volume& volume, FieldKind kind = FieldKind::Trilinear);
 
   /// What is known about a ball around a place.
   struct Bound {

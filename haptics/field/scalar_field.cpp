@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "haptics/field/spline_cell.h"
+
 namespace haptics {
 
 double Cell::value(const Vec3& u) const HAPTICS_RT {
@@ -48,8 +50,8 @@ double usualRange(const Volume& volume) {
 
 }  // namespace
 
-ScalarField::ScalarField(std::shared_ptr<const Volume> volume)
-    : volume_{std::move(volume)}, pyramid_{*volume_} {
+ScalarField::ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind)
+    : volume_{std::move(volume)}, kind_{kind}, pyramid_{*volume_, kind} {
   const Grid& grid = volume_->grid;
   A_VW_ = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
   A_VW_t_ = A_VW_.transpose();
@@ -85,6 +87,12 @@ std::int64_t cellIndex(double x, std::int64_t dim) HAPTICS_RT {
   return static_cast<std::int64_t>(std::clamp(std::floor(x), -2.0, double(dim)));
 }
 
+SplineCell splineCellAround(const Volume& volume, const Vec3& u) HAPTICS_RT {
+  const auto& dims = volume.grid.dims;
+  return splineCellAt(
+      volume, {cellIndex(u.x(), dims[0]), cellIndex(u.y(), dims[1]), cellIndex(u.z(), dims[2])});
+}
+
 }  // namespace
 
 Cell ScalarField::cellAt(const std::array<std::int64_t, 3>& at) const HAPTICS_RT {
@@ -100,6 +108,31 @@ Cell ScalarField::cellAround(const Vec3& u) const HAPTICS_RT {
   const Grid& grid = volume_->grid;
   return cellAt({cellIndex(u.x(), grid.dims[0]), cellIndex(u.y(), grid.dims[1]),
                  cellIndex(u.z(), grid.dims[2])});
+}
+
+double ScalarField::value(const Vec3& u) const HAPTICS_RT {
+  if (kind_ == FieldKind::CubicSpline) return splineCellAround(*volume_, u).value(u);
+  return cellAround(u).value(u);
+}
+
+FieldSample ScalarField::sample(const Vec3& u) const HAPTICS_RT {
+  FieldSample sample;
+  if (kind_ == FieldKind::CubicSpline) {
+    Vec3 per_index;
+    sample.value = splineCellAround(*volume_, u).sample(u, per_index);
+    sample.gradient_W = worldGradient(per_index);
+  } else {
+    const Cell cell = cellAround(u);
+    sample.value = cell.value(u);
+    sample.gradient_W = worldGradient(cell.gradient(u));
+  }
+  return sample;
+}
+
+Vec3 ScalarField::splineGradient(const Vec3& u) const HAPTICS_RT {
+  Vec3 per_index;
+  splineCellAround(*volume_, u).sample(u, per_index);
+  return worldGradient(per_index);
 }
 
 Vec3 ScalarField::centralGradient(const Vec3& u) const HAPTICS_RT {

@@ -4,9 +4,11 @@
 #include <array>
 #include <memory>
 
+#include "haptics/core/budget.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
 #include "haptics/core/volume.h"
+#include "haptics/field/field_kind.h"
 #include "haptics/field/max_pyramid.h"
 
 namespace haptics {
@@ -20,13 +22,22 @@ struct Cell {
   Vec3 gradient(const Vec3& u) const HAPTICS_RT;  ///< per index step
 };
 
-/// The trilinear field over the unmodified voxels ([Chan 2011], 2.2). Beyond the grid it falls to
-/// the background (the least voxel) within one voxel, so that cut faces are solid.
+/// A field at a place.
+struct FieldSample {
+  double value = 0.0;
+  Vec3 gradient_W = Vec3::Zero();  ///< of the field itself, per metre
+};
+
+/// The field over the unmodified voxels: trilinear ([Chan 2011], 2.2), or the cubic B-spline
+/// that has them as coefficients (README, "Fields"). Beyond the grid it falls to the background
+/// (the least voxel) within one voxel, so that cut faces are solid.
 ///
 /// u are index coordinates: voxel (i, j, k) has its centre at u = (i, j, k).
 class ScalarField {
  public:
-  explicit ScalarField(std::shared_ptr<const Volume> volume);
+  explicit ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind = FieldKind::Trilinear);
+
+  FieldKind kind() const HAPTICS_RT { return kind_; }
 
   Vec3 indexOf(const Vec3& p_W) const HAPTICS_RT { return A_VW_ * p_W + b_V_; }
   /// A motion or direction in W as index steps.
@@ -34,13 +45,27 @@ class ScalarField {
   /// A gradient per index step as one per metre in W.
   Vec3 worldGradient(const Vec3& per_index) const HAPTICS_RT { return A_VW_t_ * per_index; }
 
+  double value(const Vec3& u) const HAPTICS_RT;
+  FieldSample sample(const Vec3& u) const HAPTICS_RT;
+  /// The fraction of the segment a→b (index coordinates) at which the field first reaches
+  /// `level`: never later than it does, and earlier by `tolerance` at most; 2 if it stays below.
+  /// Exact: along a segment within a cell the field is a polynomial (cubic, or of degree 9), whose
+  /// first root is isolated in Bernstein form.
+  double firstReach(const Vec3& a, const Vec3& b, double level, double tolerance,
+                    Budget& budget) const HAPTICS_RT;
+  /// Units of work of one value or sample (core/budget.h).
+  int work() const HAPTICS_RT { return kind_ == FieldKind::Trilinear ? 1 : kSplineWork; }
+
+  /// The voxels of a cell, and their trilinear field whatever the kind.
   Cell cellAt(const std::array<std::int64_t, 3>& at) const HAPTICS_RT;
   Cell cellAround(const Vec3& u) const HAPTICS_RT;
-  double value(const Vec3& u) const HAPTICS_RT { return cellAround(u).value(u); }
 
   /// Central differences over one voxel, divided by 2 delta on each axis [per metre, W]:
   /// [Chan 2011], (1), with the division it leaves out (contract: Inside).
   Vec3 centralGradient(const Vec3& u) const HAPTICS_RT;
+  /// Gradient of the cubic B-spline with the voxels as coefficients, whatever the kind
+  /// [per metre, W]: 64 voxels, so noise and facets weigh little.
+  Vec3 splineGradient(const Vec3& u) const HAPTICS_RT;
 
   const MaxPyramid& pyramid() const HAPTICS_RT { return pyramid_; }
   const Volume& volume() const HAPTICS_RT { return *volume_; }
@@ -50,7 +75,11 @@ class ScalarField {
   double roundingMargin() const HAPTICS_RT { return rounding_margin_; }
 
  private:
+  static constexpr int kSplineWork = 3;         ///< of 64 voxels, their weights and sum
+  static constexpr int kSplineSegmentWork = 9;  ///< of the polynomial along a segment
+
   std::shared_ptr<const Volume> volume_;
+  FieldKind kind_;
   MaxPyramid pyramid_;
   Mat3 A_VW_, A_VW_t_;
   Vec3 b_V_;

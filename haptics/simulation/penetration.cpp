@@ -36,10 +36,10 @@ double penetration(const Scene& scene, double isovalue, const Pose& X_WP) {
   double deepest = 0.0;
   for (const Vec3& p : scene.tool.shell.points) {
     const Vec3 u = scene.field.indexOf(X_WP * p);
-    const Cell cell = scene.field.cellAround(u);
-    const double above = cell.value(u) - isovalue;
+    const FieldSample here = scene.field.sample(u);
+    const double above = here.value - isovalue;
     if (above < 0.0) continue;
-    const double slope = scene.field.worldGradient(cell.gradient(u)).norm();
+    const double slope = here.gradient_W.norm();
     deepest = std::max(deepest,
                        slope > 0.0 ? above / slope : nearestLegalVoxel(scene.field, isovalue, u));
   }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace haptics {
+
+/// How the voxels become a field.
+enum class FieldKind {
+  Trilinear,   ///< through the voxels, as in [Chan 2011], 2.2
+  CubicSpline  ///< the voxels as coefficients of a cubic B-spline: smoother, near them only
+};
+
+}  // namespace haptics

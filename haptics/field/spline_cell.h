@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
+#include "haptics/core/volume.h"
+
+namespace haptics {
+
+/// The part of the uniform cubic B-spline with the voxels as coefficients ([Unser 1999]; no
+/// prefilter, so it approximates them) that lies in one cell: a tricubic polynomial.
+///
+/// Voxels are mirrored at the faces of the grid. Beyond a face the value of the face falls to the
+/// background within one voxel, linearly, as the trilinear field does. Every value is a mean of
+/// the 4^3 voxels and the background with weights that are not negative, so their greatest bounds
+/// it, and their differences bound its slope.
+struct SplineCell {
+  /// A polynomial of degree 9 on [0, 1] by its Bernstein coefficients; their hull contains it.
+  using Along = std::array<double, 10>;
+
+  std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the fall outside
+  std::array<double, 64> voxel;      ///< from at - 1 to at + 2 on each axis, i fastest
+  std::array<int, 3> face{};         ///< -1, 1: outside beyond the low, high face of the axis
+  double background = 0.0;
+  bool beyond = false;  ///< nothing but background
+
+  double greatest() const HAPTICS_RT;            ///< no value of the cell is above this
+  double value(const Vec3& u) const HAPTICS_RT;  ///< at index coordinates u within the cell
+  /// Value, and gradient per index step.
+  double sample(const Vec3& u, Vec3& gradient) const HAPTICS_RT;
+  /// The field along the segment a→b of index coordinates.
+  Along alongSegment(const Vec3& a, const Vec3& b) const HAPTICS_RT;
+};
+
+/// The cell of a volume with its lowest corner at this index.
+SplineCell splineCellAt(const Volume& volume, const std::array<std::int64_t, 3>& at) HAPTICS_RT;
+
+}  // namespace haptics

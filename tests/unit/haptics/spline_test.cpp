@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "haptics/collision/sweep.h"
+#include "haptics/field/scalar_field.h"
+#include "tests/support/evaluator.h"
+#include "tests/unit/haptics/made.h"
+#include "tests/unit/haptics/spline_reference.h"
+
+namespace {
+
+using haptics::Budget;
+using haptics::Crossing;
+using haptics::FieldKind;
+using haptics::FieldSample;
+using haptics::Grid;
+using haptics::Isosurface;
+using haptics::MaxPyramid;
+using haptics::PointPath;
+using haptics::ScalarField;
+using haptics::ScalarType;
+using haptics::Tolerances;
+using haptics::Vec3;
+using haptics::Volume;
+using made::Random;
+
+constexpr double h = 1e-3;  // m: the voxel where nothing else is said
+
+Budget unlimited() { return Budget::counted(std::numeric_limits<std::int64_t>::max()); }
+
+Vec3 around(const Grid& grid, double margin, Random& random) {
+  Vec3 u;
+  for (int axis = 0; axis < 3; ++axis)
+    u[axis] = random.in(-margin, double(grid.dims[static_cast<std::size_t>(axis)] - 1) + margin);
+  return u;
+}
+
+TEST(SplineField, IsTheSplineOfItsVoxelsWhateverTheirTypeAndFrame) {
+  Random random{1};
+  int within = 0, falling = 0, beyond = 0, k = 0;
+  for (const ScalarType type : made::kTypes)
+    for (const std::array<std::int64_t, 3> dims :
+         {std::array<std::int64_t, 3>{9, 7, 5}, {1, 2, 3}, {40, 1, 4}}) {
+      SCOPED_TRACE(haptics::nameOf(type));
+      const Grid grid = made::oddGrid(k++, dims, random);
+      const auto volume = made::shared(made::randomVolume(grid, type, random));
+      const ScalarField field{volume, FieldKind::CubicSpline};
+      for (int n = 0; n < made::trials(1500); ++n) {
+        const Vec3 u = around(grid, 3.0, random);
+        const double value = field.value(u);
+        // what legality keeps away from the isovalue must cover how far two evaluations differ
+        ASSERT_NEAR(value, spline_reference::fieldAtIndex(*volume, u), field.roundingMargin());
+        ASSERT_NEAR(field.sample(u).value, value, field.roundingMargin());
+        const double past = std::max(
+            (-u).maxCoeff(),
+            (u - Vec3{double(dims[0] - 1), double(dims[1] - 1), double(dims[2] - 1)}).maxCoeff());
+        ++(past <= 0.0 ? within : past < 1.0 ? falling : beyond);
+        if (past >= 1.0) {
+          ASSERT_EQ(value, volume->least);
+        }
+      }
+    }
+  EXPECT_GT(within, made::trials(1000));
+  EXPECT_GT(falling, made::trials(4000));
+  EXPECT_GT(beyond, made::trials(4000));
+}
+
+TEST(SplineField, GradientIsTheSlopeOfTheField) {
+  Random random{2};
+  int falling = 0;
+  for (int k = 0; k < 6; ++k) {
+    const Grid grid = made::oddGrid(k, {6, 7, 6}, random);
+    const auto volume = made::shared(made::randomVolume(grid, ScalarType::Float32, random));
+    const ScalarField field{volume, FieldKind::CubicSpline};
+    for (int n = 0; n < 400; ++n) {
+      const Vec3 u = around(grid, 1.0, random);
+      // a face is a kink; a difference across it says nothing
+      constexpr double d = 1e-4;
+      bool kink = false;
+      for (int axis = 0; axis < 3; ++axis)
+        kink = kink || std::abs(u[axis] - std::round(u[axis])) < 2.0 * d;
+      if (kink) continue;
+      Vec3 slope;
+      for (int axis = 0; axis < 3; ++axis) {
+        Vec3 a = u, b = u;
+        a[axis] -= d;
+        b[axis] += d;
+        slope[axis] = (spline_reference::fieldAtIndex(*volume, b) -
+                       spline_reference::fieldAtIndex(*volume, a)) /
+                      (2.0 * d);
+      }
+      // voxels of +-3,000: third derivatives up to 1e4 a voxel cubed, times d²/6
+      const Vec3 gradient = grid.spacing.asDiagonal() *
+                            (grid.direction.transpose() * field.sample(u).gradient_W).eval();
+      ASSERT_LT((gradient - slope).norm(), 1e-3);
+      ASSERT_EQ(field.splineGradient(u), field.sample(u).gradient_W);
+      falling += (u.minCoeff() < 0.0);
+    }
+  }
+  EXPECT_GT(falling, 300);
+}
+
+TEST(SplineField, GradientOfALinearFieldIsItsSlopeInAnyFrameWhateverTheKind) {
+  Random random{3};
+  for (int k = 0; k < 12; ++k) {
+    const Grid grid = made::oddGrid(k, {12, 12, 12}, random);
+    const Vec3 slope_W = 1e5 * random.direction();  // per m
+    const auto volume = made::shared(
+        made::sampled(grid, [&](const Vec3& p) { return slope_W.dot(p - grid.origin); }));
+    for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::CubicSpline}) {
+      const ScalarField field{volume, kind};
+      for (int n = 0; n < 50; ++n) {
+        const Vec3 u{random.in(1.0, 10.0), random.in(1.0, 10.0), random.in(1.0, 10.0)};
+        // voxels are floats: 24 bits of values up to 1e5 · 30 mm, over 0.3 mm
+        EXPECT_LT((field.splineGradient(u) - slope_W).norm(), 2.0);
+        EXPECT_LT((field.sample(u).gradient_W - slope_W).norm(), 4.0);
+      }
+    }
+  }
+}
+
+TEST(SplineField, PyramidStatesOnlyBoundsThatHold) {
+  Random random{4};
+  int empty = 0, sloped = 0, k = 0;
+  const auto check = [&](const Volume& made_volume) {
+    const auto volume = made::shared(made_volume);
+    const Grid& grid = volume->grid;
+    const ScalarField field{volume, FieldKind::CubicSpline};
+    const double range = volume->greatest - volume->least;
+    for (int n = 0; n < made::trials(1000); ++n) {
+      Vec3 u = around(grid, 8.0, random);
+      // often at the very edge of a block of four cells, from where the ball reaches farthest
+      for (int axis = 0; axis < 3; ++axis)
+        if (random.below(2) == 0)
+          u[axis] = 4.0 * std::floor(u[axis] / 4.0) - 1.0 + (random.below(2) == 0 ? 1e-3 : -1e-3);
+      const Vec3 p_W = grid.worldOf(u);
+      const double s = volume->least + std::fmax(range, 1.0) * random.in(0.01, 1.01);
+      const MaxPyramid::Bound bound = field.pyramid().bound(u, s);
+      const double here = spline_reference::fieldAtIndex(*volume, u);
+      for (int i = 0; i < 12; ++i) {
+        // half of them as far as the ball goes along an axis
+        const bool far = i % 2 == 0;
+        const double distance = bound.radius * (far ? 1.0 : std::cbrt(random.in(0.0, 1.0)));
+        const Vec3 along = grid.direction.col(i / 2 % 3) * (random.below(2) == 0 ? 1.0 : -1.0);
+        const Vec3 q_W = p_W + distance * (far ? along : random.direction());
+        const double there = spline_reference::fieldAt(*volume, q_W);
+        if (bound.lipschitz == 0.0)
+          ASSERT_LT(there, s) << u.transpose();
+        else
+          ASSERT_LE(std::abs(there - here), bound.lipschitz * distance + 1e-9 * range);
+      }
+      ++(bound.lipschitz == 0.0 ? empty : sloped);
+    }
+  };
+  for (const ScalarType type : made::kTypes) {
+    SCOPED_TRACE(haptics::nameOf(type));
+    check(made::randomVolume(made::oddGrid(k, {17 + k, 9, 30 - k}, random), type, random));
+    // single bright and dark voxels: what lies one voxel beyond a block matters
+    check(made::filled(made::oddGrid(k, {21, 18 + k, 26}, random), type, [&](auto, auto, auto) {
+      return random.below(400) == 0 ? 120.0 : random.below(400) == 0 ? 10.0 : 20.0;
+    }));
+    ++k;
+  }
+  for (const std::array<std::int64_t, 3> dims :
+       {std::array<std::int64_t, 3>{1, 1, 1}, {1, 40, 1}, {2, 2, 90}, {5, 4, 3}})
+    check(made::filled(made::oddGrid(1, dims, random), ScalarType::Int16,
+                       [&](auto, auto, auto) { return random.in(-9.0, 900.0); }));
+  EXPECT_GT(sloped, made::trials(5000));
+  EXPECT_GT(empty, made::trials(2000));
+}
+
+// SplineField tests hold the field itself to its definition; here it judges the crossings
+TEST(FirstReach, OfBothKindsIsTheFirstThatDenseSamplesSee) {
+  Random random{5};
+  for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::CubicSpline}) {
+    const auto volume = made::shared(made::noise(made::centred(16, h), 6));
+    const ScalarField field{volume, kind};
+    int met = 0, passed = 0;
+    for (int n = 0; n < made::trials(4000); ++n) {
+      const Vec3 a = random.box(9.0) + Vec3::Constant(7.5);
+      const Vec3 b = a + random.in(0.01, 4.0) * random.direction();
+      const double level = random.in(0.1, 1.0) * (kind == FieldKind::Trilinear ? 150.0 : 60.0);
+      const double tolerance = 1e-6;
+      const auto value = [&](double t) { return field.value(a + t * (b - a)); };
+      if (value(0.0) >= level) continue;
+      Budget budget = unlimited();
+      const double reach = field.firstReach(a, b, level, tolerance, budget);
+      EXPECT_GT(budget.spent(), 0);
+      double first = 2.0;
+      constexpr int kSamples = 1000;
+      for (int i = 0; i <= kSamples && first > 1.0; ++i)
+        if (value(double(i) / kSamples) >= level) first = double(i) / kSamples;
+      if (first <= 1.0) {
+        ASSERT_LE(reach, first + 1e-9);
+        ++met;
+      }
+      if (reach <= 1.0) {
+        // what was met is there: within the tolerance, at the noise's steepest 600 a voxel
+        double top = value(std::min(1.0, reach + tolerance));
+        top = std::max(top, value(reach));
+        ASSERT_GE(top, level - 600.0 * 4.0 * tolerance - 1e-6);
+      } else {
+        ++passed;
+      }
+    }
+    EXPECT_GT(met, made::trials(400));
+    EXPECT_GT(passed, made::trials(500));
+  }
+}
+
+/// What was shot, and what met.
+struct Tally {
+  int arcs = 0, met = 0, early = 0;
+  double latest = 0.0;  // voxels of path
+};
+
+/// Sends arcs through a spline field from outside, and looks at each with dense samples.
+void shoot(const Volume& made_volume, const std::vector<double>& isovalues, double half, int arcs,
+           int samples, Random& random, Tally& tally) {
+  const auto volume = made::shared(made_volume);
+  const ScalarField field{volume, FieldKind::CubicSpline};
+  while (arcs > 0) {
+    const double s = isovalues[static_cast<std::size_t>(random.below(int(isovalues.size())))];
+    const Isosurface solid{field, s};
+    const Vec3 r = random.in(0.0, 0.02) * random.direction();
+    const PointPath path{random.box(half) - r,
+                         r,
+                         {3e-3 * random.in(0.0, 1.0) * random.direction(),
+                          0.35 * random.in(0.0, 1.0) * random.direction()}};
+    const double start = field.value(field.indexOf(path.at(0.0)));
+    if (start >= solid.ceiling()) continue;
+    --arcs;
+    ++tally.arcs;
+    Budget budget = unlimited();
+    const Crossing crossing =
+        haptics::firstCrossing(solid, path, 0.0, 1.0, start, Tolerances{h}, budget);
+    double first = 2.0;
+    for (int n = 0; n <= samples && first > 1.0; ++n) {
+      const double t = double(n) / samples;
+      if (field.value(field.indexOf(path.at(t))) >= s) first = t;
+    }
+    if (first <= 1.0) {
+      ASSERT_TRUE(crossing.met) << "missed at " << path.at(first).transpose();
+      const double late = (crossing.time - first) * path.speed() / h;
+      tally.latest = std::max(tally.latest, late);
+      ASSERT_LE(late, 1e-3) << "met at " << crossing.time << ", inside at " << first;
+    }
+    if (crossing.met) {
+      ++tally.met;
+      const Vec3 u = field.indexOf(path.at(crossing.time));
+      const double F = field.value(u);
+      tally.early += F < s - 5e-4 * h * field.pyramid().lipschitz(u);
+    }
+  }
+}
+
+TEST(FirstCrossing, OfASplineMissesNothingInWhiteNoise) {
+  Random random{7};
+  Tally tally;
+  // a spline leaves noise of 100 some 33
+  shoot(made::noise(made::centred(40, h), 8), {15.0, 33.0, 50.0, 80.0}, 18 * h, made::trials(4'000),
+        500, random, tally);
+  std::cout << tally.arcs << " arcs in noise, " << tally.met << " met, " << tally.early
+            << " early, latest " << tally.latest << " voxel\n";
+  EXPECT_GT(tally.met, tally.arcs / 10);
+  EXPECT_LT(tally.met, tally.arcs);
+  EXPECT_LT(tally.early, std::max(2, tally.met / 100));
+}
+
+// one voxel of plate, seen near the peak that the spline leaves of it
+TEST(FirstCrossing, OfASplineMissesNoThinPlate) {
+  Random random{9};
+  Tally tally;
+  const auto upright = made::filled(made::centred(40, h), ScalarType::Int16,
+                                    [&](auto i, auto, auto) { return i % 8 == 4 ? 1000. : 0.; });
+  const double peak = 1000.0 * 2.0 / 3.0;
+  shoot(upright, {0.8 * peak, 0.95 * peak, 0.99 * peak, 0.9999 * peak}, 15 * h, made::trials(3'000),
+        1000, random, tally);
+  std::cout << tally.arcs << " arcs at plates, " << tally.met << " met, latest " << tally.latest
+            << " voxel\n";
+  EXPECT_GT(tally.met, tally.arcs / 20);
+  EXPECT_LT(tally.met, tally.arcs);
+}
+
+}  // namespace
