@@ -14,6 +14,7 @@ using haptics::HandMotion;
 
 constexpr double kReach = 0.008;        // m that the hands go beyond the surface
 constexpr double kLeadIn = 0.5;         // s
+constexpr double kApart = 1e-6;         // m
 constexpr double kLongTick_us = 300.0;  // worth a line of its own
 
 constexpr std::pair<const char*, HandMotion> kHands[] = {
@@ -71,10 +72,13 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
   for (std::size_t c = 0; c < courses.size(); ++c) {
     const Course& course = courses[c];
     const bool is_guided = course.hand == "tap" || course.hand == "slide" || course.hand == "hook";
+    const std::size_t rows_before = records.size(), coupled_before = coupling.size();
+    double part_us = 0.0;
     for (std::size_t n = 0; n < course.device.size(); ++n) {
       const Tick& tick = track.ticks[c][n];
       const double us = 1e-3 * double(tick.cpu_ns);
       times.push_back(us);
+      part_us += us;
       samples += double(tick.samples);
       cut += tick.cut;
       summary.contacts_max = std::max(summary.contacts_max, tick.contacts);
@@ -83,13 +87,15 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
             {course.hand, n, us, tick.samples, tick.faults, tick.switches});
 
       if (!course.jerk) {
+        // whoever is kept from the device is in contact, whatever a cut tick knows of it
+        const double apart = massDistance(tick.X_WP, course.device[n], shell);
         reference::Record record;
         record.X_WP = tick.X_WP;
-        record.contacts = tick.contacts;
+        record.contacts = tick.contacts > 0 || apart > kApart;
         records.push_back(record);
         led.push_back(course.device[n]);
-        if (tick.contacts > 0) {
-          coupling.push_back(1e3 * massDistance(tick.X_WP, course.device[n], shell));
+        if (record.contacts > 0) {
+          coupling.push_back(1e3 * apart);
           if (is_guided) guided.push_back(coupling.back());
         }
       }
@@ -101,6 +107,16 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
         summary.wall_passages +=
             judge.passages(track.ticks[c][n - 1].X_WP, tick.X_WP, track.sub_steps);
     }
+    const double ticks = double(course.device.size());
+    Part part{course.hand, part_us / ticks};
+    if (!course.jerk) {
+      const std::span<const double> own = std::span{coupling}.subspan(coupled_before);
+      part.coupling_mm = mean(own);
+      part.frozen = reference::frozenShare(std::span{records}.subspan(rows_before),
+                                           std::span{led}.subspan(rows_before), shell);
+      part.contact = double(own.size()) / ticks;
+    }
+    summary.parts.push_back(part);
   }
   summary.ticks = times.size();
   summary.mean_us = mean(times);

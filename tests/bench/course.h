@@ -43,6 +43,12 @@ struct LongTick {
   long faults = 0, switches = 0;
 };
 
+/// One hand's part of it.
+struct Part {
+  std::string hand;
+  double mean_us = 0.0, coupling_mm = 0.0, frozen = 0.0, contact = 0.0;  ///< shares of ticks
+};
+
 /// A track in numbers. Times are thread CPU.
 struct Summary {
   std::string method;
@@ -57,6 +63,7 @@ struct Summary {
   int wall_passages = 0;        ///< points, over the judged ticks
   std::size_t ticks = 0, judged_poses = 0;
   std::vector<LongTick> long_ticks;
+  std::vector<Part> parts;  ///< hand by hand
 };
 
 /// Judges every `every`-th pose for its depth and every other tick for passages; in jerks all.

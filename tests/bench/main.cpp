@@ -24,6 +24,13 @@ struct Options {
 };
 
 Json jsonOf(const std::string& scene, const Summary& s) {
+  Json hands = Json::array();
+  for (const Part& part : s.parts)
+    hands.push_back({{"hand", part.hand},
+                     {"mean_us", part.mean_us},
+                     {"coupling_mm", part.coupling_mm},
+                     {"frozen", part.frozen},
+                     {"contact", part.contact}});
   return {{"scene", scene},
           {"method", s.method},
           {"mean_us", s.mean_us},
@@ -40,7 +47,8 @@ Json jsonOf(const std::string& scene, const Summary& s) {
           {"samples_per_tick", s.samples_per_tick},
           {"contacts_max", s.contacts_max},
           {"cut", s.cut},
-          {"ticks", s.ticks}};
+          {"ticks", s.ticks},
+          {"hands", hands}};
 }
 
 /// The baseline is honest only if it does the work that the paper describes, at a fitting speed.

@@ -120,11 +120,10 @@ double Judge::depth(const Pose& X_WP) const {
   return deepest;
 }
 
-bool Judge::wayRound(const Vec3& from_W, const Vec3& to_W) const {
-  // the nearest to the goal first, over a lattice of a quarter of a voxel
+bool Judge::wayRound(const Vec3& from_W, const Vec3& to_W, double step) const {
+  // the nearest to the goal first, over a lattice
   constexpr std::size_t kMost = 200'000;  // places: then it is taken for a wall
   using Place = std::array<int, 3>;
-  const double step = 0.25 * voxel_;
   const double longest = 2.0 * (to_W - from_W).norm() + 2.0 * voxel_;
   const auto at = [&](const Place& place) {
     return Vec3{from_W + step * Vec3{double(place[0]), double(place[1]), double(place[2])}};
@@ -180,7 +179,9 @@ int Judge::passages(const Pose& X_from, const Pose& X_to, bool may_go_round) con
         met = inside(at(double(m) / double(steps)));
     }
     if (!met || inside(at(0.0)) || inside(at(1.0))) continue;
-    if (!may_go_round || !wayRound(at(0.0), at(1.0))) ++count;
+    // a coarse lattice finds most ways, a fine one those through slits
+    const auto round = [&](double step) { return wayRound(at(0.0), at(1.0), step * voxel_); };
+    if (!may_go_round || !(round(0.25) || round(0.05))) ++count;
   }
   return count;
 }

@@ -54,7 +54,7 @@ class Judge {
 
  private:
   bool inside(const Vec3& p_W) const;
-  bool wayRound(const Vec3& from_W, const Vec3& to_W) const;
+  bool wayRound(const Vec3& from_W, const Vec3& to_W, double step) const;
   const Case& scene_;
   const haptics::PointShell& shell_;
   FreeBlocks blocks_;

@@ -199,9 +199,10 @@ Case hole() {
              "peg",
              1307,
              161};
-  // the peg's end 8 mm down in the hole, and not quite upright
-  scene.place = haptics::poseOf(
-      {0.0, 0.0, 0.037}, haptics::Quat{Eigen::AngleAxisd{0.002, Vec3{1, 2, 0}.normalized()}});
+  // the peg's end 8 mm down in the hole; off the middle, and not quite upright, so that it catches
+  const haptics::Quat tilt{Eigen::AngleAxisd{0.005, Vec3{1, 2, 0}.normalized()}};
+  const Vec3 p_WE{0.00008, 0.00004, 0.012}, p_EP_P{0.0, 0.0, 0.025};
+  scene.place = haptics::poseOf(p_WE + tilt * p_EP_P, tilt);
   return scene;
 }
 
