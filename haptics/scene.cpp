@@ -18,8 +18,9 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
   ScalarField field{volume};
   const MassMetric metric{tool.shell.inertia};
   const Tolerances lengths{field.voxel()};
+  ShellTree tree{tool.shell.points};
   return std::make_shared<const Scene>(
-      Scene{++last_id, std::move(volume), std::move(tool), std::move(field), metric, lengths});
+      Scene{++last_id, std::move(volume), std::move(tool), std::move(tree), std::move(field), metric, lengths});
 }
 
 std::optional<Pose> legalPoseNear(const Scene& scene, double isovalue, const Pose& X_WT) {

@@ -12,6 +12,7 @@
 #include "haptics/field/isosurface.h"
 #include "haptics/solver/mass_metric.h"
 #include "haptics/tool/point_shell.h"
+#include "haptics/tool/shell_tree.h"
 
 namespace haptics {
 
@@ -21,6 +22,7 @@ struct Scene {
   std::uint64_t id = 0;  ///< unique in the process, from 1
   std::shared_ptr<const Volume> volume;
   Tool tool;
+  ShellTree tree;      ///< over the tool's shell
   ScalarField field;   ///< reads `volume`; holds the pyramid over it
   MassMetric metric;   ///< of the tool
   Tolerances lengths;  ///< from the voxel

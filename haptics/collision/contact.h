@@ -22,20 +22,20 @@ using Contacts = FixedVector<Contact, 24>;
 /// Lengths of the algorithm, all derived from the voxel h [m].
 struct Tolerances {
   explicit Tolerances(double h)
-      : epsilon{0.05 * h},
+      : voxel{h},
+        epsilon{0.05 * h},
         rest_gap{0.025 * h},
         band{0.1 * h},
-        sagitta{1e-4 * h},
+        sagitta{3e-4 * h},
         root{1e-5 * h},
-        step_free{24.0 * h},
-        step_near{1.0 * h} {}
+        step_free{24.0 * h} {}
+  double voxel;      ///< h
   double epsilon;    ///< how near counts as contact; the paper's epsilon
   double rest_gap;   ///< what a contact keeps between point and surface: half of epsilon
   double band;       ///< points nearer than this constrain the motion
   double sagitta;    ///< how far a path may leave its chord in collision detection
   double root;       ///< how finely a first crossing is found
   double step_free;  ///< longest sub-step
-  double step_near;  ///< longest sub-step with many points about
 };
 
 }  // namespace haptics

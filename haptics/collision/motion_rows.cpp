@@ -13,88 +13,113 @@ constexpr std::size_t kNearest = 22;  // points with the least gaps; 26 more are
 
 /// How much a contact with this gap leaves to the motion; from inside it must leave, in reason.
 double room(double gap, const Tolerances& lengths) HAPTICS_RT {
-  const double h = lengths.step_near;
+  const double h = lengths.voxel;
   return gap >= 0.0 ? gap - lengths.rest_gap : -std::min(lengths.rest_gap - gap, 2.0 * h);
 }
 
+/// A near point within the band.
+struct Candidate {
+  int place = 0;
+  Vec3 r_W;
+  double gap = 0.0;  // to first order [m]
+  double value = 0.0;
+  Vec3 exact_W, central_W;  // gradients, per metre
+};
+
 /// The row of a near point. The central difference smooths the facets of the field; where it
 /// vanishes, or points elsewhere than the cell's own gradient, that is taken (thin plates).
-bool rowOf(const Isosurface& solid, const NearPoint& near, const Tolerances& lengths,
-           MotionRow& row, Budget& budget) HAPTICS_RT {
-  budget.spend(6);
-  const double slope = near.gradient_W.norm();
-  if (!(slope > 0.0)) return false;
-  const Vec3 central = solid.field.centralGradient(near.u);
-  const double central_slope = central.norm();
-  const double along = central_slope > 0.0 ? central.dot(near.gradient_W) / central_slope : 0.0;
+MotionRow rowOf(const Isosurface& solid, const Candidate& point,
+                const Tolerances& lengths) HAPTICS_RT {
+  const double slope = point.exact_W.norm(), central_slope = point.central_W.norm();
+  const double along =
+      central_slope > 0.0 ? point.central_W.dot(point.exact_W) / central_slope : 0.0;
   constexpr double kCos30 = 0.8660254037844386;
-  row.r_W = near.r_W;
-  if (central_slope < 0.3 * slope || along < kCos30 * slope) {
-    row.n_W = -near.gradient_W / slope;
-    row.room = room((solid.ceiling() - near.value) / slope, lengths);
-  } else {
-    row.n_W = -central / central_slope;
-    row.room = room((solid.ceiling() - near.value) / std::max(central_slope, along), lengths);
-  }
-  return true;
+  const double below = solid.ceiling() - point.value;
+  if (central_slope < 0.3 * slope || along < kCos30 * slope)
+    return {-point.exact_W / slope, point.r_W, room(below / slope, lengths)};
+  return {-point.central_W / central_slope, point.r_W,
+          room(below / std::max(central_slope, along), lengths)};
 }
 
 }  // namespace
 
-void gatherRows(const Isosurface& solid, const Clearance& near, const Contacts& contacts,
-                const Tolerances& lengths, MotionRows& rows, Budget& budget) HAPTICS_RT {
+void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
+                const Clearance& near, const Contacts& contacts, const Tolerances& lengths,
+                MotionRows& rows, Budget& budget) HAPTICS_RT {
   rows.clear();
   for (const Contact& contact : contacts)
     rows.push({contact.n_W, contact.r_W, room(contact.gap, lengths)});
 
-  // a point counts when its first-order gap lies in the band
-  const auto gapOf = [&](const NearPoint& p) {
-    const double slope = p.gradient_W.norm();
-    return slope > 0.0 ? (solid.ceiling() - p.value) / slope
-                       : std::numeric_limits<double>::infinity();
+  // the nearest point of each patch of the shell, if its first-order gap lies in the band
+  FixedVector<Candidate, Clearance::kPatches> within;
+  lanes::Numbers x{}, y{}, z{};
+  int places[lanes::kLanes], count = 0;
+  const lanes::Affine map = solid.field.affine(X_WP);
+  const auto look = [&]() HAPTICS_RT {
+    budget.spend(6 * count);
+    lanes::Places u;
+    lanes::place(map, x.lane, y.lane, z.lane, count, u);
+    lanes::Slopes found;
+    solid.field.slopes(u, count, found);
+    for (int l = 0; l < count; ++l) {
+      const Vec3 exact{found.exact.x[l], found.exact.y[l], found.exact.z[l]};
+      const double slope = exact.norm();
+      const double gap = slope > 0.0 ? (solid.ceiling() - found.value[l]) / slope
+                                     : std::numeric_limits<double>::infinity();
+      if (gap > lengths.band) continue;
+      const Vec3 central{found.central.x[l], found.central.y[l], found.central.z[l]};
+      within.push(
+          {places[l], X_WP.linear() * Vec3{x[l], y[l], z[l]}, gap, found.value[l], exact, central});
+    }
+    count = 0;
   };
+  near.eachNearest([&](const NearPoint& point) HAPTICS_RT {
+    if (point.free > lengths.band) return;
+    const auto place = static_cast<std::size_t>(point.place);
+    x[count] = tree.x[place];
+    y[count] = tree.y[place];
+    z[count] = tree.z[place];
+    places[count] = point.place;
+    if (++count == lanes::kLanes) look();
+  });
+  if (count > 0) look();
+
+  // of too many, those with the least gaps and the outermost
   FixedVector<int, kMostMotionRows> chosen;
-  const auto choose = [&](int i) {
+  const auto choose = [&](int i) HAPTICS_RT {
     if (std::find(chosen.begin(), chosen.end(), i) == chosen.end()) chosen.push(i);
   };
-  struct Candidate {
-    double gap = std::numeric_limits<double>::infinity();
-    int index = -1;
-  };
-  std::array<Candidate, kNearest> nearest;
-  std::array<Candidate, 26> outermost;  // `gap` holds minus the extent
-  int count = 0;
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    const NearPoint& p = near.near(i);
-    const double gap = gapOf(p);
-    if (gap > lengths.band) continue;
-    ++count;
-    const int index = static_cast<int>(i);
-    if (gap < nearest.back().gap) {
-      auto slot = nearest.end() - 1;
-      for (; slot != nearest.begin() && (slot - 1)->gap > gap; --slot) *slot = *(slot - 1);
-      *slot = {gap, index};
+  if (within.size() <= kNearest + 26) {
+    for (std::size_t i = 0; i < within.size(); ++i) chosen.push(static_cast<int>(i));
+  } else {
+    struct Slot {
+      double measure = std::numeric_limits<double>::infinity();
+      int index = -1;
+    };
+    std::array<Slot, kNearest> nearest;
+    std::array<Slot, 26> outermost;
+    for (std::size_t i = 0; i < within.size(); ++i) {
+      const int index = static_cast<int>(i);
+      const double gap = within[i].gap;
+      if (gap < nearest.back().measure) {
+        auto slot = nearest.end() - 1;
+        for (; slot != nearest.begin() && (slot - 1)->measure > gap; --slot) *slot = *(slot - 1);
+        *slot = {gap, index};
+      }
+      const Vec3& r = within[i].r_W;
+      for (int d = 0; d < 26; ++d) {
+        const int way = d + (d >= 13 ? 1 : 0);
+        const double inward = -(r.x() * double(way % 3 - 1) + r.y() * double(way / 3 % 3 - 1) +
+                                r.z() * double(way / 9 - 1));
+        if (inward < outermost[static_cast<std::size_t>(d)].measure)
+          outermost[static_cast<std::size_t>(d)] = {inward, index};
+      }
     }
-    if (near.size() <= kNearest) continue;
-    for (int d = 0; d < 26; ++d) {
-      const int way = d + (d >= 13 ? 1 : 0);
-      const double extent =
-          p.r_W.dot(Vec3{double(way % 3 - 1), double(way / 3 % 3 - 1), double(way / 9 - 1)});
-      if (-extent < outermost[static_cast<std::size_t>(d)].gap)
-        outermost[static_cast<std::size_t>(d)] = {-extent, index};
-    }
+    for (const Slot& slot : nearest) choose(slot.index);
+    for (const Slot& slot : outermost) choose(slot.index);
   }
-  for (const Candidate& c : nearest)
-    if (c.index >= 0) choose(c.index);
-  if (count > static_cast<int>(kNearest))
-    for (const Candidate& c : outermost)
-      if (c.index >= 0) choose(c.index);
-  for (const int i : chosen) {
-    MotionRow row;
-    if (rowOf(solid, near.near(static_cast<std::size_t>(i)), lengths, row, budget) &&
-        !rows.push(row))
-      break;
-  }
+  for (const int i : chosen)
+    if (!rows.push(rowOf(solid, within[static_cast<std::size_t>(i)], lengths))) break;
 }
 
 }  // namespace haptics

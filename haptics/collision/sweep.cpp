@@ -2,6 +2,7 @@
 #include "haptics/collision/sweep.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace haptics {
 
@@ -43,51 +44,180 @@ Crossing firstCrossing(const Isosurface& solid, const PointPath& path, double fr
   return {to, false};
 }
 
-Impact sweep(const Isosurface& solid, const Clearance& near, const Pose& X_WP, const Twist& motion,
-             const Tolerances& lengths, Budget& budget) HAPTICS_RT {
-  Impact impact;
-  const double v = motion.linear.norm(), w = motion.angular.norm();
-  int met = -1;
-  for (std::size_t i = 0; i < near.size(); ++i) {
+/// A slice of the motion's time, and the tool at its two ends.
+struct Sweep::Slab {
+  double begin, end;
+  lanes::Affine at_begin, at_end;  // tool frame to index coordinates
+};
+
+void Sweep::begin(const ScalarField& field, const Clearance& near, const Pose& X_WP,
+                  const Twist& motion, const Tolerances& lengths) HAPTICS_RT {
+  X_ = X_WP;
+  motion_ = motion;
+  speed_ = motion.linear.norm();
+  turn_ = motion.angular.norm();
+  slab_ = 0.0;
+  cursor_ = 0;
+  time_ = 1.0;
+  met_ = -1;
+  const double arm = near.farthestArm(), speed = speed_ + turn_ * arm;
+  const double bend = arm * turn_ * turn_ / 8.0;  // a chord over dt is bend · dt² away
+  duration_ = 1.0;
+  // a survey reaches four voxels: a chord of two stays well within it
+  if (speed > 0.0) duration_ = std::min(duration_, 2.0 * field.voxel() / speed);
+  if (bend > 0.0) duration_ = std::min(duration_, std::sqrt(lengths.sagitta / bend));
+}
+
+Vec3 Sweep::pointOf(const ShellTree& tree, const Clearance& near, int i) const HAPTICS_RT {
+  const auto place = static_cast<std::size_t>(near.near(static_cast<std::size_t>(i)).place);
+  return {tree.x[place], tree.y[place], tree.z[place]};
+}
+
+bool Sweep::advance(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
+                    const Tolerances& lengths, Budget& budget) HAPTICS_RT {
+  constexpr std::size_t kStride = 256;  // points passed over between two looks at the budget
+  while (slab_ < time_) {
+    const Slab slab{slab_, std::min(1.0, slab_ + duration_),
+                    solid.field.affine(moved(X_, motion_, slab_)),
+                    solid.field.affine(moved(X_, motion_, std::min(1.0, slab_ + duration_)))};
+    while (cursor_ < near.size()) {
+      if (!budget.left()) return false;
+      int points[lanes::kLanes], count = 0;
+      const std::size_t stop = std::min(near.size(), cursor_ + kStride);
+      for (; cursor_ < stop && count < lanes::kLanes; ++cursor_) {
+        const NearPoint& point = near.near(cursor_);
+        double& clear = clear_until_[cursor_];
+        if (slab_ == 0.0) {
+          const double speed = speed_ + turn_ * tree.arm[static_cast<std::size_t>(point.place)];
+          clear = speed > 0.0 ? point.free / speed : 2.0;
+        }
+        if (clear < std::min(slab.end, time_)) points[count++] = static_cast<int>(cursor_);
+      }
+      if (count > 0) look(solid, tree, near, slab, points, count, lengths, budget);
+    }
+    cursor_ = 0;
+    slab_ = slab.end;
+    if (slab_ >= 1.0) break;
+  }
+  return true;
+}
+
+void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
+                 const Slab& slab, const int* points, int count, const Tolerances& lengths,
+                 Budget& budget) HAPTICS_RT {
+  const ScalarField& field = solid.field;
+  const double ceiling = solid.ceiling(), h = field.voxel(), dt = slab.end - slab.begin;
+  budget.spend(2 * count);
+
+  // the chords, from where each point is no longer proven free
+  lanes::Numbers px{}, py{}, pz{};
+  for (int l = 0; l < count; ++l) {
+    const Vec3 p = pointOf(tree, near, points[l]);
+    px[l] = p.x();
+    py[l] = p.y();
+    pz[l] = p.z();
+  }
+  lanes::Chords chords;
+  lanes::place(slab.at_begin, px.lane, py.lane, pz.lane, count, chords.a);
+  lanes::place(slab.at_end, px.lane, py.lane, pz.lane, count, chords.b);
+  lanes::Places start;
+  for (int l = 0; l < count; ++l) {
+    const double clear = clear_until_[static_cast<std::size_t>(points[l])];
+    const double from = std::max(0.0, (clear - slab.begin) / dt);
+    chords.from[l] = from;
+    start.x[l] = chords.a.x[l] + from * (chords.b.x[l] - chords.a.x[l]);
+    start.y[l] = chords.a.y[l] + from * (chords.b.y[l] - chords.a.y[l]);
+    start.z[l] = chords.a.z[l] + from * (chords.b.z[l] - chords.a.z[l]);
+  }
+  lanes::Survey found;
+  solid.survey(start, count, found);
+
+  // those that their surroundings do not carry to the end of the slab, moved together
+  int left = 0, lane_of[lanes::kLanes];
+  double speed_of[lanes::kLanes];
+  for (int l = 0; l < count; ++l) {
+    const auto i = static_cast<std::size_t>(points[l]);
     const NearPoint& point = near.near(i);
-    const double speed = v + w * point.r_W.norm();
-    if (speed <= 0.0) continue;
-    // nothing can happen to it before its clearance is used up
-    const double earliest = point.free / speed;
-    if (earliest >= impact.time) continue;
-    if (!budget.left()) {
-      impact = {earliest, false, {}};
-      met = -1;
+    const double arm = tree.arm[static_cast<std::size_t>(point.place)];
+    const double speed = speed_ + turn_ * arm;
+    const double turned = turn_ * dt, sagitta = arm * turned * turned / 8.0;
+    const bool empty = found.empty >> l & 1;
+    // a path stays within the sagitta of its chord, and F within this much of the chord's; a
+    // point that already stands there may slide or leave, but go no deeper
+    const double guard = empty ? 0.0 : found.lipschitz[l] * sagitta;
+    const double level =
+        std::min(ceiling, std::max(ceiling - guard, point.value + field.roundingMargin()));
+    const double ahead =
+        empty ? found.free[l]
+              : std::min(found.free[l], (level - guard - found.value[l]) / found.lipschitz[l]);
+    if (ahead - 2.0 * sagitta > 0.25 * h) {
+      double& clear = clear_until_[i];
+      clear = slab.begin + chords.from[l] * dt + (ahead - 2.0 * sagitta) / speed;
+      if (clear >= slab.end) continue;
+      chords.from[l] = (clear - slab.begin) / dt;
+    }
+    const auto shift = [&](lanes::Numbers& numbers) HAPTICS_RT { numbers[left] = numbers[l]; };
+    shift(chords.a.x);
+    shift(chords.a.y);
+    shift(chords.a.z);
+    shift(chords.b.x);
+    shift(chords.b.y);
+    shift(chords.b.z);
+    shift(chords.from);
+    chords.level[left] = level;
+    speed_of[left] = speed;
+    lane_of[left++] = points[l];
+  }
+  if (left == 0) return;
+  lanes::Numbers until;
+  std::int64_t cells = 0;
+  solid.field.clear(chords, left, until, cells);
+  budget.spend(2 * cells);
+
+  // the rest of each chord, exactly
+  for (int l = 0; l < left; ++l) {
+    const auto i = static_cast<std::size_t>(lane_of[l]);
+    double& clear = clear_until_[i];
+    if (until[l] >= 1.0) {
+      clear = slab.end;
       continue;
     }
-    const PointPath path{X_WP.translation(), point.r_W, motion};
-    const Crossing crossing =
-        firstCrossing(solid, path, earliest, impact.time, point.value, lengths, budget);
-    if (crossing.time < impact.time) {
-      impact.time = crossing.time;
-      impact.met = crossing.met;
-      met = crossing.met ? static_cast<int>(i) : -1;
-    }
+    const double from = until[l];
+    clear = slab.begin + from * dt;
+    if (clear >= time_) continue;
+    const Vec3 a{chords.a.x[l], chords.a.y[l], chords.a.z[l]},
+        b{chords.b.x[l], chords.b.y[l], chords.b.z[l]};
+    const double path = speed_of[l] * (1.0 - from) * dt;
+    const double reach = field.firstReach(a + from * (b - a), b, chords.level[l],
+                                          lengths.root / std::max(path, lengths.root), budget);
+    clear = slab.end;
+    if (reach > 1.0) continue;
+    const double time = slab.begin + (from + reach * (1.0 - from)) * dt;
+    if (time >= time_) continue;
+    time_ = time;
+    met_ = lane_of[l];
   }
-  if (met >= 0) {
-    // the exact normal of the cell in which the first point was met
-    const NearPoint& point = near.near(static_cast<std::size_t>(met));
-    const PointPath path{X_WP.translation(), point.r_W, motion};
-    // just beyond the crossing, so that a crossing on a face belongs to the cell behind it
-    const double beyond = lengths.root / path.speed();
-    const Vec3 u = solid.field.indexOf(path.at(impact.time + beyond));
-    const FieldSample beyond_it = solid.field.sample(u);
-    const double slope = beyond_it.gradient_W.norm();
-    budget.spend(solid.field.work());
-    Contact& contact = impact.contact;
-    contact.point = point.point;
-    contact.r_W = point.r_W;
-    contact.p_W = X_WP.translation() + point.r_W;
-    if (slope > 0.0) {
-      contact.n_W = -beyond_it.gradient_W / slope;
-      contact.gap = (solid.ceiling() - beyond_it.value) / slope +
-                    contact.n_W.dot(contact.p_W - path.at(impact.time + beyond));
-    }
+}
+
+Impact Sweep::impact(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
+                     const Tolerances& lengths) const HAPTICS_RT {
+  Impact impact;
+  impact.time = time_;
+  impact.met = met_ >= 0;
+  if (!impact.met) return impact;
+  Contact& contact = impact.contact;
+  contact.point =
+      tree.index[static_cast<std::size_t>(near.near(static_cast<std::size_t>(met_)).place)];
+  contact.r_W = X_.linear() * pointOf(tree, near, met_);
+  contact.p_W = X_.translation() + contact.r_W;
+  // just beyond the crossing, so that a crossing on a face belongs to the cell behind it
+  const PointPath path{X_.translation(), contact.r_W, motion_};
+  const Vec3 beyond = path.at(time_ + lengths.root / path.speed());
+  const FieldSample sample = solid.field.sample(solid.field.indexOf(beyond));
+  const double slope = sample.gradient_W.norm();
+  if (slope > 0.0) {
+    contact.n_W = -sample.gradient_W / slope;
+    contact.gap = (solid.ceiling() - sample.value) / slope + contact.n_W.dot(contact.p_W - beyond);
   }
   return impact;
 }

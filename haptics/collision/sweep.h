@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/contact.h"
 #include "haptics/collision/motion.h"
@@ -10,7 +12,7 @@ namespace haptics {
 
 /// The first time in [from, to] at which a point on its path may reach `level`, never later than
 /// it does and at most `root` [m] of path (plus the sagitta's effect) earlier; `to` if it stays
-/// below. Exact: along a chord within a cell the trilinear field is a cubic, whose first root is
+/// below. Exact: along a chord within a cell the field is a polynomial, whose first root is
 /// isolated in Bernstein form; what is skipped is proven free by the pyramid's bounds.
 struct Crossing {
   double time = 1.0;
@@ -21,15 +23,48 @@ Crossing firstCrossing(const Isosurface& solid, const PointPath& path, double fr
 
 /// How far the tool gets.
 struct Impact {
-  double time = 1.0;  ///< fraction of the motion that is free for every shell point
-  bool met = false;   ///< stopped by a point, not by the end of the motion or the budget
-  Contact contact;    ///< that point, with the exact normal of the cell it met
+  double time = 1.0;  ///< fraction of the motion that is certainly free
+  bool met = false;   ///< a point met the surface then
+  Contact contact;    ///< which, seen from the start of the motion
 };
 
-/// Step 4: continuous collision detection of the whole shell along a motion. `near` must hold all
-/// points with less clearance than the motion's length. When the budget runs out, points not
-/// looked at yet count with what their clearance proves: a shorter motion, never a wrong one.
-Impact sweep(const Isosurface& solid, const Clearance& near, const Pose& X_WP, const Twist& motion,
-             const Tolerances& lengths, Budget& budget) HAPTICS_RT;
+/// Step 4: continuous collision detection of all near points along a motion, in slabs of time
+/// short enough that every path keeps within the sagitta of its chord. In each slab, sixteen
+/// points at a time: what their surroundings prove free is skipped, cells whose Bernstein hull
+/// stays below the surface are passed, and only what is left is looked at for a root. So the
+/// earliest point is met first, and later slabs are never looked at.
+///
+/// One that the budget cuts goes on where it stopped.
+class Sweep {
+ public:
+  explicit Sweep(std::size_t points) : clear_until_(points, 0.0) {}
+
+  /// Before a motion from X_WP; `near` holds all points with less clearance than its length.
+  void begin(const ScalarField& field, const Clearance& near, const Pose& X_WP, const Twist& motion,
+             const Tolerances& lengths) HAPTICS_RT;
+  /// Goes on; false if the budget ran out before the impact was known.
+  bool advance(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
+               const Tolerances& lengths, Budget& budget) HAPTICS_RT;
+  /// Once advance() is through. The contact has the exact normal of the cell *behind* the
+  /// crossing.
+  Impact impact(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
+                const Tolerances& lengths) const HAPTICS_RT;
+
+ private:
+  struct Slab;
+  void look(const Isosurface& solid, const ShellTree& tree, const Clearance& near, const Slab& slab,
+            const int* points, int count, const Tolerances& lengths, Budget& budget) HAPTICS_RT;
+  Vec3 pointOf(const ShellTree& tree, const Clearance& near, int i) const HAPTICS_RT;
+
+  Pose X_ = Pose::Identity();
+  Twist motion_;
+  double speed_ = 0.0, turn_ = 0.0;  ///< norms of the motion
+  double duration_ = 1.0;            ///< of a slab
+  double slab_ = 0.0;                ///< time at which the slab in hand begins
+  std::size_t cursor_ = 0;           ///< near point at which to go on in it
+  double time_ = 1.0;                ///< of the earliest impact so far
+  int met_ = -1;                     ///< the near point that met it
+  std::vector<double> clear_until_;  ///< time until which a near point is proven free
+};
 
 }  // namespace haptics

@@ -9,10 +9,11 @@
 
 namespace haptics {
 
-/// What a tick may spend. One unit of work is one cell of the volume fetched, or one block of the
-/// pyramid asked: about 40 ns. Two clocks, one interface: counted work, which repeats exactly, and
-/// the thread's CPU time for the live loop, where the work at the cut is remembered so that a
-/// replay can cut at the same place.
+/// What a tick may spend. One unit of work is some 10 ns: a point looked at among sixteen, or a
+/// quarter of a cell fetched alone. Two clocks, one interface: counted work, which repeats exactly,
+/// and the thread's CPU time for the live loop. To ask is work too, so that no two questions are
+/// asked at the same count: a tick that was cut live is cut at the same place by the count at
+/// which it was.
 class Budget {
  public:
   /// As much work as this, whatever the time.
@@ -26,15 +27,17 @@ class Budget {
   /// False once the budget is used up, and from then on.
   bool left() HAPTICS_RT {
     if (cut_) return false;
+    ++spent_;
     if (spent_ >= work_) cut_ = true;
-    // the clock costs as much as ten units of work: look at it only now and then
+    // the clock costs as much as thirty units of work: look at it only now and then
     if (deadline_ != 0 && spent_ >= next_look_) {
-      next_look_ = spent_ + 128;
+      next_look_ = spent_ + 400;
       if (threadTime() >= deadline_) cut_ = true;
     }
     return !cut_;
   }
   std::int64_t spent() const HAPTICS_RT { return spent_; }
+  /// Whether it was used up, at spent().
   bool cut() const HAPTICS_RT { return cut_; }
 
   /// CPU time of the calling thread [ns].

@@ -18,6 +18,8 @@ struct Isosurface {
   /// A pose is legal when every point stays below this: the isovalue less what rounding may do,
   /// so that whoever evaluates F another way agrees.
   double ceiling() const HAPTICS_RT { return isovalue - field.roundingMargin(); }
+  /// What is known about the surroundings of `n` places in index coordinates; no edge is left.
+  void survey(const lanes::Places& u, int n, lanes::Survey& found) const HAPTICS_RT;
   bool inside(const Vec3& p_W) const HAPTICS_RT {
     return field.value(field.indexOf(p_W)) >= ceiling();
   }

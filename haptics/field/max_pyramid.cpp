@@ -152,7 +152,7 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind)
   for (int axis = 0; axis < 3; ++axis) blocks[axis] = (dims_[axis] + 1 + kCells - 1) / kCells;
   const auto count = static_cast<std::size_t>(blocks[0] * blocks[1] * blocks[2]);
   std::vector<float> greatest(count);
-  lipschitz_.resize(count);
+  std::vector<float> lipschitz(count);
 
   // every block layer is independent of the others
   visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
@@ -163,7 +163,7 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind)
       threads.emplace_back([&, w] {
         const auto scan = [&](auto&& scanned) {
           scanned(voxels, dims_, volume.least, volume.grid.spacing, blocks, blocks[2] * w / workers,
-                  blocks[2] * (w + 1) / workers, greatest.data(), lipschitz_.data());
+                  blocks[2] * (w + 1) / workers, greatest.data(), lipschitz.data());
         };
         using T = std::remove_cvref_t<decltype(*voxels)>;
         if (kind == FieldKind::CubicSpline)
@@ -173,12 +173,18 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind)
       });
     for (std::thread& thread : threads) thread.join();
   });
-  lipschitz_ = dilated(std::move(lipschitz_), blocks);
+  lipschitz = dilated(std::move(lipschitz), blocks);
+  {
+    const std::vector<float> top = dilated(greatest, blocks);
+    finest_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) finest_[i] = {top[i], lipschitz[i]};
+    lipschitz = {};
+  }
 
   // each coarser level from the undilated one below it
   for (int l = 0; l < kLevels; ++l) {
     levels_[l].blocks = blocks;
-    levels_[l].greatest = dilated(greatest, blocks);
+    if (l > 0) levels_[l].greatest = dilated(greatest, blocks);
     Counts coarser;
     for (int axis = 0; axis < 3; ++axis) coarser[axis] = (blocks[axis] + 1) / 2;
     std::vector<float> next(static_cast<std::size_t>(coarser[0] * coarser[1] * coarser[2]),
@@ -211,10 +217,11 @@ MaxPyramid::Bound MaxPyramid::bound(const Vec3& u, double s) const HAPTICS_RT {
   for (int axis = 0; axis < 3; ++axis)
     outside = std::max({outside, -1.0 - u[axis], u[axis] - double(dims_[axis])});
   const std::array<std::int64_t, 3> finest = blockOf(u, 0);
-  if (levels_[0].greatest[levels_[0].at(finest)] >= s) {
+  const lanes::BlockBound& block = finest_[static_cast<std::size_t>(levels_[0].at(finest))];
+  if (block.greatest >= s) {
     if (outside >= double{kCells}) return {outside * smallest_spacing_, 0.0};
     // a plateau at or above s has no slope, but is not empty: 0 says that only of what is below
-    const double slope = double{lipschitz_[levels_[0].at(finest)]};
+    const double slope = block.lipschitz;
     return {finestRadius(), std::max(slope, std::numeric_limits<double>::min())};
   }
   int level = 0;
@@ -228,11 +235,11 @@ MaxPyramid::Bound MaxPyramid::bound(const Vec3& u, double s) const HAPTICS_RT {
 }
 
 double MaxPyramid::lipschitz(const Vec3& u) const HAPTICS_RT {
-  return double{lipschitz_[levels_[0].at(blockOf(u, 0))]};
+  return finest_[static_cast<std::size_t>(levels_[0].at(blockOf(u, 0)))].lipschitz;
 }
 
 std::size_t MaxPyramid::bytes() const {
-  std::size_t floats = lipschitz_.size();
+  std::size_t floats = 2 * finest_.size();
   for (const Level& level : levels_) floats += level.greatest.size();
   return floats * sizeof(float);
 }

@@ -9,6 +9,7 @@
 #include "haptics/core/realtime.h"
 #include "haptics/core/volume.h"
 #include "haptics/field/field_kind.h"
+#include "haptics/field/lanes.h"
 
 namespace haptics {
 
@@ -38,6 +39,10 @@ class MaxPyramid {
   double lipschitz(const Vec3& u) const HAPTICS_RT;
   double finestRadius() const HAPTICS_RT { return kCells * smallest_spacing_; }  ///< m
 
+  /// The finest level as the lanes read it.
+  const lanes::BlockBound* finest() const HAPTICS_RT { return finest_.data(); }
+  const std::array<std::int64_t, 3>& finestCounts() const HAPTICS_RT { return levels_[0].blocks; }
+
   std::size_t bytes() const;
 
  private:
@@ -46,7 +51,7 @@ class MaxPyramid {
 
   struct Level {
     std::array<std::int64_t, 3> blocks{};
-    std::vector<float> greatest;  ///< dilated by one block
+    std::vector<float> greatest;  ///< dilated by one block; the finest level's is in finest_
     std::int64_t at(const std::array<std::int64_t, 3>& b) const {
       return (b[2] * blocks[1] + b[1]) * blocks[0] + b[0];
     }
@@ -54,7 +59,7 @@ class MaxPyramid {
   std::array<std::int64_t, 3> blockOf(const Vec3& u, int level) const HAPTICS_RT;
 
   std::array<Level, kLevels> levels_;
-  std::vector<float> lipschitz_;  ///< finest level, dilated
+  std::vector<lanes::BlockBound> finest_;  ///< both dilated
   std::array<std::int64_t, 3> dims_;
   double smallest_spacing_;  ///< m
 };

@@ -58,6 +58,14 @@ ScalarField::ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind)
   b_V_ = -(A_VW_ * grid.origin);
   voxel_ = grid.spacing.minCoeff();
   rounding_margin_ = 1e-9 * usualRange(*volume_);
+  lattice_.voxels = volume_->voxels.get();
+  lattice_.type = volume_->type;
+  lattice_.blocks = pyramid_.finest();
+  lattice_.finest_radius = pyramid_.finestRadius();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    lattice_.dims[axis] = double(grid.dims[axis]);
+    lattice_.block_counts[axis] = double(pyramid_.finestCounts()[axis]);
+  }
 }
 
 namespace {

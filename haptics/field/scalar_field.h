@@ -9,6 +9,7 @@
 #include "haptics/core/realtime.h"
 #include "haptics/core/volume.h"
 #include "haptics/field/field_kind.h"
+#include "haptics/field/lanes.h"
 #include "haptics/field/max_pyramid.h"
 
 namespace haptics {
@@ -67,6 +68,17 @@ class ScalarField {
   /// [per metre, W]: 64 voxels, so noise and facets weigh little.
   Vec3 splineGradient(const Vec3& u) const HAPTICS_RT;
 
+  // Sixteen places at a time; what the lanes leave out (README, "Lanes") is filled in.
+
+  /// Points of a tool at this pose, from the tool frame to index coordinates.
+  lanes::Affine affine(const Pose& X_WP) const HAPTICS_RT;
+  /// As lanes::clear; a spline's chords are left to firstReach() from their beginning.
+  void clear(const lanes::Chords& chords, int n, lanes::Numbers& until,
+             std::int64_t& cells) const HAPTICS_RT;
+  /// F, its own gradient, and central differences, per metre in W.
+  void slopes(const lanes::Places& u, int n, lanes::Slopes& found) const HAPTICS_RT;
+  const lanes::Lattice& lattice() const HAPTICS_RT { return lattice_; }
+
   const MaxPyramid& pyramid() const HAPTICS_RT { return pyramid_; }
   const Volume& volume() const HAPTICS_RT { return *volume_; }
   double voxel() const HAPTICS_RT { return voxel_; }  ///< m: the smallest voxel side
@@ -81,6 +93,7 @@ class ScalarField {
   std::shared_ptr<const Volume> volume_;
   FieldKind kind_;
   MaxPyramid pyramid_;
+  lanes::Lattice lattice_;
   Mat3 A_VW_, A_VW_t_;
   Vec3 b_V_;
   double voxel_;

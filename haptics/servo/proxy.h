@@ -3,6 +3,7 @@
 
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/contact.h"
+#include "haptics/collision/sweep.h"
 #include "haptics/core/geometry.h"
 #include "haptics/scene.h"
 #include "haptics/servo/acceptance.h"
@@ -19,15 +20,63 @@ struct Recovery {
   Pose X_WT = Pose::Identity();  ///< the trial pose
 };
 
+/// A sub-step under way. When the budget cuts a tick in the middle of one, it goes on in the next:
+/// what has been proven about a motion is not thrown away, so that a tool with very many points in
+/// contact gets on, if not in every tick. The proxy stays at the last pose that was taken.
+struct Search {
+  enum class Stage : std::uint8_t {
+    Done,   ///< none under way
+    Look,   ///< at a pose reached: what is near it, and where to go
+    Reach,  ///< what could the motion bring to the surface
+    Sweep   ///< how far along the motion the tool gets
+  };
+  Stage stage = Stage::Done;
+  Pose X = Pose::Identity();  ///< where the sub-steps have got to; proven along the way there
+  bool fresh = true;          ///< X has not been judged yet
+
+  Twist motion;         ///< of the sub-step, in unit time
+  double length = 0.0;  ///< m: of its farthest point
+  bool whole = false;   ///< it leads to X_goal without a bend
+  Pose X_goal = Pose::Identity();
+  int ticks = 0;  ///< in which it was cut
+
+  // the step that led to X, to be halved if X is inside after all
+  Pose X_before = Pose::Identity();
+  double advance = 0.0;
+  int halvings = 0;
+
+  double trust = INFINITY;    ///< m: the longest step worth trying in this tick
+  double longest = INFINITY;  ///< m: the longest step that is proven in reasonable time
+
+  // since the pose that was taken last
+  double way = 0.0, turned = 0.0;  ///< m, rad
+  Contacts contacts_taken;         ///< the contacts there
+  bool atTaken() const HAPTICS_RT { return way == 0.0 && turned == 0.0; }
+
+  template <class P>
+  void begin(const P& proxy) HAPTICS_RT {
+    stage = Stage::Look;
+    X = proxy.X_WP;
+    fresh = true;
+    advance = 0.0;
+    trust = INFINITY;
+    way = turned = 0.0;
+    contacts_taken = proxy.contacts;
+  }
+};
+
 /// The proxy and what it remembers from tick to tick. Everything is allocated when it is made.
 struct Proxy {
   Proxy(const Scene& scene, const Pose& X_start)
-      : X_WP{X_start}, clearance{scene.tool.shell.points.size()} {}
+      : X_WP{X_start}, clearance{scene.tree}, sweep{scene.tool.shell.points.size()} {}
 
   Pose X_WP;
   Vec3 turn = Vec3::Zero();  ///< unwrapped rotation from proxy to device [rad]
   Contacts contacts;         ///< met by sweep; constrain the next motion
+  int bearing = 0;           ///< rows that bear on it at X_WP
   Clearance clearance;
+  Sweep sweep;
+  Search search;
   Acceptance acceptance;
   Recovery recovery;
   double isovalue = std::numeric_limits<double>::quiet_NaN();  ///< of the last tick

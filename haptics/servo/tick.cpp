@@ -16,9 +16,8 @@
 namespace haptics {
 namespace {
 
-constexpr int kSubSteps = 5;           // moves, and blocked tries, in one tick
-constexpr double kLargestTurn = 0.3;   // rad in one sub-step
-constexpr std::size_t kManyNear = 96;  // points near the path: then the step is kept short
+constexpr int kSubSteps = 5;          // moves, and blocked tries, in one tick
+constexpr double kLargestTurn = 0.3;  // rad in one sub-step
 
 /// How far the farthest point of the tool travels at most [m].
 double reachOf(const Twist& motion, double radius) HAPTICS_RT {
@@ -29,7 +28,7 @@ Twist scaled(const Twist& motion, double factor) HAPTICS_RT {
   return {motion.linear * factor, motion.angular * factor};
 }
 
-/// One tick at work. The members are what its sub-steps share.
+/// One tick at work. What a cut may interrupt lives in proxy.search; the rest is the tick's own.
 class Tick {
  public:
   Tick(const Scene& scene, double isovalue, const Pose& X_WD, Proxy& proxy,
@@ -37,80 +36,162 @@ class Tick {
                                     solid_{scene.field, isovalue},
                                     X_WD_{X_WD},
                                     proxy_{proxy},
+                                    at_{proxy.search},
                                     budget_{budget},
-                                    X_{proxy.X_WP},
-                                    taken_turn_{proxy.turn},
                                     radius_{scene.tool.shell.radius} {}
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
   void run(TickResult& result) HAPTICS_RT {
     proxy_.acceptance.begin(X_WD_, radius_, 0.5 * lengths().epsilon);
-    double trust = INFINITY;  // m: the longest step worth trying
-    bool fresh = true;        // X_ has not been judged yet
-    for (int tries = 0; tries <= kSubSteps; ++tries) {
-      // 1  where the proxy would go if nothing were in the way
-      Vec3 turn = proxy_.turn;
-      const Twist free = unconstrainedMotion(X_, X_WD_, turn);
-      const double distance = scene_.metric.whitened(free, X_.linear()).norm();
-      const Twist aimed = limited(free);
-
-      // 2  which of its contacts still stand in that way, and which points are near the surface
-      if (fresh)
-        prune(solid_, scene_.tool.shell, X_, free, lengths().epsilon, proxy_.contacts, budget_);
-      const Clearance::Verdict verdict =
-          proxy_.clearance.collect(solid_, scene_.tool.shell, X_, lengths().band, budget_);
-      if (verdict == Clearance::Verdict::Inside) result.outside = false;
-      if (verdict != Clearance::Verdict::Legal) break;
-      gatherRows(solid_, proxy_.clearance, proxy_.contacts, lengths(), rows_, budget_);
-
-      // 3  the nearest motion that leaves every contact its room
-      ConstrainedMotion allowed =
-          constrainedMotion(aimed, {rows_.begin(), rows_.size()}, scene_.metric, X_.linear());
-      const double step = allowed.whitened.norm();
-      if (fresh) judge(tries == 0, distance, step, turn);
-      fresh = false;
-      if (atTaken()) result.contacts = allowed.active;
-      if (tries == kSubSteps || !budget_.left()) break;
-      double length = reachOf(allowed.twist, radius_);
-      // in free space even the last billionth of a metre is gone
-      if (length == 0.0 || (allowed.active > 0 && length < 0.02 * lengths().epsilon)) break;
-      const bool unhindered = allowed.active == 0 && aimed.linear == free.linear &&
-                              aimed.angular == free.angular && length <= trust;
-
-      // 4  how far along it the tool gets
-      Twist motion = length > trust ? scaled(allowed.twist, trust / length) : allowed.twist;
-      length = std::min(length, trust);
-      if (!findNear(motion, length)) break;
-      const bool whole =
-          unhindered && motion.linear == free.linear && motion.angular == free.angular;
-      const Impact impact = sweep(solid_, proxy_.clearance, X_, motion, lengths(), budget_);
-      double advance = impact.time;
-      if (impact.time < 1.0)
-        advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);
-
-      // 5  go there, and keep what stood in the way
-      Pose X_next = whole && advance == 1.0 ? X_WD_ : moved(X_, motion, advance);
-      for (int halving = 0; advance > 0.0 && !verified(X_next); ++halving) {
-        advance = halving < 5 ? 0.5 * advance : 0.0;
-        X_next = moved(X_, motion, advance);
+    if (at_.stage == Search::Stage::Done) {
+      at_.begin(proxy_);
+    } else if (!at_.atTaken()) {
+      // a sub-step is under way: what it will come to is compared with the pose it left
+      const double distance = distanceFrom(proxy_.X_WP, proxy_.turn);
+      proxy_.acceptance.start(distance, distance);
+    }
+    int tries = 0;
+    while (at_.stage != Search::Stage::Done) {
+      bool through = true;
+      switch (at_.stage) {
+        case Search::Stage::Look:
+          through = look(tries, result);
+          break;
+        case Search::Stage::Reach:
+          through = reach();
+          break;
+        case Search::Stage::Sweep:
+          through = go();
+          ++tries;
+          break;
+        case Search::Stage::Done:
+          break;
       }
-      if (advance * length < 0.05 * lengths().rest_gap && advance < 1.0) {
-        // blocked: the exact normal of what blocks becomes a contact, or the step gets shorter
-        if (!impact.met || !keep(impact.contact)) trust = 0.25 * length;
-        if (trust < 0.02 * lengths().epsilon) break;
-        continue;
+      if (!through) {
+        // the search goes on in the next tick
+        ++at_.ticks;
+        result.cut = true;
+        return;
       }
-      travel(motion, advance);
-      X_ = X_next;
-      trust = advance < 1.0 ? 3.0 * advance * length : 2.0 * trust;
-      fresh = true;
     }
     settle();
-    if (budget_.cut()) result.cut = true;
+    at_.longest = std::min(lengths().step_free, 2.0 * at_.longest);
+    result.cut = budget_.cut();
   }
 
  private:
   const Tolerances& lengths() const HAPTICS_RT { return scene_.lengths; }
+
+  double distanceFrom(const Pose& X, Vec3 turn) const HAPTICS_RT {
+    return scene_.metric.whitened(unconstrainedMotion(X, X_WD_, turn), X.linear()).norm();
+  }
+
+  /// Steps 1 to 3 at the pose reached: judges it, and says where to go next. False if cut.
+  bool look(int tries, TickResult& result) HAPTICS_RT {
+    // 1  where the proxy would go if nothing were in the way
+    Vec3 turn = proxy_.turn;
+    const Twist free = unconstrainedMotion(at_.X, X_WD_, turn);
+    const double distance = scene_.metric.whitened(free, at_.X.linear()).norm();
+    const Twist aimed = limited(free);
+
+    // 2  which of its contacts still stand in that way, and which points are near the surface
+    if (at_.fresh)
+      prune(solid_, scene_.tool.shell, at_.X, free, lengths().epsilon, proxy_.contacts, budget_);
+    switch (proxy_.clearance.collect(solid_, scene_.tree, at_.X, lengths().band, budget_)) {
+      case Clearance::Verdict::Cut:
+        return false;
+      case Clearance::Verdict::Inside:
+        // in double, at the pose itself: a step that ends inside is halved
+        if (retreat()) return true;
+        result.outside = false;
+        at_.stage = Search::Stage::Done;
+        return true;
+      case Clearance::Verdict::Legal:
+        break;
+    }
+    gatherRows(solid_, scene_.tree, at_.X, proxy_.clearance, proxy_.contacts, lengths(), rows_,
+               budget_);
+
+    // 3  the nearest motion that leaves every contact its room
+    const ConstrainedMotion allowed =
+        constrainedMotion(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear());
+    const double step = allowed.whitened.norm();
+    if (at_.fresh) judge(distance, step, turn);
+    at_.fresh = false;
+    if (at_.atTaken()) proxy_.bearing = allowed.active;
+    const double length = reachOf(allowed.twist, radius_);
+    // in free space even the last billionth of a metre is gone
+    if (tries == kSubSteps || length == 0.0 ||
+        (allowed.active > 0 && length < 0.02 * lengths().epsilon)) {
+      at_.stage = Search::Stage::Done;
+      return true;
+    }
+    at_.length = std::min({length, at_.trust, at_.longest});
+    at_.motion = at_.length < length ? scaled(allowed.twist, at_.length / length) : allowed.twist;
+    at_.whole = allowed.active == 0 && at_.length == length && aimed.linear == free.linear &&
+                aimed.angular == free.angular;
+    at_.X_goal = X_WD_;
+    at_.ticks = 0;
+    at_.stage = Search::Stage::Reach;
+    return true;
+  }
+
+  /// Collects the points that the motion could bring to the surface. False if cut.
+  bool reach() HAPTICS_RT {
+    const double reach = std::max(at_.length, lengths().band);
+    switch (proxy_.clearance.collect(solid_, scene_.tree, at_.X, reach, budget_)) {
+      case Clearance::Verdict::Cut:
+        return false;
+      case Clearance::Verdict::Inside:  // not after look()
+        at_.stage = Search::Stage::Done;
+        return true;
+      case Clearance::Verdict::Legal:
+        break;
+    }
+    proxy_.sweep.begin(scene_.field, proxy_.clearance, at_.X, at_.motion, lengths());
+    at_.stage = Search::Stage::Sweep;
+    return true;
+  }
+
+  /// Steps 4 and 5: how far along the motion the tool gets; goes there, and keeps what stood in the
+  /// way. False if cut.
+  bool go() HAPTICS_RT {
+    if (!proxy_.sweep.advance(solid_, scene_.tree, proxy_.clearance, lengths(), budget_))
+      return false;
+    const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, proxy_.clearance, lengths());
+    // a motion that took many ticks to prove is followed by a shorter one
+    if (at_.ticks > kPatience) at_.longest = std::max(lengths().voxel, 0.5 * at_.longest);
+    const double length = at_.length;
+    double advance = impact.time;
+    if (impact.time < 1.0) advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);
+    at_.stage = Search::Stage::Look;
+    if (advance * length < 0.05 * lengths().rest_gap && advance < 1.0) {
+      // blocked: the exact normal of what blocks becomes a contact, or the step gets shorter
+      if (!impact.met || !keep(impact.contact)) at_.trust = 0.25 * length;
+      if (at_.trust < 0.02 * lengths().epsilon) at_.stage = Search::Stage::Done;
+      return true;
+    }
+    at_.X_before = at_.X;
+    at_.advance = advance;
+    at_.halvings = 0;
+    at_.X = at_.whole && advance == 1.0 ? at_.X_goal : moved(at_.X, at_.motion, advance);
+    travel(advance);
+    at_.trust = advance < 1.0 ? 3.0 * advance * length : 2.0 * at_.trust;
+    at_.fresh = true;
+    return true;
+  }
+
+  /// Halves the step that led to a pose that is inside after all; false if there is none.
+  bool retreat() HAPTICS_RT {
+    if (at_.advance == 0.0) return false;
+    const double advance = at_.halvings < 5 ? 0.5 * at_.advance : 0.0;
+    travel(at_.advance - advance);
+    at_.advance = advance;
+    ++at_.halvings;
+    at_.X = advance > 0.0 ? moved(at_.X_before, at_.motion, advance) : at_.X_before;
+    if (advance == 0.0) at_.stage = Search::Stage::Done;
+    return true;
+  }
 
   /// The motion, shortened to what one sub-step may cover.
   Twist limited(const Twist& free) const HAPTICS_RT {
@@ -121,29 +202,6 @@ class Tick {
     return factor < 1.0 ? scaled(free, factor) : free;
   }
 
-  /// Collects the points the motion could bring to the surface; shortens it where they are many.
-  bool findNear(Twist& motion, double& length) HAPTICS_RT {
-    if (length <= lengths().band) return true;  // collected already
-    auto verdict = proxy_.clearance.collect(solid_, scene_.tool.shell, X_, length, budget_);
-    if (verdict == Clearance::Verdict::Legal && proxy_.clearance.size() > kManyNear &&
-        length > lengths().step_near) {
-      motion = scaled(motion, lengths().step_near / length);
-      length = lengths().step_near;
-      verdict = proxy_.clearance.collect(solid_, scene_.tool.shell, X_, length, budget_);
-    }
-    return verdict == Clearance::Verdict::Legal;
-  }
-
-  /// Every point that could have reached the surface is outside, in double.
-  bool verified(const Pose& X) HAPTICS_RT {
-    for (std::size_t i = 0; i < proxy_.clearance.size(); ++i) {
-      budget_.spend();
-      const auto point = static_cast<std::size_t>(proxy_.clearance.near(i).point);
-      if (solid_.inside(X * scene_.tool.shell.points[point])) return false;
-    }
-    return true;
-  }
-
   /// Adds a contact; false if its point is one already, or it has no normal.
   bool keep(const Contact& contact) HAPTICS_RT {
     if (contact.n_W.isZero()) return false;
@@ -152,45 +210,43 @@ class Tick {
     return proxy_.contacts.push(contact);
   }
 
-  void travel(const Twist& motion, double share) HAPTICS_RT {
-    const double way = motion.linear.norm() * share, turned = motion.angular.norm() * share;
+  void travel(double share) HAPTICS_RT {
+    const double way = at_.motion.linear.norm() * share;
+    const double turned = at_.motion.angular.norm() * share;
     proxy_.clearance.moved(way, turned);
-    way_since_taken_ += way;
-    turn_since_taken_ += turned;
+    at_.way += way;
+    at_.turned += turned;
   }
 
-  /// Takes the pose X_ for the proxy if the filter lets it.
-  void judge(bool start, double distance, double step, const Vec3& turn) HAPTICS_RT {
-    if (start)
+  /// Takes the pose reached for the proxy if the filter lets it.
+  void judge(double distance, double step, const Vec3& turn) HAPTICS_RT {
+    if (at_.atTaken())
       proxy_.acceptance.start(distance, step);
     else if (!proxy_.acceptance.take(distance, step, 0.002 * lengths().epsilon))
       return;
-    proxy_.X_WP = X_;
-    taken_turn_ = turn;
-    way_since_taken_ = turn_since_taken_ = 0.0;
-    taken_contacts_ = proxy_.contacts;
+    proxy_.X_WP = at_.X;
+    proxy_.turn = turn;
+    at_.way = at_.turned = 0.0;
+    at_.contacts_taken = proxy_.contacts;
   }
-  bool atTaken() const HAPTICS_RT { return way_since_taken_ == 0.0 && turn_since_taken_ == 0.0; }
 
   /// Goes back to the pose that was taken last; the way back is motion too.
   void settle() HAPTICS_RT {
-    proxy_.turn = taken_turn_;
-    if (atTaken()) return;
-    proxy_.clearance.moved(way_since_taken_, turn_since_taken_);
-    proxy_.contacts = taken_contacts_;
+    if (at_.atTaken()) return;
+    proxy_.clearance.moved(at_.way, at_.turned);
+    proxy_.contacts = at_.contacts_taken;
   }
+
+  static constexpr int kPatience = 8;  // ticks
 
   const Scene& scene_;
   const Isosurface solid_;
   const Pose& X_WD_;
   Proxy& proxy_;
+  Search& at_;
   Budget& budget_;
   MotionRows rows_;
-  Pose X_;           ///< where the sub-steps have got to
-  Vec3 taken_turn_;  ///< unwrapped rotation to the device from the pose taken
-  Contacts taken_contacts_;
   double radius_;
-  double way_since_taken_ = 0.0, turn_since_taken_ = 0.0;
 };
 
 }  // namespace
@@ -210,8 +266,10 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
     proxy.clearance.forget();
     proxy.acceptance.forget();
     proxy.recovery.active = false;
+    proxy.search = {};
   }
   if (!proxy.recovery.active) Tick{scene, isovalue, X_WD, proxy, budget}.run(result);
+  result.contacts = proxy.bearing;
   if (!result.outside || proxy.recovery.active) {
     // even when it succeeds at once: the force fades before it follows the proxy elsewhere
     result.outside = false;

@@ -11,7 +11,7 @@
 namespace haptics {
 
 /// Units of work in a tick's default budget: about 200 us.
-inline constexpr std::int64_t kTickWork = 5000;
+inline constexpr std::int64_t kTickWork = 20'000;
 
 /// What one tick came to.
 struct TickResult {
@@ -20,7 +20,8 @@ struct TickResult {
   /// False in every tick in which the proxy was found inside, after the isovalue moved, and had to
   /// be brought out.
   bool outside = true;
-  bool cut = false;  ///< the budget ended the tick: a shorter step, never a wrong one
+  /// The budget ended the tick; what was under way goes on in the next, and nothing wrong is done.
+  bool cut = false;
 };
 
 /// One period of the servo loop: the six steps of [Chan 2011], 2.1, refined as the README tells.

@@ -157,13 +157,14 @@ TEST(Clearance, ProvesHowFarEveryPointItLeavesOutMayGo) {
   const ScalarField field{volume};
   const Isosurface solid{field, 220.0};
   const haptics::PointShell shell = haptics::makeShell(made::ballPoints(300, 9e-3)).value();
-  Clearance clearance{shell.points.size()};
+  const haptics::ShellTree tree{shell.points};
+  Clearance clearance{tree};
   Pose X = at(0.028, 0, 0);
   int left_out = 0, looked_at = 0, legal = 0, inside = 0;
   for (int n = 0; n < 400; ++n) {
     const double reach = random.in(0.05, 0.6) * h;
     Budget budget = unlimited();
-    const auto verdict = clearance.collect(solid, shell, X, reach, budget);
+    const auto verdict = clearance.collect(solid, tree, X, reach, budget);
     ASSERT_NE(verdict, Clearance::Verdict::Cut);
     bool truly_inside = false;
     for (const Vec3& p : shell.points)
@@ -173,8 +174,9 @@ TEST(Clearance, ProvesHowFarEveryPointItLeavesOutMayGo) {
     std::vector<bool> near(shell.points.size(), false);
     for (std::size_t i = 0; i < clearance.size(); ++i) {
       const haptics::NearPoint& point = clearance.near(i);
-      near[static_cast<std::size_t>(point.point)] = true;
-      const Vec3 p_W = X * shell.points[static_cast<std::size_t>(point.point)];
+      const auto p = static_cast<std::size_t>(tree.index[static_cast<std::size_t>(point.place)]);
+      near[p] = true;
+      const Vec3 p_W = X * shell.points[p];
       EXPECT_NEAR(point.value, evaluator::fieldAt(*volume, p_W), field.roundingMargin());
       EXPECT_LT(point.free, reach);
     }
@@ -210,17 +212,19 @@ TEST(Clearance, SpendsAllOfAMotionOverAPlane) {
   const haptics::PointShell shell = haptics::makeShell(made::ballPoints(60, 4e-3)).value();
   for (const bool turning : {false, true}) {
     Random random{48};
-    Clearance clearance{shell.points.size()};
+    const haptics::ShellTree tree{shell.points};
+    Clearance clearance{tree};
     Pose X = at(0, 0, 11e-3);
     int met = 0, skipped = 0;
     for (int n = 0; n < 200 && met < 20; ++n) {
       const double reach = random.in(0.02, 0.2) * h;
       Budget budget = unlimited();
-      ASSERT_EQ(clearance.collect(space.solid, shell, X, reach, budget), Clearance::Verdict::Legal);
+      ASSERT_EQ(clearance.collect(space.solid, tree, X, reach, budget), Clearance::Verdict::Legal);
       skipped += budget.spent() < 60;
       std::vector<bool> near(shell.points.size(), false);
       for (std::size_t i = 0; i < clearance.size(); ++i)
-        near[static_cast<std::size_t>(clearance.near(i).point)] = true;
+        near[static_cast<std::size_t>(
+            tree.index[static_cast<std::size_t>(clearance.near(i).place)])] = true;
       for (std::size_t i = 0; i < shell.points.size(); ++i) {
         const double height = (X * shell.points[i]).z();
         met += height < reach;
@@ -242,11 +246,12 @@ TEST(Clearance, SpendsAllOfAMotionOverAPlane) {
 TEST(Clearance, LooksAtNothingTwiceThatCannotHaveComeNear) {
   const HalfSpace space;
   const haptics::PointShell shell = haptics::makeShell(made::ballPoints(100, 2e-3)).value();
-  Clearance clearance{shell.points.size()};
+  const haptics::ShellTree tree{shell.points};
+  Clearance clearance{tree};
   Budget first = unlimited(), second = unlimited();
-  const Pose X = at(0, 0, 0.012);
-  clearance.collect(space.solid, shell, X, 1e-4, first);
-  clearance.collect(space.solid, shell, X, 1e-4, second);
+  const Pose X = at(0, 0, 3e-3);  // within four voxels: nothing is proven by a block alone
+  clearance.collect(space.solid, tree, X, 1e-4, first);
+  clearance.collect(space.solid, tree, X, 1e-4, second);
   EXPECT_GE(first.spent(), 100);
   EXPECT_EQ(second.spent(), 0);
 }
@@ -254,12 +259,13 @@ TEST(Clearance, LooksAtNothingTwiceThatCannotHaveComeNear) {
 TEST(Clearance, SaysWhenTheBudgetRanOutAndGoesOnFromThere) {
   const HalfSpace space;
   const haptics::PointShell shell = haptics::makeShell(made::ballPoints(100, 2e-3)).value();
-  Clearance clearance{shell.points.size()};
-  const Pose X = at(0, 0, 0.012);
+  const haptics::ShellTree tree{shell.points};
+  Clearance clearance{tree};
+  const Pose X = at(0, 0, 3e-3);  // within four voxels: nothing is proven by a block alone
   int ticks = 0;
   for (;; ++ticks) {
     Budget little = Budget::counted(20);
-    if (clearance.collect(space.solid, shell, X, 1e-4, little) != Clearance::Verdict::Cut) break;
+    if (clearance.collect(space.solid, tree, X, 1e-4, little) != Clearance::Verdict::Cut) break;
     ASSERT_LT(ticks, 50);
   }
   EXPECT_GE(ticks, 4);
@@ -272,9 +278,10 @@ TEST(Clearance, FindsAToolInsideAPlateauInside) {
                                 [](auto, auto, auto k) { return k < 36 ? 255. : 0.; }));
   const ScalarField field{volume};
   const haptics::PointShell shell = haptics::makeShell(made::ballPoints(50, 1e-3)).value();
-  Clearance clearance{shell.points.size()};
+  const haptics::ShellTree tree{shell.points};
+  Clearance clearance{tree};
   Budget budget = unlimited();
-  EXPECT_EQ(clearance.collect({field, 100.0}, shell, at(0, 0, -8e-3), 1e-4, budget),
+  EXPECT_EQ(clearance.collect({field, 100.0}, tree, at(0, 0, -8e-3), 1e-4, budget),
             Clearance::Verdict::Inside);
 }
 

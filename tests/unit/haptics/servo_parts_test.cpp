@@ -135,14 +135,17 @@ TEST(TickStats, StartsAfreshEverySecondAndSurvivesAnyTime) {
   EXPECT_TRUE(std::isfinite(stats.p99()));
 }
 
-TEST(Budget, CountsWorkExactlyAndStaysCut) {
+TEST(Budget, CountsWorkAndEveryQuestionExactlyAndStaysCut) {
   Budget budget = Budget::counted(10);
-  for (int n = 0; n < 10; ++n) {
-    EXPECT_TRUE(budget.left());
+  for (int n = 0; n < 4; ++n) {
+    EXPECT_TRUE(budget.left());  // one unit to ask
     budget.spend();
   }
+  EXPECT_TRUE(budget.left());
   EXPECT_FALSE(budget.left());
   EXPECT_TRUE(budget.cut());
+  EXPECT_EQ(budget.spent(), 10);
+  EXPECT_FALSE(budget.left());
   EXPECT_EQ(budget.spent(), 10);
 }
 

@@ -210,11 +210,15 @@ Arc arcTowardsSphere(Generator& make) {
 /// haptics' sweep of the whole shell along an arc.
 haptics::Impact swept(const Both& both, const PointShell& shell, const Arc& arc) {
   haptics::Budget budget = haptics::Budget::counted(1'000'000'000);
-  haptics::Clearance clearance{shell.points.size()};
+  const haptics::ShellTree tree{shell.points};
+  haptics::Clearance clearance{tree};
   const double reach = reference::pathBound(arc.motion, shell.radius) * 1.001;
-  EXPECT_EQ(clearance.collect(both.surface(), shell, arc.X_WP, reach, budget),
+  EXPECT_EQ(clearance.collect(both.surface(), tree, arc.X_WP, reach, budget),
             haptics::Clearance::Verdict::Legal);
-  return haptics::sweep(both.surface(), clearance, arc.X_WP, arc.motion, both.lengths, budget);
+  haptics::Sweep sweep{shell.points.size()};
+  sweep.begin(both.field, clearance, arc.X_WP, arc.motion, both.lengths);
+  EXPECT_TRUE(sweep.advance(both.surface(), tree, clearance, both.lengths, budget));
+  return sweep.impact(both.surface(), tree, clearance, both.lengths);
 }
 
 TEST(Agreement, OnTheFirstHitOfAnArc) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "haptics/core/geometry.h"
+
+namespace haptics {
+
+/// A shell's points in the order of a tree of bounding spheres: neighbours lie together, by
+/// coordinate, sixteen to a leaf. Built once a tool; in the tool frame [m].
+class ShellTree {
+ public:
+  static constexpr int kLeaf = 16;
+
+  /// A sphere around some of the points. Nodes stand in preorder: the first child of a node
+  /// follows it, and `next` is the node after all of its own.
+  struct Node {
+    Vec3 centre = Vec3::Zero();
+    double radius = 0.0;
+    double arm = 0.0;  ///< the farthest of its points from the tool's origin
+    int next = 0;
+    int first = 0;  ///< its points, in tree order
+    int count = 0;
+    bool leaf = false;
+  };
+
+  explicit ShellTree(const std::vector<Vec3>& points);
+
+  int size() const { return static_cast<int>(index.size()); }
+  std::size_t bytes() const;
+
+  std::vector<Node> nodes;
+  std::vector<int> index;       ///< of the shell, for each place in tree order
+  std::vector<double> x, y, z;  ///< in tree order, and a leaf's worth of zeros
+  std::vector<double> arm;      ///< distance from the tool's origin
+};
+
+}  // namespace haptics
