@@ -21,7 +21,7 @@ void prune(const Isosurface& solid, const PointShell& shell, const Pose& X_WP, c
     contact.r_W = X_WP.linear() * shell.points[static_cast<std::size_t>(contact.point)];
     const Vec3 p_W = X_WP.translation() + contact.r_W;
     const Vec3 moved = p_W - contact.p_W;
-    budget.spend();
+    budget.spend(solid.field.work());
     if (moved.norm() <= epsilon &&
         standsInTheWay(solid, X_WP.translation(), contact.r_W, free, epsilon)) {
       contact.gap += contact.n_W.dot(moved);

@@ -15,7 +15,7 @@ Crossing firstCrossing(const Isosurface& solid, const PointPath& path, double fr
   double t = from;
   while (t < to) {
     const Vec3 u = field.indexOf(path.at(t));
-    budget.spend();
+    budget.spend(2);
     const MaxPyramid::Bound bound = field.pyramid().bound(u, ceiling);
     if (bound.lipschitz == 0.0) {
       t += bound.radius / speed;

@@ -103,7 +103,7 @@ double ScalarField::firstReach(const Vec3& a, const Vec3& b, double level, doubl
       return firstReachOf(cell.alongSegment(a + from * d, a + to * d), level, from, to, tolerance);
     });
   return walkCells(a, b, [&](const std::array<std::int64_t, 3>& at, double from, double to) {
-    budget.spend();
+    budget.spend(kCellWork);
     return firstReachOf(alongSegment(cellAt(at), a + from * d, a + to * d), level, from, to,
                         tolerance);
   });

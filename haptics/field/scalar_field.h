@@ -55,7 +55,7 @@ class ScalarField {
   double firstReach(const Vec3& a, const Vec3& b, double level, double tolerance,
                     Budget& budget) const HAPTICS_RT;
   /// Units of work of one value or sample (core/budget.h).
-  int work() const HAPTICS_RT { return kind_ == FieldKind::Trilinear ? 1 : kSplineWork; }
+  int work() const HAPTICS_RT { return kind_ == FieldKind::Trilinear ? kCellWork : kSplineWork; }
 
   /// The voxels of a cell, and their trilinear field whatever the kind.
   Cell cellAt(const std::array<std::int64_t, 3>& at) const HAPTICS_RT;
@@ -87,8 +87,9 @@ class ScalarField {
   double roundingMargin() const HAPTICS_RT { return rounding_margin_; }
 
  private:
-  static constexpr int kSplineWork = 3;         ///< of 64 voxels, their weights and sum
-  static constexpr int kSplineSegmentWork = 9;  ///< of the polynomial along a segment
+  static constexpr int kCellWork = 4;            ///< of 8 voxels, fetched alone
+  static constexpr int kSplineWork = 12;         ///< of 64 voxels, their weights and sum
+  static constexpr int kSplineSegmentWork = 36;  ///< of the polynomial along a segment
 
   std::shared_ptr<const Volume> volume_;
   FieldKind kind_;

@@ -25,10 +25,10 @@ void push(const Scene& scene, const Isosurface& solid, Pose& X_WT, Budget& budge
     if (!budget.left()) break;
     const Vec3 r = X_WT.linear() * p;
     const Vec3 u = field.indexOf(X_WT.translation() + r);
-    budget.spend();
+    budget.spend(field.work());
     const double value = field.value(u);
     if (value < solid.ceiling()) continue;
-    budget.spend(6);
+    budget.spend(6 * field.work());
     const Vec3 gradient = field.centralGradient(u);
     const double slope = gradient.norm();
     if (!(slope > 0.0)) continue;
@@ -86,7 +86,7 @@ bool legal(const Isosurface& solid, const PointShell& shell, const Pose& X_WT,
            Budget& budget) HAPTICS_RT {
   for (const Vec3& p : shell.points) {
     if (!budget.left()) return false;
-    budget.spend();
+    budget.spend(solid.field.work());
     if (solid.inside(X_WT * p)) return false;
   }
   return true;
