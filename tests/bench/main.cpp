@@ -3,147 +3,152 @@
 // palpate-bench: literal, charitable, accept-inside and ours on the same hands in one process.
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "tests/bench/course.h"
-#include "tests/bench/scenes.h"
+#include "tests/bench/report.h"
 
 namespace bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Options {
-  bool json = false, quick = false, counted = false;
+  bool json = false, quick = false, counted = false, no_sweep = false;
   std::string scans, out;
   std::vector<std::string> only;
-  double seconds = 3.0;
+  double seconds = 0.0;  ///< 0: 3, or less when quick
   int budget_us = 200;
 };
 
-Json jsonOf(const std::string& scene, const Summary& s) {
-  Json hands = Json::array();
-  for (const Part& part : s.parts)
-    hands.push_back({{"hand", part.hand},
-                     {"mean_us", part.mean_us},
-                     {"coupling_mm", part.coupling_mm},
-                     {"frozen", part.frozen},
-                     {"contact", part.contact}});
-  return {{"scene", scene},
-          {"method", s.method},
-          {"mean_us", s.mean_us},
-          {"p50_us", s.p50_us},
-          {"p99_us", s.p99_us},
-          {"p999_us", s.p999_us},
-          {"p9999_us", s.p9999_us},
-          {"max_us", s.max_us},
-          {"coupling_mm", s.coupling_mm},
-          {"coupling_tap_slide_hook_mm", s.guided_mm},
-          {"frozen", s.frozen},
-          {"wall_passages", s.wall_passages},
-          {"penetration_mm", s.penetration_mm},
-          {"samples_per_tick", s.samples_per_tick},
-          {"contacts_max", s.contacts_max},
-          {"cut", s.cut},
-          {"ticks", s.ticks},
-          {"hands", hands}};
+double secondsSince(std::chrono::steady_clock::time_point begun) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
 
-/// The baseline is honest only if it does the work that the paper describes, at a fitting speed.
-Json baselineOf(const Case& scene, const Summary& literal) {
-  const double per_point = literal.samples_per_tick / scene.points;
-  Json json{{"scene", scene.name},
-            {"literal_mean_us", literal.mean_us},
-            {"samples_per_point", per_point}};
-  std::string why;
-  if (per_point < 1.3 || per_point > 2.0)
-    why = "it takes " + Json(per_point).dump() + " samples a point, not 1.3 to 2";
-  if (scene.literal_us) {
-    json["expected_mean_us"] = *scene.literal_us;
-    const double ratio = literal.mean_us / *scene.literal_us;
-    if (ratio < 0.5 || ratio > 2.0)
-      why += std::string{why.empty() ? "" : "; "} +
-             "its mean is not within a factor of 2 of the expected one";
-  }
-  json["honest"] = why.empty();
-  if (!why.empty()) json["why"] = why;
-  return json;
+haptics::Expected<Case> caseOf(const std::string& name, const Options& options) {
+#ifdef PALPATE_READERS
+  if (name.starts_with("scan-")) return readScan(name, options.scans);
+#else
+  static_cast<void>(options);
+#endif
+  return makeScene(name);
+}
+
+haptics::Expected<SceneReport> measured(const Case& scene, const Options& options) {
+  // one unit of work is about 40 ns
+  const Limit limit{1000LL * options.budget_us, options.counted ? 25LL * options.budget_us : 0};
+  SceneReport report{scene.name, scene.tool, scene.points};
+  report.literal_us = scene.literal_us;
+  const auto begun = std::chrono::steady_clock::now();
+  const auto built = haptics::makeScene(scene.volume, toolOf(scene));
+  if (!built) return tl::unexpected(built.error());
+  report.build_ms = 1e3 * secondsSince(begun);
+  report.voxel_mm = 1e3 * scene.volume->grid.spacing.minCoeff();
+  report.rest_gap_mm = 1e3 * (*built)->lengths.rest_gap;
+
+  const double seconds = options.seconds > 0.0 ? options.seconds : options.quick ? 0.4 : 3.0;
+  const auto courses = coursesIn(**built, scene, seconds);
+  if (!courses) return tl::unexpected(courses.error());
+  auto methods = allMethods(scene, *built, limit);
+  const std::vector<Track> tracks = follow(methods, *courses);
+  const haptics::PointShell& shell = (*built)->tool.shell;
+  const Judge judge{scene, shell};
+  for (const Track& track : tracks)
+    report.summaries.push_back(summaryOf(track, *courses, shell, judge, options.quick ? 20 : 5));
+
+  const HoldPlan holds = options.quick ? HoldPlan{4, 120, 4, 100} : HoldPlan{};
+  const auto unhurried = ours(*built, scene.isovalue, {0, 1'000'000});
+  report.holds = compareHolds(methods, *unhurried, holdsAlong(tracks.back(), *courses, holds.count),
+                              shell, judge, holds);
+  SlidePlan slide;
+  if (options.quick) slide.length = 0.012;
+  // a tooth is small: a small ball, slower
+  if (scene.name == "scan-tooth") slide = {0.001, 0.005, 0.002, 0.008};
+  report.feel = compareFeel(scene, slide, limit);
+  return report;
+}
+
+/// A line for each method, on standard error: what is known before the whole is done.
+void tell(const SceneReport& report) {
+  for (const Summary& s : report.summaries)
+    std::fprintf(
+        stderr,
+        "%-12s %-13s mean %6.1f p50 %6.1f p99 %7.1f p99.9 %8.1f max %9.1f us | coupling "
+        "%6.2f mm, frozen %4.1f %%, deepest %.4f mm, walls %d | contacts %d, samples %.0f, "
+        "cut %.1f %%\n",
+        report.scene.c_str(), s.method.c_str(), s.mean_us, s.p50_us, s.p99_us, s.p999_us, s.max_us,
+        s.coupling_mm, 100 * s.frozen, s.penetration_mm, s.wall_passages, s.contacts_max,
+        s.samples_per_tick, 100 * s.cut);
+  for (const HoldSummary& h : report.holds)
+    std::fprintf(stderr,
+                 "  %-13s %d holds: residual @8 median %.4f mean %.3f, @64 %.4f / %.3f mm; rest "
+                 "p99 %.2g max %.2g um; slack %.4f mm (%.2f rest gaps) over %d legal\n",
+                 h.method.c_str(), h.holds, h.residual_median_mm, h.residual_mean_mm,
+                 h.settled_median_mm, h.settled_mean_mm, 1e3 * h.rest_p99_mm, 1e3 * h.rest_max_mm,
+                 h.slack_mm, h.slack_mm / report.rest_gap_mm, h.legal);
+  for (const FeelSummary& f : report.feel)
+    std::fprintf(stderr, "  %-13s slow slide: fine %.4f N, largest step %.3f N/ms, mean %.2f N\n",
+                 f.method.c_str(), f.fine_noise_N, f.largest_step_N, f.mean_force_N);
+  for (const LongTick& tick : report.summaries.back().long_ticks)
+    std::fprintf(stderr, "  long tick: %s %zu, %.0f us, work %lld, %ld faults, %ld switches\n",
+                 tick.hand.c_str(), tick.tick, tick.us, static_cast<long long>(tick.work),
+                 tick.faults, tick.switches);
+  if (const std::string why = whyNotHonest(report); !why.empty())
+    std::fprintf(stderr, "  no ratio for %s: %s\n", report.scene.c_str(), why.c_str());
 }
 
 int run(const Options& options) {
   std::vector<std::string> names = sceneNames();
-#ifdef PALPATE_READERS
   if (!options.scans.empty()) names.insert(names.end(), scanNames().begin(), scanNames().end());
-#endif
-  const Limit limit{1000LL * options.budget_us, options.counted ? 25LL * options.budget_us : 0};
-  Json results = Json::array(), ratios = Json::array(), baselines = Json::array(),
-       long_ticks = Json::array();
+  const auto wanted = [&](const std::string& name) {
+    return options.only.empty() ||
+           std::find(options.only.begin(), options.only.end(), name) != options.only.end();
+  };
+  std::vector<SceneReport> reports;
   for (const std::string& name : names) {
-    if (!options.only.empty() &&
-        std::find(options.only.begin(), options.only.end(), name) == options.only.end())
+    if (!wanted(name)) continue;
+    const auto begun = std::chrono::steady_clock::now();
+    const auto scene = caseOf(name, options);
+    if (!scene) {
+      std::fprintf(stderr, "%s is left out: %s\n", name.c_str(), scene.error().what.c_str());
       continue;
-    Case scene;
-#ifdef PALPATE_READERS
-    if (name.rfind("scan-", 0) == 0) {
-      auto read = readScan(name, options.scans);
-      if (!read) {
-        std::fprintf(stderr, "%s: %s\n", name.c_str(), read.error().what.c_str());
-        continue;
-      }
-      scene = std::move(*read);
-    } else
-#endif
-      scene = makeScene(name);
-    auto built = haptics::makeScene(scene.volume, toolOf(scene));
-    if (!built) {
-      std::fprintf(stderr, "%s: %s\n", name.c_str(), built.error().what.c_str());
+    }
+    const double made = secondsSince(begun);
+    auto report = measured(*scene, options);
+    if (!report) {
+      std::fprintf(stderr, "%s: %s\n", name.c_str(), report.error().what.c_str());
       return 4;
     }
-    auto courses = coursesIn(**built, scene, options.seconds);
-    if (!courses) {
-      std::fprintf(stderr, "%s: %s\n", name.c_str(), courses.error().what.c_str());
-      return 4;
-    }
-    auto methods = allMethods(scene, *built, limit);
-    const std::vector<Track> tracks = follow(methods, *courses);
-    const Judge judge{scene, (*built)->tool.shell};
-    std::vector<Summary> summaries;
-    for (const Track& track : tracks) {
-      summaries.push_back(
-          summaryOf(track, *courses, (*built)->tool.shell, judge, options.quick ? 20 : 5));
-      const Summary& s = summaries.back();
-      std::fprintf(
-          stderr,
-          "%-12s %-14s mean %7.1f p50 %6.1f p99 %7.1f p99.9 %8.1f max %9.1f us | coupling "
-          "%6.2f (tap slide hook %6.2f) mm frozen %4.1f %% pen %.4f mm walls %d | contacts "
-          "%d samples %.0f cut %.1f %%\n",
-          name.c_str(), s.method.c_str(), s.mean_us, s.p50_us, s.p99_us, s.p999_us, s.max_us,
-          s.coupling_mm, s.guided_mm, 100 * s.frozen, s.penetration_mm, s.wall_passages,
-          s.contacts_max, s.samples_per_tick, 100 * s.cut);
-      results.push_back(jsonOf(name, s));
-    }
-    for (const LongTick& tick : summaries.back().long_ticks) {
-      std::fprintf(stderr, "  long: %s tick %zu %.0f us, work %lld, faults %ld, switches %ld\n",
-                   tick.hand.c_str(), tick.tick, tick.us, static_cast<long long>(tick.work),
-                   tick.faults, tick.switches);
-      long_ticks.push_back({{"scene", name},
-                            {"hand", tick.hand},
-                            {"tick", tick.tick},
-                            {"us", tick.us},
-                            {"work", tick.work},
-                            {"minor_faults", tick.faults},
-                            {"switches", tick.switches}});
-    }
-    baselines.push_back(baselineOf(scene, summaries.front()));
-    std::fprintf(stderr, "  baseline: %s\n", baselines.back().dump().c_str());
+    tell(*report);
+    std::fprintf(stderr, "  %.1f s, of which making the volume %.1f s\n", secondsSince(begun),
+                 made);
+    reports.push_back(std::move(*report));
   }
-  const Json report{{"results", results},
-                    {"ratios", ratios},
-                    {"baselines", baselines},
-                    {"long_ticks", long_ticks}};
-  if (options.json) std::printf("%s\n", report.dump(1).c_str());
+  std::vector<SweepRow> rows;
+  if (!options.no_sweep && wanted("sweep")) {
+    const auto begun = std::chrono::steady_clock::now();
+    rows = options.quick ? sweep({1'000, 100'000}, {200}, 300)
+                         : sweep({1'000, 10'000, 100'000, 1'000'000}, {100, 200, 500}, 1000);
+    for (const SweepRow& r : rows)
+      std::fprintf(stderr,
+                   "sweep %-6s %7d points %3d us: mean %6.1f p50 %6.1f p99 %6.1f max %6.1f us, "
+                   "coupling %.3f lag %.3f mm, deepest %.4f mm, cut %.0f %%\n",
+                   r.scene.c_str(), r.points, r.budget_us, r.mean_us, r.p50_us, r.p99_us, r.max_us,
+                   r.coupling_mm, r.lag_mm, r.penetration_mm, 100 * r.cut);
+    std::fprintf(stderr, "  %.1f s\n", secondsSince(begun));
+  }
+  const Json json = jsonOf(reports, rows);
+  if (options.json)
+    std::printf("%s\n", json.dump(1).c_str());
+  else
+    std::printf("%s", tableOf(reports, rows).c_str());
+  if (!options.out.empty()) {
+    std::ofstream file{options.out};
+    file << json.dump(1) << '\n';
+    if (!file.flush()) {
+      std::fprintf(stderr, "%s cannot be written.\n", options.out.c_str());
+      return 4;
+    }
+  }
   return 0;
 }
 
@@ -153,18 +158,27 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
   bench::Options options;
   CLI::App app{
-      "Measures the literal, charitable and accept-inside readings of the paper, and "
-      "Palpate's own tick, side by side."};
-  app.add_flag("--json", options.json, "One JSON object on standard output");
-  app.add_flag("--quick", options.quick, "Shorter hands, fewer checks");
+      "Leads the literal, charitable and accept-inside readings of the paper and "
+      "Palpate's own tick along the same hands, and compares them."};
+  app.add_flag("--json", options.json, "One JSON object on standard output, no table");
+  app.add_flag("--quick", options.quick, "Shorter hands, fewer checks: under 40 s");
   app.add_flag("--counted", options.counted,
-               "Counted work in place of the clock, so that results repeat");
-  app.add_option("--budget", options.budget_us, "Of a tick of ours [us]");
-  app.add_option("--seconds", options.seconds, "Of each hand");
-  app.add_option("--scans", options.scans, "Folder of real scans, to run those as well");
-  app.add_option("--only", options.only, "These scenes alone");
-  app.add_option("--out", options.out, "Write the JSON here");
-  CLI11_PARSE(app, argc, argv);
-  if (options.quick) options.seconds = 0.5;
+               "Counted work in place of the clock, so that all but the times repeat");
+  app.add_flag("--no-sweep", options.no_sweep, "Leave out the sweep over points and budgets");
+  app.add_option("--budget", options.budget_us, "Of a tick of ours [us]")
+      ->check(CLI::Range(1, 100000));
+  app.add_option("--seconds", options.seconds, "Of each hand after its lead-in")
+      ->check(CLI::Range(0.1, 1000.0));
+#ifdef PALPATE_READERS
+  app.add_option("--scans", options.scans, "Folder of real scans, to run those as well")
+      ->check(CLI::ExistingDirectory);
+#endif
+  app.add_option("--only", options.only, "These scenes, scan-… or sweep, alone");
+  app.add_option("--out", options.out, "Write the JSON here, too");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   return bench::run(options);
 }

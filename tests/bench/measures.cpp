@@ -120,6 +120,13 @@ double Judge::depth(const Pose& X_WP) const {
   return deepest;
 }
 
+bool Judge::legal(const Pose& X_WP) const {
+  return std::none_of(shell_.points.begin(), shell_.points.end(), [&](const Vec3& r_P) {
+    const Vec3 p_W = X_WP * r_P;
+    return !blocks_.free(p_W, 0.0) && inside(p_W);
+  });
+}
+
 bool Judge::wayRound(const Vec3& from_W, const Vec3& to_W, double step) const {
   // the nearest to the goal first, over a lattice
   constexpr std::size_t kMost = 200'000;  // places: then it is taken for a wall

@@ -45,6 +45,8 @@ class Judge {
 
   /// m, in double: 0 where every point has F < s, else the most (F - s) / |grad F| of the cells.
   double depth(const Pose& X_WP) const;
+  /// Whether every point has F < s, in double.
+  bool legal(const Pose& X_WP) const;
   /// How many points pass through material between an outside start and an outside end, when the
   /// tool goes straight from one pose to the other. Each path is sampled at a 25th of a voxel.
   /// A method that takes several sub-steps in a tick is seen only at its ends: with

@@ -36,7 +36,7 @@ Case makeScene(const std::string& name);
 /// The real scans: scan-bunny, scan-engine, scan-bone, scan-skin, scan-tooth. Empty where the
 /// readers are not built.
 const std::vector<std::string>& scanNames();
-/// Reads one of them from the folder of real scans.
+/// Reads one of them from the folder of real scans. Only where the readers are built.
 haptics::Expected<Case> readScan(const std::string& name, const std::string& folder);
 
 /// The case's tool with its number of points, or with `points` of them.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/bench/course.h"
+#include "tests/bench/feel.h"
+#include "tests/bench/holds.h"
+#include "tests/bench/sweep.h"
+
+namespace bench {
+
+using Json = nlohmann::ordered_json;
+
+/// Everything measured in one scene, literal first and ours last.
+struct SceneReport {
+  std::string scene, tool;
+  int points = 0;
+  double voxel_mm = 0.0;     ///< smallest side
+  double rest_gap_mm = 0.0;  ///< what ours keeps to the surface
+  double build_ms = 0.0;     ///< of haptics::Scene
+  std::optional<double> literal_us = {};
+  std::vector<Summary> summaries = {};
+  std::vector<HoldSummary> holds = {};  ///< empty: not measured
+  std::vector<FeelSummary> feel = {};   ///< empty: not measured
+};
+
+/// Why the literal baseline cannot be compared with; empty if it can: it takes 1.3 to 2 samples a
+/// point, and its mean tick is within a factor of 2 of what is known of it.
+std::string whyNotHonest(const SceneReport& report);
+
+/// The machine, the compiler and its flags.
+Json machine();
+/// `results`, `ratios`, and what stands behind them.
+Json jsonOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>& sweep);
+/// The figures to reach, and what was reached, as Markdown.
+std::string tableOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>& sweep);
+
+}  // namespace bench
