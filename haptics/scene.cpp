@@ -2,25 +2,46 @@
 #include "haptics/scene.h"
 
 #include <atomic>
+#include <chrono>
 #include <utility>
 
 #include "haptics/servo/recovery.h"
 
 namespace haptics {
 
-Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool) {
+Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,
+                                                 const SceneOptions& options,
+                                                 const Scene* previous) {
   static std::atomic<std::uint64_t> last_id{0};
   if (!volume || !volume->voxels)
     return tl::unexpected(Error{Error::Kind::NotFound, "There is no volume to touch; open one."});
   if (tool.shell.points.empty())
     return tl::unexpected(
         Error{Error::Kind::Malformed, "The tool has no points; a tool needs at least one."});
-  ScalarField field{volume};
+  using Clock = std::chrono::steady_clock;
+  const auto secondsSince = [](Clock::time_point begun) {
+    return std::chrono::duration<double>(Clock::now() - begun).count();
+  };
+  std::vector<Structure> structures;
+  std::shared_ptr<const ScalarField> field;
+  double build_time = 0.0;
+  if (previous != nullptr && previous->volume == volume &&
+      previous->field.kind() == options.field) {
+    field = previous->shared_field;
+  } else {
+    const Clock::time_point begun = Clock::now();
+    field = std::make_shared<const ScalarField>(volume, options.field);
+    build_time = secondsSince(begun);
+  }
   const MassMetric metric{tool.shell.inertia};
-  const Tolerances lengths{field.voxel()};
+  const Tolerances lengths{field->voxel()};
+  structures.push_back({"pyramid", field->pyramid().bytes(), build_time});
+  const Clock::time_point begun = Clock::now();
   ShellTree tree{tool.shell.points};
-  return std::make_shared<const Scene>(
-      Scene{++last_id, std::move(volume), std::move(tool), std::move(tree), std::move(field), metric, lengths});
+  structures.push_back({"shell_tree", tree.bytes(), secondsSince(begun)});
+  return std::make_shared<const Scene>(Scene{++last_id, std::move(volume), std::move(tool),
+                                             std::move(tree), field, *field, metric, lengths,
+                                             options.normal, std::move(structures)});
 }
 
 std::optional<Pose> legalPoseNear(const Scene& scene, double isovalue, const Pose& X_WT) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "haptics/collision/contact.h"
 #include "haptics/core/error.h"
@@ -16,20 +18,39 @@
 
 namespace haptics {
 
+/// What the user may choose of a scene beside volume and tool.
+struct SceneOptions {
+  FieldKind field = FieldKind::Trilinear;
+  NormalKind normal = NormalKind::Central;
+};
+
+/// Something built for a scene: what it takes in memory, and took in time.
+struct Structure {
+  std::string name;
+  std::size_t bytes = 0;
+  double build_time = 0.0;  ///< s, by the clock on the wall; 0 where it was there already
+};
+
 /// What is touched, and with what: volume, tool, and what was built from them once. Immutable;
 /// built beside the old one and handed over whole. The isovalue is not part of it.
 struct Scene {
   std::uint64_t id = 0;  ///< unique in the process, from 1
   std::shared_ptr<const Volume> volume;
   Tool tool;
-  ShellTree tree;      ///< over the tool's shell
-  ScalarField field;   ///< reads `volume`; holds the pyramid over it
-  MassMetric metric;   ///< of the tool
-  Tolerances lengths;  ///< from the voxel
+  ShellTree tree;                                   ///< over the tool's shell
+  std::shared_ptr<const ScalarField> shared_field;  ///< scenes of one volume and kind share it
+  const ScalarField& field;  ///< that field: reads `volume`, holds the pyramid over it
+  MassMetric metric;         ///< of the tool
+  Tolerances lengths;        ///< from the voxel
+  NormalKind normal = NormalKind::Central;
+  std::vector<Structure> structures = {};
 };
 
-/// Builds a scene; takes tens to hundreds of milliseconds, so not on the GUI or servo thread.
-Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool);
+/// Builds a scene; takes tens to hundreds of milliseconds, so not on the GUI or servo thread. The
+/// field of `previous` is taken over where volume and kind are the same.
+Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,
+                                                 const SceneOptions& options = {},
+                                                 const Scene* previous = nullptr);
 
 /// The pose itself if every shell point is outside, else a legal pose near it, at most 50 mm
 /// away; none if there is none to be found.

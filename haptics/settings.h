@@ -12,6 +12,7 @@ struct Settings {
   double stiffness = 1000.0;  ///< N/m at the hand, 0 to 20,000
   /// N·m/rad at the hand; 0 takes stiffness times the tool's mean inertia (the paper's scalar k).
   double angular_stiffness = 0.0;
+  double friction = 0.0;  ///< Coulomb's coefficient between tool and surface, 0 to 1.5
 };
 
 }  // namespace haptics

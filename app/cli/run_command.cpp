@@ -25,6 +25,9 @@ struct RunOptions {
   double seconds = 5.0;
   double stiffness = 1000.0;
   double angular_stiffness = 0.0;
+  double friction = 0.0;
+  std::string field = "trilinear";
+  std::string normal = "central";
   std::string device = {};
   std::string trace = {};
   std::uint64_t seed = 1;
@@ -37,6 +40,27 @@ const std::map<std::string, haptics::HandMotion>& motions() {
       {"pry", HandMotion::Pry},    {"hook", HandMotion::Hook},   {"jerk", HandMotion::Jerk},
       {"twist", HandMotion::Twist}};
   return kMotions;
+}
+
+const std::map<std::string, haptics::FieldKind>& fields() {
+  static const std::map<std::string, haptics::FieldKind> kFields{
+      {"trilinear", haptics::FieldKind::Trilinear}, {"spline", haptics::FieldKind::CubicSpline}};
+  return kFields;
+}
+
+const std::map<std::string, haptics::NormalKind>& normals() {
+  static const std::map<std::string, haptics::NormalKind> kNormals{
+      {"central", haptics::NormalKind::Central},
+      {"cell", haptics::NormalKind::Cell},
+      {"spline", haptics::NormalKind::Spline}};
+  return kNormals;
+}
+
+template <class T>
+std::vector<std::string> namesIn(const std::map<std::string, T>& kinds) {
+  std::vector<std::string> names;
+  for (const auto& [name, kind] : kinds) names.push_back(name);
+  return names;
 }
 
 /// What is told of a run, gathered row by row.
@@ -137,12 +161,13 @@ Outcome run(const RunOptions& options) {
                         nlohmann::json((*volume)->least).dump() +
                         ", where everything would be solid; choose a higher one.",
                     "isovalue"});
-  auto scene = haptics::makeScene(*volume, std::move(loaded->tool));
+  auto scene = haptics::makeScene(*volume, std::move(loaded->tool),
+                                  {fields().at(options.field), normals().at(options.normal)});
   if (!scene) return refused(scene.error());
 
   haptics::ClosedLoop loop{*scene,
                            options.isovalue,
-                           {options.stiffness, options.angular_stiffness},
+                           {options.stiffness, options.angular_stiffness, options.friction},
                            limits,
                            {},
                            !motions().contains(options.hand),
@@ -168,6 +193,9 @@ Outcome run(const RunOptions& options) {
   });
   if (!done) return refused(done.error());
   Outcome outcome{Exit::Done, tally.report(), {}, {}};
+  for (const haptics::Structure& built : (*scene)->structures)
+    outcome.json["structures"].push_back(
+        {{"name", built.name}, {"bytes", built.bytes}, {"build_ms", built.build_time * 1e3}});
   if (trace) {
     if (auto finished = trace->finish(); !finished)
       return {Exit::Failed, outcome.json, {}, finished.error().what};
@@ -217,6 +245,14 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->add_option("--angular-stiffness", options->angular_stiffness,
                    "In place of the tool's own [N·m/rad]")
       ->check(finiteNumber() & CLI::Range(0.0, 1000.0));
+  command->add_option("--friction", options->friction, "Coulomb's coefficient")
+      ->check(finiteNumber() & CLI::Range(0.0, 1.5));
+  command->add_option("--field", options->field, "How voxels become a field: trilinear, spline")
+      ->check(CLI::IsMember(namesIn(fields())));
+  command
+      ->add_option("--normal", options->normal,
+                   "Normals of points near the surface: central, cell, spline")
+      ->check(CLI::IsMember(namesIn(normals())));
   command->add_option("--device", options->device, "Take the limits of this device");
   command->add_option("--trace", options->trace, "CSV to write, one row a tick")->check(notEmpty());
   command->add_option("--seed", options->seed, "Of the hand's aim");

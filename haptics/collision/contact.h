@@ -6,6 +6,14 @@
 
 namespace haptics {
 
+/// Which normal the row of a point near the surface has. The row of a contact that blocked has the
+/// exact one of its cell whatever this says (README, "Normals").
+enum class NormalKind {
+  Central,  ///< central difference over one voxel, [Chan 2011], (1)
+  Cell,     ///< the field's own gradient
+  Spline    ///< gradient of the cubic B-spline with the voxels as coefficients
+};
+
 /// One shell point and the surface it met.
 struct Contact {
   int point = 0;            ///< index into the shell

@@ -23,29 +23,28 @@ struct Candidate {
   Vec3 r_W;
   double gap = 0.0;  // to first order [m]
   double value = 0.0;
-  Vec3 exact_W, central_W;  // gradients, per metre
+  Vec3 exact_W, wide_W;  // gradients, per metre
 };
 
-/// The row of a near point. The central difference smooths the facets of the field; where it
+/// The row of a near point. A wide gradient smooths the facets of the field; where it
 /// vanishes, or points elsewhere than the cell's own gradient, that is taken (thin plates).
 MotionRow rowOf(const Isosurface& solid, const Candidate& point,
                 const Tolerances& lengths) HAPTICS_RT {
-  const double slope = point.exact_W.norm(), central_slope = point.central_W.norm();
-  const double along =
-      central_slope > 0.0 ? point.central_W.dot(point.exact_W) / central_slope : 0.0;
+  const double slope = point.exact_W.norm(), wide_slope = point.wide_W.norm();
+  const double along = wide_slope > 0.0 ? point.wide_W.dot(point.exact_W) / wide_slope : 0.0;
   constexpr double kCos30 = 0.8660254037844386;
   const double below = solid.ceiling() - point.value;
-  if (central_slope < 0.3 * slope || along < kCos30 * slope)
+  if (wide_slope < 0.3 * slope || along < kCos30 * slope)
     return {-point.exact_W / slope, point.r_W, room(below / slope, lengths)};
-  return {-point.central_W / central_slope, point.r_W,
-          room(below / std::max(central_slope, along), lengths)};
+  return {-point.wide_W / wide_slope, point.r_W,
+          room(below / std::max(wide_slope, along), lengths)};
 }
 
 }  // namespace
 
 void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
                 const Clearance& near, const Contacts& contacts, const Tolerances& lengths,
-                MotionRows& rows, Budget& budget) HAPTICS_RT {
+                NormalKind normal, MotionRows& rows, Budget& budget) HAPTICS_RT {
   rows.clear();
   for (const Contact& contact : contacts)
     rows.push({contact.n_W, contact.r_W, room(contact.gap, lengths)});
@@ -56,7 +55,9 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
   int places[lanes::kLanes], count = 0;
   const lanes::Affine map = solid.field.affine(X_WP);
   const auto look = [&]() HAPTICS_RT {
-    budget.spend(6 * count);
+    // alone, a sample and six values
+    const bool together = solid.field.kind() == FieldKind::Trilinear;
+    budget.spend(count * (together ? 6 : 7 * solid.field.work()));
     lanes::Places u;
     lanes::place(map, x.lane, y.lane, z.lane, count, u);
     lanes::Slopes found;
@@ -67,9 +68,15 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
       const double gap = slope > 0.0 ? (solid.ceiling() - found.value[l]) / slope
                                      : std::numeric_limits<double>::infinity();
       if (gap > lengths.band) continue;
-      const Vec3 central{found.central.x[l], found.central.y[l], found.central.z[l]};
+      Vec3 wide{found.central.x[l], found.central.y[l], found.central.z[l]};
+      if (normal == NormalKind::Cell) {
+        wide = exact;
+      } else if (normal == NormalKind::Spline) {
+        budget.spend(ScalarField::kSplineWork);
+        wide = solid.field.splineGradient({u.x[l], u.y[l], u.z[l]});
+      }
       within.push(
-          {places[l], X_WP.linear() * Vec3{x[l], y[l], z[l]}, gap, found.value[l], exact, central});
+          {places[l], X_WP.linear() * Vec3{x[l], y[l], z[l]}, gap, found.value[l], exact, wide});
     }
     count = 0;
   };

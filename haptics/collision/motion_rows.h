@@ -12,10 +12,10 @@ inline constexpr std::size_t kMostMotionRows = 72;
 using MotionRows = FixedVector<MotionRow, kMostMotionRows>;
 
 /// The rows of step 3: one for every contact that stands in the way (exact normal of its cell) and
-/// one for each of the points nearest to the surface (central-difference normal), at most 48 of
-/// them: those with the least gaps, and the outermost in 26 directions.
+/// one for each of the points nearest to the surface (normal as `normal` says), at most 48 of them:
+/// those with the least gaps, and the outermost in 26 directions.
 void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
                 const Clearance& near, const Contacts& contacts, const Tolerances& lengths,
-                MotionRows& rows, Budget& budget) HAPTICS_RT;
+                NormalKind normal, MotionRows& rows, Budget& budget) HAPTICS_RT;
 
 }  // namespace haptics

@@ -10,6 +10,7 @@ namespace haptics {
 struct VirtualCoupling {
   double stiffness = 1000.0;       ///< N/m
   double angular_stiffness = 0.0;  ///< N·m/rad; 0 takes stiffness times the tool's inertia
+  double friction = 0.0;           ///< Coulomb's coefficient between tool and surface; 0 is none
 
   /// The wrench on the hand, W: it pulls the device towards the proxy. `turn` is the unwrapped
   /// rotation from device to proxy [rad], `inertia_W` the tool's mean inertia in W [m²]. Beyond

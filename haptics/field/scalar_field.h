@@ -54,6 +54,7 @@ class ScalarField {
   /// first root is isolated in Bernstein form.
   double firstReach(const Vec3& a, const Vec3& b, double level, double tolerance,
                     Budget& budget) const HAPTICS_RT;
+  static constexpr int kSplineWork = 12;  ///< of 64 voxels, their weights and sum
   /// Units of work of one value or sample (core/budget.h).
   int work() const HAPTICS_RT { return kind_ == FieldKind::Trilinear ? kCellWork : kSplineWork; }
 
@@ -88,7 +89,6 @@ class ScalarField {
 
  private:
   static constexpr int kCellWork = 4;            ///< of 8 voxels, fetched alone
-  static constexpr int kSplineWork = 12;         ///< of 64 voxels, their weights and sum
   static constexpr int kSplineSegmentWork = 36;  ///< of the polynomial along a segment
 
   std::shared_ptr<const Volume> volume_;

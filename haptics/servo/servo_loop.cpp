@@ -73,7 +73,8 @@ void ServoLoop::step(double time) HAPTICS_RT {
   settings.take(in_force_);
   if (scenes.adopt()) safety_.restart();
   if (in_force_.isovalue != before.isovalue || in_force_.stiffness != before.stiffness ||
-      in_force_.angular_stiffness != before.angular_stiffness)
+      in_force_.angular_stiffness != before.angular_stiffness ||
+      in_force_.friction != before.friction)
     safety_.settingMoved();
   if (armed.load(std::memory_order_relaxed))
     safety_.arm();
@@ -87,8 +88,8 @@ void ServoLoop::step(double time) HAPTICS_RT {
   if (Engagement* touched = scenes.current(); touched != nullptr && read != DeviceStatus::Lost) {
     Budget budget = Budget::timed(kTickBudget);
     result = tick(*touched->scene, in_force_.isovalue,
-                  {in_force_.stiffness, in_force_.angular_stiffness}, reading_.X_BD, touched->proxy,
-                  budget);
+                  {in_force_.stiffness, in_force_.angular_stiffness, in_force_.friction},
+                  reading_.X_BD, touched->proxy, budget);
     snapshot_.X_WP = touched->proxy.X_WP;
     snapshot_.scene = touched->scene->id;
   }

@@ -11,6 +11,7 @@
 #include "haptics/collision/sweep.h"
 #include "haptics/servo/recovery.h"
 #include "haptics/solver/constrained_motion.h"
+#include "haptics/solver/friction.h"
 #include "haptics/solver/unconstrained_motion.h"
 
 namespace haptics {
@@ -31,9 +32,10 @@ Twist scaled(const Twist& motion, double factor) HAPTICS_RT {
 /// One tick at work. What a cut may interrupt lives in proxy.search; the rest is the tick's own.
 class Tick {
  public:
-  Tick(const Scene& scene, double isovalue, const Pose& X_WD, Proxy& proxy,
+  Tick(const Scene& scene, double isovalue, double friction, const Pose& X_WD, Proxy& proxy,
        Budget& budget) HAPTICS_RT : scene_{scene},
                                     solid_{scene.field, isovalue},
+                                    friction_{friction},
                                     X_WD_{X_WD},
                                     proxy_{proxy},
                                     at_{proxy.search},
@@ -109,12 +111,15 @@ class Tick {
       case Clearance::Verdict::Legal:
         break;
     }
-    gatherRows(solid_, scene_.tree, at_.X, proxy_.clearance, proxy_.contacts, lengths(), rows_,
-               budget_);
+    gatherRows(solid_, scene_.tree, at_.X, proxy_.clearance, proxy_.contacts, lengths(),
+               scene_.normal, rows_, budget_);
 
     // 3  the nearest motion that leaves every contact its room
-    const ConstrainedMotion allowed =
+    ConstrainedMotion allowed =
         constrainedMotion(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear());
+    if (friction_ > 0.0 && allowed.active > 0)
+      allowed = withFriction(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear(),
+                             friction_, allowed, budget_);
     const double step = allowed.whitened.norm();
     if (at_.fresh) judge(distance, step, turn);
     at_.fresh = false;
@@ -241,6 +246,7 @@ class Tick {
 
   const Scene& scene_;
   const Isosurface solid_;
+  const double friction_;  ///< coefficient
   const Pose& X_WD_;
   Proxy& proxy_;
   Search& at_;
@@ -268,7 +274,8 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
     proxy.recovery.active = false;
     proxy.search = {};
   }
-  if (!proxy.recovery.active) Tick{scene, isovalue, X_WD, proxy, budget}.run(result);
+  if (!proxy.recovery.active)
+    Tick{scene, isovalue, coupling.friction, X_WD, proxy, budget}.run(result);
   result.contacts = proxy.bearing;
   if (!result.outside || proxy.recovery.active) {
     // even when it succeeds at once: the force fades before it follows the proxy elsewhere

@@ -15,6 +15,8 @@ constexpr std::size_t kMostRows = 96;
 struct Rows {
   std::array<Vector6, kMostRows> a;
   std::array<double, kMostRows> b;
+  std::array<double, kMostRows> size;  ///< before they were normalised
+  std::array<int, kMostRows> index;    ///< among the rows that were given
   int count = 0;
 };
 
@@ -72,7 +74,8 @@ struct ActiveSet {
 
 /// Goldfarb and Idnani's dual method for min |y - free|² under the rows. Returns false if the
 /// rows contradict each other (or, never seen, if it does not settle).
-bool solve(const Vector6& free, const Rows& rows, Vector6& y, int& active) HAPTICS_RT {
+bool solve(const Vector6& free, const Rows& rows, Vector6& y,
+           ConstrainedMotion& result) HAPTICS_RT {
   constexpr double kDependent = 1e-10;  // |part outside the span| of a unit row
   double scale = free.norm();
   for (int i = 0; i < rows.count; ++i) scale = std::max(scale, std::abs(rows.b[i]));
@@ -106,7 +109,12 @@ bool solve(const Vector6& free, const Rows& rows, Vector6& y, int& active) HAPTI
         y = free;
         for (int j = 0; j < set.count; ++j) y += c[j] * set.Q.col(j);
       }
-      active = set.count;
+      result.active = set.count;
+      for (int j = 0; j < set.count; ++j) {
+        const auto at = static_cast<std::size_t>(j);
+        result.bearing[at] = rows.index[set.row[j]];
+        result.reaction[at] = set.multiplier[j] / rows.size[set.row[j]];
+      }
       return true;
     }
 
@@ -153,23 +161,26 @@ ConstrainedMotion constrainedMotion(const Twist& free, std::span<const MotionRow
   const Vector6 y_free = metric.whitened(free, R_WP);
   Rows whitened;
   bool pushes = false;
-  for (const MotionRow& row : rows.first(std::min(rows.size(), kMostRows))) {
+  for (std::size_t i = 0; i < std::min(rows.size(), kMostRows); ++i) {
+    const MotionRow& row = rows[i];
     const Vector6 a = metric.row(row.n_W, row.r_W, R_WP);
     const double size = a.norm();
     if (!(size > 0.0)) continue;
     whitened.a[whitened.count] = a / size;
     whitened.b[whitened.count] = -row.room / size;
+    whitened.size[whitened.count] = size;
+    whitened.index[whitened.count] = static_cast<int>(i);
     pushes = pushes || row.room < 0.0;
     ++whitened.count;
   }
 
   Vector6 y = y_free;
-  bool solved = solve(y_free, whitened, y, result.active);
+  bool solved = solve(y_free, whitened, y, result);
   if (!solved && pushes) {
     // a slit narrower than two rest gaps: no row may push, none may be approached further
     result.status = ConstrainedMotion::Status::Relaxed;
     for (int i = 0; i < whitened.count; ++i) whitened.b[i] = std::min(whitened.b[i], 0.0);
-    solved = solve(y_free, whitened, y, result.active);
+    solved = solve(y_free, whitened, y, result);
   }
   if (!solved || !y.allFinite()) {
     result.status = ConstrainedMotion::Status::Infeasible;

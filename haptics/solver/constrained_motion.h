@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "haptics/core/geometry.h"
@@ -25,7 +26,10 @@ struct ConstrainedMotion {
   Twist twist;
   Vector6 whitened = Vector6::Zero();  ///< the twist in the metric's coordinates [m]
   Status status = Status::Exact;
-  int active = 0;  ///< rows that bear on the result: at most six
+  int active = 0;                ///< rows that bear on the result: at most six
+  std::array<int, 6> bearing{};  ///< which: the first `active` are valid
+  /// How hard each pushes: M (V - V_free) = sum of reaction · (n, r x n) [m, metric of mass 1].
+  std::array<double, 6> reaction{};
 };
 
 /// Step 3: the motion nearest to `free` that leaves every contact its room. Gauss' principle of

@@ -107,14 +107,15 @@ TEST(SceneHandOver, UnderAHammerEverySceneIsWholeAndNoneIsLeftBehind) {
     }};
     const auto same = smallScene();
     for (int n = 0; n < kOffers; ++n) {
-      const auto scene = n % 50 == 0
-                             ? smallScene()
-                             : std::make_shared<const Scene>(Scene{
-                                   same->id + 1000 + std::uint64_t(n), same->volume, same->tool,
-                                   same->tree, same->field, same->metric, same->lengths});
+      const auto scene =
+          n % 50 == 0
+              ? smallScene()
+              : std::make_shared<const Scene>(
+                    Scene{same->id + 1000 + std::uint64_t(n), same->volume, same->tool, same->tree,
+                          same->shared_field, same->field, same->metric, same->lengths});
       const auto numbered = std::make_shared<const Scene>(
-          Scene{std::uint64_t(n) + 1, scene->volume, scene->tool, scene->tree, scene->field,
-                scene->metric, scene->lengths});
+          Scene{std::uint64_t(n) + 1, scene->volume, scene->tool, scene->tree, scene->shared_field,
+                scene->field, scene->metric, scene->lengths});
       scenes.push_back(numbered);
       over.offer(std::make_unique<haptics::Engagement>(numbered, at(0, 0, 0.012)));
       if (n % 3 == 0) over.collect();
