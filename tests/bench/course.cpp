@@ -99,7 +99,7 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
           if (is_guided) guided.push_back(coupling.back());
         }
       }
-      if (n % every == 0 || course.jerk) {
+      if (n % (course.jerk ? (every + 4) / 5 : every) == 0) {
         ++summary.judged_poses;
         summary.penetration_mm = std::max(summary.penetration_mm, 1e3 * judge.depth(tick.X_WP));
       }

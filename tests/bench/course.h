@@ -66,7 +66,8 @@ struct Summary {
   std::vector<Part> parts;  ///< hand by hand
 };
 
-/// Judges every `every`-th pose for its depth and every other tick for passages; in jerks all.
+/// Judges every `every`-th pose for its depth, in jerks five times as many, and every other tick
+/// for passages, in jerks all.
 Summary summaryOf(const Track& track, const std::vector<Course>& courses,
                   const haptics::PointShell& shell, const Judge& judge, std::size_t every);
 

@@ -40,26 +40,32 @@ struct Path {
 
 constexpr double kStep = 0.0002;  // m along the surface
 
-/// How far the ball goes along `in` from p before a point is inside, in steps of a tenth voxel.
-double touchFrom(const Judge& judge, const Vec3& p_W, const Vec3& in, double step, double most) {
-  Pose X = Pose::Identity();
-  for (double d = 0.0; d < most; d += step) {
-    X.translation() = p_W + d * in;
-    if (!judge.legal(X)) return d;
+/// How far the ball goes along `in` from p before a point is inside: by half voxels, then finely.
+double touchFrom(const Judge& judge, const Vec3& p_W, const Vec3& in, double voxel, double most) {
+  const auto free = [&](double d) {
+    return judge.legal(haptics::poseOf(p_W + d * in, haptics::Quat::Identity()));
+  };
+  double outside = 0.0;
+  while (outside < most && free(outside + 0.5 * voxel)) outside += 0.5 * voxel;
+  double inside = outside + 0.5 * voxel;
+  for (int n = 0; n < 6; ++n) {
+    const double middle = 0.5 * (outside + inside);
+    (free(middle) ? outside : inside) = middle;
   }
-  return most;
+  return outside;
 }
 
 }  // namespace
 
-std::vector<FeelSummary> compareFeel(const Case& scene, const SlidePlan& plan, Limit limit) {
+std::vector<FeelSummary> compareFeel(const Case& scene, const FreeBlocks& blocks,
+                                     const SlidePlan& plan, Limit limit) {
   const auto built = haptics::makeScene(scene.volume, ballTool(600, plan.radius));
   if (!built) return {};
   const haptics::PointShell& shell = (*built)->tool.shell;
   const auto hand =
       haptics::Hand::aimed(haptics::HandMotion::Slide, **built, scene.isovalue, 0.0, 1);
   if (!hand) return {};
-  const Judge judge{scene, shell};
+  const Judge judge{scene, shell, blocks};
   const double voxel = scene.volume->grid.spacing.minCoeff();
   const Vec3 touch_W = hand->at(0.5).translation();
   const Vec3 in = (touch_W - hand->at(0.4).translation()).normalized();
@@ -75,7 +81,7 @@ std::vector<FeelSummary> compareFeel(const Case& scene, const SlidePlan& plan, L
     double above = -0.0015, highest = -INFINITY, lowest = INFINITY;  // m
     for (int k = 0; k < steps; ++k) {
       const Vec3 from_W = touch_W + k * kStep * path.along + above * in;
-      const double height = above + touchFrom(judge, from_W, in, 0.1 * voxel, 0.004);
+      const double height = above + touchFrom(judge, from_W, in, voxel, 0.004);
       path.height.push_back(height);
       highest = std::max(highest, height);
       lowest = std::min(lowest, height);

@@ -29,6 +29,7 @@ struct SlidePlan {
 
 /// Slides a ball along the surface where a hand would touch it, in the direction in which it is
 /// most even, led by all methods in turn. Empty if there is no even stretch.
-std::vector<FeelSummary> compareFeel(const Case& scene, const SlidePlan& plan, Limit limit);
+std::vector<FeelSummary> compareFeel(const Case& scene, const FreeBlocks& blocks,
+                                     const SlidePlan& plan, Limit limit);
 
 }  // namespace bench

@@ -45,13 +45,14 @@ haptics::Expected<SceneReport> measured(const Case& scene, const Options& option
   report.voxel_mm = 1e3 * scene.volume->grid.spacing.minCoeff();
   report.rest_gap_mm = 1e3 * (*built)->lengths.rest_gap;
 
-  const double seconds = options.seconds > 0.0 ? options.seconds : options.quick ? 0.4 : 3.0;
+  const double seconds = options.seconds > 0.0 ? options.seconds : options.quick ? 0.3 : 3.0;
   const auto courses = coursesIn(**built, scene, seconds);
   if (!courses) return tl::unexpected(courses.error());
   auto methods = allMethods(scene, *built, limit);
   const std::vector<Track> tracks = follow(methods, *courses);
   const haptics::PointShell& shell = (*built)->tool.shell;
-  const Judge judge{scene, shell};
+  const FreeBlocks blocks{*scene.volume, scene.isovalue};
+  const Judge judge{scene, shell, blocks};
   for (const Track& track : tracks)
     report.summaries.push_back(summaryOf(track, *courses, shell, judge, options.quick ? 20 : 5));
 
@@ -63,7 +64,7 @@ haptics::Expected<SceneReport> measured(const Case& scene, const Options& option
   if (options.quick) slide.length = 0.012;
   // a tooth is small: a small ball, slower
   if (scene.name == "scan-tooth") slide = {0.001, 0.005, 0.002, 0.008};
-  report.feel = compareFeel(scene, slide, limit);
+  report.feel = compareFeel(scene, blocks, slide, limit);
   return report;
 }
 
@@ -96,6 +97,19 @@ void tell(const SceneReport& report) {
     std::fprintf(stderr, "  no ratio for %s: %s\n", report.scene.c_str(), why.c_str());
 }
 
+/// Adds what the sweep finds in this scene.
+void swept(const Case& scene, const Options& options, std::vector<SweepRow>& rows) {
+  const SweepPlan plan = options.quick ? SweepPlan{{1'000, 100'000}, {200}, 200} : SweepPlan{};
+  for (const SweepRow& r : sweep(scene, plan)) {
+    std::fprintf(stderr,
+                 "sweep %-6s %7d points %3d us: mean %6.1f p50 %6.1f p99 %6.1f max %6.1f us, "
+                 "coupling %.3f lag %.3f mm, deepest %.4f mm, cut %.0f %%\n",
+                 r.scene.c_str(), r.points, r.budget_us, r.mean_us, r.p50_us, r.p99_us, r.max_us,
+                 r.coupling_mm, r.lag_mm, r.penetration_mm, 100 * r.cut);
+    rows.push_back(r);
+  }
+}
+
 int run(const Options& options) {
   std::vector<std::string> names = sceneNames();
   if (!options.scans.empty()) names.insert(names.end(), scanNames().begin(), scanNames().end());
@@ -103,9 +117,12 @@ int run(const Options& options) {
     return options.only.empty() ||
            std::find(options.only.begin(), options.only.end(), name) != options.only.end();
   };
+  const bool sweeps = !options.no_sweep && wanted("sweep");
   std::vector<SceneReport> reports;
+  std::vector<SweepRow> rows;
   for (const std::string& name : names) {
-    if (!wanted(name)) continue;
+    const bool slides = sweeps && name == "bunny";
+    if (!wanted(name) && !slides) continue;
     const auto begun = std::chrono::steady_clock::now();
     const auto scene = caseOf(name, options);
     if (!scene) {
@@ -113,6 +130,9 @@ int run(const Options& options) {
       continue;
     }
     const double made = secondsSince(begun);
+    // while the volume is there: one of this size at a time
+    if (slides) swept(*scene, options, rows);
+    if (!wanted(name)) continue;
     auto report = measured(*scene, options);
     if (!report) {
       std::fprintf(stderr, "%s: %s\n", name.c_str(), report.error().what.c_str());
@@ -123,19 +143,7 @@ int run(const Options& options) {
                  made);
     reports.push_back(std::move(*report));
   }
-  std::vector<SweepRow> rows;
-  if (!options.no_sweep && wanted("sweep")) {
-    const auto begun = std::chrono::steady_clock::now();
-    rows = options.quick ? sweep({1'000, 100'000}, {200}, 300)
-                         : sweep({1'000, 10'000, 100'000, 1'000'000}, {100, 200, 500}, 1000);
-    for (const SweepRow& r : rows)
-      std::fprintf(stderr,
-                   "sweep %-6s %7d points %3d us: mean %6.1f p50 %6.1f p99 %6.1f max %6.1f us, "
-                   "coupling %.3f lag %.3f mm, deepest %.4f mm, cut %.0f %%\n",
-                   r.scene.c_str(), r.points, r.budget_us, r.mean_us, r.p50_us, r.p99_us, r.max_us,
-                   r.coupling_mm, r.lag_mm, r.penetration_mm, 100 * r.cut);
-    std::fprintf(stderr, "  %.1f s\n", secondsSince(begun));
-  }
+  if (sweeps) swept(plane(), options, rows);
   const Json json = jsonOf(reports, rows);
   if (options.json)
     std::printf("%s\n", json.dump(1).c_str());

@@ -54,8 +54,11 @@ FreeBlocks::FreeBlocks(const haptics::Volume& volume, double isovalue) : volume_
     for (std::int64_t k = 0; k < dims[2]; ++k)
       for (std::int64_t j = 0; j < dims[1]; ++j) {
         const auto* row = voxels + dims[0] * (j + dims[1] * k);
-        for (std::int64_t i = 0; i < dims[0]; ++i)
-          if (double(row[i]) >= isovalue) holds[at(i / kBlock, j / kBlock, k / kBlock)] = true;
+        for (std::int64_t b = 0; b < blocks_[0]; ++b) {
+          const auto* last = row + std::min((b + 1) * kBlock, dims[0]);
+          const auto greatest = *std::max_element(row + b * kBlock, last);
+          if (double(greatest) >= isovalue) holds[at(b, j / kBlock, k / kBlock)] = true;
+        }
       }
   });
   // a point within one block of an occupied one is not free; a cell's corners are covered by that
@@ -89,10 +92,10 @@ bool FreeBlocks::free(const Vec3& p_W, double reach) const {
                                              blocks_[0] * (block[1] + blocks_[1] * block[2]))];
 }
 
-Judge::Judge(const Case& scene, const haptics::PointShell& shell)
+Judge::Judge(const Case& scene, const haptics::PointShell& shell, const FreeBlocks& blocks)
     : scene_{scene},
       shell_{shell},
-      blocks_{*scene.volume, scene.isovalue},
+      blocks_{blocks},
       voxel_{scene.volume->grid.spacing.minCoeff()} {}
 
 bool Judge::inside(const Vec3& p_W) const {

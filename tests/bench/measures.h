@@ -38,10 +38,11 @@ class FreeBlocks {
   double reach_;
 };
 
-/// The judge of poses: depth of the deepest point, and points that go through walls.
+/// The judge of poses: depth of the deepest point, and points that go through walls. Refers to
+/// what it is made from.
 class Judge {
  public:
-  Judge(const Case& scene, const haptics::PointShell& shell);
+  Judge(const Case& scene, const haptics::PointShell& shell, const FreeBlocks& blocks);
 
   /// m, in double: 0 where every point has F < s, else the most (F - s) / |grad F| of the cells.
   double depth(const Pose& X_WP) const;
@@ -59,7 +60,7 @@ class Judge {
   bool wayRound(const Vec3& from_W, const Vec3& to_W, double step) const;
   const Case& scene_;
   const haptics::PointShell& shell_;
-  FreeBlocks blocks_;
+  const FreeBlocks& blocks_;
   double voxel_;  ///< m: the smallest side
 };
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <thread>
+#include <type_traits>
 
 #include "datasets/phantoms/noise.h"
 #include "datasets/phantoms/phantoms.h"
@@ -21,10 +23,9 @@ namespace noise = datasets::noise;
 /// blur of a scanner, with white noise on top.
 struct Scanner {
   double outside = 0.0, inside = 1000.0;
-  double noise = 0.0;              ///< deviation
-  double blur = 0.001;             ///< m on either side of the surface
-  double lipschitz = 1.0;          ///< of the distance
-  double least = 0.0, most = 0.0;  ///< of the voxel type; equal for no limit
+  double noise = 0.0;      ///< deviation
+  double blur = 0.001;     ///< m on either side of the surface
+  double lipschitz = 1.0;  ///< of the distance
   std::uint64_t seed = 1;
 };
 
@@ -53,17 +54,24 @@ std::shared_ptr<const haptics::Volume> scanned(const Grid& grid, const Scanner& 
     const double middle =
         distance(grid.worldOf(0.5 * Vec3{double(i0 + i1), double(j0 + j1), double(k0 + k1)}));
     const bool far = std::abs(middle) > scanner.lipschitz * block_radius + scanner.blur;
+    const auto intensity = [&](double d) {
+      const double share = std::clamp(0.5 - 0.5 * d / scanner.blur, 0.0, 1.0);
+      return static_cast<float>(scanner.outside + (scanner.inside - scanner.outside) * share *
+                                                      share * (3.0 - 2.0 * share));
+    };
+    const float middle_value = intensity(middle);
+    const auto noise_size = static_cast<float>(scanner.noise);
     for (std::int64_t k = k0; k < k1; ++k)
       for (std::int64_t j = j0; j < j1; ++j) {
         T* row = first + grid.dims[0] * (j + grid.dims[1] * k);
         for (std::int64_t i = i0; i < i1; ++i) {
-          const double d = far ? middle : distance(grid.worldOf({double(i), double(j), double(k)}));
-          const double share = std::clamp(0.5 - 0.5 * d / scanner.blur, 0.0, 1.0);
-          double value = scanner.outside +
-                         (scanner.inside - scanner.outside) * (share * share * (3.0 - 2.0 * share));
-          value += scanner.noise * double(noise::gaussian(noise::hashed(i, j, k, scanner.seed)));
-          if (scanner.least < scanner.most) value = std::clamp(value, scanner.least, scanner.most);
-          row[i] = static_cast<T>(std::lround(value));
+          float value = middle_value;
+          if (!far) value = intensity(distance(grid.worldOf({double(i), double(j), double(k)})));
+          value += noise_size * noise::gaussian(noise::hashed(i, j, k, scanner.seed));
+          if constexpr (std::is_unsigned_v<T>)
+            value = std::clamp(value, 0.0f, float(std::numeric_limits<T>::max()));
+          // to the nearest; the offset keeps it positive
+          row[i] = static_cast<T>(static_cast<int>(value + 16384.5f) - 16384);
         }
       }
   };
@@ -148,16 +156,17 @@ double airCells(const Vec3& p) {
   constexpr double kSide = 3.2;  // mm
   const Vec3 q = p / kSide;
   const Vec3 low = (q - Vec3::Constant(0.5)).array().floor();
-  double d = kSide;
+  double d = 0.3;  // in sides: enough for the blur
   for (int c = 0; c < 8; ++c) {
     const Vec3 cube = low + Vec3{double(c & 1), double(c >> 1 & 1), double(c >> 2)};
     const std::uint64_t bits =
         noise::hashed(std::int64_t(cube.x()), std::int64_t(cube.y()), std::int64_t(cube.z()), 31);
     const auto part = [&](int shift) { return double(bits >> shift & 0xffff) / 65536.0 - 0.5; };
     const Vec3 centre = cube + Vec3::Constant(0.5) + 0.4 * Vec3{part(0), part(16), part(32)};
-    d = std::min(d, ((q - centre).norm() - 0.38 - 0.16 * part(48)) * kSide);
+    const double radius = 0.38 + 0.16 * part(48), square = (q - centre).squaredNorm();
+    if (square < (radius + d) * (radius + d)) d = std::sqrt(square) - radius;
   }
-  return d;
+  return d * kSide;
 }
 
 /// A temporal bone: a cortex of about 2 mm over air cells, an ear canal, and a cavity drilled into
@@ -184,8 +193,7 @@ Case bunnyLike() {
 
 Case engineLike() {
   const Grid grid = gridOf(256, 256, 110, {0.6, 0.6, 0.6});
-  const Scanner scanner{
-      .outside = 8, .inside = 190, .noise = 2, .blur = 0.0009, .least = 0, .most = 255, .seed = 5};
+  const Scanner scanner{.outside = 8, .inside = 190, .noise = 2, .blur = 0.0009, .seed = 5};
   auto volume = scanned<std::uint8_t>(grid, scanner, haptics::ScalarType::UInt8,
                                       [](const Vec3& p) { return 1e-3 * engineDistance(1e3 * p); });
   return {"engine", std::move(volume), 90, "wrench", 2126, 186};

@@ -48,10 +48,10 @@ struct Result {
   double tangential_mm = 0.0;
 };
 
-Result led(const Case& scene, std::shared_ptr<const haptics::Scene> built, const Way& way,
-           Limit limit) {
+Result led(const Case& scene, const FreeBlocks& blocks, std::shared_ptr<const haptics::Scene> built,
+           const Way& way, Limit limit) {
   const haptics::PointShell& shell = built->tool.shell;
-  const Judge judge{scene, shell};
+  const Judge judge{scene, shell, blocks};
   const auto method = ours(std::move(built), scene.isovalue, limit);
   method->start(way.device.front());
   Result result;
@@ -84,39 +84,35 @@ Result led(const Case& scene, std::shared_ptr<const haptics::Scene> built, const
 
 }  // namespace
 
-std::vector<SweepRow> sweep(const std::vector<int>& points, const std::vector<int>& budgets_us,
-                            int ticks) {
+std::vector<SweepRow> sweep(const Case& scene, const SweepPlan& plan) {
+  const bool flat = scene.tool == "plate";
+  const FreeBlocks blocks{*scene.volume, scene.isovalue};
+  const Way way = flat ? plate(plan.ticks) : cane(scene, plan.ticks);
   std::vector<SweepRow> rows;
-  for (const bool flat : {false, true}) {
-    Case scene;
-    if (flat) {
-      datasets::Phantom phantom = datasets::makePhantom("halfspace").value();
-      scene = {"flat", std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
-               phantom.isovalue, "plate", 0};
-    } else {
-      scene = makeScene("bunny");
-    }
-    const Way way = flat ? plate(ticks) : cane(scene, ticks);
-    for (const int count : points) {
-      const auto begun = std::chrono::steady_clock::now();
-      const auto built =
-          haptics::makeScene(scene.volume, flat ? plateTool(count, 0.020) : toolOf(scene, count))
-              .value();
-      const double build_ms =
-          std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun)
-              .count();
-      const double free_mm =
-          flat ? 0.0 : led(scene, built, way, {0, 1'000'000'000}).row.coupling_mm;
-      for (const int budget_us : budgets_us) {
-        Result result = led(scene, built, way, {1000LL * budget_us, 0});
-        result.row.budget_us = budget_us;
-        result.row.build_ms = build_ms;
-        result.row.lag_mm = flat ? result.tangential_mm : result.row.coupling_mm - free_mm;
-        rows.push_back(result.row);
-      }
+  for (const int count : plan.points) {
+    const auto begun = std::chrono::steady_clock::now();
+    const auto built =
+        haptics::makeScene(scene.volume, flat ? plateTool(count, 0.020) : toolOf(scene, count))
+            .value();
+    const double build_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    const double free_mm =
+        flat ? 0.0 : led(scene, blocks, built, way, {0, 1'000'000'000}).row.coupling_mm;
+    for (const int budget_us : plan.budgets_us) {
+      Result result = led(scene, blocks, built, way, {1000LL * budget_us, 0});
+      result.row.budget_us = budget_us;
+      result.row.build_ms = build_ms;
+      result.row.lag_mm = flat ? result.tangential_mm : result.row.coupling_mm - free_mm;
+      rows.push_back(result.row);
     }
   }
   return rows;
+}
+
+Case plane() {
+  datasets::Phantom phantom = datasets::makePhantom("halfspace").value();
+  return {"flat", std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
+          phantom.isovalue, "plate", 0};
 }
 
 }  // namespace bench

@@ -24,9 +24,16 @@ struct SweepRow {
   double cut = 0.0;             ///< share of ticks ended by the budget
 };
 
-/// All numbers of points with all budgets, in both scenes; `ticks` after the lead-in. The bunny is
-/// built once and let go again.
-std::vector<SweepRow> sweep(const std::vector<int>& points, const std::vector<int>& budgets_us,
-                            int ticks);
+struct SweepPlan {
+  std::vector<int> points{1'000, 10'000, 100'000, 1'000'000};
+  std::vector<int> budgets_us{100, 200, 500};
+  int ticks = 1000;  ///< after the lead-in
+};
+
+/// All numbers of points with all budgets: with the plate on `plane()`, else with the case's own
+/// tool, which slides.
+std::vector<SweepRow> sweep(const Case& scene, const SweepPlan& plan);
+/// The half-space of the phantoms.
+Case plane();
 
 }  // namespace bench
