@@ -110,6 +110,18 @@ TEST(Failures, AThinPlateWithNoiseCanBeSlidAlong) {
   }
 }
 
+/// A ball of 15 mm whose surface is a ramp of six voxels, under noise: a share of the range.
+std::shared_ptr<const haptics::Scene> noisySphere(double noise, unsigned seed, haptics::Tool tool) {
+  std::mt19937 engine{seed};
+  std::normal_distribution<double> grain{0.0, 600.0 * noise};
+  return made::scene(made::sampled(made::centred(48, h),
+                                   [&](const Vec3& p) {
+                                     return std::clamp(1e5 * (0.015 - p.norm()), -300.0, 300.0) +
+                                            (noise > 0.0 ? grain(engine) : 0.0);
+                                   }),
+                     std::move(tool));
+}
+
 // the literal method is frozen here, 17 mm behind from half a per cent on
 TEST(Failures, NoiseOnASphereDoesNotFreezeTheProxy) {
   const double radius = 0.015, ball = 3e-3;
@@ -118,15 +130,7 @@ TEST(Failures, NoiseOnASphereDoesNotFreezeTheProxy) {
   };
   for (const auto& [noise, bound] :
        {Row{0.0, 0.1e-3}, Row{0.005, 0.1e-3}, Row{0.02, 0.2e-3}, Row{0.05, 0.6e-3}}) {
-    std::mt19937 engine{128};
-    std::normal_distribution<double> grain{0.0, 1.0};
-    const auto scene =
-        made::scene(made::sampled(made::centred(48, h),
-                                  [&](const Vec3& p) {
-                                    return std::clamp(1e5 * (radius - p.norm()), -300.0, 300.0) +
-                                           noise * 600.0 * grain(engine);
-                                  }),
-                    ballTool(200, ball));
+    const auto scene = noisySphere(noise, 128, ballTool(200, ball));
     const auto device = [&](int n) {
       const double angle = n * 1e-3;
       return at((radius + ball - 3e-3) * Vec3{std::sin(angle), 0.0, std::cos(angle)});
@@ -463,15 +467,7 @@ TEST(Failures, AGrooveHoldsABallWhereTheClosedFormSaysAndStill) {
 // taking every pose that is solved for shakes by up to a millimetre
 TEST(Failures, AtRestOnNoiseTheProxyIsStillAndFollowsATremorNoFurtherThanItGoes) {
   Random random{209};
-  std::mt19937 engine{210};
-  std::normal_distribution<double> grain{0.0, 1.0};
-  const auto scene =
-      made::scene(made::sampled(made::centred(48, h),
-                                [&](const Vec3& p) {
-                                  return std::clamp(1e5 * (0.015 - p.norm()), -300.0, 300.0) +
-                                         30.0 * grain(engine);
-                                }),
-                  rod(300, 0.02, 1.5e-3));
+  const auto scene = noisySphere(0.05, 210, rod(300, 0.02, 1.5e-3));
   int held = 0, still = 0;
   std::vector<double> wander;
   for (int n = 0; n < made::trials(40); ++n) {
@@ -529,11 +525,12 @@ TEST(Failures, AValueThatAFloatCannotHoldNeitherBlocksNorPenetrates) {
   EXPECT_NEAR(lowest(trial, Vec3::UnitZ()), plane + scene->lengths.rest_gap, 0.02 * h);
 }
 
-// motion that the filter took back was motion too: against a proxy that has proven nothing yet
+// motion that the filter took back was motion too: whatever the proxy remembers, the next tick goes
+// where it would go for one that has proven nothing yet
 TEST(Failures, WhatWasProvenFreeIsSpentByMotionThatIsTakenBack) {
   Random random{211};
   const auto scene = made::scene(made::noise(made::centred(48, h), 212), rod(120, 0.016, 1e-3));
-  int ticks = 0, differing = 0;
+  int ticks = 0, differing = 0, contact = 0;
   for (int n = 0; n < made::trials(20); ++n) {
     const Pose start = at(random.box(0.01) + Vec3{0, 0, 0.04}, random.rotation());
     Trial trial{scene, 150.0, start};
@@ -543,20 +540,26 @@ TEST(Failures, WhatWasProvenFreeIsSpentByMotionThatIsTakenBack) {
       if (t % 30 == 0) target = at(random.box(0.014), random.rotation());
       D = at(D.translation() + 0.1 * (target.translation() - D.translation()),
              Quat{D.linear()}.slerp(0.1, Quat{target.linear()}));
-      Trial forgetful{trial};
+      trial.step(D);
+      const Pose there = at(trial.place() + random.in(0.0, 4e-3) * random.direction(),
+                            Quat{Eigen::AngleAxisd{random.in(0.0, 0.2), random.direction()}} *
+                                Quat{trial.proxy.X_WP.linear()});
+      Trial knowing{trial}, forgetful{trial};
       forgetful.judged = false;
       forgetful.proxy.clearance.forget();
-      forgetful.step(D);
-      trial.step(D);
-      ASSERT_EQ(trial.illegal, 0) << "tick " << t;
+      forgetful.step(there);
+      knowing.step(there);
+      ASSERT_EQ(knowing.illegal, 0) << "tick " << t;
       ++ticks;
-      differing += forgetful.proxy.X_WP.matrix() != trial.proxy.X_WP.matrix();
+      differing += forgetful.proxy.X_WP.matrix() != knowing.proxy.X_WP.matrix();
     }
-    EXPECT_GT(trial.contact, 50);
+    EXPECT_EQ(trial.illegal, 0);
+    contact += trial.contact;
   }
-  std::cout << differing << " of " << ticks << " ticks differ\n";
-  // what is left out by an older, larger bound may differ in its first-order gap
-  EXPECT_LT(differing, ticks / 50);
+  std::cout << differing << " of " << ticks << " leaps differ\n";
+  EXPECT_GT(contact, ticks / 8);
+  // what an older, larger bound leaves out may, rarely, still count to first order
+  EXPECT_LE(differing, 5);
 }
 
 }  // namespace

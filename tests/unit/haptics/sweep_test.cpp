@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-#include <optional>
 
-#include "tests/support/evaluator.h"
+#include "tests/arcs/arcs.h"
 #include "tests/unit/haptics/made.h"
 
 namespace {
@@ -115,86 +114,46 @@ TEST(FirstCrossing, OfASphereIsWhereTheClosedFormSays) {
   EXPECT_GT(passed, 100);
 }
 
-struct Tally {
-  int arcs = 0, met = 0, early = 0;
-  double latest = 0.0;  // voxels of path
-};
-
-/// Sends arcs through a volume from outside, and looks at each with dense samples in double.
-void shoot(const haptics::Volume& volume, const std::vector<double>& isovalues, double half,
-           int arcs, int samples, Random& random, Tally& tally) {
-  const ScalarField field{std::make_shared<const haptics::Volume>(volume)};
-  const double steepest =
-      field.pyramid().lipschitz({double(volume.grid.dims[0]) / 2, double(volume.grid.dims[1]) / 2,
-                                 double(volume.grid.dims[2]) / 2});
-  while (arcs > 0) {
-    const double s = isovalues[static_cast<std::size_t>(random.below(int(isovalues.size())))];
-    const Isosurface solid{field, s};
-    const Vec3 r = random.in(0.0, 0.02) * random.direction();
-    const PointPath path{random.box(half) - r,
-                         r,
-                         {3e-3 * random.in(0.0, 1.0) * random.direction(),
-                          0.35 * random.in(0.0, 1.0) * random.direction()}};
-    if (evaluator::fieldAt(volume, path.at(0.0)) >= solid.ceiling()) continue;
-    --arcs;
-    ++tally.arcs;
-    const Crossing crossing = cross(solid, path);
-    const double length = path.speed();
-    double first = 2.0;  // the first dense sample inside
-    for (int n = 0; n <= samples && first > 1.0; ++n) {
-      const double t = double(n) / samples;
-      if (evaluator::fieldAt(volume, path.at(t)) >= s) first = t;
-    }
-    if (first <= 1.0) {
-      ASSERT_TRUE(crossing.met) << "missed at " << path.at(first).transpose();
-      const double late = (crossing.time - first) * length / h;
-      tally.latest = std::max(tally.latest, late);
-      ASSERT_LE(late, 1e-3) << "met at " << crossing.time << ", inside at " << first;
-    }
-    if (crossing.met) {
-      ++tally.met;
-      // what stopped it is there: F within what sagitta, root and guard amount to
-      const double F = evaluator::fieldAt(volume, path.at(crossing.time));
-      tally.early += F < s - 5e-4 * h * steepest;
-    }
-  }
-}
-
-TEST(FirstCrossing, MissesNothingInWhiteNoise) {
-  Random random{34};
-  const auto volume = made::noise(made::centred(40, h), 35);
-  Tally tally;
-  // a third to two standard deviations
-  shoot(volume, {33.0, 67.0, 100.0, 133.0, 200.0}, 18 * h, made::trials(20'000), 1500, random,
-        tally);
-  std::cout << tally.arcs << " arcs in noise, " << tally.met << " met, latest " << tally.latest
-            << " voxel\n";
-  EXPECT_GT(tally.met, tally.arcs / 10);
+/// Prints and judges: nothing missed, nothing late, and of both kinds enough.
+void expectExact(const char* what, const arcs::Tally& tally, long least_met, long most_early) {
+  std::cout << what << ": " << tally.arcs << " arcs, " << tally.met << " met, latest "
+            << tally.latest << " voxel, " << tally.early << " early\n";
+  EXPECT_EQ(tally.missed, 0);
+  EXPECT_EQ(tally.late, 0);
+  EXPECT_GT(tally.met, least_met);
   EXPECT_LT(tally.met, tally.arcs);
   // a point that starts within the guard may be held where it starts (it goes no deeper)
-  EXPECT_LT(tally.early, tally.met / 100);
+  EXPECT_LE(tally.early, most_early);
 }
 
-// one voxel of plate, seen at isovalues near its peak: 0.4 to 0.02 voxel thick
+// by the ten thousand here; palpate-arcs shoots a million
+TEST(FirstCrossing, MissesNothingInWhiteNoise) {
+  Random random{34};
+  const arcs::Tally tally = arcs::shootPoints(arcs::noise(35), made::trials(20'000), random);
+  expectExact("noise", tally, tally.arcs / 10, tally.met / 100);
+}
+
 TEST(FirstCrossing, MissesNoPlateDownToAFiftiethOfAVoxel) {
   Random random{36};
-  Tally tally;
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 n = random.direction();
-    const auto volume = made::sampled(made::centred(40, h), [&](const Vec3& p) {
-      return 1000.0 * std::max(0.0, 1.0 - std::abs(n.dot(p)) / h);
-    });
-    shoot(volume, {0.8 * volume.greatest, 0.95 * volume.greatest, 0.99 * volume.greatest}, 4 * h,
-          made::trials(2'000), 3000, random, tally);
-    // and upright plates, whose peak is the voxel's value itself
-    const auto upright = made::filled(made::centred(40, h), haptics::ScalarType::Int16,
-                                      [&](auto i, auto, auto) { return i % 8 == 4 ? 1000. : 0.; });
-    shoot(upright, {800.0, 950.0, 990.0}, 15 * h, made::trials(2'000), 3000, random, tally);
+  arcs::Tally tally;
+  for (int k = 0; k < 4; ++k)
+    tally += arcs::shootPoints(arcs::slantedPlate(random), made::trials(2'000), random);
+  tally += arcs::shootPoints(arcs::uprightPlates(), made::trials(8'000), random);
+  expectExact("plates", tally, tally.arcs / 20, tally.met / 100);
+}
+
+TEST(FirstCrossing, MissesNothingOfAGyroid) {
+  Random random{39};
+  const arcs::Tally tally = arcs::shootPoints(arcs::gyroid(), made::trials(10'000), random);
+  expectExact("gyroid", tally, tally.arcs / 10, tally.met / 100);
+}
+
+TEST(Sweep, OfAWholeShellMissesNothing) {
+  Random random{40};
+  for (const arcs::Target& target : {arcs::noise(41), arcs::uprightPlates(), arcs::gyroid()}) {
+    const arcs::Tally tally = arcs::shootShells(target, made::trials(2'000), random);
+    expectExact(target.name.c_str(), tally, tally.arcs / 10, tally.met / 100);
   }
-  std::cout << tally.arcs << " arcs at plates, " << tally.met << " met, latest " << tally.latest
-            << " voxel\n";
-  EXPECT_GT(tally.met, tally.arcs / 20);
-  EXPECT_LT(tally.met, tally.arcs);
 }
 
 TEST(FirstCrossing, OfABudgetThatIsUsedUpIsEarlyNeverLate) {
