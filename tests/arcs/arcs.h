@@ -192,7 +192,7 @@ inline Tally shootPoints(const Target& target, long count, made::Random& random)
   return tally;
 }
 
-/// Arcs of a tool of 12 points within 8 mm, each with the collision detection of the whole shell.
+/// Arcs of a tool of 20 points within 8 mm, each with the collision detection of the whole shell.
 inline Tally shootShells(const Target& target, long count, made::Random& random) {
   Tally tally;
   haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
@@ -203,17 +203,22 @@ inline Tally shootShells(const Target& target, long count, made::Random& random)
     // small, so that it often finds a legal place among the specks
     const double size = random.in(0.2e-3, 8e-3);
     std::vector<Vec3> points;
-    for (int n = 0; n < 12; ++n) points.push_back(random.box(size));
+    for (int n = 0; n < 20; ++n) points.push_back(random.box(size));
     const haptics::PointShell shell = haptics::makeShell(std::move(points)).value();
     const haptics::Pose X = made::at(random.box(target.half), random.rotation());
     const haptics::Twist motion = anyMotion(random);
     const double reach = motion.linear.norm() + motion.angular.norm() * shell.radius;
-    haptics::Clearance clearance{shell.points.size()};
-    if (clearance.collect(solid, shell, X, reach, unlimited) != haptics::Clearance::Verdict::Legal)
+    const haptics::ShellTree tree{shell.points};
+    haptics::Clearance clearance{tree};
+    if (clearance.collect(solid, tree, X, reach, unlimited) != haptics::Clearance::Verdict::Legal)
       continue;
     ++tally.arcs;
-    const haptics::Impact impact =
-        haptics::sweep(solid, clearance, X, motion, haptics::Tolerances{h}, unlimited);
+    const haptics::Tolerances lengths{h};
+    haptics::Sweep sweep{shell.points.size()};
+    sweep.begin(target.field, clearance, X, motion, lengths);
+    while (!sweep.advance(solid, tree, clearance, lengths, unlimited)) {
+    }
+    const haptics::Impact impact = sweep.impact(solid, tree, clearance, lengths);
     // the first of the points to be inside
     std::optional<double> first;
     double speed = 0.0;

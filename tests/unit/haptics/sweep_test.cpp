@@ -151,7 +151,7 @@ TEST(FirstCrossing, MissesNothingOfAGyroid) {
 TEST(Sweep, OfAWholeShellMissesNothing) {
   Random random{40};
   for (const arcs::Target& target : {arcs::noise(41), arcs::uprightPlates(), arcs::gyroid()}) {
-    const arcs::Tally tally = arcs::shootShells(target, made::trials(2'000), random);
+    const arcs::Tally tally = arcs::shootShells(target, made::trials(1'000), random);
     expectExact(target.name.c_str(), tally, tally.arcs / 10, tally.met / 100);
   }
 }
