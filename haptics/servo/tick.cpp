@@ -210,8 +210,9 @@ class Tick {
   /// Adds a contact; false if its point is one already, or it has no normal.
   bool keep(const Contact& contact) HAPTICS_RT {
     if (contact.n_W.isZero()) return false;
+    // a normal that differs by milliradians counts: a rest gap over a step's length is no more
     for (const Contact& known : proxy_.contacts)
-      if (known.point == contact.point && known.n_W.dot(contact.n_W) > 0.9999) return false;
+      if (known.point == contact.point && known.n_W.dot(contact.n_W) > 1.0 - 1e-8) return false;
     return proxy_.contacts.push(contact);
   }
 
