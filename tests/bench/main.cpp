@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "haptics/servo/tick.h"
 #include "tests/bench/report.h"
 
 namespace bench {
@@ -34,8 +35,8 @@ haptics::Expected<Case> caseOf(const std::string& name, const Options& options) 
 }
 
 haptics::Expected<SceneReport> measured(const Case& scene, const Options& options) {
-  // one unit of work is about 40 ns
-  const Limit limit{1000LL * options.budget_us, options.counted ? 25LL * options.budget_us : 0};
+  const Limit limit{1000LL * options.budget_us,
+                    options.counted ? haptics::kTickWork * options.budget_us / 200 : 0};
   SceneReport report{scene.name, scene.tool, scene.points};
   report.literal_us = scene.literal_us;
   const auto begun = std::chrono::steady_clock::now();
