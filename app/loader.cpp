@@ -121,8 +121,7 @@ Expected<Loaded> load(const LoadRequest& request, const std::function<void(doubl
   if (!tool) return tl::unexpected(tool.error());
   if (cancel) return cancelled();
   advanced(0.9);
-  auto scene = haptics::makeScene(loaded.picture.volume, std::move(*tool), request.options,
-                                  request.previous.get());
+  auto scene = haptics::makeScene(loaded.picture.volume, std::move(*tool));
   if (!scene) return tl::unexpected(scene.error());
   if (cancel) return cancelled();
   advanced(0.98);

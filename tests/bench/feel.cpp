@@ -57,9 +57,10 @@ double touchFrom(const Judge& judge, const Vec3& p_W, const Vec3& in, double vox
 
 }  // namespace
 
-std::vector<FeelSummary> compareFeel(const Case& scene, const FreeBlocks& blocks,
-                                     const SlidePlan& plan, Limit limit) {
-  const auto built = haptics::makeScene(scene.volume, ballTool(600, plan.radius));
+std::vector<FeelSummary> compareFeel(const Case& scene, const haptics::Scene& similar,
+                                     const FreeBlocks& blocks, const SlidePlan& plan, Limit limit) {
+  const auto built = haptics::makeScene(scene.volume, ballTool(600, plan.radius),
+                                        {haptics::FieldKind::Trilinear, similar.normal}, &similar);
   if (!built) return {};
   const haptics::PointShell& shell = (*built)->tool.shell;
   const auto hand =

@@ -28,8 +28,9 @@ struct SlidePlan {
 };
 
 /// Slides a ball along the surface where a hand would touch it, in the direction in which it is
-/// most even, led by all methods in turn. Empty if there is no even stretch.
-std::vector<FeelSummary> compareFeel(const Case& scene, const FreeBlocks& blocks,
-                                     const SlidePlan& plan, Limit limit);
+/// most even, led by all methods in turn. `similar` is the case's scene with its own tool, whose
+/// field and choice of normals are taken over. Empty if there is no even stretch.
+std::vector<FeelSummary> compareFeel(const Case& scene, const haptics::Scene& similar,
+                                     const FreeBlocks& blocks, const SlidePlan& plan, Limit limit);
 
 }  // namespace bench

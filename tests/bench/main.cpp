@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <map>
 
 #include "haptics/servo/tick.h"
 #include "tests/bench/report.h"
@@ -19,6 +20,7 @@ struct Options {
   std::vector<std::string> only;
   double seconds = 0.0;  ///< 0: 3, or less when quick
   int budget_us = 200;
+  haptics::NormalKind normal = haptics::NormalKind::Central;
 };
 
 double secondsSince(std::chrono::steady_clock::time_point begun) {
@@ -40,9 +42,11 @@ haptics::Expected<SceneReport> measured(const Case& scene, const Options& option
   SceneReport report{scene.name, scene.tool, scene.points};
   report.literal_us = scene.literal_us;
   const auto begun = std::chrono::steady_clock::now();
-  const auto built = haptics::makeScene(scene.volume, toolOf(scene));
+  const auto built = haptics::makeScene(scene.volume, toolOf(scene),
+                                        {haptics::FieldKind::Trilinear, options.normal});
   if (!built) return tl::unexpected(built.error());
   report.build_ms = 1e3 * secondsSince(begun);
+  report.structures = (*built)->structures;
   report.voxel_mm = 1e3 * scene.volume->grid.spacing.minCoeff();
   report.rest_gap_mm = 1e3 * (*built)->lengths.rest_gap;
 
@@ -65,7 +69,7 @@ haptics::Expected<SceneReport> measured(const Case& scene, const Options& option
   if (options.quick) slide.length = 0.012;
   // a tooth is small: a small ball, slower
   if (scene.name == "scan-tooth") slide = {0.001, 0.005, 0.002, 0.008};
-  report.feel = compareFeel(scene, blocks, slide, limit);
+  report.feel = compareFeel(scene, **built, blocks, slide, limit);
   return report;
 }
 
@@ -176,6 +180,12 @@ int main(int argc, char** argv) {
   app.add_flag("--no-sweep", options.no_sweep, "Leave out the sweep over points and budgets");
   app.add_option("--budget", options.budget_us, "Of a tick of ours [us]")
       ->check(CLI::Range(1, 100000));
+  const std::map<std::string, haptics::NormalKind> normals{
+      {"central", haptics::NormalKind::Central},
+      {"cell", haptics::NormalKind::Cell},
+      {"spline", haptics::NormalKind::Spline}};
+  app.add_option("--normal", options.normal, "Of ours: central, cell or spline")
+      ->transform(CLI::CheckedTransformer(normals));
   app.add_option("--seconds", options.seconds, "Of each hand after its lead-in")
       ->check(CLI::Range(0.1, 1000.0));
 #ifdef PALPATE_READERS

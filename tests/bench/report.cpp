@@ -149,6 +149,11 @@ Json jsonOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>
                {"rest_gap_mm", report.rest_gap_mm},
                {"build_ms", report.build_ms},
                {"literal_samples_per_point", literal.samples_per_tick / report.points}};
+    scene["structures"] = Json::array();
+    for (const haptics::Structure& structure : report.structures)
+      scene["structures"].push_back({{"name", structure.name},
+                                     {"bytes", structure.bytes},
+                                     {"build_ms", 1e3 * structure.build_time}});
     if (report.literal_us) scene["literal_expected_us"] = *report.literal_us;
     const std::string why = whyNotHonest(report);
     scene["baseline_honest"] = why.empty();

@@ -19,9 +19,10 @@ using Json = nlohmann::ordered_json;
 struct SceneReport {
   std::string scene, tool;
   int points = 0;
-  double voxel_mm = 0.0;     ///< smallest side
-  double rest_gap_mm = 0.0;  ///< what ours keeps to the surface
-  double build_ms = 0.0;     ///< of haptics::Scene
+  double voxel_mm = 0.0;                            ///< smallest side
+  double rest_gap_mm = 0.0;                         ///< what ours keeps to the surface
+  double build_ms = 0.0;                            ///< of haptics::Scene
+  std::vector<haptics::Structure> structures = {};  ///< of that Scene
   std::optional<double> literal_us = {};
   std::vector<Summary> summaries = {};
   std::vector<HoldSummary> holds = {};  ///< empty: not measured

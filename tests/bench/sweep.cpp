@@ -89,13 +89,16 @@ std::vector<SweepRow> sweep(const Case& scene, const SweepPlan& plan) {
   const FreeBlocks blocks{*scene.volume, scene.isovalue};
   const Way way = flat ? plate(plan.ticks) : cane(scene, plan.ticks);
   std::vector<SweepRow> rows;
+  std::shared_ptr<const haptics::Scene> previous;
   for (const int count : plan.points) {
     const auto begun = std::chrono::steady_clock::now();
     const auto built =
-        haptics::makeScene(scene.volume, flat ? plateTool(count, 0.020) : toolOf(scene, count))
+        haptics::makeScene(scene.volume, flat ? plateTool(count, 0.020) : toolOf(scene, count), {},
+                           previous.get())
             .value();
     const double build_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    previous = built;
     const double free_mm =
         flat ? 0.0 : led(scene, blocks, built, way, {0, 1'000'000'000}).row.coupling_mm;
     for (const int budget_us : plan.budgets_us) {

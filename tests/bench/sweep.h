@@ -14,7 +14,7 @@ struct SweepRow {
   std::string scene;  ///< "bunny": a cane slides on it; "flat": a plate, all points in contact
   int points = 0;
   int budget_us = 0;
-  double build_ms = 0.0;                                           ///< of the Scene
+  double build_ms = 0.0;  ///< of the Scene; the field is shared after the first
   double mean_us = 0.0, p50_us = 0.0, p99_us = 0.0, max_us = 0.0;  ///< after the lead-in
   double coupling_mm = 0.0;  ///< mean distance to the device over contact ticks
   /// How much of it is the budget's fault: bunny, beyond that of a budget that never binds; flat,
