@@ -33,8 +33,11 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
     field = std::make_shared<const ScalarField>(volume, options.field);
     build_time = secondsSince(begun);
   }
-  const MassMetric metric{tool.shell.inertia};
   const Tolerances lengths{field->voxel()};
+  // a tool that is one point has no length of its own: the voxel's stands in
+  if (tool.shell.radius == 0.0)
+    tool.shell.inertia = field->voxel() * field->voxel() * Mat3::Identity();
+  const MassMetric metric{tool.shell.inertia};
   structures.push_back({"pyramid", field->pyramid().bytes(), build_time});
   const Clock::time_point begun = Clock::now();
   ShellTree tree{tool.shell.points};

@@ -79,11 +79,10 @@ Expected<PointShell> makeShell(std::vector<Vec3> points) {
     inertia += p.squaredNorm() * Mat3::Identity() - p * p.transpose();
   }
   inertia /= double(shell.points.size());
-  // a point or a line of points has directions without inertia; a millimetre stands in for a
-  // tool without extent
-  const double r = shell.radius > 0.0 ? shell.radius : 1e-3;
-  shell.inertia = inertia + 1e-6 * r * r * Mat3::Identity();
-  if (shell.radius == 0.0) shell.inertia = r * r * Mat3::Identity();
+  // a line of points has directions without inertia; a point has none at all, and a unit stands in
+  shell.inertia = shell.radius > 0.0
+                      ? Mat3{inertia + 1e-6 * shell.radius * shell.radius * Mat3::Identity()}
+                      : Mat3::Identity();
   shell.spacing = medianSpacing(shell.points);
   return shell;
 }

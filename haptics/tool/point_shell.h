@@ -14,10 +14,12 @@ namespace haptics {
 ///
 /// The tool frame has its origin at the centroid of the points and the axes of the mesh.
 struct PointShell {
-  std::vector<Vec3> points;         ///< m, in the tool frame
-  double radius = 0.0;              ///< m, of the farthest point
-  Mat3 inertia = Mat3::Identity();  ///< m², mean inertia about the centroid, regularised
-  double spacing = 0.0;             ///< m, median distance to the nearest other point
+  std::vector<Vec3> points;  ///< m, in the tool frame
+  double radius = 0.0;       ///< m, of the farthest point
+  /// m², mean inertia about the centroid, regularised; of a single point, whose extent is that of
+  /// whatever it touches, the identity until a Scene takes the voxel for it.
+  Mat3 inertia = Mat3::Identity();
+  double spacing = 0.0;  ///< m, median distance to the nearest other point
 };
 
 /// A tool: what is drawn, and what is felt, in the same frame.
