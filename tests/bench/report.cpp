@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <fstream>
 
+#include "haptics/field/lanes.h"
+
 namespace bench {
 namespace {
 
@@ -131,7 +133,10 @@ Json machine() {
       cpu = line.substr(line.find(':') + 2);
       break;
     }
-  return {{"cpu", cpu}, {"compiler", __VERSION__}, {"flags", PALPATE_BENCH_FLAGS}};
+  return {{"cpu", cpu},
+          {"vectors", haptics::lanes::targetName()},
+          {"compiler", __VERSION__},
+          {"flags", PALPATE_BENCH_FLAGS}};
 }
 
 Json jsonOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>& sweep) {
