@@ -9,6 +9,7 @@
 
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/field/smoothing.h"
 #include "resources/named_tools.h"
 #include "ui/panels/device_panel.h"
 #include "ui/volume_view.h"
@@ -19,6 +20,9 @@ namespace {
 using haptics::HandKind;
 
 constexpr int kDisplayMs = 16;  // 60 Hz
+constexpr int kRestMs = 300;
+constexpr const char* kTrilinear = "trilinear";
+constexpr const char* kSpline = "spline";
 constexpr std::size_t kSamplesAtOnce = 4096;
 // A fine mesh of more voxels than this would take seconds to draw where there is no GPU.
 constexpr std::int64_t kFineVoxels = 24'000'000;
@@ -74,6 +78,7 @@ Application::Application(Arguments arguments)
   window_.devicePanel().setHands(hands);
   window_.devicePanel().setTools(tools);
   window_.devicePanel().showStiffness(settings_.stiffness);
+  window_.devicePanel().setFields({{kTrilinear, tr("As scanned")}, {kSpline, tr("Smoothed")}});
   window_.setPhantoms(phantoms);
   window_.view().setSurfaceWish(arguments_.surface);
   connectWindow();
@@ -117,6 +122,7 @@ void Application::connectWindow() {
   connect(&window_, &ui::MainWindow::isovalueChanged, this, [this](double isovalue) {
     settings_.isovalue = isovalue;
     session_.set(settings_);
+    field_rest_.start();
   });
   connect(&window_, &ui::MainWindow::forceOffWanted, this, [this] { session_.forceOff(); });
   connect(&window_, &ui::MainWindow::forceOnWanted, this, [this] { session_.arm(); });
@@ -141,6 +147,14 @@ void Application::connectWindow() {
     settings_.stiffness = stiffness;
     session_.set(settings_);
   });
+  connect(&device, &ui::DevicePanel::frictionChanged, this, [this](double coefficient) {
+    settings_.friction = coefficient;
+    session_.set(settings_);
+  });
+  connect(&device, &ui::DevicePanel::fieldChosen, this, &Application::changeField);
+  field_rest_.setSingleShot(true);
+  field_rest_.setInterval(kRestMs);
+  connect(&field_rest_, &QTimer::timeout, this, &Application::showField);
 }
 
 void Application::connectLoader() {
@@ -152,6 +166,8 @@ void Application::connectLoader() {
 void Application::load(LoadRequest request, const QString& what) {
   window_.clearMessage();
   window_.showLoading(what);
+  request.options = options_;
+  if (shown_) request.previous = shown_->scene;
   loader_.start(std::move(request));
 }
 
@@ -189,6 +205,7 @@ void Application::adopt(const Loaded& loaded) {
   window_.show(loaded.scene->tool.mesh);
   const QString label = labelOf(loaded.tool);
   window_.devicePanel().showTool(QString::fromStdString(loaded.tool.name), label);
+  showField();
   // where a simulated hand finds nothing to aim at, the mouse may
   if (!live && !openHand(hand_) && handNamed(hand_) != HandKind::Mouse) openHand("mouse");
   if (!arguments_.screenshot.empty() && new_volume)
@@ -200,6 +217,10 @@ void Application::adopt(const Loaded& loaded) {
 void Application::onFailed(const LoadRequest& request, const haptics::Error& error,
                            const datasets::Survey& survey) {
   window_.endLoading();
+  if (shown_) {
+    options_.field = shown_->scene->field.kind();
+    showField();
+  }
   if (shown_)
     window_.devicePanel().showTool(QString::fromStdString(shown_->tool.name),
                                    labelOf(shown_->tool));
@@ -255,6 +276,26 @@ void Application::changeTool(const ToolSource& tool) {
   if (!shown_) return;
   load({.keep = shown_->picture, .tool = tool, .isovalue = settings_.isovalue},
        tr("Preparing the tool"));
+}
+
+void Application::changeField(const QString& id) {
+  options_.field = id == kSpline ? haptics::FieldKind::CubicSpline : haptics::FieldKind::Trilinear;
+  if (!shown_) return;
+  load({.keep = shown_->picture, .tool = shown_->tool, .isovalue = settings_.isovalue},
+       tr("Preparing the field"));
+}
+
+void Application::showField() {
+  if (!shown_) return;
+  if (shown_->scene->field.kind() == haptics::FieldKind::Trilinear)
+    return window_.devicePanel().showField(kTrilinear, {});
+  const haptics::SmoothingEffect effect =
+      haptics::smoothingEffect(*shown_->picture.volume, settings_.isovalue);
+  window_.devicePanel().showField(
+      kSpline, tr("Smoothing erases %1 % of this solid and adds %2 %: what is felt is not all that "
+                  "is seen.")
+                   .arg(effect.erased * 100.0, 0, 'f', 1)
+                   .arg(effect.gained * 100.0, 0, 'f', 1));
 }
 
 void Application::refresh() {

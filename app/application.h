@@ -57,6 +57,8 @@ class Application : public QObject {
   /// False, with the reason in the window, if the hand that was open goes on.
   bool openHand(const std::string& name);
   void changeTool(const ToolSource& tool);
+  void changeField(const QString& id);
+  void showField();
   void refresh();
   void makeFineMesh(double isovalue);
   void takeScreenshot();
@@ -70,6 +72,8 @@ class Application : public QObject {
   haptics::Settings settings_;
   haptics::Snapshot snapshot_;
   std::optional<Loaded> shown_;
+  haptics::SceneOptions options_;  ///< of the next scene
+  QTimer field_rest_;              ///< since the isovalue last moved
   std::string hand_;
   bool look_from_tool_ = false;  ///< at the next snapshot
   QTimer display_;

@@ -121,7 +121,8 @@ Expected<Loaded> load(const LoadRequest& request, const std::function<void(doubl
   if (!tool) return tl::unexpected(tool.error());
   if (cancel) return cancelled();
   advanced(0.9);
-  auto scene = haptics::makeScene(loaded.picture.volume, std::move(*tool));
+  auto scene = haptics::makeScene(loaded.picture.volume, std::move(*tool), request.options,
+                                  request.previous.get());
   if (!scene) return tl::unexpected(scene.error());
   if (cancel) return cancelled();
   advanced(0.98);

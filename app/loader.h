@@ -34,6 +34,9 @@ struct LoadRequest {
   std::optional<ui::Picture> keep = {};  ///< the volume already shown, with another tool
   std::optional<ToolSource> tool = {};   ///< none: the one that fits a phantom, else `probe`
   std::optional<double> isovalue = {};
+  haptics::SceneOptions options = {};
+  /// The scene whose field is taken over where volume and kind are the same; or none.
+  std::shared_ptr<const haptics::Scene> previous = {};
 };
 
 /// A volume and a tool, ready to be seen and touched.

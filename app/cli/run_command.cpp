@@ -9,6 +9,7 @@
 #include "app/cli/sources.h"
 #include "app/cli/trace.h"
 #include "haptics/devices/ratings.h"
+#include "haptics/field/smoothing.h"
 #include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/penetration.h"
 
@@ -196,6 +197,10 @@ Outcome run(const RunOptions& options) {
   for (const haptics::Structure& built : (*scene)->structures)
     outcome.json["structures"].push_back(
         {{"name", built.name}, {"bytes", built.bytes}, {"build_ms", built.build_time * 1e3}});
+  if ((*scene)->field.kind() == haptics::FieldKind::CubicSpline) {
+    const haptics::SmoothingEffect effect = haptics::smoothingEffect(**volume, options.isovalue);
+    outcome.json["smoothing"] = {{"erased_share", effect.erased}, {"gained_share", effect.gained}};
+  }
   if (trace) {
     if (auto finished = trace->finish(); !finished)
       return {Exit::Failed, outcome.json, {}, finished.error().what};

@@ -86,11 +86,9 @@ void scanSplineBlocks(const T* voxels, const Counts& dims, double background, co
       for (std::int64_t bi = 0; bi < blocks[0]; ++bi) {
         const std::int64_t b[3] = {bi, bj, bk};
         std::int64_t from[3], to[3];  // voxels in the grid, both inclusive
-        bool ring[3];
         for (std::size_t axis = 0; axis < 3; ++axis) {
           from[axis] = std::max<std::int64_t>(0, 4 * b[axis] - 2);
           to[axis] = std::min(dims[axis] - 1, 4 * b[axis] + 4);
-          ring[axis] = b[axis] == 0 || 4 * b[axis] + 2 >= dims[axis] - 1;
         }
         const T origin = voxels[from[2] * stride[2] + from[1] * stride[1] + from[0]];
         T least = origin, top = origin;
@@ -116,8 +114,27 @@ void scanSplineBlocks(const T* voxels, const Counts& dims, double background, co
                       std::max(steepest, std::abs(double(row[i + stride[axis]]) - double(row[i])));
               }
           }
-        for (int axis = 0; axis < 3; ++axis)
-          if (ring[axis]) rise[axis] = std::max(rise[axis], double(top) - background);
+        // in the ring a face falls to the background: of the voxels that a face is a mean of
+        const auto fallFrom = [&](std::size_t axis, std::int64_t layer) {
+          std::int64_t begin[3] = {from[0], from[1], from[2]}, end[3] = {to[0], to[1], to[2]};
+          begin[axis] = std::max(from[axis], layer);
+          end[axis] = std::min(to[axis], layer + 1);
+          T highest = origin;
+          bool any = false;
+          for (std::int64_t k = begin[2]; k <= end[2]; ++k)
+            for (std::int64_t j = begin[1]; j <= end[1]; ++j)
+              for (std::int64_t i = begin[0]; i <= end[0]; ++i) {
+                const T v = voxels[k * stride[2] + j * stride[1] + i];
+                highest = any ? std::max(highest, v) : v;
+                any = true;
+              }
+          double& steepest = rise[static_cast<int>(axis)];
+          steepest = std::max(steepest, double(highest) - background);
+        };
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          if (b[axis] == 0) fallFrom(axis, 0);
+          if (4 * b[axis] + 2 >= dims[axis] - 1) fallFrom(axis, dims[axis] - 2);
+        }
         const std::int64_t at = (bk * blocks[1] + bj) * blocks[0] + bi;
         greatest[at] = roundedUp(double(top));
         lipschitz[at] = roundedUp(rise.cwiseQuotient(spacing).norm());

@@ -164,4 +164,26 @@ TEST(Application, AnotherToolKeepsTheIsovalueThatMovedMeanwhile) {
   EXPECT_EQ(application.snapshot().isovalue, chosen);
 }
 
+TEST(Application, AnotherFieldIsTouchedLiveAndItsEffectSaid) {
+  app::Application application(sphere("mouse"));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  auto* effect = application.window().findChild<QLabel*>("fieldEffect");
+  EXPECT_FALSE(effect->isVisible());
+  auto scene = application.snapshot().scene;
+  emit application.window().devicePanel().fieldChosen("spline");
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
+  EXPECT_TRUE(effect->isVisible());
+  EXPECT_TRUE(effect->text().contains("erases")) << effect->text().toStdString();
+  // it stays with another tool, and ends where the voxels themselves are wanted again
+  scene = application.snapshot().scene;
+  emit application.window().devicePanel().toolChosen("wrench");
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
+  EXPECT_TRUE(effect->isVisible());
+  scene = application.snapshot().scene;
+  emit application.window().devicePanel().fieldChosen("trilinear");
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
+  EXPECT_FALSE(effect->isVisible());
+}
+
 }  // namespace

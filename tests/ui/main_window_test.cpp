@@ -6,6 +6,7 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLocale>
 #include <QStatusBar>
 #include <QTest>
 #include <QTimer>
@@ -147,6 +148,23 @@ TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
        {"1000 Hz", "real-time", "42 µs", "7 contacts", "5.00 N", "Surface: mesh"})
     EXPECT_TRUE(status.contains(QString::fromUtf8(part))) << status.toStdString();
   EXPECT_FLOAT_EQ(window.findChild<ui::ForcePlot*>("forcePlot")->greatestForce(), 9.5F);
+}
+
+TEST(MainWindow, TheFrictionThatIsTypedIsWished) {
+  ui::MainWindow window;
+  window::showAndWait(window, {1240, 840});
+  double wished = -1.0;
+  QObject::connect(&window.devicePanel(), &ui::DevicePanel::frictionChanged,
+                   [&](double coefficient) { wished = coefficient; });
+  auto* friction = window.findChild<QDoubleSpinBox*>("friction");
+  EXPECT_EQ(friction->value(), 0.0);
+  friction->setFocus();
+  friction->selectAll();
+  QTest::keyClicks(friction, QLocale().toString(0.3));
+  QTest::keyClick(friction, Qt::Key_Return);
+  EXPECT_EQ(wished, 0.3);
+  friction->setValue(9.0);
+  EXPECT_EQ(wished, 1.5);  // no rougher than the settings allow
 }
 
 }  // namespace

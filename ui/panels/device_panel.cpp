@@ -2,10 +2,12 @@
 #include "ui/panels/device_panel.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QInputDialog>
+#include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
@@ -17,6 +19,7 @@ namespace {
 constexpr int kMostStiff = 20'000;  // N/m, as haptics::Settings allows
 constexpr int kSliderSteps = 400;   // by the logarithm, from 50 N/m
 constexpr double kLeastShown = 50.0;
+constexpr double kRoughest = 1.5;  // as haptics::Settings allows
 
 int stepOf(double stiffness) {
   return qRound(std::log(std::max(stiffness, kLeastShown) / kLeastShown) /
@@ -34,7 +37,10 @@ DevicePanel::DevicePanel(QWidget* parent)
       hands_(new QComboBox),
       tools_(new QComboBox),
       stiffness_(new QSlider(Qt::Horizontal)),
-      stiffness_typed_(new QSpinBox) {
+      stiffness_typed_(new QSpinBox),
+      friction_(new QDoubleSpinBox),
+      fields_(new QComboBox),
+      effect_(new QLabel) {
   hands_->setObjectName("hands");
   tools_->setObjectName("tools");
   stiffness_->setObjectName("stiffness");
@@ -44,6 +50,15 @@ DevicePanel::DevicePanel(QWidget* parent)
   stiffness_typed_->setSingleStep(100);
   stiffness_typed_->setSuffix(tr(" N/m"));
   stiffness_typed_->setKeyboardTracking(false);
+  friction_->setObjectName("friction");
+  friction_->setRange(0.0, kRoughest);
+  friction_->setSingleStep(0.05);
+  friction_->setKeyboardTracking(false);
+  friction_->setSpecialValueText(tr("none"));
+  fields_->setObjectName("fields");
+  effect_->setObjectName("fieldEffect");
+  effect_->setWordWrap(true);
+  effect_->hide();
   auto* stiff = new QHBoxLayout;
   stiff->addWidget(stiffness_, 1);
   stiff->addWidget(stiffness_typed_);
@@ -51,6 +66,9 @@ DevicePanel::DevicePanel(QWidget* parent)
   form->addRow(tr("Hand"), hands_);
   form->addRow(tr("Tool"), tools_);
   form->addRow(tr("Stiffness"), stiff);
+  form->addRow(tr("Friction"), friction_);
+  form->addRow(tr("Field"), fields_);
+  form->addRow(effect_);
   showStiffness(1000.0);
 
   connect(hands_, &QComboBox::activated, this,
@@ -62,6 +80,9 @@ DevicePanel::DevicePanel(QWidget* parent)
     else
       emit toolChosen(id);
   });
+  connect(fields_, &QComboBox::activated, this,
+          [this](int i) { emit fieldChosen(fields_->itemData(i).toString()); });
+  connect(friction_, &QDoubleSpinBox::valueChanged, this, &DevicePanel::frictionChanged);
   connect(stiffness_, &QSlider::valueChanged, this, [this](int step) {
     const double stiffness = std::round(stiffnessAt(step) / 10.0) * 10.0;
     const QSignalBlocker quiet(stiffness_typed_);
@@ -84,6 +105,17 @@ void DevicePanel::setTools(const QList<Choice>& tools) {
   tools_->clear();
   for (const Choice& tool : tools) tools_->addItem(tool.label, tool.id);
   tools_->addItem(tr("From file…"), QString());
+}
+
+void DevicePanel::setFields(const QList<Choice>& fields) {
+  fields_->clear();
+  for (const Choice& field : fields) fields_->addItem(field.label, field.id);
+}
+
+void DevicePanel::showField(const QString& id, const QString& effect) {
+  fields_->setCurrentIndex(fields_->findData(id));
+  effect_->setText(effect);
+  effect_->setVisible(!effect.isEmpty());
 }
 
 void DevicePanel::showHand(const QString& id) { hands_->setCurrentIndex(hands_->findData(id)); }

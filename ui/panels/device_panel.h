@@ -6,6 +6,8 @@
 #include <QWidget>
 
 class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
 class QSlider;
 class QSpinBox;
 
@@ -17,7 +19,8 @@ struct Choice {
   QString label;
 };
 
-/// Who holds the device, what tool it carries, how stiff the coupling is.
+/// Who holds the device, what tool it carries, how stiff and rough the touch is, and over which
+/// field.
 class DevicePanel : public QWidget {
   Q_OBJECT
  public:
@@ -25,10 +28,13 @@ class DevicePanel : public QWidget {
 
   void setHands(const QList<Choice>& hands);
   void setTools(const QList<Choice>& tools);
+  void setFields(const QList<Choice>& fields);
   /// Shows what is in use; these emit nothing.
   void showHand(const QString& id);
   void showTool(const QString& id, const QString& label);
   void showStiffness(double newton_per_metre);
+  /// `effect`: what the field does to the solid, in a sentence; or empty.
+  void showField(const QString& id, const QString& effect);
 
  signals:
   void handChosen(const QString& id);
@@ -36,6 +42,9 @@ class DevicePanel : public QWidget {
   /// `unit` is m, mm, cm or in.
   void toolFileChosen(const QString& path, const QString& unit);
   void stiffnessChanged(double newton_per_metre);
+  /// Coulomb's coefficient.
+  void frictionChanged(double coefficient);
+  void fieldChosen(const QString& id);
 
  private:
   void chooseFile();
@@ -43,6 +52,9 @@ class DevicePanel : public QWidget {
   QComboBox* tools_;
   QSlider* stiffness_;
   QSpinBox* stiffness_typed_;
+  QDoubleSpinBox* friction_;
+  QComboBox* fields_;
+  QLabel* effect_;
   QString tool_;
 };
 

@@ -171,6 +171,59 @@ TEST(SplineField, PyramidStatesOnlyBoundsThatHold) {
   EXPECT_GT(empty, made::trials(2000));
 }
 
+/// Along an axis through u, as far as the bound goes: nothing it says may be wrong.
+void checkAlong(const ScalarField& field, const Vec3& u, int axis, double s, int& far) {
+  const MaxPyramid::Bound bound = field.pyramid().bound(u, s);
+  const double here = field.value(u);
+  for (const double sign : {-1.0, 1.0})
+    for (int i = 1; i <= 40; ++i) {
+      const double distance = bound.radius * i / 40.0;
+      const double there = field.value(u + sign * distance / h * Vec3::Unit(axis));
+      if (bound.lipschitz == 0.0)
+        ASSERT_LT(there, s) << u.transpose() << " along " << sign << " of axis " << axis;
+      else
+        ASSERT_LE(std::abs(there - here), bound.lipschitz * distance + 1e-6) << u.transpose();
+    }
+  far += bound.lipschitz == 0.0;
+}
+
+// a spline's cell is a mean of voxels one beyond it: of a block, and of the blocks about it
+TEST(SplineField, PyramidSeesAVoxelThatReachesIntoABlockFromBeyondIt) {
+  int far = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int bright = 12; bright < 20; ++bright) {
+      const auto volume = made::shared(
+          made::filled(made::centred(32, h), ScalarType::Int16, [&](auto i, auto j, auto k) {
+            const std::int64_t at[3] = {i, j, k};
+            const auto a = static_cast<std::size_t>(axis);
+            return at[a] == bright && at[(a + 1) % 3] == 15 && at[(a + 2) % 3] == 15 ? 1000. : 0.;
+          }));
+      const ScalarField field{volume, FieldKind::CubicSpline};
+      for (int block = 1; block < 8; ++block)
+        for (const double off : {-1e-3, 1e-3}) {
+          Vec3 u = Vec3::Constant(15.0);
+          u[axis] = 4.0 * block - 1.0 + off;
+          checkAlong(field, u, axis, 0.01, far);
+        }
+    }
+  EXPECT_GT(far, 50);
+}
+
+// the fall to the background is a slope, though all voxels beside the face are alike
+TEST(SplineField, PyramidSeesTheFallAtAFace) {
+  const auto volume = made::shared(
+      made::filled(made::centred(33, h), ScalarType::Int16,
+                   [](auto i, auto j, auto k) { return i + j + k == 48 ? 0.0 : 1000.0; }));
+  const ScalarField field{volume, FieldKind::CubicSpline};
+  int far = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double place : {-1.5, -0.5, 0.5, 3.5, 28.5, 31.5, 32.5, 33.5}) {
+      Vec3 u = Vec3::Constant(3.5);
+      u[axis] = place;
+      checkAlong(field, u, axis, 900.0, far);
+    }
+}
+
 // SplineField tests hold the field itself to its definition; here it judges the crossings
 TEST(FirstReach, OfBothKindsIsTheFirstThatDenseSamplesSee) {
   Random random{5};
