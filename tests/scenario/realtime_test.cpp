@@ -113,7 +113,10 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
   datasets::Phantom made = datasets::makePhantom(GetParam()).value();
   const auto volume = made::shared(std::move(made.volume));
   const auto scene = haptics::makeScene(volume, namedTool(made.tool)).value();
-  const auto other = haptics::makeScene(volume, namedTool("drill")).value();
+  const auto other =
+      haptics::makeScene(volume, namedTool("drill"),
+                         {haptics::FieldKind::CubicSpline, haptics::NormalKind::Spline})
+          .value();
   long touching = 0, recovering = 0, adopted = 0;
   for (const HandMotion motion : kHands) {
     SCOPED_TRACE(int(motion));
@@ -136,6 +139,7 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
       // the isovalue down so that the tool is buried, and back; then another tool, and back
       settings.isovalue =
           part % 3 == 0 ? volume->least + 0.2 * (made.isovalue - volume->least) : made.isovalue;
+      settings.friction = part % 2 == 0 ? 0.4 : 0.0;
       loop.settings.publish(settings);
       run(loop, tick, 5);
       loop.snapshots.take(snapshot);

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "haptics/collision/motion_rows.h"
+#include "tests/unit/haptics/made.h"
+
+namespace {
+
+using haptics::Budget;
+using haptics::FieldKind;
+using haptics::Isosurface;
+using haptics::makeScene;
+using haptics::MotionRow;
+using haptics::MotionRows;
+using haptics::NormalKind;
+using haptics::Pose;
+using haptics::Scene;
+using haptics::Vec3;
+using made::at;
+using made::Random;
+
+constexpr double h = 1e-3;  // m: the voxel
+
+Budget unlimited() { return Budget::counted(std::numeric_limits<std::int64_t>::max()); }
+
+TEST(Scene, SharesTheFieldOfTheOneBeforeWhereVolumeAndKindAreTheSame) {
+  const auto volume =
+      made::shared(made::solid(made::centred(24, h), [](const Vec3& p) { return p.z(); }));
+  const auto first = makeScene(volume, made::point()).value();
+  const auto same =
+      makeScene(volume, made::tool(made::ballPoints(50, 3e-3)), {}, first.get()).value();
+  EXPECT_EQ(&same->field, &first->field);
+  EXPECT_NE(same->id, first->id);
+  const auto smooth =
+      makeScene(volume, made::point(), {FieldKind::CubicSpline, NormalKind::Cell}, first.get())
+          .value();
+  EXPECT_NE(&smooth->field, &first->field);
+  EXPECT_EQ(smooth->field.kind(), FieldKind::CubicSpline);
+  EXPECT_EQ(smooth->normal, NormalKind::Cell);
+  const auto other = made::shared(*volume);
+  EXPECT_NE(&makeScene(other, made::point(), {}, first.get()).value()->field, &first->field);
+}
+
+TEST(Scene, OutlivesTheOneWhoseFieldItShares) {
+  const auto volume =
+      made::shared(made::solid(made::centred(24, h), [](const Vec3& p) { return p.z(); }));
+  auto first = makeScene(volume, made::point()).value();
+  const auto second = makeScene(volume, made::point(), {}, first.get()).value();
+  first.reset();
+  EXPECT_NEAR(second->field.value(second->field.indexOf(Vec3::Zero())), made::kIso, 1e-3);
+}
+
+TEST(Scene, TellsWhatWasBuiltForIt) {
+  const auto volume =
+      made::shared(made::solid(made::centred(40, h), [](const Vec3& p) { return p.z(); }));
+  const auto scene = makeScene(volume, made::tool(made::ballPoints(500, 3e-3))).value();
+  ASSERT_GE(scene->structures.size(), 2u);
+  EXPECT_EQ(scene->structures[0].name, "pyramid");
+  EXPECT_EQ(scene->structures[0].bytes, scene->field.pyramid().bytes());
+  EXPECT_GT(scene->structures[0].build_time, 0.0);
+  EXPECT_EQ(scene->structures[1].name, "shell_tree");
+  EXPECT_GE(scene->structures[1].bytes, 500 * 3 * sizeof(double));
+  const auto again = makeScene(volume, made::point(), {}, scene.get()).value();
+  EXPECT_EQ(again->structures[0].build_time, 0.0);
+}
+
+/// The rows of a tool at a pose, and the angle of each normal from the truth: rms in degrees.
+template <class Normal>
+double offTruth(const Scene& scene, NormalKind kind, const Pose& X_WP, Normal&& normal,
+                int& count) {
+  const Isosurface solid{scene.field, made::kIso};
+  haptics::Clearance clearance{scene.tree};
+  Budget budget = unlimited();
+  EXPECT_EQ(clearance.collect(solid, scene.tree, X_WP, scene.lengths.band, budget),
+            haptics::Clearance::Verdict::Legal);
+  MotionRows rows;
+  haptics::gatherRows(solid, scene.tree, X_WP, clearance, {}, scene.lengths, kind, rows, budget);
+  double sum = 0.0;
+  for (const MotionRow& row : rows) {
+    const Vec3 n = normal(X_WP.translation() + row.r_W);
+    const double angle = std::acos(std::clamp(n.dot(row.n_W), -1.0, 1.0)) * 180.0 / M_PI;
+    sum += angle * angle;
+  }
+  count += static_cast<int>(rows.size());
+  return sum;
+}
+
+TEST(Normals, AreThoseOfALinearFieldWhateverTheKind) {
+  Random random{61};
+  for (int k = 0; k < 8; ++k) {
+    const haptics::Grid grid = made::oddGrid(k, {20, 20, 20}, random);
+    const Vec3 n = random.direction();
+    const Vec3 middle = grid.worldOf({9.5, 9.5, 9.5});
+    const auto scene =
+        makeScene(made::shared(made::sampled(
+                      grid, [&](const Vec3& p) { return 1000.0 - 4e6 * n.dot(p - middle); })),
+                  made::point())
+            .value();
+    for (const NormalKind kind : {NormalKind::Central, NormalKind::Cell, NormalKind::Spline}) {
+      int count = 0;
+      const Pose X = at(middle + 0.05 * grid.spacing.minCoeff() * n);
+      EXPECT_LT(std::sqrt(offTruth(
+                    *scene, kind, X, [&](const Vec3&) { return n; }, count)),
+                0.05);
+      EXPECT_EQ(count, 1);
+    }
+  }
+}
+
+// points just outside a ball in noise of 2 % of the step over a voxel
+TEST(Normals, OfWideGradientsAreNearerTheTruthInNoise) {
+  std::mt19937 engine{62};
+  std::normal_distribution<double> grain{0.0, 80.0};
+  const double radius = 10.3e-3;
+  const auto scene =
+      makeScene(made::shared(made::sampled(made::centred(40, h),
+                                           [&](const Vec3& p) {
+                                             const double d = (p.norm() - radius) / h;
+                                             return 1000.0 - 4000.0 * d + grain(engine);
+                                           })),
+                made::point())
+          .value();
+  Random random{63};
+  double off[3] = {};
+  int counts[3] = {};
+  const Isosurface solid{scene->field, made::kIso};
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Vec3 p = (radius + 0.05 * h) * random.direction();
+    if (solid.inside(p)) continue;
+    for (const NormalKind kind : {NormalKind::Central, NormalKind::Cell, NormalKind::Spline}) {
+      const auto i = static_cast<std::size_t>(kind);
+      off[i] += offTruth(
+          *scene, kind, at(p), [](const Vec3& q) { return q.normalized().eval(); }, counts[i]);
+    }
+  }
+  double rms[3];
+  for (int i = 0; i < 3; ++i) rms[i] = std::sqrt(off[i] / counts[i]);
+  EXPECT_GT(counts[0], 1000);
+  EXPECT_LT(rms[0], 0.7 * rms[1]);
+  EXPECT_LT(rms[2], 0.7 * rms[1]);
+  EXPECT_LT(rms[0], 3.0);
+}
+
+}  // namespace
