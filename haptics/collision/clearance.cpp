@@ -11,7 +11,7 @@ struct Clearance::Batch {
   lanes::Affine map;  // tool frame to index coordinates
   double reach = 0.0;
   int count = 0;
-  int place[lanes::kLanes];
+  int place[lanes::kLanes], leaf[lanes::kLanes];
   double x[lanes::kLanes], y[lanes::kLanes], z[lanes::kLanes];
 };
 
@@ -84,35 +84,37 @@ bool Clearance::look(const Isosurface& solid, const ShellTree& tree, Batch& batc
   for (int l = 0; l < n; ++l) {
     const auto place = static_cast<std::size_t>(batch.place[l]);
     const double free = found.free[l], arm = tree.arm[place];
-    if (found.value[l] >= solid.ceiling()) return false;
+    if (found.value[l] >= solid.ceiling()) {
+      // of the leaves on their way nothing is known
+      for (int k = 0; k < n; ++k)
+        node_until_[static_cast<std::size_t>(batch.leaf[k])] =
+            -std::numeric_limits<double>::infinity();
+      return false;
+    }
     until_[place] = free + travelled(arm);
+    const auto leaf = static_cast<std::size_t>(batch.leaf[l]);
+    node_until_[leaf] = std::min(node_until_[leaf], free + travelled(tree.nodes[leaf].arm));
     if (free >= batch.reach) continue;
-    note({batch.place[l], found.value[l], free});
+    note({batch.place[l], found.value[l], free, found.empty >> l & 1 ? 0.0 : found.lipschitz[l]});
     found_in_[place] = search_;
     arm_ = std::max(arm_, arm);
   }
   return true;
 }
 
-/// What the children of the opened nodes have become, from the leaves up.
-void Clearance::close(const ShellTree& tree) HAPTICS_RT {
+/// What the children of the opened nodes have become, from below; false if cut.
+bool Clearance::close(const ShellTree& tree, Budget& budget) HAPTICS_RT {
   while (opened_count_ > 0) {
+    if (opened_count_ % 64 == 0 && !budget.left()) return false;
     const auto n = static_cast<std::size_t>(opened_[--opened_count_]);
-    const ShellTree::Node& node = tree.nodes[n];
+    const std::size_t left = n + 1;
+    const auto right = static_cast<std::size_t>(tree.nodes[left].next);
     double least = std::numeric_limits<double>::infinity();
-    if (node.leaf) {
-      for (int i = node.first; i < node.first + node.count; ++i) {
-        const auto place = static_cast<std::size_t>(i);
-        least = std::min(least, until_[place] - travelled(tree.arm[place]));
-      }
-    } else {
-      const std::size_t left = n + 1;
-      const auto right = static_cast<std::size_t>(tree.nodes[left].next);
-      for (const std::size_t child : {left, right})
-        least = std::min(least, node_until_[child] - travelled(tree.nodes[child].arm));
-    }
-    node_until_[n] = least + travelled(node.arm);
+    for (const std::size_t child : {left, right})
+      least = std::min(least, node_until_[child] - travelled(tree.nodes[child].arm));
+    node_until_[n] = least + travelled(tree.nodes[n].arm);
   }
+  return true;
 }
 
 Clearance::Verdict Clearance::collect(const Isosurface& solid, const ShellTree& tree,
@@ -158,33 +160,42 @@ Clearance::Verdict Clearance::collect(const Isosurface& solid, const ShellTree& 
           n = node.next;
           continue;
         }
-      } else if (!known) {
+        opened_[opened_count_++] = n++;
+        node_until_[at] = -std::numeric_limits<double>::infinity();
+        node_epoch_[at] = epoch_;
+        continue;
+      }
+      if (!known)
         std::fill_n(until_.begin() + node.first, node.count,
                     -std::numeric_limits<double>::infinity());
-      }
-      opened_[opened_count_++] = n++;
-      node_until_[at] = -std::numeric_limits<double>::infinity();
+      node_until_[at] = std::numeric_limits<double>::infinity();
       node_epoch_[at] = epoch_;
-      if (!node.leaf) continue;
       for (int i = node.first; i < node.first + node.count; ++i) {
         const auto place = static_cast<std::size_t>(i);
-        if (until_[place] - travelled(tree.arm[place]) >= goal_ || found_in_[place] == search_)
+        const double left = until_[place] - travelled(tree.arm[place]);
+        if (left >= goal_ || found_in_[place] == search_) {
+          node_until_[at] = std::min(node_until_[at], left + spent);
           continue;
+        }
         batch.place[batch.count] = i;
+        batch.leaf[batch.count] = n;
         batch.x[batch.count] = tree.x[place];
         batch.y[batch.count] = tree.y[place];
         batch.z[batch.count] = tree.z[place];
         if (++batch.count == lanes::kLanes && !look(solid, tree, batch, budget)) {
+          node_until_[at] = -std::numeric_limits<double>::infinity();
           restart();
           return Verdict::Inside;
         }
       }
+      ++n;
     }
+    cursor_ = end;
     if (!look(solid, tree, batch, budget)) {
       restart();
       return Verdict::Inside;
     }
-    close(tree);
+    if (!close(tree, budget)) return Verdict::Cut;
     complete_ = goal_;
     goal_ = -1.0;
   }

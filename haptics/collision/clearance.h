@@ -16,9 +16,10 @@ namespace haptics {
 
 /// A shell point close enough to the surface to matter, as it was found.
 struct NearPoint {
-  int place = 0;       ///< in the order of the shell's tree
-  double value = 0.0;  ///< F there
-  double free = 0.0;   ///< m it may move in any direction: proven
+  int place = 0;           ///< in the order of the shell's tree
+  double value = 0.0;      ///< F there
+  double free = 0.0;       ///< m it may move in any direction: proven
+  double lipschitz = 0.0;  ///< per metre, within four voxels; 0 where those are proven empty
 };
 
 /// How far each shell point can go before it could possibly meet the surface: proven by the
@@ -48,7 +49,7 @@ class Clearance {
 
   /// Of near(), the points with the least clearance in each of some hundred patches of the shell:
   /// enough to constrain the motion by, however many points touch.
-  static constexpr int kPatches = 512;
+  static constexpr int kPatches = 128;
   /// Calls f with each of them.
   template <class F>
   void eachNearest(F&& f) const HAPTICS_RT {
@@ -63,7 +64,7 @@ class Clearance {
   bool look(const Isosurface& solid, const ShellTree& tree, Batch& batch,
             Budget& budget) HAPTICS_RT;
   void note(const NearPoint& point) HAPTICS_RT;
-  void close(const ShellTree& tree) HAPTICS_RT;
+  bool close(const ShellTree& tree, Budget& budget) HAPTICS_RT;
   double travelled(double arm) const HAPTICS_RT { return translated_ + rotated_ * arm; }
 
   std::vector<double> until_;       ///< clearance plus what had been travelled when it was proven
@@ -87,7 +88,7 @@ class Clearance {
   double complete_ = -1.0;   ///< m: near() holds all with less clearance than this; -1: none
   double goal_ = -1.0;       ///< m: of the pass that was cut; -1: none was
   int cursor_ = 0;           ///< node at which to go on
-  std::vector<int> opened_;  ///< nodes whose children were looked at, in order
+  std::vector<int> opened_;  ///< inner nodes whose children were looked at, in order
   std::size_t opened_count_ = 0;
 };
 

@@ -19,10 +19,10 @@ double room(double gap, const Tolerances& lengths) HAPTICS_RT {
 
 /// A near point within the band.
 struct Candidate {
-  int place = 0;
   Vec3 r_W;
-  double gap = 0.0;  // to first order [m]
-  double value = 0.0;
+  Vec3 u;      // index coordinates
+  double gap;  // to first order [m]
+  double value;
   Vec3 exact_W, wide_W;  // gradients, per metre
 };
 
@@ -50,9 +50,10 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
     rows.push({contact.n_W, contact.r_W, room(contact.gap, lengths)});
 
   // the nearest point of each patch of the shell, if its first-order gap lies in the band
-  FixedVector<Candidate, Clearance::kPatches> within;
+  std::array<Candidate, Clearance::kPatches> within;
+  std::size_t within_count = 0;
   lanes::Numbers x{}, y{}, z{};
-  int places[lanes::kLanes], count = 0;
+  int count = 0;
   const lanes::Affine map = solid.field.affine(X_WP);
   const auto look = [&]() HAPTICS_RT {
     // alone, a sample and six values
@@ -68,15 +69,13 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
       const double gap = slope > 0.0 ? (solid.ceiling() - found.value[l]) / slope
                                      : std::numeric_limits<double>::infinity();
       if (gap > lengths.band) continue;
-      Vec3 wide{found.central.x[l], found.central.y[l], found.central.z[l]};
-      if (normal == NormalKind::Cell) {
-        wide = exact;
-      } else if (normal == NormalKind::Spline) {
-        budget.spend(ScalarField::kSplineWork);
-        wide = solid.field.splineGradient({u.x[l], u.y[l], u.z[l]});
-      }
-      within.push(
-          {places[l], X_WP.linear() * Vec3{x[l], y[l], z[l]}, gap, found.value[l], exact, wide});
+      const Vec3 central{found.central.x[l], found.central.y[l], found.central.z[l]};
+      within[within_count++] = {X_WP.linear() * Vec3{x[l], y[l], z[l]},
+                                Vec3{u.x[l], u.y[l], u.z[l]},
+                                gap,
+                                found.value[l],
+                                exact,
+                                normal == NormalKind::Cell ? exact : central};
     }
     count = 0;
   };
@@ -86,7 +85,6 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
     x[count] = tree.x[place];
     y[count] = tree.y[place];
     z[count] = tree.z[place];
-    places[count] = point.place;
     if (++count == lanes::kLanes) look();
   });
   if (count > 0) look();
@@ -96,37 +94,44 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
   const auto choose = [&](int i) HAPTICS_RT {
     if (std::find(chosen.begin(), chosen.end(), i) == chosen.end()) chosen.push(i);
   };
-  if (within.size() <= kNearest + 26) {
-    for (std::size_t i = 0; i < within.size(); ++i) chosen.push(static_cast<int>(i));
+  if (within_count <= kNearest + 26) {
+    for (std::size_t i = 0; i < within_count; ++i) chosen.push(static_cast<int>(i));
   } else {
     struct Slot {
       double measure = std::numeric_limits<double>::infinity();
       int index = -1;
     };
     std::array<Slot, kNearest> nearest;
-    std::array<Slot, 26> outermost;
-    for (std::size_t i = 0; i < within.size(); ++i) {
-      const int index = static_cast<int>(i);
+    for (std::size_t i = 0; i < within_count; ++i) {
       const double gap = within[i].gap;
-      if (gap < nearest.back().measure) {
-        auto slot = nearest.end() - 1;
-        for (; slot != nearest.begin() && (slot - 1)->measure > gap; --slot) *slot = *(slot - 1);
-        *slot = {gap, index};
-      }
-      const Vec3& r = within[i].r_W;
-      for (int d = 0; d < 26; ++d) {
-        const int way = d + (d >= 13 ? 1 : 0);
-        const double inward = -(r.x() * double(way % 3 - 1) + r.y() * double(way / 3 % 3 - 1) +
-                                r.z() * double(way / 9 - 1));
-        if (inward < outermost[static_cast<std::size_t>(d)].measure)
-          outermost[static_cast<std::size_t>(d)] = {inward, index};
-      }
+      if (gap >= nearest.back().measure) continue;
+      auto slot = nearest.end() - 1;
+      for (; slot != nearest.begin() && (slot - 1)->measure > gap; --slot) *slot = *(slot - 1);
+      *slot = {gap, static_cast<int>(i)};
+    }
+    // the outermost along the thirteen axes of a cube, either way
+    std::array<double, Clearance::kPatches> along;
+    std::array<int, 26> outermost;
+    for (int d = 0; d < 13; ++d) {
+      const double ax = d % 3 - 1, ay = d / 3 % 3 - 1, az = d / 9 - 1;
+      for (std::size_t i = 0; i < within_count; ++i)
+        along[i] = ax * within[i].r_W.x() + ay * within[i].r_W.y() + az * within[i].r_W.z();
+      const auto [low, high] =
+          std::minmax_element(along.begin(), along.begin() + std::ptrdiff_t(within_count));
+      outermost[static_cast<std::size_t>(2 * d)] = static_cast<int>(low - along.begin());
+      outermost[static_cast<std::size_t>(2 * d + 1)] = static_cast<int>(high - along.begin());
     }
     for (const Slot& slot : nearest) choose(slot.index);
-    for (const Slot& slot : outermost) choose(slot.index);
+    for (const int i : outermost) choose(i);
   }
-  for (const int i : chosen)
-    if (!rows.push(rowOf(solid, within[static_cast<std::size_t>(i)], lengths))) break;
+  for (const int i : chosen) {
+    Candidate& point = within[static_cast<std::size_t>(i)];
+    if (normal == NormalKind::Spline) {
+      budget.spend(ScalarField::kSplineWork);
+      point.wide_W = solid.field.splineGradient(point.u);
+    }
+    if (!rows.push(rowOf(solid, point, lengths))) break;
+  }
 }
 
 }  // namespace haptics

@@ -107,7 +107,7 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
                  Budget& budget) HAPTICS_RT {
   const ScalarField& field = solid.field;
   const double ceiling = solid.ceiling(), h = field.voxel(), dt = slab.end - slab.begin;
-  budget.spend(2 * count);
+  budget.spend(count);
 
   // the chords, from where each point is no longer proven free
   lanes::Numbers px{}, py{}, pz{};
@@ -129,8 +129,13 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
     start.y[l] = chords.a.y[l] + from * (chords.b.y[l] - chords.a.y[l]);
     start.z[l] = chords.a.z[l] + from * (chords.b.z[l] - chords.a.z[l]);
   }
+  // in the first slab what is near was surveyed already, at its start
+  const bool first = slab.begin == 0.0;
   lanes::Survey found;
-  solid.survey(start, count, found);
+  if (!first) {
+    solid.survey(start, count, found);
+    budget.spend(count);
+  }
 
   // those that their surroundings do not carry to the end of the slab, moved together
   int left = 0, lane_of[lanes::kLanes];
@@ -141,20 +146,23 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
     const double arm = tree.arm[static_cast<std::size_t>(point.place)];
     const double speed = speed_ + turn_ * arm;
     const double turned = turn_ * dt, sagitta = arm * turned * turned / 8.0;
-    const bool empty = found.empty >> l & 1;
+    const bool empty = first ? point.lipschitz == 0.0 : found.empty >> l & 1;
     // a path stays within the sagitta of its chord, and F within this much of the chord's; a
     // point that already stands there may slide or leave, but go no deeper
-    const double guard = empty ? 0.0 : found.lipschitz[l] * sagitta;
+    const double lipschitz = first ? point.lipschitz : found.lipschitz[l];
+    const double guard = empty ? 0.0 : lipschitz * sagitta;
     const double level =
         std::min(ceiling, std::max(ceiling - guard, point.value + field.roundingMargin()));
-    const double ahead =
-        empty ? found.free[l]
-              : std::min(found.free[l], (level - guard - found.value[l]) / found.lipschitz[l]);
-    if (ahead - 2.0 * sagitta > 0.25 * h) {
-      double& clear = clear_until_[i];
-      clear = slab.begin + chords.from[l] * dt + (ahead - 2.0 * sagitta) / speed;
-      if (clear >= slab.end) continue;
-      chords.from[l] = (clear - slab.begin) / dt;
+    if (!first) {
+      const double ahead =
+          empty ? found.free[l]
+                : std::min(found.free[l], (level - guard - found.value[l]) / lipschitz);
+      if (ahead - 2.0 * sagitta > 0.25 * h) {
+        double& clear = clear_until_[i];
+        clear = slab.begin + chords.from[l] * dt + (ahead - 2.0 * sagitta) / speed;
+        if (clear >= slab.end) continue;
+        chords.from[l] = (clear - slab.begin) / dt;
+      }
     }
     const auto shift = [&](lanes::Numbers& numbers) HAPTICS_RT { numbers[left] = numbers[l]; };
     shift(chords.a.x);

@@ -165,8 +165,8 @@ class Tick {
       return false;
     const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, proxy_.clearance, lengths());
     // a motion that took many ticks to prove is followed by a shorter one
-    if (at_.ticks > kPatience) at_.longest = std::max(lengths().voxel, 0.5 * at_.longest);
     const double length = at_.length;
+    if (at_.ticks > kPatience) at_.longest = std::max(4.0 * lengths().voxel, 0.5 * length);
     double advance = impact.time;
     if (impact.time < 1.0) advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);
     at_.stage = Search::Stage::Look;
