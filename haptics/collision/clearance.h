@@ -43,6 +43,8 @@ class Clearance {
   Verdict collect(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP, double reach,
                   Budget& budget) HAPTICS_RT;
 
+  /// Changes whenever the tool has moved: of one number, near() only ever grows.
+  std::uint32_t search() const HAPTICS_RT { return search_; }
   std::size_t size() const HAPTICS_RT { return found_; }
   const NearPoint& near(std::size_t i) const HAPTICS_RT { return near_[i]; }
   double farthestArm() const HAPTICS_RT { return arm_; }  ///< m, of the points in near()

@@ -43,11 +43,11 @@ MotionRow rowOf(const Isosurface& solid, const Candidate& point,
 }  // namespace
 
 void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
-                const Clearance& near, const Contacts& contacts, const Tolerances& lengths,
-                NormalKind normal, MotionRows& rows, Budget& budget) HAPTICS_RT {
-  rows.clear();
-  for (const Contact& contact : contacts)
-    rows.push({contact.n_W, contact.r_W, room(contact.gap, lengths)});
+                const Clearance& near, const Tolerances& lengths, NormalKind normal,
+                SurfaceRows& surface, Budget& budget) HAPTICS_RT {
+  if (surface.search == near.search()) return;
+  surface.search = near.search();
+  surface.rows.clear();
 
   // the nearest point of each patch of the shell, if its first-order gap lies in the band
   std::array<Candidate, Clearance::kPatches> within;
@@ -90,7 +90,7 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
   if (count > 0) look();
 
   // of too many, those with the least gaps and the outermost
-  FixedVector<int, kMostMotionRows> chosen;
+  FixedVector<int, kMostSurfaceRows> chosen;
   const auto choose = [&](int i) HAPTICS_RT {
     if (std::find(chosen.begin(), chosen.end(), i) == chosen.end()) chosen.push(i);
   };
@@ -130,8 +130,16 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
       budget.spend(ScalarField::kSplineWork);
       point.wide_W = solid.field.splineGradient(point.u);
     }
-    if (!rows.push(rowOf(solid, point, lengths))) break;
+    surface.rows.push(rowOf(solid, point, lengths));
   }
+}
+
+void joinRows(const Contacts& contacts, const SurfaceRows& surface, const Tolerances& lengths,
+              MotionRows& rows) HAPTICS_RT {
+  rows.clear();
+  for (const Contact& contact : contacts)
+    rows.push({contact.n_W, contact.r_W, room(contact.gap, lengths)});
+  for (const MotionRow& row : surface.rows) rows.push(row);
 }
 
 }  // namespace haptics

@@ -8,14 +8,26 @@
 
 namespace haptics {
 
-inline constexpr std::size_t kMostMotionRows = 72;
-using MotionRows = FixedVector<MotionRow, kMostMotionRows>;
+inline constexpr std::size_t kMostSurfaceRows = 48;
 
-/// The rows of step 3: one for every contact that stands in the way (exact normal of its cell) and
-/// one for each of the points nearest to the surface (normal as `normal` says), at most 48 of them:
-/// those with the least gaps, and the outermost in 26 directions.
+/// Rows of points near the surface, and the search in which they were found.
+struct SurfaceRows {
+  FixedVector<MotionRow, kMostSurfaceRows> rows;
+  std::uint32_t search = 0;
+};
+/// Rows of step 3.
+using MotionRows = FixedVector<MotionRow, kMostSurfaceRows + Contacts::capacity()>;
+
+/// The rows of the points nearest to the surface (their normal of this kind), at most 48 of them:
+/// those with the least gaps, and the outermost in 26 directions. Kept while the tool has not
+/// moved.
 void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
-                const Clearance& near, const Contacts& contacts, const Tolerances& lengths,
-                NormalKind normal, MotionRows& rows, Budget& budget) HAPTICS_RT;
+                const Clearance& near, const Tolerances& lengths, NormalKind normal,
+                SurfaceRows& surface, Budget& budget) HAPTICS_RT;
+
+/// All rows of step 3: one for every contact that stands in the way (exact normal of its cell),
+/// and those of the surface.
+void joinRows(const Contacts& contacts, const SurfaceRows& surface, const Tolerances& lengths,
+              MotionRows& rows) HAPTICS_RT;
 
 }  // namespace haptics

@@ -63,8 +63,8 @@ void Sweep::begin(const ScalarField& field, const Clearance& near, const Pose& X
   const double arm = near.farthestArm(), speed = speed_ + turn_ * arm;
   const double bend = arm * turn_ * turn_ / 8.0;  // a chord over dt is bend · dt² away
   duration_ = 1.0;
-  // a survey reaches four voxels: a chord of two stays well within it
-  if (speed > 0.0) duration_ = std::min(duration_, 2.0 * field.voxel() / speed);
+  // a survey reaches four voxels: a chord stays well within it
+  if (speed > 0.0) duration_ = std::min(duration_, kSlab * field.voxel() / speed);
   if (bend > 0.0) duration_ = std::min(duration_, std::sqrt(lengths.sagitta / bend));
 }
 

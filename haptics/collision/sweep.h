@@ -37,6 +37,8 @@ struct Impact {
 /// One that the budget cuts goes on where it stopped.
 class Sweep {
  public:
+  static constexpr double kSlab = 2.0;  ///< voxels of path in a slab at most
+
   explicit Sweep(std::size_t points) : clear_until_(points, 0.0) {}
 
   /// Before a motion from X_WP; `near` holds all points with less clearance than its length.

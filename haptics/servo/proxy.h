@@ -3,6 +3,7 @@
 
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/contact.h"
+#include "haptics/collision/motion_rows.h"
 #include "haptics/collision/sweep.h"
 #include "haptics/core/geometry.h"
 #include "haptics/scene.h"
@@ -38,15 +39,13 @@ struct Search {
   double length = 0.0;  ///< m: of its farthest point
   bool whole = false;   ///< it leads to X_goal without a bend
   Pose X_goal = Pose::Identity();
-  int ticks = 0;  ///< in which it was cut
 
   // the step that led to X, to be halved if X is inside after all
   Pose X_before = Pose::Identity();
   double advance = 0.0;
   int halvings = 0;
 
-  double trust = INFINITY;    ///< m: the longest step worth trying in this tick
-  double longest = INFINITY;  ///< m: the longest step that is proven in reasonable time
+  double trust = INFINITY;  ///< m: the longest step worth trying in this tick
 
   // since the pose that was taken last
   double way = 0.0, turned = 0.0;  ///< m, rad
@@ -75,6 +74,7 @@ struct Proxy {
   Contacts contacts;         ///< met by sweep; constrain the next motion
   int bearing = 0;           ///< rows that bear on it at X_WP
   Clearance clearance;
+  SurfaceRows surface;  ///< of the points near the surface
   Sweep sweep;
   Search search;
   Acceptance acceptance;

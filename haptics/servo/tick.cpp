@@ -71,13 +71,11 @@ class Tick {
       }
       if (!through) {
         // the search goes on in the next tick
-        ++at_.ticks;
         result.cut = true;
         return;
       }
     }
     settle();
-    at_.longest = std::min(lengths().step_free, 2.0 * at_.longest);
     result.cut = budget_.cut();
   }
 
@@ -111,8 +109,9 @@ class Tick {
       case Clearance::Verdict::Legal:
         break;
     }
-    gatherRows(solid_, scene_.tree, at_.X, proxy_.clearance, proxy_.contacts, lengths(),
-               scene_.normal, rows_, budget_);
+    gatherRows(solid_, scene_.tree, at_.X, proxy_.clearance, lengths(), scene_.normal,
+               proxy_.surface, budget_);
+    joinRows(proxy_.contacts, proxy_.surface, lengths(), rows_);
 
     // 3  the nearest motion that leaves every contact its room
     ConstrainedMotion allowed =
@@ -131,31 +130,41 @@ class Tick {
       at_.stage = Search::Stage::Done;
       return true;
     }
-    at_.length = std::min({length, at_.trust, at_.longest});
+    at_.length = std::min(length, at_.trust);
     at_.motion = at_.length < length ? scaled(allowed.twist, at_.length / length) : allowed.twist;
     at_.whole = allowed.active == 0 && at_.length == length && aimed.linear == free.linear &&
                 aimed.angular == free.angular;
     at_.X_goal = X_WD_;
-    at_.ticks = 0;
     at_.stage = Search::Stage::Reach;
     return true;
   }
 
-  /// Collects the points that the motion could bring to the surface. False if cut.
+  /// Collects the points that the motion could bring to the surface; shortens it where they are so
+  /// many that to prove all of it would take too many ticks. False if cut.
   bool reach() HAPTICS_RT {
-    const double reach = std::max(at_.length, lengths().band);
-    switch (proxy_.clearance.collect(solid_, scene_.tree, at_.X, reach, budget_)) {
-      case Clearance::Verdict::Cut:
-        return false;
-      case Clearance::Verdict::Inside:  // not after look()
-        at_.stage = Search::Stage::Done;
-        return true;
-      case Clearance::Verdict::Legal:
-        break;
+    const double slab = Sweep::kSlab * lengths().voxel;
+    const double close = std::max(std::min(at_.length, 2.0 * slab), lengths().band);
+    if (!collected(close)) return false;
+    const auto many = double(proxy_.clearance.size());
+    if (at_.length > close && many <= kMany) {
+      if (!collected(at_.length)) return false;
+    } else {
+      const double slabs = std::max(1.0, (kProofWork / std::max(1.0, many) - 1.0) / 3.0);
+      shorten(std::min(close, slabs * slab));
     }
     proxy_.sweep.begin(scene_.field, proxy_.clearance, at_.X, at_.motion, lengths());
     at_.stage = Search::Stage::Sweep;
     return true;
+  }
+  bool collected(double reach) HAPTICS_RT {
+    return proxy_.clearance.collect(solid_, scene_.tree, at_.X, reach, budget_) ==
+           Clearance::Verdict::Legal;
+  }
+  void shorten(double length) HAPTICS_RT {
+    if (length >= at_.length) return;
+    at_.motion = scaled(at_.motion, length / at_.length);
+    at_.length = length;
+    at_.whole = false;
   }
 
   /// Steps 4 and 5: how far along the motion the tool gets; goes there, and keeps what stood in the
@@ -166,7 +175,6 @@ class Tick {
     const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, proxy_.clearance, lengths());
     // a motion that took many ticks to prove is followed by a shorter one
     const double length = at_.length;
-    if (at_.ticks > kPatience) at_.longest = std::max(4.0 * lengths().voxel, 0.5 * length);
     double advance = impact.time;
     if (impact.time < 1.0) advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);
     at_.stage = Search::Stage::Look;
@@ -243,7 +251,8 @@ class Tick {
     proxy_.contacts = at_.contacts_taken;
   }
 
-  static constexpr int kPatience = 8;  // ticks
+  static constexpr double kMany = 4096;  // near points: then a motion is proven bit by bit
+  static constexpr double kProofWork = 32.0 * double(kTickWork);  // of one sub-step at most
 
   const Scene& scene_;
   const Isosurface solid_;
