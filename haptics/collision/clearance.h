@@ -49,9 +49,9 @@ class Clearance {
   const NearPoint& near(std::size_t i) const HAPTICS_RT { return near_[i]; }
   double farthestArm() const HAPTICS_RT { return arm_; }  ///< m, of the points in near()
 
-  /// Of near(), the points with the least clearance in each of some hundred patches of the shell:
-  /// enough to constrain the motion by, however many points touch.
-  static constexpr int kPatches = 128;
+  /// Of near(), the points with the least clearance in each of some hundreds of patches of the
+  /// shell: enough to constrain the motion by, however many points touch.
+  static constexpr int kPatches = 512;
   /// Calls f with each of them.
   template <class F>
   void eachNearest(F&& f) const HAPTICS_RT {

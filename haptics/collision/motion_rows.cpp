@@ -58,7 +58,7 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
   const auto look = [&]() HAPTICS_RT {
     // alone, a sample and six values
     const bool together = solid.field.kind() == FieldKind::Trilinear;
-    budget.spend(count * (together ? 6 : 7 * solid.field.work()));
+    budget.spend(count * (together ? 3 : 7 * solid.field.work()));
     lanes::Places u;
     lanes::place(map, x.lane, y.lane, z.lane, count, u);
     lanes::Slopes found;
