@@ -189,9 +189,22 @@ int Judge::passages(const Pose& X_from, const Pose& X_to, bool may_go_round) con
         met = inside(at(double(m) / double(steps)));
     }
     if (!met || inside(at(0.0)) || inside(at(1.0))) continue;
+    if (!may_go_round) {
+      ++count;
+      continue;
+    }
+    // along a wall the way between the ends is known no better than this
+    double deepest = 0.0;
+    for (int n = 1; n < 200; ++n) {
+      const Vec3 p_W = at(n / 200.0);
+      const double excess = evaluator::fieldAt(*scene_.volume, p_W) - scene_.isovalue;
+      if (excess >= 0.0)
+        deepest = std::max(deepest, excess / evaluator::slopeAt(*scene_.volume, p_W));
+    }
+    if (deepest < 0.01 * voxel_) continue;
     // a coarse lattice finds most ways, a fine one those through slits
     const auto round = [&](double step) { return wayRound(at(0.0), at(1.0), step * voxel_); };
-    if (!may_go_round || !(round(0.25) || round(0.05))) ++count;
+    if (!round(0.25) && !round(0.05)) ++count;
   }
   return count;
 }

@@ -52,7 +52,7 @@ class Judge {
   /// tool goes straight from one pose to the other. Each path is sampled at a 25th of a voxel.
   /// A method that takes several sub-steps in a tick is seen only at its ends: with
   /// `may_go_round` a point is not counted if free space joins its ends within twice its way and
-  /// two voxels.
+  /// two voxels, or if it grazes the surface by less than a hundredth of a voxel.
   int passages(const Pose& X_from, const Pose& X_to, bool may_go_round) const;
 
  private:
