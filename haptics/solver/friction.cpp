@@ -17,7 +17,8 @@ constexpr std::size_t kMostBearing = 12;  // six at first, and what friction tip
 constexpr int kSweeps = 60;
 constexpr int kRounds = 4;
 constexpr std::int64_t kBearingWork = 6;  // of one bearing in one sweep
-constexpr double kSettled = 1e-6;  // of the free motion: change in a sweep that ends the sweeps
+constexpr double kConverged = 1e-5;  // of the free motion: change in a sweep that ends the sweeps
+constexpr double kSettled = 1e-6;    // of its square: work that counts as none
 
 /// A row that bears, in whitened coordinates, with its reactions.
 struct Bearing {
@@ -84,8 +85,37 @@ void sweepBearings(Bearings& bearings, double mu, double scale, Vector6& y,
       change = std::max(change, more.norm() * std::sqrt(b.tt.trace()));
       b.tangential = tangential;
     }
-    if (change <= kSettled * scale) return;
+    if (change <= kConverged * scale) return;
   }
+}
+
+double workOf(const Bearing& b, const Vector6& y) HAPTICS_RT {
+  return b.tangential.dot(Vec2{b.t1.dot(y), b.t2.dot(y)});
+}
+
+/// The motion nearest to y at which no friction drives its point: those points rest, and every
+/// bearing keeps its motion along its normal.
+Vector6 rested(const Bearings& bearings, const Vector6& y) HAPTICS_RT {
+  Vector6 result = y;
+  FixedVector<Vector6, 6> basis;
+  const auto require = [&](const Vector6& a, double target) {
+    Vector6 z = a;
+    for (int pass = 0; pass < 2; ++pass)
+      for (const Vector6& q : basis) z -= q.dot(z) * q;
+    const double size = z.norm();
+    if (size <= 1e-8 * a.norm() || basis.full()) return;
+    const Vector6 q = z / size;
+    // q is across all that was required before
+    result += (target - a.dot(result)) / size * q;
+    basis.push(q);
+  };
+  for (const Bearing& b : bearings) require(b.n, b.n.dot(y));
+  for (const Bearing& b : bearings)
+    if (workOf(b, y) > 0.0) {
+      require(b.t1, 0.0);
+      require(b.t2, 0.0);
+    }
+  return result;
 }
 
 }  // namespace
@@ -132,11 +162,19 @@ ConstrainedMotion withFriction(const Twist& free, std::span<const MotionRow> row
 
   // what friction does to the motion must be work against it
   double work = 0.0;
-  for (const Bearing& b : bearings) {
-    const Vec2 slip{b.t1.dot(held.whitened), b.t2.dot(held.whitened)};
-    work += b.tangential.dot(slip);
-  }
+  for (const Bearing& b : bearings) work += workOf(b, held.whitened);
   if (work <= kSettled * scale * scale) return held;
+  const Vector6 y = rested(bearings, held.whitened);
+  bool allowed = y.dot(y_free - y) >= 0.0;
+  for (const MotionRow& row : rows) {
+    const Vector6 a = metric.row(row.n_W, row.r_W, R_WP);
+    allowed = allowed && a.dot(y) >= -std::max(row.room, 0.0) - 1e-9 * scale * a.norm();
+  }
+  if (allowed) {
+    held.whitened = y;
+    held.twist = metric.twist(y, R_WP);
+    return held;
+  }
   held.twist = {};
   held.whitened.setZero();
   return held;

@@ -25,7 +25,8 @@ namespace haptics {
 /// Block Gauss-Seidel over the rows that bear, each with its circular cone solved exactly, from the
 /// exact normal reactions; the normal problem is exact again afterwards, so no row is ever violated
 /// (friction may tip the tool onto another: then once more with it). Friction never adds energy:
-/// where the sweeps end before that is so, the tool stays where it is.
+/// where the sweeps end before that is so, the points that it would drive rest; where that is not
+/// allowed, the tool stays where it is.
 ConstrainedMotion withFriction(const Twist& free, std::span<const MotionRow> rows,
                                const MassMetric& metric, const Mat3& R_WP, double mu,
                                const ConstrainedMotion& frictionless, Budget& budget) HAPTICS_RT;
