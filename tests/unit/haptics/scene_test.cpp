@@ -15,7 +15,6 @@ using haptics::FieldKind;
 using haptics::Isosurface;
 using haptics::makeScene;
 using haptics::MotionRow;
-using haptics::MotionRows;
 using haptics::NormalKind;
 using haptics::Pose;
 using haptics::Scene;
@@ -77,15 +76,15 @@ double offTruth(const Scene& scene, NormalKind kind, const Pose& X_WP, Normal&& 
   Budget budget = unlimited();
   EXPECT_EQ(clearance.collect(solid, scene.tree, X_WP, scene.lengths.band, budget),
             haptics::Clearance::Verdict::Legal);
-  MotionRows rows;
-  haptics::gatherRows(solid, scene.tree, X_WP, clearance, {}, scene.lengths, kind, rows, budget);
+  haptics::SurfaceRows surface;
+  haptics::gatherRows(solid, scene.tree, X_WP, clearance, scene.lengths, kind, surface, budget);
   double sum = 0.0;
-  for (const MotionRow& row : rows) {
+  for (const MotionRow& row : surface.rows) {
     const Vec3 n = normal(X_WP.translation() + row.r_W);
     const double angle = std::acos(std::clamp(n.dot(row.n_W), -1.0, 1.0)) * 180.0 / M_PI;
     sum += angle * angle;
   }
-  count += static_cast<int>(rows.size());
+  count += static_cast<int>(surface.rows.size());
   return sum;
 }
 
