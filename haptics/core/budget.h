@@ -28,17 +28,23 @@ class Budget {
   bool left() HAPTICS_RT {
     if (cut_) return false;
     ++spent_;
-    if (spent_ >= work_) cut_ = true;
+    bool used_up = spent_ >= work_;
     // the clock costs as much as thirty units of work: look at it only now and then
     if (deadline_ != 0 && spent_ >= next_look_) {
       next_look_ = spent_ + 400;
-      if (threadTime() >= deadline_) cut_ = true;
+      used_up = used_up || threadTime() >= deadline_;
     }
-    return !cut_;
+    if (!used_up) return true;
+    cut_ = true;
+    cut_at_ = spent_;
+    return false;
   }
   std::int64_t spent() const HAPTICS_RT { return spent_; }
-  /// Whether it was used up, at spent().
+  /// Whether it was used up.
   bool cut() const HAPTICS_RT { return cut_; }
+  /// The count at which it was found to be, 0 if it was not: as much counted work is cut at the
+  /// same place. What is under way then is finished, so spent() may be more.
+  std::int64_t cutAt() const HAPTICS_RT { return cut_at_; }
 
   /// CPU time of the calling thread [ns].
   static std::int64_t threadTime() HAPTICS_RT {
@@ -50,7 +56,7 @@ class Budget {
  private:
   Budget(std::int64_t work, std::int64_t deadline) : work_{work}, deadline_{deadline} {}
   std::int64_t work_, deadline_;
-  std::int64_t spent_ = 0, next_look_ = 0;
+  std::int64_t spent_ = 0, next_look_ = 0, cut_at_ = 0;
   bool cut_ = false;
 };
 

@@ -107,24 +107,39 @@ void run(ServoLoop& loop, std::int64_t& tick, int ticks) {
   }
 }
 
-class EveryHand : public testing::TestWithParam<const char*> {};
+/// A phantom and what is done in it; `points` spreads that many over the tool.
+struct Case {
+  const char* phantom;
+  const char* tool;
+  int points = 0;
+  haptics::SceneOptions options = {};
+  double friction = 0.0;
+};
+constexpr haptics::SceneOptions kSpline{haptics::FieldKind::CubicSpline,
+                                        haptics::NormalKind::Spline};
+
+class EveryHand : public testing::TestWithParam<Case> {};
 
 TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
-  datasets::Phantom made = datasets::makePhantom(GetParam()).value();
+  const Case& with = GetParam();
+  datasets::Phantom made = datasets::makePhantom(with.phantom).value();
   const auto volume = made::shared(std::move(made.volume));
-  const auto scene = haptics::makeScene(volume, namedTool(made.tool)).value();
-  const auto other =
-      haptics::makeScene(volume, namedTool("drill"),
-                         {haptics::FieldKind::CubicSpline, haptics::NormalKind::Spline})
+  const auto mesh = resources::namedToolMesh(with.tool).value();
+  // the hand is aimed with few points, and does the same with many
+  const auto aimed = haptics::makeScene(volume, haptics::makeTool(with.tool, mesh).value()).value();
+  const auto scene =
+      haptics::makeScene(volume, haptics::makeTool(with.tool, mesh, with.points).value(),
+                         with.options)
           .value();
+  const auto other = haptics::makeScene(volume, namedTool("drill"), kSpline).value();
   long touching = 0, recovering = 0, adopted = 0;
   for (const HandMotion motion : kHands) {
     SCOPED_TRACE(int(motion));
-    auto hand = Hand::aimed(motion, *scene, made.isovalue, Hand::reachFor(4e-3, 1000.0, 500.0), 7);
+    auto hand = Hand::aimed(motion, *aimed, made.isovalue, Hand::reachFor(4e-3, 1000.0, 500.0), 7);
     ASSERT_TRUE(hand);
     const Pose start = hand->at(0.0);
     haptics::Grip grip;
-    haptics::Settings settings{.isovalue = made.isovalue};
+    haptics::Settings settings{.isovalue = made.isovalue, .friction = with.friction};
     ServoLoop loop{haptics::openSimulated(std::move(*hand), grip, ServoLoop::kPeriod), settings};
     loop.scenes.offer(std::make_unique<haptics::Engagement>(scene, start));
     std::int64_t tick = 0;
@@ -139,7 +154,7 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
       // the isovalue down so that the tool is buried, and back; then another tool, and back
       settings.isovalue =
           part % 3 == 0 ? volume->least + 0.2 * (made.isovalue - volume->least) : made.isovalue;
-      settings.friction = part % 2 == 0 ? 0.4 : 0.0;
+      settings.friction = part % 2 == 0 ? 0.4 : with.friction;
       loop.settings.publish(settings);
       run(loop, tick, 5);
       loop.snapshots.take(snapshot);
@@ -150,13 +165,20 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
       loop.armed = part % 5 != 4;
     }
   }
-  std::cout << GetParam() << ": " << checked << " ticks so far without a call\n";
+  std::cout << with.phantom << ": " << checked << " ticks so far without a call\n";
   EXPECT_GT(touching, 5);
   EXPECT_GT(recovering, 0);
   EXPECT_GT(adopted, 0);
 }
-INSTANTIATE_TEST_SUITE_P(On, EveryHand, testing::Values("sphere", "gyroid", "demo"),
-                         [](const auto& phantom) { return std::string{phantom.param}; });
+INSTANTIATE_TEST_SUITE_P(
+    On, EveryHand,
+    testing::Values(
+        Case{"sphere", "probe"}, Case{"gyroid", "probe", 0, {}, 0.4}, Case{"demo", "drill"},
+        Case{"halfspace", "drill", 100'000}, Case{"torus", "cane", 0, kSpline},
+        Case{"wedge", "sphere", 3, kSpline, 0.3}, Case{"hole", "peg", 0, {}, 0.2},
+        Case{"slot", "sphere", 1, {haptics::FieldKind::Trilinear, haptics::NormalKind::Cell}},
+        Case{"cylinder", "wrench", 10'000, {}, 0.5}, Case{"marker", "probe", 20'000, kSpline}),
+    [](const auto& with) { return std::string{with.param.phantom}; });
 
 TEST(EveryTick, NeitherAllocatesNorLocksWhateverTheDeviceReads) {
   const Stage stage = stageOf("gyroid", namedTool("probe"));
