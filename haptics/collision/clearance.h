@@ -49,12 +49,15 @@ class Clearance {
   const NearPoint& near(std::size_t i) const HAPTICS_RT { return near_[i]; }
   double farthestArm() const HAPTICS_RT { return arm_; }  ///< m, of the points in near()
 
-  /// Of near(), the points with the least clearance in each of some hundreds of patches of the
-  /// shell: enough to constrain the motion by, however many points touch.
+  /// Calls f with the points of near() that motion is constrained by: all of them, or where they
+  /// are more, the one with the least clearance in each of as many patches of the shell.
   static constexpr int kPatches = 512;
-  /// Calls f with each of them.
   template <class F>
   void eachNearest(F&& f) const HAPTICS_RT {
+    if (found_ <= std::size_t{kPatches}) {
+      for (std::size_t i = 0; i < found_; ++i) f(near_[i]);
+      return;
+    }
     for (int i = 0; i < patches_used_; ++i)
       f(near_[static_cast<std::size_t>(
           nearest_[static_cast<std::size_t>(used_[static_cast<std::size_t>(i)])])]);
