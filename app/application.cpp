@@ -9,7 +9,7 @@
 
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
-#include "haptics/field/smoothing.h"
+#include "haptics/smoothing.h"
 #include "resources/named_tools.h"
 #include "ui/panels/device_panel.h"
 #include "ui/volume_view.h"

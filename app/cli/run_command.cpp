@@ -9,9 +9,9 @@
 #include "app/cli/sources.h"
 #include "app/cli/trace.h"
 #include "haptics/devices/ratings.h"
-#include "haptics/field/smoothing.h"
 #include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/penetration.h"
+#include "haptics/smoothing.h"
 
 namespace app::cli {
 namespace {

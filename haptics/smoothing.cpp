@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/field/smoothing.h"
+#include "haptics/smoothing.h"
 
 #include <algorithm>
 
