@@ -50,11 +50,11 @@ class Clearance {
   double farthestArm() const HAPTICS_RT { return arm_; }  ///< m, of the points in near()
 
   /// Calls f with the points of near() that motion is constrained by: all of them, or where they
-  /// are more, the one with the least clearance in each of as many patches of the shell.
-  static constexpr int kPatches = 512;
+  /// are more than kFew, the one with the least clearance in each of kPatches of the shell.
+  static constexpr int kFew = 512, kPatches = 128;
   template <class F>
   void eachNearest(F&& f) const HAPTICS_RT {
-    if (found_ <= std::size_t{kPatches}) {
+    if (found_ <= std::size_t{kFew}) {
       for (std::size_t i = 0; i < found_; ++i) f(near_[i]);
       return;
     }

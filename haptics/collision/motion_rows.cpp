@@ -50,7 +50,7 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
   surface.rows.clear();
 
   // the nearest point of each patch of the shell, if its first-order gap lies in the band
-  std::array<Candidate, Clearance::kPatches> within;
+  std::array<Candidate, Clearance::kFew> within;
   std::size_t within_count = 0;
   lanes::Numbers x{}, y{}, z{};
   int count = 0;
@@ -110,7 +110,7 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
       *slot = {gap, static_cast<int>(i)};
     }
     // the outermost along the thirteen axes of a cube, either way
-    std::array<double, Clearance::kPatches> along;
+    std::array<double, Clearance::kFew> along;
     std::array<int, 26> outermost;
     for (int d = 0; d < 13; ++d) {
       const double ax = d % 3 - 1, ay = d / 3 % 3 - 1, az = d / 9 - 1;
