@@ -173,7 +173,6 @@ class Tick {
     if (!proxy_.sweep.advance(solid_, scene_.tree, proxy_.clearance, lengths(), budget_))
       return false;
     const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, proxy_.clearance, lengths());
-    // a motion that took many ticks to prove is followed by a shorter one
     const double length = at_.length;
     double advance = impact.time;
     if (impact.time < 1.0) advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);
@@ -283,6 +282,7 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
     proxy.acceptance.forget();
     proxy.recovery.active = false;
     proxy.search = {};
+    proxy.bearing = 0;
   }
   if (!proxy.recovery.active)
     Tick{scene, isovalue, coupling.friction, X_WD, proxy, budget}.run(result);
