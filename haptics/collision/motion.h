@@ -36,21 +36,15 @@ class PointPath {
   }
   /// Bound on the distance travelled in unit time [m].
   double speed() const HAPTICS_RT { return speed_; }
-  /// Bound on how far the path leaves its chord over a time dt [m].
-  double sagitta(double dt) const HAPTICS_RT {
-    const double turned = angle_ * dt;
-    return arm_ * turned * turned / 8.0;
-  }
-  /// The longest dt whose chord keeps within `sagitta` [m]; infinite for a straight path.
-  double chordTime(double sagitta) const HAPTICS_RT {
-    const double bend = arm_ * angle_ * angle_ / 8.0;
-    return bend > 0.0 ? std::sqrt(sagitta / bend) : INFINITY;
-  }
 
  private:
   Vec3 centre_, v_, across_, ahead_;
   double angle_, arm_, speed_;
 };
+
+/// Bound on how far a point at a distance `arm` [m] from the tool's origin leaves its chord while
+/// the tool turns by `angle` [rad]: the sagitta of the arc, and no translation adds to it.
+inline double sagitta(double arm, double angle) HAPTICS_RT { return arm * angle * angle / 8.0; }
 
 /// The pose after a fraction t of the motion.
 inline Pose moved(const Pose& X_WP, const Twist& motion, double t) HAPTICS_RT {

@@ -6,44 +6,6 @@
 
 namespace haptics {
 
-Crossing firstCrossing(const Isosurface& solid, const PointPath& path, double from, double to,
-                       double start_value, const Tolerances& lengths, Budget& budget) HAPTICS_RT {
-  const ScalarField& field = solid.field;
-  const double ceiling = solid.ceiling(), h = field.voxel(), speed = path.speed();
-  if (speed <= 0.0) return {to, false};
-  const double longest = std::min(path.chordTime(lengths.sagitta), 1.5 * h / speed);
-  double t = from;
-  while (t < to) {
-    const Vec3 u = field.indexOf(path.at(t));
-    budget.spend(2);
-    const MaxPyramid::Bound bound = field.pyramid().bound(u, ceiling);
-    if (bound.lipschitz == 0.0) {
-      t += bound.radius / speed;
-      continue;
-    }
-    const double dt = std::min(longest, to - t);
-    // a path stays within the sagitta of its chord, and F within this much of the chord's; a
-    // point that already stands there may slide or leave, but go no deeper
-    const double guard = bound.lipschitz * path.sagitta(dt);
-    const double level =
-        std::min(ceiling, std::max(ceiling - guard, start_value + field.roundingMargin()));
-    // conservative advancement where the field is far below
-    budget.spend(field.work());
-    const double ahead = (level - guard - field.value(u)) / bound.lipschitz;
-    if (ahead > 0.75 * h) {
-      t += std::min(ahead, bound.radius) / speed;
-      continue;
-    }
-    const Vec3 u_end = field.indexOf(path.at(t + dt));
-    const double tolerance = lengths.root / std::max(speed * dt, lengths.root);
-    const double reach = field.firstReach(u, u_end, level, tolerance, budget);
-    if (reach <= 1.0) return {t + reach * dt, true};
-    t += dt;
-    if (!budget.left()) return {std::min(t, to), false};
-  }
-  return {to, false};
-}
-
 /// A slice of the motion's time, and the tool at its two ends.
 struct Sweep::Slab {
   double begin, end;
@@ -61,7 +23,7 @@ void Sweep::begin(const ScalarField& field, const Clearance& near, const Pose& X
   time_ = 1.0;
   met_ = -1;
   const double arm = near.farthestArm(), speed = speed_ + turn_ * arm;
-  const double bend = arm * turn_ * turn_ / 8.0;  // a chord over dt is bend · dt² away
+  const double bend = sagitta(arm, turn_);  // a chord over dt is bend · dt² away
   duration_ = 1.0;
   // a survey reaches four voxels: a chord stays well within it
   if (speed > 0.0) duration_ = std::min(duration_, kSlab * field.voxel() / speed);
@@ -145,21 +107,21 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
     const NearPoint& point = near.near(i);
     const double arm = tree.arm[static_cast<std::size_t>(point.place)];
     const double speed = speed_ + turn_ * arm;
-    const double turned = turn_ * dt, sagitta = arm * turned * turned / 8.0;
+    const double bulge = sagitta(arm, turn_ * dt);
     const bool empty = first ? point.lipschitz == 0.0 : found.empty >> l & 1;
     // a path stays within the sagitta of its chord, and F within this much of the chord's; a
     // point that already stands there may slide or leave, but go no deeper
     const double lipschitz = first ? point.lipschitz : found.lipschitz[l];
-    const double guard = empty ? 0.0 : lipschitz * sagitta;
+    const double guard = empty ? 0.0 : lipschitz * bulge;
     const double level =
         std::min(ceiling, std::max(ceiling - guard, point.value + field.roundingMargin()));
     if (!first) {
       const double ahead =
           empty ? found.free[l]
                 : std::min(found.free[l], (level - guard - found.value[l]) / lipschitz);
-      if (ahead - 2.0 * sagitta > 0.25 * h) {
+      if (ahead - 2.0 * bulge > 0.25 * h) {
         double& clear = clear_until_[i];
-        clear = slab.begin + chords.from[l] * dt + (ahead - 2.0 * sagitta) / speed;
+        clear = slab.begin + chords.from[l] * dt + (ahead - 2.0 * bulge) / speed;
         if (clear >= slab.end) continue;
         chords.from[l] = (clear - slab.begin) / dt;
       }

@@ -10,17 +10,6 @@
 
 namespace haptics {
 
-/// The first time in [from, to] at which a point on its path may reach `level`, never later than
-/// it does and at most `root` [m] of path (plus the sagitta's effect) earlier; `to` if it stays
-/// below. Exact: along a chord within a cell the field is a polynomial, whose first root is
-/// isolated in Bernstein form; what is skipped is proven free by the pyramid's bounds.
-struct Crossing {
-  double time = 1.0;
-  bool met = false;
-};
-Crossing firstCrossing(const Isosurface& solid, const PointPath& path, double from, double to,
-                       double start_value, const Tolerances& lengths, Budget& budget) HAPTICS_RT;
-
 /// How far the tool gets.
 struct Impact {
   double time = 1.0;  ///< fraction of the motion that is certainly free

@@ -14,6 +14,7 @@
 #include "haptics/collision/sweep.h"
 #include "tests/support/evaluator.h"
 #include "tests/unit/haptics/made.h"
+#include "tests/unit/haptics/one_point.h"
 
 /// Random arcs through volumes that are hard on collision detection, and what a dense sampling of
 /// the field in double says of each.
@@ -171,7 +172,7 @@ inline haptics::Twist anyMotion(made::Random& random) {
 }
 
 /// Arcs of one point, up to 20 mm from the tool's origin, each with the collision detection of a
-/// point.
+/// tool of one point.
 inline Tally shootPoints(const Target& target, long count, made::Random& random) {
   Tally tally;
   while (tally.arcs < count) {
@@ -179,13 +180,10 @@ inline Tally shootPoints(const Target& target, long count, made::Random& random)
         target.isovalues[static_cast<std::size_t>(random.below(int(target.isovalues.size())))];
     const haptics::Isosurface solid{target.field, s};
     const Vec3 r = random.in(0.0, 0.02) * random.direction();
-    const haptics::PointPath path{random.box(target.half) - r, r, anyMotion(random)};
+    const made::Arc path{random.box(target.half) - r, r, anyMotion(random)};
     if (evaluator::fieldAt(*target.volume, path.at(0.0)) >= solid.ceiling()) continue;
     ++tally.arcs;
-    haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
-    const haptics::Crossing crossing = haptics::firstCrossing(
-        solid, path, 0.0, 1.0, target.field.value(target.field.indexOf(path.at(0.0))),
-        haptics::Tolerances{h}, unlimited);
+    const made::Crossing crossing = made::crossed(solid, path, haptics::Tolerances{h});
     judge(target, s, firstInside(target, s, path), path.speed(), path, crossing.time, crossing.met,
           tally);
   }

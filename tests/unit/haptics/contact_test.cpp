@@ -48,22 +48,16 @@ TEST(PointPath, IsTheLineOfTheOriginAndTheTurnAboutIt) {
 TEST(PointPath, NeverOutrunsItsSpeedNorLeavesItsSagitta) {
   Random random{42};
   for (int n = 0; n < 500; ++n) {
-    const PointPath path{random.box(0.1),
-                         random.box(0.05),
-                         {random.box(0.02), random.in(0.0, 3.0) * random.direction()}};
+    const Vec3 r = random.box(0.05), turn = random.in(0.0, 3.0) * random.direction();
+    const PointPath path{random.box(0.1), r, {random.box(0.02), turn}};
     const double a = random.in(0.0, 0.8), dt = random.in(0.0, 0.2), b = a + dt;
     EXPECT_LE((path.at(b) - path.at(a)).norm(), path.speed() * dt * (1 + 1e-12));
+    const double bulge = haptics::sagitta(r.norm(), turn.norm() * dt);
     for (const double share : {0.25, 0.5, 0.75}) {
       const Vec3 chord = path.at(a) + share * (path.at(b) - path.at(a));
-      EXPECT_LE((path.at(a + share * dt) - chord).norm(), path.sagitta(dt) * (1 + 1e-9) + 1e-16);
-    }
-    const double time = path.chordTime(1e-7);
-    if (std::isfinite(time)) {
-      EXPECT_NEAR(path.sagitta(time), 1e-7, 1e-16);
+      EXPECT_LE((path.at(a + share * dt) - chord).norm(), bulge * (1 + 1e-9) + 1e-16);
     }
   }
-  const PointPath straight{Vec3::Zero(), Vec3::UnitX(), {Vec3::UnitZ(), Vec3::Zero()}};
-  EXPECT_TRUE(std::isinf(straight.chordTime(1e-9)));
 }
 
 TEST(Moved, StaysARotationAfterAMillionSteps) {

@@ -7,23 +7,23 @@
 #include "haptics/field/scalar_field.h"
 #include "tests/support/evaluator.h"
 #include "tests/unit/haptics/made.h"
+#include "tests/unit/haptics/one_point.h"
 #include "tests/unit/haptics/spline_reference.h"
 
 namespace {
 
 using haptics::Budget;
-using haptics::Crossing;
 using haptics::FieldKind;
 using haptics::FieldSample;
 using haptics::Grid;
 using haptics::Isosurface;
 using haptics::MaxPyramid;
-using haptics::PointPath;
 using haptics::ScalarField;
 using haptics::ScalarType;
 using haptics::Tolerances;
 using haptics::Vec3;
 using haptics::Volume;
+using made::Crossing;
 using made::Random;
 
 constexpr double h = 1e-3;  // m: the voxel where nothing else is said
@@ -278,7 +278,7 @@ void shoot(const Volume& made_volume, const std::vector<double>& isovalues, doub
     const double s = isovalues[static_cast<std::size_t>(random.below(int(isovalues.size())))];
     const Isosurface solid{field, s};
     const Vec3 r = random.in(0.0, 0.02) * random.direction();
-    const PointPath path{random.box(half) - r,
+    const made::Arc path{random.box(half) - r,
                          r,
                          {3e-3 * random.in(0.0, 1.0) * random.direction(),
                           0.35 * random.in(0.0, 1.0) * random.direction()}};
@@ -286,9 +286,7 @@ void shoot(const Volume& made_volume, const std::vector<double>& isovalues, doub
     if (start >= solid.ceiling()) continue;
     --arcs;
     ++tally.arcs;
-    Budget budget = unlimited();
-    const Crossing crossing =
-        haptics::firstCrossing(solid, path, 0.0, 1.0, start, Tolerances{h}, budget);
+    const Crossing crossing = made::crossed(solid, path, Tolerances{h});
     double first = 2.0;
     for (int n = 0; n <= samples && first > 1.0; ++n) {
       const double t = double(n) / samples;

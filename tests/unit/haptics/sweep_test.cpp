@@ -7,29 +7,24 @@
 
 #include "tests/arcs/arcs.h"
 #include "tests/unit/haptics/made.h"
+#include "tests/unit/haptics/one_point.h"
 
 namespace {
 
-using haptics::Budget;
-using haptics::Crossing;
 using haptics::Grid;
 using haptics::Isosurface;
-using haptics::PointPath;
 using haptics::ScalarField;
 using haptics::Tolerances;
 using haptics::Twist;
 using haptics::Vec3;
+using made::Arc;
+using made::Crossing;
 using made::Random;
 
 constexpr double h = 1e-3;  // m: the voxel of these volumes
 
-Budget unlimited() { return Budget::counted(std::numeric_limits<std::int64_t>::max()); }
-
-Crossing cross(const Isosurface& solid, const PointPath& path) {
-  Budget budget = unlimited();
-  return haptics::firstCrossing(solid, path, 0.0, 1.0,
-                                solid.field.value(solid.field.indexOf(path.at(0.0))), Tolerances{h},
-                                budget);
+Crossing cross(const Isosurface& solid, const Arc& path) {
+  return made::crossed(solid, path, Tolerances{h});
 }
 
 TEST(FirstCrossing, OfAPlaneIsWhereTheClosedFormSays) {
@@ -42,7 +37,7 @@ TEST(FirstCrossing, OfAPlaneIsWhereTheClosedFormSays) {
   int met = 0, missed = 0;
   for (int n = 0; n < 2000; ++n) {
     const Vec3 c{random.in(-5e-3, 5e-3), random.in(-5e-3, 5e-3), random.in(1e-4, 5e-3)};
-    const PointPath path{c, Vec3::Zero(), {5e-3 * random.direction(), Vec3::Zero()}};
+    const Arc path{c, Vec3::Zero(), {5e-3 * random.direction(), Vec3::Zero()}};
     const double fall = c.z() - path.at(1.0).z();
     const Crossing crossing = cross(solid, path);
     if (fall < c.z()) {
@@ -72,7 +67,7 @@ TEST(FirstCrossing, OfAnArcWithAPlaneIsWhereTheClosedFormSays) {
     const double height = random.in(0.5e-3, 8e-3), arm = random.in(1.1, 2.0) * height;
     const double angle = 1.2 + random.in(0.0, 0.5);
     if (height / arm > std::sin(std::min(angle, M_PI / 2))) continue;
-    const PointPath path{{0, 0, height}, {arm, 0, 0}, {Vec3::Zero(), {0, angle, 0}}};
+    const Arc path{{0, 0, height}, {arm, 0, 0}, {Vec3::Zero(), {0, angle, 0}}};
     const Crossing crossing = cross(solid, path);
     ASSERT_TRUE(crossing.met);
     const double z = path.at(crossing.time).z();
@@ -93,7 +88,7 @@ TEST(FirstCrossing, OfASphereIsWhereTheClosedFormSays) {
     const Vec3 from = 18e-3 * random.direction();
     const Vec3 to = 15e-3 * random.direction();
     const Vec3 way = to - from;
-    const PointPath path{from, Vec3::Zero(), {way, Vec3::Zero()}};
+    const Arc path{from, Vec3::Zero(), {way, Vec3::Zero()}};
     // |from + t way| = radius
     const double a = way.squaredNorm(), b = from.dot(way), c = from.squaredNorm() - radius * radius;
     const double inner = b * b - a * c;
@@ -156,23 +151,24 @@ TEST(Sweep, OfAWholeShellMissesNothing) {
   }
 }
 
-TEST(FirstCrossing, OfABudgetThatIsUsedUpIsEarlyNeverLate) {
+TEST(FirstCrossing, ThatTheBudgetCutsIsFoundAllTheSame) {
   Random random{37};
   const auto volume = made::noise(made::centred(30, h), 38);
   const ScalarField field{made::shared(volume)};
   const Isosurface solid{field, 150.0};
-  int cut = 0;
+  int cut = 0, met = 0;
   for (int n = 0; n < 2000; ++n) {
-    const PointPath path{random.box(10e-3), random.box(5e-3), {random.box(8e-3), random.box(0.3)}};
+    const Arc path{random.box(10e-3), random.box(5e-3), {random.box(8e-3), random.box(0.3)}};
     if (solid.inside(path.at(0.0))) continue;
     const Crossing whole = cross(solid, path);
-    Budget little = Budget::counted(random.below(12));
-    const Crossing part = haptics::firstCrossing(
-        solid, path, 0.0, 1.0, field.value(field.indexOf(path.at(0.0))), Tolerances{h}, little);
-    EXPECT_LE(part.time, whole.time);
-    cut += part.time < whole.time;
+    const Crossing parts = made::crossed(solid, path, Tolerances{h}, 2 + random.below(12));
+    EXPECT_EQ(parts.time, whole.time);
+    EXPECT_EQ(parts.met, whole.met);
+    cut += parts.cuts > 0;
+    met += whole.met;
   }
   EXPECT_GT(cut, 200);
+  EXPECT_GT(met, 100);
 }
 
 }  // namespace
