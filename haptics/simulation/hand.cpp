@@ -264,7 +264,8 @@ Pose Hand::scripted(double t) const HAPTICS_RT {
       break;
     }
     case HandMotion::Jerk: {
-      // a new target every 200 ms, reached in 20 ms: up to 50 mm and 1.5 rad away
+      // a new target every 200 ms, reached in 20 ms: up to 50 mm and 1.5 rad from the surface, as
+      // often before it as beyond
       const auto beat = static_cast<std::uint64_t>(s / 0.2);
       const double share = smooth((s - 0.2 * double(beat)) / 0.02);
       const auto target = [&](std::uint64_t n, Vec3& place, Vec3& turn) {
@@ -273,8 +274,8 @@ Pose Hand::scripted(double t) const HAPTICS_RT {
           return;
         }
         const std::uint64_t k = 16 * n;
-        place = Vec3{uniform(seed_, k) - 0.5, uniform(seed_, k + 1) - 0.5,
-                     uniform(seed_, k + 2) - 0.25};
+        place =
+            Vec3{uniform(seed_, k) - 0.5, uniform(seed_, k + 1) - 0.5, uniform(seed_, k + 2) - 0.5};
         turn = Vec3{uniform(seed_, k + 3) - 0.5, uniform(seed_, k + 4) - 0.5,
                     uniform(seed_, k + 5) - 0.5};
         place = 0.050 * place / std::max(0.5, place.norm());
