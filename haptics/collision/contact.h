@@ -16,11 +16,12 @@ enum class NormalKind {
 
 /// One shell point and the surface it met.
 struct Contact {
-  int point = 0;            ///< index into the shell
-  Vec3 r_W = Vec3::Zero();  ///< the point about the tool's origin, in W [m]
-  Vec3 p_W = Vec3::Zero();  ///< where it stopped
-  Vec3 n_W = Vec3::Zero();  ///< unit normal of the cell in which it met the surface, outwards
-  double gap = 0.0;         ///< m along n left to the surface, to first order; negative inside
+  int point = 0;              ///< index into the shell
+  Vec3 r_W = Vec3::Zero();    ///< the point about the tool's origin, in W [m]
+  Vec3 n_W = Vec3::Zero();    ///< unit normal of the cell in which it met the surface, outwards
+  double gap = 0.0;           ///< m along n left to the surface, to first order; negative inside
+  Vec3 met_W = Vec3::Zero();  ///< where the point stood when it met it
+  double met_gap = 0.0;       ///< the gap there
 };
 
 /// Contacts that sweep met and that stood in the way; kept from tick to tick until prune lets go

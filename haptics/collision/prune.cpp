@@ -15,17 +15,15 @@ bool standsInTheWay(const Isosurface& solid, const Vec3& c_W, const Vec3& r_W, c
 }
 
 void prune(const Isosurface& solid, const PointShell& shell, const Pose& X_WP, const Twist& free,
-           double epsilon, Contacts& contacts, Budget& budget) HAPTICS_RT {
+           const Tolerances& lengths, Contacts& contacts, Budget& budget) HAPTICS_RT {
   for (std::size_t i = 0; i < contacts.size();) {
     Contact& contact = contacts[i];
     contact.r_W = X_WP.linear() * shell.points[static_cast<std::size_t>(contact.point)];
-    const Vec3 p_W = X_WP.translation() + contact.r_W;
-    const Vec3 moved = p_W - contact.p_W;
+    const Vec3 moved = X_WP.translation() + contact.r_W - contact.met_W;
     budget.spend(solid.field.work());
-    if (moved.norm() <= epsilon &&
-        standsInTheWay(solid, X_WP.translation(), contact.r_W, free, epsilon)) {
-      contact.gap += contact.n_W.dot(moved);
-      contact.p_W = p_W;
+    if (moved.norm() <= lengths.rest_gap &&
+        standsInTheWay(solid, X_WP.translation(), contact.r_W, free, lengths.epsilon)) {
+      contact.gap = contact.met_gap + contact.n_W.dot(moved);
       ++i;
     } else {
       contacts.dropUnordered(i);

@@ -16,10 +16,11 @@ bool standsInTheWay(const Isosurface& solid, const Vec3& c_W, const Vec3& r_W, c
                     double epsilon) HAPTICS_RT;
 
 /// Step 2: verifies the contacts at the proxy's pose. Those that no longer stand in the way of
-/// `free`, or have moved more than epsilon from where they were met, are dropped; the others keep
-/// their normal, which is that of the cell beyond, not of the one the point stands in, and get
-/// the gap that is left along it.
+/// `free`, or whose points are more than a rest gap from where they met the surface, are dropped;
+/// the others keep their normal, which is that of the cell beyond, not of the one the point stands
+/// in, and get the gap that is left along it. A plane with the normal of one cell is the surface's
+/// no farther than that: kept longer, it holds the tool up in mid air, and lets it fall.
 void prune(const Isosurface& solid, const PointShell& shell, const Pose& X_WP, const Twist& free,
-           double epsilon, Contacts& contacts, Budget& budget) HAPTICS_RT;
+           const Tolerances& lengths, Contacts& contacts, Budget& budget) HAPTICS_RT;
 
 }  // namespace haptics

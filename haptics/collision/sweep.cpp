@@ -179,7 +179,7 @@ Impact Sweep::impact(const Isosurface& solid, const ShellTree& tree, const Clear
   contact.point =
       tree.index[static_cast<std::size_t>(near.near(static_cast<std::size_t>(met_)).place)];
   contact.r_W = X_.linear() * pointOf(tree, near, met_);
-  contact.p_W = X_.translation() + contact.r_W;
+  contact.met_W = X_.translation() + contact.r_W;
   // just beyond the crossing, so that a crossing on a face belongs to the cell behind it
   const PointPath path{X_.translation(), contact.r_W, motion_};
   const Vec3 beyond = path.at(time_ + lengths.root / path.speed());
@@ -187,7 +187,8 @@ Impact Sweep::impact(const Isosurface& solid, const ShellTree& tree, const Clear
   const double slope = sample.gradient_W.norm();
   if (slope > 0.0) {
     contact.n_W = -sample.gradient_W / slope;
-    contact.gap = (solid.ceiling() - sample.value) / slope + contact.n_W.dot(contact.p_W - beyond);
+    contact.gap = contact.met_gap =
+        (solid.ceiling() - sample.value) / slope + contact.n_W.dot(contact.met_W - beyond);
   }
   return impact;
 }

@@ -17,7 +17,7 @@
 namespace haptics {
 namespace {
 
-constexpr int kSubSteps = 5;          // moves, and blocked tries, in one tick
+constexpr int kSubSteps = 8;          // moves, and blocked tries, in one tick
 constexpr double kLargestTurn = 0.3;  // rad in one sub-step
 
 /// How far the farthest point of the tool travels at most [m].
@@ -96,7 +96,7 @@ class Tick {
 
     // 2  which of its contacts still stand in that way, and which points are near the surface
     if (at_.fresh)
-      prune(solid_, scene_.tool.shell, at_.X, free, lengths().epsilon, proxy_.contacts, budget_);
+      prune(solid_, scene_.tool.shell, at_.X, free, lengths(), proxy_.contacts, budget_);
     switch (proxy_.clearance.collect(solid_, scene_.tree, at_.X, lengths().band, budget_)) {
       case Clearance::Verdict::Cut:
         return false;

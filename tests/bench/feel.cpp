@@ -31,6 +31,22 @@ std::vector<T> smoothed(const std::vector<T>& values, double deviation) {
   return out;
 }
 
+double square(double x) { return x * x; }
+double square(const Vec3& x) { return x.squaredNorm(); }
+
+/// rms of the values less their Gaussian mean, without so many at either edge; not a number if
+/// nothing is left.
+template <class T>
+double rmsOfFine(const std::vector<T>& values, double deviation, std::size_t edge) {
+  const std::vector<T> slow = smoothed(values, deviation);
+  double squares = 0.0, count = 0.0;
+  for (std::size_t n = edge; n + edge < values.size(); ++n) {
+    squares += square(values[n] - slow[n]);
+    ++count;
+  }
+  return std::sqrt(squares / count);
+}
+
 /// A row of places along which the ball would just touch.
 struct Path {
   std::vector<double> height;    ///< m along `in` from the first touch, one for each step
@@ -48,7 +64,7 @@ double touchFrom(const Judge& judge, const Vec3& p_W, const Vec3& in, double vox
   double outside = 0.0;
   while (outside < most && free(outside + 0.5 * voxel)) outside += 0.5 * voxel;
   double inside = outside + 0.5 * voxel;
-  for (int n = 0; n < 6; ++n) {
+  for (int n = 0; n < 12; ++n) {
     const double middle = 0.5 * (outside + inside);
     (free(middle) ? outside : inside) = middle;
   }
@@ -111,28 +127,32 @@ std::vector<FeelSummary> compareFeel(const Case& scene, const haptics::Scene& si
   for (int n = 0; n < slide; ++n) device.push_back(placeAt(1e-3 * n * plan.speed, plan.depth));
   if (!judge.legal(device.front())) return {};
 
+  // from a tenth of a second after the ball set off
+  constexpr std::size_t kFirst = kDown + 100;
+  const double deviation = 0.5 * voxel / (1e-3 * plan.speed);
+  const auto edge = static_cast<std::size_t>(std::ceil(3.0 * deviation));
+  std::vector<double> height;
+  for (std::size_t n = kFirst; n < device.size(); ++n) {
+    const double above = plan.depth + 0.0015;
+    height.push_back(touchFrom(judge, device[n].translation() - above * in, in, voxel, 0.004));
+  }
+  const double surface = rmsOfFine(height, deviation, edge);
+  if (std::isnan(surface)) return {};
+
   auto methods = allMethods(scene, *built, limit);
   const std::vector<Track> tracks = follow(methods, {{"slide", device, false}});
   std::vector<FeelSummary> summaries;
   for (const Track& track : tracks) {
-    // from a tenth of a second after the ball set off
     std::vector<Vec3> force;
-    for (std::size_t n = kDown + 100; n < device.size(); ++n)
+    for (std::size_t n = kFirst; n < device.size(); ++n)
       force.push_back(track.ticks.front()[n].force);
-    const double deviation = 0.5 * voxel / (1e-3 * plan.speed);
-    const std::vector<Vec3> slow = smoothed(force, deviation);
     FeelSummary summary{track.method};
-    double squares = 0.0, count = 0.0;
-    const auto edge = static_cast<std::size_t>(std::ceil(3.0 * deviation));
     for (std::size_t n = edge; n + edge < force.size(); ++n) {
-      squares += (force[n] - slow[n]).squaredNorm();
-      summary.mean_force_N += force[n].norm();
+      summary.mean_force_N += force[n].norm() / double(force.size() - 2 * edge);
       summary.largest_step_N = std::max(summary.largest_step_N, (force[n] - force[n - 1]).norm());
-      ++count;
     }
-    if (count == 0.0) return {};
-    summary.fine_noise_N = std::sqrt(squares / count);
-    summary.mean_force_N /= count;
+    summary.fine_noise_N = rmsOfFine(force, deviation, edge);
+    summary.surface_fine_mm = 1e3 * surface;
     summaries.push_back(summary);
   }
   return summaries;

@@ -17,6 +17,9 @@ struct FeelSummary {
   double fine_noise_N = 0.0;
   double largest_step_N = 0.0;  ///< of the force, from one tick to the next
   double mean_force_N = 0.0;
+  /// rms of the heights at which the ball just touches along the same path, less their mean
+  /// likewise [mm]; of the surface, not of the method, which feels it times the stiffness
+  double surface_fine_mm = 0.0;
 };
 
 /// How the slide goes.

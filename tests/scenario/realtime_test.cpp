@@ -114,6 +114,10 @@ struct Case {
   int points = 0;
   haptics::SceneOptions options = {};
   double friction = 0.0;
+
+  friend void PrintTo(const Case& with, std::ostream* out) {
+    *out << with.phantom << " with " << with.tool;
+  }
 };
 constexpr haptics::SceneOptions kSpline{haptics::FieldKind::CubicSpline,
                                         haptics::NormalKind::Spline};

@@ -19,6 +19,7 @@ using haptics::PointPath;
 using haptics::Pose;
 using haptics::Quat;
 using haptics::ScalarField;
+using haptics::Tolerances;
 using haptics::Twist;
 using haptics::Vec3;
 using made::at;
@@ -127,22 +128,40 @@ TEST(Prune, DropsContactsThatWereLeftOrHaveMovedAwayAndKeepsTheGapsOfTheOthers) 
   const Pose X = at(0, 0, 0.4 * epsilon);
   const Vec3 n = Vec3{0.1, 0, 1}.normalized();  // a normal of its own: it is to be kept
   const auto contact = [&](int point, const Vec3& met_at) {
-    return Contact{point, Vec3::Zero(), met_at, n, 0.3 * epsilon};
+    return Contact{point, Vec3::Zero(), n, 0.0, met_at, 0.3 * epsilon};
   };
   Contacts contacts;
   contacts.push(contact(0, Vec3{5e-3, 0, 0.8 * epsilon}));       // 0.4 epsilon further up
   contacts.push(contact(1, Vec3{-5e-3 + 2.0 * epsilon, 0, 0}));  // two epsilon aside
   Budget budget = unlimited();
-  haptics::prune(space.solid, shell, X, {{0, 0, -1e-3}, Vec3::Zero()}, epsilon, contacts, budget);
+  haptics::prune(space.solid, shell, X, {{0, 0, -1e-3}, Vec3::Zero()}, Tolerances{h}, contacts,
+                 budget);
   ASSERT_EQ(contacts.size(), 1u);
   EXPECT_EQ(contacts[0].point, 0);
   EXPECT_EQ(contacts[0].n_W, n);
   EXPECT_NEAR(contacts[0].gap, 0.3 * epsilon - 0.4 * epsilon * n.z(), 1e-12);
-  EXPECT_TRUE(contacts[0].p_W.isApprox(Vec3{5e-3, 0, 0.4 * epsilon}, 1e-12));
   EXPECT_TRUE(contacts[0].r_W.isApprox(Vec3{5e-3, 0, 0}, 1e-12));
   // a turn that lifts this point and presses the other lets go of it
-  haptics::prune(space.solid, shell, X, {Vec3::Zero(), {0, -0.5, 0}}, epsilon, contacts, budget);
+  haptics::prune(space.solid, shell, X, {Vec3::Zero(), {0, -0.5, 0}}, Tolerances{h}, contacts,
+                 budget);
   EXPECT_TRUE(contacts.empty());
+}
+
+// a plane that is kept while the tool slides off it, a little in each tick, carries it in mid air
+TEST(Prune, LetsGoOfAContactThatCreepsAway) {
+  const HalfSpace space;
+  const Tolerances lengths{h};
+  const haptics::PointShell shell = haptics::makeShell({{0, 0, 0}}).value();
+  const Vec3 met{0, 0, 0.2 * lengths.rest_gap};
+  Contacts contacts;
+  contacts.push({0, Vec3::Zero(), Vec3::UnitZ(), 0.0, met, 0.2 * lengths.rest_gap});
+  double crept = 0.0;
+  for (; crept < 3.0 * lengths.rest_gap && !contacts.empty(); crept += 0.1 * lengths.rest_gap) {
+    Budget budget = unlimited();
+    haptics::prune(space.solid, shell, at(met.x() + crept, 0, met.z()),
+                   {{1e-4, 0, -1e-3}, Vec3::Zero()}, lengths, contacts, budget);
+  }
+  EXPECT_NEAR(crept, 1.1 * lengths.rest_gap, 0.11 * lengths.rest_gap);
 }
 
 TEST(Clearance, ProvesHowFarEveryPointItLeavesOutMayGo) {
