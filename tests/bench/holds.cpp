@@ -109,13 +109,13 @@ std::vector<HoldSummary> compareHolds(std::vector<std::unique_ptr<Method>>& meth
                                       const haptics::PointShell& shell, const Judge& judge,
                                       const HoldPlan& plan) {
   struct Values {
-    std::vector<double> at_8, at_64, rest, slack;
+    std::vector<double> at_8, same_start, at_64, rest, slack;
   };
   std::vector<Values> values(methods.size());
   Nudge nudge{13};
   for (const Hold& hold : holds) {
     // the least distance, by many ways
-    double least = INFINITY;
+    double least = INFINITY, straight = INFINITY;
     for (int way = 0; way <= plan.detours; ++way) {
       unhurried.start(hold.X_start);
       const Pose X_by = way == 0 ? hold.X_WD : nudge(hold.X_WD, 0.002, 0.10);
@@ -124,7 +124,9 @@ std::vector<HoldSummary> compareHolds(std::vector<std::unique_ptr<Method>>& meth
       for (int n = 1; n <= kMove; ++n) unhurried.tick(between(X_by, hold.X_WD, double(n) / kMove));
       Tick last;
       for (int n = 0; n < 64; ++n) last = unhurried.tick(hold.X_WD);
-      least = std::min(least, massDistance(last.X_WP, hold.X_WD, shell));
+      const double distance = massDistance(last.X_WP, hold.X_WD, shell);
+      if (way == 0) straight = distance;
+      least = std::min(least, distance);
     }
     std::vector<Ending> ends;
     for (const auto& method : methods) {
@@ -135,6 +137,7 @@ std::vector<HoldSummary> compareHolds(std::vector<std::unique_ptr<Method>>& meth
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const Ending& end = ends[m];
       values[m].at_8.push_back(1e3 * (end.at_8 - least));
+      values[m].same_start.push_back(1e3 * (end.at_8 - std::min(straight, end.at_64)));
       values[m].at_64.push_back(1e3 * (end.at_64 - least));
       values[m].rest.push_back(1e3 * end.rest);
       if (plan.slack_trials == 0 || !judge.legal(end.X_end)) continue;
@@ -147,9 +150,9 @@ std::vector<HoldSummary> compareHolds(std::vector<std::unique_ptr<Method>>& meth
   for (std::size_t m = 0; m < methods.size(); ++m) {
     Values& v = values[m];
     std::sort(v.rest.begin(), v.rest.end());
-    summaries.push_back({methods[m]->name(), median(v.at_8), mean(v.at_8), median(v.at_64),
-                         mean(v.at_64), quantile(v.rest, 0.99), quantile(v.rest, 1.0),
-                         mean(v.slack), static_cast<int>(holds.size()),
+    summaries.push_back({methods[m]->name(), median(v.at_8), mean(v.at_8), median(v.same_start),
+                         mean(v.same_start), median(v.at_64), mean(v.at_64), quantile(v.rest, 0.99),
+                         quantile(v.rest, 1.0), mean(v.slack), static_cast<int>(holds.size()),
                          static_cast<int>(v.slack.size())});
   }
   return summaries;

@@ -86,11 +86,13 @@ void tell(const SceneReport& report) {
         s.samples_per_tick, 100 * s.cut);
   for (const HoldSummary& h : report.holds)
     std::fprintf(stderr,
-                 "  %-13s %d holds: residual @8 median %.4f mean %.3f, @64 %.4f / %.3f mm; rest "
+                 "  %-13s %d holds: residual @8 median %.4f mean %.3f (same start %.4f / "
+                 "%.3f), @64 %.4f / %.3f mm; rest "
                  "p99 %.2g max %.2g um; slack %.4f mm (%.2f rest gaps) over %d legal\n",
                  h.method.c_str(), h.holds, h.residual_median_mm, h.residual_mean_mm,
-                 h.settled_median_mm, h.settled_mean_mm, 1e3 * h.rest_p99_mm, 1e3 * h.rest_max_mm,
-                 h.slack_mm, h.slack_mm / report.rest_gap_mm, h.legal);
+                 h.same_start_median_mm, h.same_start_mean_mm, h.settled_median_mm,
+                 h.settled_mean_mm, 1e3 * h.rest_p99_mm, 1e3 * h.rest_max_mm, h.slack_mm,
+                 h.slack_mm / report.rest_gap_mm, h.legal);
   for (const FeelSummary& f : report.feel)
     std::fprintf(stderr, "  %-13s slow slide: fine %.4f N, largest step %.3f N/ms, mean %.2f N\n",
                  f.method.c_str(), f.fine_noise_N, f.largest_step_N, f.mean_force_N);

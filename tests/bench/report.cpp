@@ -63,6 +63,8 @@ Json resultOf(const SceneReport& report, const Summary& s) {
   }
   if (hold) {
     json["holds"] = hold->holds;
+    json["same_start_mm_median"] = hold->same_start_median_mm;
+    json["same_start_mm_mean"] = hold->same_start_mean_mm;
     json["settled_mm_median"] = hold->settled_median_mm;
     json["settled_mm_mean"] = hold->settled_mean_mm;
     json["rest_mm_p99"] = hold->rest_p99_mm;
@@ -236,6 +238,13 @@ std::string tableOf(const std::vector<SceneReport>& reports, const std::vector<S
                           l.residual_mean_mm);
             });
           }));
+  table += row("the same against the same start alone", "", "",
+               each(reports, false, [&](const SceneReport& r) {
+                 return hold(r, [](const HoldSummary& o, const HoldSummary& l) {
+                   return text("%.4f / %.3f (%.3f)", o.same_start_median_mm, o.same_start_mean_mm,
+                               l.same_start_mean_mm);
+                 });
+               }));
   table += row("way at rest after 200 ticks, 99 % / all [um]", "1", "bit-still",
                each(reports, false, [&](const SceneReport& r) {
                  return hold(r, [](const HoldSummary& o, const HoldSummary&) {
