@@ -20,7 +20,7 @@ struct Contact {
   Vec3 r_W = Vec3::Zero();    ///< the point about the tool's origin, in W [m]
   Vec3 n_W = Vec3::Zero();    ///< unit normal of the cell in which it met the surface, outwards
   double gap = 0.0;           ///< m along n left to the surface, to first order; negative inside
-  Vec3 met_W = Vec3::Zero();  ///< where the point stood when it met it
+  Vec3 met_W = Vec3::Zero();  ///< where the point set off when it met it
   double met_gap = 0.0;       ///< the gap there
 };
 

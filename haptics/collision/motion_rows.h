@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/contact.h"
 #include "haptics/core/fixed_vector.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "haptics/core/fixed_vector.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"

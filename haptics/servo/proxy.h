@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/contact.h"
 #include "haptics/collision/motion_rows.h"
@@ -45,11 +49,11 @@ struct Search {
   double advance = 0.0;
   int halvings = 0;
 
-  double trust = INFINITY;  ///< m: the longest step worth trying in this tick
+  double trust = INFINITY;  ///< m: the longest step worth trying in this search
 
   // since the pose that was taken last
   double way = 0.0, turned = 0.0;  ///< m, rad
-  Contacts contacts_taken;         ///< the contacts there
+  Contacts contacts_taken;         ///< the contacts when it was taken
   bool atTaken() const HAPTICS_RT { return way == 0.0 && turned == 0.0; }
 
   template <class P>

@@ -47,7 +47,7 @@ class Tick {
     proxy_.acceptance.begin(X_WD_, radius_, 0.5 * lengths().epsilon);
     if (at_.stage == Search::Stage::Done) {
       at_.begin(proxy_);
-    } else if (!at_.atTaken()) {
+    } else if (!at_.atTaken() || !at_.fresh) {
       // a sub-step is under way: what it will come to is compared with the pose it left
       const double distance = distanceFrom(proxy_.X_WP, proxy_.turn);
       proxy_.acceptance.start(distance, distance);
@@ -243,7 +243,8 @@ class Tick {
     at_.contacts_taken = proxy_.contacts;
   }
 
-  /// Goes back to the pose that was taken last; the way back is motion too.
+  /// Goes back to the pose that was taken last, and to the contacts with which it was; the way back
+  /// is motion too.
   void settle() HAPTICS_RT {
     if (at_.atTaken()) return;
     proxy_.clearance.moved(at_.way, at_.turned);

@@ -264,8 +264,8 @@ Pose Hand::scripted(double t) const HAPTICS_RT {
       break;
     }
     case HandMotion::Jerk: {
-      // a new target every 200 ms, reached in 20 ms: up to 50 mm and 1.5 rad from the surface, as
-      // often before it as beyond
+      // a new target every 200 ms, reached in 20 ms: up to 50 mm and 1.5 rad, any way alike, from a
+      // place a little beyond the surface
       const auto beat = static_cast<std::uint64_t>(s / 0.2);
       const double share = smooth((s - 0.2 * double(beat)) / 0.02);
       const auto target = [&](std::uint64_t n, Vec3& place, Vec3& turn) {

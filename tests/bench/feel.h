@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,7 +31,8 @@ struct SlidePlan {
 
 /// Slides a ball along the surface where a hand would touch it, in the direction in which it is
 /// most even, led by all methods in turn. `similar` is the case's scene with its own tool, whose
-/// field and choice of normals are taken over. Empty if there is no even stretch.
+/// field and choice of normals are taken over. Empty if there is no even stretch, or no legal place
+/// to begin, or it is too short.
 std::vector<FeelSummary> compareFeel(const Case& scene, const haptics::Scene& similar,
                                      const FreeBlocks& blocks, const SlidePlan& plan, Limit limit);
 

@@ -24,8 +24,9 @@ std::vector<Hold> holdsAlong(const Track& ours, const std::vector<Course>& cours
 struct HoldSummary {
   std::string method;
   double residual_median_mm = 0.0, residual_mean_mm = 0.0;  ///< after 8 ticks
-  /// After 8 ticks, beyond the least that the same start reaches: what is left of converging.
-  /// The rest of the residual is that the other starts end at another minimum.
+  /// After 8 ticks, beyond the least that ours, unhurried, or the method itself after 64 ticks
+  /// reaches from the same start: what is left of converging. The rest of the residual is that the
+  /// other starts end at another minimum.
   double same_start_median_mm = 0.0, same_start_mean_mm = 0.0;
   double settled_median_mm = 0.0, settled_mean_mm = 0.0;  ///< after 64 ticks
   double rest_p99_mm = 0.0, rest_max_mm = 0.0;  ///< way of a point in the last ticks, all held

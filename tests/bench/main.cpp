@@ -3,6 +3,7 @@
 // palpate-bench: literal, charitable, accept-inside and ours on the same hands in one process.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fstream>

@@ -28,7 +28,7 @@ struct Tick {
   Vec3 force = Vec3::Zero();  ///< N, on the hand
   int contacts = 0;
   std::int64_t cpu_ns = 0;   ///< of the thread, the budget's own clock included
-  std::int64_t samples = 0;  ///< look-ups of F; of ours cells fetched and blocks asked
+  std::int64_t samples = 0;  ///< look-ups of F; of ours units of work (core/budget.h)
   bool cut = false;          ///< the budget ended it
   long faults = 0;           ///< minor page faults of the thread meanwhile
   long switches = 0;         ///< how often the thread was put aside

@@ -51,7 +51,7 @@ TEST(Outside, NoHandEverBringsAPointOfTheToolInside) {
       EXPECT_EQ(illegal, 0);
       EXPECT_TRUE(finite);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-      EXPECT_GT(contact, ticks / 20);  // a jerk is as often before the surface as beyond
+      EXPECT_GT(contact, ticks / 20);  // a jerk is half the time in the air
       EXPECT_GT(deepest, 2e-3);
 #endif
     }

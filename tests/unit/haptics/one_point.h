@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
+#include "haptics/collision/clearance.h"
+#include "haptics/collision/motion.h"
 #include "haptics/collision/sweep.h"
 
 /// The collision detection of a whole tool, for a tool of one point.
