@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/page/page.h"
+
+namespace study {
+namespace {
+
+// Series are told apart by colour (after Okabe and Ito, for all kinds of colour vision), by mark,
+// and by dashes; the colours are lighter on a dark ground.
+constexpr const char* kStyle = R"(
+:root { color-scheme: light dark; --ground: #fff; --ink: #1a1a1a; --quiet: #6b6b6b; --rule: #ddd;
+  --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #cc79a7; --c4: #a07400; --c5: #2f8fc4;
+  --c6: #7a4fa3; --c7: #1a1a1a; --bad: #b00020; }
+@media (prefers-color-scheme: dark) { :root { --ground: #16181b; --ink: #e8e8e8; --quiet: #a0a0a0;
+  --rule: #3a3d42; --c0: #58b4f0; --c1: #ff8b3d; --c2: #35c79b; --c3: #e6a3c8; --c4: #e0b040;
+  --c5: #86cdf5; --c6: #b892dc; --c7: #e8e8e8; --bad: #ff6b7d; } }
+@media print { :root { --ground: #fff; --ink: #000; --quiet: #444; --rule: #bbb; --c0: #0072b2;
+  --c1: #d55e00; --c2: #009e73; --c3: #cc79a7; --c4: #a07400; --c5: #2f8fc4; --c6: #7a4fa3;
+  --c7: #000; --bad: #b00020; } details { display: none; } figure, table { break-inside: avoid; } }
+body { background: var(--ground); color: var(--ink); font: 15px/1.5 system-ui, sans-serif;
+  max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
+h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
+figure { margin: 1.2rem 0; } figcaption { font-weight: 600; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; display: block; overflow-x: auto; }
+caption { text-align: left; font-weight: 600; padding: .3rem 0; }
+th, td { text-align: left; padding: .15rem .8rem .15rem 0; border-bottom: 1px solid var(--rule); }
+pre { overflow-x: auto; border: 1px solid var(--rule); padding: .5rem; }
+summary { color: var(--quiet); cursor: pointer; }
+svg { width: 100%; height: auto; font: 12px system-ui, sans-serif; fill: var(--ink); }
+svg path { fill: none; } .axes path { stroke: var(--rule); } .axes .lane { stroke: var(--quiet); }
+.bound { stroke: var(--bad); stroke-width: 1.6; stroke-dasharray: 8 3; }
+.line { stroke-width: 1.6; } .spread { stroke-width: 1; opacity: .6; }
+)";
+
+/// Colour and dashes of each series.
+std::string seriesStyle() {
+  static const char* const kDashes[kMostSeries] = {"none", "6 3",     "2 3", "10 3 2 3",
+                                                   "none", "6 2 2 2", "3 6", "12 4"};
+  std::string css;
+  for (int n = 0; n < kMostSeries; ++n) {
+    const std::string s = ".s" + std::to_string(n), colour = "var(--c" + std::to_string(n) + ")";
+    css += s + " circle, " + s + " rect, " + s + " path { stroke: " + colour + "; fill: " + colour +
+           "; }\n";
+    css += s + " .open, " + s + " .line, " + s + " .spread { fill: none; }\n";
+    css += s + " .line { stroke-dasharray: " + kDashes[n] + "; }\n";
+  }
+  return css;
+}
+
+}  // namespace
+
+void Page::heading(const std::string& text) { body_ += "<h2>" + escaped(text) + "</h2>\n"; }
+void Page::paragraph(const std::string& text) { body_ += "<p>" + escaped(text) + "</p>\n"; }
+void Page::command(const std::string& text) {
+  body_ += "<pre><code>" + escaped(text) + "</code></pre>\n";
+}
+
+void Page::rows(const Table& table) {
+  body_ += "<table>";
+  if (!table.caption.empty()) body_ += "<caption>" + escaped(table.caption) + "</caption>";
+  body_ += "<thead><tr>";
+  for (const std::string& cell : table.head) body_ += "<th scope='col'>" + escaped(cell) + "</th>";
+  body_ += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : table.rows) {
+    body_ += "<tr>";
+    for (const std::string& cell : row) body_ += "<td>" + escaped(cell) + "</td>";
+    body_ += "</tr>\n";
+  }
+  body_ += "</tbody></table>\n";
+}
+
+void Page::table(const Table& table) { rows(table); }
+
+void Page::plot(const Plot& plot) {
+  const std::string id = "plot-" + std::to_string(++plots_);
+  body_ += "<figure>\n<figcaption>" + escaped(plot.title) + "</figcaption>\n" + svgOf(plot, id);
+  Table figures{{}, {"series", plot.x.label, plot.y.label, "from", "to"}, {}};
+  for (const Series& series : plot.series)
+    for (const PlotPoint& p : series.points)
+      figures.rows.push_back(
+          {series.name, shortly(p.x), shortly(p.y), shortly(p.low), shortly(p.high)});
+  if (plot.bound) figures.rows.push_back({plot.bound_name, "", shortly(*plot.bound), "", ""});
+  body_ += "<details><summary>The figures</summary>\n";
+  rows(figures);
+  body_ += "</details>\n</figure>\n";
+}
+
+std::string Page::html() const {
+  return "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'/>\n"
+         "<meta name='viewport' content='width=device-width, initial-scale=1'/>\n<title>" +
+         escaped(title_) + "</title>\n<style>" + kStyle + seriesStyle() +
+         "</style>\n</head>\n<body>\n<h1>" + escaped(title_) + "</h1>\n" + body_ +
+         "</body>\n</html>\n";
+}
+
+}  // namespace study
