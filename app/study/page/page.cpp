@@ -54,7 +54,7 @@ void Page::command(const std::string& text) {
   body_ += "<pre><code>" + escaped(text) + "</code></pre>\n";
 }
 
-void Page::rows(const Table& table) {
+void Page::table(const Table& table) {
   body_ += "<table>";
   if (!table.caption.empty()) body_ += "<caption>" + escaped(table.caption) + "</caption>";
   body_ += "<thead><tr>";
@@ -68,8 +68,6 @@ void Page::rows(const Table& table) {
   body_ += "</tbody></table>\n";
 }
 
-void Page::table(const Table& table) { rows(table); }
-
 void Page::plot(const Plot& plot) {
   const std::string id = "plot-" + std::to_string(++plots_);
   body_ += "<figure>\n<figcaption>" + escaped(plot.title) + "</figcaption>\n" + svgOf(plot, id);
@@ -80,7 +78,7 @@ void Page::plot(const Plot& plot) {
           {series.name, shortly(p.x), shortly(p.y), shortly(p.low), shortly(p.high)});
   if (plot.bound) figures.rows.push_back({plot.bound_name, "", shortly(*plot.bound), "", ""});
   body_ += "<details><summary>The figures</summary>\n";
-  rows(figures);
+  table(figures);
   body_ += "</details>\n</figure>\n";
 }
 

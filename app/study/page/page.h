@@ -31,8 +31,6 @@ class Page {
   std::string html() const;
 
  private:
-  void rows(const Table& table);
-
   std::string title_, body_;
   int plots_ = 0;
 };

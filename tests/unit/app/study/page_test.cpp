@@ -146,6 +146,7 @@ TEST(Shortly, WritesFourDigitsAndMarksThousands) {
   EXPECT_EQ(shortly(4.5e-7), "4.5e-07");
   EXPECT_EQ(shortly(2126), "2,126");
   EXPECT_EQ(shortly(-1234567), "-1,234,567");
+  EXPECT_EQ(shortly(-123456), "-123,456");
   EXPECT_EQ(shortly(-999.96), "-1000");
   EXPECT_EQ(shortly(std::nan("")), "none");
   EXPECT_EQ(shortly(-INFINITY), "minus infinite");
