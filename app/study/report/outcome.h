@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/study/page/page.h"
+#include "app/study/page/plot.h"
+
+namespace study {
+
+/// A claim with its limit: the value must not exceed the bound, or not fall below it.
+struct Case {
+  enum class Sense { AtMost, AtLeast };
+
+  std::string name;  ///< unique in the study
+  double value = 0.0;
+  double bound = 0.0;
+  std::string unit;  ///< empty for counts and ratios
+  Sense sense = Sense::AtMost;
+  std::string note = {};  ///< how it was done; of one that fails, what is known about it
+
+  /// A value that is not finite fails.
+  bool pass() const;
+};
+
+/// What a job found. All of it survives the way through a results file.
+struct Outcome {
+  std::vector<Case> cases = {};
+  /// Plots of the same title in one section are drawn as one, series of the same name joined.
+  std::vector<Plot> plots = {};
+  std::vector<Table> tables = {};  ///< of the same caption: joined as well
+  std::vector<std::string> remarks = {};
+};
+
+/// The shortest piece of a study that can be run by itself, on any machine, in any order.
+struct Job {
+  std::string name;     ///< unique in the study, the same in every shard
+  std::string section;  ///< the heading under which it is reported
+  double cost = 1.0;    ///< s, about: to share out jobs, and to say how much time is left
+  std::function<Outcome(std::uint64_t seed)> run;
+};
+
+/// How thorough a study is: minutes, or all of it.
+enum class Depth { Quick, Full };
+
+struct Study {
+  std::string name;  ///< as the command line calls it
+  std::string title;
+  std::vector<std::string> introduction = {};  ///< paragraphs
+  std::vector<Job> jobs = {};
+};
+
+}  // namespace study
