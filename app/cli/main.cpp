@@ -51,9 +51,13 @@ int main(int argc, char** argv) {
 #endif
   addTool(program, chosen);
   addRun(program, chosen);
+  addStudy(program, chosen);
   bool json = asksForJson(argc, argv);
-  for (CLI::App* command : program.get_subcommands({}))
-    command->add_flag("--json", json, "Print one JSON object and nothing else");
+  for (CLI::App* command : program.get_subcommands({})) {
+    const auto leaves = command->get_subcommands({});
+    for (CLI::App* leaf : leaves.empty() ? std::vector{command} : leaves)
+      leaf->add_flag("--json", json, "Print one JSON object and nothing else");
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {

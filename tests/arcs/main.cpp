@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "tests/arcs/arcs.h"
+#include "app/study/made/arcs.h"
 
 namespace {
 

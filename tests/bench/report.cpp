@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
-#include <fstream>
 
-#include "haptics/field/lanes.h"
+#include "app/study/report/machine.h"
 
 namespace bench {
 namespace {
@@ -128,23 +127,10 @@ std::string whyNotHonest(const SceneReport& report) {
   return why;
 }
 
-Json machine() {
-  std::string cpu = "unknown", line;
-  std::ifstream info{"/proc/cpuinfo"};
-  while (std::getline(info, line))
-    if (line.starts_with("model name")) {
-      cpu = line.substr(line.find(':') + 2);
-      break;
-    }
-  return {{"cpu", cpu},
-          {"vectors", haptics::lanes::targetName()},
-          {"compiler", __VERSION__},
-          {"flags", PALPATE_BENCH_FLAGS}};
-}
-
 Json jsonOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>& sweep) {
-  Json json{{"machine", machine()},    {"results", Json::array()}, {"ratios", Json::array()},
-            {"scenes", Json::array()}, {"sweep", Json::array()},   {"long_ticks", Json::array()}};
+  Json json{{"machine", study::machineHere()}, {"results", Json::array()},
+            {"ratios", Json::array()},         {"scenes", Json::array()},
+            {"sweep", Json::array()},          {"long_ticks", Json::array()}};
   for (const SceneReport& report : reports) {
     for (const Summary& summary : report.summaries)
       json["results"].push_back(resultOf(report, summary));

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/course.h"
-#include "tests/bench/feel.h"
-#include "tests/bench/holds.h"
-#include "tests/bench/sweep.h"
+#include "app/study/comparison/course.h"
+#include "app/study/comparison/feel.h"
+#include "app/study/comparison/holds.h"
+#include "app/study/comparison/sweep.h"
 
 namespace bench {
+
+using namespace comparison;  // its words are what is reported here
 
 using Json = nlohmann::ordered_json;
 
@@ -33,8 +35,6 @@ struct SceneReport {
 /// point, and its mean tick is within a factor of 2 of what is known of it.
 std::string whyNotHonest(const SceneReport& report);
 
-/// The machine, the compiler and its flags.
-Json machine();
 /// `results`, `ratios`, and what stands behind them.
 Json jsonOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>& sweep);
 /// The figures to reach, and what was reached, as Markdown.

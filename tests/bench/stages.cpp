@@ -8,13 +8,13 @@
 #include <cmath>
 #include <random>
 
+#include "app/study/comparison/scenes.h"
 #include "haptics/collision/motion_rows.h"
 #include "haptics/collision/sweep.h"
 #include "haptics/servo/proxy.h"
 #include "haptics/servo/tick.h"
 #include "haptics/simulation/hand.h"
 #include "haptics/solver/constrained_motion.h"
-#include "tests/bench/scenes.h"
 
 namespace {
 
@@ -31,18 +31,19 @@ struct Touch {
 };
 
 const Touch& touch(int points) {
-  static const bench::Case bunny = bench::makeScene("bunny");
+  static const comparison::Case bunny = comparison::makeScene("bunny");
   static std::vector<std::pair<int, Touch>> made;
   for (const auto& [count, known] : made)
     if (count == points) return known;
   Touch t;
   t.isovalue = bunny.isovalue;
-  const auto aimed = haptics::makeScene(bunny.volume, bench::toolOf(bunny, 1000), {},
+  const auto aimed = haptics::makeScene(bunny.volume, comparison::toolOf(bunny, 1000), {},
                                         made.empty() ? nullptr : made.front().second.scene.get())
                          .value();
   const auto hand =
       haptics::Hand::aimed(haptics::HandMotion::Slide, *aimed, t.isovalue, 0.004, 1).value();
-  t.scene = haptics::makeScene(bunny.volume, bench::toolOf(bunny, points), {}, aimed.get()).value();
+  t.scene =
+      haptics::makeScene(bunny.volume, comparison::toolOf(bunny, points), {}, aimed.get()).value();
   haptics::Proxy proxy{*t.scene, hand.at(0.0)};
   for (int n = 0; n < 1500; ++n) {
     haptics::Budget budget = haptics::Budget::counted(kNoLimit);

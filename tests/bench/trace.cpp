@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/study/comparison/course.h"
 #include "haptics/servo/tick.h"
-#include "tests/bench/course.h"
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -17,24 +17,24 @@
 #endif
 
 int main(int argc, char** argv) {
-  const auto& names = bench::sceneNames();
+  const auto& names = comparison::sceneNames();
   if (argc != 2 || std::find(names.begin(), names.end(), argv[1]) == names.end()) {
     std::fprintf(stderr, "Usage: palpate-trace bunny|engine|hole|bone\n");
     return 2;
   }
-  const bench::Case scene = bench::makeScene(argv[1]);
-  const auto built = haptics::makeScene(scene.volume, bench::toolOf(scene)).value();
-  const auto courses = bench::coursesIn(*built, scene, 0.3).value();
-  std::vector<std::unique_ptr<bench::Method>> methods;
-  methods.push_back(bench::ours(built, scene.isovalue, {0, haptics::kTickWork}));
+  const comparison::Case scene = comparison::makeScene(argv[1]);
+  const auto built = haptics::makeScene(scene.volume, comparison::toolOf(scene)).value();
+  const auto courses = comparison::coursesIn(*built, scene, 0.3).value();
+  std::vector<std::unique_ptr<comparison::Method>> methods;
+  methods.push_back(comparison::ours(built, scene.isovalue, {0, haptics::kTickWork}));
 
   COUNTING(START);
-  const auto tracks = bench::follow(methods, courses);
+  const auto tracks = comparison::follow(methods, courses);
   COUNTING(STOP);
 
   long long ticks = 0, work = 0;
   for (const auto& course : tracks.front().ticks)
-    for (const bench::Tick& tick : course) {
+    for (const comparison::Tick& tick : course) {
       ++ticks;
       work += tick.samples;
     }

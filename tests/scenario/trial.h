@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "app/study/made/made.h"
+#include "app/study/reference/evaluator.h"
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/servo/tick.h"
 #include "resources/named_tools.h"
-#include "tests/support/evaluator.h"
-#include "tests/unit/haptics/made.h"
 
 /// A proxy in a scene, moved tick by tick by whoever holds the device; every pose it takes is
 /// judged by the evaluator, which knows nothing of the field's code.

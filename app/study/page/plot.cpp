@@ -228,7 +228,7 @@ std::string svgOf(const Plot& plot, const std::string& id) {
     svg += text("<g class='s%d'>\n", look);
     std::string line;
     for (const PlotPoint& p : series.points)
-      if (series.joined && drawn(p))
+      if (series.joined && p.in_line && drawn(p))
         line += text("%s%.2f %.2f", line.empty() ? "M" : "L", x.at(p.x), y.at(p.y));
     if (!line.empty()) svg += "<path class='line' d='" + line + "'/>\n";
     for (const PlotPoint& p : series.points) {

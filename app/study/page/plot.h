@@ -22,6 +22,7 @@ struct PlotPoint {
   double x = 0.0, y = 0.0;
   double low = std::numeric_limits<double>::quiet_NaN();
   double high = std::numeric_limits<double>::quiet_NaN();
+  bool in_line = true;  ///< false: a mark beside the line, of what another point outdoes
 };
 
 struct Series {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "app/study/made/made.h"
+#include "app/study/reference/evaluator.h"
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/motion.h"
 #include "haptics/collision/prune.h"
 #include "haptics/solver/unconstrained_motion.h"
-#include "tests/support/evaluator.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

@@ -3,10 +3,10 @@
 
 #include <limits>
 
+#include "app/study/made/made.h"
 #include "haptics/coupling/safety.h"
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/solver/unconstrained_motion.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

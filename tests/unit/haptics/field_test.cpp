@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "app/study/made/made.h"
+#include "app/study/reference/evaluator.h"
 #include "haptics/field/scalar_field.h"
-#include "tests/support/evaluator.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

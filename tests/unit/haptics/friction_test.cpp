@@ -7,9 +7,9 @@
 #include <iostream>
 #include <vector>
 
+#include "app/study/made/made.h"
 #include "haptics/servo/tick.h"
 #include "haptics/simulation/penetration.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/study/made/made.h"
 #include "haptics/simulation/grip.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <set>
 
+#include "app/study/made/made.h"
 #include "haptics/field/isosurface.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "app/study/made/made.h"
+#include "app/study/reference/evaluator.h"
 #include "haptics/field/max_pyramid.h"
 #include "haptics/field/scalar_field.h"
-#include "tests/support/evaluator.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "app/study/made/made.h"
 #include "haptics/collision/motion_rows.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

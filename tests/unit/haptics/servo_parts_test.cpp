@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "app/study/made/made.h"
 #include "haptics/core/budget.h"
 #include "haptics/core/fixed_vector.h"
 #include "haptics/servo/acceptance.h"
 #include "haptics/servo/tick_stats.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

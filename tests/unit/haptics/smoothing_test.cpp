@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/haptics/made.h"
+#include "app/study/made/made.h"
 
 namespace {
 

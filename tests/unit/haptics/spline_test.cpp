@@ -3,11 +3,11 @@
 
 #include <iostream>
 
+#include "app/study/made/made.h"
+#include "app/study/made/one_point.h"
+#include "app/study/reference/evaluator.h"
 #include "haptics/collision/sweep.h"
 #include "haptics/field/scalar_field.h"
-#include "tests/support/evaluator.h"
-#include "tests/unit/haptics/made.h"
-#include "tests/unit/haptics/one_point.h"
 #include "tests/unit/haptics/spline_reference.h"
 
 namespace {

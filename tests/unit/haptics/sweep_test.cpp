@@ -5,9 +5,9 @@
 
 #include <iostream>
 
-#include "tests/arcs/arcs.h"
-#include "tests/unit/haptics/made.h"
-#include "tests/unit/haptics/one_point.h"
+#include "app/study/made/arcs.h"
+#include "app/study/made/made.h"
+#include "app/study/made/one_point.h"
 
 namespace {
 

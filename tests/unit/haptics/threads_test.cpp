@@ -7,11 +7,11 @@
 #include <iostream>
 #include <thread>
 
+#include "app/study/made/made.h"
 #include "haptics/core/latest_value.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/tick.h"
 #include "haptics/session.h"
-#include "tests/unit/haptics/made.h"
 
 // To be run under the thread sanitizer too: what it says counts as a failure.
 

@@ -3,9 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "app/study/made/made.h"
 #include "haptics/solver/mass_metric.h"
 #include "haptics/tool/point_shell.h"
-#include "tests/unit/haptics/made.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "tests/unit/haptics/made.h"
+#include "app/study/made/made.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 
 #include <random>
 
+#include "app/study/reference/evaluator.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/phantoms/shapes.h"
-#include "tests/support/evaluator.h"
 
 namespace datasets {
 namespace {

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include "app/study/reference/evaluator.h"
 #include "datasets/phantoms/phantoms.h"
-#include "tests/support/evaluator.h"
 
 namespace datasets {
 namespace {

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <charconv>
+#include <iostream>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/study/report/run_study.h"
+#include "app/study/studies.h"
+
+namespace app::cli {
+namespace {
+
+struct StudyOptions {
+  bool quick = false;
+  std::uint64_t seed = 1;
+  std::string shard = "1/1";
+  std::string out;
+};
+
+/// "2/8": the second of eight.
+std::optional<study::Shard> shardOf(const std::string& text) {
+  study::Shard shard;
+  const char* end = text.data() + text.size();
+  const auto [slash, first] = std::from_chars(text.data(), end, shard.index);
+  if (first != std::errc{} || slash == end || *slash != '/') return {};
+  const auto [stop, second] = std::from_chars(slash + 1, end, shard.count);
+  if (second != std::errc{} || stop != end) return {};
+  if (shard.count < 1 || shard.count > 10'000 || shard.index < 1 || shard.index > shard.count)
+    return {};
+  return shard;
+}
+
+std::string sentenceOf(const study::Results& results) {
+  const std::vector<study::Case> cases = results.cases();
+  const auto failing =
+      std::count_if(cases.begin(), cases.end(), [](const study::Case& c) { return !c.pass(); });
+  std::string text = std::to_string(results.finished.size()) + " of " +
+                     std::to_string(results.jobs.size()) + " jobs done; " +
+                     std::to_string(cases.size() - static_cast<std::size_t>(failing)) + " of " +
+                     std::to_string(cases.size()) + " cases hold.\n";
+  for (const study::Case& c : cases)
+    if (!c.pass())
+      text += "  does not hold: " + c.name + ": " + study::shortly(c.value) + " " + c.unit + ", " +
+              (c.sense == study::Case::Sense::AtMost ? "at most " : "at least ") +
+              study::shortly(c.bound) + "\n";
+  return text;
+}
+
+Outcome outcomeOf(const haptics::Expected<study::Results>& results, const std::string& out) {
+  if (!results) {
+    // what cannot be written is not the input's fault
+    if (results.error().reason == "not-writable")
+      return {Exit::Failed, {}, {}, results.error().what};
+    return refused(results.error());
+  }
+  Outcome outcome;
+  std::size_t failing = 0;
+  outcome.json["study"] = results->identity.study;
+  outcome.json["jobs"] = results->jobs.size();
+  outcome.json["missing"] = results->missing();
+  outcome.json["cases"] = study::jsonOf(*results)["cases"];
+  for (const study::Case& c : results->cases()) failing += !c.pass();
+  outcome.json["failing"] = failing;
+  outcome.text = sentenceOf(*results) + "See " + out + "/report.html.\n";
+  if (failing > 0) {
+    outcome.code = Exit::Failed;
+    outcome.error = std::to_string(failing) + " cases do not hold; the report names them.";
+  }
+  if (interrupted()) {
+    outcome.code = Exit::Interrupted;
+    outcome.error = "Stopped; what was done until then is kept, and the same command goes on.";
+  }
+  return outcome;
+}
+
+Outcome run(const std::string& name, const StudyOptions& options) {
+  const auto depth = options.quick ? study::Depth::Quick : study::Depth::Full;
+  const auto shard = shardOf(options.shard);
+  if (!shard) return usage("--shard \"" + options.shard + "\" is not i/n with i from 1 to n.");
+  study::RunOptions how{depth, options.seed, *shard, options.out};
+  how.stop = [] { return interrupted(); };
+  how.tell = [](const std::string& line) { std::cerr << line << '\n'; };
+  return outcomeOf(study::runStudy(*study::makeStudy(name, depth), how), options.out);
+}
+
+Outcome merge(const std::vector<std::string>& folders, const std::string& out) {
+  return outcomeOf(study::mergeStudies({folders.begin(), folders.end()}, out,
+                                       [](const study::Identity& identity) {
+                                         return study::makeStudy(identity.study, identity.depth);
+                                       }),
+                   out);
+}
+
+}  // namespace
+
+void addStudy(CLI::App& program, Chosen& chosen) {
+  CLI::App* command =
+      program.add_subcommand("study", "Measure error against run time, stability, or the plan");
+  command->require_subcommand(1);
+  for (const std::string& name : study::studyNames()) {
+    auto options = std::make_shared<StudyOptions>();
+    CLI::App* one =
+        command->add_subcommand(name, study::makeStudy(name, study::Depth::Quick)->title);
+    one->add_flag("--quick", options->quick, "Minutes in place of hours");
+    one->add_option("--seed", options->seed, "Of all that is random");
+    one->add_option("--shard", options->shard, "i/n: only the i-th of n equal parts");
+    one->add_option("--out", options->out, "Folder for report.html, results.json and results.csv")
+        ->required()
+        ->check(notEmpty());
+    one->callback(
+        [name, options, &chosen] { chosen = [name, options] { return run(name, *options); }; });
+  }
+  auto folders = std::make_shared<std::vector<std::string>>();
+  auto out = std::make_shared<std::string>();
+  CLI::App* merging = command->add_subcommand("merge", "Put the shards of a study together");
+  merging->add_option("folders", *folders, "What --out was given for each shard")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  merging->add_option("--out", *out, "Folder for the whole")->required()->check(notEmpty());
+  merging->callback(
+      [folders, out, &chosen] { chosen = [folders, out] { return merge(*folders, *out); }; });
+}
+
+}  // namespace app::cli

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/accuracy/closed_forms.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "app/study/accuracy/work_precision.h"
+#include "app/study/comparison/measures.h"
+#include "app/study/made/made.h"
+#include "app/study/reference/evaluator.h"
+#include "datasets/phantoms/phantoms.h"
+#include "datasets/phantoms/shapes.h"
+#include "haptics/servo/tick.h"
+
+namespace study {
+namespace {
+
+namespace shapes = datasets::shapes;
+using comparison::Limit;
+using made::at;
+using made::Random;
+
+constexpr double kStiffness = 1000.0;   // N/m, of every method
+constexpr double kBall = 3e-3;          // m, radius
+constexpr int kBallPoints = 1000;       // 0.35 mm apart: the ball bulges 5 um between them
+constexpr int kCarry = 40, kHold = 60;  // ticks
+
+/// From outside, up to 45 degrees aside.
+Vec3 aside(const Vec3& D, const Vec3& P, Random& random) {
+  const Vec3 out = (P - D).normalized();
+  return P + 3e-3 * out + 3e-3 * random.in(0.0, 1.0) * out.unitOrthogonal();
+}
+
+AnalyticHold onHalfSpace(double radius, Random& random) {
+  const Vec3 D{random.in(-0.015, 0.015), random.in(-0.015, 0.015),
+               radius - 4e-3 * random.in(0.1, 1)};
+  return {{D.x(), D.y(), 6e-3}, D, {D.x(), D.y(), 0.0}, Vec3::UnitZ()};
+}
+
+AnalyticHold onSphere(double radius, Random& random) {
+  const double R = shapes::Sphere{}.radius;
+  const Vec3 D = (R - random.in(1e-3, 5e-3)) * random.direction(), out = D.normalized();
+  return {aside(D, (R + radius) * out, random), D, R * out, out};
+}
+
+AnalyticHold onCylinder(double radius, Random& random) {
+  const double R = shapes::Cylinder{}.radius;
+  const double angle = random.in(0.0, 2.0 * std::numbers::pi), depth = random.in(1e-3, 4e-3);
+  const Vec3 out{0.0, std::cos(angle), std::sin(angle)};
+  const Vec3 axis{random.in(-0.01, 0.01), 0.0, 0.0};
+  const Vec3 D = axis + (R - depth) * out;
+  return {aside(D, axis + (R + radius) * out, random), D, axis + R * out, out};
+}
+
+/// Both walls press: the device below the edge, within the cone of their normals.
+AnalyticHold inWedge(double radius, Random& random) {
+  const shapes::Wedge wedge;
+  const Vec3 base{0.0, random.in(-0.01, 0.01), wedge.bottom};
+  const Vec3 along = Vec3::UnitZ() / std::sin(wedge.half_angle);
+  const Vec3 P = base + radius * along;
+  const double depth = random.in(1e-3, 4e-3);
+  return {P + Vec3{random.in(-1e-3, 1e-3), 0, 5e-3},
+          P + Vec3{random.in(-0.4, 0.4) * depth, 0, -depth}, base, along};
+}
+
+/// On the floor, at the wall, or in the corner of both.
+AnalyticHold inSlot(double radius, int which, Random& random) {
+  const shapes::Slot slot;
+  const double wall = slot.half_width - radius, floor = slot.floor + radius;
+  const double y = random.in(-0.01, 0.01), x = random.in(-0.7, 0.7) * wall,
+               deep = random.in(1e-3, 4e-3);
+  const Vec3 start{0.0, y, floor + 4e-3};
+  switch (which) {
+    case 0:
+      return {start, {x, y, floor - deep}, {x, y, slot.floor}, Vec3::UnitZ()};
+    case 1:
+      return {start,
+              {wall + deep, y, floor + 3e-3},
+              {slot.half_width, y, floor + 3e-3},
+              -Vec3::UnitX()};
+    default:
+      return {start,
+              {-wall - deep, y, floor - random.in(1e-3, 4e-3)},
+              {-slot.half_width, y, slot.floor},
+              Vec3::UnitX() + Vec3::UnitZ(),
+              true};
+  }
+}
+
+/// Every method with every setting worth a point of the diagram.
+struct Contender {
+  std::string name, setting;
+  std::unique_ptr<comparison::Method> method;
+};
+
+std::vector<Contender> contenders(const comparison::Case& scene, const haptics::Tool& tool) {
+  using haptics::FieldKind;
+  using haptics::NormalKind;
+  using reference::Variant;
+  std::vector<Contender> all;
+  const std::pair<const char*, Variant> rivals[] = {{"literal", Variant::Literal},
+                                                    {"charitable", Variant::Charitable},
+                                                    {"accept-inside", Variant::AcceptInside}};
+  for (const auto& [name, variant] : rivals)
+    for (const double fineness : {2.0, 10.0, 50.0}) {
+      reference::Choices choices = reference::choicesFor(scene.volume->grid, variant);
+      choices.epsilon = choices.feature / fineness;
+      all.push_back(
+          {name, "epsilon f/" + shortly(fineness), comparison::rival(scene, tool.shell, choices)});
+    }
+  struct Kind {
+    const char* name;
+    FieldKind field;
+    NormalKind normal;
+  };
+  for (const Kind& kind : {Kind{"ours", FieldKind::Trilinear, NormalKind::Central},
+                           Kind{"ours, cell normals", FieldKind::Trilinear, NormalKind::Cell},
+                           Kind{"ours, spline normals", FieldKind::Trilinear, NormalKind::Spline},
+                           Kind{"ours, spline field", FieldKind::CubicSpline, NormalKind::Cell}}) {
+    const auto built = haptics::makeScene(scene.volume, tool, {kind.field, kind.normal}).value();
+    // a tenth of the tick's work, all of it, and as much as it likes
+    for (const std::int64_t work :
+         {haptics::kTickWork / 10, haptics::kTickWork, 50 * haptics::kTickWork})
+      all.push_back({kind.name, "work " + shortly(double(work)),
+                     comparison::ours(built, scene.isovalue, Limit{0, work})});
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<std::string>& analyticSolids() {
+  static const std::vector<std::string> kNames{"halfspace", "sphere", "cylinder", "wedge", "slot"};
+  return kNames;
+}
+
+std::vector<AnalyticHold> analyticHolds(const std::string& solid, double radius, int count,
+                                        unsigned seed) {
+  Random random{seed};
+  std::vector<AnalyticHold> holds;
+  for (int n = 0; n < count; ++n)
+    holds.push_back(solid == "halfspace"  ? onHalfSpace(radius, random)
+                    : solid == "sphere"   ? onSphere(radius, random)
+                    : solid == "cylinder" ? onCylinder(radius, random)
+                    : solid == "wedge"    ? inWedge(radius, random)
+                                          : inSlot(radius, n % 3, random));
+  return holds;
+}
+
+HeldErrors heldErrors(comparison::Method& method, const std::vector<AnalyticHold>& holds,
+                      double radius) {
+  HeldErrors errors;
+  double samples = 0.0;
+  for (const AnalyticHold& hold : holds) {
+    method.start(at(hold.start));
+    comparison::Tick last;
+    for (int n = 1; n <= kCarry + kHold; ++n) {
+      const double share = std::min(1.0, double(n) / kCarry);
+      const Pose X_WD = at(hold.start + share * (hold.device - hold.start));
+      last = method.tick(X_WD);
+      errors.tick_us.push_back(1e-3 * double(last.cpu_ns));
+      samples += double(last.samples);
+      const Vec3 own = kStiffness * (last.X_WP.translation() - X_WD.translation());
+      errors.own_force.push_back((last.force - own).norm());
+    }
+    errors.settled.push_back(last.X_WP);
+    const Vec3 P = hold.answer(radius), force = kStiffness * (P - hold.device);
+    errors.position_um.push_back(1e6 * (last.X_WP.translation() - P).norm());
+    errors.angle_deg.push_back(std::atan2(last.force.cross(force).norm(), last.force.dot(force)) *
+                               180.0 / std::numbers::pi);
+    errors.magnitude.push_back(std::abs(last.force.norm() / force.norm() - 1.0));
+  }
+  errors.samples = samples / double(errors.tick_us.size());
+  return errors;
+}
+
+Outcome closedForms(const std::string& solid, int count, unsigned seed,
+                    const std::function<MethodMade(MethodMade)>& ours) {
+  Outcome outcome;
+  for (const bool ball : {false, true}) {
+    datasets::Phantom phantom = datasets::makePhantom(solid).value();
+    const comparison::Case scene{solid, made::shared(std::move(phantom.volume)), phantom.isovalue,
+                                 "", 0};
+    const haptics::Tool tool =
+        ball ? made::tool(made::ballPoints(kBallPoints, kBall)) : made::point();
+    double radius = ball ? kBall : 0.0;
+    if (ball && solid == "halfspace") {
+      // the lowest point of the ball's shell stands a little above the ball's own
+      radius = 0.0;
+      for (const Vec3& p : tool.shell.points) radius = std::max(radius, -p.z());
+    }
+    const std::vector<AnalyticHold> holds = analyticHolds(solid, radius, count, seed);
+    const std::string what = std::string{ball ? "Ball" : "Point"} + " held in the " + solid;
+    WorkPrecision position{what + ": position",
+                           "Distance of the settled proxy from the closed form, against time.",
+                           "mean CPU of a tick [us]", "error of position [um]"};
+    WorkPrecision angle{what + ": direction of the force",
+                        "Angle between the force and the closed form's, against time.",
+                        "mean CPU of a tick [us]", "error of direction [degrees]"};
+    // a lone point is held short of a corner by central differences, which round it over a voxel
+    const bool rounded = solid == "slot" && !ball;
+    for (Contender& one : contenders(scene, tool)) {
+      const bool judged = one.name == "ours" && one.setting == "work 20,000";
+      if (judged && ours) one.method = ours(std::move(one.method));
+      const HeldErrors errors = heldErrors(*one.method, holds, radius);
+      position.points.push_back(
+          {one.name, one.setting, errors.tick_us, errors.position_um, errors.samples});
+      angle.points.push_back(
+          {one.name, one.setting, errors.tick_us, errors.angle_deg, errors.samples});
+      if (!judged) continue;
+      const double voxel_um = 1e6 * scene.volume->grid.spacing.minCoeff();
+      const auto worst = [](const std::vector<double>& values) {
+        return *std::max_element(values.begin(), values.end());
+      };
+      const std::string why =
+          rounded ? "Central differences round a corner over a voxel on either side: a lone point "
+                    "is held a third of a voxel short of it."
+                  : "The worst of the holds.";
+      const auto claim = [&](const char* which, double value, double bound, const char* unit,
+                             const std::string& note) {
+        outcome.cases.push_back(
+            {what + ": " + which, value, bound, unit, Case::Sense::AtMost, note});
+      };
+      claim("position of ours", worst(errors.position_um), (rounded ? 0.35 : 0.1) * voxel_um, "um",
+            why);
+      claim("direction of our force", worst(errors.angle_deg), rounded ? 6.0 : 1.0, "degrees", why);
+      claim("size of our force", worst(errors.magnitude), (rounded ? 0.35 : 0.1) * voxel_um / 400.0,
+            "", "Relative; a tenth of a voxel over the least depth of the device, 0.4 mm. " + why);
+      claim("our force and the poses of its tick", worst(errors.own_force), 1e-9, "N",
+            "In every tick on the way, so that a force that lags is seen.");
+      double deepest = 0.0;
+      for (const Pose& X_WP : errors.settled)
+        deepest = std::max(deepest, evaluator::penetration_mm(*scene.volume, scene.isovalue,
+                                                              tool.shell.points, X_WP));
+      claim("penetration of ours", deepest, 0.0, "mm", "Settled, in double.");
+    }
+    addTo(outcome, position);
+    addTo(outcome, angle);
+  }
+  return outcome;
+}
+
+}  // namespace study

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "app/study/report/outcome.h"
+
+namespace study {
+
+/// How long and how often.
+struct SceneEffort {
+  double seconds = 3.0;  ///< of each of six hands, after the lead-in
+  int holds = 40;
+  int detours = 12;
+  bool every_setting = true;  ///< all budgets, fields and normals, or one of each
+};
+
+/// One of the paper's scenes, rebuilt: literal, charitable, accept-inside, and ours with several
+/// budgets, fields and normals, all led along the same hands in one process. Coupling distance and
+/// residual against time; penetration, wall passages and frozen share; a row of Table 1.
+Outcome sceneStudy(const std::string& scene, const SceneEffort& effort);
+
+/// Ours with 10^3 points and more, with budgets: what a budget costs in lag.
+Outcome pointStudy(bool flat, const std::vector<int>& points, const std::vector<int>& budgets_us);
+
+}  // namespace study

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/accuracy/work_precision.h"
+
+#include <algorithm>
+
+#include "app/study/comparison/measures.h"
+
+namespace study {
+namespace {
+
+/// "12.3, 15, 20, 31": median, 90 %, 99 % and greatest.
+std::string quantilesOf(const std::vector<double>& sorted) {
+  std::string text;
+  for (const double q : {0.5, 0.9, 0.99, 1.0})
+    text += (text.empty() ? "" : ", ") + shortly(comparison::quantile(sorted, q));
+  return text;
+}
+
+}  // namespace
+
+std::vector<bool> paretoFront(const std::vector<std::pair<double, double>>& points) {
+  std::vector<bool> front;
+  for (const auto& p : points)
+    front.push_back(std::ranges::none_of(points, [&](const auto& other) {
+      return other.first <= p.first && other.second <= p.second && other != p;
+    }));
+  return front;
+}
+
+void addTo(Outcome& outcome, const WorkPrecision& work) {
+  Plot plot{work.title,
+            work.description +
+                " Bars go from the median error to that of 99 %. A line joins what "
+                "no other setting of the same method outdoes.",
+            {work.cost_label, Scale::Log},
+            {work.error_label, Scale::Log}};
+  Table table{work.title + ": quantiles (50, 90, 99, 100 %)",
+              {"method", "setting", work.cost_label, work.error_label, "samples", "on the front"},
+              {}};
+  std::vector<std::string> methods;
+  for (const WorkPoint& point : work.points)
+    if (std::ranges::find(methods, point.method) == methods.end()) methods.push_back(point.method);
+  for (const std::string& method : methods) {
+    Series series{method, {}};
+    std::vector<std::pair<double, double>> places;
+    std::vector<std::vector<std::string>> rows;
+    for (const WorkPoint& point : work.points) {
+      if (point.method != method) continue;
+      std::vector<double> cost = point.cost, error = point.error;
+      std::ranges::sort(cost);
+      std::ranges::sort(error);
+      const double median = comparison::quantile(error, 0.5);
+      places.emplace_back(comparison::mean(cost), median);
+      series.points.push_back(
+          {places.back().first, median, median, comparison::quantile(error, 0.99)});
+      rows.push_back({method, point.setting, quantilesOf(cost), quantilesOf(error),
+                      shortly(point.samples), ""});
+    }
+    const std::vector<bool> front = paretoFront(places);
+    for (std::size_t n = 0; n < front.size(); ++n) {
+      series.points[n].in_line = front[n];
+      rows[n].back() = front[n] ? "yes" : "no";
+    }
+    std::ranges::sort(series.points, {}, &PlotPoint::x);
+    plot.series.push_back(std::move(series));
+    table.rows.insert(table.rows.end(), rows.begin(), rows.end());
+  }
+  outcome.plots.push_back(std::move(plot));
+  outcome.tables.push_back(std::move(table));
+}
+
+}  // namespace study

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/study/comparison/measures.h"
+#include "app/study/comparison/methods.h"
+#include "haptics/simulation/hand.h"
+
+namespace comparison {
+
+/// What one hand did: the device's poses, one a tick of 1 ms, from free space on.
+struct Course {
+  std::string hand;
+  std::vector<Pose> device;
+  bool jerk = false;  ///< counts for time and walls, not for coupling and freezing
+};
+
+/// tap, slide, wedge, pry, hook and jerk, each for so many seconds after a lead-in of half a
+/// second. The device is the hand itself, so that every method is led along the same path.
+haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene, const Case& touched,
+                                                 double seconds);
+
+/// What a method did on the courses: one row a tick, course after course.
+struct Track {
+  std::string method;
+  bool sub_steps = false;  ///< a tick is not one motion but several
+  std::vector<std::vector<Tick>> ticks;
+};
+
+/// Leads all methods along all courses, tick by tick in turn; who is first changes every tick.
+std::vector<Track> follow(std::vector<std::unique_ptr<Method>>& methods,
+                          const std::vector<Course>& courses);
+
+/// A tick that took longer than 300 us, and what could explain it.
+struct LongTick {
+  std::string hand;
+  std::size_t tick = 0;
+  double us = 0.0;
+  std::int64_t work = 0;
+  long faults = 0, switches = 0;
+};
+
+/// One hand's part of it.
+struct Part {
+  std::string hand;
+  double mean_us = 0.0, coupling_mm = 0.0, frozen = 0.0, contact = 0.0;  ///< shares of ticks
+};
+
+/// A track in numbers. Times are thread CPU.
+struct Summary {
+  std::string method;
+  double mean_us = 0.0, p50_us = 0.0, p99_us = 0.0, p999_us = 0.0, p9999_us = 0.0, max_us = 0.0;
+  double coupling_mm = 0.0;  ///< mean distance in the mass metric over contact ticks, jerk left out
+  double guided_mm = 0.0;    ///< the same over tap, slide and hook
+  double frozen = 0.0;       ///< share of contact ticks, jerk left out
+  double samples_per_tick = 0.0;
+  int contacts_max = 0;
+  double cut = 0.0;             ///< share of ticks that the budget ended
+  double penetration_mm = 0.0;  ///< deepest of the judged poses
+  int wall_passages = 0;        ///< points, over the judged ticks
+  std::size_t ticks = 0, judged_poses = 0;
+  std::vector<LongTick> long_ticks;
+  std::vector<Part> parts;  ///< hand by hand
+};
+
+/// Judges every `every`-th pose for its depth, in jerks five times as many, and every other tick
+/// for passages, in jerks all.
+Summary summaryOf(const Track& track, const std::vector<Course>& courses,
+                  const haptics::PointShell& shell, const Judge& judge, std::size_t every);
+
+}  // namespace comparison

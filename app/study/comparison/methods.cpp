@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/comparison/methods.h"
+
+#include <sys/resource.h>
+
+#include <optional>
+#include <utility>
+
+#include "haptics/core/budget.h"
+#include "haptics/servo/proxy.h"
+#include "haptics/servo/tick.h"
+
+namespace comparison {
+namespace {
+
+constexpr double kStiffness = 1000.0;  // N/m
+
+class Ours final : public Method {
+ public:
+  Ours(std::shared_ptr<const haptics::Scene> scene, double isovalue, Limit limit)
+      : scene_{std::move(scene)}, isovalue_{isovalue}, limit_{limit} {}
+
+  const char* name() const override { return "ours"; }
+  bool subSteps() const override { return true; }
+  void start(const Pose& X_WP) override {
+    proxy_ = std::make_unique<haptics::Proxy>(*scene_, X_WP);
+  }
+
+ private:
+  void step(const Pose& X_WD, Tick& tick) override {
+    haptics::Budget budget = limit_.work > 0 ? haptics::Budget::counted(limit_.work)
+                                             : haptics::Budget::timed(limit_.nanoseconds);
+    const haptics::TickResult result =
+        haptics::tick(*scene_, isovalue_, coupling_, X_WD, *proxy_, budget);
+    tick.X_WP = proxy_->X_WP;
+    tick.force = result.wrench_W.force;
+    tick.contacts = result.contacts;
+    tick.samples = budget.spent();
+    tick.cut = result.cut;
+  }
+
+  std::shared_ptr<const haptics::Scene> scene_;
+  double isovalue_;
+  Limit limit_;
+  haptics::VirtualCoupling coupling_{kStiffness, 0.0};
+  std::unique_ptr<haptics::Proxy> proxy_;
+};
+
+class Rival final : public Method {
+ public:
+  Rival(const Case& scene, const haptics::PointShell& shell, const reference::Choices& choices)
+      : scene_{{*scene.volume, scene.isovalue, choices}, shell, kStiffness, 0.0} {}
+
+  const char* name() const override {
+    switch (scene_.solid.choices().variant) {
+      case reference::Variant::Literal:
+        return "literal";
+      case reference::Variant::Charitable:
+        return "charitable";
+      case reference::Variant::AcceptInside:
+        break;
+    }
+    return "accept-inside";
+  }
+  void start(const Pose& X_WP) override {
+    state_ = {};
+    state_.X_WP = X_WP;
+  }
+
+ private:
+  void step(const Pose& X_WD, Tick& tick) override {
+    const std::int64_t before = scene_.solid.samples();
+    tick.force = reference::tick(scene_, X_WD, state_).force;
+    tick.X_WP = state_.X_WP;
+    tick.contacts = static_cast<int>(state_.contacts.size());
+    tick.samples = scene_.solid.samples() - before;
+  }
+
+  reference::Scene scene_;
+  reference::State state_;
+};
+
+}  // namespace
+
+Tick Method::tick(const Pose& X_WD) {
+  Tick tick;
+  rusage before{}, after{};
+  getrusage(RUSAGE_THREAD, &before);
+  const std::int64_t begun = haptics::Budget::threadTime();
+  step(X_WD, tick);
+  tick.cpu_ns = haptics::Budget::threadTime() - begun;
+  getrusage(RUSAGE_THREAD, &after);
+  tick.faults = after.ru_minflt - before.ru_minflt;
+  tick.switches = after.ru_nivcsw - before.ru_nivcsw;
+  return tick;
+}
+
+std::unique_ptr<Method> ours(std::shared_ptr<const haptics::Scene> scene, double isovalue,
+                             Limit limit) {
+  return std::make_unique<Ours>(std::move(scene), isovalue, limit);
+}
+
+std::unique_ptr<Method> rival(const Case& scene, const haptics::PointShell& shell,
+                              const reference::Choices& choices) {
+  return std::make_unique<Rival>(scene, shell, choices);
+}
+
+std::vector<std::unique_ptr<Method>> allMethods(const Case& scene,
+                                                std::shared_ptr<const haptics::Scene> built,
+                                                Limit limit) {
+  const haptics::PointShell& shell = built->tool.shell;
+  std::vector<std::unique_ptr<Method>> all;
+  for (const auto variant : {reference::Variant::Literal, reference::Variant::Charitable,
+                             reference::Variant::AcceptInside})
+    all.push_back(rival(scene, shell, reference::choicesFor(scene.volume->grid, variant)));
+  all.push_back(ours(std::move(built), scene.isovalue, limit));
+  return all;
+}
+
+}  // namespace comparison

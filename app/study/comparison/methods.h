@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/study/comparison/scenes.h"
+#include "app/study/reference/tick.h"
+#include "haptics/scene.h"
+
+namespace comparison {
+
+using haptics::Pose;
+using haptics::Vec3;
+using haptics::Wrench;
+
+/// What ends a tick of ours: CPU time of the thread, or counted work where results must repeat.
+struct Limit {
+  std::int64_t nanoseconds = 200'000;
+  std::int64_t work = 0;  ///< > 0 takes this instead of the time
+};
+
+/// What one tick came to.
+struct Tick {
+  Pose X_WP = Pose::Identity();
+  Vec3 force = Vec3::Zero();  ///< N, on the hand
+  int contacts = 0;
+  std::int64_t cpu_ns = 0;   ///< of the thread, the budget's own clock included
+  std::int64_t samples = 0;  ///< look-ups of F; of ours units of work (core/budget.h)
+  bool cut = false;          ///< the budget ended it
+  long faults = 0;           ///< minor page faults of the thread meanwhile
+  long switches = 0;         ///< how often the thread was put aside
+};
+
+/// A proxy method at work in one scene, led by device poses. One thread.
+class Method {
+ public:
+  virtual ~Method() = default;
+  virtual const char* name() const = 0;
+  virtual bool subSteps() const { return false; }  ///< whether a tick may take several motions
+  /// Forgets everything and puts the proxy there, which must be legal.
+  virtual void start(const Pose& X_WP) = 0;
+  /// One tick, measured.
+  Tick tick(const Pose& X_WD);
+
+ protected:
+  virtual void step(const Pose& X_WD, Tick& tick) = 0;
+};
+
+/// haptics::tick with 1000 N/m.
+std::unique_ptr<Method> ours(std::shared_ptr<const haptics::Scene> scene, double isovalue,
+                             Limit limit);
+/// One reading of the paper's words (app/study/reference), with the same stiffness.
+std::unique_ptr<Method> rival(const Case& scene, const haptics::PointShell& shell,
+                              const reference::Choices& choices);
+
+/// literal, charitable, accept-inside and ours, in this order.
+std::vector<std::unique_ptr<Method>> allMethods(const Case& scene,
+                                                std::shared_ptr<const haptics::Scene> built,
+                                                Limit limit);
+
+}  // namespace comparison

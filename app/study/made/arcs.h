@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/study/made/made.h"
+#include "app/study/made/one_point.h"
+#include "app/study/reference/evaluator.h"
+#include "haptics/collision/clearance.h"
+#include "haptics/collision/sweep.h"
+
+/// Random arcs through volumes that are hard on collision detection, and what a dense sampling of
+/// the field in double says of each.
+namespace arcs {
+
+using haptics::Vec3;
+
+inline constexpr double h = 1e-3;  ///< m: the voxel of these volumes
+
+/// A volume to shoot at.
+struct Target {
+  std::string name;
+  std::shared_ptr<const haptics::Volume> volume;
+  haptics::ScalarField field;
+  std::vector<double> isovalues;
+  double half;      ///< m: arcs start within this much of the middle
+  int samples;      ///< of the dense sampling, along an arc
+  double steepest;  ///< per metre: no slope is greater
+
+  Target(std::string called, haptics::Volume made, std::vector<double> at, double within, int dense)
+      : name{std::move(called)},
+        volume{made::shared(std::move(made))},
+        field{volume},
+        isovalues{std::move(at)},
+        half{within},
+        samples{dense},
+        steepest{0.0} {
+    const auto& dims = volume->grid.dims;
+    for (std::int64_t k = 2; k < dims[2]; k += 4)
+      for (std::int64_t j = 2; j < dims[1]; j += 4)
+        for (std::int64_t i = 2; i < dims[0]; i += 4)
+          steepest =
+              std::max(steepest, field.pyramid().lipschitz({double(i), double(j), double(k)}));
+  }
+};
+
+/// White noise, from a third to two standard deviations.
+inline Target noise(unsigned seed) {
+  return {"noise",
+          made::noise(made::centred(40, h), seed),
+          {33.0, 67.0, 100.0, 133.0, 200.0},
+          18 * h,
+          600};
+}
+/// A plate one voxel thick and slanting, seen near its peak: what is inside are flakes of it.
+inline Target slantedPlate(made::Random& random) {
+  const Vec3 n = random.direction();
+  auto volume = made::sampled(made::centred(40, h), [&](const Vec3& p) {
+    return 1000.0 * std::max(0.0, 1.0 - std::abs(n.dot(p)) / h);
+  });
+  const double peak = volume.greatest;
+  return {"slanted plate", std::move(volume), {0.8 * peak, 0.95 * peak, 0.99 * peak}, 4 * h, 1200};
+}
+/// Upright plates, 0.4, 0.1 and 0.02 voxel thick at these isovalues.
+inline Target uprightPlates() {
+  return {"upright plates",
+          made::filled(made::centred(40, h), haptics::ScalarType::Int16,
+                       [](auto i, auto, auto) { return i % 8 == 4 ? 1000.0 : 0.0; }),
+          {800.0, 950.0, 990.0},
+          15 * h,
+          1200};
+}
+/// A gyroid of twelve voxels' period: smooth, and curved everywhere.
+inline Target gyroid() {
+  static constexpr double kWave = 2.0 * std::numbers::pi / (12.0 * h);
+  return {"gyroid",
+          made::sampled(made::centred(40, h),
+                        [](const Vec3& p) {
+                          const Vec3 q = kWave * p;
+                          return 1000.0 * (std::sin(q.x()) * std::cos(q.y()) +
+                                           std::sin(q.y()) * std::cos(q.z()) +
+                                           std::sin(q.z()) * std::cos(q.x()));
+                        }),
+          {-500.0, 0.0, 500.0, 1200.0, 1400.0},
+          18 * h,
+          400};
+}
+
+struct Tally {
+  long arcs = 0;
+  long met = 0;
+  long missed = 0;      ///< inside somewhere on the way, and not met
+  long late = 0;        ///< met more than 1e-3 voxel of path beyond the first place inside
+  long early = 0;       ///< stopped where F is below what sagitta, root and guard amount to
+  double latest = 0.0;  ///< voxels of path; the greatest lateness
+
+  Tally& operator+=(const Tally& other) {
+    arcs += other.arcs;
+    met += other.met;
+    missed += other.missed;
+    late += other.late;
+    early += other.early;
+    latest = std::max(latest, other.latest);
+    return *this;
+  }
+};
+
+/// The first time at which the dense sampling finds the path inside: between samples it climbs to
+/// the top wherever a slope could reach the isovalue, and closes in on the crossing.
+inline std::optional<double> firstInside(const Target& target, double s,
+                                         const haptics::PointPath& path, double until = 1.0) {
+  const auto F = [&](double t) { return evaluator::fieldAt(*target.volume, path.at(t)); };
+  const int samples = std::max(8, int(target.samples * until));
+  const double dt = until / samples, rise = target.steepest * path.speed() * dt;
+  const auto closeIn = [&](double outside, double inside) {
+    for (int n = 0; n < 30; ++n) {
+      const double middle = 0.5 * (outside + inside);
+      (F(middle) >= s ? inside : outside) = middle;
+    }
+    return inside;
+  };
+  double before = -std::numeric_limits<double>::infinity(), last = F(0.0);
+  if (last >= s) return 0.0;
+  for (int n = 1; n <= samples; ++n) {
+    const double t = n * dt, now = F(t);
+    if (before <= last && last >= now && last + rise >= s) {
+      // a peak between the two samples beside it
+      double from = std::max(0.0, t - 2.0 * dt), to = t;
+      for (int step = 0; step < 24; ++step) {
+        const double a = from + (to - from) / 3.0, b = to - (to - from) / 3.0;
+        if (F(a) < F(b))
+          from = a;
+        else
+          to = b;
+      }
+      const double top = 0.5 * (from + to);
+      if (F(top) >= s) return closeIn(std::max(0.0, t - 2.0 * dt), top);
+    }
+    if (now >= s) return closeIn(t - dt, t);
+    before = last;
+    last = now;
+  }
+  return {};
+}
+
+/// Judges where a path of this speed [m] was stopped, given where it first is inside.
+inline void judge(const Target& target, double s, const std::optional<double>& first, double speed,
+                  const haptics::PointPath& stopped, double time, bool met, Tally& tally) {
+  if (first) {
+    const double late = (time - *first) * speed / h;
+    tally.missed += !met;
+    if (met) tally.latest = std::max(tally.latest, late);
+    tally.late += met && late > 1e-3;
+  }
+  if (!met) return;
+  ++tally.met;
+  tally.early +=
+      evaluator::fieldAt(*target.volume, stopped.at(time)) < s - 5e-4 * h * target.steepest;
+}
+
+/// Up to 3 mm along and 0.35 rad about.
+inline haptics::Twist anyMotion(made::Random& random) {
+  return {3e-3 * random.in(0.0, 1.0) * random.direction(),
+          0.35 * random.in(0.0, 1.0) * random.direction()};
+}
+
+/// Where a method stops an arc of one point at an isovalue.
+using Detect = std::function<made::Crossing(const Target&, double s, const made::Arc&)>;
+/// As a tick does, for a tool of one point.
+inline made::Crossing detected(const Target& target, double s, const made::Arc& arc) {
+  return made::crossed({target.field, s}, arc, haptics::Tolerances{h});
+}
+
+/// Arcs of one point, up to 20 mm from the tool's origin.
+inline Tally shootPoints(const Target& target, long count, made::Random& random,
+                         const Detect& detect = detected) {
+  Tally tally;
+  while (tally.arcs < count) {
+    const double s =
+        target.isovalues[static_cast<std::size_t>(random.below(int(target.isovalues.size())))];
+    const haptics::Isosurface solid{target.field, s};
+    const Vec3 r = random.in(0.0, 0.02) * random.direction();
+    const made::Arc path{random.box(target.half) - r, r, anyMotion(random)};
+    if (evaluator::fieldAt(*target.volume, path.at(0.0)) >= solid.ceiling()) continue;
+    ++tally.arcs;
+    const made::Crossing crossing = detect(target, s, path);
+    judge(target, s, firstInside(target, s, path), path.speed(), path, crossing.time, crossing.met,
+          tally);
+  }
+  return tally;
+}
+
+/// Arcs of a tool of 20 points within 8 mm, each with the collision detection of the whole shell.
+inline Tally shootShells(const Target& target, long count, made::Random& random) {
+  Tally tally;
+  haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
+  while (tally.arcs < count) {
+    const double s =
+        target.isovalues[static_cast<std::size_t>(random.below(int(target.isovalues.size())))];
+    const haptics::Isosurface solid{target.field, s};
+    // small, so that it often finds a legal place among the specks
+    const double size = random.in(0.2e-3, 8e-3);
+    std::vector<Vec3> points;
+    for (int n = 0; n < 20; ++n) points.push_back(random.box(size));
+    const haptics::PointShell shell = haptics::makeShell(std::move(points)).value();
+    const haptics::Pose X = made::at(random.box(target.half), random.rotation());
+    const haptics::Twist motion = anyMotion(random);
+    const double reach = motion.linear.norm() + motion.angular.norm() * shell.radius;
+    const haptics::ShellTree tree{shell.points};
+    haptics::Clearance clearance{tree};
+    if (clearance.collect(solid, tree, X, reach, unlimited) != haptics::Clearance::Verdict::Legal)
+      continue;
+    ++tally.arcs;
+    const haptics::Tolerances lengths{h};
+    haptics::Sweep sweep{shell.points.size()};
+    sweep.begin(target.field, clearance, X, motion, lengths);
+    while (!sweep.advance(solid, tree, clearance, lengths, unlimited)) {
+    }
+    const haptics::Impact impact = sweep.impact(solid, tree, clearance, lengths);
+    // the first of the points to be inside
+    std::optional<double> first;
+    double speed = 0.0;
+    for (const Vec3& p : shell.points) {
+      const haptics::PointPath path{X.translation(), X.linear() * p, motion};
+      const auto inside = firstInside(target, s, path, first.value_or(1.0));
+      if (!inside || (first && *inside >= *first)) continue;
+      first = inside;
+      speed = path.speed();
+    }
+    const auto point = static_cast<std::size_t>(impact.met ? impact.contact.point : 0);
+    judge(target, s, first, speed,
+          haptics::PointPath{X.translation(), X.linear() * shell.points[point], motion},
+          impact.time, impact.met, tally);
+  }
+  return tally;
+}
+
+}  // namespace arcs

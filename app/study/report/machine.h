@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace study {
+
+using Json = nlohmann::ordered_json;
+
+/// What a study ran on, as far as its figures depend on it; nothing that tells whose it is.
+Json machineHere();
+
+/// Palpate's version.
+std::string versionHere();
+
+/// What this very program was built from and how, as one word: the linker's build identity. Two
+/// programs with the same one give the same results.
+std::string buildHere();
+
+}  // namespace study

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "app/study/page/page.h"
+#include "app/study/report/results.h"
+
+namespace study {
+namespace {
+
+/// What all jobs of a section say, put together.
+struct Section {
+  std::string title;
+  std::vector<Case> cases;
+  std::vector<Plot> plots;
+  std::vector<Table> tables;
+  std::vector<std::string> remarks;
+};
+
+void join(Plot plot, std::vector<Plot>& plots) {
+  const auto same =
+      std::ranges::find_if(plots, [&](const Plot& p) { return p.title == plot.title; });
+  if (same == plots.end()) {
+    plots.push_back(std::move(plot));
+    return;
+  }
+  for (Series& series : plot.series) {
+    const auto old =
+        std::ranges::find_if(same->series, [&](const Series& s) { return s.name == series.name; });
+    if (old == same->series.end()) {
+      same->series.push_back(std::move(series));
+      continue;
+    }
+    old->points.insert(old->points.end(), series.points.begin(), series.points.end());
+    std::ranges::stable_sort(old->points, {}, &PlotPoint::x);
+  }
+}
+
+void join(const Table& table, std::vector<Table>& tables) {
+  const auto same =
+      std::ranges::find_if(tables, [&](const Table& t) { return t.caption == table.caption; });
+  if (same == tables.end() || table.caption.empty())
+    tables.push_back(table);
+  else
+    same->rows.insert(same->rows.end(), table.rows.begin(), table.rows.end());
+}
+
+std::vector<Section> sectionsOf(const Results& results) {
+  std::vector<Section> sections;
+  for (const Finished& one : results.finished) {
+    auto at =
+        std::ranges::find_if(sections, [&](const Section& s) { return s.title == one.section; });
+    if (at == sections.end()) at = sections.insert(at, Section{one.section, {}, {}, {}, {}});
+    at->cases.insert(at->cases.end(), one.outcome.cases.begin(), one.outcome.cases.end());
+    for (const Plot& plot : one.outcome.plots) join(plot, at->plots);
+    for (const Table& table : one.outcome.tables) join(table, at->tables);
+    for (const std::string& remark : one.outcome.remarks)
+      if (std::ranges::find(at->remarks, remark) == at->remarks.end())
+        at->remarks.push_back(remark);
+  }
+  return sections;
+}
+
+Table tableOf(const std::vector<Case>& cases) {
+  Table table{{}, {"case", "value", "", "bound", "unit", "holds", "note"}, {}};
+  for (const Case& c : cases)
+    table.rows.push_back({c.name, shortly(c.value), c.sense == Case::Sense::AtMost ? "≤" : "≥",
+                          shortly(c.bound), c.unit, c.pass() ? "yes" : "NO", c.note});
+  return table;
+}
+
+/// "112 of 115 cases hold."
+std::string verdictOf(const std::vector<Case>& cases) {
+  const auto held = std::ranges::count_if(cases, &Case::pass);
+  const auto all = std::to_string(cases.size());
+  if (cases.empty()) return "No case has been run.";
+  if (held == std::ssize(cases)) return "All " + all + " cases hold.";
+  return std::to_string(held) + " of " + all + " cases hold. These do not:";
+}
+
+}  // namespace
+
+std::string htmlOf(const Results& results) {
+  Page page{results.title};
+  for (const std::string& paragraph : results.introduction) page.paragraph(paragraph);
+  const std::vector<Case> cases = results.cases();
+  page.paragraph(verdictOf(cases));
+  std::vector<Case> failing;
+  std::ranges::copy_if(cases, std::back_inserter(failing), [](const Case& c) { return !c.pass(); });
+  if (!failing.empty()) page.table(tableOf(failing));
+  const std::vector<std::string> missing = results.missing();
+  if (!missing.empty()) {
+    std::string names;
+    for (const std::string& name : missing) names += (names.empty() ? "" : ", ") + name;
+    page.paragraph(std::to_string(missing.size()) + " of " + std::to_string(results.jobs.size()) +
+                   " jobs have not been run, and nothing is said of them: " + names + ".");
+  }
+
+  for (const Section& section : sectionsOf(results)) {
+    page.heading(section.title);
+    for (const std::string& remark : section.remarks) page.paragraph(remark);
+    for (const Plot& plot : section.plots) page.plot(plot);
+    for (const Table& table : section.tables) page.table(table);
+    if (!section.cases.empty()) page.table(tableOf(section.cases));
+  }
+
+  page.heading("To repeat it");
+  page.command(commandOf(results.identity));
+  Table made{{}, {"", ""}, {}};
+  made.rows.push_back({"version", results.identity.version});
+  made.rows.push_back({"build", results.identity.build});
+  made.rows.push_back({"seed", std::to_string(results.identity.seed)});
+  std::vector<Json> machines;
+  for (const Finished& one : results.finished) {
+    if (std::ranges::find(machines, one.machine) != machines.end()) continue;
+    machines.push_back(one.machine);
+    for (const auto& [name, value] : one.machine.items())
+      made.rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
+  }
+  page.table(made);
+  if (machines.size() > 1)
+    page.paragraph("The jobs ran on " + std::to_string(machines.size()) +
+                   " kinds of machine: compare times within a job only.");
+  return page.html();
+}
+
+}  // namespace study

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A study in its quick form, as a user runs it: the whole, in shards, stopped and taken up again.
+
+    studies_test.py PALPATE_CLI SCHEMA STUDY FOLDER
+
+What the studies measure in time is not asserted; what must hold at any speed is.
+"""
+
+import csv
+import json
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree
+
+try:
+    import jsonschema
+except ImportError:
+    print("python3-jsonschema is not installed: results.json cannot be checked; skipped.")
+    sys.exit(77)
+
+
+def study(program, *arguments):
+    return subprocess.run([program, "study", *arguments], capture_output=True, text=True)
+
+
+def read(folder):
+    return json.loads((folder / "results.json").read_text())
+
+
+def without_times(results):
+    """What two runs must agree in: cases that no clock has a part in, and which jobs there are."""
+    return ([job["job"] for job in results["jobs"]],
+            [(case["name"], case["bound"], case["unit"]) for case in results["cases"]])
+
+
+def main():
+    program, schema, name, root = sys.argv[1:5]
+    root = pathlib.Path(root)
+    shutil.rmtree(root, ignore_errors=True)
+    schema = json.loads(pathlib.Path(schema).read_text())
+
+    # begun, stopped, and taken up again
+    whole = root / "whole"
+    begun = subprocess.Popen([program, "study", name, "--quick", "--out", str(whole)],
+                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    begun.stderr.readline()  # the first job is done
+    begun.send_signal(signal.SIGINT)
+    assert begun.wait(timeout=120) == 130, f"stopped it exits with {begun.returncode}, not 130"
+    some = read(whole)
+    assert some["jobs"] and some["missing"], "stopped, a study keeps what is done and says what is not"
+    done = {job["job"]: job["seconds"] for job in some["jobs"]}
+
+    started = time.monotonic()
+    ended = study(program, name, "--quick", "--out", str(whole), "--json")
+    print(f"{name}: {time.monotonic() - started:.0f} s more")
+    results = read(whole)
+    jsonschema.validate(results, schema)
+    assert not results["missing"], results["missing"]
+    for job in results["jobs"]:
+        if job["job"] in done:
+            assert job["seconds"] == done[job["job"]], f"{job['job']} was run twice"
+    printed = json.loads(ended.stdout)
+    assert printed["cases"] == results["cases"], "--json prints the cases of results.json"
+
+    # a case that does not hold ends in exit code 4, and is named
+    failing = [case["name"] for case in results["cases"] if not case["pass"]]
+    for case in results["cases"]:
+        if not case["pass"]:
+            print(f"does not hold: {case['name']}: {case['value']} {case['unit']}, "
+                  f"{case['sense']} {case['bound']}; {case['note']}")
+            assert case["note"], "of a case that fails is said what is known about it"
+    assert ended.returncode == (4 if failing else 0), ended.returncode
+    assert len(results["cases"]) == len({case["name"] for case in results["cases"]}), "names twice"
+
+    # the page is well-formed, asks for nothing, and shows every plot and failing case
+    html = (whole / "report.html").read_text()
+    page = xml.etree.ElementTree.fromstring(html.replace("<!DOCTYPE html>", "", 1))
+    assert not [tag for tag in page.iter() if {"src", "href"} & set(tag.attrib)]
+    titles = {plot["title"] for job in results["jobs"] for plot in job["plots"]}
+    shown = {"".join(caption.itertext()) for caption in page.iter("figcaption")}
+    assert titles == shown, titles ^ shown
+    for image in page.iter("svg"):
+        assert image.find("title").text and image.find("desc").text
+    cells = {"".join(cell.itertext()) for cell in page.iter("td")}
+    assert set(failing) <= cells
+
+    rows = list(csv.DictReader((whole / "results.csv").open()))
+    assert sum(row["kind"] == "case" for row in rows) == len(results["cases"])
+    assert all(None not in row and None not in row.values() for row in rows)
+
+    # in shards, on folders of their own, and put together
+    for n in (1, 2):
+        ended = study(program, name, "--quick", "--shard", f"{n}/2", "--out", str(root / f"shard{n}"))
+        assert ended.returncode in (0, 4), ended.stderr
+    ended = study(program, "merge", str(root / "shard1"), str(root / "shard2"), "--out",
+                  str(root / "merged"))
+    assert ended.returncode in (0, 4), ended.stderr
+    merged = read(root / "merged")
+    jsonschema.validate(merged, schema)
+    assert without_times(merged) == without_times(results)
+
+    # two studies are not mixed
+    refused = study(program, name, "--quick", "--seed", "2", "--out", str(root / "merged"))
+    assert refused.returncode == 3 and "mixed" in refused.stderr, refused.stderr
+    for wrong in (["--shard", "3/2"], ["--shard", "1"], ["--shard", "0/2"], []):
+        arguments = wrong + ["--out", str(root / "x")] if wrong else []
+        assert study(program, name, *arguments).returncode == 2, wrong
+    assert study(program, name, "--quick", "--out", "/proc/none").returncode == 4
+
+
+if __name__ == "__main__":
+    main()
