@@ -43,9 +43,13 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
   const Clock::time_point begun = Clock::now();
   ShellTree tree{tool.shell.points};
   structures.push_back({"shell_tree", tree.bytes(), secondsSince(begun)});
-  return std::make_shared<const Scene>(Scene{++last_id, std::move(volume), std::move(tool),
-                                             std::move(tree), field, *field, metric, lengths,
-                                             options.normal, std::move(structures)});
+  Plan plan = options.plan;
+  plan.free_space = plan.free_space && !plan.looksAgain();
+  plan.central_differences = plan.central_differences && options.normal != NormalKind::Central;
+  PlanLines planned = linesOf(plan, options, *volume, tree);
+  return std::make_shared<const Scene>(
+      Scene{++last_id, std::move(volume), std::move(tool), std::move(tree), field, *field, metric,
+            lengths, options.normal, std::move(structures), plan, std::move(planned)});
 }
 
 std::optional<Pose> legalPoseNear(const Scene& scene, double isovalue, const Pose& X_WT) {

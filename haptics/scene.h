@@ -12,6 +12,7 @@
 #include "haptics/core/geometry.h"
 #include "haptics/core/volume.h"
 #include "haptics/field/isosurface.h"
+#include "haptics/plan.h"
 #include "haptics/solver/mass_metric.h"
 #include "haptics/tool/point_shell.h"
 #include "haptics/tool/shell_tree.h"
@@ -22,6 +23,7 @@ namespace haptics {
 struct SceneOptions {
   FieldKind field = FieldKind::Trilinear;
   NormalKind normal = NormalKind::Central;
+  Plan plan = {};  ///< what may be left out
 };
 
 /// Something built for a scene: what it takes in memory, and took in time.
@@ -44,7 +46,13 @@ struct Scene {
   Tolerances lengths;        ///< from the voxel
   NormalKind normal = NormalKind::Central;
   std::vector<Structure> structures = {};
+  Plan plan = {};          ///< what its ticks leave out
+  PlanLines planned = {};  ///< the same in words
 };
+
+/// The plan in words, with the reasons that this volume, tool and choice give it.
+PlanLines linesOf(const Plan& plan, const SceneOptions& options, const Volume& volume,
+                  const ShellTree& tree);
 
 /// Builds a scene; takes tens to hundreds of milliseconds, so not on the GUI or servo thread. The
 /// field of `previous` is taken over where volume and kind are the same.

@@ -2,11 +2,13 @@
 #include "app/study/studies.h"
 
 #include "app/study/accuracy/accuracy.h"
+#include "app/study/plan/plan.h"
 
 namespace study {
 namespace {
 
-constexpr std::pair<const char*, Study (*)(Depth)> kStudies[] = {{"accuracy", accuracyStudy}};
+constexpr std::pair<const char*, Study (*)(Depth)> kStudies[] = {{"accuracy", accuracyStudy},
+                                                                 {"plan", planStudy}};
 
 }  // namespace
 

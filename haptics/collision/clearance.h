@@ -4,12 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "haptics/core/budget.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
 #include "haptics/field/isosurface.h"
+#include "haptics/plan.h"
 #include "haptics/tool/shell_tree.h"
 
 namespace haptics {
@@ -29,7 +31,7 @@ struct NearPoint {
 /// A search that the budget cuts goes on where it stopped, as long as the tool has not moved.
 class Clearance {
  public:
-  explicit Clearance(const ShellTree& tree);
+  explicit Clearance(const ShellTree& tree, const Plan& plan = {});
 
   /// Nothing is known any more: the isovalue or the pose changed by other means than motion.
   void forget() HAPTICS_RT;
@@ -43,19 +45,26 @@ class Clearance {
   Verdict collect(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP, double reach,
                   Budget& budget) HAPTICS_RT;
 
+  /// m that every point of the tool may move in any direction: as proven and not yet used up.
+  double room(const ShellTree& tree) const HAPTICS_RT {
+    return node_epoch_.front() == epoch_ ? node_until_.front() - travelled(tree.nodes.front().arm)
+                                         : -std::numeric_limits<double>::infinity();
+  }
+
   /// Changes whenever the tool has moved: of one number, near() only ever grows.
   std::uint32_t search() const HAPTICS_RT { return search_; }
   std::size_t size() const HAPTICS_RT { return found_; }
   const NearPoint& near(std::size_t i) const HAPTICS_RT { return near_[i]; }
   double farthestArm() const HAPTICS_RT { return arm_; }  ///< m, of the points in near()
 
-  /// Calls f with the points of near() that motion is constrained by: all of them, or where they
-  /// are more than kFew, the one with the least clearance in each of kPatches of the shell.
+  /// Calls f with those of the first `count` points of near() that motion is constrained by: all
+  /// of them, or where they are more than kFew, the one with the least clearance in each of
+  /// kPatches of the shell.
   static constexpr int kFew = 512, kPatches = 128;
   template <class F>
-  void eachNearest(F&& f) const HAPTICS_RT {
-    if (found_ <= std::size_t{kFew}) {
-      for (std::size_t i = 0; i < found_; ++i) f(near_[i]);
+  void eachNearest(std::size_t count, F&& f) const HAPTICS_RT {
+    if (count <= std::size_t{kFew}) {
+      for (std::size_t i = 0; i < count; ++i) f(near_[i]);
       return;
     }
     for (int i = 0; i < patches_used_; ++i)
@@ -63,8 +72,30 @@ class Clearance {
           nearest_[static_cast<std::size_t>(used_[static_cast<std::size_t>(i)])])]);
   }
 
+  /// Calls f with the place of every point that is not in near().
+  template <class F>
+  void eachOther(F&& f) const HAPTICS_RT {
+    for (std::size_t i = 0; i < found_in_.size(); ++i)
+      if (found_in_[i] != search_) f(i);
+  }
+
+  // What the plan would leave out, where it is switched off.
+
+  bool looksAgain() const HAPTICS_RT { return plan_.looksAgain(); }
+  /// Calls f with the place of every point that must be looked at along a motion beside those in
+  /// near(), or along all of it though it is.
+  template <class F>
+  void eachAgain(F&& f) const HAPTICS_RT {
+    const std::size_t count = plan_.empty_space ? again_count_ : until_.size();
+    for (std::size_t i = 0; i < count; ++i) f(plan_.empty_space ? again_[i] : i);
+  }
+
  private:
   struct Batch;
+  Verdict find(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP, double reach,
+               Budget& budget) HAPTICS_RT;
+  bool lookAgain(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP, double reach,
+                 Budget& budget) HAPTICS_RT;
   void restart() HAPTICS_RT;
   bool look(const Isosurface& solid, const ShellTree& tree, Batch& batch,
             Budget& budget) HAPTICS_RT;
@@ -95,6 +126,13 @@ class Clearance {
   int cursor_ = 0;           ///< node at which to go on
   std::vector<int> opened_;  ///< inner nodes whose children were looked at, in order
   std::size_t opened_count_ = 0;
+
+  // where the plan is switched off
+  Plan plan_;
+  double again_complete_ = -1.0;         ///< m: as complete_, of what was looked at again
+  std::vector<std::size_t> again_;       ///< places with less room, of what is not in near()
+  std::vector<std::uint32_t> again_in_;  ///< the search in which a point was found so
+  std::size_t again_count_ = 0;
 };
 
 }  // namespace haptics

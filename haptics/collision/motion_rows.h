@@ -16,6 +16,7 @@ inline constexpr std::size_t kMostSurfaceRows = 48;
 struct SurfaceRows {
   FixedVector<MotionRow, kMostSurfaceRows> rows;
   std::uint32_t search = 0;
+  std::size_t near = 0;  ///< points that it had found near by then
 };
 /// Rows of step 3.
 using MotionRows = FixedVector<MotionRow, kMostSurfaceRows + Contacts::capacity()>;
@@ -25,7 +26,7 @@ using MotionRows = FixedVector<MotionRow, kMostSurfaceRows + Contacts::capacity(
 /// moved.
 void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
                 const Clearance& near, const Tolerances& lengths, NormalKind normal,
-                SurfaceRows& surface, Budget& budget) HAPTICS_RT;
+                SurfaceRows& surface, Budget& budget, const Plan& plan = {}) HAPTICS_RT;
 
 /// All rows of step 3: one for every contact that stands in the way (exact normal of its cell),
 /// and those of the surface.

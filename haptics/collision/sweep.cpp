@@ -6,12 +6,6 @@
 
 namespace haptics {
 
-/// A slice of the motion's time, and the tool at its two ends.
-struct Sweep::Slab {
-  double begin, end;
-  lanes::Affine at_begin, at_end;  // tool frame to index coordinates
-};
-
 void Sweep::begin(const ScalarField& field, const Clearance& near, const Pose& X_WP,
                   const Twist& motion, const Tolerances& lengths) HAPTICS_RT {
   X_ = X_WP;
@@ -28,11 +22,6 @@ void Sweep::begin(const ScalarField& field, const Clearance& near, const Pose& X
   // a survey reaches four voxels: a chord stays well within it
   if (speed > 0.0) duration_ = std::min(duration_, kSlab * field.voxel() / speed);
   if (bend > 0.0) duration_ = std::min(duration_, std::sqrt(lengths.sagitta / bend));
-}
-
-Vec3 Sweep::pointOf(const ShellTree& tree, const Clearance& near, int i) const HAPTICS_RT {
-  const auto place = static_cast<std::size_t>(near.near(static_cast<std::size_t>(i)).place);
-  return {tree.x[place], tree.y[place], tree.z[place]};
 }
 
 bool Sweep::advance(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
@@ -57,6 +46,7 @@ bool Sweep::advance(const Isosurface& solid, const ShellTree& tree, const Cleara
       }
       if (count > 0) look(solid, tree, near, slab, points, count, lengths, budget);
     }
+    if (near.looksAgain()) lookAgain(solid, tree, near, slab, lengths, budget);
     cursor_ = 0;
     slab_ = slab.end;
     if (slab_ >= 1.0) break;
@@ -74,10 +64,11 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
   // the chords, from where each point is no longer proven free
   lanes::Numbers px{}, py{}, pz{};
   for (int l = 0; l < count; ++l) {
-    const Vec3 p = pointOf(tree, near, points[l]);
-    px[l] = p.x();
-    py[l] = p.y();
-    pz[l] = p.z();
+    const auto place =
+        static_cast<std::size_t>(near.near(static_cast<std::size_t>(points[l])).place);
+    px[l] = tree.x[place];
+    py[l] = tree.y[place];
+    pz[l] = tree.z[place];
   }
   lanes::Chords chords;
   lanes::place(slab.at_begin, px.lane, py.lane, pz.lane, count, chords.a);
@@ -165,20 +156,20 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
     const double time = slab.begin + (from + reach * (1.0 - from)) * dt;
     if (time >= time_) continue;
     time_ = time;
-    met_ = lane_of[l];
+    met_ = near.near(i).place;
   }
 }
 
-Impact Sweep::impact(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
+Impact Sweep::impact(const Isosurface& solid, const ShellTree& tree,
                      const Tolerances& lengths) const HAPTICS_RT {
   Impact impact;
   impact.time = time_;
   impact.met = met_ >= 0;
   if (!impact.met) return impact;
   Contact& contact = impact.contact;
-  contact.point =
-      tree.index[static_cast<std::size_t>(near.near(static_cast<std::size_t>(met_)).place)];
-  contact.r_W = X_.linear() * pointOf(tree, near, met_);
+  const auto place = static_cast<std::size_t>(met_);
+  contact.point = tree.index[place];
+  contact.r_W = X_.linear() * Vec3{tree.x[place], tree.y[place], tree.z[place]};
   contact.met_W = X_.translation() + contact.r_W;
   // just beyond the crossing, so that a crossing on a face belongs to the cell behind it
   const PointPath path{X_.translation(), contact.r_W, motion_};

@@ -38,14 +38,19 @@ class Sweep {
                const Tolerances& lengths, Budget& budget) HAPTICS_RT;
   /// Once advance() is through. The contact has the exact normal of the cell *behind* the
   /// crossing.
-  Impact impact(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
+  Impact impact(const Isosurface& solid, const ShellTree& tree,
                 const Tolerances& lengths) const HAPTICS_RT;
 
  private:
-  struct Slab;
+  /// A slice of the motion's time, and the tool at its two ends.
+  struct Slab {
+    double begin, end;
+    lanes::Affine at_begin, at_end;  // tool frame to index coordinates
+  };
   void look(const Isosurface& solid, const ShellTree& tree, const Clearance& near, const Slab& slab,
             const int* points, int count, const Tolerances& lengths, Budget& budget) HAPTICS_RT;
-  Vec3 pointOf(const ShellTree& tree, const Clearance& near, int i) const HAPTICS_RT;
+  void lookAgain(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
+                 const Slab& slab, const Tolerances& lengths, Budget& budget) HAPTICS_RT;
 
   Pose X_ = Pose::Identity();
   Twist motion_;
@@ -54,7 +59,7 @@ class Sweep {
   double slab_ = 0.0;                ///< time at which the slab in hand begins
   std::size_t cursor_ = 0;           ///< near point at which to go on in it
   double time_ = 1.0;                ///< of the earliest impact so far
-  int met_ = -1;                     ///< the near point that met it
+  int met_ = -1;                     ///< the place of the point that met it
   std::vector<double> clear_until_;  ///< time until which a near point is proven free
 };
 

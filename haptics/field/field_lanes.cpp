@@ -38,22 +38,23 @@ void ScalarField::clear(const lanes::Chords& chords, int n, lanes::Numbers& unti
   for (int l = 0; l < n; ++l) until[l] = chords.from[l];
 }
 
-void ScalarField::slopes(const lanes::Places& u, int n, lanes::Slopes& found) const HAPTICS_RT {
+void ScalarField::slopes(const lanes::Places& u, int n, bool central,
+                         lanes::Slopes& found) const HAPTICS_RT {
   std::uint32_t alone = ~0U;
   if (kind_ == FieldKind::Trilinear) {
-    lanes::slopes(lattice_, u, n, found);
+    lanes::slopes(lattice_, u, n, central, found);
     alone = found.edge;
   }
   for (int l = 0; l < n; ++l) {
     if (!(alone >> l & 1)) {
       put(worldGradient(placeIn(found.exact, l)), l, found.exact);
-      put(worldGradient(placeIn(found.central, l)), l, found.central);
+      if (central) put(worldGradient(placeIn(found.central, l)), l, found.central);
       continue;
     }
     const FieldSample here = sample(placeIn(u, l));
     found.value[l] = here.value;
     put(here.gradient_W, l, found.exact);
-    put(centralGradient(placeIn(u, l)), l, found.central);
+    if (central) put(centralGradient(placeIn(u, l)), l, found.central);
   }
 }
 

@@ -274,7 +274,8 @@ HWY_INLINE void clearOf(const Lattice& lattice, const Chords& chords, int n, Num
 }
 
 template <class T>
-HWY_INLINE void slopesOf(const Lattice& lattice, const Places& u, int n, Slopes& found) {
+HWY_INLINE void slopesOf(const Lattice& lattice, const Places& u, int n, bool central,
+                         Slopes& found) {
   const D d;
   const int width = static_cast<int>(hn::Lanes(d));
   const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
@@ -307,6 +308,7 @@ HWY_INLINE void slopesOf(const Lattice& lattice, const Places& u, int n, Slopes&
     hn::Store(lerp(z, hn::Sub(c10, c00), hn::Sub(c11, c01)), d, found.exact.y.lane + l);
     hn::Store(hn::Sub(lerp(y, c01, c11), lerp(y, c00, c10)), d, found.exact.z.lane + l);
 
+    if (!central) continue;
     // as ScalarField::centralGradient: each end falls into the cell that holds it
     double* const out[3] = {found.central.x.lane, found.central.y.lane, found.central.z.lane};
     for (int axis = 0; axis < 3; ++axis) {
@@ -372,8 +374,8 @@ void ClearAll(const Lattice& lattice, const Chords& chords, int n, Numbers& unti
   HAPTICS_LANES_BY_TYPE(lattice.type, CALL)
 #undef CALL
 }
-void SlopesAll(const Lattice& lattice, const Places& u, int n, Slopes& found) {
-#define CALL(T) slopesOf<T>(lattice, u, n, found)
+void SlopesAll(const Lattice& lattice, const Places& u, int n, bool central, Slopes& found) {
+#define CALL(T) slopesOf<T>(lattice, u, n, central, found)
   HAPTICS_LANES_BY_TYPE(lattice.type, CALL)
 #undef CALL
 }
@@ -404,8 +406,9 @@ void clear(const Lattice& lattice, const Chords& chords, int n, Numbers& until,
            std::int64_t& cells) HAPTICS_RT {
   HWY_DYNAMIC_DISPATCH(ClearAll)(lattice, chords, n, until, cells);
 }
-void slopes(const Lattice& lattice, const Places& u, int n, Slopes& found) HAPTICS_RT {
-  HWY_DYNAMIC_DISPATCH(SlopesAll)(lattice, u, n, found);
+void slopes(const Lattice& lattice, const Places& u, int n, bool central,
+            Slopes& found) HAPTICS_RT {
+  HWY_DYNAMIC_DISPATCH(SlopesAll)(lattice, u, n, central, found);
 }
 const char* targetName() { return HWY_DYNAMIC_DISPATCH(Name)(); }
 

@@ -72,13 +72,14 @@ struct Chords {
 void clear(const Lattice& lattice, const Chords& chords, int n, Numbers& until,
            std::int64_t& cells) HAPTICS_RT;
 
-/// F, the exact gradient of its cell and central differences over one voxel, per index step.
+/// F, the exact gradient of its cell and, where asked for, central differences over one voxel, per
+/// index step.
 struct Slopes {
   Numbers value;
   Places exact, central;
   std::uint32_t edge = 0;  ///< lanes near the grid's edge: nothing is said of them
 };
-void slopes(const Lattice& lattice, const Places& u, int n, Slopes& found) HAPTICS_RT;
+void slopes(const Lattice& lattice, const Places& u, int n, bool central, Slopes& found) HAPTICS_RT;
 
 /// The vectors in use: "AVX3", "AVX2", "SSE4", …, "EMU128" for none.
 const char* targetName();

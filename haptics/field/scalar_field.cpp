@@ -51,7 +51,10 @@ double usualRange(const Volume& volume) {
 }  // namespace
 
 ScalarField::ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind)
-    : volume_{std::move(volume)}, kind_{kind}, pyramid_{*volume_, kind} {
+    : ScalarField{volume, kind, MaxPyramid{*volume, kind}} {}
+
+ScalarField::ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind, MaxPyramid pyramid)
+    : volume_{std::move(volume)}, kind_{kind}, pyramid_{std::move(pyramid)} {
   const Grid& grid = volume_->grid;
   A_VW_ = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
   A_VW_t_ = A_VW_.transpose();

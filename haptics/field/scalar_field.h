@@ -37,6 +37,8 @@ struct FieldSample {
 class ScalarField {
  public:
   explicit ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind = FieldKind::Trilinear);
+  /// With bounds that were made before: those of the volume and kind.
+  ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind, MaxPyramid pyramid);
 
   FieldKind kind() const HAPTICS_RT { return kind_; }
 
@@ -76,8 +78,8 @@ class ScalarField {
   /// As lanes::clear; a spline's chords are left to firstReach() from their beginning.
   void clear(const lanes::Chords& chords, int n, lanes::Numbers& until,
              std::int64_t& cells) const HAPTICS_RT;
-  /// F, its own gradient, and central differences, per metre in W.
-  void slopes(const lanes::Places& u, int n, lanes::Slopes& found) const HAPTICS_RT;
+  /// F, its own gradient, and if asked for central differences, per metre in W.
+  void slopes(const lanes::Places& u, int n, bool central, lanes::Slopes& found) const HAPTICS_RT;
   const lanes::Lattice& lattice() const HAPTICS_RT { return lattice_; }
 
   const MaxPyramid& pyramid() const HAPTICS_RT { return pyramid_; }

@@ -71,7 +71,7 @@ struct Search {
 /// The proxy and what it remembers from tick to tick. Everything is allocated when it is made.
 struct Proxy {
   Proxy(const Scene& scene, const Pose& X_start)
-      : X_WP{X_start}, clearance{scene.tree}, sweep{scene.tool.shell.points.size()} {}
+      : X_WP{X_start}, clearance{scene.tree, scene.plan}, sweep{scene.tool.shell.points.size()} {}
 
   Pose X_WP;
   Vec3 turn = Vec3::Zero();  ///< unwrapped rotation from proxy to device [rad]

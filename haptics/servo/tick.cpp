@@ -52,6 +52,7 @@ class Tick {
       const double distance = distanceFrom(proxy_.X_WP, proxy_.turn);
       proxy_.acceptance.start(distance, distance);
     }
+    if (unhindered()) return;
     int tries = 0;
     while (at_.stage != Search::Stage::Done) {
       bool through = true;
@@ -86,6 +87,30 @@ class Tick {
     return scene_.metric.whitened(unconstrainedMotion(X, X_WD_, turn), X.linear()).norm();
   }
 
+  /// Goes to the device if the whole tool has more room than the way there asks for, in one
+  /// sub-step: no point could meet the surface, none is near enough for a row, before or after.
+  bool unhindered() HAPTICS_RT {
+    if (!scene_.plan.free_space) return false;
+    if (at_.stage != Search::Stage::Look || !at_.atTaken() || !at_.fresh) return false;
+    if (!proxy_.contacts.empty()) return false;
+    Vec3 turn = proxy_.turn;
+    const Twist way = unconstrainedMotion(proxy_.X_WP, X_WD_, turn);
+    const double length = reachOf(way, radius_);
+    if (length == 0.0 || !inOneStep(way)) return false;
+    // where nothing reaches the isovalue there is room without end
+    const bool nothing = scene_.volume->greatest < solid_.ceiling();
+    if (!nothing && proxy_.clearance.room(scene_.tree) < length + lengths().band) return false;
+    const double distance = scene_.metric.whitened(way, proxy_.X_WP.linear()).norm();
+    proxy_.acceptance.start(distance, distance);
+    proxy_.acceptance.take(0.0, 0.0, 0.0);
+    proxy_.clearance.moved(way.linear.norm(), way.angular.norm());
+    proxy_.X_WP = X_WD_;
+    proxy_.turn.setZero();
+    proxy_.bearing = 0;
+    at_.stage = Search::Stage::Done;
+    return true;
+  }
+
   /// Steps 1 to 3 at the pose reached: judges it, and says where to go next. False if cut.
   bool look(int tries, TickResult& result) HAPTICS_RT {
     // 1  where the proxy would go if nothing were in the way
@@ -110,7 +135,7 @@ class Tick {
         break;
     }
     gatherRows(solid_, scene_.tree, at_.X, proxy_.clearance, lengths(), scene_.normal,
-               proxy_.surface, budget_);
+               proxy_.surface, budget_, scene_.plan);
     joinRows(proxy_.contacts, proxy_.surface, lengths(), rows_);
 
     // 3  the nearest motion that leaves every contact its room
@@ -132,8 +157,7 @@ class Tick {
     }
     at_.length = std::min(length, at_.trust);
     at_.motion = at_.length < length ? scaled(allowed.twist, at_.length / length) : allowed.twist;
-    at_.whole = allowed.active == 0 && at_.length == length && aimed.linear == free.linear &&
-                aimed.angular == free.angular;
+    at_.whole = allowed.active == 0 && at_.length == length && inOneStep(free);
     at_.X_goal = X_WD_;
     at_.stage = Search::Stage::Reach;
     return true;
@@ -172,7 +196,7 @@ class Tick {
   bool go() HAPTICS_RT {
     if (!proxy_.sweep.advance(solid_, scene_.tree, proxy_.clearance, lengths(), budget_))
       return false;
-    const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, proxy_.clearance, lengths());
+    const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, lengths());
     const double length = at_.length;
     double advance = impact.time;
     if (impact.time < 1.0) advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);
@@ -207,11 +231,16 @@ class Tick {
 
   /// The motion, shortened to what one sub-step may cover.
   Twist limited(const Twist& free) const HAPTICS_RT {
+    const double factor = shareOf(free);
+    return factor < 1.0 ? scaled(free, factor) : free;
+  }
+  bool inOneStep(const Twist& free) const HAPTICS_RT { return shareOf(free) == 1.0; }
+  double shareOf(const Twist& free) const HAPTICS_RT {
     double factor = 1.0;
     const double length = reachOf(free, radius_), angle = free.angular.norm();
     if (length > lengths().step_free) factor = lengths().step_free / length;
     if (angle * factor > kLargestTurn) factor = kLargestTurn / angle;
-    return factor < 1.0 ? scaled(free, factor) : free;
+    return factor;
   }
 
   /// Adds a contact; false if its point is one already, or it has no normal.

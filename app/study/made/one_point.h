@@ -49,7 +49,7 @@ inline Crossing crossed(const haptics::Isosurface& solid, const Arc& arc,
     budget = Budget::counted(allowance);
     ++crossing.cuts;
   }
-  const haptics::Impact impact = sweep.impact(solid, tree, clearance, lengths);
+  const haptics::Impact impact = sweep.impact(solid, tree, lengths);
   crossing.time = impact.time;
   crossing.met = impact.met;
   return crossing;

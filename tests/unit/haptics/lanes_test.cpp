@@ -77,7 +77,7 @@ TEST(Lanes, AreTheScalarFieldToTheBitOnEveryTargetAndForEveryType) {
         edges += raw.edge != 0;
         solid.survey(u, count, found);
         lanes::Slopes slopes;
-        field.slopes(u, count, slopes);
+        field.slopes(u, count, true, slopes);
         for (int l = 0; l < count; ++l) {
           const Vec3 p = placeIn(u, l);
           const FieldSample here = field.sample(p);

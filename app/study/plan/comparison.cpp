@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/plan/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "haptics/servo/tick.h"
+#include "haptics/simulation/grip.h"
+
+namespace study {
+namespace {
+
+using haptics::Budget;
+
+/// One of the two, on its way.
+struct Side {
+  Side(const haptics::Scene& in, const Course& course, const haptics::Pose& X_start)
+      : scene{in}, proxy{in, X_start} {
+    grip.gyration = std::sqrt(in.tool.shell.inertia.trace() / 3.0);
+    grip.X_WD = course.hand.at(course.begin);
+  }
+
+  void step(const Course& course, int n) {
+    constexpr double kPeriod = 1e-3;  // s
+    if (n > 0) grip.advance(course.hand.at(course.begin + n * kPeriod), felt, kPeriod);
+    Budget budget = Budget::counted(std::numeric_limits<std::int64_t>::max());
+    const std::int64_t begun = Budget::threadTime();
+    const haptics::TickResult result =
+        haptics::tick(scene, course.isovalue, course.coupling, grip.X_WD, proxy, budget);
+    spent += Budget::threadTime() - begun;
+    work += budget.spent();
+    felt = result.wrench_W;
+    contact_ticks += result.contacts > 0 ? 1 : 0;
+  }
+
+  const haptics::Scene& scene;
+  haptics::Proxy proxy;
+  haptics::Grip grip;
+  haptics::Wrench felt;
+  std::int64_t spent = 0;  ///< ns
+  std::int64_t work = 0;
+  int contact_ticks = 0;
+};
+
+/// What it costs to read the clock twice [ns]: the same in every measurement.
+double clockCost() {
+  std::vector<std::int64_t> costs;
+  for (int n = 0; n < 1001; ++n) {
+    const std::int64_t begun = Budget::threadTime();
+    costs.push_back(Budget::threadTime() - begun);
+  }
+  std::nth_element(costs.begin(), costs.begin() + 500, costs.end());
+  return double(costs[500]);
+}
+
+double quantile(std::vector<double> values, double q) {
+  std::sort(values.begin(), values.end());
+  const double at = q * double(values.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (at - double(below)) * (values[above] - values[below]);
+}
+
+/// The larger, and what is no number is the largest.
+double larger(double a, double b) { return std::isfinite(b) ? std::max(a, b) : INFINITY; }
+
+std::shared_ptr<const haptics::Scene> rebuilt(const haptics::Scene& scene,
+                                              const haptics::Plan& plan) {
+  return haptics::makeScene(scene.volume, scene.tool, {scene.field.kind(), scene.normal, plan},
+                            &scene)
+      .value();
+}
+
+const std::vector<std::string> kHead{"scene and hand", "left out",
+                                     "because",        "mean tick [us]",
+                                     "if not [us]",    "time saved [%], median (p10 to p90)",
+                                     "work a tick",    "if not",
+                                     "pose apart [m]", "force apart [N]"};
+const char* const kCaption = "What is left out, what that saves, and what it changes";
+
+/// One comparison as cases and a row.
+void report(const Course& course, const std::string& what, const std::string& why,
+            const Comparison& found, Outcome& outcome) {
+  const std::string name = course.name + ": " + what;
+  const std::string note = "largest of " + std::to_string(found.ticks) + " ticks, of which " +
+                           std::to_string(found.contact_ticks) + " in contact";
+  // nothing compared is no proof
+  const double unknown = found.ticks > 0 ? 0.0 : INFINITY;
+  const auto add = [&](const char* measure, double value, const char* unit) {
+    outcome.cases.push_back(
+        {name + ": " + measure, value + unknown, 0.0, unit, Case::Sense::AtMost, note});
+  };
+  add("pose", found.pose, "m");
+  add("force", found.force, "N");
+  add("torque", found.torque, "N·m");
+  if (found.ticks == 0) return;
+  std::vector<double> saved;
+  for (std::size_t n = 0; n < found.first_us.size(); ++n)
+    saved.push_back(100.0 * (1.0 - found.first_us[n] / found.second_us[n]));
+  outcome.tables.front().rows.push_back(
+      {course.name, what, why, shortly(quantile(found.first_us, 0.5)),
+       shortly(quantile(found.second_us, 0.5)),
+       shortly(quantile(saved, 0.5)) + " (" + shortly(quantile(saved, 0.1)) + " to " +
+           shortly(quantile(saved, 0.9)) + ")",
+       shortly(found.first_work), shortly(found.second_work), shortly(found.pose),
+       shortly(found.force)});
+}
+
+}  // namespace
+
+Comparison compared(const Course& course, const haptics::Scene& first, const haptics::Scene& second,
+                    int runs) {
+  Comparison found;
+  const auto start = haptics::legalPoseNear(first, course.isovalue, course.hand.at(course.begin));
+  if (!start) return found;
+  const double radius = first.tool.shell.radius, clock = clockCost();
+  for (int run = 0; run < runs; ++run) {
+    Side a{first, course, *start}, b{second, course, *start};
+    for (int n = 0; n < course.ticks; ++n) {
+      // in turn, so that neither always finds the caches warm
+      Side& earlier = n % 2 == 0 ? a : b;
+      Side& later = n % 2 == 0 ? b : a;
+      earlier.step(course, n);
+      later.step(course, n);
+      const haptics::Pose &X = a.proxy.X_WP, &Y = b.proxy.X_WP;
+      found.pose = larger(found.pose, (X.translation() - Y.translation()).norm() +
+                                          radius * (X.linear() - Y.linear()).norm());
+      found.force = larger(found.force, (a.felt.force - b.felt.force).norm());
+      found.torque = larger(found.torque, (a.felt.torque - b.felt.torque).norm());
+    }
+    const auto mean_us = [&](const Side& side) {
+      return std::max(0.0, double(side.spent) / course.ticks - clock) * 1e-3;
+    };
+    found.first_us.push_back(mean_us(a));
+    found.second_us.push_back(mean_us(b));
+    found.ticks = course.ticks;
+    found.contact_ticks = a.contact_ticks;
+    found.first_work = double(a.work) / course.ticks;
+    found.second_work = double(b.work) / course.ticks;
+  }
+  return found;
+}
+
+std::shared_ptr<const haptics::Scene> without(const haptics::Scene& scene,
+                                              bool haptics::Plan::*omission) {
+  haptics::Plan plan = scene.plan;
+  plan.*omission = false;
+  return rebuilt(scene, plan);
+}
+
+std::shared_ptr<const haptics::Scene> withEverything(const haptics::Scene& scene) {
+  haptics::Plan plan;
+  for (const haptics::PlanLine& line : scene.planned) plan.*line.omission = false;
+  return rebuilt(scene, plan);
+}
+
+Outcome examined(const Course& course, int runs) {
+  Outcome outcome;
+  outcome.tables = {{kCaption, kHead, {}}};
+  for (const haptics::PlanLine& line : course.scene->planned) {
+    if (!line.left_out) {
+      std::vector<std::string> row(kHead.size());
+      row[0] = course.name;
+      row[1] = "not left out here: " + line.what;
+      row[2] = line.why;
+      outcome.tables.front().rows.push_back(row);
+      continue;
+    }
+    report(course, line.what, line.why,
+           compared(course, *course.scene, *without(*course.scene, line.omission), runs), outcome);
+  }
+  const Comparison all = compared(course, *course.scene, *withEverything(*course.scene), runs);
+  report(course, "all of these", "each of them", all, outcome);
+  if (course.touches)
+    outcome.cases.push_back({course.name + ": ticks in contact", double(all.contact_ticks),
+                             0.1 * course.ticks, "", Case::Sense::AtLeast,
+                             "a hand that touches nothing would prove nothing"});
+  if (all.ticks == 0) return outcome;
+  const auto points = double(course.scene->tree.size());
+  const auto series = [&](const char* name, const std::vector<double>& us) {
+    return Series{name, {{points, quantile(us, 0.5), quantile(us, 0.1), quantile(us, 0.9)}}, false};
+  };
+  outcome.plots.push_back(
+      {"Mean tick by points of the tool",
+       "Time of a tick against the number of points, as planned and with nothing left out; one "
+       "mark "
+       "for each scene. Bars: p10 to p90 of the runs.",
+       {"points of the tool", Scale::Log},
+       {"mean tick [us]", Scale::Log},
+       {series("as planned", all.first_us), series("nothing left out", all.second_us)}});
+  return outcome;
+}
+
+}  // namespace study

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/plan/plan.h"
+
+#include <limits>
+
+#include "app/study/plan/courses.h"
+
+namespace study {
+
+Study planStudy(Depth depth) {
+  const bool quick = depth == Depth::Quick;
+  const int runs = quick ? 3 : 7, ticks = quick ? 900 : 2000;
+  Study study{"plan", "What each scene leaves out"};
+  study.introduction = {
+      "A scene is planned when it is built: what its ticks leave out, each with its reason. Here "
+      "every omission is switched off against on, on the same course of the hand, tick by tick in "
+      "turn in one process, each side in a closed loop of its own. Switched off, the work is done "
+      "beside the rest, and what it finds counts: a point that is inside, or that would enter, "
+      "stops the tool. So poses and forces must be the same to the bit, and the bound is zero.",
+      "Time is thread CPU time of a tick, the cost of reading the clock taken off; the median of " +
+          std::to_string(runs) +
+          " runs, and between which the middle eight tenths of them lie. What is saved is the work "
+          "that is not done; the books that are kept to know this are in both. Work is what the "
+          "budget counts, and repeats exactly. No budget cuts a tick here.",
+      "Free space rests on the bounds and on the room that is left, and is off with either of "
+      "them: "
+      "what those two save contains it."};
+  for (const Planned& planned : courses(depth))
+    study.jobs.push_back({planned.name, "What is left out", quick ? 5.0 : 40.0,
+                          [planned, runs, ticks](std::uint64_t seed) {
+                            const auto course = made(planned, ticks, seed);
+                            if (course) return examined(*course, runs);
+                            Outcome refused;
+                            refused.cases.push_back({planned.name + ": made",
+                                                     std::numeric_limits<double>::quiet_NaN(), 0.0,
+                                                     "", Case::Sense::AtMost, course.error().what});
+                            return refused;
+                          }});
+  return study;
+}
+
+}  // namespace study

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "app/study/report/outcome.h"
+
+namespace study {
+
+/// What each scene leaves out, why, what it saves, and the proof that nothing changes: every
+/// omission of haptics/plan.h switched off against on, side by side in one process.
+Study planStudy(Depth depth);
+
+}  // namespace study
