@@ -21,7 +21,7 @@ struct HereRequest {
   haptics::VirtualCoupling coupling = {};
   Allowance allowance = {};
   double touching = 1.0;  ///< s that each of the hands touches
-  double seconds = 10.0;  ///< by the clock on the wall: no further tool is begun after it
+  double seconds = 8.0;   ///< by the clock on the wall: no further tool is begun after it
   int most_points = 300'000;
 };
 
