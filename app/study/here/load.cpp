@@ -74,7 +74,7 @@ std::optional<Load> loadOf(const haptics::Scene& scene, double isovalue,
   load.median = quantile(0.5);
   load.p99 = quantile(0.99);
   load.longest = times.back();
-  load.lag = lag / samples;
+  load.lag = lag / std::max(1.0, samples);
   load.carried = double(load.missed) <= kMostMissed * double(load.ticks) &&
                  load.lag <= kMostLag * scene.lengths.voxel;
   return load;

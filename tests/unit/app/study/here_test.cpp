@@ -143,25 +143,39 @@ TEST(Here, ALesserBudgetCutsMoreLagsMoreAndCarriesFewer) {
 }
 
 TEST(Here, TicksLongerThanThePeriodAreMissesAndAreNotCarried) {
-  HereRequest wanted = request(1'000'000'000);
-  wanted.touching = 0.1;
-  wanted.allowance.period = 1e-3;
-  // as long as the paths are cut into the same ticks, a period that nothing keeps
-  const Here here = study::measureHere(wanted, {}, nobody).value();
+  const HereRequest wanted = request(0);
   study::Path path;
-  path.poses.assign(50, haptics::Pose::Identity());
-  for (haptics::Pose& X : path.poses) X.translation().z() = 0.1;
-  study::Allowance none;
-  none.work = 1'000'000'000;
-  none.period = 0.0;
-  const auto load =
-      study::loadOf(*wanted.scene, wanted.isovalue, {}, {path}, none, [] { return true; });
-  ASSERT_TRUE(load);
-  EXPECT_EQ(load->ticks, 50);
-  EXPECT_EQ(load->missed, 50);
-  EXPECT_EQ(load->lag, 0.0);
-  EXPECT_FALSE(load->carried);
-  EXPECT_GT(here.present.ticks, 0);
+  path.poses.assign(50, haptics::poseOf(haptics::Vec3{0, 0, 0.1}, haptics::Quat::Identity()));
+  study::Allowance allowance;
+  allowance.work = 1'000'000;
+  for (const bool keeps : {true, false}) {
+    allowance.period = keeps ? std::numeric_limits<double>::infinity() : 0.0;
+    const auto load =
+        study::loadOf(*wanted.scene, wanted.isovalue, {}, {path}, allowance, [] { return true; });
+    EXPECT_EQ(load->ticks, 50);
+    EXPECT_EQ(load->missed, keeps ? 0 : 50);
+    EXPECT_EQ(load->carried, keeps);
+  }
+}
+
+TEST(Here, TheLagIsHowFarTheProxyStaysBehind) {
+  const HereRequest wanted = request(0);
+  study::Path path;
+  const auto away = haptics::poseOf(haptics::Vec3{0, 0, 0.1}, haptics::Quat::Identity());
+  for (int n = 0; n < 150; ++n) {
+    path.poses.push_back(away);
+    path.poses.back().translation().x() += 1e-4 * n;
+  }
+  study::Allowance allowance;
+  allowance.period = std::numeric_limits<double>::infinity();
+  const auto lagWith = [&](std::int64_t work) {
+    allowance.work = work;
+    return study::loadOf(*wanted.scene, wanted.isovalue, {}, {path}, allowance, [] { return true; })
+        ->lag;
+  };
+  // with no work at all the proxy stays where it began; every fiftieth tick is looked at
+  EXPECT_NEAR(lagWith(1), (0.0 + 50e-4 + 100e-4) / 3.0, 1e-12);
+  EXPECT_EQ(lagWith(1'000'000), 0.0);
 }
 
 TEST(Here, EndsSoonAfterItIsToldToAndSaysSo) {
