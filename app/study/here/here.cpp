@@ -78,16 +78,17 @@ std::optional<int> nextToTry(std::span<const Load> tried, int dense, int most_po
     if (&load == failed) break;
     carried = load.points;
   }
+  // what may be suggested comes first: the time may not last for more
+  const bool known = std::any_of(tried.begin(), tried.end(),
+                                 [&](const Load& load) { return load.points == dense; });
+  if (!known && dense > 0 && dense < (failed ? failed->points : carried)) return dense;
   if (failed == nullptr && carried < most_points)
     return static_cast<int>(std::min<std::int64_t>(std::int64_t{10} * carried, most_points));
-  // all fewer are tried before anything is said of what is between
+  // not even the fewest: fewer still
   if (carried == 0) {
     if (failed->points <= kFewest) return {};
     return std::max(kFewest, failed->points / 10);
   }
-  const bool known = std::any_of(tried.begin(), tried.end(),
-                                 [&](const Load& load) { return load.points == dense; });
-  if (!known && dense > 0 && dense < (failed ? failed->points : most_points)) return dense;
   if (failed == nullptr || failed->points <= kApart * carried) return {};
   const int between = rounded(std::sqrt(double(carried) * double(failed->points)));
   if (between <= carried || between >= failed->points) return {};

@@ -43,8 +43,8 @@ struct Here {
 };
 
 /// Which number of points to try next, given those tried, fewest first; none if enough is known.
-/// By decades from a thousand until one is too many, then `dense` if it is between, then between
-/// the most carried and the fewest not, until a third more is too many.
+/// By decades from a thousand until one is too many, then between the most carried and the fewest
+/// not, until a third more is too many; `dense` as soon as more than it was tried.
 std::optional<int> nextToTry(std::span<const Load> tried, int dense, int most_points);
 
 /// The same paths for another tool of the same mesh: each vertex goes where it went. (The poses

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/tool/point_shell.h"
@@ -89,6 +90,17 @@ TEST(Here, AMachineThatCarriesEverythingOrNothingIsSaidToDoSo) {
   EXPECT_EQ(none.most, 0);
   EXPECT_EQ(none.too_many, 10);
   EXPECT_EQ(none.suggested, 0);
+}
+
+TEST(Here, WhatMayBeSuggestedIsTriedAsSoonAsItIsInReach) {
+  Load load;
+  load.points = 1'000;
+  load.carried = true;
+  EXPECT_EQ(study::nextToTry(std::span{&load, 1}, 750, 300'000), 750);
+  EXPECT_EQ(study::nextToTry(std::span{&load, 1}, 7'100, 300'000), 10'000);
+  load.carried = false;
+  EXPECT_EQ(study::nextToTry(std::span{&load, 1}, 750, 300'000), 750);
+  EXPECT_EQ(study::nextToTry(std::span{&load, 1}, 7'100, 300'000), 100);
 }
 
 TEST(Here, OneDensityThatIsNotCarriedBoundsTheAnswerWhateverHigherOnesDo) {
