@@ -12,6 +12,7 @@
 #include "haptics/smoothing.h"
 #include "resources/named_tools.h"
 #include "ui/panels/device_panel.h"
+#include "ui/panels/performance_panel.h"
 #include "ui/volume_view.h"
 
 namespace app {
@@ -49,12 +50,12 @@ const Hand* handOf(const std::string& name) {
   return nullptr;
 }
 
+}  // namespace
+
 QString labelOf(const ToolSource& tool) {
   return tool.file ? QString::fromStdString(tool.file->filename().string())
                    : QString::fromStdString(tool.name);
 }
-
-}  // namespace
 
 std::optional<HandKind> handNamed(const std::string& name) {
   const Hand* hand = handOf(name);
@@ -83,6 +84,7 @@ Application::Application(Arguments arguments)
   window_.view().setSurfaceWish(arguments_.surface);
   connectWindow();
   connectLoader();
+  connectMeasurement();
   display_.setInterval(kDisplayMs);
   display_.setTimerType(Qt::PreciseTimer);
   connect(&display_, &QTimer::timeout, this, &Application::refresh);
@@ -90,6 +92,7 @@ Application::Application(Arguments arguments)
 
 Application::~Application() {
   display_.stop();
+  measurement_.cancel();
   session_.close();
   if (mesher_.joinable()) mesher_.join();
 }
@@ -127,6 +130,7 @@ void Application::connectWindow() {
   connect(&window_, &ui::MainWindow::forceOffWanted, this, [this] { session_.forceOff(); });
   connect(&window_, &ui::MainWindow::forceOnWanted, this, [this] { session_.arm(); });
   connect(&window_, &ui::MainWindow::closing, this, [this] {
+    endMeasuring({});
     session_.close();
     remember();
   });
@@ -166,6 +170,9 @@ void Application::connectLoader() {
 void Application::load(LoadRequest request, const QString& what) {
   window_.clearMessage();
   window_.showLoading(what);
+  // loading would disturb it, and end it anyway
+  endMeasuring(tr("The measurement was cancelled: something else is being loaded."));
+  window_.performancePanel().setReady(false);
   request.options = options_;
   if (shown_) request.previous = shown_->scene;
   loader_.start(std::move(request));
@@ -179,6 +186,14 @@ void Application::adopt(const Loaded& loaded) {
   shown_ = loaded;
   shown_->title = title;
   window_.endLoading();
+  ui::PerformancePanel& performance = window_.performancePanel();
+  performance.showNothing({});  // what was measured was another scene
+  QList<ui::LeftOut> left_out;
+  for (const haptics::PlanLine& line : loaded.scene->planned)
+    if (line.left_out)
+      left_out.push_back({QString::fromStdString(line.what), QString::fromStdString(line.why)});
+  performance.showLeftOut(left_out);
+  performance.setReady(true);
   if (!loaded.note.isEmpty()) window_.showMessage(loaded.note);
   // with another tool the isovalue is the slider's, which may have moved meanwhile
   if (new_volume) settings_.isovalue = loaded.isovalue;
@@ -220,6 +235,7 @@ void Application::onFailed(const LoadRequest& request, const haptics::Error& err
   if (shown_) {
     options_.field = shown_->scene->field.kind();
     showField();
+    window_.performancePanel().setReady(true);
   }
   if (shown_)
     window_.devicePanel().showTool(QString::fromStdString(shown_->tool.name),
@@ -264,6 +280,8 @@ bool Application::openHand(const std::string& name) {
     window_.devicePanel().showHand(QString::fromStdString(hand_));
     return false;
   }
+  endMeasuring(tr("The measurement was cancelled: another hand took the device."));
+  snapshot_ = {};  // of the new loop nothing is known yet, and its counts begin at zero
   window_.view().setMouseHand(hand->kind == HandKind::Mouse);
   hand_ = name;
   // a simulated hand aims where it likes: show where

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/loader.h"
+#include "app/measurement.h"
 #include "app/preferences.h"
 #include "haptics/session.h"
 #include "ui/main_window.h"
@@ -24,6 +25,9 @@ struct Arguments {
   double screenshot_after = 3.0;  ///< s of running with a scene
   bool notice = true;
 };
+
+/// What the user reads for a tool: its name, or its file's.
+QString labelOf(const ToolSource& tool);
 
 /// The names of the hands, as the command line knows them.
 std::optional<haptics::HandKind> handNamed(const std::string& name);
@@ -49,6 +53,7 @@ class Application : public QObject {
  private:
   void connectWindow();
   void connectLoader();
+  void connectMeasurement();
   void load(LoadRequest request, const QString& what);
   void adopt(const Loaded& loaded);
   void onFailed(const LoadRequest& request, const haptics::Error& error,
@@ -60,6 +65,9 @@ class Application : public QObject {
   void changeField(const QString& id);
   void showField();
   void refresh();
+  void measure();
+  void endMeasuring(const QString& why);
+  void showMeasured(const study::Here& here);
   void makeFineMesh(double isovalue);
   void takeScreenshot();
   void remember();
@@ -69,8 +77,11 @@ class Application : public QObject {
   ui::MainWindow window_;
   haptics::Session session_;
   Loader loader_;
+  Measurement measurement_;
   haptics::Settings settings_;
   haptics::Snapshot snapshot_;
+  haptics::Snapshot before_measuring_;
+  QString measured_;  ///< with what and how the measurement under way is made
   std::optional<Loaded> shown_;
   haptics::SceneOptions options_;  ///< of the next scene
   QTimer field_rest_;              ///< since the isovalue last moved

@@ -24,6 +24,7 @@
 #include "ui/escape_filter.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/isosurface_panel.h"
+#include "ui/panels/performance_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/volume_view.h"
 
@@ -35,6 +36,7 @@ MainWindow::MainWindow(QWidget* parent)
       isosurface_(new IsosurfacePanel),
       device_(new DevicePanel),
       force_(new ForcePanel),
+      performance_(new PerformancePanel),
       status_(new StatusLine),
       message_bar_(new QFrame),
       message_(new QLabel),
@@ -126,10 +128,15 @@ void MainWindow::buildDocks() {
     frame->setWidget(panel);
     frame->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
     addDockWidget(Qt::LeftDockWidgetArea, frame);
+    return frame;
   };
   dock(tr("Isosurface"), "isosurfaceDock", isosurface_);
   dock(tr("Device and tool"), "deviceDock", device_);
-  dock(tr("Force"), "forceDock", force_);
+  QDockWidget* force = dock(tr("Force"), "forceDock", force_);
+  // behind the force: it is looked at now and then
+  performance_dock_ = dock(tr("Performance"), "performanceDock", performance_);
+  tabifyDockWidget(force, performance_dock_);
+  force->raise();
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, view_, &VolumeView::setIsovalue);
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, this, &MainWindow::isovalueChanged);
   connect(isosurface_, &IsosurfacePanel::refused, this,
@@ -164,6 +171,10 @@ void MainWindow::buildMenus() {
   surface->addAction(tr("Ray casting"), this,
                      [this] { view_->setSurfaceWish(SurfaceMode::RayCast); });
   surface->addAction(tr("Mesh"), this, [this] { view_->setSurfaceWish(SurfaceMode::Mesh); });
+  look->addAction(tr("&Performance"), this, [this] {
+    performance_dock_->raise();
+    performance_->setFocus();
+  });
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(tr("&Controls"), this, &MainWindow::showControls)->setShortcut(Qt::Key_F1);

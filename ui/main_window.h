@@ -12,6 +12,7 @@
 #include "ui/props/volume_prop.h"
 #include "ui/slice_view.h"
 
+class QDockWidget;
 class QFrame;
 class QLabel;
 class QMenu;
@@ -21,6 +22,7 @@ namespace ui {
 
 class ForcePanel;
 class IsosurfacePanel;
+class PerformancePanel;
 class StatusLine;
 class VolumeView;
 
@@ -53,6 +55,7 @@ class MainWindow : public QMainWindow {
   VolumeView& view() { return *view_; }
   DevicePanel& devicePanel() { return *device_; }
   IsosurfacePanel& isosurfacePanel() { return *isosurface_; }
+  PerformancePanel& performancePanel() { return *performance_; }
   SliceView& slice(Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
 
  signals:
@@ -85,6 +88,8 @@ class MainWindow : public QMainWindow {
   IsosurfacePanel* isosurface_;
   DevicePanel* device_;
   ForcePanel* force_;
+  PerformancePanel* performance_;
+  QDockWidget* performance_dock_ = nullptr;
   StatusLine* status_;
   QFrame* message_bar_;
   QLabel* message_;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QList>
+#include <QWidget>
+
+#include "ui/panels/performance_words.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace ui {
+
+/// Something that the touch need not do in the present scene, and why.
+struct LeftOut {
+  QString what;
+  QString why;
+};
+
+/// What this machine carries: measured on a click, in words and as a diagram; and what the present
+/// scene leaves out.
+class PerformancePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PerformancePanel(QWidget* parent = nullptr);
+
+  /// Whether there is something to measure with.
+  void setReady(bool ready);
+  /// A measurement has begun: the button cancels it.
+  void showMeasuring();
+  void showProgress(double fraction);
+  /// It has ended. With a result;
+  void show(const Performance& performance);
+  using QWidget::show;
+  /// or without one, and with a sentence on why.
+  void showNothing(const QString& why);
+  /// Of the present scene; what is empty is not mentioned.
+  void showLeftOut(const QList<LeftOut>& left_out);
+
+  bool isMeasuring() const { return measuring_; }
+
+ signals:
+  void measureWanted();
+  void cancelWanted();
+
+ private:
+  void end();
+
+  QPushButton* measure_;
+  QProgressBar* progress_;
+  QLabel* headline_;
+  QLabel* details_;
+  LoadPlot* plot_;
+  QLabel* suggestion_;
+  QLabel* left_out_title_;
+  QLabel* left_out_;
+  bool ready_ = false;
+  bool measuring_ = false;
+};
+
+}  // namespace ui
