@@ -228,6 +228,9 @@ TEST(Performance, OneClickMeasuresThisMachineAndSaysSo) {
       << running.details->text().toStdString();
   EXPECT_TRUE(running.details->text().contains("probe"));
   EXPECT_TRUE(running.panel.findChild<ui::LoadPlot*>("loadPlot")->isVisible());
+  // and what this scene leaves out, with the reason
+  EXPECT_TRUE(running.panel.findChild<QLabel*>("leftOut")->text().contains(
+      "what was proven free stays so until the tool has moved that far"));
   EXPECT_TRUE(running.button->isEnabled());
   window::keep(window::pictureOf(running.application.window()), "performance_measured");
   std::printf(
