@@ -3,12 +3,13 @@
 
 #include "app/study/accuracy/accuracy.h"
 #include "app/study/plan/plan.h"
+#include "app/study/stability/stability.h"
 
 namespace study {
 namespace {
 
-constexpr std::pair<const char*, Study (*)(Depth)> kStudies[] = {{"accuracy", accuracyStudy},
-                                                                 {"plan", planStudy}};
+constexpr std::pair<const char*, Study (*)(Depth)> kStudies[] = {
+    {"accuracy", accuracyStudy}, {"stability", stabilityStudy}, {"plan", planStudy}};
 
 }  // namespace
 

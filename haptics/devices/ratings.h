@@ -14,6 +14,7 @@ struct DeviceRating {
   double torque;          ///< N·m, norm; 0 without torque motors
   double stiffness;       ///< N/m
   double workspace;       ///< m, radius
+  double damping;         ///< N·s/m, the most that may be rendered
 };
 
 std::span<const DeviceRating> deviceRatings();

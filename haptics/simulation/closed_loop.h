@@ -10,6 +10,7 @@
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/scene.h"
 #include "haptics/servo/tick.h"
+#include "haptics/simulation/device_model.h"
 #include "haptics/simulation/grip.h"
 #include "haptics/simulation/hand.h"
 
@@ -24,6 +25,8 @@ struct TraceRow {
   Wrench coupling_W;  ///< before the limits; not part of the trace
   int contacts = 0;
   std::int64_t cpu_ns = 0;  ///< thread CPU time of the tick; not part of the trace
+  Pose X_WH;                ///< where the handle really is; not part of the trace
+  double energy = 0.0;      ///< J given to the hand since the start; not part of the trace
 };
 
 /// Hand, grip, servo tick and limits in one loop, without threads or clocks: the same rows every
@@ -37,6 +40,10 @@ struct ClosedLoop {
   /// A recorded device path is the device itself: its poses are read as they are, ungripped.
   bool hand_is_device = false;
   double period = 1e-3;  ///< s
+  Linkage linkage = {};
+  double damping = 0.0;  ///< N·s/m, virtual, while something is felt
+  /// N·s/m that a passivity controller may use; 0: there is none.
+  double passivity_damping = 0.0;
 
   /// Runs `ticks` ticks and hands over each row, until `each` returns false. Refuses a start with
   /// no legal pose near.

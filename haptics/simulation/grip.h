@@ -16,11 +16,12 @@ struct Grip {
   double damping = 8.0;      ///< N·s/m: device and hand
   double stiffness = 500.0;  ///< N/m: hand
   double gyration = 0.03;    ///< m: rotation has mass, damping and stiffness times its square
+  double coulomb = 0.0;      ///< N: dry friction of the device; times `gyration` in rotation
 
   Pose X_WD = Pose::Identity();
   Twist velocity;  ///< m/s, rad/s
 
-  /// Advances by `period` [s] with the force held, in ten steps of semi-implicit Euler.
+  /// Advances by `period` [s] with the force held, in ten steps.
   void advance(const Pose& X_WH, const Wrench& felt_W, double period) HAPTICS_RT;
 };
 

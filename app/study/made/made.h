@@ -6,8 +6,10 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include "datasets/phantoms/making.h"
 #include "haptics/core/volume.h"
 #include "haptics/scene.h"
 #include "haptics/tool/point_shell.h"
@@ -32,28 +34,10 @@ constexpr int trials(int n) {
 #endif
 }
 
-/// Random numbers of one seed, in the shapes the tests ask for.
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_{seed} {}
-  double in(double from, double to) {
-    return std::uniform_real_distribution<double>{from, to}(engine_);
-  }
-  int below(int n) { return std::uniform_int_distribution<int>{0, n - 1}(engine_); }
-  Vec3 box(double half) { return {in(-half, half), in(-half, half), in(-half, half)}; }
-  Vec3 direction() {
-    std::normal_distribution<double> normal;
-    return Vec3{normal(engine_), normal(engine_), normal(engine_)}.normalized();
-  }
-  Quat rotation() {
-    std::normal_distribution<double> normal;
-    return Quat{normal(engine_), normal(engine_), normal(engine_), normal(engine_)}.normalized();
-  }
-  std::mt19937& engine() { return engine_; }
-
- private:
-  std::mt19937 engine_;
-};
+using datasets::ballPoints;
+using datasets::filled;
+using datasets::Random;
+using datasets::solid;
 
 inline Pose at(const Vec3& p, const Quat& q = Quat::Identity()) { return haptics::poseOf(p, q); }
 inline Pose at(double x, double y, double z) { return at(Vec3{x, y, z}); }
@@ -67,67 +51,17 @@ inline Grid centred(std::int64_t n, double spacing) {
   return grid;
 }
 
-/// Voxels of type T from f(i, j, k), clamped and rounded to what T holds.
-template <class F>
-Volume filled(const Grid& grid, ScalarType type, F&& f) {
-  auto voxels = haptics::allocateVoxels(grid.voxelCount(), type).value();
-  haptics::visitVoxels(type, static_cast<const void*>(voxels.get()), [&](const auto* first) {
-    using T = std::remove_cv_t<std::remove_pointer_t<decltype(first)>>;
-    T* out = const_cast<T*>(first);
-    for (std::int64_t k = 0; k < grid.dims[2]; ++k)
-      for (std::int64_t j = 0; j < grid.dims[1]; ++j)
-        for (std::int64_t i = 0; i < grid.dims[0]; ++i) {
-          const double value = f(i, j, k);
-          if constexpr (std::is_floating_point_v<T>) {
-            *out++ = static_cast<T>(value);
-          } else {
-            *out++ = static_cast<T>(std::fmin(
-                double(std::numeric_limits<T>::max()),
-                std::fmax(double(std::numeric_limits<T>::lowest()), std::nearbyint(value))));
-          }
-        }
-  });
-  return haptics::makeVolume(grid, type, std::move(voxels)).value();
-}
-
 /// A float volume from f(p_W).
 template <class F>
 Volume sampled(const Grid& grid, F&& f) {
-  return filled(grid, ScalarType::Float32, [&](auto i, auto j, auto k) {
-    return f(grid.worldOf(Vec3{double(i), double(j), double(k)}));
-  });
+  return datasets::sampledFloat(grid, std::forward<F>(f));
 }
-
-/// F = 1000 - 4000 · distance / voxel, held from `reach` voxels on: isovalue 1000 is the surface.
-template <class Distance>
-Volume solid(const Grid& grid, Distance&& distance, double reach = 3.0) {
-  const double h = grid.spacing.minCoeff();
-  return sampled(grid, [&](const Vec3& p) {
-    return 1000.0 - 4000.0 * std::fmin(reach, std::fmax(-reach, distance(p) / h));
-  });
-}
-inline constexpr double kIso = 1000.0;
-
+inline constexpr double kIso = datasets::kSolidIso;
 /// White noise: mean 0, standard deviation 100.
-inline Volume noise(const Grid& grid, unsigned seed) {
-  std::mt19937 engine{seed};
-  std::normal_distribution<double> grain{0.0, 100.0};
-  return filled(grid, ScalarType::Float32, [&](auto, auto, auto) { return grain(engine); });
-}
+inline Volume noise(const Grid& grid, unsigned seed) { return datasets::whiteNoise(grid, seed); }
 
 inline std::shared_ptr<const Volume> shared(Volume volume) {
   return std::make_shared<const Volume>(std::move(volume));
-}
-
-/// Points spread over a ball's surface along a spiral.
-inline std::vector<Vec3> ballPoints(int count, double radius) {
-  std::vector<Vec3> points;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / count, side = std::sqrt(1.0 - z * z);
-    const double turn = i * M_PI * (3.0 - std::sqrt(5.0));
-    points.push_back(radius * Vec3{side * std::cos(turn), side * std::sin(turn), z});
-  }
-  return points;
 }
 
 inline haptics::Tool tool(std::vector<Vec3> points) {

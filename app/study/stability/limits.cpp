@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/stability/limits.h"
+
+#include <cmath>
+
+#include "app/study/stability/wall.h"
+
+namespace study {
+namespace {
+
+using haptics::DeviceModel;
+
+const char* const kSection = "The stiffest wall";
+
+std::string rateOf(double period) { return shortly(1e-3 / period) + " kHz"; }
+
+/// One way to run the loop, and what its limit must be at least a share of.
+struct Variant {
+  std::string name;
+  Wall wall;
+};
+
+std::vector<Variant> variants(const DeviceModel& device, double period) {
+  std::vector<Variant> all;
+  for (const int delay : {0, 1}) {
+    const std::string late = delay == 0 ? "" : ", a period late";
+    Wall wall{device, {}, period};
+    wall.device.linkage.delay = delay;
+    all.push_back({"plain" + late, wall});
+    wall.damping = 0.25 * device.rating.damping;
+    all.push_back({"virtual damping" + late, wall});
+    wall.damping = 0.0;
+    wall.controller = device.rating.damping;
+    all.push_back({"passivity controller" + late, wall});
+  }
+  Wall loose{device, {}, period};
+  loose.hand.damping = 2.0;
+  all.push_back({"loose hand", loose});
+  return all;
+}
+
+Outcome limitsOf(const DeviceModel& device, int number, double period) {
+  Outcome outcome;
+  Table table{"Measured limits of stiffness",
+              {"device", "rate", "loop", "b + b_hand [N s/m]", "measured [N/m]", "2b/T [N/m]",
+               "linear [N/m]", "measured / (2b/T)", "rated [N/m]"},
+              {}};
+  Plot plot{"Measured limit over 2b / T (1 + 2 delay), " + rateOf(period),
+            "One mark for each device, in the order of the table of devices, and way to run the "
+            "loop; b counts device, hand and virtual damper. What is plain lies near 1; the "
+            "passivity controller lies above",
+            {"device, by its number"},
+            {"measured / theory", Scale::Log}};
+  plot.bound = 0.85;
+  plot.bound_name = "not below 0.85";
+  double plain = NAN;
+  for (const Variant& variant : variants(device, period)) {
+    const Wall& wall = variant.wall;
+    const bool controlled = wall.controller > 0.0;
+    const double measured = measuredLimit(wall), theory = wall.theory();
+    const double linear = controlled ? NAN : linearLimit(wall);
+    const std::string name = "limit/" + device.name + "/" + rateOf(period) + "/" + variant.name;
+    if (variant.name == "plain") {
+      Case each = limitCase(device, period, 0);
+      each.name = name;
+      outcome.cases.push_back(std::move(each));
+    } else if (controlled) {
+      outcome.cases.push_back({name, measured / plain, 0.95, "", Case::Sense::AtLeast,
+                               "over the plain limit: the controller must not cost stiffness"});
+    } else {
+      outcome.cases.push_back(
+          {name, measured / linear, 0.85, "", Case::Sense::AtLeast,
+           "over the limit of the linear sampled system; theory " + shortly(theory) + " N/m"});
+    }
+    if (!controlled) plain = variant.name.starts_with("virtual") ? plain : measured;
+    table.rows.push_back({device.name, rateOf(period), variant.name, shortly(wall.totalDamping()),
+                          shortly(measured), shortly(theory), controlled ? "" : shortly(linear),
+                          shortly(measured / theory), shortly(device.rating.stiffness)});
+    plot.series.push_back({variant.name, {{double(number), measured / theory}}, false});
+  }
+  outcome.tables.push_back(std::move(table));
+  outcome.plots.push_back(std::move(plot));
+  if (period < 1e-3) return outcome;
+
+  // below the limit and above it
+  const double limit = measuredLimit({device, {}, period});
+  Plot presses{"A press on a wall: " + device.name,
+               "Depth of the handle in the wall, at 0.8 of the measured limit, where what the "
+               "arrival set off dies, and at 1.2, where it is kept up",
+               {"time [s]"},
+               {"depth [mm]"}};
+  for (const double share : {0.8, 1.2}) {
+    Series series{shortly(share) + " of the limit", {}};
+    int n = 0;
+    pressOn({device, {}, period}, share * limit, [&](double time, double depth) {
+      if (n++ % 3 == 0 && time < 0.5) series.points.push_back({time, 1e3 * depth});
+    });
+    presses.series.push_back(std::move(series));
+  }
+  outcome.plots.push_back(std::move(presses));
+  return outcome;
+}
+
+}  // namespace
+
+Case limitCase(const DeviceModel& device, double period, int lag) {
+  Wall wall{device, {}, period};
+  const double theory = wall.theory();
+  wall.device.linkage.delay += lag;
+  return {"limit/" + device.name,
+          measuredLimit(wall) / theory,
+          0.85,
+          "",
+          Case::Sense::AtLeast,
+          "over 2 (b + b_hand) / T, with " + shortly(wall.totalDamping()) + " N s/m in all"};
+}
+
+std::vector<Job> limitJobs() {
+  std::vector<Job> jobs;
+  int number = 0;
+  for (const DeviceModel& device : haptics::deviceModels()) {
+    ++number;
+    // the wall has one degree of freedom, in which an arm is nothing
+    if (!device.linkage.arm.isZero(0.0)) continue;
+    for (const double period : {1e-3, 0.25e-3})
+      jobs.push_back({"limit/" + device.name + "/" + rateOf(period), kSection,
+                      period < 1e-3 ? 2.0 : 0.5,
+                      [=](std::uint64_t) { return limitsOf(device, number, period); }});
+  }
+  return jobs;
+}
+
+}  // namespace study

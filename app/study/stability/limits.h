@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "app/study/report/outcome.h"
+#include "haptics/simulation/device_model.h"
+
+namespace study {
+
+/// The measured limit of stiffness of a device on a wall over 2 (b + b_hand) / T, which must be at
+/// least 0.85 where the damping is 5 N·s/m or more. `lag`: periods by which a planted error brings
+/// the force late, and of which the theory knows nothing.
+Case limitCase(const haptics::DeviceModel& device, double period, int lag);
+
+/// The limits of every rated device at 1 and 4 kHz, with and without virtual damping, passivity
+/// controller and a period of delay.
+std::vector<Job> limitJobs();
+
+}  // namespace study

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/stability/wall.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/coupling/passivity.h"
+
+namespace study {
+namespace {
+
+using haptics::Grip;
+using haptics::Linkage;
+using haptics::Pose;
+using haptics::Twist;
+using haptics::Vec3;
+using haptics::Wrench;
+
+constexpr double kPress = 3.0;     // N
+constexpr double kArrival = 0.05;  // m/s
+constexpr double kSeconds = 2.0;   // s
+constexpr double kWindow = 0.2;    // s
+
+/// The stiffness below which all `holds`: in steps of 5 % from a fifth of `guess` to ten times
+/// of it, since beyond its limit a bouncing loop may be quiet again; then by bisection to 0.5 %.
+template <class Holds>
+double leastThatFails(double guess, Holds&& holds) {
+  double low = 0.2 * guess, high = low;
+  if (!holds(low)) return low;
+  while (high < 10.0 * guess && holds(high)) {
+    low = high;
+    high *= 1.05;
+  }
+  while (high > 1.005 * low) {
+    const double middle = std::sqrt(low * high);
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Position and speed of the free device after a period, and what a held force adds: the
+/// exponential of its differential equation.
+struct Sampled {
+  Eigen::Matrix2d A;
+  Eigen::Vector2d B;
+};
+Sampled sampled(const Wall& wall) {
+  const double m = wall.device.mass + wall.hand.mass;
+  const double b = wall.device.damping + wall.hand.damping;
+  Eigen::Matrix3d rate = Eigen::Matrix3d::Zero();
+  rate(0, 1) = 1.0;
+  rate(1, 0) = -wall.hand.stiffness / m;
+  rate(1, 1) = -b / m;
+  rate(1, 2) = 1.0 / m;
+  // by squaring: T / 1024 is short enough for eight terms of the series
+  const Eigen::Matrix3d small = rate * (wall.period / 1024.0);
+  Eigen::Matrix3d term = Eigen::Matrix3d::Identity(), power = term;
+  for (int n = 1; n <= 8; ++n) {
+    term = term * small / double(n);
+    power += term;
+  }
+  for (int n = 0; n < 10; ++n) power = (power * power).eval();
+  return {power.topLeftCorner<2, 2>(), power.topRightCorner<2, 1>()};
+}
+
+}  // namespace
+
+double Wall::theory() const {
+  return 2.0 * totalDamping() / (period * (1.0 + 2.0 * device.linkage.delay));
+}
+
+Pressed pressOn(const Wall& wall, double stiffness,
+                const std::function<void(double, double)>& each) {
+  Linkage linkage = wall.device.linkage;
+  Grip grip = wall.device.heldBy(wall.hand, 0.03);
+  grip.velocity.linear.z() = -kArrival;
+  const double depth = kPress * (1.0 / wall.hand.stiffness + 1.0 / stiffness);
+  const Pose X_WH = haptics::poseOf({0.0, 0.0, -depth}, haptics::Quat::Identity());
+
+  haptics::PassivityController controller{wall.controller, grip.gyration, linkage.torque};
+  haptics::PassivityObserver observer;
+  Wrench held;
+  double early = 0.0, late = 0.0, lowest = INFINITY, highest = -INFINITY;
+  Pose X_WD = linkage.read(grip.X_WD);
+  const int ticks = int(std::lround(kSeconds / wall.period));
+  for (int n = 0; n < ticks; ++n) {
+    const double time = n * wall.period;
+    const Pose X_WH_before = grip.X_WD, X_WD_before = X_WD;
+    if (n > 0) grip.advance(X_WH, held, wall.period);
+    observer.add(held, haptics::motionBetween(X_WH_before, grip.X_WD));
+    X_WD = linkage.read(grip.X_WD);
+    const Twist motion = haptics::motionBetween(X_WD_before, X_WD);
+
+    Wrench wrench;
+    const double z = X_WD.translation().z();
+    if (z < 0.0) wrench.force.z() = -stiffness * z;
+    wrench = haptics::damped(wrench, motion, wall.period, wall.damping, grip.gyration);
+    if (wall.controller > 0.0) wrench = controller.pass(wrench, motion, wall.period);
+    held = linkage.carry(wrench, grip.X_WD);
+
+    const double place = grip.X_WD.translation().z();
+    if (each) each(time, -place);
+    const double speed = grip.velocity.linear.norm();
+    if (!(std::abs(place) < 1.0 && speed < 1e3)) return {true, std::abs(place), observer.energy()};
+    if (time >= 0.25 * kSeconds && time < 0.5 * kSeconds) early += speed * speed;
+    if (time >= 0.75 * kSeconds) late += speed * speed;
+    if (time >= kSeconds - kWindow) {
+      lowest = std::min(lowest, place);
+      highest = std::max(highest, place);
+    }
+  }
+  const double amplitude = 0.5 * (highest - lowest);
+  return {late > 0.9 * early && amplitude > 2.0 * linkage.encoder, amplitude, observer.energy()};
+}
+
+double measuredLimit(const Wall& wall) {
+  return leastThatFails(wall.theory(),
+                        [&](double stiffness) { return !pressOn(wall, stiffness).fed; });
+}
+
+double linearLimit(const Wall& wall) {
+  const Sampled free = sampled(wall);
+  const int delay = wall.device.linkage.delay;
+  return leastThatFails(wall.theory(), [&](double stiffness) {
+    // state: position, speed, position a period ago, forces under way (the oldest acts next)
+    const int n = 3 + delay;
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+    Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(n);
+    force(0) = -stiffness - wall.damping / wall.period;
+    force(2) = wall.damping / wall.period;
+    A.topLeftCorner<2, 2>() = free.A;
+    if (delay == 0) {
+      A.topRows<2>() += free.B * force;
+    } else {
+      A.block<2, 1>(0, 3) = free.B;
+      for (int k = 3; k + 1 < n; ++k) A(k, k + 1) = 1.0;
+      A.row(n - 1) = force;
+    }
+    A(2, 0) = 1.0;
+    return A.eigenvalues().cwiseAbs().maxCoeff() < 1.0;
+  });
+}
+
+}  // namespace study

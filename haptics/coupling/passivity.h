@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
+
+namespace haptics {
+
+/// The motion that leads from one pose to another: translation, and rotation vector in W.
+Twist motionBetween(const Pose& X_from, const Pose& X_to) HAPTICS_RT;
+
+/// Adds up the energy that the program gives to the hand. A wrench is held between two ticks, so
+/// the work it does is exactly wrench · motion, whatever happens in between; no velocity has to be
+/// guessed [Hannaford 2002, with the sum of Stramigioli 2005].
+///
+/// A passive environment, at rest at first, has never given more than it took: `energy` <= 0. The
+/// potential that a pressed spring holds is energy taken.
+class PassivityObserver {
+ public:
+  /// `held`: the wrench on the hand since the last tick, `motion`: the device's since then. What is
+  /// not finite is not counted.
+  void add(const Wrench& held, const Twist& motion) HAPTICS_RT;
+  double energy() const HAPTICS_RT { return energy_; }  ///< J, given less taken
+  double most() const HAPTICS_RT { return most_; }      ///< J, the greatest `energy` has been
+  /// J: the most that was given since any earlier tick. Of a spring that is pressed and let go it
+  /// is what the spring held; that it grows from one press to the next is generation.
+  double rise() const HAPTICS_RT { return rise_; }
+
+ private:
+  double energy_ = 0.0, most_ = 0.0, least_ = 0.0, rise_ = 0.0;
+};
+
+/// Takes back what the program gave too much, by damping the hand as hard as it needs and no
+/// longer: the time-domain passivity controller of [Hannaford 2002] in six degrees of freedom. The
+/// damping is b in translation and b times the square of a gyration radius in rotation; along
+/// what the device cannot actuate it does not act, and nothing is counted.
+class PassivityController {
+ public:
+  /// `most_damping` [N·s/m]: more would rattle on the encoder's noise. `gyration` [m].
+  PassivityController(double most_damping, double gyration, bool torque)
+      : most_damping_{most_damping}, gyration_{gyration}, torque_{torque} {}
+
+  /// What to send in place of `wanted`. `motion` of the device since the last tick, through which
+  /// the wrench that this returned then (or what the limits left of it, see `sent`) was held.
+  Wrench pass(const Wrench& wanted, const Twist& motion, double period) HAPTICS_RT;
+  /// What was really sent, if limits came after `pass`.
+  void sent(const Wrench& wrench) HAPTICS_RT { held_ = wrench; }
+
+  const PassivityObserver& observer() const HAPTICS_RT { return observer_; }
+
+ private:
+  double most_damping_, gyration_;
+  bool torque_;
+  PassivityObserver observer_;
+  Wrench held_;
+};
+
+/// The wrench with a viscous one added while it is felt at all: `damping` [N·s/m], times the
+/// square of `gyration` [m] in rotation. A velocity is the motion over the last period.
+Wrench damped(const Wrench& wrench, const Twist& motion, double period, double damping,
+              double gyration) HAPTICS_RT;
+
+}  // namespace haptics

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/study/stability/stability.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/study/stability/limits.h"
+#include "app/study/stability/presses.h"
+#include "app/study/stability/wall.h"
+
+namespace {
+
+using haptics::DeviceModel;
+using haptics::findDeviceModel;
+using study::Case;
+using study::Depth;
+using study::Job;
+using study::Outcome;
+using study::Study;
+using study::Wall;
+
+TEST(Wall, TheMeasuredLimitOfAWellDampedDeviceIsThatOfTheory) {
+  for (const char* name : {"falcon", "sigma.7", "touch", "delta.3"})
+    for (const double period : {1e-3, 0.25e-3}) {
+      const Wall wall{findDeviceModel(name).value(), {}, period};
+      ASSERT_GE(wall.totalDamping(), 5.0);
+      EXPECT_DOUBLE_EQ(wall.theory(), 2.0 * 5.0 / period);
+      const double measured = study::measuredLimit(wall);
+      EXPECT_NEAR(measured / wall.theory(), 1.0, 0.15) << name;
+      EXPECT_NEAR(measured / study::linearLimit(wall), 1.0, 0.15) << name;
+    }
+}
+
+// two ways to one figure: bisection on presses, and eigenvalues
+TEST(Wall, DelayAndVirtualDampingMoveTheMeasuredLimitAsTheyMoveTheLinearOne) {
+  Wall wall{findDeviceModel("falcon").value(), {}, 1e-3};
+  wall.device.linkage.encoder = 1e-6;
+  for (const int delay : {0, 1, 3})
+    for (const double damping : {0.0, 4.0}) {
+      wall.device.linkage.delay = delay;
+      wall.damping = damping;
+      EXPECT_NEAR(study::measuredLimit(wall) / study::linearLimit(wall), 1.0, 0.06)
+          << delay << " periods, " << damping << " N s/m";
+    }
+}
+
+TEST(Wall, WhatIsLightlyDampedRingsLongAndIsStable) {
+  Wall wall{findDeviceModel("delta.3").value(), {}, 1e-3};
+  wall.device.damping = 0.3;
+  wall.hand.damping = 0.2;
+  // m / b is 0.7 s; a verdict by what still shakes at the end would be wrong
+  const auto pressed = study::pressOn(wall, 0.5 * wall.theory());
+  EXPECT_FALSE(pressed.fed);
+  EXPECT_GT(pressed.amplitude, 4.0 * wall.device.linkage.encoder);
+  EXPECT_TRUE(study::pressOn(wall, 1.5 * wall.theory()).fed);
+}
+
+TEST(Wall, DryFrictionAndTheControllerRaiseTheLimit) {
+  Wall wall{findDeviceModel("sigma.7").value(), {}, 1e-3};
+  const double plain = study::measuredLimit(wall);
+  wall.controller = 30.0;
+  EXPECT_GT(study::measuredLimit(wall), 1.2 * plain);
+  wall.controller = 0.0;
+  wall.device.coulomb = 0.2;
+  EXPECT_GT(study::measuredLimit(wall), 1.2 * plain);
+}
+
+TEST(Wall, AboveItsLimitItGivesEnergyAndBelowHardlyAny) {
+  const Wall wall{findDeviceModel("sigma.7").value(), {}, 1e-3};
+  EXPECT_GT(study::pressOn(wall, 1.3 * wall.theory()).energy, 20e-3);  // J
+  EXPECT_LT(study::pressOn(wall, 0.5 * wall.theory()).energy, 1e-3);
+}
+
+TEST(PlantedError, AForceThatLagsATickFailsTheLimitOfEveryDevice) {
+  for (const DeviceModel& device : haptics::deviceModels()) {
+    if (!device.linkage.arm.isZero(0.0)) continue;
+    const Case sound = study::limitCase(device, 1e-3, 0), lags = study::limitCase(device, 1e-3, 1);
+    EXPECT_TRUE(sound.pass()) << device.name << ": " << sound.value;
+    EXPECT_FALSE(lags.pass()) << device.name << ": " << lags.value;
+    EXPECT_LT(lags.value, 0.5) << device.name;
+  }
+}
+
+TEST(PlantedError, AForceThatLagsATickGivesEnergyInAPress) {
+  DeviceModel device = findDeviceModel("lambda.7").value();
+  const auto stage = study::makeStage("ball", 0.0, 1);
+  const double stiffness = study::ceilingOf(device, stage, 0.5);
+  const auto sound = study::press(device, stage, stiffness);
+  device.linkage.delay = 1;
+  const auto lags = study::press(device, stage, stiffness);
+  EXPECT_GT(sound.contact, 400);
+  EXPECT_LT(sound.energy, 1e-3);  // J
+  EXPECT_GT(lags.energy, 10e-3);
+  EXPECT_GT(lags.amplitude, 10.0 * sound.amplitude);
+}
+
+TEST(StabilityStudy, HasEveryDeviceAndNamesEachJobOnce) {
+  for (const Depth depth : {Depth::Quick, Depth::Full}) {
+    const Study study = study::stabilityStudy(depth);
+    std::set<std::string> names;
+    for (const Job& job : study.jobs) {
+      EXPECT_TRUE(names.insert(job.name).second) << job.name;
+      EXPECT_GT(job.cost, 0.0);
+      EXPECT_FALSE(job.section.empty());
+    }
+    for (const DeviceModel& device : haptics::deviceModels()) {
+      if (device.linkage.arm.isZero(0.0)) {
+        EXPECT_TRUE(names.contains("limit/" + device.name + "/1 kHz")) << device.name;
+        EXPECT_TRUE(names.contains("limit/" + device.name + "/4 kHz")) << device.name;
+      }
+      if (depth == Depth::Full) {
+        EXPECT_TRUE(names.contains("press/" + device.name + "/groove")) << device.name;
+      }
+    }
+  }
+}
+
+// a short form of the study: one job of each kind, twice
+TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
+  const Study study = study::stabilityStudy(Depth::Quick);
+  std::set<std::string> names;
+  int jobs = 0;
+  for (const Job& job : study.jobs) {
+    if (job.name != "press/touch/groove" && job.name != "limit/touch/1 kHz" &&
+        job.name != "hands/turned arm" && job.name != "hands/slot" &&
+        job.name != "failures/saturation")
+      continue;
+    ++jobs;
+    const Outcome first = job.run(1), second = job.run(1);
+    ASSERT_FALSE(first.cases.empty());
+    ASSERT_EQ(first.cases.size(), second.cases.size());
+    for (std::size_t n = 0; n < first.cases.size(); ++n) {
+      EXPECT_EQ(first.cases[n].value, second.cases[n].value) << first.cases[n].name;
+      EXPECT_TRUE(first.cases[n].pass()) << first.cases[n].name << ": " << first.cases[n].value;
+      EXPECT_TRUE(names.insert(first.cases[n].name).second) << first.cases[n].name;
+    }
+    EXPECT_FALSE(first.plots.empty()) << job.name;
+    for (const study::Table& table : first.tables)
+      for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.head.size());
+  }
+  EXPECT_EQ(jobs, 5);
+}
+
+}  // namespace
