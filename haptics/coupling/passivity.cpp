@@ -13,11 +13,7 @@ Twist motionBetween(const Pose& X_from, const Pose& X_to) HAPTICS_RT {
 
 void PassivityObserver::add(const Wrench& held, const Twist& motion) HAPTICS_RT {
   const double work = held.force.dot(motion.linear) + held.torque.dot(motion.angular);
-  if (!std::isfinite(work)) return;
-  energy_ += work;
-  most_ = std::max(most_, energy_);
-  least_ = std::min(least_, energy_);
-  rise_ = std::max(rise_, energy_ - least_);
+  if (std::isfinite(work)) energy_ += work;
 }
 
 Wrench PassivityController::pass(const Wrench& wanted, const Twist& motion,

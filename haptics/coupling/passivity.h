@@ -11,7 +11,7 @@ Twist motionBetween(const Pose& X_from, const Pose& X_to) HAPTICS_RT;
 
 /// Adds up the energy that the program gives to the hand. A wrench is held between two ticks, so
 /// the work it does is exactly wrench · motion, whatever happens in between; no velocity has to be
-/// guessed [Hannaford 2002, with the sum of Stramigioli 2005].
+/// guessed [Hannaford 2002].
 ///
 /// A passive environment, at rest at first, has never given more than it took: `energy` <= 0. The
 /// potential that a pressed spring holds is energy taken.
@@ -21,13 +21,9 @@ class PassivityObserver {
   /// not finite is not counted.
   void add(const Wrench& held, const Twist& motion) HAPTICS_RT;
   double energy() const HAPTICS_RT { return energy_; }  ///< J, given less taken
-  double most() const HAPTICS_RT { return most_; }      ///< J, the greatest `energy` has been
-  /// J: the most that was given since any earlier tick. Of a spring that is pressed and let go it
-  /// is what the spring held; that it grows from one press to the next is generation.
-  double rise() const HAPTICS_RT { return rise_; }
 
  private:
-  double energy_ = 0.0, most_ = 0.0, least_ = 0.0, rise_ = 0.0;
+  double energy_ = 0.0;  ///< J
 };
 
 /// Takes back what the program gave too much, by damping the hand as hard as it needs and no

@@ -37,9 +37,6 @@ TEST(PassivityObserver, FindsWhatASampledSpringGenerates) {
   }
   EXPECT_NEAR(observer.energy(), K * v * T * depth, 1e-9);
   EXPECT_GT(observer.energy(), 2e-4);  // J
-  // what the spring held when it was deepest, and a little more, came back
-  EXPECT_NEAR(observer.rise(), 0.5 * K * depth * depth, 0.02 * K * depth * depth);
-  EXPECT_EQ(observer.most(), observer.energy());
 }
 
 TEST(PassivityObserver, FindsWhatADamperTakes) {
@@ -52,8 +49,6 @@ TEST(PassivityObserver, FindsWhatADamperTakes) {
     taken += b * (v.squaredNorm() + 1e-3 * w.squaredNorm()) * T;
   }
   EXPECT_NEAR(observer.energy(), -taken, 1e-9 * taken);
-  EXPECT_EQ(observer.most(), 0.0);
-  EXPECT_EQ(observer.rise(), 0.0);
   observer.add({Vec3::Constant(NAN), Vec3::Zero()}, {Vec3::Ones(), Vec3::Zero()});
   EXPECT_NEAR(observer.energy(), -taken, 1e-9 * taken);
 }
@@ -123,7 +118,7 @@ TEST(PassivityController, LeavesAloneWhatIsPassiveAndUsesNoTorqueThatItHasNot) {
   EXPECT_LT(sent.force.dot(along.linear), wanted.force.dot(along.linear));
   EXPECT_LE((sent.force - wanted.force).norm(), 30.0 * along.linear.norm() / T + 1e-9);
   EXPECT_EQ(sent.torque, wanted.torque);
-  // 3.0 N·mm per mm... the torque that no motor makes is not counted: 6e-3 - 6e-4 J
+  // the torque that no motor makes is not counted: 6e-3 - 6e-4 J
   EXPECT_NEAR(controller.observer().energy(), 5.4e-3, 1e-9);
 }
 
