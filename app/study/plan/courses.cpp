@@ -76,6 +76,7 @@ std::vector<Planned> courses(Depth depth) {
   using haptics::FieldKind, haptics::NormalKind;
   std::vector<Planned> all{
       {"sphere and sphere, slide", "sphere", "sphere"},
+      {"sphere and sphere, jerk", "sphere", "sphere", 0, Way::Aimed, HandMotion::Jerk},
       {"demo and probe, slide", "demo", "probe"},
       {"gyroid and drill, wedge", "gyroid", "drill", 0, Way::Aimed, HandMotion::Wedge},
       {"hole and peg, held", "hole", "peg", 0, Way::Held},

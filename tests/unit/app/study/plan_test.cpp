@@ -72,6 +72,21 @@ TEST(PlanStudy, FindsPosesAndForcesTheSameToTheBit) {
   }
 }
 
+// in a tick the hand goes several bands: the room must be that of the step, too
+TEST(PlanStudy, FindsNoDifferenceWhereTheHandStrikes) {
+  Course course = pressing(made::scene(plate(), made::tool(made::ballPoints(300, 4e-3))));
+  std::vector<double> times;
+  std::vector<Pose> poses;
+  for (int n = 0; n < 40; ++n) {
+    times.insert(times.end(), {0.05 * n, 0.05 * n + 0.005});
+    const double z = n % 2 == 0 ? 0.015 : -0.030;
+    poses.insert(poses.end(), {at(1e-4 * n, 0, -0.015 - z), at(1e-4 * n, 0, z)});
+  }
+  course.hand = Hand::along(times, poses).value();
+  course.ticks = 2000;
+  EXPECT_EQ(failing(study::examined(course, 1)), std::vector<std::string>{});
+}
+
 // or the sides would be alike for want of a difference
 TEST(PlanStudy, DoesMoreWorkForWhatIsSwitchedOff) {
   const auto scene = made::scene(plate(), made::tool(made::ballPoints(300, 4e-3)));
