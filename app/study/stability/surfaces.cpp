@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/study/reference/solid.h"
+#include "app/study/made/arcs.h"
 #include "app/study/stability/failures.h"
-#include "haptics/collision/sweep.h"
 
 namespace study::failures {
 namespace {
@@ -61,50 +60,14 @@ Outcome thinPlate(int tries, std::uint64_t seed) {
 }
 
 // arcs of one point in white noise: a point-by-point test misses 7 to 47 % of the hits
-Outcome arcs(int tries, std::uint64_t seed) {
+Outcome arcsInNoise(int tries, std::uint64_t seed) {
   Outcome outcome;
-  Random random{unsigned(221 + seed)};
-  const auto volume =
-      std::make_shared<const haptics::Volume>(datasets::whiteNoise(cube(40), unsigned(222 + seed)));
-  const haptics::ScalarField field{volume};
-  const haptics::Tolerances lengths{field.voxel()};
-  const std::vector<Vec3> point{Vec3::Zero()};
-  const haptics::ShellTree tree{point};
-  haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
-  constexpr int kSamples = 8000;
-  int met = 0, missed = 0;
-  for (const double isovalue : {67.0, 100.0, 133.0, 167.0, 200.0}) {
-    const haptics::Isosurface solid{field, isovalue};
-    const reference::Solid judge{*volume, isovalue,
-                                 reference::choicesFor(volume->grid, reference::Variant::Literal)};
-    for (int shots = 0; shots < 40 * tries;) {
-      const Pose X = at(random.box(18 * h));
-      const haptics::Twist motion{random.in(0.5e-3, 3e-3) * random.direction(), Vec3::Zero()};
-      haptics::Clearance clearance{tree};
-      if (clearance.collect(solid, tree, X, motion.linear.norm(), unlimited) !=
-          haptics::Clearance::Verdict::Legal)
-        continue;
-      ++shots;
-      haptics::Sweep sweep{1};
-      sweep.begin(field, clearance, X, motion, lengths);
-      while (!sweep.advance(solid, tree, clearance, lengths, unlimited)) {
-      }
-      const haptics::Impact impact = sweep.impact(solid, tree, clearance, lengths);
-      met += impact.met;
-      // a thousandth of a voxel late is the root's own width many times over
-      const double until = impact.time - 1e-3 * h / motion.linear.norm();
-      for (int n = 0; n < kSamples; ++n) {
-        const double t = double(n) / kSamples;
-        if (t >= until) break;
-        if (!judge.inside(X.translation() + t * motion.linear)) continue;
-        ++missed;
-        break;
-      }
-    }
-  }
-  outcome.cases.push_back({"F1b arcs in white noise/hits missed or late", double(missed), 0.0, "",
-                           Case::Sense::AtMost,
-                           "against 8,000 samples an arc; " + std::to_string(met) + " hits"});
+  made::Random random{unsigned(221 + seed)};
+  const arcs::Tally tally =
+      arcs::shootPoints(arcs::noise(unsigned(222 + seed)), 200 * tries, random);
+  outcome.cases.push_back({"F1b arcs in white noise/hits missed or late",
+                           double(tally.missed + tally.late), 0.0, "", Case::Sense::AtMost,
+                           "against a dense sampling; " + std::to_string(tally.met) + " hits"});
   return outcome;
 }
 
@@ -258,7 +221,7 @@ std::vector<Job> surfaces(int tries) {
     return Job{"failures/" + std::move(name), "Thin, noisy and long", cost,
                [=](std::uint64_t seed) { return run(tries, seed); }};
   };
-  return {job("thin plate", 1.0 + tries, thinPlate), job("arcs", 0.5 * tries, arcs),
+  return {job("thin plate", 1.0 + tries, thinPlate), job("arcs", 0.5 * tries, arcsInNoise),
           job("plate with noise", 1.0, plateWithNoise),
           job("noise on a sphere", 3.0, noiseOnASphere), job("long voxels", 1.0, longVoxels)};
 }
