@@ -9,7 +9,7 @@ namespace study {
 
 Study planStudy(Depth depth) {
   const bool quick = depth == Depth::Quick;
-  const int runs = quick ? 3 : 7, ticks = quick ? 900 : 2000;
+  const int most = quick ? 3 : 5, ticks = quick ? 900 : 1200;
   Study study{"plan", "What each scene leaves out"};
   study.introduction = {
       "A scene is planned when it is built: what its ticks leave out, each with its reason. Here "
@@ -18,15 +18,16 @@ Study planStudy(Depth depth) {
       "beside the rest, and what it finds counts: a point that is inside, or that would enter, "
       "stops the tool. So poses and forces must be the same to the bit, and the bound is zero.",
       "Time is thread CPU time of a tick, the cost of reading the clock taken off; the median of " +
-          std::to_string(runs) +
-          " runs, and between which the middle eight tenths of them lie. What is saved is the work "
-          "that is not done; the books that are kept to know this are in both. Work is what the "
+          std::to_string(most) +
+          " runs (3 of very many points), and between which the middle eight tenths of them lie. "
+          "What is saved is the work that is not done; the books that are kept to know this are in "
+          "both. Work is what the "
           "budget counts, and repeats exactly. No budget cuts a tick here.",
-      "Free space rests on the bounds and on the room that is left, and is off with either of "
-      "them: "
-      "what those two save contains it."};
-  for (const Planned& planned : courses(depth))
-    study.jobs.push_back({planned.name, "What is left out", quick ? 5.0 : 40.0,
+      "Free space rests on the bounds and on the room that is left, and is off with either "
+      "of them: what those two save contains it."};
+  for (const Planned& planned : courses(depth)) {
+    const int runs = planned.brief ? 3 : most;
+    study.jobs.push_back({planned.name, "What is left out", quick ? 5.0 : 15.0,
                           [planned, runs, ticks](std::uint64_t seed) {
                             const auto course = made(planned, ticks, seed);
                             if (course) return examined(*course, runs);
@@ -36,6 +37,7 @@ Study planStudy(Depth depth) {
                                                      "", Case::Sense::AtMost, course.error().what});
                             return refused;
                           }});
+  }
   return study;
 }
 
