@@ -16,8 +16,8 @@ using haptics::HandMotion;
 
 constexpr double kStiffness = 1000.0;  // N/m
 constexpr double kDepth = 0.004;       // m that the hand brings the device beyond the surface
-constexpr double kBriefBegin = 0.4;    // s: a tenth of a second before the touch
-constexpr int kBriefTicks = 250;
+constexpr double kBriefBegin = 0.48;   // s: just before the touch
+constexpr int kBriefTicks = 150;
 
 haptics::Expected<haptics::Tool> toolOf(const Planned& planned) {
   if (planned.tool == "point")
@@ -139,12 +139,12 @@ std::vector<Planned> courses(Depth depth) {
        Way::Aimed,
        HandMotion::Slide,
        {FieldKind::CubicSpline, NormalKind::Central, {}}},
-      {"demo and drill of 100,000 points, twist",
-       "demo",
-       "drill",
-       100'000,
+      {"gyroid and sphere of 30,000 points, hook",
+       "gyroid",
+       "sphere",
+       30'000,
        Way::Aimed,
-       HandMotion::Twist,
+       HandMotion::Hook,
        {},
        0.0,
        false,
