@@ -20,8 +20,9 @@ void Application::measure() {
   const QString unit = QString::fromStdString(shown_->picture.volume->unit);
   measured_ =
       tr("Touched with %1 at the isovalue %2, %3 N/m: simulated hands slid, tapped, hooked and "
-         "wedged, on one thread of ordinary priority. Carried is what keeps the tool within %4 of "
-         "a voxel of where ticks without a budget would bring it.")
+         "wedged, on one thread of ordinary priority. Carried is what keeps the tool, on "
+         "average, within %4 of a voxel of where ticks without a budget would bring it, with at "
+         "most one tick in a thousand longer than its period.")
           .arg(labelOf(shown_->tool),
                QString::number(settings_.isovalue) + (unit.isEmpty() ? QString() : ' ' + unit))
           .arg(settings_.stiffness, 0, 'f', 0)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/plan.h"
 
+#include <array>
+#include <charconv>
+
 #include "haptics/scene.h"
 
 namespace haptics {
@@ -11,10 +14,10 @@ std::string counted(std::size_t n, const std::string& one, const std::string& ma
 }
 
 std::string valueOf(double x) {
-  std::string text = std::to_string(x);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
+  // as it is written in a C locale, whichever the window has set
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
+  return {text.data(), end};
 }
 
 }  // namespace

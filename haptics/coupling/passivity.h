@@ -10,7 +10,8 @@ namespace haptics {
 Twist motionBetween(const Pose& X_from, const Pose& X_to) HAPTICS_RT;
 
 /// Adds up the energy that the program gives to the hand. A wrench is held between two ticks, so
-/// the work it does is exactly wrench · motion, whatever happens in between; no velocity has to be
+/// the work of its force is exactly force · translation, whatever happens in between, and that of
+/// its torque is torque · turn as far as the turn of a tick keeps its axis; no velocity has to be
 /// guessed [Hannaford 2002].
 ///
 /// A passive environment, at rest at first, has never given more than it took: `energy` <= 0. The

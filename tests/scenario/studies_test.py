@@ -23,6 +23,19 @@ except ImportError:
     sys.exit(77)
 
 
+# What is known not to hold in the quick form, each by how its name begins; app/study/README.md says
+# why. Anything else that fails is a regression.
+KNOWN = (
+    "hole: coupling distance, ours over literal",  # jams for every method; no clock decides it
+    "F3 freezing, 10 % noise/from ideal, mean",
+    "limit/woodenhaptics/4 kHz/virtual damping",
+    "press/falcon/groove/delay 1/amplitude at rest",
+    "5000 N/m/demo/pry/energy given, most",
+    "arm of 100 mm, three actuated/energy given at the handle",
+    "arm of 200 mm, three actuated/energy given at the handle",
+)
+
+
 def study(program, *arguments):
     return subprocess.run([program, "study", *arguments], capture_output=True, text=True)
 
@@ -75,6 +88,7 @@ def main():
             print(f"does not hold: {case['name']}: {case['value']} {case['unit']}, "
                   f"{case['sense']} {case['bound']}; {case['note']}")
             assert case["note"], "of a case that fails is said what is known about it"
+            assert case["name"].startswith(KNOWN), "a case fails that is not known to"
     assert ended.returncode == (4 if failing else 0), ended.returncode
     assert len(results["cases"]) == len({case["name"] for case in results["cases"]}), "names twice"
 

@@ -20,7 +20,7 @@ using haptics::Vec3;
 struct AnalyticHold {
   Vec3 start, device;   ///< m, W
   Vec3 base, along;     ///< m, and per metre of offset
-  bool corner = false;  ///< three walls bear
+  bool corner = false;  ///< two walls bear
   /// m: the ball's radius, or 0 for a point; and the gap that the method keeps.
   Vec3 answer(double offset) const { return base + offset * along; }
 };

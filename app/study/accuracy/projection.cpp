@@ -166,7 +166,8 @@ Outcome projections(const std::vector<Solver>& all, int rows, bool coplanar, int
           double((whitenedTwist(w, answer) - exact).norm() / w.y_free.norm()));
     }
   }
-  const auto worst = std::ranges::max(work.points.front().error);
+  double worst = 0.0;
+  for (const double error : work.points.front().error) worst = worse(worst, error);
   outcome.cases.push_back({"projection onto " + std::to_string(rows) + " " + what + " contacts",
                            worst, 1e-12, "", Case::Sense::AtMost, "Relative to the free motion."});
   outcome.cases.push_back(

@@ -137,6 +137,21 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
         {what + "points through walls", double(summary.wall_passages), 0.0, "points"});
   }
   addTo(outcome, coupling);
+  double literal_mm = 0.0, ours_mm = 0.0;
+  for (std::size_t m = 0; m < tracks.size(); ++m) {
+    const WorkPoint& point = coupling.points[m];
+    if (point.method == "literal") literal_mm = comparison::mean(point.error);
+    if (point.method != "ours" || point.setting != "200 us") continue;
+    ours_mm = comparison::mean(point.error);
+    outcome.cases.push_back({name + ": ticks of ours in contact",
+                             double(point.error.size()) / double(point.cost.size()), 0.05, "of all",
+                             Case::Sense::AtLeast, "Else nothing else would be said."});
+  }
+  outcome.cases.push_back({name + ": coupling distance, ours over literal", ours_mm / literal_mm,
+                           0.85, "", Case::Sense::AtMost,
+                           name == "hole" ? "The peg has 0.15 mm of play a side and jams when the "
+                                            "hand tilts it, for every method."
+                                          : "A proxy that freezes is far."});
 
   // a device held still: how far from the best that many starts find
   const comparison::HoldPlan plan{effort.holds, 120, effort.detours, 0};
@@ -157,6 +172,8 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
                                coupling.points[m].cost, summaries[m].residuals_mm,
                                coupling.points[m].samples});
   addTo(outcome, residual);
+  outcome.cases.push_back({name + ": holds", double(summaries[at].holds), double(effort.holds), "",
+                           Case::Sense::AtLeast, "Else the residual would say nothing."});
   outcome.cases.push_back({name + ": left of converging after 8 ticks, median",
                            summaries[at].same_start_median_mm, 0.01, "mm", Case::Sense::AtMost,
                            "Beyond what the same start reaches when nothing hurries it; what the "

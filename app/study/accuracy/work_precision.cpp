@@ -2,6 +2,7 @@
 #include "app/study/accuracy/work_precision.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/study/comparison/measures.h"
 
@@ -47,6 +48,9 @@ void addTo(Outcome& outcome, const WorkPrecision& work) {
     for (const WorkPoint& point : work.points) {
       if (point.method != method) continue;
       std::vector<double> cost = point.cost, error = point.error;
+      // what is no number is worse than any
+      for (double& e : error)
+        if (std::isnan(e)) e = INFINITY;
       std::ranges::sort(cost);
       std::ranges::sort(error);
       const double median = comparison::quantile(error, 0.5);

@@ -43,12 +43,21 @@ struct Target {
         half{within},
         samples{dense},
         steepest{0.0} {
+    // along an axis no slope of F is greater than the greatest step from voxel to voxel
     const auto& dims = volume->grid.dims;
-    for (std::int64_t k = 2; k < dims[2]; k += 4)
-      for (std::int64_t j = 2; j < dims[1]; j += 4)
-        for (std::int64_t i = 2; i < dims[0]; i += 4)
-          steepest =
-              std::max(steepest, field.pyramid().lipschitz({double(i), double(j), double(k)}));
+    Vec3 step = Vec3::Zero();
+    for (std::int64_t k = 0; k < dims[2]; ++k)
+      for (std::int64_t j = 0; j < dims[1]; ++j)
+        for (std::int64_t i = 0; i < dims[0]; ++i) {
+          const double here = evaluator::voxelAt(*volume, {i, j, k});
+          step.x() =
+              std::max(step.x(), std::abs(evaluator::voxelAt(*volume, {i + 1, j, k}) - here));
+          step.y() =
+              std::max(step.y(), std::abs(evaluator::voxelAt(*volume, {i, j + 1, k}) - here));
+          step.z() =
+              std::max(step.z(), std::abs(evaluator::voxelAt(*volume, {i, j, k + 1}) - here));
+        }
+    steepest = step.norm() / h;
   }
 };
 

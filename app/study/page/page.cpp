@@ -15,12 +15,14 @@ constexpr const char* kStyle = R"(
   --c5: #86cdf5; --c6: #b892dc; --c7: #e8e8e8; --bad: #ff6b7d; } }
 @media print { :root { --ground: #fff; --ink: #000; --quiet: #444; --rule: #bbb; --c0: #0072b2;
   --c1: #d55e00; --c2: #009e73; --c3: #cc79a7; --c4: #a07400; --c5: #2f8fc4; --c6: #7a4fa3;
-  --c7: #000; --bad: #b00020; } details { display: none; } figure, table { break-inside: avoid; } }
+  --c7: #000; --bad: #b00020; } details { display: none; } figure, tr { break-inside: avoid; }
+  div.wide { overflow: visible; } table { font-size: 8pt; } }
 body { background: var(--ground); color: var(--ink); font: 15px/1.5 system-ui, sans-serif;
   max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
 figure { margin: 1.2rem 0; } figcaption { font-weight: 600; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; display: block; overflow-x: auto; }
+div.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding: .3rem 0; }
 th, td { text-align: left; padding: .15rem .8rem .15rem 0; border-bottom: 1px solid var(--rule); }
 pre { overflow-x: auto; border: 1px solid var(--rule); padding: .5rem; }
@@ -55,7 +57,7 @@ void Page::command(const std::string& text) {
 }
 
 void Page::table(const Table& table) {
-  body_ += "<table>";
+  body_ += "<div class='wide'><table>";
   if (!table.caption.empty()) body_ += "<caption>" + escaped(table.caption) + "</caption>";
   body_ += "<thead><tr>";
   for (const std::string& cell : table.head) body_ += "<th scope='col'>" + escaped(cell) + "</th>";
@@ -65,7 +67,7 @@ void Page::table(const Table& table) {
     for (const std::string& cell : row) body_ += "<td>" + escaped(cell) + "</td>";
     body_ += "</tr>\n";
   }
-  body_ += "</tbody></table>\n";
+  body_ += "</tbody></table></div>\n";
 }
 
 void Page::plot(const Plot& plot) {

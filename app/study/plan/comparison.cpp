@@ -62,9 +62,6 @@ double quantile(std::vector<double> values, double q) {
   return values[below] + (at - double(below)) * (values[above] - values[below]);
 }
 
-/// The larger, and what is no number is the largest.
-double larger(double a, double b) { return std::isfinite(b) ? std::max(a, b) : INFINITY; }
-
 std::shared_ptr<const haptics::Scene> rebuilt(const haptics::Scene& scene,
                                               const haptics::Plan& plan) {
   return haptics::makeScene(scene.volume, scene.tool, {scene.field.kind(), scene.normal, plan},
@@ -125,10 +122,10 @@ Comparison compared(const Course& course, const haptics::Scene& first, const hap
       earlier.step(course, n);
       later.step(course, n);
       const haptics::Pose &X = a.proxy.X_WP, &Y = b.proxy.X_WP;
-      found.pose = larger(found.pose, (X.translation() - Y.translation()).norm() +
-                                          radius * (X.linear() - Y.linear()).norm());
-      found.force = larger(found.force, (a.felt.force - b.felt.force).norm());
-      found.torque = larger(found.torque, (a.felt.torque - b.felt.torque).norm());
+      found.pose = worse(found.pose, (X.translation() - Y.translation()).norm() +
+                                         radius * (X.linear() - Y.linear()).norm());
+      found.force = worse(found.force, (a.felt.force - b.felt.force).norm());
+      found.torque = worse(found.torque, (a.felt.torque - b.felt.torque).norm());
     }
     const auto mean_us = [&](const Side& side) {
       return std::max(0.0, double(side.spent) / course.ticks - clock) * 1e-3;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -25,6 +27,11 @@ struct Case {
   /// A value that is not finite fails.
   bool pass() const;
 };
+
+/// The larger of two; what is no number is larger than all, so that it shows.
+inline double worse(double a, double b) {
+  return std::isnan(a) || std::isnan(b) ? INFINITY : std::max(a, b);
+}
 
 /// What a job found. All of it survives the way through a results file.
 struct Outcome {

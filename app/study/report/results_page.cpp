@@ -61,7 +61,7 @@ std::vector<Section> sectionsOf(const Results& results) {
 }
 
 Table tableOf(const std::vector<Case>& cases) {
-  Table table{{}, {"case", "value", "", "bound", "unit", "holds", "note"}, {}};
+  Table table{{}, {"case", "value", "is to be", "bound", "unit", "holds", "note"}, {}};
   for (const Case& c : cases)
     table.rows.push_back({c.name, shortly(c.value), c.sense == Case::Sense::AtMost ? "≤" : "≥",
                           shortly(c.bound), c.unit, c.pass() ? "yes" : "NO", c.note});
@@ -105,7 +105,7 @@ std::string htmlOf(const Results& results) {
 
   page.heading("To repeat it");
   page.command(commandOf(results.identity));
-  Table made{{}, {"", ""}, {}};
+  Table made{{}, {"what", "which"}, {}};
   made.rows.push_back({"version", results.identity.version});
   made.rows.push_back({"build", results.identity.build});
   made.rows.push_back({"seed", std::to_string(results.identity.seed)});

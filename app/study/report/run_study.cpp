@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <numeric>
+#include <random>
 
 namespace study {
 namespace {
@@ -24,7 +25,9 @@ Error cannotWrite(const fs::path& path) {
 
 /// The whole text or nothing, also when two write at once.
 Expected<void> writeWhole(const fs::path& path, const std::string& text) {
-  const fs::path part = path.string() + ".part" + std::to_string(::getpid());
+  // process numbers repeat on the machines of a cluster that share a folder
+  const fs::path part =
+      path.string() + ".part" + std::to_string(std::random_device{}()) + std::to_string(::getpid());
   std::error_code failed;
   {
     std::ofstream file{part, std::ios::binary};
@@ -48,10 +51,11 @@ fs::path fileOf(const fs::path& folder, const std::string& job) {
 Expected<std::vector<Finished>> jobsIn(const fs::path& folder, std::optional<Identity>& identity) {
   std::vector<Finished> found;
   std::error_code failed;
-  for (const auto& entry : fs::directory_iterator{folder / "jobs", failed}) {
-    if (entry.path().extension() != ".json") continue;
-    std::ifstream file{entry.path()};
-    const std::string name = entry.path().string();
+  fs::directory_iterator entry{folder / "jobs", failed};
+  for (; !failed && entry != fs::directory_iterator{}; entry.increment(failed)) {
+    if (entry->path().extension() != ".json" || !entry->is_regular_file(failed)) continue;
+    std::ifstream file{entry->path()};
+    const std::string name = entry->path().string();
     const Json json = Json::parse(file, nullptr, false);
     const auto its = identityOf(json, name);
     if (!its) return tl::unexpected(its.error());
@@ -66,7 +70,23 @@ Expected<std::vector<Finished>> jobsIn(const fs::path& folder, std::optional<Ide
     if (!finished) return tl::unexpected(finished.error());
     found.push_back(std::move(*finished));
   }
+  if (failed && failed != std::errc::no_such_file_or_directory)
+    return tl::unexpected(Error{Error::Kind::Unsupported,
+                                folder.string() + " cannot be read; check who may read it.",
+                                "not-readable"});
   return found;
+}
+
+/// A job that throws is a job that failed, and not the end of the others.
+Outcome outcomeOf(const Job& job, std::uint64_t seed) {
+  try {
+    return job.run(seed);
+  } catch (const std::exception& error) {
+    Outcome outcome;
+    outcome.cases.push_back({job.name + ": ran to its end", 0.0, 1.0, "", Case::Sense::AtLeast,
+                             std::string{"It ended with: "} + error.what()});
+    return outcome;
+  }
 }
 
 /// The jobs in the order of the study, each once.
@@ -148,7 +168,8 @@ Expected<Results> runStudy(const Study& study, const RunOptions& options) {
   for (std::size_t n = 0; n < jobs.size() && !options.stop(); ++n) {
     const Job& job = *jobs[n];
     const auto begun = std::chrono::steady_clock::now();
-    Finished finished{job.name, job.section, 0.0, machine, job.run(seedOf(options.seed, job.name))};
+    Finished finished{job.name, job.section, 0.0, machine,
+                      outcomeOf(job, seedOf(options.seed, job.name))};
     finished.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     if (auto written =
@@ -160,7 +181,6 @@ Expected<Results> runStudy(const Study& study, const RunOptions& options) {
     const double left = cost_done > 0.0 ? (cost - cost_done) * spent / cost_done : 0.0;
     options.tell(std::to_string(n + 1) + " of " + std::to_string(jobs.size()) + ": " + job.name +
                  ", " + duration(finished.seconds) + "; about " + duration(left) + " left");
-    found->push_back(std::move(finished));
   }
   // of shards that share the folder, what the others have done meanwhile is there as well
   found = jobsIn(options.out, expected);
@@ -176,6 +196,11 @@ Expected<Results> mergeStudies(
     const std::function<std::optional<Study>(const Identity&)>& studyOf) {
   std::optional<Identity> identity;
   std::vector<Finished> all;
+  const auto add = [&](std::vector<Finished> found) {
+    for (Finished& one : found)
+      if (std::ranges::find(all, one.job, &Finished::job) == all.end())
+        all.push_back(std::move(one));
+  };
   for (const fs::path& folder : folders) {
     auto found = jobsIn(folder, identity);
     if (!found) return tl::unexpected(found.error());
@@ -184,8 +209,12 @@ Expected<Results> mergeStudies(
                                   folder.string() + " holds no jobs of a study; name the folders "
                                                     "that --out was given.",
                                   "no-jobs"});
-    std::ranges::move(*found, std::back_inserter(all));
+    add(std::move(*found));
   }
+  // what is in `out` already belongs to the whole, or refuses it
+  auto there = jobsIn(out, identity);
+  if (!there) return tl::unexpected(there.error());
+  add(std::move(*there));
   const std::optional<Study> study =
       identity && identity->build == buildHere() ? studyOf(*identity) : std::nullopt;
   if (!study)

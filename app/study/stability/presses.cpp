@@ -252,7 +252,7 @@ std::vector<Job> pressJobs(Depth depth) {
            : std::vector<double>{50, 1000, 5000, 20000};
   const std::vector<double> noises =
       full ? std::vector<double>{0.0, 0.005, 0.02, 0.05, 0.1} : std::vector<double>{0.0, 0.02};
-  // the others differ from one of these in their rating alone
+  // one of each kind of mass, encoder and motors; full has all
   const std::set<std::string> quick{"falcon", "delta.3",     "omega.7", "sigma.7",
                                     "touch",  "premium-1.5", "polhem",  "omni-arm-200"};
   std::vector<Job> jobs;

@@ -187,12 +187,12 @@ Outcome illConditioned(int tries, std::uint64_t seed) {
       const haptics::Vector6 a = metric.row(row.n_W, row.r_W, haptics::Mat3::Identity());
       left -= found.reaction[std::size_t(k)] * a;
       scale = std::max(scale, std::abs(found.reaction[std::size_t(k)]) * a.norm());
-      worst = std::max(worst, -found.reaction[std::size_t(k)] * a.norm() / scale);
+      worst = worse(worst, -found.reaction[std::size_t(k)] * a.norm() / scale);
     }
-    worst = std::max(worst, left.norm() / scale);
+    worst = worse(worst, left.norm() / scale);
     for (const haptics::MotionRow& row : rows) {
       const haptics::Vector6 a = metric.row(row.n_W, row.r_W, haptics::Mat3::Identity());
-      worst = std::max(worst, -(a.dot(found.whitened) + row.room) / (a.norm() * scale));
+      worst = worse(worst, -(a.dot(found.whitened) + row.room) / (a.norm() * scale));
     }
   }
   const std::string name = "mass metric conditioned 1e12";
@@ -260,8 +260,8 @@ Outcome saturation(int, std::uint64_t) {
     most = std::max(most, got.force.norm());
     torque = std::max(torque, got.torque.norm());
     if (asked.force.norm() > 0.0)
-      least_turn = std::min(least_turn,
-                            got.force.dot(asked.force) / (got.force.norm() * asked.force.norm()));
+      least_turn = -worse(-least_turn,
+                          -got.force.dot(asked.force) / (got.force.norm() * asked.force.norm()));
     wanted.add(n, asked.force.norm());
     sent.add(n, got.force.norm());
   }

@@ -76,7 +76,7 @@ Outcome plateWithNoise(int, std::uint64_t seed) {
   Outcome outcome;
   Plot plot = overTime("A slide along a plate one voxel thick, with noise",
                        "Distance of the proxy behind the device, by isovalue as a share of the "
-                       "plate's peak: no line climbs for long, the proxy is never held",
+                       "plate's peak",
                        "behind [mm]");
   Watch watch;
   double worst_mean = 0.0, worst = 0.0;
@@ -127,8 +127,7 @@ Outcome plateWithNoise(int, std::uint64_t seed) {
 Outcome noiseOnASphere(int tries, std::uint64_t seed) {
   Outcome outcome;
   Plot plot = overTime("A ball over a sphere, with noise",
-                       "Distance from the ideal proxy, by noise as a share of the range: it stays "
-                       "below a voxel, where the paper's method, frozen, would be 17 mm away",
+                       "Distance from the ideal proxy, by noise as a share of the range",
                        "from ideal [mm]");
   const double radius = 0.015, size = 3e-3;
   Watch watch;

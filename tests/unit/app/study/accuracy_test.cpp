@@ -69,6 +69,11 @@ TEST(Collisions, SeeADroppedRoot) {
                                return crossing;
                              }};
   EXPECT_FALSE(allPass(study::collisions({late}, "gyroid", made::trials(1'000), 5)));
+  // one that never moves misses nothing
+  const study::Detector timid{"planted", "", [](const arcs::Target&, double, const made::Arc&) {
+                                return made::Crossing{0.0, true};
+                              }};
+  EXPECT_FALSE(allPass(study::collisions({timid}, "gyroid", made::trials(1'000), 5)));
 }
 
 TEST(Projections, SeeOneThatStopsEarly) {
@@ -88,6 +93,16 @@ TEST(Projections, SeeOneThatStopsEarly) {
                               return V;
                             }};
   EXPECT_FALSE(allPass(study::projections({loose}, 6, false, 100, 7)));
+}
+
+TEST(Projections, SeeANumberThatIsNone) {
+  int calls = 0;
+  const study::Solver none{"planted", [&](const study::ProjectionProblem& problem) {
+                             haptics::Twist V = study::solvers().front().solve(problem);
+                             if (++calls == 2) V.linear.x() = NAN;
+                             return V;
+                           }};
+  EXPECT_FALSE(allPass(study::projections({none}, 3, false, 20, 7)));
 }
 
 TEST(Projections, EnumerationAndTheReferenceAgree) {

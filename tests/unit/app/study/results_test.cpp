@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <new>
 #include <set>
 
 #include "app/study/report/run_study.h"
@@ -103,6 +104,19 @@ TEST(RunStudy, WritesWhatItFoundAndRunsNothingTwice) {
   EXPECT_EQ(countOf(csv, "\n"), 1 + 3 + 3);
 }
 
+TEST(RunStudy, AJobThatThrowsFailsAndTheOthersGoOn) {
+  Folder folder;
+  std::vector<int> runs(3);
+  Study study = study3(runs);
+  study.jobs[0].run = [](std::uint64_t) -> Outcome { throw std::bad_alloc{}; };
+  const auto results = study::runStudy(study, into(folder.path));
+  ASSERT_TRUE(results);
+  EXPECT_EQ(runs, (std::vector{0, 1, 1}));
+  ASSERT_EQ(results->cases().size(), 3u);
+  EXPECT_FALSE(results->cases()[0].pass());
+  EXPECT_EQ(results->cases()[0].name, "job/0: ran to its end");
+}
+
 TEST(RunStudy, AnotherSeedOrDepthIsAnotherStudyAndIsNotMixedIn) {
   Folder folder;
   std::vector<int> runs(3);
@@ -179,6 +193,20 @@ TEST(RunStudy, ShardsTogetherAreTheWhole) {
     return json;
   };
   EXPECT_EQ(timeless(*merged), timeless(*whole));
+  // a job that stands in two folders is taken from the first, in all that is written
+  study::Json changed =
+      study::Json::parse(textOf(folder.path / "2" / "jobs" / "job_2.json"), nullptr, false);
+  const bool second = !changed.is_discarded();
+  const fs::path owner = folder.path / (second ? "2" : "1"),
+                 other = folder.path / (second ? "1" : "2");
+  changed = study::Json::parse(textOf(owner / "jobs" / "job_2.json"));
+  changed["seconds"] = 1e6;
+  std::ofstream{other / "jobs" / "job_2.json"} << changed.dump();
+  const auto twice = study::mergeStudies({owner, other}, folder.path / "twice", studyOf);
+  ASSERT_TRUE(twice);
+  EXPECT_LT(twice->finished[2].seconds, 1e6);
+  EXPECT_LT(study::Json::parse(textOf(folder.path / "twice" / "jobs" / "job_2.json"))["seconds"],
+            1e6);
   // merged again: the same
   const auto again = study::mergeStudies({folder.path / "all"}, folder.path / "all", studyOf);
   ASSERT_TRUE(again);
