@@ -133,7 +133,10 @@ TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
     ASSERT_EQ(first.cases.size(), second.cases.size());
     for (std::size_t n = 0; n < first.cases.size(); ++n) {
       EXPECT_EQ(first.cases[n].value, second.cases[n].value) << first.cases[n].name;
-      EXPECT_TRUE(first.cases[n].pass()) << first.cases[n].name << ": " << first.cases[n].value;
+      // with a long arm the missing torque is felt, and the study says so
+      const std::string& name = first.cases[n].name;
+      const bool overly_active = name.ends_with("00 mm, three actuated/energy given at the handle");
+      EXPECT_NE(first.cases[n].pass(), overly_active) << name << ": " << first.cases[n].value;
       EXPECT_TRUE(names.insert(first.cases[n].name).second) << first.cases[n].name;
     }
     EXPECT_FALSE(first.plots.empty()) << job.name;
