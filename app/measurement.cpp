@@ -15,16 +15,34 @@ constexpr double kStep = 0.005;  // of the whole, between two signals of progres
 Measurement::Measurement(QObject* parent) : QObject(parent) {}
 
 void Measurement::start(study::HereRequest request) {
-  const std::uint64_t number = ++number_;
+  cancel();
+  ++number_;
   under_way_ = true;
-  thread_ = std::jthread([this, number, request = std::move(request)](const std::stop_token& stop) {
-    work(number, request, stop);
-  });
+  if (running_)
+    next_ = std::move(request);
+  else
+    begin(std::move(request));
+}
+
+void Measurement::begin(study::HereRequest request) {
+  running_ = true;
+  // the one before has told its end as its last act: assigning does not wait for it
+  thread_ = std::jthread(
+      [this, number = number_, request = std::move(request)](const std::stop_token& stop) {
+        work(number, request, stop);
+        QMetaObject::invokeMethod(this, &Measurement::ended, Qt::QueuedConnection);
+      });
+}
+
+void Measurement::ended() {
+  running_ = false;
+  if (next_) begin(*std::exchange(next_, std::nullopt));
 }
 
 bool Measurement::cancel() {
   if (!std::exchange(under_way_, false)) return false;
   ++number_;
+  next_.reset();
   thread_.request_stop();
   return true;
 }

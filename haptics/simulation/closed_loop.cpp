@@ -7,8 +7,11 @@ namespace haptics {
 
 Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
                                const std::function<bool(const TraceRow&)>& each) {
-  grip.X_WD = linkage.handleAt(hand.at(0.0));
-  Pose X_WD = linkage.read(grip.X_WD);
+  // what a run changes is its own, so that the next is the same
+  Grip device = grip;
+  Linkage link = linkage;
+  device.X_WD = link.handleAt(hand.at(0.0));
+  Pose X_WD = link.read(device.X_WD);
   const std::optional<Pose> start = legalPoseNear(*scene, isovalue, X_WD);
   if (!start)
     return tl::unexpected(Error{Error::Kind::Unsupported,
@@ -17,19 +20,19 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   Proxy proxy{*scene, *start};
   Safety safety{limits};
   safety.arm();
-  PassivityController controller{passivity_damping, grip.gyration, linkage.torque};
+  PassivityController controller{passivity_damping, device.gyration, link.torque};
   PassivityObserver observer;  // at the handle, of what really acts there
   Wrench held;
   for (std::int64_t n = 0; n < ticks; ++n) {
     const double time = double(n) * period;
-    const Pose X_WH_before = grip.X_WD, X_WD_before = X_WD;
+    const Pose X_WH_before = device.X_WD, X_WD_before = X_WD;
     // the hand moves the device against the force that was sent last, which is held between ticks
     if (hand_is_device)
-      grip.X_WD = hand.at(time);
+      device.X_WD = hand.at(time);
     else if (n > 0)
-      grip.advance(linkage.handleAt(hand.at(time)), held, period);
-    observer.add(held, motionBetween(X_WH_before, grip.X_WD));
-    X_WD = linkage.read(grip.X_WD);
+      device.advance(link.handleAt(hand.at(time)), held, period);
+    observer.add(held, motionBetween(X_WH_before, device.X_WD));
+    X_WD = link.read(device.X_WD);
 
     Budget budget = Budget::counted(kTickWork);
     const std::int64_t begun = Budget::threadTime();
@@ -37,15 +40,15 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     Wrench wanted = result.wrench_W;
     if (damping > 0.0 || passivity_damping > 0.0) {
       const Twist motion = motionBetween(X_WD_before, X_WD);
-      if (damping > 0.0) wanted = damped(wanted, motion, period, damping, grip.gyration);
+      if (damping > 0.0) wanted = damped(wanted, motion, period, damping, device.gyration);
       if (passivity_damping > 0.0) wanted = controller.pass(wanted, motion, period);
     }
     const Wrench sent = safety.pass(wanted, result.outside, period);
     controller.sent(sent);
     const std::int64_t ended = Budget::threadTime();
-    held = linkage.carry(sent, grip.X_WD);
+    held = link.carry(sent, device.X_WD);
     if (!each({time, X_WD, proxy.X_WP, sent, result.wrench_W, result.contacts, ended - begun,
-               grip.X_WD, observer.energy()}))
+               device.X_WD, observer.energy()}))
       break;
   }
   return {};

@@ -2,22 +2,14 @@
 #include "tests/bench/report.h"
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 
+#include "app/study/page/text.h"
 #include "app/study/report/machine.h"
 
 namespace bench {
 namespace {
 
-std::string text(const char* format, ...) {
-  char line[512];
-  va_list values;
-  va_start(values, format);
-  std::vsnprintf(line, sizeof line, format, values);
-  va_end(values);
-  return line;
-}
+using study::text;
 
 bool isScan(const SceneReport& report) { return report.scene.starts_with("scan-"); }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/study/accuracy/contenders.h"
 #include "app/study/accuracy/work_precision.h"
 #include "app/study/comparison/measures.h"
 #include "app/study/made/made.h"
@@ -87,42 +88,22 @@ AnalyticHold inSlot(double radius, int which, Random& random) {
   }
 }
 
-/// Every method with every setting worth a point of the diagram.
-struct Contender {
-  std::string name, setting;
-  std::unique_ptr<comparison::Method> method;
-};
-
-std::vector<Contender> contenders(const comparison::Case& scene, const haptics::Tool& tool) {
-  using haptics::FieldKind;
-  using haptics::NormalKind;
-  using reference::Variant;
-  std::vector<Contender> all;
-  const std::pair<const char*, Variant> rivals[] = {{"literal", Variant::Literal},
-                                                    {"charitable", Variant::Charitable},
-                                                    {"accept-inside", Variant::AcceptInside}};
-  for (const auto& [name, variant] : rivals)
+Contenders contendersOn(const comparison::Case& scene, const haptics::Tool& tool) {
+  Contenders all;
+  for (const Reading& reading : kReadings)
     for (const double fineness : {2.0, 10.0, 50.0}) {
-      reference::Choices choices = reference::choicesFor(scene.volume->grid, variant);
+      reference::Choices choices = reference::choicesFor(scene.volume->grid, reading.variant);
       choices.epsilon = choices.feature / fineness;
-      all.push_back(
-          {name, "epsilon f/" + shortly(fineness), comparison::rival(scene, tool.shell, choices)});
+      all.add(reading.name, "epsilon f/" + shortly(fineness),
+              comparison::rival(scene, tool.shell, choices));
     }
-  struct Kind {
-    const char* name;
-    FieldKind field;
-    NormalKind normal;
-  };
-  for (const Kind& kind : {Kind{"ours", FieldKind::Trilinear, NormalKind::Central},
-                           Kind{"ours, cell normals", FieldKind::Trilinear, NormalKind::Cell},
-                           Kind{"ours, spline normals", FieldKind::Trilinear, NormalKind::Spline},
-                           Kind{"ours, spline field", FieldKind::CubicSpline, NormalKind::Cell}}) {
+  for (const Kind& kind : kKinds) {
     const auto built = haptics::makeScene(scene.volume, tool, {kind.field, kind.normal}).value();
     // a tenth of the tick's work, all of it, and as much as it likes
     for (const std::int64_t work :
          {haptics::kTickWork / 10, haptics::kTickWork, 50 * haptics::kTickWork})
-      all.push_back({kind.name, "work " + shortly(double(work)),
-                     comparison::ours(built, scene.isovalue, Limit{0, work})});
+      all.add(kind.name, "work " + shortly(double(work)),
+              comparison::ours(built, scene.isovalue, Limit{0, work}));
   }
   return all;
 }
@@ -197,14 +178,15 @@ Outcome closedForms(const std::string& solid, int count, unsigned seed,
     WorkPrecision angle{what + ": direction of the force",
                         "Angle between the force and the closed form's, against time.",
                         "mean CPU of a tick [us]", "error of direction [degrees]"};
-    for (Contender& one : contenders(scene, tool)) {
-      const bool judged = one.name == "ours" && one.setting == "work 20,000";
-      if (judged && ours) one.method = ours(std::move(one.method));
-      const HeldErrors errors = heldErrors(*one.method, holds, radius);
+    Contenders all = contendersOn(scene, tool);
+    for (std::size_t m = 0; m < all.methods.size(); ++m) {
+      const auto& [method, setting] = all.names[m];
+      const bool judged = method == "ours" && setting == "work 20,000";
+      if (judged && ours) all.methods[m] = ours(std::move(all.methods[m]));
+      const HeldErrors errors = heldErrors(*all.methods[m], holds, radius);
       position.points.push_back(
-          {one.name, one.setting, errors.tick_us, errors.position_um, errors.samples});
-      angle.points.push_back(
-          {one.name, one.setting, errors.tick_us, errors.angle_deg, errors.samples});
+          {method, setting, errors.tick_us, errors.position_um, errors.samples});
+      angle.points.push_back({method, setting, errors.tick_us, errors.angle_deg, errors.samples});
       if (!judged) continue;
       const double voxel_um = 1e6 * scene.volume->grid.spacing.minCoeff();
       const auto worst = [&](const std::vector<double>& values, bool corner) {

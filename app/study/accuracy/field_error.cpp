@@ -22,8 +22,9 @@ using made::Random;
 constexpr double h = 1e-3;       // m: the voxel
 constexpr double kTop = 1000.0;  // inside; 0 outside
 constexpr double kHalf = 500.0;
-constexpr Interpolation kKinds[] = {Interpolation::Trilinear, Interpolation::SplineApproximating,
-                                    Interpolation::SplineInterpolating};
+constexpr Interpolation kInterpolations[] = {Interpolation::Trilinear,
+                                             Interpolation::SplineApproximating,
+                                             Interpolation::SplineInterpolating};
 
 // level over slope: a distance near the surface, to first order
 double gyroid(const Vec3& p) {
@@ -184,7 +185,7 @@ std::array<double, 3> keptOfPlates(double thickness, int plates, int places, Ran
   for (int k = 0; k < plates; ++k) {
     const Vec3 n = random.direction();
     const Volume volume = plate(n, thickness);
-    for (const Interpolation kind : kKinds) {
+    for (const Interpolation kind : kInterpolations) {
       const ScalarField field = fieldOf(kind, volume);
       for (int i = 0; i < places; ++i) {
         Vec3 p = random.box(9.0 * h);
@@ -212,7 +213,7 @@ Outcome fieldErrors(double noise, int places, unsigned seed) {
                          "time of a gradient.",
                          "CPU of a gradient [ns]", "error of the normal [degrees]"};
     const Volume volume = blurred(shape, noise);
-    for (const Interpolation kind : kKinds) {
+    for (const Interpolation kind : kInterpolations) {
       Random random{seed};
       const SurfaceErrors e = surfaceErrors(fieldOf(kind, volume), shape, places, random);
       position.points.push_back({nameOf(kind), "", {e.value_ns}, e.position});
@@ -240,7 +241,7 @@ Outcome plateErrors(int plates, int places, unsigned seed) {
             "up, against its thickness.",
             {"thickness [voxel]"},
             {"left of the plate"}};
-  for (const Interpolation kind : kKinds) plot.series.push_back({nameOf(kind), {}});
+  for (const Interpolation kind : kInterpolations) plot.series.push_back({nameOf(kind), {}});
   Random random{seed};
   for (const double thickness : {0.6, 0.7, 0.8, 0.9, 1.1}) {
     const std::array<double, 3> kept = keptOfPlates(thickness, plates, places, random);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/study/accuracy/contenders.h"
 #include "app/study/accuracy/work_precision.h"
 #include "app/study/comparison/course.h"
 #include "app/study/comparison/feel.h"
@@ -17,8 +18,6 @@ namespace {
 using comparison::Course;
 using comparison::Limit;
 using comparison::Track;
-using haptics::FieldKind;
-using haptics::NormalKind;
 
 /// [Chan 2011], Table 1: mean and longest tick on a 2.67 GHz Core i7 [us].
 const std::map<std::string, std::pair<double, double>>& tableOne() {
@@ -27,52 +26,25 @@ const std::map<std::string, std::pair<double, double>>& tableOne() {
   return kTable;
 }
 
-/// A method among others, and what the diagrams call it.
-struct Contender {
-  std::string name, setting;
-};
-
-struct Field {
-  std::vector<Contender> contenders;
-  std::vector<std::unique_ptr<comparison::Method>> methods;
-  void add(const std::string& name, const std::string& setting,
-           std::unique_ptr<comparison::Method> method) {
-    contenders.push_back({name, setting});
-    methods.push_back(std::move(method));
-  }
-};
-
-Field contendersIn(const comparison::Case& scene, std::shared_ptr<const haptics::Scene> built,
-                   bool every_setting) {
-  using reference::Variant;
-  Field all;
-  const std::pair<const char*, Variant> rivals[] = {{"literal", Variant::Literal},
-                                                    {"charitable", Variant::Charitable},
-                                                    {"accept-inside", Variant::AcceptInside}};
-  for (const auto& [name, variant] : rivals)
-    all.add(name, "epsilon f/10",
+Contenders contendersIn(const comparison::Case& scene, std::shared_ptr<const haptics::Scene> built,
+                        bool every_setting) {
+  Contenders all;
+  for (const Reading& reading : kReadings)
+    all.add(reading.name, "epsilon f/10",
             comparison::rival(scene, built->tool.shell,
-                              reference::choicesFor(scene.volume->grid, variant)));
-  const auto ours = [&](const char* name, std::shared_ptr<const haptics::Scene> with, int us) {
-    all.add(name, std::to_string(us) + " us",
-            comparison::ours(std::move(with), scene.isovalue, Limit{us * 1000LL}));
-  };
-  for (const int us :
-       every_setting ? std::vector{25, 50, 100, 200, 500, 1000} : std::vector{50, 200})
-    ours("ours", built, us);
-  struct Kind {
-    const char* name;
-    FieldKind field;
-    NormalKind normal;
-  };
-  for (const Kind& kind : {Kind{"ours, cell normals", FieldKind::Trilinear, NormalKind::Cell},
-                           Kind{"ours, spline normals", FieldKind::Trilinear, NormalKind::Spline},
-                           Kind{"ours, spline field", FieldKind::CubicSpline, NormalKind::Cell}}) {
-    const auto with =
-        haptics::makeScene(scene.volume, built->tool, {kind.field, kind.normal}, built.get())
-            .value();
-    for (const int us : every_setting ? std::vector{50, 200, 500} : std::vector{200})
-      ours(kind.name, with, us);
+                              reference::choicesFor(scene.volume->grid, reading.variant)));
+  const std::vector<int> budgets =
+      every_setting ? std::vector{25, 50, 100, 200, 500, 1000} : std::vector{50, 200};
+  const std::vector<int> few = every_setting ? std::vector{50, 200, 500} : std::vector{200};
+  for (const Kind& kind : kKinds) {
+    const bool first = &kind == kKinds;
+    const auto with = first ? built
+                            : haptics::makeScene(scene.volume, built->tool,
+                                                 {kind.field, kind.normal}, built.get())
+                                  .value();
+    for (const int us : first ? budgets : few)
+      all.add(kind.name, std::to_string(us) + " us",
+              comparison::ours(with, scene.isovalue, Limit{us * 1000LL}));
   }
   return all;
 }
@@ -90,7 +62,7 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
                              Case::Sense::AtLeast, courses.error().what});
     return outcome;
   }
-  Field field = contendersIn(scene, built, effort.every_setting);
+  Contenders field = contendersIn(scene, built, effort.every_setting);
   const std::vector<Track> tracks = comparison::follow(field.methods, *courses);
 
   WorkPrecision coupling{name + ": coupling distance",
@@ -107,10 +79,10 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
               {"scene", "points", "paper: mean (longest) [us]", "method", "mean (longest) [us]"},
               {}};
   for (std::size_t m = 0; m < tracks.size(); ++m) {
-    const Contender& who = field.contenders[m];
+    const Contenders::Name& who = field.names[m];
     const comparison::Summary summary =
         comparison::summaryOf(tracks[m], *courses, shell, judge, effort.every_setting ? 5 : 20);
-    WorkPoint point{who.name, who.setting, {}, {}, summary.samples_per_tick};
+    WorkPoint point{who.method, who.setting, {}, {}, summary.samples_per_tick};
     for (std::size_t c = 0; c < courses->size(); ++c)
       for (std::size_t n = 0; n < tracks[m].ticks[c].size(); ++n) {
         const comparison::Tick& tick = tracks[m].ticks[c][n];
@@ -120,18 +92,18 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
               1e3 * comparison::massDistance(tick.X_WP, (*courses)[c].device[n], shell));
       }
     coupling.points.push_back(std::move(point));
-    facts.rows.push_back({who.name, who.setting, shortly(summary.penetration_mm),
+    facts.rows.push_back({who.method, who.setting, shortly(summary.penetration_mm),
                           std::to_string(summary.wall_passages), shortly(100.0 * summary.frozen),
                           shortly(100.0 * summary.cut), std::to_string(summary.contacts_max)});
-    if (who.name == "literal" || (who.name == "ours" && who.setting == "200 us")) {
+    if (who.method == "literal" || (who.method == "ours" && who.setting == "200 us")) {
       const auto [mean, longest] = tableOne().at(name);
       paper.rows.push_back({name, std::to_string(shell.points.size()),
-                            shortly(mean) + " (" + shortly(longest) + ")", who.name,
+                            shortly(mean) + " (" + shortly(longest) + ")", who.method,
                             shortly(summary.mean_us) + " (" + shortly(summary.max_us) + ")"});
     }
     // another field has another surface, which the judge does not know
-    if (!who.name.starts_with("ours") || who.name == "ours, spline field") continue;
-    const std::string what = name + ", " + who.name + ", " + who.setting + ": ";
+    if (!who.method.starts_with("ours") || who.method == "ours, spline field") continue;
+    const std::string what = name + ", " + who.method + ", " + who.setting + ": ";
     outcome.cases.push_back({what + "penetration", summary.penetration_mm, 0.0, "mm"});
     outcome.cases.push_back(
         {what + "points through walls", double(summary.wall_passages), 0.0, "points"});
@@ -156,10 +128,10 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
   // a device held still: how far from the best that many starts find
   const comparison::HoldPlan plan{effort.holds, 120, effort.detours, 0};
   const auto unhurried = comparison::ours(built, scene.isovalue, {0, 1'000'000});
-  const auto ours = std::ranges::find_if(field.contenders, [](const Contender& c) {
-    return c.name == "ours" && c.setting == "200 us";
+  const auto ours = std::ranges::find_if(field.names, [](const Contenders::Name& c) {
+    return c.method == "ours" && c.setting == "200 us";
   });
-  const auto at = static_cast<std::size_t>(ours - field.contenders.begin());
+  const auto at = static_cast<std::size_t>(ours - field.names.begin());
   const auto holds = comparison::holdsAlong(tracks[at], *courses, plan.count);
   WorkPrecision residual{name + ": residual of a held device",
                          "Distance to the device after 8 ticks beyond the least that any of many "
@@ -168,7 +140,7 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
   const auto summaries =
       comparison::compareHolds(field.methods, *unhurried, holds, shell, judge, plan);
   for (std::size_t m = 0; m < summaries.size(); ++m)
-    residual.points.push_back({field.contenders[m].name, field.contenders[m].setting,
+    residual.points.push_back({field.names[m].method, field.names[m].setting,
                                coupling.points[m].cost, summaries[m].residuals_mm,
                                coupling.points[m].samples});
   addTo(outcome, residual);

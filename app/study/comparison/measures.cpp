@@ -23,13 +23,6 @@ double wayBetween(const Pose& X_from, const Pose& X_to, const haptics::PointShel
   return reference::pathBound(reference::unconstrainedMotion(X_from, X_to), shell.radius);
 }
 
-double quantile(std::span<const double> sorted, double q) {
-  if (sorted.empty()) return 0.0;
-  // the nearest rank, so that of few values the tail is the greatest
-  const auto rank = static_cast<std::size_t>(std::ceil(q * double(sorted.size()) - 1e-9));
-  return sorted[std::max<std::size_t>(rank, 1) - 1];
-}
-
 double mean(std::span<const double> values) {
   if (values.empty()) return 0.0;
   return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/study/comparison/methods.h"
+#include "app/study/quantile.h"
 #include "haptics/core/volume.h"
 #include "haptics/tool/point_shell.h"
 
@@ -17,8 +18,7 @@ double massDistance(const Pose& X_WP, const Pose& X_WD, const haptics::PointShel
 /// A bound on how far any point of the shell moved between two poses [m].
 double wayBetween(const Pose& X_from, const Pose& X_to, const haptics::PointShell& shell);
 
-/// The value that a share q of the sorted values does not exceed; 0 for none.
-double quantile(std::span<const double> sorted, double q);
+using study::quantile;
 double mean(std::span<const double> values);  ///< 0 for none
 double median(std::vector<double> values);    ///< 0 for none
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/study/quantile.h"
 #include "haptics/servo/proxy.h"
 #include "haptics/servo/tick.h"
 #include "haptics/solver/unconstrained_motion.h"
@@ -68,11 +69,8 @@ std::optional<Load> loadOf(const haptics::Scene& scene, double isovalue,
   load.missed = std::count_if(times.begin(), times.end(),
                               [&](double time) { return time > allowance.period; });
   std::sort(times.begin(), times.end());
-  const auto quantile = [&](double q) {
-    return times[static_cast<std::size_t>(q * double(load.ticks - 1))];
-  };
-  load.median = quantile(0.5);
-  load.p99 = quantile(0.99);
+  load.median = quantile(times, 0.5);
+  load.p99 = quantile(times, 0.99);
   load.longest = times.back();
   load.lag = lag / std::max(1.0, samples);
   load.carried = double(load.missed) <= kMostMissed * double(load.ticks) &&

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/core/volume.h"
 #include "haptics/scene.h"
 #include "haptics/tool/point_shell.h"
@@ -44,11 +45,7 @@ inline Pose at(double x, double y, double z) { return at(Vec3{x, y, z}); }
 
 /// A grid of cubes of side `spacing` [m] whose middle is the origin of W.
 inline Grid centred(std::int64_t n, double spacing) {
-  Grid grid;
-  grid.dims = {n, n, n};
-  grid.spacing.setConstant(spacing);
-  grid.origin.setConstant(-0.5 * spacing * double(n - 1));
-  return grid;
+  return datasets::centredGrid(n, n, n, spacing);
 }
 
 /// A float volume from f(p_W).

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
+
+#include "app/study/page/text.h"
 
 namespace study {
 namespace {
@@ -15,16 +15,6 @@ constexpr double kLeft = 76.0, kRight = 14.0, kTop = 12.0, kBottom = 46.0;
 constexpr double kLane = 22.0;  // of the zeros on a logarithmic axis
 constexpr double kLegendRow = 18.0;
 constexpr int kLegendColumns = 3;
-
-std::string text(const char* format, ...) __attribute__((format(printf, 1, 2)));
-std::string text(const char* format, ...) {
-  char out[256];
-  va_list values;
-  va_start(values, format);
-  std::vsnprintf(out, sizeof out, format, values);
-  va_end(values);
-  return out;
-}
 
 /// A power of ten as it is written: 10⁻³, but 0.1, 1, 10 and 100 as they are.
 std::string powerOfTen(int exponent) {

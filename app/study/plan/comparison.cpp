@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/study/quantile.h"
 #include "haptics/servo/tick.h"
 #include "haptics/simulation/grip.h"
 
@@ -54,12 +55,9 @@ double clockCost() {
   return double(costs[500]);
 }
 
-double quantile(std::vector<double> values, double q) {
+double quantileOf(std::vector<double> values, double q) {
   std::sort(values.begin(), values.end());
-  const double at = q * double(values.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (at - double(below)) * (values[above] - values[below]);
+  return quantile(values, q);
 }
 
 std::shared_ptr<const haptics::Scene> rebuilt(const haptics::Scene& scene,
@@ -98,10 +96,10 @@ void report(const Course& course, const std::string& what, const std::string& wh
   for (std::size_t n = 0; n < found.first_us.size(); ++n)
     saved.push_back(100.0 * (1.0 - found.first_us[n] / found.second_us[n]));
   outcome.tables.front().rows.push_back(
-      {course.name, what, why, shortly(quantile(found.first_us, 0.5)),
-       shortly(quantile(found.second_us, 0.5)),
-       shortly(quantile(saved, 0.5)) + " (" + shortly(quantile(saved, 0.1)) + " to " +
-           shortly(quantile(saved, 0.9)) + ")",
+      {course.name, what, why, shortly(quantileOf(found.first_us, 0.5)),
+       shortly(quantileOf(found.second_us, 0.5)),
+       shortly(quantileOf(saved, 0.5)) + " (" + shortly(quantileOf(saved, 0.1)) + " to " +
+           shortly(quantileOf(saved, 0.9)) + ")",
        shortly(found.first_work), shortly(found.second_work), shortly(found.pose),
        shortly(found.force)});
 }
@@ -178,7 +176,8 @@ Outcome examined(const Course& course, int runs) {
   if (all.ticks == 0) return outcome;
   const auto points = double(course.scene->tree.size());
   const auto series = [&](const char* name, const std::vector<double>& us) {
-    return Series{name, {{points, quantile(us, 0.5), quantile(us, 0.1), quantile(us, 0.9)}}, false};
+    return Series{
+        name, {{points, quantileOf(us, 0.5), quantileOf(us, 0.1), quantileOf(us, 0.9)}}, false};
   };
   outcome.plots.push_back(
       {"Mean tick by points of the tool",

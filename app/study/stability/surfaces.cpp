@@ -28,9 +28,9 @@ Outcome thinPlate(int tries, std::uint64_t seed) {
       const Quat q = random.rotation();
       const Vec3 n = q * Vec3::UnitZ();
       const auto scene =
-          sceneOf(datasets::filled(turned(65, q), ScalarType::Int16,
-                                   [](auto, auto, auto z) { return z == 32 ? 1000.0 : 0.0; }),
-                  ball(20, 2e-3));
+          made::scene(datasets::filled(turned(65, q), ScalarType::Int16,
+                                       [](auto, auto, auto z) { return z == 32 ? 1000.0 : 0.0; }),
+                      ball(20, 2e-3));
       for (int shot = 0; shot < 10 * tries; ++shot) {
         const Vec3 side = q * Vec3{random.in(-5e-3, 5e-3), random.in(-5e-3, 5e-3), 0.0};
         const Pose start = at(side + 8e-3 * n, random.rotation());
@@ -85,13 +85,14 @@ Outcome plateWithNoise(int, std::uint64_t seed) {
     Random random{unsigned(202 + seed)};
     const Quat q = random.rotation();
     const Vec3 n = q * Vec3::UnitZ(), along = q * Vec3::UnitX();
-    const auto scene = sceneOf(datasets::filled(turned(41, q), ScalarType::Float32,
-                                                [&](auto, auto, auto z) {
-                                                  // 2 % rms, never so much that the plate has holes
-                                                  return (z == 20 ? 1000.0 : 0.0) +
-                                                         20.0 * std::sqrt(3.0) * random.in(-1, 1);
-                                                }),
-                               toolOf({Vec3::Zero()}));
+    const auto scene =
+        made::scene(datasets::filled(turned(41, q), ScalarType::Float32,
+                                     [&](auto, auto, auto z) {
+                                       // 2 % rms, never so much that the plate has holes
+                                       return (z == 20 ? 1000.0 : 0.0) +
+                                              20.0 * std::sqrt(3.0) * random.in(-1, 1);
+                                     }),
+                    made::tool({Vec3::Zero()}));
     const double face = h * (1.0 - isovalue / 1000.0);
     const auto device = [&](double share) {
       return at((24e-3 * share - 12e-3) * along - 1e-3 * n + face * n);
@@ -191,7 +192,7 @@ Outcome longVoxels(int tries, std::uint64_t seed) {
     std::mt19937 engine{unsigned(204 + seed)};
     std::normal_distribution<double> grain{0.0, 1.0};
     // the noise moves the surface by a seventh of a small voxel
-    const auto scene = sceneOf(
+    const auto scene = made::scene(
         datasets::sampledFloat(
             grid, [&](const Vec3& p) { return -1000.0 * n.dot(p) / fine + 150.0 * grain(engine); }),
         ball(200, 2e-3));

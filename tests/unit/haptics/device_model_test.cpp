@@ -94,7 +94,8 @@ TEST(Linkage, CarriesAWrenchSoManyTicksLate) {
     Linkage linkage;
     linkage.delay = delay;
     for (int n = 1; n <= 20; ++n) {
-      const Wrench arriving = linkage.carry({{double(n), 0, 0}, {0, double(n), 0}}, Pose::Identity());
+      const Wrench arriving =
+          linkage.carry({{double(n), 0, 0}, {0, double(n), 0}}, Pose::Identity());
       EXPECT_EQ(arriving.force.x(), std::max(0, n - delay)) << delay;
       EXPECT_EQ(arriving.torque.y(), std::max(0, n - delay)) << delay;
     }

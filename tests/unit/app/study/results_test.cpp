@@ -2,6 +2,7 @@
 #include "app/study/report/results.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -22,8 +23,10 @@ using study::Study;
 /// A folder of the test's own, removed with it.
 struct Folder {
   Folder() {
-    std::string name = (fs::temp_directory_path() / "palpate-study-XXXXXX").string();
-    path = ::mkdtemp(name.data());
+    static int made = 0;
+    path = fs::temp_directory_path() /
+           ("palpate-study-" + std::to_string(::getpid()) + "-" + std::to_string(made++));
+    fs::create_directories(path);
   }
   ~Folder() { fs::remove_all(path); }
   fs::path path;
