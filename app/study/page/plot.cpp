@@ -11,10 +11,12 @@ namespace {
 
 // the drawing, in units of its viewBox
 constexpr double kWidth = 640.0, kHeight = 300.0;
-constexpr double kLeft = 76.0, kRight = 14.0, kTop = 12.0, kBottom = 46.0;
-constexpr double kLane = 22.0;  // of the zeros on a logarithmic axis
+constexpr double kLeft = 76.0, kRight = 22.0, kTop = 12.0, kBottom = 46.0;
+constexpr double kLane = 30.0;  // of the zeros on a logarithmic axis
 constexpr double kLegendRow = 18.0;
-constexpr int kLegendColumns = 3;
+constexpr int kLegendColumns = 3;     // at most
+constexpr double kLegendLine = 32.0;  // of a series' look, before its name
+constexpr double kLetter = 7.2;       // wide, a little more than most are in this size
 
 /// A power of ten as it is written: 10⁻³, but 0.1, 1, 10 and 100 as they are.
 std::string powerOfTen(int exponent) {
@@ -101,6 +103,12 @@ class Side {
   double step_ = 1.0;
 };
 
+/// Letters of a text in UTF-8.
+std::size_t lettersIn(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
 /// The mark of a series about a place.
 std::string mark(int series, double x, double y) {
   const double r = 3.6;
@@ -180,7 +188,12 @@ std::string svgOf(const Plot& plot, const std::string& id) {
   const Side x{plot.x.scale, xs, kLeft, right}, y{plot.y.scale, ys, bottom, kTop};
 
   const auto count = static_cast<int>(plot.series.size()) + (plot.bound ? 1 : 0);
-  const int rows = (count + kLegendColumns - 1) / kLegendColumns;
+  // as many columns as the longest name leaves room for
+  std::size_t longest = plot.bound ? lettersIn(plot.bound_name) : 0;
+  for (const Series& series : plot.series) longest = std::max(longest, lettersIn(series.name));
+  const double entry = kLegendLine + kLetter * double(longest) + 8.0;
+  const int columns = std::clamp(static_cast<int>((kWidth - kLeft) / entry), 1, kLegendColumns);
+  const int rows = (count + columns - 1) / columns;
   const double height = kHeight + kLegendRow * rows + 6.0;
   std::string svg = text("<svg viewBox='0 0 %g %g' role='img' aria-labelledby='", kWidth, height);
   svg += id + "-title " + id + "-description'>\n<title id='" + id + "-title'>" +
@@ -191,7 +204,7 @@ std::string svgOf(const Plot& plot, const std::string& id) {
   svg += "<g class='axes'>\n";
   for (const Tick& tick : x.ticks())
     svg += text("<path d='M%.2f %.2fV%.2f'/><text x='%.2f' y='%.2f' text-anchor='middle'>", tick.at,
-                kTop, bottom, tick.at, bottom + 16.0) +
+                kTop, bottom, tick.at, bottom + 19.0) +
            tick.label + "</text>\n";
   for (const Tick& tick : y.ticks())
     svg += text("<path d='M%.2f %.2fH%.2f'/><text x='%.2f' y='%.2f' text-anchor='end'>", kLeft,
@@ -202,7 +215,7 @@ std::string svgOf(const Plot& plot, const std::string& id) {
   if (y.hasLane())
     svg += text("<path class='lane' d='M%.2f %.2fH%.2f'/>\n", kLeft, y.begin(), right);
   svg +=
-      text("<text x='%.2f' y='%.2f' text-anchor='middle'>", 0.5 * (kLeft + right), bottom + 36.0) +
+      text("<text x='%.2f' y='%.2f' text-anchor='middle'>", 0.5 * (kLeft + right), bottom + 38.0) +
       escaped(plot.x.label) + "</text>\n";
   svg += text("<text transform='translate(14 %.2f) rotate(-90)' text-anchor='middle'>",
               0.5 * (kTop + bottom)) +
@@ -232,16 +245,16 @@ std::string svgOf(const Plot& plot, const std::string& id) {
   }
 
   // the legend below
-  const double column = (kWidth - kLeft) / kLegendColumns;
+  const double column = (kWidth - kLeft) / columns;
   for (int n = 0; n < count; ++n) {
-    const double left = kLeft + column * (n % kLegendColumns);
-    const double middle = kHeight + kLegendRow * (n / kLegendColumns) + 4.0;
+    const double left = kLeft + column * (n % columns);
+    const double middle = kHeight + kLegendRow * (n / columns) + 4.0;
     const bool bound = n == static_cast<int>(plot.series.size());
     const int look = n % kMostSeries;
     svg += bound ? std::string{"<g>"} : text("<g class='s%d'>", look);
     svg += text("<path class='%s' d='M%.2f %.2fh26'/>", bound ? "bound" : "line", left, middle);
     if (!bound) svg += mark(look, left + 13.0, middle);
-    svg += text("<text x='%.2f' y='%.2f'>", left + 32.0, middle + 4.0) +
+    svg += text("<text x='%.2f' y='%.2f'>", left + kLegendLine, middle + 4.0) +
            escaped(bound ? plot.bound_name : plot.series[static_cast<std::size_t>(n)].name) +
            "</text></g>\n";
   }
