@@ -48,24 +48,22 @@ Outcome limitsOf(const DeviceModel& device, int number, double period) {
   for (const auto& [variant, wall] : variants(device, period)) {
     const double limit = planeLimit(wall), one = measuredLimit(wall), theory = wall.theory();
     const std::string name = "limit in 6-DOF/" + device.name + "/" + rateOf(period) + "/" + variant;
-    const auto within = [&](const std::string& what, double ratio, const std::string& note) {
-      outcome.cases.push_back({what, ratio, 0.85, "", Case::Sense::AtLeast, note});
-      outcome.cases.push_back({what + ", from above", ratio, 1.15, "", Case::Sense::AtMost,
-                               "a press that does not see the shaking would find no limit"});
-    };
     if (variant == "plain") {
       plain = limit;
-      within(name, limit / theory,
-             "over 2 (b + b_hand) / T = " + shortly(theory) + " N/m, with " +
-                 shortly(wall.totalDamping()) + " N s/m in all");
+      outcome.cases.push_back({name, limit / theory, 0.85, "", Case::Sense::AtLeast,
+                               "over 2 (b + b_hand) / T = " + shortly(theory) + " N/m, with " +
+                                   shortly(wall.totalDamping()) + " N s/m in all"});
+      outcome.cases.push_back({name + ", from above", limit / theory, 1.15, "", Case::Sense::AtMost,
+                               "a press that does not see the shaking would find no limit"});
     } else if (wall.controller > 0.0) {
       outcome.cases.push_back({name, limit / plain, 0.95, "", Case::Sense::AtLeast,
                                "over the plain limit: the controller must not cost stiffness"});
     }
-    within(name + ", over one degree of freedom", limit / one,
-           "over " + shortly(one) +
-               " N/m, what the same loop carries on a wall without a proxy: "
-               "the tick adds no lag, so the same 15 % are allowed as from the theory");
+    outcome.cases.push_back(
+        {name + ", over one degree of freedom", limit / one, 0.85, "", Case::Sense::AtLeast,
+         "over " + shortly(one) +
+             " N/m, what the same loop carries on a wall without a proxy: the "
+             "tick adds no lag, so no more than the 15 % of the theory may be lost"});
     table.rows.push_back({device.name, rateOf(period), variant, shortly(wall.totalDamping()),
                           shortly(limit), shortly(one), shortly(theory), shortly(limit / one),
                           shortly(limit / theory)});
@@ -109,7 +107,7 @@ Pressed pressOnPlane(const Wall& wall, double stiffness) {
 
 double planeLimit(const Wall& wall) {
   const double guess = measuredLimit(wall);
-  return leastThatFails(0.5 * guess, 2.0 * guess, 1.07, 1.01,
+  return leastThatFails(0.7 * guess, 2.0 * guess, 1.03, 1.01,
                         [&](double stiffness) { return !pressOnPlane(wall, stiffness).fed; });
 }
 

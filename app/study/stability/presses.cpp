@@ -48,6 +48,18 @@ struct Sweep {
   }
 };
 
+/// The greatest of some figures, and where it was.
+struct Worst {
+  double value = -INFINITY;
+  std::string where;
+  void add(double figure, double stiffness, double noise) {
+    const double now = worse(value, figure);
+    if (now <= value) return;
+    value = now;
+    where = "; worst at " + shortly(stiffness) + " N/m, noise of " + shortly(100.0 * noise) + " %";
+  }
+};
+
 Outcome pressesOf(const Sweep& sweep, std::uint64_t seed) {
   Outcome outcome;
   Table table{"Presses",
@@ -87,8 +99,7 @@ Outcome pressesOf(const Sweep& sweep, std::uint64_t seed) {
     all.insert(all.end(), sweep.stiffnesses.begin(), sweep.stiffnesses.end());
     std::sort(all.begin(), all.end());
     Series amplitude{"delay " + std::to_string(delay), {}}, energy = amplitude;
-    double worst_amplitude = 0.0, worst_energy = -INFINITY, worst_allowed = -INFINITY,
-           worst_rise = 0.0, worst_more = 0.0;
+    Worst amplitude_at_rest, given, given_allowed, more, farthest;
     int non_finite = 0, inside = 0, untouched = 0;
     for (const double K : all) {
       PressResult worst;
@@ -99,10 +110,16 @@ Outcome pressesOf(const Sweep& sweep, std::uint64_t seed) {
         const PressResult r = press(late, stages[std::size_t(stage - sweep.noises.begin())], K);
         worst.amplitude = std::max(worst.amplitude, r.amplitude);
         worst.energy = std::max(worst.energy, r.energy);
-        worst.risen = std::max(worst.risen, r.risen);
-        worst.rise = std::max(worst.rise, r.rise);
         if (n == 0) clean = r.energy;
-        if (K <= allowed) worst_more = std::max(worst_more, r.energy - clean);
+        if (K <= ceiling) {
+          amplitude_at_rest.add(r.amplitude, K, noises[n]);
+          given.add(r.energy, K, noises[n]);
+          farthest.add(r.rise, K, noises[n]);
+        }
+        if (K <= allowed) {
+          given_allowed.add(r.energy, K, noises[n]);
+          more.add(r.energy - clean, K, noises[n]);
+        }
         non_finite += r.non_finite;
         inside += r.inside;
         untouched += K <= ceiling && r.contact < 400;
@@ -114,36 +131,37 @@ Outcome pressesOf(const Sweep& sweep, std::uint64_t seed) {
       }
       amplitude.points.push_back({K, 1e6 * worst.amplitude});
       energy.points.push_back({K, std::max(0.0, 1e3 * worst.energy)});
-      if (K > ceiling) continue;
-      worst_amplitude = std::max(worst_amplitude, worst.amplitude);
-      worst_rise = std::max(worst_rise, worst.rise);
-      worst_energy = std::max(worst_energy, worst.energy);
-      if (K <= allowed) worst_allowed = std::max(worst_allowed, worst.energy);
     }
     amplitudes.series.push_back(std::move(amplitude));
     energies.series.push_back(std::move(energy));
     const std::string name = sweep.name() + "/delay " + std::to_string(delay);
     const std::string range = "up to " + shortly(ceiling) + " N/m";
     const std::string range_allowed = "up to " + shortly(allowed) + " N/m";
-    outcome.cases.push_back({name + "/amplitude at rest", 1e6 * worst_amplitude,
+    outcome.cases.push_back({name + "/amplitude at rest", 1e6 * amplitude_at_rest.value,
                              3e6 * late.device.linkage.encoder, "um", Case::Sense::AtMost,
-                             range + "; three steps of the encoder"});
-    outcome.cases.push_back({name + "/energy given, as asked", 1e3 * worst_energy, 1.0, "mJ",
+                             range + "; three steps of the encoder" + amplitude_at_rest.where});
+    outcome.cases.push_back({name + "/energy given, as asked", 1e3 * given.value, 1.0, "mJ",
                              Case::Sense::AtMost,
-                             range + ", the rating or 0.8 of the sampled spring's limit. Near its "
-                                     "limit what the arrival set off shakes for long, and each "
-                                     "stroke gives some energy before the hand damps it away"});
-    outcome.cases.push_back({name + "/energy given, up to half the limit", 1e3 * worst_allowed, 1.0,
-                             "mJ", Case::Sense::AtMost,
-                             range_allowed + ": what the coupling should be allowed"});
-    outcome.cases.push_back({name + "/energy given more than without noise", 1e3 * worst_more, 1.0,
-                             "mJ", Case::Sense::AtMost,
-                             range_allowed + "; the proxy's detours are of noise alone"});
-    outcome.cases.push_back({name + "/proxy's farthest rise", 1e6 * worst_rise,
+                             range +
+                                 ", the rating or 0.8 of the sampled spring's limit. Near its "
+                                 "limit what the arrival set off shakes for long, and each "
+                                 "stroke gives some energy before the hand damps it away" +
+                                 given.where});
+    outcome.cases.push_back(
+        {name + "/energy given, up to half the limit", 1e3 * given_allowed.value, 1.0, "mJ",
+         Case::Sense::AtMost,
+         range_allowed + ": what the coupling should be allowed" + given_allowed.where});
+    outcome.cases.push_back(
+        {name + "/energy given more than without noise", 1e3 * more.value, 1.0, "mJ",
+         Case::Sense::AtMost,
+         range_allowed + "; the proxy's detours are of noise alone" + more.where});
+    outcome.cases.push_back({name + "/proxy's farthest rise", 1e6 * farthest.value,
                              1e6 * stages.front().scene->lengths.epsilon, "um", Case::Sense::AtMost,
-                             range + "; a move against the spring within a tick, its energy over "
-                                     "the force: what the filter lets through is less than the "
-                                     "contact tolerance"});
+                             range +
+                                 "; a move against the spring within a tick, its energy over "
+                                 "the force: what the filter lets through is less than the "
+                                 "contact tolerance" +
+                                 farthest.where});
     outcome.cases.push_back({name + "/not finite", double(non_finite), 0.0, ""});
     outcome.cases.push_back({name + "/looks that found it inside", double(inside), 0.0, ""});
     outcome.cases.push_back({name + "/presses that missed", double(untouched), 0.0, ""});
