@@ -324,7 +324,9 @@ std::vector<Job> pressJobs(Depth depth) {
         add(full ? 10.0 : 1.0, all);
       }
       if (!varied.contains(device.name) || !(full || stage == "ball")) continue;
-      const Sweep plain{device.name, stage, "", loop, {1000, 5000, 20000}, {0, 1}, {0.0, 0.02}, {}};
+      const std::vector<double> some =
+          full ? std::vector<double>{0.0, 0.02, 0.05} : std::vector<double>{0.0, 0.02};
+      const Sweep plain{device.name, stage, "", loop, {1000, 5000, 20000}, {0, 1}, some, {}};
       Sweep fast = plain, damped = plain, controlled = plain;
       fast.variant = ", 4 kHz";
       fast.loop.period = 0.25e-3;

@@ -27,7 +27,8 @@ Outcome omissions(Depth depth) {
            {"presses at 4 kHz, with virtual damping, with the passivity controller",
             "every device, stiffness, noise and delay",
             "four devices (a coarse encoder, torque motors, the stiffest, the weakest) on three "
-            "scenes; 1000, 5000 and 20,000 N/m, half and 0.8 of the limit; noise of none and 2 %; "
+            "scenes; 1000, 5000 and 20,000 N/m, half and 0.8 of the limit; noise of none, 2 and 5 "
+            "%; "
             "delays of 0 and 1",
             "four times the ticks each; the limits are found for every device in each way"},
            {"presses at 4 kHz", "together with virtual damping or the controller", "one at a time",
