@@ -33,6 +33,41 @@ void drag(Trial& trial, const Vec3& middle, double reach, unsigned seed, int mov
   }
 }
 
+void Recorder::add(const Trial& trial) {
+  if (ticks_.size() < trial.behind.size()) ticks_.resize(trial.behind.size());
+  for (std::size_t n = 0; n < trial.behind.size(); ++n) {
+    Tick& tick = ticks_[n];
+    ++tick.trials;
+    tick.sum += double(trial.behind[n]);
+    tick.least = std::min(tick.least, double(trial.behind[n]));
+    tick.greatest = std::max(tick.greatest, double(trial.behind[n]));
+  }
+}
+
+Plot Recorder::plot(const std::string& name) const {
+  constexpr std::size_t kPoints = 60;
+  const std::size_t every = std::max<std::size_t>(1, (ticks_.size() + kPoints - 1) / kPoints);
+  Series series{"all trials", {}};
+  for (std::size_t first = 0; first < ticks_.size(); first += every) {
+    Tick all;
+    for (std::size_t n = first; n < std::min(first + every, ticks_.size()); ++n) {
+      all.trials += ticks_[n].trials;
+      all.sum += ticks_[n].sum;
+      all.least = std::min(all.least, ticks_[n].least);
+      all.greatest = std::max(all.greatest, ticks_[n].greatest);
+    }
+    series.points.push_back(
+        {1e-3 * double(first), 1e3 * all.sum / all.trials, 1e3 * all.least, 1e3 * all.greatest});
+  }
+  Plot plot = overTime(name + ": proxy from device",
+                       "How far the proxy is from the device over the time of a trial: mean, least "
+                       "and greatest of all trials, between one point and the next",
+                       "from device [mm]");
+  plot.y.scale = Scale::Log;
+  plot.series.push_back(std::move(series));
+  return plot;
+}
+
 }  // namespace failures
 
 std::vector<Job> failureJobs(Depth depth) {

@@ -49,22 +49,40 @@ std::shared_ptr<const haptics::Scene> sphere(haptics::Tool tool);
 /// Presses and drags a tool about `middle` at random, as far as `reach` [m], 40 ticks a move.
 void drag(Trial& trial, const Vec3& middle, double reach, unsigned seed, int moves);
 
+/// How far the proxies of some trials were from their devices, tick by tick.
+class Recorder {
+ public:
+  void add(const Trial& trial);
+  /// Mean, least and greatest of all trials over time.
+  Plot plot(const std::string& name) const;
+
+ private:
+  struct Tick {
+    int trials = 0;
+    double sum = 0.0, least = INFINITY, greatest = 0.0;  // m
+  };
+  std::vector<Tick> ticks_;
+};
+
 /// What goes for every trial: outside in every tick, finite, within the budget.
 struct Watch {
   int illegal = 0, non_finite = 0;
   std::int64_t most_work = 0;
+  Recorder recorder = {};
   void add(const Trial& trial) {
+    recorder.add(trial);
     illegal += trial.illegal;
     non_finite += trial.non_finite;
     most_work = std::max(most_work, trial.most_work);
   }
-  /// The cases about it, named `name`/….
+  /// The cases about it, named `name`/…, and what the proxies did.
   void tell(const std::string& name, Outcome& outcome) const {
     outcome.cases.push_back({name + "/ticks inside", double(illegal), 0.0, ""});
     outcome.cases.push_back({name + "/not finite", double(non_finite), 0.0, ""});
     outcome.cases.push_back({name + "/most work in a tick", double(most_work), kMostWork, "units",
                              Case::Sense::AtMost,
                              "the budget, and a fifth that may come between two looks at it"});
+    outcome.plots.push_back(recorder.plot(name));
   }
 };
 

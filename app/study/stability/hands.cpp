@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/study/comparison/scenes.h"
 #include "app/study/stability/failures.h"
 #include "app/study/stability/presses.h"
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/coupling/passivity.h"
-#include "resources/named_tools.h"
 
 namespace study {
 namespace {
@@ -23,28 +23,35 @@ using haptics::Vec3;
 
 const char* const kSection = "Hands that move";
 
-ClosedLoop loopOf(const DeviceModel& device, std::shared_ptr<const haptics::Scene> scene,
-                  double isovalue, double stiffness) {
-  ClosedLoop loop;
-  loop.isovalue = isovalue;
-  loop.coupling.stiffness = stiffness;
-  loop.limits = {device.rating.force, device.rating.torque, 0.0, 0.02};
-  loop.grip = device.heldBy({}, std::sqrt(scene->tool.shell.inertia.trace() / 3.0));
-  loop.linkage = device.linkage;
-  loop.scene = std::move(scene);
-  return loop;
+/// A phantom as one of the scenes.
+comparison::Case phantomCase(const std::string& name) {
+  datasets::Phantom phantom = datasets::makePhantom(name).value();
+  comparison::Case made;
+  made.name = name;
+  made.volume = std::make_shared<const haptics::Volume>(std::move(phantom.volume));
+  made.isovalue = phantom.isovalue;
+  made.tool = phantom.tool;
+  return made;
+}
+
+/// The hand, doing where a scene has a place of its own for the tool what it does where it aimed.
+haptics::Hand movedTo(const Pose& X_touch, const haptics::Hand& hand, double seconds) {
+  constexpr double kTouch = 0.5;  // s after which an aimed hand touches
+  const Pose X_to = X_touch * hand.at(kTouch).inverse();
+  std::vector<double> times;
+  std::vector<Pose> poses;
+  for (double t = 0.0; t <= seconds; t += 1e-3) {
+    times.push_back(t);
+    poses.push_back(X_to * hand.at(t));
+  }
+  return haptics::Hand::along(std::move(times), std::move(poses)).value();
 }
 
 /// What the paper's devices were driven at, on scenes with edges, holes and hooks.
-Outcome handsAt5000(const std::string& phantom_name, double seconds, std::uint64_t seed) {
+Outcome handsAt5000(const comparison::Case& touched, double seconds, std::uint64_t seed) {
   Outcome outcome;
-  datasets::Phantom phantom = datasets::makePhantom(phantom_name).value();
-  const auto scene =
-      haptics::makeScene(
-          std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
-          haptics::makeTool(phantom.tool, resources::namedToolMesh(phantom.tool).value()).value())
-          .value();
-  Plot plot{"Energy given at 5000 N/m: " + phantom_name,
+  const auto scene = haptics::makeScene(touched.volume, comparison::toolOf(touched)).value();
+  Plot plot{"Energy given at 5000 N/m: " + touched.name,
             "What the loop has given to the hand, less what it has taken, since the start: a "
             "passive loop stays at zero or below",
             {"time [s]"},
@@ -54,13 +61,14 @@ Outcome handsAt5000(const std::string& phantom_name, double seconds, std::uint64
     for (const auto& [name, motion] : {std::pair{"wedge", HandMotion::Wedge},
                                        {"pry", HandMotion::Pry},
                                        {"hook", HandMotion::Hook}}) {
-      ClosedLoop loop = loopOf(device, scene, phantom.isovalue, 5000.0);
-      const auto hand = haptics::Hand::aimed(
-          motion, *scene, phantom.isovalue,
-          haptics::Hand::reachFor(1e-3, 5000.0, loop.grip.stiffness), 1 + seed);
+      ClosedLoop loop = loopOf({device}, scene, touched.isovalue, 5000.0);
+      auto hand = haptics::Hand::aimed(motion, *scene, touched.isovalue,
+                                       haptics::Hand::reachFor(1e-3, 5000.0, loop.grip.stiffness),
+                                       1 + seed);
+      if (hand && touched.place) hand = movedTo(*touched.place, *hand, seconds);
       if (controlled) loop.passivity_damping = device.rating.damping;
       const std::string title =
-          "5000 N/m/" + phantom_name + "/" + name + (controlled ? ", passivity controller" : "");
+          "5000 N/m/" + touched.name + "/" + name + (controlled ? ", passivity controller" : "");
       double most = 0.0, step = 0.0;
       int non_finite = 0, inside = 0, contact = 0, tick = 0;
       Vec3 force = Vec3::Zero();
@@ -74,7 +82,7 @@ Outcome handsAt5000(const std::string& phantom_name, double seconds, std::uint64
                                              !std::isfinite(row.coupling_W.force.norm());
                                if (tick % 10 == 0) {
                                  series.points.push_back({row.time, 1e3 * row.energy});
-                                 inside += !isOutside(*scene->volume, phantom.isovalue,
+                                 inside += !isOutside(*scene->volume, touched.isovalue,
                                                       scene->tool.shell.points, row.X_WP);
                                }
                                step = std::max(step, (row.sent_W.force - force).norm());
@@ -120,7 +128,7 @@ Turned turnHandle(DeviceModel device, double arm, bool torque, double stiffness,
       datasets::sampledFloat(failures::cube(48),
                              [](const Vec3& p) { return std::clamp(-1e5 * p.z(), -300.0, 300.0); }),
       failures::ball(100, 3e-3));
-  ClosedLoop loop = loopOf(device, stage.scene, 0.0, stiffness);
+  ClosedLoop loop = loopOf({device}, stage.scene, 0.0, stiffness);
   if (torque) loop.limits.torque = INFINITY;
   // the handle's own extent, not that of the ball 200 mm away
   loop.grip.gyration = 0.03;
@@ -228,10 +236,16 @@ Outcome turnedArm(int turns) {
 std::vector<Job> handJobs(Depth depth) {
   const bool full = depth == Depth::Full;
   std::vector<Job> jobs;
-  for (const std::string phantom : {"sphere", "torus", "gyroid", "slot", "demo"})
-    jobs.push_back({"hands/" + phantom, kSection, full ? 5.0 : 2.0, [=](std::uint64_t seed) {
-                      return handsAt5000(phantom, full ? 10.0 : 3.0, seed);
+  for (const std::string name : {"sphere", "torus", "gyroid", "slot", "demo"})
+    jobs.push_back({"hands/" + name, kSection, full ? 5.0 : 2.0, [=](std::uint64_t seed) {
+                      return handsAt5000(phantomCase(name), full ? 10.0 : 3.0, seed);
                     }});
+  // the paper's, which are large: only one of them where it is quick
+  for (const std::string& name : comparison::sceneNames())
+    if (full || name == "hole")
+      jobs.push_back({"hands/" + name, kSection, full ? 20.0 : 5.0, [=](std::uint64_t seed) {
+                        return handsAt5000(comparison::makeScene(name), full ? 10.0 : 3.0, seed);
+                      }});
   jobs.push_back(
       {"hands/turned arm", kSection, 1.0, [=](std::uint64_t) { return turnedArm(full ? 20 : 4); }});
   return jobs;

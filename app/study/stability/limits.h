@@ -14,7 +14,7 @@ namespace study {
 Case limitCase(const haptics::DeviceModel& device, double period, int lag);
 
 /// The limits of every rated device at 1 and 4 kHz, with and without virtual damping, passivity
-/// controller and a period of delay.
-std::vector<Job> limitJobs();
+/// controller and dry friction, with no and one period of delay; in full two and four as well.
+std::vector<Job> limitJobs(Depth depth);
 
 }  // namespace study

@@ -7,7 +7,7 @@
 namespace study::failures {
 namespace {
 
-Outcome leaps(int tries, std::uint64_t) {
+Outcome leaps(int tries, std::uint64_t seed) {
   Outcome outcome;
   Watch watch;
   Plot plot = overTime("A device that leaps a metre",
@@ -39,7 +39,7 @@ Outcome leaps(int tries, std::uint64_t) {
   }
   // to and fro in every tick, as of a tracker that has lost itself
   const auto scene = sphere(ball(500, 3e-3));
-  Random random{231};
+  Random random{unsigned(231 + seed)};
   Trial trial{scene, datasets::kSolidIso, at(-0.5, 0, 0)};
   for (int n = 0; n < 100 * tries; ++n) trial.step(at(random.box(0.5), random.rotation()));
   watch.add(trial);
@@ -222,8 +222,10 @@ Outcome rest(int tries, std::uint64_t seed) {
     Trial trial{scene, 0.0, start};
     trial.carry(start, D, 60);
     trial.hold(D, 200);
-    watch.add(trial);
-    if (trial.last.contacts == 0) continue;
+    if (trial.last.contacts == 0) {
+      watch.add(trial);
+      continue;
+    }
     ++held;
     const Pose at_rest = trial.proxy.X_WP;
     trial.hold(D, 100);
@@ -261,6 +263,7 @@ Outcome takenBack(int tries, std::uint64_t seed) {
   Random random{unsigned(211 + seed)};
   const auto scene = made::scene(datasets::whiteNoise(cube(48), unsigned(212 + seed)),
                                  made::tool(datasets::rodPoints(120, 0.016, 1e-3)));
+  Recorder recorder;
   int ticks = 0, differing = 0, contact = 0, illegal = 0;
   for (int n = 0; n < 2 * tries; ++n) {
     const Pose start = at(random.box(0.01) + Vec3{0, 0, 0.04}, random.rotation());
@@ -286,6 +289,7 @@ Outcome takenBack(int tries, std::uint64_t seed) {
     }
     illegal += trial.illegal;
     contact += trial.contact;
+    recorder.add(trial);
   }
   const std::string name = "F13 motion that is taken back";
   outcome.cases.push_back({name + "/ticks inside", double(illegal), 0.0, ""});
@@ -295,6 +299,7 @@ Outcome takenBack(int tries, std::uint64_t seed) {
                            1e3 * differing / ticks, 1.0, "per thousand", Case::Sense::AtMost,
                            "what an older, larger bound leaves out may, rarely, still count to "
                            "first order"});
+  outcome.plots.push_back(recorder.plot(name));
   return outcome;
 }
 

@@ -6,9 +6,14 @@
 #include <vector>
 
 #include "app/study/report/outcome.h"
+#include "app/study/stability/wall.h"
 #include "haptics/simulation/closed_loop.h"
 
 namespace study {
+
+/// The loop of a wall, touching a scene instead: within the device's rating, nothing else.
+haptics::ClosedLoop loopOf(const Wall& wall, std::shared_ptr<const haptics::Scene> scene,
+                           double isovalue, double stiffness);
 
 /// A scene to press on: from `X_from` straight down to the first touch at `X_touch`.
 struct Stage {
@@ -36,15 +41,15 @@ struct PressResult {
   int contact = 0;          ///< ticks
 };
 
-PressResult press(const haptics::DeviceModel& device, const Stage& stage, double stiffness,
-                  double period = 1e-3);
+PressResult press(const Wall& wall, const Stage& stage, double stiffness);
 
-/// The device's rating, and no more than a share of the limit of a sampled spring [N/m], at 1 kHz.
+/// The device's rating, and no more than a share of the limit of a sampled spring [N/m].
 /// With torque motors the angular spring counts as well: across a long tool it is stiffer than in
 /// the mean, while the device's inertia and damping, here, are the same about all axes.
-double ceilingOf(const haptics::DeviceModel& device, const Stage& stage, double share);
+double ceilingOf(const Wall& wall, const Stage& stage, double share);
 
-/// Every device, stage, stiffness, delay and noise through the tick itself.
+/// Every device, stage, stiffness, delay and noise through the tick itself; some devices also at 4
+/// kHz, with virtual damping and with the passivity controller.
 std::vector<Job> pressJobs(Depth depth);
 
 }  // namespace study

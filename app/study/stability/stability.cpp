@@ -6,9 +6,52 @@
 #include "app/study/stability/failures.h"
 #include "app/study/stability/hands.h"
 #include "app/study/stability/limits.h"
+#include "app/study/stability/plane_limit.h"
 #include "app/study/stability/presses.h"
 
 namespace study {
+namespace {
+
+/// What is coarser than the full product of everything with everything, so that nothing is skipped
+/// silently.
+Outcome omissions(Depth depth) {
+  Table table{"Omissions", {"part", "in full it would be", "what is run", "why"}, {}};
+  if (depth == Depth::Quick)
+    table.rows.push_back({"all of it", "the full study", "--quick",
+                          "minutes: a tenth of the tries, fewer stiffnesses, noises, delays and "
+                          "devices, one of the paper's scenes; run it without --quick"});
+  for (const auto& row : std::vector<std::vector<std::string>>{
+           {"presses", "every noise with every delay",
+            "five noises with delays of 0 and 1, three of them (none, 2 and 10 %) with 2 and 4",
+            "time: what each step of noise does is known from the smaller delays"},
+           {"presses at 4 kHz, with virtual damping, with the passivity controller",
+            "every device, stiffness, noise and delay",
+            "four devices (a coarse encoder, torque motors, the stiffest, the weakest) on three "
+            "scenes; 1000, 5000 and 20,000 N/m, half and 0.8 of the limit; noise of none, 2 and 5 "
+            "%; "
+            "delays of 0 and 1",
+            "four times the ticks each; the limits are found for every device in each way"},
+           {"presses at 4 kHz", "together with virtual damping or the controller", "one at a time",
+            "the limits have each of them at 4 kHz"},
+           {"presses on the paper's scenes", "every device, stiffness, noise and delay",
+            "wedge, pry and hook at 5000 N/m, lambda.7, with and without the controller",
+            "some seconds for a scene and a hundred thousand ticks and more a hand; noise is part "
+            "of each scene"},
+           {"limits through the tick", "with delay, with dry friction, on groove and ball",
+            "on the plane, without delay",
+            "there tick and wall must agree within 15 %; delay and friction are swept on the wall"},
+           {"devices with an arm", "limits of stiffness", "presses and a turned handle",
+            "the limits are of translation, in which an arm is nothing"},
+           {"recorded hands", "people, on real devices", "none",
+            "there are no recordings, and nothing here was measured on a device"},
+       })
+    table.rows.push_back(row);
+  Outcome outcome;
+  outcome.tables.push_back(std::move(table));
+  return outcome;
+}
+
+}  // namespace
 
 Study stabilityStudy(Depth depth) {
   Study study{"stability", "Numerical stability on stiff and extreme cases", {}, {}};
@@ -25,8 +68,11 @@ Study stabilityStudy(Depth depth) {
       "itself, with a counted budget, so that every run is the same.",
       "Energy is what the loop gives to the hand less what it takes, exact for a force that is "
       "held. After a press and release nothing is stored any more: what is left was generated."};
-  for (const auto& jobs : {failureJobs(depth), limitJobs(), pressJobs(depth), handJobs(depth)})
+  for (const auto& jobs : {failureJobs(depth), limitJobs(depth), planeLimitJobs(depth),
+                           pressJobs(depth), handJobs(depth)})
     study.jobs.insert(study.jobs.end(), jobs.begin(), jobs.end());
+  study.jobs.push_back(
+      {"omissions", "What is left out", 0.01, [=](std::uint64_t) { return omissions(depth); }});
   return study;
 }
 

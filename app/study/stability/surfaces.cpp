@@ -63,8 +63,21 @@ Outcome thinPlate(int tries, std::uint64_t seed) {
 Outcome arcsInNoise(int tries, std::uint64_t seed) {
   Outcome outcome;
   made::Random random{unsigned(221 + seed)};
-  const arcs::Tally tally =
-      arcs::shootPoints(arcs::noise(unsigned(222 + seed)), 200 * tries, random);
+  const arcs::Target target = arcs::noise(unsigned(222 + seed));
+  Plot plot{"F1b arcs in white noise: how late",
+            "How far beyond the first place inside an arc was stopped at most, in voxels of path, "
+            "for each twentieth of the arcs",
+            {"arcs shot"},
+            {"latest [voxels]", Scale::Log}};
+  Series series{"latest", {}};
+  arcs::Tally tally;
+  for (int n = 0; n < 20; ++n) {
+    const arcs::Tally some = arcs::shootPoints(target, 10 * tries, random);
+    tally += some;
+    series.points.push_back({double(tally.arcs), some.latest});
+  }
+  plot.series.push_back(std::move(series));
+  outcome.plots.push_back(std::move(plot));
   outcome.cases.push_back({"F1b arcs in white noise/hits missed or late",
                            double(tally.missed + tally.late), 0.0, "", Case::Sense::AtMost,
                            "against a dense sampling; " + std::to_string(tally.met) + " hits"});

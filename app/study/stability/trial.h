@@ -37,12 +37,14 @@ struct Trial {
   bool judged = true;
   std::int64_t allowance = haptics::kTickWork;  ///< units of work a tick may spend
   std::int64_t most_work = 0;                   ///< spent in any tick
+  std::vector<float> behind = {};               ///< m, how far from the device, after each tick
 
   const haptics::TickResult& step(const haptics::Pose& X_WD) {
     haptics::Budget budget = haptics::Budget::counted(allowance);
     last = haptics::tick(*scene, isovalue, coupling, X_WD, proxy, budget);
     most_work = std::max(most_work, budget.spent());
     contact += last.contacts > 0;
+    behind.push_back(float((place() - X_WD.translation()).norm()));
     non_finite += !proxy.X_WP.matrix().allFinite() || !std::isfinite(last.wrench_W.force.norm()) ||
                   !std::isfinite(last.wrench_W.torque.norm());
     if (judged) illegal += !isLegal();

@@ -17,27 +17,7 @@ using haptics::Twist;
 using haptics::Vec3;
 using haptics::Wrench;
 
-constexpr double kPress = 3.0;     // N
-constexpr double kArrival = 0.05;  // m/s
-constexpr double kSeconds = 2.0;   // s
-constexpr double kWindow = 0.2;    // s
-
-/// The stiffness below which all `holds`: in steps of 5 % from a fifth of `guess` to ten times
-/// of it, since beyond its limit a bouncing loop may be quiet again; then by bisection to 0.5 %.
-template <class Holds>
-double leastThatFails(double guess, Holds&& holds) {
-  double low = 0.2 * guess, high = low;
-  if (!holds(low)) return low;
-  while (high < 10.0 * guess && holds(high)) {
-    low = high;
-    high *= 1.05;
-  }
-  while (high > 1.005 * low) {
-    const double middle = std::sqrt(low * high);
-    (holds(middle) ? low : high) = middle;
-  }
-  return low;
-}
+constexpr double kWindow = 0.2;  // s
 
 /// Position and speed of the free device after a period, and what a held force adds: the
 /// exponential of its differential equation.
@@ -70,20 +50,29 @@ double Wall::theory() const {
   return 2.0 * totalDamping() / (period * (1.0 + 2.0 * device.linkage.delay));
 }
 
+void Shaking::add(double time, double place, double speed) {
+  if (time >= 0.25 * kPressTime && time < 0.5 * kPressTime) early_ += speed * speed;
+  if (time >= 0.75 * kPressTime) late_ += speed * speed;
+  if (time >= kPressTime - kWindow) {
+    lowest_ = std::min(lowest_, place);
+    highest_ = std::max(highest_, place);
+  }
+}
+
 Pressed pressOn(const Wall& wall, double stiffness,
                 const std::function<void(double, double)>& each) {
   Linkage linkage = wall.device.linkage;
   Grip grip = wall.device.heldBy(wall.hand, 0.03);
   grip.velocity.linear.z() = -kArrival;
-  const double depth = kPress * (1.0 / wall.hand.stiffness + 1.0 / stiffness);
+  const double depth = kPressForce * (1.0 / wall.hand.stiffness + 1.0 / stiffness);
   const Pose X_WH = haptics::poseOf({0.0, 0.0, -depth}, haptics::Quat::Identity());
 
   haptics::PassivityController controller{wall.controller, grip.gyration, linkage.torque};
   haptics::PassivityObserver observer;
   Wrench held;
-  double early = 0.0, late = 0.0, lowest = INFINITY, highest = -INFINITY;
+  Shaking shaking;
   Pose X_WD = linkage.read(grip.X_WD);
-  const int ticks = int(std::lround(kSeconds / wall.period));
+  const int ticks = int(std::lround(kPressTime / wall.period));
   for (int n = 0; n < ticks; ++n) {
     const double time = n * wall.period;
     const Pose X_WH_before = grip.X_WD, X_WD_before = X_WD;
@@ -103,43 +92,39 @@ Pressed pressOn(const Wall& wall, double stiffness,
     if (each) each(time, -place);
     const double speed = grip.velocity.linear.norm();
     if (!(std::abs(place) < 1.0 && speed < 1e3)) return {true, std::abs(place), observer.energy()};
-    if (time >= 0.25 * kSeconds && time < 0.5 * kSeconds) early += speed * speed;
-    if (time >= 0.75 * kSeconds) late += speed * speed;
-    if (time >= kSeconds - kWindow) {
-      lowest = std::min(lowest, place);
-      highest = std::max(highest, place);
-    }
+    shaking.add(time, place, speed);
   }
-  const double amplitude = 0.5 * (highest - lowest);
-  return {late > 0.9 * early && amplitude > 2.0 * linkage.encoder, amplitude, observer.energy()};
+  return {shaking.isFed(linkage.encoder), shaking.amplitude(), observer.energy()};
 }
 
 double measuredLimit(const Wall& wall) {
-  return leastThatFails(wall.theory(),
+  return leastThatFails(0.2 * wall.theory(), 10.0 * wall.theory(), 1.05, 1.005,
                         [&](double stiffness) { return !pressOn(wall, stiffness).fed; });
 }
 
 double linearLimit(const Wall& wall) {
   const Sampled free = sampled(wall);
   const int delay = wall.device.linkage.delay;
-  return leastThatFails(wall.theory(), [&](double stiffness) {
-    // state: position, speed, position a period ago, forces under way (the oldest acts next)
-    const int n = 3 + delay;
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
-    Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(n);
-    force(0) = -stiffness - wall.damping / wall.period;
-    force(2) = wall.damping / wall.period;
-    A.topLeftCorner<2, 2>() = free.A;
-    if (delay == 0) {
-      A.topRows<2>() += free.B * force;
-    } else {
-      A.block<2, 1>(0, 3) = free.B;
-      for (int k = 3; k + 1 < n; ++k) A(k, k + 1) = 1.0;
-      A.row(n - 1) = force;
-    }
-    A(2, 0) = 1.0;
-    return A.eigenvalues().cwiseAbs().maxCoeff() < 1.0;
-  });
+  return leastThatFails(0.2 * wall.theory(), 10.0 * wall.theory(), 1.05, 1.005,
+                        [&](double stiffness) {
+                          // state: position, speed, position a period ago, forces under way (the
+                          // oldest acts next)
+                          const int n = 3 + delay;
+                          Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+                          Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(n);
+                          force(0) = -stiffness - wall.damping / wall.period;
+                          force(2) = wall.damping / wall.period;
+                          A.topLeftCorner<2, 2>() = free.A;
+                          if (delay == 0) {
+                            A.topRows<2>() += free.B * force;
+                          } else {
+                            A.block<2, 1>(0, 3) = free.B;
+                            for (int k = 3; k + 1 < n; ++k) A(k, k + 1) = 1.0;
+                            A.row(n - 1) = force;
+                          }
+                          A(2, 0) = 1.0;
+                          return A.eigenvalues().cwiseAbs().maxCoeff() < 1.0;
+                        });
 }
 
 }  // namespace study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <functional>
 
 #include "haptics/simulation/device_model.h"
@@ -11,7 +12,7 @@ namespace study {
 /// proxy, to find what the sampled loop by itself can carry.
 struct Wall {
   haptics::DeviceModel device;  ///< its linkage's delay counts
-  haptics::HumanHand hand;
+  haptics::HumanHand hand = {};
   double period = 1e-3;     ///< s
   double damping = 0.0;     ///< N·s/m, virtual
   double controller = 0.0;  ///< N·s/m that the passivity controller may use; 0: none
@@ -23,6 +24,44 @@ struct Wall {
   double theory() const;
 };
 
+/// How long a press for a limit takes [s], how fast the hand arrives [m/s] and how hard it presses
+/// [N].
+inline constexpr double kPressTime = 2.0, kArrival = 0.05, kPressForce = 3.0;
+
+/// Tells whether a press shakes on. What decides is whether energy is kept up, not how much shakes
+/// at the end, for a lightly damped device rings for long without being unstable: the mean kinetic
+/// energy of the last half second is not a tenth below that of the half second a second earlier. (A
+/// shaking that grows does so until the hand bounces off the wall, and stays.)
+class Shaking {
+ public:
+  /// The handle's place [m] and speed [m/s] at a time [s] since the arrival, in every period.
+  void add(double time, double place, double speed);
+  /// m, half of the way between the extremes of the last 0.2 s.
+  double amplitude() const { return 0.5 * (highest_ - lowest_); }
+  /// Up to two steps of the encoder [m] in amplitude are the encoder's own doing.
+  bool isFed(double encoder) const { return late_ > 0.9 * early_ && amplitude() > 2.0 * encoder; }
+
+ private:
+  double early_ = 0.0, late_ = 0.0, lowest_ = INFINITY, highest_ = -INFINITY;
+};
+
+/// The stiffness up to which all `holds`: from `low` to `high` in steps of a ratio, since beyond
+/// its limit a bouncing loop may be quiet again; then by bisection to `resolution`, a ratio too.
+template <class Holds>
+double leastThatFails(double low, double most, double step, double resolution, Holds&& holds) {
+  double high = low;
+  if (!holds(low)) return low;
+  while (high < most && holds(high)) {
+    low = high;
+    high *= step;
+  }
+  while (high > resolution * low) {
+    const double middle = std::sqrt(low * high);
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 /// What two seconds on the wall came to.
 struct Pressed {
   bool fed = false;        ///< the shaking is kept up by the wall, and is not the encoder's own
@@ -30,12 +69,7 @@ struct Pressed {
   double energy = 0.0;     ///< J given to the hand
 };
 
-/// The hand arrives with 50 mm/s and presses with 3 N. What decides is whether energy is kept up,
-/// not how much shakes at the end, for a lightly damped device rings for long without being
-/// unstable: the mean kinetic energy of the last half second is not a tenth below that of the half
-/// second a second earlier. (A shaking that grows does so until the hand bounces off the wall, and
-/// stays.) Up to two steps of the encoder in amplitude are the encoder's own doing. `each` is told
-/// time [s] and depth [m] of every period.
+/// The hand arrives and presses. `each` is told time [s] and depth [m] of every period.
 Pressed pressOn(const Wall& wall, double stiffness,
                 const std::function<void(double, double)>& each = {});
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <set>
 
+#include "app/study/stability/failures.h"
 #include "app/study/stability/limits.h"
+#include "app/study/stability/plane_limit.h"
 #include "app/study/stability/presses.h"
 #include "app/study/stability/wall.h"
 
@@ -83,13 +85,38 @@ TEST(PlantedError, AForceThatLagsATickFailsTheLimitOfEveryDevice) {
   }
 }
 
+TEST(Plane, TheLimitThroughTheTickIsThatOfTheWall) {
+  Wall wall{findDeviceModel("falcon").value(), {}, 1e-3};
+  EXPECT_NEAR(study::planeLimit(wall) / wall.theory(), 1.0, 0.15);
+  EXPECT_NEAR(study::planeLimit(wall) / study::measuredLimit(wall), 1.0, 0.15);
+  wall.damping = 5.0;
+  EXPECT_NEAR(study::planeLimit(wall) / study::measuredLimit(wall), 1.0, 0.15);
+}
+
+TEST(PlantedError, AForceThatLagsATickLowersTheLimitThroughTheTick) {
+  Wall wall{findDeviceModel("falcon").value(), {}, 1e-3};
+  const double theory = wall.theory();
+  wall.device.linkage.delay = 1;
+  EXPECT_LT(study::planeLimit(wall) / theory, 0.5);
+}
+
+TEST(PlantedError, AControllerThatIsOffIsSeenThroughTheTick) {
+  Wall wall{findDeviceModel("sigma.7").value(), {}, 1e-3};
+  const double beyond = 1.5 * wall.theory();
+  EXPECT_TRUE(study::pressOnPlane(wall, beyond).fed);
+  wall.controller = wall.device.rating.damping;
+  const auto controlled = study::pressOnPlane(wall, beyond);
+  EXPECT_FALSE(controlled.fed);
+  EXPECT_LT(controlled.energy, 1e-3);  // J
+}
+
 TEST(PlantedError, AForceThatLagsATickGivesEnergyInAPress) {
   DeviceModel device = findDeviceModel("lambda.7").value();
   const auto stage = study::makeStage("ball", 0.0, 1);
-  const double stiffness = study::ceilingOf(device, stage, 0.5);
-  const auto sound = study::press(device, stage, stiffness);
+  const double stiffness = study::ceilingOf({device}, stage, 0.5);
+  const auto sound = study::press({device}, stage, stiffness);
   device.linkage.delay = 1;
-  const auto lags = study::press(device, stage, stiffness);
+  const auto lags = study::press({device}, stage, stiffness);
   EXPECT_GT(sound.contact, 400);
   EXPECT_LT(sound.energy, 1e-3);  // J
   EXPECT_GT(lags.energy, 10e-3);
@@ -112,9 +139,47 @@ TEST(StabilityStudy, HasEveryDeviceAndNamesEachJobOnce) {
       }
       if (depth == Depth::Full) {
         EXPECT_TRUE(names.contains("press/" + device.name + "/groove")) << device.name;
+        if (device.linkage.arm.isZero(0.0)) {
+          EXPECT_TRUE(names.contains("limit in 6-DOF/" + device.name + "/4 kHz")) << device.name;
+        }
       }
     }
+    if (depth == Depth::Full) {
+      for (const char* scene : {"bunny", "engine", "hole", "bone"})
+        EXPECT_TRUE(names.contains(std::string{"hands/"} + scene)) << scene;
+      EXPECT_TRUE(names.contains("press/lambda.7/ball/4 kHz"));
+      EXPECT_TRUE(names.contains("press/touch/plane/passivity controller"));
+    }
   }
+}
+
+// one trial lags by 1 and then 3 mm, the other by 2 mm for a tick
+TEST(Recorder, GivesMeanLeastAndGreatestOfItsTrials) {
+  const auto scene = study::makeStage("ball", 0.0, 1).scene;
+  study::Trial one{scene, 0.0, made::at(0, 0, 0.03)}, other = one;
+  one.behind = {1e-3f, 3e-3f};
+  other.behind = {2e-3f};
+  study::failures::Recorder recorder;
+  recorder.add(one);
+  recorder.add(other);
+  const auto plot = recorder.plot("some");
+  ASSERT_EQ(plot.series.size(), 1u);
+  const auto& points = plot.series[0].points;
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_FLOAT_EQ(points[0].low, 1.0);
+  EXPECT_FLOAT_EQ(points[0].y, 1.5);
+  EXPECT_FLOAT_EQ(points[0].high, 2.0);
+  EXPECT_FLOAT_EQ(points[1].y, 3.0);
+  EXPECT_DOUBLE_EQ(points[1].x, 1e-3);
+}
+
+// a trial records what its proxy did
+TEST(Recorder, ATrialIsBehindWhereItsDeviceIsInside) {
+  study::Trial trial{study::makeStage("ball", 0.0, 1).scene, 0.0, made::at(0, 0, 0.03)};
+  trial.carry(made::at(0, 0, 0.03), made::at(0, 0, 0.015), 50);
+  ASSERT_EQ(trial.behind.size(), 50u);
+  EXPECT_EQ(trial.behind.front(), 0.0f);
+  EXPECT_NEAR(trial.behind.back(), 3e-3, 0.2e-3);  // the ball of 3 mm rests on that of 15
 }
 
 // a short form of the study: one job of each kind, twice
