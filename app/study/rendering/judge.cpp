@@ -112,10 +112,10 @@ Outcome convergence(const std::string& scene, const Reference& reference,
   outcome.cases.push_back(
       {scene + " against " + reference.name + ": " + back_end +
            ", error at the shortest sample distance over that at the longest",
-       errors.back() / errors.front(), 2.0 * finer, "", Case::Sense::AtMost,
+       errors.back() / errors.front(), 1.5 * finer, "", Case::Sense::AtMost,
        "The hit lies half a sample behind the surface in the mean, so the error goes with the "
        "sample distance, here " +
-           shortly(finer) + " of the longest; twice that is allowed."});
+           shortly(finer) + " of the longest; half as much again is allowed."});
   return outcome;
 }
 

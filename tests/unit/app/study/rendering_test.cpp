@@ -160,7 +160,7 @@ TEST(Convergence, SeesASampleDistanceWithoutEffect) {
   };
   EXPECT_TRUE(passes(2.0));
   EXPECT_FALSE(passes(8.0));
-  EXPECT_FALSE(passes(4.5));
+  EXPECT_FALSE(passes(3.5));
 }
 
 TEST(Rendering, WithoutADisplayIsAnOmissionAndNoCase) {
