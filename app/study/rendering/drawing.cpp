@@ -51,7 +51,7 @@ const char* nameOf(BackEnd back_end) {
     case BackEnd::RayCast:
       return "ray caster";
     case BackEnd::RayCastCoarse:
-      return "ray caster, hits not refined";
+      return "ray caster, unrefined";
     case BackEnd::ProcessorCast:
       return "VTK's CPU ray caster";
     case BackEnd::Mesh:
