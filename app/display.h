@@ -7,4 +7,7 @@ namespace app {
 /// because both end the process where there is none.
 bool displayReachable();
 
+/// Whether VTK can draw without a window of Qt's: an X display that knows GLX.
+bool displayDraws();
+
 }  // namespace app

@@ -7,6 +7,7 @@
 #include "app/study/accuracy/projection.h"
 #include "app/study/accuracy/scenes.h"
 #include "app/study/comparison/scenes.h"
+#include "app/study/rendering/rendering.h"
 
 namespace study {
 namespace {
@@ -22,7 +23,6 @@ Outcome omissions() {
        {{"single precision",
          "Ours computes in double throughout and has no other. In a prototype single-precision "
          "look-ups were 1.8 times as fast and needed a second, exact look at every candidate."},
-        {"rendering: image error against frame time", "Not measured yet."},
         {"sub-steps and epsilon of ours",
          "They are constants of the tick; the budget is swept instead."},
         {"literal, charitable and accept-inside with a spline",
@@ -93,6 +93,7 @@ Study accuracyStudy(Depth depth) {
     add("points bunny", "Many points", 90.0, [=](std::uint64_t) {
       return pointStudy(false, {1'000, 10'000, 100'000, 1'000'000}, {100, 200, 500});
     });
+  for (Job& job : renderingJobs(depth)) study.jobs.push_back(std::move(job));
   add("omissions", "Omissions", 0.1, [](std::uint64_t) { return omissions(); });
   return study;
 }
