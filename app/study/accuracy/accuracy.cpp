@@ -79,7 +79,7 @@ Study accuracyStudy(Depth depth) {
   for (const std::string& scene : comparison::sceneNames()) {
     // the bunny alone takes seconds to make
     if (quick && scene != "hole") continue;
-    add("scene " + scene, "The paper's scenes", quick ? 10.0 : 200.0,
+    add("scene " + scene, "The paper's scenes", quick ? 12.0 : 250.0,
         [=](std::uint64_t) { return sceneStudy(scene, effort); });
     add("scene " + scene + ", epsilon and sub-steps", "The paper's scenes", quick ? 5.0 : 120.0,
         [=](std::uint64_t) { return finenessStudy(scene, effort); });

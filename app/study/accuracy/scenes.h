@@ -9,7 +9,7 @@ namespace study {
 
 /// How long and how often.
 struct SceneEffort {
-  double seconds = 3.0;  ///< of each of six hands, after the lead-in
+  double seconds = 1.5;  ///< of each of six hands, after the lead-in
   int holds = 40;
   int detours = 12;
   bool every_setting = true;  ///< all budgets, fields, normals, …, or one or two of each
