@@ -34,7 +34,7 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
     field = std::make_shared<const ScalarField>(volume, options.field);
     build_time = secondsSince(begun);
   }
-  const Tolerances lengths{field->voxel()};
+  const Tolerances lengths{field->voxel(), options.fineness.epsilon};
   // a tool that is one point has no length of its own: the voxel's stands in
   if (tool.shell.radius == 0.0)
     tool.shell.inertia = field->voxel() * field->voxel() * Mat3::Identity();
@@ -47,9 +47,9 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
   plan.free_space = plan.free_space && !plan.looksAgain();
   plan.central_differences = plan.central_differences && options.normal != NormalKind::Central;
   PlanLines planned = linesOf(plan, options, *volume, tree);
-  return std::make_shared<const Scene>(
-      Scene{++last_id, std::move(volume), std::move(tool), std::move(tree), field, *field, metric,
-            lengths, options.normal, std::move(structures), plan, std::move(planned)});
+  return std::make_shared<const Scene>(Scene{
+      ++last_id, std::move(volume), std::move(tool), std::move(tree), field, *field, metric,
+      lengths, options.normal, std::move(structures), plan, std::move(planned), options.fineness});
 }
 
 std::optional<Pose> legalPoseNear(const Scene& scene, double isovalue, const Pose& X_WT) {

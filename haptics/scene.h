@@ -19,11 +19,20 @@
 
 namespace haptics {
 
+/// How finely a tick works. For studies, which show what other values come to; everybody else
+/// takes these.
+struct Fineness {
+  double epsilon =
+      0.05;           ///< voxels: how near counts as contact; what a contact keeps is half of it
+  int sub_steps = 8;  ///< moves, and blocked tries, in one tick
+};
+
 /// What the user may choose of a scene beside volume and tool.
 struct SceneOptions {
   FieldKind field = FieldKind::Trilinear;
   NormalKind normal = NormalKind::Central;
   Plan plan = {};  ///< what may be left out
+  Fineness fineness = {};
 };
 
 /// Something built for a scene: what it takes in memory, and took in time.
@@ -48,6 +57,7 @@ struct Scene {
   std::vector<Structure> structures = {};
   Plan plan = {};          ///< what its ticks leave out
   PlanLines planned = {};  ///< the same in words
+  Fineness fineness = {};
 };
 
 /// The plan in words, with the reasons that this volume, tool and choice give it.

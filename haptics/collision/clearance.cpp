@@ -87,6 +87,7 @@ bool Clearance::look(const Isosurface& solid, const ShellTree& tree, Batch& batc
   lanes::place(batch.map, batch.x, batch.y, batch.z, n, u);
   lanes::Survey found;
   solid.survey(u, n, found);
+  budget.counts.samples += found.lookedUp(n);
   for (int l = 0; l < n; ++l) {
     const auto place = static_cast<std::size_t>(batch.place[l]);
     const double free = found.free[l], arm = tree.arm[place];

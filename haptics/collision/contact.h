@@ -28,13 +28,13 @@ struct Contact {
 /// of them.
 using Contacts = FixedVector<Contact, 24>;
 
-/// Lengths of the algorithm, all derived from the voxel h [m].
+/// Lengths of the algorithm, all derived from the voxel h [m]; `epsilon` in voxels.
 struct Tolerances {
-  explicit Tolerances(double h)
+  explicit Tolerances(double h, double epsilon_voxels = 0.05)
       : voxel{h},
-        epsilon{0.05 * h},
-        rest_gap{0.025 * h},
-        band{0.1 * h},
+        epsilon{epsilon_voxels * h},
+        rest_gap{0.5 * epsilon},
+        band{2.0 * epsilon},
         sagitta{3e-4 * h},
         root{1e-5 * h},
         step_free{24.0 * h} {}

@@ -59,6 +59,7 @@ bool Clearance::lookAgain(const Isosurface& solid, const ShellTree& tree, const 
       solid.survey(u, n, found);
     else
       sampled(field, u, n, found);
+    budget.counts.samples += plan_.empty_space ? found.lookedUp(n) : n;
     for (int l = 0; l < n; ++l) {
       if (found.value[l] >= solid.ceiling()) return false;
       if (!plan_.empty_space || found.free[l] >= reach) continue;
@@ -130,6 +131,7 @@ void Sweep::lookAgain(const Isosurface& solid, const ShellTree& tree, const Clea
     std::int64_t cells = 0;
     field.clear(chords, n, until, cells);
     budget.spend(n + 2 * cells);
+    budget.counts.samples += cells;
     for (int l = 0; l < n; ++l) {
       if (until[l] >= 1.0) continue;
       const Vec3 a{chords.a.x[l], chords.a.y[l], chords.a.z[l]},

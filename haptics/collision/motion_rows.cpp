@@ -71,6 +71,8 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
       budget.spend(count * (together ? 3 : 7 * solid.field.work()));
     else
       budget.spend(count * (together ? 1 : solid.field.work()));
+    budget.counts.samples += count * (central ? 7 : 1);
+    budget.counts.gradients += count * (central ? 2 : 1);
     lanes::Places u;
     lanes::place(map, x.lane, y.lane, z.lane, count, u);
     lanes::Slopes found;
@@ -82,6 +84,7 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
                                      : std::numeric_limits<double>::infinity();
       if (gap > lengths.band || within_count == within.size()) continue;
       // proven to be beyond the band: the gap may promise a surface that never comes
+      budget.counts.samples += far;
       if (far && !reached(solid, {u.x[l], u.y[l], u.z[l]}, exact / slope * lengths.band)) continue;
       const Vec3 wide{found.central.x[l], found.central.y[l], found.central.z[l]};
       within[within_count++] = {X_WP.linear() * Vec3{x[l], y[l], z[l]},
@@ -150,6 +153,7 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
     Candidate& point = within[static_cast<std::size_t>(i)];
     if (normal == NormalKind::Spline) {
       budget.spend(ScalarField::kSplineWork);
+      ++budget.counts.gradients;
       point.wide_W = solid.field.splineGradient(point.u);
     }
     surface.rows.push(rowOf(solid, point, lengths));

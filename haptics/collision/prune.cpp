@@ -21,8 +21,9 @@ void prune(const Isosurface& solid, const PointShell& shell, const Pose& X_WP, c
     contact.r_W = X_WP.linear() * shell.points[static_cast<std::size_t>(contact.point)];
     const Vec3 moved = X_WP.translation() + contact.r_W - contact.met_W;
     budget.spend(solid.field.work());
-    if (moved.norm() <= lengths.rest_gap &&
-        standsInTheWay(solid, X_WP.translation(), contact.r_W, free, lengths.epsilon)) {
+    const bool near = moved.norm() <= lengths.rest_gap;
+    budget.counts.samples += near;
+    if (near && standsInTheWay(solid, X_WP.translation(), contact.r_W, free, lengths.epsilon)) {
       contact.gap = contact.met_gap + contact.n_W.dot(moved);
       ++i;
     } else {

@@ -88,6 +88,7 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
   if (!first) {
     solid.survey(start, count, found);
     budget.spend(count);
+    budget.counts.samples += found.lookedUp(count);
   }
 
   // those that their surroundings do not carry to the end of the slab, moved together
@@ -134,6 +135,7 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
   std::int64_t cells = 0;
   solid.field.clear(chords, left, until, cells);
   budget.spend(2 * cells);
+  budget.counts.samples += cells;
 
   // the rest of each chord, exactly
   for (int l = 0; l < left; ++l) {

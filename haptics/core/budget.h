@@ -9,6 +9,14 @@
 
 namespace haptics {
 
+/// What a tick did, counted for those who measure it: nothing is decided by it.
+struct Counts {
+  std::int64_t samples = 0;    ///< look-ups of F: of a value, or of a cell and the bounds in it
+  std::int64_t gradients = 0;  ///< of whatever kind; six look-ups more if by central differences
+  std::int64_t pivots = 0;     ///< rows that entered or left an active set
+  std::int64_t sub_steps = 0;  ///< motions tried
+};
+
 /// What a tick may spend. One unit of work is some 10 ns: a point looked at among sixteen, or a
 /// quarter of a cell fetched alone. Two clocks, one interface: counted work, which repeats exactly,
 /// and the thread's CPU time for the live loop. To ask is work too, so that no two questions are
@@ -24,6 +32,8 @@ class Budget {
   }
 
   void spend(std::int64_t work = 1) HAPTICS_RT { spent_ += work; }
+  /// What was done meanwhile: kept by hand where it is done, beside spend().
+  Counts counts;
   /// False once the budget is used up, and from then on.
   bool left() HAPTICS_RT {
     if (cut_) return false;

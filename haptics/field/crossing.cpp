@@ -97,6 +97,7 @@ double ScalarField::firstReach(const Vec3& a, const Vec3& b, double level, doubl
   if (kind_ == FieldKind::CubicSpline)
     return walkCells(a, b, [&](const std::array<std::int64_t, 3>& at, double from, double to) {
       budget.spend(kSplineWork);
+      ++budget.counts.samples;
       const SplineCell cell = splineCellAt(*volume_, at);
       if (cell.greatest() < level) return 2.0;
       budget.spend(kSplineSegmentWork);
@@ -104,6 +105,7 @@ double ScalarField::firstReach(const Vec3& a, const Vec3& b, double level, doubl
     });
   return walkCells(a, b, [&](const std::array<std::int64_t, 3>& at, double from, double to) {
     budget.spend(kCellWork);
+    ++budget.counts.samples;
     return firstReachOf(alongSegment(cellAt(at), a + from * d, a + to * d), level, from, to,
                         tolerance);
   });

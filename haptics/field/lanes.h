@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "haptics/core/realtime.h"
@@ -56,6 +57,8 @@ struct Survey {
   Numbers free;             ///< m the place may be left in any direction with F < ceiling: proven
   std::uint32_t edge = 0;   ///< lanes whose cell reaches beyond the grid: nothing is said of them
   std::uint32_t empty = 0;  ///< lanes in a finest block that is proven below the ceiling
+  /// At how many of n places F was looked up: nobody asks in an empty block.
+  int lookedUp(int n) const HAPTICS_RT { return n - std::popcount(empty & ((1U << n) - 1U)); }
 };
 void survey(const Lattice& lattice, const Places& u, int n, double ceiling,
             Survey& found) HAPTICS_RT;

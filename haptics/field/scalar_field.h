@@ -97,10 +97,13 @@ class ScalarField {
   FieldKind kind_;
   MaxPyramid pyramid_;
   lanes::Lattice lattice_;
-  Mat3 A_VW_, A_VW_t_;
+  Mat3 A_VW_;
   Vec3 b_V_;
   double voxel_;
   double rounding_margin_;
+
+ protected:
+  Mat3 A_VW_t_;  ///< turns gradients into W; whoever checks the checks derives a field to turn it
 };
 
 }  // namespace haptics

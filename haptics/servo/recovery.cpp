@@ -26,9 +26,12 @@ void push(const Scene& scene, const Isosurface& solid, Pose& X_WT, Budget& budge
     const Vec3 r = X_WT.linear() * p;
     const Vec3 u = field.indexOf(X_WT.translation() + r);
     budget.spend(field.work());
+    ++budget.counts.samples;
     const double value = field.value(u);
     if (value < solid.ceiling()) continue;
     budget.spend(6 * field.work());
+    budget.counts.samples += 6;
+    ++budget.counts.gradients;
     const Vec3 gradient = field.centralGradient(u);
     const double slope = gradient.norm();
     if (!(slope > 0.0)) continue;
@@ -48,6 +51,7 @@ void push(const Scene& scene, const Isosurface& solid, Pose& X_WT, Budget& budge
   if (rows.empty()) return;
   const ConstrainedMotion out =
       constrainedMotion({}, {rows.begin(), rows.size()}, scene.metric, X_WT.linear());
+  budget.counts.pivots += out.pivots;
   if (out.status == ConstrainedMotion::Status::Exact) {
     const double size = out.whitened.norm();
     X_WT = moved(X_WT, out.twist, size > 4.0 * h ? 4.0 * h / size : 1.0);
@@ -87,6 +91,7 @@ bool legal(const Isosurface& solid, const PointShell& shell, const Pose& X_WT,
   for (const Vec3& p : shell.points) {
     if (!budget.left()) return false;
     budget.spend(solid.field.work());
+    ++budget.counts.samples;
     if (solid.inside(X_WT * p)) return false;
   }
   return true;

@@ -17,7 +17,6 @@
 namespace haptics {
 namespace {
 
-constexpr int kSubSteps = 8;          // moves, and blocked tries, in one tick
 constexpr double kLargestTurn = 0.3;  // rad in one sub-step
 
 /// How far the farthest point of the tool travels at most [m].
@@ -66,6 +65,7 @@ class Tick {
         case Search::Stage::Sweep:
           through = go();
           ++tries;
+          ++budget_.counts.sub_steps;
           break;
         case Search::Stage::Done:
           break;
@@ -100,6 +100,7 @@ class Tick {
     // where nothing reaches the isovalue there is room without end
     const bool nothing = scene_.volume->greatest < solid_.ceiling();
     if (!nothing && proxy_.clearance.room(scene_.tree) < length + lengths().band) return false;
+    ++budget_.counts.sub_steps;
     const double distance = scene_.metric.whitened(way, proxy_.X_WP.linear()).norm();
     proxy_.acceptance.start(distance, distance);
     proxy_.acceptance.take(0.0, 0.0, 0.0);
@@ -141,6 +142,7 @@ class Tick {
     // 3  the nearest motion that leaves every contact its room
     ConstrainedMotion allowed =
         constrainedMotion(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear());
+    budget_.counts.pivots += allowed.pivots;
     if (friction_ > 0.0 && allowed.active > 0)
       allowed = withFriction(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear(),
                              friction_, allowed, budget_);
@@ -150,7 +152,7 @@ class Tick {
     if (at_.atTaken()) proxy_.bearing = allowed.active;
     const double length = reachOf(allowed.twist, radius_);
     // in free space even the last billionth of a metre is gone
-    if (tries == kSubSteps || length == 0.0 ||
+    if (tries == scene_.fineness.sub_steps || length == 0.0 ||
         (allowed.active > 0 && length < 0.02 * lengths().epsilon)) {
       at_.stage = Search::Stage::Done;
       return true;
@@ -197,6 +199,8 @@ class Tick {
     if (!proxy_.sweep.advance(solid_, scene_.tree, proxy_.clearance, lengths(), budget_))
       return false;
     const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, lengths());
+    budget_.counts.samples += impact.met;
+    budget_.counts.gradients += impact.met;
     const double length = at_.length;
     double advance = impact.time;
     if (impact.time < 1.0) advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);

@@ -141,6 +141,7 @@ bool solve(const Vector6& free, const Rows& rows, Vector6& y,
       for (int j = 0; j < set.count; ++j)
         set.multiplier[j] = std::max(0.0, set.multiplier[j] - t * r[j]);
       u += t;
+      ++result.pivots;
       if (std::isfinite(full)) y += t * z;
       if (t == full) {
         set.append(rows, worst, u);

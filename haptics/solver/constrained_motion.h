@@ -28,6 +28,7 @@ struct ConstrainedMotion {
   Status status = Status::Exact;
   int active = 0;                ///< rows that bear on the result: at most six
   std::array<int, 6> bearing{};  ///< which: the first `active` are valid
+  int pivots = 0;                ///< rows that entered or left the active set on the way
   /// How hard each pushes: M (V - V_free) = sum of reaction · (n, r x n) [m, metric of mass 1].
   std::array<double, 6> reaction{};
 };

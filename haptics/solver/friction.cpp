@@ -156,6 +156,7 @@ ConstrainedMotion withFriction(const Twist& free, std::span<const MotionRow> row
     Vector6 y_held = y_free;
     for (const Bearing& b : bearings) y_held += b.tangential.x() * b.t1 + b.tangential.y() * b.t2;
     held = constrainedMotion(metric.twist(y_held, R_WP), rows, metric, R_WP);
+    budget.counts.pivots += held.pivots;
     if (held.status == ConstrainedMotion::Status::Infeasible) return frictionless;
     if (!bear(held)) break;
   }

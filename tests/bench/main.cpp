@@ -81,10 +81,10 @@ void tell(const SceneReport& report) {
         stderr,
         "%-12s %-13s mean %6.1f p50 %6.1f p99 %7.1f p99.9 %8.1f max %9.1f us | coupling "
         "%6.2f mm, frozen %4.1f %%, deepest %.4f mm, walls %d | contacts %d, samples %.0f, "
-        "cut %.1f %%\n",
+        "work %.0f, cut %.1f %%\n",
         report.scene.c_str(), s.method.c_str(), s.mean_us, s.p50_us, s.p99_us, s.p999_us, s.max_us,
         s.coupling_mm, 100 * s.frozen, s.penetration_mm, s.wall_passages, s.contacts_max,
-        s.samples_per_tick, 100 * s.cut);
+        s.counts.samples, s.counts.work, 100 * s.cut);
   for (const HoldSummary& h : report.holds)
     std::fprintf(stderr,
                  "  %-13s %d holds: residual @8 median %.4f mean %.3f (same start %.4f / "

@@ -42,7 +42,8 @@ Json resultOf(const SceneReport& report, const Summary& s) {
   json["residual_mm_median"] = number(hold, hold ? hold->residual_median_mm : 0.0);
   json["residual_mm_mean"] = number(hold, hold ? hold->residual_mean_mm : 0.0);
   json["penetration_mm"] = s.penetration_mm;
-  json["samples_per_tick"] = s.samples_per_tick;
+  json["samples_per_tick"] = s.counts.samples;
+  json["work_per_tick"] = s.counts.work;
   json["contacts_max"] = s.contacts_max;
   json["coupling_tap_slide_hook_mm"] = s.guided_mm;
   json["cut"] = s.cut;
@@ -108,7 +109,7 @@ std::string each(const std::vector<SceneReport>& reports, bool scans, Value valu
 
 std::string whyNotHonest(const SceneReport& report) {
   const Summary& literal = report.summaries.front();
-  const double per_point = literal.samples_per_tick / report.points;
+  const double per_point = literal.counts.samples / report.points;
   std::string why;
   if (per_point < 1.3 || per_point > 2.0)
     why = text("literal takes %.2f samples a point, not 1.3 to 2", per_point);
@@ -134,7 +135,7 @@ Json jsonOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>
                {"voxel_mm", report.voxel_mm},
                {"rest_gap_mm", report.rest_gap_mm},
                {"build_ms", report.build_ms},
-               {"literal_samples_per_point", literal.samples_per_tick / report.points}};
+               {"literal_samples_per_point", literal.counts.samples / report.points}};
     scene["structures"] = Json::array();
     for (const haptics::Structure& structure : report.structures)
       scene["structures"].push_back({{"name", structure.name},

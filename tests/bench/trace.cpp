@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   for (const auto& course : tracks.front().ticks)
     for (const comparison::Tick& tick : course) {
       ++ticks;
-      work += tick.samples;
+      work += tick.work;
     }
   std::printf("{\"scene\": \"%s\", \"ticks\": %lld, \"work\": %lld}\n", argv[1], ticks, work);
   return 0;

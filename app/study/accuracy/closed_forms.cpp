@@ -88,7 +88,8 @@ AnalyticHold inSlot(double radius, int which, Random& random) {
   }
 }
 
-Contenders contendersOn(const comparison::Case& scene, const haptics::Tool& tool) {
+Contenders contendersOn(const comparison::Case& scene, const haptics::Tool& tool,
+                        const OursMade& judged) {
   Contenders all;
   for (const Reading& reading : kReadings)
     for (const double fineness : {2.0, 10.0, 50.0}) {
@@ -103,9 +104,94 @@ Contenders contendersOn(const comparison::Case& scene, const haptics::Tool& tool
     for (const std::int64_t work :
          {haptics::kTickWork / 10, haptics::kTickWork, 50 * haptics::kTickWork})
       all.add(kind.name, "work " + shortly(double(work)),
-              comparison::ours(built, scene.isovalue, Limit{0, work}));
+              judged && &kind == kKinds && work == haptics::kTickWork
+                  ? judged(built, scene.isovalue)
+                  : comparison::ours(built, scene.isovalue, Limit{0, work}));
   }
   return all;
+}
+
+/// Diagrams of what some contenders did.
+struct Diagrams {
+  WorkPrecision position, angle;
+  explicit Diagrams(const std::string& what)
+      : position{what + ": position",
+                 "Distance of the settled proxy from the closed form, against time.",
+                 "mean CPU of a tick [us]", "error of position [um]"},
+        angle{what + ": direction of the force",
+              "Angle between the force and the closed form's, against time.",
+              "mean CPU of a tick [us]", "error of direction [degrees]"} {}
+  void addTo(Outcome& outcome) const {
+    study::addTo(outcome, position);
+    study::addTo(outcome, angle);
+  }
+};
+
+/// Leads all through the holds as often as asked, run by run; what the first run came to.
+std::vector<HeldErrors> ledThrough(Contenders& all, const std::vector<AnalyticHold>& holds,
+                                   double radius, int runs, Diagrams& diagrams) {
+  std::vector<HeldErrors> first;
+  for (int run = 0; run < runs; ++run)
+    for (std::size_t m = 0; m < all.methods.size(); ++m) {
+      HeldErrors errors = heldErrors(*all.methods[m], holds, radius);
+      if (run == 0) {
+        const auto& [method, setting] = all.names[m];
+        diagrams.position.points.push_back(
+            {method, setting, {}, errors.position_um, errors.counts});
+        diagrams.angle.points.push_back({method, setting, {}, errors.angle_deg, errors.counts});
+      }
+      for (WorkPrecision* work : {&diagrams.position, &diagrams.angle}) {
+        WorkPoint& point = work->points[m];
+        point.cost.insert(point.cost.end(), errors.tick_us.begin(), errors.tick_us.end());
+        point.runs.push_back(comparison::mean(errors.tick_us));
+      }
+      if (run == 0) first.push_back(std::move(errors));
+    }
+  return first;
+}
+
+/// The cases on ours.
+void judge(Outcome& outcome, const std::string& what, const HeldErrors& errors,
+           const std::vector<AnalyticHold>& holds, bool ball, const comparison::Case& scene,
+           const haptics::PointShell& shell) {
+  const double voxel_um = 1e6 * scene.volume->grid.spacing.minCoeff();
+  const auto worst = [&](const std::vector<double>& values, bool corner) {
+    double most = 0.0;
+    for (std::size_t n = 0; n < values.size(); ++n)
+      if (holds[n].corner == corner) most = worse(most, values[n]);
+    return most;
+  };
+  const auto claim = [&](const std::string& which, double value, double bound, const char* unit,
+                         const std::string& note) {
+    outcome.cases.push_back({what + ": " + which, value, bound, unit, Case::Sense::AtMost, note});
+  };
+  for (const bool corner : {false, true}) {
+    if (std::ranges::none_of(holds, [&](const auto& hold) { return hold.corner == corner; }))
+      continue;
+    // a lone point is held short of a corner by central differences, which round it
+    const bool rounded = corner && !ball;
+    const double voxels = rounded ? 0.35 : 0.1;
+    const std::string where = corner ? ", in its corner" : "";
+    const std::string why =
+        rounded ? "Central differences round a corner over a voxel on either side: a lone "
+                  "point is held a third of a voxel short of it."
+                : "The worst of the holds.";
+    claim("position of ours" + where, worst(errors.position_um, corner), voxels * voxel_um, "um",
+          why);
+    claim("direction of our force" + where, worst(errors.angle_deg, corner), rounded ? 6.0 : 1.0,
+          "degrees", why);
+    claim("size of our force" + where, worst(errors.magnitude, corner), voxels * voxel_um / 400.0,
+          "", "Relative; the bound on position over the least depth of the device, 0.4 mm. " + why);
+  }
+  double off = 0.0;
+  for (const double newton : errors.own_force) off = worse(off, newton);
+  claim("our force and the poses of its tick", off, 1e-9, "N",
+        "In every tick on the way, so that a force that lags is seen.");
+  double deepest = 0.0;
+  for (const Pose& X_WP : errors.settled)
+    deepest = std::max(
+        deepest, evaluator::penetration_mm(*scene.volume, scene.isovalue, shell.points, X_WP));
+  claim("penetration of ours", deepest, 0.0, "mm", "Settled, in double.");
 }
 
 }  // namespace
@@ -131,7 +217,7 @@ std::vector<AnalyticHold> analyticHolds(const std::string& solid, double radius,
 HeldErrors heldErrors(comparison::Method& method, const std::vector<AnalyticHold>& holds,
                       double radius) {
   HeldErrors errors;
-  double samples = 0.0;
+  const std::size_t ticks = holds.size() * (kCarry + kHold);
   for (const AnalyticHold& hold : holds) {
     method.start(at(hold.start));
     comparison::Tick last;
@@ -140,7 +226,7 @@ HeldErrors heldErrors(comparison::Method& method, const std::vector<AnalyticHold
       const Pose X_WD = at(hold.start + share * (hold.device - hold.start));
       last = method.tick(X_WD);
       errors.tick_us.push_back(1e-3 * double(last.cpu_ns));
-      samples += double(last.samples);
+      errors.counts.add(last, ticks);
       const Vec3 own = kStiffness * (last.X_WP.translation() - X_WD.translation());
       errors.own_force.push_back((last.force - own).norm());
     }
@@ -151,12 +237,11 @@ HeldErrors heldErrors(comparison::Method& method, const std::vector<AnalyticHold
                                180.0 / std::numbers::pi);
     errors.magnitude.push_back(std::abs(last.force.norm() / force.norm() - 1.0));
   }
-  errors.samples = samples / double(errors.tick_us.size());
   return errors;
 }
 
-Outcome closedForms(const std::string& solid, int count, unsigned seed,
-                    const std::function<MethodMade(MethodMade)>& ours) {
+Outcome closedForms(const std::string& solid, const HeldEffort& effort, unsigned seed,
+                    const OursMade& ours) {
   Outcome outcome;
   for (const bool ball : {false, true}) {
     datasets::Phantom phantom = datasets::makePhantom(solid).value();
@@ -170,67 +255,23 @@ Outcome closedForms(const std::string& solid, int count, unsigned seed,
       radius = 0.0;
       for (const Vec3& p : tool.shell.points) radius = std::max(radius, -p.z());
     }
-    const std::vector<AnalyticHold> holds = analyticHolds(solid, radius, count, seed);
+    const std::vector<AnalyticHold> holds = analyticHolds(solid, radius, effort.holds, seed);
     const std::string what = std::string{ball ? "Ball" : "Point"} + " held in the " + solid;
-    WorkPrecision position{what + ": position",
-                           "Distance of the settled proxy from the closed form, against time.",
-                           "mean CPU of a tick [us]", "error of position [um]"};
-    WorkPrecision angle{what + ": direction of the force",
-                        "Angle between the force and the closed form's, against time.",
-                        "mean CPU of a tick [us]", "error of direction [degrees]"};
-    Contenders all = contendersOn(scene, tool);
-    for (std::size_t m = 0; m < all.methods.size(); ++m) {
-      const auto& [method, setting] = all.names[m];
-      const bool judged = method == "ours" && setting == "work 20,000";
-      if (judged && ours) all.methods[m] = ours(std::move(all.methods[m]));
-      const HeldErrors errors = heldErrors(*all.methods[m], holds, radius);
-      position.points.push_back(
-          {method, setting, errors.tick_us, errors.position_um, errors.samples});
-      angle.points.push_back({method, setting, errors.tick_us, errors.angle_deg, errors.samples});
-      if (!judged) continue;
-      const double voxel_um = 1e6 * scene.volume->grid.spacing.minCoeff();
-      const auto worst = [&](const std::vector<double>& values, bool corner) {
-        double most = 0.0;
-        for (std::size_t n = 0; n < values.size(); ++n)
-          if (holds[n].corner == corner) most = worse(most, values[n]);
-        return most;
-      };
-      const auto claim = [&](const std::string& which, double value, double bound, const char* unit,
-                             const std::string& note) {
-        outcome.cases.push_back(
-            {what + ": " + which, value, bound, unit, Case::Sense::AtMost, note});
-      };
-      for (const bool corner : {false, true}) {
-        if (std::ranges::none_of(holds, [&](const auto& hold) { return hold.corner == corner; }))
-          continue;
-        // a lone point is held short of a corner by central differences, which round it
-        const bool rounded = corner && !ball;
-        const double voxels = rounded ? 0.35 : 0.1;
-        const std::string where = corner ? ", in its corner" : "";
-        const std::string why =
-            rounded ? "Central differences round a corner over a voxel on either side: a lone "
-                      "point is held a third of a voxel short of it."
-                    : "The worst of the holds.";
-        claim("position of ours" + where, worst(errors.position_um, corner), voxels * voxel_um,
-              "um", why);
-        claim("direction of our force" + where, worst(errors.angle_deg, corner),
-              rounded ? 6.0 : 1.0, "degrees", why);
-        claim("size of our force" + where, worst(errors.magnitude, corner),
-              voxels * voxel_um / 400.0, "",
-              "Relative; the bound on position over the least depth of the device, 0.4 mm. " + why);
-      }
-      double off = 0.0;
-      for (const double newton : errors.own_force) off = worse(off, newton);
-      claim("our force and the poses of its tick", off, 1e-9, "N",
-            "In every tick on the way, so that a force that lags is seen.");
-      double deepest = 0.0;
-      for (const Pose& X_WP : errors.settled)
-        deepest = std::max(deepest, evaluator::penetration_mm(*scene.volume, scene.isovalue,
-                                                              tool.shell.points, X_WP));
-      claim("penetration of ours", deepest, 0.0, "mm", "Settled, in double.");
-    }
-    addTo(outcome, position);
-    addTo(outcome, angle);
+    Contenders all = contendersOn(scene, tool, ours);
+    Diagrams diagrams{what};
+    const auto errors = ledThrough(all, holds, radius, effort.runs, diagrams);
+    const auto judged = std::ranges::find_if(all.names, [](const auto& name) {
+      return name.method == "ours" && name.setting == kCounted;
+    });
+    judge(outcome, what, errors[static_cast<std::size_t>(judged - all.names.begin())], holds, ball,
+          scene, tool.shell);
+    diagrams.addTo(outcome);
+    if (!effort.every_fineness) continue;
+    const auto built = haptics::makeScene(scene.volume, tool).value();
+    Contenders finer = withFineness(*built, scene.isovalue, {});
+    Diagrams swept{what + ", epsilon and sub-steps of ours"};
+    ledThrough(finer, holds, radius, effort.runs, swept);
+    swept.addTo(outcome);
   }
   return outcome;
 }

@@ -40,16 +40,25 @@ struct HeldErrors {
   std::vector<double> own_force;    ///< N: of every tick, to what its own poses ask for
   std::vector<Pose> settled;
   std::vector<double> tick_us;  ///< of all ticks
-  double samples = 0.0;         ///< for each tick
+  comparison::MeanCounts counts;
 };
 HeldErrors heldErrors(comparison::Method& method, const std::vector<AnalyticHold>& holds,
                       double radius);
 
-using MethodMade = std::unique_ptr<comparison::Method>;
+/// How often.
+struct HeldEffort {
+  int holds = 30;
+  int runs = 5;                ///< of every method, one after the other in each
+  bool every_fineness = true;  ///< epsilon and sub-steps as well
+};
+
+/// Ours in a scene, for an isovalue; a test may plant something else.
+using OursMade = std::function<std::unique_ptr<comparison::Method>(
+    std::shared_ptr<const haptics::Scene>, double isovalue)>;
 
 /// Point and ball in one of the solids: pose and force of every method against the closed form.
-/// `ours` may put something in the place of ours, for the tests.
-Outcome closedForms(const std::string& solid, int holds, unsigned seed,
-                    const std::function<MethodMade(MethodMade)>& ours = {});
+/// What is judged is `ours`, if there is one, in the place of ours by counted work.
+Outcome closedForms(const std::string& solid, const HeldEffort& effort, unsigned seed,
+                    const OursMade& ours = {});
 
 }  // namespace study

@@ -20,7 +20,9 @@ arcs::Detect pieces(double feature) {
     shell.points = {arc.r};
     shell.radius = arc.r.norm();
     const reference::FirstHit hit = reference::firstHit(solid, shell, arc.X, arc.motion);
-    return made::Crossing{hit.t, hit.met};
+    made::Crossing crossing{hit.t, hit.met};
+    crossing.samples = solid.samples();
+    return crossing;
   };
 }
 
@@ -62,14 +64,17 @@ Outcome collisions(const std::vector<Detector>& all, const std::string& name, lo
       {}};
   for (const Detector& detector : all) {
     made::Random random{seed};
-    WorkPoint point{detector.method, detector.setting, {}, {}};
+    WorkPoint point{detector.method, detector.setting, {}, {}, comparison::MeanCounts{}};
+    double samples = 0.0;
     const arcs::Detect timed = [&](const arcs::Target& at, double s, const made::Arc& arc) {
       const std::int64_t begun = haptics::Budget::threadTime();
       const made::Crossing crossing = detector.detect(at, s, arc);
       point.cost.push_back(1e-3 * double(haptics::Budget::threadTime() - begun));
+      samples += double(crossing.samples);
       return crossing;
     };
     const arcs::Tally tally = arcs::shootPoints(target, count, random, timed);
+    point.counts->samples = samples / double(tally.arcs);
     const long meet = tally.met + tally.missed;
     point.error = {100.0 * double(tally.missed + tally.late) / double(std::max(1L, meet))};
     table.rows.push_back({name, detector.method, detector.setting, shortly(double(tally.arcs)),

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "app/study/comparison/methods.h"
+#include "app/study/page/plot.h"
+#include "haptics/servo/tick.h"
 
 namespace study {
 
@@ -42,5 +44,33 @@ struct Contenders {
     methods.push_back(std::move(made));
   }
 };
+
+/// A tick's work by default, counted: what is judged runs with it, so that no clock decides.
+inline const std::string kCounted = "work 20,000";
+inline constexpr comparison::Limit kByCount{0, haptics::kTickWork};
+
+/// Values of what is a constant for everybody but studies; among them the constant itself.
+struct FinenessSweep {
+  std::vector<double> epsilons = {0.0125, 0.025, 0.05, 0.1, 0.2};  ///< voxels
+  std::vector<int> sub_steps = {1, 2, 4, 8, 16, 32};
+};
+
+/// Ours with each of them, by counted work. The field is that of `built`.
+inline Contenders withFineness(const haptics::Scene& built, double isovalue,
+                               const FinenessSweep& sweep) {
+  Contenders all;
+  const auto add = [&](const char* method, const std::string& setting, haptics::Fineness fineness) {
+    haptics::SceneOptions options;
+    options.fineness = fineness;
+    all.add(method, setting,
+            comparison::ours(haptics::makeScene(built.volume, built.tool, options, &built).value(),
+                             isovalue, kByCount));
+  };
+  for (const double epsilon : sweep.epsilons)
+    add("ours, epsilon", shortly(epsilon) + " voxel", {.epsilon = epsilon});
+  for (const int sub_steps : sweep.sub_steps)
+    add("ours, sub-steps", std::to_string(sub_steps), {.sub_steps = sub_steps});
+  return all;
+}
 
 }  // namespace study

@@ -44,8 +44,10 @@ SurfaceErrors surfaceErrors(const haptics::ScalarField& field, const Shape& shap
 /// Interpolation, still has a surface, over plates that lie at random, each with so many places.
 std::array<double, 3> keptOfPlates(double thickness, int plates, int places, made::Random& random);
 
+/// Makes a field of voxels; a test may plant a wrong one.
+using FieldMade = std::function<haptics::ScalarField(Interpolation, const haptics::Volume&)>;
 /// Position and normals of every field and normal on the shapes, against time.
-Outcome fieldErrors(double noise, int places, unsigned seed);
+Outcome fieldErrors(double noise, int places, unsigned seed, const FieldMade& made = fieldOf);
 /// What is left of thin plates.
 Outcome plateErrors(int plates, int places, unsigned seed);
 

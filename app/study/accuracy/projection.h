@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -21,7 +22,8 @@ struct ProjectionProblem {
 /// A way to solve it.
 struct Solver {
   std::string name;
-  std::function<haptics::Twist(const ProjectionProblem&)> solve;
+  /// Adds to the second how often a row entered or left the active set.
+  std::function<haptics::Twist(const ProjectionProblem&, std::int64_t&)> solve;
 };
 /// Ours, and the non-negative least squares of the reference.
 std::vector<Solver> solvers();

@@ -4,20 +4,16 @@
 #include <algorithm>
 #include <map>
 
-#include "app/study/accuracy/contenders.h"
-#include "app/study/accuracy/work_precision.h"
-#include "app/study/comparison/course.h"
-#include "app/study/comparison/feel.h"
+#include "app/study/accuracy/led.h"
 #include "app/study/comparison/holds.h"
+#include "app/study/comparison/measures.h"
 #include "app/study/comparison/sweep.h"
-#include "haptics/core/budget.h"
 
 namespace study {
 namespace {
 
 using comparison::Course;
 using comparison::Limit;
-using comparison::Track;
 
 /// [Chan 2011], Table 1: mean and longest tick on a 2.67 GHz Core i7 [us].
 const std::map<std::string, std::pair<double, double>>& tableOne() {
@@ -42,6 +38,7 @@ Contenders contendersIn(const comparison::Case& scene, std::shared_ptr<const hap
                             : haptics::makeScene(scene.volume, built->tool,
                                                  {kind.field, kind.normal}, built.get())
                                   .value();
+    all.add(kind.name, kCounted, comparison::ours(with, scene.isovalue, kByCount));
     for (const int us : first ? budgets : few)
       all.add(kind.name, std::to_string(us) + " us",
               comparison::ours(with, scene.isovalue, Limit{us * 1000LL}));
@@ -49,100 +46,100 @@ Contenders contendersIn(const comparison::Case& scene, std::shared_ptr<const hap
   return all;
 }
 
+/// A scene with everything that judges in it.
+struct Place {
+  comparison::Case scene;
+  std::shared_ptr<const haptics::Scene> built;
+  haptics::Expected<std::vector<Course>> courses;
+  comparison::FreeBlocks blocks;
+  comparison::Judge judge;
+
+  Place(const std::string& name, double seconds)
+      : scene{comparison::makeScene(name)},
+        built{haptics::makeScene(scene.volume, comparison::toolOf(scene)).value()},
+        courses{comparison::coursesIn(*built, scene, seconds)},
+        blocks{*scene.volume, scene.isovalue},
+        judge{scene, built->tool.shell, blocks} {}
+  const haptics::PointShell& shell() const { return built->tool.shell; }
+  std::vector<comparison::Summary> summariesOf(const Led& led, std::size_t every) const {
+    std::vector<comparison::Summary> all;
+    for (const comparison::Track& track : led.tracks)
+      all.push_back(comparison::summaryOf(track, *courses, shell(), judge, every));
+    return all;
+  }
+};
+
+/// What there is to say where the hands find nothing.
+Outcome nothingFound(const std::string& what, const std::string& why) {
+  Outcome outcome;
+  outcome.cases.push_back(
+      {what + ": the hands find the surface", 0.0, 1.0, "", Case::Sense::AtLeast, why});
+  return outcome;
+}
+
+/// Rows of literal and of ours with the budget of the live loop.
+Table tableOneWith(const std::string& name, const Led& led,
+                   const std::vector<comparison::Summary>& summaries, std::size_t points) {
+  Table paper{"The paper's Table 1, and ours beside it",
+              {"scene", "points", "paper: mean (longest) [us]", "method", "mean (longest) [us]"},
+              {}};
+  for (std::size_t m = 0; m < summaries.size(); ++m) {
+    const Contenders::Name& who = led.field.names[m];
+    if (who.method != "literal" && !(who.method == "ours" && who.setting == "200 us")) continue;
+    const auto [mean, longest] = tableOne().at(name);
+    paper.rows.push_back(
+        {name, std::to_string(points), shortly(mean) + " (" + shortly(longest) + ")", who.method,
+         shortly(summaries[m].mean_us) + " (" + shortly(summaries[m].max_us) + ")"});
+  }
+  return paper;
+}
+
 }  // namespace
 
 Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
   Outcome outcome;
-  const comparison::Case scene = comparison::makeScene(name);
-  const auto built = haptics::makeScene(scene.volume, comparison::toolOf(scene)).value();
-  const haptics::PointShell& shell = built->tool.shell;
-  const auto courses = comparison::coursesIn(*built, scene, effort.seconds);
-  if (!courses) {
-    outcome.cases.push_back({name + ": the hands find the surface", 0.0, 1.0, "",
-                             Case::Sense::AtLeast, courses.error().what});
-    return outcome;
-  }
-  Contenders field = contendersIn(scene, built, effort.every_setting);
-  const std::vector<Track> tracks = comparison::follow(field.methods, *courses);
-
-  WorkPrecision coupling{name + ": coupling distance",
-                         "Distance of proxy and device in the mass metric in ticks of contact, "
-                         "jerk left out, against time. A frozen proxy is cheap and far.",
-                         "mean CPU of a tick [us]", "coupling distance [mm]"};
-  const comparison::FreeBlocks blocks{*scene.volume, scene.isovalue};
-  const comparison::Judge judge{scene, shell, blocks};
-  Table facts{name + ": what no diagram shows",
-              {"method", "setting", "deepest [mm]", "points through walls", "frozen [%]", "cut [%]",
-               "most contacts"},
-              {}};
-  Table paper{"The paper's Table 1, and ours beside it",
-              {"scene", "points", "paper: mean (longest) [us]", "method", "mean (longest) [us]"},
-              {}};
-  for (std::size_t m = 0; m < tracks.size(); ++m) {
-    const Contenders::Name& who = field.names[m];
-    const comparison::Summary summary =
-        comparison::summaryOf(tracks[m], *courses, shell, judge, effort.every_setting ? 5 : 20);
-    WorkPoint point{who.method, who.setting, {}, {}, summary.samples_per_tick};
-    for (std::size_t c = 0; c < courses->size(); ++c)
-      for (std::size_t n = 0; n < tracks[m].ticks[c].size(); ++n) {
-        const comparison::Tick& tick = tracks[m].ticks[c][n];
-        point.cost.push_back(1e-3 * double(tick.cpu_ns));
-        if (!(*courses)[c].jerk && tick.contacts > 0)
-          point.error.push_back(
-              1e3 * comparison::massDistance(tick.X_WP, (*courses)[c].device[n], shell));
-      }
-    coupling.points.push_back(std::move(point));
-    facts.rows.push_back({who.method, who.setting, shortly(summary.penetration_mm),
-                          std::to_string(summary.wall_passages), shortly(100.0 * summary.frozen),
-                          shortly(100.0 * summary.cut), std::to_string(summary.contacts_max)});
-    if (who.method == "literal" || (who.method == "ours" && who.setting == "200 us")) {
-      const auto [mean, longest] = tableOne().at(name);
-      paper.rows.push_back({name, std::to_string(shell.points.size()),
-                            shortly(mean) + " (" + shortly(longest) + ")", who.method,
-                            shortly(summary.mean_us) + " (" + shortly(summary.max_us) + ")"});
-    }
-    // another field has another surface, which the judge does not know
-    if (!who.method.starts_with("ours") || who.method == "ours, spline field") continue;
-    const std::string what = name + ", " + who.method + ", " + who.setting + ": ";
-    outcome.cases.push_back({what + "penetration", summary.penetration_mm, 0.0, "mm"});
-    outcome.cases.push_back(
-        {what + "points through walls", double(summary.wall_passages), 0.0, "points"});
-  }
+  const Place place{name, effort.seconds};
+  if (!place.courses) return nothingFound(name, place.courses.error().what);
+  const std::vector<Course>& courses = *place.courses;
+  Led all = led(contendersIn(place.scene, place.built, effort.every_setting), courses, effort.runs);
+  const auto sums = place.summariesOf(all, effort.every_setting ? 5 : 20);
+  const WorkPrecision coupling =
+      couplingOf(all, name + ": coupling distance", sums, courses, place.shell());
   addTo(outcome, coupling);
-  double literal_mm = 0.0, ours_mm = 0.0;
-  for (std::size_t m = 0; m < tracks.size(); ++m) {
-    const WorkPoint& point = coupling.points[m];
-    if (point.method == "literal") literal_mm = comparison::mean(point.error);
-    if (point.method != "ours" || point.setting != "200 us") continue;
-    ours_mm = comparison::mean(point.error);
-    outcome.cases.push_back({name + ": ticks of ours in contact",
-                             double(point.error.size()) / double(point.cost.size()), 0.05, "of all",
-                             Case::Sense::AtLeast, "Else nothing else would be said."});
+  const std::size_t at = all.indexOf("ours", kCounted),
+                    literal = all.indexOf("literal", "epsilon f/10");
+  for (std::size_t m = 0; m < sums.size(); ++m) {
+    const Contenders::Name& who = all.field.names[m];
+    // another field has another surface, which the judge does not know
+    if (who.setting == kCounted && who.method != "ours, spline field")
+      addLegal(outcome, name + ", " + who.method, sums[m]);
   }
-  outcome.cases.push_back({name + ": coupling distance, ours over literal", ours_mm / literal_mm,
-                           0.85, "", Case::Sense::AtMost,
-                           name == "hole" ? "The peg has 0.15 mm of play a side and jams when the "
-                                            "hand tilts it, for every method."
-                                          : "A proxy that freezes is far."});
+  const std::vector<double>& apart = coupling.points[at].error;
+  outcome.cases.push_back({name + ": ticks of ours in contact",
+                           double(apart.size()) / double(sums[at].ticks), 0.05, "of all",
+                           Case::Sense::AtLeast, "Else nothing else would be said."});
+  outcome.cases.push_back(
+      {name + ": coupling distance, ours over literal",
+       comparison::mean(apart) / comparison::mean(coupling.points[literal].error), 0.85, "",
+       Case::Sense::AtMost,
+       name == "hole" ? "The peg has 0.15 mm of play a side and jams when the "
+                        "hand tilts it, for every method."
+                      : "A proxy that freezes is far."});
 
   // a device held still: how far from the best that many starts find
   const comparison::HoldPlan plan{effort.holds, 120, effort.detours, 0};
-  const auto unhurried = comparison::ours(built, scene.isovalue, {0, 1'000'000});
-  const auto ours = std::ranges::find_if(field.names, [](const Contenders::Name& c) {
-    return c.method == "ours" && c.setting == "200 us";
-  });
-  const auto at = static_cast<std::size_t>(ours - field.names.begin());
-  const auto holds = comparison::holdsAlong(tracks[at], *courses, plan.count);
+  const auto unhurried = comparison::ours(place.built, place.scene.isovalue, {0, 1'000'000});
+  const auto holds = comparison::holdsAlong(all.tracks[at], courses, plan.count);
   WorkPrecision residual{name + ": residual of a held device",
                          "Distance to the device after 8 ticks beyond the least that any of many "
                          "starts reaches, against time.",
                          "mean CPU of a tick [us]", "residual [mm]"};
-  const auto summaries =
-      comparison::compareHolds(field.methods, *unhurried, holds, shell, judge, plan);
+  const auto summaries = comparison::compareHolds(all.field.methods, *unhurried, holds,
+                                                  place.shell(), place.judge, plan);
   for (std::size_t m = 0; m < summaries.size(); ++m)
-    residual.points.push_back({field.names[m].method, field.names[m].setting,
-                               coupling.points[m].cost, summaries[m].residuals_mm,
-                               coupling.points[m].samples});
+    residual.points.push_back({all.field.names[m].method, all.field.names[m].setting,
+                               all.tick_us[m], summaries[m].residuals_mm, sums[m].counts,
+                               all.run_us[m]});
   addTo(outcome, residual);
   outcome.cases.push_back({name + ": holds", double(summaries[at].holds), double(effort.holds), "",
                            Case::Sense::AtLeast, "Else the residual would say nothing."});
@@ -150,12 +147,31 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
                            summaries[at].same_start_median_mm, 0.01, "mm", Case::Sense::AtMost,
                            "Beyond what the same start reaches when nothing hurries it; what the "
                            "diagram shows besides is that other starts end at other minima."});
-  outcome.tables.push_back(std::move(facts));
-  outcome.tables.push_back(std::move(paper));
+  outcome.tables.push_back(factsOf(all, name + ": what no diagram shows", sums));
+  outcome.tables.push_back(tableOneWith(name, all, sums, place.shell().points.size()));
   outcome.remarks.push_back(
       "Table 1 was measured on another machine, with other data, tools and a human hand: its times "
       "stand beside ours to show the order of the scenes and are not a ratio. What can be compared "
       "is literal and ours, in one process, tick by tick in turn, on the same hands.");
+  return outcome;
+}
+
+Outcome finenessStudy(const std::string& name, const SceneEffort& effort) {
+  const std::string what = name + ", epsilon and sub-steps of ours";
+  const Place place{name, effort.seconds};
+  if (!place.courses) return nothingFound(what, place.courses.error().what);
+  const FinenessSweep sweep =
+      effort.every_setting ? FinenessSweep{} : FinenessSweep{{0.0125, 0.05}, {1, 8}};
+  const Led all =
+      led(withFineness(*place.built, place.scene.isovalue, sweep), *place.courses, effort.runs);
+  const auto sums = place.summariesOf(all, effort.every_setting ? 5 : 20);
+  Outcome outcome;
+  addTo(outcome,
+        couplingOf(all, what + ": coupling distance", sums, *place.courses, place.shell()));
+  for (std::size_t m = 0; m < sums.size(); ++m)
+    addLegal(outcome, name + ", " + all.field.names[m].method + " " + all.field.names[m].setting,
+             sums[m]);
+  outcome.tables.push_back(factsOf(all, what + ": what no diagram shows", sums));
   return outcome;
 }
 
@@ -173,8 +189,10 @@ Outcome pointStudy(bool flat, const std::vector<int>& points, const std::vector<
             {"points", Scale::Log},
             {"CPU of a tick [us]", Scale::Log}};
   comparison::SweepPlan plan{points, budgets_us, 1000};
+  plan.budgets_us.push_back(0);
   for (const comparison::SweepRow& row : comparison::sweep(scene, plan)) {
-    const std::string name = std::to_string(row.budget_us) + " us";
+    const bool counted = row.budget_us == 0;
+    const std::string name = counted ? kCounted : std::to_string(row.budget_us) + " us";
     for (Plot* plot : {&lag, &time})
       if (std::ranges::find(plot->series, name, &Series::name) == plot->series.end())
         plot->series.push_back({name, {}});
@@ -182,9 +200,9 @@ Outcome pointStudy(bool flat, const std::vector<int>& points, const std::vector<
         ->points.push_back({double(row.points), row.lag_mm});
     std::ranges::find(time.series, name, &Series::name)
         ->points.push_back({double(row.points), row.mean_us, row.mean_us, row.p99_us});
-    outcome.cases.push_back(
-        {what + ", " + std::to_string(row.points) + " points, " + name + ": penetration",
-         row.penetration_mm, 0.0, "mm"});
+    if (counted)
+      outcome.cases.push_back({what + ", " + std::to_string(row.points) + " points: penetration",
+                               row.penetration_mm, 0.0, "mm"});
   }
   outcome.plots.push_back(std::move(lag));
   outcome.plots.push_back(std::move(time));

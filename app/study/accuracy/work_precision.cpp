@@ -17,6 +17,21 @@ std::string quantilesOf(const std::vector<double>& sorted) {
   return text;
 }
 
+/// "12, 12.5, 14": least, median and most of the runs.
+std::string spreadOf(std::vector<double> runs) {
+  if (runs.size() < 2) return "one run";
+  std::ranges::sort(runs);
+  return shortly(runs.front()) + ", " + shortly(comparison::quantile(runs, 0.5)) + ", " +
+         shortly(runs.back());
+}
+
+/// samples, gradients, pivots, sub-steps, work.
+std::vector<std::string> countsOf(const std::optional<comparison::MeanCounts>& counts) {
+  if (!counts) return {"", "", "", "", ""};
+  return {shortly(counts->samples), shortly(counts->gradients), shortly(counts->pivots),
+          shortly(counts->sub_steps), counts->work > 0.0 ? shortly(counts->work) : ""};
+}
+
 }  // namespace
 
 std::vector<bool> paretoFront(const std::vector<std::pair<double, double>>& points) {
@@ -36,7 +51,9 @@ void addTo(Outcome& outcome, const WorkPrecision& work) {
             {work.cost_label, Scale::Log},
             {work.error_label, Scale::Log}};
   Table table{work.title + ": quantiles (50, 90, 99, 100 %)",
-              {"method", "setting", work.cost_label, work.error_label, "samples", "on the front"},
+              {"method", "setting", work.cost_label, "runs: least, median, most of the mean",
+               work.error_label, "on the front", "samples", "gradients", "pivots", "sub-steps",
+               "units of work"},
               {}};
   std::vector<std::string> methods;
   for (const WorkPoint& point : work.points)
@@ -54,16 +71,19 @@ void addTo(Outcome& outcome, const WorkPrecision& work) {
       std::ranges::sort(cost);
       std::ranges::sort(error);
       const double median = comparison::quantile(error, 0.5);
-      places.emplace_back(comparison::mean(cost), median);
+      const double mean =
+          point.runs.empty() ? comparison::mean(cost) : comparison::median(point.runs);
+      places.emplace_back(mean, median);
       series.points.push_back(
           {places.back().first, median, median, comparison::quantile(error, 0.99)});
-      rows.push_back({method, point.setting, quantilesOf(cost), quantilesOf(error),
-                      shortly(point.samples), ""});
+      rows.push_back(
+          {method, point.setting, quantilesOf(cost), spreadOf(point.runs), quantilesOf(error), ""});
+      for (std::string& count : countsOf(point.counts)) rows.back().push_back(std::move(count));
     }
     const std::vector<bool> front = paretoFront(places);
     for (std::size_t n = 0; n < front.size(); ++n) {
       series.points[n].in_line = front[n];
-      rows[n].back() = front[n] ? "yes" : "no";
+      rows[n][5] = front[n] ? "yes" : "no";
     }
     std::ranges::sort(series.points, {}, &PlotPoint::x);
     plot.series.push_back(std::move(series));

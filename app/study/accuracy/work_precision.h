@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/study/comparison/methods.h"
 #include "app/study/report/outcome.h"
 
 namespace study {
@@ -11,9 +13,11 @@ namespace study {
 /// A method with one setting: what it cost, and how wrong it was, measured together.
 struct WorkPoint {
   std::string method, setting;
-  std::vector<double> cost;   ///< one for each tick, call, …
+  std::vector<double> cost;   ///< one for each tick, call, …, of all runs
   std::vector<double> error;  ///< one for each pose, place, …; may be of another number
-  double samples = 0.0;       ///< look-ups of the field for each tick; of ours units of work
+  /// What was done for that cost, on the mean; none where nothing is counted.
+  std::optional<comparison::MeanCounts> counts = {};
+  std::vector<double> runs = {};  ///< mean cost of each run, where the same was done several times
 };
 
 /// Error against run time.
@@ -23,9 +27,9 @@ struct WorkPrecision {
   std::vector<WorkPoint> points = {};
 };
 
-/// A diagram of mean cost and median error, with a bar to the error's 99 %: one line for each
-/// method along its Pareto front, the points that another of its own outdoes beside it. And a
-/// table with the quantiles of both.
+/// A diagram of mean cost (of the median run) and median error, with a bar to the error's 99 %: one
+/// line for each method along its Pareto front, the points that another of its own outdoes beside
+/// it. And a table with the quantiles of both, the spread between runs, and what was counted.
 void addTo(Outcome& outcome, const WorkPrecision& work);
 
 /// Which of some points no other is at least as good as in both, and better in one.

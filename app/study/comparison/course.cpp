@@ -68,7 +68,9 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
   std::vector<double> times, coupling, guided;
   std::vector<reference::Record> records;
   std::vector<Pose> led;
-  double samples = 0.0, cut = 0.0;
+  double cut = 0.0;
+  std::size_t ticks_in_all = 0;
+  for (const Course& course : courses) ticks_in_all += course.device.size();
   for (std::size_t c = 0; c < courses.size(); ++c) {
     const Course& course = courses[c];
     const bool is_guided = course.hand == "tap" || course.hand == "slide" || course.hand == "hook";
@@ -79,12 +81,11 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
       const double us = 1e-3 * double(tick.cpu_ns);
       times.push_back(us);
       part_us += us;
-      samples += double(tick.samples);
+      summary.counts.add(tick, ticks_in_all);
       cut += tick.cut;
       summary.contacts_max = std::max(summary.contacts_max, tick.contacts);
       if (us > kLongTick_us)
-        summary.long_ticks.push_back(
-            {course.hand, n, us, tick.samples, tick.faults, tick.switches});
+        summary.long_ticks.push_back({course.hand, n, us, tick.work, tick.faults, tick.switches});
 
       if (!course.jerk) {
         // whoever is kept from the device is in contact, whatever a cut tick knows of it
@@ -129,7 +130,6 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
   summary.coupling_mm = mean(coupling);
   summary.guided_mm = mean(guided);
   summary.frozen = reference::frozenShare(records, led, shell);
-  summary.samples_per_tick = samples / double(times.size());
   summary.cut = cut / double(times.size());
   return summary;
 }

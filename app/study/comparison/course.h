@@ -56,7 +56,7 @@ struct Summary {
   double coupling_mm = 0.0;  ///< mean distance in the mass metric over contact ticks, jerk left out
   double guided_mm = 0.0;    ///< the same over tap, slide and hook
   double frozen = 0.0;       ///< share of contact ticks, jerk left out
-  double samples_per_tick = 0.0;
+  MeanCounts counts;         ///< of a tick
   int contacts_max = 0;
   double cut = 0.0;             ///< share of ticks that the budget ended
   double penetration_mm = 0.0;  ///< deepest of the judged poses

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "haptics/core/budget.h"
 #include "haptics/servo/proxy.h"
 #include "haptics/servo/tick.h"
 
@@ -35,7 +34,8 @@ class Ours final : public Method {
     tick.X_WP = proxy_->X_WP;
     tick.force = result.wrench_W.force;
     tick.contacts = result.contacts;
-    tick.samples = budget.spent();
+    tick.counts = budget.counts;
+    tick.work = budget.spent();
     tick.cut = result.cut;
   }
 
@@ -69,11 +69,13 @@ class Rival final : public Method {
 
  private:
   void step(const Pose& X_WD, Tick& tick) override {
-    const std::int64_t before = scene_.solid.samples();
+    const std::int64_t samples = scene_.solid.samples(), gradients = scene_.solid.gradients(),
+                       pivots = state_.pivots;
     tick.force = reference::tick(scene_, X_WD, state_).force;
     tick.X_WP = state_.X_WP;
     tick.contacts = static_cast<int>(state_.contacts.size());
-    tick.samples = scene_.solid.samples() - before;
+    tick.counts = {scene_.solid.samples() - samples, scene_.solid.gradients() - gradients,
+                   state_.pivots - pivots, 1};
   }
 
   reference::Scene scene_;

@@ -8,6 +8,7 @@
 
 #include "app/study/comparison/scenes.h"
 #include "app/study/reference/tick.h"
+#include "haptics/core/budget.h"
 #include "haptics/scene.h"
 
 namespace comparison {
@@ -27,11 +28,27 @@ struct Tick {
   Pose X_WP = Pose::Identity();
   Vec3 force = Vec3::Zero();  ///< N, on the hand
   int contacts = 0;
-  std::int64_t cpu_ns = 0;   ///< of the thread, the budget's own clock included
-  std::int64_t samples = 0;  ///< look-ups of F; of ours units of work (core/budget.h)
-  bool cut = false;          ///< the budget ended it
-  long faults = 0;           ///< minor page faults of the thread meanwhile
-  long switches = 0;         ///< how often the thread was put aside
+  std::int64_t cpu_ns = 0;  ///< of the thread, the budget's own clock included
+  haptics::Counts counts;   ///< what it did
+  std::int64_t work = 0;    ///< units of work (core/budget.h); of ours only
+  bool cut = false;         ///< the budget ended it
+  long faults = 0;          ///< minor page faults of the thread meanwhile
+  long switches = 0;        ///< how often the thread was put aside
+};
+
+/// What ticks did on the mean.
+struct MeanCounts {
+  double samples = 0.0, gradients = 0.0, pivots = 0.0, sub_steps = 0.0;  ///< as haptics::Counts
+  double work = 0.0;                                                     ///< 0 of rivals
+  /// One of so many ticks.
+  void add(const Tick& tick, std::size_t of) {
+    const double share = 1.0 / double(of);
+    samples += share * double(tick.counts.samples);
+    gradients += share * double(tick.counts.gradients);
+    pivots += share * double(tick.counts.pivots);
+    sub_steps += share * double(tick.counts.sub_steps);
+    work += share * double(tick.work);
+  }
 };
 
 /// A proxy method at work in one scene, led by device poses. One thread.

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <thread>
 #include <type_traits>
 
+#include "datasets/phantoms/making.h"
 #include "datasets/phantoms/noise.h"
 #include "datasets/phantoms/phantoms.h"
 #include "resources/named_tools.h"
@@ -243,24 +243,12 @@ haptics::Tool toolOf(const Case& scene, int points) {
 }
 
 haptics::Tool ballTool(int points, double radius) {
-  // a spiral from pole to pole
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  std::vector<Vec3> shell;
-  for (int n = 0; n < points; ++n) {
-    const double z = 1.0 - (2.0 * n + 1.0) / points, r = std::sqrt(1.0 - z * z);
-    shell.emplace_back(radius * Vec3{r * std::cos(golden * n), r * std::sin(golden * n), z});
-  }
-  return {"ball", {}, haptics::makeShell(std::move(shell)).value()};
+  return {"ball", {}, haptics::makeShell(datasets::ballPoints(points, radius)).value()};
 }
 
 haptics::Tool plateTool(int points, double side) {
   const int across = std::max(2, static_cast<int>(std::lround(std::sqrt(double(points)))));
-  std::vector<Vec3> shell;
-  for (int row = 0; row < across; ++row)
-    for (int column = 0; column < across; ++column)
-      shell.emplace_back(side * (double(column) / (across - 1) - 0.5),
-                         side * (double(row) / (across - 1) - 0.5), 0.0);
-  return {"plate", {}, haptics::makeShell(std::move(shell)).value()};
+  return {"plate", {}, haptics::makeShell(datasets::platePoints(across, side)).value()};
 }
 
 }  // namespace comparison

@@ -8,6 +8,7 @@
 
 #include "app/study/comparison/measures.h"
 #include "datasets/phantoms/phantoms.h"
+#include "haptics/servo/tick.h"
 #include "haptics/simulation/hand.h"
 
 namespace comparison {
@@ -102,7 +103,8 @@ std::vector<SweepRow> sweep(const Case& scene, const SweepPlan& plan) {
     const double free_mm =
         flat ? 0.0 : led(scene, blocks, built, way, {0, 1'000'000'000}).row.coupling_mm;
     for (const int budget_us : plan.budgets_us) {
-      Result result = led(scene, blocks, built, way, {1000LL * budget_us, 0});
+      Result result = led(scene, blocks, built, way,
+                          {1000LL * budget_us, budget_us == 0 ? haptics::kTickWork : 0});
       result.row.budget_us = budget_us;
       result.row.build_ms = build_ms;
       result.row.lag_mm = flat ? result.tangential_mm : result.row.coupling_mm - free_mm;

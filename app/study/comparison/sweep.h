@@ -13,7 +13,7 @@ namespace comparison {
 struct SweepRow {
   std::string scene;  ///< "bunny": a cane slides on it; "flat": a plate, all points in contact
   int points = 0;
-  int budget_us = 0;
+  int budget_us = 0;      ///< 0: as much work as a tick has, counted
   double build_ms = 0.0;  ///< of the Scene; the field is shared after the first
   double mean_us = 0.0, p50_us = 0.0, p99_us = 0.0, max_us = 0.0;  ///< after the lead-in
   double coupling_mm = 0.0;  ///< mean distance to the device over contact ticks
@@ -26,8 +26,8 @@ struct SweepRow {
 
 struct SweepPlan {
   std::vector<int> points{1'000, 10'000, 100'000, 1'000'000};
-  std::vector<int> budgets_us{100, 200, 500};
-  int ticks = 1000;  ///< after the lead-in
+  std::vector<int> budgets_us{100, 200, 500};  ///< of CPU time; 0: haptics::kTickWork, counted
+  int ticks = 1000;                            ///< after the lead-in
 };
 
 /// All numbers of points with all budgets: with the plate on `plane()`, else with the case's own

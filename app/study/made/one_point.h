@@ -25,7 +25,8 @@ struct Arc : haptics::PointPath {
 struct Crossing {
   double time = 1.0;
   bool met = false;
-  int cuts = 0;  ///< by the allowance
+  int cuts = 0;              ///< by the allowance
+  std::int64_t samples = 0;  ///< look-ups of F since the last of them
 };
 
 /// Where a point that starts outside stops, as a tick finds it: Clearance, then Sweep, each with
@@ -52,6 +53,7 @@ inline Crossing crossed(const haptics::Isosurface& solid, const Arc& arc,
   const haptics::Impact impact = sweep.impact(solid, tree, lengths);
   crossing.time = impact.time;
   crossing.met = impact.met;
+  crossing.samples = budget.counts.samples;
   return crossing;
 }
 

@@ -24,7 +24,7 @@ Eigen::VectorXd leastSquares(const Columns& E, const Vec7& e, const std::vector<
 
 /// argmin |E u - e| over u >= 0, by an active set: columns enter one at a time where the residual
 /// says it would shrink, and leave when their share would turn negative.
-Eigen::VectorXd nonNegativeLeastSquares(const Columns& E, const Vec7& e) {
+Eigen::VectorXd nonNegativeLeastSquares(const Columns& E, const Vec7& e, std::int64_t& pivots) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(E.cols());
   std::vector<int> chosen;
   std::vector<char> barred(static_cast<std::size_t>(E.cols()), 0);
@@ -41,6 +41,7 @@ Eigen::VectorXd nonNegativeLeastSquares(const Columns& E, const Vec7& e) {
     }
     if (entering < 0) break;
     chosen.push_back(entering);
+    ++pivots;
 
     bool entered = true;
     for (;;) {
@@ -48,6 +49,7 @@ Eigen::VectorXd nonNegativeLeastSquares(const Columns& E, const Vec7& e) {
       if (entered && wish[entering] <= 0.0) {
         // rounding promised what arithmetic does not keep
         chosen.pop_back();
+        ++pivots;
         barred[entering] = 1;
         break;
       }
@@ -59,11 +61,13 @@ Eigen::VectorXd nonNegativeLeastSquares(const Columns& E, const Vec7& e) {
       if (entered) std::fill(barred.begin(), barred.end(), 0);
       entered = false;
       if (share == 1.0) break;
+      pivots += std::ssize(chosen);
       std::erase_if(chosen, [&](int j) {
         if (u[j] > 1e-300 && !(wish[j] <= 0.0 && u[j] < 1e-15)) return false;
         u[j] = 0.0;
         return true;
       });
+      pivots -= std::ssize(chosen);
     }
   }
   return u;
@@ -80,7 +84,8 @@ double excess(const Row& row, const Twist& motion) {
   return row.n_W.dot(motion.linear) + motion.angular.dot(row.r_W.cross(row.n_W)) - row.bias;
 }
 
-Twist constrainedMotion(const Twist& free, const std::vector<Row>& rows, const MassMetric& M) {
+Twist constrainedMotion(const Twist& free, const std::vector<Row>& rows, const MassMetric& M,
+                        std::int64_t* pivots) {
   const bool clear =
       std::all_of(rows.begin(), rows.end(), [&](const Row& row) { return excess(row, free) >= 0; });
   if (clear) return free;
@@ -106,7 +111,9 @@ Twist constrainedMotion(const Twist& free, const std::vector<Row>& rows, const M
 
   Vec7 e = Vec7::Zero();
   e[6] = 1.0;
-  const Eigen::VectorXd u = nonNegativeLeastSquares(E, e);
+  std::int64_t count = 0;
+  const Eigen::VectorXd u = nonNegativeLeastSquares(E, e, count);
+  if (pivots != nullptr) *pivots += count;
   const Vec7 residual = E * u - e;
   const double squared = residual.squaredNorm();
   if (squared < 1e-20) return {};  // nothing is allowed

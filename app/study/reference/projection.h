@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "app/study/reference/choices.h"
@@ -41,7 +42,9 @@ double excess(const Row& row, const Twist& motion);
 ///   minimise |E u - e|  over u >= 0,  E = (G^T; h^T), e = (0, …, 0, 1):
 /// its residual r = E u - e has E^T r >= 0, u . E^T r = 0 and r_last = -|r|², so z = r_1..6 / |r|²
 /// is allowed, is a non-negative combination of rows, and those rows are met with equality: the
-/// conditions of the minimum. r = 0 means that nothing is allowed.
-Twist constrainedMotion(const Twist& free, const std::vector<Row>& rows, const MassMetric& M);
+/// conditions of the minimum. r = 0 means that nothing is allowed. Adds to `pivots` how often a row
+/// entered or left the active set.
+Twist constrainedMotion(const Twist& free, const std::vector<Row>& rows, const MassMetric& M,
+                        std::int64_t* pivots = nullptr);
 
 }  // namespace reference

@@ -66,6 +66,7 @@ double Solid::value(const Vec3& p_W) const {
 }
 
 Vec3 Solid::differences(const Vec3& p_W) const {
+  ++gradients_;
   // (1), with delta one voxel along each axis of the grid
   Vec3 difference;
   for (int axis = 0; axis < 3; ++axis) {

@@ -9,7 +9,7 @@ namespace reference {
 
 /// A volume and an isovalue, seen as a solid ([Chan 2011], 2.2). Keeps the volume's voxels alive.
 ///
-/// One thread at a time: every look-up of F is counted.
+/// One thread at a time: every look-up of F and every gradient is counted.
 class Solid {
  public:
   Solid(const haptics::Volume& volume, double isovalue, const Choices& choices);
@@ -38,7 +38,9 @@ class Solid {
 
   double isovalue() const { return isovalue_; }
   const Choices& choices() const { return choices_; }
-  std::int64_t samples() const { return samples_; }  ///< look-ups of F since construction
+  // since construction
+  std::int64_t samples() const { return samples_; }      ///< look-ups of F, those of gradients too
+  std::int64_t gradients() const { return gradients_; }  ///< central differences: six look-ups each
 
  private:
   double voxel(std::int64_t i, std::int64_t j, std::int64_t k) const;
@@ -50,7 +52,7 @@ class Solid {
   double isovalue_;
   Choices choices_;
   double steepest_;  ///< per metre
-  mutable std::int64_t samples_ = 0;
+  mutable std::int64_t samples_ = 0, gradients_ = 0;
 };
 
 }  // namespace reference

@@ -48,8 +48,9 @@ Wrench tick(const Scene& scene, const Pose& X_WD, State& state) {
   // 2  which of its contacts still stand in that way
   state.contacts = prune(solid, scene.shell, state.contacts, state.X_WP, free);
   // 3  the nearest motion that they allow
-  const Twist allowed = constrainedMotion(free, rowsOf(state.contacts, solid.choices()),
-                                          massMetric(state.X_WP, scene.shell.inertia));
+  const Twist allowed =
+      constrainedMotion(free, rowsOf(state.contacts, solid.choices()),
+                        massMetric(state.X_WP, scene.shell.inertia), &state.pivots);
   // 4  how far along it the tool gets
   const FirstHit hit = firstHit(solid, scene.shell, state.X_WP, allowed);
   // 5  go there, and keep what was met

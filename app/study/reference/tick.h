@@ -21,6 +21,7 @@ struct Scene {
 struct State {
   Pose X_WP = Pose::Identity();
   std::vector<Contact> contacts;
+  std::int64_t pivots = 0;  ///< of all projections so far
 };
 
 /// The rows of (4) for these contacts; with Charitable, biased back to half of epsilon.

@@ -4,14 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "app/study/accuracy/closed_forms.h"
 #include "app/study/accuracy/collision.h"
+#include "app/study/accuracy/contenders.h"
+#include "app/study/accuracy/field_error.h"
 #include "app/study/accuracy/projection.h"
 #include "app/study/accuracy/work_precision.h"
 #include "app/study/made/made.h"
 #include "app/study/studies.h"
+#include "datasets/phantoms/phantoms.h"
+#include "datasets/phantoms/shapes.h"
+#include "haptics/collision/motion_rows.h"
 
 // That the references see an error that is there: each test plants one in what is judged.
 
@@ -31,12 +38,13 @@ TEST(ParetoFront, LeavesOutWhatAnotherOutdoes) {
 
 TEST(WorkPrecision, ShowsMedianTailAndFront) {
   Outcome outcome;
-  study::addTo(outcome,
-               {"T",
-                "D.",
-                "t",
-                "e",
-                {{"m", "a", {1, 3}, {4, 2, 6}}, {"m", "b", {5}, {9}}, {"n", "", {1}, {0}}}});
+  study::addTo(outcome, {"T",
+                         "D.",
+                         "t",
+                         "e",
+                         {{"m", "a", {1, 3}, {4, 2, 6}, comparison::MeanCounts{1, 2, 3, 4, 5}},
+                          {"m", "b", {5, 7, 12}, {9}, {}, {5, 7, 12}},
+                          {"n", "", {1}, {0}}}});
   ASSERT_EQ(outcome.plots.size(), 1u);
   const auto& series = outcome.plots[0].series;
   ASSERT_EQ(series.size(), 2u);
@@ -45,7 +53,13 @@ TEST(WorkPrecision, ShowsMedianTailAndFront) {
   EXPECT_EQ(series[0].points[0].high, 6.0);
   EXPECT_TRUE(series[0].points[0].in_line);
   EXPECT_FALSE(series[0].points[1].in_line);
-  EXPECT_EQ(outcome.tables[0].rows[1].back(), "no");
+  // of three runs the median, and all three in the table
+  EXPECT_EQ(series[0].points[1].x, 7.0);
+  EXPECT_EQ(outcome.tables[0].rows[0],
+            (std::vector<std::string>{"m", "a", "1, 3, 3, 3", "one run", "4, 6, 6, 6", "yes", "1",
+                                      "2", "3", "4", "5"}));
+  EXPECT_EQ(outcome.tables[0].rows[1][3], "5, 7, 12");
+  EXPECT_EQ(outcome.tables[0].rows[1][5], "no");
 }
 
 TEST(Collisions, SeeADroppedRoot) {
@@ -80,15 +94,15 @@ TEST(Projections, SeeOneThatStopsEarly) {
   const auto ours = study::solvers().front();
   EXPECT_TRUE(allPass(study::projections({ours}, 6, false, 100, 7)));
   // stops after the rows that it met first: the last of them is left out
-  const study::Solver early{"planted", [&](const study::ProjectionProblem& problem) {
+  const study::Solver early{"planted", [&](const study::ProjectionProblem& problem, auto& pivots) {
                               study::ProjectionProblem less = problem;
                               less.rows.pop_back();
-                              return ours.solve(less);
+                              return ours.solve(less, pivots);
                             }};
   EXPECT_FALSE(allPass(study::projections({early}, 6, false, 100, 7)));
   // a relaxation that ends a thousandth short
-  const study::Solver loose{"planted", [&](const study::ProjectionProblem& problem) {
-                              haptics::Twist V = ours.solve(problem);
+  const study::Solver loose{"planted", [&](const study::ProjectionProblem& problem, auto& pivots) {
+                              haptics::Twist V = ours.solve(problem, pivots);
                               V.linear += 1e-3 * (problem.free.linear - V.linear);
                               return V;
                             }};
@@ -97,8 +111,8 @@ TEST(Projections, SeeOneThatStopsEarly) {
 
 TEST(Projections, SeeANumberThatIsNone) {
   int calls = 0;
-  const study::Solver none{"planted", [&](const study::ProjectionProblem& problem) {
-                             haptics::Twist V = study::solvers().front().solve(problem);
+  const study::Solver none{"planted", [&](const study::ProjectionProblem& problem, auto& pivots) {
+                             haptics::Twist V = study::solvers().front().solve(problem, pivots);
                              if (++calls == 2) V.linear.x() = NAN;
                              return V;
                            }};
@@ -115,7 +129,7 @@ TEST(Projections, EnumerationAndTheReferenceAgree) {
 /// Ours, with something wrong in what comes out.
 class Planted final : public comparison::Method {
  public:
-  enum class Error { None, TurnedNormal, LaggingForce, Sinks };
+  enum class Error { LaggingForce, Sinks };
   Planted(std::unique_ptr<comparison::Method> ours, Error error)
       : ours_{std::move(ours)}, error_{error} {}
   const char* name() const override { return "planted"; }
@@ -125,8 +139,6 @@ class Planted final : public comparison::Method {
   void step(const haptics::Pose& X_WD, comparison::Tick& tick) override {
     tick = ours_->tick(X_WD);
     const haptics::Vec3 force = tick.force;
-    if (error_ == Error::TurnedNormal)
-      tick.force = Eigen::AngleAxisd{0.05, force.normalized().unitOrthogonal()} * force;
     if (error_ == Error::LaggingForce) tick.force = last_;
     if (error_ == Error::Sinks) tick.X_WP.translation() -= 3e-5 * force;
     last_ = force;
@@ -136,21 +148,204 @@ class Planted final : public comparison::Method {
   haptics::Vec3 last_ = haptics::Vec3::Zero();
 };
 
-TEST(ClosedForms, SeeATurnedNormalAndASinkingProxy) {
-  EXPECT_TRUE(allPass(study::closedForms("sphere", 2, 9)));
-  for (const auto error : {Planted::Error::TurnedNormal, Planted::Error::Sinks}) {
-    const auto plant = [&](std::unique_ptr<comparison::Method> ours) {
-      return std::make_unique<Planted>(std::move(ours), error);
+constexpr study::HeldEffort kFew{2, 1, false};
+
+std::unique_ptr<comparison::Method> oursIn(std::shared_ptr<const haptics::Scene> scene,
+                                           double isovalue) {
+  return comparison::ours(std::move(scene), isovalue, study::kByCount);
+}
+
+study::OursMade planted(Planted::Error error) {
+  return [error](std::shared_ptr<const haptics::Scene> scene, double isovalue) {
+    return std::make_unique<Planted>(oursIn(std::move(scene), isovalue), error);
+  };
+}
+
+TEST(ClosedForms, SeeASinkingProxyAndAForceThatLagsATick) {
+  EXPECT_TRUE(allPass(study::closedForms("sphere", kFew, 9)));
+  EXPECT_FALSE(allPass(study::closedForms("sphere", kFew, 9, planted(Planted::Error::Sinks))));
+  EXPECT_FALSE(
+      allPass(study::closedForms("halfspace", kFew, 9, planted(Planted::Error::LaggingForce))));
+}
+
+/// A field whose values are right and whose gradients, all of them, are turned about an axis.
+struct Turned : haptics::ScalarField {
+  Turned(std::shared_ptr<const haptics::Volume> volume, haptics::FieldKind kind, double degrees)
+      : ScalarField{std::move(volume), kind} {
+    const haptics::Vec3 axis = haptics::Vec3{1, -2, 1}.normalized();
+    A_VW_t_ = Eigen::AngleAxisd{degrees * std::numbers::pi / 180.0, axis} * A_VW_t_;
+  }
+};
+
+/// The scene over a turned field: a new scene takes over the field of the one before.
+std::shared_ptr<const haptics::Scene> turned(const haptics::Scene& scene, double degrees) {
+  const auto field = std::make_shared<const Turned>(scene.volume, scene.field.kind(), degrees);
+  const haptics::Scene before{
+      scene.id,      scene.volume, scene.tool, scene.tree, field, *field, scene.metric,
+      scene.lengths, scene.normal, {},         scene.plan, {},    {}};
+  return haptics::makeScene(scene.volume, scene.tool, {}, &before).value();
+}
+
+TEST(ClosedForms, SeeATurnedNormal) {
+  // the same detour without a turn is ours
+  const auto by = [](double degrees) -> study::OursMade {
+    return [degrees](std::shared_ptr<const haptics::Scene> scene, double isovalue) {
+      return oursIn(turned(*scene, degrees), isovalue);
     };
-    EXPECT_FALSE(allPass(study::closedForms("sphere", 2, 9, plant)));
+  };
+  EXPECT_TRUE(allPass(study::closedForms("halfspace", kFew, 9, by(0.0))));
+  for (const char* solid : {"halfspace", "sphere"})
+    EXPECT_FALSE(allPass(study::closedForms(solid, kFew, 9, by(3.0)))) << solid;
+}
+
+TEST(Fields, SeeATurnedNormal) {
+  const auto by = [](double degrees) -> study::FieldMade {
+    return [degrees](study::Interpolation kind, const haptics::Volume& volume) {
+      return Turned{made::shared(volume),
+                    kind == study::Interpolation::Trilinear ? haptics::FieldKind::Trilinear
+                                                            : haptics::FieldKind::CubicSpline,
+                    degrees};
+    };
+  };
+  for (const double noise : {0.0, 0.02}) {
+    EXPECT_TRUE(allPass(study::fieldErrors(noise, 100, 3, by(0.0))));
+    EXPECT_FALSE(allPass(study::fieldErrors(noise, 100, 3, by(3.0))));
+  }
+  EXPECT_FALSE(allPass(study::fieldErrors(0.0, 100, 3, by(0.5))));
+}
+
+TEST(ClosedForms, TheirCasesRepeat) {
+  // no clock decides: twice the same, to the bit, however often it was run
+  const Outcome one = study::closedForms("slot", {3, 1, false}, 4);
+  const Outcome two = study::closedForms("slot", {3, 2, false}, 4);
+  ASSERT_EQ(one.cases.size(), two.cases.size());
+  for (std::size_t n = 0; n < one.cases.size(); ++n)
+    EXPECT_EQ(one.cases[n].value, two.cases[n].value) << one.cases[n].name;
+}
+
+/// What a method does when a ball of 3 mm is pressed 5 mm deep into the sphere and slides along.
+std::vector<comparison::Tick> pressed(comparison::Method& method) {
+  std::vector<comparison::Tick> ticks;
+  method.start(made::at(0.0, 0.0, 0.025));
+  for (int n = 0; n < 120; ++n)
+    ticks.push_back(
+        method.tick(made::at(5e-5 * std::max(0, n - 60), 0.0, 0.025 - 1.2e-4 * std::min(n, 60))));
+  return ticks;
+}
+
+struct Pressed {
+  datasets::Phantom phantom = datasets::makePhantom("sphere").value();
+  comparison::Case scene{"sphere", made::shared(phantom.volume), phantom.isovalue, "", 0};
+  haptics::Tool tool = made::tool(made::ballPoints(100, 3e-3));
+  std::shared_ptr<const haptics::Scene> built = haptics::makeScene(scene.volume, tool).value();
+};
+
+TEST(Fineness, TheConstantsThemselvesChangeNothing) {
+  const Pressed p;
+  const auto ours = pressed(*oursIn(p.built, p.scene.isovalue));
+  auto same = study::withFineness(*p.built, p.scene.isovalue, {{0.05}, {8}});
+  for (const auto& method : same.methods) {
+    const auto ticks = pressed(*method);
+    for (std::size_t n = 0; n < ours.size(); ++n) {
+      EXPECT_EQ(ticks[n].X_WP.matrix(), ours[n].X_WP.matrix());
+      EXPECT_EQ(ticks[n].work, ours[n].work);
+    }
   }
 }
 
-TEST(ClosedForms, SeeAForceThatLagsATick) {
-  const auto plant = [&](std::unique_ptr<comparison::Method> ours) {
-    return std::make_unique<Planted>(std::move(ours), Planted::Error::LaggingForce);
-  };
-  EXPECT_FALSE(allPass(study::closedForms("halfspace", 2, 9, plant)));
+TEST(Fineness, OtherValuesAreFelt) {
+  const Pressed p;
+  auto others = study::withFineness(*p.built, p.scene.isovalue, {{0.0125, 0.2}, {1, 8}});
+  // half of epsilon stays between tool and surface
+  const double R = datasets::shapes::Sphere{}.radius, voxel = p.built->lengths.voxel;
+  std::vector<double> gaps;
+  for (int k = 0; k < 2; ++k) {
+    const auto ticks = pressed(*others.methods[std::size_t(k)]);
+    double gap = INFINITY;
+    for (const haptics::Vec3& r : p.tool.shell.points)
+      gap = std::min(gap, (ticks[60].X_WP * r).norm() - R);
+    gaps.push_back(gap / voxel);
+  }
+  EXPECT_NEAR(gaps[1] - gaps[0], 0.5 * (0.2 - 0.0125), 0.03);
+  // one sub-step in a tick, where there were more
+  std::int64_t one = 0, eight = 0;
+  for (const auto& tick : pressed(*others.methods[2])) one = std::max(one, tick.counts.sub_steps);
+  for (const auto& tick : pressed(*others.methods[3]))
+    eight = std::max(eight, tick.counts.sub_steps);
+  EXPECT_EQ(one, 1);
+  EXPECT_GT(eight, 1);
+}
+
+TEST(Counts, OfOnePointAreExact) {
+  const Pressed p;
+  const auto scene = haptics::makeScene(p.scene.volume, made::point()).value();
+  const haptics::Isosurface solid{scene->field, p.scene.isovalue};
+  const double R = datasets::shapes::Sphere{}.radius, band = scene->lengths.band;
+  const haptics::Pose X = made::at(0.0, 0.0, R + 0.5 * band);
+  haptics::Budget budget = haptics::Budget::counted(1'000'000);
+  haptics::Clearance clearance{scene->tree};
+  EXPECT_EQ(clearance.collect(solid, scene->tree, X, band, budget),
+            haptics::Clearance::Verdict::Legal);
+  EXPECT_EQ(budget.counts.samples, 1);
+  EXPECT_EQ(budget.counts.gradients, 0);
+  // its own sample and gradient, and six look-ups for a central difference
+  haptics::SurfaceRows surface;
+  haptics::gatherRows(solid, scene->tree, X, clearance, scene->lengths,
+                      haptics::NormalKind::Central, surface, budget, {});
+  ASSERT_EQ(surface.rows.size(), 1u);
+  EXPECT_EQ(budget.counts.samples, 8);
+  EXPECT_EQ(budget.counts.gradients, 2);
+  // in an empty block nothing is looked up
+  haptics::Budget none = haptics::Budget::counted(1'000'000);
+  haptics::Clearance far{scene->tree};
+  far.collect(solid, scene->tree, made::at(0.0, 0.0, R + 0.02), band, none);
+  EXPECT_EQ(none.counts.samples, 0);
+  EXPECT_GT(none.spent(), 0);
+  // one row in the way enters the active set; one that is not does not
+  const haptics::MotionRow row{haptics::Vec3::UnitZ(), haptics::Vec3::Zero(), 0.0};
+  for (const double way : {-1e-3, 1e-3}) {
+    const auto motion =
+        haptics::constrainedMotion({{0.0, 0.0, way}, haptics::Vec3::Zero()}, {&row, 1},
+                                   scene->metric, haptics::Mat3::Identity());
+    EXPECT_EQ(motion.pivots, way < 0.0 ? 1 : 0);
+  }
+}
+
+TEST(Counts, AreWhatWasDone) {
+  const Pressed p;
+  // far away nothing is looked up, and one motion leads to the device
+  const auto ours = oursIn(p.built, p.scene.isovalue);
+  ours->start(made::at(0.0, 0.0, 0.029));
+  const comparison::Tick far = ours->tick(made::at(0.0, 0.0, 0.0295));
+  EXPECT_EQ(far.counts.sub_steps, 1);
+  EXPECT_EQ(far.counts.gradients, 0);
+  EXPECT_EQ(far.counts.pivots, 0);
+  // in contact every row near the surface has its gradient, and some bear
+  for (const auto& tick : pressed(*ours)) {
+    EXPECT_LE(tick.counts.sub_steps, 8);
+    if (tick.contacts == 0) continue;
+    EXPECT_GE(tick.counts.pivots, tick.contacts);
+    // a look-up alone is four units of work, sixteen at a time one, a central difference beside
+    // its sample three for seven
+    EXPECT_LE(tick.counts.samples, 3 * tick.work);
+    EXPECT_LE(2 * tick.counts.gradients, tick.counts.samples);
+  }
+  // a rival looks at every point on its way, at each end of every piece
+  auto literal =
+      comparison::rival(p.scene, p.tool.shell,
+                        reference::choicesFor(p.scene.volume->grid, reference::Variant::Literal));
+  literal->start(made::at(0.0, 0.0, 0.029));
+  const comparison::Tick free = literal->tick(made::at(0.0, 0.0, 0.0291));
+  EXPECT_EQ(free.counts.samples, 100);
+  EXPECT_EQ(free.counts.sub_steps, 1);
+  EXPECT_EQ(free.counts.gradients, 0);
+  EXPECT_EQ(free.work, 0);
+  std::int64_t pivots = 0;
+  for (const auto& tick : pressed(*literal)) {
+    EXPECT_GE(tick.counts.samples, 6 * tick.counts.gradients);
+    pivots += tick.counts.pivots;
+  }
+  EXPECT_GT(pivots, 0);
 }
 
 TEST(Studies, HaveJobsAndCasesWithNamesOfTheirOwn) {
