@@ -190,6 +190,7 @@ TEST(EveryTick, NeitherAllocatesNorLocksWhateverTheDeviceReads) {
   const Pose start = haptics::legalPoseNear(*stage.scene, stage.isovalue, at(0, 0, 0.2)).value();
   Trial trial{stage.scene, stage.isovalue, start};
   trial.judged = false;
+  trial.behind.reserve(5000);  // what the trial writes down, not the tick
   Pose D = start;
   for (int n = 0; n < 5000; ++n) {
     if (n % 20 == 0) D = at(random.box(0.05), random.rotation());
