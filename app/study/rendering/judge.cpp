@@ -62,11 +62,10 @@ Outcome judged(const std::string& scene, const Reference& reference,
     std::vector<double> times;
     for (const Shot& shot : d.views)
       times.insert(times.end(), shot.frames_ms.begin(), shot.frames_ms.end());
-    squares.points.push_back({d.back_end, settingOf(d), times, errorsOf(d, reference, rmse), NAN});
+    squares.points.push_back({d.back_end, settingOf(d), times, errorsOf(d, reference, rmse)});
     structure.points.push_back(
         {d.back_end, settingOf(d), times,
-         errorsOf(d, reference, [](const Image& a, const Image& b) { return 1.0 - ssim(a, b); }),
-         NAN});
+         errorsOf(d, reference, [](const Image& a, const Image& b) { return 1.0 - ssim(a, b); })});
   }
   addTo(outcome, squares);
   addTo(outcome, structure);
