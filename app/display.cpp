@@ -3,15 +3,23 @@
 
 #include <X11/Xlib.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <string_view>
+#include <thread>
 
 namespace app {
 namespace {
 
-/// What the X display answers; no where there is none.
+/// What the X display answers; no where there is none. A virtual display begins anew when its last
+/// window has gone, and answers nobody meanwhile: so it is asked for a second.
 bool asked(bool (*question)(Display*)) {
+  if (std::getenv("DISPLAY") == nullptr) return false;
   Display* display = XOpenDisplay(nullptr);
+  for (int n = 0; n < 10 && display == nullptr; ++n) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{100});
+    display = XOpenDisplay(nullptr);
+  }
   if (display == nullptr) return false;
   const bool answer = question(display);
   XCloseDisplay(display);

@@ -159,8 +159,8 @@ Outcome pressesOf(const Sweep& sweep, std::uint64_t seed) {
                              1e6 * stages.front().scene->lengths.epsilon, "um", Case::Sense::AtMost,
                              range +
                                  "; a move against the spring within a tick, its energy over "
-                                 "the force: what the filter lets through is less than the "
-                                 "contact tolerance" +
+                                 "the force: asked to be within the contact tolerance, though "
+                                 "the filter bounds how many there are, not how far" +
                                  farthest.where});
     outcome.cases.push_back({name + "/not finite", double(non_finite), 0.0, ""});
     outcome.cases.push_back({name + "/looks that found it inside", double(inside), 0.0, ""});
