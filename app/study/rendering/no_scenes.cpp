@@ -4,7 +4,9 @@
 namespace study {
 
 Outcome drawScene(const std::string& scene, Depth) {
-  return notDrawn(scene, "Not measured: this build has no VTK (PALPATE_DESKTOP is off).");
+  return notDrawn(
+      scene,
+      "Not measured: this build draws nothing (PALPATE_DESKTOP is off, or a sanitizer is on).");
 }
 
 }  // namespace study
