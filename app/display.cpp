@@ -11,8 +11,8 @@
 namespace app {
 namespace {
 
-/// What the X display answers; no where there is none. A virtual display begins anew when its last
-/// window has gone, and answers nobody meanwhile: so it is asked for a second.
+/// What the X display answers; false where there is none. A virtual display begins anew when its
+/// last window has gone and answers nobody meanwhile, so it is asked again for up to a second.
 bool asked(bool (*question)(Display*)) {
   if (std::getenv("DISPLAY") == nullptr) return false;
   Display* display = XOpenDisplay(nullptr);

@@ -3,7 +3,8 @@
 
 namespace app {
 
-/// Whether there is an X display to open a window on. Asked before anything of Qt or VTK begins,
+/// Whether there is an X display to open a window on. Waits up to a second for one that is named
+/// and does not answer, as displayDraws does. Asked before anything of Qt or VTK begins,
 /// because both end the process where there is none.
 bool displayReachable();
 

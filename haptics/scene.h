@@ -22,9 +22,9 @@ namespace haptics {
 /// How finely a tick works. For studies, which show what other values come to; everybody else
 /// takes these.
 struct Fineness {
-  double epsilon =
-      0.05;           ///< voxels: how near counts as contact; what a contact keeps is half of it
-  int sub_steps = 8;  ///< moves, and blocked tries, in one tick
+  /// Voxels, above 0 and below 1: how near counts as contact; what a contact keeps is half of it.
+  double epsilon = 0.05;
+  int sub_steps = 8;  ///< at least 1: moves, and blocked tries, in one tick
 };
 
 /// What the user may choose of a scene beside volume and tool.

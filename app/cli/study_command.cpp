@@ -101,7 +101,7 @@ void addStudy(CLI::App& program, Chosen& chosen) {
     auto options = std::make_shared<StudyOptions>();
     CLI::App* one =
         command->add_subcommand(name, study::makeStudy(name, study::Depth::Quick)->title);
-    one->add_flag("--quick", options->quick, "Minutes in place of hours");
+    one->add_flag("--quick", options->quick, "A minute or so in place of half an hour");
     one->add_option("--seed", options->seed, "Of all that is random");
     one->add_option("--shard", options->shard, "i/n: only the i-th of n equal parts");
     one->add_option("--out", options->out, "Folder for report.html, results.json and results.csv")

@@ -162,8 +162,8 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
   }
 }
 
-Impact Sweep::impact(const Isosurface& solid, const ShellTree& tree,
-                     const Tolerances& lengths) const HAPTICS_RT {
+Impact Sweep::impact(const Isosurface& solid, const ShellTree& tree, const Tolerances& lengths,
+                     Budget& budget) const HAPTICS_RT {
   Impact impact;
   impact.time = time_;
   impact.met = met_ >= 0;
@@ -177,6 +177,8 @@ Impact Sweep::impact(const Isosurface& solid, const ShellTree& tree,
   const PointPath path{X_.translation(), contact.r_W, motion_};
   const Vec3 beyond = path.at(time_ + lengths.root / path.speed());
   const FieldSample sample = solid.field.sample(solid.field.indexOf(beyond));
+  ++budget.counts.samples;
+  ++budget.counts.gradients;
   const double slope = sample.gradient_W.norm();
   if (slope > 0.0) {
     contact.n_W = -sample.gradient_W / slope;

@@ -37,9 +37,9 @@ class Sweep {
   bool advance(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
                const Tolerances& lengths, Budget& budget) HAPTICS_RT;
   /// Once advance() is through. The contact has the exact normal of the cell *behind* the
-  /// crossing.
-  Impact impact(const Isosurface& solid, const ShellTree& tree,
-                const Tolerances& lengths) const HAPTICS_RT;
+  /// crossing. The budget counts the look and is not asked.
+  Impact impact(const Isosurface& solid, const ShellTree& tree, const Tolerances& lengths,
+                Budget& budget) const HAPTICS_RT;
 
  private:
   /// A slice of the motion's time, and the tool at its two ends.

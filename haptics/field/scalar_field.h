@@ -103,7 +103,7 @@ class ScalarField {
   double rounding_margin_;
 
  protected:
-  Mat3 A_VW_t_;  ///< turns gradients into W; whoever checks the checks derives a field to turn it
+  Mat3 A_VW_t_;  ///< turns gradients into W; a test derives a field in which it is wrong
 };
 
 }  // namespace haptics

@@ -198,9 +198,7 @@ class Tick {
   bool go() HAPTICS_RT {
     if (!proxy_.sweep.advance(solid_, scene_.tree, proxy_.clearance, lengths(), budget_))
       return false;
-    const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, lengths());
-    budget_.counts.samples += impact.met;
-    budget_.counts.gradients += impact.met;
+    const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, lengths(), budget_);
     const double length = at_.length;
     double advance = impact.time;
     if (impact.time < 1.0) advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);

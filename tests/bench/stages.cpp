@@ -169,7 +169,7 @@ void FirstHit(benchmark::State& state) {
     haptics::Budget budget = haptics::Budget::counted(kNoLimit);
     sweep.begin(t.scene->field, near, X, motion, t.scene->lengths);
     sweep.advance(solid, t.scene->tree, near, t.scene->lengths, budget);
-    benchmark::DoNotOptimize(sweep.impact(solid, t.scene->tree, t.scene->lengths));
+    benchmark::DoNotOptimize(sweep.impact(solid, t.scene->tree, t.scene->lengths, budget));
   }
   state.counters["near"] = double(near.size());
 }

@@ -53,8 +53,8 @@ def browse(browser, *arguments):
                               capture_output=True, text=True, timeout=200)
 
 
-def colours(png):
-    """How many different pixels the middle rows of an 8-bit picture have."""
+def distinct_rows(png):
+    """How many rows of an 8-bit picture are different, as stored: a blank page has next to none."""
     data = png.read_bytes()
     width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
     assert depth == 8 and kind in (2, 6), (depth, kind)
@@ -96,7 +96,7 @@ def main():
         grounds[mode] = (seen["ground"], seen["ink"])
         picture = out / f"{mode}.png"
         browse(browser, *option, f"--screenshot={picture}", report.as_uri())
-        assert colours(picture) > 50, f"{picture} shows next to nothing"
+        assert distinct_rows(picture) > 50, f"{picture} shows next to nothing"
     assert grounds["light"] != grounds["dark"], f"dark mode changes nothing: {grounds}"
     paper = out / "paper.pdf"
     browse(browser, f"--print-to-pdf={paper}", "--no-pdf-header-footer", report.as_uri())

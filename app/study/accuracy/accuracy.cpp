@@ -43,11 +43,12 @@ Study accuracyStudy(Depth depth) {
   const bool quick = depth == Depth::Quick;
   Study study{"accuracy",
               "Error against run time",
-              {"How wrong each method is, and what it costs. Every time is CPU time of the thread, "
-               "measured beside the error of the same tick, all methods in one process. The "
-               "references share no code with what they judge: closed forms, sampling in double, "
-               "enumeration in long double. One does: the best of many starts, which is our own "
-               "tick with nothing to hurry it, or any method's legal end if that is nearer.",
+              {"How wrong each method is, and what it costs, all methods in one process. Times are "
+               "CPU time of the thread, of a picture those of the clock. The references share no "
+               "code with what they judge: closed forms, sampling in double, enumeration in long "
+               "double. Two do: the best of many starts, which is our own tick with nothing to "
+               "hurry it, or any method's legal end if that is nearer; and the finest ray cast, "
+               "which a formula checks on the sphere.",
                "Literal, charitable and accept-inside are readings of Chan, Conti, Blevins and "
                "Salisbury (2011); ours is what Palpate runs."}};
   const auto add = [&](std::string name, const char* section, double cost,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/accuracy/collision.h"
 
+#include <cmath>
+
 #include "app/study/accuracy/work_precision.h"
 #include "app/study/reference/collision.h"
 #include "haptics/core/budget.h"
@@ -21,7 +23,7 @@ arcs::Detect pieces(double feature) {
     shell.radius = arc.r.norm();
     const reference::FirstHit hit = reference::firstHit(solid, shell, arc.X, arc.motion);
     made::Crossing crossing{hit.t, hit.met};
-    crossing.samples = solid.samples();
+    crossing.counts.samples = solid.samples();
     return crossing;
   };
 }
@@ -64,13 +66,15 @@ Outcome collisions(const std::vector<Detector>& all, const std::string& name, lo
       {}};
   for (const Detector& detector : all) {
     made::Random random{seed};
-    WorkPoint point{detector.method, detector.setting, {}, {}, comparison::MeanCounts{}};
+    // look-ups alone: an arc is no tick
+    WorkPoint point{
+        detector.method, detector.setting, {}, {}, comparison::MeanCounts{0.0, NAN, NAN, NAN}};
     double samples = 0.0;
     const arcs::Detect timed = [&](const arcs::Target& at, double s, const made::Arc& arc) {
       const std::int64_t begun = haptics::Budget::threadTime();
       const made::Crossing crossing = detector.detect(at, s, arc);
       point.cost.push_back(1e-3 * double(haptics::Budget::threadTime() - begun));
-      samples += double(crossing.samples);
+      samples += double(crossing.counts.samples);
       return crossing;
     };
     const arcs::Tally tally = arcs::shootPoints(target, count, random, timed);

@@ -48,9 +48,9 @@ WorkPrecision couplingOf(const Led& led, const std::string& title,
     for (std::size_t c = 0; c < courses.size(); ++c)
       for (std::size_t n = 0; n < courses[c].device.size(); ++n) {
         const comparison::Tick& tick = led.tracks[m].ticks[c][n];
-        if (!courses[c].jerk && tick.contacts > 0)
-          point.error.push_back(1e3 *
-                                comparison::massDistance(tick.X_WP, courses[c].device[n], shell));
+        if (courses[c].jerk) break;
+        if (const auto apart = comparison::coupledBy(tick, courses[c].device[n], shell))
+          point.error.push_back(1e3 * *apart);
       }
     coupling.points.push_back(std::move(point));
   }

@@ -153,8 +153,11 @@ Outcome projections(const std::vector<Solver>& all, int rows, bool coplanar, int
                      "free motion, against time.",
                      "CPU of a projection [us]", "relative error"};
   for (const Solver& solver : all)
-    work.points.push_back(
-        {solver.name, std::to_string(rows) + " rows", {}, {}, comparison::MeanCounts{}});
+    work.points.push_back({solver.name,
+                           std::to_string(rows) + " rows",
+                           {},
+                           {},
+                           comparison::MeanCounts{NAN, NAN, 0.0, NAN}});
   Random random{seed};
   double slowed = 0.0;
   for (int n = 0; n < count; ++n) {

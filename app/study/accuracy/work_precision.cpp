@@ -28,8 +28,9 @@ std::string spreadOf(std::vector<double> runs) {
 /// samples, gradients, pivots, sub-steps, work.
 std::vector<std::string> countsOf(const std::optional<comparison::MeanCounts>& counts) {
   if (!counts) return {"", "", "", "", ""};
-  return {shortly(counts->samples), shortly(counts->gradients), shortly(counts->pivots),
-          shortly(counts->sub_steps), counts->work > 0.0 ? shortly(counts->work) : ""};
+  const auto cell = [](double count) { return std::isnan(count) ? "" : shortly(count); };
+  return {cell(counts->samples), cell(counts->gradients), cell(counts->pivots),
+          cell(counts->sub_steps), counts->work > 0.0 ? shortly(counts->work) : ""};
 }
 
 }  // namespace

@@ -21,10 +21,12 @@ constexpr std::pair<const char*, HandMotion> kHands[] = {
     {"tap", HandMotion::Tap}, {"slide", HandMotion::Slide}, {"wedge", HandMotion::Wedge},
     {"pry", HandMotion::Pry}, {"hook", HandMotion::Hook},   {"jerk", HandMotion::Jerk}};
 
-/// The pose that a hand touches first at: where its lead-in ends.
-Pose touchOf(const haptics::Hand& hand) { return hand.at(kLeadIn); }
-
 }  // namespace
+
+// where its lead-in ends a hand touches first
+Pose movedTo(const Pose& X_place, const haptics::Hand& hand) {
+  return X_place * hand.at(kLeadIn).inverse();
+}
 
 haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene, const Case& touched,
                                                  double seconds) {
@@ -34,8 +36,7 @@ haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene, co
     if (!hand) return tl::unexpected(hand.error());
     Course course{name, {}, motion == HandMotion::Jerk};
     const auto ticks = static_cast<int>(std::lround(1e3 * (kLeadIn + seconds)));
-    // where the scene has a place of its own for the tool, the hand does there what it does here
-    const Pose X_to = touched.place ? *touched.place * touchOf(*hand).inverse() : Pose::Identity();
+    const Pose X_to = touched.place ? movedTo(*touched.place, *hand) : Pose::Identity();
     for (int n = 0; n < ticks; ++n) course.device.push_back(X_to * hand->at(1e-3 * n));
     courses.push_back(std::move(course));
   }
@@ -59,6 +60,13 @@ std::vector<Track> follow(std::vector<std::unique_ptr<Method>>& methods,
       }
   }
   return tracks;
+}
+
+std::optional<double> coupledBy(const Tick& tick, const Pose& X_WD,
+                                const haptics::PointShell& shell) {
+  const double apart = massDistance(tick.X_WP, X_WD, shell);
+  if (tick.contacts > 0 || apart > kApart) return apart;
+  return {};
 }
 
 Summary summaryOf(const Track& track, const std::vector<Course>& courses,
@@ -88,15 +96,14 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
         summary.long_ticks.push_back({course.hand, n, us, tick.work, tick.faults, tick.switches});
 
       if (!course.jerk) {
-        // whoever is kept from the device is in contact, whatever a cut tick knows of it
-        const double apart = massDistance(tick.X_WP, course.device[n], shell);
+        const auto apart = coupledBy(tick, course.device[n], shell);
         reference::Record record;
         record.X_WP = tick.X_WP;
-        record.contacts = tick.contacts > 0 || apart > kApart;
+        record.contacts = apart.has_value();
         records.push_back(record);
         led.push_back(course.device[n]);
-        if (record.contacts > 0) {
-          coupling.push_back(1e3 * apart);
+        if (apart) {
+          coupling.push_back(1e3 * *apart);
           if (is_guided) guided.push_back(coupling.back());
         }
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct Course {
 /// second. The device is the hand itself, so that every method is led along the same path.
 haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene, const Case& touched,
                                                  double seconds);
+
+/// What moves an aimed hand so that it does at X_place, a scene's own place for the tool, what it
+/// does where it aimed.
+Pose movedTo(const Pose& X_place, const haptics::Hand& hand);
 
 /// What a method did on the courses: one row a tick, course after course.
 struct Track {
@@ -65,6 +70,11 @@ struct Summary {
   std::vector<LongTick> long_ticks;
   std::vector<Part> parts;  ///< hand by hand
 };
+
+/// Metres that a tick's proxy is from its device in the mass metric, where the tool is in contact:
+/// whoever is kept from the device is, whatever a cut tick knows of it. None in free space.
+std::optional<double> coupledBy(const Tick& tick, const Pose& X_WD,
+                                const haptics::PointShell& shell);
 
 /// Judges every `every`-th pose for its depth, in jerks five times as many, and every other tick
 /// for passages, in jerks all.

@@ -38,8 +38,9 @@ struct Tick {
 
 /// What ticks did on the mean.
 struct MeanCounts {
-  double samples = 0.0, gradients = 0.0, pivots = 0.0, sub_steps = 0.0;  ///< as haptics::Counts
-  double work = 0.0;                                                     ///< 0 of rivals
+  /// As haptics::Counts; NaN: not counted.
+  double samples = 0.0, gradients = 0.0, pivots = 0.0, sub_steps = 0.0;
+  double work = 0.0;  ///< 0 of rivals
   /// One of so many ticks.
   void add(const Tick& tick, std::size_t of) {
     const double share = 1.0 / double(of);

@@ -233,7 +233,7 @@ inline Tally shootShells(const Target& target, long count, made::Random& random)
     sweep.begin(target.field, clearance, X, motion, lengths);
     while (!sweep.advance(solid, tree, clearance, lengths, unlimited)) {
     }
-    const haptics::Impact impact = sweep.impact(solid, tree, lengths);
+    const haptics::Impact impact = sweep.impact(solid, tree, lengths, unlimited);
     // the first of the points to be inside
     std::optional<double> first;
     double speed = 0.0;

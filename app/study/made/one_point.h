@@ -25,8 +25,8 @@ struct Arc : haptics::PointPath {
 struct Crossing {
   double time = 1.0;
   bool met = false;
-  int cuts = 0;              ///< by the allowance
-  std::int64_t samples = 0;  ///< look-ups of F since the last of them
+  int cuts = 0;                 ///< by the allowance
+  haptics::Counts counts = {};  ///< of what was done since the last of them
 };
 
 /// Where a point that starts outside stops, as a tick finds it: Clearance, then Sweep, each with
@@ -50,10 +50,10 @@ inline Crossing crossed(const haptics::Isosurface& solid, const Arc& arc,
     budget = Budget::counted(allowance);
     ++crossing.cuts;
   }
-  const haptics::Impact impact = sweep.impact(solid, tree, lengths);
+  const haptics::Impact impact = sweep.impact(solid, tree, lengths, budget);
   crossing.time = impact.time;
   crossing.met = impact.met;
-  crossing.samples = budget.counts.samples;
+  crossing.counts = budget.counts;
   return crossing;
 }
 

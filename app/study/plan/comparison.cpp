@@ -62,8 +62,8 @@ double quantileOf(std::vector<double> values, double q) {
 
 std::shared_ptr<const haptics::Scene> rebuilt(const haptics::Scene& scene,
                                               const haptics::Plan& plan) {
-  return haptics::makeScene(scene.volume, scene.tool, {scene.field.kind(), scene.normal, plan},
-                            &scene)
+  return haptics::makeScene(scene.volume, scene.tool,
+                            {scene.field.kind(), scene.normal, plan, scene.fineness}, &scene)
       .value();
 }
 

@@ -5,15 +5,12 @@
 #include <cmath>
 
 #include "app/study/accuracy/work_precision.h"
-#include "app/study/quantile.h"
+#include "app/study/comparison/measures.h"
 
 namespace study {
 namespace {
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return quantile(values, 0.5);
-}
+using comparison::median;
 
 std::string settingOf(const Drawn& drawn) {
   if (!(drawn.sample_distance > 0.0)) return "";

@@ -50,34 +50,34 @@ haptics::Volume averaged(const haptics::Volume& fine, std::int64_t factor) {
   });
 }
 
-/// Looks at the middle of the volume from so many sides; all of it is in the picture.
-std::vector<Camera> camerasAround(const haptics::Grid& grid, int views) {
-  const Vec3 sides[] = {{0, -1, 0}, {1, -1, 0.6}, {-1, -0.2, -0.7}, {0.1, 0.4, 1}};
+/// Looks at the middle of the volume from three sides, so that a median is one; all of it is in the
+/// picture.
+std::vector<Camera> camerasAround(const haptics::Grid& grid) {
+  const Vec3 sides[] = {{0, -1, 0}, {1, -1, 0.6}, {-1, -0.2, -0.7}};
   const Vec3 last{static_cast<double>(grid.dims[0] - 1), static_cast<double>(grid.dims[1] - 1),
                   static_cast<double>(grid.dims[2] - 1)};
   const Vec3 middle_mm = 1e3 * grid.worldOf(0.5 * last);
   const double half_mm = 0.5 * 1e3 * (grid.worldOf(last) - grid.worldOf(Vec3::Zero())).norm();
   const double away_mm = half_mm / std::tan(0.5 * kAngle_deg * std::numbers::pi / 180.0);
   std::vector<Camera> cameras;
-  for (int n = 0; n < std::min<int>(views, std::size(sides)); ++n)
+  for (const Vec3& side : sides)
     cameras.push_back(
-        {middle_mm + away_mm * sides[n].normalized(), middle_mm, Vec3::UnitZ(), kAngle_deg});
+        {middle_mm + away_mm * side.normalized(), middle_mm, Vec3::UnitZ(), kAngle_deg});
   return cameras;
 }
 
 struct Effort {
-  int side;  ///< pixels
-  int views;
+  int side;                              ///< pixels
   std::vector<double> sample_distances;  ///< voxels
   double reference;                      ///< the same
   Frames frames;
 };
 
 Effort effortOf(const std::string& scene, Depth depth) {
-  if (depth == Depth::Quick) return {160, 2, {2.0, 1.0, 0.5}, 0.125, {2, 2, 0.0}};
+  if (depth == Depth::Quick) return {160, {2.0, 1.0, 0.5}, 0.125, {2, 2, 0.0}};
   // about a minute a job where the processor draws; the head's rays are three times as long
   return {
-      scene == "sphere" ? 192 : 160, 2, {2.0, 1.0, 0.5, 0.25, 0.125, 0.0625}, 0.03125, {2, 7, 0.4}};
+      scene == "sphere" ? 192 : 160, {2.0, 1.0, 0.5, 0.25, 0.125, 0.0625}, 0.03125, {2, 7, 0.4}};
 }
 
 Outcome& operator+=(Outcome& outcome, const Outcome& more) {
@@ -100,7 +100,7 @@ Outcome drawScene(const std::string& scene, Depth depth) {
   const bool sphere = scene == "sphere";
   datasets::Phantom phantom = sphere ? spherePhantom() : datasets::makePhantom("demo").value();
   if (!sphere && depth == Depth::Quick) phantom.volume = averaged(phantom.volume, 3);
-  const std::vector<Camera> cameras = camerasAround(phantom.volume.grid, effort.views);
+  const std::vector<Camera> cameras = camerasAround(phantom.volume.grid);
   Drawing drawing{phantom, effort.side};
 
   std::vector<Drawn> drawn;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/study/comparison/course.h"
 #include "app/study/comparison/scenes.h"
 #include "app/study/stability/failures.h"
 #include "app/study/stability/presses.h"
@@ -34,10 +35,8 @@ comparison::Case phantomCase(const std::string& name) {
   return made;
 }
 
-/// The hand, doing where a scene has a place of its own for the tool what it does where it aimed.
-haptics::Hand movedTo(const Pose& X_touch, const haptics::Hand& hand, double seconds) {
-  constexpr double kTouch = 0.5;  // s after which an aimed hand touches
-  const Pose X_to = X_touch * hand.at(kTouch).inverse();
+haptics::Hand movedTo(const Pose& X_place, const haptics::Hand& hand, double seconds) {
+  const Pose X_to = comparison::movedTo(X_place, hand);
   std::vector<double> times;
   std::vector<Pose> poses;
   for (double t = 0.0; t <= seconds; t += 1e-3) {

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "app/study/stability/wall.h"
-
 namespace study {
 namespace {
 
@@ -12,15 +10,13 @@ using haptics::DeviceModel;
 
 const char* const kSection = "The stiffest wall";
 
-std::string rateOf(double period) { return shortly(1e-3 / period) + " kHz"; }
-
 /// N of dry friction: what a light device of tendons has. Each device is tried without it, its
 /// model's own, and with it.
 constexpr double kDryFriction = 0.2;
 
 /// One way to run the loop.
 struct Variant {
-  std::string loop;  ///< what works on it, apart from delay
+  std::size_t loop;  ///< its place in kLoops, apart from delay
   std::string name;
   Wall wall;
 };
@@ -34,18 +30,14 @@ std::vector<Variant> variants(const DeviceModel& device, double period,
                                           : ", " + std::to_string(delay) + " periods late";
     Wall wall{device, {}, period};
     wall.device.linkage.delay = delay;
-    all.push_back({"plain", "plain" + late, wall});
-    wall.damping = 0.25 * device.rating.damping;
-    all.push_back({"virtual damping", "virtual damping" + late, wall});
-    wall.damping = 0.0;
-    wall.controller = device.rating.damping;
-    all.push_back({"passivity controller", "passivity controller" + late, wall});
+    for (std::size_t loop = 0; loop < std::size(kLoops); ++loop)
+      all.push_back({loop, kLoops[loop].name + late, withLoop(wall, kLoops[loop])});
   }
   Wall loose{device, {}, period}, dry = loose;
   loose.hand.damping = 2.0;
-  all.push_back({"plain", "loose hand", loose});
+  all.push_back({0, "loose hand", loose});
   dry.device.coulomb = kDryFriction;
-  all.push_back({"plain", "dry friction", dry});
+  all.push_back({0, "dry friction", dry});
   return all;
 }
 
@@ -53,28 +45,24 @@ Outcome limitsOf(const DeviceModel& device, int number, double period,
                  const std::vector<int>& delays) {
   Outcome outcome;
   Table table{"Measured limits of stiffness",
-              {"device", "rate", "loop", "b + b_hand [N s/m]", "measured [N/m]", "2b/T [N/m]",
-               "linear [N/m]", "measured / (2b/T)", "rated [N/m]"},
+              {"device", "rate", "loop", "b + b_hand [N s/m]", "measured [N/m]",
+               "2b/(T (1 + 2 delay)) [N/m]", "linear [N/m]", "measured / theory", "rated [N/m]"},
               {}};
   std::vector<Plot> plots;
-  for (const char* loop : {"plain", "virtual damping", "passivity controller"}) {
-    Plot plot{
-        "Measured limit over 2b / T (1 + 2 delay), " + std::string{loop} + ", " + rateOf(period),
+  for (const Loop& loop : kLoops)
+    plots.push_back(limitPlot(
+        std::string{"Measured limit over 2b / (T (1 + 2 delay)), "} + loop.name + ", " +
+            rateOf(period),
         "One mark for each device, in the order of the table of devices, and delay; b counts "
         "device, hand and virtual damper. What is plain lies near 1; the passivity "
-        "controller lies above",
-        {"device, by its number"},
-        {"measured / theory", Scale::Log}};
-    plot.bound = 0.85;
-    plot.bound_name = "not below 0.85";
-    plots.push_back(std::move(plot));
-  }
+        "controller lies above"));
   // each controller and dry friction beside the plain loop of the same delay
   double plain = NAN, in_time = NAN;
   for (const Variant& variant : variants(device, period, delays)) {
     const Wall& wall = variant.wall;
     const bool controlled = wall.controller > 0.0, dry = wall.device.coulomb > 0.0;
-    const double measured = measuredLimit(wall), theory = wall.theory();
+    const Limit limit = measuredLimit(wall);
+    const double measured = limit.stiffness, theory = wall.theory();
     const double linear = controlled || dry ? NAN : linearLimit(wall);
     const std::string name = "limit/" + device.name + "/" + rateOf(period) + "/" + variant.name;
     if (variant.name == "plain") {
@@ -104,19 +92,17 @@ Outcome limitsOf(const DeviceModel& device, int number, double period,
     }
     if (variant.name.starts_with("plain")) plain = measured;
     table.rows.push_back({device.name, rateOf(period), variant.name, shortly(wall.totalDamping()),
-                          shortly(measured), shortly(theory),
+                          toWords(limit), shortly(theory),
                           std::isnan(linear) ? "" : shortly(linear), shortly(measured / theory),
                           shortly(device.rating.stiffness)});
-    for (Plot& plot : plots)
-      if (plot.title.find(", " + variant.loop + ", ") != std::string::npos)
-        plot.series.push_back({variant.name, {{double(number), measured / theory}}, false});
+    plots[variant.loop].series.push_back(
+        {variant.name, {{double(number), measured / theory}}, false});
   }
   outcome.tables.push_back(std::move(table));
   outcome.plots = std::move(plots);
-  if (period < 1e-3) return outcome;
+  if (period < 1e-3 || in_time == 0.0) return outcome;
 
   // below the limit and above it
-  const double limit = measuredLimit({device, {}, period});
   Plot presses{"A press on a wall: " + device.name,
                "Depth of the handle in the wall, at 0.8 of the measured limit, where what the "
                "arrival set off dies, and at 1.2, where it is kept up",
@@ -125,7 +111,7 @@ Outcome limitsOf(const DeviceModel& device, int number, double period,
   for (const double share : {0.8, 1.2}) {
     Series series{shortly(share) + " of the limit", {}};
     int n = 0;
-    pressOn({device, {}, period}, share * limit, [&](double time, double depth) {
+    pressOn({device, {}, period}, share * in_time, [&](double time, double depth) {
       if (n++ % 3 == 0 && time < 0.5) series.points.push_back({time, 1e3 * depth});
     });
     presses.series.push_back(std::move(series));
@@ -136,12 +122,27 @@ Outcome limitsOf(const DeviceModel& device, int number, double period,
 
 }  // namespace
 
+std::string rateOf(double period) { return shortly(1e-3 / period) + " kHz"; }
+
+Wall withLoop(Wall plain, const Loop& loop) {
+  plain.damping = loop.damping * plain.device.rating.damping;
+  plain.controller = loop.controller * plain.device.rating.damping;
+  return plain;
+}
+
+Plot limitPlot(const std::string& title, const std::string& description) {
+  Plot plot{title, description, {"device, by its number"}, {"measured / theory", Scale::Log}};
+  plot.bound = 0.85;
+  plot.bound_name = "not below 0.85";
+  return plot;
+}
+
 Case limitCase(const DeviceModel& device, double period, int lag) {
   Wall wall{device, {}, period};
   const double theory = wall.theory();
   wall.device.linkage.delay += lag;
   return {"limit/" + device.name,
-          measuredLimit(wall) / theory,
+          measuredLimit(wall).stiffness / theory,
           0.85,
           "",
           Case::Sense::AtLeast,

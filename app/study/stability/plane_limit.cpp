@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/study/stability/limits.h"
 #include "app/study/stability/presses.h"
 
 namespace study {
@@ -15,40 +16,24 @@ using haptics::Vec3;
 
 const char* const kSection = "The stiffest plane, through the tick";
 
-std::string rateOf(double period) { return shortly(1e-3 / period) + " kHz"; }
-
-struct Variant {
-  std::string name;
-  Wall wall;
-};
-
-std::vector<Variant> variants(const DeviceModel& device, double period) {
-  Wall damped{device, {}, period}, controlled = damped;
-  damped.damping = 0.25 * device.rating.damping;
-  controlled.controller = device.rating.damping;
-  return {{"plain", {device, {}, period}},
-          {"virtual damping", damped},
-          {"passivity controller", controlled}};
-}
-
 Outcome limitsOf(const DeviceModel& device, int number, double period) {
   Outcome outcome;
   Table table{"Measured limits of stiffness in six degrees of freedom",
               {"device", "rate", "loop", "b + b_hand [N s/m]", "through the tick [N/m]",
                "in one degree of freedom [N/m]", "2b/T [N/m]", "over one degree", "over 2b/T"},
               {}};
-  Plot plot{"Measured limit through the tick over 2b / T, " + rateOf(period),
-            "One mark for each device, in the order of the table of devices, and way to run the "
-            "loop; b counts device, hand and virtual damper. What is plain lies near 1",
-            {"device, by its number"},
-            {"measured / theory", Scale::Log}};
-  plot.bound = 0.85;
-  plot.bound_name = "not below 0.85";
+  Plot plot =
+      limitPlot("Measured limit through the tick over 2b / T, " + rateOf(period),
+                "One mark for each device, in the order of the table of devices, and way to run "
+                "the loop; b counts device, hand and virtual damper. What is plain lies near 1");
   double plain = NAN;
-  for (const auto& [variant, wall] : variants(device, period)) {
-    const double limit = planeLimit(wall), one = measuredLimit(wall), theory = wall.theory();
-    const std::string name = "limit in 6-DOF/" + device.name + "/" + rateOf(period) + "/" + variant;
-    if (variant == "plain") {
+  for (const Loop& loop : kLoops) {
+    const Wall wall = withLoop({device, {}, period}, loop);
+    const Limit through_tick = planeLimit(wall), on_wall = measuredLimit(wall);
+    const double limit = through_tick.stiffness, one = on_wall.stiffness, theory = wall.theory();
+    const std::string name =
+        "limit in 6-DOF/" + device.name + "/" + rateOf(period) + "/" + loop.name;
+    if (&loop == &kLoops[0]) {
       plain = limit;
       outcome.cases.push_back({name, limit / theory, 0.85, "", Case::Sense::AtLeast,
                                "over 2 (b + b_hand) / T = " + shortly(theory) + " N/m, with " +
@@ -61,13 +46,12 @@ Outcome limitsOf(const DeviceModel& device, int number, double period) {
     }
     outcome.cases.push_back(
         {name + ", over one degree of freedom", limit / one, 0.85, "", Case::Sense::AtLeast,
-         "over " + shortly(one) +
-             " N/m, what the same loop carries on a wall without a proxy: the "
-             "tick adds no lag, so no more than the 15 % of the theory may be lost"});
-    table.rows.push_back({device.name, rateOf(period), variant, shortly(wall.totalDamping()),
-                          shortly(limit), shortly(one), shortly(theory), shortly(limit / one),
-                          shortly(limit / theory)});
-    plot.series.push_back({variant, {{double(number), limit / theory}}, false});
+         "over what the same loop carries on a wall without a proxy, " + toWords(on_wall) +
+             " N/m: the tick adds no lag, so no more than the 15 % of the theory may be lost"});
+    table.rows.push_back({device.name, rateOf(period), loop.name, shortly(wall.totalDamping()),
+                          toWords(through_tick), toWords(on_wall), shortly(theory),
+                          shortly(limit / one), shortly(limit / theory)});
+    plot.series.push_back({loop.name, {{double(number), limit / theory}}, false});
   }
   outcome.tables.push_back(std::move(table));
   outcome.plots.push_back(std::move(plot));
@@ -98,17 +82,18 @@ Pressed pressOnPlane(const Wall& wall, double stiffness) {
         shaking.add(row.time, place.z(), (place - before).norm() / wall.period);
         before = place;
         pressed.energy = row.energy;
-        return true;
+        return !shaking.isLost();
       });
   pressed.amplitude = shaking.amplitude();
   pressed.fed = !done || shaking.isFed(wall.device.linkage.encoder);
   return pressed;
 }
 
-double planeLimit(const Wall& wall) {
-  const double guess = measuredLimit(wall);
-  return leastThatFails(0.7 * guess, 2.0 * guess, 1.03, 1.01,
-                        [&](double stiffness) { return !pressOnPlane(wall, stiffness).fed; });
+Limit planeLimit(const Wall& wall) {
+  const double guess = measuredLimit(wall).stiffness;
+  if (guess == 0.0) return {};
+  return stiffestThatHolds(0.7 * guess, 2.0 * guess, 1.03, 1.01,
+                           [&](double stiffness) { return !pressOnPlane(wall, stiffness).fed; });
 }
 
 std::vector<Job> planeLimitJobs(Depth depth) {

@@ -13,10 +13,10 @@ namespace study {
 /// handle's translation; no more than half of the rated force.
 Pressed pressOnPlane(const Wall& wall, double stiffness);
 
-/// The stiffness [N/m] up to which its shaking dies, to 1 %; between 0.7 and twice of what
-/// the same wall carries in one degree of freedom. In steps of 3 %: near the limit a press now
+/// The stiffness up to which its shaking dies, to 1 %; between 0.7 and twice of what the same wall
+/// carries in one degree of freedom. In steps of 3 %: near the limit a press now
 /// shakes on and now does not.
-double planeLimit(const Wall& wall);
+Limit planeLimit(const Wall& wall);
 
 /// Every device at 1 and 4 kHz; three of them at 1 kHz where it is quick.
 std::vector<Job> planeLimitJobs(Depth depth);

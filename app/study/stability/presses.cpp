@@ -41,8 +41,8 @@ struct Sweep {
   Wall loop;
   std::vector<double> stiffnesses;
   std::vector<int> delays;
-  std::vector<double> noises;       ///< with no delay or one
-  std::vector<double> late_noises;  ///< with more; a part of `noises`
+  std::vector<double> noises;       ///< with no delay or one; the first is none
+  std::vector<double> late_noises;  ///< with more; a part of `noises`, the first is none
   std::string name() const {
     return "press/" + device + "/" + stage + (variant.empty() ? "" : "/" + variant.substr(2));
   }
@@ -208,6 +208,7 @@ Stage makeStage(const std::string& name, double noise, unsigned seed) {
     stage.scene = made::scene(ramp(noise, seed, [](const Vec3& p) { return p.norm() - 0.015; }),
                               failures::ball(100, 3e-3));
     top = 0.018;
+    stage.deepest = 0.5 * top;  // of the way to the middle of the ball
   }
   stage.X_touch = at({0, 0, top}, q);
   stage.X_from = at({0, 0, top + 6e-3}, q);
@@ -230,8 +231,9 @@ PressResult press(const Wall& wall, const Stage& stage, double stiffness) {
 
   // so deep that coupling and grip, springs in series, press with what is asked
   Pose X_deep = stage.X_touch;
-  X_deep.translation().z() -= std::min(kPress, 0.5 * wall.device.rating.force) *
-                              (1.0 / stiffness + 1.0 / wall.hand.stiffness);
+  X_deep.translation().z() -=
+      std::min(stage.deepest, std::min(kPress, 0.5 * wall.device.rating.force) *
+                                  (1.0 / stiffness + 1.0 / wall.hand.stiffness));
   const double way = stage.X_from.translation().z() - X_deep.translation().z();
   const double down = 1.5 * way / kSpeed;
   // until what the arrival set off has died, to 1 %; beyond the limit it does not
@@ -319,8 +321,9 @@ std::vector<Job> pressJobs(Depth depth) {
     for (const std::string& stage : kStages) {
       const Wall loop{device};
       if (full || quick.contains(device.name)) {
-        const Sweep all{device.name, stage,  "",     loop,
-                        stiffnesses, delays, noises, {0.0, 0.02, 0.1}};
+        const Sweep all{
+            device.name, stage,  "",     loop,
+            stiffnesses, delays, noises, full ? std::vector<double>{0.0, 0.02, 0.1} : noises};
         add(full ? 10.0 : 1.0, all);
       }
       if (!varied.contains(device.name) || !(full || stage == "ball")) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,12 +16,14 @@ namespace study {
 haptics::ClosedLoop loopOf(const Wall& wall, std::shared_ptr<const haptics::Scene> scene,
                            double isovalue, double stiffness);
 
-/// A scene to press on: from `X_from` straight down to the first touch at `X_touch`.
+/// A scene to press on: from `X_from` straight down to the first touch at `X_touch`, and from there
+/// no deeper than `deepest` [m], for a ball is not to be pressed through.
 struct Stage {
   std::string name;
   std::shared_ptr<const haptics::Scene> scene;
   double isovalue = 0.0;
   haptics::Pose X_from, X_touch;
+  double deepest = INFINITY;
 };
 
 /// "plane": a flat square of points on a half-space; "groove": a rod in a V-groove; "ball": a ball
@@ -28,8 +31,8 @@ struct Stage {
 Stage makeStage(const std::string& name, double noise, unsigned seed);
 inline const std::vector<std::string> kStages{"plane", "groove", "ball"};
 
-/// What a press came to: down at 60 mm/s at most, gently at both ends, held with about 2 N until
-/// what that set off has died, and up again.
+/// What a press came to: down at 60 mm/s at most, gently at both ends, held with about 2 N, or as
+/// much as the stage's depth allows, until what that set off has died, and up again.
 struct PressResult {
   double amplitude = 0.0;   ///< m, of the handle in the last 0.2 s of the hold, half its range
   double force_step = 0.0;  ///< N, the largest in a tick of that time

@@ -39,7 +39,8 @@ Outcome omissions(Depth depth) {
             "of each scene"},
            {"limits through the tick", "with delay, with dry friction, on groove and ball",
             "on the plane, without delay",
-            "there tick and wall must agree within 15 %; delay and friction are swept on the wall"},
+            "there the tick must keep 85 % of the wall's; delay and friction are swept on the "
+            "wall"},
            {"devices with an arm", "limits of stiffness", "presses and a turned handle",
             "the limits are of translation, in which an arm is nothing"},
            {"recorded hands", "people, on real devices", "none",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/study/page/plot.h"
 #include "haptics/coupling/passivity.h"
 
 namespace study {
@@ -51,6 +52,7 @@ double Wall::theory() const {
 }
 
 void Shaking::add(double time, double place, double speed) {
+  lost_ = lost_ || !(std::abs(place) < 1.0 && speed < 1e3);
   if (time >= 0.25 * kPressTime && time < 0.5 * kPressTime) early_ += speed * speed;
   if (time >= 0.75 * kPressTime) late_ += speed * speed;
   if (time >= kPressTime - kWindow) {
@@ -91,40 +93,45 @@ Pressed pressOn(const Wall& wall, double stiffness,
     const double place = grip.X_WD.translation().z();
     if (each) each(time, -place);
     const double speed = grip.velocity.linear.norm();
-    if (!(std::abs(place) < 1.0 && speed < 1e3)) return {true, std::abs(place), observer.energy()};
     shaking.add(time, place, speed);
+    if (shaking.isLost()) return {true, std::abs(place), observer.energy()};
   }
   return {shaking.isFed(linkage.encoder), shaking.amplitude(), observer.energy()};
 }
 
-double measuredLimit(const Wall& wall) {
-  return leastThatFails(0.2 * wall.theory(), 10.0 * wall.theory(), 1.05, 1.005,
-                        [&](double stiffness) { return !pressOn(wall, stiffness).fed; });
+std::string toWords(const Limit& limit) {
+  return (limit.found ? "" : "over ") + shortly(limit.stiffness);
+}
+
+Limit measuredLimit(const Wall& wall) {
+  return stiffestThatHolds(0.2 * wall.theory(), 10.0 * wall.theory(), 1.05, 1.005,
+                           [&](double stiffness) { return !pressOn(wall, stiffness).fed; });
 }
 
 double linearLimit(const Wall& wall) {
   const Sampled free = sampled(wall);
   const int delay = wall.device.linkage.delay;
-  return leastThatFails(0.2 * wall.theory(), 10.0 * wall.theory(), 1.05, 1.005,
-                        [&](double stiffness) {
-                          // state: position, speed, position a period ago, forces under way (the
-                          // oldest acts next)
-                          const int n = 3 + delay;
-                          Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
-                          Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(n);
-                          force(0) = -stiffness - wall.damping / wall.period;
-                          force(2) = wall.damping / wall.period;
-                          A.topLeftCorner<2, 2>() = free.A;
-                          if (delay == 0) {
-                            A.topRows<2>() += free.B * force;
-                          } else {
-                            A.block<2, 1>(0, 3) = free.B;
-                            for (int k = 3; k + 1 < n; ++k) A(k, k + 1) = 1.0;
-                            A.row(n - 1) = force;
-                          }
-                          A(2, 0) = 1.0;
-                          return A.eigenvalues().cwiseAbs().maxCoeff() < 1.0;
-                        });
+  return stiffestThatHolds(0.2 * wall.theory(), 10.0 * wall.theory(), 1.05, 1.005,
+                           [&](double stiffness) {
+                             // state: position, speed, position a period ago, forces under way (the
+                             // oldest acts next)
+                             const int n = 3 + delay;
+                             Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+                             Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(n);
+                             force(0) = -stiffness - wall.damping / wall.period;
+                             force(2) = wall.damping / wall.period;
+                             A.topLeftCorner<2, 2>() = free.A;
+                             if (delay == 0) {
+                               A.topRows<2>() += free.B * force;
+                             } else {
+                               A.block<2, 1>(0, 3) = free.B;
+                               for (int k = 3; k + 1 < n; ++k) A(k, k + 1) = 1.0;
+                               A.row(n - 1) = force;
+                             }
+                             A(2, 0) = 1.0;
+                             return A.eigenvalues().cwiseAbs().maxCoeff() < 1.0;
+                           })
+      .stiffness;
 }
 
 }  // namespace study

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include "haptics/simulation/device_model.h"
 
@@ -38,28 +40,44 @@ class Shaking {
   void add(double time, double place, double speed);
   /// m, half of the way between the extremes of the last 0.2 s.
   double amplitude() const { return 0.5 * (highest_ - lowest_); }
+  /// A metre or a kilometre a second away, or what is no number: nothing to go on with.
+  bool isLost() const { return lost_; }
   /// Up to two steps of the encoder [m] in amplitude are the encoder's own doing.
-  bool isFed(double encoder) const { return late_ > 0.9 * early_ && amplitude() > 2.0 * encoder; }
+  bool isFed(double encoder) const {
+    return lost_ || (late_ > 0.9 * early_ && amplitude() > 2.0 * encoder);
+  }
 
  private:
+  bool lost_ = false;
   double early_ = 0.0, late_ = 0.0, lowest_ = INFINITY, highest_ = -INFINITY;
 };
 
-/// The stiffness up to which all `holds`: from `low` to `high` in steps of a ratio, since beyond
-/// its limit a bouncing loop may be quiet again; then by bisection to `resolution`, a ratio too.
+/// How stiff a wall a loop carries [N/m]; 0 where not even the softest that was tried held.
+struct Limit {
+  double stiffness = 0.0;
+  bool found = true;  ///< not: the stiffest that was tried held as well, so the limit lies above
+};
+
+/// "1234", or "over 1234" where no limit was found.
+std::string toWords(const Limit& limit);
+
+/// The stiffness up to which all `holds`: from `least` to `most` [N/m] in steps of a ratio, since
+/// beyond its limit a bouncing loop may be quiet again; then by bisection to `resolution`, a ratio
+/// too.
 template <class Holds>
-double leastThatFails(double low, double most, double step, double resolution, Holds&& holds) {
-  double high = low;
-  if (!holds(low)) return low;
-  while (high < most && holds(high)) {
-    low = high;
-    high *= step;
+Limit stiffestThatHolds(double least, double most, double step, double resolution, Holds&& holds) {
+  if (!holds(least)) return {};
+  double low = least, high = least;
+  while (high == low) {
+    if (low >= most) return {low, false};
+    high = std::min(step * low, most);
+    if (holds(high)) low = high;
   }
   while (high > resolution * low) {
     const double middle = std::sqrt(low * high);
     (holds(middle) ? low : high) = middle;
   }
-  return low;
+  return {low, true};
 }
 
 /// What two seconds on the wall came to.
@@ -73,9 +91,9 @@ struct Pressed {
 Pressed pressOn(const Wall& wall, double stiffness,
                 const std::function<void(double, double)>& each = {});
 
-/// The stiffness [N/m] up to which the shaking dies, to 0.5 %; between a fifth and ten times
-/// of the theory.
-double measuredLimit(const Wall& wall);
+/// The stiffness up to which the shaking dies, to 0.5 %; between a fifth and ten times of the
+/// theory.
+Limit measuredLimit(const Wall& wall);
 
 /// The same from the spectral radius of the loop as a linear sampled system, without encoder, dry
 /// friction and controller, and with a wall that pulls as well. Another way to the same figure.

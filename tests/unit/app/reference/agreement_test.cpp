@@ -218,7 +218,7 @@ haptics::Impact swept(const Both& both, const PointShell& shell, const Arc& arc)
   haptics::Sweep sweep{shell.points.size()};
   sweep.begin(both.field, clearance, arc.X_WP, arc.motion, both.lengths);
   EXPECT_TRUE(sweep.advance(both.surface(), tree, clearance, both.lengths, budget));
-  return sweep.impact(both.surface(), tree, both.lengths);
+  return sweep.impact(both.surface(), tree, both.lengths, budget);
 }
 
 TEST(Agreement, OnTheFirstHitOfAnArc) {
