@@ -241,6 +241,8 @@ void Application::onFailed(const LoadRequest& request, const haptics::Error& err
     window_.devicePanel().showTool(QString::fromStdString(shown_->tool.name),
                                    labelOf(shown_->tool));
   if (!survey.series.empty()) return offerSeries(request, survey);
+  if (error.kind == haptics::Error::Kind::Correctable && arguments_.screenshot.empty())
+    return offerCorrection(request, error);
   if (error.kind != haptics::Error::Kind::Cancelled)
     window_.showMessage(QString::fromStdString(error.what));
   if (!arguments_.screenshot.empty()) {
@@ -253,7 +255,9 @@ void Application::offerSeries(LoadRequest request, const datasets::Survey& surve
   QStringList choices;
   std::vector<int> indices;
   for (const datasets::SeriesVerdict& series : survey.series) {
-    if (!series.sound) continue;
+    const bool corrected = request.geometry == datasets::Geometry::Corrected &&
+                           series.verdict == datasets::Verdict::Correctable;
+    if (series.verdict != datasets::Verdict::Sound && !corrected) continue;
     choices << tr("%1: %2, %3 × %4 × %5 voxels of %6 × %7 × %8 mm")
                    .arg(series.index)
                    .arg(QString::fromStdString(series.modality))
@@ -268,6 +272,17 @@ void Application::offerSeries(LoadRequest request, const datasets::Survey& surve
   const int chosen = window_.askWhich(tr("This folder holds several series."), choices);
   if (chosen < 0) return;
   request.series = indices[static_cast<std::size_t>(chosen)];
+  load(std::move(request), tr("Reading"));
+}
+
+void Application::offerCorrection(LoadRequest request, const haptics::Error& error) {
+  if (!window_.askWhether(
+          QString::fromStdString(error.what),
+          tr("What is seen and felt is then interpolated between the scan's own slices. The files "
+             "stay as they are."),
+          tr("Resample and load")))
+    return;
+  request.geometry = datasets::Geometry::Corrected;
   load(std::move(request), tr("Reading"));
 }
 

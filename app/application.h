@@ -59,6 +59,7 @@ class Application : public QObject {
   void onFailed(const LoadRequest& request, const haptics::Error& error,
                 const datasets::Survey& survey);
   void offerSeries(LoadRequest request, const datasets::Survey& survey);
+  void offerCorrection(LoadRequest request, const haptics::Error& error);
   /// False, with the reason in the window, if the hand that was open goes on.
   bool openHand(const std::string& name);
   void changeTool(const ToolSource& tool);

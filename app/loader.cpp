@@ -52,9 +52,10 @@ Expected<Source> readSource(const LoadRequest& request, const std::function<void
   if (request.path) {
     const datasets::ReadProgress progress{.advanced = [&](double f) { advanced(0.8 * f); },
                                           .cancel = &cancel};
-    auto volume = datasets::readVolume(*request.path, request.series, progress);
+    auto volume = datasets::readVolume(*request.path, request.series, request.geometry, progress);
     if (!volume) return tl::unexpected(volume.error());
     source.title = QString::fromStdString(request.path->filename().string());
+    if (volume->resampled) source.title = Loader::tr("%1 (resampled)").arg(source.title);
     source.picture = ui::pictureOf(std::make_shared<const haptics::Volume>(std::move(*volume)));
   } else if (request.phantom) {
     auto phantom = datasets::makePhantom(*request.phantom);
@@ -116,6 +117,10 @@ Expected<Loaded> load(const LoadRequest& request, const std::function<void(doubl
   if (volume.replaced > 0)
     addTo(loaded.note,
           Loader::tr("%1 voxels were not numbers and count as background.").arg(volume.replaced));
+  if (volume.padded > 0)
+    addTo(loaded.note, Loader::tr("%1 voxels are padding, where nothing was measured, and count "
+                                  "as air.")
+                           .arg(volume.padded));
   loaded.tool = request.tool.value_or(ToolSource{.name = source->tool});
   auto tool = readTool(loaded.tool, loaded.note);
   if (!tool) return tl::unexpected(tool.error());

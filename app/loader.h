@@ -30,6 +30,7 @@ struct ToolSource {
 struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
   std::optional<int> series = {};
+  datasets::Geometry geometry = datasets::Geometry::AsStored;
   std::optional<std::string> phantom = {};
   std::optional<ui::Picture> keep = {};  ///< the volume already shown, with another tool
   std::optional<ToolSource> tool = {};   ///< none: the one that fits a phantom, else `probe`

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   std::string path, phantom, tool, tool_unit = "mm", surface;
   double isovalue = 0.0;
   int series = 0;
-  bool no_notice = false;
+  bool no_notice = false, correct = false;
   CLI::App cli{"Palpate: see a CT scan, and feel it through a haptic device."};
   cli.set_version_flag("--version", PALPATE_VERSION);
   auto* path_given = cli.add_option("path", path, "A scan: NRRD, or a DICOM folder or file");
@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   auto* surface_given = cli.add_option("--surface", surface, "How the surface is drawn")
                             ->check(CLI::IsMember({"raycast", "mesh"}));
   auto* series_given = cli.add_option("--series", series, "Which of a folder's series");
+  cli.add_flag("--correct", correct, "Resample slices that are tilted or unevenly spaced");
   auto* screenshot_given =
       cli.add_option("--screenshot", arguments.screenshot, "Write the window as a PNG and quit");
   cli.add_option("--after", arguments.screenshot_after, "Seconds before the screenshot")
@@ -58,6 +59,7 @@ int main(int argc, char** argv) {
   if (*phantom_given) arguments.load.phantom = phantom;
   if (*isovalue_given) arguments.load.isovalue = isovalue;
   if (*series_given) arguments.load.series = series;
+  if (correct) arguments.load.geometry = datasets::Geometry::Corrected;
   if (*tool_given) {
     const auto names = resources::namedTools();
     app::ToolSource source{.name = tool, .unit = tool_unit};

@@ -15,6 +15,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QToolBar>
@@ -253,6 +254,15 @@ int MainWindow::askWhich(const QString& question, const QStringList& choices) {
   const QString choice =
       QInputDialog::getItem(this, tr("Which one?"), question, choices, 0, false, &chosen);
   return chosen ? static_cast<int>(choices.indexOf(choice)) : -1;
+}
+
+bool MainWindow::askWhether(const QString& what, const QString& consequence, const QString& yes) {
+  QMessageBox question(QMessageBox::Question, tr("Load it?"), what, QMessageBox::Cancel, this);
+  question.setInformativeText(consequence);
+  const QAbstractButton* agree = question.addButton(yes, QMessageBox::AcceptRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  return question.clickedButton() == agree;
 }
 
 void MainWindow::showHandInUse(const QString& id, const QString& label) {

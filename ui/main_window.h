@@ -49,6 +49,8 @@ class MainWindow : public QMainWindow {
   void endLoading();
   /// Asks which of several; -1 if none.
   int askWhich(const QString& question, const QStringList& choices);
+  /// Asks whether to go on, with Cancel as what Enter does; true if the user agrees.
+  bool askWhether(const QString& what, const QString& consequence, const QString& yes);
   void showNotice();
   void showHandInUse(const QString& id, const QString& label);
 

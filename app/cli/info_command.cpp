@@ -13,10 +13,19 @@ using nlohmann::ordered_json;
 struct InfoOptions {
   std::string path;
   std::optional<int> series = {};
+  bool correct = false;
 };
 
 const char* verdictOf(const datasets::SeriesVerdict& series) {
-  return series.sound ? "sound" : "refused";
+  switch (series.verdict) {
+    case datasets::Verdict::Sound:
+      return "sound";
+    case datasets::Verdict::Correctable:
+      return "correctable";
+    case datasets::Verdict::Refused:
+      break;
+  }
+  return "refused";
 }
 
 ordered_json asJson(const haptics::Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -51,7 +60,8 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
   json["unit"] = volume.unit;
   json["modality"] = volume.modality;
   json["replaced"] = volume.replaced;
-  json["verdict"] = "sound";
+  json["padded"] = volume.padded;
+  json["verdict"] = volume.resampled ? "corrected" : "sound";
   std::vector<std::string> reasons =
       series != nullptr ? series->reasons : std::vector<std::string>{};
   json["reasons"] = reasons;
@@ -59,20 +69,25 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
   if (volume.replaced > 0)
     message += " " + std::to_string(volume.replaced) +
                " voxels that are not numbers were made background.";
+  if (volume.resampled) message += " This was done.";
+  if (volume.padded > 0)
+    message += " " + std::to_string(volume.padded) +
+               " voxels are padding, where nothing was measured, and count as air.";
   json["message"] = message;
 }
 
 Outcome info(const InfoOptions& options) {
   auto survey = datasets::survey(options.path);
   if (!survey) return refused(survey.error());
+  const auto loads = [&](const datasets::SeriesVerdict& series) {
+    return series.verdict == datasets::Verdict::Sound ||
+           (options.correct && series.verdict == datasets::Verdict::Correctable);
+  };
   ordered_json json;
   const datasets::SeriesVerdict* only = nullptr;
-  int sound = 0;
-  for (const datasets::SeriesVerdict& series : survey->series) {
-    if (series.sound) ++sound;
-    const bool wanted = options.series ? series.index == *options.series : series.sound;
-    if (wanted) only = &series;
-  }
+  const auto loading = std::ranges::count_if(survey->series, loads);
+  for (const datasets::SeriesVerdict& series : survey->series)
+    if (options.series ? series.index == *options.series : loads(series)) only = &series;
   if (options.series && only == nullptr)
     return usage("There is no series " + std::to_string(*options.series) + " in \"" + options.path +
                  "\".");
@@ -81,21 +96,26 @@ Outcome info(const InfoOptions& options) {
     for (const datasets::SeriesVerdict& series : survey->series)
       json["series"].push_back(listed(series));
   }
-  if (only == nullptr || !only->sound) {
-    // nothing here can be loaded: the sentence of what was asked for, or of the first
-    const datasets::SeriesVerdict* shown = only != nullptr          ? only
-                                           : survey->series.empty() ? nullptr
-                                                                    : &survey->series.front();
-    json["verdict"] = "refused";
+  if (only == nullptr || !loads(*only)) {
+    // nothing here can be loaded: what was asked for, or could be corrected, or the first
+    const auto correctable = std::ranges::find(survey->series, datasets::Verdict::Correctable,
+                                               &datasets::SeriesVerdict::verdict);
+    const datasets::SeriesVerdict* shown = only;
+    if (shown == nullptr && correctable != survey->series.end()) shown = &*correctable;
+    if (shown == nullptr && !survey->series.empty()) shown = &survey->series.front();
+    json["verdict"] = shown != nullptr ? verdictOf(*shown) : "refused";
     json["reasons"] = shown != nullptr ? shown->reasons : std::vector<std::string>{"no-pixels"};
-    const std::string sentence =
+    std::string sentence =
         shown != nullptr ? shown->message : "\"" + options.path + "\" holds no series.";
+    if (shown != nullptr && shown->verdict == datasets::Verdict::Correctable)
+      sentence += " Add --correct for that.";
     json["message"] = sentence;
     return {Exit::Refused, json, {}, sentence};
   }
-  if (!options.series && sound > 1) return {Exit::Done, json, {}, {}};
+  if (!options.series && loading > 1) return {Exit::Done, json, {}, {}};
   auto volume = datasets::readVolume(
-      options.path, survey->folder ? std::optional<int>{only->index} : options.series);
+      options.path, survey->folder ? std::optional<int>{only->index} : options.series,
+      options.correct ? datasets::Geometry::Corrected : datasets::Geometry::AsStored);
   if (!volume) {
     json["message"] = volume.error().what;
     return refused(volume.error(), json);
@@ -112,6 +132,8 @@ void addInfo(CLI::App& program, Chosen& chosen) {
       program.add_subcommand("info", "What a scan is, and whether it can be trusted");
   command->add_option("path", options->path, "DICOM folder or file, or NRRD")->required();
   command->add_option("--series", options->series, "Which series of a folder");
+  command->add_flag("--correct", options->correct,
+                    "Resample slices that are tilted or unevenly spaced");
   command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });
 }
 

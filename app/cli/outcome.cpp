@@ -21,12 +21,14 @@ std::string asLines(const nlohmann::ordered_json& json) {
 
 Outcome refused(const haptics::Error& error, nlohmann::ordered_json known) {
   Outcome outcome{Exit::Refused, std::move(known), {}, error.what};
+  if (error.kind == haptics::Error::Kind::Correctable) outcome.error += " Add --correct for that.";
   // a folder with several series and none named is a question of usage
   if (error.reason == "which-series" || error.reason == "no-such-series")
     outcome.code = Exit::Usage;
   if (outcome.json.is_null()) outcome.json = nlohmann::ordered_json::object();
   if (!error.reason.empty() && !outcome.json.contains("reasons") && outcome.code == Exit::Refused) {
-    outcome.json["verdict"] = "refused";
+    outcome.json["verdict"] =
+        error.kind == haptics::Error::Kind::Correctable ? "correctable" : "refused";
     outcome.json["reasons"] = {error.reason};
   }
   return outcome;

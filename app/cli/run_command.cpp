@@ -227,6 +227,8 @@ void addRun(CLI::App& program, Chosen& chosen) {
       command->add_option("--volume", options->volume.path, "DICOM folder or file, or NRRD");
   command->add_option("--phantom", options->volume.phantom, "A named phantom")->excludes(path);
   command->add_option("--series", options->volume.series, "Which series of a folder");
+  command->add_flag("--correct", options->volume.correct,
+                    "Resample slices that are tilted or unevenly spaced");
   command->add_option("--isovalue", options->isovalue, "Where the surface is")
       ->required()
       ->check(finiteNumber());

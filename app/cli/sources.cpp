@@ -41,7 +41,9 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const Volum
     return std::make_shared<const haptics::Volume>(std::move(phantom->volume));
   }
 #ifdef PALPATE_READERS
-  auto volume = datasets::readVolume(choice.path, choice.series);
+  auto volume = datasets::readVolume(
+      choice.path, choice.series,
+      choice.correct ? datasets::Geometry::Corrected : datasets::Geometry::AsStored);
   if (!volume) return tl::unexpected(volume.error());
   return std::make_shared<const haptics::Volume>(std::move(*volume));
 #else

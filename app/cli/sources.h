@@ -16,6 +16,7 @@ struct VolumeChoice {
   std::string path = {};
   std::string phantom = {};
   std::optional<int> series = {};
+  bool correct = false;  ///< resample what is tilted or unevenly spaced
 };
 haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const VolumeChoice& choice);
 

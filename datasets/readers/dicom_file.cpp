@@ -5,16 +5,20 @@
 #include <vtkDICOMItem.h>
 #include <vtkDICOMMetaData.h>
 #include <vtkDICOMParser.h>
+#include <vtkDICOMTagPath.h>
 #include <vtkDICOMUtilities.h>
 #include <vtkDICOMValue.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <string_view>
 
 #include "datasets/readers/c_locale.h"
+#include "datasets/readers/inflated_file.h"
 #include "datasets/readers/refusal.h"
 #include "datasets/readers/vtk_errors.h"
 
@@ -29,16 +33,26 @@ constexpr std::string_view kDeflated = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view kFolderIndex = "1.2.840.10008.1.3.10";  // media storage directory
 constexpr unsigned int kUndefinedLength = 0xffffffffu;
 
-std::string textOf(vtkDICOMMetaData* meta, vtkDICOMTag tag) {
-  std::string text = meta->Get(tag).AsString();
+std::string trimmed(const vtkDICOMValue& value) {
+  std::string text = value.AsString();
   while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
   return text;
 }
 
-/// `wanted` numbers of an attribute; false if it has another count.
+std::string textOf(vtkDICOMMetaData* meta, vtkDICOMTag tag) { return trimmed(meta->Get(tag)); }
+
+/// An attribute of a frame: from its own functional group, the shared one, or the root, where a
+/// file of one slice has it. By its full path, since private groups hold attributes of the same
+/// name.
+const vtkDICOMValue& ofFrame(vtkDICOMMetaData* meta, int frame, vtkDICOMTag group,
+                             vtkDICOMTag tag) {
+  const vtkDICOMValue& value = meta->Get(0, frame, vtkDICOMTagPath(group, 0, tag));
+  return value.IsValid() ? value : meta->Get(tag);
+}
+
+/// As many numbers as asked for; false if there is another count.
 template <std::size_t N>
-bool numbersOf(vtkDICOMMetaData* meta, vtkDICOMTag tag, std::array<double, N>& numbers) {
-  const vtkDICOMValue& value = meta->Get(tag);
+bool numbersOf(const vtkDICOMValue& value, std::array<double, N>& numbers) {
   if (!value.IsValid() || value.GetNumberOfValues() != N) return false;
   value.GetValues(numbers.data(), N);
   return true;
@@ -95,7 +109,6 @@ bool encapsulationCloses(const std::filesystem::path& path, std::int64_t begin, 
 std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData* meta,
                                          vtkDICOMParser* parser, const std::string& syntax) {
   const int samples = meta->Get(DC::SamplesPerPixel).AsInt();
-  const int frames = meta->Has(DC::NumberOfFrames) ? meta->Get(DC::NumberOfFrames).AsInt() : 1;
   const std::string meaning = textOf(meta, DC::PhotometricInterpretation);
   const auto size = static_cast<std::int64_t>(parser->GetFileSize());
   const auto begin = static_cast<std::int64_t>(parser->GetFileOffset());
@@ -113,18 +126,19 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
     return fault(unsupported("not-scalar",
                              "The series holds colour pictures, which have no isosurface; choose "
                              "the series of the scan."));
-  if (frames > 1 || meta->Has(DC::SharedFunctionalGroupsSequence))
-    return fault(unsupported(
-        "multi-frame", "The series is an enhanced multi-frame object of " + std::to_string(frames) +
-                           " frames, which this version does not read; export it as one "
-                           "file per slice."));
-  // some files misstate their frames: then the pixels tell
-  const std::int64_t needed = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
+  const auto cutOff = [&] {
+    return fault(malformed("truncated", "The file " + quoted(file.path) +
+                                            " ends before its pixels do; copy or fetch it again."));
+  };
+  if (file.frame_count > size) return cutOff();
+  const std::int64_t slice = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
+  const std::int64_t needed = slice * file.frame_count;
   const bool compressed = parser->GetPixelDataVL() == kUndefinedLength;
-  if (!compressed && needed > 0 && parser->GetPixelDataVL() >= 2 * needed)
-    return fault(unsupported("multi-frame",
-                             "A file of the series holds more pixels than the one slice it states; "
-                             "export it as one file per slice."));
+  // some files misstate their frames: then the pixels tell
+  if (!compressed && needed > 0 && parser->GetPixelDataVL() >= needed + slice)
+    return fault(malformed("bad-header",
+                           "A file of the series holds more pixels than the slices it states; "
+                           "export it again, as one file per slice."));
   const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 2
                                ? meta->Get(DC::ImageType).GetString(2)
                                : std::string();
@@ -140,43 +154,108 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
                                                std::to_string(file.plane.rows) + " pixels of " +
                                                std::to_string(file.bits_allocated) +
                                                " bits, which is not an image that can be read."));
-  const bool whole = compressed ? encapsulationCloses(file.path, begin, size)
+  // a frame takes a fragment at least, whose head has 8 bytes
+  const bool whole = compressed ? encapsulationCloses(file.path, begin, size) &&
+                                      file.frame_count <= (size - begin) / 8
                                 : needed <= parser->GetPixelDataVL() && begin + needed <= size;
-  if (!whole)
-    return fault(malformed("truncated", "The file " + quoted(file.path) +
-                                            " ends before its pixels do; copy or fetch it again."));
+  if (!whole) return cutOff();
   return {};
 }
 
 /// Fills in where the slice lies; false if the file does not say.
-bool placeSlice(vtkDICOMMetaData* meta, SlicePlane& plane) {
+bool placeSlice(vtkDICOMMetaData* meta, int frame, SlicePlane& plane) {
   std::array<double, 3> position{};
   std::array<double, 6> orientation{};
   std::array<double, 2> spacing{};
-  if (!numbersOf(meta, DC::ImagePositionPatient, position) ||
-      !numbersOf(meta, DC::ImageOrientationPatient, orientation) ||
-      !numbersOf(meta, DC::PixelSpacing, spacing))
+  const auto measure = [&](vtkDICOMTag tag) -> const vtkDICOMValue& {
+    return ofFrame(meta, frame, DC::PixelMeasuresSequence, tag);
+  };
+  if (!numbersOf(ofFrame(meta, frame, DC::PlanePositionSequence, DC::ImagePositionPatient),
+                 position) ||
+      !numbersOf(ofFrame(meta, frame, DC::PlaneOrientationSequence, DC::ImageOrientationPatient),
+                 orientation) ||
+      !numbersOf(measure(DC::PixelSpacing), spacing))
     return false;
   plane.position_mm = {position[0], position[1], position[2]};
   plane.along_row = {orientation[0], orientation[1], orientation[2]};
   plane.along_column = {orientation[3], orientation[4], orientation[5]};
   plane.row_step_mm = spacing[0];
   plane.column_step_mm = spacing[1];
-  if (meta->Has(DC::SliceThickness)) plane.thickness_mm = meta->Get(DC::SliceThickness).AsDouble();
+  const vtkDICOMValue& thickness = measure(DC::SliceThickness);
+  if (thickness.IsValid()) plane.thickness_mm = thickness.AsDouble();
   return true;
 }
 
 void readRescale(vtkDICOMMetaData* meta, DicomFile& file) {
-  if (!meta->Has(DC::RescaleSlope) || !meta->Has(DC::RescaleIntercept)) return;
+  const auto transformation = [&](vtkDICOMTag tag) -> const vtkDICOMValue& {
+    return ofFrame(meta, file.frame, DC::PixelValueTransformationSequence, tag);
+  };
+  const vtkDICOMValue &slope = transformation(DC::RescaleSlope),
+                      &intercept = transformation(DC::RescaleIntercept);
+  if (!slope.IsValid() || !intercept.IsValid()) return;
   file.rescaled = true;
-  file.slope = meta->Get(DC::RescaleSlope).AsDouble();
-  file.intercept = meta->Get(DC::RescaleIntercept).AsDouble();
-  const std::string type = textOf(meta, DC::RescaleType);
+  file.slope = slope.AsDouble();
+  file.intercept = intercept.AsDouble();
+  const std::string type = trimmed(transformation(DC::RescaleType));
   const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 0
                                ? meta->Get(DC::ImageType).GetString(0)
                                : std::string();
   file.hounsfield = file.modality == "CT" && (type == "HU" || (type.empty() && kind == "ORIGINAL"));
 }
+
+/// A stored value of the file's own sign, whatever sign its attribute was written with.
+double storedValue(const DicomFile& file, const vtkDICOMValue& value) {
+  const double number = value.AsDouble(), all = std::ldexp(1.0, file.bits_allocated);
+  if (file.is_signed && number >= 0.5 * all) return number - all;
+  if (!file.is_signed && number < 0.0) return number + all;
+  return number;
+}
+
+void readPadding(vtkDICOMMetaData* meta, DicomFile& file) {
+  if (!meta->Has(DC::PixelPaddingValue)) return;
+  const double value = storedValue(file, meta->Get(DC::PixelPaddingValue));
+  const double limit = meta->Has(DC::PixelPaddingRangeLimit)
+                           ? storedValue(file, meta->Get(DC::PixelPaddingRangeLimit))
+                           : value;
+  file.padding = {std::min(value, limit), std::max(value, limit)};
+}
+
+/// What differs from frame to frame, and why it cannot be used, if it cannot.
+void readFrame(vtkDICOMMetaData* meta, DicomFile& file) {
+  readRescale(meta, file);
+  readPadding(meta, file);
+  if (!std::isfinite(file.slope) || !std::isfinite(file.intercept) || file.slope == 0.0) {
+    file.fault = fault(malformed("bad-header",
+                                 "The series states a rescale slope or intercept that cannot be "
+                                 "used; export it again."));
+    return;
+  }
+  // several frames at the one place that a root states are no stack
+  const bool placed = (file.frame_count == 1 || meta->Has(DC::PerFrameFunctionalGroupsSequence)) &&
+                      placeSlice(meta, file.frame, file.plane);
+  if (!placed)
+    file.fault = fault(unsupported("bad-header",
+                                   "The series does not say where its slices lie (position, "
+                                   "orientation or pixel spacing is missing); export it again "
+                                   "with its geometry."));
+}
+
+/// A parsed header.
+struct Header {
+  explicit Header(const std::string& path) {
+    errors->watch(parser);
+    errors->watch(meta);
+    meta->SetNumberOfInstances(1);
+    parser->SetMetaData(meta);
+    parser->SetFileName(path.c_str());
+    parser->Update();
+  }
+  bool isSound() const { return errors->errors() == 0 && parser->GetErrorCode() == 0; }
+
+  vtkNew<vtkDICOMMetaData> meta;
+  vtkNew<vtkDICOMParser> parser;
+  vtkNew<VtkErrors> errors;
+};
 
 }  // namespace
 
@@ -184,21 +263,28 @@ bool looksLikeDicom(const std::filesystem::path& path) {
   return vtkDICOMUtilities::IsDICOMFile(path.c_str());
 }
 
-std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path) {
+std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   const CLocale numbers_with_points;
-  vtkNew<vtkDICOMMetaData> meta;
-  vtkNew<vtkDICOMParser> parser;
-  vtkNew<VtkErrors> errors;
-  errors->watch(parser);
-  errors->watch(meta);
-  meta->SetNumberOfInstances(1);
-  parser->SetMetaData(meta);
-  parser->SetFileName(path.c_str());
-  parser->Update();
+  std::optional<InflatedFile> inflated;
+  auto header = std::make_unique<Header>(path.string());
+  if (textOf(header->meta, DC::TransferSyntaxUID) == kDeflated) {
+    auto copy = InflatedFile::of(path);
+    if (!copy) {
+      DicomFile file;
+      file.path = path;
+      file.fault = copy.error();
+      return {file};
+    }
+    inflated.emplace(std::move(*copy));
+    header = std::make_unique<Header>(inflated->path());
+  }
+  vtkDICOMMetaData* meta = header->meta;
+  vtkDICOMParser* parser = header->parser;
 
   if (textOf(meta, DC::MediaStorageSOPClassUID) == kFolderIndex) return {};
   DicomFile file;
   file.path = path;
+  file.deflated = inflated.has_value();
   file.series = textOf(meta, DC::SeriesInstanceUID);
   file.instance = textOf(meta, DC::SOPInstanceUID);
   file.modality = textOf(meta, DC::Modality);
@@ -211,34 +297,30 @@ std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   file.is_signed = meta->Get(DC::PixelRepresentation).AsInt() == 1;
 
   const std::string syntax = textOf(meta, DC::TransferSyntaxUID);
-  if (syntax == kDeflated) {
-    file.fault = syntaxFault(syntax);
-    return file;
-  }
-  if (errors->errors() > 0 || parser->GetErrorCode() != 0) {
+  if (!header->isSound()) {
     file.fault =
         fault(malformed("truncated", "The header of " + quoted(path) +
                                          " is damaged or cut off; copy or fetch it again."));
-    return file;
+    return {file};
   }
   if (file.series.empty() && file.modality.empty() && file.plane.rows == 0) {
     file.fault = fault(malformed(
         "bad-header", "The header of " + quoted(path) + " cannot be understood; export it again."));
-    return file;
+    return {file};
   }
+  if (meta->Has(DC::NumberOfFrames))
+    file.frame_count = std::max(1, meta->Get(DC::NumberOfFrames).AsInt());
   file.fault = pixelFault(file, meta, parser, syntax);
-  readRescale(meta, file);
-  if (!file.fault &&
-      (!std::isfinite(file.slope) || !std::isfinite(file.intercept) || file.slope == 0.0))
-    file.fault = fault(malformed("bad-header",
-                                 "The series states a rescale slope or intercept that cannot be "
-                                 "used; export it again."));
-  if (!placeSlice(meta, file.plane) && !file.fault)
-    file.fault = fault(unsupported("bad-header",
-                                   "The series does not say where its slices lie (position, "
-                                   "orientation or pixel spacing is missing); export it again "
-                                   "with its geometry."));
-  return file;
+  if (file.fault) {
+    placeSlice(meta, 0, file.plane);  // to know what it is a copy of
+    return {file};
+  }
+  std::vector<DicomFile> frames(static_cast<std::size_t>(file.frame_count), file);
+  for (int n = 0; n < file.frame_count; ++n) {
+    frames[static_cast<std::size_t>(n)].frame = n;
+    readFrame(meta, frames[static_cast<std::size_t>(n)]);
+  }
+  return frames;
 }
 
 }  // namespace datasets

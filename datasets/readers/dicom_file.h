@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "datasets/readers/dicom_series.h"
 #include "haptics/core/error.h"
 
 namespace datasets {
 
-/// What one DICOM file says of itself. Identifiers serve to group files and are never shown.
+/// What one DICOM file says of a slice: of the only one, or of a frame of an enhanced object.
+/// Identifiers serve to group files and are never shown.
 struct DicomFile {
   std::filesystem::path path;
-  std::string series;    ///< SeriesInstanceUID
-  std::string instance;  ///< SOPInstanceUID
+  bool deflated = false;  ///< its data set, which InflatedFile makes readable
+  int frame = 0;          ///< which of the file's
+  int frame_count = 1;    ///< in the file
+  std::string series;     ///< SeriesInstanceUID
+  std::string instance;   ///< SOPInstanceUID
   int series_number = 0;
   std::string modality;
   SlicePlane plane;
@@ -26,6 +32,8 @@ struct DicomFile {
   double slope = 1.0;
   double intercept = 0.0;
   bool hounsfield = false;  ///< CT, rescaled, and the file says or implies HU
+  /// The first and last of the stored values that mean "nothing was measured here".
+  std::optional<std::array<double, 2>> padding;
   /// Why this file cannot be a slice, if it cannot.
   std::optional<haptics::Error> fault;
 };
@@ -33,7 +41,8 @@ struct DicomFile {
 /// Whether a file looks like DICOM: the mark after a preamble, or a first element that fits.
 bool looksLikeDicom(const std::filesystem::path& path);
 
-/// Reads one header. Empty for what is no image and no part of a series: a folder's index.
-std::optional<DicomFile> readDicomHeader(const std::filesystem::path& path);
+/// Reads one header: an entry for each frame, or a single one with a fault. Empty for what is no
+/// image and no part of a series: a folder's index.
+std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path);
 
 }  // namespace datasets

@@ -2,6 +2,7 @@
 #include "datasets/readers/dicom_folder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -46,6 +47,38 @@ Expected<Stack> judge(const std::vector<DicomFile>& files) {
   return stackOf(planes);
 }
 
+bool isSamePlace(const SlicePlane& a, const SlicePlane& b) {
+  constexpr double kSame = 1e-6;  // mm, and of a unit vector
+  return (a.position_mm - b.position_mm).norm() < kSame &&
+         (a.along_row - b.along_row).norm() < kSame &&
+         (a.along_column - b.along_column).norm() < kSame;
+}
+
+/// Keeps one of several copies of an image: of those with the same identifier at the same place one
+/// that can be read. How many were left out.
+int leaveOutCopies(std::vector<DicomFile>& files) {
+  std::map<std::pair<std::string, int>, std::size_t> kept;
+  std::vector<DicomFile> once;
+  int copies = 0;
+  for (DicomFile& file : files) {
+    const auto [it, is_new] = kept.try_emplace({file.instance, file.frame}, once.size());
+    if (is_new || file.instance.empty()) {
+      once.push_back(std::move(file));
+      continue;
+    }
+    DicomFile& before = once[it->second];
+    const bool faulty = file.fault.has_value() || before.fault.has_value();
+    if (!faulty && !isSamePlace(file.plane, before.plane)) {
+      once.push_back(std::move(file));
+      continue;
+    }
+    ++copies;
+    if (before.fault && !file.fault) before = std::move(file);
+  }
+  files = std::move(once);
+  return copies;
+}
+
 Expected<std::vector<fs::path>> filesOf(const fs::path& folder) {
   std::vector<fs::path> paths;
   std::error_code error;
@@ -67,7 +100,7 @@ Expected<std::vector<DicomFile>> headersOf(const fs::path& folder, const ReadPro
     if (stopped(progress)) return cancelled();
     progress.advanced(static_cast<double>(i) / static_cast<double>(paths->size()));
     if (!looksLikeDicom((*paths)[i])) continue;
-    if (auto header = readDicomHeader((*paths)[i])) headers.push_back(std::move(*header));
+    std::ranges::move(readDicomHeader((*paths)[i]), std::back_inserter(headers));
   }
   return headers;
 }
@@ -87,6 +120,7 @@ Expected<std::vector<DicomSeries>> scanFolder(const fs::path& folder,
 
   std::vector<DicomSeries> all;
   for (auto& [uid, series] : by_series) {
+    series.copies_left_out = leaveOutCopies(series.files);
     series.stack = judge(series.files);
     all.push_back(std::move(series));
   }
@@ -97,26 +131,30 @@ Expected<std::vector<DicomSeries>> scanFolder(const fs::path& folder,
 }
 
 Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progress) {
-  const auto named = readDicomHeader(path);
-  if (!named)
+  const std::vector<DicomFile> frames = readDicomHeader(path);
+  if (frames.empty())
     return unsupported("no-pixels", quoted(path) +
                                         " is the index of a folder and holds no image; open the "
                                         "folder of one series.");
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   auto headers = headersOf(folder, progress);
   if (!headers) return tl::unexpected(std::move(headers.error()));
+  const DicomFile& named = frames.front();
   DicomSeries series;
   for (DicomFile& file : *headers) {
-    if (file.series != named->series) continue;
+    if (file.series != named.series) continue;
     const bool is_named = file.path.filename() == path.filename();
     // files without identifiers stand for themselves
     if (!is_named && file.series.empty()) continue;
-    if (!is_named && !file.instance.empty() && file.instance == named->instance) {
+    const bool same_instance = !file.instance.empty() && file.instance == named.instance;
+    const bool same_place = !named.fault && isSamePlace(file.plane, named.plane);
+    if (!is_named && (same_instance || same_place)) {
       ++series.copies_left_out;
       continue;
     }
     series.files.push_back(std::move(file));
   }
+  series.copies_left_out += leaveOutCopies(series.files);
   series.stack = judge(series.files);
   return series;
 }
@@ -130,12 +168,12 @@ SeriesVerdict verdictOf(const DicomSeries& series, int index) {
                   static_cast<std::int64_t>(series.files.size())};
   verdict.spacing_mm = {first.plane.column_step_mm, first.plane.row_step_mm,
                         first.plane.thickness_mm};
-  verdict.sound = series.stack.has_value();
-  if (!verdict.sound) {
+  if (!series.stack) {
     verdict.reasons.push_back(series.stack.error().reason);
     verdict.message = series.stack.error().what;
     return verdict;
   }
+  verdict.verdict = series.stack->crooked ? Verdict::Correctable : Verdict::Sound;
   verdict.dims = series.stack->geometry.dims;
   verdict.spacing_mm = series.stack->geometry.steps_mm.colwise().norm().transpose();
   verdict.message = "One evenly spaced stack of " + std::to_string(series.files.size()) +
@@ -144,10 +182,17 @@ SeriesVerdict verdictOf(const DicomSeries& series, int index) {
     verdict.message = first.plane.thickness_mm > 0.0
                           ? "A single slice, taken to be as thick as it states."
                           : "A single slice of unstated thickness, taken to be 1 mm thick.";
+  if (series.stack->crooked) {
+    verdict.reasons.push_back(series.stack->crooked->why.reason);
+    verdict.message = series.stack->crooked->why.what;
+  }
   if (series.copies_left_out > 0) {
+    verdict.reasons.push_back("duplicate");
     verdict.message.pop_back();
     verdict.message += "; " + std::to_string(series.copies_left_out) +
-                       " other copies of the named image in its folder are left out.";
+                       (series.copies_left_out == 1 ? " other copy of a slice in the folder is"
+                                                    : " other copies of slices in the folder are") +
+                       " left out.";
   }
   return verdict;
 }

@@ -15,16 +15,17 @@ namespace datasets {
 struct DicomSeries {
   std::vector<DicomFile> files;
   haptics::Expected<Stack> stack = Stack{};  ///< geometry and order, or why there is none
-  int copies_left_out = 0;  ///< other files with an image that the user named by its file
+  int copies_left_out = 0;                   ///< other files with the image of one that is kept
 };
 
-/// The series of a folder (its own files, not those of folders inside), by series number.
+/// The series of a folder (its own files, not those of folders inside), by series number. Of files
+/// with the same image one is kept.
 /// `advanced` runs from 0 to 1.
 haptics::Expected<std::vector<DicomSeries>> scanFolder(const std::filesystem::path& folder,
                                                        const ReadProgress& progress = {});
 
-/// The series that one file stands for, from the file's own folder. Of several copies of the
-/// named image (in other encodings, say) the named one is taken.
+/// The series that one file stands for, from the file's own folder. Of several images at the place
+/// of the named one (in other encodings, say) the named one is taken.
 haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file,
                                         const ReadProgress& progress = {});
 

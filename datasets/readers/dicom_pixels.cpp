@@ -14,7 +14,9 @@
 #include <type_traits>
 
 #include "datasets/readers/c_locale.h"
+#include "datasets/readers/inflated_file.h"
 #include "datasets/readers/refusal.h"
+#include "datasets/readers/straighten.h"
 #include "datasets/readers/vtk_errors.h"
 
 namespace datasets {
@@ -143,7 +145,14 @@ void silenceCodecs() {
     if (void* off = dlsym(RTLD_DEFAULT, name)) reinterpret_cast<void (*)()>(off)();
 }
 
-/// The voxels of one file, as stored, in the file's own row order.
+/// Pixels of one slice, as stored.
+struct Pixels {
+  ScalarType type;
+  const void* first;
+};
+
+/// The pixels of one slice at a time, in the file's own row order; a file of frames is decoded
+/// once.
 class SliceDecoder {
  public:
   SliceDecoder() {
@@ -155,16 +164,25 @@ class SliceDecoder {
     reader_->SetSorting(0);
   }
 
-  Expected<vtkImageData*> decode(const DicomFile& file) {
-    errors_->forget();
-    reader_->SetFileName(file.path.c_str());
-    reader_->Update();
+  Expected<Pixels> decode(const DicomFile& file) {
+    if (file.path != decoded_) {
+      errors_->forget();
+      std::optional<InflatedFile> inflated;
+      if (file.deflated) {
+        auto copy = InflatedFile::of(file.path);
+        if (!copy) return tl::unexpected(copy.error());
+        inflated.emplace(std::move(*copy));
+      }
+      reader_->SetFileName(inflated ? inflated->path().c_str() : file.path.c_str());
+      reader_->Update();
+      decoded_ = file.path;
+    }
     vtkImageData* image = reader_->GetOutput();
     int dims[3] = {0, 0, 0};
     if (image != nullptr) image->GetDimensions(dims);
     const bool whole = errors_->errors() == 0 && reader_->GetErrorCode() == 0 && image != nullptr &&
                        dims[0] == file.plane.columns && dims[1] == file.plane.rows &&
-                       dims[2] == 1 && image->GetScalarPointer() != nullptr &&
+                       dims[2] == file.frame_count && image->GetScalarPointer() != nullptr &&
                        image->GetNumberOfScalarComponents() == 1 &&
                        typeOf(image->GetScalarType()).has_value();
     if (!whole)
@@ -173,13 +191,23 @@ class SliceDecoder {
                            " cannot be decoded: they are cut off, damaged or in a form "
                            "unknown here; fetch the file again or export it as explicit "
                            "little endian.");
-    return image;
+    const ScalarType type = *typeOf(image->GetScalarType());
+    const std::int64_t before = file.frame * file.plane.columns * file.plane.rows;
+    return Pixels{type, static_cast<const char*>(image->GetScalarPointer()) +
+                            before * static_cast<std::int64_t>(haptics::sizeOf(type))};
   }
 
  private:
+  std::filesystem::path decoded_;
   vtkNew<vtkDICOMReader> reader_;
   vtkNew<VtkErrors> errors_;
 };
+
+/// Of one slice.
+std::int64_t pixelsOf(const DicomSeries& series) {
+  const SlicePlane& any = series.files.front().plane;
+  return any.columns * any.rows;
+}
 
 enum class Outcome { Done, DoesNotFit };
 
@@ -187,49 +215,106 @@ Expected<Outcome> decodeAll(const DicomSeries& series, ScalarType type, void* vo
                             const ReadProgress& progress) {
   SliceDecoder decoder;
   const std::vector<std::size_t>& order = series.stack->order;
-  const FileGeometry& geometry = series.stack->geometry;
-  const std::int64_t slice = geometry.dims[0] * geometry.dims[1];
+  const std::int64_t slice = pixelsOf(series);
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (progress.cancel != nullptr && *progress.cancel) return cancelled();
     progress.advanced(static_cast<double>(k) / static_cast<double>(order.size()));
     const DicomFile& file = series.files[order[k]];
-    const auto image = decoder.decode(file);
-    if (!image) return tl::unexpected(image.error());
-    const bool fits = haptics::visitVoxels(
-        *typeOf((*image)->GetScalarType()), (*image)->GetScalarPointer(), [&](const auto* from) {
-          return haptics::visitVoxels(type, voxels, [&](const auto* to) {
-            using To = std::remove_const_t<std::remove_pointer_t<decltype(to)>>;
-            return rescale(from, static_cast<To*>(voxels) + static_cast<std::int64_t>(k) * slice,
-                           slice, file);
-          });
-        });
+    const auto pixels = decoder.decode(file);
+    if (!pixels) return tl::unexpected(pixels.error());
+    const bool fits = haptics::visitVoxels(pixels->type, pixels->first, [&](const auto* from) {
+      return haptics::visitVoxels(type, voxels, [&](const auto* to) {
+        using To = std::remove_const_t<std::remove_pointer_t<decltype(to)>>;
+        return rescale(from, static_cast<To*>(voxels) + static_cast<std::int64_t>(k) * slice, slice,
+                       file);
+      });
+    });
     if (!fits) return Outcome::DoesNotFit;
   }
   return Outcome::Done;
 }
 
+/// Makes air of what a slice pads its pixels with: the least of all other values. How many.
+std::int64_t padWithAir(const DicomSeries& series, ScalarType type, void* voxels) {
+  if (std::ranges::none_of(series.files, [](const DicomFile& f) { return f.padding.has_value(); }))
+    return 0;
+  return haptics::visitVoxels(type, voxels, [&](const auto* any) {
+    using T = std::remove_const_t<std::remove_pointer_t<decltype(any)>>;
+    const std::int64_t pixels = pixelsOf(series);
+    const auto eachSlice = [&](auto&& visit) {
+      T* slice = static_cast<T*>(voxels);
+      for (const std::size_t index : series.stack->order) {
+        const DicomFile& file = series.files[index];
+        // what no voxel can be, where the slice has no padding
+        T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+        if (file.padding) {
+          const auto value = [&](double stored) {
+            const double v = file.slope * stored + file.intercept;
+            return static_cast<T>(std::clamp(v, rangeOf(type).least, rangeOf(type).greatest));
+          };
+          low = std::min(value(file.padding->front()), value(file.padding->back()));
+          high = std::max(value(file.padding->front()), value(file.padding->back()));
+        }
+        for (T* p = slice; p != slice + pixels; ++p) visit(*p, low <= *p && *p <= high);
+        slice += pixels;
+      }
+    };
+    T air = std::numeric_limits<T>::max();
+    eachSlice([&](T& value, bool padding) {
+      if (!padding && value < air) air = value;
+    });
+    std::int64_t count = 0;
+    eachSlice([&](T& value, bool padding) {
+      if (!padding) return;
+      value = air;
+      ++count;
+    });
+    return count;
+  });
+}
+
+/// The first part of a progress, and the rest.
+ReadProgress partOf(const ReadProgress& whole, double from, double to) {
+  return {[&whole, from, to](double f) { whole.advanced(from + (to - from) * f); }, whole.cancel};
+}
+
 }  // namespace
 
-Expected<haptics::Volume> readSeries(const DicomSeries& series, const ReadProgress& progress) {
+Expected<haptics::Volume> readSeries(const DicomSeries& series, Geometry geometry,
+                                     const ReadProgress& progress) {
   if (!series.stack) return tl::unexpected(series.stack.error());
-  const auto grid = gridOf(series.stack->geometry);
+  const Stack& stack = *series.stack;
+  if (stack.crooked && geometry == Geometry::AsStored) return tl::unexpected(stack.crooked->why);
+  const auto grid = gridOf(stack.geometry);
   if (!grid) return tl::unexpected(grid.error());
   const CLocale numbers_with_points;
+  const std::int64_t stored = pixelsOf(series) * static_cast<std::int64_t>(stack.order.size());
+  const double decoded = stack.crooked ? 0.8 : 1.0;  // of the progress
 
   for (const ScalarType type : candidates(series)) {
-    const auto room =
-        checkRoom(grid->voxelCount(), static_cast<std::int64_t>(haptics::sizeOf(type)));
+    const auto room = checkRoom(stored + (stack.crooked ? grid->voxelCount() : 0),
+                                static_cast<std::int64_t>(haptics::sizeOf(type)));
     if (!room) return tl::unexpected(room.error());
-    auto voxels = haptics::allocateVoxels(grid->voxelCount(), type);
+    auto voxels = haptics::allocateVoxels(stored, type);
     if (!voxels) return tl::unexpected(std::move(voxels.error()));
-    const auto outcome = decodeAll(series, type, voxels->get(), progress);
+    const auto outcome = decodeAll(series, type, voxels->get(), partOf(progress, 0.0, decoded));
     if (!outcome) return tl::unexpected(outcome.error());
     if (*outcome == Outcome::DoesNotFit) continue;
+    const std::int64_t padded = padWithAir(series, type, voxels->get());
+    if (stack.crooked) {
+      auto box = haptics::allocateVoxels(grid->voxelCount(), type);
+      if (!box) return tl::unexpected(std::move(box.error()));
+      if (!straighten(stack, type, voxels->get(), box->get(), partOf(progress, decoded, 1.0)))
+        return cancelled();
+      voxels = std::move(box);
+    }
     const bool hounsfield = std::ranges::all_of(series.files, &DicomFile::hounsfield);
     return haptics::makeVolume(*grid, type, std::move(*voxels),
                                {.unit = hounsfield ? "HU" : "",
                                 .modality = series.files.front().modality,
-                                .orientation_known = true});
+                                .orientation_known = true,
+                                .padded = padded,
+                                .resampled = stack.crooked.has_value()});
   }
   return unsupported("bad-header",
                      "The series' rescaled values fit no voxel type; export it again.");

@@ -6,10 +6,12 @@
 
 namespace datasets {
 
-/// Decodes the slices of a sound series, one after the other, into one buffer, and applies each
-/// slice's own slope and intercept. Integer slopes and intercepts keep the narrowest fitting
-/// integer type, any other gives float32.
-haptics::Expected<haptics::Volume> readSeries(const DicomSeries& series,
+/// Decodes the slices of a series that makes a stack, one after the other, into one buffer, and
+/// applies each slice's own slope and intercept. Integer slopes and intercepts keep the narrowest
+/// fitting integer type, any other gives float32. A crooked stack is resampled where `geometry`
+/// says to correct it, and refused with its reason else. Padding becomes the least of all other
+/// values.
+haptics::Expected<haptics::Volume> readSeries(const DicomSeries& series, Geometry geometry,
                                               const ReadProgress& progress);
 
 }  // namespace datasets

@@ -17,13 +17,15 @@ using haptics::Vec3;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kParallel = 0.1 * kDegree;  // rad, between planes and off the normal
-constexpr double kUnitError = 1e-3;          // of a direction's length, and of a right angle
-constexpr double kSamePosition_mm = 1e-3;    // steps below this are none
-constexpr double kEvenStep = 0.01;           // of the median
-constexpr double kEvenStep_mm = 0.05;        //
-constexpr double kMultipleStep = 0.05;       // of the multiple
-constexpr double kEqualPixelSpacing = 1e-4;  // relative
+constexpr double kParallel = 0.1 * kDegree;   // rad, between planes and off the normal
+constexpr double kUnitError = 1e-3;           // of a direction's length, and of a right angle
+constexpr double kSamePosition_mm = 1e-3;     // steps below this are none
+constexpr double kEvenStep = 0.01;            // of the median
+constexpr double kEvenStep_mm = 0.05;         //
+constexpr double kMultipleStep = 0.05;        // of the multiple
+constexpr double kEqualPixelSpacing = 1e-4;   // relative
+constexpr double kMostTilt = 45.0 * kDegree;  // rad; gantries tilt by 30 degrees at most
+constexpr double kMostPlanes = 2.0;           // of a resampled box for each slice that there is
 
 double angleBetween(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -73,34 +75,138 @@ Expected<void> checkAlike(const std::vector<SlicePlane>& slices) {
   return {};
 }
 
-Expected<void> checkSteps(std::vector<double> steps_mm) {
-  std::vector<double> sorted = steps_mm;
-  std::ranges::sort(sorted);
-  const double median = sorted[sorted.size() / 2];
-  const double even = std::max(kEvenStep * median, kEvenStep_mm);
+/// How ordered slices follow each other.
+struct Advance {
+  Vec3 normal, along_row, along_column;  ///< unit, at right angles
+  Vec3 way_mm = Vec3::Zero();            ///< from the first slice to the last
+  double extent_mm = 0.0;                ///< of it, along the normal
+  std::vector<double> heights_mm;        ///< of each slice over the first, along the normal
+
+  double tilt() const { return angleBetween(way_mm, normal); }
+  /// Where a slice's first pixel lies beside that of the first slice, in columns and rows.
+  Eigen::Vector2d aside(const SlicePlane& slice, const SlicePlane& first) const {
+    const Vec3 offset_mm = slice.position_mm - first.position_mm;
+    return {along_row.dot(offset_mm) / first.column_step_mm,
+            along_column.dot(offset_mm) / first.row_step_mm};
+  }
+};
+
+/// Of slices in order, at least two; each somewhere else, and all on one line.
+Expected<Advance> advanceOf(const std::vector<SlicePlane>& ordered, const Vec3& normal) {
+  const SlicePlane& first = ordered.front();
+  Advance advance{normal, first.along_row.normalized(), {}, {}, 0.0, {}};
+  // rounding in the orientation must not leave the axes off their right angles
+  advance.along_column = normal.cross(advance.along_row);
+  advance.way_mm = ordered.back().position_mm - first.position_mm;
+  advance.extent_mm = normal.dot(advance.way_mm);
+  int repeated = 0;
+  for (const SlicePlane& s : ordered) {
+    const double height_mm = normal.dot(s.position_mm - first.position_mm);
+    if (!advance.heights_mm.empty())
+      repeated += height_mm - advance.heights_mm.back() < kSamePosition_mm ? 1 : 0;
+    advance.heights_mm.push_back(height_mm);
+  }
+  if (repeated > 0)
+    return unsupported("duplicate", std::to_string(repeated) + " of " +
+                                        std::to_string(ordered.size()) +
+                                        " slices lie at the position of another one; keep one "
+                                        "image of each position in the folder.");
+  if (advance.tilt() > kMostTilt)
+    return unsupported("sheared", "The slices advance " + brief(advance.tilt() / kDegree) +
+                                      " degrees off the direction that they face, which no gantry "
+                                      "does; export the series again.");
+  // within half a pixel's tenth, and what counts as straight
+  const double pixel_mm = std::min(first.row_step_mm, first.column_step_mm);
+  for (std::size_t k = 0; k < ordered.size(); ++k) {
+    const double height_mm = advance.heights_mm[k];
+    const Vec3 on_line_mm = height_mm / advance.extent_mm * advance.way_mm;
+    const double aside_mm = (ordered[k].position_mm - first.position_mm - on_line_mm).norm();
+    if (aside_mm > 0.05 * pixel_mm + std::tan(kParallel) * height_mm)
+      return unsupported("sheared", "A slice of the series lies " + brief(aside_mm) +
+                                        " mm beside the others; ask for a reconstruction as one "
+                                        "straight stack.");
+  }
+  return advance;
+}
+
+/// Nothing where the steps are even; why they are not; or, unexpected, that slices are missing.
+Expected<std::optional<haptics::Error>> checkSteps(const std::vector<double>& steps_mm,
+                                                   double median_mm) {
+  const auto [least, greatest] = std::ranges::minmax(steps_mm);
+  const double even = std::max(kEvenStep * median_mm, kEvenStep_mm);
   int odd = 0, missing = 0;
   bool multiples = true;
   for (const double step : steps_mm) {
-    if (std::abs(step - median) <= even) continue;
+    if (std::abs(step - median_mm) <= even) continue;
     ++odd;
-    const double times = std::round(step / median);
-    if (times < 2.0 || std::abs(step - times * median) > kMultipleStep * times * median)
+    const double times = std::round(step / median_mm);
+    if (times < 2.0 || std::abs(step - times * median_mm) > kMultipleStep * times * median_mm)
       multiples = false;
     else
       missing += static_cast<int>(times) - 1;
   }
-  if (odd == 0) return {};
+  if (odd == 0) return std::nullopt;
   const std::string gaps =
       std::to_string(odd) + " of " + std::to_string(steps_mm.size()) + " steps";
   if (multiples)
     return unsupported("missing-slices",
                        std::to_string(missing) + (missing == 1 ? " slice is" : " slices are") +
                            " missing from the series (" + gaps + " are a multiple of " +
-                           brief(median) + " mm); fetch the series again.");
-  return unsupported("uneven-spacing", "The slices are unevenly spaced: " + gaps + " differ from " +
-                                           brief(median) + " mm, from " + brief(sorted.front()) +
-                                           " to " + brief(sorted.back()) +
-                                           " mm; ask for a reconstruction with even spacing.");
+                           brief(median_mm) + " mm); fetch the series again.");
+  return haptics::Error{haptics::Error::Kind::Correctable,
+                        "The slices are unevenly spaced: " + gaps + " differ from " +
+                            brief(median_mm) + " mm, from " + brief(least) + " to " +
+                            brief(greatest) + " mm",
+                        "uneven-spacing"};
+}
+
+/// The box that tilted or uneven slices fill once they are resampled: planes at the median step,
+/// and columns and rows for all of them. The first slice keeps its pixels.
+Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered,
+                             const Advance& advance, const std::optional<haptics::Error>& uneven,
+                             double median_mm) {
+  const SlicePlane& first = ordered.front();
+  FileGeometry& box = stack.geometry;
+  Crooked crooked{{}, {}, first.columns, first.rows};
+  const bool tilted = advance.tilt() > kParallel;
+  if (tilted) {
+    crooked.why = {haptics::Error::Kind::Correctable,
+                   "The slices are tilted by " + brief(advance.tilt() / kDegree) +
+                       " degrees against the direction in which they advance",
+                   "gantry-tilt"};
+    if (uneven) crooked.why.what += ", and unevenly spaced";
+  } else {
+    crooked.why = *uneven;
+  }
+  if (uneven) {
+    box.dims[2] = 1 + std::lround(advance.extent_mm / median_mm);
+    if (box.dims[2] < 2 ||
+        static_cast<double>(box.dims[2]) > kMostPlanes * static_cast<double>(ordered.size()))
+      return unsupported("uneven-spacing",
+                         crooked.why.what +
+                             "; there are too few of them to fill the gaps, so ask "
+                             "for a reconstruction with even spacing.");
+  }
+  const double step_mm = advance.extent_mm / static_cast<double>(box.dims[2] - 1);
+  Vec3 least = Vec3::Zero(), greatest = least;
+  for (std::size_t k = 0; k < ordered.size(); ++k) {
+    Vec3 place{0.0, 0.0, uneven ? advance.heights_mm[k] / step_mm : static_cast<double>(k)};
+    if (tilted) place.head<2>() = advance.aside(ordered[k], first);
+    least = least.cwiseMin(place);
+    greatest = greatest.cwiseMax(place);
+    crooked.places.push_back(place);
+  }
+  // whole pixels to the box's corner
+  const Vec3 corner = least.array().floor();
+  for (Vec3& place : crooked.places) place -= corner;
+  for (const int axis : {0, 1})
+    box.dims[static_cast<std::size_t>(axis)] +=
+        std::lround(std::ceil(greatest[axis]) - corner[axis]);
+  box.steps_mm.col(2) = advance.normal * step_mm;
+  box.origin_mm += box.steps_mm * corner;
+  crooked.why.what += "; they can be resampled onto a right-angled grid of even steps.";
+  stack.crooked = std::move(crooked);
+  return stack;
 }
 
 }  // namespace
@@ -117,54 +223,34 @@ Expected<Stack> stackOf(const std::vector<SlicePlane>& slices) {
   Stack stack;
   stack.order.resize(slices.size());
   std::iota(stack.order.begin(), stack.order.end(), std::size_t{0});
-  const auto height = [&](std::size_t i) { return normal.dot(slices[i].position_mm); };
-  std::ranges::stable_sort(stack.order, {}, height);
+  std::ranges::stable_sort(stack.order, {},
+                           [&](std::size_t i) { return normal.dot(slices[i].position_mm); });
+  std::vector<SlicePlane> ordered;
+  for (const std::size_t i : stack.order) ordered.push_back(slices[i]);
 
-  const SlicePlane& first = slices[stack.order.front()];
-  double step_mm = any.thickness_mm > 0.0 ? any.thickness_mm : 1.0;
-  if (slices.size() > 1) {
-    // a repeated position, whether or not the slices lie beside each other
-    std::vector<double> steps_mm;
-    int repeated = 0;
-    for (std::size_t k = 1; k < slices.size(); ++k) {
-      steps_mm.push_back(height(stack.order[k]) - height(stack.order[k - 1]));
-      repeated += steps_mm.back() < kSamePosition_mm ? 1 : 0;
-    }
-    if (repeated > 0)
-      return unsupported("duplicate", std::to_string(repeated) + " of " +
-                                          std::to_string(slices.size()) +
-                                          " slices lie at the position of another one; keep one "
-                                          "image of each position in the folder.");
-    const SlicePlane& last = slices[stack.order.back()];
-    const double tilt = angleBetween(last.position_mm - first.position_mm, normal);
-    if (tilt > kParallel)
-      return unsupported("gantry-tilt", "The slices are tilted by " + brief(tilt / kDegree) +
-                                            " degrees against the direction in which they advance; "
-                                            "ask for a reconstruction without gantry tilt.");
-    if (const auto even = checkSteps(steps_mm); !even) return tl::unexpected(even.error());
-    step_mm = (height(stack.order.back()) - height(stack.order.front())) /
-              static_cast<double>(slices.size() - 1);
+  const SlicePlane& first = ordered.front();
+  FileGeometry& box = stack.geometry;
+  box.dims = {any.columns, any.rows, static_cast<std::int64_t>(slices.size())};
+  const Vec3 along_row = first.along_row.normalized();
+  box.steps_mm.col(0) = along_row * any.column_step_mm;
+  box.steps_mm.col(1) = normal.cross(along_row) * any.row_step_mm;
+  box.steps_mm.col(2) = normal * (any.thickness_mm > 0.0 ? any.thickness_mm : 1.0);
+  box.origin_mm = first.position_mm;
+  if (slices.size() == 1) return stack;
 
-    // every slice over the first, within half a pixel's tenth
-    for (const SlicePlane& s : slices) {
-      const Vec3 offset_mm = s.position_mm - first.position_mm;
-      const double aside_mm = (offset_mm - normal * normal.dot(offset_mm)).norm();
-      if (aside_mm > 0.05 * std::min(s.row_step_mm, s.column_step_mm) +
-                         std::tan(kParallel) * std::abs(normal.dot(offset_mm)))
-        return unsupported("sheared", "A slice of the series lies " + brief(aside_mm) +
-                                          " mm beside the others; ask for a reconstruction as one "
-                                          "straight stack.");
-    }
-  }
-
-  stack.geometry.dims = {any.columns, any.rows, static_cast<std::int64_t>(slices.size())};
-  // rounding in the orientation must not leave the axes off their right angles
-  const Vec3 along_row = any.along_row.normalized();
-  const Vec3 along_column = normal.cross(along_row);
-  stack.geometry.steps_mm.col(0) = along_row * any.column_step_mm;
-  stack.geometry.steps_mm.col(1) = along_column * any.row_step_mm;
-  stack.geometry.steps_mm.col(2) = normal * step_mm;
-  stack.geometry.origin_mm = first.position_mm;
+  const auto advance = advanceOf(ordered, normal);
+  if (!advance) return tl::unexpected(advance.error());
+  std::vector<double> steps_mm;
+  for (std::size_t k = 1; k < ordered.size(); ++k)
+    steps_mm.push_back(advance->heights_mm[k] - advance->heights_mm[k - 1]);
+  std::vector<double> sorted = steps_mm;
+  std::ranges::sort(sorted);
+  const double median_mm = sorted[sorted.size() / 2];
+  const auto uneven = checkSteps(steps_mm, median_mm);
+  if (!uneven) return tl::unexpected(uneven.error());
+  if (*uneven || advance->tilt() > kParallel)
+    return straightened(std::move(stack), ordered, *advance, *uneven, median_mm);
+  box.steps_mm.col(2) = normal * (advance->extent_mm / static_cast<double>(slices.size() - 1));
   return stack;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "datasets/readers/file_geometry.h"
@@ -23,10 +24,20 @@ struct SlicePlane {
   double thickness_mm = 0.0;  ///< used as the step of a single slice only; 0: not stated
 };
 
+/// Parallel slices that do not fill an even box of right angles as they stand, and do once they are
+/// resampled onto one.
+struct Crooked {
+  haptics::Error why;  ///< "gantry-tilt" or "uneven-spacing"; the sentence has angle or gaps
+  /// Where in the box's index coordinates the first pixel of the slice at k lies.
+  std::vector<haptics::Vec3> places;
+  std::int64_t columns = 0, rows = 0;  ///< of a slice; the box may have more
+};
+
 /// Slices in the order of the stack, and the box that they fill.
 struct Stack {
   std::vector<std::size_t> order;  ///< order[k] is the index of the slice at k
-  FileGeometry geometry;
+  FileGeometry geometry;           ///< of the box, once straightened
+  std::optional<Crooked> crooked = {};
 };
 
 /// The stack that slices make, k along the normal (row x column), or why they make none:
@@ -35,10 +46,12 @@ struct Stack {
 ///   "mixed-orientation"  planes more than 0.1 degrees apart
 ///   "mixed-size"         unequal rows, columns or pixel spacing
 ///   "duplicate"          two slices at one position
-///   "gantry-tilt"        positions that advance more than 0.1 degrees off the normal
+///   "sheared"            positions that do not advance along one line; a tilt beyond 45 degrees
 ///   "missing-slices"     every odd step is a multiple of the usual one, within 5 %
-///   "uneven-spacing"     any other step off the median by more than 1 % or 0.05 mm, whichever
-///                        is greater
+///   "uneven-spacing"     steps so uneven that resampling would make up most of the slices
+/// A stack can be straightened, and is crooked as it stands, with
+///   "gantry-tilt"        positions that advance more than 0.1 degrees off the normal
+///   "uneven-spacing"     steps off the median by more than 1 % or 0.05 mm, whichever is greater
 /// A single slice takes its thickness, or 1 mm, as its step.
 haptics::Expected<Stack> stackOf(const std::vector<SlicePlane>& slices);
 

@@ -64,7 +64,7 @@ SeriesVerdict nrrdVerdict(const fs::path& path) {
     verdict.message = description.error().what;
     return verdict;
   }
-  verdict.sound = true;
+  verdict.verdict = Verdict::Sound;
   verdict.modality = description->facts.modality;
   verdict.spacing_mm = description->grid.spacing * 1e3;
   verdict.message = "One evenly spaced stack.";
@@ -83,19 +83,20 @@ std::string listOf(const std::vector<DicomSeries>& all) {
   std::string list;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const SeriesVerdict v = verdictOf(all[i], static_cast<int>(i));
-    list += (i == 0 ? "" : "; ") + std::to_string(i) + " is " +
-            (v.modality.empty() ? "of no modality" : v.modality) + ", " +
-            std::to_string(v.dims[0]) + " x " + std::to_string(v.dims[1]) + " x " +
-            std::to_string(v.dims[2]) + ", " +
-            (v.sound ? brief(v.spacing_mm.x()) + " x " + brief(v.spacing_mm.y()) + " x " +
-                           brief(v.spacing_mm.z()) + " mm"
-                     : "refused (" + v.reasons.front() + ")");
+    list +=
+        (i == 0 ? "" : "; ") + std::to_string(i) + " is " +
+        (v.modality.empty() ? "of no modality" : v.modality) + ", " + std::to_string(v.dims[0]) +
+        " x " + std::to_string(v.dims[1]) + " x " + std::to_string(v.dims[2]) + ", " +
+        (v.verdict != Verdict::Refused ? brief(v.spacing_mm.x()) + " x " + brief(v.spacing_mm.y()) +
+                                             " x " + brief(v.spacing_mm.z()) + " mm"
+                                       : "refused (" + v.reasons.front() + ")") +
+        (v.verdict == Verdict::Correctable ? ", correctable (" + v.reasons.front() + ")" : "");
   }
   return list;
 }
 
 Expected<DicomSeries> chosen(const fs::path& folder, std::vector<DicomSeries> all,
-                             std::optional<int> index) {
+                             std::optional<int> index, Geometry geometry) {
   if (index) {
     if (*index < 0 || *index >= static_cast<int>(all.size()))
       return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
@@ -104,13 +105,18 @@ Expected<DicomSeries> chosen(const fs::path& folder, std::vector<DicomSeries> al
                                            "no-such-series"});
     return std::move(all[static_cast<std::size_t>(*index)]);
   }
-  const auto sound = [](const DicomSeries& s) { return s.stack.has_value(); };
+  const auto any = [](const DicomSeries& s) { return s.stack.has_value(); };
+  const auto sound = [&](const DicomSeries& s) {
+    return any(s) && (!s.stack->crooked || geometry == Geometry::Corrected);
+  };
   const auto loadable = std::ranges::count_if(all, sound);
   if (loadable > 1)
     return unsupported("which-series",
                        "The folder " + quoted(folder) + " holds " + std::to_string(loadable) +
                            " series that can be loaded; name one: " + listOf(all) + ".");
   if (loadable == 1) return std::move(*std::ranges::find_if(all, sound));
+  // what could be corrected says so itself
+  if (const auto one = std::ranges::find_if(all, any); one != all.end()) return std::move(*one);
   if (all.size() > 1)
     return unsupported(all.front().stack.error().reason,
                        "None of the " + std::to_string(all.size()) + " series in " +
@@ -153,7 +159,7 @@ Expected<haptics::Volume> readNrrd(const fs::path& path, const ReadProgress& pro
 }
 
 Expected<haptics::Volume> readAny(const fs::path& path, std::optional<int> series,
-                                  const ReadProgress& progress) {
+                                  Geometry geometry, const ReadProgress& progress) {
   const auto format = formatOf(path);
   if (!format) return tl::unexpected(format.error());
   if (progress.cancel != nullptr && *progress.cancel) return cancelled();
@@ -161,13 +167,13 @@ Expected<haptics::Volume> readAny(const fs::path& path, std::optional<int> serie
   if (*format == Format::DicomFile) {
     const auto one = seriesOf(path, scanning(progress));
     if (!one) return tl::unexpected(one.error());
-    return readSeries(*one, decoding(progress));
+    return readSeries(*one, geometry, decoding(progress));
   }
   auto all = scanFolder(path, scanning(progress));
   if (!all) return tl::unexpected(std::move(all.error()));
-  const auto one = chosen(path, std::move(*all), series);
+  const auto one = chosen(path, std::move(*all), series, geometry);
   if (!one) return tl::unexpected(one.error());
-  return readSeries(*one, decoding(progress));
+  return readSeries(*one, geometry, decoding(progress));
 }
 
 Expected<Survey> surveyAny(const fs::path& path) {
@@ -197,8 +203,8 @@ Expected<Survey> survey(const fs::path& path) {
 }
 
 Expected<haptics::Volume> readVolume(const fs::path& path, std::optional<int> series,
-                                     const ReadProgress& progress) {
-  return guarded<haptics::Volume>(path, [&] { return readAny(path, series, progress); });
+                                     Geometry geometry, const ReadProgress& progress) {
+  return guarded<haptics::Volume>(path, [&] { return readAny(path, series, geometry, progress); });
 }
 
 }  // namespace datasets

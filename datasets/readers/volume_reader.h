@@ -13,13 +13,23 @@
 
 namespace datasets {
 
+/// Whether a series' geometry can be trusted.
+enum class Verdict {
+  Sound,        ///< as it stands
+  Correctable,  ///< once it is resampled onto an even, right-angled grid, if the user agrees
+  Refused
+};
+
+/// What to do with a correctable series.
+enum class Geometry { AsStored, Corrected };
+
 /// What can be said of a file or series before, or without, its voxels.
 struct SeriesVerdict {
   int index = 0;
   std::string modality;
   std::array<std::int64_t, 3> dims{};
   haptics::Vec3 spacing_mm = haptics::Vec3::Zero();
-  bool sound = false;                ///< "sound" or "refused"
+  Verdict verdict = Verdict::Refused;
   std::vector<std::string> reasons;  ///< codes: "gantry-tilt", "not-scalar", "truncated", …
   std::string message;               ///< one sentence for the user
 };
@@ -42,9 +52,11 @@ haptics::Expected<Survey> survey(const std::filesystem::path& path);
 
 /// Reads one volume. One file of a DICOM series stands for its series. A folder with several
 /// loadable series and no `series` named is refused with the list (reason "which-series").
-/// Anything but one evenly spaced, right-angled, single-component stack is refused by name.
+/// Anything but one evenly spaced, right-angled, single-component stack is refused by name, and
+/// what is correctable too unless `geometry` says to correct it.
 haptics::Expected<haptics::Volume> readVolume(const std::filesystem::path& path,
                                               std::optional<int> series = {},
+                                              Geometry geometry = Geometry::AsStored,
                                               const ReadProgress& progress = {});
 
 /// Writes an NRRD (raw, attached, space left-posterior-superior, unit and modality as

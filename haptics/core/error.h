@@ -8,7 +8,13 @@ namespace haptics {
 
 /// Why something could not be set up. Never crosses the servo thread.
 struct Error {
-  enum class Kind { NotFound, Unsupported, Malformed, Cancelled };
+  enum class Kind {
+    NotFound,
+    Unsupported,
+    Malformed,
+    Cancelled,
+    Correctable  ///< not as it stands, but in a way that the user can agree to
+  };
   Kind kind = Kind::Malformed;
   std::string what;         ///< One sentence for the user: names the thing, and what to try.
   std::string reason = {};  ///< A code for programs, `contract` style: "truncated", "sheared", …

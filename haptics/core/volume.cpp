@@ -128,6 +128,8 @@ Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<v
   volume.unit = std::move(facts.unit);
   volume.modality = std::move(facts.modality);
   volume.orientation_known = facts.orientation_known;
+  volume.padded = facts.padded;
+  volume.resampled = facts.resampled;
   return volume;
 }
 

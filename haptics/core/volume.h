@@ -49,6 +49,8 @@ struct Volume {
   std::string modality = {};      ///< "CT", "MR", … or empty
   bool orientation_known = true;  ///< false: no left and right may be shown
   std::int64_t replaced = 0;      ///< non-finite voxels that became background
+  std::int64_t padded = 0;        ///< stored as padding, where nothing was measured; air now
+  bool resampled = false;         ///< from slices that were tilted or unevenly spaced
 };
 
 inline constexpr std::size_t kVoxelPadding = 64;  ///< bytes
@@ -61,6 +63,8 @@ struct VolumeFacts {
   std::string unit = {};
   std::string modality = {};
   bool orientation_known = true;
+  std::int64_t padded = 0;
+  bool resampled = false;
 };
 
 /// Finishes a volume: checks the grid (dims, finite positive spacing, right angles to 1e-4),

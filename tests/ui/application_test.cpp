@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <thread>
 #include <vector>
 
@@ -134,6 +135,21 @@ TEST(Application, KeepsTheOldVolumeWhenTheNewOneCannotBeRead) {
   EXPECT_EQ(refused.first().first().toInt(), 3);
   QTest::qWait(100);
   EXPECT_EQ(application.snapshot().scene, scene);
+}
+
+TEST(Application, SaysInItsTitleThatAScanWasResampled) {
+  const std::filesystem::path scan =
+      std::filesystem::path(PALPATE_SCANS) / "dicom_oddities/series_failing/gantrytilting";
+  if (!std::filesystem::exists(scan)) GTEST_SKIP() << "NOT CHECKED: no tilted scan here";
+  app::Arguments arguments = sphere("mouse");
+  arguments.load.phantom = {};
+  arguments.load.path = scan;
+  arguments.load.geometry = datasets::Geometry::Corrected;
+  app::Application application(arguments);
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  EXPECT_TRUE(application.window().windowTitle().startsWith("gantrytilting (resampled)"))
+      << application.window().windowTitle().toStdString();
 }
 
 TEST(Application, AnIsovalueThatTheVolumeHasNotIsReplacedEverywhereAndSaid) {

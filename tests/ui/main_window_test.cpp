@@ -3,15 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLocale>
+#include <QMessageBox>
 #include <QStatusBar>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
 #include <cmath>
+#include <functional>
 
 #include "ui/panels/isosurface_panel.h"
 #include "ui/volume_view.h"
@@ -63,6 +67,26 @@ TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheRedButtonWishTheForceOff) {
   QTest::qWait(100);
   EXPECT_TRUE(red->isVisible());
   EXPECT_FALSE(red->visibleRegion().isEmpty());
+}
+
+TEST(MainWindow, AsksBeforeItResamplesAndTakesEnterForNo) {
+  ui::MainWindow window;
+  window.show();
+  const auto answered = [&](const std::function<void(QMessageBox&)>& answer) {
+    QTimer::singleShot(200, &window, [answer] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_NE(box, nullptr);
+      EXPECT_EQ(box->text(), "The slices are tilted.");
+      answer(*box);
+    });
+    return window.askWhether("The slices are tilted.", "They are resampled.", "Resample");
+  };
+  EXPECT_FALSE(answered([](QMessageBox& box) { QTest::keyClick(&box, Qt::Key_Return); }));
+  EXPECT_FALSE(answered([](QMessageBox& box) { QTest::keyClick(&box, Qt::Key_Escape); }));
+  EXPECT_TRUE(answered([](QMessageBox& box) {
+    for (QAbstractButton* button : box.buttons())
+      if (button->text().contains("Resample")) QTest::mouseClick(button, Qt::LeftButton);
+  }));
 }
 
 TEST(MainWindow, TheSliderOnTheHistogramChangesPictureAndTouch) {

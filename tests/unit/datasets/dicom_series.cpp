@@ -9,6 +9,9 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
+
+#include "datasets/readers/straighten.h"
 
 namespace datasets {
 namespace {
@@ -42,6 +45,12 @@ std::string reasonFor(const std::vector<SlicePlane>& slices) {
   return verdict ? "" : verdict.error().reason;
 }
 
+/// The reason for which a stack has to be straightened; "no" where it has not, or cannot.
+std::string crookedFor(const std::vector<SlicePlane>& slices) {
+  const auto verdict = stackOf(slices);
+  return verdict && verdict->crooked ? verdict->crooked->why.reason : "no";
+}
+
 TEST(DicomSeries, ShuffledSlicesAreOrderedAlongTheNormal) {
   auto slices = stack({0, 1.25, 2.5, 3.75, 5, 6.25});
   std::shuffle(slices.begin(), slices.end(), std::mt19937(3));
@@ -71,11 +80,10 @@ TEST(DicomSeries, ColumnsGoAlongRowsAndRowsDownColumns) {
 TEST(DicomSeries, RefusesByName) {
   EXPECT_EQ(reasonFor(stack({0, 1, 2, 4, 5, 6})), "missing-slices");
   EXPECT_EQ(reasonFor(stack({0, 1, 2, 5, 6, 7})), "missing-slices");
-  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3.5, 4.5, 5.5})), "uneven-spacing");
-  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3, 6.5, 8})), "uneven-spacing");
+  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3, 12.5, 14})), "uneven-spacing");
   EXPECT_EQ(reasonFor(stack({0, 1, 2, 2, 3})), "duplicate");
-  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3}, 0.2)), "gantry-tilt");
-  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3}, 0.05)), "");
+  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3}, 50.0)), "sheared");
+  EXPECT_EQ(reasonFor(stack({0, 1, 3, 4}, 12.0)), "missing-slices");
   EXPECT_EQ(reasonFor({}), "no-pixels");
 
   auto turned = stack({0, 1, 2, 3});
@@ -101,16 +109,68 @@ TEST(DicomSeries, RefusesByName) {
 }
 
 TEST(DicomSeries, StepsMayWanderByOnePercentOrATwentiethOfAMillimetre) {
-  EXPECT_EQ(reasonFor(stack({0, 1, 2.04, 3.0, 4})), "");
-  EXPECT_EQ(reasonFor(stack({0, 1, 2.06, 3.12, 4})), "uneven-spacing");
-  EXPECT_EQ(reasonFor(stack({0, 10, 20.09, 30, 40})), "");
-  EXPECT_EQ(reasonFor(stack({0, 10, 20.11, 30, 40})), "uneven-spacing");
+  EXPECT_EQ(crookedFor(stack({0, 1, 2.04, 3.0, 4})), "no");
+  EXPECT_EQ(crookedFor(stack({0, 1, 2.06, 3.12, 4})), "uneven-spacing");
+  EXPECT_EQ(crookedFor(stack({0, 10, 20.09, 30, 40})), "no");
+  EXPECT_EQ(crookedFor(stack({0, 10, 20.11, 30, 40})), "uneven-spacing");
 }
 
-TEST(DicomSeries, TheSentenceNamesTheAngle) {
+TEST(DicomSeries, TiltedAndUnevenStacksCanBeStraightened) {
+  EXPECT_EQ(crookedFor(stack({0, 1, 2, 3.5, 4.5, 5.5})), "uneven-spacing");
+  EXPECT_EQ(crookedFor(stack({0, 1, 2, 3, 6.5, 8})), "uneven-spacing");
+  EXPECT_EQ(crookedFor(stack({0, 1, 2, 3}, 0.2)), "gantry-tilt");
+  EXPECT_EQ(crookedFor(stack({0, 1, 2, 3}, 0.05)), "no");
+  EXPECT_EQ(crookedFor(stack({0, 1, 2, 3.5}, -20.0)), "gantry-tilt");
   const auto verdict = stackOf(stack({0, 1, 2, 3}, 12.0));
-  ASSERT_FALSE(verdict);
-  EXPECT_NE(verdict.error().what.find("12 degrees"), std::string::npos) << verdict.error().what;
+  ASSERT_TRUE(verdict);
+  const std::string& sentence = verdict->crooked->why.what;
+  EXPECT_NE(sentence.find("12 degrees"), std::string::npos) << sentence;
+}
+
+// linear interpolation keeps what is linear: wherever slices reach, the straightened box has the
+// value of its place in the patient, and elsewhere the least of all
+TEST(DicomSeries, WhatIsLinearInThePatientStaysSo) {
+  const std::vector<std::vector<double>> heights{{0, 1, 2, 3, 4}, {0, 1, 2.5, 3.5, 4.2}};
+  for (const double tilt : {0.0, 16.5, -30.0})
+    for (const auto& at : heights) {
+      const bool even = at == heights.front();
+      if (even && tilt == 0.0) continue;
+      auto slices = stack(at, tilt);
+      std::shuffle(slices.begin(), slices.end(), std::mt19937(5));
+      const auto made = stackOf(slices);
+      ASSERT_TRUE(made && made->crooked);
+      const auto grid = gridOf(made->geometry);
+      ASSERT_TRUE(grid);
+      const auto linear = [](const Vec3& p_mm) { return 500.0 + p_mm.dot(Vec3(3, -2, 7)); };
+      std::vector<float> voxels;
+      for (const std::size_t index : made->order) {
+        const SlicePlane& s = slices[index];
+        for (std::int64_t row = 0; row < s.rows; ++row)
+          for (std::int64_t column = 0; column < s.columns; ++column)
+            voxels.push_back(
+                float(linear(s.position_mm + double(column) * s.column_step_mm * s.along_row +
+                             double(row) * s.row_step_mm * s.along_column)));
+      }
+      const float least = *std::min_element(voxels.begin(), voxels.end());
+      std::vector<float> box(std::size_t(grid->voxelCount()));
+      ASSERT_TRUE(straighten(*made, haptics::ScalarType::Float32, voxels.data(), box.data(), {}));
+      const SlicePlane& low = slices[made->order.front()];
+      std::int64_t reached = 0, n = 0;
+      for (std::int64_t k = 0; k < grid->dims[2]; ++k)
+        for (std::int64_t j = 0; j < grid->dims[1]; ++j)
+          for (std::int64_t i = 0; i < grid->dims[0]; ++i, ++n) {
+            const Vec3 p_mm = 1e3 * grid->worldOf({double(i), double(j), double(k)});
+            if (box[std::size_t(n)] == least) continue;
+            ++reached;
+            EXPECT_NEAR(box[std::size_t(n)], linear(p_mm), 1e-3) << i << " " << j << " " << k;
+          }
+      // all columns, and all rows but the one that a slice between two pixels loses, and those
+      // that only one of the two slices beside a plane has
+      EXPECT_GE(reached, (low.columns - 1) * (low.rows - 3) * grid->dims[2]) << tilt;
+      // the first slice keeps its pixels
+      const Vec3 corner = grid->indexOf(1e-3 * low.position_mm);
+      EXPECT_LT((corner - Vec3(corner.array().round())).norm(), 1e-9);
+    }
 }
 
 }  // namespace

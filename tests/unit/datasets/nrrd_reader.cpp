@@ -342,7 +342,7 @@ TEST(NrrdReader, CancelEndsTheRead) {
   NEEDS_SCAN(path);
   std::atomic<bool> cancel = false;
   double last = 0.0;
-  const auto v = readVolume(path, {},
+  const auto v = readVolume(path, {}, Geometry::AsStored,
                             {[&](double f) {
                                last = f;
                                cancel = f > 0.3;

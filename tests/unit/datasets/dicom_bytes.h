@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "haptics/core/geometry.h"
+
+namespace datasets::testing {
+
+/// One slice of a CT as a file of explicit little endian, of signed 16-bit pixels.
+struct DicomSlice {
+  std::string series = "1.2.3.4", instance = "1.2.3.4.5";
+  haptics::Vec3 position_mm = haptics::Vec3::Zero();
+  haptics::Vec3 along_row = haptics::Vec3::UnitX(), along_column = haptics::Vec3::UnitY();
+  double row_step_mm = 1.0, column_step_mm = 1.0;
+  int rows = 1, columns = 1;
+  double slope = 1.0, intercept = 0.0;
+  std::vector<std::int16_t> pixels = {};
+  std::vector<std::int16_t> padding = {};  ///< none; a value; or a value and a limit
+};
+
+/// A data element with a length of 16 bits, or of 32 where the representation asks for it.
+inline std::string element(unsigned group, unsigned number, const std::string& representation,
+                           std::string value) {
+  if (value.size() % 2 == 1) value += representation == "UI" ? '\0' : ' ';
+  const auto word = [](std::size_t v) { return std::string{char(v & 0xff), char(v >> 8 & 0xff)}; };
+  std::string bytes = word(group) + word(number) + representation;
+  if (representation == "OW" || representation == "OB")
+    bytes += word(0) + word(value.size()) + word(value.size() >> 16);
+  else
+    bytes += word(value.size());
+  return bytes + value;
+}
+
+inline std::string number(std::size_t v, int bytes) {
+  std::string text;
+  for (int n = 0; n < bytes; ++n) text += char(v >> (8 * n) & 0xff);
+  return text;
+}
+
+/// Numbers as a decimal string: "1\-2.5".
+inline std::string decimals(const std::vector<double>& values) {
+  std::string text;
+  for (const double v : values) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.10g", v);
+    text += (text.empty() ? "" : "\\") + std::string{number};
+  }
+  return text;
+}
+
+inline std::string bytesOf(const DicomSlice& s) {
+  const auto us = [](int v) { return number(std::size_t(v), 2); };
+  const std::string ct = "1.2.840.10008.5.1.4.1.1.2";
+  std::string meta = element(2, 1, "OB", std::string{'\0', '\1'}) + element(2, 2, "UI", ct) +
+                     element(2, 3, "UI", s.instance) +
+                     element(2, 0x10, "UI", "1.2.840.10008.1.2.1");
+  std::string bytes =
+      std::string(128, '\0') + "DICM" + element(2, 0, "UL", number(meta.size(), 4)) + meta;
+  bytes += element(8, 8, "CS", "ORIGINAL\\PRIMARY\\AXIAL") + element(8, 0x16, "UI", ct) +
+           element(8, 0x18, "UI", s.instance) + element(8, 0x60, "CS", "CT") +
+           element(0x20, 0xe, "UI", s.series) + element(0x20, 0x11, "IS", "1") +
+           element(0x20, 0x32, "DS",
+                   decimals({s.position_mm.x(), s.position_mm.y(), s.position_mm.z()})) +
+           element(0x20, 0x37, "DS",
+                   decimals({s.along_row.x(), s.along_row.y(), s.along_row.z(), s.along_column.x(),
+                             s.along_column.y(), s.along_column.z()})) +
+           element(0x28, 2, "US", us(1)) + element(0x28, 4, "CS", "MONOCHROME2") +
+           element(0x28, 0x10, "US", us(s.rows)) + element(0x28, 0x11, "US", us(s.columns)) +
+           element(0x28, 0x30, "DS", decimals({s.row_step_mm, s.column_step_mm})) +
+           element(0x28, 0x100, "US", us(16)) + element(0x28, 0x101, "US", us(16)) +
+           element(0x28, 0x102, "US", us(15)) + element(0x28, 0x103, "US", us(1));
+  for (std::size_t n = 0; n < s.padding.size(); ++n)
+    bytes += element(0x28, 0x120 + unsigned(n), "SS", number(std::uint16_t(s.padding[n]), 2));
+  bytes += element(0x28, 0x1052, "DS", decimals({s.intercept})) +
+           element(0x28, 0x1053, "DS", decimals({s.slope}));
+  std::string pixels;
+  for (const std::int16_t v : s.pixels) pixels += number(std::uint16_t(v), 2);
+  return bytes + element(0x7fe0, 0x10, "OW", pixels);
+}
+
+}  // namespace datasets::testing

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Left is left, however a file turns its axes: one phantom without symmetry, in every orientation.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "datasets/readers/volume_reader.h"
+#include "tests/unit/datasets/dicom_bytes.h"
+#include "tests/unit/datasets/scans.h"
+
+namespace datasets {
+namespace {
+
+using haptics::Mat3;
+using haptics::Vec3;
+using testing::DicomSlice;
+using testing::voxelAt;
+using testing::Workshop;
+
+/// What the phantom is at a place of the patient, LPS: no two voxels alike.
+double valueAt(const Vec3& p_mm) {
+  return std::round(p_mm.x()) + 40.0 * std::round(p_mm.y()) + 1000.0 * std::round(p_mm.z());
+}
+
+/// All ways to lay three axes along those of the patient.
+std::vector<Mat3> orientations() {
+  std::vector<Mat3> all;
+  std::array<int, 3> order{0, 1, 2};
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      Mat3 m = Mat3::Zero();
+      for (int axis = 0; axis < 3; ++axis)
+        m(order[std::size_t(axis)], axis) = (signs >> axis & 1) != 0 ? -1.0 : 1.0;
+      all.push_back(m);
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return all;
+}
+
+constexpr std::array<int, 3> kDims{5, 6, 7};
+const Vec3 kSpacing_mm{1.0, 2.0, 3.0};
+const Vec3 kOrigin_mm{-3.0, 4.0, 2.0};
+
+Vec3 placeOf(const Mat3& axes, int i, int j, int k) {
+  return kOrigin_mm + axes * Vec3(i, j, k).cwiseProduct(kSpacing_mm);
+}
+
+void expectThePhantom(const haptics::Volume& v, const std::string& what) {
+  ASSERT_EQ(v.grid.voxelCount(), kDims[0] * kDims[1] * kDims[2]) << what;
+  EXPECT_TRUE(v.orientation_known) << what;
+  for (std::int64_t k = 0; k < v.grid.dims[2]; ++k)
+    for (std::int64_t j = 0; j < v.grid.dims[1]; ++j)
+      for (std::int64_t i = 0; i < v.grid.dims[0]; ++i) {
+        const Vec3 p_mm = 1e3 * v.grid.worldOf({double(i), double(j), double(k)});
+        ASSERT_EQ(voxelAt(v, i, j, k), valueAt(p_mm)) << what << ", " << p_mm.transpose();
+      }
+}
+
+// the third axis of a DICOM series runs along row x column: half of all orientations
+TEST(Orientation, OfEveryDicomSeriesIsThePatients) {
+  int series = 0;
+  for (const Mat3& axes : orientations()) {
+    if (axes.determinant() < 0.0) continue;
+    Workshop workshop;
+    for (int k = 0; k < kDims[2]; ++k) {
+      DicomSlice slice;
+      slice.instance += "." + std::to_string(k + 1);
+      slice.position_mm = placeOf(axes, 0, 0, k);
+      slice.along_row = axes.col(0);
+      slice.along_column = axes.col(1);
+      slice.column_step_mm = kSpacing_mm.x();
+      slice.row_step_mm = kSpacing_mm.y();
+      slice.columns = kDims[0];
+      slice.rows = kDims[1];
+      for (int j = 0; j < kDims[1]; ++j)
+        for (int i = 0; i < kDims[0]; ++i)
+          slice.pixels.push_back(std::int16_t(valueAt(placeOf(axes, i, j, k))));
+      workshop.write(std::to_string((k * 3) % kDims[2]), bytesOf(slice));
+    }
+    const auto v = readVolume(workshop.folder());
+    ASSERT_TRUE(v) << v.error().what;
+    EXPECT_EQ(v->grid.direction, axes);
+    std::ostringstream what;
+    what << "DICOM " << axes;
+    expectThePhantom(*v, what.str());
+    ++series;
+  }
+  EXPECT_EQ(series, 24);
+}
+
+TEST(Orientation, OfEveryNrrdIsThePatients) {
+  // what turns the patient's LPS into the file's world
+  const std::vector<std::pair<std::string, Vec3>> spaces{{"left-posterior-superior", {1, 1, 1}},
+                                                         {"right-anterior-superior", {-1, -1, 1}},
+                                                         {"left-anterior-superior", {1, -1, 1}}};
+  for (const auto& [space, signs] : spaces)
+    for (const Mat3& axes : orientations()) {
+      const auto vector = [&signs = signs](const Vec3& v) {
+        const Vec3 w = signs.cwiseProduct(v);
+        return "(" + std::to_string(w.x()) + "," + std::to_string(w.y()) + "," +
+               std::to_string(w.z()) + ")";
+      };
+      std::string bytes = "NRRD0004\ntype: short\ndimension: 3\nspace: " + space +
+                          "\nsizes: " + std::to_string(kDims[0]) + " " + std::to_string(kDims[1]) +
+                          " " + std::to_string(kDims[2]) + "\nspace directions:";
+      for (int axis = 0; axis < 3; ++axis)
+        bytes += " " + vector(axes.col(axis) * kSpacing_mm[axis]);
+      bytes += "\nspace origin: " + vector(kOrigin_mm) + "\nendian: little\nencoding: raw\n\n";
+      for (int k = 0; k < kDims[2]; ++k)
+        for (int j = 0; j < kDims[1]; ++j)
+          for (int i = 0; i < kDims[0]; ++i)
+            bytes += testing::number(std::uint16_t(valueAt(placeOf(axes, i, j, k))), 2);
+      Workshop workshop;
+      const auto v = readVolume(workshop.write("phantom.nrrd", bytes));
+      ASSERT_TRUE(v) << v.error().what;
+      std::ostringstream what;
+      what << space << " " << axes;
+      expectThePhantom(*v, what.str());
+    }
+}
+
+TEST(DicomReader, PaddingCountsAsAir) {
+  Workshop workshop;
+  for (int k = 0; k < 2; ++k) {
+    DicomSlice slice;
+    slice.instance += "." + std::to_string(k + 1);
+    slice.position_mm = {0, 0, double(k)};
+    slice.columns = 3;
+    slice.rows = 2;
+    slice.intercept = -24.0;
+    slice.pixels = {-1000, -2000, 50, -1990, 300, -2001};
+    // a single value in one slice, a range in the other
+    slice.padding =
+        k == 0 ? std::vector<std::int16_t>{-2000} : std::vector<std::int16_t>{-2000, -1990};
+    workshop.write(std::to_string(k), bytesOf(slice));
+  }
+  const auto v = readVolume(workshop.folder());
+  ASSERT_TRUE(v) << v.error().what;
+  EXPECT_EQ(v->padded, 3);
+  EXPECT_EQ(v->unit, "HU");
+  // -2001 is no padding: what is left is the least, and so the air
+  const std::vector<double> first{-1024, -2025, 26, -2014, 276, -2025},
+      second{-1024, -2025, 26, -2025, 276, -2025};
+  for (int n = 0; n < 6; ++n) {
+    EXPECT_EQ(voxelAt(*v, n % 3, n / 3, 0), first[std::size_t(n)]) << n;
+    EXPECT_EQ(voxelAt(*v, n % 3, n / 3, 1), second[std::size_t(n)]) << n;
+  }
+}
+
+}  // namespace
+}  // namespace datasets
