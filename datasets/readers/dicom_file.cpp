@@ -32,6 +32,7 @@ namespace {
 constexpr std::string_view kDeflated = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view kFolderIndex = "1.2.840.10008.1.3.10";  // media storage directory
 constexpr unsigned int kUndefinedLength = 0xffffffffu;
+constexpr int kMostFrames = 65'535;
 
 std::string trimmed(const vtkDICOMValue& value) {
   std::string text = value.AsString();
@@ -131,6 +132,10 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
                                             " ends before its pixels do; copy or fetch it again."));
   };
   if (file.frame_count > size) return cutOff();
+  if (file.frame_count > kMostFrames)
+    return fault(unsupported("too-large", "The file " + quoted(file.path) + " states " +
+                                              std::to_string(file.frame_count) +
+                                              " frames, more than any scan has; export it again."));
   const std::int64_t slice = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
   const std::int64_t needed = slice * file.frame_count;
   const bool compressed = parser->GetPixelDataVL() == kUndefinedLength;

@@ -16,10 +16,6 @@ using haptics::Expected;
 
 namespace {
 
-bool stopped(const ReadProgress& progress) {
-  return progress.cancel != nullptr && *progress.cancel;
-}
-
 /// The first fault among the files, saying how many share its reason; else their stack.
 Expected<Stack> judge(const std::vector<DicomFile>& files) {
   const auto faulty =
@@ -97,7 +93,7 @@ Expected<std::vector<DicomFile>> headersOf(const fs::path& folder, const ReadPro
   if (!paths) return tl::unexpected(paths.error());
   std::vector<DicomFile> headers;
   for (std::size_t i = 0; i < paths->size(); ++i) {
-    if (stopped(progress)) return cancelled();
+    if (progress.isCancelled()) return cancelled();
     progress.advanced(static_cast<double>(i) / static_cast<double>(paths->size()));
     if (!looksLikeDicom((*paths)[i])) continue;
     std::ranges::move(readDicomHeader((*paths)[i]), std::back_inserter(headers));

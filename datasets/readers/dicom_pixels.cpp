@@ -217,7 +217,7 @@ Expected<Outcome> decodeAll(const DicomSeries& series, ScalarType type, void* vo
   const std::vector<std::size_t>& order = series.stack->order;
   const std::int64_t slice = pixelsOf(series);
   for (std::size_t k = 0; k < order.size(); ++k) {
-    if (progress.cancel != nullptr && *progress.cancel) return cancelled();
+    if (progress.isCancelled()) return cancelled();
     progress.advanced(static_cast<double>(k) / static_cast<double>(order.size()));
     const DicomFile& file = series.files[order[k]];
     const auto pixels = decoder.decode(file);
@@ -241,6 +241,7 @@ std::int64_t padWithAir(const DicomSeries& series, ScalarType type, void* voxels
   return haptics::visitVoxels(type, voxels, [&](const auto* any) {
     using T = std::remove_const_t<std::remove_pointer_t<decltype(any)>>;
     const std::int64_t pixels = pixelsOf(series);
+    const Interval range = rangeOf(type);
     const auto eachSlice = [&](auto&& visit) {
       T* slice = static_cast<T*>(voxels);
       for (const std::size_t index : series.stack->order) {
@@ -248,34 +249,32 @@ std::int64_t padWithAir(const DicomSeries& series, ScalarType type, void* voxels
         // what no voxel can be, where the slice has no padding
         T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
         if (file.padding) {
-          const auto value = [&](double stored) {
-            const double v = file.slope * stored + file.intercept;
-            return static_cast<T>(std::clamp(v, rangeOf(type).least, rangeOf(type).greatest));
-          };
-          low = std::min(value(file.padding->front()), value(file.padding->back()));
-          high = std::max(value(file.padding->front()), value(file.padding->back()));
+          const auto [least, greatest] =
+              std::minmax({file.slope * file.padding->front() + file.intercept,
+                           file.slope * file.padding->back() + file.intercept});
+          // beyond what the type holds there is no voxel to compare with
+          if (greatest >= range.least && least <= range.greatest) {
+            low = static_cast<T>(std::max(least, range.least));
+            high = static_cast<T>(std::min(greatest, range.greatest));
+          }
         }
         for (T* p = slice; p != slice + pixels; ++p) visit(*p, low <= *p && *p <= high);
         slice += pixels;
       }
     };
-    T air = std::numeric_limits<T>::max();
+    std::optional<T> air;
     eachSlice([&](T& value, bool padding) {
-      if (!padding && value < air) air = value;
+      if (!padding && (!air || value < *air)) air = value;
     });
     std::int64_t count = 0;
+    if (!air) return count;
     eachSlice([&](T& value, bool padding) {
       if (!padding) return;
-      value = air;
+      value = *air;
       ++count;
     });
     return count;
   });
-}
-
-/// The first part of a progress, and the rest.
-ReadProgress partOf(const ReadProgress& whole, double from, double to) {
-  return {[&whole, from, to](double f) { whole.advanced(from + (to - from) * f); }, whole.cancel};
 }
 
 }  // namespace
@@ -297,14 +296,14 @@ Expected<haptics::Volume> readSeries(const DicomSeries& series, Geometry geometr
     if (!room) return tl::unexpected(room.error());
     auto voxels = haptics::allocateVoxels(stored, type);
     if (!voxels) return tl::unexpected(std::move(voxels.error()));
-    const auto outcome = decodeAll(series, type, voxels->get(), partOf(progress, 0.0, decoded));
+    const auto outcome = decodeAll(series, type, voxels->get(), progress.part(0.0, decoded));
     if (!outcome) return tl::unexpected(outcome.error());
     if (*outcome == Outcome::DoesNotFit) continue;
     const std::int64_t padded = padWithAir(series, type, voxels->get());
     if (stack.crooked) {
       auto box = haptics::allocateVoxels(grid->voxelCount(), type);
       if (!box) return tl::unexpected(std::move(box.error()));
-      if (!straighten(stack, type, voxels->get(), box->get(), partOf(progress, decoded, 1.0)))
+      if (!straighten(stack, type, voxels->get(), box->get(), progress.part(decoded, 1.0)))
         return cancelled();
       voxels = std::move(box);
     }

@@ -25,6 +25,7 @@ constexpr double kEvenStep_mm = 0.05;         //
 constexpr double kMultipleStep = 0.05;        // of the multiple
 constexpr double kEqualPixelSpacing = 1e-4;   // relative
 constexpr double kMostTilt = 45.0 * kDegree;  // rad; gantries tilt by 30 degrees at most
+constexpr double kMostAside = 8.0;            // of a slice's columns and rows together
 constexpr double kMostPlanes = 2.0;           // of a resampled box for each slice that there is
 
 double angleBetween(const Vec3& a, const Vec3& b) {
@@ -179,13 +180,13 @@ Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered
     crooked.why = *uneven;
   }
   if (uneven) {
-    box.dims[2] = 1 + std::lround(advance.extent_mm / median_mm);
-    if (box.dims[2] < 2 ||
-        static_cast<double>(box.dims[2]) > kMostPlanes * static_cast<double>(ordered.size()))
+    const double planes = 1.0 + std::round(advance.extent_mm / median_mm);
+    if (!(planes >= 2.0 && planes <= kMostPlanes * static_cast<double>(ordered.size())))
       return unsupported("uneven-spacing",
                          crooked.why.what +
                              "; there are too few of them to fill the gaps, so ask "
                              "for a reconstruction with even spacing.");
+    box.dims[2] = std::lround(planes);
   }
   const double step_mm = advance.extent_mm / static_cast<double>(box.dims[2] - 1);
   Vec3 least = Vec3::Zero(), greatest = least;
@@ -198,10 +199,14 @@ Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered
   }
   // whole pixels to the box's corner
   const Vec3 corner = least.array().floor();
+  const Vec3 more = greatest.array().ceil() - corner.array();
+  // a header may state anything, and a small file must not ask for all memory
+  if (!(more.head<2>().maxCoeff() <= kMostAside * static_cast<double>(first.columns + first.rows)))
+    return unsupported("sheared",
+                       crooked.why.what + ", and lie " + brief(more.head<2>().maxCoeff()) +
+                           " pixels beside each other, which no scan does; export it again.");
   for (Vec3& place : crooked.places) place -= corner;
-  for (const int axis : {0, 1})
-    box.dims[static_cast<std::size_t>(axis)] +=
-        std::lround(std::ceil(greatest[axis]) - corner[axis]);
+  for (const int axis : {0, 1}) box.dims[static_cast<std::size_t>(axis)] += std::lround(more[axis]);
   box.steps_mm.col(2) = advance.normal * step_mm;
   box.origin_mm += box.steps_mm * corner;
   crooked.why.what += "; they can be resampled onto a right-angled grid of even steps.";

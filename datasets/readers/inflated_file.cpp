@@ -5,12 +5,12 @@
 #include <unistd.h>
 #include <zlib.h>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
-#include <limits>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -23,7 +23,10 @@ using haptics::Expected;
 namespace {
 
 constexpr std::size_t kMeta = 132;  // where the file's own group begins: a preamble and a mark
-constexpr std::int64_t kMost = std::int64_t{1} << 30;  // bytes
+constexpr std::int64_t kMost = std::int64_t{1} << 30;  // bytes, before and after
+// a slice of nothing but air deflates a thousandfold; a small file must not fill the memory
+constexpr std::int64_t kAnyway = std::int64_t{64} << 20;
+constexpr std::int64_t kExpansion = 32;
 constexpr std::string_view kExplicitLittleEndian{"1.2.840.10008.1.2.1\0", 20};
 
 unsigned word(const std::string& bytes, std::size_t at) {
@@ -78,6 +81,14 @@ struct Inflation : z_stream {
 }  // namespace
 
 Expected<InflatedFile> InflatedFile::of(const std::filesystem::path& deflated) {
+  const auto tooLarge = [&] {
+    return unsupported("too-large", quoted(deflated) +
+                                        " is or inflates to more than a scan's file should; export "
+                                        "it uncompressed.");
+  };
+  std::error_code error;
+  const auto size = std::filesystem::file_size(deflated, error);
+  if (error || size > static_cast<std::uintmax_t>(kMost)) return tooLarge();
   std::ifstream in(deflated, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const auto [meta, data] = metaOf(bytes);
@@ -86,7 +97,7 @@ Expected<InflatedFile> InflatedFile::of(const std::filesystem::path& deflated) {
   std::string head = bytes.substr(0, std::min(kMeta, bytes.size())) + length;
   for (int n = 0; n < 4; ++n) head += static_cast<char>(meta.size() >> (8 * n) & 0xff);
   Inflation inflation;
-  if (meta.empty() || bytes.size() > std::numeric_limits<uInt>::max())
+  if (meta.empty())
     return malformed("bad-header", "The header of " + quoted(deflated) +
                                        " cannot be understood; export it again.");
   head += meta;
@@ -95,6 +106,8 @@ Expected<InflatedFile> InflatedFile::of(const std::filesystem::path& deflated) {
   inflation.next_in = reinterpret_cast<Bytef*>(bytes.data() + data);
   inflation.avail_in = static_cast<uInt>(bytes.size() - data);
   std::vector<char> block(std::size_t{1} << 16);
+  const std::int64_t most =
+      std::min(kMost, std::max(kAnyway, kExpansion * static_cast<std::int64_t>(bytes.size())));
   std::int64_t total = 0;
   for (int result = Z_OK; sound && result != Z_STREAM_END;) {
     inflation.next_out = reinterpret_cast<Bytef*>(block.data());
@@ -102,9 +115,7 @@ Expected<InflatedFile> InflatedFile::of(const std::filesystem::path& deflated) {
     result = inflate(&inflation, Z_NO_FLUSH);
     const std::size_t made = block.size() - inflation.avail_out;
     total += static_cast<std::int64_t>(made);
-    if (total > kMost)
-      return unsupported(
-          "too-large", quoted(deflated) + " inflates to more than 1 GiB; export it uncompressed.");
+    if (total > most) return tooLarge();
     sound = (result == Z_OK || result == Z_STREAM_END) &&
             writeAll(file.descriptor_, block.data(), made);
   }

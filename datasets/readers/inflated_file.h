@@ -13,7 +13,7 @@ namespace datasets {
 class InflatedFile {
  public:
   /// Refuses what is cut off ("truncated"), does not begin as such a file does ("bad-header"), or
-  /// inflates to more than 1 GiB ("too-large").
+  /// is or inflates to more than 1 GiB, or 32 times itself where that is over 64 MiB ("too-large").
   static haptics::Expected<InflatedFile> of(const std::filesystem::path& deflated);
   ~InflatedFile();
   InflatedFile(InflatedFile&& other) noexcept;

@@ -28,7 +28,7 @@ NrrdStream::~NrrdStream() {
 
 ssize_t NrrdStream::read(void* self, char* buffer, std::size_t size) {
   auto& s = *static_cast<NrrdStream*>(self);
-  if (s.progress_.cancel != nullptr && *s.progress_.cancel) return -1;
+  if (s.progress_.isCancelled()) return -1;
   s.progress_.advanced(static_cast<double>(s.at_) / static_cast<double>(s.size_));
   const auto text_size = static_cast<std::int64_t>(s.text_.size());
   std::int64_t count = std::min(static_cast<std::int64_t>(size), s.size_ - s.at_);

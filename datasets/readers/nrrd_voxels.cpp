@@ -245,7 +245,7 @@ Expected<NrrdDescription> describeNrrd(const std::filesystem::path& path) {
 
 Expected<haptics::Volume> decodeNrrd(const std::filesystem::path& path,
                                      const ReadProgress& progress) {
-  const auto stopped = [&] { return progress.cancel != nullptr && *progress.cancel; };
+  const auto stopped = [&] { return progress.isCancelled(); };
   // geometry first: a volume that will be refused is not worth decoding
   const auto header = readNrrdHeader(path);
   if (!header) return tl::unexpected(header.error());

@@ -67,7 +67,7 @@ bool straightenAs(const Stack& stack, const T* slices, T* box, const ReadProgres
   }
   std::size_t below = 0;  // the last slice that is not above the plane
   for (std::int64_t k = 0; k < dims[2]; ++k) {
-    if (progress.cancel != nullptr && *progress.cancel) return false;
+    if (progress.isCancelled()) return false;
     progress.advanced(static_cast<double>(k) / static_cast<double>(dims[2]));
     const double plane = static_cast<double>(k);
     while (below + 1 < all.size() && crooked.places[below + 1].z() <= plane + kOnPixel) ++below;

@@ -125,13 +125,7 @@ Expected<DicomSeries> chosen(const fs::path& folder, std::vector<DicomSeries> al
   return std::move(all.front());
 }
 
-/// The first tenth is for headers, the rest for voxels.
-ReadProgress scanning(const ReadProgress& whole) {
-  return {[&whole](double f) { whole.advanced(0.1 * f); }, whole.cancel};
-}
-ReadProgress decoding(const ReadProgress& whole) {
-  return {[&whole](double f) { whole.advanced(0.1 + 0.9 * f); }, whole.cancel};
-}
+constexpr double kHeaders = 0.1;  // of the progress
 
 /// Passes VTK's progress on, and the wish to stop back.
 class Relay : public vtkCommand {
@@ -140,7 +134,7 @@ class Relay : public vtkCommand {
   void Execute(vtkObject* caller, unsigned long, void* fraction) override {
     auto* reader = static_cast<vtkAlgorithm*>(caller);
     progress->advanced(*static_cast<double*>(fraction));
-    if (progress->cancel != nullptr && *progress->cancel) reader->SetAbortExecute(1);
+    if (progress->isCancelled()) reader->SetAbortExecute(1);
   }
   const ReadProgress* progress = nullptr;
 };
@@ -162,18 +156,18 @@ Expected<haptics::Volume> readAny(const fs::path& path, std::optional<int> serie
                                   Geometry geometry, const ReadProgress& progress) {
   const auto format = formatOf(path);
   if (!format) return tl::unexpected(format.error());
-  if (progress.cancel != nullptr && *progress.cancel) return cancelled();
+  if (progress.isCancelled()) return cancelled();
   if (*format == Format::Nrrd) return readNrrd(path, progress);
   if (*format == Format::DicomFile) {
-    const auto one = seriesOf(path, scanning(progress));
+    const auto one = seriesOf(path, progress.part(0.0, kHeaders));
     if (!one) return tl::unexpected(one.error());
-    return readSeries(*one, geometry, decoding(progress));
+    return readSeries(*one, geometry, progress.part(kHeaders, 1.0));
   }
-  auto all = scanFolder(path, scanning(progress));
+  auto all = scanFolder(path, progress.part(0.0, kHeaders));
   if (!all) return tl::unexpected(std::move(all.error()));
   const auto one = chosen(path, std::move(*all), series, geometry);
   if (!one) return tl::unexpected(one.error());
-  return readSeries(*one, geometry, decoding(progress));
+  return readSeries(*one, geometry, progress.part(kHeaders, 1.0));
 }
 
 Expected<Survey> surveyAny(const fs::path& path) {

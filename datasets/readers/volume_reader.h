@@ -44,6 +44,12 @@ struct Survey {
 struct ReadProgress {
   std::function<void(double fraction)> advanced = [](double) {};
   const std::atomic<bool>* cancel = nullptr;  ///< true ends the read with Error::Kind::Cancelled
+
+  bool isCancelled() const { return cancel != nullptr && *cancel; }
+  /// Of a step that is a part of the whole; not to outlive it.
+  ReadProgress part(double from, double to) const {
+    return {[this, from, to](double f) { advanced(from + (to - from) * f); }, cancel};
+  }
 };
 
 /// Lists what lies at a path (a DICOM folder or file, an NRRD) with a verdict for each series,

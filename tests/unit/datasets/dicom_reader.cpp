@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "datasets/readers/volume_reader.h"
-#include "tests/unit/datasets/dicom_bytes.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -349,45 +348,6 @@ TEST(DicomReader, DamagedFoldersAreRefused) {
   EXPECT_EQ(reasonFor(workshop.folder() / "cut"), "truncated");
   fs::create_directories(workshop.folder() / "empty");
   EXPECT_EQ(reasonFor(workshop.folder() / "empty"), "unreadable");
-}
-
-/// Slices of one voxel, each its own image, at these heights; their value is their number.
-void writeSlices(const Workshop& workshop, const std::vector<double>& heights_mm) {
-  for (std::size_t k = 0; k < heights_mm.size(); ++k) {
-    testing::DicomSlice slice;
-    slice.instance += "." + std::to_string(k + 1);
-    slice.position_mm = {0, 0, heights_mm[k]};
-    slice.pixels = {std::int16_t(k)};
-    workshop.write(std::to_string(k), bytesOf(slice));
-  }
-}
-
-TEST(DicomReader, ACopyOfASliceIsLeftOutAndSaid) {
-  Workshop workshop;
-  writeSlices(workshop, {0, 1, 2, 3});
-  fs::copy_file(workshop.folder() / "2", workshop.folder() / "copy");
-  const auto v = readVolume(workshop.folder());
-  ASSERT_TRUE(v) << v.error().what;
-  EXPECT_EQ(v->grid.dims[2], 4);
-  for (int k = 0; k < 4; ++k) EXPECT_EQ(voxelAt(*v, 0, 0, k), k);
-  const auto said = survey(workshop.folder());
-  ASSERT_TRUE(said);
-  EXPECT_EQ(said->series.at(0).verdict, Verdict::Sound);
-  EXPECT_EQ(said->series.at(0).reasons, std::vector<std::string>{"duplicate"});
-  EXPECT_NE(said->series.at(0).message.find("1 other copy"), std::string::npos);
-  // of a copy that is cut off the other is taken, whichever comes first
-  fs::resize_file(workshop.folder() / "2", fs::file_size(workshop.folder() / "2") - 1);
-  EXPECT_EQ(reasonFor(workshop.folder()), "");
-}
-
-TEST(DicomReader, TwoImagesAtOnePlaceAreNoStack) {
-  Workshop workshop;
-  writeSlices(workshop, {0, 1, 1});
-  EXPECT_EQ(reasonFor(workshop.folder()), "duplicate");
-  // but a file that is named stands for itself
-  const auto v = readVolume(workshop.folder() / "2");
-  ASSERT_TRUE(v) << v.error().what;
-  EXPECT_EQ(voxelAt(*v, 0, 0, 1), 2.0);
 }
 
 TEST(DicomReader, AMissingSliceIsSeen) {

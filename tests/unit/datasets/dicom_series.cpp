@@ -84,6 +84,9 @@ TEST(DicomSeries, RefusesByName) {
   EXPECT_EQ(reasonFor(stack({0, 1, 2, 2, 3})), "duplicate");
   EXPECT_EQ(reasonFor(stack({0, 1, 2, 3}, 50.0)), "sheared");
   EXPECT_EQ(reasonFor(stack({0, 1, 3, 4}, 12.0)), "missing-slices");
+  // as far apart as no memory would hold, and farther than numbers of pixels go
+  EXPECT_EQ(reasonFor(stack({0, 1e6}, 30.0)), "sheared");
+  EXPECT_EQ(reasonFor(stack({0, 1e100}, 30.0)), "sheared");
   EXPECT_EQ(reasonFor({}), "no-pixels");
 
   auto turned = stack({0, 1, 2, 3});

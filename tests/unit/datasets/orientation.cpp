@@ -123,33 +123,5 @@ TEST(Orientation, OfEveryNrrdIsThePatients) {
     }
 }
 
-TEST(DicomReader, PaddingCountsAsAir) {
-  Workshop workshop;
-  for (int k = 0; k < 2; ++k) {
-    DicomSlice slice;
-    slice.instance += "." + std::to_string(k + 1);
-    slice.position_mm = {0, 0, double(k)};
-    slice.columns = 3;
-    slice.rows = 2;
-    slice.intercept = -24.0;
-    slice.pixels = {-1000, -2000, 50, -1990, 300, -2001};
-    // a single value in one slice, a range in the other
-    slice.padding =
-        k == 0 ? std::vector<std::int16_t>{-2000} : std::vector<std::int16_t>{-2000, -1990};
-    workshop.write(std::to_string(k), bytesOf(slice));
-  }
-  const auto v = readVolume(workshop.folder());
-  ASSERT_TRUE(v) << v.error().what;
-  EXPECT_EQ(v->padded, 3);
-  EXPECT_EQ(v->unit, "HU");
-  // -2001 is no padding: what is left is the least, and so the air
-  const std::vector<double> first{-1024, -2025, 26, -2014, 276, -2025},
-      second{-1024, -2025, 26, -2025, 276, -2025};
-  for (int n = 0; n < 6; ++n) {
-    EXPECT_EQ(voxelAt(*v, n % 3, n / 3, 0), first[std::size_t(n)]) << n;
-    EXPECT_EQ(voxelAt(*v, n % 3, n / 3, 1), second[std::size_t(n)]) << n;
-  }
-}
-
 }  // namespace
 }  // namespace datasets
