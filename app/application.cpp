@@ -65,6 +65,7 @@ std::optional<HandKind> handNamed(const std::string& name) {
 Application::Application(Arguments arguments)
     : arguments_(std::move(arguments)),
       preferences_(loadPreferences()),
+      loader_(arguments_.free_memory),
       hand_(arguments_.hand),
       samples_(kSamplesAtOnce),
       points_(kSamplesAtOnce) {
@@ -83,7 +84,9 @@ Application::Application(Arguments arguments)
   window_.setPhantoms(phantoms);
   window_.view().setSurfaceWish(arguments_.surface);
   connectWindow();
+  connectOpening();
   connectLoader();
+  connectChoosing();
   connectMeasurement();
   display_.setInterval(kDisplayMs);
   display_.setTimerType(Qt::PreciseTimer);
@@ -116,9 +119,6 @@ void Application::start() {
 
 void Application::connectWindow() {
   ui::DevicePanel& device = window_.devicePanel();
-  connect(&window_, &ui::MainWindow::openWanted, this, [this](const QString& path) {
-    load({.path = std::filesystem::path(path.toStdString())}, tr("Reading"));
-  });
   connect(&window_, &ui::MainWindow::phantomWanted, this,
           [this](const QString& name) { load({.phantom = name.toStdString()}, tr("Making")); });
   connect(&window_, &ui::MainWindow::cancelWanted, &loader_, &Loader::cancel);
@@ -173,6 +173,7 @@ void Application::load(LoadRequest request, const QString& what) {
   // loading would disturb it, and end it anyway
   endMeasuring(tr("The measurement was cancelled: something else is being loaded."));
   window_.performancePanel().setReady(false);
+  if (!request.keep) closeBrowser();
   request.options = options_;
   if (shown_) request.previous = shown_->scene;
   loader_.start(std::move(request));
@@ -186,6 +187,7 @@ void Application::adopt(const Loaded& loaded) {
   shown_ = loaded;
   shown_->title = title;
   window_.endLoading();
+  keepPlace(loaded.place);
   ui::PerformancePanel& performance = window_.performancePanel();
   performance.showNothing({});  // what was measured was another scene
   QList<ui::LeftOut> left_out;
@@ -229,61 +231,26 @@ void Application::adopt(const Loaded& loaded) {
   emit adopted();
 }
 
-void Application::onFailed(const LoadRequest& request, const haptics::Error& error,
-                           const datasets::Survey& survey) {
+void Application::onFailed(const LoadRequest& request, const haptics::Error& error) {
   window_.endLoading();
   if (shown_) {
     options_.field = shown_->scene->field.kind();
     showField();
     window_.performancePanel().setReady(true);
-  }
-  if (shown_)
     window_.devicePanel().showTool(QString::fromStdString(shown_->tool.name),
                                    labelOf(shown_->tool));
-  if (!survey.series.empty()) return offerSeries(request, survey);
-  if (error.kind == haptics::Error::Kind::Correctable && arguments_.screenshot.empty())
-    return offerCorrection(request, error);
-  if (error.kind != haptics::Error::Kind::Cancelled)
-    window_.showMessage(QString::fromStdString(error.what));
+  }
+  const QString why = QString::fromStdString(error.what);
+  if (arguments_.screenshot.empty()) {
+    if (error.reason == kWhichSeries) return browseSeries();
+    if (error.kind == haptics::Error::Kind::Correctable) return offerCorrection(request, why);
+    if (error.reason == kTooLarge && offerPart(request, why)) return;
+  }
+  if (error.kind != haptics::Error::Kind::Cancelled) window_.showMessage(why);
   if (!arguments_.screenshot.empty()) {
     std::fprintf(stderr, "%s\n", error.what.c_str());
     emit finished(3);
   }
-}
-
-void Application::offerSeries(LoadRequest request, const datasets::Survey& survey) {
-  QStringList choices;
-  std::vector<int> indices;
-  for (const datasets::SeriesVerdict& series : survey.series) {
-    const bool corrected = request.geometry == datasets::Geometry::Corrected &&
-                           series.verdict == datasets::Verdict::Correctable;
-    if (series.verdict != datasets::Verdict::Sound && !corrected) continue;
-    choices << tr("%1: %2, %3 × %4 × %5 voxels of %6 × %7 × %8 mm")
-                   .arg(series.index)
-                   .arg(QString::fromStdString(series.modality))
-                   .arg(series.dims[0])
-                   .arg(series.dims[1])
-                   .arg(series.dims[2])
-                   .arg(series.spacing_mm.x(), 0, 'g', 4)
-                   .arg(series.spacing_mm.y(), 0, 'g', 4)
-                   .arg(series.spacing_mm.z(), 0, 'g', 4);
-    indices.push_back(series.index);
-  }
-  const int chosen = window_.askWhich(tr("This folder holds several series."), choices);
-  if (chosen < 0) return;
-  request.series = indices[static_cast<std::size_t>(chosen)];
-  load(std::move(request), tr("Reading"));
-}
-
-void Application::offerCorrection(LoadRequest request, const haptics::Error& error) {
-  if (!window_.askWhether(
-          QString::fromStdString(error.what),
-          tr("What is seen and felt is then interpolated between the scan's own slices. The files "
-             "stay as they are."),
-          tr("Resample and load")))
-    return;
-  request.geometry = datasets::Geometry::Corrected;
-  load(std::move(request), tr("Reading"));
 }
 
 bool Application::openHand(const std::string& name) {

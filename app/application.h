@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
+#include <functional>
 #include <optional>
 #include <string>
 #include <thread>
@@ -11,8 +13,14 @@
 #include "app/loader.h"
 #include "app/measurement.h"
 #include "app/preferences.h"
+#include "app/thumbnails.h"
+#include "datasets/readers/refusal.h"
 #include "haptics/session.h"
 #include "ui/main_window.h"
+
+namespace ui {
+class SeriesBrowser;
+}
 
 namespace app {
 
@@ -24,6 +32,7 @@ struct Arguments {
   std::string screenshot = {};    ///< a PNG to write, then quit; or empty
   double screenshot_after = 3.0;  ///< s of running with a scene
   bool notice = true;
+  std::function<double()> free_memory = datasets::freeMemory;  ///< bytes; any thread
 };
 
 /// What the user reads for a tool: its name, or its file's.
@@ -43,6 +52,8 @@ class Application : public QObject {
   ui::MainWindow& window() { return window_; }
   haptics::Session& session() { return session_; }
   const haptics::Snapshot& snapshot() const { return snapshot_; }
+  /// What is seen and touched; none before the first volume.
+  const std::optional<Loaded>& shown() const { return shown_; }
 
  signals:
   /// The screenshot was written, or could not be.
@@ -52,14 +63,24 @@ class Application : public QObject {
 
  private:
   void connectWindow();
+  void connectOpening();
+  void connectChoosing();
   void connectLoader();
   void connectMeasurement();
   void load(LoadRequest request, const QString& what);
   void adopt(const Loaded& loaded);
-  void onFailed(const LoadRequest& request, const haptics::Error& error,
-                const datasets::Survey& survey);
-  void offerSeries(LoadRequest request, const datasets::Survey& survey);
-  void offerCorrection(LoadRequest request, const haptics::Error& error);
+  void onFailed(const LoadRequest& request, const haptics::Error& error);
+  void open(const QString& path);
+  void openDropped(const QStringList& paths);
+  void keepPlace(const std::filesystem::path& place);
+  void forgetPlaces();
+  void showPlaces();
+  void browseSeries();
+  void closeBrowser();
+  void loadChosen(int row);
+  void offerCorrection(LoadRequest request, const QString& why);
+  /// False if no part of it can be read either.
+  bool offerPart(LoadRequest request, const QString& why);
   /// False, with the reason in the window, if the hand that was open goes on.
   bool openHand(const std::string& name);
   void changeTool(const ToolSource& tool);
@@ -78,6 +99,9 @@ class Application : public QObject {
   ui::MainWindow window_;
   haptics::Session session_;
   Loader loader_;
+  Thumbnails thumbnails_;
+  std::optional<Surveyed> surveyed_;  ///< what was last found where there was something to find
+  QPointer<ui::SeriesBrowser> browser_;
   Measurement measurement_;
   haptics::Settings settings_;
   haptics::Snapshot snapshot_;

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/loader.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <new>
+#include <variant>
 
 #include "app/start_pose.h"
 #include "datasets/phantoms/phantoms.h"
+#include "datasets/readers/found.h"
 #include "datasets/readers/tool_mesh.h"
+#include "datasets/readers/volume_file.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/tool/point_shell.h"
 #include "resources/named_tools.h"
 #include "ui/panels/isosurface_panel.h"
+#include "ui/part_question.h"
 
 namespace app {
 namespace {
@@ -38,6 +43,7 @@ struct Source {
   std::optional<double> isovalue = {};
   std::string tool = "probe";
   QString title;
+  std::filesystem::path place = {};
 };
 
 // bone where the unit tells, else halfway up: something to see and touch at once
@@ -46,18 +52,137 @@ double firstIsovalue(const haptics::Volume& volume) {
   return volume.least + 0.5 * (volume.greatest - volume.least);
 }
 
-Expected<Source> readSource(const LoadRequest& request, const std::function<void(double)>& advanced,
-                            const std::atomic<bool>& cancel) {
+/// What a job is watched and stopped with.
+struct Watch {
+  std::function<void(double)> advanced;
+  std::function<void(Surveyed)> surveyed;
+  std::function<double()> free_memory;
+  const std::atomic<bool>& cancel;
+};
+
+// shares of the whole
+constexpr double kSurveyed = 0.1, kRead = 0.8;
+constexpr double kStep = 0.002;  // between two signals of progress
+
+QString nameOf(const std::filesystem::path& path) {
+  const auto name = path.has_filename() ? path.filename() : path.parent_path().filename();
+  return QString::fromStdString(name.string());
+}
+
+std::filesystem::path placeOf(const std::filesystem::path& path, const datasets::Survey& survey) {
+  std::error_code error;
+  std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();
+  // a file that is neither an archive nor a volume is one of a folder's slices
+  const bool whole_file = survey.several || datasets::isVolumeFile(path);
+  return std::filesystem::is_directory(whole, error) || whole_file ? whole : whole.parent_path();
+}
+
+// Which entry to load without asking: the one that was named, else the only sound one, else the
+// only one that could be corrected. Of a single refused one the reader says why.
+Expected<datasets::SeriesVerdict> entryOf(const LoadRequest& request,
+                                          const std::vector<datasets::SeriesVerdict>& all) {
+  using datasets::Verdict;
+  const int count = static_cast<int>(all.size());
+  if (request.series && (*request.series < 0 || *request.series >= count))
+    return refused(
+        Error::Kind::NotFound,
+        Loader::tr("There is no series %1 in \"%2\": it holds %n, counted from 0.", nullptr, count)
+            .arg(*request.series)
+            .arg(nameOf(*request.path)),
+        "no-such-series");
+  if (request.series) return all[static_cast<std::size_t>(*request.series)];
+  const bool correct = request.geometry == datasets::Geometry::Corrected;
+  const auto sound = [&](const datasets::SeriesVerdict& s) {
+    return s.verdict == Verdict::Sound || (correct && s.verdict == Verdict::Correctable);
+  };
+  const auto correctable = [](const datasets::SeriesVerdict& s) {
+    return s.verdict == Verdict::Correctable;
+  };
+  if (std::ranges::count_if(all, sound) == 1) return *std::ranges::find_if(all, sound);
+  if (std::ranges::none_of(all, sound) && std::ranges::count_if(all, correctable) == 1)
+    return *std::ranges::find_if(all, correctable);
+  if (count == 1) return all.front();
+  if (std::ranges::all_of(all, [](const auto& s) { return s.verdict == Verdict::Refused; }))
+    return refused(Error::Kind::Unsupported,
+                   Loader::tr("None of the %n series in \"%1\" can be loaded.", nullptr, count)
+                       .arg(nameOf(*request.path)),
+                   kWhichSeries);
+  return refused(
+      Error::Kind::Unsupported,
+      Loader::tr("\"%1\" holds %n series; choose one of those that can be loaded.", nullptr, count)
+          .arg(nameOf(*request.path)),
+      kWhichSeries);
+}
+
+Expected<void> choose(LoadRequest& request, const Watch& watch) {
+  const datasets::ReadProgress progress{
+      .advanced = [&](double f) { watch.advanced(kSurveyed * f); }, .cancel = &watch.cancel};
+  auto survey = datasets::survey(*request.path, progress);
+  if (!survey) return tl::unexpected(survey.error());
+  if (watch.cancel) return cancelled();
+  auto entry = entryOf(request, survey->series);
+  const std::filesystem::path place = placeOf(*request.path, *survey);
+  const bool among_others = survey->series.size() > 1;
+  watch.surveyed({*request.path, place, std::move(*survey)});
+  if (!entry) return tl::unexpected(entry.error());
+  request.chosen = ChosenSeries{std::move(*entry), among_others, place};
+  return {};
+}
+
+// Before anything is read: by the estimate, what the memory holds with room to spare. A file of
+// volumes is left to its reader, which maps what is large and refuses the rest as early.
+Expected<void> checkMemory(const datasets::SeriesVerdict& series, const Watch& watch) {
+  if (std::holds_alternative<datasets::VolumeInFile>(series.found->source)) return {};
+  const double wanted = static_cast<double>(series.bytes) * ui::kMemoryPerVoxel;
+  const double there = watch.free_memory();
+  if (series.verdict == datasets::Verdict::Refused || wanted <= there) return {};
+  const auto inWords = [](double bytes) {
+    return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
+  };
+  return refused(Error::Kind::Unsupported,
+                 Loader::tr("This series needs %1 of memory and %2 are free; close other programs.")
+                     .arg(inWords(wanted), inWords(there)),
+                 kTooLarge);
+}
+
+QString titleOf(const LoadRequest& request, const haptics::Volume& volume) {
+  QString title = nameOf(*request.path);
+  if (request.chosen->among_others) {
+    const QString series = QString::fromStdString(request.chosen->series.labels.series);
+    title = Loader::tr("%1: %2").arg(
+        title, series.isEmpty() ? Loader::tr("series %1").arg(request.chosen->series.index)
+                                : series.simplified());
+  }
+  if (volume.resampled) title = Loader::tr("%1 (resampled)").arg(title);
+  if (request.part.step > 1)
+    title = Loader::tr("%1 (every %2 voxel)").arg(title, ui::ordinal(request.part.step));
+  if (request.part.box) title = Loader::tr("%1 (a box)").arg(title);
+  return title;
+}
+
+Expected<Source> readChosen(const LoadRequest& request, const Watch& watch) {
+  const datasets::SeriesVerdict& series = request.chosen->series;
+  if (request.part.isWhole())
+    if (const auto room = checkMemory(series, watch); !room) return tl::unexpected(room.error());
+  const datasets::ReadProgress progress{
+      .advanced = [&](double f) { watch.advanced(kSurveyed + (kRead - kSurveyed) * f); },
+      .cancel = &watch.cancel};
+  auto volume =
+      datasets::readVolume(series, {.geometry = request.geometry, .part = request.part}, progress);
+  if (!volume) return tl::unexpected(volume.error());
   Source source;
-  if (request.path) {
-    const datasets::ReadProgress progress{.advanced = [&](double f) { advanced(0.8 * f); },
-                                          .cancel = &cancel};
-    auto volume = datasets::readVolume(*request.path, request.series, request.geometry, progress);
-    if (!volume) return tl::unexpected(volume.error());
-    source.title = QString::fromStdString(request.path->filename().string());
-    if (volume->resampled) source.title = Loader::tr("%1 (resampled)").arg(source.title);
-    source.picture = ui::pictureOf(std::make_shared<const haptics::Volume>(std::move(*volume)));
-  } else if (request.phantom) {
+  source.title = titleOf(request, *volume);
+  source.place = request.chosen->place;
+  source.picture =
+      ui::pictureOf(std::make_shared<const haptics::Volume>(std::move(*volume)), &watch.cancel);
+  return source;
+}
+
+Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
+  if (request.path) return readChosen(request, watch);
+  Source source;
+  if (request.phantom) {
     auto phantom = datasets::makePhantom(*request.phantom);
     if (!phantom) return tl::unexpected(phantom.error());
     source.isovalue = phantom->isovalue;
@@ -91,18 +216,18 @@ Expected<haptics::Tool> readTool(const ToolSource& source, QString& note) {
   return haptics::makeTool(source.file->stem().string(), std::move(file->mesh));
 }
 
-}  // namespace
-
-Expected<Loaded> load(const LoadRequest& request, const std::function<void(double)>& advanced,
-                      const std::atomic<bool>& cancel) {
-  auto source = readSource(request, advanced, cancel);
+Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
+  if (request.path && !request.chosen)
+    if (const auto chosen = choose(request, watch); !chosen) return tl::unexpected(chosen.error());
+  auto source = readSource(request, watch);
   if (!source) return tl::unexpected(source.error());
-  if (cancel) return cancelled();
-  advanced(0.85);
+  if (watch.cancel) return cancelled();
+  watch.advanced(0.85);
 
   Loaded loaded;
   loaded.picture = std::move(source->picture);
   loaded.title = source->title;
+  loaded.place = source->place;
   const haptics::Volume& volume = *loaded.picture.volume;
   const double wanted = request.isovalue.value_or(source->isovalue.value_or(firstIsovalue(volume)));
   loaded.isovalue =
@@ -124,13 +249,15 @@ Expected<Loaded> load(const LoadRequest& request, const std::function<void(doubl
   loaded.tool = request.tool.value_or(ToolSource{.name = source->tool});
   auto tool = readTool(loaded.tool, loaded.note);
   if (!tool) return tl::unexpected(tool.error());
-  if (cancel) return cancelled();
-  advanced(0.9);
-  auto scene = haptics::makeScene(loaded.picture.volume, std::move(*tool), request.options,
-                                  request.previous.get());
+  if (watch.cancel) return cancelled();
+  watch.advanced(0.9);
+  haptics::SceneOptions options = request.options;
+  options.cancel = &watch.cancel;
+  auto scene =
+      haptics::makeScene(loaded.picture.volume, std::move(*tool), options, request.previous.get());
   if (!scene) return tl::unexpected(scene.error());
-  if (cancel) return cancelled();
-  advanced(0.98);
+  if (watch.cancel) return cancelled();
+  watch.advanced(0.98);
   const auto start = startPose(**scene, loaded.isovalue);
   if (!start)
     return refused(Error::Kind::Unsupported,
@@ -142,7 +269,10 @@ Expected<Loaded> load(const LoadRequest& request, const std::function<void(doubl
   return loaded;
 }
 
-Loader::Loader(QObject* parent) : QObject(parent) {}
+}  // namespace
+
+Loader::Loader(std::function<double()> free_memory, QObject* parent)
+    : QObject(parent), free_memory_(std::move(free_memory)) {}
 
 Loader::~Loader() {
   for (Job& job : jobs_) job.cancel = true;
@@ -171,22 +301,30 @@ void Loader::start(LoadRequest request) {
   });
   const std::uint64_t number = ++number_;
   Job& job = jobs_.emplace_back();
-  job.thread = std::thread([this, &job, number, request = std::move(request)] {
-    work(job, number, request);
+  job.thread = std::thread([this, &job, number, request = std::move(request)]() mutable {
+    work(job, number, std::move(request));
     job.done = true;
   });
 }
 
-void Loader::work(Job& job, std::uint64_t number, const LoadRequest& request) {
-  const auto advanced = [&](double fraction) {
-    onThisThread(number, [this, fraction] { emit progressed(fraction); });
-  };
+void Loader::work(Job& job, std::uint64_t number, LoadRequest request) {
+  double told = 0.0;
+  const Watch watch{.advanced =
+                        [&](double fraction) {
+                          if (fraction < told + kStep) return;
+                          told = fraction;
+                          onThisThread(number, [this, fraction] { emit progressed(fraction); });
+                        },
+                    .surveyed =
+                        [&](Surveyed found) {
+                          onThisThread(number,
+                                       [this, found = std::move(found)] { emit surveyed(found); });
+                        },
+                    .free_memory = free_memory_,
+                    .cancel = job.cancel};
   Expected<Loaded> result;
-  datasets::Survey survey;
   try {
-    result = load(request, advanced, job.cancel);
-    if (!result && result.error().reason == "which-series" && request.path)
-      if (auto found = datasets::survey(*request.path)) survey = std::move(*found);
+    result = load(request, watch);
   } catch (const std::bad_alloc&) {
     result = refused(Error::Kind::Unsupported,
                      Loader::tr("There is not enough memory for this volume and tool; close other "
@@ -200,8 +338,8 @@ void Loader::work(Job& job, std::uint64_t number, const LoadRequest& request) {
   if (result)
     onThisThread(number, [this, loaded = std::move(*result)] { emit this->loaded(loaded); });
   else
-    onThisThread(number, [this, request, error = result.error(), survey = std::move(survey)] {
-      emit failed(request, error, survey);
+    onThisThread(number, [this, request = std::move(request), error = result.error()] {
+      emit failed(request, error);
     });
 }
 

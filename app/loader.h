@@ -26,11 +26,21 @@ struct ToolSource {
   std::string unit = "mm";  ///< of the file: m, mm, cm, in
 };
 
+/// An entry of a survey, which need not be made again to load it.
+struct ChosenSeries {
+  datasets::SeriesVerdict series;
+  bool among_others = false;         ///< the survey has more entries: the title says which this is
+  std::filesystem::path place = {};  ///< as in Surveyed
+};
+
 /// What to load. Of path, phantom and keep, the first that is set counts.
 struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
-  std::optional<int> series = {};
+  std::optional<int> series = {};  ///< which entry of the path's survey
+  /// The entry itself; none: the path is surveyed, and the only sound one taken.
+  std::optional<ChosenSeries> chosen = {};
   datasets::Geometry geometry = datasets::Geometry::AsStored;
+  datasets::Part part = {};
   std::optional<std::string> phantom = {};
   std::optional<ui::Picture> keep = {};  ///< the volume already shown, with another tool
   std::optional<ToolSource> tool = {};   ///< none: the one that fits a phantom, else `probe`
@@ -38,6 +48,15 @@ struct LoadRequest {
   haptics::SceneOptions options = {};
   /// The scene whose field is taken over where volume and kind are the same; or none.
   std::shared_ptr<const haptics::Scene> previous = {};
+};
+
+/// What was found at a path.
+struct Surveyed {
+  std::filesystem::path path;
+  /// What to remember of it: the path itself if it is a folder, an archive or a volume, and the
+  /// folder of a slice.
+  std::filesystem::path place;
+  datasets::Survey survey;
 };
 
 /// A volume and a tool, ready to be seen and touched.
@@ -48,8 +67,13 @@ struct Loaded {
   double isovalue = 0.0;
   haptics::Pose start = haptics::Pose::Identity();  ///< a legal pose in front of the surface, W
   QString title;
-  QString note;  ///< a sentence worth saying although it was loaded, or empty
+  QString note;                      ///< a sentence worth saying although it was loaded, or empty
+  std::filesystem::path place = {};  ///< where it was read; empty: nowhere
 };
+
+/// Reasons of Loader::failed that ask for an answer of the user's.
+inline constexpr const char* kWhichSeries = "which-series";
+inline constexpr const char* kTooLarge = "too-large";
 
 /// Reads and prepares on a thread of its own for each request; a new one cancels the last.
 /// Signals arrive on the thread that owns the loader, and only for the newest request. No call
@@ -57,7 +81,8 @@ struct Loaded {
 class Loader : public QObject {
   Q_OBJECT
  public:
-  explicit Loader(QObject* parent = nullptr);
+  /// `free_memory` tells the bytes that may be filled; any thread.
+  explicit Loader(std::function<double()> free_memory, QObject* parent = nullptr);
   ~Loader() override;
 
   void start(LoadRequest request);
@@ -65,27 +90,25 @@ class Loader : public QObject {
 
  signals:
   void progressed(double fraction);
+  /// A path without a chosen entry was surveyed; it is then loaded, or it fails.
+  void surveyed(const app::Surveyed& surveyed);
   void loaded(const app::Loaded& loaded);
-  /// `survey` lists the series where one must be chosen (reason "which-series"); else it is empty.
-  void failed(const app::LoadRequest& request, const haptics::Error& error,
-              const datasets::Survey& survey);
+  /// The request holds the chosen entry, if the survey came as far as that. The reason is
+  /// kWhichSeries where one must be chosen, kTooLarge where the memory does not hold it.
+  void failed(const app::LoadRequest& request, const haptics::Error& error);
 
  private:
-  void onThisThread(std::uint64_t number, std::function<void()> action);
-
   struct Job {
     std::atomic<bool> cancel{false};
     std::atomic<bool> done{false};  ///< its thread is about to end
     std::thread thread;
   };
-  void work(Job& job, std::uint64_t number, const LoadRequest& request);
+  void onThisThread(std::uint64_t number, std::function<void()> action);
+  void work(Job& job, std::uint64_t number, LoadRequest request);
+
+  std::function<double()> free_memory_;
   std::list<Job> jobs_;       ///< the newest last; older ones are cancelled, and kept until done
   std::uint64_t number_ = 0;  ///< of the newest request
 };
-
-/// The work itself; any thread.
-haptics::Expected<Loaded> load(const LoadRequest& request,
-                               const std::function<void(double)>& advanced,
-                               const std::atomic<bool>& cancel);
 
 }  // namespace app

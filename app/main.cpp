@@ -8,6 +8,7 @@
 #include "app/application.h"
 #include "app/display.h"
 #include "datasets/phantoms/phantoms.h"
+#include "datasets/readers/archive.h"
 #include "resources/named_tools.h"
 
 namespace {
@@ -30,7 +31,8 @@ int main(int argc, char** argv) {
   bool no_notice = false, correct = false;
   CLI::App cli{"Palpate: see a CT scan, and feel it through a haptic device."};
   cli.set_version_flag("--version", PALPATE_VERSION);
-  auto* path_given = cli.add_option("path", path, "A scan: NRRD, or a DICOM folder or file");
+  auto* path_given =
+      cli.add_option("path", path, "A scan: DICOM folder or file, NRRD, MetaImage or NIfTI");
   auto* phantom_given = cli.add_option("--phantom", phantom, "A volume made by formula")
                             ->check(oneOf(datasets::phantomNames()));
   path_given->excludes(phantom_given);
@@ -84,6 +86,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationVersion(PALPATE_VERSION);
   int qt_argc = 1;  // the arguments are ours
   QApplication qt(qt_argc, argv);
+  datasets::sweepTemporaryFolders();
   app::Application application(std::move(arguments));
   QObject::connect(
       &application, &app::Application::finished, &qt,

@@ -2,15 +2,19 @@
 #pragma once
 
 #include <QByteArray>
+#include <QStringList>
 
 namespace app {
 
-/// What is remembered between runs. Never a path, never anything of a patient.
+/// What is remembered between runs. Of paths only the recent places, for their menu and nothing
+/// else, and none where the user does not want it; nothing that was read from a scan.
 struct Preferences {
   QByteArray geometry = {};  ///< of the window, as Qt writes it
   QByteArray layout = {};    ///< of its docks
   bool notice_seen = false;
   double stiffness = 1000.0;  ///< N/m
+  QStringList places = {};    ///< what File > Open recent offers, the newest first
+  bool places_remembered = true;
 };
 
 Preferences loadPreferences();

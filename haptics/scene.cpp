@@ -31,9 +31,13 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
     field = previous->shared_field;
   } else {
     const Clock::time_point begun = Clock::now();
-    field = std::make_shared<const ScalarField>(volume, options.field);
+    field = std::make_shared<const ScalarField>(volume, options.field,
+                                                MaxPyramid{*volume, options.field, options.cancel});
     build_time = secondsSince(begun);
   }
+  if (options.cancel != nullptr && *options.cancel)
+    return tl::unexpected(
+        Error{Error::Kind::Cancelled, "Making the scene was cancelled.", "cancelled"});
   const Tolerances lengths{field->voxel(), options.fineness.epsilon};
   // a tool that is one point has no length of its own: the voxel's stands in
   if (tool.shell.radius == 0.0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -33,6 +34,8 @@ struct SceneOptions {
   NormalKind normal = NormalKind::Central;
   Plan plan = {};  ///< what may be left out
   Fineness fineness = {};
+  /// True, from another thread, ends the making with Error::Kind::Cancelled; or none.
+  const std::atomic<bool>* cancel = nullptr;
 };
 
 /// Something built for a scene: what it takes in memory, and took in time.

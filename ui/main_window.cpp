@@ -9,7 +9,6 @@
 #include <QFileDialog>
 #include <QFrame>
 #include <QHBoxLayout>
-#include <QInputDialog>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -144,7 +143,7 @@ void MainWindow::buildDocks() {
           [this](const QString& sentence) { statusBar()->showMessage(sentence, 6000); });
 }
 
-void MainWindow::buildMenus() {
+void MainWindow::buildFileMenu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   const auto ask = [this](QFileDialog::FileMode mode, const QString& title) {
     // Qt's own dialog: in a foreign one Escape would not reach the application
@@ -160,10 +159,21 @@ void MainWindow::buildMenus() {
     ask(QFileDialog::Directory, tr("Open a folder of slices"));
   });
   folder->setShortcut(QKeySequence(tr("Ctrl+Shift+O")));
+  recent_ = file->addMenu(tr("Open &recent"));
+  recent_->setObjectName("recent");
+  recent_->setToolTipsVisible(true);
+  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::recentPlacesSought);
   phantoms_ = file->addMenu(tr("Open &phantom"));
   file->addSeparator();
+  series_ = file->addAction(tr("&Series of this folder…"), this, &MainWindow::seriesWanted);
+  series_->setObjectName("seriesOfThisFolder");
+  setSeriesKnown(false);
+  file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
+}
 
+void MainWindow::buildMenus() {
+  buildFileMenu();
   QMenu* look = menuBar()->addMenu(tr("&View"));
   look->addAction(tr("Show &everything"), view_, &VolumeView::resetCamera);
   look->addAction(tr("From the &tool's side"), view_, &VolumeView::lookFromTool);
@@ -229,6 +239,30 @@ void MainWindow::setPhantoms(const QStringList& names) {
     phantoms_->addAction(name, this, [this, name] { emit phantomWanted(name); });
 }
 
+void MainWindow::setRecentPlaces(const QList<Place>& places, bool remembered) {
+  constexpr int kLongest = 480;  // pixels
+  recent_->clear();
+  for (const Place& place : places) {
+    QString text = fontMetrics().elidedText(place.path, Qt::ElideMiddle, kLongest);
+    QAction* open = recent_->addAction(text.replace('&', "&&"), this,
+                                       [this, path = place.path] { emit openWanted(path); });
+    open->setEnabled(place.exists);
+    open->setToolTip(place.path);
+  }
+  recent_->addSeparator();
+  QAction* remember = recent_->addAction(tr("&Remember recent places"));
+  remember->setObjectName("rememberPlaces");
+  remember->setCheckable(true);
+  remember->setChecked(remembered);
+  connect(remember, &QAction::toggled, this, &MainWindow::rememberPlacesChanged);
+  QAction* forget =
+      recent_->addAction(tr("&Forget recent places"), this, &MainWindow::forgetPlacesWanted);
+  forget->setObjectName("forgetPlaces");
+  forget->setEnabled(!places.isEmpty());
+}
+
+void MainWindow::setSeriesKnown(bool known) { series_->setEnabled(known); }
+
 void MainWindow::showMessage(const QString& sentence) {
   message_->setText(sentence);
   message_bar_->show();
@@ -248,13 +282,6 @@ void MainWindow::showProgress(double fraction) {
 }
 
 void MainWindow::endLoading() { loading_->hide(); }
-
-int MainWindow::askWhich(const QString& question, const QStringList& choices) {
-  bool chosen = false;
-  const QString choice =
-      QInputDialog::getItem(this, tr("Which one?"), question, choices, 0, false, &chosen);
-  return chosen ? static_cast<int>(choices.indexOf(choice)) : -1;
-}
 
 bool MainWindow::askWhether(const QString& what, const QString& consequence, const QString& yes) {
   QMessageBox question(QMessageBox::Question, tr("Load it?"), what, QMessageBox::Cancel, this);
@@ -323,8 +350,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (!urls.isEmpty() && urls.first().isLocalFile()) emit openWanted(urls.first().toLocalFile());
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  if (paths.isEmpty())
+    return showMessage(tr("What was dropped is not on this machine's disks; copy it there first."));
+  event->acceptProposedAction();
+  emit dropped(paths);
 }
 
 }  // namespace ui

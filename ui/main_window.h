@@ -12,6 +12,7 @@
 #include "ui/props/volume_prop.h"
 #include "ui/slice_view.h"
 
+class QAction;
 class QDockWidget;
 class QFrame;
 class QLabel;
@@ -25,6 +26,12 @@ class IsosurfacePanel;
 class PerformancePanel;
 class StatusLine;
 class VolumeView;
+
+/// A file or folder that was opened before.
+struct Place {
+  QString path;
+  bool exists = true;
+};
 
 /// The window: views, panels, menus. It shows what it is given and says what the user wishes.
 class MainWindow : public QMainWindow {
@@ -40,6 +47,10 @@ class MainWindow : public QMainWindow {
   void display(const haptics::Snapshot& snapshot);
   void appendForces(std::span<const ForcePoint> points);
   void setPhantoms(const QStringList& names);
+  /// What File > Open recent holds, the newest first, and whether more is to be remembered.
+  void setRecentPlaces(const QList<Place>& places, bool remembered);
+  /// Whether there is a list of series to come back to.
+  void setSeriesKnown(bool known);
 
   /// One sentence for the user, until closed or until clearMessage().
   void showMessage(const QString& sentence);
@@ -47,8 +58,6 @@ class MainWindow : public QMainWindow {
   void showLoading(const QString& what);
   void showProgress(double fraction);
   void endLoading();
-  /// Asks which of several; -1 if none.
-  int askWhich(const QString& question, const QStringList& choices);
   /// Asks whether to go on, with Cancel as what Enter does; true if the user agrees.
   bool askWhether(const QString& what, const QString& consequence, const QString& yes);
   void showNotice();
@@ -62,6 +71,14 @@ class MainWindow : public QMainWindow {
 
  signals:
   void openWanted(const QString& path);
+  /// Files and folders were dropped on the window: one or more.
+  void dropped(const QStringList& paths);
+  /// The last list of series is to be shown again.
+  void seriesWanted();
+  /// The menu of recent places is about to be seen.
+  void recentPlacesSought();
+  void rememberPlacesChanged(bool remember);
+  void forgetPlacesWanted();
   void phantomWanted(const QString& name);
   void cancelWanted();
   void isovalueChanged(double isovalue);
@@ -79,6 +96,7 @@ class MainWindow : public QMainWindow {
   void buildDocks();
   void buildForceBar();
   void buildMenus();
+  void buildFileMenu();
   void buildStatusBar();
   void moveCross(const Eigen::Vector3d& cross_W_mm);
   void setGrey(const GreyWindow& grey);
@@ -99,6 +117,8 @@ class MainWindow : public QMainWindow {
   QLabel* loading_what_;
   QProgressBar* progress_;
   QMenu* phantoms_ = nullptr;
+  QMenu* recent_ = nullptr;
+  QAction* series_ = nullptr;
 };
 
 /// What every user must have read once.

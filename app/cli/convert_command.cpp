@@ -43,9 +43,7 @@ void addConvert(CLI::App& program, Chosen& chosen) {
       ->required()
       ->expected(1, 2);
   command->add_option("--phantom", options->volume.phantom, "A named phantom in place of PATH");
-  command->add_option("--series", options->volume.series, "Which series of a folder");
-  command->add_flag("--correct", options->volume.correct,
-                    "Resample slices that are tilted or unevenly spaced");
+  addReading(*command, options->volume);
   command->callback([options, &chosen] { chosen = [options] { return convert(*options); }; });
 }
 

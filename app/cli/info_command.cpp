@@ -3,18 +3,13 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/sources.h"
 #include "datasets/readers/volume_reader.h"
 
 namespace app::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-struct InfoOptions {
-  std::string path;
-  std::optional<int> series = {};
-  bool correct = false;
-};
 
 const char* verdictOf(const datasets::SeriesVerdict& series) {
   switch (series.verdict) {
@@ -76,7 +71,7 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
   json["message"] = message;
 }
 
-Outcome info(const InfoOptions& options) {
+Outcome info(const VolumeChoice& options) {
   auto survey = datasets::survey(options.path);
   if (!survey) return refused(survey.error());
   const auto loads = [&](const datasets::SeriesVerdict& series) {
@@ -91,7 +86,7 @@ Outcome info(const InfoOptions& options) {
   if (options.series && only == nullptr)
     return usage("There is no series " + std::to_string(*options.series) + " in \"" + options.path +
                  "\".");
-  if (survey->folder) {
+  if (survey->several) {
     json["series"] = ordered_json::array();
     for (const datasets::SeriesVerdict& series : survey->series)
       json["series"].push_back(listed(series));
@@ -113,9 +108,7 @@ Outcome info(const InfoOptions& options) {
     return {Exit::Refused, json, {}, sentence};
   }
   if (!options.series && loading > 1) return {Exit::Done, json, {}, {}};
-  auto volume = datasets::readVolume(
-      options.path, survey->folder ? std::optional<int>{only->index} : options.series,
-      options.correct ? datasets::Geometry::Corrected : datasets::Geometry::AsStored);
+  auto volume = datasets::readVolume(*only, readingOf(options));
   if (!volume) {
     json["message"] = volume.error().what;
     return refused(volume.error(), json);
@@ -127,13 +120,14 @@ Outcome info(const InfoOptions& options) {
 }  // namespace
 
 void addInfo(CLI::App& program, Chosen& chosen) {
-  auto options = std::make_shared<InfoOptions>();
+  auto options = std::make_shared<VolumeChoice>();
   CLI::App* command =
       program.add_subcommand("info", "What a scan is, and whether it can be trusted");
-  command->add_option("path", options->path, "DICOM folder or file, or NRRD")->required();
-  command->add_option("--series", options->series, "Which series of a folder");
-  command->add_flag("--correct", options->correct,
-                    "Resample slices that are tilted or unevenly spaced");
+  command
+      ->add_option("path", options->path,
+                   "Folder, archive, or file (DICOM, NRRD, MetaImage, NIfTI)")
+      ->required();
+  addReading(*command, *options);
   command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });
 }
 

@@ -5,6 +5,9 @@
 #include <string_view>
 
 #include "app/cli/commands.h"
+#ifdef PALPATE_READERS
+#include "datasets/readers/archive.h"
+#endif
 
 namespace {
 
@@ -66,6 +69,9 @@ int main(int argc, char** argv) {
     return print(usage(std::string{error.what()} + " (palpate-cli --help tells more)"), json);
   }
   watchForInterrupts();
+#ifdef PALPATE_READERS
+  datasets::sweepTemporaryFolders();
+#endif
   try {
     return print(chosen(), json);
   } catch (const std::exception&) {

@@ -223,12 +223,10 @@ void addRun(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command =
       program.add_subcommand("run", "Touch a volume with the simulated hand, in closed loop");
-  auto* path =
-      command->add_option("--volume", options->volume.path, "DICOM folder or file, or NRRD");
+  auto* path = command->add_option("--volume", options->volume.path,
+                                   "DICOM folder or file, NRRD, MetaImage or NIfTI");
   command->add_option("--phantom", options->volume.phantom, "A named phantom")->excludes(path);
-  command->add_option("--series", options->volume.series, "Which series of a folder");
-  command->add_flag("--correct", options->volume.correct,
-                    "Resample slices that are tilted or unevenly spaced");
+  addReading(*command, options->volume);
   command->add_option("--isovalue", options->isovalue, "Where the surface is")
       ->required()
       ->check(finiteNumber());

@@ -10,7 +10,6 @@
 #include "resources/named_tools.h"
 #ifdef PALPATE_READERS
 #include "datasets/readers/tool_mesh.h"
-#include "datasets/readers/volume_reader.h"
 #endif
 
 namespace app::cli {
@@ -34,6 +33,29 @@ haptics::Expected<LoadedTool> toolFromPoints(const ToolChoice& choice) {
 
 }  // namespace
 
+void addReading(CLI::App& command, VolumeChoice& choice) {
+  command.add_option("--series", choice.series, "Which series of a folder, or volume of a file");
+  command.add_flag("--correct", choice.correct,
+                   "Resample slices that are tilted or unevenly spaced");
+  command.add_option("--every", choice.every, "Read every so manieth voxel along each axis")
+      ->check(CLI::Range(1, 1000));
+  command
+      .add_option("--box", choice.box,
+                  "Read a box of voxels: first and end (the one after the last) along i, j and k")
+      ->expected(6);
+}
+
+#ifdef PALPATE_READERS
+datasets::Reading readingOf(const VolumeChoice& choice) {
+  datasets::Reading reading{.series = choice.series, .part = {.step = choice.every}};
+  if (choice.correct) reading.geometry = datasets::Geometry::Corrected;
+  if (choice.box.size() == 6)
+    reading.part.box = {.first = {choice.box[0], choice.box[2], choice.box[4]},
+                        .end = {choice.box[1], choice.box[3], choice.box[5]}};
+  return reading;
+}
+#endif
+
 haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const VolumeChoice& choice) {
   if (!choice.phantom.empty()) {
     auto phantom = datasets::makePhantom(choice.phantom);
@@ -41,9 +63,7 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const Volum
     return std::make_shared<const haptics::Volume>(std::move(phantom->volume));
   }
 #ifdef PALPATE_READERS
-  auto volume = datasets::readVolume(
-      choice.path, choice.series,
-      choice.correct ? datasets::Geometry::Corrected : datasets::Geometry::AsStored);
+  auto volume = datasets::readVolume(choice.path, readingOf(choice));
   if (!volume) return tl::unexpected(volume.error());
   return std::make_shared<const haptics::Volume>(std::move(*volume));
 #else

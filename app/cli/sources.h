@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
 #include "haptics/tool/point_shell.h"
+#ifdef PALPATE_READERS
+#include "datasets/readers/volume_reader.h"
+#endif
 
 namespace app::cli {
 
@@ -16,8 +22,15 @@ struct VolumeChoice {
   std::string path = {};
   std::string phantom = {};
   std::optional<int> series = {};
-  bool correct = false;  ///< resample what is tilted or unevenly spaced
+  bool correct = false;                ///< resample what is tilted or unevenly spaced
+  int every = 1;                       ///< every so manieth voxel
+  std::vector<std::int64_t> box = {};  ///< first and end along i, j, k; empty: all
 };
+/// Adds --series, --correct, --every and --box.
+void addReading(CLI::App& command, VolumeChoice& choice);
+#ifdef PALPATE_READERS
+datasets::Reading readingOf(const VolumeChoice& choice);
+#endif
 haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const VolumeChoice& choice);
 
 /// Which tool: a named one, a mesh file, or a CSV of points (x,y,z in metres, one header line).

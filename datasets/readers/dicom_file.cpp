@@ -18,8 +18,9 @@
 #include <string_view>
 
 #include "datasets/readers/c_locale.h"
-#include "datasets/readers/inflated_file.h"
+#include "datasets/readers/dicom_structure.h"
 #include "datasets/readers/refusal.h"
+#include "datasets/readers/rewritten_file.h"
 #include "datasets/readers/vtk_errors.h"
 
 namespace datasets {
@@ -42,13 +43,31 @@ std::string trimmed(const vtkDICOMValue& value) {
 
 std::string textOf(vtkDICOMMetaData* meta, vtkDICOMTag tag) { return trimmed(meta->Get(tag)); }
 
+/// A text in the file's character set, as UTF-8.
+std::string shownText(vtkDICOMMetaData* meta, vtkDICOMTag tag) {
+  std::string text = meta->Get(tag).AsUTF8String();
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
+  return text;
+}
+
+/// An item of a sequence; null where there is none, which vtk-dicom itself would follow to nowhere.
+const vtkDICOMItem* itemOf(const vtkDICOMValue& sequence, int n) {
+  const vtkDICOMItem* items = sequence.GetSequenceData();
+  return items != nullptr && n < static_cast<int>(sequence.GetNumberOfValues()) ? items + n
+                                                                                : nullptr;
+}
+
 /// An attribute of a frame: from its own functional group, the shared one, or the root, where a
 /// file of one slice has it. By its full path, since private groups hold attributes of the same
 /// name.
 const vtkDICOMValue& ofFrame(vtkDICOMMetaData* meta, int frame, vtkDICOMTag group,
                              vtkDICOMTag tag) {
-  const vtkDICOMValue& value = meta->Get(0, frame, vtkDICOMTagPath(group, 0, tag));
-  return value.IsValid() ? value : meta->Get(tag);
+  for (const vtkDICOMItem* groups : {itemOf(meta->Get(DC::PerFrameFunctionalGroupsSequence), frame),
+                                     itemOf(meta->Get(DC::SharedFunctionalGroupsSequence), 0)}) {
+    const vtkDICOMItem* item = groups != nullptr ? itemOf(groups->Get(group), 0) : nullptr;
+    if (item != nullptr && item->Get(tag).IsValid()) return item->Get(tag);
+  }
+  return meta->Get(tag);
 }
 
 /// As many numbers as asked for; false if there is another count.
@@ -265,50 +284,72 @@ struct Header {
 }  // namespace
 
 bool looksLikeDicom(const std::filesystem::path& path) {
-  return vtkDICOMUtilities::IsDICOMFile(path.c_str());
+  return vtkDICOMUtilities::IsDICOMFile(path.c_str()) || bareDataSetOf(path).has_value();
 }
 
 std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   const CLocale numbers_with_points;
-  std::optional<InflatedFile> inflated;
-  auto header = std::make_unique<Header>(path.string());
-  if (textOf(header->meta, DC::TransferSyntaxUID) == kDeflated) {
-    auto copy = InflatedFile::of(path);
-    if (!copy) {
-      DicomFile file;
-      file.path = path;
-      file.fault = copy.error();
-      return {file};
-    }
-    inflated.emplace(std::move(*copy));
-    header = std::make_unique<Header>(inflated->path());
+  const auto unreadable = [&](const haptics::Error& why) {
+    DicomFile file;
+    file.path = path;
+    file.fault = why;
+    return std::vector{file};
+  };
+  DicomStructure structure = structureOf(path, path);
+  const auto bare = bareDataSetOf(path);
+  std::optional<RewrittenFile> rewritten, beginning;
+  if ((bare && bare->needsRewriting()) || (!structure.fault && structure.syntax == kDeflated)) {
+    auto copy = RewrittenFile::of(path);
+    if (!copy) return unreadable(copy.error());
+    rewritten.emplace(std::move(*copy));
+    structure = structureOf(rewritten->path(), path);
   }
+  std::string parsed = rewritten ? rewritten->path() : path.string();
+  if (structure.fault) {
+    auto copy = RewrittenFile::beginningOf(parsed, structure.sound_bytes);
+    if (!copy) return unreadable(*structure.fault);
+    beginning.emplace(std::move(*copy));
+    parsed = beginning->path();
+  }
+  const auto header = std::make_unique<Header>(parsed);
   vtkDICOMMetaData* meta = header->meta;
   vtkDICOMParser* parser = header->parser;
 
   if (textOf(meta, DC::MediaStorageSOPClassUID) == kFolderIndex) return {};
   DicomFile file;
   file.path = path;
-  file.deflated = inflated.has_value();
+  file.rewritten = rewritten.has_value();
+  file.pixels_begin = static_cast<std::int64_t>(parser->GetFileOffset());
   file.series = textOf(meta, DC::SeriesInstanceUID);
   file.instance = textOf(meta, DC::SOPInstanceUID);
   file.modality = textOf(meta, DC::Modality);
+  file.labels = {shownText(meta, DC::PatientName), shownText(meta, DC::StudyDescription),
+                 shownText(meta, DC::SeriesDescription)};
   file.series_number = meta->Get(DC::SeriesNumber).AsInt();
   file.plane.rows = meta->Get(DC::Rows).AsInt();
   file.plane.columns = meta->Get(DC::Columns).AsInt();
   file.bits_allocated = meta->Get(DC::BitsAllocated).AsInt();
   file.bits_stored =
       meta->Has(DC::BitsStored) ? meta->Get(DC::BitsStored).AsInt() : file.bits_allocated;
+  file.inverted = textOf(meta, DC::PhotometricInterpretation) == "MONOCHROME1";
   file.is_signed = meta->Get(DC::PixelRepresentation).AsInt() == 1;
 
   const std::string syntax = textOf(meta, DC::TransferSyntaxUID);
+  const bool understood = !file.series.empty() || !file.modality.empty() || file.plane.rows != 0;
+  // it only began like a data set
+  if (bare && !understood) return {};
+  if (structure.fault) {
+    file.fault = structure.fault;
+    placeSlice(meta, 0, file.plane);  // to know what it is a copy of
+    return {file};
+  }
   if (!header->isSound()) {
     file.fault =
         fault(malformed("truncated", "The header of " + quoted(path) +
                                          " is damaged or cut off; copy or fetch it again."));
     return {file};
   }
-  if (file.series.empty() && file.modality.empty() && file.plane.rows == 0) {
+  if (!understood) {
     file.fault = fault(malformed(
         "bad-header", "The header of " + quoted(path) + " cannot be understood; export it again."));
     return {file};
@@ -320,10 +361,12 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
     placeSlice(meta, 0, file.plane);  // to know what it is a copy of
     return {file};
   }
-  std::vector<DicomFile> frames(static_cast<std::size_t>(file.frame_count), file);
-  for (int n = 0; n < file.frame_count; ++n) {
-    frames[static_cast<std::size_t>(n)].frame = n;
-    readFrame(meta, frames[static_cast<std::size_t>(n)]);
+  std::vector<DicomFile> frames;
+  for (file.frame = 0; file.frame < file.frame_count; ++file.frame) {
+    frames.push_back(file);
+    readFrame(meta, frames.back());
+    // what one frame lacks, all others may: a small file must not make many entries
+    if (frames.back().fault) return {frames.back()};
   }
   return frames;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "datasets/readers/dicom_series.h"
+#include "datasets/readers/volume_reader.h"
 #include "haptics/core/error.h"
 
 namespace datasets {
@@ -17,17 +18,20 @@ namespace datasets {
 /// Identifiers serve to group files and are never shown.
 struct DicomFile {
   std::filesystem::path path;
-  bool deflated = false;  ///< its data set, which InflatedFile makes readable
-  int frame = 0;          ///< which of the file's
-  int frame_count = 1;    ///< in the file
-  std::string series;     ///< SeriesInstanceUID
-  std::string instance;   ///< SOPInstanceUID
+  bool rewritten = false;         ///< read by way of a RewrittenFile
+  std::int64_t pixels_begin = 0;  ///< bytes of the file before its pixels
+  int frame = 0;                  ///< which of the file's
+  int frame_count = 1;            ///< in the file
+  std::string series;             ///< SeriesInstanceUID
+  std::string instance;           ///< SOPInstanceUID
   int series_number = 0;
   std::string modality;
+  Labels labels;
   SlicePlane plane;
   int bits_allocated = 0;
   int bits_stored = 0;
   bool is_signed = false;
+  bool inverted = false;  ///< MONOCHROME1: small values are meant to be shown bright
   bool rescaled = false;  ///< slope and intercept are stated
   double slope = 1.0;
   double intercept = 0.0;
@@ -38,11 +42,11 @@ struct DicomFile {
   std::optional<haptics::Error> fault;
 };
 
-/// Whether a file looks like DICOM: the mark after a preamble, or a first element that fits.
+/// Whether a file begins like DICOM: the mark after a preamble, or a first element that fits.
 bool looksLikeDicom(const std::filesystem::path& path);
 
 /// Reads one header: an entry for each frame, or a single one with a fault. Empty for what is no
-/// image and no part of a series: a folder's index.
+/// image and no part of a series: a folder's index, or what only begins like DICOM.
 std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path);
 
 }  // namespace datasets

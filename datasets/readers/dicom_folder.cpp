@@ -2,11 +2,14 @@
 #include "datasets/readers/dicom_folder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <iterator>
 #include <map>
 #include <string>
 #include <utility>
 
+#include "datasets/readers/parallel.h"
 #include "datasets/readers/refusal.h"
 
 namespace datasets {
@@ -50,11 +53,38 @@ bool isSamePlace(const SlicePlane& a, const SlicePlane& b) {
          (a.along_column - b.along_column).norm() < kSame;
 }
 
-/// Keeps one of several copies of an image: of those with the same identifier at the same place one
+/// Whether the stored pixels of two files are the same bytes. Tools that change the pixels of an
+/// image and keep its identifier are not rare.
+bool isSameStored(const DicomFile& a, const DicomFile& b) {
+  std::ifstream one(a.path, std::ios::binary), other(b.path, std::ios::binary);
+  // what was written anew has its pixels elsewhere
+  if (!a.rewritten && !b.rewritten) {
+    one.seekg(a.pixels_begin);
+    other.seekg(b.pixels_begin);
+  }
+  std::vector<char> block(std::size_t{1} << 16), beside(block.size());
+  while (one && other) {
+    one.read(block.data(), static_cast<std::streamsize>(block.size()));
+    other.read(beside.data(), static_cast<std::streamsize>(beside.size()));
+    if (one.gcount() != other.gcount() ||
+        !std::equal(block.begin(), block.begin() + one.gcount(), beside.begin()))
+      return false;
+  }
+  return one.eof() && other.eof();
+}
+
+/// Keeps one of several copies of an image: of those with the same identifier, place and pixels one
 /// that can be read. How many were left out.
 int leaveOutCopies(std::vector<DicomFile>& files) {
   std::map<std::pair<std::string, int>, std::size_t> kept;
   std::vector<DicomFile> once;
+  std::map<std::pair<fs::path, fs::path>, bool> compared;
+  const auto same = [&](const DicomFile& a, const DicomFile& b) {
+    if (!isSamePlace(a.plane, b.plane)) return false;
+    const auto [it, is_new] = compared.try_emplace({a.path, b.path}, false);
+    if (is_new) it->second = isSameStored(a, b);
+    return it->second;
+  };
   int copies = 0;
   for (DicomFile& file : files) {
     const auto [it, is_new] = kept.try_emplace({file.instance, file.frame}, once.size());
@@ -64,7 +94,7 @@ int leaveOutCopies(std::vector<DicomFile>& files) {
     }
     DicomFile& before = once[it->second];
     const bool faulty = file.fault.has_value() || before.fault.has_value();
-    if (!faulty && !isSamePlace(file.plane, before.plane)) {
+    if (!faulty && !same(file, before)) {
       once.push_back(std::move(file));
       continue;
     }
@@ -87,32 +117,57 @@ Expected<std::vector<fs::path>> filesOf(const fs::path& folder) {
   return paths;
 }
 
-/// Headers of the folder's DICOM files, in the order of their names.
-Expected<std::vector<DicomFile>> headersOf(const fs::path& folder, const ReadProgress& progress) {
-  const auto paths = filesOf(folder);
-  if (!paths) return tl::unexpected(paths.error());
+/// Headers of the DICOM files among these, in their order, read by all cores.
+Expected<std::vector<DicomFile>> headersOf(const std::vector<fs::path>& paths,
+                                           const ReadProgress& progress) {
+  std::vector<std::vector<DicomFile>> of_each(paths.size());
+  const bool done = onAllCores(paths.size(), progress, [&](std::size_t i) {
+    if (looksLikeDicom(paths[i])) of_each[i] = readDicomHeader(paths[i]);
+    return true;
+  });
+  if (!done) return cancelled();
   std::vector<DicomFile> headers;
-  for (std::size_t i = 0; i < paths->size(); ++i) {
-    if (progress.isCancelled()) return cancelled();
-    progress.advanced(static_cast<double>(i) / static_cast<double>(paths->size()));
-    if (!looksLikeDicom((*paths)[i])) continue;
-    std::ranges::move(readDicomHeader((*paths)[i]), std::back_inserter(headers));
-  }
+  for (std::vector<DicomFile>& some : of_each) std::ranges::move(some, std::back_inserter(headers));
   return headers;
+}
+
+int fileCount(const DicomSeries& series) {
+  return static_cast<int>(std::ranges::count(series.files, 0, &DicomFile::frame));
+}
+
+/// Of the voxels once they are read: what is not 8 bits becomes 16, or float where it must.
+std::int64_t bytesOf(const DicomSeries& series) {
+  const DicomFile& first = series.files.front();
+  std::int64_t pixels = first.plane.columns * first.plane.rows;
+  auto slices = static_cast<std::int64_t>(series.files.size());
+  if (series.stack) {
+    pixels = series.stack->geometry.dims[0] * series.stack->geometry.dims[1];
+    slices = series.stack->geometry.dims[2];
+  }
+  const auto is_fraction = [](const DicomFile& f) {
+    return f.slope != std::nearbyint(f.slope) || f.intercept != std::nearbyint(f.intercept);
+  };
+  const bool rescaled = std::ranges::any_of(series.files, &DicomFile::rescaled);
+  const std::int64_t stored = first.bits_allocated / 8;
+  const std::int64_t each = std::ranges::any_of(series.files, is_fraction)
+                                ? 4
+                                : std::max<std::int64_t>(stored, rescaled ? 2 : 1);
+  return pixels * slices * each;
 }
 
 }  // namespace
 
-Expected<std::vector<DicomSeries>> scanFolder(const fs::path& folder,
-                                              const ReadProgress& progress) {
-  auto headers = headersOf(folder, progress);
+Expected<std::vector<DicomSeries>> seriesAmong(const std::vector<fs::path>& paths,
+                                               const ReadProgress& progress) {
+  auto headers = headersOf(paths, progress);
   if (!headers) return tl::unexpected(std::move(headers.error()));
-  if (headers->empty())
-    return unsupported("unreadable", "The folder " + quoted(folder) +
-                                         " itself holds no DICOM file; open the folder of one "
-                                         "series, or an NRRD file.");
   std::map<std::string, DicomSeries> by_series;
-  for (DicomFile& file : *headers) by_series[file.series].files.push_back(std::move(file));
+  for (DicomFile& file : *headers) {
+    // a series without an identifier is one of its folder
+    const std::string key =
+        file.series.empty() ? "/" + file.path.parent_path().string() : file.series;
+    by_series[key].files.push_back(std::move(file));
+  }
 
   std::vector<DicomSeries> all;
   for (auto& [uid, series] : by_series) {
@@ -130,10 +185,12 @@ Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progres
   const std::vector<DicomFile> frames = readDicomHeader(path);
   if (frames.empty())
     return unsupported("no-pixels", quoted(path) +
-                                        " is the index of a folder and holds no image; open the "
-                                        "folder of one series.");
+                                        " holds no image: it is the index of a folder, or no "
+                                        "DICOM after all; open the folder of one series.");
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  auto headers = headersOf(folder, progress);
+  const auto paths = filesOf(folder);
+  if (!paths) return tl::unexpected(paths.error());
+  auto headers = headersOf(*paths, progress);
   if (!headers) return tl::unexpected(std::move(headers.error()));
   const DicomFile& named = frames.front();
   DicomSeries series;
@@ -150,15 +207,23 @@ Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progres
     }
     series.files.push_back(std::move(file));
   }
+  if (series.files.empty())
+    return malformed("unreadable", quoted(path) +
+                                       " is no DICOM file, or not any more; open the folder of one "
+                                       "series.");
   series.copies_left_out += leaveOutCopies(series.files);
   series.stack = judge(series.files);
   return series;
 }
 
-SeriesVerdict verdictOf(const DicomSeries& series, int index) {
+SeriesVerdict verdictOf(const DicomSeries& series) {
   const DicomFile& first = series.files.front();
   SeriesVerdict verdict;
-  verdict.index = index;
+  verdict.labels = first.labels;
+  verdict.file_count = fileCount(series);
+  verdict.bytes = bytesOf(series);
+  for (const DicomFile& file : series.files)
+    if (file.fault) verdict.faults.push_back(quoted(file.path) + ": " + file.fault->what);
   verdict.modality = first.modality;
   verdict.dims = {first.plane.columns, first.plane.rows,
                   static_cast<std::int64_t>(series.files.size())};

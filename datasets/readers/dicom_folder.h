@@ -18,17 +18,18 @@ struct DicomSeries {
   int copies_left_out = 0;                   ///< other files with the image of one that is kept
 };
 
-/// The series of a folder (its own files, not those of folders inside), by series number. Of files
-/// with the same image one is kept.
+/// The series among files, by series number; what is no DICOM is passed over. Of files with the
+/// same image one is kept.
 /// `advanced` runs from 0 to 1.
-haptics::Expected<std::vector<DicomSeries>> scanFolder(const std::filesystem::path& folder,
-                                                       const ReadProgress& progress = {});
+haptics::Expected<std::vector<DicomSeries>> seriesAmong(
+    const std::vector<std::filesystem::path>& paths, const ReadProgress& progress = {});
 
 /// The series that one file stands for, from the file's own folder. Of several images at the place
 /// of the named one (in other encodings, say) the named one is taken.
 haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file,
                                         const ReadProgress& progress = {});
 
-SeriesVerdict verdictOf(const DicomSeries& series, int index);
+/// Without an index and without what was found.
+SeriesVerdict verdictOf(const DicomSeries& series);
 
 }  // namespace datasets

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string_view>
 
+#include "datasets/readers/data_file.h"
 #include "datasets/readers/nrrd_text.h"
 #include "datasets/readers/refusal.h"
+#include "datasets/readers/stored_volumes.h"
 
 namespace datasets {
 
@@ -75,40 +79,96 @@ Expected<void> readType(const fs::path& path, const NrrdText& text, NrrdHeader& 
   return badHeader(path, "states an unknown type");
 }
 
+/// Per axis whether it has a direction in space; empty where directions are not stated.
+std::vector<bool> directedAxes(const NrrdText& text) {
+  const std::string* field = text.find("space directions");
+  std::vector<bool> directed;
+  if (field == nullptr) return directed;
+  for (std::string_view rest = *field; !rest.empty();) {
+    const bool vector = rest.front() == '(';
+    const bool blank = rest.front() == ' ' || rest.front() == '\t';
+    if (!blank) directed.push_back(vector);
+    const auto end = vector ? rest.find(')') : blank ? 0 : rest.find_first_of(" \t(") - 1;
+    rest.remove_prefix(std::min(end, rest.size() - 1) + 1);
+  }
+  return directed;
+}
+
+tl::unexpected<haptics::Error> notAPlace(const fs::path& path, std::size_t axis,
+                                         const std::string& kind) {
+  return unsupported("not-scalar", "Axis " + std::to_string(axis) + " of " + quoted(path) +
+                                       ", counted from 0, is of kind " + kind +
+                                       " and holds no places; export a volume of three axes and "
+                                       "one value per voxel.");
+}
+
+/// Which axes are i, j and k, and which counts the volumes.
+Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::vector<std::int64_t>& sizes = header.sizes;
+  std::vector<std::string> kinds(sizes.size());
+  if (const std::string* field = text.find("kinds"); field != nullptr) {
+    const auto words = wordsOf(*field);
+    if (words.size() != sizes.size()) return badHeader(path, "does not state a kind of each axis");
+    std::ranges::transform(words, kinds.begin(), lowered);
+  }
+  const std::vector<bool> directed = directedAxes(text);
+  std::vector<std::size_t> places, others;
+  for (std::size_t a = 0; a < sizes.size(); ++a) {
+    const std::string& kind = kinds[a];
+    const bool space = kind == "domain" || kind == "space";
+    const bool counts = kind == "list" || kind == "time";
+    const bool unstated = kind.empty() || kind == "none" || kind == "???";
+    const bool single = sizes[a] == 1 && (kind == "stub" || kind == "scalar");
+    if (!space && !unstated && !single && !(counts && sizes.size() == 4))
+      return notAPlace(path, a, kind);
+    const bool place = sizes.size() == 3 || (directed.size() == sizes.size() ? directed[a] : space);
+    (place ? places : others).push_back(a);
+  }
+  if (places.size() != 3)
+    return unsupported(
+        "not-scalar", "The header of " + quoted(path) + " calls " + std::to_string(places.size()) +
+                          " of its four axes places, by direction or by kind; export it with three "
+                          "of them and one that counts volumes.");
+  for (std::size_t a = 0; a < 3; ++a) {
+    header.axes[a] = static_cast<unsigned>(places[a]);
+    header.dims[a] = sizes[places[a]];
+  }
+  if (others.empty()) return {};
+  header.volume_axis = static_cast<int>(others.front());
+  header.volumes = sizes[others.front()];
+  if (header.volumes > kMostVolumes)
+    return unsupported("too-large", quoted(path) + " holds " + std::to_string(header.volumes) +
+                                        " volumes; export fewer than " +
+                                        std::to_string(kMostVolumes) + " into one file.");
+  return {};
+}
+
 Expected<void> readSizes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* dimension = text.find("dimension");
   const auto axes = dimension ? integerOf(*dimension) : std::nullopt;
   if (!axes) return badHeader(path, "states no dimension");
-  if (*axes != 3)
+  if (*axes != 3 && *axes != 4)
     return unsupported("not-scalar",
                        "The dimension of " + quoted(path) + " is " + std::to_string(*axes) +
-                           "; only a volume of three axes and one value per voxel can "
-                           "be loaded, so export one such volume.");
+                           "; only volumes of three axes and one value per voxel can "
+                           "be loaded, one or several in a file, so export one such volume.");
   const std::string* sizes = text.find("sizes");
   if (sizes == nullptr) return badHeader(path, "states no sizes");
   const auto words = wordsOf(*sizes);
-  if (words.size() != 3) return badHeader(path, "does not state three sizes");
+  if (static_cast<std::int64_t>(words.size()) != *axes)
+    return badHeader(path, "does not state a size of each axis");
   std::int64_t room = std::numeric_limits<std::int64_t>::max() / 64;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto size = integerOf(words[a]);
+  for (const std::string_view word : words) {
+    const auto size = integerOf(word);
     if (!size || *size < 1) return badHeader(path, "states a size that is no positive number");
-    if (*size > room)
+    if (*size > std::min<std::int64_t>(room, std::numeric_limits<std::int32_t>::max()))
       return unsupported("too-large",
                          "The header of " + quoted(path) +
                              " states more voxels than any memory holds; export it again.");
     room /= *size;
-    header.dims[a] = *size;
+    header.sizes.push_back(*size);
   }
-  const std::string* kinds = text.find("kinds");
-  if (kinds == nullptr) return {};
-  for (const std::string_view kind : wordsOf(*kinds)) {
-    const std::string k = lowered(kind);
-    if (k != "domain" && k != "space" && k != "none" && k != "???")
-      return unsupported("not-scalar", "An axis of " + quoted(path) +
-                                           " holds the components of colours or vectors and no "
-                                           "places; export a scalar volume.");
-  }
-  return {};
+  return readAxes(path, text, header);
 }
 
 Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
@@ -129,7 +189,9 @@ Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHead
     return unsupported("unsupported-syntax", "The voxels of " + quoted(path) +
                                                  " are in an encoding that is unknown here; save "
                                                  "them as raw or gzip.");
-  if (header.encoding != NrrdEncoding::Ascii && header.bytes_per_voxel > 1 && !text.find("endian"))
+  const std::string* endian = text.find("endian");
+  header.big_endian = endian != nullptr && lowered(*endian) == "big";
+  if (header.encoding != NrrdEncoding::Ascii && header.bytes_per_voxel > 1 && endian == nullptr)
     return badHeader(path, "does not state the byte order");
   const auto skip = [&](const char* name_of_field, const char* other, std::int64_t least,
                         std::int64_t& count) {
@@ -144,13 +206,6 @@ Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHead
       !skip("byte skip", "byteskip", -1, header.byte_skip))
     return badHeader(path, "skips a number of lines or bytes that makes no sense");
   return {};
-}
-
-tl::unexpected<haptics::Error> outside(const fs::path& path) {
-  return unsupported("outside-folder",
-                     "The header " + quoted(path) +
-                         " names a data file outside its own folder; put both into "
-                         "one folder and name it without a path.");
 }
 
 /// "slices/slice_%03d.raw 0 41 1": the names that teem would print; empty if it is no such form.
@@ -181,25 +236,6 @@ std::vector<std::string> expanded(std::string_view pattern) {
   return names;
 }
 
-/// Only plain files below the header's folder, whatever links lie on the way.
-Expected<fs::path> dataFile(const fs::path& header, const std::string& name) {
-  const fs::path relative(name);
-  if (relative.is_absolute() || name == "-") return outside(header);
-  for (const fs::path& part : relative)
-    if (part == "..") return outside(header);
-  const fs::path folder = header.has_parent_path() ? header.parent_path() : fs::path(".");
-  std::error_code error;
-  const fs::path real_folder = fs::canonical(folder, error);
-  const fs::path real = error ? fs::path() : fs::canonical(folder / relative, error);
-  if (error)
-    return malformed("truncated", "The data file that " + quoted(header) +
-                                      " names is missing; copy it beside the header.");
-  const auto [end, unused] =
-      std::mismatch(real_folder.begin(), real_folder.end(), real.begin(), real.end());
-  if (end != real_folder.end() || !fs::is_regular_file(real, error)) return outside(header);
-  return real;
-}
-
 Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* field = text.find("data file", "datafile");
   if (field == nullptr) {
@@ -217,7 +253,7 @@ Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHea
   if (names.empty())
     return badHeader(path, "names its data files in a way that cannot be followed");
   for (const std::string& name : names) {
-    auto file = dataFile(path, name);
+    auto file = dataFileOf(path, name);
     if (!file) return tl::unexpected(std::move(file.error()));
     header.data_files.push_back(std::move(*file));
   }
@@ -267,10 +303,18 @@ Expected<void> checkNothingElse(const fs::path& path, const NrrdHeader& header,
                                      "which; add a byte skip to the header.");
 }
 
+/// "512 x 512 x 300".
+std::string inWords(const std::vector<std::int64_t>& sizes) {
+  std::string words;
+  for (const std::int64_t size : sizes)
+    words += (words.empty() ? "" : " x ") + std::to_string(size);
+  return words;
+}
+
 Expected<void> checkCapacity(const fs::path& path, const NrrdHeader& header) {
   const std::vector<fs::path> files =
       header.data_files.empty() ? std::vector{path} : header.data_files;
-  const std::int64_t voxels = header.dims[0] * header.dims[1] * header.dims[2];
+  const std::int64_t voxels = header.voxelCount();
   const std::int64_t needed =
       voxels * header.bytes_per_voxel / static_cast<std::int64_t>(files.size());
   for (const fs::path& file : files) {
@@ -286,16 +330,17 @@ Expected<void> checkCapacity(const fs::path& path, const NrrdHeader& header) {
                                                             : most >= static_cast<double>(needed);
     if (!holds)
       return malformed("truncated", quoted(file) + " is too short for the " +
-                                        std::to_string(header.dims[0]) + " x " +
-                                        std::to_string(header.dims[1]) + " x " +
-                                        std::to_string(header.dims[2]) +
+                                        inWords(header.sizes) +
                                         " voxels that its header states; copy or fetch it again.");
   }
-  if (auto nothing = checkNothingElse(path, header, needed); !nothing) return nothing;
-  return checkRoom(voxels, header.bytes_per_voxel);
+  return checkNothingElse(path, header, needed);
 }
 
 }  // namespace
+
+std::int64_t NrrdHeader::voxelCount() const {
+  return std::accumulate(sizes.begin(), sizes.end(), std::int64_t{1}, std::multiplies<>());
+}
 
 bool looksLikeNrrd(const fs::path& path) {
   char magic[4] = {};

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/nrrd_text.h"
 
-#include <cctype>
-#include <charconv>
 #include <fstream>
 
 #include "datasets/readers/refusal.h"
@@ -14,43 +12,9 @@ using haptics::Expected;
 
 namespace {
 
-constexpr std::int64_t kLongestHeader = 1 << 20;  // bytes, a list of data files included
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r");
-  if (begin == text.npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
+constexpr std::size_t kLongestField = 1000;  // characters; numbers need some hundred
 
 }  // namespace
-
-std::string lowered(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
-
-std::vector<std::string_view> wordsOf(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
-    const auto end = std::min(text.find_first_of(" \t"), text.size());
-    words.push_back(text.substr(0, end));
-    text.remove_prefix(end);
-  }
-  return words;
-}
-
-std::optional<std::int64_t> integerOf(std::string_view word) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return {};
-  return number;
-}
-
-tl::unexpected<haptics::Error> badHeader(const fs::path& path, const std::string& why) {
-  return malformed("bad-header",
-                   "The header of " + quoted(path) + " " + why + "; export it again.");
-}
 
 Expected<NrrdText> readNrrdText(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -92,6 +56,8 @@ Expected<NrrdText> readNrrdText(const fs::path& path) {
     if (!names_data) text.lines.append(content).append("\n");
     if (content.front() == '#' || colon == content.npos) continue;
     if (colon + 1 < content.size() && content[colon + 1] == '=') continue;  // key and value
+    // teem writes what it cannot parse into a message of fixed size
+    if (content.size() > kLongestField) return badHeader(path, "has a field that is too long");
     const std::string_view value = trimmed(content.substr(colon + 1));
     if (!text.fields.emplace(field, value).second) return badHeader(path, "states a field twice");
     listing = names_data && value.starts_with("LIST");

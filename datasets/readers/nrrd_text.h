@@ -5,11 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "datasets/readers/header_words.h"
 #include "haptics/core/error.h"
 
 namespace datasets {
@@ -30,13 +29,5 @@ struct NrrdText {
 /// Reads at most 1 MB of header. Refuses ("bad-header") another beginning than NRRD0001 to
 /// NRRD0005 and a field stated twice.
 haptics::Expected<NrrdText> readNrrdText(const std::filesystem::path& path);
-
-/// "The header of "x.nrrd" ‹why›; export it again."
-tl::unexpected<haptics::Error> badHeader(const std::filesystem::path& path, const std::string& why);
-
-std::string lowered(std::string_view text);
-std::vector<std::string_view> wordsOf(std::string_view text);
-/// The whole word as a number; empty if it is anything else.
-std::optional<std::int64_t> integerOf(std::string_view word);
 
 }  // namespace datasets

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -19,6 +21,7 @@
 #include "datasets/readers/file_geometry.h"
 #include "datasets/readers/nrrd_header.h"
 #include "datasets/readers/nrrd_stream.h"
+#include "datasets/readers/quiet_terminal.h"
 #include "datasets/readers/refusal.h"
 
 namespace datasets {
@@ -35,6 +38,8 @@ std::mutex& teem() {
   return mutex;
 }
 
+constexpr double kDecoding = 0.9;  // of the progress; the rest is for the range of the voxels
+
 using NrrdPtr = std::unique_ptr<Nrrd, decltype(&nrrdNuke)>;
 using NrrdIoPtr = std::unique_ptr<NrrdIoState, decltype(&nrrdIoStateNix)>;
 
@@ -42,6 +47,7 @@ using NrrdIoPtr = std::unique_ptr<NrrdIoState, decltype(&nrrdIoStateNix)>;
 NrrdPtr load(const std::filesystem::path& path, const NrrdHeader& header, bool with_voxels,
              const ReadProgress& progress) {
   const CLocale numbers_with_points;
+  const QuietTerminal while_reading;
   NrrdPtr nrrd(nrrdNew(), nrrdNuke);
   const NrrdIoPtr io(nrrdIoStateNew(), nrrdIoStateNix);
   io->skipData = with_voxels ? 0 : 1;
@@ -93,7 +99,8 @@ tl::unexpected<haptics::Error> badUnit(const std::filesystem::path& path) {
 }
 
 /// Axes with directions in a space.
-Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const Nrrd& nrrd) {
+Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const NrrdHeader& header,
+                                        const Nrrd& nrrd) {
   FileGeometry geometry;
   geometry.space = spaceOf(nrrd.space);
   Vec3 scale = Vec3::Ones();  // mm per unit of each coordinate of the space
@@ -104,7 +111,7 @@ Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const
   }
   for (unsigned int a = 0; a < 3; ++a)
     for (unsigned int c = 0; c < 3; ++c)
-      geometry.steps_mm(c, a) = nrrd.axis[a].spaceDirection[c] * scale[c];
+      geometry.steps_mm(c, a) = nrrd.axis[header.axes[a]].spaceDirection[c] * scale[c];
   if (!geometry.steps_mm.allFinite())
     return malformed("bad-header", "An axis of " + quoted(path) +
                                        " has no direction in space; export it again with its "
@@ -116,23 +123,29 @@ Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const
   return geometry;
 }
 
+/// As stated, or from the ends of the axis: of its outer voxels' centres, or of their far sides, as
+/// the format has it where nothing is said. NaN where none of it is known.
+double spacingOf(const NrrdAxisInfo& axis) {
+  if (!std::isnan(axis.spacing)) return axis.spacing;
+  const double intervals =
+      static_cast<double>(axis.size) - (axis.center == nrrdCenterNode ? 1.0 : 0.0);
+  return (axis.max - axis.min) / intervals;
+}
+
 /// Axes with spacings only, or with nothing. `stated` tells which.
-Expected<FileGeometry> plainGeometry(const std::filesystem::path& path, const Nrrd& nrrd,
-                                     bool& stated) {
+Expected<FileGeometry> plainGeometry(const std::filesystem::path& path, const NrrdHeader& header,
+                                     const Nrrd& nrrd, bool& stated) {
   FileGeometry geometry;
   geometry.space = FileSpace::Unknown;
   int known = 0;
   for (unsigned int a = 0; a < 3; ++a) {
-    const NrrdAxisInfo& axis = nrrd.axis[a];
+    const NrrdAxisInfo& axis = nrrd.axis[header.axes[a]];
     const auto millimetres = millimetresIn(axis.units);
     if (!millimetres) return badUnit(path);
-    if (std::isnan(axis.spacing) && (!std::isnan(axis.min) || !std::isnan(axis.max)))
-      return unsupported("bad-header", "The header of " + quoted(path) +
-                                           " places its axes by their ends instead of a spacing; "
-                                           "export it with spacings.");
-    if (std::isnan(axis.spacing)) continue;
+    const double spacing = spacingOf(axis);
+    if (std::isnan(spacing)) continue;
     ++known;
-    geometry.steps_mm(a, a) = axis.spacing * *millimetres;
+    geometry.steps_mm(a, a) = spacing * *millimetres;
   }
   stated = known > 0;
   if (known != 0 && known != 3)
@@ -167,23 +180,6 @@ std::string modalityOf(const Nrrd& nrrd) {
   return code ? modality : "";
 }
 
-Expected<NrrdDescription> describe(const std::filesystem::path& path, const NrrdHeader& header,
-                                   const Nrrd& nrrd) {
-  const bool oriented = nrrd.spaceDim == 3;
-  NrrdDescription description;
-  auto geometry = oriented ? orientedGeometry(path, nrrd)
-                           : plainGeometry(path, nrrd, description.spacing_stated);
-  if (!geometry) return tl::unexpected(std::move(geometry.error()));
-  geometry->dims = header.dims;
-  auto grid = gridOf(*geometry);
-  if (!grid) return tl::unexpected(std::move(grid.error()));
-  description.grid = *grid;
-  description.facts.unit = unitOf(nrrd);
-  description.facts.modality = modalityOf(nrrd);
-  description.facts.orientation_known = geometry->space != FileSpace::Unknown;
-  return description;
-}
-
 tl::unexpected<haptics::Error> headerRefused(const std::filesystem::path& path) {
   return malformed("bad-header", "The header of " + quoted(path) +
                                      " cannot be understood; export the volume again.");
@@ -210,6 +206,71 @@ std::optional<ScalarType> typeOf(int teem_type) {
   }
 }
 
+/// How the voxels lie; where they are in one file that needs no decoder of teem's, also where.
+Expected<StoredVoxels> voxelsOf(const std::filesystem::path& path, const NrrdHeader& header,
+                                const Nrrd& nrrd) {
+  StoredVoxels stored;
+  VoxelLayout& layout = stored.layout;
+  layout.doubles = nrrd.type == nrrdTypeDouble;
+  const auto type = layout.doubles ? ScalarType::Float32 : typeOf(nrrd.type);
+  if (!type || nrrd.dim != header.sizes.size()) return headerRefused(path);
+  layout.type = *type;
+  layout.swapped = header.big_endian && header.bytes_per_voxel > 1;
+  std::ranges::copy(header.sizes, layout.sizes.begin());
+  layout.volume_axis = header.volume_axis < 0 ? 3 : header.volume_axis;
+  stored.deflated = header.encoding == NrrdEncoding::Gzip;
+  stored.file = header.data_files.empty() ? path : header.data_files.front();
+  stored.offset = header.data_files.empty() ? header.header_bytes : 0;
+  stored.skip = header.byte_skip;
+  return stored;
+}
+
+bool isReadHere(const NrrdHeader& header) {
+  return header.data_files.size() < 2 &&
+         (header.encoding == NrrdEncoding::Raw || header.encoding == NrrdEncoding::Gzip);
+}
+
+/// Puts lines that are to be skipped behind us, and of plain voxels also what precedes the last.
+Expected<void> findVoxels(const NrrdHeader& header, StoredVoxels& stored) {
+  std::ifstream in(stored.file, std::ios::binary);
+  in.seekg(stored.offset);
+  for (std::int64_t line = 0; line < header.line_skip && in; ++line)
+    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  if (header.line_skip > 0) stored.offset = in ? static_cast<std::int64_t>(in.tellg()) : -1;
+  if (stored.offset >= 0 && stored.skip < 0 && !stored.deflated) {
+    std::error_code error;
+    const auto length = static_cast<std::int64_t>(std::filesystem::file_size(stored.file, error));
+    stored.offset =
+        error ? -1 : length - stored.layout.voxelCount() * stored.layout.bytesPerVoxel();
+    stored.skip = 0;
+  }
+  if (stored.offset < 0)
+    return malformed("truncated", quoted(stored.file) +
+                                      " ends within what its header says to skip; copy or fetch "
+                                      "it again.");
+  return {};
+}
+
+Expected<StoredVolumes> describe(const std::filesystem::path& path, const NrrdHeader& header,
+                                 const Nrrd& nrrd) {
+  const bool oriented = nrrd.spaceDim == 3;
+  StoredVolumes description;
+  auto voxels = voxelsOf(path, header, nrrd);
+  if (!voxels) return tl::unexpected(std::move(voxels.error()));
+  description.voxels = std::move(*voxels);
+  auto geometry = oriented ? orientedGeometry(path, header, nrrd)
+                           : plainGeometry(path, header, nrrd, description.spacing_stated);
+  if (!geometry) return tl::unexpected(std::move(geometry.error()));
+  geometry->dims = header.dims;
+  auto grid = gridOf(*geometry);
+  if (!grid) return tl::unexpected(std::move(grid.error()));
+  description.grid = *grid;
+  description.facts.unit = unitOf(nrrd);
+  description.facts.modality = modalityOf(nrrd);
+  description.facts.orientation_known = geometry->space != FileSpace::Unknown;
+  return description;
+}
+
 /// Takes teem's voxels over without copying them, grown by the padding.
 Expected<std::shared_ptr<void>> adopted(Nrrd& nrrd, std::int64_t bytes) {
   const auto size = static_cast<std::size_t>(bytes);
@@ -232,9 +293,46 @@ Expected<std::shared_ptr<void>> narrowed(const Nrrd& nrrd, std::int64_t count) {
   return voxels;
 }
 
+/// The whole file's voxels, as teem decodes them. The lock must be held.
+Expected<NrrdPtr> decodedByTeem(const std::filesystem::path& path, const NrrdHeader& header,
+                                const ReadProgress& progress) {
+  const std::int64_t count = header.voxelCount();
+  if (auto room = checkRoom(count, header.bytes_per_voxel, kSaveRaw); !room)
+    return tl::unexpected(std::move(room.error()));
+  NrrdPtr nrrd = load(path, header, true, progress);
+  if (progress.isCancelled()) return cancelled();
+  if (!nrrd || nrrd->data == nullptr)
+    return malformed("truncated", "The voxels of " + quoted(path) +
+                                      " end early or are damaged; copy or fetch the file again.");
+  if (nrrdElementNumber(nrrd.get()) != static_cast<std::size_t>(count)) return headerRefused(path);
+  return nrrd;
+}
+
+/// The only volume of a file, whole.
+Expected<std::shared_ptr<void>> wholeByTeem(const std::filesystem::path& path,
+                                            const NrrdHeader& header, const VoxelLayout& layout,
+                                            const ReadProgress& progress) {
+  const auto nrrd = decodedByTeem(path, header, progress);
+  if (!nrrd) return tl::unexpected(nrrd.error());
+  if (layout.doubles) return narrowed(**nrrd, layout.voxelCount());
+  return adopted(**nrrd, layout.voxelCount() * layout.bytesPerVoxel());
+}
+
+/// A window of a file that only teem can decode.
+Expected<std::shared_ptr<void>> windowByTeem(const std::filesystem::path& path,
+                                             const NrrdHeader& header, VoxelLayout layout,
+                                             int number, const Window& window,
+                                             const ReadProgress& progress) {
+  const auto nrrd = decodedByTeem(path, header, progress);
+  if (!nrrd) return tl::unexpected(nrrd.error());
+  layout.swapped = false;  // teem has done it
+  const auto bytes = bytesOf((*nrrd)->data, layout.voxelCount() * layout.bytesPerVoxel());
+  return pickVoxels(*bytes, 0, layout, number, window, path, progress);
+}
+
 }  // namespace
 
-Expected<NrrdDescription> describeNrrd(const std::filesystem::path& path) {
+Expected<StoredVolumes> describeNrrd(const std::filesystem::path& path) {
   const auto header = readNrrdHeader(path);
   if (!header) return tl::unexpected(header.error());
   const std::scoped_lock lock(teem());
@@ -243,37 +341,33 @@ Expected<NrrdDescription> describeNrrd(const std::filesystem::path& path) {
   return describe(path, *header, *nrrd);
 }
 
-Expected<haptics::Volume> decodeNrrd(const std::filesystem::path& path,
-                                     const ReadProgress& progress) {
-  const auto stopped = [&] { return progress.isCancelled(); };
+Expected<haptics::Volume> decodeNrrd(const std::filesystem::path& path, int number,
+                                     const Part& part, const ReadProgress& progress) {
   // geometry first: a volume that will be refused is not worth decoding
+  auto stored = describeNrrd(path);
+  if (!stored) return tl::unexpected(std::move(stored.error()));
   const auto header = readNrrdHeader(path);
   if (!header) return tl::unexpected(header.error());
-  const std::scoped_lock lock(teem());
-  const NrrdPtr outline = load(path, *header, false, {});
-  if (!outline) return headerRefused(path);
-  auto description = describe(path, *header, *outline);
-  if (!description) return tl::unexpected(std::move(description.error()));
-  if (stopped()) return cancelled();
-
-  const NrrdPtr nrrd = load(path, *header, true, progress);
-  if (stopped()) return cancelled();
-  if (!nrrd || nrrd->data == nullptr)
-    return malformed("truncated", "The voxels of " + quoted(path) +
-                                      " end early or are damaged; copy or fetch the file again.");
-  const std::int64_t count = description->grid.voxelCount();
-  if (nrrd->dim != 3 || nrrdElementNumber(nrrd.get()) != static_cast<std::size_t>(count))
-    return headerRefused(path);
-  const bool is_double = nrrd->type == nrrdTypeDouble;
-  const auto type = is_double ? ScalarType::Float32 : typeOf(nrrd->type);
-  if (!type) return headerRefused(path);
-  auto voxels = is_double
-                    ? narrowed(*nrrd, count)
-                    : adopted(*nrrd, count * static_cast<std::int64_t>(haptics::sizeOf(*type)));
+  const auto window = windowOf(part, stored->grid.dims);
+  if (!window) return tl::unexpected(window.error());
+  if (progress.isCancelled()) return cancelled();
+  const VoxelLayout& layout = stored->voxels.layout;
+  if (isReadHere(*header)) {
+    if (auto found = findVoxels(*header, stored->voxels); !found)
+      return tl::unexpected(std::move(found.error()));
+    const bool alone = header->volumes == 1 && part.isWhole();
+    if (!alone || isMapped(stored->voxels, number, *window))
+      return readVolume(*stored, number, part, progress);
+  }
+  const ReadProgress decoding = progress.part(0.0, kDecoding);
+  auto voxels = [&] {
+    const std::scoped_lock lock(teem());
+    return header->volumes == 1 && part.isWhole()
+               ? wholeByTeem(path, *header, layout, decoding)
+               : windowByTeem(path, *header, layout, number, *window, decoding);
+  }();
   if (!voxels) return tl::unexpected(std::move(voxels.error()));
-  progress.advanced(1.0);
-  return haptics::makeVolume(description->grid, *type, std::move(*voxels),
-                             std::move(description->facts));
+  return finished(*stored, *window, layout.type, std::move(*voxels), progress.part(kDecoding, 1.0));
 }
 
 }  // namespace datasets

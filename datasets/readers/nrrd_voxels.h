@@ -3,24 +3,21 @@
 
 #include <filesystem>
 
+#include "datasets/readers/stored_volumes.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
 
 namespace datasets {
 
-/// What an NRRD's header says, checked, without its voxels.
-struct NrrdDescription {
-  haptics::Grid grid;
-  haptics::VolumeFacts facts;
-  bool spacing_stated = true;  ///< false: 1 mm is assumed
-};
+haptics::Expected<StoredVolumes> describeNrrd(const std::filesystem::path& path);
 
-haptics::Expected<NrrdDescription> describeNrrd(const std::filesystem::path& path);
-
-/// Decodes an NRRD through teem, the format's reference implementation. double becomes float32.
-/// Progress and Cancel reach into the decoding, except of voxels spread over several files.
-haptics::Expected<haptics::Volume> decodeNrrd(const std::filesystem::path& path,
-                                              const ReadProgress& progress);
+/// Reads a part of one volume of an NRRD. A whole volume that is alone in its file is decoded by
+/// teem, the format's reference implementation; raw and gzip voxels are else read block by block,
+/// raw ones of a gibibyte mapped, and of the other encodings and of several data files the whole
+/// is decoded first. double becomes float32. Progress and Cancel reach into the decoding, except
+/// of voxels spread over several files.
+haptics::Expected<haptics::Volume> decodeNrrd(const std::filesystem::path& path, int number,
+                                              const Part& part, const ReadProgress& progress);
 
 }  // namespace datasets

@@ -21,6 +21,8 @@ static_assert(std::endian::native == std::endian::little,
 
 namespace {
 
+constexpr std::size_t kAligned = 64;  // bytes
+
 const char* nrrdTypeOf(ScalarType type) {
   switch (type) {
     case ScalarType::UInt8:
@@ -82,7 +84,9 @@ std::string headerOf(const haptics::Volume& volume) {
   text += "\nkinds: domain domain domain\nendian: little\nencoding: raw\n";
   if (!volume.unit.empty()) text += "unit:=" + volume.unit + "\n";
   if (!volume.modality.empty()) text += "modality:=" + volume.modality + "\n";
-  return text + "\n";
+  // voxels begin where a file that is mapped has them aligned
+  const std::size_t rest = (text.size() + std::string_view("#\n\n").size()) % kAligned;
+  return text + "#" + std::string(rest == 0 ? 0 : kAligned - rest, ' ') + "\n\n";
 }
 
 tl::unexpected<haptics::Error> cannotWrite(const fs::path& out) {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <fstream>
 
 namespace datasets {
 
@@ -45,14 +46,24 @@ std::string exact(double number) {
   return {text, end.ptr};
 }
 
-haptics::Expected<void> checkRoom(std::int64_t voxels, std::int64_t bytes_per_voxel) {
+double freeMemory() {
+  std::ifstream file("/proc/meminfo");
+  std::string word;
+  double kilobytes = 0.0;
+  while (file >> word)
+    if (word == "MemAvailable:" && file >> kilobytes) return kilobytes * 1024.0;
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+haptics::Expected<void> checkRoom(std::int64_t voxels, std::int64_t bytes_per_voxel,
+                                  const char* advice) {
   const double needed = static_cast<double>(voxels) * static_cast<double>(bytes_per_voxel);
-  const double there =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double there = freeMemory();
   if (needed <= there) return {};
-  return unsupported("too-large", "The volume needs " + brief(needed / 1e9) +
-                                      " GB of memory and this machine has " + brief(there / 1e9) +
-                                      " GB; try a smaller series or a part of it.");
+  return unsupported("too-large", "The volume needs " + brief(needed / 1e9) + " GB of memory and " +
+                                      brief(there / 1e9) +
+                                      " GB are free; read every second voxel or a box of it, or " +
+                                      advice + ".");
 }
 
 }  // namespace datasets

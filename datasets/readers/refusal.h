@@ -24,7 +24,12 @@ std::string brief(double number);
 /// The shortest text that reads back as the same double, whatever the locale.
 std::string exact(double number);
 
-/// Refuses ("too-large") what the memory of this machine cannot hold, before it is asked for.
-haptics::Expected<void> checkRoom(std::int64_t voxels, std::int64_t bytes_per_voxel);
+/// What programs could be given now without swapping, bytes.
+double freeMemory();
+
+/// Refuses ("too-large") what the free memory cannot hold, before it is asked for. `advice` is what
+/// to try beside reading less.
+haptics::Expected<void> checkRoom(std::int64_t voxels, std::int64_t bytes_per_voxel,
+                                  const char* advice = "close other programs");
 
 }  // namespace datasets

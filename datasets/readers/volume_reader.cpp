@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/volume_reader.h"
 
-#include <vtkCommand.h>
-#include <vtkExecutive.h>
-#include <vtkNew.h>
-
 #include <algorithm>
 #include <exception>
+#include <iterator>
+#include <map>
 #include <new>
+#include <utility>
+#include <variant>
 
+#include "datasets/readers/archive.h"
 #include "datasets/readers/dicom_folder.h"
 #include "datasets/readers/dicom_pixels.h"
-#include "datasets/readers/nrrd_header.h"
-#include "datasets/readers/nrrd_voxels.h"
+#include "datasets/readers/folder_tree.h"
+#include "datasets/readers/found.h"
+#include "datasets/readers/parallel.h"
 #include "datasets/readers/refusal.h"
-#include "datasets/readers/vtk_errors.h"
-#include "datasets/readers/vtk_nrrd_reader.h"
+#include "datasets/readers/volume_file.h"
 
 namespace datasets {
 
@@ -23,21 +24,6 @@ namespace fs = std::filesystem;
 using haptics::Expected;
 
 namespace {
-
-enum class Format { DicomFolder, DicomFile, Nrrd };
-
-Expected<Format> formatOf(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) return Format::DicomFolder;
-  if (!fs::is_regular_file(path, error)) return notFound(path);
-  const fs::path extension = path.extension();
-  if (looksLikeNrrd(path) || extension == ".nrrd" || extension == ".nhdr") return Format::Nrrd;
-  if (looksLikeDicom(path)) return Format::DicomFile;
-  return unsupported("unreadable",
-                     quoted(path) +
-                         " is neither a DICOM nor an NRRD file; open the folder of a "
-                         "DICOM series, one of its files, or an .nrrd or .nhdr file.");
-}
 
 /// No exception leaves the readers.
 template <class T, class F>
@@ -54,37 +40,13 @@ Expected<T> guarded(const fs::path& path, F&& read) {
   }
 }
 
-SeriesVerdict nrrdVerdict(const fs::path& path) {
-  SeriesVerdict verdict;
-  const auto header = readNrrdHeader(path);
-  const auto description = describeNrrd(path);
-  if (header) verdict.dims = header->dims;
-  if (!description) {
-    verdict.reasons.push_back(description.error().reason);
-    verdict.message = description.error().what;
-    return verdict;
-  }
-  verdict.verdict = Verdict::Sound;
-  verdict.modality = description->facts.modality;
-  verdict.spacing_mm = description->grid.spacing * 1e3;
-  verdict.message = "One evenly spaced stack.";
-  if (!description->facts.orientation_known) {
-    verdict.reasons.push_back("orientation-unknown");
-    verdict.message = description->spacing_stated
-                          ? "The file does not state its orientation: left and right are unknown, "
-                            "and its spacing is taken to be in millimetres."
-                          : "The file states neither orientation nor spacing: left and right are "
-                            "unknown, and voxels of 1 mm are assumed.";
-  }
-  return verdict;
-}
-
-std::string listOf(const std::vector<DicomSeries>& all) {
+std::string listOf(const std::vector<SeriesVerdict>& all) {
+  constexpr int kMost = 20;
   std::string list;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const SeriesVerdict v = verdictOf(all[i], static_cast<int>(i));
+  for (const SeriesVerdict& v : all) {
+    if (v.index == kMost) return list + "; and " + std::to_string(all.size() - kMost) + " more";
     list +=
-        (i == 0 ? "" : "; ") + std::to_string(i) + " is " +
+        (list.empty() ? "" : "; ") + std::to_string(v.index) + " is " +
         (v.modality.empty() ? "of no modality" : v.modality) + ", " + std::to_string(v.dims[0]) +
         " x " + std::to_string(v.dims[1]) + " x " + std::to_string(v.dims[2]) + ", " +
         (v.verdict != Verdict::Refused ? brief(v.spacing_mm.x()) + " x " + brief(v.spacing_mm.y()) +
@@ -95,110 +57,190 @@ std::string listOf(const std::vector<DicomSeries>& all) {
   return list;
 }
 
-Expected<DicomSeries> chosen(const fs::path& folder, std::vector<DicomSeries> all,
-                             std::optional<int> index, Geometry geometry) {
-  if (index) {
-    if (*index < 0 || *index >= static_cast<int>(all.size()))
+Expected<SeriesVerdict> chosenOf(const fs::path& path, const std::vector<SeriesVerdict>& all,
+                                 const Reading& reading) {
+  if (reading.series) {
+    if (*reading.series < 0 || *reading.series >= static_cast<int>(all.size()))
       return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
-                                           "The folder " + quoted(folder) + " has no series " +
-                                               std::to_string(*index) + ": " + listOf(all) + ".",
+                                           quoted(path) + " has no series " +
+                                               std::to_string(*reading.series) + ": " +
+                                               listOf(all) + ".",
                                            "no-such-series"});
-    return std::move(all[static_cast<std::size_t>(*index)]);
+    return all[static_cast<std::size_t>(*reading.series)];
   }
-  const auto any = [](const DicomSeries& s) { return s.stack.has_value(); };
-  const auto sound = [&](const DicomSeries& s) {
-    return any(s) && (!s.stack->crooked || geometry == Geometry::Corrected);
+  const auto any = [](const SeriesVerdict& s) { return s.verdict != Verdict::Refused; };
+  const auto sound = [&](const SeriesVerdict& s) {
+    return s.verdict == Verdict::Sound ||
+           (s.verdict == Verdict::Correctable && reading.geometry == Geometry::Corrected);
   };
   const auto loadable = std::ranges::count_if(all, sound);
   if (loadable > 1)
-    return unsupported("which-series",
-                       "The folder " + quoted(folder) + " holds " + std::to_string(loadable) +
-                           " series that can be loaded; name one: " + listOf(all) + ".");
-  if (loadable == 1) return std::move(*std::ranges::find_if(all, sound));
+    return unsupported("which-series", quoted(path) + " holds " + std::to_string(loadable) +
+                                           " series that can be loaded; name one: " + listOf(all) +
+                                           ".");
+  if (loadable == 1) return *std::ranges::find_if(all, sound);
   // what could be corrected says so itself
-  if (const auto one = std::ranges::find_if(all, any); one != all.end()) return std::move(*one);
+  if (const auto one = std::ranges::find_if(all, any); one != all.end()) return *one;
   if (all.size() > 1)
-    return unsupported(all.front().stack.error().reason,
-                       "None of the " + std::to_string(all.size()) + " series in " +
-                           quoted(folder) +
-                           " can be loaded; the first: " + all.front().stack.error().what);
-  return std::move(all.front());
+    return unsupported(all.front().reasons.front(),
+                       "None of the " + std::to_string(all.size()) + " series in " + quoted(path) +
+                           " can be loaded; the first: " + all.front().message);
+  return all.front();
 }
 
 constexpr double kHeaders = 0.1;  // of the progress
 
-/// Passes VTK's progress on, and the wish to stop back.
-class Relay : public vtkCommand {
- public:
-  static Relay* New() { return new Relay; }
-  void Execute(vtkObject* caller, unsigned long, void* fraction) override {
-    auto* reader = static_cast<vtkAlgorithm*>(caller);
-    progress->advanced(*static_cast<double*>(fraction));
-    if (progress->isCancelled()) reader->SetAbortExecute(1);
-  }
-  const ReadProgress* progress = nullptr;
-};
-
-Expected<haptics::Volume> readNrrd(const fs::path& path, const ReadProgress& progress) {
-  vtkNew<VtkNrrdReader> reader;
-  vtkNew<Relay> relay;
-  vtkNew<VtkErrors> errors;
-  relay->progress = &progress;
-  reader->AddObserver(vtkCommand::ProgressEvent, relay);
-  errors->watch(reader);
-  errors->watch(reader->GetExecutive());
-  reader->setPath(path);
-  reader->Update();
-  return reader->volume();
+SeriesVerdict verdictWith(DicomSeries series) {
+  SeriesVerdict verdict = verdictOf(series);
+  verdict.found = std::make_shared<Found>(Found{std::move(series)});
+  return verdict;
 }
 
-Expected<haptics::Volume> readAny(const fs::path& path, std::optional<int> series,
-                                  Geometry geometry, const ReadProgress& progress) {
-  const auto format = formatOf(path);
-  if (!format) return tl::unexpected(format.error());
-  if (progress.isCancelled()) return cancelled();
-  if (*format == Format::Nrrd) return readNrrd(path, progress);
-  if (*format == Format::DicomFile) {
-    const auto one = seriesOf(path, progress.part(0.0, kHeaders));
-    if (!one) return tl::unexpected(one.error());
-    return readSeries(*one, geometry, progress.part(kHeaders, 1.0));
+constexpr double kSorted = 0.3;               // of the progress: what is a slice, what a volume
+constexpr std::size_t kMostVolumes = 20'000;  // in the files of a folder
+
+/// Adds the volumes of one file, or says that there are too many to list.
+void add(std::vector<SeriesVerdict> found, std::vector<SeriesVerdict>& volumes) {
+  if (found.size() > 1 && volumes.size() + found.size() > kMostVolumes) {
+    found.resize(1);
+    found.front().verdict = Verdict::Refused;
+    found.front().reasons = {"too-large"};
+    found.front().message =
+        "The folder holds more volumes than can be listed; open this file by itself.";
   }
-  auto all = scanFolder(path, progress.part(0.0, kHeaders));
+  std::ranges::move(found, std::back_inserter(volumes));
+}
+
+/// A copy that broke off leaves files without a byte, and a stack may lack its last slices.
+void sayEmpty(SeriesVerdict& series, int count) {
+  const std::string sentence = std::to_string(count) +
+                               (count == 1 ? " empty file lies" : " empty files lie") +
+                               " beside the slices; if the series lacks some, copy it again.";
+  series.message += " " + sentence;
+  series.faults.push_back(sentence);
+}
+
+/// Of the files of a folder and all in it: volumes after series, each in order.
+Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) {
+  const auto paths = filesBelow(folder, progress);
+  if (!paths) return tl::unexpected(paths.error());
+  Survey survey{true, {}};
+  std::vector<fs::path> slices;
+  std::vector<SeriesVerdict> volumes;
+  std::map<fs::path, int> empty;  // files without a byte, by folder
+  enum class Kind : char { Slice, Volume, Empty };
+  std::vector<Kind> kinds(paths->size(), Kind::Slice);
+  const bool done = onAllCores(paths->size(), progress.part(0.0, kSorted), [&](std::size_t i) {
+    std::error_code error;
+    if (fs::file_size((*paths)[i], error) == 0)
+      kinds[i] = Kind::Empty;
+    else if (isVolumeFile((*paths)[i]))
+      kinds[i] = Kind::Volume;
+    return true;
+  });
+  if (!done) return cancelled();
+  for (std::size_t i = 0; i < paths->size(); ++i) {
+    if (progress.isCancelled()) return cancelled();
+    const fs::path& path = (*paths)[i];
+    if (kinds[i] == Kind::Empty) ++empty[path.parent_path()];
+    if (kinds[i] == Kind::Volume) add(verdictsOf(path), volumes);
+    if (kinds[i] == Kind::Slice) slices.push_back(path);
+  }
+  auto all = seriesAmong(slices, progress.part(kSorted, 1.0));
   if (!all) return tl::unexpected(std::move(all.error()));
-  const auto one = chosen(path, std::move(*all), series, geometry);
-  if (!one) return tl::unexpected(one.error());
-  return readSeries(*one, geometry, progress.part(kHeaders, 1.0));
+  for (DicomSeries& series : *all) {
+    const auto beside = empty.find(series.files.front().path.parent_path());
+    survey.series.push_back(verdictWith(std::move(series)));
+    if (beside != empty.end()) sayEmpty(survey.series.back(), beside->second);
+  }
+  std::ranges::move(volumes, std::back_inserter(survey.series));
+  return survey;
 }
 
-Expected<Survey> surveyAny(const fs::path& path) {
-  const auto format = formatOf(path);
-  if (!format) return tl::unexpected(format.error());
+tl::unexpected<haptics::Error> noScan(const std::string& what, const fs::path& path) {
+  return unsupported("unreadable",
+                     what + quoted(path) +
+                         " holds no scan that is known here (DICOM, NRRD, MetaImage or "
+                         "NIfTI); open the folder of a series.");
+}
+
+Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
+  std::error_code error;
   Survey survey;
-  if (*format == Format::Nrrd) {
-    survey.series.push_back(nrrdVerdict(path));
-  } else if (*format == Format::DicomFile) {
-    const auto one = seriesOf(path);
-    if (!one) return tl::unexpected(one.error());
-    survey.series.push_back(verdictOf(*one, 0));
+  if (fs::is_directory(path, error)) {
+    auto found = surveyOf(path, progress);
+    if (!found) return found;
+    if (found->series.empty()) return noScan("The folder ", path);
+    survey = std::move(*found);
+  } else if (!fs::is_regular_file(path, error)) {
+    return notFound(path);
+  } else if (isVolumeFile(path)) {
+    survey.series = verdictsOf(path);
+    survey.several = survey.series.size() > 1;
+  } else if (looksLikeDicom(path)) {
+    auto one = seriesOf(path, progress);
+    if (!one) return tl::unexpected(std::move(one.error()));
+    survey.series.push_back(verdictWith(std::move(*one)));
+  } else if (looksLikeArchive(path)) {
+    const auto folder = unpacked(path, progress.part(0.0, 0.5));
+    if (!folder) return tl::unexpected(folder.error());
+    auto found = surveyOf((*folder)->path(), progress.part(0.5, 1.0));
+    if (!found) return found;
+    if (found->series.empty()) return noScan("The archive ", path);
+    survey = std::move(*found);
+    for (SeriesVerdict& series : survey.series) series.place = *folder;
   } else {
-    survey.folder = true;
-    const auto all = scanFolder(path);
-    if (!all) return tl::unexpected(all.error());
-    for (std::size_t i = 0; i < all->size(); ++i)
-      survey.series.push_back(verdictOf((*all)[i], static_cast<int>(i)));
+    return unsupported("unreadable",
+                       quoted(path) +
+                           " is no DICOM, NRRD, MetaImage or NIfTI file; open the folder of a "
+                           "DICOM series, one of its files, or an .nrrd, .nhdr, .mhd, .mha, .nii "
+                           "or .nii.gz file.");
   }
+  for (std::size_t i = 0; i < survey.series.size(); ++i)
+    survey.series[i].index = static_cast<int>(i);
   return survey;
+}
+
+Expected<haptics::Volume> readFound(const Found& found, const Reading& reading,
+                                    const ReadProgress& progress) {
+  if (const auto* series = std::get_if<DicomSeries>(&found.source))
+    return readSeries(*series, reading.geometry, reading.part, progress);
+  return readVolume(std::get<VolumeInFile>(found.source), reading.part, progress);
+}
+
+Expected<haptics::Volume> readAny(const fs::path& path, const Reading& reading,
+                                  const ReadProgress& progress) {
+  if (progress.isCancelled()) return cancelled();
+  const auto survey = surveyAny(path, progress.part(0.0, kHeaders));
+  if (!survey) return tl::unexpected(survey.error());
+  const auto chosen = chosenOf(path, survey->series, reading);
+  if (!chosen) return tl::unexpected(chosen.error());
+  return readFound(*chosen->found, reading, progress.part(kHeaders, 1.0));
 }
 
 }  // namespace
 
-Expected<Survey> survey(const fs::path& path) {
-  return guarded<Survey>(path, [&] { return surveyAny(path); });
+Expected<Survey> survey(const fs::path& path, const ReadProgress& progress) {
+  return guarded<Survey>(path, [&] { return surveyAny(path, progress); });
 }
 
-Expected<haptics::Volume> readVolume(const fs::path& path, std::optional<int> series,
-                                     Geometry geometry, const ReadProgress& progress) {
-  return guarded<haptics::Volume>(path, [&] { return readAny(path, series, geometry, progress); });
+Expected<haptics::Volume> readVolume(const SeriesVerdict& chosen, const Reading& reading,
+                                     const ReadProgress& progress) {
+  return guarded<haptics::Volume>("the scan",
+                                  [&] { return readFound(*chosen.found, reading, progress); });
+}
+
+Expected<haptics::Volume> readVolume(const fs::path& path, const Reading& reading,
+                                     const ReadProgress& progress) {
+  return guarded<haptics::Volume>(path, [&] { return readAny(path, reading, progress); });
+}
+
+Expected<Thumbnail> thumbnailOf(const SeriesVerdict& chosen, int longest) {
+  return guarded<Thumbnail>("the scan", [&]() -> Expected<Thumbnail> {
+    if (const auto* series = std::get_if<DicomSeries>(&chosen.found->source))
+      return thumbnailOf(*series, longest);
+    return thumbnailOf(std::get<VolumeInFile>(chosen.found->source), longest);
+  });
 }
 
 }  // namespace datasets

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +26,35 @@ enum class Verdict {
 /// What to do with a correctable series.
 enum class Geometry { AsStored, Corrected };
 
-/// What can be said of a file or series before, or without, its voxels.
+/// Which of the voxels that are stored to take: a smaller volume of a scan that memory does not
+/// hold.
+struct Part {
+  /// Voxels of a whole volume, each axis from its first to beyond its last.
+  struct Box {
+    std::array<std::int64_t, 3> first{}, end{};
+  };
+  int step = 1;  ///< every so manieth voxel along each axis, counted from the box's first
+  std::optional<Box> box = {};  ///< none: all
+
+  bool isWhole() const { return step == 1 && !box; }
+};
+
+/// How to read what was found.
+struct Reading {
+  std::optional<int> series = {};  ///< which entry of the survey; none: the only one
+  Geometry geometry = Geometry::AsStored;
+  Part part = {};
+};
+
+/// What a file calls its content, in UTF-8: for the screen of the person who opened it, and nowhere
+/// else. Empty where it is not stated.
+struct Labels {
+  std::string patient, study, series;
+};
+
+struct Found;
+
+/// What can be said of a series, or of one volume of a file, before its voxels are read.
 struct SeriesVerdict {
   int index = 0;
   std::string modality;
@@ -32,11 +63,17 @@ struct SeriesVerdict {
   Verdict verdict = Verdict::Refused;
   std::vector<std::string> reasons;  ///< codes: "gantry-tilt", "not-scalar", "truncated", …
   std::string message;               ///< one sentence for the user
+  Labels labels;
+  int file_count = 0;
+  std::int64_t bytes = 0;           ///< of the voxels in memory, estimated; 0: not known
+  std::vector<std::string> faults;  ///< a sentence for each file that cannot be used
+  std::shared_ptr<const Found> found;
+  std::shared_ptr<const void> place;  ///< what its files lie in, if that is to vanish later
 };
 
 /// Everything `info` says of a path.
 struct Survey {
-  bool folder = false;
+  bool several = false;  ///< a folder, an archive or a file of several volumes: one is to be chosen
   std::vector<SeriesVerdict> series;
 };
 
@@ -52,18 +89,31 @@ struct ReadProgress {
   }
 };
 
-/// Lists what lies at a path (a DICOM folder or file, an NRRD) with a verdict for each series,
-/// from headers alone.
-haptics::Expected<Survey> survey(const std::filesystem::path& path);
+/// Lists what lies at a path (a folder with all folders in it, an archive, or one file) with a
+/// verdict for each series, from headers alone.
+haptics::Expected<Survey> survey(const std::filesystem::path& path,
+                                 const ReadProgress& progress = {});
 
-/// Reads one volume. One file of a DICOM series stands for its series. A folder with several
-/// loadable series and no `series` named is refused with the list (reason "which-series").
-/// Anything but one evenly spaced, right-angled, single-component stack is refused by name, and
-/// what is correctable too unless `geometry` says to correct it.
-haptics::Expected<haptics::Volume> readVolume(const std::filesystem::path& path,
-                                              std::optional<int> series = {},
-                                              Geometry geometry = Geometry::AsStored,
+/// Reads one entry of a survey. Anything but one evenly spaced, right-angled, single-component
+/// stack is refused by name, and what is correctable too unless `reading` says to correct it. What
+/// the free memory does not hold is refused ("too-large"); a part of it may fit.
+haptics::Expected<haptics::Volume> readVolume(const SeriesVerdict& chosen,
+                                              const Reading& reading = {},
                                               const ReadProgress& progress = {});
+
+/// Surveys a path and reads what it holds. One file of a DICOM series stands for its series.
+/// Several loadable entries and none named are refused with the list (reason "which-series").
+haptics::Expected<haptics::Volume> readVolume(const std::filesystem::path& path,
+                                              const Reading& reading = {},
+                                              const ReadProgress& progress = {});
+
+/// A small picture of the middle slice as the file stores it, the range of its values as 0 to 255;
+/// at most `longest` pixels to a side.
+struct Thumbnail {
+  int width = 0, height = 0;  ///< pixels, square ones
+  std::vector<std::uint8_t> grey;
+};
+haptics::Expected<Thumbnail> thumbnailOf(const SeriesVerdict& chosen, int longest);
 
 /// Writes an NRRD (raw, attached, space left-posterior-superior, unit and modality as
 /// key/values): geometry and voxels, nothing of the patient.

@@ -14,6 +14,7 @@
 #include <atomic>
 
 #include "datasets/readers/nrrd_voxels.h"
+#include "datasets/readers/part.h"
 #include "datasets/readers/refusal.h"
 
 namespace datasets {
@@ -74,6 +75,12 @@ void VtkNrrdReader::setPath(const std::filesystem::path& path) {
   Modified();
 }
 
+void VtkNrrdReader::setChoice(int number, const Part& part) {
+  number_ = number;
+  part_ = part;
+  Modified();
+}
+
 int VtkNrrdReader::RequestInformation(vtkInformation*, vtkInformationVector**,
                                       vtkInformationVector* out) {
   const auto description = describeNrrd(path_);
@@ -81,19 +88,25 @@ int VtkNrrdReader::RequestInformation(vtkInformation*, vtkInformationVector**,
     volume_ = tl::unexpected(description.error());
     return 0;
   }
+  const auto window = windowOf(part_, description->grid.dims);
+  if (!window) {
+    volume_ = tl::unexpected(window.error());
+    return 0;
+  }
   out->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
-                                    extentOf(description->grid).data(), 6);
+                                    extentOf(gridOf(description->grid, *window)).data(), 6);
   return 1;
 }
 
 int VtkNrrdReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* out) {
   std::atomic<bool> stop = false;
-  volume_ = decodeNrrd(path_, {.advanced =
-                                   [&](double fraction) {
-                                     UpdateProgress(fraction);
-                                     if (GetAbortExecute() != 0) stop = true;
-                                   },
-                               .cancel = &stop});
+  volume_ = decodeNrrd(path_, number_, part_,
+                       {.advanced =
+                            [&](double fraction) {
+                              UpdateProgress(fraction);
+                              if (GetAbortExecute() != 0) stop = true;
+                            },
+                        .cancel = &stop});
   if (!volume_) return 0;
   lend(*volume_, *vtkImageData::GetData(out));
   return 1;

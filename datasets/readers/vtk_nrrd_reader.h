@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "datasets/readers/volume_reader.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
 
@@ -21,6 +22,8 @@ class VtkNrrdReader : public vtkImageAlgorithm {
   vtkTypeMacro(VtkNrrdReader, vtkImageAlgorithm)
 
       void setPath(const std::filesystem::path& path);
+  /// Which of the file's volumes, from 0, and which of its voxels.
+  void setChoice(int number, const Part& part);
   /// What the last Update() came to.
   const haptics::Expected<haptics::Volume>& volume() const { return volume_; }
 
@@ -31,6 +34,8 @@ class VtkNrrdReader : public vtkImageAlgorithm {
 
  private:
   std::filesystem::path path_;
+  int number_ = 0;
+  Part part_;
   haptics::Expected<haptics::Volume> volume_;
 };
 

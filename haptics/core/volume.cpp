@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/core/volume.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace haptics {
@@ -57,9 +59,9 @@ struct Range {
   std::int64_t non_finite = 0;
 };
 
+/// Extends a range by some voxels.
 template <class T>
-Range rangeOf(const T* voxels, std::int64_t count) {
-  Range range;
+void extend(Range& range, const T* voxels, std::int64_t count) {
   if constexpr (std::is_floating_point_v<T>) {
     for (std::int64_t i = 0; i < count; ++i) {
       if (!std::isfinite(voxels[i])) {
@@ -75,8 +77,21 @@ Range rangeOf(const T* voxels, std::int64_t count) {
       least = std::min(least, voxels[i]);
       greatest = std::max(greatest, voxels[i]);
     }
-    range.least = static_cast<double>(least);
-    range.greatest = static_cast<double>(greatest);
+    range.least = std::min(range.least, static_cast<double>(least));
+    range.greatest = std::max(range.greatest, static_cast<double>(greatest));
+  }
+}
+
+constexpr std::int64_t kBlock = 1 << 22;  // voxels between two looks at the caller
+
+/// None where `goes_on` says to stop.
+template <class T>
+std::optional<Range> rangeOf(const T* voxels, std::int64_t count,
+                             const std::function<bool(double)>& goes_on) {
+  Range range;
+  for (std::int64_t at = 0; at < count; at += kBlock) {
+    if (goes_on && !goes_on(static_cast<double>(at) / static_cast<double>(count))) return {};
+    extend(range, voxels + at, std::min(kBlock, count - at));
   }
   return range;
 }
@@ -88,7 +103,7 @@ Error malformed(std::string what, std::string reason) {
 }  // namespace
 
 Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<void> voxels,
-                            VolumeFacts facts) {
+                            VolumeFacts facts, const std::function<bool(double)>& goes_on) {
   for (const std::int64_t n : grid.dims)
     if (n < 1)
       return tl::unexpected(malformed("The volume has an axis without voxels.", "bad-header"));
@@ -110,8 +125,12 @@ Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<v
   volume.grid = grid;
   volume.type = type;
   const std::int64_t count = grid.voxelCount();
-  const Range range = visitVoxels(type, static_cast<const void*>(voxels.get()),
-                                  [&](const auto* v) { return rangeOf(v, count); });
+  const auto found = visitVoxels(type, static_cast<const void*>(voxels.get()),
+                                 [&](const auto* v) { return rangeOf(v, count, goes_on); });
+  if (!found)
+    return tl::unexpected(
+        Error{Error::Kind::Cancelled, "Making the volume was cancelled.", "cancelled"});
+  const Range range = *found;
   if (range.non_finite == count)
     return tl::unexpected(malformed(
         "The volume holds no finite voxel; there is nothing to see or touch.", "no-pixels"));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -69,9 +70,12 @@ struct VolumeFacts {
 
 /// Finishes a volume: checks the grid (dims, finite positive spacing, right angles to 1e-4),
 /// makes non-finite voxels background and counts them, and finds the range. Refuses a volume
-/// without a finite voxel. `voxels` must come from allocateVoxels and not be written afterwards.
+/// without a finite voxel. `voxels` must be followed by the padding, as allocateVoxels makes it,
+/// and not be written afterwards. `goes_on` is told the fraction that is done, every few
+/// milliseconds, and ends it with Error::Kind::Cancelled where it says false.
 Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<void> voxels,
-                            VolumeFacts facts = {});
+                            VolumeFacts facts = {},
+                            const std::function<bool(double)>& goes_on = {});
 
 /// Calls f with a typed pointer to the first voxel.
 template <class F>

@@ -22,8 +22,8 @@ float roundedUp(double x) {
 /// [first, last) along k.
 template <class T>
 void scanBlocks(const T* voxels, const Counts& dims, double background, const Vec3& spacing,
-                const Counts& blocks, std::int64_t first, std::int64_t last, float* greatest,
-                float* lipschitz) {
+                const Counts& blocks, std::int64_t first, std::int64_t last,
+                lanes::BlockBound* out) {
   constexpr int n = 5;  // voxels along a side of a block of four cells
   // differences of 32-bit integers need more than 32 bits
   using Wide = double;
@@ -69,8 +69,8 @@ void scanBlocks(const T* voxels, const Counts& dims, double background, const Ve
               }
         }
         const std::int64_t at = (bk * blocks[1] + bj) * blocks[0] + bi;
-        greatest[at] = roundedUp(double(top));
-        lipschitz[at] = roundedUp(Vec3{dx, dy, dz}.cwiseQuotient(spacing).norm());
+        out[at] = {roundedUp(double(top)),
+                   roundedUp(Vec3{dx, dy, dz}.cwiseQuotient(spacing).norm())};
       }
 }
 
@@ -78,8 +78,8 @@ void scanBlocks(const T* voxels, const Counts& dims, double background, const Ve
 /// falls to the background, and the face is a mean of voxels too.
 template <class T>
 void scanSplineBlocks(const T* voxels, const Counts& dims, double background, const Vec3& spacing,
-                      const Counts& blocks, std::int64_t first, std::int64_t last, float* greatest,
-                      float* lipschitz) {
+                      const Counts& blocks, std::int64_t first, std::int64_t last,
+                      lanes::BlockBound* out) {
   const std::int64_t stride[3] = {1, dims[0], dims[0] * dims[1]};
   for (std::int64_t bk = first; bk < last; ++bk)
     for (std::int64_t bj = 0; bj < blocks[1]; ++bj)
@@ -136,40 +136,43 @@ void scanSplineBlocks(const T* voxels, const Counts& dims, double background, co
           if (4 * b[axis] + 2 >= dims[axis] - 1) fallFrom(axis, dims[axis] - 2);
         }
         const std::int64_t at = (bk * blocks[1] + bj) * blocks[0] + bi;
-        greatest[at] = roundedUp(double(top));
-        lipschitz[at] = roundedUp(rise.cwiseQuotient(spacing).norm());
+        out[at] = {roundedUp(double(top)), roundedUp(rise.cwiseQuotient(spacing).norm())};
       }
 }
 
-/// The greatest of every block and its 26 neighbours; beyond the grid nothing counts.
-std::vector<float> dilated(std::vector<float> values, const Counts& blocks) {
-  const std::int64_t stride[3] = {1, blocks[0], blocks[0] * blocks[1]};
-  std::vector<float> out(values.size());
-  for (int axis = 0; axis < 3; ++axis) {
-    std::int64_t at = 0;
-    for (std::int64_t k = 0; k < blocks[2]; ++k)
-      for (std::int64_t j = 0; j < blocks[1]; ++j)
-        for (std::int64_t i = 0; i < blocks[0]; ++i, ++at) {
-          const std::int64_t b = axis == 0 ? i : axis == 1 ? j : k;
-          float top = values[at];
-          if (b > 0) top = std::max(top, values[at - stride[axis]]);
-          if (b + 1 < blocks[axis]) top = std::max(top, values[at + stride[axis]]);
-          out[at] = top;
+float greater(float a, float b) { return std::max(a, b); }
+
+lanes::BlockBound greater(const lanes::BlockBound& a, const lanes::BlockBound& b) {
+  return {std::max(a.greatest, b.greatest), std::max(a.lipschitz, b.lipschitz)};
+}
+
+/// Makes every block the greatest of itself and its 26 neighbours; beyond the grid nothing counts.
+/// In place: of a large volume the blocks alone are a gigabyte.
+template <class Block>
+void dilate(std::vector<Block>& values, const Counts& blocks) {
+  std::int64_t stride = 1;
+  for (int axis = 0; axis < 3; stride *= blocks[axis], ++axis) {
+    const std::int64_t n = blocks[axis];
+    std::vector<Block> before(static_cast<std::size_t>(stride));  // the layer below, as it was
+    for (Block* layer = values.data(); layer != values.data() + values.size();)
+      for (std::int64_t b = 0; b < n; ++b, layer += stride)
+        for (std::int64_t i = 0; i < stride; ++i) {
+          const Block here = layer[i];
+          if (b > 0) layer[i] = greater(layer[i], before[static_cast<std::size_t>(i)]);
+          if (b + 1 < n) layer[i] = greater(layer[i], layer[i + stride]);
+          before[static_cast<std::size_t>(i)] = here;
         }
-    std::swap(values, out);
   }
-  return values;
 }
 
 }  // namespace
 
-MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind)
+MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<bool>* cancel)
     : dims_{volume.grid.dims}, smallest_spacing_{volume.grid.spacing.minCoeff()} {
   Counts blocks;
   for (int axis = 0; axis < 3; ++axis) blocks[axis] = (dims_[axis] + 1 + kCells - 1) / kCells;
-  const auto count = static_cast<std::size_t>(blocks[0] * blocks[1] * blocks[2]);
-  std::vector<float> greatest(count);
-  std::vector<float> lipschitz(count);
+  finest_.resize(static_cast<std::size_t>(blocks[0] * blocks[1] * blocks[2]));
+  const auto isCancelled = [cancel] { return cancel != nullptr && *cancel; };
 
   // every block layer is independent of the others
   visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
@@ -179,8 +182,11 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind)
     for (std::int64_t w = 0; w < workers; ++w)
       threads.emplace_back([&, w] {
         const auto scan = [&](auto&& scanned) {
-          scanned(voxels, dims_, volume.least, volume.grid.spacing, blocks, blocks[2] * w / workers,
-                  blocks[2] * (w + 1) / workers, greatest.data(), lipschitz.data());
+          for (std::int64_t k = blocks[2] * w / workers; k < blocks[2] * (w + 1) / workers; ++k) {
+            if (isCancelled()) return;
+            scanned(voxels, dims_, volume.least, volume.grid.spacing, blocks, k, k + 1,
+                    finest_.data());
+          }
         };
         using T = std::remove_cvref_t<decltype(*voxels)>;
         if (kind == FieldKind::CubicSpline)
@@ -190,29 +196,29 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind)
       });
     for (std::thread& thread : threads) thread.join();
   });
-  lipschitz = dilated(std::move(lipschitz), blocks);
-  {
-    const std::vector<float> top = dilated(greatest, blocks);
-    finest_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) finest_[i] = {top[i], lipschitz[i]};
-    lipschitz = {};
-  }
+  if (isCancelled()) return;
 
-  // each coarser level from the undilated one below it
-  for (int l = 0; l < kLevels; ++l) {
+  // each coarser level from the one below it, before that is dilated
+  std::vector<float> greatest;
+  for (int l = 0; l < kLevels && !isCancelled(); ++l) {
     levels_[l].blocks = blocks;
-    if (l > 0) levels_[l].greatest = dilated(greatest, blocks);
     Counts coarser;
     for (int axis = 0; axis < 3; ++axis) coarser[axis] = (blocks[axis] + 1) / 2;
     std::vector<float> next(static_cast<std::size_t>(coarser[0] * coarser[1] * coarser[2]),
                             -std::numeric_limits<float>::infinity());
-    std::int64_t at = 0;
+    std::size_t at = 0;
     for (std::int64_t k = 0; k < blocks[2]; ++k)
       for (std::int64_t j = 0; j < blocks[1]; ++j)
         for (std::int64_t i = 0; i < blocks[0]; ++i, ++at) {
           float& top = next[((k / 2) * coarser[1] + j / 2) * coarser[0] + i / 2];
-          top = std::max(top, greatest[at]);
+          top = std::max(top, l == 0 ? finest_[at].greatest : greatest[at]);
         }
+    if (l == 0) {
+      dilate(finest_, blocks);
+    } else {
+      dilate(greatest, blocks);
+      levels_[l].greatest = std::move(greatest);
+    }
     blocks = coarser;
     greatest = std::move(next);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -24,7 +25,9 @@ namespace haptics {
 /// one more voxel on every side.
 class MaxPyramid {
  public:
-  explicit MaxPyramid(const Volume& volume, FieldKind kind = FieldKind::Trilinear);
+  /// What is made is of no use once `cancel`, if there is one, has become true on the way.
+  explicit MaxPyramid(const Volume& volume, FieldKind kind = FieldKind::Trilinear,
+                      const std::atomic<bool>* cancel = nullptr);
 
   /// What is known about a ball around a place.
   struct Bound {

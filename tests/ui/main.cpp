@@ -2,12 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
 
 #include "ui/viewport.h"
 
 int main(int argc, char** argv) {
   ui::Viewport::prepareApplication();
   QApplication application(argc, argv);
+  // preferences of nobody
+  const QTemporaryDir home;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
+  QCoreApplication::setOrganizationName("Palpate");
+  QCoreApplication::setApplicationName("Palpate");
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -239,6 +239,11 @@ TEST(VolumeView, ChoosesTheMeansByWhatTheGraphicsCan) {
   EXPECT_EQ(ui::chooseSurface(SurfaceMode::RayCast, old, grid).mode, SurfaceMode::Mesh);
   grid.dims[1] = 4096;
   EXPECT_EQ(ui::chooseSurface(SurfaceMode::RayCast, card, grid).mode, SurfaceMode::Mesh);
+  // no axis too long, and more than a card holds
+  EXPECT_EQ(ui::chooseSurface(SurfaceMode::RayCast, card, window::cubeGrid(1024)).mode,
+            SurfaceMode::RayCast);
+  EXPECT_EQ(ui::chooseSurface(SurfaceMode::RayCast, card, window::cubeGrid(1025)).mode,
+            SurfaceMode::Mesh);
 }
 
 // the real head, from its folder beside the checkout

@@ -55,11 +55,12 @@ void destroyShare(void* share) { delete static_cast<std::shared_ptr<const void>*
 
 template <class T>
 void averageBlocks(const T* voxels, const std::array<std::int64_t, 3>& dims, std::int64_t factor,
-                   const std::array<std::int64_t, 3>& blocks, float background, float* out) {
+                   const std::array<std::int64_t, 3>& blocks, float background, float* out,
+                   const std::atomic<bool>* cancel) {
   const std::int64_t row = blocks[0] + 2;
   const std::int64_t slab = row * (blocks[1] + 2);
   std::fill(out, out + slab * (blocks[2] + 2), background);
-  for (std::int64_t K = 0; K < blocks[2]; ++K)
+  for (std::int64_t K = 0; K < blocks[2] && (cancel == nullptr || !*cancel); ++K)
     for (std::int64_t J = 0; J < blocks[1]; ++J)
       for (std::int64_t I = 0; I < blocks[0]; ++I) {
         double sum = 0.0;
@@ -96,7 +97,8 @@ vtkSmartPointer<vtkImageData> imageOf(const haptics::Volume& volume) {
 }
 
 vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
-                                             std::int64_t most_voxels) {
+                                             std::int64_t most_voxels,
+                                             const std::atomic<bool>* cancel) {
   const haptics::Grid& grid = volume.grid;
   const std::int64_t thinnest = *std::min_element(grid.dims.begin(), grid.dims.end());
   const auto count = static_cast<double>(grid.voxelCount());
@@ -121,7 +123,7 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* out = static_cast<float*>(image->GetScalarPointer());
   haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
-    averageBlocks(voxels, grid.dims, factor, blocks, static_cast<float>(volume.least), out);
+    averageBlocks(voxels, grid.dims, factor, blocks, static_cast<float>(volume.least), out, cancel);
   });
   return image;
 }
@@ -143,11 +145,11 @@ Histogram histogramOf(const haptics::Volume& volume, int bins) {
   return histogram;
 }
 
-Picture pictureOf(std::shared_ptr<const haptics::Volume> volume) {
+Picture pictureOf(std::shared_ptr<const haptics::Volume> volume, const std::atomic<bool>* cancel) {
   const haptics::Grid& grid = volume->grid;
   Picture picture;
   picture.image = imageOf(*volume);
-  picture.reduced = reducedImageOf(*volume, kReducedVoxels);
+  picture.reduced = reducedImageOf(*volume, kReducedVoxels, cancel);
   picture.histogram = histogramOf(*volume, kHistogramBins);
   picture.X_WL_mm.linear() = grid.direction;
   picture.X_WL_mm.translation() = grid.origin * kMmPerM;

@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -39,15 +40,18 @@ struct Picture {
   bool mirrored() const { return X_WL_mm.linear().determinant() < 0.0; }
 };
 
-Picture pictureOf(std::shared_ptr<const haptics::Volume> volume);
+/// What is made is of no use once `cancel`, if there is one, has become true on the way.
+Picture pictureOf(std::shared_ptr<const haptics::Volume> volume,
+                  const std::atomic<bool>* cancel = nullptr);
 
 /// The volume's voxels as an image of L; the image keeps them alive.
 vtkSmartPointer<vtkImageData> imageOf(const haptics::Volume& volume);
 
 /// The volume averaged over the smallest cubes of voxels that leave at most `most_voxels`, with a
-/// rim of background so that cut faces are closed.
+/// rim of background so that cut faces are closed; not to its end once `cancel` is true.
 vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
-                                             std::int64_t most_voxels);
+                                             std::int64_t most_voxels,
+                                             const std::atomic<bool>* cancel = nullptr);
 
 /// From at most a few million voxels, evenly taken.
 Histogram histogramOf(const haptics::Volume& volume, int bins);

@@ -22,6 +22,8 @@
 namespace ui {
 namespace {
 
+// as a texture, 2 to 4 GB: beyond that drivers fail in ways that they do not report
+constexpr std::int64_t kMostTexels = std::int64_t{1} << 30;
 constexpr std::array<double, 3> kSurfaceColour{0.93, 0.88, 0.78};  // ivory; the shader below too
 
 // VTK 9.1 shades the first sample beyond the crossing, which draws terraces. Both replacements
@@ -67,7 +69,7 @@ SurfaceChoice chooseSurface(std::optional<SurfaceMode> wish, const Graphics& gra
   const auto longest = *std::max_element(grid.dims.begin(), grid.dims.end());
   if (graphics.major * 10 + graphics.minor < 32)
     return {SurfaceMode::Mesh, words("OpenGL is older than 3.2")};
-  if (longest > graphics.max_3d_texture)
+  if (longest > graphics.max_3d_texture || grid.voxelCount() > kMostTexels)
     return {SurfaceMode::Mesh, words("the volume is larger than the graphics can hold")};
   if (*std::min_element(grid.dims.begin(), grid.dims.end()) < 2)
     return {SurfaceMode::Mesh, words("the volume is flat")};

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "datasets/readers/volume_reader.h"
-#include "tests/unit/datasets/dicom_bytes.h"
+#include "tests/support/dicom_bytes.h"
+#include "tests/unit/datasets/nifti_bytes.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -47,6 +48,16 @@ const Vec3 kOrigin_mm{-3.0, 4.0, 2.0};
 
 Vec3 placeOf(const Mat3& axes, int i, int j, int k) {
   return kOrigin_mm + axes * Vec3(i, j, k).cwiseProduct(kSpacing_mm);
+}
+
+/// The phantom's voxels, laid along these axes.
+std::string voxelsAlong(const Mat3& axes) {
+  std::string bytes;
+  for (int k = 0; k < kDims[2]; ++k)
+    for (int j = 0; j < kDims[1]; ++j)
+      for (int i = 0; i < kDims[0]; ++i)
+        bytes += testing::number(std::uint16_t(valueAt(placeOf(axes, i, j, k))), 2);
+  return bytes;
 }
 
 void expectThePhantom(const haptics::Volume& v, const std::string& what) {
@@ -110,15 +121,68 @@ TEST(Orientation, OfEveryNrrdIsThePatients) {
       for (int axis = 0; axis < 3; ++axis)
         bytes += " " + vector(axes.col(axis) * kSpacing_mm[axis]);
       bytes += "\nspace origin: " + vector(kOrigin_mm) + "\nendian: little\nencoding: raw\n\n";
-      for (int k = 0; k < kDims[2]; ++k)
-        for (int j = 0; j < kDims[1]; ++j)
-          for (int i = 0; i < kDims[0]; ++i)
-            bytes += testing::number(std::uint16_t(valueAt(placeOf(axes, i, j, k))), 2);
+      bytes += voxelsAlong(axes);
       Workshop workshop;
       const auto v = readVolume(workshop.write("phantom.nrrd", bytes));
       ASSERT_TRUE(v) << v.error().what;
       std::ostringstream what;
       what << space << " " << axes;
+      expectThePhantom(*v, what.str());
+    }
+}
+
+TEST(Orientation, OfEveryMetaImageIsThePatients) {
+  for (const Mat3& axes : orientations()) {
+    std::ostringstream header;
+    header << "ObjectType = Image\nNDims = 3\nBinaryData = True\nTransformMatrix =";
+    // one axis after the other
+    for (int axis = 0; axis < 3; ++axis) header << " " << axes.col(axis).transpose();
+    header << "\nOffset = " << kOrigin_mm.transpose()
+           << "\nElementSpacing = " << kSpacing_mm.transpose()
+           << "\nDimSize = 5 6 7\nElementType = MET_SHORT\n"
+           << "ElementDataFile = LOCAL\n";
+    Workshop workshop;
+    const auto v = readVolume(workshop.write("phantom.mha", header.str() + voxelsAlong(axes)));
+    ASSERT_TRUE(v) << v.error().what;
+    std::ostringstream what;
+    what << "MetaImage " << axes;
+    expectThePhantom(*v, what.str());
+  }
+}
+
+TEST(Orientation, OfEveryNiftiFileIsThePatients) {
+  const Vec3 ras(-1, -1, 1);
+  for (const bool by_matrix : {true, false})
+    for (const Mat3& axes : orientations()) {
+      const Mat3 turned = ras.asDiagonal() * axes;
+      const Vec3 origin = ras.cwiseProduct(kOrigin_mm);
+      testing::Nifti n;
+      n.dim = {3, kDims[0], kDims[1], kDims[2], 1, 1, 1, 1};
+      // a left-handed frame is a rotation of one whose third axis is turned about
+      const bool mirrored = turned.determinant() < 0.0;
+      n.pixdim = {mirrored ? -1.0 : 1.0, 1, 2, 3, 0, 0, 0, 0};
+      if (by_matrix) {
+        n.matrix_code = 1;
+        for (int row = 0; row < 3; ++row) {
+          for (int axis = 0; axis < 3; ++axis)
+            n.matrix[std::size_t(4 * row + axis)] = turned(row, axis) * kSpacing_mm[axis];
+          n.matrix[std::size_t(4 * row + 3)] = origin[row];
+        }
+      } else {
+        n.quaternion_code = 1;
+        Mat3 rotation = turned;
+        if (mirrored) rotation.col(2) *= -1.0;
+        Eigen::Quaterniond q(rotation);
+        if (q.w() < 0.0) q.coeffs() *= -1.0;
+        n.quaternion = {q.x(), q.y(), q.z()};
+        n.offset = {origin.x(), origin.y(), origin.z()};
+      }
+      n.voxels = voxelsAlong(axes);
+      Workshop workshop;
+      const auto v = readVolume(workshop.write("phantom.nii", bytesOf(n)));
+      ASSERT_TRUE(v) << v.error().what;
+      std::ostringstream what;
+      what << "NIfTI " << by_matrix << " " << axes;
       expectThePhantom(*v, what.str());
     }
 }

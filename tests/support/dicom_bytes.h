@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "haptics/core/geometry.h"
@@ -81,6 +82,49 @@ inline std::string bytesOf(const DicomSlice& s) {
   std::string pixels;
   for (const std::int16_t v : s.pixels) pixels += number(std::uint16_t(v), 2);
   return bytes + element(0x7fe0, 0x10, "OW", pixels);
+}
+
+/// The elements of a data set as bytesOf makes it, one after the other: tag, representation, value.
+struct Element {
+  unsigned group, number;
+  std::string representation, value;
+};
+inline std::vector<Element> elementsOf(const std::string& data_set) {
+  const auto word = [&](std::size_t at) {
+    return unsigned(std::uint8_t(data_set[at])) | unsigned(std::uint8_t(data_set[at + 1])) << 8;
+  };
+  std::vector<Element> elements;
+  for (std::size_t at = 0; at < data_set.size();) {
+    Element e{word(at), word(at + 2), data_set.substr(at + 4, 2), {}};
+    const bool is_long = e.representation == "OW" || e.representation == "OB";
+    const std::size_t length = is_long ? word(at + 8) | word(at + 10) << 16 : word(at + 6);
+    e.value = data_set.substr(at + (is_long ? 12 : 8), length);
+    at += (is_long ? 12 : 8) + length;
+    elements.push_back(std::move(e));
+  }
+  return elements;
+}
+
+/// A data set of explicit little endian in the other two uncompressed encodings.
+inline std::string asImplicit(const std::string& data_set) {
+  std::string bytes;
+  for (const Element& e : elementsOf(data_set))
+    bytes += number(e.group, 2) + number(e.number, 2) + number(e.value.size(), 4) + e.value;
+  return bytes;
+}
+inline std::string asBigEndian(const std::string& data_set) {
+  const auto turned = [](std::string text) { return std::string{text.rbegin(), text.rend()}; };
+  std::string bytes;
+  for (Element e : elementsOf(data_set)) {
+    const bool is_long = e.representation == "OW" || e.representation == "OB";
+    if (e.representation == "US" || e.representation == "SS" || e.representation == "OW")
+      for (std::size_t n = 0; n + 1 < e.value.size(); n += 2) std::swap(e.value[n], e.value[n + 1]);
+    bytes += turned(number(e.group, 2)) + turned(number(e.number, 2)) + e.representation;
+    bytes += is_long ? number(0, 2) + turned(number(e.value.size(), 4))
+                     : turned(number(e.value.size(), 2));
+    bytes += e.value;
+  }
+  return bytes;
 }
 
 }  // namespace datasets::testing

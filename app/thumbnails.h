@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <atomic>
+#include <cstdint>
+#include <list>
+#include <thread>
+#include <vector>
+
+#include "datasets/readers/volume_reader.h"
+
+namespace app {
+
+/// Draws the middle slices of a survey, one after another, on a thread of low priority. Signals
+/// arrive on the thread that owns it, and only for the survey that was started last and not
+/// stopped. Starting and stopping do not wait for the slice under way; the destructor does.
+class Thumbnails : public QObject {
+  Q_OBJECT
+ public:
+  explicit Thumbnails(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Pictures of at most `longest` pixels to a side.
+  void start(std::vector<datasets::SeriesVerdict> series, int longest);
+  void stop();
+
+ signals:
+  /// A null image where none can be drawn.
+  void ready(int series, const QImage& picture);
+
+ private:
+  struct Job {
+    std::atomic<bool> done{false};  ///< its thread is about to end
+    std::jthread thread;
+  };
+  void work(std::uint64_t number, const std::vector<datasets::SeriesVerdict>& series, int longest,
+            const std::stop_token& stop);
+
+  std::uint64_t number_ = 0;  ///< of the newest start or stop
+  std::list<Job> jobs_;       ///< the newest last; older ones were stopped, and are kept until done
+};
+
+}  // namespace app

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/dicom_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace datasets {
+
+using haptics::ScalarType;
+
+namespace {
+
+ScalarType storedType(const DicomFile& file) {
+  switch (file.bits_allocated) {
+    case 8:
+      return file.is_signed ? ScalarType::Int8 : ScalarType::UInt8;
+    case 16:
+      return file.is_signed ? ScalarType::Int16 : ScalarType::UInt16;
+    default:
+      return file.is_signed ? ScalarType::Int32 : ScalarType::UInt32;
+  }
+}
+
+struct Interval {
+  double least, greatest;
+};
+
+Interval rangeOf(ScalarType type) {
+  return haptics::visitVoxels(type, nullptr, [](auto* v) {
+    using T = std::remove_const_t<std::remove_pointer_t<decltype(v)>>;
+    return Interval{static_cast<double>(std::numeric_limits<T>::lowest()),
+                    static_cast<double>(std::numeric_limits<T>::max())};
+  });
+}
+
+bool covers(ScalarType type, Interval values) {
+  const Interval range = rangeOf(type);
+  return range.least <= values.least && values.greatest <= range.greatest;
+}
+
+bool isInteger(double number) { return std::nearbyint(number) == number; }
+
+template <class From, class To>
+bool rescaleAs(const From* from, To* to, const Window& window, const DicomFile& file) {
+  const bool plain = file.slope == 1.0 && file.intercept == 0.0;
+  const Interval range{static_cast<double>(std::numeric_limits<To>::lowest()),
+                       static_cast<double>(std::numeric_limits<To>::max())};
+  double least = 0.0, greatest = 0.0;
+  for (std::int64_t j = 0; j < window.count[1]; ++j) {
+    const From* row =
+        from + (window.first[1] + j * window.step) * file.plane.columns + window.first[0];
+    if constexpr (std::is_same_v<From, To>) {
+      if (plain && window.step == 1) {
+        to = std::copy_n(row, window.count[0], to);
+        continue;
+      }
+    }
+    for (std::int64_t i = 0; i < window.count[0]; ++i) {
+      const double v = file.slope * static_cast<double>(row[i * window.step]) + file.intercept;
+      if constexpr (std::is_integral_v<To>) {
+        least = std::min(least, v);
+        greatest = std::max(greatest, v);
+        *to++ = static_cast<To>(std::clamp(v, range.least, range.greatest));
+      } else {
+        *to++ = static_cast<To>(v);
+      }
+    }
+  }
+  return !std::is_integral_v<To> || (range.least <= least && greatest <= range.greatest);
+}
+
+}  // namespace
+
+std::vector<ScalarType> voxelTypesFor(const DicomSeries& series) {
+  const DicomFile& first = series.files.front();
+  const ScalarType stored = storedType(first);
+  bool plain = true, integers = true;
+  Interval values{std::numeric_limits<double>::infinity(),
+                  -std::numeric_limits<double>::infinity()};
+  for (const DicomFile& file : series.files) {
+    plain = plain && file.slope == 1.0 && file.intercept == 0.0;
+    integers = integers && isInteger(file.slope) && isInteger(file.intercept);
+    const int bits = std::clamp(file.bits_stored, 1, file.bits_allocated);
+    const double low = file.is_signed ? -std::ldexp(1.0, bits - 1) : 0.0;
+    const double high = std::ldexp(1.0, file.is_signed ? bits - 1 : bits) - 1.0;
+    for (const double v : {low, high}) {
+      values.least = std::min(values.least, file.slope * v + file.intercept);
+      values.greatest = std::max(values.greatest, file.slope * v + file.intercept);
+    }
+  }
+  if (plain) return {stored};
+  std::vector<ScalarType> types;
+  if (integers) {
+    if (covers(stored, values)) types.push_back(stored);
+    if (haptics::sizeOf(stored) <= 2 && values.least < 0.0) types.push_back(ScalarType::Int16);
+    if (haptics::sizeOf(stored) <= 2 && values.least >= 0.0) types.push_back(ScalarType::UInt16);
+    if (values.least >= 0.0) types.push_back(ScalarType::UInt32);
+    types.push_back(ScalarType::Int32);
+  }
+  types.push_back(ScalarType::Float32);
+  return types;
+}
+
+bool rescale(const Pixels& pixels, const DicomFile& file, const Window& window, ScalarType type,
+             void* to) {
+  return haptics::visitVoxels(pixels.type, pixels.first, [&](const auto* from) {
+    return haptics::visitVoxels(type, to, [&](const auto* any) {
+      using To = std::remove_const_t<std::remove_pointer_t<decltype(any)>>;
+      return rescaleAs(from, static_cast<To*>(to), window, file);
+    });
+  });
+}
+
+double leastOf(const Pixels& pixels, const DicomFile& file) {
+  // no value lies between where there is no padding
+  const std::array<double, 2> padding =
+      file.padding.value_or(std::array{std::numeric_limits<double>::infinity(), 0.0});
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  haptics::visitVoxels(pixels.type, pixels.first, [&](const auto* from) {
+    for (std::int64_t i = 0; i < file.plane.columns * file.plane.rows; ++i) {
+      const auto v = static_cast<double>(from[i]);
+      if (padding[0] <= v && v <= padding[1]) continue;
+      least = std::min(least, v);
+      greatest = std::max(greatest, v);
+    }
+  });
+  return file.slope * (file.slope > 0.0 ? least : greatest) + file.intercept;
+}
+
+std::int64_t makeAir(const DicomFile& file, ScalarType type, double air, std::int64_t count,
+                     void* slice) {
+  if (!file.padding) return 0;
+  const Interval range = rangeOf(type);
+  const double one = file.slope * file.padding->front() + file.intercept,
+               other = file.slope * file.padding->back() + file.intercept;
+  const double least = std::min(one, other), greatest = std::max(one, other);
+  // beyond what the type holds there is no voxel to compare with
+  if (greatest < range.least || least > range.greatest) return 0;
+  return haptics::visitVoxels(type, slice, [&](const auto* any) {
+    using T = std::remove_const_t<std::remove_pointer_t<decltype(any)>>;
+    const auto low = static_cast<T>(std::max(least, range.least));
+    const auto high = static_cast<T>(std::min(greatest, range.greatest));
+    const auto background = static_cast<T>(std::clamp(air, range.least, range.greatest));
+    std::int64_t made = 0;
+    T* voxels = static_cast<T*>(slice);
+    for (T* p = voxels; p != voxels + count; ++p)
+      if (low <= *p && *p <= high) {
+        *p = background;
+        ++made;
+      }
+    return made;
+  });
+}
+
+}  // namespace datasets

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "datasets/readers/volume_reader.h"
+#include "haptics/core/error.h"
+#include "haptics/core/volume.h"
+
+namespace datasets {
+
+/// One of the volumes that a file of whole volumes holds.
+struct VolumeInFile {
+  std::filesystem::path path;
+  int number = 0;  ///< from 0
+};
+
+/// Whether a file is in a format that holds whole volumes: NRRD, MetaImage, NIfTI.
+bool isVolumeFile(const std::filesystem::path& path);
+
+/// A verdict for each volume of the file; a single refusal where nothing of it can be read.
+std::vector<SeriesVerdict> verdictsOf(const std::filesystem::path& path);
+
+haptics::Expected<haptics::Volume> readVolume(const VolumeInFile& chosen, const Part& part,
+                                              const ReadProgress& progress);
+
+/// Of the slice in the middle.
+haptics::Expected<Thumbnail> thumbnailOf(const VolumeInFile& chosen, int longest);
+
+}  // namespace datasets

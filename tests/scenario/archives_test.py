@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What `palpate-cli info` makes of archives: a series in each form, and what must be refused.
+
+Usage: archives_test.py PALPATE_CLI SCANS
+
+Whatever happens, nothing stays in the folder for temporary files.
+"""
+import io
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+import zipfile
+
+SERIES = "philips_head_phantom/bone_1mm"
+MOST_S = 20.0
+
+
+def info(cli, path, temporary):
+    began = time.monotonic()
+    done = subprocess.run([cli, "info", str(path), "--json"], capture_output=True, timeout=120,
+                          env={**os.environ, "TMPDIR": str(temporary)})
+    said = json.loads(done.stdout)
+    return said, done.returncode, time.monotonic() - began
+
+
+def without_names(said):
+    return {key: value for key, value in said.items() if key not in ("message", "series")}
+
+
+def archives(series, to):
+    """The series as each kind of archive, in folders of its own."""
+    files = sorted(series.iterdir())
+    with zipfile.ZipFile(to / "a.zip", "w", zipfile.ZIP_DEFLATED, compresslevel=1) as out:
+        out.writestr("AUTORUN.INF", "[autorun]\r\n")
+        for n, file in enumerate(files):
+            # any language, and a name of ours
+            out.write(file, f"Müller_Jürgen/山田 {n % 3}/{file.name}")
+        out.writestr("in-use", "")
+    yield to / "a.zip"
+    for name, mode in (("a.tar", "w"), ("a.tar.gz", "w:gz"), ("a.tar.xz", "w:xz"),
+                       ("a.tar.bz2", "w:bz2")):
+        # one slice in every other, and links that must not be followed
+        with tarfile.open(to / name, mode, **({"preset": 0} if mode == "w:xz" else {})) as out:
+            for file in files:
+                out.add(file, f"./study/{file.name}")
+            link = tarfile.TarInfo("study/passwd")
+            link.type, link.linkname = tarfile.SYMTYPE, "/etc/passwd"
+            out.addfile(link)
+        yield to / name
+
+
+def broken(series, to):
+    """Archives that must be refused, with the reason."""
+    file = sorted(series.iterdir())[0]
+    whole = (to / "a.zip").read_bytes()
+    (to / "cut.zip").write_bytes(whole[:len(whole) // 2])
+    yield to / "cut.zip", "truncated"
+    with zipfile.ZipFile(to / "up.zip", "w") as out:
+        out.write(file, "study/../../slice.dcm")
+    yield to / "up.zip", "outside-folder"
+    with zipfile.ZipFile(to / "deep.zip", "w") as out:
+        out.write(file, "d/" * 40 + "slice.dcm")
+    yield to / "deep.zip", "outside-folder"
+    # the flag of a password, in the local and the central header
+    with zipfile.ZipFile(to / "locked.zip", "w") as out:
+        out.write(file, "slice.dcm")
+    locked = bytearray((to / "locked.zip").read_bytes())
+    locked[6] |= 1
+    central = locked.rfind(b"PK\x01\x02")
+    locked[central + 8] |= 1
+    (to / "locked.zip").write_bytes(locked)
+    yield to / "locked.zip", "unreadable"
+    with zipfile.ZipFile(to / "bomb.zip", "w", zipfile.ZIP_DEFLATED) as out:
+        with out.open("zeros.raw", "w") as zeros:
+            for _ in range(1200):
+                zeros.write(bytes(1 << 20))
+    yield to / "bomb.zip", "too-large"
+    with zipfile.ZipFile(to / "many.zip", "w") as out:
+        for n in range(200_001):
+            out.writestr(zipfile.ZipInfo(f"{n}"), b"")
+    yield to / "many.zip", "too-large"
+    with zipfile.ZipFile(to / "letters.zip", "w") as out:
+        out.writestr("letter.txt", "no scan")
+    yield to / "letters.zip", "unreadable"
+    (to / "empty.tar").write_bytes(b"")
+    yield to / "empty.tar", "truncated"
+    inner = io.BytesIO()
+    with zipfile.ZipFile(inner, "w") as out:
+        out.write(file, "slice.dcm")
+    with zipfile.ZipFile(to / "nested.zip", "w") as out:
+        out.writestr("inner.zip", inner.getvalue())
+    yield to / "nested.zip", "unreadable"
+
+
+def main():
+    cli, series = sys.argv[1], pathlib.Path(sys.argv[2]) / SERIES
+    if not series.is_dir():
+        print(f"NOT CHECKED: the scan {SERIES} is not here")
+        return 77
+    wrong = []
+    with tempfile.TemporaryDirectory() as place:
+        temporary, made = pathlib.Path(place) / "temporary", pathlib.Path(place) / "made"
+        temporary.mkdir()
+        made.mkdir()
+
+        def check_empty(after):
+            left = [p.name for p in temporary.iterdir()]
+            if left:
+                wrong.append(f"{after}: leaves {left}")
+                shutil.rmtree(temporary / left[0])
+
+        folder, _, _ = info(cli, series, temporary)
+        for path in archives(series, made):
+            said, code, _ = info(cli, path, temporary)
+            if code != 0 or without_names(said) != without_names(folder):
+                wrong.append(f"{path.name}: {code}, {without_names(said)}")
+            check_empty(path.name)
+        for path, reason in broken(series, made):
+            said, code, seconds = info(cli, path, temporary)
+            told = said.get("reasons", [said.get("error", {}).get("code")])
+            sentence = said.get("message") or said["error"]["message"]
+            if code != 3 or told != [reason] or not sentence.endswith("."):
+                wrong.append(f"{path.name}: {code}, {told}, not {reason}: {sentence}")
+            if seconds > MOST_S:
+                wrong.append(f"{path.name}: {seconds:.0f} s")
+            check_empty(path.name)
+
+        # what a killed process leaves is swept up by the next one, and what is in use is not
+        env = {**os.environ, "TMPDIR": str(temporary)}
+        for _ in range(50):
+            child = subprocess.Popen([cli, "info", str(made / "a.tar.xz")], env=env,
+                                     stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while child.poll() is None and not list(temporary.rglob("study/*")):
+                time.sleep(0.002)
+            if child.poll() is None:
+                break
+        info(cli, made / "a.zip", temporary)
+        if not list(temporary.iterdir()):
+            wrong.append("a folder in use was swept away, or the archive was read too fast to see")
+        child.send_signal(signal.SIGKILL)
+        child.wait()
+        if not list(temporary.iterdir()):
+            wrong.append("nothing was left by the killed process: the check is void")
+        info(cli, series, temporary)
+        check_empty("a killed process")
+    print("\n".join(wrong) or "Archives are what they must be.")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

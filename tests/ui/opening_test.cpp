@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole application opens what users drop on it: folders of several series, scans that the
+// memory does not hold, places that were opened before.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QDropEvent>
+#include <QFile>
+#include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <cstring>
+#include <filesystem>
+
+#include "app/application.h"
+#include "app/recent_places.h"
+#include "datasets/readers/volume_reader.h"
+#include "ui/series_browser.h"
+#include "ui/volume_view.h"
+#include "window_support.h"
+
+namespace {
+
+const std::filesystem::path kScans = PALPATE_SCANS;
+const std::filesystem::path kMixed = kScans / "philips_head_phantom/mixed_series_one_folder";
+const std::filesystem::path kTilted = kScans / "dicom_oddities/series_failing/gantrytilting";
+
+bool waitFor(const std::function<bool()>& done, double seconds) {
+  for (int i = 0; i < seconds * 50.0 && !done(); ++i) QTest::qWait(20);
+  return done();
+}
+
+class Opening : public testing::Test {
+ protected:
+  Opening() { QSettings().clear(); }
+  ~Opening() override { qunsetenv("TMPDIR"); }
+
+  app::Application& start(app::Arguments arguments = {}) {
+    if (!arguments.load.path) arguments.load.phantom = "sphere";
+    arguments.surface = ui::SurfaceMode::Mesh;
+    arguments.notice = false;
+    application_ = std::make_unique<app::Application>(std::move(arguments));
+    application_->start();
+    return *application_;
+  }
+
+  /// With the phantom on show.
+  app::Application& started(app::Arguments arguments = {}) {
+    app::Application& application = start(std::move(arguments));
+    EXPECT_TRUE(waitFor([&] { return application.shown().has_value(); }, 60.0));
+    return application;
+  }
+
+  void open(const std::filesystem::path& path) {
+    emit application_->window().openWanted(QString::fromStdString(path.string()));
+  }
+
+  ui::SeriesBrowser* browser() const {
+    for (auto* found : application_->window().findChildren<ui::SeriesBrowser*>())
+      if (found->isVisible()) return found;
+    return nullptr;
+  }
+
+  bool loadedBegins(const QString& title) {
+    return waitFor([&] { return application_->window().windowTitle().startsWith(title); }, 60.0);
+  }
+
+  const haptics::Volume& volume() const { return *application_->shown()->picture.volume; }
+  QString title() const { return application_->window().windowTitle(); }
+  QString message() const {
+    const auto* label = application_->window().findChild<QLabel*>("message");
+    return label->isVisible() ? label->text() : QString();
+  }
+
+  void drop(const QList<std::filesystem::path>& paths) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const auto& path : paths)
+      urls << QUrl::fromLocalFile(QString::fromStdString(path.string()));
+    data.setUrls(urls);
+    QDragEnterEvent enter({20, 20}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&application_->window(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent event({20, 20}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&application_->window(), &event);
+  }
+
+  /// The menu of recent places, as it is when it opens.
+  QList<QAction*> places() {
+    auto* menu = application_->window().findChild<QMenu*>("recent");
+    emit menu->aboutToShow();
+    QList<QAction*> places;
+    for (QAction* action : menu->actions()) {
+      if (action->isSeparator()) break;
+      places << action;
+    }
+    return places;
+  }
+
+  QAction* action(const char* name) { return application_->window().findChild<QAction*>(name); }
+
+  /// Answers the next question by a word on one of its buttons.
+  void answerNext(const QString& word) {
+    QTimer::singleShot(0, application_.get(), [this, word] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return answerNext(word);
+      asked_ = box->text();
+      for (QAbstractButton* button : box->buttons())
+        if (button->text().contains(word)) return button->click();
+      ADD_FAILURE() << "no such button";
+      box->reject();
+    });
+  }
+
+  std::unique_ptr<app::Application> application_;
+  QString asked_;
+};
+
+#define NEED(path) \
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "NOT CHECKED: no scan here"
+
+TEST_F(Opening, AFolderOfSeveralSeriesIsListedAndOneClickLoadsTheRightOne) {
+  NEED(kMixed);
+  started();
+  open(kMixed);
+  ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }, 60.0));
+  auto* table = browser()->findChild<QTableWidget*>("series");
+  ASSERT_EQ(table->rowCount(), 4);
+  // pictures come by themselves, the last of them of what is stored in colour and has none
+  const auto picture = [&](int row) {
+    return table->item(row, 0)->icon().pixmap(72, 72).toImage().convertToFormat(
+        QImage::Format_RGB32);
+  };
+  ASSERT_TRUE(waitFor([&] { return table->item(3, 0)->text() == "no picture"; }, 60.0));
+  for (const int row : {1, 2})
+    EXPECT_GT(window::count(picture(row), [](QColor c) { return c.lightness() > 120; }), 100)
+        << row;
+  window::keep(window::pictureOf(*browser()), "series_browser_real");
+
+  // a refused one says why, and Enter does nothing
+  table->selectRow(3);
+  auto* details = browser()->findChild<QPlainTextEdit*>("seriesDetails");
+  EXPECT_TRUE(details->toPlainText().contains("colour")) << details->toPlainText().toStdString();
+  QTest::keyClick(table, Qt::Key_Return);
+  QTest::qWait(100);
+  ASSERT_NE(browser(), nullptr);
+  EXPECT_TRUE(title().startsWith("sphere"));
+
+  for (const int row : {2, 1}) {
+    QTest::mouseClick(browser()->findChild<QPushButton*>(QString("load%1").arg(row)),
+                      Qt::LeftButton);
+    EXPECT_EQ(browser(), nullptr);
+    const auto wanted = datasets::readVolume(kMixed, {.series = row});
+    ASSERT_TRUE(wanted.has_value());
+    const auto same = [&] {
+      return volume().grid.dims == wanted->grid.dims &&
+             std::memcmp(volume().voxels.get(), wanted->voxels.get(),
+                         static_cast<std::size_t>(wanted->grid.voxelCount()) *
+                             haptics::sizeOf(wanted->type)) == 0;
+    };
+    EXPECT_TRUE(waitFor(same, 60.0)) << row;
+    EXPECT_EQ(volume().grid.spacing, wanted->grid.spacing);
+    EXPECT_TRUE(title().startsWith("mixed_series_one_folder: ")) << title().toStdString();
+    // the list can be had again
+    ASSERT_TRUE(action("seriesOfThisFolder")->isEnabled());
+    action("seriesOfThisFolder")->trigger();
+    ASSERT_NE(browser(), nullptr);
+    table = browser()->findChild<QTableWidget*>("series");
+    EXPECT_EQ(table->horizontalHeaderItem(0)->text(), "Middle slice");
+  }
+}
+
+TEST_F(Opening, AFolderOfOneSoundSeriesLoadsAtOnceAndClosesAListThatIsOpen) {
+  NEED(kMixed);
+  started();
+  open(kMixed);
+  ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }, 60.0));
+  open(kScans / "philips_head_phantom/bone_1mm");
+  EXPECT_EQ(browser(), nullptr);
+  ASSERT_TRUE(loadedBegins("bone_1mm —"));
+  EXPECT_EQ(browser(), nullptr);
+  EXPECT_EQ(volume().grid.dims, (std::array<std::int64_t, 3>{512, 512, 48}));
+}
+
+TEST_F(Opening, ACorrectableSeriesOfSeveralAsksFirst) {
+  NEED(kTilted);
+  QTemporaryDir folder;
+  for (const auto& [name, from] : {std::pair{"tilted", kTilted}, std::pair{"mixed", kMixed}})
+    std::filesystem::copy(from, std::filesystem::path(folder.path().toStdString()) / name);
+  started();
+  open(folder.path().toStdString());
+  ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }, 60.0));
+  auto* table = browser()->findChild<QTableWidget*>("series");
+  int row = 0;
+  for (int i = 0; i < table->rowCount(); ++i)
+    if (table->item(i, 6)->text() == "correctable") row = i;
+  ASSERT_EQ(table->item(row, 6)->text(), "correctable");
+  auto* load = browser()->findChild<QPushButton*>(QString("load%1").arg(row));
+  answerNext("Cancel");
+  QTest::mouseClick(load, Qt::LeftButton);
+  EXPECT_TRUE(asked_.contains("tilt")) << asked_.toStdString();
+  ASSERT_NE(browser(), nullptr);  // to choose another
+  EXPECT_TRUE(title().startsWith("sphere"));
+  answerNext("Resample");
+  QTest::mouseClick(load, Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return title().contains("(resampled)"); }, 60.0));
+  EXPECT_TRUE(volume().resampled);
+}
+
+TEST_F(Opening, DroppedFilesOfOneFolderStandForTheFolderAndOthersAreSaid) {
+  NEED(kMixed);
+  started();
+  drop({kMixed / "IM0003", kMixed / "IM0005", kMixed / "DIRFILE"});
+  ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }, 60.0));
+  EXPECT_EQ(browser()->findChild<QTableWidget*>("series")->rowCount(), 4);
+  EXPECT_EQ(message(), "");
+  // a single slice is enough for its series, and a folder may end with a slash
+  drop({kScans / "philips_head_phantom/bone_1mm/I100"});
+  ASSERT_TRUE(loadedBegins("I100 —"));
+  EXPECT_EQ(volume().grid.dims[2], 48);
+  drop({kTilted.parent_path() / "slicecount/", kMixed});
+  EXPECT_TRUE(message().contains("only the first, \"slicecount\"")) << message().toStdString();
+  ASSERT_TRUE(loadedBegins("slicecount —"));
+}
+
+TEST_F(Opening, WhatTheMemoryDoesNotHoldIsOfferedInPart) {
+  NEED(kMixed);
+  app::Arguments arguments;
+  arguments.free_memory = [] { return 1e6; };  // of 2.1 MB
+  started(arguments);
+  open(kMixed);
+  ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }, 60.0));
+  answerNext("second voxel");
+  QTest::mouseClick(browser()->findChild<QPushButton*>("load1"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return title().contains("(every 2nd voxel)"); }, 60.0));
+  EXPECT_TRUE(asked_.contains("1 MB") || asked_.contains("1.0 MB")) << asked_.toStdString();
+  EXPECT_EQ(volume().grid.dims, (std::array<std::int64_t, 3>{256, 256, 2}));
+  EXPECT_NEAR(volume().grid.spacing.z(), 2e-3, 1e-9);
+
+  // a box: the middle half along each axis, if nothing is changed
+  const auto whole = datasets::readVolume(kMixed, {.series = 1});
+  ASSERT_TRUE(whole.has_value());
+  action("seriesOfThisFolder")->trigger();
+  answerNext("box");
+  QTimer::singleShot(1'000, application_.get(), [] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QPushButton*>("readBox")->click();
+  });
+  QTest::mouseClick(browser()->findChild<QPushButton*>("load1"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return title().contains("(a box)"); }, 60.0));
+  EXPECT_EQ(volume().grid.dims, (std::array<std::int64_t, 3>{256, 256, 2}));
+  EXPECT_EQ(volume().grid.spacing, whole->grid.spacing);
+  EXPECT_NEAR((volume().grid.origin - whole->grid.worldOf({128.0, 128.0, 1.0})).norm(), 0.0, 1e-12);
+
+  action("seriesOfThisFolder")->trigger();
+  answerNext("Cancel");
+  asked_.clear();
+  QTest::mouseClick(browser()->findChild<QPushButton*>("load2"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return !asked_.isEmpty(); }, 20.0));
+  QTest::qWait(100);
+  EXPECT_TRUE(title().contains("(a box)"));
+}
+
+/// A folder of a person's own beside one for temporary files.
+struct Disk {
+  Disk() {
+    QDir(folder.path()).mkpath("tmp");
+    QDir(folder.path()).mkpath("own");
+    qputenv("TMPDIR", tmp().toUtf8());
+  }
+  QString tmp() const { return folder.path() + "/tmp"; }
+  QString own() const { return folder.path() + "/own"; }
+  QTemporaryDir folder;
+};
+
+TEST_F(Opening, PlacesAreOfferedAgainUntilTheyAreForgotten) {
+  NEED(kTilted.parent_path() / "slicecount");
+  const Disk disk;
+  const std::filesystem::path own = disk.own().toStdString();
+  std::filesystem::copy(kTilted.parent_path() / "slicecount", own / "one & two");
+  std::filesystem::copy(kScans / "nrrd_oddities/derived_from_tooth/raw_le.nrrd", own / "a.nrrd");
+  std::filesystem::copy(own / "a.nrrd", std::filesystem::path(disk.tmp().toStdString()) / "t.nrrd");
+  started();
+  EXPECT_TRUE(places().isEmpty());
+  // of a slice its folder is kept, of a volume the file, of a temporary one nothing
+  for (const auto& entry : std::filesystem::directory_iterator(own / "one & two")) {
+    open(entry.path());
+    ASSERT_TRUE(loadedBegins(QString::fromStdString(entry.path().filename().string())));
+  }
+  open(own / "a.nrrd");
+  ASSERT_TRUE(loadedBegins("a.nrrd"));
+  open(std::filesystem::path(disk.tmp().toStdString()) / "t.nrrd");
+  ASSERT_TRUE(loadedBegins("t.nrrd"));
+  open(own / "nothing.nrrd");
+  ASSERT_TRUE(waitFor([&] { return !message().isEmpty(); }, 20.0));
+  ASSERT_EQ(places().size(), 2);
+  EXPECT_EQ(places()[0]->toolTip(), disk.own() + "/a.nrrd");
+  EXPECT_EQ(places()[1]->toolTip(), disk.own() + "/one & two");
+  EXPECT_TRUE(places()[1]->isEnabled());
+
+  places()[1]->trigger();
+  ASSERT_TRUE(loadedBegins("one & two"));
+  EXPECT_EQ(places()[0]->toolTip(), disk.own() + "/one & two");
+  std::filesystem::remove(own / "a.nrrd");
+  EXPECT_FALSE(places()[1]->isEnabled());
+
+  // another run knows them
+  started();
+  EXPECT_EQ(places().size(), 2);
+  action("forgetPlaces")->trigger();
+  EXPECT_TRUE(places().isEmpty());
+  EXPECT_FALSE(QSettings().contains("places/recent"));
+
+  open(own / "one & two");
+  ASSERT_TRUE(loadedBegins("one & two"));
+  EXPECT_EQ(places().size(), 1);
+  action("rememberPlaces")->trigger();
+  EXPECT_TRUE(places().isEmpty());
+  EXPECT_FALSE(QSettings().contains("places/recent"));
+  open(own / "one & two");
+  QSignalSpy adopted(application_.get(), &app::Application::adopted);
+  ASSERT_TRUE(adopted.wait(60'000));
+  EXPECT_TRUE(places().isEmpty());
+}
+
+TEST_F(Opening, TheNewestEightPlacesAreKept) {
+  const Disk disk;
+  QStringList places;
+  for (int i = 0; i < 12; ++i) places = app::withPlace(places, QString("/scan%1").arg(i));
+  places = app::withPlace(places, "/scan7");
+  ASSERT_EQ(places.size(), 8);
+  EXPECT_EQ(places.mid(0, 3), (QStringList{"/scan7", "/scan11", "/scan10"}));
+  EXPECT_EQ(app::withPlace(places, disk.tmp()), places);
+  EXPECT_TRUE(app::isTemporary(disk.tmp()));
+  EXPECT_FALSE(app::isTemporary(disk.own()));
+}
+
+TEST_F(Opening, AfterAKillThePhantomIsShownAndNothingIsAsked) {
+  NEED(kScans / "nrrd_oddities/derived_from_tooth/raw_le.nrrd");
+  const Disk disk;
+  const QString scan = disk.own() + "/scan.nrrd";
+  std::filesystem::copy(kScans / "nrrd_oddities/derived_from_tooth/raw_le.nrrd",
+                        scan.toStdString());
+  // the program itself, with the preferences of these tests
+  QProcess program;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  const QString settings = QSettings().fileName();
+  environment.insert("XDG_CONFIG_HOME", QFileInfo(QFileInfo(settings).path()).path());
+  program.setProcessEnvironment(environment);
+  program.start(PALPATE_PROGRAM, {scan, "--no-notice", "--surface", "mesh"});
+  ASSERT_TRUE(program.waitForStarted());
+  const auto known = [&] {
+    QFile file(settings);
+    return file.open(QFile::ReadOnly) && file.readAll().contains("scan.nrrd");
+  };
+  const bool loaded = waitFor(known, 60.0);
+  program.kill();
+  program.waitForFinished();
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(program.exitStatus(), QProcess::CrashExit);
+
+  app::Arguments arguments;
+  arguments.notice = false;
+  arguments.surface = ui::SurfaceMode::Mesh;
+  application_ = std::make_unique<app::Application>(arguments);
+  int dialogs = 0;
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout,
+                   [&] { dialogs += QApplication::activeModalWidget() != nullptr; });
+  watch.start(20);
+  application_->start();
+  ASSERT_TRUE(loadedBegins("demo —")) << title().toStdString();
+  QTest::qWait(500);
+  EXPECT_EQ(dialogs, 0);
+  EXPECT_EQ(browser(), nullptr);
+  EXPECT_TRUE(title().startsWith("demo"));
+  EXPECT_EQ(places().size(), 1);  // it is in the menu, and only there
+}
+
+TEST_F(Opening, AnArchiveIsListedAndLeavesNothingBehind) {
+  NEED(kMixed);
+  const QTemporaryDir temporary, made;
+  const QString archive = made.filePath("disk.tar");
+  ASSERT_EQ(QProcess::execute("tar",
+                              {"-cf", archive, "-C", QString::fromStdString(kMixed.string()), "."}),
+            0);
+  qputenv("TMPDIR", temporary.path().toLocal8Bit());
+  started();
+  drop({archive.toStdString()});
+  ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }, 60.0));
+  EXPECT_FALSE(QDir(temporary.path()).isEmpty());
+  QTest::mouseClick(browser()->findChild<QPushButton*>("load1"), Qt::LeftButton);
+  ASSERT_TRUE(loadedBegins("disk.tar: ")) << title().toStdString();
+  const auto wanted = datasets::readVolume(kMixed, {.series = 1});
+  ASSERT_TRUE(wanted.has_value());
+  EXPECT_EQ(volume().grid.dims, wanted->grid.dims);
+  application_.reset();
+  EXPECT_TRUE(QDir(temporary.path()).isEmpty());
+}
+
+}  // namespace

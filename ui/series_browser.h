@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QDialog>
+#include <QIcon>
+#include <QImage>
+#include <QList>
+#include <QString>
+#include <QStringList>
+#include <array>
+#include <cstdint>
+
+class QPlainTextEdit;
+class QTableWidget;
+
+namespace ui {
+
+/// Whether a series can be loaded.
+enum class Verdict {
+  Sound,
+  Correctable,  ///< resampled, if the user agrees
+  Refused
+};
+
+/// One line of the browser. Texts are empty where nothing is stated.
+struct SeriesRow {
+  QString patient, study, series, modality;
+  std::array<std::int64_t, 3> dims{};  ///< voxels; zeros: not known
+  std::array<double, 3> spacing_mm{};  ///< not shown of what is refused
+  Verdict verdict = Verdict::Refused;
+  QString sentence;         ///< what is to be said of the verdict
+  QStringList faults = {};  ///< a sentence for each file that cannot be used
+  std::int64_t bytes = 0;   ///< in memory; 0: not known
+};
+
+/// Lists what lies in a folder, an archive or a file of several volumes, and lets one be chosen.
+/// Patients' names are out of the list until they are asked for, each time anew.
+class SeriesBrowser : public QDialog {
+  Q_OBJECT
+ public:
+  SeriesBrowser(const QString& place, const QList<SeriesRow>& rows, QWidget* parent = nullptr);
+
+  /// The middle slice of a row; a null image where there is none to be had.
+  void showThumbnail(int row, const QImage& picture);
+
+  static constexpr int kThumbnail = 72;  ///< pixels to a side, before the screen's own scale
+
+ signals:
+  /// Never of a refused row.
+  void loadWanted(int row);
+
+ private:
+  void fill();
+  void fillRow(int row, const QIcon& verdict, const QIcon& no_picture_yet);
+  void addLoadButtons();
+  void addLoadButton(int row);
+  void showPatients(bool shown);
+  void showDetails();
+  void choose(int row);
+  int columnOf(int column) const;
+
+  QList<SeriesRow> rows_;
+  QTableWidget* table_;
+  QPlainTextEdit* details_;
+  bool patients_shown_ = false;
+};
+
+}  // namespace ui
