@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 #include <unistd.h>
+#include <vtkObjectFactory.h>
 
 #include <algorithm>
 #include <atomic>
@@ -49,6 +50,8 @@ bool onAllCores(std::size_t count, const ReadProgress& progress,
     --running;
     news.notify_one();
   };
+  // VTK sets up its factories with the first object made, which two threads may not do at once
+  vtkObjectFactory::GetRegisteredFactories();
   std::vector<std::jthread> workers;
   for (std::size_t n = workersFor(count); n > 0; --n) workers.emplace_back(worker);
   std::unique_lock lock(mutex);
