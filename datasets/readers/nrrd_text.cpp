@@ -12,7 +12,7 @@ using haptics::Expected;
 
 namespace {
 
-constexpr std::size_t kLongestField = 1000;  // characters; numbers need some hundred
+constexpr std::size_t kLongestField = 400;  // characters; numbers need some hundred
 
 }  // namespace
 
@@ -54,10 +54,13 @@ Expected<NrrdText> readNrrdText(const fs::path& path) {
     const std::string field = lowered(trimmed(content.substr(0, std::min(colon, content.size()))));
     const bool names_data = field == "data file" || field == "datafile";
     if (!names_data) text.lines.append(content).append("\n");
-    if (content.front() == '#' || colon == content.npos) continue;
-    if (colon + 1 < content.size() && content[colon + 1] == '=') continue;  // key and value
-    // teem writes what it cannot parse into a message of fixed size
-    if (content.size() > kLongestField) return badHeader(path, "has a field that is too long");
+    if (content.front() == '#') continue;
+    const bool named = colon != content.npos;
+    if (named && content.substr(colon + 1).starts_with('=')) continue;  // key and value
+    // teem writes what it cannot parse into a message of fixed size, with words around it
+    if (content.size() > kLongestField && field != "content")
+      return badHeader(path, "has a field that is too long");
+    if (!named) continue;
     const std::string_view value = trimmed(content.substr(colon + 1));
     if (!text.fields.emplace(field, value).second) return badHeader(path, "states a field twice");
     listing = names_data && value.starts_with("LIST");
