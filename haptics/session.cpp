@@ -44,7 +44,9 @@ class Session::Loop {
   std::shared_ptr<const Scene> scene;
   Pose X_start = Pose::Identity();
   Settings settings;
-  bool armed = true;  ///< the user's word, through every hand and scene
+  bool armed = true;                        ///< the user's word, through every hand and scene
+  std::shared_ptr<StepRing> ring, leaving;  ///< where steps go; where the last ones may yet go
+  std::uint64_t left_at = 0;                ///< the boundary behind which they do no more
 };
 
 Session::Session() : loop_{std::make_unique<Loop>()} {}
@@ -84,11 +86,15 @@ Expected<void> Session::open(HandKind hand) {
   }
   loop_->servo = std::make_unique<ServoLoop>(std::move(device), loop_->settings, loop_->armed);
   loop_->servo->scenes.offer(std::make_unique<Engagement>(loop_->scene, *legal));
+  loop_->servo->recording.store(loop_->ring.get());
   loop_->servo->start();
   return {};
 }
 
-void Session::close() { loop_->servo.reset(); }
+void Session::close() {
+  loop_->servo.reset();
+  loop_->leaving.reset();
+}
 bool Session::isOpen() const { return loop_->servo != nullptr; }
 
 void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W) {
@@ -119,6 +125,22 @@ void Session::forceOff() {
 void Session::arm() {
   loop_->armed = true;
   if (loop_->servo) loop_->servo->armed.store(true, std::memory_order_relaxed);
+}
+
+void Session::record(std::shared_ptr<StepRing> ring) {
+  if (loop_->servo) {
+    loop_->servo->recording.store(ring.get());
+    loop_->leaving = std::move(loop_->ring);
+    loop_->left_at = loop_->servo->boundary.load() + 2;
+  }
+  loop_->ring = std::move(ring);
+}
+
+bool Session::hasLeftRing() const {
+  if (loop_->leaving && loop_->servo && loop_->servo->boundary.load() < loop_->left_at)
+    return false;
+  loop_->leaving.reset();
+  return true;
 }
 
 bool Session::latest(Snapshot& snapshot) {

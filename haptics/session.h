@@ -13,6 +13,8 @@
 
 namespace haptics {
 
+class StepRing;
+
 /// One sample of the force plot.
 struct ForceSample {
   double time = 0.0;    ///< s since the loop started
@@ -64,6 +66,12 @@ class Session {
   /// Zero force from the next tick on, through every hand and scene, until arm().
   void forceOff();
   void arm();
+
+  /// Every tick goes into this ring from the next one on, through every hand and scene; null: no
+  /// more. Scenes must have been described to the ring's recorder before they are adopted.
+  void record(std::shared_ptr<StepRing> ring);
+  /// Whether the servo thread has left the ring that was taken away last: two ticks later.
+  bool hasLeftRing() const;
 
   /// Replaces `snapshot` and returns true if there is a newer one.
   bool latest(Snapshot& snapshot);

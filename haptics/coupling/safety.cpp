@@ -22,23 +22,23 @@ Vec3 approached(const Vec3& last, const Vec3& wanted, double step, bool& reached
 }  // namespace
 
 void Safety::arm() HAPTICS_RT {
-  if (state_ != ForceState::Off) return;
-  gain_ = 0.0;
-  state_ = ForceState::Ramping;
+  if (at_.state != ForceState::Off) return;
+  at_.gain = 0.0;
+  at_.state = ForceState::Ramping;
 }
 
 void Safety::restart() HAPTICS_RT {
-  if (state_ == ForceState::Off) return;
-  gain_ = 0.0;
-  slewing_ = false;
-  sent_ = {};
-  state_ = ForceState::Ramping;
+  if (at_.state == ForceState::Off) return;
+  at_.gain = 0.0;
+  at_.slewing = false;
+  at_.sent = {};
+  at_.state = ForceState::Ramping;
 }
 
 Wrench Safety::pass(const Wrench& wanted, bool outside, double period) HAPTICS_RT {
-  if (state_ == ForceState::Off) {
-    gain_ = 0.0;
-    sent_ = {};
+  if (at_.state == ForceState::Off) {
+    at_.gain = 0.0;
+    at_.sent = {};
     return {};
   }
   // any doubt ends in zero, and in a new ramp
@@ -46,15 +46,16 @@ Wrench Safety::pass(const Wrench& wanted, bool outside, double period) HAPTICS_R
     restart();
     return {};
   }
-  if (!outside) state_ = ForceState::Recovering;
-  switch (state_) {
+  if (!outside) at_.state = ForceState::Recovering;
+  switch (at_.state) {
     case ForceState::Recovering:
-      gain_ = std::max(0.0, gain_ - period / kFadeTime);
-      if (outside && gain_ == 0.0) state_ = ForceState::Ramping;
+      at_.gain = std::max(0.0, at_.gain - period / kFadeTime);
+      if (outside && at_.gain == 0.0) at_.state = ForceState::Ramping;
       break;
     case ForceState::Ramping:
-      gain_ = limits_.ramp_time > 0.0 ? std::min(1.0, gain_ + period / limits_.ramp_time) : 1.0;
-      if (gain_ == 1.0) state_ = ForceState::On;
+      at_.gain =
+          limits_.ramp_time > 0.0 ? std::min(1.0, at_.gain + period / limits_.ramp_time) : 1.0;
+      if (at_.gain == 1.0) at_.state = ForceState::On;
       break;
     case ForceState::On:
     case ForceState::Off:
@@ -62,19 +63,19 @@ Wrench Safety::pass(const Wrench& wanted, bool outside, double period) HAPTICS_R
   }
 
   Wrench wrench = saturated(wanted, limits_.force, limits_.torque);
-  wrench.force *= gain_;
-  wrench.torque *= gain_;
-  if (slewing_) {
+  wrench.force *= at_.gain;
+  wrench.torque *= at_.gain;
+  if (at_.slewing) {
     bool reached = true;
     const double share = period / limits_.slew_time;
-    wrench.force = approached(sent_.force, wrench.force, share * limits_.force, reached);
-    wrench.torque = approached(sent_.torque, wrench.torque, share * limits_.torque, reached);
+    wrench.force = approached(at_.sent.force, wrench.force, share * limits_.force, reached);
+    wrench.torque = approached(at_.sent.torque, wrench.torque, share * limits_.torque, reached);
     // a proxy that the budget held back follows ticks later, and one that is brought out is set
     // down elsewhere: the wish may yet jump
-    slew_left_ -= period;
-    slewing_ = slew_left_ > 0.0 || !reached || state_ == ForceState::Recovering;
+    at_.slew_left -= period;
+    at_.slewing = at_.slew_left > 0.0 || !reached || at_.state == ForceState::Recovering;
   }
-  sent_ = wrench;
+  at_.sent = wrench;
   return wrench;
 }
 

@@ -28,31 +28,40 @@ struct ForceLimits {
 /// new ramp.
 class Safety {
  public:
+  /// All that it remembers from tick to tick.
+  struct Memory {
+    ForceState state = ForceState::Off;
+    double gain = 0.0;  ///< 0 to 1
+    bool slewing = false;
+    double slew_left = 0.0;  ///< s
+    Wrench sent;
+  };
+
   explicit Safety(const ForceLimits& limits) : limits_{limits} {}
+  /// Goes on where another one was.
+  Safety(const ForceLimits& limits, const Memory& memory) : limits_{limits}, at_{memory} {}
 
   void arm() HAPTICS_RT;
-  void forceOff() HAPTICS_RT { state_ = ForceState::Off; }
+  void forceOff() HAPTICS_RT { at_.state = ForceState::Off; }
   /// A new scene or start: the force ramps from zero again, unless it is off.
   void restart() HAPTICS_RT;
   /// The isovalue or the stiffness moved: until the force has caught up, and for slew_time at
   /// least, it changes no faster than the slew limit.
   void settingMoved() HAPTICS_RT {
-    slewing_ = limits_.slew_time > 0.0;
-    slew_left_ = limits_.slew_time;
+    at_.slewing = limits_.slew_time > 0.0;
+    at_.slew_left = limits_.slew_time;
   }
 
   /// What may be sent in this tick. `outside`: the proxy is legal. `period` [s].
   Wrench pass(const Wrench& wanted, bool outside, double period) HAPTICS_RT;
 
-  ForceState state() const HAPTICS_RT { return state_; }
+  ForceState state() const HAPTICS_RT { return at_.state; }
+  const Memory& memory() const HAPTICS_RT { return at_; }
+  const ForceLimits& limits() const HAPTICS_RT { return limits_; }
 
  private:
   ForceLimits limits_;
-  ForceState state_ = ForceState::Off;
-  double gain_ = 0.0;  ///< 0 to 1
-  bool slewing_ = false;
-  double slew_left_ = 0.0;  ///< s
-  Wrench sent_;
+  Memory at_;
 };
 
 }  // namespace haptics

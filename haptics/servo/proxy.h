@@ -68,6 +68,14 @@ struct Search {
   }
 };
 
+/// A row that bears on the tool: a contact as the hand feels it.
+struct BearingContact {
+  Vec3 r_W = Vec3::Zero();  ///< the point about the tool's origin, in W [m]
+  Vec3 n_W = Vec3::Zero();  ///< unit normal, out of the solid
+  double push = 0.0;        ///< N, along the normal, by the coupling's stiffness
+};
+using Bearing = FixedVector<BearingContact, 6>;
+
 /// The proxy and what it remembers from tick to tick. Everything is allocated when it is made.
 struct Proxy {
   Proxy(const Scene& scene, const Pose& X_start)
@@ -76,7 +84,7 @@ struct Proxy {
   Pose X_WP;
   Vec3 turn = Vec3::Zero();  ///< unwrapped rotation from proxy to device [rad]
   Contacts contacts;         ///< met by sweep; constrain the next motion
-  int bearing = 0;           ///< rows that bear on it at X_WP
+  Bearing bearing;           ///< rows that bear on it at X_WP
   Clearance clearance;
   SurfaceRows surface;  ///< of the points near the surface
   Sweep sweep;
@@ -84,6 +92,17 @@ struct Proxy {
   Acceptance acceptance;
   Recovery recovery;
   double isovalue = std::numeric_limits<double>::quiet_NaN();  ///< of the last tick
+
+  /// Keeps where it is and how it is turned, and nothing else: as if it were made there.
+  void forget() HAPTICS_RT {
+    contacts.clear();
+    bearing.clear();
+    clearance.forget();
+    search = {};
+    acceptance = {};
+    recovery = {};
+    isovalue = std::numeric_limits<double>::quiet_NaN();
+  }
 };
 
 }  // namespace haptics

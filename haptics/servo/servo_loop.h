@@ -10,6 +10,7 @@
 #include "haptics/core/latest_value.h"
 #include "haptics/coupling/safety.h"
 #include "haptics/devices/device.h"
+#include "haptics/recording/step_ring.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/tick_stats.h"
 #include "haptics/session.h"
@@ -35,6 +36,10 @@ class ServoLoop {
   moodycamel::ReaderWriterQueue<ForceSample> forces{8192};
   SceneHandOver scenes;
   std::atomic<bool> armed;  ///< false: zero force from the next tick on
+  /// Where steps go from the next tick on; null: nowhere. The ring outlives its use: it is left
+  /// once `boundary` has grown by two since another was set, or the loop has ended.
+  std::atomic<StepRing*> recording{nullptr};
+  std::atomic<std::uint64_t> boundary{0};  ///< ticks that are over
 
   /// Starts the thread.
   void start();
@@ -44,6 +49,8 @@ class ServoLoop {
 
  private:
   void run();
+  void startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT;
+  void record(StepRing& ring, const Proxy* proxy) HAPTICS_RT;
 
   std::unique_ptr<Device> device_;
   Settings in_force_;
@@ -51,6 +58,7 @@ class ServoLoop {
   TickStats stats_;
   Snapshot snapshot_;
   DeviceReading reading_;
+  Step step_;
   std::atomic<bool> ending_{false};
   std::thread thread_;
 };

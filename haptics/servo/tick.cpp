@@ -31,15 +31,15 @@ Twist scaled(const Twist& motion, double factor) HAPTICS_RT {
 /// One tick at work. What a cut may interrupt lives in proxy.search; the rest is the tick's own.
 class Tick {
  public:
-  Tick(const Scene& scene, double isovalue, double friction, const Pose& X_WD, Proxy& proxy,
-       Budget& budget) HAPTICS_RT : scene_{scene},
-                                    solid_{scene.field, isovalue},
-                                    friction_{friction},
-                                    X_WD_{X_WD},
-                                    proxy_{proxy},
-                                    at_{proxy.search},
-                                    budget_{budget},
-                                    radius_{scene.tool.shell.radius} {}
+  Tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling, const Pose& X_WD,
+       Proxy& proxy, Budget& budget) HAPTICS_RT : scene_{scene},
+                                                  solid_{scene.field, isovalue},
+                                                  coupling_{coupling},
+                                                  X_WD_{X_WD},
+                                                  proxy_{proxy},
+                                                  at_{proxy.search},
+                                                  budget_{budget},
+                                                  radius_{scene.tool.shell.radius} {}
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
   void run(TickResult& result) HAPTICS_RT {
@@ -107,7 +107,7 @@ class Tick {
     proxy_.clearance.moved(way.linear.norm(), way.angular.norm());
     proxy_.X_WP = X_WD_;
     proxy_.turn.setZero();
-    proxy_.bearing = 0;
+    proxy_.bearing.clear();
     at_.stage = Search::Stage::Done;
     return true;
   }
@@ -143,13 +143,13 @@ class Tick {
     ConstrainedMotion allowed =
         constrainedMotion(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear());
     budget_.counts.pivots += allowed.pivots;
-    if (friction_ > 0.0 && allowed.active > 0)
+    if (coupling_.friction > 0.0 && allowed.active > 0)
       allowed = withFriction(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear(),
-                             friction_, allowed, budget_);
+                             coupling_.friction, allowed, budget_);
     const double step = allowed.whitened.norm();
     if (at_.fresh) judge(distance, step, turn);
     at_.fresh = false;
-    if (at_.atTaken()) proxy_.bearing = allowed.active;
+    if (at_.atTaken()) bear(allowed);
     const double length = reachOf(allowed.twist, radius_);
     // in free space even the last billionth of a metre is gone
     if (tries == scene_.fineness.sub_steps || length == 0.0 ||
@@ -254,6 +254,16 @@ class Tick {
     return proxy_.contacts.push(contact);
   }
 
+  /// Remembers what bears on the proxy at its pose.
+  void bear(const ConstrainedMotion& allowed) HAPTICS_RT {
+    proxy_.bearing.clear();
+    for (std::size_t j = 0; j < static_cast<std::size_t>(allowed.active); ++j) {
+      const MotionRow& row = rows_[static_cast<std::size_t>(allowed.bearing[j])];
+      // the metric is that of a mass of 1, so a reaction times the stiffness is a force
+      proxy_.bearing.push({row.r_W, row.n_W, allowed.reaction[j] * coupling_.stiffness});
+    }
+  }
+
   void travel(double share) HAPTICS_RT {
     const double way = at_.motion.linear.norm() * share;
     const double turned = at_.motion.angular.norm() * share;
@@ -287,7 +297,7 @@ class Tick {
 
   const Scene& scene_;
   const Isosurface solid_;
-  const double friction_;  ///< coefficient
+  const VirtualCoupling& coupling_;
   const Pose& X_WD_;
   Proxy& proxy_;
   Search& at_;
@@ -308,17 +318,11 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
     return result;
   }
   if (isovalue != proxy.isovalue) {
+    proxy.forget();
     proxy.isovalue = isovalue;
-    proxy.contacts.clear();
-    proxy.clearance.forget();
-    proxy.acceptance.forget();
-    proxy.recovery.active = false;
-    proxy.search = {};
-    proxy.bearing = 0;
   }
-  if (!proxy.recovery.active)
-    Tick{scene, isovalue, coupling.friction, X_WD, proxy, budget}.run(result);
-  result.contacts = proxy.bearing;
+  if (!proxy.recovery.active) Tick{scene, isovalue, coupling, X_WD, proxy, budget}.run(result);
+  result.contacts = static_cast<int>(proxy.bearing.size());
   if (!result.outside || proxy.recovery.active) {
     // even when it succeeds at once: the force fades before it follows the proxy elsewhere
     result.outside = false;

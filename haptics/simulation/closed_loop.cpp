@@ -17,6 +17,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     return tl::unexpected(Error{Error::Kind::Unsupported,
                                 "The tool starts inside the solid and there is no room for it "
                                 "within 50 mm; start the hand outside or raise the isovalue."});
+  if (on_start) on_start(*start);
   Proxy proxy{*scene, *start};
   Safety safety{limits};
   safety.arm();
@@ -48,7 +49,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     const std::int64_t ended = Budget::threadTime();
     held = link.carry(sent, device.X_WD);
     if (!each({time, X_WD, proxy.X_WP, sent, result.wrench_W, result.contacts, ended - begun,
-               device.X_WD, observer.energy()}))
+               device.X_WD, observer.energy(), budget.cutAt(), proxy.bearing}))
       break;
   }
   return {};

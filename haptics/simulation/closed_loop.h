@@ -27,6 +27,8 @@ struct TraceRow {
   std::int64_t cpu_ns = 0;  ///< thread CPU time of the tick; not part of the trace
   Pose X_WH;                ///< where the handle really is; not part of the trace
   double energy = 0.0;      ///< J given to the hand since the start; not part of the trace
+  std::int64_t cut_at = 0;  ///< Budget::cutAt; not part of the trace
+  Bearing bearing = {};     ///< what pushes; not part of the trace
 };
 
 /// Hand, grip, servo tick and limits in one loop, without threads or clocks: the same rows every
@@ -44,6 +46,8 @@ struct ClosedLoop {
   double damping = 0.0;  ///< N·s/m, virtual, while something is felt
   /// N·s/m that a passivity controller may use; 0: there is none.
   double passivity_damping = 0.0;
+  /// Told once, before the first tick, where the proxy begins; or none.
+  std::function<void(const Pose&)> on_start = {};
 
   /// Runs `ticks` ticks and hands over each row, until `each` returns false. Refuses a start with
   /// no legal pose near.

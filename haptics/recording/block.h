@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "haptics/core/error.h"
+#include "haptics/recording/step.h"
+
+namespace haptics {
+
+/// A pose as it is written for people: x, y, z [m], then the unit quaternion w, x, y, z.
+using PoseNumbers = std::array<double, 7>;
+PoseNumbers numbersOf(const Pose& X);
+
+/// A step as it is read from a recording.
+struct RecordedStep {
+  Step step;             ///< X_WD to the bit; X_WP and the contacts as below
+  PoseNumbers device{};  ///< numbersOf X_WD
+  PoseNumbers proxy{};   ///< numbersOf X_WP when it was recorded
+};
+
+/// Steps whose numbers follow each other, compressed. Columns, each the values of all steps, little
+/// endian, all their lowest bytes first, then all the next: so what changes little lies together.
+struct Block {
+  std::uint64_t first = 0;  ///< sequence of the first step
+  std::int64_t count = 0;
+  std::int64_t from_ns = 0, to_ns = 0;  ///< times of the first and last step
+  std::vector<std::uint8_t> steps = {};
+  std::int64_t contact_count = 0;
+  std::vector<std::uint8_t> contacts = {};
+};
+
+inline constexpr std::int64_t kMostStepsInBlock = 1024;
+
+/// At least one and at most kMostStepsInBlock steps, their sequences without a gap.
+Block encoded(std::span<const Step> steps);
+/// Refuses what is not such a block, reason "damaged".
+Expected<std::vector<RecordedStep>> decoded(const Block& block);
+
+/// The columns of both parts in order, as JSON: [name, type, unit] each. Written into every
+/// recording, so that it can be read without this program.
+std::string stepLayout();
+std::string contactLayout();
+
+}  // namespace haptics

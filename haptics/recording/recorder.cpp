@@ -1,0 +1,466 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/recording/recorder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <ctime>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "haptics/field/lanes.h"
+#include "haptics/recording/block.h"
+#include "haptics/recording/database.h"
+#include "haptics/recording/scene_words.h"
+#include "haptics/recording/schema.h"
+
+namespace haptics {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kPageBytes = 16384;  // a block fits into a few
+
+std::int64_t monotonic() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+std::int64_t bytesOf(const fs::path& path) {
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  return error ? 0 : static_cast<std::int64_t>(size);
+}
+
+/// Once a folder is synced, the names in it survive the power.
+void syncFolderOf(const fs::path& path) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
+}
+
+/// Brings the log into the file, checks it, closes it and gives it its name.
+Expected<fs::path> completed(std::optional<Database>& database, const fs::path& part,
+                             const fs::path& target) {
+  const auto failed = [&](const std::string& why) {
+    if (database) database->keepLog();
+    database.reset();
+    return tl::unexpected(Error{Error::Kind::Unsupported,
+                                "The recording could not be finished: " + why + ". It stays \"" +
+                                    part.filename().string() +
+                                    "\" and can be recovered once there is room.",
+                                "unfinished"});
+  };
+  if (!database->run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE;"))
+    return failed(database->complaint());
+  if (!database->isSound()) return failed("the file is damaged");
+  database.reset();
+  std::error_code error;
+  fs::rename(part, target, error);
+  if (error) return failed(error.message());
+  syncFolderOf(target);
+  return target;
+}
+
+}  // namespace
+
+fs::path partOf(const fs::path& target) { return fs::path(target.string() + ".part"); }
+
+/// The thread that writes, and what others tell it.
+class Recorder::Writer {
+ public:
+  Writer(fs::path target, Database database, const Options& options)
+      : target_{std::move(target)},
+        database_{std::move(database)},
+        options_{options},
+        ring{monotonic()} {
+    steps_.reserve(StepRing::kCapacity);
+    thread_ = std::thread{[this] { run(); }};
+  }
+  ~Writer() { end(); }
+
+  void end() {
+    {
+      const std::scoped_lock lock(mutex_);
+      ending_ = true;
+    }
+    news_.notify_one();
+    if (thread_.joinable()) thread_.join();
+  }
+
+  struct Event {
+    std::int64_t time_ns = 0;
+    std::string kind, text = {};
+    std::optional<double> value = {};
+    std::optional<std::uint64_t> sequence = {};
+  };
+  struct Described {
+    std::shared_ptr<const Scene> scene;
+    std::string tool;
+  };
+
+  void tell(Event event) {
+    const std::scoped_lock lock(mutex_);
+    told_.push_back(std::move(event));
+  }
+  void tell(Described described) {
+    const std::scoped_lock lock(mutex_);
+    described_.push_back(std::move(described));
+  }
+  void tell(std::uint64_t scene, const VolumeHash& hash) {
+    const std::scoped_lock lock(mutex_);
+    identified_.emplace_back(scene, hash);
+  }
+  void hurry() {
+    {
+      const std::scoped_lock lock(mutex_);
+      hurried_ = true;
+    }
+    news_.notify_one();
+  }
+  RecorderStatus status() const {
+    const std::scoped_lock lock(mutex_);
+    return status_;
+  }
+
+  Expected<fs::path> finish() {
+    end();
+    if (const std::string why = status().failure; !why.empty())
+      return tl::unexpected(Error{Error::Kind::Unsupported, why, "unfinished"});
+    return completed(database_, partOf(target_), target_);
+  }
+
+ private:
+  void run();
+  bool commit();
+  bool writeSteps();
+  bool writeScenes(const std::vector<Described>& scenes);
+  void takeStarts();
+  bool writeEvent(Statement& insert, const Event& event);
+  void noteChanges(const Step& step);
+  std::uint64_t sequenceAt(std::int64_t time_ns) const;
+  void fail();
+
+  fs::path target_;
+  std::optional<Database> database_;
+  Options options_;
+
+ public:
+  StepRing ring;
+
+ private:
+  // what others tell, under the mutex
+  mutable std::mutex mutex_;
+  std::condition_variable news_;
+  bool ending_ = false, hurried_ = false;
+  std::vector<Event> told_;
+  std::vector<Described> described_;
+  std::vector<std::pair<std::uint64_t, VolumeHash>> identified_;
+  RecorderStatus status_;
+
+  // the writing thread's own
+  std::vector<Step> steps_;
+  std::vector<Event> events_;
+  std::optional<Step> last_;  ///< the newest that was taken from the ring
+  std::int64_t written_ = 0, lost_ = 0;
+  std::uint64_t late_ = 0, missed_ = 0;  ///< since the last commit
+  std::thread thread_;
+};
+
+void Recorder::Writer::run() {
+  std::int64_t committed = monotonic();
+  for (bool ended = false; !ended;) {
+    {
+      std::unique_lock lock(mutex_);
+      news_.wait_for(lock, options_.commit_every, [&] { return ending_ || hurried_; });
+      ended = ending_;
+      hurried_ = false;
+    }
+    if (!commit()) return fail();
+    const std::int64_t now = monotonic();
+    const std::scoped_lock lock(mutex_);
+    status_.steps = written_;
+    status_.lost = lost_;
+    status_.duration = last_ ? double(last_->time_ns) * 1e-9 : 0.0;
+    status_.bytes = bytesOf(partOf(target_)) + bytesOf(fs::path(partOf(target_).string() + "-wal"));
+    status_.longest_wait = std::max(status_.longest_wait, double(now - committed) * 1e-9);
+    committed = now;
+  }
+}
+
+void Recorder::Writer::fail() {
+  const bool full = database_->isFull();
+  const std::string why = full ? "the disk is full" : database_->complaint();
+  database_->run("ROLLBACK");
+  database_->keepLog();
+  const std::scoped_lock lock(mutex_);
+  status_.failure = "The recording stopped, and touch goes on: " + why +
+                    ". What was recorded until then is in \"" +
+                    partOf(target_).filename().string() + "\" and can be recovered" +
+                    (full ? " once there is room." : ".");
+}
+
+/// Everything that came since the last time, in one transaction.
+bool Recorder::Writer::commit() {
+  std::vector<Described> scenes;
+  std::vector<std::pair<std::uint64_t, VolumeHash>> identified;
+  std::vector<Event> told;
+  {
+    const std::scoped_lock lock(mutex_);
+    scenes.swap(described_);
+    identified.swap(identified_);
+    told.swap(told_);
+  }
+  if (!database_->run("BEGIN")) return false;
+  takeStarts();
+  if (!writeScenes(scenes) || !writeSteps()) return false;
+  Statement insert = database_->prepare(
+      "INSERT INTO event (sequence, time_ns, kind, value, text) VALUES (?, ?, ?, ?, ?)");
+  for (const Event& event : events_)
+    if (!writeEvent(insert, event)) return false;
+  for (Event& event : told) {
+    event.sequence = sequenceAt(event.time_ns);
+    if (!writeEvent(insert, event)) return false;
+  }
+  Statement hash = database_->prepare("UPDATE scene SET volume_hash = ? WHERE id = ?");
+  for (const auto& [id, value] : identified)
+    if (!hash.bind(1, std::span{value}).bind(2, static_cast<std::int64_t>(id)).run()) return false;
+  if (!database_->run("COMMIT")) return false;
+  events_.clear();
+  return true;
+}
+
+bool Recorder::Writer::writeScenes(const std::vector<Described>& scenes) {
+  Statement insert = database_->prepare(
+      "INSERT OR REPLACE INTO scene (id, tool, settings, volume, volume_hash, points, vertices, "
+      "triangles) VALUES (?, ?, ?, ?, NULL, ?, ?, ?)");
+  for (const auto& [scene, tool] : scenes) {
+    const SceneWords words = wordsOf(*scene);
+    if (!insert.bind(1, static_cast<std::int64_t>(scene->id))
+             .bind(2, tool)
+             .bind(3, words.settings)
+             .bind(4, words.volume)
+             .bind(5, std::span{words.points})
+             .bind(6, std::span{words.vertices})
+             .bind(7, std::span{words.triangles})
+             .run())
+      return false;
+  }
+  return true;
+}
+
+/// Before the steps that follow them are taken.
+void Recorder::Writer::takeStarts() {
+  for (ProxyStart start; ring.take(start);)
+    events_.push_back({.time_ns = last_ ? last_->time_ns : 0,
+                       .kind = "start",
+                       .text = wordsOf(start),
+                       .sequence = start.sequence});
+}
+
+bool Recorder::Writer::writeSteps() {
+  steps_.clear();
+  for (Step step; steps_.size() < StepRing::kCapacity && ring.take(step);) {
+    noteChanges(step);
+    steps_.push_back(step);
+    last_ = step;
+  }
+  Statement insert_steps = database_->prepare(
+      "INSERT INTO step (first, count, from_ns, to_ns, data) VALUES (?, ?, ?, ?, ?)");
+  Statement insert_contacts =
+      database_->prepare("INSERT INTO contact (first, count, data) VALUES (?, ?, ?)");
+  const std::span<const Step> all{steps_};
+  for (std::size_t begin = 0; begin < all.size();) {
+    std::size_t end = begin + 1;
+    while (end < all.size() && end - begin < std::size_t{kMostStepsInBlock} &&
+           all[end].sequence == all[end - 1].sequence + 1)
+      ++end;
+    const Block block = encoded(all.subspan(begin, end - begin));
+    const auto first = static_cast<std::int64_t>(block.first);
+    if (!insert_steps.bind(1, first)
+             .bind(2, block.count)
+             .bind(3, block.from_ns)
+             .bind(4, block.to_ns)
+             .bind(5, std::span{block.steps})
+             .run())
+      return false;
+    if (block.contact_count > 0 && !insert_contacts.bind(1, first)
+                                        .bind(2, block.contact_count)
+                                        .bind(3, std::span{block.contacts})
+                                        .run())
+      return false;
+    begin = end;
+  }
+  written_ += static_cast<std::int64_t>(steps_.size());
+  // an event for each would be most of the file on a busy machine: the steps have them
+  const auto addSum = [&](const char* kind, std::uint64_t& sum) {
+    if (sum > 0)
+      events_.push_back({.time_ns = last_->time_ns,
+                         .kind = kind,
+                         .value = double(sum),
+                         .sequence = last_->sequence});
+    sum = 0;
+  };
+  addSum("late", late_);
+  addSum("missed", missed_);
+  return true;
+}
+
+/// What is worth an event of its own between two steps.
+void Recorder::Writer::noteChanges(const Step& step) {
+  const auto add = [&](const char* kind, double value) {
+    events_.push_back(
+        {.time_ns = step.time_ns, .kind = kind, .value = value, .sequence = step.sequence});
+  };
+  // of a new loop they count from zero again
+  const auto grown = [](std::uint32_t before, std::uint32_t now) {
+    return now >= before ? now - before : now;
+  };
+  late_ += grown(last_ ? last_->late_ticks : step.late_ticks, step.late_ticks);
+  missed_ += grown(last_ ? last_->missed_ticks : step.missed_ticks, step.missed_ticks);
+  const std::uint64_t expected = last_ ? last_->sequence + 1 : 0;
+  if (step.sequence > expected) {
+    lost_ += static_cast<std::int64_t>(step.sequence - expected);
+    add("gap", double(step.sequence - expected));
+  }
+  const auto differs = [&](auto member) { return !last_ || (*last_).*member != step.*member; };
+  const auto moved = [&](auto member) {
+    return !last_ || last_->settings.*member != step.settings.*member;
+  };
+  if (moved(&Settings::isovalue)) add("isovalue", step.settings.isovalue);
+  if (moved(&Settings::stiffness)) add("stiffness", step.settings.stiffness);
+  if (moved(&Settings::angular_stiffness))
+    add("angular_stiffness", step.settings.angular_stiffness);
+  if (moved(&Settings::friction)) add("friction", step.settings.friction);
+  if (differs(&Step::scene)) add("scene", double(step.scene));
+  if (differs(&Step::force_state)) add("force", double(static_cast<int>(step.force_state)));
+  constexpr int kDevice = StepFlags::kLost | StepFlags::kStale;
+  if (((last_ ? last_->flags : 0) & kDevice) != (step.flags & kDevice))
+    add("device", double(step.flags & kDevice));
+}
+
+std::uint64_t Recorder::Writer::sequenceAt(std::int64_t time_ns) const {
+  const auto after =
+      std::upper_bound(steps_.begin(), steps_.end(), time_ns,
+                       [](std::int64_t time, const Step& step) { return time < step.time_ns; });
+  if (after != steps_.begin()) return std::prev(after)->sequence;
+  if (after != steps_.end()) return after->sequence;
+  return last_ ? last_->sequence : 0;
+}
+
+bool Recorder::Writer::writeEvent(Statement& insert, const Event& event) {
+  insert.bind(1, static_cast<std::int64_t>(event.sequence.value_or(0)))
+      .bind(2, event.time_ns)
+      .bind(3, event.kind);
+  if (event.value)
+    insert.bind(4, *event.value);
+  else
+    insert.bindNull(4);
+  if (event.text.empty())
+    insert.bindNull(5);
+  else
+    insert.bind(5, event.text);
+  return insert.run();
+}
+
+Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
+                                                     const RecordingFacts& facts,
+                                                     const Options& options) {
+  const fs::path part = partOf(target);
+  std::error_code error;
+  if (options.vfs == nullptr && fs::exists(part, error))
+    return tl::unexpected(Error{Error::Kind::Unsupported,
+                                "\"" + part.string() +
+                                    "\" is what an earlier recording left; recover it with "
+                                    "palpate-cli recover, or remove it.",
+                                "unfinished"});
+  const auto unwritable = [&](const std::string& why) {
+    return tl::unexpected(Error{Error::Kind::Unsupported,
+                                "\"" + target.string() + "\" cannot be recorded to (" + why +
+                                    "); choose a folder that can be written and has room.",
+                                "unwritable"});
+  };
+  auto opened = Database::open(part, Database::Mode::Create, options.vfs);
+  if (!opened) return unwritable(opened.error().what);
+  std::optional<Database> database{std::move(*opened)};
+  const std::string setup =
+      "PRAGMA page_size = " + std::to_string(kPageBytes) +
+      "; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA application_id = " +
+      std::to_string(kApplicationId) + "; PRAGMA user_version = " + std::to_string(kFormat) +
+      "; BEGIN;" + kSchema;
+  const auto say = [&](const char* key, std::string_view value) {
+    return database->prepare("INSERT INTO meta (key, value) VALUES (?, ?)")
+        .bind(1, std::string_view{key})
+        .bind(2, value)
+        .run();
+  };
+  if (!database->run(setup.c_str()) || !say("palpate", facts.version) ||
+      !say("machine", facts.machine) || !say("vectors", lanes::targetName()) ||
+      !say("step_layout", stepLayout()) || !say("contact_layout", contactLayout()) ||
+      !database->run("COMMIT")) {
+    const std::string why = database->isFull() ? "the disk is full" : database->complaint();
+    database.reset();
+    fs::remove(part, error);
+    fs::remove(part.string() + "-wal", error);
+    return unwritable(why);
+  }
+  syncFolderOf(part);
+  return std::unique_ptr<Recorder>(
+      new Recorder{std::make_unique<Writer>(target, std::move(*database), options)});
+}
+
+Recorder::Recorder(std::unique_ptr<Writer> writer) : writer_{std::move(writer)} {}
+Recorder::~Recorder() = default;
+
+StepRing& Recorder::ring() { return writer_->ring; }
+void Recorder::describe(std::shared_ptr<const Scene> scene, std::string tool) {
+  writer_->tell(Writer::Described{std::move(scene), std::move(tool)});
+}
+void Recorder::identify(std::uint64_t scene, const VolumeHash& hash) { writer_->tell(scene, hash); }
+void Recorder::hurry() { writer_->hurry(); }
+void Recorder::note(std::string kind, std::string text) {
+  writer_->tell(Writer::Event{.time_ns = monotonic() - writer_->ring.begun(),
+                              .kind = std::move(kind),
+                              .text = std::move(text)});
+}
+RecorderStatus Recorder::status() const { return writer_->status(); }
+Expected<fs::path> Recorder::finish() { return writer_->finish(); }
+
+Expected<fs::path> recover(const fs::path& part) {
+  const auto refused = [&](const std::string& why, const char* reason) {
+    return tl::unexpected(Error{Error::Kind::Malformed,
+                                "\"" + part.string() + "\" cannot be recovered: " + why + ".",
+                                reason});
+  };
+  if (part.extension() != ".part") return refused("its name does not end in .part", "no-part");
+  std::error_code error;
+  if (!fs::is_regular_file(part, error)) return refused("there is no such file", "not-found");
+  auto opened = Database::open(part, Database::Mode::Recover);
+  if (!opened) return refused(opened.error().what, "unreadable");
+  std::optional<Database> database{std::move(*opened)};
+  if (!database->run("BEGIN IMMEDIATE; COMMIT;"))
+    return database->isBusy() ? refused("it is being written", "in-use")
+                              : refused(database->complaint(), "damaged");
+  if (database->integer("PRAGMA application_id") != kApplicationId)
+    return refused("it is no recording", "no-recording");
+  if (database->integer("SELECT count(*) FROM step") == 0)
+    return refused("nothing was recorded yet; remove it", "empty");
+  const fs::path stem = fs::path(part).replace_extension();
+  fs::path target = stem;
+  for (int n = 2; fs::exists(target, error); ++n)
+    target = stem.parent_path() /
+             (stem.stem().string() + "-" + std::to_string(n) + stem.extension().string());
+  return completed(database, part, target);
+}
+
+}  // namespace haptics

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/recording/recording.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "haptics/recording/schema.h"
+
+namespace haptics {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::int64_t kMostBlocks = 10'000'000;
+constexpr std::size_t kMostEvents = 10'000'000;
+
+tl::unexpected<Error> damaged() {
+  return tl::unexpected(Error{Error::Kind::Malformed,
+                              "The recording is damaged and cannot be read; use a copy of it.",
+                              "damaged"});
+}
+
+}  // namespace
+
+Expected<Recording> Recording::open(const fs::path& path) {
+  const auto refused = [&](Error::Kind kind, const std::string& what, const char* reason) {
+    return tl::unexpected(Error{kind, "\"" + path.string() + "\" " + what, reason});
+  };
+  std::error_code error;
+  if (!fs::is_regular_file(path, error))
+    return refused(Error::Kind::NotFound, "is no file that can be read; check the path.",
+                   "not-found");
+  if (path.extension() == ".part" || fs::exists(path.string() + "-wal", error))
+    return refused(Error::Kind::Unsupported,
+                   "was never finished; palpate-cli recover brings back what is in it.",
+                   "unfinished");
+  auto database = Database::open(path, Database::Mode::Read);
+  if (!database)
+    return refused(Error::Kind::NotFound, "cannot be opened; check its permissions.", "not-found");
+  if (database->integer("PRAGMA application_id") != kApplicationId)
+    return refused(Error::Kind::Unsupported,
+                   "is no recording of Palpate's; recordings end in .palpate.", "no-recording");
+  if (database->integer("PRAGMA user_version") > kFormat)
+    return refused(Error::Kind::Unsupported, "was recorded by a later Palpate; use that one.",
+                   "newer");
+  Recording recording{std::move(*database)};
+  Statement meta = recording.database_.prepare("SELECT key, value FROM meta LIMIT 100");
+  while (meta.step() == Statement::Step::Row) {
+    const std::string key = meta.text(0);
+    if (key == "palpate") recording.version_ = meta.text(1);
+    if (key == "machine") recording.machine_ = meta.text(1);
+    if (key == "vectors") recording.vectors_ = meta.text(1);
+  }
+  if (auto read = recording.readBlocks(); !read) return tl::unexpected(read.error());
+  if (auto read = recording.readEvents(); !read) return tl::unexpected(read.error());
+  if (auto read = recording.readScenes(); !read) return tl::unexpected(read.error());
+  if (recording.blocks_.empty())
+    return refused(Error::Kind::Malformed, "holds no step; nothing was recorded.", "empty");
+  return recording;
+}
+
+Expected<void> Recording::readBlocks() {
+  Statement rows =
+      database_.prepare("SELECT first, count, from_ns, to_ns FROM step ORDER BY first");
+  Statement::Step at;
+  for (at = rows.step(); at == Statement::Step::Row; at = rows.step()) {
+    const Entry entry{rows.integer(0), rows.integer(1), rows.integer(2), rows.integer(3)};
+    const std::int64_t next = blocks_.empty() ? 0 : blocks_.back().first + blocks_.back().count;
+    const std::int64_t earliest = blocks_.empty() ? 0 : blocks_.back().to_ns;
+    if (entry.count < 1 || entry.count > kMostStepsInBlock || entry.first < next ||
+        entry.first > std::numeric_limits<std::int64_t>::max() - kMostStepsInBlock ||
+        entry.from_ns < earliest || entry.to_ns < entry.from_ns ||
+        static_cast<std::int64_t>(blocks_.size()) == kMostBlocks)
+      return damaged();
+    lost_ += entry.first - next;
+    step_count_ += entry.count;
+    blocks_.push_back(entry);
+  }
+  if (at == Statement::Step::Failed) return damaged();
+  return {};
+}
+
+Expected<void> Recording::readEvents() {
+  Statement rows = database_.prepare(
+      "SELECT sequence, time_ns, kind, value, text FROM event ORDER BY time_ns, id");
+  Statement::Step at;
+  for (at = rows.step(); at == Statement::Step::Row; at = rows.step()) {
+    RecordedEvent event{static_cast<std::uint64_t>(rows.integer(0)), rows.integer(1), rows.text(2)};
+    if (!rows.isNull(3)) event.value = rows.real(3);
+    event.text = rows.text(4);
+    if (event.kind == "start") {
+      auto start = startFrom(event.text);
+      if (!start) return tl::unexpected(start.error());
+      start->sequence = event.sequence;
+      starts_.push_back(*start);
+      continue;
+    }
+    if (events_.size() == kMostEvents) return damaged();
+    events_.push_back(std::move(event));
+  }
+  if (at == Statement::Step::Failed) return damaged();
+  std::stable_sort(starts_.begin(), starts_.end(), [](const ProxyStart& a, const ProxyStart& b) {
+    return a.sequence < b.sequence;
+  });
+  return {};
+}
+
+Expected<void> Recording::readScenes() {
+  constexpr std::size_t kMostScenes = 10'000;
+  Statement rows = database_.prepare(
+      "SELECT id, tool, settings, volume, volume_hash, points, vertices, triangles FROM scene "
+      "ORDER BY id");
+  Statement::Step at;
+  for (at = rows.step(); at == Statement::Step::Row; at = rows.step()) {
+    auto scene = sceneFrom({rows.text(2), rows.text(3), rows.blob(5), rows.blob(6), rows.blob(7)});
+    if (!scene) return tl::unexpected(scene.error());
+    if (scenes_.size() == kMostScenes) return damaged();
+    scene->id = static_cast<std::uint32_t>(rows.integer(0));
+    scene->tool.name = rows.text(1);
+    if (const auto hash = rows.blob(4); hash.size() == VolumeHash{}.size()) {
+      scene->hash.emplace();
+      std::copy(hash.begin(), hash.end(), scene->hash->begin());
+    }
+    scenes_.push_back(std::move(*scene));
+  }
+  if (at == Statement::Step::Failed) return damaged();
+  return {};
+}
+
+double Recording::begin() const { return double(blocks_.front().from_ns) * 1e-9; }
+double Recording::end() const { return double(blocks_.back().to_ns) * 1e-9; }
+
+const RecordedScene* Recording::scene(std::uint32_t id) const {
+  for (const RecordedScene& scene : scenes_)
+    if (scene.id == id) return &scene;
+  return nullptr;
+}
+
+std::size_t Recording::blockAt(double time) const {
+  const auto after = std::upper_bound(
+      blocks_.begin(), blocks_.end(), time,
+      [](double t, const Entry& entry) { return t < double(entry.from_ns) * 1e-9; });
+  return after == blocks_.begin() ? 0 : static_cast<std::size_t>(after - blocks_.begin()) - 1;
+}
+
+Expected<std::vector<RecordedStep>> Recording::block(std::size_t index) {
+  const Entry& entry = blocks_[index];
+  Block block{.first = static_cast<std::uint64_t>(entry.first),
+              .count = entry.count,
+              .from_ns = entry.from_ns,
+              .to_ns = entry.to_ns};
+  Statement steps = database_.prepare("SELECT data FROM step WHERE first = ?");
+  if (steps.bind(1, entry.first).step() != Statement::Step::Row) return damaged();
+  block.steps = steps.blob(0);
+  Statement contacts = database_.prepare("SELECT count, data FROM contact WHERE first = ?");
+  const Statement::Step found = contacts.bind(1, entry.first).step();
+  if (found == Statement::Step::Failed) return damaged();
+  if (found == Statement::Step::Row) {
+    block.contact_count = contacts.integer(0);
+    block.contacts = contacts.blob(1);
+  }
+  return decoded(block);
+}
+
+Expected<void> Recording::forEach(double from, double to,
+                                  const std::function<bool(const RecordedStep&)>& each) {
+  for (std::size_t b = blockAt(from); b < blockCount(); ++b) {
+    auto steps = block(b);
+    if (!steps) return tl::unexpected(steps.error());
+    for (const RecordedStep& step : *steps) {
+      const double time = double(step.step.time_ns) * 1e-9;
+      if (time < from) continue;
+      if (time > to || !each(step)) return {};
+    }
+  }
+  return {};
+}
+
+}  // namespace haptics

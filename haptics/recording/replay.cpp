@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/recording/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include "haptics/servo/engagement.h"
+#include "haptics/servo/servo_loop.h"
+#include "haptics/servo/servo_tick.h"
+
+namespace haptics {
+namespace {
+
+Vec3 placeOf(const PoseNumbers& n) { return {n[0], n[1], n[2]}; }
+Quat turnOf(const PoseNumbers& n) { return {n[3], n[4], n[5], n[6]}; }
+
+/// What was recorded and what came out, number by number.
+void compare(const RecordedStep& recorded, const Pose& X_WP, const Wrench& sent_W,
+             ReplayDifference& difference) {
+  ++difference.steps;
+  const PoseNumbers proxy = numbersOf(X_WP);
+  const Wrench& then = recorded.step.sent_W;
+  const bool same = std::memcmp(&proxy, &recorded.proxy, sizeof proxy) == 0 &&
+                    std::memcmp(&then.force, &sent_W.force, sizeof(Vec3)) == 0 &&
+                    std::memcmp(&then.torque, &sent_W.torque, sizeof(Vec3)) == 0;
+  if (same) return;
+  ++difference.differing;
+  if (!difference.first) difference.first = recorded.step.sequence;
+  const auto grow = [](double& most, double value) {
+    // what is no number is as far away as can be
+    most = std::max(most, std::isnan(value) ? std::numeric_limits<double>::infinity() : value);
+  };
+  grow(difference.distance, (placeOf(proxy) - placeOf(recorded.proxy)).norm());
+  grow(difference.angle, turnOf(proxy).angularDistance(turnOf(recorded.proxy)));
+  grow(difference.force, (sent_W.force - then.force).norm());
+  grow(difference.torque, (sent_W.torque - then.torque).norm());
+}
+
+}  // namespace
+
+Expected<ReplayDifference> replay(
+    Recording& recording, const std::function<std::shared_ptr<const Scene>(std::uint32_t)>& scene,
+    const std::function<bool(double)>& goes_on) {
+  ReplayDifference difference;
+  std::map<std::uint32_t, std::shared_ptr<const Scene>> scenes;
+  std::unique_ptr<Engagement> touched;
+  std::optional<Safety> safety;
+  auto start = recording.starts().begin();
+  const double span = std::max(1e-9, recording.end() - recording.begin());
+  bool cancelled = false;
+  std::int64_t until_told = 0;
+  std::uint64_t expected = 0;
+  const auto each = [&](const RecordedStep& recorded) {
+    const Step& step = recorded.step;
+    if (--until_told < 0) {
+      until_told = 1000;
+      cancelled = !goes_on((double(step.time_ns) * 1e-9 - recording.begin()) / span);
+      if (cancelled) return false;
+    }
+    // what is missing before this step was not seen: without a new start nothing is known
+    if (step.sequence != expected) safety.reset();
+    expected = step.sequence + 1;
+    while (start != recording.starts().end() && start->sequence <= step.sequence) {
+      if (start->sequence == step.sequence) {
+        safety.emplace(start->limits, start->safety);
+        touched.reset();
+        if (!scenes.contains(start->scene))
+          scenes[start->scene] = start->scene == 0 ? nullptr : scene(start->scene);
+        if (const auto& found = scenes[start->scene]) {
+          touched = std::make_unique<Engagement>(found, start->X_WP);
+          touched->proxy.turn = start->turn;
+        }
+      }
+      ++start;
+    }
+    const bool at_hand = step.scene == 0 || (touched && scenes[step.scene] == touched->scene);
+    if (!safety || !at_hand) {
+      // what the gate let through depends on what was not computed
+      if (!at_hand) safety.reset();
+      ++difference.skipped;
+      return true;
+    }
+    // as much work as then, where it was cut then
+    Budget budget =
+        Budget::counted(step.cut_at > 0 ? step.cut_at : std::numeric_limits<std::int64_t>::max());
+    Engagement* const engaged = step.scene == 0 ? nullptr : touched.get();
+    const ServoResult result =
+        servoTick({step.X_WD, step.settings, step.flags}, engaged ? engaged->scene.get() : nullptr,
+                  engaged ? &engaged->proxy : nullptr, *safety, ServoLoop::kPeriod, budget);
+    compare(recorded, engaged ? engaged->proxy.X_WP : step.X_WD, result.sent_W, difference);
+    return true;
+  };
+  const double everything = std::numeric_limits<double>::infinity();
+  if (auto read = recording.forEach(-everything, everything, each); !read)
+    return tl::unexpected(read.error());
+  if (cancelled)
+    return tl::unexpected(Error{Error::Kind::Cancelled, "The replay was cancelled.", "cancelled"});
+  return difference;
+}
+
+}  // namespace haptics

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/recording/scene_words.h"
+
+#include <zlib.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace haptics {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostPoints = 10'000'000;
+
+constexpr std::pair<FieldKind, const char*> kFields[] = {{FieldKind::Trilinear, "trilinear"},
+                                                         {FieldKind::CubicSpline, "spline"}};
+constexpr std::pair<NormalKind, const char*> kNormals[] = {
+    {NormalKind::Central, "central"}, {NormalKind::Cell, "cell"}, {NormalKind::Spline, "spline"}};
+constexpr std::pair<bool Plan::*, const char*> kPlan[] = {
+    {&Plan::free_space, "free_space"},
+    {&Plan::empty_space, "empty_space"},
+    {&Plan::unspent_room, "unspent_room"},
+    {&Plan::far_gradients, "far_gradients"},
+    {&Plan::central_differences, "central_differences"},
+    {&Plan::still_rows, "still_rows"}};
+constexpr ScalarType kScalars[] = {ScalarType::UInt8,  ScalarType::Int8,   ScalarType::UInt16,
+                                   ScalarType::Int16,  ScalarType::UInt32, ScalarType::Int32,
+                                   ScalarType::Float32};
+
+template <class T, std::size_t N>
+const char* nameIn(const std::pair<T, const char*> (&names)[N], T value) {
+  for (const auto& [known, name] : names)
+    if (known == value) return name;
+  return "";
+}
+template <class T, std::size_t N>
+T valueIn(const std::pair<T, const char*> (&names)[N], const std::string& name) {
+  for (const auto& [value, known] : names)
+    if (name == known) return value;
+  throw json::other_error::create(501, "no such name", nullptr);
+}
+
+/// Row by row.
+template <class M>
+json listOf(const M& matrix) {
+  json list = json::array();
+  for (int r = 0; r < matrix.rows(); ++r)
+    for (int c = 0; c < matrix.cols(); ++c) list.push_back(matrix(r, c));
+  return list;
+}
+template <class M>
+void take(const json& list, M& matrix) {
+  if (list.size() != static_cast<std::size_t>(matrix.size()))
+    throw json::other_error::create(501, "not so many numbers", nullptr);
+  std::size_t i = 0;
+  for (int r = 0; r < matrix.rows(); ++r)
+    for (int c = 0; c < matrix.cols(); ++c) matrix(r, c) = list[i++].get<double>();
+}
+
+// JSON has no infinity: null stands for it
+json limitWord(double limit) { return std::isfinite(limit) ? json(limit) : json(); }
+double limitFrom(const json& word) {
+  return word.is_null() ? std::numeric_limits<double>::infinity() : word.get<double>();
+}
+
+template <class T>
+std::vector<std::uint8_t> packed(const std::vector<T>& items) {
+  const std::size_t bytes = items.size() * sizeof(T);
+  uLongf size = compressBound(bytes);
+  std::vector<std::uint8_t> out(size);
+  compress2(out.data(), &size, reinterpret_cast<const Bytef*>(items.data()), bytes, 6);
+  out.resize(size);
+  return out;
+}
+template <class T>
+std::vector<T> unpacked(const std::vector<std::uint8_t>& bytes, std::size_t count) {
+  // zlib makes at most 1,032 bytes of one: what asks for more is not allocated
+  if (count > kMostPoints || count * sizeof(T) > 1100 * bytes.size() + 1)
+    throw json::other_error::create(501, "too many", nullptr);
+  std::vector<T> items(count);
+  uLongf size = count * sizeof(T);
+  std::uint8_t nothing = 0;
+  Bytef* out = count == 0 ? &nothing : reinterpret_cast<Bytef*>(items.data());
+  if (uncompress(out, &size, bytes.data(), bytes.size()) != Z_OK || size != count * sizeof(T))
+    throw json::other_error::create(501, "cannot be unpacked", nullptr);
+  return items;
+}
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
+
+tl::unexpected<Error> damaged(const char* what) {
+  return tl::unexpected(Error{
+      Error::Kind::Malformed,
+      std::string("What the recording says of ") + what + " is damaged; nothing can be replayed.",
+      "damaged"});
+}
+
+json settingsOf(const Scene& scene) {
+  json plan = json::object();
+  for (const auto& [omission, name] : kPlan) plan[name] = scene.plan.*omission;
+  const PointShell& shell = scene.tool.shell;
+  return {{"field", nameIn(kFields, scene.field.kind())},
+          {"normal", nameIn(kNormals, scene.normal)},
+          {"plan", plan},
+          {"epsilon", scene.fineness.epsilon},
+          {"sub_steps", scene.fineness.sub_steps},
+          {"points", shell.points.size()},
+          {"vertices", scene.tool.mesh.vertices.size()},
+          {"triangles", scene.tool.mesh.triangles.size()},
+          {"shell_radius_m", shell.radius},
+          {"shell_inertia_m2", listOf(shell.inertia)},
+          {"shell_spacing_m", shell.spacing}};
+}
+
+json volumeOf(const Volume& volume) {
+  return {{"dims", volume.grid.dims},
+          {"spacing_m", listOf(volume.grid.spacing)},
+          {"origin_m", listOf(volume.grid.origin)},
+          {"direction", listOf(volume.grid.direction)},
+          {"scalar", nameOf(volume.type)},
+          {"least", volume.least},
+          {"greatest", volume.greatest},
+          {"unit", volume.unit},
+          {"modality", volume.modality},
+          {"orientation_known", volume.orientation_known},
+          {"resampled", volume.resampled}};
+}
+
+void takeSettings(const json& words, const SceneWords& stored, RecordedScene& scene) {
+  scene.options.field = valueIn(kFields, words.at("field").get<std::string>());
+  scene.options.normal = valueIn(kNormals, words.at("normal").get<std::string>());
+  for (const auto& [omission, name] : kPlan)
+    scene.options.plan.*omission = words.at("plan").at(name).get<bool>();
+  scene.options.fineness.epsilon = words.at("epsilon").get<double>();
+  scene.options.fineness.sub_steps = words.at("sub_steps").get<int>();
+  if (!(scene.options.fineness.epsilon > 0.0 && scene.options.fineness.epsilon < 1.0) ||
+      scene.options.fineness.sub_steps < 1 || scene.options.fineness.sub_steps > 1000)
+    throw json::other_error::create(501, "out of range", nullptr);
+  PointShell& shell = scene.tool.shell;
+  shell.points = unpacked<Vec3>(stored.points, words.at("points").get<std::size_t>());
+  shell.radius = words.at("shell_radius_m").get<double>();
+  take(words.at("shell_inertia_m2"), shell.inertia);
+  shell.spacing = words.at("shell_spacing_m").get<double>();
+  TriangleMesh& mesh = scene.tool.mesh;
+  mesh.vertices = unpacked<Vec3>(stored.vertices, words.at("vertices").get<std::size_t>());
+  mesh.triangles = unpacked<std::array<std::uint32_t, 3>>(stored.triangles,
+                                                          words.at("triangles").get<std::size_t>());
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t corner : triangle)
+      if (corner >= mesh.vertices.size())
+        throw json::other_error::create(501, "no such corner", nullptr);
+  for (const Vec3& point : shell.points)
+    if (!point.allFinite()) throw json::other_error::create(501, "not finite", nullptr);
+  if (shell.points.empty() || !shell.inertia.allFinite() || !std::isfinite(shell.radius))
+    throw json::other_error::create(501, "no shell", nullptr);
+}
+
+void takeVolume(const json& words, Volume& volume) {
+  volume.grid.dims = words.at("dims").get<std::array<std::int64_t, 3>>();
+  take(words.at("spacing_m"), volume.grid.spacing);
+  take(words.at("origin_m"), volume.grid.origin);
+  take(words.at("direction"), volume.grid.direction);
+  const std::string scalar = words.at("scalar").get<std::string>();
+  for (const ScalarType type : kScalars)
+    if (scalar == nameOf(type)) volume.type = type;
+  volume.least = words.at("least").get<double>();
+  volume.greatest = words.at("greatest").get<double>();
+  volume.unit = words.at("unit").get<std::string>();
+  volume.modality = words.at("modality").get<std::string>();
+  volume.orientation_known = words.at("orientation_known").get<bool>();
+  volume.resampled = words.at("resampled").get<bool>();
+}
+
+}  // namespace
+
+SceneWords wordsOf(const Scene& scene) {
+  return {settingsOf(scene).dump(), volumeOf(*scene.volume).dump(), packed(scene.tool.shell.points),
+          packed(scene.tool.mesh.vertices), packed(scene.tool.mesh.triangles)};
+}
+
+Expected<RecordedScene> sceneFrom(const SceneWords& words) {
+  RecordedScene scene;
+  try {
+    takeSettings(json::parse(words.settings), words, scene);
+    takeVolume(json::parse(words.volume), scene.volume);
+  } catch (const json::exception&) {
+    return damaged("its scene");
+  }
+  return scene;
+}
+
+std::string wordsOf(const ProxyStart& start) {
+  return json{{"scene", start.scene},
+              {"proxy", listOf(start.X_WP.matrix().topRows<3>().eval())},
+              {"turn", listOf(start.turn)},
+              {"limits",
+               {limitWord(start.limits.force), limitWord(start.limits.torque),
+                start.limits.ramp_time, start.limits.slew_time}},
+              {"force_state", static_cast<int>(start.safety.state)},
+              {"gain", start.safety.gain},
+              {"slewing", start.safety.slewing},
+              {"slew_left", start.safety.slew_left},
+              {"sent_force", listOf(start.safety.sent.force)},
+              {"sent_torque", listOf(start.safety.sent.torque)}}
+      .dump();
+}
+
+Expected<ProxyStart> startFrom(const std::string& text) {
+  ProxyStart start;
+  try {
+    const json words = json::parse(text);
+    start.scene = words.at("scene").get<std::uint32_t>();
+    Eigen::Matrix<double, 3, 4> pose;
+    take(words.at("proxy"), pose);
+    start.X_WP.matrix().topRows<3>() = pose;
+    take(words.at("turn"), start.turn);
+    const json& limits = words.at("limits");
+    start.limits = {limitFrom(limits.at(0)), limitFrom(limits.at(1)), limits.at(2).get<double>(),
+                    limits.at(3).get<double>()};
+    const int state = words.at("force_state").get<int>();
+    if (state < 0 || state > static_cast<int>(ForceState::Recovering)) return damaged("a start");
+    start.safety.state = static_cast<ForceState>(state);
+    start.safety.gain = words.at("gain").get<double>();
+    start.safety.slewing = words.at("slewing").get<bool>();
+    start.safety.slew_left = words.at("slew_left").get<double>();
+    take(words.at("sent_force"), start.safety.sent.force);
+    take(words.at("sent_torque"), start.safety.sent.torque);
+  } catch (const json::exception&) {
+    return damaged("a start");
+  }
+  return start;
+}
+
+}  // namespace haptics

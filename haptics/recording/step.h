@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/core/fixed_vector.h"
+#include "haptics/core/geometry.h"
+#include "haptics/coupling/safety.h"
+#include "haptics/servo/proxy.h"
+#include "haptics/settings.h"
+
+namespace haptics {
+
+/// What happened before a step's tick, as bits of Step::flags.
+struct StepFlags {
+  static constexpr std::uint8_t kAdopted = 1;       ///< another scene was adopted
+  static constexpr std::uint8_t kSettingMoved = 2;  ///< a setting changed
+  static constexpr std::uint8_t kArmed = 4;         ///< the user lets forces be
+  static constexpr std::uint8_t kLost = 8;          ///< the device gave no reading
+  static constexpr std::uint8_t kStale = 16;        ///< the device gave its last reading again
+};
+
+/// One tick of a session: what it read, what it came to. The servo thread fills it; it owns
+/// nothing.
+struct Step {
+  std::uint64_t sequence = 0;    ///< counts every tick since the recording began, the lost too
+  std::int64_t time_ns = 0;      ///< monotonic, since the recording began
+  Pose X_WD = Pose::Identity();  ///< as read: exact
+  Pose X_WP = Pose::Identity();  ///< after the tick
+  Wrench sent_W;                 ///< what was commanded
+  Settings settings;             ///< in force in this tick
+  std::uint32_t scene = 0;       ///< Scene::id, 0 for none
+  std::int64_t cut_at = 0;       ///< Budget::cutAt
+  std::int64_t cpu_ns = 0;       ///< of the tick
+  std::uint32_t late_ticks = 0;  ///< that began late, since the loop started
+  std::uint32_t missed_ticks = 0;
+  ForceState force_state = ForceState::Off;
+  std::uint8_t flags = 0;
+  Bearing contacts;
+};
+
+/// Where the proxy began: what a replay needs to go the same way from here on, beside the steps.
+/// Recorded before the first step, after a gap, and for each scene that is adopted.
+struct ProxyStart {
+  std::uint64_t sequence = 0;  ///< of the step that follows
+  std::uint32_t scene = 0;
+  Pose X_WP = Pose::Identity();
+  Vec3 turn = Vec3::Zero();  ///< Proxy::turn
+  ForceLimits limits;
+  Safety::Memory safety;  ///< before the step
+};
+
+}  // namespace haptics

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/core/realtime.h"
+#include "haptics/coupling/safety.h"
+#include "haptics/servo/tick.h"
+#include "haptics/settings.h"
+
+namespace haptics {
+
+/// What a tick of the servo loop goes by beside the scene.
+struct ServoInput {
+  const Pose& X_WD;  ///< as read
+  const Settings& settings;
+  std::uint8_t flags = 0;  ///< StepFlags
+};
+
+/// What it came to.
+struct ServoResult {
+  TickResult tick;
+  Wrench sent_W;  ///< for the device
+};
+
+/// A tick and the gate behind it, the same for the live loop and for the replay of what it
+/// recorded. `scene` and `proxy` are null while nothing is touched.
+ServoResult servoTick(const ServoInput& input, const Scene* scene, Proxy* proxy, Safety& safety,
+                      double period, Budget& budget) HAPTICS_RT;
+
+}  // namespace haptics

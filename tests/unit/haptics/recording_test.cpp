@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A recording holds what was, to the bit, and gives it back after whatever became of the process.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "haptics/core/latest_value.h"
+#include "haptics/devices/simulated.h"
+#include "haptics/recording/recorder.h"
+#include "haptics/recording/recording.h"
+#include "haptics/recording/replay.h"
+#include "haptics/servo/servo_loop.h"
+#include "haptics/simulation/closed_loop.h"
+
+namespace haptics {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double kEver = 1e9;  // s
+
+/// A folder that goes with the test.
+class Workshop {
+ public:
+  Workshop() {
+    std::string name = (fs::temp_directory_path() / "palpate-recording-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~Workshop() { fs::remove_all(folder_); }
+  fs::path operator/(const char* name) const { return folder_ / name; }
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+/// A ball of 15 mm in a volume of 48 mm, rippled so that contacts come and go.
+std::shared_ptr<const Scene> scene(double radius = 0.015) {
+  constexpr std::int64_t kSide = 48;
+  Grid grid;
+  grid.dims = {kSide, kSide, kSide};
+  grid.spacing = Vec3::Constant(0.001);
+  auto voxels = *allocateVoxels(grid.voxelCount(), ScalarType::Float32);
+  auto* f = static_cast<float*>(voxels.get());
+  for (std::int64_t n = 0; n < grid.voxelCount(); ++n) {
+    const Vec3 index(double(n % kSide), double(n / kSide % kSide), double(n / kSide / kSide));
+    const Vec3 p = (index - Vec3::Constant(0.5 * double(kSide - 1))) * 0.001;
+    const double ripple = 0.0005 * std::sin(p.x() * 3000.0) * std::sin(p.y() * 2000.0);
+    f[n] = static_cast<float>((radius - p.norm() + ripple) * 1e4);
+  }
+  auto volume = std::make_shared<const Volume>(*makeVolume(grid, ScalarType::Float32, voxels));
+  std::vector<Vec3> points;
+  for (int i = 0; i < 400; ++i) {
+    const double z = 1.0 - 2.0 * (i + 0.5) / 400.0, phi = 2.399963 * i;
+    const double r = std::sqrt(1.0 - z * z);
+    points.emplace_back(0.004 * r * std::cos(phi), 0.004 * r * std::sin(phi), 0.006 * z);
+  }
+  Tool tool;
+  tool.name = "egg";
+  tool.shell = *makeShell(points);
+  return *makeScene(volume, tool);
+}
+
+Step stepOf(const TraceRow& row, const ClosedLoop& loop, std::int64_t n) {
+  Step step;
+  step.time_ns = n * 1'000'000;
+  step.X_WD = row.X_WD;
+  step.X_WP = row.X_WP;
+  step.sent_W = row.sent_W;
+  step.settings = {loop.isovalue, loop.coupling.stiffness, loop.coupling.angular_stiffness,
+                   loop.coupling.friction};
+  step.scene = static_cast<std::uint32_t>(loop.scene->id);
+  step.cut_at = row.cut_at;
+  step.cpu_ns = row.cpu_ns;
+  step.flags = StepFlags::kArmed;
+  step.force_state = ForceState::On;
+  step.contacts = row.bearing;
+  return step;
+}
+
+/// A hand at work on the ball, in closed loop, every tick kept and recorded.
+std::vector<TraceRow> recorded(const fs::path& path, HandMotion motion, std::int64_t ticks,
+                               double friction = 0.0) {
+  auto recorder = Recorder::create(path, {"test", "a machine"});
+  EXPECT_TRUE(recorder) << recorder.error().what;
+  StepRing& ring = (*recorder)->ring();
+  ClosedLoop loop{scene(), 0.0, {1000.0, 0.0, friction}, {}, {}};
+  loop.grip.gyration = std::sqrt(loop.scene->tool.shell.inertia.trace() / 3.0);
+  (*recorder)->describe(loop.scene, "egg");
+  loop.on_start = [&](const Pose& X_WP) {
+    ProxyStart start;
+    start.scene = static_cast<std::uint32_t>(loop.scene->id);
+    start.X_WP = X_WP;
+    start.limits = loop.limits;
+    ring.start(start);
+  };
+  std::vector<TraceRow> rows;
+  const auto hand = Hand::aimed(motion, *loop.scene, 0.0, 0.012, 1);
+  EXPECT_TRUE(hand);
+  const auto done = loop.run(*hand, ticks, [&](const TraceRow& row) {
+    while (ring.full()) {
+      (*recorder)->hurry();
+      std::this_thread::yield();
+    }
+    Step step = stepOf(row, loop, std::int64_t(rows.size()));
+    EXPECT_TRUE(ring.push(step));
+    rows.push_back(row);
+    return true;
+  });
+  EXPECT_TRUE(done);
+  const auto finished = (*recorder)->finish();
+  EXPECT_TRUE(finished) << finished.error().what;
+  return rows;
+}
+
+std::vector<RecordedStep> stepsIn(Recording& recording) {
+  std::vector<RecordedStep> steps;
+  const auto read = recording.forEach(-kEver, kEver, [&](const RecordedStep& step) {
+    steps.push_back(step);
+    return true;
+  });
+  EXPECT_TRUE(read) << read.error().what;
+  return steps;
+}
+
+/// Replays over a volume of its own making, as a later program would.
+ReplayDifference replayed(Recording& recording, std::shared_ptr<const Volume> volume) {
+  const auto difference = replay(
+      recording,
+      [&](std::uint32_t id) {
+        const RecordedScene* then = recording.scene(id);
+        return then == nullptr ? nullptr : *makeScene(volume, then->tool, then->options);
+      },
+      [](double) { return true; });
+  EXPECT_TRUE(difference) << difference.error().what;
+  return difference.value_or(ReplayDifference{});
+}
+
+bool same(const Pose& a, const Pose& b) {
+  return std::memcmp(a.matrix().data(), b.matrix().data(), 16 * sizeof(double)) == 0;
+}
+
+TEST(Recording, HoldsEveryTickToTheBit) {
+  const Workshop workshop;
+  const auto rows = recorded(workshop / "r.palpate", HandMotion::Slide, 3000);
+  auto recording = Recording::open(workshop / "r.palpate");
+  ASSERT_TRUE(recording) << recording.error().what;
+  EXPECT_EQ(recording->version(), "test");
+  EXPECT_EQ(recording->machine(), "a machine");
+  EXPECT_EQ(recording->lostCount(), 0);
+  const auto steps = stepsIn(*recording);
+  ASSERT_EQ(steps.size(), rows.size());
+  std::size_t touching = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Step& step = steps[i].step;
+    ASSERT_EQ(step.sequence, i);
+    ASSERT_TRUE(same(step.X_WD, rows[i].X_WD)) << i;
+    ASSERT_EQ(steps[i].device, numbersOf(rows[i].X_WD)) << i;
+    ASSERT_EQ(steps[i].proxy, numbersOf(rows[i].X_WP)) << i;
+    ASSERT_EQ(step.sent_W.force, rows[i].sent_W.force) << i;
+    ASSERT_EQ(step.sent_W.torque, rows[i].sent_W.torque) << i;
+    ASSERT_EQ(step.contacts.size(), std::size_t(rows[i].contacts)) << i;
+    for (std::size_t c = 0; c < step.contacts.size(); ++c) {
+      ASSERT_EQ(step.contacts[c].n_W.cast<float>(), rows[i].bearing[c].n_W.cast<float>());
+      ASSERT_EQ(float(step.contacts[c].push), float(rows[i].bearing[c].push));
+    }
+    touching += step.contacts.size();
+  }
+  EXPECT_GT(touching, 500U);
+  EXPECT_FALSE(fs::exists(workshop / "r.palpate.part"));
+  EXPECT_FALSE(fs::exists(workshop / "r.palpate-wal"));
+}
+
+TEST(Recording, WhatPushesAddsUpToTheForce) {
+  const Workshop workshop;
+  recorded(workshop / "r.palpate", HandMotion::Slide, 3000);
+  auto recording = Recording::open(workshop / "r.palpate");
+  ASSERT_TRUE(recording);
+  int seen = 0;
+  for (const RecordedStep& recorded : stepsIn(*recording)) {
+    const Step& step = recorded.step;
+    if (step.contacts.empty() || step.sent_W.force.norm() < 0.5) continue;
+    Vec3 pushed = Vec3::Zero();
+    for (const BearingContact& c : step.contacts) pushed += c.push * c.n_W;
+    // at rest; while it moves the reactions are those of the last try
+    if ((pushed - step.sent_W.force).norm() < 0.02 * step.sent_W.force.norm()) ++seen;
+  }
+  EXPECT_GT(seen, 300);
+}
+
+TEST(Recording, IsReplayedToTheBit) {
+  const Workshop workshop;
+  for (const HandMotion motion : {HandMotion::Tap, HandMotion::Slide, HandMotion::Hook}) {
+    recorded(workshop / "r.palpate", motion, 2500, motion == HandMotion::Hook ? 0.4 : 0.0);
+    auto recording = Recording::open(workshop / "r.palpate");
+    ASSERT_TRUE(recording);
+    const ReplayDifference difference = replayed(*recording, scene()->volume);
+    EXPECT_EQ(difference.steps, 2500);
+    EXPECT_EQ(difference.skipped, 0);
+    EXPECT_EQ(difference.differing, 0) << difference.distance;
+    // and over another volume it is not
+    const ReplayDifference other = replayed(*recording, scene(0.0149)->volume);
+    EXPECT_GT(other.differing, 200);
+    EXPECT_GT(other.distance, 0.00005);
+    ASSERT_TRUE(other.first);
+    EXPECT_GT(*other.first, 10U);  // before the touch it is the same
+  }
+}
+
+/// A servo loop that the test steps itself, a hand on the ball, and its recorder.
+struct Bench {
+  explicit Bench(const fs::path& target) : path{target} {
+    auto made = Recorder::create(target, {"test", "a machine"});
+    EXPECT_TRUE(made) << made.error().what;
+    recorder = std::move(*made);
+    first = scene();
+    recorder->describe(first, "egg");
+    auto hand = Hand::aimed(HandMotion::Slide, *first, 0.0, 0.012, 1);
+    EXPECT_TRUE(hand);
+    Grip grip;
+    grip.gyration = std::sqrt(first->tool.shell.inertia.trace() / 3.0);
+    const Pose X_start = hand->at(0.0);
+    grip.X_WD = X_start;
+    loop = std::make_unique<ServoLoop>(openSimulated(std::move(*hand), grip, ServoLoop::kPeriod),
+                                       settings);
+    loop->scenes.offer(std::make_unique<Engagement>(first, X_start));
+  }
+  void run(int ticks) {
+    for (int i = 0; i < ticks; ++i) loop->step(1e-3 * double(n++));
+  }
+  fs::path path;
+  std::unique_ptr<Recorder> recorder;
+  std::shared_ptr<const Scene> first;
+  Settings settings;
+  std::unique_ptr<ServoLoop> loop;
+  int n = 0;
+};
+
+TEST(Recording, OfALiveLoopIsReplayedToTheBitThroughAllThatTheUserDoes) {
+  const Workshop workshop;
+  Bench bench(workshop / "r.palpate");
+  // begun in the middle of a touch
+  bench.run(1200);
+  bench.loop->recording.store(&bench.recorder->ring());
+  bench.run(600);
+  bench.settings.isovalue = -4.0;  // the proxy is inside now, and is brought out
+  bench.loop->settings.publish(bench.settings);
+  bench.run(400);
+  bench.loop->armed.store(false);
+  bench.run(100);
+  bench.loop->armed.store(true);
+  bench.settings.stiffness = 1500.0;
+  bench.settings.friction = 0.3;
+  bench.loop->settings.publish(bench.settings);
+  bench.run(400);
+  // another scene, of another volume
+  const auto second = scene(0.0155);
+  bench.recorder->describe(second, "egg");
+  Snapshot now;
+  ASSERT_TRUE(bench.loop->snapshots.take(now));
+  const auto legal = legalPoseNear(*second, -4.0, now.X_WP);
+  ASSERT_TRUE(legal);
+  bench.loop->scenes.offer(std::make_unique<Engagement>(second, *legal));
+  bench.run(500);
+  bench.loop->recording.store(nullptr);
+  bench.run(5);
+  ASSERT_TRUE(bench.recorder->finish());
+
+  auto recording = Recording::open(bench.path);
+  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_EQ(recording->scenes().size(), 2U);
+  const auto difference = replay(
+      *recording,
+      [&](std::uint32_t id) {
+        const auto& volume = id == second->id ? second->volume : bench.first->volume;
+        const RecordedScene* then = recording->scene(id);
+        return *makeScene(volume, then->tool, then->options);
+      },
+      [](double) { return true; });
+  ASSERT_TRUE(difference);
+  EXPECT_EQ(difference->steps, 2000);
+  EXPECT_EQ(difference->skipped, 0);
+  EXPECT_EQ(difference->differing, 0)
+      << "first " << difference->first.value_or(0) << ", " << difference->distance << " m, "
+      << difference->force << " N";
+  // the events tell what was done
+  std::map<std::string, std::vector<double>> events;
+  for (const RecordedEvent& event : recording->events())
+    if (event.value) events[event.kind].push_back(*event.value);
+  EXPECT_EQ(events["isovalue"], (std::vector<double>{0.0, -4.0}));
+  EXPECT_EQ(events["stiffness"], (std::vector<double>{1000.0, 1500.0}));
+  EXPECT_EQ(events["friction"], (std::vector<double>{0.0, 0.3}));
+  EXPECT_EQ(events["scene"], (std::vector<double>{double(bench.first->id), double(second->id)}));
+  EXPECT_GE(events["force"].size(), 5U);  // on, recovering, ramping, off, ramping, …
+  EXPECT_EQ(recording->starts().size(), 2U);
+}
+
+TEST(Recording, AFullRingLosesStepsCountsThemAndGoesOnExactly) {
+  const Workshop workshop;
+  Recorder::Options slow;
+  slow.commit_every = std::chrono::hours(1);
+  auto recorder = Recorder::create(workshop / "r.palpate", {"test", ""}, slow);
+  ASSERT_TRUE(recorder);
+  const auto touched = scene();
+  (*recorder)->describe(touched, "egg");
+  auto hand = Hand::aimed(HandMotion::Slide, *touched, 0.0, 0.012, 1);
+  ASSERT_TRUE(hand);
+  Grip grip;
+  const Pose X_start = hand->at(0.0);
+  grip.X_WD = X_start;
+  ServoLoop loop(openSimulated(std::move(*hand), grip, ServoLoop::kPeriod), {});
+  loop.scenes.offer(std::make_unique<Engagement>(touched, X_start));
+  loop.recording.store(&(*recorder)->ring());
+  constexpr std::int64_t kTicks = 12'000;
+  for (int n = 0; n < kTicks; ++n) loop.step(1e-3 * n);
+  // the writer sleeps: more than its capacity did not go in
+  (*recorder)->hurry();
+  while ((*recorder)->status().steps == 0) std::this_thread::yield();
+  for (int n = 0; n < 500; ++n) loop.step(1e-3 * double(kTicks + n));
+  loop.recording.store(nullptr);
+  ASSERT_TRUE((*recorder)->finish());
+
+  auto recording = Recording::open(workshop / "r.palpate");
+  ASSERT_TRUE(recording) << recording.error().what;
+  EXPECT_GT(recording->lostCount(), 0);
+  EXPECT_EQ(recording->stepCount() + recording->lostCount(), kTicks + 500);
+  double gap = 0.0;
+  for (const RecordedEvent& event : recording->events())
+    if (event.kind == "gap") gap += *event.value;
+  EXPECT_EQ(gap, double(recording->lostCount()));
+  const ReplayDifference difference = replayed(*recording, touched->volume);
+  EXPECT_EQ(difference.steps, recording->stepCount());
+  EXPECT_EQ(difference.differing, 0);
+}
+
+TEST(Recording, WhatAProcessLeftIsRecoveredOnce) {
+  const Workshop workshop;
+  const fs::path path = workshop / "r.palpate";
+  {
+    Bench bench(path);
+    bench.loop->recording.store(&bench.recorder->ring());
+    bench.run(700);
+    // in use: nobody else may touch it
+    while (bench.recorder->status().steps == 0) bench.recorder->hurry();
+    const auto taken = recover(partOf(path));
+    ASSERT_FALSE(taken);
+    EXPECT_EQ(taken.error().reason, "in-use");
+  }  // not finished
+  ASSERT_TRUE(fs::exists(partOf(path)));
+  const auto opened = Recording::open(partOf(path));
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().reason, "unfinished");
+  const auto over = Recorder::create(path, {"test", ""});
+  ASSERT_FALSE(over);
+  EXPECT_EQ(over.error().reason, "unfinished");
+  std::ofstream(path) << "in the way";
+  const auto recovered = recover(partOf(path));
+  ASSERT_TRUE(recovered) << recovered.error().what;
+  EXPECT_EQ(recovered->filename(), "r-2.palpate");
+  auto recording = Recording::open(*recovered);
+  ASSERT_TRUE(recording) << recording.error().what;
+  EXPECT_EQ(recording->stepCount(), 700);
+  EXPECT_FALSE(fs::exists(partOf(path)));
+  EXPECT_FALSE(recover(partOf(path)));
+}
+
+TEST(Recording, MarksLieWhereTheyWereSet) {
+  const Workshop workshop;
+  Bench bench(workshop / "r.palpate");
+  bench.loop->recording.store(&bench.recorder->ring());
+  bench.run(100);
+  bench.recorder->note("mark", "here");
+  bench.run(100);
+  bench.recorder->note("mark", "there");
+  ASSERT_TRUE(bench.recorder->finish());
+  auto recording = Recording::open(bench.path);
+  ASSERT_TRUE(recording);
+  std::vector<const RecordedEvent*> marks;
+  for (const RecordedEvent& event : recording->events())
+    if (event.kind == "mark") marks.push_back(&event);
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[0]->sequence, 99U);
+  EXPECT_EQ(marks[0]->text, "here");
+  EXPECT_EQ(marks[1]->sequence, 199U);
+}
+
+TEST(Recording, TakesAtMost300BytesAStepInContact) {
+  const Workshop workshop;
+  const auto rows = recorded(workshop / "r.palpate", HandMotion::Slide, 10'000);
+  std::size_t contacts = 0;
+  for (const TraceRow& row : rows) contacts += row.bearing.size();
+  const double bytes = double(fs::file_size(workshop / "r.palpate")) / 10'000.0;
+  std::printf("%.1f bytes a step with %.2f contacts\n", bytes, double(contacts) / 10'000.0);
+  EXPECT_GT(contacts, 10'000U);
+  EXPECT_LT(bytes, 300.0);
+}
+
+TEST(Recording, WhatIsNoneIsRefusedWithAReason) {
+  const Workshop workshop;
+  const auto reason = [](const fs::path& path) {
+    const auto recording = Recording::open(path);
+    return recording ? std::string{} : recording.error().reason;
+  };
+  EXPECT_EQ(reason(workshop / "none.palpate"), "not-found");
+  EXPECT_EQ(reason(workshop.folder()), "not-found");
+  std::ofstream(workshop / "text.palpate") << "this is text, and long enough to look at";
+  EXPECT_EQ(reason(workshop / "text.palpate"), "no-recording");
+  std::ofstream(workshop / "nothing.palpate");
+  EXPECT_EQ(reason(workshop / "nothing.palpate"), "no-recording");
+  const auto folder = Recorder::create("/proc/self/r.palpate", {"test", ""});
+  ASSERT_FALSE(folder);
+  EXPECT_EQ(folder.error().reason, "unwritable");
+}
+
+TEST(Recording, DamageIsRefusedAndNeverBelieved) {
+  const Workshop workshop;
+  recorded(workshop / "r.palpate", HandMotion::Tap, 1500);
+  std::ifstream file(workshop / "r.palpate", std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(file), {}};
+  auto intact = Recording::open(workshop / "r.palpate");
+  ASSERT_TRUE(intact);
+  const auto truth = stepsIn(*intact);
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int n = 0; n < 400; ++n) {
+    std::string bytes = whole;
+    if (n % 4 == 0) bytes.resize(random() % bytes.size());
+    for (int k = 0; k < 1 + n % 20 && !bytes.empty(); ++k)
+      bytes[random() % bytes.size()] = static_cast<char>(random());
+    std::ofstream(workshop / "d.palpate", std::ios::binary | std::ios::trunc) << bytes;
+    auto recording = Recording::open(workshop / "d.palpate");
+    if (!recording) {
+      EXPECT_FALSE(recording.error().what.empty());
+      ++refused;
+      continue;
+    }
+    // zlib's sum stands over every block: what is read is what was written
+    const auto read = recording->forEach(-kEver, kEver, [&](const RecordedStep& step) {
+      const std::size_t i = step.step.sequence;
+      EXPECT_TRUE(i < truth.size() && step.proxy == truth[i].proxy);
+      return true;
+    });
+    if (!read) ++refused;
+  }
+  EXPECT_GT(refused, 200);
+}
+
+}  // namespace
+}  // namespace haptics
