@@ -3,10 +3,12 @@
 
 #include <QApplication>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 
 #include "app/application.h"
 #include "app/display.h"
+#include "app/recording/volume_hash.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/archive.h"
 #include "resources/named_tools.h"
@@ -81,12 +83,13 @@ int main(int argc, char** argv) {
   // VTK's windows are X windows, also where Qt would choose Wayland
   qputenv("QT_QPA_PLATFORM", "xcb");
   ui::Viewport::prepareApplication();
-  QCoreApplication::setOrganizationName("Palpate");
-  QCoreApplication::setApplicationName("Palpate");
+  app::nameApplication();
   QCoreApplication::setApplicationVersion(PALPATE_VERSION);
   int qt_argc = 1;  // the arguments are ours
   QApplication qt(qt_argc, argv);
   datasets::sweepTemporaryFolders();
+  // a file that may not grow further is an error like any other
+  std::signal(SIGXFSZ, SIG_IGN);
   app::Application application(std::move(arguments));
   QObject::connect(
       &application, &app::Application::finished, &qt,

@@ -17,6 +17,8 @@ using Chosen = std::function<Outcome()>;
 void addTool(CLI::App& program, Chosen& chosen);
 void addRun(CLI::App& program, Chosen& chosen);
 void addStudy(CLI::App& program, Chosen& chosen);
+void addReplay(CLI::App& program, Chosen& chosen);
+void addRecover(CLI::App& program, Chosen& chosen);
 #ifdef PALPATE_READERS
 void addInfo(CLI::App& program, Chosen& chosen);
 void addConvert(CLI::App& program, Chosen& chosen);

@@ -54,6 +54,8 @@ int main(int argc, char** argv) {
 #endif
   addTool(program, chosen);
   addRun(program, chosen);
+  addReplay(program, chosen);
+  addRecover(program, chosen);
   addStudy(program, chosen);
   bool json = asksForJson(argc, argv);
   for (CLI::App* command : program.get_subcommands({})) {

@@ -61,6 +61,8 @@ bool interrupted() { return stop_asked != 0; }
 void watchForInterrupts() {
   std::signal(SIGINT, [](int) { stop_asked = 1; });
   std::signal(SIGTERM, [](int) { stop_asked = 1; });
+  // a file that may not grow further is an error like any other
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace app::cli

@@ -6,12 +6,14 @@
 #include <numeric>
 
 #include "app/cli/commands.h"
+#include "app/cli/recorded_run.h"
 #include "app/cli/sources.h"
 #include "app/cli/trace.h"
 #include "haptics/devices/ratings.h"
 #include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/penetration.h"
 #include "haptics/smoothing.h"
+#include "resources/named_tools.h"
 
 namespace app::cli {
 namespace {
@@ -31,6 +33,7 @@ struct RunOptions {
   std::string normal = "central";
   std::string device = {};
   std::string trace = {};
+  std::string record = {};
   std::uint64_t seed = 1;
 };
 
@@ -137,6 +140,13 @@ haptics::Expected<haptics::Hand> handFor(const RunOptions& options, const haptic
   return haptics::Hand::aimed(found->second, scene, options.isovalue, reach, options.seed);
 }
 
+/// A tool's name if it is one of ours; what a file is called is nobody's business.
+std::string nameOf(const ToolChoice& choice) {
+  const auto names = resources::namedTools();
+  return std::find(names.begin(), names.end(), choice.name) != names.end() ? choice.name
+                                                                           : std::string{};
+}
+
 Outcome run(const RunOptions& options) {
   if (options.volume.path.empty() == options.volume.phantom.empty())
     return usage("run needs either --volume or --phantom.");
@@ -183,12 +193,19 @@ Outcome run(const RunOptions& options) {
     if (!opened) return {Exit::Failed, {}, {}, opened.error().what};
     trace = std::make_unique<TraceWriter>(std::move(*opened));
   }
+  std::unique_ptr<RecordedRun> recorded;
+  if (!options.record.empty()) {
+    auto begun = RecordedRun::begin(options.record, loop, nameOf(options.tool));
+    if (!begun) return {Exit::Failed, {}, {}, begun.error().what};
+    recorded = std::move(*begun);
+  }
   Tally tally;
   bool stopped = false;
   const auto ticks = static_cast<std::int64_t>(std::llround(options.seconds * 1000.0));
   const auto done = loop.run(*hand, ticks, [&](const haptics::TraceRow& row) {
     tally.add(row, **scene, options.isovalue);
     if (trace) trace->write(row);
+    if (recorded) recorded->write(row);
     stopped = stopped || interrupted();
     return !stopped;
   });
@@ -204,6 +221,11 @@ Outcome run(const RunOptions& options) {
   if (trace) {
     if (auto finished = trace->finish(); !finished)
       return {Exit::Failed, outcome.json, {}, finished.error().what};
+  }
+  if (recorded) {
+    const auto finished = recorded->finish();
+    if (!finished) return {Exit::Failed, outcome.json, {}, finished.error().what};
+    outcome.json["recording"] = *finished;
   }
   if (stopped) {
     outcome.code = Exit::Interrupted;
@@ -260,6 +282,8 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->check(CLI::IsMember(namesIn(normals())));
   command->add_option("--device", options->device, "Take the limits of this device");
   command->add_option("--trace", options->trace, "CSV to write, one row a tick")->check(notEmpty());
+  command->add_option("--record", options->record, "Recording to write, NAME.palpate")
+      ->check(notEmpty());
   command->add_option("--seed", options->seed, "Of the hand's aim");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

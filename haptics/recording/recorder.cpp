@@ -179,13 +179,15 @@ class Recorder::Writer {
 
 void Recorder::Writer::run() {
   std::int64_t committed = monotonic();
+  auto due = std::chrono::steady_clock::now() + options_.commit_every;
   for (bool ended = false; !ended;) {
     {
       std::unique_lock lock(mutex_);
-      news_.wait_for(lock, options_.commit_every, [&] { return ending_ || hurried_; });
+      news_.wait_until(lock, due, [&] { return ending_ || hurried_; });
       ended = ending_;
       hurried_ = false;
     }
+    due = std::chrono::steady_clock::now() + options_.commit_every;
     if (!commit()) return fail();
     const std::int64_t now = monotonic();
     const std::scoped_lock lock(mutex_);
@@ -405,9 +407,9 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
         .run();
   };
   if (!database->run(setup.c_str()) || !say("palpate", facts.version) ||
-      !say("machine", facts.machine) || !say("vectors", lanes::targetName()) ||
-      !say("step_layout", stepLayout()) || !say("contact_layout", contactLayout()) ||
-      !database->run("COMMIT")) {
+      !say("build", facts.build) || !say("machine", facts.machine) ||
+      !say("vectors", lanes::targetName()) || !say("step_layout", stepLayout()) ||
+      !say("contact_layout", contactLayout()) || !database->run("COMMIT")) {
     const std::string why = database->isFull() ? "the disk is full" : database->complaint();
     database.reset();
     fs::remove(part, error);

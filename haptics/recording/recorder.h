@@ -17,6 +17,7 @@ namespace haptics {
 /// What a recording says of the program and machine that made it. No host, user or date.
 struct RecordingFacts {
   std::string version;  ///< of Palpate
+  std::string build;    ///< one word: programs with the same give the same numbers
   std::string machine;  ///< processor, cores, memory
 };
 

@@ -50,6 +50,7 @@ Expected<Recording> Recording::open(const fs::path& path) {
   while (meta.step() == Statement::Step::Row) {
     const std::string key = meta.text(0);
     if (key == "palpate") recording.version_ = meta.text(1);
+    if (key == "build") recording.build_ = meta.text(1);
     if (key == "machine") recording.machine_ = meta.text(1);
     if (key == "vectors") recording.vectors_ = meta.text(1);
   }

@@ -32,8 +32,9 @@ class Recording {
   /// Palpate), "damaged", "empty".
   static Expected<Recording> open(const std::filesystem::path& path);
 
-  /// What made it: Palpate's version, the machine, the vectors that it used.
+  /// What made it: Palpate's version and build, the machine, the vectors that it used.
   const std::string& version() const { return version_; }
+  const std::string& build() const { return build_; }
   const std::string& machine() const { return machine_; }
   const std::string& vectors() const { return vectors_; }
 
@@ -65,7 +66,7 @@ class Recording {
   Expected<void> readScenes();
 
   Database database_;
-  std::string version_, machine_, vectors_;
+  std::string version_, build_, machine_, vectors_;
   std::int64_t step_count_ = 0, lost_ = 0;
   std::vector<Entry> blocks_;
   std::vector<RecordedEvent> events_;

@@ -29,6 +29,7 @@ struct TraceRow {
   double energy = 0.0;      ///< J given to the hand since the start; not part of the trace
   std::int64_t cut_at = 0;  ///< Budget::cutAt; not part of the trace
   Bearing bearing = {};     ///< what pushes; not part of the trace
+  ForceState force_state = ForceState::Off;  ///< not part of the trace
 };
 
 /// Hand, grip, servo tick and limits in one loop, without threads or clocks: the same rows every

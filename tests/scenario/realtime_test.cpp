@@ -136,7 +136,7 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
                          with.options)
           .value();
   const auto other = haptics::makeScene(volume, namedTool("drill"), kSpline).value();
-  long touching = 0, recovering = 0, adopted = 0;
+  long touching = 0, recovering = 0, adopted = 0, recorded = 0, starts = 0;
   for (const HandMotion motion : kHands) {
     SCOPED_TRACE(int(motion));
     auto hand = Hand::aimed(motion, *aimed, made.isovalue, Hand::reachFor(4e-3, 1000.0, 500.0), 7);
@@ -144,6 +144,7 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
     const Pose start = hand->at(0.0);
     haptics::Grip grip;
     haptics::Settings settings{.isovalue = made.isovalue, .friction = with.friction};
+    haptics::StepRing ring{0};
     ServoLoop loop{haptics::openSimulated(std::move(*hand), grip, ServoLoop::kPeriod), settings};
     loop.scenes.offer(std::make_unique<haptics::Engagement>(scene, start));
     std::int64_t tick = 0;
@@ -167,12 +168,18 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
         loop.scenes.offer(
             std::make_unique<haptics::Engagement>(part % 8 == 3 ? other : scene, snapshot.X_WD));
       loop.armed = part % 5 != 4;
+      // recorded, and no more, and again
+      loop.recording = part % 3 == 0 ? nullptr : &ring;
+      for (haptics::Step step; ring.take(step);) ++recorded;
+      for (haptics::ProxyStart begun; ring.take(begun);) ++starts;
     }
   }
   std::cout << with.phantom << ": " << checked << " ticks so far without a call\n";
   EXPECT_GT(touching, 5);
   EXPECT_GT(recovering, 0);
   EXPECT_GT(adopted, 0);
+  EXPECT_GT(recorded, 1000);
+  EXPECT_GT(starts, 7);
 }
 INSTANTIATE_TEST_SUITE_P(
     On, EveryHand,
@@ -183,6 +190,28 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"slot", "sphere", 1, {haptics::FieldKind::Trilinear, haptics::NormalKind::Cell}},
         Case{"cylinder", "wrench", 10'000, {}, 0.5}, Case{"marker", "probe", 20'000, kSpline}),
     [](const auto& with) { return std::string{with.param.phantom}; });
+
+TEST(EveryTick, NeitherAllocatesNorLocksWhereNobodyEmptiesTheRing) {
+  const Stage stage = stageOf("sphere", namedTool("probe"));
+  auto hand = Hand::aimed(HandMotion::Slide, *stage.scene, stage.isovalue, 4e-3, 7);
+  ASSERT_TRUE(hand);
+  const Pose start = hand->at(0.0);
+  haptics::StepRing ring{0};
+  ServoLoop loop{haptics::openSimulated(std::move(*hand), {}, ServoLoop::kPeriod),
+                 {.isovalue = stage.isovalue}};
+  loop.scenes.offer(std::make_unique<haptics::Engagement>(stage.scene, start));
+  loop.recording = &ring;
+  std::int64_t tick = 0;
+  run(loop, tick, 12'000);
+  EXPECT_TRUE(ring.full());
+  haptics::Step step;
+  long kept = 0;
+  while (ring.take(step)) ++kept;
+  EXPECT_LT(kept, 12'000);
+  run(loop, tick, 10);
+  while (ring.take(step)) ++kept;
+  EXPECT_EQ(step.sequence, 12'009U);
+}
 
 TEST(EveryTick, NeitherAllocatesNorLocksWhateverTheDeviceReads) {
   const Stage stage = stageOf("gyroid", namedTool("probe"));

@@ -85,7 +85,7 @@ Step stepOf(const TraceRow& row, const ClosedLoop& loop, std::int64_t n) {
 /// A hand at work on the ball, in closed loop, every tick kept and recorded.
 std::vector<TraceRow> recorded(const fs::path& path, HandMotion motion, std::int64_t ticks,
                                double friction = 0.0) {
-  auto recorder = Recorder::create(path, {"test", "a machine"});
+  auto recorder = Recorder::create(path, {"test", "a build", "a machine"});
   EXPECT_TRUE(recorder) << recorder.error().what;
   StepRing& ring = (*recorder)->ring();
   ClosedLoop loop{scene(), 0.0, {1000.0, 0.0, friction}, {}, {}};
@@ -214,7 +214,7 @@ TEST(Recording, IsReplayedToTheBit) {
 /// A servo loop that the test steps itself, a hand on the ball, and its recorder.
 struct Bench {
   explicit Bench(const fs::path& target) : path{target} {
-    auto made = Recorder::create(target, {"test", "a machine"});
+    auto made = Recorder::create(target, {"test", "a build", "a machine"});
     EXPECT_TRUE(made) << made.error().what;
     recorder = std::move(*made);
     first = scene();
@@ -303,7 +303,7 @@ TEST(Recording, AFullRingLosesStepsCountsThemAndGoesOnExactly) {
   const Workshop workshop;
   Recorder::Options slow;
   slow.commit_every = std::chrono::hours(1);
-  auto recorder = Recorder::create(workshop / "r.palpate", {"test", ""}, slow);
+  auto recorder = Recorder::create(workshop / "r.palpate", {"test", "", ""}, slow);
   ASSERT_TRUE(recorder);
   const auto touched = scene();
   (*recorder)->describe(touched, "egg");
@@ -354,7 +354,7 @@ TEST(Recording, WhatAProcessLeftIsRecoveredOnce) {
   const auto opened = Recording::open(partOf(path));
   ASSERT_FALSE(opened);
   EXPECT_EQ(opened.error().reason, "unfinished");
-  const auto over = Recorder::create(path, {"test", ""});
+  const auto over = Recorder::create(path, {"test", "", ""});
   ASSERT_FALSE(over);
   EXPECT_EQ(over.error().reason, "unfinished");
   std::ofstream(path) << "in the way";
@@ -411,7 +411,7 @@ TEST(Recording, WhatIsNoneIsRefusedWithAReason) {
   EXPECT_EQ(reason(workshop / "text.palpate"), "no-recording");
   std::ofstream(workshop / "nothing.palpate");
   EXPECT_EQ(reason(workshop / "nothing.palpate"), "no-recording");
-  const auto folder = Recorder::create("/proc/self/r.palpate", {"test", ""});
+  const auto folder = Recorder::create("/proc/self/r.palpate", {"test", "", ""});
   ASSERT_FALSE(folder);
   EXPECT_EQ(folder.error().reason, "unwritable");
 }

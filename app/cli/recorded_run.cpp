@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/recorded_run.h"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+#include "app/cli/sources.h"
+#include "app/recording/facts.h"
+#ifdef PALPATE_READERS
+#include "app/recording/volume_hash.h"
+#endif
+
+namespace app::cli {
+
+using haptics::Expected;
+
+Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& path,
+                                                          haptics::ClosedLoop& loop,
+                                                          std::string tool) {
+  const auto target = writableTarget(path);
+  if (!target) return tl::unexpected(target.error());
+  auto recorder = haptics::Recorder::create(*target, recordingFacts());
+  if (!recorder) return tl::unexpected(recorder.error());
+  const auto id = static_cast<std::uint32_t>(loop.scene->id);
+  (*recorder)->describe(loop.scene, std::move(tool));
+#ifdef PALPATE_READERS
+  nameApplication();
+  if (const auto hash = hashOf(*loop.scene->volume, installationKey(), false))
+    (*recorder)->identify(id, *hash);
+#endif
+  loop.on_start = [&ring = (*recorder)->ring(), id, limits = loop.limits](const haptics::Pose& X) {
+    ring.start({.scene = id, .X_WP = X, .limits = limits, .safety = {}});
+  };
+  return std::unique_ptr<RecordedRun>(new RecordedRun(std::move(*recorder), loop));
+}
+
+void RecordedRun::write(const haptics::TraceRow& row) {
+  haptics::StepRing& ring = recorder_->ring();
+  while (ring.full() && recorder_->status().failure.empty()) {
+    recorder_->hurry();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  haptics::Step step;
+  step.time_ns = std::llround(double(ticks_++) * loop_.period * 1e9);
+  step.X_WD = row.X_WD;
+  step.X_WP = row.X_WP;
+  step.sent_W = row.sent_W;
+  step.settings = {loop_.isovalue, loop_.coupling.stiffness, loop_.coupling.angular_stiffness,
+                   loop_.coupling.friction};
+  step.scene = static_cast<std::uint32_t>(loop_.scene->id);
+  step.cut_at = row.cut_at;
+  step.cpu_ns = row.cpu_ns;
+  step.force_state = row.force_state;
+  step.flags = haptics::StepFlags::kArmed;
+  step.contacts = row.bearing;
+  ring.push(step);
+}
+
+Expected<nlohmann::ordered_json> RecordedRun::finish() {
+  const auto finished = recorder_->finish();
+  if (!finished) return tl::unexpected(finished.error());
+  const haptics::RecorderStatus status = recorder_->status();
+  std::error_code ignored;
+  const auto bytes = std::filesystem::file_size(*finished, ignored);
+  return nlohmann::ordered_json{
+      {"steps", status.steps},
+      {"lost", status.lost},
+      {"bytes", bytes},
+      {"bytes_per_step", status.steps > 0 ? double(bytes) / double(status.steps) : 0.0}};
+}
+
+}  // namespace app::cli

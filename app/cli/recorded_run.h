@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "app/cli/outcome.h"
+#include "haptics/recording/recorder.h"
+#include "haptics/simulation/closed_loop.h"
+
+namespace app::cli {
+
+/// Records a closed loop as a session is recorded. Whoever runs the loop can wait: nothing is lost.
+class RecordedRun {
+ public:
+  /// `tool` names one of ours, or is empty. The loop must outlive the run.
+  static haptics::Expected<std::unique_ptr<RecordedRun>> begin(const std::string& path,
+                                                               haptics::ClosedLoop& loop,
+                                                               std::string tool);
+  void write(const haptics::TraceRow& row);
+  /// Names the file when it is whole; tells what is in it.
+  haptics::Expected<nlohmann::ordered_json> finish();
+
+ private:
+  RecordedRun(std::unique_ptr<haptics::Recorder> recorder, const haptics::ClosedLoop& loop)
+      : recorder_{std::move(recorder)}, loop_{loop} {}
+  std::unique_ptr<haptics::Recorder> recorder_;
+  const haptics::ClosedLoop& loop_;
+  std::int64_t ticks_ = 0;
+};
+
+}  // namespace app::cli

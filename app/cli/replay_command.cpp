@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
+#include <optional>
+
+#include "app/cli/commands.h"
+#include "app/cli/sources.h"
+#include "app/recording/facts.h"
+#include "haptics/recording/replay.h"
+#ifdef PALPATE_READERS
+#include "app/recording/volume_hash.h"
+#endif
+
+namespace app::cli {
+namespace {
+
+struct ReplayOptions {
+  std::string file = {};
+  VolumeChoice volume;
+};
+
+/// Whether a volume lies where the recorded one lay, voxel for voxel.
+bool liesLike(const haptics::Volume& recorded, const haptics::Volume& given) {
+  return recorded.grid.dims == given.grid.dims && recorded.type == given.type &&
+         recorded.grid.spacing == given.grid.spacing && recorded.grid.origin == given.grid.origin &&
+         recorded.grid.direction == given.grid.direction;
+}
+
+std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume) {
+#ifdef PALPATE_READERS
+  nameApplication();
+  return hashOf(volume, installationKey(), false);
+#else
+  (void)volume;
+  return {};
+#endif
+}
+
+Outcome replay(const ReplayOptions& options) {
+  if (options.volume.path.empty() == options.volume.phantom.empty())
+    return usage("replay needs either --volume or --phantom: a recording holds no voxels.");
+  auto recording = haptics::Recording::open(options.file);
+  if (!recording) return refused(recording.error());
+  const auto volume = loadVolume(options.volume);
+  if (!volume) return refused(volume.error());
+
+  const auto hash = hashHere(**volume);
+  bool fits = false, known = true, same = true;
+  for (const haptics::RecordedScene& scene : recording->scenes()) {
+    if (!liesLike(scene.volume, **volume)) continue;
+    fits = true;
+    known = known && hash && scene.hash;
+    same = same && (!hash || !scene.hash || *hash == *scene.hash);
+  }
+  if (!fits)
+    return refused({haptics::Error::Kind::Unsupported,
+                    "The volume is not the one that was recorded: its voxels are others in number, "
+                    "place or type; give the one that was touched.",
+                    "another-volume"});
+  std::optional<haptics::Error> failed;
+  std::shared_ptr<const haptics::Scene> last;
+  const auto sceneOf = [&](std::uint32_t id) -> std::shared_ptr<const haptics::Scene> {
+    const haptics::RecordedScene* then = recording->scene(id);
+    if (then == nullptr || !liesLike(then->volume, **volume)) return nullptr;
+    auto made = haptics::makeScene(*volume, then->tool, then->options, last.get());
+    if (!made) {
+      failed = made.error();
+      return nullptr;
+    }
+    return last = *made;
+  };
+  const auto difference =
+      haptics::replay(*recording, sceneOf, [](double) { return !interrupted(); });
+  if (!difference) {
+    if (difference.error().reason == "cancelled")
+      return {Exit::Interrupted, {}, {}, "Stopped; nothing is told of a part."};
+    return refused(difference.error());
+  }
+  if (failed) return refused(*failed);
+
+  const haptics::RecordingFacts here = recordingFacts();
+  Outcome outcome;
+  outcome.json["steps"] = difference->steps;
+  outcome.json["skipped"] = difference->skipped;
+  outcome.json["differing"] = difference->differing;
+  if (difference->first) outcome.json["first_differing"] = *difference->first;
+  outcome.json["max_distance_mm"] = difference->distance * 1e3;
+  outcome.json["max_angle_rad"] = difference->angle;
+  outcome.json["max_force_N"] = difference->force;
+  outcome.json["max_torque_Nm"] = difference->torque;
+  outcome.json["volume"] = !same ? "another" : known ? "same" : "unknown";
+  outcome.json["recorded_by"] = recording->version();
+  outcome.json["same_build"] = recording->build() == here.build;
+  outcome.json["recorded_vectors"] = recording->vectors();
+  if (difference->steps == 0) {
+    outcome.code = Exit::Refused;
+    outcome.error = "Nothing could be replayed: no step was recorded in this volume.";
+  } else if (difference->differing > 0) {
+    outcome.code = Exit::Failed;
+    outcome.error = same ? "The replay differs from what was recorded."
+                         : "The replay differs from what was recorded; its volume was another.";
+  }
+  return outcome;
+}
+
+Outcome recover(const std::string& file) {
+  const auto recovered = haptics::recover(file);
+  if (!recovered) return refused(recovered.error());
+  auto recording = haptics::Recording::open(*recovered);
+  if (!recording) return refused(recording.error());
+  Outcome outcome;
+  outcome.json["file"] = recovered->string();
+  outcome.json["steps"] = recording->stepCount();
+  outcome.json["lost"] = recording->lostCount();
+  outcome.json["seconds"] = recording->end() - recording->begin();
+  return outcome;
+}
+
+}  // namespace
+
+void addReplay(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<ReplayOptions>();
+  CLI::App* command = program.add_subcommand(
+      "replay", "Drive today's algorithm along a recorded path, and compare");
+  command->add_option("file", options->file, "A recording")->required();
+  auto* path =
+      command->add_option("--volume", options->volume.path,
+                          "What was touched: DICOM folder or file, NRRD, MetaImage, NIfTI");
+  command->add_option("--phantom", options->volume.phantom, "A named phantom")->excludes(path);
+  addReading(*command, options->volume);
+  command->callback([options, &chosen] { chosen = [options] { return replay(*options); }; });
+}
+
+void addRecover(CLI::App& program, Chosen& chosen) {
+  auto file = std::make_shared<std::string>();
+  CLI::App* command =
+      program.add_subcommand("recover", "Bring back what an unfinished recording holds");
+  command->add_option("file", *file, "NAME.palpate.part")->required();
+  command->callback([file, &chosen] { chosen = [file] { return recover(*file); }; });
+}
+
+}  // namespace app::cli
