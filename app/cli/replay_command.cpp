@@ -18,13 +18,6 @@ struct ReplayOptions {
   VolumeChoice volume;
 };
 
-/// Whether a volume lies where the recorded one lay, voxel for voxel.
-bool liesLike(const haptics::Volume& recorded, const haptics::Volume& given) {
-  return recorded.grid.dims == given.grid.dims && recorded.type == given.type &&
-         recorded.grid.spacing == given.grid.spacing && recorded.grid.origin == given.grid.origin &&
-         recorded.grid.direction == given.grid.direction;
-}
-
 std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume) {
 #ifdef PALPATE_READERS
   nameApplication();
@@ -46,7 +39,7 @@ Outcome replay(const ReplayOptions& options) {
   const auto hash = hashHere(**volume);
   bool fits = false, known = true, same = true;
   for (const haptics::RecordedScene& scene : recording->scenes()) {
-    if (!liesLike(scene.volume, **volume)) continue;
+    if (!haptics::liesLike(scene.volume, **volume)) continue;
     fits = true;
     known = known && hash && scene.hash;
     same = same && (!hash || !scene.hash || *hash == *scene.hash);
@@ -60,7 +53,7 @@ Outcome replay(const ReplayOptions& options) {
   std::shared_ptr<const haptics::Scene> last;
   const auto sceneOf = [&](std::uint32_t id) -> std::shared_ptr<const haptics::Scene> {
     const haptics::RecordedScene* then = recording->scene(id);
-    if (then == nullptr || !liesLike(then->volume, **volume)) return nullptr;
+    if (then == nullptr || !haptics::liesLike(then->volume, **volume)) return nullptr;
     auto made = haptics::makeScene(*volume, then->tool, then->options, last.get());
     if (!made) {
       failed = made.error();

@@ -22,9 +22,14 @@ tl::unexpected<Error> damaged() {
                               "damaged"});
 }
 
-}  // namespace
+tl::unexpected<Error> empty(const fs::path& path) {
+  return tl::unexpected(Error{Error::Kind::Malformed,
+                              "\"" + path.string() + "\" holds no step; nothing was recorded.",
+                              "empty"});
+}
 
-Expected<Recording> Recording::open(const fs::path& path) {
+/// A finished recording that this Palpate can read.
+Expected<Database> opened(const fs::path& path) {
   const auto refused = [&](Error::Kind kind, const std::string& what, const char* reason) {
     return tl::unexpected(Error{kind, "\"" + path.string() + "\" " + what, reason});
   };
@@ -45,6 +50,14 @@ Expected<Recording> Recording::open(const fs::path& path) {
   if (database->integer("PRAGMA user_version") > kFormat)
     return refused(Error::Kind::Unsupported, "was recorded by a later Palpate; use that one.",
                    "newer");
+  return database;
+}
+
+}  // namespace
+
+Expected<Recording> Recording::open(const fs::path& path) {
+  auto database = opened(path);
+  if (!database) return tl::unexpected(database.error());
   Recording recording{std::move(*database)};
   Statement meta = recording.database_.prepare("SELECT key, value FROM meta LIMIT 100");
   while (meta.step() == Statement::Step::Row) {
@@ -57,8 +70,7 @@ Expected<Recording> Recording::open(const fs::path& path) {
   if (auto read = recording.readBlocks(); !read) return tl::unexpected(read.error());
   if (auto read = recording.readEvents(); !read) return tl::unexpected(read.error());
   if (auto read = recording.readScenes(); !read) return tl::unexpected(read.error());
-  if (recording.blocks_.empty())
-    return refused(Error::Kind::Malformed, "holds no step; nothing was recorded.", "empty");
+  if (recording.blocks_.empty()) return empty(path);
   return recording;
 }
 
@@ -177,6 +189,28 @@ Expected<void> Recording::forEach(double from, double to,
     }
   }
   return {};
+}
+
+Expected<RecordingSummary> summaryOf(const fs::path& path) {
+  auto database = opened(path);
+  if (!database) return tl::unexpected(database.error());
+  RecordingSummary summary;
+  Statement steps = database->prepare("SELECT sum(count), min(from_ns), max(to_ns) FROM step");
+  if (steps.step() != Statement::Step::Row) return damaged();
+  if (steps.isNull(0)) return empty(path);
+  summary.steps = steps.integer(0);
+  summary.duration = (steps.real(2) - steps.real(1)) * 1e-9;
+  Statement tool = database->prepare("SELECT tool FROM scene ORDER BY id LIMIT 1");
+  if (tool.step() == Statement::Step::Row) summary.tool = tool.text(0);
+  std::error_code error;
+  summary.bytes = static_cast<std::int64_t>(fs::file_size(path, error));
+  return summary;
+}
+
+bool liesLike(const Volume& one, const Volume& other) {
+  return one.grid.dims == other.grid.dims && one.type == other.type &&
+         one.grid.spacing == other.grid.spacing && one.grid.origin == other.grid.origin &&
+         one.grid.direction == other.grid.direction;
 }
 
 }  // namespace haptics

@@ -74,4 +74,18 @@ class Recording {
   std::vector<RecordedScene> scenes_;
 };
 
+/// What a list of recordings tells of one.
+struct RecordingSummary {
+  std::int64_t steps = 0;
+  double duration = 0.0;  ///< s
+  std::string tool;       ///< of the first scene; empty: a file's
+  std::int64_t bytes = 0;
+};
+
+/// Without reading the steps; refuses as Recording::open does.
+Expected<RecordingSummary> summaryOf(const std::filesystem::path& path);
+
+/// Whether two volumes have as many voxels, of the same type, in the same places.
+bool liesLike(const Volume& one, const Volume& other);
+
 }  // namespace haptics

@@ -11,6 +11,7 @@ inline constexpr const char* kSchema = R"(
 CREATE TABLE meta (key TEXT PRIMARY KEY, value ANY NOT NULL) STRICT, WITHOUT ROWID;
 CREATE TABLE step (first INTEGER PRIMARY KEY, count INTEGER NOT NULL, from_ns INTEGER NOT NULL,
   to_ns INTEGER NOT NULL, data BLOB NOT NULL) STRICT;
+CREATE INDEX step_times ON step (first, count, from_ns, to_ns);
 CREATE TABLE contact (first INTEGER PRIMARY KEY, count INTEGER NOT NULL, data BLOB NOT NULL) STRICT;
 CREATE TABLE event (id INTEGER PRIMARY KEY, sequence INTEGER NOT NULL, time_ns INTEGER NOT NULL,
   kind TEXT NOT NULL, value REAL, text TEXT) STRICT;
