@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the seeds of recording_fuzz: a small recording, a torn one, and each part by itself.
+
+Usage: make_recording_seeds.py [FOLDER]   (default: corpus/recording, beside this file)
+"""
+import json
+import pathlib
+import re
+import sqlite3
+import struct
+import sys
+import tempfile
+import zlib
+
+HERE = pathlib.Path(__file__).resolve().parent
+SCHEMA = re.search(r'R"\((.*?)\)"', (HERE / "../../haptics/recording/schema.h").read_text(),
+                   re.S).group(1)
+# widths of the columns of a step and of a contact, as haptics/recording/block.cpp has them
+STEP_WIDTH = 36 * 8 + 3 * 4 + 3
+CONTACT_WIDTH = 7 * 4
+
+START = json.dumps({
+    "scene": 1, "proxy": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], "turn": [0, 0, 0],
+    "limits": [12, None, 1, 0.02], "force_state": 2, "gain": 1, "slewing": False, "slew_left": 0,
+    "sent_force": [0, 0, 0], "sent_torque": [0, 0, 0]})
+SETTINGS = json.dumps({
+    "field": "trilinear", "normal": "central",
+    "plan": {name: True for name in ("free_space", "empty_space", "unspent_room", "far_gradients",
+                                     "central_differences", "still_rows")},
+    "epsilon": 0.05, "sub_steps": 8, "points": 1, "vertices": 1, "triangles": 0,
+    "shell_radius_m": 0.001, "shell_inertia_m2": [1, 0, 0, 0, 1, 0, 0, 0, 1],
+    "shell_spacing_m": 0})
+VOLUME = json.dumps({
+    "dims": [8, 8, 8], "spacing_m": [0.001] * 3, "origin_m": [0, 0, 0],
+    "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1], "scalar": "int16", "least": 0, "greatest": 100,
+    "unit": "HU", "modality": "CT", "orientation_known": True, "resampled": False})
+POINT = struct.pack("<3d", 0.0, 0.0, 0.001)
+
+
+def recording(steps=3, contacts=2):
+    """A whole file, of the smallest pages."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "r"
+        base = sqlite3.connect(path)
+        base.executescript("PRAGMA page_size = 512; PRAGMA application_id = 1346456656;"
+                           "PRAGMA user_version = 1;" + SCHEMA)
+        base.executemany("INSERT INTO meta VALUES (?, ?)",
+                         [("palpate", "0.1.0"), ("build", "x"), ("vectors", "AVX2")])
+        base.execute("INSERT INTO step VALUES (0, ?, 0, ?, ?)",
+                     (steps, steps, zlib.compress(bytes(steps * STEP_WIDTH))))
+        if contacts:
+            base.execute("INSERT INTO contact VALUES (0, ?, ?)",
+                         (contacts, zlib.compress(bytes(contacts * CONTACT_WIDTH))))
+        base.execute("INSERT INTO event VALUES (1, 0, 0, 'start', NULL, ?)", (START,))
+        base.execute("INSERT INTO event VALUES (2, 0, 0, 'isovalue', 300.0, NULL)")
+        point = zlib.compress(POINT)
+        base.execute("INSERT INTO scene VALUES (1, 'probe', ?, ?, NULL, ?, ?, ?)",
+                     (SETTINGS, VOLUME, point, point, zlib.compress(b"")))
+        base.commit()
+        base.close()
+        return path.read_bytes()
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE / "corpus/recording")
+    folder.mkdir(parents=True, exist_ok=True)
+    whole = recording(contacts=0)
+    seeds = {
+        "file": b"\0" + whole,
+        "file-contacts": b"\0" + recording(),
+        "file-torn": b"\0" + whole[: len(whole) // 2],
+        "part": b"\1" + whole,
+        "start": b"\2" + START.encode(),
+        "scene": b"\3" + SETTINGS.encode() + b"\n" + VOLUME.encode() + b"\n" + POINT,
+        "block": b"\4" + bytes([2, 0, 0, 0]) + bytes(2 * STEP_WIDTH),
+        "block-contacts": b"\4" + bytes([1, 1, 0, 7]) + bytes(CONTACT_WIDTH + STEP_WIDTH - 1) + b"\1",
+        "text": b"\0this is no recording",
+    }
+    for name, seed in seeds.items():
+        (folder / name).write_bytes(seed)
+
+
+main()
