@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/export_question.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QVBoxLayout>
+#include <array>
+
+#include "ui/panels/time_words.h"
+
+namespace ui {
+namespace {
+
+using Format = ExportWish::Format;
+using Camera = ExportWish::Film::Camera;
+
+constexpr double kFastest = 1000.0;  // Hz: a step each
+constexpr double kUsualRate = 100.0;
+constexpr std::array<QSize, 2> kSizes{QSize{1280, 720}, QSize{1920, 1080}};
+
+QString aboutFormat(Format format) {
+  switch (format) {
+    case Format::Csv:
+      return ExportDialog::tr("Tables as text, laid out as Motion-BIDS asks.");
+    case Format::Hdf5:
+      return ExportDialog::tr("One file of arrays, for programs that compute.");
+    case Format::Mcap:
+      return ExportDialog::tr("One file of messages over time, for viewers of robots' logs.");
+    case Format::Film:
+      break;
+  }
+  return ExportDialog::tr("A film of the 3-D view.");
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(double begin, double end, QWidget* parent)
+    : QDialog(parent),
+      begin_(begin),
+      end_(end),
+      formats_(new QComboBox),
+      about_(new QLabel),
+      from_(timeSpin("exportFrom", begin)),
+      to_(timeSpin("exportTo", end)),
+      range_(new QLabel),
+      every_step_(new QRadioButton(tr("every step"))),
+      at_rate_(new QRadioButton(tr("at"))),
+      rate_(new QDoubleSpinBox),
+      contacts_(new QCheckBox(tr("With the contacts of each step"))),
+      cameras_(new QComboBox),
+      sizes_(new QComboBox),
+      frame_rates_(new QComboBox),
+      figures_(new QCheckBox(tr("Write force and time into the picture"))) {
+  setWindowTitle(tr("Export a recording"));
+  formats_->setObjectName("exportFormat");
+  formats_->addItem(tr("CSV (Motion-BIDS)"), static_cast<int>(Format::Csv));
+  formats_->addItem(tr("HDF5"), static_cast<int>(Format::Hdf5));
+  formats_->addItem(tr("MCAP"), static_cast<int>(Format::Mcap));
+  formats_->addItem(tr("Film"), static_cast<int>(Format::Film));
+  from_->setAccessibleName(tr("From"));
+  to_->setAccessibleName(tr("To"));
+  range_->setObjectName("exportRange");
+  range_->setWordWrap(true);
+  // room for two lines from the start, so that nothing jumps
+  range_->setMinimumSize(360, 2 * fontMetrics().lineSpacing());
+  range_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  samples_ = buildSamples();
+  film_ = buildFilm();
+
+  auto* times = new QHBoxLayout;
+  times->addWidget(from_, 1);
+  times->addWidget(new QLabel(tr("to")));
+  times->addWidget(to_, 1);
+  auto* form = new QFormLayout;
+  form->addRow(tr("Format"), formats_);
+  form->addRow(QString{}, about_);
+  form->addRow(tr("From"), times);
+  form->addRow(QString{}, range_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  export_ = buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole);
+  export_->setObjectName("exportAgree");
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(form);
+  column->addWidget(samples_);
+  column->addWidget(film_);
+  column->addStretch();
+  column->addWidget(buttons);
+  column->setSizeConstraint(QLayout::SetFixedSize);
+
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(formats_, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
+  connect(frame_rates_, &QComboBox::currentIndexChanged, this, &ExportDialog::showRange);
+  for (QDoubleSpinBox* spin : {from_, to_})
+    connect(spin, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showRange);
+  export_->setDefault(true);  // known to the dialog only now
+  showFormat();
+}
+
+QDoubleSpinBox* ExportDialog::timeSpin(const char* name, double value) {
+  auto* spin = new QDoubleSpinBox;
+  spin->setObjectName(name);
+  spin->setDecimals(3);
+  spin->setSuffix(tr(" s"));
+  spin->setRange(begin_, end_);
+  spin->setValue(value);
+  return spin;
+}
+
+QWidget* ExportDialog::buildSamples() {
+  every_step_->setObjectName("exportEveryStep");
+  at_rate_->setObjectName("exportAtRate");
+  every_step_->setChecked(true);
+  rate_->setObjectName("exportRate");
+  rate_->setDecimals(1);
+  rate_->setRange(0.1, kFastest);
+  rate_->setValue(kUsualRate);
+  rate_->setSuffix(tr(" Hz"));
+  rate_->setAccessibleName(tr("Rate"));
+  rate_->setEnabled(false);
+  connect(at_rate_, &QRadioButton::toggled, rate_, &QWidget::setEnabled);
+  contacts_->setObjectName("exportContacts");
+  contacts_->setChecked(true);
+
+  auto* rates = new QHBoxLayout;
+  rates->addWidget(every_step_);
+  rates->addWidget(at_rate_);
+  rates->addWidget(rate_, 1);
+  auto* all = new QWidget;
+  auto* form = new QFormLayout(all);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(tr("Samples"), rates);
+  form->addRow(contacts_);
+  return all;
+}
+
+QWidget* ExportDialog::buildFilm() {
+  cameras_->setObjectName("filmCamera");
+  cameras_->addItem(tr("as it was recorded"), static_cast<int>(Camera::AsRecorded));
+  cameras_->addItem(tr("fixed, as it is now"), static_cast<int>(Camera::Fixed));
+  sizes_->setObjectName("filmSize");
+  for (const QSize size : kSizes)
+    sizes_->addItem(tr("%1 × %2").arg(size.width()).arg(size.height()), size);
+  frame_rates_->setObjectName("filmRate");
+  for (const int rate : {30, 60}) frame_rates_->addItem(tr("%1 a second").arg(rate), rate);
+  figures_->setObjectName("filmFigures");
+  figures_->setChecked(true);
+
+  auto* all = new QWidget;
+  auto* form = new QFormLayout(all);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(tr("Camera"), cameras_);
+  form->addRow(tr("Size"), sizes_);
+  form->addRow(tr("Frames"), frame_rates_);
+  form->addRow(figures_);
+  return all;
+}
+
+void ExportDialog::showFormat() {
+  const Format format = wish().format;
+  about_->setText(aboutFormat(format));
+  samples_->setVisible(format != Format::Film);
+  film_->setVisible(format == Format::Film);
+  showRange();
+}
+
+void ExportDialog::showRange() {
+  const ExportWish wished = wish();
+  // a recording of one step has no length, and is whole
+  const bool whole = wished.from == begin_ && wished.to == end_;
+  const bool sound = wished.from < wished.to || whole;
+  export_->setEnabled(sound);
+  if (!sound) return range_->setText(tr("The end does not come after the beginning."));
+  const double length = wished.to - wished.from;
+  QString words = whole ? tr("All of it: %1 min").arg(clockTime(length, 3))
+                        : tr("A part of it: %1 min").arg(clockTime(length, 3));
+  if (wished.format == Format::Film)
+    words = tr("%1, %2 pictures").arg(words).arg(qRound64(length * wished.film.frames_per_second));
+  range_->setText(words);
+}
+
+ExportWish ExportDialog::wish() const {
+  ExportWish wish;
+  wish.format = static_cast<Format>(formats_->currentData().toInt());
+  // the fields round to milliseconds: at an end of theirs it is the recording's own
+  wish.from = from_->value() == from_->minimum() ? begin_ : from_->value();
+  wish.to = to_->value() == to_->maximum() ? end_ : to_->value();
+  if (at_rate_->isChecked()) wish.rate = rate_->value();
+  wish.contacts = contacts_->isChecked();
+  wish.film.camera = static_cast<Camera>(cameras_->currentData().toInt());
+  const QSize size = sizes_->currentData().toSize();
+  wish.film.width = size.width();
+  wish.film.height = size.height();
+  wish.film.frames_per_second = frame_rates_->currentData().toInt();
+  wish.film.figures = figures_->isChecked();
+  return wish;
+}
+
+std::optional<ExportWish> askForExport(QWidget* parent, double begin, double end) {
+  ExportDialog dialog(begin, end, parent);
+  if (dialog.exec() != QDialog::Accepted) return {};
+  return dialog.wish();
+}
+
+}  // namespace ui

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QDialog>
+#include <optional>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QRadioButton;
+class QSpinBox;
+
+namespace ui {
+
+/// What a recording is to be exported as. Times are the recording's own, s.
+struct ExportWish {
+  enum class Format { Csv, Hdf5, Mcap, Film };
+  struct Film {
+    enum class Camera {
+      AsRecorded,
+      Fixed  ///< where it is now
+    };
+    Camera camera = Camera::AsRecorded;
+    int width = 1280, height = 720;  ///< pixels
+    int frames_per_second = 30;
+    bool figures = true;  ///< force and time are written into the picture
+  };
+  Format format = Format::Csv;
+  double from = 0.0, to = 0.0;
+  std::optional<double> rate = {};  ///< Hz; none: every step. Not of a film
+  bool contacts = true;             ///< not of a film
+  Film film = {};
+};
+
+/// Asks what to export, all of the recording at first. An empty range cannot be chosen.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// A recording from `begin` to `end`, s.
+  ExportDialog(double begin, double end, QWidget* parent = nullptr);
+  ExportWish wish() const;
+
+ private:
+  QWidget* buildSamples();
+  QWidget* buildFilm();
+  QDoubleSpinBox* timeSpin(const char* name, double value);
+  void showFormat();
+  void showRange();
+
+  double begin_, end_;
+  QComboBox* formats_;
+  QLabel* about_;
+  QDoubleSpinBox* from_;
+  QDoubleSpinBox* to_;
+  QLabel* range_;
+  QRadioButton* every_step_;
+  QRadioButton* at_rate_;
+  QDoubleSpinBox* rate_;
+  QCheckBox* contacts_;
+  QComboBox* cameras_;
+  QComboBox* sizes_;
+  QComboBox* frame_rates_;
+  QCheckBox* figures_;
+  QWidget* samples_ = nullptr;
+  QWidget* film_ = nullptr;
+  QPushButton* export_ = nullptr;
+};
+
+/// Asks until the user agrees or cancels; none: nothing is to be exported.
+std::optional<ExportWish> askForExport(QWidget* parent, double begin, double end);
+
+}  // namespace ui

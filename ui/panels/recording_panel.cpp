@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/recording_panel.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/time_words.h"
+
+namespace ui {
+namespace {
+
+enum Column { Name, Duration, Tool, Size, kColumns };
+
+constexpr int kLongestNote = 200;
+constexpr int kConfirmed_ms = 5'000;
+constexpr double kLittleRoom = 600.0;  // s
+constexpr const char* kWarning = "background: #7a4a00; color: white; padding: 3px;";
+
+QLabel* label(const char* name) {
+  auto* made = new QLabel;
+  made->setObjectName(name);
+  made->setTextFormat(Qt::PlainText);
+  return made;
+}
+
+QLabel* sentence(const char* name) {
+  QLabel* made = label(name);
+  made->setWordWrap(true);
+  made->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  return made;
+}
+
+QString sizeOf(qint64 bytes) {
+  return QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);
+}
+
+QString roomFor(double seconds) {
+  constexpr double kHour = 3600.0;
+  // rounded down: rather too little than too much
+  if (seconds < kHour)
+    return RecordingPanel::tr("room for %1 min").arg(std::floor(std::max(0.0, seconds) / 60.0));
+  const double hours = seconds / kHour;
+  const double shown = hours < 10.0 ? std::floor(hours * 10.0) / 10.0 : std::floor(hours);
+  return RecordingPanel::tr("room for %1 h").arg(QLocale().toString(shown, 'f', hours < 10.0));
+}
+
+QTableWidgetItem* itemOf(const QString& text, Qt::Alignment alignment) {
+  auto* item = new QTableWidgetItem(text);
+  item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
+  item->setTextAlignment(alignment | Qt::AlignVCenter);
+  item->setToolTip(QStringLiteral("<qt>%1</qt>").arg(text.toHtmlEscaped()));
+  return item;
+}
+
+}  // namespace
+
+RecordingPanel::RecordingPanel(QWidget* parent)
+    : QWidget(parent),
+      record_(new QPushButton),
+      elapsed_(label("recordElapsed")),
+      state_(sentence("recordState")),
+      samples_(label("recordSamples")),
+      gaps_(label("recordGaps")),
+      bytes_(label("recordSize")),
+      room_(label("recordRoom")),
+      lost_(sentence("recordLost")),
+      note_(new QLineEdit),
+      mark_(new QPushButton(tr("Mark (M)"))),
+      marked_(label("marked")),
+      mark_action_(new QAction(tr("Mark"), this)),
+      list_(new QTableWidget),
+      open_(new QPushButton),
+      export_(new QPushButton(tr("Export…"))),
+      delete_(new QPushButton(tr("Delete"))) {
+  note_->setObjectName("markNote");
+  note_->setMaxLength(kLongestNote);
+  note_->setPlaceholderText(tr("Note: write no names"));
+  note_->setAccessibleName(tr("Note of the mark"));
+  note_->setToolTip(
+      tr("What is to be found again. Everyone who gets the recording can read it: "
+         "do not write names of patients or staff."));
+  mark_->setObjectName("mark");
+  mark_->setToolTip(tr("Sets a mark at this moment, with the note (M, or Enter in the note)"));
+  mark_action_->setShortcut(Qt::Key_M);
+  mark_action_->setShortcutContext(Qt::ApplicationShortcut);
+  mark_action_->setAutoRepeat(false);
+  auto* marking = new QHBoxLayout;
+  marking->addWidget(note_, 1);
+  marking->addWidget(mark_);
+
+  auto* inside = new QWidget;
+  auto* column = new QVBoxLayout(inside);
+  column->addWidget(buildFigures());
+  column->addLayout(marking);
+  column->addWidget(marked_);
+  column->addWidget(buildList(), 1);
+  // the dock may be lower than all this
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(inside);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(scroll);
+
+  setFocusProxy(record_);
+  confirmation_.setSingleShot(true);
+  connect(&confirmation_, &QTimer::timeout, marked_, &QLabel::clear);
+  connect(mark_, &QPushButton::clicked, this, &RecordingPanel::mark);
+  connect(note_, &QLineEdit::returnPressed, this, &RecordingPanel::mark);
+  connect(mark_action_, &QAction::triggered, this, &RecordingPanel::mark);
+  showState();
+  showSelected();
+}
+
+QWidget* RecordingPanel::buildFigures() {
+  record_->setObjectName("record");
+  record_->setCheckable(true);
+  // not red: that is the button that takes the force away
+  record_->setStyleSheet(
+      "QPushButton { padding: 4px 14px; }"
+      "QPushButton:checked { background: #1d5fa8; color: white; font-weight: bold; }");
+  connect(record_, &QPushButton::clicked, this, [this] {
+    const bool records = status_.state == RecordingStatus::State::Recording;
+    record_->setChecked(records);  // until it is told otherwise
+    emit recordWanted(!records);
+  });
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.6);
+  large.setBold(true);
+  elapsed_->setFont(large);
+  elapsed_->setAccessibleName(tr("Time recorded"));
+  lost_->setStyleSheet(kWarning);
+
+  auto* figures = new QWidget;
+  auto* grid = new QGridLayout(figures);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->addWidget(record_, 0, 0, 1, 2);
+  grid->addWidget(elapsed_, 0, 2, 1, 2, Qt::AlignRight);
+  grid->addWidget(state_, 1, 0, 1, 4);
+  grid->addWidget(new QLabel(tr("Samples")), 2, 0);
+  grid->addWidget(samples_, 2, 1);
+  grid->addWidget(new QLabel(tr("Gaps")), 2, 2);
+  grid->addWidget(gaps_, 2, 3, Qt::AlignRight);
+  grid->addWidget(new QLabel(tr("Size")), 3, 0);
+  grid->addWidget(bytes_, 3, 1);
+  grid->addWidget(room_, 3, 2, 1, 2, Qt::AlignRight);
+  grid->addWidget(lost_, 4, 0, 1, 4);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  return figures;
+}
+
+QWidget* RecordingPanel::buildList() {
+  list_->setObjectName("recordings");
+  list_->setAccessibleName(tr("Recordings"));
+  list_->setColumnCount(kColumns);
+  list_->setHorizontalHeaderLabels({tr("Name"), tr("Duration"), tr("Tool"), tr("Size")});
+  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  list_->setSelectionMode(QAbstractItemView::SingleSelection);
+  list_->setTabKeyNavigation(false);
+  list_->setShowGrid(false);
+  list_->setTextElideMode(Qt::ElideMiddle);
+  list_->setWordWrap(false);
+  // it takes what height is left, down to this
+  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  list_->setMinimumHeight(110);
+  list_->verticalHeader()->hide();
+  list_->verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() + 6);
+  list_->horizontalHeader()->setHighlightSections(false);
+  list_->horizontalHeader()->setMinimumSectionSize(30);
+  list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list_->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+  open_->setObjectName("openRecording");
+  export_->setObjectName("exportRecording");
+  delete_->setObjectName("deleteRecording");
+  auto* row = new QHBoxLayout;
+  for (QPushButton* button : {open_, export_, delete_}) row->addWidget(button);
+
+  auto* all = new QWidget;
+  auto* column = new QVBoxLayout(all);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(list_, 1);
+  column->addLayout(row);
+  connect(list_, &QTableWidget::itemSelectionChanged, this, &RecordingPanel::showSelected);
+  connect(list_, &QTableWidget::cellActivated, this, &RecordingPanel::openSelected);
+  connect(open_, &QPushButton::clicked, this, &RecordingPanel::openSelected);
+  connect(export_, &QPushButton::clicked, this, [this] {
+    if (const PastRecording* recording = selected()) emit exportWanted(recording->id);
+  });
+  connect(delete_, &QPushButton::clicked, this, &RecordingPanel::askToDelete);
+  return all;
+}
+
+void RecordingPanel::setReady(bool ready) {
+  ready_ = ready;
+  showState();
+}
+
+void RecordingPanel::show(const RecordingStatus& status) {
+  status_ = status;
+  showState();
+}
+
+void RecordingPanel::showState() {
+  using State = RecordingStatus::State;
+  const bool records = status_.state == State::Recording;
+  record_->setText(records ? tr("&Stop") : tr("&Record"));
+  record_->setChecked(records);
+  // what has begun can be ended whatever else is
+  record_->setEnabled(records || (ready_ && status_.state != State::Finishing));
+  mark_action_->setEnabled(records);
+  mark_->setEnabled(records);
+  note_->setEnabled(records);
+  switch (status_.state) {
+    case State::Off:
+      state_->setText(tr("Not recording"));
+      break;
+    case State::Recording:
+      state_->setText(tr("Recording"));
+      break;
+    case State::Finishing:
+      state_->setText(tr("Finishing…"));
+      break;
+    case State::Stopped:
+      state_->setText(tr("Stopped by itself: %1").arg(status_.failure));
+      break;
+  }
+  const auto warn = [](QLabel* words, bool on) {
+    const QString style = on ? QString::fromLatin1(kWarning) : QString{};
+    if (words->styleSheet() != style) words->setStyleSheet(style);
+  };
+  warn(state_, status_.state == State::Stopped);
+  elapsed_->setText(clockTime(status_.elapsed, 1));
+  samples_->setText(QLocale().toString(status_.samples));
+  gaps_->setText(QLocale().toString(status_.gaps));
+  warn(gaps_, status_.gaps != 0);
+  lost_->setText(tr("%1 samples were lost: the recording is not whole.")
+                     .arg(QLocale().toString(status_.gaps)));
+  lost_->setVisible(status_.gaps != 0);
+  bytes_->setText(sizeOf(status_.bytes));
+  room_->setText(status_.room ? roomFor(*status_.room) : QString{});
+  warn(room_, status_.room && *status_.room < kLittleRoom);
+}
+
+void RecordingPanel::mark() {
+  if (status_.state != RecordingStatus::State::Recording) return;
+  const QString note = note_->text().trimmed();
+  note_->clear();
+  marked_->setText(tr("Marked at %1").arg(clockTime(status_.elapsed, 1)));
+  confirmation_.start(kConfirmed_ms);
+  emit markWanted(note);
+}
+
+void RecordingPanel::show(const QList<PastRecording>& recordings) {
+  std::optional<QString> before;
+  if (const PastRecording* recording = selected()) before = recording->id;
+  recordings_ = recordings;
+  const QSignalBlocker quiet(list_);
+  list_->clearSelection();
+  list_->setRowCount(static_cast<int>(recordings_.size()));
+  for (int row = 0; row < list_->rowCount(); ++row) {
+    const PastRecording& recording = recordings_[row];
+    const QString duration =
+        recording.finished ? clockTime(recording.duration, 1) : tr("unfinished");
+    list_->setItem(row, Name, itemOf(recording.name, Qt::AlignLeft));
+    list_->setItem(row, Duration, itemOf(duration, Qt::AlignRight));
+    list_->setItem(row, Tool, itemOf(recording.tool, Qt::AlignLeft));
+    list_->setItem(row, Size, itemOf(sizeOf(recording.bytes), Qt::AlignRight));
+    if (before == recording.id) list_->selectRow(row);
+  }
+  showSelected();
+}
+
+const PastRecording* RecordingPanel::selected() const {
+  const QList<QTableWidgetSelectionRange> ranges = list_->selectedRanges();
+  if (ranges.isEmpty() || ranges.first().topRow() >= recordings_.size()) return nullptr;
+  return &recordings_[ranges.first().topRow()];
+}
+
+void RecordingPanel::showSelected() {
+  const PastRecording* recording = selected();
+  const bool finished = recording == nullptr || recording->finished;
+  open_->setText(finished ? tr("Open") : tr("Recover"));
+  open_->setEnabled(recording != nullptr);
+  export_->setEnabled(recording != nullptr && finished);
+  delete_->setEnabled(recording != nullptr);
+}
+
+void RecordingPanel::openSelected() {
+  const PastRecording* recording = selected();
+  if (recording == nullptr) return;
+  if (recording->finished)
+    emit openWanted(recording->id);
+  else
+    emit recoverWanted(recording->id);
+}
+
+void RecordingPanel::askToDelete() {
+  const PastRecording* recording = selected();
+  if (recording == nullptr) return;
+  const QString id = recording->id;  // the list may change while the question is open
+  QMessageBox question(QMessageBox::Question, tr("Delete it?"),
+                       tr("Delete the recording %1?").arg(recording->name), QMessageBox::Cancel,
+                       this);
+  question.setTextFormat(Qt::PlainText);
+  question.setInformativeText(tr("It cannot be brought back."));
+  const QAbstractButton* agree = question.addButton(tr("Delete"), QMessageBox::DestructiveRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  if (question.clickedButton() == agree) emit deleteWanted(id);
+}
+
+}  // namespace ui

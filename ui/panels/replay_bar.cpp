@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/replay_bar.h"
+
+#include <QComboBox>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <array>
+
+#include "ui/panels/time_words.h"
+
+namespace ui {
+namespace {
+
+constexpr std::array<double, 7> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0};
+
+}  // namespace
+
+ReplayBar::ReplayBar(QWidget* parent)
+    : QFrame(parent),
+      warning_(new QLabel),
+      timeline_(new ReplayTimeline),
+      play_(button("replayPlay", tr("Pause"), tr("Play or pause (Space while the bar has focus)"))),
+      speeds_(new QComboBox),
+      time_(new QLabel) {
+  warning_->setObjectName("replayWarning");
+  warning_->setWordWrap(true);
+  warning_->setTextFormat(Qt::PlainText);
+  warning_->setStyleSheet("background: #7a4a00; color: white; padding: 3px;");
+  warning_->hide();
+  timeline_->setObjectName("replayTimeline");
+  // both words fit, so nothing moves when they change
+  play_->setMinimumWidth(play_->sizeHint().width());
+  auto* back = button("replayBack", tr("−1 tick"), tr("One tick back (Left)"));
+  auto* forward = button("replayForward", tr("+1 tick"), tr("One tick forward (Right)"));
+  back->setAutoRepeat(true);
+  forward->setAutoRepeat(true);
+  back->setAccessibleName(tr("One tick back"));
+  forward->setAccessibleName(tr("One tick forward"));
+  auto* close = button("replayClose", tr("Close"), tr("Back to the live session"));
+  speeds_->setObjectName("replaySpeed");
+  speeds_->setAccessibleName(tr("Speed"));
+  for (const double speed : kSpeeds) speeds_->addItem(tr("%1 ×").arg(speed), speed);
+  speeds_->setCurrentIndex(speeds_->findData(1.0));
+  time_->setObjectName("replayTime");
+  time_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+
+  auto* row = new QHBoxLayout;
+  row->addWidget(play_);
+  row->addWidget(back);
+  row->addWidget(forward);
+  row->addSpacing(8);
+  row->addWidget(new QLabel(tr("Speed")));
+  row->addWidget(speeds_);
+  row->addSpacing(8);
+  row->addWidget(time_);
+  row->addStretch();
+  row->addWidget(close);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 4, 6, 4);
+  column->setSpacing(4);
+  column->addWidget(warning_);
+  column->addWidget(timeline_);
+  column->addLayout(row);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  setFocusProxy(timeline_);
+
+  const auto toggle = [this] { emit playWanted(!playing_); };
+  connect(play_, &QToolButton::clicked, this, toggle);
+  connect(timeline_, &ReplayTimeline::playToggled, this, toggle);
+  connect(timeline_, &ReplayTimeline::timeWanted, this, &ReplayBar::timeWanted);
+  connect(timeline_, &ReplayTimeline::stepWanted, this, &ReplayBar::stepWanted);
+  connect(back, &QToolButton::clicked, this, [this] { emit stepWanted(-1); });
+  connect(forward, &QToolButton::clicked, this, [this] { emit stepWanted(1); });
+  connect(speeds_, &QComboBox::activated, this, [this] { emit speedChosen(speed()); });
+  connect(close, &QToolButton::clicked, this, &ReplayBar::closeWanted);
+  setPlaying(false);
+}
+
+QToolButton* ReplayBar::button(const char* name, const QString& text, const QString& tip) {
+  auto* made = new QToolButton;
+  made->setObjectName(name);
+  made->setText(text);
+  made->setToolTip(tip);
+  made->installEventFilter(this);
+  return made;
+}
+
+bool ReplayBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
+  // on a button, too, the arrows mean ticks and not the button beside it
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key != Qt::Key_Left && key != Qt::Key_Right) return false;
+  emit stepWanted(key == Qt::Key_Left ? -1 : 1);
+  return true;
+}
+
+double ReplayBar::speed() const { return speeds_->currentData().toDouble(); }
+
+void ReplayBar::show(ReplayTrack track) {
+  timeline_->show(std::move(track));
+  setTime(timeline_->track().begin);
+  setPlaying(false);
+  showWarning({});
+  show();
+}
+
+void ReplayBar::setTime(double time) {
+  timeline_->setTime(time);
+  time_->setText(tr("%1 / %2").arg(clockTime(time, 3), clockTime(timeline_->track().end, 3)));
+}
+
+void ReplayBar::setPlaying(bool playing) {
+  playing_ = playing;
+  play_->setText(playing ? tr("Pause") : tr("Play"));
+}
+
+void ReplayBar::showWarning(const QString& sentence) {
+  warning_->setText(sentence);
+  warning_->setVisible(!sentence.isEmpty());
+}
+
+}  // namespace ui

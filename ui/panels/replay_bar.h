@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QFrame>
+
+#include "ui/panels/replay_timeline.h"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace ui {
+
+/// What an open recording is gone through with: timeline, play and pause, single ticks, speed.
+/// Space, Left and Right work while the focus is in it, and nowhere else.
+class ReplayBar : public QFrame {
+  Q_OBJECT
+ public:
+  explicit ReplayBar(QWidget* parent = nullptr);
+
+  /// Another recording, at its begin; it does not play, and there is no warning.
+  void show(ReplayTrack track);
+  using QWidget::show;
+  /// The time that is shown in the views, s, the recording's own.
+  void setTime(double time);
+  void setPlaying(bool playing);
+  /// One sentence on what is not as it was recorded; empty: all is.
+  void showWarning(const QString& sentence);
+
+  ReplayTimeline& timeline() { return *timeline_; }
+  double speed() const;  ///< as chosen; 1 at first
+
+ signals:
+  void playWanted(bool play);
+  void timeWanted(double time);
+  void stepWanted(int ticks);
+  void speedChosen(double factor);
+  void closeWanted();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QToolButton* button(const char* name, const QString& text, const QString& tip);
+
+  QLabel* warning_;
+  ReplayTimeline* timeline_;
+  QToolButton* play_;
+  QComboBox* speeds_;
+  QLabel* time_;
+  bool playing_ = false;
+};
+
+}  // namespace ui

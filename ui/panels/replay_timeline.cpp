@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/replay_timeline.h"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/panels/time_words.h"
+
+namespace ui {
+namespace {
+
+constexpr double kSide = 7.0;   // pixels left and right of the track
+constexpr double kLane = 15.0;  // height of the ticks' heads
+constexpr double kHead = 4.0;   // half a head's width
+constexpr double kReach = 4.0;  // how near the mouse must come to a tick
+constexpr int kMostLines = 8;   // of ticks in one tool tip
+constexpr int kLongestNote = 160;
+
+/// Ticks that look alike.
+enum class Look { Note, Setting, Scene, Force, Loss };
+constexpr std::array<Look, 5> kLooks{Look::Setting, Look::Scene, Look::Force, Look::Loss,
+                                     Look::Note};
+
+struct KindWords {
+  const char* kind;
+  const char* words;
+  Look look;
+  const char* unit;
+};
+constexpr std::array<KindWords, 12> kKinds{{
+    {"mark", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Mark"), Look::Note, ""},
+    {"isovalue", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Isovalue"), Look::Setting, ""},
+    {"stiffness", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Stiffness"), Look::Setting, " N/m"},
+    {"angular_stiffness", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Angular stiffness"),
+     Look::Setting, " N·m/rad"},
+    {"friction", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Friction"), Look::Setting, ""},
+    {"scene", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Scene"), Look::Scene, ""},
+    {"camera", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Camera"), Look::Scene, ""},
+    {"force", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Force"), Look::Force, ""},
+    {"device", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Device"), Look::Force, ""},
+    {"gap", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Gap: samples lost"), Look::Loss, ""},
+    {"late", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Ticks that began late"), Look::Loss, ""},
+    {"missed", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Ticks that were missed"), Look::Loss, ""},
+}};
+
+const KindWords* kindNamed(const QString& kind) {
+  const auto* found = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindWords& words) {
+    return kind == QLatin1String(words.kind);
+  });
+  return found == kKinds.end() ? nullptr : found;
+}
+
+Look lookOf(const QString& kind) {
+  const KindWords* words = kindNamed(kind);
+  return words == nullptr ? Look::Scene : words->look;
+}
+
+// legible on a light and on a dark ground
+QColor colourOf(Look look) {
+  switch (look) {
+    case Look::Note:
+      return {60, 130, 230};
+    case Look::Setting:
+      return {40, 160, 80};
+    case Look::Scene:
+      return {150, 100, 200};
+    case Look::Force:
+      return {215, 140, 20};
+    case Look::Loss:
+      break;
+  }
+  return {225, 50, 50};
+}
+
+QString legend() {
+  return ReplayTimeline::tr(
+      "▼ mark  ◆ setting  ■ scene, camera  ● force, device  × samples lost, ticks late");
+}
+
+QString wordsOf(const ReplayMark& mark) {
+  const KindWords* words = kindNamed(mark.kind);
+  QString text = ReplayTimeline::tr("%1  %2").arg(
+      clockTime(mark.time, 3), words == nullptr ? mark.kind : ReplayTimeline::tr(words->words));
+  if (mark.kind == QLatin1String("force") && mark.value) {
+    const std::array<QString, 4> states{ReplayTimeline::tr("off"), ReplayTimeline::tr("rising"),
+                                        ReplayTimeline::tr("on"), ReplayTimeline::tr("recovering")};
+    const double state = *mark.value;
+    if (state >= 0.0 && state < static_cast<double>(states.size()))
+      return text + ' ' + states[static_cast<std::size_t>(state)];
+  }
+  if (mark.value)
+    text += QStringLiteral(" %1").arg(*mark.value, 0, 'g', 6) +
+            (words == nullptr ? QString{} : QString::fromUtf8(words->unit));
+  if (!mark.note.isEmpty())
+    text += QStringLiteral(": ") + (mark.note.size() > kLongestNote
+                                        ? mark.note.left(kLongestNote) + QStringLiteral("…")
+                                        : mark.note);
+  return text;
+}
+
+void drawHead(QPainter& painter, Look look, QPointF at) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colourOf(look));
+  const auto corner = [&](double x, double y) { return at + QPointF{x, y} * kHead; };
+  switch (look) {
+    case Look::Note:
+      painter.drawPolygon(QPolygonF{{corner(-1.3, -1.3), corner(1.3, -1.3), corner(0, 1.3)}});
+      break;
+    case Look::Setting:
+      painter.drawPolygon(
+          QPolygonF{{corner(0, -1.2), corner(1.2, 0), corner(0, 1.2), corner(-1.2, 0)}});
+      break;
+    case Look::Scene:
+      painter.drawRect(QRectF{corner(-0.9, -0.9), corner(0.9, 0.9)});
+      break;
+    case Look::Force:
+      painter.drawEllipse(at, kHead, kHead);
+      break;
+    case Look::Loss:
+      painter.setPen(QPen(colourOf(look), 2.0));
+      painter.drawLine(corner(-1, -1), corner(1, 1));
+      painter.drawLine(corner(-1, 1), corner(1, -1));
+      break;
+  }
+}
+
+}  // namespace
+
+ReplayTimeline::ReplayTimeline(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("Time in the recording"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void ReplayTimeline::show(ReplayTrack track) {
+  track_ = std::move(track);
+  std::stable_sort(track_.marks.begin(), track_.marks.end(),
+                   [](const ReplayMark& a, const ReplayMark& b) { return a.time < b.time; });
+  held_.reset();
+  ground_ = {};
+  setTime(track_.begin);
+  update();
+}
+
+void ReplayTimeline::setTime(double time) {
+  time_ = time;
+  setAccessibleDescription(tr("%1 of %2").arg(clockTime(time_, 1), clockTime(track_.end, 1)));
+  update();
+}
+
+double ReplayTimeline::xOf(double time) const {
+  const double length = track_.end - track_.begin;
+  const double share = length > 0.0 ? std::clamp((time - track_.begin) / length, 0.0, 1.0) : 0.0;
+  return kSide + share * std::max(1.0, width() - 2.0 * kSide);
+}
+
+double ReplayTimeline::timeAt(double x) const {
+  const double share = std::clamp((x - kSide) / std::max(1.0, width() - 2.0 * kSide), 0.0, 1.0);
+  return track_.begin + share * std::max(0.0, track_.end - track_.begin);
+}
+
+QString ReplayTimeline::wordsAt(double x) const {
+  QStringList lines;
+  int more = 0;
+  for (const ReplayMark& mark : track_.marks) {
+    if (std::abs(xOf(mark.time) - x) > kReach) continue;
+    if (lines.size() < kMostLines)
+      lines << wordsOf(mark);
+    else
+      ++more;
+  }
+  if (more > 0) lines << tr("and %n more", nullptr, more);
+  return lines.join('\n');
+}
+
+bool ReplayTimeline::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const QString words = wordsAt(help->pos().x());
+  // a note may look like markup: it is shown as it was typed
+  QString shown = (words.isEmpty() ? legend() : words).toHtmlEscaped();
+  shown.replace('\n', QStringLiteral("<br>"));
+  QToolTip::showText(help->globalPos(), QStringLiteral("<qt>%1</qt>").arg(shown), this);
+  return true;
+}
+
+void ReplayTimeline::drawForce(QPainter& painter) const {
+  const std::size_t bins = std::min(track_.force_least.size(), track_.force_most.size());
+  float greatest = 0.0F;
+  for (std::size_t i = 0; i < bins; ++i)
+    if (std::isfinite(track_.force_most[i])) greatest = std::max(greatest, track_.force_most[i]);
+  const QRectF area(kSide, kLane, width() - 2.0 * kSide, height() - kLane - 3.0);
+  painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+  painter.drawLine(area.bottomLeft(), area.bottomRight());
+  if (!(greatest > 0.0F) || area.width() < 1.0) return;
+
+  // a column holds all parts that touch it, so that the shortest peak is seen
+  const auto y = [&](float force) {
+    return area.bottom() - static_cast<double>(force / greatest) * (area.height() - 2.0);
+  };
+  const int columns = static_cast<int>(area.width());
+  const auto per_column = static_cast<double>(bins) / columns;
+  painter.setPen(QPen(QColor(230, 90, 30), 1.0));
+  for (int c = 0; c < columns; ++c) {
+    const auto first = static_cast<std::size_t>(c * per_column);
+    const auto end = std::min(
+        bins, std::max(first + 1, static_cast<std::size_t>(std::ceil((c + 1) * per_column))));
+    float least = greatest, most = -1.0F;
+    for (std::size_t i = first; i < end; ++i)
+      if (std::isfinite(track_.force_least[i]) && std::isfinite(track_.force_most[i])) {
+        least = std::min(least, track_.force_least[i]);
+        most = std::max(most, track_.force_most[i]);
+      }
+    if (most < 0.0F) continue;
+    const double x = area.left() + c + 0.5;
+    painter.drawLine(QPointF{x, y(std::max(0.0F, least)) + 0.5}, QPointF{x, y(most) - 0.5});
+  }
+  QFont font = painter.font();
+  font.setPointSizeF(8.0);
+  painter.setFont(font);
+  // on a ground of its own: the curve goes on below it
+  const QString scale = tr("force up to %1 N").arg(static_cast<double>(greatest), 0, 'f', 1);
+  const QRectF place = painter.boundingRect(area.adjusted(3.0, 0.0, -3.0, 0.0),
+                                            Qt::AlignRight | Qt::AlignTop, scale);
+  QColor ground = palette().color(QPalette::Base);
+  ground.setAlpha(210);
+  painter.fillRect(place.adjusted(-2.0, 0.0, 2.0, 0.0), ground);
+  painter.setPen(palette().color(QPalette::Text));
+  painter.drawText(place, Qt::AlignCenter, scale);
+}
+
+void ReplayTimeline::drawMarks(QPainter& painter) const {
+  // one look after the other: the user's own marks lie on top, and at one place each look but once
+  for (const Look look : kLooks) {
+    double last = -1.0;
+    for (const ReplayMark& mark : track_.marks) {
+      const double x = xOf(mark.time);
+      if (lookOf(mark.kind) != look || (last >= 0.0 && x - last < 0.5)) continue;
+      last = x;
+      QColor line = colourOf(look);
+      if (look != Look::Note) line.setAlpha(130);
+      painter.setPen(QPen(line, 1.0));
+      painter.drawLine(QPointF{x, kLane / 2.0}, QPointF{x, height() - 3.0});
+      drawHead(painter, look, {x, kLane / 2.0});
+    }
+  }
+}
+
+void ReplayTimeline::drawGround() {
+  const qreal scale = devicePixelRatioF();
+  ground_ = QPixmap(size() * scale);
+  ground_.setDevicePixelRatio(scale);
+  ground_.fill(palette().color(QPalette::Base));
+  QPainter painter(&ground_);
+  painter.setFont(font());
+  drawForce(painter);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawMarks(painter);
+}
+
+void ReplayTimeline::paintEvent(QPaintEvent*) {
+  if (ground_.isNull() || ground_.devicePixelRatio() != devicePixelRatioF()) drawGround();
+  QPainter painter(this);
+  painter.drawPixmap(0, 0, ground_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (hasFocus()) {
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+    painter.drawRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0));
+  }
+  painter.setPen(QPen(palette().color(QPalette::Text), 2.0));
+  const double x = xOf(held_.value_or(time_));
+  painter.drawLine(QPointF{x, 0.0}, QPointF{x, height() + 0.0});
+}
+
+void ReplayTimeline::wish(double x) {
+  held_ = timeAt(x);
+  update();
+  emit timeWanted(*held_);
+}
+
+void ReplayTimeline::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) wish(event->position().x());
+}
+
+void ReplayTimeline::mouseMoveEvent(QMouseEvent* event) {
+  if (held_) wish(event->position().x());
+}
+
+void ReplayTimeline::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  held_.reset();
+  update();
+}
+
+void ReplayTimeline::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Space:
+      if (!event->isAutoRepeat()) emit playToggled();
+      break;
+    case Qt::Key_Left:
+      emit stepWanted(-1);
+      break;
+    case Qt::Key_Right:
+      emit stepWanted(1);
+      break;
+    case Qt::Key_Home:
+      emit timeWanted(track_.begin);
+      break;
+    case Qt::Key_End:
+      emit timeWanted(track_.end);
+      break;
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void ReplayTimeline::resizeEvent(QResizeEvent*) { ground_ = {}; }
+
+void ReplayTimeline::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) ground_ = {};
+  QWidget::changeEvent(event);
+}
+
+}  // namespace ui

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+
+namespace ui {
+
+/// A time [s] as minutes and seconds, "83:05.2" with one decimal; a dash for what is no number.
+QString clockTime(double seconds, int decimals);
+
+}  // namespace ui
