@@ -25,6 +25,8 @@
 #include "ui/panels/force_panel.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/performance_panel.h"
+#include "ui/panels/recording_panel.h"
+#include "ui/panels/replay_bar.h"
 #include "ui/panels/status_line.h"
 #include "ui/volume_view.h"
 
@@ -37,6 +39,8 @@ MainWindow::MainWindow(QWidget* parent)
       device_(new DevicePanel),
       force_(new ForcePanel),
       performance_(new PerformancePanel),
+      recording_(new RecordingPanel),
+      replay_(new ReplayBar),
       status_(new StatusLine),
       message_bar_(new QFrame),
       message_(new QLabel),
@@ -114,6 +118,9 @@ void MainWindow::buildViews() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(message_bar_);
   column->addWidget(views, 1);
+  column->addWidget(replay_);
+  replay_->setObjectName("replayBar");
+  replay_->hide();
   setCentralWidget(centre);
 
   view_->setObjectName("view");
@@ -133,10 +140,13 @@ void MainWindow::buildDocks() {
   dock(tr("Isosurface"), "isosurfaceDock", isosurface_);
   dock(tr("Device and tool"), "deviceDock", device_);
   QDockWidget* force = dock(tr("Force"), "forceDock", force_);
-  // behind the force: it is looked at now and then
+  // behind the force: they are looked at now and then
   performance_dock_ = dock(tr("Performance"), "performanceDock", performance_);
+  recording_dock_ = dock(tr("Recording"), "recordingDock", recording_);
   tabifyDockWidget(force, performance_dock_);
+  tabifyDockWidget(performance_dock_, recording_dock_);
   force->raise();
+  addAction(recording_->markAction());  // of the window: the panel may be out of sight
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, view_, &VolumeView::setIsovalue);
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, this, &MainWindow::isovalueChanged);
   connect(isosurface_, &IsosurfacePanel::refused, this,
@@ -145,18 +155,23 @@ void MainWindow::buildDocks() {
 
 void MainWindow::buildFileMenu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  const auto ask = [this](QFileDialog::FileMode mode, const QString& title) {
+  // emits `wish` with what was chosen
+  const auto ask = [this](QFileDialog::FileMode mode, const QString& title, const QString& filter,
+                          void (MainWindow::*wish)(const QString&)) {
     // Qt's own dialog: in a foreign one Escape would not reach the application
     QFileDialog dialog(this, title);
     dialog.setFileMode(mode);
+    dialog.setNameFilter(filter);
     dialog.setOption(QFileDialog::DontUseNativeDialog);
-    if (dialog.exec() == QDialog::Accepted) emit openWanted(dialog.selectedFiles().value(0));
+    if (dialog.exec() == QDialog::Accepted) emit(this->*wish)(dialog.selectedFiles().value(0));
   };
-  QAction* open = file->addAction(tr("&Open file…"), this,
-                                  [ask] { ask(QFileDialog::ExistingFile, tr("Open a scan")); });
+  const QString any = tr("All files (*)");
+  QAction* open = file->addAction(tr("&Open file…"), this, [ask, any] {
+    ask(QFileDialog::ExistingFile, tr("Open a scan"), any, &MainWindow::openWanted);
+  });
   open->setShortcut(QKeySequence::Open);
-  QAction* folder = file->addAction(tr("Open &folder…"), this, [ask] {
-    ask(QFileDialog::Directory, tr("Open a folder of slices"));
+  QAction* folder = file->addAction(tr("Open &folder…"), this, [ask, any] {
+    ask(QFileDialog::Directory, tr("Open a folder of slices"), any, &MainWindow::openWanted);
   });
   folder->setShortcut(QKeySequence(tr("Ctrl+Shift+O")));
   recent_ = file->addMenu(tr("Open &recent"));
@@ -164,6 +179,11 @@ void MainWindow::buildFileMenu() {
   recent_->setToolTipsVisible(true);
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::recentPlacesSought);
   phantoms_ = file->addMenu(tr("Open &phantom"));
+  QAction* recording = file->addAction(tr("Open recor&ding…"), this, [ask] {
+    ask(QFileDialog::ExistingFile, tr("Open a recording"), tr("Recordings (*.palpate)"),
+        &MainWindow::recordingWanted);
+  });
+  recording->setObjectName("openRecordingFile");
   file->addSeparator();
   series_ = file->addAction(tr("&Series of this folder…"), this, &MainWindow::seriesWanted);
   series_->setObjectName("seriesOfThisFolder");
@@ -185,6 +205,10 @@ void MainWindow::buildMenus() {
   look->addAction(tr("&Performance"), this, [this] {
     performance_dock_->raise();
     performance_->setFocus();
+  });
+  look->addAction(tr("Recor&ding"), this, [this] {
+    recording_dock_->raise();
+    recording_->setFocus();
   });
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
@@ -316,7 +340,12 @@ void MainWindow::showControls() {
          "the tool's side.</p>"
          "<p><b>Slices</b>: click moves the crosshair, the wheel goes through the slices, right "
          "drag changes brightness (up and down) and contrast (left and right).</p>"
-         "<p><b>Isovalue</b>: drag on the histogram, arrow keys, or type.</p>"));
+         "<p><b>Isovalue</b>: drag on the histogram, arrow keys, or type.</p>"
+         "<p><b>Recording</b>: while it records, M sets a mark.</p>"
+         "<p><b>Replay</b>: click or drag on the bar below the views moves through the time. While "
+         "the bar has the focus, Space plays and pauses, Left and Right go one tick, Home and End "
+         "to the ends. On it, ▼ are marks, ◆ settings, ■ scene and camera, "
+         "● force and device, × samples lost and ticks late.</p>"));
 }
 
 QString noticeText() {

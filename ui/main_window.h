@@ -24,6 +24,8 @@ namespace ui {
 class ForcePanel;
 class IsosurfacePanel;
 class PerformancePanel;
+class RecordingPanel;
+class ReplayBar;
 class StatusLine;
 class VolumeView;
 
@@ -67,10 +69,15 @@ class MainWindow : public QMainWindow {
   DevicePanel& devicePanel() { return *device_; }
   IsosurfacePanel& isosurfacePanel() { return *isosurface_; }
   PerformancePanel& performancePanel() { return *performance_; }
+  RecordingPanel& recordingPanel() { return *recording_; }
+  /// Below the views; hidden until it is given a recording.
+  ReplayBar& replayBar() { return *replay_; }
   SliceView& slice(Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
 
  signals:
   void openWanted(const QString& path);
+  /// A recording is to be opened.
+  void recordingWanted(const QString& path);
   /// Files and folders were dropped on the window: one or more.
   void dropped(const QStringList& paths);
   /// The last list of series is to be shown again.
@@ -109,7 +116,10 @@ class MainWindow : public QMainWindow {
   DevicePanel* device_;
   ForcePanel* force_;
   PerformancePanel* performance_;
+  RecordingPanel* recording_;
+  ReplayBar* replay_;
   QDockWidget* performance_dock_ = nullptr;
+  QDockWidget* recording_dock_ = nullptr;
   StatusLine* status_;
   QFrame* message_bar_;
   QLabel* message_;
