@@ -13,6 +13,7 @@
 #include "resources/named_tools.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/performance_panel.h"
+#include "ui/panels/recording_panel.h"
 #include "ui/volume_view.h"
 
 namespace app {
@@ -67,6 +68,8 @@ Application::Application(Arguments arguments)
       preferences_(loadPreferences()),
       loader_(arguments_.free_memory),
       hand_(arguments_.hand),
+      recordings_(arguments_.recordings),
+      recording_(session_, recordings_, identity_),
       samples_(kSamplesAtOnce),
       points_(kSamplesAtOnce) {
   settings_.stiffness = preferences_.stiffness;
@@ -88,6 +91,7 @@ Application::Application(Arguments arguments)
   connectLoader();
   connectChoosing();
   connectMeasurement();
+  connectRecording();
   display_.setInterval(kDisplayMs);
   display_.setTimerType(Qt::PreciseTimer);
   connect(&display_, &QTimer::timeout, this, &Application::refresh);
@@ -96,8 +100,11 @@ Application::Application(Arguments arguments)
 Application::~Application() {
   display_.stop();
   measurement_.cancel();
+  replay_.reset();
   session_.close();
+  recording_.end();
   if (mesher_.joinable()) mesher_.join();
+  if (recoverer_.joinable()) recoverer_.join();
 }
 
 void Application::start() {
@@ -110,6 +117,7 @@ void Application::start() {
   LoadRequest request = arguments_.load;
   if (!request.path && !request.phantom) request.phantom = "demo";
   load(std::move(request), tr("Loading"));
+  offerRecovery();
   if (arguments_.notice && !preferences_.notice_seen) {
     window_.showNotice();
     preferences_.notice_seen = true;
@@ -131,14 +139,20 @@ void Application::connectWindow() {
   connect(&window_, &ui::MainWindow::forceOnWanted, this, [this] { session_.arm(); });
   connect(&window_, &ui::MainWindow::closing, this, [this] {
     endMeasuring({});
+    replay_.reset();
     session_.close();
+    recording_.end();
     remember();
   });
   connect(&window_.view(), &ui::VolumeView::handPulled, this,
           [this](const haptics::Pose& X_WH) { session_.pull(X_WH); });
   connect(&window_.view(), &ui::VolumeView::fineMeshWanted, this, &Application::makeFineMesh);
-  connect(&device, &ui::DevicePanel::handChosen, this,
-          [this](const QString& id) { openHand(id.toStdString()); });
+  connect(&device, &ui::DevicePanel::handChosen, this, [this](const QString& id) {
+    const std::string name = id.toStdString();
+    if (!replay_) return void(openHand(name));
+    hand_ = name;
+    closeReplay();
+  });
   connect(&device, &ui::DevicePanel::toolChosen, this,
           [this](const QString& id) { changeTool({.name = id.toStdString()}); });
   connect(&device, &ui::DevicePanel::toolFileChosen, this,
@@ -200,6 +214,7 @@ void Application::adopt(const Loaded& loaded) {
   // with another tool the isovalue is the slider's, which may have moved meanwhile
   if (new_volume) settings_.isovalue = loaded.isovalue;
   // a simulated hand aims at its scene, so a new one needs a new hand; the mouse goes on
+  recording_.describe(loaded.scene, loaded.tool.file ? std::string{} : loaded.tool.name);
   const bool live = session_.isOpen() && handNamed(hand_) == HandKind::Mouse;
   if (!live) {
     session_.close();
@@ -223,8 +238,13 @@ void Application::adopt(const Loaded& loaded) {
   const QString label = labelOf(loaded.tool);
   window_.devicePanel().showTool(QString::fromStdString(loaded.tool.name), label);
   showField();
+  window_.recordingPanel().setReady(!replay_);
   // where a simulated hand finds nothing to aim at, the mouse may
-  if (!live && !openHand(hand_) && handNamed(hand_) != HandKind::Mouse) openHand("mouse");
+  if (replay_) {
+    replayed_scene_.reset();
+    showReplayed(replayed_to_);
+  } else if (!live && !openHand(hand_) && handNamed(hand_) != HandKind::Mouse)
+    openHand("mouse");
   if (!arguments_.screenshot.empty() && new_volume)
     QTimer::singleShot(static_cast<int>(arguments_.screenshot_after * 1000.0), this,
                        &Application::takeScreenshot);
@@ -266,6 +286,7 @@ bool Application::openHand(const std::string& name) {
   snapshot_ = {};  // of the new loop nothing is known yet, and its counts begin at zero
   window_.view().setMouseHand(hand->kind == HandKind::Mouse);
   hand_ = name;
+  recording_.note("hand", QString::fromStdString(name));
   // a simulated hand aims where it likes: show where
   look_from_tool_ = hand->kind != HandKind::Mouse;
   window_.showHandInUse(hand->id, tr(hand->label));
@@ -300,6 +321,7 @@ void Application::showField() {
 
 void Application::refresh() {
   session_.collectGarbage();
+  recording_.refresh();
   while (const std::size_t count = session_.forces(samples_)) {
     for (std::size_t i = 0; i < count; ++i)
       points_[i] = {samples_[i].time, static_cast<float>(samples_[i].force),

@@ -13,7 +13,11 @@
 #include "app/loader.h"
 #include "app/measurement.h"
 #include "app/preferences.h"
+#include "app/recordings.h"
+#include "app/replay.h"
+#include "app/session_recording.h"
 #include "app/thumbnails.h"
+#include "app/volume_identity.h"
 #include "datasets/readers/refusal.h"
 #include "haptics/session.h"
 #include "ui/main_window.h"
@@ -33,6 +37,7 @@ struct Arguments {
   double screenshot_after = 3.0;  ///< s of running with a scene
   bool notice = true;
   std::function<double()> free_memory = datasets::freeMemory;  ///< bytes; any thread
+  std::filesystem::path recordings = {};  ///< where sessions are kept; empty: the user's folder
 };
 
 /// What the user reads for a tool: its name, or its file's.
@@ -54,6 +59,9 @@ class Application : public QObject {
   const haptics::Snapshot& snapshot() const { return snapshot_; }
   /// What is seen and touched; none before the first volume.
   const std::optional<Loaded>& shown() const { return shown_; }
+  SessionRecording& recording() { return recording_; }
+  /// The recording that is being replayed; null: the hand is at work.
+  Replay* replay() { return replay_.get(); }
 
  signals:
   /// The screenshot was written, or could not be.
@@ -67,6 +75,16 @@ class Application : public QObject {
   void connectChoosing();
   void connectLoader();
   void connectMeasurement();
+  void connectRecording();
+  void showRecordings();
+  void offerRecovery();
+  void record(bool record);
+  void deleteRecording(const QString& id);
+  void recoverRecording(const QString& id);
+  void openRecording(const std::filesystem::path& path);
+  void closeReplay();
+  void compareVolumes();
+  void showReplayed(double time);
   void load(LoadRequest request, const QString& what);
   void adopt(const Loaded& loaded);
   void onFailed(const LoadRequest& request, const haptics::Error& error);
@@ -112,10 +130,19 @@ class Application : public QObject {
   QTimer field_rest_;              ///< since the isovalue last moved
   std::string hand_;
   bool look_from_tool_ = false;  ///< at the next snapshot
+  Recordings recordings_;
+  VolumeIdentity identity_;
+  SessionRecording recording_;
+  std::unique_ptr<Replay> replay_;
+  std::optional<std::uint32_t> replayed_scene_;  ///< whose tool is on view
+  std::optional<double> replayed_isovalue_;
+  double replayed_to_ = 0.0;  ///< s: what the plot of the force shows
+  bool same_volume_ = false;  ///< on view is what was touched, as far as can be told
   QTimer display_;
   std::vector<haptics::ForceSample> samples_;
   std::vector<ui::ForcePoint> points_;
   std::thread mesher_;
+  std::thread recoverer_;
   bool meshing_ = false;
   std::optional<double> mesh_next_;  ///< the isovalue asked for while another was being meshed
 };

@@ -255,6 +255,8 @@ void MainWindow::display(const haptics::Snapshot& snapshot) {
   for (SliceView* slice : slices_) slice->setProxy(snapshot.X_WP.translation() * kMmPerM);
 }
 
+void MainWindow::clearForces() { force_->clear(); }
+
 void MainWindow::appendForces(std::span<const ForcePoint> points) { force_->append(points); }
 
 void MainWindow::setPhantoms(const QStringList& names) {

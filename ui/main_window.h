@@ -47,6 +47,8 @@ class MainWindow : public QMainWindow {
   using QMainWindow::show;
   /// The state of the touch, at display rate.
   void display(const haptics::Snapshot& snapshot);
+  /// What was appended is shown no more.
+  void clearForces();
   void appendForces(std::span<const ForcePoint> points);
   void setPhantoms(const QStringList& names);
   /// What File > Open recent holds, the newest first, and whether more is to be remembered.

@@ -16,6 +16,7 @@ class ForcePanel : public QWidget {
  public:
   explicit ForcePanel(QWidget* parent = nullptr);
   void display(const haptics::Snapshot& snapshot);
+  void clear() { plot_->clear(); }
   void append(std::span<const ForcePoint> points) { plot_->append(points); }
 
  private:

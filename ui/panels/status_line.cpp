@@ -7,7 +7,6 @@ namespace {
 QString wordsFor(haptics::SchedulingPolicy policy) {
   switch (policy) {
     case haptics::SchedulingPolicy::NotStarted:
-      return StatusLine::tr("not started");
     case haptics::SchedulingPolicy::Ordinary:
       return StatusLine::tr("ordinary priority");
     case haptics::SchedulingPolicy::RealTime:
@@ -25,6 +24,13 @@ StatusLine::StatusLine(QWidget* parent) : QLabel(parent) {
 }
 
 void StatusLine::display(const haptics::Snapshot& snapshot) {
+  // no loop runs: what is shown is of another time
+  if (snapshot.policy == haptics::SchedulingPolicy::NotStarted) {
+    servo_ = tr("Replay: %1 contacts · %2 N")
+                 .arg(snapshot.contacts)
+                 .arg(snapshot.felt_W.force.norm(), 0, 'f', 2);
+    return compose();
+  }
   servo_ = tr("Servo %1 Hz (%2), tick p99 %3 µs, late %4, missed %5 · %6 contacts · %7 N")
                .arg(snapshot.servo_rate, 0, 'f', 0)
                .arg(wordsFor(snapshot.policy))

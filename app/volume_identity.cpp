@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/volume_identity.h"
+
+#include "app/recording/volume_hash.h"
+
+namespace app {
+
+VolumeIdentity::~VolumeIdentity() {
+  for (Job& job : jobs_) job.cancel = true;
+  for (Job& job : jobs_)
+    if (job.thread.joinable()) job.thread.join();
+}
+
+std::optional<haptics::VolumeHash> VolumeIdentity::of(
+    const std::shared_ptr<const haptics::Volume>& volume) {
+  // of volumes that are gone nobody asks any more
+  for (Job& job : jobs_)
+    if (job.volume.expired() && job.thread.joinable()) job.thread.join();
+  jobs_.remove_if([](const Job& job) { return job.volume.expired(); });
+  for (const Job& job : jobs_)
+    if (job.volume.lock() == volume) return job.hash;
+  Job& job = jobs_.emplace_back(volume);
+  job.thread = std::thread([this, &job, volume] {
+    const auto hash = hashOf(*volume, installationKey(), job.cancel);
+    QMetaObject::invokeMethod(
+        this,
+        [this, &job, volume, hash] {
+          job.hash = hash;
+          emit known(volume);
+        },
+        Qt::QueuedConnection);
+  });
+  return {};
+}
+
+}  // namespace app

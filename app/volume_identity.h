@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <list>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "haptics/recording/scene_words.h"
+
+namespace app {
+
+/// Hashes volumes on a thread of its own, each once while it is in use. No call waits, except the
+/// destructor.
+class VolumeIdentity : public QObject {
+  Q_OBJECT
+ public:
+  explicit VolumeIdentity(QObject* parent = nullptr) : QObject(parent) {}
+  ~VolumeIdentity() override;
+
+  /// The hash if it is known; else it is sought, and known() tells.
+  std::optional<haptics::VolumeHash> of(const std::shared_ptr<const haptics::Volume>& volume);
+
+ signals:
+  /// A hash that was sought is there, or cannot be had.
+  void known(const std::shared_ptr<const haptics::Volume>& volume);
+
+ private:
+  struct Job {
+    std::weak_ptr<const haptics::Volume> volume;
+    std::optional<haptics::VolumeHash> hash = {};  ///< set on this object's thread
+    std::atomic<bool> cancel{false};
+    std::thread thread = {};
+  };
+  std::list<Job> jobs_;
+};
+
+}  // namespace app

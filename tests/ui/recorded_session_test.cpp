@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A session is recorded in the window, and gone through again.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <filesystem>
+
+#include "app/application.h"
+#include "haptics/recording/replay.h"
+#include "ui/panels/recording_panel.h"
+#include "ui/panels/replay_bar.h"
+#include "ui/volume_view.h"
+#include "window_support.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+app::Arguments sphere(const QTemporaryDir& folder, const char* hand = "slide") {
+  app::Arguments arguments;
+  arguments.load.phantom = "sphere";
+  arguments.load.tool = app::ToolSource{.name = "sphere"};
+  arguments.hand = hand;
+  arguments.surface = ui::SurfaceMode::Mesh;
+  arguments.screenshot = "unused";  // neither notice nor preferences of the user
+  arguments.screenshot_after = 3'600.0;
+  arguments.notice = false;
+  arguments.recordings = folder.path().toStdString();
+  return arguments;
+}
+
+bool waitFor(const std::function<bool()>& done, double seconds) {
+  for (int i = 0; i < seconds * 100.0 && !done(); ++i) QTest::qWait(10);
+  return done();
+}
+
+template <class W>
+W* child(QWidget& parent, const char* name) {
+  W* found = parent.findChild<W*>(name);
+  EXPECT_NE(found, nullptr) << name;
+  return found;
+}
+
+std::vector<fs::path> filesIn(const QTemporaryDir& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder.path().toStdString()))
+    files.push_back(entry.path());
+  return files;
+}
+
+/// Touches, records until at least so many steps are in the file, with a mark, and stops.
+void recordSome(app::Application& application, const QTemporaryDir& folder, qint64 steps) {
+  ui::RecordingPanel& panel = application.window().recordingPanel();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 60.0));
+  QTest::mouseClick(child<QPushButton>(panel, "record"), Qt::LeftButton);
+  ASSERT_TRUE(application.recording().isRecording());
+  ASSERT_TRUE(waitFor(
+      [&] { return !application.recording().isRecording() || filesIn(folder).size() >= 2; }, 5.0));
+  qint64 written = 0;
+  QObject::connect(&application.recording(), &app::SessionRecording::statusChanged, &panel,
+                   [&](const ui::RecordingStatus& status) {
+                     written = std::max(written, status.samples);
+                     EXPECT_EQ(status.gaps, 0);
+                   });
+  ASSERT_TRUE(waitFor([&] { return written > steps / 2; }, 60.0));
+  panel.findChild<QLineEdit*>("markNote")->setText("a rough place");
+  panel.markAction()->trigger();
+  ASSERT_TRUE(waitFor([&] { return written > steps; }, 60.0));
+  window::keep(window::pictureOf(application.window()), "recording");
+  QTest::mouseClick(child<QPushButton>(panel, "record"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor(
+      [&] {
+        const auto files = filesIn(folder);
+        return files.size() == 1 && files.front().extension() == ".palpate";
+      },
+      20.0));
+  QObject::disconnect(&application.recording(), nullptr, &panel, nullptr);
+  QTest::qWait(100);
+}
+
+TEST(RecordedSession, IsRecordedMarkedAndReplayedToTheBit) {
+  const QTemporaryDir folder;
+  app::Application application(sphere(folder));
+  application.start();
+  recordSome(application, folder, 2000);
+  if (HasFatalFailure()) return;
+  // the hand was not disturbed
+  EXPECT_TRUE(application.session().isOpen());
+  auto recording = haptics::Recording::open(filesIn(folder).front());
+  ASSERT_TRUE(recording) << recording.error().what;
+  EXPECT_GT(recording->stepCount(), 2000);
+  EXPECT_EQ(recording->lostCount(), 0);
+  ASSERT_EQ(recording->scenes().size(), 1U);
+  EXPECT_TRUE(recording->scenes().front().hash);
+  int marks = 0, hands = 0;
+  for (const haptics::RecordedEvent& event : recording->events()) {
+    marks += event.kind == "mark" && event.text == "a rough place";
+    hands += event.kind == "hand" && event.text == "slide";
+  }
+  EXPECT_EQ(marks, 1);
+  EXPECT_EQ(hands, 1);
+  const auto difference = haptics::replay(
+      *recording,
+      [&](std::uint32_t id) {
+        const haptics::RecordedScene* then = recording->scene(id);
+        return *haptics::makeScene(application.shown()->picture.volume, then->tool, then->options);
+      },
+      [](double) { return true; });
+  ASSERT_TRUE(difference);
+  EXPECT_EQ(difference->steps, recording->stepCount());
+  EXPECT_EQ(difference->differing, 0) << difference->distance << " m";
+}
+
+TEST(RecordedSession, IsGoneThroughInTheWindow) {
+  const QTemporaryDir folder;
+  app::Application application(sphere(folder));
+  application.start();
+  recordSome(application, folder, 1500);
+  if (HasFatalFailure()) return;
+  ui::MainWindow& window = application.window();
+  auto* list = child<QTableWidget>(window.recordingPanel(), "recordings");
+  ASSERT_EQ(list->rowCount(), 1);
+  list->selectRow(0);
+  QTest::mouseClick(child<QPushButton>(window.recordingPanel(), "openRecording"), Qt::LeftButton);
+  ASSERT_NE(application.replay(), nullptr);
+  EXPECT_TRUE(window.replayBar().isVisible());
+  EXPECT_FALSE(application.session().isOpen());
+  // wherever one goes, the tool is where it was
+  app::Replay& replay = *application.replay();
+  const double begin = replay.track().begin, length = replay.track().end - begin;
+  QPointF last;
+  for (const double share : {0.1, 0.5, 0.95}) {
+    emit window.replayBar().timeWanted(begin + share * length);
+    const haptics::Step& step = replay.step().step;
+    EXPECT_NEAR(double(step.time_ns) * 1e-9, begin + share * length, 0.1);
+    window.view().lookFromTool();
+    const QImage picture = window::pictureAtRest(window.view());
+    const QPointF seen = window::centroid(picture, window::proxyColoured);
+    const QPointF expected = window.view().projected(step.X_WP.translation());
+    EXPECT_LT(std::hypot(seen.x() - expected.x(), seen.y() - expected.y()), 8.0) << share;
+  }
+  window::keep(window::pictureOf(window), "replay");
+  // a tick, and back
+  const auto sequence = replay.step().step.sequence;
+  emit window.replayBar().stepWanted(1);
+  EXPECT_EQ(replay.step().step.sequence, sequence + 1);
+  emit window.replayBar().stepWanted(-300);
+  EXPECT_EQ(replay.step().step.sequence, sequence - 299);
+  // played, it gets on as fast as time
+  emit window.replayBar().timeWanted(begin);
+  emit window.replayBar().playWanted(true);
+  QTest::qWait(500);
+  EXPECT_GT(replay.step().step.time_ns, 200'000'000);
+  emit window.replayBar().playWanted(false);
+  // over another volume it says so
+  EXPECT_FALSE(window.replayBar().findChild<QLabel*>("replayWarning")->isVisible());
+  emit window.phantomWanted("torus");
+  ASSERT_TRUE(waitFor([&] { return application.shown()->title.contains("torus"); }, 60.0));
+  EXPECT_NE(application.replay(), nullptr);
+  EXPECT_TRUE(window.replayBar().findChild<QLabel*>("replayWarning")->isVisible());
+  EXPECT_FALSE(application.session().isOpen());
+  // closed, the hand is at work again
+  emit window.replayBar().closeWanted();
+  EXPECT_EQ(application.replay(), nullptr);
+  EXPECT_FALSE(window.replayBar().isVisible());
+  EXPECT_TRUE(waitFor(
+      [&] { return application.snapshot().scene == application.shown()->scene->id; }, 20.0));
+}
+
+TEST(RecordedSession, ThatWasNeverFinishedIsOfferedAtTheNextStart) {
+  const QTemporaryDir folder;
+  {
+    auto recorder = haptics::Recorder::create(
+        fs::path(folder.path().toStdString()) / "session-0001.palpate", {"test", "", ""});
+    ASSERT_TRUE(recorder);
+    haptics::Step step;
+    (*recorder)->ring().start({});
+    (*recorder)->ring().push(step);
+  }
+  app::Application application(sphere(folder, "mouse"));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ui::MainWindow& window = application.window();
+  EXPECT_TRUE(child<QLabel>(window, "message")->text().contains("session-0001"));
+  auto* list = child<QTableWidget>(window.recordingPanel(), "recordings");
+  ASSERT_EQ(list->rowCount(), 1);
+  list->selectRow(0);
+  QTest::mouseClick(child<QPushButton>(window.recordingPanel(), "openRecording"), Qt::LeftButton);
+  EXPECT_TRUE(waitFor(
+      [&] { return fs::exists(fs::path(folder.path().toStdString()) / "session-0001.palpate"); },
+      10.0));
+}
+
+TEST(RecordedSession, EndsWholeWhenTheWindowCloses) {
+  const QTemporaryDir folder;
+  {
+    app::Application application(sphere(folder));
+    application.start();
+    ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+    emit application.window().recordingPanel().recordWanted(true);
+    QTest::qWait(700);
+    application.window().close();
+  }
+  ASSERT_EQ(filesIn(folder).size(), 1U);
+  const auto recording = haptics::Recording::open(filesIn(folder).front());
+  ASSERT_TRUE(recording) << recording.error().what;
+  EXPECT_GT(recording->stepCount(), 300);
+}
+
+TEST(RecordedSession, GoesOnThroughAnotherToolVolumeAndHand) {
+  const QTemporaryDir folder;
+  app::Application application(sphere(folder));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 60.0));
+  ui::MainWindow& window = application.window();
+  emit window.recordingPanel().recordWanted(true);
+  QTest::qWait(500);
+  emit window.devicePanel().toolChosen("drill");
+  ASSERT_TRUE(waitFor([&] { return application.shown()->tool.name == "drill"; }, 60.0));
+  QTest::qWait(500);
+  emit window.phantomWanted("torus");
+  ASSERT_TRUE(waitFor([&] { return application.shown()->title.contains("torus"); }, 60.0));
+  QTest::qWait(500);
+  emit window.devicePanel().handChosen("tap");
+  QTest::qWait(500);
+  window.close();
+  ASSERT_EQ(filesIn(folder).size(), 1U);
+  const auto recording = haptics::Recording::open(filesIn(folder).front());
+  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_GE(recording->scenes().size(), 3U);
+  EXPECT_EQ(recording->scenes()[1].tool.name, "drill");
+  EXPECT_NE(recording->scenes().back().volume.grid.dims, haptics::Grid{}.dims);
+  int scenes = 0, hands = 0;
+  for (const haptics::RecordedEvent& event : recording->events()) {
+    scenes += event.kind == "scene";
+    hands += event.kind == "hand";
+  }
+  EXPECT_GE(scenes, 3);
+  EXPECT_GE(hands, 3);
+}
+
+}  // namespace
