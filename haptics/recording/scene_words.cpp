@@ -44,6 +44,16 @@ T valueIn(const std::pair<T, const char*> (&names)[N], const std::string& name) 
   throw json::other_error::create(501, "no such name", nullptr);
 }
 
+/// What is no whole number, or too large a one, is not taken for another.
+template <class T>
+T whole(const json& word) {
+  const bool fits = word.is_number_unsigned()  ? std::in_range<T>(word.get<std::uint64_t>())
+                    : word.is_number_integer() ? std::in_range<T>(word.get<std::int64_t>())
+                                               : false;
+  if (!fits) throw json::other_error::create(501, "no such number", nullptr);
+  return word.get<T>();
+}
+
 /// Row by row.
 template <class M>
 json listOf(const M& matrix) {
@@ -135,19 +145,19 @@ void takeSettings(const json& words, const SceneWords& stored, RecordedScene& sc
   for (const auto& [omission, name] : kPlan)
     scene.options.plan.*omission = words.at("plan").at(name).get<bool>();
   scene.options.fineness.epsilon = words.at("epsilon").get<double>();
-  scene.options.fineness.sub_steps = words.at("sub_steps").get<int>();
+  scene.options.fineness.sub_steps = whole<int>(words.at("sub_steps"));
   if (!(scene.options.fineness.epsilon > 0.0 && scene.options.fineness.epsilon < 1.0) ||
       scene.options.fineness.sub_steps < 1 || scene.options.fineness.sub_steps > 1000)
     throw json::other_error::create(501, "out of range", nullptr);
   PointShell& shell = scene.tool.shell;
-  shell.points = unpacked<Vec3>(stored.points, words.at("points").get<std::size_t>());
+  shell.points = unpacked<Vec3>(stored.points, whole<std::size_t>(words.at("points")));
   shell.radius = words.at("shell_radius_m").get<double>();
   take(words.at("shell_inertia_m2"), shell.inertia);
   shell.spacing = words.at("shell_spacing_m").get<double>();
   TriangleMesh& mesh = scene.tool.mesh;
-  mesh.vertices = unpacked<Vec3>(stored.vertices, words.at("vertices").get<std::size_t>());
-  mesh.triangles = unpacked<std::array<std::uint32_t, 3>>(stored.triangles,
-                                                          words.at("triangles").get<std::size_t>());
+  mesh.vertices = unpacked<Vec3>(stored.vertices, whole<std::size_t>(words.at("vertices")));
+  mesh.triangles = unpacked<std::array<std::uint32_t, 3>>(
+      stored.triangles, whole<std::size_t>(words.at("triangles")));
   for (const auto& triangle : mesh.triangles)
     for (const std::uint32_t corner : triangle)
       if (corner >= mesh.vertices.size())
@@ -159,7 +169,8 @@ void takeSettings(const json& words, const SceneWords& stored, RecordedScene& sc
 }
 
 void takeVolume(const json& words, Volume& volume) {
-  volume.grid.dims = words.at("dims").get<std::array<std::int64_t, 3>>();
+  for (std::size_t a = 0; a < 3; ++a)
+    volume.grid.dims[a] = whole<std::int64_t>(words.at("dims").at(a));
   take(words.at("spacing_m"), volume.grid.spacing);
   take(words.at("origin_m"), volume.grid.origin);
   take(words.at("direction"), volume.grid.direction);
@@ -212,7 +223,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
   ProxyStart start;
   try {
     const json words = json::parse(text);
-    start.scene = words.at("scene").get<std::uint32_t>();
+    start.scene = whole<std::uint32_t>(words.at("scene"));
     Eigen::Matrix<double, 3, 4> pose;
     take(words.at("proxy"), pose);
     start.X_WP.matrix().topRows<3>() = pose;
@@ -220,7 +231,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     const json& limits = words.at("limits");
     start.limits = {limitFrom(limits.at(0)), limitFrom(limits.at(1)), limits.at(2).get<double>(),
                     limits.at(3).get<double>()};
-    const int state = words.at("force_state").get<int>();
+    const int state = whole<int>(words.at("force_state"));
     if (state < 0 || state > static_cast<int>(ForceState::Recovering)) return damaged("a start");
     start.safety.state = static_cast<ForceState>(state);
     start.safety.gain = words.at("gain").get<double>();
