@@ -299,6 +299,67 @@ TEST(Recording, OfALiveLoopIsReplayedToTheBitThroughAllThatTheUserDoes) {
   EXPECT_EQ(recording->starts().size(), 2U);
 }
 
+TEST(Recording, BegunAtAnyMomentIsReplayedToTheBit) {
+  // what the proxy remembers matters most where it is held and the hand rests
+  const Workshop workshop;
+  const auto touched = scene();
+  for (const HandMotion motion : {HandMotion::Tap, HandMotion::Wedge, HandMotion::Hook})
+    for (int moment = 600; moment < 2600; moment += 250) {
+      auto recorder = Recorder::create(workshop / "r.palpate", {"test", "", ""});
+      ASSERT_TRUE(recorder);
+      (*recorder)->describe(touched, "egg");
+      const auto hand = Hand::aimed(motion, *touched, 0.0, 0.012, 1);
+      ASSERT_TRUE(hand);
+      LatestValue<Pose> mouse;  // a hand that can be stopped
+      mouse.publish(hand->at(0.0));
+      Grip grip;
+      grip.gyration = std::sqrt(touched->tool.shell.inertia.trace() / 3.0);
+      grip.X_WD = hand->at(0.0);
+      Settings settings;
+      settings.friction = moment % 500 == 0 ? 0.0 : 0.3;
+      ServoLoop loop(openMouse(mouse, grip, ServoLoop::kPeriod), settings);
+      loop.scenes.offer(std::make_unique<Engagement>(touched, hand->at(0.0)));
+      for (int n = 0; n < moment + 300; ++n) {
+        // it rests from a hundred ticks before the recording begins
+        if (n < moment - 100) mouse.publish(hand->at(1e-3 * n));
+        if (n == moment) loop.recording.store(&(*recorder)->ring());
+        loop.step(1e-3 * n);
+      }
+      ASSERT_TRUE((*recorder)->finish());
+      auto recording = Recording::open(workshop / "r.palpate");
+      ASSERT_TRUE(recording);
+      const ReplayDifference difference = replayed(*recording, touched->volume);
+      EXPECT_EQ(difference.steps, 300);
+      EXPECT_EQ(difference.differing, 0) << int(motion) << " at " << moment;
+    }
+}
+
+TEST(Recording, AfterALossNothingGoesInBeforeAStart) {
+  StepRing ring{0};
+  ASSERT_TRUE(ring.startIsDue());
+  ring.start({});
+  Step step;
+  while (ring.push(step)) {
+  }
+  EXPECT_FALSE(ring.startIsDue());  // there is no room yet
+  Step taken;
+  for (int n = 0; n < 100; ++n) ring.take(taken);
+  EXPECT_FALSE(ring.push(step));
+  while (ring.take(taken)) {
+  }
+  const std::uint64_t kept = taken.sequence;
+  EXPECT_FALSE(ring.push(step));
+  ASSERT_TRUE(ring.startIsDue());
+  ring.start({});
+  EXPECT_FALSE(ring.startIsDue());
+  EXPECT_TRUE(ring.push(step));
+  ASSERT_TRUE(ring.take(taken));
+  EXPECT_EQ(taken.sequence, kept + 4);
+  ProxyStart start;
+  ASSERT_TRUE(ring.take(start) && ring.take(start));
+  EXPECT_EQ(start.sequence, taken.sequence);
+}
+
 TEST(Recording, AFullRingLosesStepsCountsThemAndGoesOnExactly) {
   const Workshop workshop;
   Recorder::Options slow;
