@@ -16,6 +16,7 @@ CLI::Validator notEmpty();
 using Chosen = std::function<Outcome()>;
 void addTool(CLI::App& program, Chosen& chosen);
 void addRun(CLI::App& program, Chosen& chosen);
+void addExport(CLI::App& program, Chosen& chosen);
 void addStudy(CLI::App& program, Chosen& chosen);
 void addReplay(CLI::App& program, Chosen& chosen);
 void addRecover(CLI::App& program, Chosen& chosen);

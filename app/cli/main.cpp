@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   addRun(program, chosen);
   addReplay(program, chosen);
   addRecover(program, chosen);
+  addExport(program, chosen);
   addStudy(program, chosen);
   bool json = asksForJson(argc, argv);
   for (CLI::App* command : program.get_subcommands({})) {

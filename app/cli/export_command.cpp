@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/export/export.h"
+
+namespace app::cli {
+namespace {
+
+struct ExportCommand {
+  std::string file, format, out;
+  exporting::ExportOptions options;
+};
+
+/// A name of --format, what OUT must end in, and what writes it.
+struct Format {
+  const char* name;
+  const char* ending;
+  haptics::Expected<exporting::Exported> (*write)(haptics::Recording&,
+                                                  const std::filesystem::path& out,
+                                                  const exporting::ExportOptions&);
+};
+constexpr Format kFormats[] = {{"csv", "", exporting::exportCsv},
+                               {"hdf5", ".h5", exporting::exportHdf5},
+                               {"mcap", ".mcap", exporting::exportMcap}};
+
+std::vector<std::string> formatNames() {
+  std::vector<std::string> names;
+  for (const Format& format : kFormats) names.emplace_back(format.name);
+  return names;
+}
+
+Outcome run(ExportCommand command) {
+  const Format& format =
+      *std::find_if(std::begin(kFormats), std::end(kFormats),
+                    [&](const Format& one) { return one.name == command.format; });
+  if (!command.out.ends_with(format.ending))
+    return usage("\"" + command.out + "\" must end in " + format.ending + ".");
+  if (command.options.from > command.options.to) return usage("--from must not be after --to.");
+  auto recording = haptics::Recording::open(command.file);
+  if (!recording) return refused(recording.error());
+  command.options.goes_on = [](double) { return !interrupted(); };
+  const auto exported = format.write(*recording, command.out, command.options);
+  if (!exported) {
+    const haptics::Error& error = exported.error();
+    if (error.reason == "cancelled") return {Exit::Interrupted, {}, {}, error.what};
+    // what cannot be written is not the input's fault
+    if (error.reason == "unwritable") return {Exit::Failed, {}, {}, error.what};
+    return refused(error);
+  }
+  Outcome outcome;
+  outcome.json["format"] = format.name;
+  outcome.json["steps"] = exported->steps;
+  outcome.json["events"] = exported->events;
+  outcome.json["bytes"] = exported->bytes;
+  outcome.json["files"] = exported->files;
+  return outcome;
+}
+
+}  // namespace
+
+void addExport(CLI::App& program, Chosen& chosen) {
+  auto options = std::make_shared<ExportCommand>();
+  CLI::App* command =
+      program.add_subcommand("export", "Write a recording in a format that other programs read");
+  command->add_option("file", options->file, "A recording, NAME.palpate")
+      ->required()
+      ->check(notEmpty());
+  command->add_option("--format", options->format, "csv (Motion-BIDS), hdf5 or mcap")
+      ->required()
+      ->check(CLI::IsMember(formatNames()));
+  command
+      ->add_option("--out", options->out,
+                   "File to write; for csv how the files' names begin: OUT_motion.tsv and so on")
+      ->required()
+      ->check(notEmpty());
+  command->add_option("--from", options->options.from, "Leave out what was before [s]")
+      ->check(finiteNumber());
+  command->add_option("--to", options->options.to, "Leave out what came after [s]")
+      ->check(finiteNumber());
+  command
+      ->add_option("--rate", options->options.rate,
+                   "Only so many steps a second [Hz]; without it all")
+      ->check(finiteNumber() & CLI::Range(0.001, 1e6));
+  command->add_flag_callback(
+      "--no-contacts", [options] { options->options.contacts = false; }, "Leave out the contacts");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace app::cli

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hdf5.h>
+
+#include <cerrno>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "app/export/export.h"
+#include "app/export/facts.h"
+#include "app/export/output_file.h"
+#include "app/export/selection.h"
+#include "app/export/text.h"
+
+namespace app::exporting {
+
+using haptics::RecordedEvent;
+using haptics::RecordedScene;
+using haptics::RecordedStep;
+using haptics::Step;
+using haptics::Vec3;
+
+namespace {
+
+constexpr std::size_t kChunk = 4096;  // rows
+constexpr unsigned kDeflation = 4;
+
+/// One of the library's ids, closed with the object.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*closing)(hid_t)) : id_{id}, close_{closing} {}
+  Handle(Handle&& other) noexcept : id_{std::exchange(other.id_, -1)}, close_{other.close_} {}
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() { close(); }
+  operator hid_t() const { return id_; }
+  bool close() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+template <class T>
+hid_t typeOf() {
+  if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
+  if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
+  if constexpr (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
+  if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
+  if constexpr (std::is_same_v<T, std::uint32_t>) return H5T_NATIVE_UINT32;
+  if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
+}
+
+Handle textType() {
+  Handle type{H5Tcopy(H5T_C_S1), H5Tclose};
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+void attach(hid_t object, const char* name, hid_t type, hid_t space, const void* value) {
+  const Handle attribute{H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose};
+  H5Awrite(attribute, type, value);
+}
+void attach(hid_t object, const char* name, const std::string& value) {
+  const std::string text = plain(value);
+  const char* words = text.c_str();
+  attach(object, name, textType(), Handle{H5Screate(H5S_SCALAR), H5Sclose}, &words);
+}
+template <class T>
+void attach(hid_t object, const char* name, T value) {
+  attach(object, name, typeOf<T>(), Handle{H5Screate(H5S_SCALAR), H5Sclose}, &value);
+}
+template <class T>
+void attach(hid_t object, const char* name, const T* values, std::initializer_list<hsize_t> sides) {
+  const Handle space{H5Screate_simple(int(sides.size()), sides.begin(), nullptr), H5Sclose};
+  attach(object, name, typeOf<T>(), space, values);
+}
+
+/// A dataset that grows by rows of `width` values; 0: by single values. Rows are kept until a chunk
+/// is full.
+template <class T>
+class Table {
+ public:
+  Table(hid_t file, const char* path, hsize_t width, const char* unit, const char* meaning)
+      : Table{file, path, width, unit, meaning, typeOf<T>()} {}
+
+  void add(T value) { add(&value); }
+  void add(const Vec3& v) requires std::is_floating_point_v<T> {
+    const T values[] = {static_cast<T>(v.x()), static_cast<T>(v.y()), static_cast<T>(v.z())};
+    add(values);
+  }
+  /// As many values as a row is wide.
+  void add(const T* row) {
+    const std::size_t width = rank_ == 1 ? 1 : width_;
+    kept_.insert(kept_.end(), row, row + width);
+    if (kept_.size() >= kChunk * width) flush();
+  }
+  /// False if this, or anything before, could not be written.
+  bool flush() {
+    if (kept_.empty() || !sound_) return sound_;
+    const hsize_t rows = kept_.size() / (rank_ == 1 ? 1 : width_);
+    const hsize_t size[] = {written_ + rows, width_}, start[] = {written_, 0},
+                  count[] = {rows, width_};
+    sound_ = H5Dset_extent(dataset_, size) >= 0;
+    const Handle there{H5Dget_space(dataset_), H5Sclose};
+    H5Sselect_hyperslab(there, H5S_SELECT_SET, start, nullptr, count, nullptr);
+    const Handle here{H5Screate_simple(rank_, count, nullptr), H5Sclose};
+    sound_ = sound_ && H5Dwrite(dataset_, type_, here, there, H5P_DEFAULT, kept_.data()) >= 0;
+    written_ += rows;
+    kept_.clear();
+    return sound_;
+  }
+  bool sound() const { return sound_; }
+  std::int64_t rows() const {
+    return static_cast<std::int64_t>(written_ + kept_.size() / (rank_ == 1 ? 1 : width_));
+  }
+
+ protected:
+  Table(hid_t file, const char* path, hsize_t width, const char* unit, const char* meaning,
+        hid_t type)
+      : width_{width}, rank_{width == 0 ? 1 : 2}, type_{type}, dataset_{made(file, path)} {
+    attach(dataset_, "unit", std::string{unit});
+    attach(dataset_, "meaning", std::string{meaning});
+  }
+
+ private:
+  Handle made(hid_t file, const char* path) const {
+    const hsize_t none[] = {0, width_}, any[] = {H5S_UNLIMITED, width_}, chunk[] = {kChunk, width_};
+    const Handle space{H5Screate_simple(rank_, none, any), H5Sclose};
+    const Handle layout{H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
+    H5Pset_chunk(layout, rank_, chunk);
+    H5Pset_shuffle(layout);
+    H5Pset_deflate(layout, kDeflation);
+    // no date in the file
+    H5Pset_obj_track_times(layout, false);
+    const Handle way{H5Pcreate(H5P_LINK_CREATE), H5Pclose};
+    H5Pset_create_intermediate_group(way, 1);
+    return {H5Dcreate2(file, path, type_, space, way, layout, H5P_DEFAULT), H5Dclose};
+  }
+
+  hsize_t width_;
+  int rank_;
+  hid_t type_;
+  Handle dataset_;
+  std::vector<T> kept_;
+  hsize_t written_ = 0;
+  bool sound_ = true;
+};
+
+/// All that has a row per step.
+struct StepTables {
+  explicit StepTables(hid_t file)
+      : time{file, "time", 0, "ns", "time since the recording began"},
+        step{file, "step", 0, "", "number of the tick since the recording began"},
+        device_position{file, "device/position", 3, "m", "device as it was read: x, y, z"},
+        device_orientation{file, "device/orientation", 4, "1", "unit quaternion w, x, y, z"},
+        proxy_position{file, "proxy/position", 3, "m", "proxy after the tick: x, y, z"},
+        proxy_orientation{file, "proxy/orientation", 4, "1", "unit quaternion w, x, y, z"},
+        force{file, "force", 3, "N", "force sent to the hand"},
+        torque{file, "torque", 3, "N.m", "torque sent to the hand, about the device's origin"},
+        isovalue{file, "settings/isovalue", 0, "", "where the surface is, in the scan's unit"},
+        stiffness{file, "settings/stiffness", 0, "N/m", "of the virtual coupling"},
+        angular_stiffness{file, "settings/angular_stiffness", 0, "N.m/rad",
+                          "of the virtual coupling; 0: stiffness times the tool's mean inertia"},
+        friction{file, "settings/friction", 0, "1", "Coulomb's coefficient, tool and surface"},
+        cpu{file, "tick/cpu", 0, "ns", "time of the thread that the tick took"},
+        cut_at{file, "tick/cut_at", 0, "", "work at which it was cut off; 0: it was not"},
+        late{file, "tick/late", 0, "", "ticks that began late since the servo loop started"},
+        missed{file, "tick/missed", 0, "", "ticks left out since the servo loop started"},
+        force_state{file, "tick/force_state", 0, "", "0 off, 1 ramping, 2 on, 3 recovering"},
+        flags{file, "tick/flags", 0, "",
+              "sum of 1 another scene, 2 a setting moved, 4 the user lets forces be, 8 the device "
+              "gave no reading, 16 it gave its last reading again"},
+        scene{file, "tick/scene", 0, "", "number of the scene under /scenes; 0: none"},
+        contacts{file, "tick/contacts", 0, "", "contacts that bear on the tool"} {}
+
+  void add(const RecordedStep& row) {
+    const Step& tick = row.step;
+    time.add(tick.time_ns);
+    step.add(tick.sequence);
+    device_position.add(row.device.data());
+    device_orientation.add(row.device.data() + 3);
+    proxy_position.add(row.proxy.data());
+    proxy_orientation.add(row.proxy.data() + 3);
+    force.add(tick.sent_W.force);
+    torque.add(tick.sent_W.torque);
+    isovalue.add(tick.settings.isovalue);
+    stiffness.add(tick.settings.stiffness);
+    angular_stiffness.add(tick.settings.angular_stiffness);
+    friction.add(tick.settings.friction);
+    cpu.add(tick.cpu_ns);
+    cut_at.add(tick.cut_at);
+    late.add(tick.late_ticks);
+    missed.add(tick.missed_ticks);
+    force_state.add(static_cast<std::uint8_t>(tick.force_state));
+    flags.add(tick.flags);
+    scene.add(tick.scene);
+    contacts.add(static_cast<std::uint8_t>(tick.contacts.size()));
+  }
+  /// Calls f with each.
+  template <class F>
+  void visit(F&& f) {
+    f(time), f(step), f(device_position), f(device_orientation), f(proxy_position),
+        f(proxy_orientation), f(force), f(torque), f(isovalue), f(stiffness), f(angular_stiffness),
+        f(friction), f(cpu), f(cut_at), f(late), f(missed), f(force_state), f(flags), f(scene),
+        f(contacts);
+  }
+
+  Table<std::int64_t> time;
+  Table<std::uint64_t> step;
+  Table<double> device_position, device_orientation, proxy_position, proxy_orientation;
+  Table<double> force, torque;
+  Table<double> isovalue, stiffness, angular_stiffness, friction;
+  Table<std::int64_t> cpu, cut_at;
+  Table<std::uint32_t> late, missed;
+  Table<std::uint8_t> force_state, flags;
+  Table<std::uint32_t> scene;
+  Table<std::uint8_t> contacts;
+};
+
+/// The contacts of all steps, one after another, and where those of a step begin.
+struct ContactTables {
+  explicit ContactTables(hid_t file)
+      : first{file, "contacts/first", 0, "",
+              "row of the step's first contact below; tick/contacts tells how many follow"},
+        arm{file, "contacts/arm", 3, "m", "the point about the tool's origin"},
+        normal{file, "contacts/normal", 3, "1", "unit normal, out of the solid"},
+        push{file, "contacts/push", 0, "N", "along the normal, by the coupling's stiffness"} {}
+
+  void add(const Step& step) {
+    first.add(push.rows());
+    for (const haptics::BearingContact& contact : step.contacts) {
+      arm.add(contact.r_W);
+      normal.add(contact.n_W);
+      push.add(static_cast<float>(contact.push));
+    }
+  }
+  template <class F>
+  void visit(F&& f) {
+    f(first), f(arm), f(normal), f(push);
+  }
+
+  Table<std::int64_t> first;
+  Table<float> arm, normal, push;
+};
+
+/// A table of words; what it is given must live until it is flushed.
+struct Words : Table<const char*> {
+  Words(hid_t file, const char* path, const char* meaning)
+      : Words{file, path, meaning, textType()} {}
+
+ private:
+  Words(hid_t file, const char* path, const char* meaning, Handle type)
+      : Table<const char*>{file, path, 0, "", meaning, type}, type_{std::move(type)} {}
+  Handle type_;
+};
+
+bool writeEvents(hid_t file, std::span<const RecordedEvent> events) {
+  Table<std::int64_t> time{file, "events/time", 0, "ns", "time since the recording began"};
+  Table<std::uint64_t> step{file, "events/step", 0, "", "the step at or before which it happened"};
+  Table<double> value{file, "events/value", 0, "", "its number; not a number: it has none"};
+  Words kind{file, "events/kind", "what happened"}, note{file, "events/note", "its words"};
+  std::vector<std::string> texts;
+  texts.reserve(2 * kChunk);
+  const auto flush = [&] {
+    const bool sound =
+        time.flush() && step.flush() && value.flush() && kind.flush() && note.flush();
+    texts.clear();
+    return sound;
+  };
+  for (const RecordedEvent& event : events) {
+    if (texts.size() + 2 > texts.capacity() && !flush()) return false;
+    time.add(event.time_ns);
+    step.add(event.sequence);
+    value.add(event.value.value_or(std::nan("")));
+    kind.add(texts.emplace_back(plain(event.kind)).c_str());
+    note.add(texts.emplace_back(plain(event.text)).c_str());
+  }
+  return flush();
+}
+
+/// Numbers become int64 or double, truths uint8, lists of lists matrices.
+void attachAll(hid_t object, const nlohmann::ordered_json& facts) {
+  for (const auto& [name, fact] : facts.items()) {
+    if (fact.is_string()) {
+      attach(object, name.c_str(), fact.get<std::string>());
+    } else if (fact.is_boolean()) {
+      attach(object, name.c_str(), static_cast<std::uint8_t>(fact.get<bool>()));
+    } else if (fact.is_number_float()) {
+      attach(object, name.c_str(), fact.get<double>());
+    } else if (fact.is_number()) {
+      attach(object, name.c_str(), fact.get<std::int64_t>());
+    } else if (fact.front().is_array()) {
+      std::vector<double> numbers;
+      for (const auto& row : fact)
+        for (const auto& number : row) numbers.push_back(number.get<double>());
+      attach(object, name.c_str(), numbers.data(), {fact.size(), fact.front().size()});
+    } else {
+      const auto numbers = fact.get<std::vector<double>>();
+      attach(object, name.c_str(), numbers.data(), {numbers.size()});
+    }
+  }
+}
+
+void writeFacts(hid_t file, const haptics::Recording& recording) {
+  attachAll(file, factsOf(recording));
+  const Handle scenes{H5Gcreate2(file, "scenes", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose};
+  for (const RecordedScene& scene : recording.scenes()) {
+    const Handle group{
+        H5Gcreate2(scenes, std::to_string(scene.id).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Gclose};
+    attachAll(group, factsOf(scene));
+  }
+}
+
+}  // namespace
+
+haptics::Expected<Exported> exportHdf5(haptics::Recording& recording,
+                                       const std::filesystem::path& out,
+                                       const ExportOptions& options) {
+  // a file that could not be written stays open in the library, which crashes at exit over it
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  auto output = Output::at(out);
+  if (!output) return tl::unexpected(output.error());
+  Exported exported;
+  exported.files = {out.string()};
+  int why = 0;  // errno of the first failure
+  const auto note = [&](bool sound) {
+    if (!sound && why == 0) why = errno == 0 ? EIO : errno;
+    return why == 0;
+  };
+  const auto unwritable = [&] {
+    // the library has it open still: give back the room
+    std::error_code ignored;
+    std::filesystem::resize_file(output->part(), 0, ignored);
+    return tl::unexpected(output->unwritable(why));
+  };
+  errno = 0;
+  // chunks are written whole: there is nothing to keep of them
+  const Handle access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
+  H5Pset_cache(access, 0, 0, 0, 0.0);
+  Handle file{H5Fcreate(output->part().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose};
+  if (!note(file >= 0)) return unwritable();
+  {
+    StepTables steps{file};
+    std::optional<ContactTables> contacts;
+    if (options.contacts) contacts.emplace(file);
+    const auto done = forEachChosen(recording, options, [&](const RecordedStep& row) {
+      steps.add(row);
+      steps.visit([&](const auto& table) { note(table.sound()); });
+      if (contacts) {
+        contacts->add(row.step);
+        contacts->visit([&](const auto& table) { note(table.sound()); });
+      }
+      ++exported.steps;
+      return why == 0;
+    });
+    if (!done) return tl::unexpected(done.error());
+    steps.visit([&](auto& table) { note(table.flush()); });
+    if (contacts) contacts->visit([&](auto& table) { note(table.flush()); });
+  }
+  const auto events = eventsChosen(recording, options);
+  exported.events = static_cast<std::int64_t>(events.size());
+  if (why == 0) note(writeEvents(file, events));
+  if (why == 0) writeFacts(file, recording);
+  note(file.close());
+  if (why != 0) return unwritable();
+  auto bytes = output->finish();
+  if (!bytes) return tl::unexpected(bytes.error());
+  exported.bytes = *bytes;
+  return exported;
+}
+
+}  // namespace app::exporting

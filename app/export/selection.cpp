@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/export/selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "app/export/text.h"
+
+namespace app::exporting {
+
+using haptics::Error;
+using haptics::RecordedEvent;
+using haptics::RecordedStep;
+
+namespace {
+
+constexpr std::int64_t kStepsBetweenQuestions = 512;
+
+/// Times in ns, both ends included.
+struct Window {
+  std::int64_t from, to;
+};
+
+std::int64_t nanoseconds(double time) {
+  constexpr double kMost = 9.2e9;  // s: what 64 bits of ns hold
+  return std::llround(std::clamp(time, -kMost, kMost) * 1e9);
+}
+Window windowOf(const ExportOptions& options) {
+  return {nanoseconds(options.from), nanoseconds(options.to)};
+}
+
+/// The first multiple of 1/rate at or after a time, both in whole ns.
+std::int64_t dueAt(std::int64_t time_ns, double rate) {
+  const double n = std::ceil((double(time_ns) - 0.5) * rate * 1e-9);
+  return std::llround(n * 1e9 / rate);
+}
+
+tl::unexpected<Error> nothingChosen(const haptics::Recording& recording,
+                                    const ExportOptions& options) {
+  std::string what = "The recording goes from " + numberOf(recording.begin()) + " s to " +
+                     numberOf(recording.end()) + " s and holds no step";
+  if (std::isfinite(options.from)) what += " from " + numberOf(options.from) + " s";
+  if (std::isfinite(options.to)) what += " to " + numberOf(options.to) + " s";
+  if (options.rate > 0.0) what += " at " + numberOf(options.rate) + " Hz";
+  return tl::unexpected(Error{Error::Kind::NotFound, what + "; choose others.", "empty"});
+}
+
+}  // namespace
+
+haptics::Expected<void> forEachChosen(haptics::Recording& recording, const ExportOptions& options,
+                                      const std::function<bool(const RecordedStep&)>& each) {
+  const Window window = windowOf(options);
+  const double begin = std::max(options.from, recording.begin());
+  const double length = std::min(options.to, recording.end()) - begin;
+  const std::int64_t last_due = std::min(window.to, nanoseconds(recording.end()));
+
+  std::int64_t read = 0, chosen = 0, before = 0;
+  bool cancelled = false, damaged = false, wanted = true;
+  std::optional<RecordedStep> pending;  // the newest, which is chosen if nothing comes before due
+  const auto take = [&](const RecordedStep& step) {
+    ++chosen;
+    return wanted = each(step);
+  };
+  // a little more than is asked for, since what is asked for is decided in whole ns
+  constexpr double kMargin = 1e-3;  // s
+  const auto done = recording.forEach(
+      options.from - kMargin, options.to + kMargin, [&](const RecordedStep& step) {
+        const std::int64_t time = step.step.time_ns;
+        damaged = time < before;
+        before = time;
+        if (damaged) return false;
+        if (read++ % kStepsBetweenQuestions == 0 && options.goes_on) {
+          const double part = length > 0.0 ? (double(time) * 1e-9 - begin) / length : 1.0;
+          cancelled = !options.goes_on(std::clamp(part, 0.0, 1.0));
+          if (cancelled) return false;
+        }
+        if (time < window.from) return true;
+        if (time > window.to) return false;
+        if (options.rate <= 0.0) return take(step);
+        const bool due = pending && dueAt(pending->step.time_ns, options.rate) < time;
+        if (due && !take(*pending)) return false;
+        pending = step;
+        return true;
+      });
+  if (!done) return done;
+  if (damaged)
+    return tl::unexpected(Error{Error::Kind::Malformed,
+                                "The recording is damaged: its time goes backwards; use a copy.",
+                                "damaged"});
+  if (cancelled)
+    return tl::unexpected(
+        Error{Error::Kind::Cancelled, "Stopped; nothing was exported.", "cancelled"});
+  if (wanted && pending && dueAt(pending->step.time_ns, options.rate) <= last_due) take(*pending);
+  if (chosen == 0) return nothingChosen(recording, options);
+  return {};
+}
+
+std::span<const RecordedEvent> eventsChosen(const haptics::Recording& recording,
+                                            const ExportOptions& options) {
+  const Window window = windowOf(options);
+  const auto& events = recording.events();
+  const auto first = std::lower_bound(
+      events.begin(), events.end(), window.from,
+      [](const RecordedEvent& event, std::int64_t time) { return event.time_ns < time; });
+  const auto end = std::upper_bound(
+      first, events.end(), window.to,
+      [](std::int64_t time, const RecordedEvent& event) { return time < event.time_ns; });
+  return {first, end};
+}
+
+}  // namespace app::exporting

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "app/export/export.h"
+
+namespace app::exporting {
+
+/// Calls `each` with every step that the options choose, in order, until it returns false. Refuses
+/// a recording that holds none, and one whose time goes backwards.
+haptics::Expected<void> forEachChosen(
+    haptics::Recording& recording, const ExportOptions& options,
+    const std::function<bool(const haptics::RecordedStep&)>& each);
+
+/// The events between from and to, by time.
+std::span<const haptics::RecordedEvent> eventsChosen(const haptics::Recording& recording,
+                                                     const ExportOptions& options);
+
+}  // namespace app::exporting

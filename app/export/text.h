@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <charconv>
+#include <string>
+
+namespace app::exporting {
+
+/// The fewest digits that read as the same number.
+template <class Number>
+void appendNumber(std::string& text, Number number) {
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+}
+template <class Number>
+std::string numberOf(Number number) {
+  std::string text;
+  appendNumber(text, number);
+  return text;
+}
+
+/// One line of sound UTF-8: what controls a terminal or ends a field becomes a space, what is no
+/// character a replacement.
+std::string plain(std::string text);
+
+}  // namespace app::exporting

@@ -1,0 +1,496 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A recording's exports hold what was recorded, to the bit, as other programs read them.
+
+Usage: exports_test.py PALPATE_CLI ROOT
+
+Python's own sqlite3 and zlib (haptics/recording/rows.py), h5py, a reader of TSV and a reader of MCAP
+written from its specification are held against the trace of the same run.
+"""
+import csv
+import json
+import math
+import os
+import pathlib
+import random
+import resource
+import signal
+import sqlite3
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+try:
+    import h5py
+    import numpy
+except ImportError as missing:
+    print("skipped:", missing)
+    sys.exit(77)
+
+CLI, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
+sys.path[:0] = [str(ROOT / "haptics/recording"), str(ROOT / "tests/support")]
+import read_mcap  # noqa: E402
+import rows  # noqa: E402
+
+AXES = "xyz"
+POSE = ["x", "y", "z", "qw", "qx", "qy", "qz"]
+CSV_ENDINGS = ["_motion.tsv", "_contacts.tsv", "_events.tsv", "_channels.tsv", "_channels.json",
+               "_motion.json", "_events.json"]
+GREATEST_GROWTH_KB = 12 * 1024  # from 6 s to 60 s; the least export of the difference is 9 MB
+PEAK = """
+import os, sys
+child = os.posix_spawn(sys.argv[1], sys.argv[1:], os.environ,
+                       file_actions=[(os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)])
+_, status, usage = os.wait4(child, 0)
+assert status == 0
+print(usage.ru_maxrss)
+"""
+NOTE = "tab\there, two\nlines, ünïcode and \"quotes\""
+PLAIN_NOTE = NOTE.replace("\t", " ").replace("\n", " ")
+
+faults = 0
+
+
+def check(holds, sentence):
+    global faults
+    if not holds:
+        faults += 1
+        print("FAULT:", sentence, flush=True)
+    return holds
+
+
+def bits(number):
+    return struct.pack("<d", number)
+
+
+def same(what, ours, theirs):
+    """Two tables of numbers, to the bit."""
+    if not check(len(ours) == len(theirs), f"{what}: {len(ours)} rows in place of {len(theirs)}"):
+        return
+    for i, (a, b) in enumerate(zip(ours, theirs)):
+        if [bits(float(x)) for x in a] != [bits(float(x)) for x in b]:
+            check(False, f"{what}: row {i} is {list(a)} in place of {list(b)}")
+            return
+
+
+def cli(*words, expect=0, **how):
+    done = subprocess.run([CLI, *map(str, words), "--json"], capture_output=True, timeout=300, **how)
+    check(done.returncode == expect,
+          f"{' '.join(map(str, words))}: {done.returncode} in place of {expect}: {done.stderr}")
+    said = json.loads(done.stdout) if done.stdout else {}
+    if expect in (2, 3, 4, 130):
+        sentence = said.get("error", {}).get("message", "")
+        check(sentence.endswith((".", ")")) and len(sentence) > 20, f"no sentence: {said}")
+    return said
+
+
+def record(folder, name, seconds, tool="probe", hand="slide"):
+    cli("run", "--phantom", "sphere", "--isovalue", 0, "--tool", tool, "--hand", hand, "--seconds",
+        seconds, "--stiffness", 1000, "--trace", folder / (name + ".csv"), "--record",
+        folder / (name + ".palpate"))
+    return folder / (name + ".palpate")
+
+
+def export(recording, format, out, *more, **how):
+    return cli("export", recording, "--format", format, "--out", out, *more, **how)
+
+
+# readers: each gives columns of the steps, the contacts of each step, and the events
+
+def from_rows(path):
+    steps = list(rows.steps(str(path)))
+    contacts = [[] for _ in steps]
+    at = {step["sequence"]: i for i, step in enumerate(steps)}
+    for c in rows.contacts(str(path)):
+        contacts[at[c["sequence"]]].append(
+            [c["arm_" + a] for a in AXES] + [c["normal_" + a] for a in AXES] + [c["push"]])
+    file = sqlite3.connect(path)
+    events = [(t, kind, value, text or "") for t, kind, value, text in file.execute(
+        "SELECT time_ns, kind, value, text FROM event WHERE kind <> 'start' ORDER BY time_ns, id")]
+    file.close()
+    return {"time": [s["time"] for s in steps],
+            "device": [[s["device_" + n] for n in POSE] for s in steps],
+            "proxy": [[s["proxy_" + n] for n in POSE] for s in steps],
+            "force": [[s["force_" + a] for a in AXES] for s in steps],
+            "torque": [[s["torque_" + a] for a in AXES] for s in steps],
+            "settings": [[s[n] for n in ("isovalue", "stiffness", "angular_stiffness", "friction",
+                                         "scene")] for s in steps],
+            "tick": [[s[n] for n in ("sequence", "cpu", "cut_at", "late_ticks", "missed_ticks",
+                                     "force_state", "flags", "contacts")] for s in steps],
+            "contacts": contacts, "events": events}
+
+
+def table(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.reader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
+
+
+def ns_of(seconds):
+    whole, decimals = seconds.lstrip("-").split(".")
+    check(len(decimals) == 9, f"{seconds} has not nine decimals")
+    return (-1 if seconds.startswith("-") else 1) * (int(whole) * 10**9 + int(decimals))
+
+
+def from_csv(prefix):
+    channels = table(f"{prefix}_channels.tsv")
+    check(channels[0][:6] == ["name", "component", "type", "tracked_point", "units",
+                              "reference_frame"], "the channels' columns")
+    names = [row[0] for row in channels[1:]]
+    check(len(set(names)) == len(names), "two channels of one name")
+    motion = table(f"{prefix}_motion.tsv")
+    check(all(len(row) == len(names) for row in motion), "columns are not the channels")
+    facts = json.load(open(f"{prefix}_motion.json", encoding="utf-8"))
+    for key in ("TaskName", "SamplingFrequency", "TrackingSystemName"):
+        check(key in facts, f"_motion.json lacks {key}")
+    check(facts["MotionChannelCount"] == len(names) and facts["TrackedPointsCount"] == 2,
+          "the counts of _motion.json")
+    for kind in ("POS", "ORNT", "LATENCY", "MISC"):
+        check(facts[kind + "ChannelCount"] == sum(r[2] == kind for r in channels[1:]),
+              f"the count of {kind} in _motion.json")
+    frames = json.load(open(f"{prefix}_channels.json", encoding="utf-8"))["reference_frame"]
+    check({row[5] for row in channels[1:]} - {"n/a"} == set(frames["Levels"]), "reference frames")
+    column = {name: [row[i] for row in motion] for i, name in enumerate(names)}
+
+    def columns(*wanted, number=float):
+        return [list(map(number, row)) for row in zip(*[column[name] for name in wanted])]
+
+    pose = ["x", "y", "z", "quat_w", "quat_x", "quat_y", "quat_z"]
+    first = int(column["time"][0])
+    check([ns_of(t) for t in column["latency"]] == [int(t) - first for t in column["time"]],
+          "latencies are not times since the first row")
+    read = {"time": list(map(int, column["time"])),
+            "device": columns(*["device_" + n for n in pose]),
+            "proxy": columns(*["proxy_" + n for n in pose]),
+            "force": columns(*["force_" + a for a in AXES]),
+            "torque": columns(*["torque_" + a for a in AXES]),
+            "settings": columns("isovalue", "stiffness", "angular_stiffness", "friction", "scene"),
+            "tick": columns("step", "cpu", "cut_at", "late_ticks", "missed_ticks", "force_state",
+                            "flags", "contacts", number=int)}
+    if os.path.exists(f"{prefix}_contacts.tsv"):
+        read["contacts"] = [[] for _ in motion]
+        for row in table(f"{prefix}_contacts.tsv")[1:]:
+            read["contacts"][int(row[0])].append(list(map(float, row[1:])))
+    events = table(f"{prefix}_events.tsv")
+    check(events[0] == ["onset", "duration", "trial_type", "value", "note"], "the events' columns")
+    read["events"] = [(ns_of(onset) + first, kind, None if value == "n/a" else float(value),
+                       "" if note == "n/a" else note) for onset, _, kind, value, note in events[1:]]
+    levels = json.load(open(f"{prefix}_events.json", encoding="utf-8"))["trial_type"]["Levels"]
+    check({row[2] for row in events[1:]} <= set(levels), "a kind of event is not told of")
+    return read
+
+
+def from_hdf5(path):
+    with h5py.File(path) as file:
+        def joined(*names):
+            return numpy.column_stack([file[name][:] for name in names]).tolist()
+
+        def look(name, dataset):
+            if isinstance(dataset, h5py.Dataset):
+                check("unit" in dataset.attrs and "meaning" in dataset.attrs, f"{name} has no unit")
+                check(dataset.chunks and dataset.shuffle and dataset.compression == "gzip",
+                      f"{name} is not chunked and compressed")
+        file.visititems(look)
+        check(file["time"].dtype == "int64" and file["force"].dtype == "float64", "types")
+        scene = file["scenes/1"].attrs
+        check(scene["tool"] == "probe" and list(scene["dims"]) == [64, 64, 64], "the scene's facts")
+        check(scene["direction"].shape == (3, 3), "the scene's direction")
+        read = {"time": file["time"][:].tolist(),
+                "device": joined("device/position", "device/orientation"),
+                "proxy": joined("proxy/position", "proxy/orientation"),
+                "force": file["force"][:].tolist(), "torque": file["torque"][:].tolist(),
+                "settings": joined("settings/isovalue", "settings/stiffness",
+                                   "settings/angular_stiffness", "settings/friction", "tick/scene"),
+                "tick": list(zip(*[file[n][:].tolist() for n in (
+                    "step", "tick/cpu", "tick/cut_at", "tick/late", "tick/missed",
+                    "tick/force_state", "tick/flags", "tick/contacts")]))}
+        if "contacts" in file:
+            every = numpy.column_stack([file["contacts/" + n][:] for n in
+                                        ("arm", "normal", "push")]).astype(float).tolist()
+            read["contacts"] = [every[first:first + count] for first, count in zip(
+                file["contacts/first"][:].tolist(), file["tick/contacts"][:].tolist())]
+        read["events"] = [(t, kind.decode(), None if math.isnan(value) else value, note.decode())
+                          for t, kind, value, note in zip(*[file["events/" + n][:] for n in (
+                              "time", "kind", "value", "note")])]
+        return read
+
+
+def from_mcap(path):
+    file = read_mcap.read(path)
+    topics = file["topics"]
+    check(file["order"] == sorted(file["order"]), "messages are not in order of time")
+    check(file["metadata"]["scene 1"]["tool"] == "probe", "the scene's facts in MCAP")
+    try:
+        import jsonschema
+        for topic, schema in file["schemas"].items():
+            for _, message in topics[topic][::500]:
+                jsonschema.validate(message, {**schema, "required": list(schema["properties"]),
+                                              "additionalProperties": False})
+    except ImportError:
+        pass
+
+    def vector(v):
+        return [v[a] for a in AXES]
+
+    def poses(topic):
+        found = []
+        for t, m in topics[topic]:
+            check(m["timestamp"] == {"sec": t // 10**9, "nsec": t % 10**9}, "a pose's time")
+            q = m["pose"]["orientation"]
+            found.append(vector(m["pose"]["position"]) + [q["w"]] + vector(q))
+        return found
+
+    # settings hold until the next ones
+    settings, changes = [], topics["/settings"]
+    for t, _ in topics["/tick"]:
+        while len(changes) > 1 and changes[1][0] <= t:
+            changes = changes[1:]
+        now = changes[0][1]
+        settings.append([now[n] for n in ("isovalue", "stiffness", "angular_stiffness", "friction",
+                                          "scene")])
+    read = {"time": [t for t, _ in topics["/tick"]], "device": poses("/device"),
+            "proxy": poses("/proxy"), "settings": settings,
+            "force": [vector(m["force"]) for _, m in topics["/wrench"]],
+            "torque": [vector(m["torque"]) for _, m in topics["/wrench"]],
+            "tick": [[m[n] for n in ("step", "cpu_ns", "cut_at", "late", "missed", "force_state",
+                                     "flags", "contacts")] for _, m in topics["/tick"]],
+            "events": [(t, m["kind"], m["value"], m["note"]) for t, m in topics["/event"]]}
+    if topics["/contacts"]:
+        read["contacts"] = [[vector(c["arm"]) + vector(c["normal"]) + [c["push"]]
+                             for c in m["contacts"]] for _, m in topics["/contacts"]]
+    return read
+
+
+FORMATS = {"csv": ("", from_csv), "hdf5": (".h5", from_hdf5), "mcap": (".mcap", from_mcap)}
+
+
+def whole(format, out):
+    return [f"{out}{ending}" for ending in CSV_ENDINGS] if format == "csv" else [str(out)]
+
+
+def compare(what, read, truth, chosen=None, contacts=True):
+    """`chosen`: which of the true steps."""
+    chosen = range(len(truth["time"])) if chosen is None else chosen
+    check(read["time"] == [truth["time"][i] for i in chosen], f"{what}: times differ")
+    for name in ("device", "proxy", "force", "torque", "settings", "tick"):
+        same(f"{what} {name}", read[name], [truth[name][i] for i in chosen])
+    if contacts:
+        same(f"{what} counts", [[len(c)] for c in read["contacts"]],
+             [[len(truth["contacts"][i])] for i in chosen])
+        same(f"{what} contacts", [c for step in read["contacts"] for c in step],
+             [c for i in chosen for c in truth["contacts"][i]])
+    else:
+        check("contacts" not in read, f"{what}: has contacts")
+
+
+def holds_the_trace(folder):
+    recording = record(folder, "session", 3)
+    # what a run without a user does not have
+    file = sqlite3.connect(recording)
+    file.execute("INSERT INTO event (sequence, time_ns, kind, value, text) VALUES "
+                 "(1200, 1200400000, 'mark', NULL, ?), (2000, 2000000000, 'late', 3, NULL)", (NOTE,))
+    file.commit()
+    file.close()
+    truth = from_rows(recording)
+    with open(folder / "session.csv") as trace:
+        lines = [list(map(float, line)) for line in list(csv.reader(trace))[1:]]
+    check(len(lines) == 3000, "the trace has not 3000 rows")
+    check(truth["time"] == [round(line[0] * 1e9) for line in lines], "times are not the trace's")
+    for name, begin, end in (("device", 1, 8), ("proxy", 8, 15), ("force", 15, 18),
+                             ("torque", 18, 21)):
+        same(f"recording {name}", truth[name], [line[begin:end] for line in lines])
+    check([len(c) for c in truth["contacts"]] == [int(line[21]) for line in lines], "contacts")
+    check(sum(map(len, truth["contacts"])) > 1000, "the hand hardly touched")
+    events = [(t, kind, value, text.replace("\t", " ").replace("\n", " "))
+              for t, kind, value, text in truth["events"]]
+    check((1200400000, "mark", None, PLAIN_NOTE) in events and len(events) >= 7, "events")
+    for format, (ending, read) in FORMATS.items():
+        out = folder / f"whole{ending}"
+        said = export(recording, format, out)
+        check(said["files"] == whole(format, out), f"{format}: files are {said['files']}")
+        check(said["steps"] == 3000 and said["events"] == len(events), f"{format}: counts")
+        check(said["bytes"] == sum(os.path.getsize(f) for f in said["files"]), f"{format}: bytes")
+        found = read(out)
+        compare(format, found, truth)
+        check(found["events"] == events, f"{format}: events are {found['events']}")
+    return recording, truth
+
+
+def has_no_date(folder, recording):
+    """Made again later, it is the same to the byte."""
+    before = {f: open(f, "rb").read() for format, (ending, _) in FORMATS.items()
+              for f in whole(format, folder / f"whole{ending}")}
+    time.sleep(1.1)
+    for format, (ending, _) in FORMATS.items():
+        export(recording, format, folder / f"whole{ending}")
+    for f, content in before.items():
+        check(open(f, "rb").read() == content, f"{f} is another one each time")
+
+
+def chooses(folder, recording, truth):
+    times = truth["time"]
+    for begin, end, rate in ((None, None, 100), (None, None, 30), (0.5, 1.0, None), (1.25, None, 7),
+                             (0.0995, 0.1005, None), (None, 0.7, 999), (None, None, 50000)):
+        words = [w for option, value in (("--from", begin), ("--to", end), ("--rate", rate))
+                 if value is not None for w in (option, value)]
+        first, last = (begin or 0) * 1e9, (end if end is not None else 1e9) * 1e9
+        inside = [i for i, t in enumerate(times) if first <= t <= last]
+        chosen = inside
+        if rate:
+            chosen, least, most = [], max(first, 0), min(last, times[-1])
+            for n in range(math.ceil(least * rate / 1e9 - 1e-9), math.floor(most * rate / 1e9) + 1):
+                before = [i for i in inside if times[i] <= round(n * 1e9 / rate)]
+                if before and before[-1] not in chosen[-1:]:
+                    chosen.append(before[-1])
+        events = [e for e in truth["events"] if first <= e[0] <= last]
+        for format, (ending, read) in FORMATS.items():
+            out = folder / f"chosen{ending}"
+            said = export(recording, format, out, *words)
+            check(said["steps"] == len(chosen) > 0 and said["events"] == len(events),
+                  f"{format} {words}: {said} in place of {len(chosen)}, {len(events)}")
+            found = read(out)
+            compare(f"{format} {words}", found, truth, chosen)
+            check([e[0] for e in found["events"]] == [e[0] for e in events], f"{format} events")
+    for format, (ending, read) in FORMATS.items():
+        out = folder / f"without{ending}"
+        said = export(recording, format, out, "--no-contacts")
+        check(not any("contacts" in f for f in said["files"]), f"{format}: a file of contacts")
+        compare(format + " --no-contacts", read(out), truth, contacts=False)
+
+
+def left_in(folder):
+    return sorted(p.name for p in folder.iterdir())
+
+
+def refuses(folder, recording):
+    other = folder / "refused"
+    other.mkdir()
+    (other / "file").write_text("in the way")
+    (other / "folder.h5").mkdir()
+    (other / "folder.mcap").mkdir()
+    (other / "folder_motion.tsv").mkdir()
+    for format, (ending, _) in FORMATS.items():
+        for out in (other / f"no-folder/x{ending}", other / f"file/x{ending}",
+                    other / f"folder{ending}"):
+            export(recording, format, out, expect=4)
+        # an old one stays, whatever becomes of the new one
+        out = other / f"old{ending}"
+        old = whole(format, out)
+        for f in old:
+            pathlib.Path(f).write_text("old")
+        export(recording, format, out, "--from", 100, expect=3)
+        check(all(pathlib.Path(f).read_text() == "old" for f in old), f"{format}: the old is gone")
+
+        def limited(most):
+            def limit():
+                signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+            return limit
+        # no room: at once, in the middle, near the end
+        bytes = max(os.path.getsize(f) for f in whole(format, folder / f"whole{ending}"))
+        for most in (100, bytes // 2, bytes - 200):
+            export(recording, format, out, expect=4, preexec_fn=limited(most))
+        check(all(pathlib.Path(f).read_text() == "old" for f in old), f"{format}: the old is gone")
+        export(recording, format, out)
+        check(all(pathlib.Path(f).stat().st_size > 100 for f in old), f"{format}: the old stays")
+        for f in old:
+            os.remove(f)
+    export(recording, "csv", str(other) + "/", expect=4)
+    check(left_in(other) == ["file", "folder.h5", "folder.mcap", "folder_motion.tsv"],
+          f"left behind: {left_in(other)}")
+
+    # what is no recording, or one that is broken
+    content = recording.read_bytes()
+    (other / "text.palpate").write_text("a letter\n" * 1000)
+    (other / "empty.palpate").write_bytes(b"")
+    (other / "cut.palpate").write_bytes(content[:len(content) // 2])
+    foreign = sqlite3.connect(other / "foreign.palpate")
+    foreign.execute("CREATE TABLE step (first INTEGER)")
+    foreign.commit()
+    foreign.close()
+    (other / "part.palpate.part").write_bytes(content)
+    (other / "block.palpate").write_bytes(content)
+    block = sqlite3.connect(other / "block.palpate")
+    block.execute("UPDATE step SET data = randomblob(length(data)) WHERE first > 1000")
+    block.commit()
+    block.close()
+    randomly = random.Random(7)
+    noisy = bytearray(content)
+    for _ in range(400):
+        noisy[randomly.randrange(20_000, len(noisy))] ^= 1 << randomly.randrange(8)
+    (other / "noisy.palpate").write_bytes(noisy)
+    there = left_in(other)
+    for name in [n for n in there if ".palpate" in n] + ["absent.palpate", "folder.h5"]:
+        for format, (ending, _) in FORMATS.items():
+            export(other / name, format, other / f"out{ending}", expect=3)
+    check(left_in(other) == there, f"left behind: {left_in(other)}")
+
+    for words in (["--format", "xml"], ["--rate", 0], ["--rate", "nan"], ["--from", "x"],
+                  ["--from", 2, "--to", 1], ["--out", folder / "x.txt"]):
+        line = {"--format": "hdf5", "--out": folder / "x.h5",
+                **dict(zip(words[::2], words[1::2]))}
+        cli("export", recording, *[w for pair in line.items() for w in pair], expect=2)
+
+
+def names_no_file(folder):
+    """A tool of the user's own, whose name is nobody's business."""
+    secret = folder / "Mustermann-Erika"
+    secret.mkdir()
+    cli("tool", "probe", "--out", secret / "Praxis-Nord.csv")
+    recording = record(secret, "Sitzung-Erika", 0.5, tool=secret / "Praxis-Nord.csv")
+    for format, (ending, _) in FORMATS.items():
+        for name in export(recording, format, folder / f"nameless{ending}")["files"]:
+            content = open(name, "rb").read()
+            for word in (b"Mustermann", b"Praxis", b"Sitzung", b"Erika", str(folder).encode(),
+                         os.uname().nodename.encode()):
+                check(len(word) < 4 or word not in content, f"{name} holds {word}")
+
+
+def stays_small(folder):
+    short, long = record(folder, "six", 6), record(folder, "sixty", 60)
+    cancelled = 0
+    for format, (ending, _) in FORMATS.items():
+        peaks = []
+        for recording in (short, long):
+            # from a process that is small itself: a child begins with its parent's peak
+            peaks.append(int(subprocess.run(
+                [sys.executable, "-S", "-c", PEAK, CLI, "export", recording, "--format", format,
+                 "--out", folder / f"size{ending}"], capture_output=True, check=True).stdout))
+        print(f"{format}: peak {peaks[0]} kB for 6 s, {peaks[1]} kB for 60 s", flush=True)
+        check(peaks[1] < peaks[0] + GREATEST_GROWTH_KB, f"{format}: memory grows: {peaks} kB")
+
+        # and it can be stopped on the way
+        place = folder / f"stopped-{format}"
+        place.mkdir()
+        child = subprocess.Popen([CLI, "export", long, "--format", format, "--out",
+                                  place / f"x{ending}"], stdout=subprocess.DEVNULL,
+                                 stderr=subprocess.DEVNULL)
+        while child.poll() is None and not left_in(place):
+            time.sleep(0.001)
+        child.send_signal(signal.SIGINT)
+        code = child.wait(300)
+        cancelled += code == 130
+        check(code in (0, 130), f"{format}: stopped with {code}")
+        check(code == 0 or left_in(place) == [], f"{format}: left behind {left_in(place)}")
+    check(cancelled > 0, "no export was still going on when it was stopped")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        recording, truth = holds_the_trace(folder)
+        export(recording, "mcap", folder / "short.mcap", "--from", 0.5, "--to", 0.6)
+        missed = read_mcap.changes_missed(folder / "short.mcap", folder / "changed.mcap")
+        check(missed == [], f"the reader of MCAP misses changed bytes at {missed}")
+        has_no_date(folder, recording)
+        chooses(folder, recording, truth)
+        refuses(folder, recording)
+        names_no_file(folder)
+        stays_small(folder)
+    print("faults:", faults)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
