@@ -11,4 +11,19 @@ bool displayReachable();
 /// Whether VTK can draw without a window of Qt's: an X display that knows GLX.
 bool displayDraws();
 
+/// An open X display. A virtual one begins anew when its last client has gone, and VTK ends the
+/// process where it is asked meanwhile: so it is held from the check until VTK is done.
+class HeldDisplay {
+ public:
+  HeldDisplay();  ///< waits as displayDraws does
+  ~HeldDisplay();
+  HeldDisplay(const HeldDisplay&) = delete;
+  HeldDisplay& operator=(const HeldDisplay&) = delete;
+  /// As displayDraws.
+  bool draws() const;
+
+ private:
+  void* display_;
+};
+
 }  // namespace app

@@ -5,6 +5,9 @@
 
 #include "app/cli/commands.h"
 #include "app/export/export.h"
+#ifdef PALPATE_FILM
+#include "app/cli/film_export.h"
+#endif
 
 namespace app::cli {
 namespace {
@@ -12,6 +15,9 @@ namespace {
 struct ExportCommand {
   std::string file, format, out;
   exporting::ExportOptions options;
+#ifdef PALPATE_FILM
+  FilmChoice film;
+#endif
 };
 
 /// A name of --format, what OUT must end in, and what writes it.
@@ -29,16 +35,28 @@ constexpr Format kFormats[] = {{"csv", "", exporting::exportCsv},
 std::vector<std::string> formatNames() {
   std::vector<std::string> names;
   for (const Format& format : kFormats) names.emplace_back(format.name);
+#ifdef PALPATE_FILM
+  names.emplace_back("video");
+#endif
   return names;
 }
 
 Outcome run(ExportCommand command) {
+  if (command.options.from > command.options.to) return usage("--from must not be after --to.");
+#ifdef PALPATE_FILM
+  if (command.format == "video") {
+    command.film.recording = command.file;
+    command.film.out = command.out;
+    command.film.from = command.options.from;
+    command.film.to = command.options.to;
+    return exportFilm(command.film);
+  }
+#endif
   const Format& format =
       *std::find_if(std::begin(kFormats), std::end(kFormats),
                     [&](const Format& one) { return one.name == command.format; });
   if (!command.out.ends_with(format.ending))
     return usage("\"" + command.out + "\" must end in " + format.ending + ".");
-  if (command.options.from > command.options.to) return usage("--from must not be after --to.");
   auto recording = haptics::Recording::open(command.file);
   if (!recording) return refused(recording.error());
   command.options.goes_on = [](double) { return !interrupted(); };
@@ -68,12 +86,13 @@ void addExport(CLI::App& program, Chosen& chosen) {
   command->add_option("file", options->file, "A recording, NAME.palpate")
       ->required()
       ->check(notEmpty());
-  command->add_option("--format", options->format, "csv (Motion-BIDS), hdf5 or mcap")
+  command->add_option("--format", options->format, "csv (Motion-BIDS), hdf5, mcap, or video")
       ->required()
       ->check(CLI::IsMember(formatNames()));
   command
       ->add_option("--out", options->out,
-                   "File to write; for csv how the files' names begin: OUT_motion.tsv and so on")
+                   "File to write; for csv how the files' names begin: OUT_motion.tsv and so on; "
+                   "a video is an .mp4, without ffmpeg an .ogv")
       ->required()
       ->check(notEmpty());
   command->add_option("--from", options->options.from, "Leave out what was before [s]")
@@ -86,6 +105,9 @@ void addExport(CLI::App& program, Chosen& chosen) {
       ->check(finiteNumber() & CLI::Range(0.001, 1e6));
   command->add_flag_callback(
       "--no-contacts", [options] { options->options.contacts = false; }, "Leave out the contacts");
+#ifdef PALPATE_FILM
+  addFilmOptions(*command, options->film);
+#endif
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/film_export.h"
+
+#include <charconv>
+#include <iostream>
+#include <memory>
+
+#include "app/film/face.h"
+#include "app/film/film.h"
+#include "haptics/recording/recording.h"
+
+namespace app::cli {
+namespace {
+
+/// "1280x720" as two numbers.
+bool readSize(const std::string& text, FilmOptions& options) {
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, options.width);
+  if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return false;
+  const auto height = std::from_chars(width.ptr + 1, end, options.height);
+  return height.ec == std::errc{} && height.ptr == end;
+}
+
+Outcome refusedFilm(const haptics::Error& error) {
+  Outcome outcome = refused(error);
+  if (error.reason == "cancelled") {
+    outcome.code = Exit::Interrupted;
+  } else if (error.reason == "options" || error.reason == "nothing") {
+    outcome.code = Exit::Usage;
+  } else if (error.reason == "encoder" || error.reason == "unwritable" ||
+             error.reason == "no-display" || error.reason == "no-graphics") {
+    outcome.code = Exit::Failed;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+Outcome exportFilm(const FilmChoice& choice) {
+  FilmOptions options;
+  if (!readSize(choice.size, options))
+    return usage("\"" + choice.size + "\" is no size; write it as 1280x720.");
+  options.frames_per_second = choice.frames_per_second;
+  options.speed = choice.speed;
+  options.from = choice.from;
+  options.to = choice.to;
+  options.burn_in = choice.burn_in;
+  options.recorded_camera = choice.camera == "recorded";
+  if (choice.surface == "mesh") options.surface = ui::SurfaceMode::Mesh;
+  if (choice.surface == "raycast") options.surface = ui::SurfaceMode::RayCast;
+  options.goes_on = [](double) { return !interrupted(); };
+
+  auto recording = haptics::Recording::open(choice.recording);
+  if (!recording) return refused(recording.error());
+  std::shared_ptr<const haptics::Volume> volume;
+  bool face = false;
+  if (!choice.volume.path.empty() || !choice.volume.phantom.empty()) {
+    auto loaded = loadVolume(choice.volume);
+    if (!loaded) return refused(loaded.error());
+    volume = *loaded;
+    bool recorded = false;
+    for (const haptics::RecordedScene& scene : recording->scenes())
+      recorded = recorded || haptics::liesLike(scene.volume, *volume);
+    if (!recorded)
+      return refused(
+          {haptics::Error::Kind::Unsupported,
+           "The volume is not the one that was recorded: its voxels are others in number, "
+           "place or type; give the one that was touched, or none.",
+           "another-volume"});
+    face = choice.volume.phantom.empty() && mayShowAFace(*volume, leastIsovalue(*recording));
+  }
+  if (face)
+    std::cerr << "At this isovalue skin is drawn, and a face can tell who the patient is: look at "
+                 "the film before you pass it on.\n";
+
+  const auto volumeOf = [&](std::uint32_t id) {
+    const haptics::RecordedScene* scene = recording->scene(id);
+    const bool same =
+        volume != nullptr && scene != nullptr && haptics::liesLike(scene->volume, *volume);
+    return same ? volume : nullptr;
+  };
+  const auto film = makeFilm(*recording, volumeOf, choice.out, options);
+  if (!film) return refusedFilm(film.error());
+  Outcome outcome;
+  outcome.json["film"] = film->film.string();
+  outcome.json["steps"] = film->times.string();
+  outcome.json["frames"] = film->frames;
+  outcome.json["seconds"] = film->seconds;
+  outcome.json["codec"] = film->codec;
+  outcome.json["surface"] = volume == nullptr                        ? "none"
+                            : film->surface == ui::SurfaceMode::Mesh ? "mesh"
+                                                                     : "raycast";
+  outcome.json["may_show_a_face"] = face;
+  return outcome;
+}
+
+void addFilmOptions(CLI::App& command, FilmChoice& choice) {
+  auto* path = command.add_option("--volume", choice.volume.path,
+                                  "The scan that was touched; none: the tool alone");
+  command.add_option("--phantom", choice.volume.phantom, "The phantom that was touched")
+      ->excludes(path);
+  addReading(command, choice.volume);
+  command.add_option("--size", choice.size, "Width and height in pixels, as 1280x720");
+  command.add_option("--fps", choice.frames_per_second, "Frames a second")
+      ->check(CLI::Range(1, 240));
+  command.add_option("--speed", choice.speed, "Seconds of the session in a second of the film")
+      ->check(finiteNumber() & CLI::Range(0.001, 1000.0));
+  command.add_flag("--burn-in", choice.burn_in, "Write time and force into the picture");
+  command.add_option("--camera", choice.camera, "recorded, or fixed: surface and tool whole")
+      ->check(CLI::IsMember({"recorded", "fixed"}));
+  command.add_option("--surface", choice.surface, "How the surface is drawn")
+      ->check(CLI::IsMember({"raycast", "mesh"}));
+}
+
+}  // namespace app::cli

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace app {
+
+/// A picture of a film: red, green and blue of each pixel, row by row from the lowest.
+struct FilmFrame {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// How the frames of a film follow each other.
+struct FilmFormat {
+  int width = 0, height = 0;  ///< pixels, even
+  int frames_per_second = 0;
+};
+
+/// Asked while an encoder is waited for: false ends it.
+using StillWanted = std::function<bool()>;
+
+}  // namespace app
