@@ -92,6 +92,7 @@ Application::Application(Arguments arguments)
   connectChoosing();
   connectMeasurement();
   connectRecording();
+  connectExport();
   display_.setInterval(kDisplayMs);
   display_.setTimerType(Qt::PreciseTimer);
   connect(&display_, &QTimer::timeout, this, &Application::refresh);
@@ -129,7 +130,10 @@ void Application::connectWindow() {
   ui::DevicePanel& device = window_.devicePanel();
   connect(&window_, &ui::MainWindow::phantomWanted, this,
           [this](const QString& name) { load({.phantom = name.toStdString()}, tr("Making")); });
-  connect(&window_, &ui::MainWindow::cancelWanted, &loader_, &Loader::cancel);
+  connect(&window_, &ui::MainWindow::cancelWanted, this, [this] {
+    loader_.cancel();
+    export_.cancel();
+  });
   connect(&window_, &ui::MainWindow::isovalueChanged, this, [this](double isovalue) {
     settings_.isovalue = isovalue;
     session_.set(settings_);
@@ -242,6 +246,7 @@ void Application::adopt(const Loaded& loaded) {
   // where a simulated hand finds nothing to aim at, the mouse may
   if (replay_) {
     replayed_scene_.reset();
+    identity_.seek(loaded.picture.volume);
     showReplayed(replayed_to_);
   } else if (!live && !openHand(hand_) && handNamed(hand_) != HandKind::Mouse)
     openHand("mouse");
@@ -322,6 +327,7 @@ void Application::showField() {
 void Application::refresh() {
   session_.collectGarbage();
   recording_.refresh();
+  noteCamera();
   while (const std::size_t count = session_.forces(samples_)) {
     for (std::size_t i = 0; i < count; ++i)
       points_[i] = {samples_[i].time, static_cast<float>(samples_[i].force),

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/export_task.h"
 #include "app/loader.h"
 #include "app/measurement.h"
 #include "app/preferences.h"
@@ -60,6 +61,9 @@ class Application : public QObject {
   /// What is seen and touched; none before the first volume.
   const std::optional<Loaded>& shown() const { return shown_; }
   SessionRecording& recording() { return recording_; }
+  /// As the user does who has answered every question.
+  void exportTo(ExportRequest request);
+  ExportTask& exportTask() { return export_; }
   /// The recording that is being replayed; null: the hand is at work.
   Replay* replay() { return replay_.get(); }
 
@@ -84,6 +88,10 @@ class Application : public QObject {
   void openRecording(const std::filesystem::path& path);
   void closeReplay();
   void compareVolumes();
+  void connectExport();
+  void exportRecording(const QString& id);
+  FilmCamera cameraNow();
+  void noteCamera();
   void showReplayed(double time);
   void load(LoadRequest request, const QString& what);
   void adopt(const Loaded& loaded);
@@ -133,6 +141,9 @@ class Application : public QObject {
   Recordings recordings_;
   VolumeIdentity identity_;
   SessionRecording recording_;
+  std::string camera_noted_;    ///< the last that was recorded
+  QElapsedTimer since_camera_;  ///< and when
+  ExportTask export_;
   std::unique_ptr<Replay> replay_;
   std::optional<std::uint32_t> replayed_scene_;  ///< whose tool is on view
   std::optional<double> replayed_isovalue_;

@@ -49,7 +49,7 @@ void Application::connectRecording() {
     if (replay_) replay_->setSpeed(factor);
   });
   connect(&bar, &ui::ReplayBar::closeWanted, this, &Application::closeReplay);
-  connect(&identity_, &VolumeIdentity::known, this, [this] { compareVolumes(); });
+  connect(&identity_, &VolumeIdentity::sought, this, [this] { compareVolumes(); });
   showRecordings();
 }
 
@@ -77,7 +77,20 @@ void Application::record(bool record) {
     return window_.showMessage(QString::fromStdString(begun.error().what));
   }
   recording_.note("hand", QString::fromStdString(hand_));
+  camera_noted_.clear();
   showRecordings();
+}
+
+/// Where the user looks from belongs to the session: a film can show what was seen.
+void Application::noteCamera() {
+  constexpr int kLeastMs = 100;
+  if (!recording_.isRecording()) return;
+  if (!camera_noted_.empty() && since_camera_.elapsed() < kLeastMs) return;
+  const std::string camera = wordsOf(cameraNow());
+  if (camera == camera_noted_) return;
+  recording_.note("camera", QString::fromStdString(camera));
+  camera_noted_ = camera;
+  since_camera_.start();
 }
 
 void Application::deleteRecording(const QString& id) {
@@ -136,7 +149,7 @@ void Application::openRecording(const std::filesystem::path& path) {
   window_.replayBar().show();
   replay_->setSpeed(window_.replayBar().speed());
   window_.clearForces();
-  compareVolumes();
+  if (shown_) identity_.seek(shown_->picture.volume);
   replay_->seek(replay_->track().begin);
 }
 
@@ -159,11 +172,9 @@ void Application::compareVolumes() {
   if (!replay_ || !shown_) return;
   const haptics::RecordedScene* then = replay_->recording().scene(replay_->step().step.scene);
   same_volume_ = then != nullptr && haptics::liesLike(then->volume, *shown_->picture.volume);
-  bool told_apart = false;
   if (same_volume_ && then->hash) {
     const auto hash = identity_.of(shown_->picture.volume);
-    told_apart = hash && *hash != *then->hash;
-    same_volume_ = !told_apart;
+    same_volume_ = !hash || *hash == *then->hash;
   }
   QString warning;
   if (then != nullptr && !same_volume_)

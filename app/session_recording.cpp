@@ -14,7 +14,7 @@ constexpr int kStatusMs = 250;
 SessionRecording::SessionRecording(haptics::Session& session, const Recordings& recordings,
                                    VolumeIdentity& identity, QObject* parent)
     : QObject(parent), session_(session), recordings_(recordings), identity_(identity) {
-  connect(&identity_, &VolumeIdentity::known, this, &SessionRecording::identify);
+  connect(&identity_, &VolumeIdentity::sought, this, &SessionRecording::identify);
 }
 
 SessionRecording::~SessionRecording() { end(); }
@@ -60,7 +60,7 @@ void SessionRecording::describe(std::shared_ptr<const haptics::Scene> scene,
   if (!isRecording()) return;
   recorder_->describe(scene, tool);
   scenes_.push_back(scene);
-  if (identity_.of(scene->volume)) identify(scene->volume);
+  identity_.seek(scene->volume);
 }
 
 void SessionRecording::identify(const std::shared_ptr<const haptics::Volume>& volume) {

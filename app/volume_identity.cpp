@@ -11,14 +11,18 @@ VolumeIdentity::~VolumeIdentity() {
     if (job.thread.joinable()) job.thread.join();
 }
 
-std::optional<haptics::VolumeHash> VolumeIdentity::of(
-    const std::shared_ptr<const haptics::Volume>& volume) {
-  // of volumes that are gone nobody asks any more
+void VolumeIdentity::seek(const std::shared_ptr<const haptics::Volume>& volume) {
+  // of volumes that are gone nobody asks any more; a thread at work holds its volume
   for (Job& job : jobs_)
     if (job.volume.expired() && job.thread.joinable()) job.thread.join();
   jobs_.remove_if([](const Job& job) { return job.volume.expired(); });
-  for (const Job& job : jobs_)
-    if (job.volume.lock() == volume) return job.hash;
+  for (const Job& job : jobs_) {
+    if (job.volume.lock() != volume) continue;
+    if (job.done)
+      QMetaObject::invokeMethod(
+          this, [this, volume] { emit sought(volume); }, Qt::QueuedConnection);
+    return;
+  }
   Job& job = jobs_.emplace_back(volume);
   job.thread = std::thread([this, &job, volume] {
     const auto hash = hashOf(*volume, installationKey(), job.cancel);
@@ -26,10 +30,17 @@ std::optional<haptics::VolumeHash> VolumeIdentity::of(
         this,
         [this, &job, volume, hash] {
           job.hash = hash;
-          emit known(volume);
+          job.done = true;
+          emit sought(volume);
         },
         Qt::QueuedConnection);
   });
+}
+
+std::optional<haptics::VolumeHash> VolumeIdentity::of(
+    const std::shared_ptr<const haptics::Volume>& volume) const {
+  for (const Job& job : jobs_)
+    if (job.volume.lock() == volume) return job.hash;
   return {};
 }
 

@@ -20,17 +20,20 @@ class VolumeIdentity : public QObject {
   explicit VolumeIdentity(QObject* parent = nullptr) : QObject(parent) {}
   ~VolumeIdentity() override;
 
-  /// The hash if it is known; else it is sought, and known() tells.
-  std::optional<haptics::VolumeHash> of(const std::shared_ptr<const haptics::Volume>& volume);
+  /// sought() follows, soon if it is known already.
+  void seek(const std::shared_ptr<const haptics::Volume>& volume);
+  /// None: it was not sought yet, or cannot be had.
+  std::optional<haptics::VolumeHash> of(const std::shared_ptr<const haptics::Volume>& volume) const;
 
  signals:
-  /// A hash that was sought is there, or cannot be had.
-  void known(const std::shared_ptr<const haptics::Volume>& volume);
+  void sought(const std::shared_ptr<const haptics::Volume>& volume);
 
  private:
   struct Job {
+    explicit Job(std::weak_ptr<const haptics::Volume> hashed) : volume{std::move(hashed)} {}
     std::weak_ptr<const haptics::Volume> volume;
     std::optional<haptics::VolumeHash> hash = {};  ///< set on this object's thread
+    bool done = false;
     std::atomic<bool> cancel{false};
     std::thread thread = {};
   };

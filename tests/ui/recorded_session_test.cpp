@@ -98,13 +98,15 @@ TEST(RecordedSession, IsRecordedMarkedAndReplayedToTheBit) {
   EXPECT_EQ(recording->lostCount(), 0);
   ASSERT_EQ(recording->scenes().size(), 1U);
   EXPECT_TRUE(recording->scenes().front().hash);
-  int marks = 0, hands = 0;
+  int marks = 0, hands = 0, cameras = 0;
   for (const haptics::RecordedEvent& event : recording->events()) {
     marks += event.kind == "mark" && event.text == "a rough place";
     hands += event.kind == "hand" && event.text == "slide";
+    cameras += event.kind == "camera" && app::cameraFrom(event.text).has_value();
   }
   EXPECT_EQ(marks, 1);
   EXPECT_EQ(hands, 1);
+  EXPECT_GE(cameras, 1);
   const auto difference = haptics::replay(
       *recording,
       [&](std::uint32_t id) {

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the application does about exports.
+#include <QFileDialog>
+
+#include "app/application.h"
+#include "app/film/face.h"
+#include "ui/export_question.h"
+#include "ui/panels/recording_panel.h"
+#include "ui/volume_view.h"
+
+namespace app {
+
+namespace {
+
+/// The ending of a format's files, and what it is called.
+struct Ending {
+  const char* ending;
+  const char* label;
+};
+Ending endingOf(ui::ExportWish::Format format) {
+  switch (format) {
+    case ui::ExportWish::Format::Csv:
+      return {"", QT_TRANSLATE_NOOP("app::Application", "Motion-BIDS: the beginning of the names")};
+    case ui::ExportWish::Format::Hdf5:
+      return {".h5", QT_TRANSLATE_NOOP("app::Application", "HDF5 (*.h5)")};
+    case ui::ExportWish::Format::Mcap:
+      return {".mcap", QT_TRANSLATE_NOOP("app::Application", "MCAP (*.mcap)")};
+    case ui::ExportWish::Format::Film:
+      break;
+  }
+  return {".mp4", QT_TRANSLATE_NOOP("app::Application", "Film (*.mp4 *.ogv)")};
+}
+
+}  // namespace
+
+FilmCamera Application::cameraNow() {
+  vtkCamera* camera = window_.view().camera();
+  const auto vector = [](const double* v) { return haptics::Vec3(v[0], v[1], v[2]); };
+  return {vector(camera->GetPosition()), vector(camera->GetFocalPoint()),
+          vector(camera->GetViewUp()), camera->GetViewAngle()};
+}
+
+void Application::connectExport() {
+  connect(&window_.recordingPanel(), &ui::RecordingPanel::exportWanted, this,
+          &Application::exportRecording);
+  connect(&export_, &ExportTask::progressed, &window_, &ui::MainWindow::showProgress);
+  connect(&export_, &ExportTask::finished, this, [this](bool, const QString& what) {
+    window_.endLoading();
+    if (!what.isEmpty()) window_.showMessage(what);
+  });
+}
+
+void Application::exportRecording(const QString& id) {
+  const std::filesystem::path path = recordings_.pathOf(id);
+  const auto recording = haptics::Recording::open(path);
+  if (!recording) return window_.showMessage(QString::fromStdString(recording.error().what));
+  const auto wish = ui::askForExport(&window_, recording->begin(), recording->end());
+  if (!wish) return;
+  ExportRequest request{.recording = path, .out = {}, .wish = *wish};
+  if (wish->format == ui::ExportWish::Format::Film) {
+    request.volume = shown_ ? shown_->picture.volume : nullptr;
+    if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed) request.camera = cameraNow();
+    // said once for each film, before anything is written
+    if (shown_ && !shown_->place.empty() &&
+        mayShowAFace(*request.volume, leastIsovalue(*recording)) &&
+        !window_.askWhether(
+            tr("This film may show a face."),
+            tr("At this isovalue the skin is drawn, and skin can be a face that somebody knows. "
+               "Raise the isovalue to bone, or give the film only to those who may see it."),
+            tr("Make the film")))
+      return;
+  }
+  const Ending ending = endingOf(wish->format);
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  QFileDialog dialog(&window_, tr("Export to"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setNameFilter(tr(ending.label));
+  dialog.setDefaultSuffix(QString(ending.ending).mid(1));
+  dialog.selectFile(QString::fromStdString(path.stem().string()) + ending.ending);
+  if (dialog.exec() != QDialog::Accepted) return;
+  request.out = dialog.selectedFiles().value(0).toStdString();
+  exportTo(std::move(request));
+}
+
+void Application::exportTo(ExportRequest request) {
+  if (!export_.start(std::move(request)))
+    return window_.showMessage(tr("An export is under way; wait for it, or cancel it first."));
+  window_.clearMessage();
+  window_.showLoading(tr("Exporting"));
+}
+
+}  // namespace app
