@@ -175,6 +175,52 @@ TEST(RecordedSession, IsGoneThroughInTheWindow) {
       [&] { return application.snapshot().scene == application.shown()->scene->id; }, 20.0));
 }
 
+TEST(RecordedSession, IsExportedBehindTheWindow) {
+  const QTemporaryDir folder, exports;
+  app::Application application(sphere(folder));
+  application.start();
+  recordSome(application, folder, 1500);
+  if (HasFatalFailure()) return;
+  app::ExportRequest request{.recording = filesIn(folder).front(), .out = {}, .wish = {}};
+  request.wish.from = 0.0;
+  request.wish.to = 1.0;
+  request.volume = application.shown()->picture.volume;
+  request.wish.film.width = 320;
+  request.wish.film.height = 240;
+  int ended = 0;
+  bool well = false;
+  QObject::connect(&application.exportTask(), &app::ExportTask::finished, &application,
+                   [&](bool done, const QString&) {
+                     ++ended;
+                     well = done;
+                   });
+  using Format = ui::ExportWish::Format;
+  int number = 0;
+  for (const auto& [format, name] : {std::pair{Format::Csv, "csv"},
+                                     {Format::Hdf5, "e.h5"},
+                                     {Format::Mcap, "e.mcap"},
+                                     {Format::Film, "film"}}) {
+    request.wish.format = format;
+    request.out = fs::path(exports.path().toStdString()) / name;
+    application.exportTo(request);
+    ASSERT_TRUE(waitFor([&] { return ended > number; }, 120.0)) << name;
+    EXPECT_TRUE(well) << name
+                      << child<QLabel>(application.window(), "message")->text().toStdString();
+    ++number;
+  }
+  // the touch went on
+  EXPECT_TRUE(application.session().isOpen());
+  EXPECT_GE(filesIn(exports).size(), 8U);
+  // cancelled, nothing is left of it
+  request.out = fs::path(exports.path().toStdString()) / "cancelled";
+  application.exportTo(request);
+  emit application.window().cancelWanted();
+  ASSERT_TRUE(waitFor([&] { return ended > number; }, 120.0));
+  EXPECT_FALSE(well);
+  for (const fs::path& file : filesIn(exports))
+    EXPECT_EQ(file.string().find("cancelled"), std::string::npos) << file;
+}
+
 TEST(RecordedSession, ThatWasNeverFinishedIsOfferedAtTheNextStart) {
   const QTemporaryDir folder;
   {
