@@ -22,6 +22,7 @@ void Application::connectOpening() {
 }
 
 void Application::open(const QString& path) {
+  if (path.endsWith(".palpate")) return openRecording(path.toStdString());
   load({.path = std::filesystem::path(path.toStdString())}, tr("Reading"));
 }
 
