@@ -28,7 +28,7 @@ ordered_json factsOf(const haptics::Recording& recording) {
           {"build", plain(recording.build())},
           {"machine", plain(recording.machine())},
           {"vectors", plain(recording.vectors())},
-          {"frame", "patient coordinates of the scan (LPS), metres"},
+          {"frame", "the scan's, metres: patient LPS where a scene's orientation is known"},
           {"steps", recording.stepCount()},
           {"lost_steps", recording.lostCount()}};
 }

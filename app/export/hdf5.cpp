@@ -295,6 +295,9 @@ void attachAll(hid_t object, const nlohmann::ordered_json& facts) {
       for (const auto& row : fact)
         for (const auto& number : row) numbers.push_back(number.get<double>());
       attach(object, name.c_str(), numbers.data(), {fact.size(), fact.front().size()});
+    } else if (fact.front().is_number_integer()) {
+      const auto numbers = fact.get<std::vector<std::int64_t>>();
+      attach(object, name.c_str(), numbers.data(), {numbers.size()});
     } else {
       const auto numbers = fact.get<std::vector<double>>();
       attach(object, name.c_str(), numbers.data(), {numbers.size()});

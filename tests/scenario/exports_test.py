@@ -194,7 +194,8 @@ def from_hdf5(path):
         file.visititems(look)
         check(file["time"].dtype == "int64" and file["force"].dtype == "float64", "types")
         scene = file["scenes/1"].attrs
-        check(scene["tool"] == "probe" and list(scene["dims"]) == [64, 64, 64], "the scene's facts")
+        check(scene["tool"] == "probe" and list(scene["dims"]) == [64, 64, 64] and
+              scene["dims"].dtype == "int64", "the scene's facts")
         check(scene["direction"].shape == (3, 3), "the scene's direction")
         read = {"time": file["time"][:].tolist(),
                 "device": joined("device/position", "device/orientation"),
