@@ -474,6 +474,40 @@ TEST_F(Film, TextTouchesNoPixelOutsideItsCorner) {
   EXPECT_GT(changed, 500);
 }
 
+TEST_F(Film, WhatIsKeptOfTheSurfaceIsNeverOutOfDate) {
+  const haptics::Tool tool = octahedron();
+  const auto volume = ball();
+  const auto opened = [&] {
+    auto stage = app::FilmStage::open(kWidth, kHeight, ui::SurfaceMode::Mesh);
+    EXPECT_TRUE(stage) << stage.error().what;
+    (*stage)->show(&tool);
+    (*stage)->show(volume);
+    return std::move(*stage);
+  };
+  FilmCamera aside = front();
+  aside.focus_mm.x() = 12.0;
+  Step far = stepAt(800);
+  far.X_WD = at(0.0, 900.0, 0.0);
+  const std::vector<std::pair<FilmCamera, Step>> course{
+      {front(), stepAt(100)}, {front(), stepAt(200)}, {aside, stepAt(200)},  {aside, stepAt(800)},
+      {aside, far},           {front(), far},         {front(), stepAt(300)}};
+  const auto stage = opened();
+  std::vector<std::uint8_t> last;
+  for (std::size_t n = 0; n < course.size(); ++n) {
+    stage->look(course[n].first);
+    const app::FilmFrame frame = stage->draw(course[n].second);
+    const auto fresh = opened();
+    fresh->look(course[n].first);
+    const app::FilmFrame expected = fresh->draw(course[n].second);
+    int apart = 0;
+    for (std::size_t i = 0; i < frame.rgb.size(); ++i)
+      apart += std::abs(int(frame.rgb[i]) - int(expected.rgb[i])) > 2;
+    EXPECT_EQ(apart, 0) << n;
+    EXPECT_NE(frame.rgb, last) << n;
+    last = frame.rgb;
+  }
+}
+
 TEST_F(Film, TwiceTheSameHasTheSameFrames) {
   const Session session;
   auto recording = recorded(workshop, session);
@@ -541,6 +575,7 @@ TEST_F(Film, AnEncoderThatFailsIsOneSentence) {
       script("dies", "echo 'no such thing as libx264' >&2; echo more >&2; exit 1\n"),
       script("killed", "head -c 2000000 > /dev/null; kill -9 $$\n"),
       script("shouts", "yes 'a very long complaint' | head -c 5000000 >&2; exit 3\n"),
+      script("lies", "cat > /dev/null; for last; do :; done; echo film > \"${last#file:}\"\n"),
       script("deaf", "exec 0<&-; sleep 0.3; exit 1\n")};
   for (const std::string& program : programs) {
     SCOPED_TRACE(program);
