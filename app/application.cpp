@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <new>
 
+#include "app/film/face.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/smoothing.h"
@@ -374,6 +375,10 @@ void Application::makeFineMesh(double isovalue) {
 }
 
 void Application::takeScreenshot() {
+  if (shown_ && !shown_->place.empty() && mayShowAFace(*shown_->picture.volume, settings_.isovalue))
+    std::fprintf(stderr,
+                 "At this isovalue skin is drawn, and a face can tell who the patient is: look at "
+                 "the picture before you pass it on.\n");
   const bool saved = window_.grab().save(QString::fromStdString(arguments_.screenshot));
   if (!saved) std::fprintf(stderr, "The picture could not be written.\n");
   emit finished(saved ? 0 : 4);

@@ -154,6 +154,7 @@ class Application : public QObject {
   std::vector<ui::ForcePoint> points_;
   std::thread mesher_;
   std::thread recoverer_;
+  bool recovering_ = false;
   bool meshing_ = false;
   std::optional<double> mesh_next_;  ///< the isovalue asked for while another was being meshed
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/export_task.h"
 
+#include <exception>
 #include <utility>
 
 #include "app/export/export.h"
@@ -29,8 +30,9 @@ haptics::Expected<QString> film(haptics::Recording& recording, const ExportReque
   options.goes_on = std::move(goes_on);
   const auto volume = [&](std::uint32_t id) -> std::shared_ptr<const haptics::Volume> {
     const haptics::RecordedScene* scene = recording.scene(id);
-    const bool there =
-        scene != nullptr && request.volume && haptics::liesLike(scene->volume, *request.volume);
+    const bool there = scene != nullptr && request.volume &&
+                       haptics::liesLike(scene->volume, *request.volume) &&
+                       haptics::compared(scene->hash, request.hash) != haptics::SameVolume::Another;
     return there ? request.volume : nullptr;
   };
   const auto made = makeFilm(recording, volume, request.out, options);
@@ -82,18 +84,21 @@ void ExportTask::work(const ExportRequest& request) {
   };
   bool well = false;
   QString what;
-  auto recording = haptics::Recording::open(request.recording);
-  if (!recording) {
-    what = QString::fromStdString(recording.error().what);
-  } else {
+  try {
+    auto recording = haptics::Recording::open(request.recording);
+    if (!recording) throw recording.error();
     const auto made = request.wish.format == ui::ExportWish::Format::Film
                           ? film(*recording, request, goes_on)
                           : table(*recording, request, goes_on);
     well = made.has_value();
     if (made)
       what = tr("\"%1\" was exported.").arg(*made);
-    else if (made.error().reason != "cancelled")
-      what = QString::fromStdString(made.error().what);
+    else
+      throw made.error();
+  } catch (const haptics::Error& error) {
+    if (error.reason != "cancelled") what = QString::fromStdString(error.what);
+  } catch (const std::exception&) {
+    what = tr("There is not enough memory for this export; choose a shorter time.");
   }
   QMetaObject::invokeMethod(
       this,

@@ -11,6 +11,7 @@
 
 #include "app/film/camera.h"
 #include "haptics/core/volume.h"
+#include "haptics/recording/scene_words.h"
 #include "ui/export_question.h"
 
 namespace app {
@@ -20,6 +21,7 @@ struct ExportRequest {
   std::filesystem::path recording, out;
   ui::ExportWish wish;
   std::shared_ptr<const haptics::Volume> volume = {};  ///< of a film; null: the tool alone
+  std::optional<haptics::VolumeHash> hash = {};        ///< of the volume, if it is known
   std::optional<FilmCamera> camera = {};               ///< of a film whose camera is fixed
 };
 

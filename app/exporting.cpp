@@ -59,6 +59,7 @@ void Application::exportRecording(const QString& id) {
   ExportRequest request{.recording = path, .out = {}, .wish = *wish};
   if (wish->format == ui::ExportWish::Format::Film) {
     request.volume = shown_ ? shown_->picture.volume : nullptr;
+    if (request.volume) request.hash = identity_.of(request.volume);
     if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed) request.camera = cameraNow();
     // said once for each film, before anything is written
     if (shown_ && !shown_->place.empty() &&
@@ -79,7 +80,21 @@ void Application::exportRecording(const QString& id) {
   dialog.setDefaultSuffix(QString(ending.ending).mid(1));
   dialog.selectFile(QString::fromStdString(path.stem().string()) + ending.ending);
   if (dialog.exec() != QDialog::Accepted) return;
-  request.out = dialog.selectedFiles().value(0).toStdString();
+  QString out = dialog.selectedFiles().value(0);
+  const bool film = wish->format == ui::ExportWish::Format::Film;
+  if (!film && !out.endsWith(ending.ending)) out += ending.ending;
+  request.out = out.toStdString();
+  // the dialog asks about the name that was chosen; what is written may have others
+  const std::filesystem::path beside =
+      wish->format == ui::ExportWish::Format::Csv ? request.out.string() + "_motion.tsv"
+      : film ? std::filesystem::path(request.out).replace_extension(".frames.csv")
+             : request.out;
+  std::error_code error;
+  if (out != dialog.selectedFiles().value(0) || beside != request.out)
+    if (std::filesystem::exists(beside, error) &&
+        !window_.askWhether(tr("An export of that name is there already."),
+                            tr("What it is called like is written over."), tr("Write over it")))
+      return;
   exportTo(std::move(request));
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/recordings.h"
 
+#include <QCoreApplication>
 #include <QStandardPaths>
 #include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 
 namespace app {
@@ -39,7 +41,9 @@ QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
     const fs::path& path = entry.path();
     const bool finished = path.extension() == ".palpate";
     const bool unfinished = path.extension() == ".part" && path.stem().extension() == ".palpate";
-    if ((finished || unfinished) && path != present) paths.push_back(path);
+    // what another window is writing is that one's
+    if (finished || (unfinished && path != present && !haptics::isInUse(path)))
+      paths.push_back(path);
   }
   std::sort(paths.rbegin(), paths.rend());
   QList<ui::PastRecording> recordings;
@@ -53,12 +57,16 @@ QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
       continue;
     }
     const auto summary = haptics::summaryOf(path);
-    if (!summary) continue;
-    recordings.append({.id = id,
-                       .name = QString::fromStdString(path.stem().string()),
-                       .duration = summary->duration,
-                       .tool = QString::fromStdString(summary->tool),
-                       .bytes = summary->bytes});
+    ui::PastRecording recording{.id = id, .name = QString::fromStdString(path.stem().string())};
+    if (summary) {
+      recording.duration = summary->duration;
+      recording.tool = QString::fromStdString(summary->tool);
+      recording.bytes = summary->bytes;
+    } else {
+      recording.tool = QCoreApplication::translate("app::Recordings", "(cannot be read)");
+      recording.bytes = static_cast<qint64>(fs::file_size(path, error));
+    }
+    recordings.append(recording);
   }
   return recordings;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <utility>
 
@@ -41,7 +42,12 @@ Replay::Replay(haptics::Recording recording, std::filesystem::path path)
   timer_.setInterval(kFrameMs);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &Replay::advance);
-  reader_ = std::thread{[this] { readCurve(); }};
+  reader_ = std::thread{[this] {
+    try {
+      readCurve();
+    } catch (const std::exception&) {  // then there is no curve
+    }
+  }};
 }
 
 Replay::~Replay() {

@@ -96,6 +96,8 @@ void Application::noteCamera() {
 void Application::deleteRecording(const QString& id) {
   const std::filesystem::path path = recordings_.pathOf(id);
   if (replay_ && replay_->path() == path) closeReplay();
+  if (path.extension() == ".part" && haptics::isInUse(path))
+    return window_.showMessage(tr("Another window is writing this recording; stop it there."));
   std::error_code error;
   std::filesystem::remove(path, error);
   // what an unfinished one has beside it
@@ -110,12 +112,15 @@ void Application::deleteRecording(const QString& id) {
 }
 
 void Application::recoverRecording(const QString& id) {
+  if (recovering_) return;
+  recovering_ = true;
   if (recoverer_.joinable()) recoverer_.join();
   recoverer_ = std::thread([this, path = recordings_.pathOf(id)] {
     const auto recovered = haptics::recover(path);
     QMetaObject::invokeMethod(
         this,
         [this, why = recovered ? QString{} : QString::fromStdString(recovered.error().what)] {
+          recovering_ = false;
           if (why.isEmpty())
             window_.clearMessage();
           else
@@ -172,10 +177,9 @@ void Application::compareVolumes() {
   if (!replay_ || !shown_) return;
   const haptics::RecordedScene* then = replay_->recording().scene(replay_->step().step.scene);
   same_volume_ = then != nullptr && haptics::liesLike(then->volume, *shown_->picture.volume);
-  if (same_volume_ && then->hash) {
-    const auto hash = identity_.of(shown_->picture.volume);
-    same_volume_ = !hash || *hash == *then->hash;
-  }
+  if (same_volume_)
+    same_volume_ = haptics::compared(then->hash, identity_.of(shown_->picture.volume)) !=
+                   haptics::SameVolume::Another;
   QString warning;
   if (then != nullptr && !same_volume_)
     warning = tr("The volume on view is not the one that was touched; open that one to see it.");

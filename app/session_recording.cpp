@@ -2,6 +2,7 @@
 #include "app/session_recording.h"
 
 #include <algorithm>
+#include <exception>
 
 #include "app/recording/facts.h"
 
@@ -9,6 +10,7 @@ namespace app {
 
 namespace {
 constexpr int kStatusMs = 250;
+constexpr int kLongestHashMs = 10'000;  // that the end of a recording waits for its volume's hash
 }  // namespace
 
 SessionRecording::SessionRecording(haptics::Session& session, const Recordings& recordings,
@@ -21,7 +23,10 @@ SessionRecording::~SessionRecording() { end(); }
 
 haptics::Expected<void> SessionRecording::start(std::shared_ptr<const haptics::Scene> scene,
                                                 const std::string& tool) {
-  if (recorder_ != nullptr) return {};
+  if (recorder_ != nullptr || finishing_)
+    return tl::unexpected(haptics::Error{
+        haptics::Error::Kind::Unsupported,
+        tr("The last recording is being finished; try again in a moment.").toStdString(), "busy"});
   target_ = recordings_.next();
   auto recorder = haptics::Recorder::create(target_, recordingFacts());
   if (!recorder) return tl::unexpected(recorder.error());
@@ -39,7 +44,7 @@ void SessionRecording::stop() {
   if (!isRecording()) return;
   session_.record(nullptr);
   stopping_ = true;
-  elapsed_ = static_cast<double>(clock_.elapsed()) * 1e-3;
+  elapsed_ = static_cast<double>(clock_.restart()) * 1e-3;
   showStatus(ui::RecordingStatus::State::Finishing);
 }
 
@@ -78,14 +83,15 @@ void SessionRecording::refresh() {
   if (recorder_ == nullptr) return;
   // what is left waits for the servo thread to leave the ring, and for the volume's hash
   if (stopping_) {
-    if (session_.hasLeftRing() && scenes_.empty()) finish();
+    const bool identified = scenes_.empty() || clock_.elapsed() > kLongestHashMs;
+    if (session_.hasLeftRing() && identified) finish();
     return;
   }
   if (shown_.elapsed() < kStatusMs) return;
   shown_.restart();
   if (recorder_->status().failure.empty()) return showStatus(ui::RecordingStatus::State::Recording);
   session_.record(nullptr);
-  elapsed_ = static_cast<double>(clock_.elapsed()) * 1e-3;
+  elapsed_ = static_cast<double>(clock_.restart()) * 1e-3;
   stopping_ = true;
   showStatus(ui::RecordingStatus::State::Stopped);
 }
@@ -111,7 +117,16 @@ void SessionRecording::finish() {
   finishing_ = true;
   const bool failed = !recorder_->status().failure.empty();
   finisher_ = std::thread([this, failed, recorder = std::move(recorder_)]() mutable {
-    const auto done = recorder->finish();
+    haptics::Expected<std::filesystem::path> done;
+    try {
+      done = recorder->finish();
+    } catch (const std::exception&) {
+      done = tl::unexpected(haptics::Error{haptics::Error::Kind::Unsupported,
+                                           tr("The recording could not be finished: there is no "
+                                              "memory left. It can be recovered.")
+                                               .toStdString(),
+                                           "unfinished"});
+    }
     recorder.reset();
     const QString what = done ? tr("The session was recorded: \"%1\".")
                                     .arg(QString::fromStdString(done->stem().string()))
@@ -126,6 +141,7 @@ void SessionRecording::finish() {
         Qt::QueuedConnection);
   });
   recorder_.reset();
+  scenes_.clear();
   stopping_ = false;
 }
 

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/cli/recorded_run.h"
 #include "app/film/face.h"
 #include "app/film/film.h"
 #include "haptics/recording/recording.h"
@@ -53,20 +54,25 @@ Outcome exportFilm(const FilmChoice& choice) {
   auto recording = haptics::Recording::open(choice.recording);
   if (!recording) return refused(recording.error());
   std::shared_ptr<const haptics::Volume> volume;
+  std::optional<haptics::VolumeHash> hash;
+  const auto wasTouched = [&](const haptics::RecordedScene& scene) {
+    return haptics::liesLike(scene.volume, *volume) &&
+           haptics::compared(scene.hash, hash) != haptics::SameVolume::Another;
+  };
   bool face = false;
   if (!choice.volume.path.empty() || !choice.volume.phantom.empty()) {
     auto loaded = loadVolume(choice.volume);
     if (!loaded) return refused(loaded.error());
     volume = *loaded;
+    hash = hashHere(*volume);
     bool recorded = false;
     for (const haptics::RecordedScene& scene : recording->scenes())
-      recorded = recorded || haptics::liesLike(scene.volume, *volume);
+      recorded = recorded || wasTouched(scene);
     if (!recorded)
-      return refused(
-          {haptics::Error::Kind::Unsupported,
-           "The volume is not the one that was recorded: its voxels are others in number, "
-           "place or type; give the one that was touched, or none.",
-           "another-volume"});
+      return refused({haptics::Error::Kind::Unsupported,
+                      "The volume is not the one that was recorded: its voxels are others, or "
+                      "lie elsewhere; give the one that was touched, or none.",
+                      "another-volume"});
     face = choice.volume.phantom.empty() && mayShowAFace(*volume, leastIsovalue(*recording));
   }
   if (face)
@@ -75,8 +81,7 @@ Outcome exportFilm(const FilmChoice& choice) {
 
   const auto volumeOf = [&](std::uint32_t id) {
     const haptics::RecordedScene* scene = recording->scene(id);
-    const bool same =
-        volume != nullptr && scene != nullptr && haptics::liesLike(scene->volume, *volume);
+    const bool same = volume != nullptr && scene != nullptr && wasTouched(*scene);
     return same ? volume : nullptr;
   };
   const auto film = makeFilm(*recording, volumeOf, choice.out, options);

@@ -16,6 +16,16 @@ namespace app::cli {
 
 using haptics::Expected;
 
+std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume) {
+#ifdef PALPATE_READERS
+  nameApplication();
+  return hashOf(volume, installationKey(), false);
+#else
+  (void)volume;
+  return {};
+#endif
+}
+
 Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& path,
                                                           haptics::ClosedLoop& loop,
                                                           std::string tool) {
@@ -25,11 +35,7 @@ Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& pat
   if (!recorder) return tl::unexpected(recorder.error());
   const auto id = static_cast<std::uint32_t>(loop.scene->id);
   (*recorder)->describe(loop.scene, std::move(tool));
-#ifdef PALPATE_READERS
-  nameApplication();
-  if (const auto hash = hashOf(*loop.scene->volume, installationKey(), false))
-    (*recorder)->identify(id, *hash);
-#endif
+  if (const auto hash = hashHere(*loop.scene->volume)) (*recorder)->identify(id, *hash);
   loop.on_start = [&ring = (*recorder)->ring(), id, limits = loop.limits](const haptics::Pose& X) {
     ring.start({.scene = id, .X_WP = X, .limits = limits, .safety = {}});
   };

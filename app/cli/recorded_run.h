@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/cli/outcome.h"
@@ -10,6 +11,9 @@
 #include "haptics/simulation/closed_loop.h"
 
 namespace app::cli {
+
+/// The keyed hash of a volume; none where there is no key, as in a build without Qt.
+std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume);
 
 /// Records a closed loop as a session is recorded. Whoever runs the loop can wait: nothing is lost.
 class RecordedRun {

@@ -3,12 +3,10 @@
 #include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/recorded_run.h"
 #include "app/cli/sources.h"
 #include "app/recording/facts.h"
 #include "haptics/recording/replay.h"
-#ifdef PALPATE_READERS
-#include "app/recording/volume_hash.h"
-#endif
 
 namespace app::cli {
 namespace {
@@ -17,16 +15,6 @@ struct ReplayOptions {
   std::string file = {};
   VolumeChoice volume;
 };
-
-std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume) {
-#ifdef PALPATE_READERS
-  nameApplication();
-  return hashOf(volume, installationKey(), false);
-#else
-  (void)volume;
-  return {};
-#endif
-}
 
 Outcome replay(const ReplayOptions& options) {
   if (options.volume.path.empty() == options.volume.phantom.empty())
@@ -41,8 +29,9 @@ Outcome replay(const ReplayOptions& options) {
   for (const haptics::RecordedScene& scene : recording->scenes()) {
     if (!haptics::liesLike(scene.volume, **volume)) continue;
     fits = true;
-    known = known && hash && scene.hash;
-    same = same && (!hash || !scene.hash || *hash == *scene.hash);
+    const haptics::SameVolume compared = haptics::compared(hash, scene.hash);
+    known = known && compared == haptics::SameVolume::Same;
+    same = same && compared != haptics::SameVolume::Another;
   }
   if (!fits)
     return refused({haptics::Error::Kind::Unsupported,

@@ -218,15 +218,14 @@ Outcome run(const RunOptions& options) {
     const haptics::SmoothingEffect effect = haptics::smoothingEffect(**volume, options.isovalue);
     outcome.json["smoothing"] = {{"erased_share", effect.erased}, {"gained_share", effect.gained}};
   }
-  if (trace) {
-    if (auto finished = trace->finish(); !finished)
-      return {Exit::Failed, outcome.json, {}, finished.error().what};
-  }
+  // both are finished before one is judged
+  const auto traced = trace ? trace->finish() : haptics::Expected<void>{};
   if (recorded) {
     const auto finished = recorded->finish();
     if (!finished) return {Exit::Failed, outcome.json, {}, finished.error().what};
     outcome.json["recording"] = *finished;
   }
+  if (!traced) return {Exit::Failed, outcome.json, {}, traced.error().what};
   if (stopped) {
     outcome.code = Exit::Interrupted;
     outcome.error = "Stopped; what was run until then is reported.";

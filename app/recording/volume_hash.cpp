@@ -16,7 +16,8 @@ namespace app {
 namespace {
 
 constexpr qsizetype kKeyBytes = 32;
-constexpr qint64 kChunk = 1 << 20;  // bytes between two looks at `cancel`
+constexpr qsizetype kMarkBytes = 8;  // of what tells the key from others
+constexpr qint64 kChunk = 1 << 20;   // bytes between two looks at `cancel`
 
 template <class T>
 void add(QMessageAuthenticationCode& code, const T& value) {
@@ -70,7 +71,9 @@ std::optional<haptics::VolumeHash> hashOf(const haptics::Volume& volume, const Q
     if (cancel) return {};
     code.addData(voxels + at, std::min(kChunk, bytes - at));
   }
-  const QByteArray result = code.result();
+  const QByteArray mark =
+      QMessageAuthenticationCode::hash("Palpate's key", key, QCryptographicHash::Sha256);
+  const QByteArray result = mark.first(kMarkBytes) + code.result();
   haptics::VolumeHash hash{};
   std::memcpy(hash.data(), result.constData(), hash.size());
   return hash;

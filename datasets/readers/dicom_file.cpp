@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/dicom_file.h"
+#include "datasets/readers/header_words.h"
 
 #include <vtkDICOMDictionary.h>
 #include <vtkDICOMItem.h>
@@ -322,7 +323,7 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   file.pixels_begin = static_cast<std::int64_t>(parser->GetFileOffset());
   file.series = textOf(meta, DC::SeriesInstanceUID);
   file.instance = textOf(meta, DC::SOPInstanceUID);
-  file.modality = textOf(meta, DC::Modality);
+  file.modality = modalityFrom(textOf(meta, DC::Modality));
   file.labels = {shownText(meta, DC::PatientName), shownText(meta, DC::StudyDescription),
                  shownText(meta, DC::SeriesDescription)};
   file.series_number = meta->Get(DC::SeriesNumber).AsInt();

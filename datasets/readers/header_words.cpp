@@ -27,6 +27,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
+std::string modalityFrom(std::string_view stated) {
+  constexpr std::size_t kLongest = 8;
+  const bool code = stated.size() <= kLongest && std::ranges::all_of(stated, [](char c) {
+                      return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+                    });
+  return code ? std::string(stated) : std::string();
+}
+
 std::string lowered(std::string_view text) {
   std::string out(text);
   for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -17,6 +17,9 @@ inline constexpr std::int64_t kLongestHeader = 1 << 20;  ///< bytes of text, lis
 /// "The header of "x.nrrd" ‹why›; export it again."
 tl::unexpected<haptics::Error> badHeader(const std::filesystem::path& path, const std::string& why);
 
+/// The modality that a file states if it is a code such as "CT", else nothing: never free text.
+std::string modalityFrom(std::string_view stated);
+
 std::string lowered(std::string_view text);
 std::string_view trimmed(std::string_view text);
 std::vector<std::string_view> wordsOf(std::string_view text);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/nrrd_voxels.h"
+#include "datasets/readers/header_words.h"
 
 #include <teem/air.h>
 #include <teem/biff.h>
@@ -171,15 +172,6 @@ std::string unitOf(const Nrrd& nrrd) {
   return units == "HU" || units == "hu" || content.ends_with(", HU") ? "HU" : "";
 }
 
-std::string modalityOf(const Nrrd& nrrd) {
-  const std::string modality = valueOf(nrrd, "modality");
-  // a code such as "CT", never free text
-  const bool code = modality.size() <= 8 && std::ranges::all_of(modality, [](char c) {
-                      return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-                    });
-  return code ? modality : "";
-}
-
 tl::unexpected<haptics::Error> headerRefused(const std::filesystem::path& path) {
   return malformed("bad-header", "The header of " + quoted(path) +
                                      " cannot be understood; export the volume again.");
@@ -266,7 +258,7 @@ Expected<StoredVolumes> describe(const std::filesystem::path& path, const NrrdHe
   if (!grid) return tl::unexpected(std::move(grid.error()));
   description.grid = *grid;
   description.facts.unit = unitOf(nrrd);
-  description.facts.modality = modalityOf(nrrd);
+  description.facts.modality = modalityFrom(valueOf(nrrd, "modality"));
   description.facts.orientation_known = geometry->space != FileSpace::Unknown;
   return description;
 }

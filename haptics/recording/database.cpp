@@ -84,7 +84,13 @@ Expected<Database> Database::open(const std::filesystem::path& path, Mode mode, 
   flags |= mode == Mode::Create    ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
            : mode == Mode::Recover ? SQLITE_OPEN_READWRITE
                                    : SQLITE_OPEN_READONLY;
-  const int status = sqlite3_open_v2(path.c_str(), &opened, flags, vfs);
+  // the folders on the way may be links, the file itself not
+  std::error_code error;
+  const std::filesystem::path folder =
+      path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  const std::filesystem::path place =
+      vfs == nullptr ? std::filesystem::weakly_canonical(folder, error) / path.filename() : path;
+  const int status = sqlite3_open_v2(place.c_str(), &opened, flags, vfs);
   Database database{opened};
   if (status != SQLITE_OK)
     return tl::unexpected(Error{Error::Kind::NotFound, database.complaint(), "unreadable"});

@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <condition_variable>
 #include <ctime>
+#include <exception>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -27,6 +30,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kPageBytes = 16384;  // a block fits into a few
+constexpr const char* kNoRoom = "the disk is full";
 
 std::int64_t monotonic() {
   timespec now{};
@@ -52,22 +56,22 @@ void syncFolderOf(const fs::path& path) {
 /// Brings the log into the file, checks it, closes it and gives it its name.
 Expected<fs::path> completed(std::optional<Database>& database, const fs::path& part,
                              const fs::path& target) {
-  const auto failed = [&](const std::string& why) {
+  const auto failed = [&](const std::string& why, const char* what_next) {
     if (database) database->keepLog();
     database.reset();
     return tl::unexpected(Error{Error::Kind::Unsupported,
                                 "The recording could not be finished: " + why + ". It stays \"" +
-                                    part.filename().string() +
-                                    "\" and can be recovered once there is room.",
+                                    part.filename().string() + "\"" + what_next,
                                 "unfinished"});
   };
+  constexpr const char* kLater = " and can be recovered once there is room.";
   if (!database->run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE;"))
-    return failed(database->complaint());
-  if (!database->isSound()) return failed("the file is damaged");
+    return failed(database->complaint(), kLater);
+  if (!database->isSound()) return failed("the file is damaged", "; look at the disk.");
   database.reset();
   std::error_code error;
   fs::rename(part, target, error);
-  if (error) return failed(error.message());
+  if (error) return failed(error.message(), kLater);
   syncFolderOf(target);
   return target;
 }
@@ -87,7 +91,10 @@ class Recorder::Writer {
     steps_.reserve(StepRing::kCapacity);
     thread_ = std::thread{[this] { run(); }};
   }
-  ~Writer() { end(); }
+  ~Writer() {
+    end();
+    if (database_ && written_ == 0) discard();
+  }
 
   void end() {
     {
@@ -137,11 +144,18 @@ class Recorder::Writer {
     end();
     if (const std::string why = status().failure; !why.empty())
       return tl::unexpected(Error{Error::Kind::Unsupported, why, "unfinished"});
+    if (written_ == 0) {
+      discard();
+      return tl::unexpected(
+          Error{Error::Kind::NotFound, "Nothing was recorded: no tick came meanwhile.", "empty"});
+    }
     return completed(database_, partOf(target_), target_);
   }
 
  private:
   void run();
+  void countLostAtTheEnd();
+  void discard();
   bool commit();
   bool writeSteps();
   bool writeScenes(const std::vector<Described>& scenes);
@@ -149,7 +163,7 @@ class Recorder::Writer {
   bool writeEvent(Statement& insert, const Event& event);
   void noteChanges(const Step& step);
   std::uint64_t sequenceAt(std::int64_t time_ns) const;
-  void fail();
+  void fail(const std::string& why);
 
   fs::path target_;
   std::optional<Database> database_;
@@ -188,28 +202,62 @@ void Recorder::Writer::run() {
       hurried_ = false;
     }
     due = std::chrono::steady_clock::now() + options_.commit_every;
-    if (!commit()) return fail();
+    try {
+      // at the end nothing may stay in the ring
+      do {
+        if (!commit()) return fail(database_->isFull() ? kNoRoom : database_->complaint());
+      } while (ended && !ring.empty());
+      if (ended) {
+        countLostAtTheEnd();
+        if (!commit()) return fail(database_->isFull() ? kNoRoom : database_->complaint());
+      }
+    } catch (const std::exception&) {
+      // libraries may throw where memory ends
+      return fail("there is no memory left");
+    }
     const std::int64_t now = monotonic();
+    const std::int64_t bytes =
+        bytesOf(partOf(target_)) + bytesOf(fs::path(partOf(target_).string() + "-wal"));
     const std::scoped_lock lock(mutex_);
     status_.steps = written_;
     status_.lost = lost_;
     status_.duration = last_ ? double(last_->time_ns) * 1e-9 : 0.0;
-    status_.bytes = bytesOf(partOf(target_)) + bytesOf(fs::path(partOf(target_).string() + "-wal"));
+    status_.bytes = bytes;
     status_.longest_wait = std::max(status_.longest_wait, double(now - committed) * 1e-9);
     committed = now;
   }
 }
 
-void Recorder::Writer::fail() {
-  const bool full = database_->isFull();
-  const std::string why = full ? "the disk is full" : database_->complaint();
+/// Ticks after the last that was taken: no later one shows that they are missing.
+void Recorder::Writer::countLostAtTheEnd() {
+  const std::uint64_t known = last_ ? last_->sequence + 1 : 0;
+  if (ring.numbered() <= known) return;
+  lost_ += static_cast<std::int64_t>(ring.numbered() - known);
+  events_.push_back({.time_ns = last_ ? last_->time_ns : 0,
+                     .kind = "gap",
+                     .value = double(ring.numbered() - known),
+                     .sequence = known});
+}
+
+void Recorder::Writer::discard() {
+  database_.reset();
+  std::error_code ignored;
+  fs::remove(partOf(target_), ignored);
+  fs::remove(partOf(target_).string() + "-wal", ignored);
+}
+
+void Recorder::Writer::fail(const std::string& why) {
+  const bool full = why == kNoRoom;
   database_->run("ROLLBACK");
   database_->keepLog();
   const std::scoped_lock lock(mutex_);
-  status_.failure = "The recording stopped, and touch goes on: " + why +
-                    ". What was recorded until then is in \"" +
-                    partOf(target_).filename().string() + "\" and can be recovered" +
-                    (full ? " once there is room." : ".");
+  status_.failure = "The recording stopped, and touch goes on: " + why + ". ";
+  if (written_ == 0)
+    status_.failure += "Nothing was recorded until then.";
+  else
+    status_.failure += "What was recorded until then is in \"" +
+                       partOf(target_).filename().string() + "\" and can be recovered" +
+                       (full ? " once there is room." : ".");
 }
 
 /// Everything that came since the last time, in one transaction.
@@ -225,7 +273,10 @@ bool Recorder::Writer::commit() {
   }
   if (!database_->run("BEGIN")) return false;
   takeStarts();
-  if (!writeScenes(scenes) || !writeSteps()) return false;
+  if (!writeSteps()) return false;
+  // of steps that came while they were taken, so that none is written without its start
+  takeStarts();
+  if (!writeScenes(scenes)) return false;
   Statement insert = database_->prepare(
       "INSERT INTO event (sequence, time_ns, kind, value, text) VALUES (?, ?, ?, ?, ?)");
   for (const Event& event : events_)
@@ -238,6 +289,7 @@ bool Recorder::Writer::commit() {
   for (const auto& [id, value] : identified)
     if (!hash.bind(1, std::span{value}).bind(2, static_cast<std::int64_t>(id)).run()) return false;
   if (!database_->run("COMMIT")) return false;
+  written_ += static_cast<std::int64_t>(steps_.size());
   events_.clear();
   return true;
 }
@@ -303,7 +355,6 @@ bool Recorder::Writer::writeSteps() {
       return false;
     begin = end;
   }
-  written_ += static_cast<std::int64_t>(steps_.size());
   // an event for each would be most of the file on a busy machine: the steps have them
   const auto addSum = [&](const char* kind, std::uint64_t& sum) {
     if (sum > 0)
@@ -379,19 +430,25 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
                                                      const RecordingFacts& facts,
                                                      const Options& options) {
   const fs::path part = partOf(target);
-  std::error_code error;
-  if (options.vfs == nullptr && fs::exists(part, error))
-    return tl::unexpected(Error{Error::Kind::Unsupported,
-                                "\"" + part.string() +
-                                    "\" is what an earlier recording left; recover it with "
-                                    "palpate-cli recover, or remove it.",
-                                "unfinished"});
   const auto unwritable = [&](const std::string& why) {
     return tl::unexpected(Error{Error::Kind::Unsupported,
                                 "\"" + target.string() + "\" cannot be recorded to (" + why +
                                     "); choose a folder that can be written and has room.",
                                 "unwritable"});
   };
+  // made here, or not at all: what is there is somebody's
+  const int made = options.vfs != nullptr
+                       ? -1
+                       : ::open(part.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+  if (made >= 0) ::close(made);
+  if (options.vfs == nullptr && made < 0 && errno != EEXIST)
+    return unwritable(std::generic_category().message(errno));
+  if (options.vfs == nullptr && made < 0)
+    return tl::unexpected(Error{Error::Kind::Unsupported,
+                                "\"" + part.string() +
+                                    "\" is what an earlier recording left; recover it with "
+                                    "palpate-cli recover, or remove it.",
+                                "unfinished"});
   auto opened = Database::open(part, Database::Mode::Create, options.vfs);
   if (!opened) return unwritable(opened.error().what);
   std::optional<Database> database{std::move(*opened)};
@@ -410,8 +467,9 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
       !say("build", facts.build) || !say("machine", facts.machine) ||
       !say("vectors", lanes::targetName()) || !say("step_layout", stepLayout()) ||
       !say("contact_layout", contactLayout()) || !database->run("COMMIT")) {
-    const std::string why = database->isFull() ? "the disk is full" : database->complaint();
+    const std::string why = database->isFull() ? kNoRoom : database->complaint();
     database.reset();
+    std::error_code error;
     fs::remove(part, error);
     fs::remove(part.string() + "-wal", error);
     return unwritable(why);
@@ -437,6 +495,11 @@ void Recorder::note(std::string kind, std::string text) {
 }
 RecorderStatus Recorder::status() const { return writer_->status(); }
 Expected<fs::path> Recorder::finish() { return writer_->finish(); }
+
+bool isInUse(const fs::path& part) {
+  auto database = Database::open(part, Database::Mode::Recover);
+  return database && !database->run("BEGIN IMMEDIATE; COMMIT;") && database->isBusy();
+}
 
 Expected<fs::path> recover(const fs::path& part) {
   const auto refused = [&](const std::string& why, const char* reason) {

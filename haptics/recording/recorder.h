@@ -49,7 +49,8 @@ class Recorder {
                                                     const RecordingFacts& facts) {
     return create(target, facts, Options{});
   }
-  /// Unless finished, what came until now is written, and stays `NAME.part`.
+  /// Unless finished, what came until now is written, and stays `NAME.part`; without a step it
+  /// goes.
   ~Recorder();
 
   /// Where the servo thread puts its steps.
@@ -70,7 +71,7 @@ class Recorder {
 
   /// Writes what is left, checks the whole and gives the file its name; returns it. The servo
   /// thread must have left the ring. Waits for the disk. On failure all that was committed stays in
-  /// `NAME.part`.
+  /// `NAME.part`; where nothing was, reason "empty", nothing is left.
   Expected<std::filesystem::path> finish();
 
  private:
@@ -81,6 +82,9 @@ class Recorder {
 
 /// The name of a recording while it is written.
 std::filesystem::path partOf(const std::filesystem::path& target);
+
+/// Whether somebody is writing `NAME.part`, or recovering it.
+bool isInUse(const std::filesystem::path& part);
 
 /// What is in an unfinished recording becomes a finished one: `NAME.part` is checked and gets its
 /// name, or NAME-2 where that is taken. Refuses one that is being written, reason "in-use", and

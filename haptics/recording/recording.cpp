@@ -114,6 +114,12 @@ Expected<void> Recording::readEvents() {
     events_.push_back(std::move(event));
   }
   if (at == Statement::Step::Failed) return damaged();
+  // what was lost at the end no later step shows
+  const std::int64_t behind = blocks_.empty() ? 0 : blocks_.back().first + blocks_.back().count;
+  for (const RecordedEvent& event : events_)
+    if (event.kind == "gap" && event.value && *event.value >= 1.0 && *event.value < 1e12 &&
+        event.sequence >= static_cast<std::uint64_t>(behind))
+      lost_ += static_cast<std::int64_t>(*event.value);
   std::stable_sort(starts_.begin(), starts_.end(), [](const ProxyStart& a, const ProxyStart& b) {
     return a.sequence < b.sequence;
   });
@@ -122,6 +128,8 @@ Expected<void> Recording::readEvents() {
 
 Expected<void> Recording::readScenes() {
   constexpr std::size_t kMostScenes = 10'000;
+  constexpr double kMostBytes = 1e9;  // of all tools together
+  double bytes = 0.0;
   Statement rows = database_.prepare(
       "SELECT id, tool, settings, volume, volume_hash, points, vertices, triangles FROM scene "
       "ORDER BY id");
@@ -129,7 +137,10 @@ Expected<void> Recording::readScenes() {
   for (at = rows.step(); at == Statement::Step::Row; at = rows.step()) {
     auto scene = sceneFrom({rows.text(2), rows.text(3), rows.blob(5), rows.blob(6), rows.blob(7)});
     if (!scene) return tl::unexpected(scene.error());
-    if (scenes_.size() == kMostScenes) return damaged();
+    bytes +=
+        double(scene->tool.shell.points.size() + scene->tool.mesh.vertices.size()) * sizeof(Vec3) +
+        double(scene->tool.mesh.triangles.size()) * 3.0 * sizeof(std::uint32_t);
+    if (scenes_.size() == kMostScenes || bytes > kMostBytes) return damaged();
     scene->id = static_cast<std::uint32_t>(rows.integer(0));
     scene->tool.name = rows.text(1);
     if (const auto hash = rows.blob(4); hash.size() == VolumeHash{}.size()) {

@@ -47,6 +47,7 @@ Expected<ReplayDifference> replay(
   ReplayDifference difference;
   std::map<std::uint32_t, std::shared_ptr<const Scene>> scenes;
   std::unique_ptr<Engagement> touched;
+  std::uint32_t scene_touched = 0;
   std::optional<Safety> safety;
   auto start = recording.starts().begin();
   const double span = std::max(1e-9, recording.end() - recording.begin());
@@ -72,11 +73,12 @@ Expected<ReplayDifference> replay(
         if (const auto& found = scenes[start->scene]) {
           touched = std::make_unique<Engagement>(found, start->X_WP);
           touched->proxy.turn = start->turn;
+          scene_touched = start->scene;
         }
       }
       ++start;
     }
-    const bool at_hand = step.scene == 0 || (touched && scenes[step.scene] == touched->scene);
+    const bool at_hand = step.scene == 0 || (touched && scene_touched == step.scene);
     if (!safety || !at_hand) {
       // what the gate let through depends on what was not computed
       if (!at_hand) safety.reset();

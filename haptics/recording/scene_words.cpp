@@ -3,6 +3,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -82,7 +83,7 @@ std::vector<std::uint8_t> packed(const std::vector<T>& items) {
   const std::size_t bytes = items.size() * sizeof(T);
   uLongf size = compressBound(bytes);
   std::vector<std::uint8_t> out(size);
-  compress2(out.data(), &size, reinterpret_cast<const Bytef*>(items.data()), bytes, 6);
+  compress2(out.data(), &size, reinterpret_cast<const Bytef*>(items.data()), bytes, 1);
   out.resize(size);
   return out;
 }
@@ -187,8 +188,19 @@ void takeVolume(const json& words, Volume& volume) {
 
 }  // namespace
 
+SameVolume compared(const std::optional<VolumeHash>& one, const std::optional<VolumeHash>& other) {
+  constexpr int kKeyBytes = 8;
+  if (!one || !other || !std::equal(one->begin(), one->begin() + kKeyBytes, other->begin()))
+    return SameVolume::Unknown;
+  return *one == *other ? SameVolume::Same : SameVolume::Another;
+}
+
 SceneWords wordsOf(const Scene& scene) {
-  return {settingsOf(scene).dump(), volumeOf(*scene.volume).dump(), packed(scene.tool.shell.points),
+  // a word of a scan's own that is no text must not end the recording
+  const auto text = [](const json& words) {
+    return words.dump(-1, ' ', false, json::error_handler_t::replace);
+  };
+  return {text(settingsOf(scene)), text(volumeOf(*scene.volume)), packed(scene.tool.shell.points),
           packed(scene.tool.mesh.vertices), packed(scene.tool.mesh.triangles)};
 }
 

@@ -13,8 +13,14 @@
 
 namespace haptics {
 
-/// A keyed hash of a volume: that two are the same can be told, which they are cannot.
-using VolumeHash = std::array<std::uint8_t, 32>;
+/// A keyed hash of a volume: that two are the same can be told, which they are cannot. Eight bytes
+/// that tell one key from another, then 32 of the hash.
+using VolumeHash = std::array<std::uint8_t, 40>;
+
+enum class SameVolume { Same, Another, Unknown };
+/// Unknown where one is missing, and where they were made with different keys: by installations
+/// that know nothing of each other.
+SameVolume compared(const std::optional<VolumeHash>& one, const std::optional<VolumeHash>& other);
 
 /// A scene as a recording holds it: everything but the voxels.
 struct RecordedScene {

@@ -19,7 +19,17 @@ class StepRing {
   static constexpr std::size_t kCapacity = 8192;  ///< steps: eight seconds
 
   /// `begun_ns`: CLOCK_MONOTONIC when the recording began.
-  explicit StepRing(std::int64_t begun_ns) : begun_ns_{begun_ns} {}
+  explicit StepRing(std::int64_t begun_ns) : begun_ns_{begun_ns} {
+    // every page is touched here, so that none is fetched in a tick
+    while (steps_.try_enqueue({})) {
+    }
+    while (steps_.pop()) {
+    }
+    while (starts_.try_enqueue({})) {
+    }
+    while (starts_.pop()) {
+    }
+  }
 
   // The servo thread's side.
 
@@ -49,6 +59,9 @@ class StepRing {
 
   bool take(Step& step) { return steps_.try_dequeue(step); }
   bool take(ProxyStart& start) { return starts_.try_dequeue(start); }
+  bool empty() const { return steps_.size_approx() == 0; }
+  /// Steps that were given a number, the lost ones too; once the servo thread has left.
+  std::uint64_t numbered() const { return next_; }
 
  private:
   moodycamel::ReaderWriterQueue<Step> steps_{kCapacity};

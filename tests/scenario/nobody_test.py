@@ -72,7 +72,7 @@ def unmistakable():
     return elements
 
 
-def slice_of(k, who):
+def slice_of(k, who, modality="CT"):
     """The k-th slice of a ball of bone."""
     instance = f"1.2.826.0.1.7777.0.{k + 1}"
     elements = dict(who)
@@ -80,7 +80,7 @@ def slice_of(k, who):
     for tag, kind, value in (
             ((0x0008, 0x0005), "CS", "ISO_IR 100"), ((0x0008, 0x0016), "UI", "1.2.840.10008.5.1.4.1.1.2"),
             ((0x0008, 0x0008), "CS", "ORIGINAL\\PRIMARY\\AXIAL"),
-            ((0x0008, 0x0060), "CS", "CT"), ((0x0018, 0x0050), "DS", "2"),
+            ((0x0008, 0x0060), "CS", modality), ((0x0018, 0x0050), "DS", "2"),
             ((0x0020, 0x0013), "IS", str(k + 1)), ((0x0020, 0x0032), "DS", f"0\\0\\{2 * k}"),
             ((0x0020, 0x0037), "DS", "1\\0\\0\\0\\1\\0"), ((0x0028, 0x0002), "US", struct.pack("<H", 1)),
             ((0x0028, 0x0004), "CS", "MONOCHROME2"), ((0x0028, 0x0010), "US", struct.pack("<H", N)),
@@ -175,6 +175,14 @@ def main():
     assert all(name in formats for name in ("csv", "hdf5", "mcap")), formats
     for name, target in (("csv", "e"), ("hdf5", "e.h5"), ("mcap", "e.mcap")):
         call("export", out / "r.palpate", "--format", name, "--out", out / target)
+    # a modality that is no code, and no text: neither written nor in the way
+    odd = folder / "in" / "PLNTFOLDER_odd"
+    odd.mkdir()
+    for k in range(N):
+        (odd / f"PLNTFILE_{k}.dcm").write_bytes(slice_of(k, who, b"PLNTMODALITY\xff\xfe"))
+    planted.append("PLNTMODALITY")
+    call("run", "--volume", odd, "--isovalue", "300", "--stiffness", "1000", "--seconds", "0.5",
+         "--hand", "tap", "--tool", "probe", "--record", out / "odd.palpate")
     # refused, it says nothing of whom either
     call("run", "--volume", scan, "--isovalue", "-99999", "--tool", "probe", "--hand", "tap",
          "--seconds", "1", "--stiffness", "1", code=3)

@@ -429,6 +429,62 @@ TEST(Recording, WhatAProcessLeftIsRecoveredOnce) {
   EXPECT_FALSE(recover(partOf(path)));
 }
 
+TEST(Recording, IsMadeAndReadWhereAFolderOnTheWayIsALink) {
+  const Workshop workshop;
+  fs::create_directory(workshop / "real");
+  fs::create_directory_symlink(workshop / "real", workshop / "link");
+  recorded(workshop / "link" / "r.palpate", HandMotion::Tap, 100);
+  EXPECT_TRUE(fs::exists(workshop / "real" / "r.palpate"));
+  EXPECT_TRUE(Recording::open(workshop / "link" / "r.palpate"));
+  // the file itself is not followed elsewhere
+  fs::create_symlink(workshop / "real" / "r.palpate", workshop / "s.palpate");
+  EXPECT_FALSE(Recording::open(workshop / "s.palpate"));
+}
+
+TEST(Recording, CountsWhatWasLostAtItsEnd) {
+  const Workshop workshop;
+  Recorder::Options slow;
+  slow.commit_every = std::chrono::hours(1);
+  auto recorder = Recorder::create(workshop / "r.palpate", {"test", "", ""}, slow);
+  ASSERT_TRUE(recorder);
+  StepRing& ring = (*recorder)->ring();
+  ring.start({});
+  Step step;
+  std::int64_t kept = 0;
+  for (int n = 0; n < 10'000; ++n) kept += ring.push(step);
+  ASSERT_TRUE((*recorder)->finish());
+  EXPECT_EQ((*recorder)->status().lost, 10'000 - kept);
+  auto recording = Recording::open(workshop / "r.palpate");
+  ASSERT_TRUE(recording);
+  EXPECT_EQ(recording->stepCount(), kept);
+  EXPECT_EQ(recording->lostCount(), 10'000 - kept);
+  EXPECT_GT(recording->lostCount(), 0);
+}
+
+TEST(Recording, OfNothingLeavesNothing) {
+  const Workshop workshop;
+  {
+    auto recorder = Recorder::create(workshop / "r.palpate", {"test", "", ""});
+    ASSERT_TRUE(recorder);
+    EXPECT_TRUE(isInUse(workshop / "r.palpate.part"));
+    const auto finished = (*recorder)->finish();
+    ASSERT_FALSE(finished);
+    EXPECT_EQ(finished.error().reason, "empty");
+  }
+  { EXPECT_TRUE(Recorder::create(workshop / "s.palpate", {"test", "", ""})); }
+  EXPECT_TRUE(fs::is_empty(workshop.folder()));
+}
+
+TEST(Recording, SaysNothingOfAVolumeThatAnotherInstallationHashed) {
+  VolumeHash mine{}, same{}, another{}, foreign{};
+  another.back() = 1;
+  foreign.front() = 1;
+  EXPECT_EQ(compared(mine, same), SameVolume::Same);
+  EXPECT_EQ(compared(mine, another), SameVolume::Another);
+  EXPECT_EQ(compared(mine, foreign), SameVolume::Unknown);
+  EXPECT_EQ(compared({}, mine), SameVolume::Unknown);
+}
+
 TEST(Recording, MarksLieWhereTheyWereSet) {
   const Workshop workshop;
   Bench bench(workshop / "r.palpate");

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Recordings as a user of the command line meets them: made, replayed, over another volume,
+interrupted, killed, without room, and recovered.
+
+Use: recordings_test.py PALPATE-CLI FOLDER
+"""
+import json
+import os
+import pathlib
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+shutil.rmtree(folder, ignore_errors=True)
+folder.mkdir(parents=True)
+environment = dict(os.environ, HOME=str(folder / "home"), XDG_DATA_HOME=str(folder / "home/data"))
+
+
+def call(*arguments, code=0, **more):
+    done = subprocess.run([program, *map(str, arguments), "--json"], capture_output=True, text=True,
+                          env=environment, **more)
+    assert done.returncode == code, (arguments, done.returncode, done.stdout, done.stderr)
+    return json.loads(done.stdout)
+
+
+def touch(seconds, *more):
+    return ("run", "--volume", folder / "ball.nrrd", "--isovalue", "1000", "--tool", "probe", "--hand",
+            "slide", "--stiffness", "1000", "--seconds", seconds, *more)
+
+
+call("convert", "--phantom", "sphere", folder / "ball.nrrd")
+r = folder / "r.palpate"
+
+# made, twice the same path, replayed to the bit
+made = call(*touch(3, "--friction", "0.3", "--record", r))["recording"]
+assert made["steps"] == 3000 and made["lost"] == 0 and made["bytes_per_step"] <= 300, made
+said = call("replay", r, "--volume", folder / "ball.nrrd")
+assert said["steps"] == 3000 and said["differing"] == 0 and said["skipped"] == 0, said
+assert said["volume"] == "same" and said["same_build"], said
+# through the limits of a device, its ramp included
+call(*touch(2, "--device", "falcon", "--record", r))
+said = call("replay", r, "--volume", folder / "ball.nrrd")
+assert said["differing"] == 0, said
+
+# another volume: by its voxels, and by its geometry
+whole = (folder / "ball.nrrd").read_bytes()
+head = whole.index(b"\n\n") + 2
+size = (len(whole) - head) // 1000
+voxels = bytearray(whole)
+for k in range(head + len(whole) // 3, head + len(whole) // 3 + 4 * size):
+    voxels[k] ^= 1
+(folder / "other.nrrd").write_bytes(voxels)
+done = subprocess.run([program, "replay", r, "--volume", folder / "other.nrrd", "--json"],
+                      capture_output=True, text=True, env=environment)
+assert json.loads(done.stdout)["volume"] == "another", done
+said = call("replay", r, "--phantom", "torus", code=3)
+assert "another-volume" in said["reasons"], said
+call("replay", r, code=2)
+call("replay", folder / "none.palpate", "--phantom", "sphere", code=3)
+# of another installation nobody can tell
+stranger = dict(environment, XDG_DATA_HOME=str(folder / "stranger"), HOME=str(folder / "stranger"))
+done = subprocess.run([program, "replay", r, "--volume", folder / "ball.nrrd", "--json"],
+                      capture_output=True, text=True, env=stranger)
+assert json.loads(done.stdout)["differing"] == 0, done
+assert json.loads(done.stdout)["volume"] == "unknown", done
+
+# interrupted: what was run until then is a whole recording
+i = folder / "i.palpate"
+running = subprocess.Popen([program, *map(str, touch(600, "--record", i))], env=environment,
+                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+while not i.with_suffix(".palpate.part").exists():
+    time.sleep(0.01)
+time.sleep(1)
+running.send_signal(signal.SIGINT)
+running.communicate(timeout=60)
+assert running.returncode == 130 and i.exists(), running
+said = call("replay", i, "--volume", folder / "ball.nrrd")
+assert said["steps"] > 500 and said["differing"] == 0, said
+
+# killed: nothing takes its place until it is recovered
+k = folder / "k.palpate"
+part = folder / "k.palpate.part"
+running = subprocess.Popen([program, *map(str, touch(600, "--record", k))], env=environment,
+                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+while not part.exists():
+    time.sleep(0.01)
+time.sleep(1.5)
+running.kill()
+running.communicate()
+assert part.exists() and not k.exists()
+call("replay", part, "--phantom", "sphere", code=3)
+call("export", part, "--format", "csv", "--out", folder / "x", code=3)
+call(*touch(1, "--record", k), code=4)
+said = call("recover", part)
+assert said["steps"] > 500 and said["lost"] == 0 and not part.exists(), said
+said = call("replay", k, "--volume", folder / "ball.nrrd")
+assert said["differing"] == 0, said
+call("recover", part, code=3)
+
+# no room: the run goes on, and what was written before is there
+f = folder / "f.palpate"
+done = subprocess.run(
+    [program, *map(str, touch(20, "--record", f))], capture_output=True, text=True, env=environment,
+    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2_500_000, 2_500_000)))
+assert done.returncode == 4 and "recording stopped" in done.stderr, done
+assert "ticks: 20000" in done.stdout, done
+said = call("recover", folder / "f.palpate.part")
+assert 0 < said["steps"] < 20000, said
+call("replay", f, "--volume", folder / "ball.nrrd")
+
+# not even for the first of it: then nothing is left
+done = subprocess.run(
+    [program, *map(str, touch(1, "--record", f.with_name("g.palpate")))], capture_output=True,
+    text=True, env=environment,
+    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (150_000, 150_000)))
+assert done.returncode == 4 and "Nothing was recorded" in done.stderr, done
+assert not list(folder.glob("g.palpate*")), list(folder.iterdir())
+
+# what cannot be written is told before anything is run
+call(*touch(1, "--record", "/proc/r.palpate"), code=4)
+call(*touch(1, "--record", folder), code=4)
+shutil.rmtree(folder)
+print("made, replayed, interrupted, killed, filled and recovered")
