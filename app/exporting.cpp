@@ -85,15 +85,14 @@ void Application::exportRecording(const QString& id) {
   if (!film && !out.endsWith(ending.ending)) out += ending.ending;
   request.out = out.toStdString();
   // the dialog asks about the name that was chosen; what is written may have others
-  const std::filesystem::path beside =
-      wish->format == ui::ExportWish::Format::Csv ? request.out.string() + "_motion.tsv"
-      : film ? std::filesystem::path(request.out).replace_extension(".frames.csv")
-             : request.out;
+  std::filesystem::path beside = request.out;
+  if (wish->format == ui::ExportWish::Format::Csv) beside += "_motion.tsv";
+  if (film) beside.replace_extension(".frames.csv");
   std::error_code error;
   if (out != dialog.selectedFiles().value(0) || beside != request.out)
     if (std::filesystem::exists(beside, error) &&
         !window_.askWhether(tr("An export of that name is there already."),
-                            tr("What it is called like is written over."), tr("Write over it")))
+                            tr("Its files are written over."), tr("Write over it")))
       return;
   exportTo(std::move(request));
 }

@@ -79,6 +79,7 @@ OutputFile::~OutputFile() {
 
 bool OutputFile::write(std::string_view bytes) {
   if (failure_ != 0) return false;
+  if (bytes.empty()) return true;  // of nothing there may be no address
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) failure_ = errno;
   size_ += bytes.size();
   return failure_ == 0;
