@@ -188,7 +188,8 @@ void VolumeView::lookFromTool() {
   // a little from beside, so that tool and surface are seen against each other; never from
   // straight above, where the head has no up
   from = Eigen::AngleAxisd(kBeside_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitZ()) * from;
-  const double level = std::max(std::hypot(from.x(), from.y()), 1e-3);
+  if (std::hypot(from.x(), from.y()) < 1e-3) from.y() = -std::abs(from.z());  // then from in front
+  const double level = std::hypot(from.x(), from.y());
   from.z() = std::clamp(from.z(), -0.8 * level, 0.8 * level);
   frameSurface(from.normalized());
 }

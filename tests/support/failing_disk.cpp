@@ -4,7 +4,6 @@
 #include <sqlite3.h>
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -66,8 +65,9 @@ int read(sqlite3_file* file, void* out, int count, sqlite3_int64 at) {
   const auto& bytes = of(file).now;
   const auto begin = std::min(bytes.size(), static_cast<std::size_t>(at));
   const std::size_t some = std::min(bytes.size() - begin, static_cast<std::size_t>(count));
-  std::memset(out, 0, static_cast<std::size_t>(count));
-  std::memcpy(out, bytes.data() + begin, some);
+  auto* to = static_cast<std::uint8_t*>(out);
+  std::fill_n(to, count, std::uint8_t{0});
+  std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(begin), some, to);
   return some == static_cast<std::size_t>(count) ? SQLITE_OK : SQLITE_IOERR_SHORT_READ;
 }
 void put(std::vector<std::uint8_t>& bytes, std::size_t at, const std::uint8_t* from,

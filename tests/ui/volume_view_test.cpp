@@ -179,6 +179,24 @@ TEST(VolumeView, DoesNotDrawTheSurfaceAgainWhenOnlyTheToolMoves) {
   EXPECT_EQ(view.frames(), before + 1);
 }
 
+TEST(VolumeView, LooksFromInFrontAtAToolStraightAbove) {
+  ui::VolumeView view;
+  view.setSurfaceWish(SurfaceMode::Mesh);
+  window::showAndWait(view, {400, 400});
+  view.show(ballPicture(Vec3::Zero(), 0.020), 50.0);
+  view.show(window::octahedron(0.003));
+  const Vec3 middle = view.surface().bounds_mm().center() * 1e-3;
+  for (const double z : {0.03, -0.03}) {
+    const Vec3 above = middle + z * Vec3::UnitZ();
+    view.display(at(above, above));
+    view.lookFromTool();
+    const QPointF seen = view.projected(above);
+    EXPECT_GT(seen.x(), 100.0);
+    EXPECT_LT(seen.x(), 300.0);
+    EXPECT_EQ(seen.y() < 200.0, z > 0.0);
+  }
+}
+
 TEST(VolumeView, TurnsTheCameraOrMovesTheHand) {
   ui::VolumeView view;
   window::showAndWait(view, {300, 300});
