@@ -9,6 +9,7 @@
 
 #include "app/study/made/made.h"
 #include "haptics/core/latest_value.h"
+#include "haptics/recording/step_ring.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/tick.h"
 #include "haptics/session.h"
@@ -38,17 +39,22 @@ struct Wide {
 TEST(LatestValue, IsWholeAndNeverOlderThanTheLastOneTaken) {
   LatestValue<Wide> box;
   constexpr std::uint64_t kLast = made::trials(400'000);
+  // until the reader has seen enough, however late it began
+  std::atomic<std::uint64_t> taken{0}, end{0};
   std::thread writer{[&] {
-    for (std::uint64_t n = 1; n <= kLast; ++n) {
+    std::uint64_t n = 0;
+    while (n < kLast || taken <= 100) {
+      ++n;
       Wide value;
       value.words.fill(n);
       box.publish(value);
       if (n % 64 == 0) std::this_thread::yield();
     }
+    end = n;
   }};
   Wide value;
-  std::uint64_t last = 0, taken = 0, torn = 0, older = 0;
-  while (last < kLast) {
+  std::uint64_t last = 0, torn = 0, older = 0;
+  while (end == 0 || last < end) {
     if (!box.take(value)) {
       std::this_thread::yield();
       continue;
@@ -266,6 +272,55 @@ TEST(Session, MayBeDestroyedWhileItRuns) {
     session.adopt(scene, at(0, 0, 0.012));
     ASSERT_TRUE(session.open(HandKind::Tap));
     if (n % 2 == 0) std::this_thread::sleep_for(std::chrono::milliseconds{3});
+  }
+}
+
+// steps go from a servo thread that runs to one that takes them, through hands that come and go
+TEST(Session, RecordsUntilItHasLeftTheRing) {
+  const auto sphere = made::scene(
+      made::solid(made::centred(48, 1e-3), [](const auto& p) { return p.norm() - 0.015; }),
+      made::tool(made::ballPoints(60, 3e-3)));
+  Session session;
+  session.set({.isovalue = made::kIso});
+  session.adopt(sphere, at(0, 0, 0.03));
+  for (int round = 0; round < 4; ++round) {
+    auto ring = std::make_shared<haptics::StepRing>(0);
+    std::atomic<bool> ended{false};
+    std::atomic<std::uint64_t> steps{0};
+    std::uint64_t starts = 0, disorder = 0;
+    std::thread taker{[&] {
+      std::uint64_t next = 0;
+      haptics::Step step;
+      haptics::ProxyStart start;
+      for (bool last = false; !last;) {
+        last = ended;
+        while (ring->take(start)) ++starts;
+        while (ring->take(step)) {
+          disorder += step.sequence != next++;
+          ++steps;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+      }
+    }};
+    if (round % 2 == 0) {
+      ASSERT_TRUE(session.open(HandKind::Slide));
+    }
+    session.record(ring);
+    // the ring goes along to another hand
+    while (steps < 100) std::this_thread::yield();
+    ASSERT_TRUE(session.open(round % 2 == 0 ? HandKind::Tap : HandKind::Slide));
+    const std::uint64_t before = steps;
+    while (steps < before + 100) std::this_thread::yield();
+    session.record(nullptr);
+    if (round == 3) session.close();
+    while (!session.hasLeftRing()) std::this_thread::yield();
+    const std::uint64_t numbered = ring->numbered();
+    ended = true;
+    taker.join();
+    EXPECT_EQ(ring.use_count(), 1);
+    EXPECT_EQ(disorder, 0u);
+    EXPECT_EQ(steps, numbered);  // nothing came after it was left
+    EXPECT_GE(starts, 2u);
   }
 }
 
