@@ -165,7 +165,13 @@ Json measureFast(const Touched& touched, const Options& options) {
 }
 
 int run(const Options& options) {
-  fs::create_directories(options.folder);
+  std::error_code error;
+  fs::create_directories(options.folder, error);
+  if (error) {
+    std::fprintf(stderr, "\"%s\" cannot be made a folder; choose another.\n",
+                 options.folder.c_str());
+    return 3;
+  }
   const Touched touched = demo();
   Json json{{"machine", study::machineHere()}, {"version", study::versionHere()}};
   json["live"] = measureLive(touched, options);
