@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "app/application.h"
+#include "datasets/readers/volume_reader.h"
 #include "haptics/recording/replay.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
@@ -173,6 +174,38 @@ TEST(RecordedSession, IsGoneThroughInTheWindow) {
   EXPECT_FALSE(window.replayBar().isVisible());
   EXPECT_TRUE(waitFor(
       [&] { return application.snapshot().scene == application.shown()->scene->id; }, 20.0));
+}
+
+TEST(RecordedSession, OverVoxelsThatAreOthersInTheSamePlaceSaysSo) {
+  const QTemporaryDir folder, scans;
+  const fs::path path = fs::path(scans.path().toStdString()) / "ball.nrrd";
+  // two scans that lie alike: only the hash tells them apart
+  const auto written = [&](double radius) {
+    const auto volume = window::volumeOf(window::cubeGrid(40), haptics::ScalarType::Int16,
+                                         window::ball(haptics::Vec3::Zero(), radius));
+    return datasets::writeNrrd(*volume, path).has_value();
+  };
+  ASSERT_TRUE(written(0.014));
+  app::Arguments arguments = sphere(folder);
+  arguments.load.phantom = {};
+  arguments.load.path = path;
+  arguments.load.isovalue = 50.0;
+  app::Application application(arguments);
+  application.start();
+  recordSome(application, folder, 600);
+  if (HasFatalFailure()) return;
+  ui::MainWindow& window = application.window();
+  emit window.recordingWanted(QString::fromStdString(filesIn(folder).front().string()));
+  ASSERT_NE(application.replay(), nullptr);
+  QTest::qWait(500);
+  auto* warning = child<QLabel>(window.replayBar(), "replayWarning");
+  EXPECT_FALSE(warning->isVisible());
+  const auto before = application.shown()->picture.volume;
+  ASSERT_TRUE(written(0.012));
+  emit window.openWanted(QString::fromStdString(path.string()));
+  ASSERT_TRUE(waitFor([&] { return application.shown()->picture.volume != before; }, 60.0));
+  EXPECT_TRUE(haptics::liesLike(*before, *application.shown()->picture.volume));
+  EXPECT_TRUE(waitFor([&] { return warning->isVisible(); }, 10.0));
 }
 
 TEST(RecordedSession, IsExportedBehindTheWindow) {
