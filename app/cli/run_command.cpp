@@ -153,10 +153,10 @@ Outcome run(const RunOptions& options) {
   haptics::ForceLimits limits;
   if (!options.device.empty()) {
     const haptics::DeviceRating* rating = haptics::findRating(options.device);
-    if (rating == nullptr) {
+    if (rating == nullptr || rating->actuated == 0) {
       std::string names;
       for (const auto& r : haptics::deviceRatings())
-        names += (names.empty() ? "" : ", ") + std::string{r.name};
+        if (r.actuated > 0) names += (names.empty() ? "" : ", ") + std::string{r.id};
       return usage("There is no device \"" + options.device + "\"; choose one of " + names + ".");
     }
     limits = {rating->force, rating->torque, 1.0, 0.02};

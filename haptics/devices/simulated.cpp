@@ -7,13 +7,11 @@
 namespace haptics {
 namespace {
 
-constexpr DeviceLimits kRating{.force = 12.0, .torque = 0.2, .io_wait = 0.0};
-
 /// A grip under a force, pulled along by whoever knows where the hand is.
 class Gripped : public Device {
  public:
   Gripped(Grip grip, double period) : grip_{std::move(grip)}, period_{period} {}
-  const DeviceLimits& limits() const noexcept override { return kRating; }
+  const DeviceRating& rating() const noexcept override { return rating_; }
   DeviceStatus read(DeviceReading& reading) noexcept override {
     grip_.advance(target(), stopped_.load(std::memory_order_relaxed) ? Wrench{} : felt_, period_);
     reading.X_BD = grip_.X_WD;
@@ -24,10 +22,12 @@ class Gripped : public Device {
     return DeviceStatus::Ok;
   }
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
+  void resume() noexcept override { stopped_.store(false, std::memory_order_relaxed); }
 
  private:
   virtual Pose target() noexcept = 0;
 
+  const DeviceRating rating_ = *findRating("sigma.7");
   Grip grip_;
   double period_;
   Wrench felt_;

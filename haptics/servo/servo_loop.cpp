@@ -30,7 +30,7 @@ ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bo
     : armed{arm},
       device_{std::move(device)},
       in_force_{initial},
-      safety_{{device_->limits().force, device_->limits().torque, kRampTime, kSlewTime}} {}
+      safety_{{device_->rating().force, device_->rating().torque, kRampTime, kSlewTime}} {}
 
 ServoLoop::~ServoLoop() {
   ending_.store(true, std::memory_order_relaxed);

@@ -10,22 +10,10 @@ Vec3 stepped(const Vec3& v, double step) HAPTICS_RT {
   return step > 0.0 ? Vec3{(v / step).array().round() * step} : v;
 }
 
-struct Encoder {
-  std::string_view device;
-  double step;  ///< m
-};
-constexpr Encoder kEncoders[] = {{"falcon", 0.038e-3},
-                                 {"touch", 0.055e-3},
-                                 {"omni", 0.055e-3},
-                                 {"desktop", 0.023e-3},
-                                 {"polhem", 0.033e-3}};
-
 DeviceModel modelOf(const DeviceRating& rating) {
-  DeviceModel model{.name = std::string{rating.name}, .rating = rating};
+  DeviceModel model{.name = std::string{rating.id}, .rating = rating};
   model.mass = rating.force <= 5.0 ? 0.1 : rating.force <= 15.0 ? 0.2 : 0.3;
-  model.linkage.encoder = 0.01e-3;
-  for (const Encoder& known : kEncoders)
-    if (known.device == rating.name) model.linkage.encoder = known.step;
+  model.linkage.encoder = rating.resolution;
   model.linkage.angle_encoder = 0.5e-3;
   model.linkage.torque = rating.torque > 0.0;
   return model;
@@ -77,7 +65,8 @@ Grip DeviceModel::heldBy(const HumanHand& hand, double gyration) const {
 
 std::vector<DeviceModel> deviceModels() {
   std::vector<DeviceModel> models;
-  for (const DeviceRating& rating : deviceRatings()) models.push_back(modelOf(rating));
+  for (const DeviceRating& rating : deviceRatings())
+    if (rating.actuated > 0) models.push_back(modelOf(rating));
   DeviceModel arm = modelOf(*findRating("omni"));
   arm.name = "omni-arm-200";
   arm.linkage.arm = {0.0, 0.0, -0.2};

@@ -12,7 +12,7 @@ class FakeDevice final : public haptics::Device {
  public:
   explicit FakeDevice(const haptics::Pose& X) : X_BD{X} { writes.reserve(100'000); }
 
-  const haptics::DeviceLimits& limits() const noexcept override { return rating; }
+  const haptics::DeviceRating& rating() const noexcept override { return rated; }
   haptics::DeviceStatus read(haptics::DeviceReading& reading) noexcept override {
     if (status != haptics::DeviceStatus::Lost) reading.X_BD = X_BD;
     return status;
@@ -22,10 +22,11 @@ class FakeDevice final : public haptics::Device {
     return status;
   }
   void stop() noexcept override { stopped = true; }
+  void resume() noexcept override { stopped = false; }
 
   haptics::Pose X_BD;
   haptics::DeviceStatus status = haptics::DeviceStatus::Ok;
-  haptics::DeviceLimits rating{.force = 8.0, .torque = 0.2, .io_wait = 0.0};
+  haptics::DeviceRating rated{.force = 8.0, .torque = 0.2};
   std::vector<haptics::Wrench> writes;
   bool stopped = false;
 };

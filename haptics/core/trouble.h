@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace haptics {
+
+/// Why a device cannot be used, or not yet.
+enum class Trouble : std::uint8_t {
+  None,
+  NotPluggedIn,
+  NoPermission,      ///< the system lets this user not open it: a udev rule is missing
+  NoLibrary,         ///< the maker's library, or what it must have, is not installed
+  NoService,         ///< the maker's service does not answer
+  InUse,             ///< another program, or this one, has it
+  NoFirmware,        ///< it needs its maker's firmware, which the user has to name
+  NotHomed,          ///< the user has to move it to its stops
+  NeedsCalibration,  ///< the user has to put it in its cradle, or start the maker's tool
+  MotorsHot,         ///< it cools down by itself
+  Refused,           ///< it answers in a way that this driver does not know
+  Lost               ///< unplugged, or silent
+};
+
+/// One word for programs: "no-permission".
+constexpr std::string_view wordOf(Trouble trouble) {
+  switch (trouble) {
+    case Trouble::None:
+      return "none";
+    case Trouble::NotPluggedIn:
+      return "not-plugged-in";
+    case Trouble::NoPermission:
+      return "no-permission";
+    case Trouble::NoLibrary:
+      return "no-library";
+    case Trouble::NoService:
+      return "no-service";
+    case Trouble::InUse:
+      return "in-use";
+    case Trouble::NoFirmware:
+      return "no-firmware";
+    case Trouble::NotHomed:
+      return "not-homed";
+    case Trouble::NeedsCalibration:
+      return "needs-calibration";
+    case Trouble::MotorsHot:
+      return "motors-hot";
+    case Trouble::Refused:
+      return "refused";
+    case Trouble::Lost:
+      return "lost";
+  }
+  return "none";
+}
+
+}  // namespace haptics

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/devices/catalogue.h"
+
+#include <array>
+#include <iterator>
+#include <utility>
+
+namespace haptics {
+namespace {
+
+// one line a driver
+constexpr std::array<Driver, 0> kDrivers{};
+
+}  // namespace
+
+std::span<const Driver> drivers() { return kDrivers; }
+
+std::vector<DeviceEntry> surveyDevices() {
+  std::vector<DeviceEntry> entries;
+  for (const Driver& driver : drivers()) {
+    std::vector<DeviceEntry> found = driver.survey();
+    entries.insert(entries.end(), std::move_iterator{found.begin()},
+                   std::move_iterator{found.end()});
+  }
+  return entries;
+}
+
+Expected<std::unique_ptr<Device>> openDevice(const OpenRequest& request) {
+  const std::string_view name = std::string_view{request.id}.substr(0, request.id.find(':'));
+  for (const Driver& driver : drivers())
+    if (driver.name == name) return driver.open(request);
+  return tl::unexpected(Error{
+      Error::Kind::NotFound,
+      "There is no device '" + request.id + "'; `palpate-cli devices` lists those that are known.",
+      "unknown-device"});
+}
+
+Error refusal(Trouble trouble, std::string what) {
+  return {trouble == Trouble::NotPluggedIn ? Error::Kind::NotFound : Error::Kind::Unsupported,
+          std::move(what), std::string{wordOf(trouble)}};
+}
+
+}  // namespace haptics

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/devices/hid_port.h"
+
+#include <fcntl.h>
+#include <hidapi/hidapi.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "haptics/devices/catalogue.h"
+
+namespace haptics {
+namespace {
+
+class OpenHid final : public HidPort {
+ public:
+  explicit OpenHid(hid_device* device) : device_{device} {}
+  ~OpenHid() override { hid_close(device_); }
+  OpenHid(const OpenHid&) = delete;
+  OpenHid& operator=(const OpenHid&) = delete;
+
+  std::optional<std::size_t> read(std::span<std::uint8_t> report,
+                                  std::chrono::milliseconds wait) noexcept override {
+    const int length =
+        hid_read_timeout(device_, report.data(), report.size(), static_cast<int>(wait.count()));
+    if (length < 0) return std::nullopt;
+    return static_cast<std::size_t>(length);
+  }
+  bool write(std::span<const std::uint8_t> report) noexcept override {
+    return hid_write(device_, report.data(), report.size()) == static_cast<int>(report.size());
+  }
+
+ private:
+  hid_device* device_;
+};
+
+}  // namespace
+
+std::vector<HidPlace> findHid(std::uint16_t vendor) {
+  std::vector<HidPlace> places;
+  hid_device_info* const first = hid_enumerate(vendor, 0);
+  for (const hid_device_info* at = first; at != nullptr; at = at->next)
+    places.push_back(
+        {at->path, at->vendor_id, at->product_id, at->usage_page, at->usage, at->interface_number});
+  hid_free_enumeration(first);
+  return places;
+}
+
+Expected<std::unique_ptr<HidPort>> openHid(const HidPlace& place, const std::string& name) {
+  // hidapi does not say why it could not open: the system does
+  const int tried = ::open(place.path.c_str(), O_RDWR | O_CLOEXEC);
+  if (tried < 0) {
+    if (errno == EACCES || errno == EPERM)
+      return tl::unexpected(refusal(
+          Trouble::NoPermission,
+          "The system does not let you use the " + name +
+              "; install packaging/70-palpate.rules in /etc/udev/rules.d and plug it in again."));
+    if (errno == EBUSY)
+      return tl::unexpected(refusal(
+          Trouble::InUse, "Another program uses the " + name + "; close that program first."));
+    return tl::unexpected(
+        refusal(Trouble::NotPluggedIn, "The " + name + " is gone; plug it in again."));
+  }
+  ::close(tried);
+  if (hid_device* const device = hid_open_path(place.path.c_str()))
+    return std::make_unique<OpenHid>(device);
+  return tl::unexpected(refusal(
+      Trouble::Refused, "The " + name + " could not be opened; unplug it and plug it in again."));
+}
+
+}  // namespace haptics
