@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,30 @@ namespace {
 
 constexpr double kDepth = 0.004;  // m that a simulated hand brings the device beyond the surface
 constexpr std::uint64_t kSeed = 1;
+
+Error nothingToTouch() {
+  return {Error::Kind::NotFound, "There is nothing to touch yet; open a volume."};
+}
+Error noRoom() {
+  return {Error::Kind::Unsupported,
+          "The tool would start inside the solid, with no room within 50 mm; raise the isovalue."};
+}
+
+/// N/m and N·m/rad that do not pass what the device may render stably: K at the hand is K at the
+/// volume times both scales, and no more than rated.
+Settings underRating(Settings settings, const DeviceRating& rating, const Scene* scene) {
+  settings.stiffness *= settings.force_scale;
+  settings.angular_stiffness *= settings.force_scale;
+  if (rating.stiffness > 0.0)
+    settings.stiffness = std::min(settings.stiffness, rating.stiffness / settings.position_scale);
+  if (rating.torque > 0.0 && rating.angular_stiffness > 0.0) {
+    double angular = settings.angular_stiffness;
+    if (angular == 0.0 && scene != nullptr)
+      angular = settings.stiffness * scene->tool.shell.inertia.eigenvalues().real().maxCoeff();
+    if (angular > rating.angular_stiffness) settings.angular_stiffness = rating.angular_stiffness;
+  }
+  return settings;
+}
 
 HandMotion motionOf(HandKind hand) {
   switch (hand) {
@@ -44,6 +69,16 @@ class Session::Loop {
   std::shared_ptr<const Scene> scene;
   Pose X_start = Pose::Identity();
   Settings settings;
+  std::optional<DeviceRating> rating;  ///< of the real device that is open
+  Handling handling;
+
+  /// Takes over, with the proxy at X_WP.
+  void begin(std::unique_ptr<ServoLoop> loop, const Pose& X_WP) {
+    servo = std::move(loop);
+    servo->scenes.offer(std::make_unique<Engagement>(scene, X_WP));
+    servo->recording.store(ring.get());
+    servo->start();
+  }
   bool armed = true;                        ///< the user's word, through every hand and scene
   std::shared_ptr<StepRing> ring, leaving;  ///< where steps go; where the last ones may yet go
   std::uint64_t left_at = 0;                ///< the boundary behind which they do no more
@@ -53,9 +88,7 @@ Session::Session() : loop_{std::make_unique<Loop>()} {}
 Session::~Session() = default;
 
 Expected<void> Session::open(HandKind hand) {
-  if (!loop_->scene)
-    return tl::unexpected(
-        Error{Error::Kind::NotFound, "There is nothing to touch yet; open a volume."});
+  if (!loop_->scene) return tl::unexpected(nothingToTouch());
   Grip grip;
   grip.gyration = std::sqrt(loop_->scene->tool.shell.inertia.trace() / 3.0);
   Pose X_start = loop_->X_start;
@@ -68,10 +101,7 @@ Expected<void> Session::open(HandKind hand) {
     path = std::move(*aimed);
   }
   const std::optional<Pose> legal = legalPoseNear(*loop_->scene, loop_->settings.isovalue, X_start);
-  if (!legal)
-    return tl::unexpected(Error{Error::Kind::Unsupported,
-                                "The tool would start inside the solid, with no room within 50 mm; "
-                                "raise the isovalue."});
+  if (!legal) return tl::unexpected(noRoom());
 
   // from here on nothing can fail: the old hand lets go, the new one takes over
   close();
@@ -84,15 +114,27 @@ Expected<void> Session::open(HandKind hand) {
     loop_->mouse.publish(X_start);
     device = openMouse(loop_->mouse, grip, ServoLoop::kPeriod);
   }
-  loop_->servo = std::make_unique<ServoLoop>(std::move(device), loop_->settings, loop_->armed);
-  loop_->servo->scenes.offer(std::make_unique<Engagement>(loop_->scene, *legal));
-  loop_->servo->recording.store(loop_->ring.get());
-  loop_->servo->start();
+  loop_->begin(std::make_unique<ServoLoop>(std::move(device), loop_->settings, loop_->armed),
+               *legal);
+  return {};
+}
+
+Expected<void> Session::open(std::unique_ptr<Device> device) {
+  if (!loop_->scene) return tl::unexpected(nothingToTouch());
+  const std::optional<Pose> legal =
+      legalPoseNear(*loop_->scene, loop_->settings.isovalue, loop_->X_start);
+  if (!legal) return tl::unexpected(noRoom());
+  close();
+  loop_->rating = device->rating();
+  auto servo = std::make_unique<ServoLoop>(std::move(device), inForce(), *legal);
+  servo->handling.publish(loop_->handling);
+  loop_->begin(std::move(servo), *legal);
   return {};
 }
 
 void Session::close() {
   loop_->servo.reset();
+  loop_->rating.reset();
   loop_->leaving.reset();
 }
 bool Session::isOpen() const { return loop_->servo != nullptr; }
@@ -101,6 +143,7 @@ void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W) {
   loop_->scene = std::move(scene);
   loop_->X_start = start_W;
   if (!loop_->servo) return;
+  loop_->servo->settings.publish(inForce());  // the tool's inertia may have changed
   // with no room near, the proxy starts where it is and is brought out, force faded
   const Pose X_legal =
       legalPoseNear(*loop_->scene, loop_->settings.isovalue, start_W).value_or(start_W);
@@ -113,7 +156,17 @@ void Session::collectGarbage() {
 
 void Session::set(const Settings& settings) {
   loop_->settings = settings;
-  if (loop_->servo) loop_->servo->settings.publish(settings);
+  if (loop_->servo) loop_->servo->settings.publish(inForce());
+}
+
+Settings Session::inForce() const {
+  if (!loop_->rating) return loop_->settings;
+  return underRating(loop_->settings, *loop_->rating, loop_->scene.get());
+}
+
+void Session::handle(const Handling& handling) {
+  loop_->handling = handling;
+  if (loop_->servo) loop_->servo->handling.publish(handling);
 }
 
 void Session::pull(const Pose& X_WH) { loop_->mouse.publish(X_WH); }
@@ -145,6 +198,14 @@ bool Session::hasLeftRing() const {
 
 bool Session::latest(Snapshot& snapshot) {
   return loop_->servo && loop_->servo->snapshots.take(snapshot);
+}
+
+std::size_t Session::transitions(std::span<ForceTransition> transitions) {
+  if (!loop_->servo) return 0;
+  std::size_t count = 0;
+  while (count < transitions.size() && loop_->servo->transitions.try_dequeue(transitions[count]))
+    ++count;
+  return count;
 }
 
 std::size_t Session::forces(std::span<ForceSample> samples) {

@@ -13,6 +13,7 @@
 
 namespace haptics {
 
+class Device;
 class StepRing;
 
 /// One sample of the force plot.
@@ -50,6 +51,10 @@ class Session {
   /// simulated hands aim at the current scene. Refused without a scene, where a hand finds no
   /// surface, and where the tool has no room; an open hand then goes on.
   Expected<void> open(HandKind hand);
+  /// Opens a real device in place of what is open: no force until arm(); watched by a watchdog, its
+  /// motion guarded, and mapped by `handle`. Refused as above; what was open then goes on, and the
+  /// device is closed.
+  Expected<void> open(std::unique_ptr<Device> device);
   /// Stops the loop with the force at zero.
   void close();
   bool isOpen() const;
@@ -60,10 +65,17 @@ class Session {
   void collectGarbage();
 
   void set(const Settings& settings);
+  /// What they came to under the rating of the real device that is open: stiffness at the hand no
+  /// more than it is rated for, force_scale taken into it. The servo's and the recording's
+  /// settings.
+  Settings inForce() const;
+  /// How a real device is held from the next tick on.
+  void handle(const Handling& handling);
   /// Where the mouse wants the tool to be, W.
   void pull(const Pose& X_WH);
 
-  /// Zero force from the next tick on, through every hand and scene, until arm().
+  /// Zero force from the next tick on, through every hand and scene, until arm(). A fault does the
+  /// same by itself.
   void forceOff();
   void arm();
 
@@ -75,6 +87,9 @@ class Session {
 
   /// Replaces `snapshot` and returns true if there is a newer one.
   bool latest(Snapshot& snapshot);
+  /// Moves transitions of the force, each of them once, oldest first, into `transitions`; returns
+  /// how many.
+  std::size_t transitions(std::span<ForceTransition> transitions);
   /// Moves force samples, one a tick, oldest first, into `samples`; returns how many.
   std::size_t forces(std::span<ForceSample> samples);
 

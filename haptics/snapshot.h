@@ -4,18 +4,48 @@
 #include <cstdint>
 
 #include "haptics/core/geometry.h"
+#include "haptics/core/trouble.h"
 
 namespace haptics {
 
 /// How the servo thread was allowed to run.
 enum class SchedulingPolicy : std::uint8_t { NotStarted, Ordinary, RealTime };
 
-/// What stands between the computed wrench and the motors.
+/// What stands between the computed wrench and the motors: coupling/safety.h draws how one leads
+/// to another.
 enum class ForceState : std::uint8_t {
-  Off,        ///< zero force until the user arms it again
-  Ramping,    ///< rising to full over a second
-  On,         ///< full, within the device's limits
-  Recovering  ///< the isovalue left the proxy inside: faded out while it is brought outside
+  Off,      ///< the device gives no poses, or there is nothing to touch
+  Ready,    ///< zero force until the user arms it
+  Armed,    ///< the user wants force and something withholds it: fading out, or zero
+  Ramping,  ///< rising to full over a second
+  On,       ///< full, within the device's limits
+  Fault     ///< zero force, latched: until the user arms it again
+};
+
+/// Why the force is in its state.
+enum class ForceReason : std::uint8_t {
+  None,
+  User,       ///< who armed it, or stopped it
+  NoReading,  ///< Off: the device gives no poses yet
+  NotHomed,   ///< Off: its poses mean nothing yet
+  Scene,      ///< Off: nothing to touch. Armed: another scene
+  Inside,     ///< Armed: the isovalue left the proxy inside; it is brought outside meanwhile
+  Clutched,   ///< Armed: the hand is taken off the tool
+  NotHeld,    ///< Armed: hold-to-run, and nobody holds
+  Gap,        ///< Armed: no tick for 5 ms
+  TooFast,    ///< Armed: the device moves faster than it may under force
+  NotFinite,  ///< Armed: a number was not finite
+  Stale,      ///< Armed: the device told nothing new for three ticks
+  Lost,       ///< Fault: the device is gone, or three polls failed
+  Jump,       ///< Fault: it moved faster than a hand can, so an encoder is wrong
+  Stalled     ///< Fault: three gaps within ten seconds
+};
+
+/// A step of the force from one state to another.
+struct ForceTransition {
+  double time = 0.0;  ///< s since the loop started
+  ForceState from = ForceState::Off, to = ForceState::Off;
+  ForceReason reason = ForceReason::None;
 };
 
 /// What the picture may know of one tick. Published by the servo thread, taken by the GUI's.
@@ -30,6 +60,11 @@ struct Snapshot {
   std::uint64_t scene = 0;       ///< Scene::id in force, 0 for none
   int contacts = 0;              ///< contacts that bear force
   ForceState force_state = ForceState::Off;
+  ForceReason reason = ForceReason::None;
+  std::uint32_t buttons = 0;        ///< of the device, bit n for button n
+  Trouble trouble = Trouble::None;  ///< of the device: what the user is to see to
+  bool clutched = false;            ///< the tool stays while the hand moves
+  double stiffness_share = 1.0;     ///< of the set stiffness that the passivity guard has left
   SchedulingPolicy policy = SchedulingPolicy::NotStarted;
   double servo_rate = 0.0;         ///< Hz over the last second
   double tick_p99 = 0.0;           ///< s of CPU, over the last second or so

@@ -10,6 +10,7 @@
 #include "app/cli/sources.h"
 #include "app/cli/trace.h"
 #include "haptics/devices/ratings.h"
+#include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/penetration.h"
 #include "haptics/smoothing.h"
@@ -159,7 +160,7 @@ Outcome run(const RunOptions& options) {
         if (r.actuated > 0) names += (names.empty() ? "" : ", ") + std::string{r.id};
       return usage("There is no device \"" + options.device + "\"; choose one of " + names + ".");
     }
-    limits = {rating->force, rating->torque, 1.0, 0.02};
+    limits = haptics::limitsOf(*rating);
   }
   auto loaded = loadTool(options.tool);
   if (!loaded) return refused(loaded.error());

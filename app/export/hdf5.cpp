@@ -47,6 +47,7 @@ hid_t typeOf() {
   if constexpr (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
   if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
   if constexpr (std::is_same_v<T, std::uint32_t>) return H5T_NATIVE_UINT32;
+  if constexpr (std::is_same_v<T, std::uint16_t>) return H5T_NATIVE_UINT16;
   if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
 }
 
@@ -163,14 +164,16 @@ struct StepTables {
         angular_stiffness{file, "settings/angular_stiffness", 0, "N.m/rad",
                           "of the virtual coupling; 0: stiffness times the tool's mean inertia"},
         friction{file, "settings/friction", 0, "1", "Coulomb's coefficient, tool and surface"},
+        force_scale{file, "settings/force_scale", 0, "1",
+                    "of what the hand feels to what the tool exerts"},
+        position_scale{file, "settings/position_scale", 0, "1",
+                       "m that the tool moves for each m of the hand"},
         cpu{file, "tick/cpu", 0, "ns", "time of the thread that the tick took"},
         cut_at{file, "tick/cut_at", 0, "", "work at which it was cut off; 0: it was not"},
         late{file, "tick/late", 0, "", "ticks that began late since the servo loop started"},
         missed{file, "tick/missed", 0, "", "ticks left out since the servo loop started"},
-        force_state{file, "tick/force_state", 0, "", "0 off, 1 ramping, 2 on, 3 recovering"},
-        flags{file, "tick/flags", 0, "",
-              "sum of 1 another scene, 2 a setting moved, 4 the user lets forces be, 8 the device "
-              "gave no reading, 16 it gave its last reading again"},
+        force_state{file, "tick/force_state", 0, "", kForceStateMeaning},
+        flags{file, "tick/flags", 0, "", kFlagsMeaning},
         scene{file, "tick/scene", 0, "", "number of the scene under /scenes; 0: none"},
         contacts{file, "tick/contacts", 0, "", "contacts that bear on the tool"} {}
 
@@ -188,6 +191,8 @@ struct StepTables {
     stiffness.add(tick.settings.stiffness);
     angular_stiffness.add(tick.settings.angular_stiffness);
     friction.add(tick.settings.friction);
+    force_scale.add(tick.settings.force_scale);
+    position_scale.add(tick.settings.position_scale);
     cpu.add(tick.cpu_ns);
     cut_at.add(tick.cut_at);
     late.add(tick.late_ticks);
@@ -202,18 +207,19 @@ struct StepTables {
   void visit(F&& f) {
     f(time), f(step), f(device_position), f(device_orientation), f(proxy_position),
         f(proxy_orientation), f(force), f(torque), f(isovalue), f(stiffness), f(angular_stiffness),
-        f(friction), f(cpu), f(cut_at), f(late), f(missed), f(force_state), f(flags), f(scene),
-        f(contacts);
+        f(friction), f(force_scale), f(position_scale), f(cpu), f(cut_at), f(late), f(missed),
+        f(force_state), f(flags), f(scene), f(contacts);
   }
 
   Table<std::int64_t> time;
   Table<std::uint64_t> step;
   Table<double> device_position, device_orientation, proxy_position, proxy_orientation;
   Table<double> force, torque;
-  Table<double> isovalue, stiffness, angular_stiffness, friction;
+  Table<double> isovalue, stiffness, angular_stiffness, friction, force_scale, position_scale;
   Table<std::int64_t> cpu, cut_at;
   Table<std::uint32_t> late, missed;
-  Table<std::uint8_t> force_state, flags;
+  Table<std::uint8_t> force_state;
+  Table<std::uint16_t> flags;
   Table<std::uint32_t> scene;
   Table<std::uint8_t> contacts;
 };

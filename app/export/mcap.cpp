@@ -87,9 +87,9 @@ constexpr Topic kTopics[] = {
     {"/contacts", "palpate.Contacts",
      R"("contacts":{"type":"array","items":{"type":"object","properties":{"arm":{"type":"object","description":"m, the point about the tool's origin","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"normal":{"type":"object","description":"unit, out of the solid","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"push":{"type":"number","description":"N"}}}})"},
     {"/tick", "palpate.Tick",
-     R"("step":{"type":"integer"},"cpu_ns":{"type":"integer"},"cut_at":{"type":"integer"},"late":{"type":"integer"},"missed":{"type":"integer"},"force_state":{"type":"integer","description":"0 off, 1 ramping, 2 on, 3 recovering"},"flags":{"type":"integer"},"contacts":{"type":"integer"})"},
+     R"("step":{"type":"integer"},"cpu_ns":{"type":"integer"},"cut_at":{"type":"integer"},"late":{"type":"integer"},"missed":{"type":"integer"},"force_state":{"type":"integer","description":"0 off, 1 ready, 2 armed, 3 ramping, 4 on, 5 fault"},"flags":{"type":"integer"},"contacts":{"type":"integer"})"},
     {"/settings", "palpate.Settings",
-     R"("isovalue":{"type":"number"},"stiffness":{"type":"number","description":"N/m"},"angular_stiffness":{"type":"number","description":"N.m/rad"},"friction":{"type":"number"},"scene":{"type":"integer"})"},
+     R"("isovalue":{"type":"number"},"stiffness":{"type":"number","description":"N/m"},"angular_stiffness":{"type":"number","description":"N.m/rad"},"friction":{"type":"number"},"force_scale":{"type":"number"},"position_scale":{"type":"number"},"scene":{"type":"integer"})"},
     {"/event", "palpate.Event",
      R"("step":{"type":"integer"},"kind":{"type":"string"},"value":{"type":["number","null"]},"note":{"type":"string"})"}};
 
@@ -360,6 +360,8 @@ void writeSettings(Json& json, const Step& step) {
   json.raw(R"(,"stiffness":)").number(step.settings.stiffness);
   json.raw(R"(,"angular_stiffness":)").number(step.settings.angular_stiffness);
   json.raw(R"(,"friction":)").number(step.settings.friction);
+  json.raw(R"(,"force_scale":)").number(step.settings.force_scale);
+  json.raw(R"(,"position_scale":)").number(step.settings.position_scale);
   json.raw(R"(,"scene":)").number(std::int64_t{step.scene}).raw("}");
 }
 void writeEvent(Json& json, const RecordedEvent& event) {

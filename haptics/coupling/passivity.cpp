@@ -5,6 +5,18 @@
 #include <cmath>
 
 namespace haptics {
+namespace {
+
+constexpr double kSlow = 0.008;     // s: the time constant of 20 Hz
+constexpr double kWindow = 0.1;     // s
+constexpr double kMostMade = 3e-4;  // J
+constexpr double kMostTurns = 6.0;
+constexpr double kBetween = 0.02;  // s between two lowerings
+constexpr double kLowered = 0.8;
+constexpr double kShort = 0.05, kLong = 0.2;  // s
+constexpr double kLasting = 0.8;
+
+}  // namespace
 
 Twist motionBetween(const Pose& X_from, const Pose& X_to) HAPTICS_RT {
   const Eigen::AngleAxisd turn{X_to.linear() * X_from.linear().transpose()};
@@ -34,6 +46,37 @@ Wrench PassivityController::pass(const Wrench& wanted, const Twist& motion,
   }
   held_ = wrench;
   return wrench;
+}
+
+void PassivityGuard::add(const Wrench& held, const Pose& X_WD, double scale,
+                         double period) HAPTICS_RT {
+  if (!X_WD.matrix().allFinite()) return;
+  Twist motion = at_.begun ? motionBetween(at_.X_WD, X_WD) : Twist{};
+  motion.linear /= scale;
+  at_.X_WD = X_WD;
+  at_.begun = true;
+  const double share = period / (kSlow + period);
+  at_.slow_motion.linear += share * (motion.linear - at_.slow_motion.linear);
+  at_.slow_motion.angular += share * (motion.angular - at_.slow_motion.angular);
+  at_.slow_wrench.force += share * (held.force - at_.slow_wrench.force);
+  at_.slow_wrench.torque += share * (held.torque - at_.slow_wrench.torque);
+  const Vec3 shaken = motion.linear - at_.slow_motion.linear;
+  const Vec3 turned = motion.angular - at_.slow_motion.angular;
+  const double left = 1.0 - period / kWindow;
+  at_.made = left * at_.made + (held.force - at_.slow_wrench.force).dot(shaken) +
+             (held.torque - at_.slow_wrench.torque).dot(turned);
+  const double along = held.force.dot(shaken) + held.torque.dot(turned);
+  at_.turns *= left;
+  if (along * at_.direction < 0.0) at_.turns += 1.0;
+  at_.power += period / kShort * (std::abs(along) - at_.power);
+  at_.power_before += period / kLong * (std::abs(along) - at_.power_before);
+  if (along != 0.0) at_.direction = along > 0.0 ? 1.0 : -1.0;
+  at_.since += period;
+  const bool lasts = at_.power > kLasting * at_.power_before;
+  if (lasts && at_.made > kMostMade && at_.turns > kMostTurns && at_.since > kBetween) {
+    at_.share *= kLowered;
+    at_.since = 0.0;
+  }
 }
 
 Wrench damped(const Wrench& wrench, const Twist& motion, double period, double damping,

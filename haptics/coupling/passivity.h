@@ -52,6 +52,43 @@ class PassivityController {
   Wrench held_;
 };
 
+/// Finds a loop that gives the hand energy by shaking it, and lowers the stiffness before the
+/// hand takes it for the surface.
+///
+/// A sampled spring gives K |d|^2 / 2 for every tick in which the device moved by d, more than it
+/// took; a hand's own damping takes that away, or the loop builds up a shaking between 20 Hz and a
+/// few hundred. So what is counted is the work of the held wrench above 20 Hz only, over the last
+/// 0.1 s: pressing, sliding and letting go are slower, and an impact turns round but once or
+/// twice. Where it is more than 0.3 mJ, the motion has turned six times and is not dying
+/// away by itself, a fifth of the stiffness is taken away, at most once in 20 ms, and is not given
+/// back until the user arms again or sets another stiffness. Up to two thirds of the limit of a
+/// sampled spring nothing is taken away; near it a spring rings for long, and may be lowered.
+class PassivityGuard {
+ public:
+  struct Memory {
+    Pose X_WD = Pose::Identity();  ///< at the last tick
+    bool begun = false;
+    Twist slow_motion;          ///< of the hand in a tick, below 20 Hz
+    Wrench slow_wrench;         ///< below 20 Hz
+    double made = 0.0;          ///< J, of the last 0.1 s
+    double turns = 0.0;         ///< likewise
+    double power = 0.0;         ///< J in a tick that goes to and fro, of the last 0.05 s
+    double power_before = 0.0;  ///< and of the last 0.2 s
+    double direction = 0.0;     ///< -1 or 1: against or with the wrench
+    double since = 0.0;         ///< s since the stiffness was lowered
+    double share = 1.0;         ///< of the stiffness that is left
+  };
+
+  explicit PassivityGuard(const Memory& memory) : at_{memory} {}
+  /// `held`: the wrench on the hand since the last tick; X_WD: the device now; `scale`: m in W for
+  /// each m of the hand. What is not finite is not counted.
+  void add(const Wrench& held, const Pose& X_WD, double scale, double period) HAPTICS_RT;
+  const Memory& memory() const HAPTICS_RT { return at_; }
+
+ private:
+  Memory at_;
+};
+
 /// The wrench with a viscous one added while it is felt at all: `damping` [N·s/m], times the
 /// square of `gyration` [m] in rotation. A velocity is the motion over the last period.
 Wrench damped(const Wrench& wrench, const Twist& motion, double period, double damping,

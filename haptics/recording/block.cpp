@@ -56,13 +56,15 @@ constexpr Column kStepColumns[] = {
     {"stiffness", "float64", 8, "N/m"},
     {"angular_stiffness", "float64", 8, "N.m/rad"},
     {"friction", "float64", 8, "1"},
+    {"force_scale", "float64", 8, "1"},
+    {"position_scale", "float64", 8, "1"},
     {"cut_at", "int64", 8, ""},
     {"cpu", "int64", 8, "ns"},
     {"scene", "uint32", 4, ""},
     {"late_ticks", "uint32", 4, ""},
     {"missed_ticks", "uint32", 4, ""},
     {"force_state", "uint8", 1, ""},
-    {"flags", "uint8", 1, ""},
+    {"flags", "uint16", 2, ""},
     {"contacts", "uint8", 1, ""},
 };
 constexpr Column kContactColumns[] = {
@@ -208,6 +210,8 @@ Block encoded(std::span<const Step> steps) {
     planes.put(step.settings.stiffness);
     planes.put(step.settings.angular_stiffness);
     planes.put(step.settings.friction);
+    planes.put(step.settings.force_scale);
+    planes.put(step.settings.position_scale);
     planes.put(step.cut_at);
     planes.put(step.cpu_ns);
     planes.put(step.scene);
@@ -261,13 +265,15 @@ Expected<std::vector<RecordedStep>> decoded(const Block& block) {
     planes.get(step.settings.stiffness);
     planes.get(step.settings.angular_stiffness);
     planes.get(step.settings.friction);
+    planes.get(step.settings.force_scale);
+    planes.get(step.settings.position_scale);
     planes.get(step.cut_at);
     planes.get(step.cpu_ns);
     planes.get(step.scene);
     planes.get(step.late_ticks);
     planes.get(step.missed_ticks);
     const auto state = planes.get<std::uint8_t>();
-    if (state > static_cast<std::uint8_t>(ForceState::Recovering)) return damaged();
+    if (state > static_cast<std::uint8_t>(ForceState::Fault)) return damaged();
     step.force_state = static_cast<ForceState>(state);
     planes.get(step.flags);
     const auto touching = planes.get<std::uint8_t>();

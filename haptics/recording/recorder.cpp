@@ -397,7 +397,13 @@ void Recorder::Writer::noteChanges(const Step& step) {
   if (moved(&Settings::friction)) add("friction", step.settings.friction);
   if (differs(&Step::scene)) add("scene", double(step.scene));
   if (differs(&Step::force_state)) add("force", double(static_cast<int>(step.force_state)));
-  constexpr int kDevice = StepFlags::kLost | StepFlags::kStale;
+  if (moved(&Settings::force_scale)) add("force_scale", step.settings.force_scale);
+  if (moved(&Settings::position_scale)) add("position_scale", step.settings.position_scale);
+  const auto clutched = [](const Step& s) { return (s.flags & StepFlags::kClutched) != 0; };
+  if (clutched(step) != (last_ && clutched(*last_))) add("clutch", clutched(step) ? 1.0 : 0.0);
+  constexpr int kDevice = StepFlags::kLost | StepFlags::kSilent | StepFlags::kNotReady |
+                          StepFlags::kGap | StepFlags::kTooFast | StepFlags::kJumped |
+                          StepFlags::kStalled;
   if (((last_ ? last_->flags : 0) & kDevice) != (step.flags & kDevice))
     add("device", double(step.flags & kDevice));
 }

@@ -6,7 +6,7 @@ import json
 import sqlite3
 import zlib
 
-TYPES = {"int64": "q", "uint64": "Q", "float64": "d", "uint32": "I", "float32": "f", "uint8": "B"}
+TYPES = {"int64": "q", "uint64": "Q", "float64": "d", "uint32": "I", "float32": "f", "uint16": "H", "uint8": "B"}
 
 
 def _opened(path):

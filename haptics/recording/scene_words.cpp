@@ -216,23 +216,52 @@ Expected<RecordedScene> sceneFrom(const SceneWords& words) {
 }
 
 std::string wordsOf(const ProxyStart& start) {
+  const ForceLimits& limits = start.limits;
+  const Safety::Memory& safety = start.safety;
+  const PassivityGuard::Memory& guard = safety.passivity;
   return json{{"scene", start.scene},
               {"proxy", listOf(start.X_WP.matrix().topRows<3>().eval())},
               {"turn", listOf(start.turn)},
               {"limits",
-               {limitWord(start.limits.force), limitWord(start.limits.torque),
-                start.limits.ramp_time, start.limits.slew_time}},
-              {"force_state", static_cast<int>(start.safety.state)},
-              {"gain", start.safety.gain},
-              {"slewing", start.safety.slewing},
-              {"slew_left", start.safety.slew_left},
-              {"sent_force", listOf(start.safety.sent.force)},
-              {"sent_torque", listOf(start.safety.sent.torque)}}
+               {{"force", limitWord(limits.force)},
+                {"torque", limitWord(limits.torque)},
+                {"ramp_time", limits.ramp_time},
+                {"slew_time", limits.slew_time},
+                {"rise_time", limits.rise_time},
+                {"continuous_force", limitWord(limits.continuous_force)},
+                {"guard_passivity", limits.guard_passivity}}},
+              {"force_state", static_cast<int>(safety.state)},
+              {"reason", static_cast<int>(safety.reason)},
+              {"withheld", static_cast<int>(safety.withheld)},
+              {"let_go", safety.let_go},
+              {"gain", safety.gain},
+              {"slewing", safety.slewing},
+              {"slew_left", safety.slew_left},
+              {"heat", safety.heat},
+              {"sent_force", listOf(safety.sent.force)},
+              {"sent_torque", listOf(safety.sent.torque)},
+              {"passivity",
+               {{"device", listOf(guard.X_WD.matrix().topRows<3>().eval())},
+                {"begun", guard.begun},
+                {"slow_linear", listOf(guard.slow_motion.linear)},
+                {"slow_angular", listOf(guard.slow_motion.angular)},
+                {"slow_force", listOf(guard.slow_wrench.force)},
+                {"slow_torque", listOf(guard.slow_wrench.torque)},
+                {"made", guard.made},
+                {"turns", guard.turns},
+                {"power", guard.power},
+                {"power_before", guard.power_before},
+                {"direction", guard.direction},
+                {"since", guard.since},
+                {"share", guard.share}}}}
       .dump();
 }
 
 Expected<ProxyStart> startFrom(const std::string& text) {
   ProxyStart start;
+  ForceLimits& limits = start.limits;
+  Safety::Memory& safety = start.safety;
+  PassivityGuard::Memory& guard = safety.passivity;
   try {
     const json words = json::parse(text);
     start.scene = whole<std::uint32_t>(words.at("scene"));
@@ -240,17 +269,42 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     take(words.at("proxy"), pose);
     start.X_WP.matrix().topRows<3>() = pose;
     take(words.at("turn"), start.turn);
-    const json& limits = words.at("limits");
-    start.limits = {limitFrom(limits.at(0)), limitFrom(limits.at(1)), limits.at(2).get<double>(),
-                    limits.at(3).get<double>()};
+    const json& limit = words.at("limits");
+    limits = {limitFrom(limit.at("force")),           limitFrom(limit.at("torque")),
+              limit.at("ramp_time").get<double>(),    limit.at("slew_time").get<double>(),
+              limit.at("rise_time").get<double>(),    limitFrom(limit.at("continuous_force")),
+              limit.at("guard_passivity").get<bool>()};
     const int state = whole<int>(words.at("force_state"));
-    if (state < 0 || state > static_cast<int>(ForceState::Recovering)) return damaged("a start");
-    start.safety.state = static_cast<ForceState>(state);
-    start.safety.gain = words.at("gain").get<double>();
-    start.safety.slewing = words.at("slewing").get<bool>();
-    start.safety.slew_left = words.at("slew_left").get<double>();
-    take(words.at("sent_force"), start.safety.sent.force);
-    take(words.at("sent_torque"), start.safety.sent.torque);
+    const int reason = whole<int>(words.at("reason")), withheld = whole<int>(words.at("withheld"));
+    constexpr int kReasons = static_cast<int>(ForceReason::Stalled);
+    if (state < 0 || state > static_cast<int>(ForceState::Fault) || reason < 0 ||
+        reason > kReasons || withheld < 0 || withheld > kReasons)
+      return damaged("a start");
+    safety.state = static_cast<ForceState>(state);
+    safety.reason = static_cast<ForceReason>(reason);
+    safety.withheld = static_cast<ForceReason>(withheld);
+    safety.let_go = words.at("let_go").get<bool>();
+    safety.gain = words.at("gain").get<double>();
+    safety.slewing = words.at("slewing").get<bool>();
+    safety.slew_left = words.at("slew_left").get<double>();
+    safety.heat = words.at("heat").get<double>();
+    take(words.at("sent_force"), safety.sent.force);
+    take(words.at("sent_torque"), safety.sent.torque);
+    const json& passivity = words.at("passivity");
+    take(passivity.at("device"), pose);
+    guard.X_WD.matrix().topRows<3>() = pose;
+    guard.begun = passivity.at("begun").get<bool>();
+    take(passivity.at("slow_linear"), guard.slow_motion.linear);
+    take(passivity.at("slow_angular"), guard.slow_motion.angular);
+    take(passivity.at("slow_force"), guard.slow_wrench.force);
+    take(passivity.at("slow_torque"), guard.slow_wrench.torque);
+    guard.made = passivity.at("made").get<double>();
+    guard.turns = passivity.at("turns").get<double>();
+    guard.power = passivity.at("power").get<double>();
+    guard.power_before = passivity.at("power_before").get<double>();
+    guard.direction = passivity.at("direction").get<double>();
+    guard.since = passivity.at("since").get<double>();
+    guard.share = passivity.at("share").get<double>();
   } catch (const json::exception&) {
     return damaged("a start");
   }

@@ -4,7 +4,7 @@
 namespace haptics {
 
 inline constexpr int kApplicationId = 0x50414c50;  ///< "PALP"
-inline constexpr int kFormat = 1;                  ///< user_version
+inline constexpr int kFormat = 2;                  ///< user_version
 
 /// The tables of a recording; README.md of this folder tells what is in them.
 inline constexpr const char* kSchema = R"(

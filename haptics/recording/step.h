@@ -13,11 +13,20 @@ namespace haptics {
 
 /// What happened before a step's tick, as bits of Step::flags.
 struct StepFlags {
-  static constexpr std::uint8_t kAdopted = 1;       ///< another scene was adopted
-  static constexpr std::uint8_t kSettingMoved = 2;  ///< a setting changed
-  static constexpr std::uint8_t kArmed = 4;         ///< the user lets forces be
-  static constexpr std::uint8_t kLost = 8;          ///< the device gave no reading
-  static constexpr std::uint8_t kStale = 16;        ///< the device gave its last reading again
+  static constexpr std::uint16_t kAdopted = 1;       ///< another scene was adopted
+  static constexpr std::uint16_t kSettingMoved = 2;  ///< a setting changed
+  static constexpr std::uint16_t kArmed = 4;         ///< the user lets forces be
+  static constexpr std::uint16_t kLost = 8;          ///< the device gave no reading
+  static constexpr std::uint16_t kStale = 16;        ///< the device gave its last reading again
+  static constexpr std::uint16_t kSilent = 32;       ///< for the third time in a row, or more
+  static constexpr std::uint16_t kNotReady = 64;     ///< the device is not homed
+  static constexpr std::uint16_t kClutched = 128;    ///< the hand moves, the tool does not
+  static constexpr std::uint16_t kLetGo = 256;       ///< hold-to-run, and nobody holds
+  static constexpr std::uint16_t kGap = 512;         ///< no tick for 5 ms before this one
+  static constexpr std::uint16_t kTooFast = 1024;    ///< the device moves too fast for force
+  static constexpr std::uint16_t kJumped = 2048;     ///< faster than a hand can
+  static constexpr std::uint16_t kStalled = 4096;    ///< the third gap in ten seconds
+  static constexpr std::uint16_t kStiffnessMoved = 8192;  ///< of the settings, the stiffness
 };
 
 /// One tick of a session: what it read, what it came to. The servo thread fills it; it owns
@@ -35,7 +44,7 @@ struct Step {
   std::uint32_t late_ticks = 0;  ///< that began late, since the loop started
   std::uint32_t missed_ticks = 0;
   ForceState force_state = ForceState::Off;
-  std::uint8_t flags = 0;
+  std::uint16_t flags = 0;
   Bearing contacts;
 };
 

@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::int64_t kPeriodNs = 1'000'000;
 constexpr std::int64_t kLateNs = 100'000;
-constexpr double kRampTime = 1.0;   // s
-constexpr double kSlewTime = 0.02;  // s from zero to the rated force
 constexpr int kPriority = 80;
 
 std::int64_t monotonic() HAPTICS_RT {
@@ -30,15 +28,23 @@ ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bo
     : armed{arm},
       device_{std::move(device)},
       in_force_{initial},
-      safety_{{device_->rating().force, device_->rating().torque, kRampTime, kSlewTime}} {}
+      safety_{limitsOf(device_->rating())} {}
+
+ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD)
+    : ServoLoop{std::move(device), initial, false} {
+  guard_ = std::make_unique<Guard>(*device_, X_WD);
+  X_WD_ = X_WD;
+}
 
 ServoLoop::~ServoLoop() {
   ending_.store(true, std::memory_order_relaxed);
   if (thread_.joinable()) thread_.join();
   device_->stop();
+  guard_.reset();
 }
 
 void ServoLoop::start() {
+  if (guard_) guard_->watchdog.start();
   thread_ = std::thread{[this] { run(); }};
 }
 
@@ -67,49 +73,103 @@ void ServoLoop::run() {
   device_->write({});
 }
 
+std::uint16_t ServoLoop::readDevice(Engagement* adopted) HAPTICS_RT {
+  unsigned flags = 0;
+  const DeviceStatus read = device_->read(reading_);
+  if (read == DeviceStatus::Lost) flags |= StepFlags::kLost;
+  if (read == DeviceStatus::NotReady) flags |= StepFlags::kNotReady;
+  if (read == DeviceStatus::Stale) flags |= StepFlags::kStale;
+  if (!guard_) {
+    X_WD_ = reading_.X_BD;
+    return static_cast<std::uint16_t>(flags);
+  }
+  handling.take(guard_->handling);
+  if (adopted != nullptr) guard_->mapping.place(X_WD_ = adopted->proxy.X_WP);
+  constexpr int kSilent = 3;
+  guard_->silent = read == DeviceStatus::Stale ? guard_->silent + 1 : 0;
+  if (guard_->silent >= kSilent) flags |= StepFlags::kSilent;
+  // poses that mean nothing are neither followed nor judged
+  if (read == DeviceStatus::Lost || read == DeviceStatus::NotReady)
+    return static_cast<std::uint16_t>(flags);
+  const std::int64_t measured = reading_.time_ns != 0 ? reading_.time_ns : monotonic();
+  switch (guard_->motion.judge(reading_.X_BD, measured)) {
+    case ForceReason::TooFast:
+      flags |= StepFlags::kTooFast;
+      break;
+    case ForceReason::Jump:
+      flags |= StepFlags::kJumped;
+      break;
+    default:
+      break;
+  }
+  const auto down = [&](int button) {
+    return button >= 0 && button < 32 && ((reading_.buttons >> button) & 1U) != 0;
+  };
+  const Handling& held = guard_->handling;
+  const bool clutched = held.clutch || down(held.clutch_button);
+  if (clutched) flags |= StepFlags::kClutched;
+  if (held.hold_to_run && !held.held && !down(held.hold_button)) flags |= StepFlags::kLetGo;
+  guard_->mapping.set(held.R_WB, in_force_.position_scale);
+  guard_->mapping.clutch(clutched);
+  X_WD_ = guard_->mapping.toWorld(reading_.X_BD);
+  return static_cast<std::uint16_t>(flags);
+}
+
 void ServoLoop::step(double time) HAPTICS_RT {
   const std::int64_t begun = Budget::threadTime();
+  const Watchdog::Beat beat = guard_ ? guard_->watchdog.beat(monotonic()) : Watchdog::Beat{};
   const Settings before = in_force_;
   settings.take(in_force_);
   const bool adopted = scenes.adopt();
-  const bool moved = in_force_.isovalue != before.isovalue ||
-                     in_force_.stiffness != before.stiffness ||
-                     in_force_.angular_stiffness != before.angular_stiffness ||
-                     in_force_.friction != before.friction;
+  const bool stiffened = in_force_.stiffness != before.stiffness ||
+                         in_force_.angular_stiffness != before.angular_stiffness;
+  const bool moved = stiffened || in_force_.isovalue != before.isovalue ||
+                     in_force_.friction != before.friction ||
+                     in_force_.position_scale != before.position_scale;
   const bool arm = armed.load(std::memory_order_relaxed);
   Engagement* const touched = scenes.current();
   // from here on the recorder's own: what it is not told any more it will not miss
   StepRing* const ring = recording.load(std::memory_order_acquire);
   if (ring != nullptr && (adopted || ring->startIsDue())) startRecording(*ring, touched);
 
-  const DeviceStatus read = device_->read(reading_);
+  std::uint16_t flags = readDevice(adopted ? touched : nullptr);
   const std::int64_t read_at = ring != nullptr ? monotonic() : 0;
-  const auto flags = static_cast<std::uint8_t>(
-      (adopted ? StepFlags::kAdopted : 0) | (moved ? StepFlags::kSettingMoved : 0) |
-      (arm ? StepFlags::kArmed : 0) | (read == DeviceStatus::Lost ? StepFlags::kLost : 0) |
-      (read == DeviceStatus::Stale ? StepFlags::kStale : 0));
+  flags = static_cast<std::uint16_t>(
+      flags | (adopted ? StepFlags::kAdopted : 0) | (moved ? StepFlags::kSettingMoved : 0) |
+      (stiffened ? StepFlags::kStiffnessMoved : 0) | (arm ? StepFlags::kArmed : 0) |
+      (beat.gap ? StepFlags::kGap : 0) | (beat.stalled ? StepFlags::kStalled : 0));
   Budget budget = Budget::timed(kTickBudget);
-  const bool touching = touched != nullptr && read != DeviceStatus::Lost;
+  const bool touching = touched != nullptr && (flags & StepFlags::kLost) == 0;
   const ServoResult result =
-      servoTick({reading_.X_BD, in_force_, flags}, touching ? touched->scene.get() : nullptr,
+      servoTick({X_WD_, in_force_, flags}, touching ? touched->scene.get() : nullptr,
                 touching ? &touched->proxy : nullptr, safety_, kPeriod, budget);
-  if (device_->write(result.sent_W) == DeviceStatus::Lost || read == DeviceStatus::Lost) {
-    armed.store(false, std::memory_order_relaxed);
-    device_->stop();
+  const bool lost = device_->write(guard_ ? guard_->mapping.toBase(result.sent_W)
+                                          : result.sent_W) == DeviceStatus::Lost;
+  if (lost || (flags & StepFlags::kLost) != 0) device_->stop();
+  // what is at fault stays off until the user arms it
+  if (lost || safety_.state() == ForceState::Fault) armed.store(false, std::memory_order_relaxed);
+  for (ForceTransition transition : safety_.transitions()) {
+    transition.time = time;
+    transitions.try_enqueue(transition);
   }
 
   const std::int64_t cpu_ns = Budget::threadTime() - begun;
   stats_.add(time, double(cpu_ns) * 1e-9);
   ++snapshot_.tick;
   snapshot_.time = time;
-  snapshot_.X_WD = reading_.X_BD;
-  snapshot_.X_WP = touching ? touched->proxy.X_WP : reading_.X_BD;
+  snapshot_.X_WD = X_WD_;
+  snapshot_.X_WP = touching ? touched->proxy.X_WP : X_WD_;
   snapshot_.scene = touching ? touched->scene->id : 0;
   snapshot_.felt_W = result.sent_W;
   snapshot_.coupling_W = result.tick.wrench_W;
   snapshot_.isovalue = in_force_.isovalue;
   snapshot_.contacts = result.tick.contacts;
   snapshot_.force_state = safety_.state();
+  snapshot_.reason = safety_.reason();
+  snapshot_.buttons = reading_.buttons;
+  snapshot_.trouble = reading_.trouble;
+  snapshot_.clutched = (flags & StepFlags::kClutched) != 0;
+  snapshot_.stiffness_share = safety_.stiffnessShare();
   snapshot_.servo_rate = stats_.rate();
   snapshot_.tick_p99 = stats_.p99();
   snapshots.publish(snapshot_);

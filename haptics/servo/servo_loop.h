@@ -12,7 +12,10 @@
 #include "haptics/devices/device.h"
 #include "haptics/recording/step_ring.h"
 #include "haptics/servo/engagement.h"
+#include "haptics/servo/mapping.h"
+#include "haptics/servo/motion_guard.h"
 #include "haptics/servo/tick_stats.h"
+#include "haptics/servo/watchdog.h"
 #include "haptics/session.h"
 #include "haptics/settings.h"
 #include "haptics/snapshot.h"
@@ -27,13 +30,18 @@ class ServoLoop {
   static constexpr double kPeriod = 1e-3;               ///< s
   static constexpr std::int64_t kTickBudget = 200'000;  ///< ns of CPU for the proxy
 
+  /// A device without motors that can hurt: its base is the world, and nothing watches it.
   ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bool arm = true);
+  /// A real one, not armed: watched, guarded, and mapped so that its first pose is X_WD.
+  ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD);
   ~ServoLoop();  ///< ends the thread with the force at zero
 
   // The other thread's side; none of these waits.
   LatestValue<Settings> settings;
+  LatestValue<Handling> handling;
   LatestValue<Snapshot> snapshots;
   moodycamel::ReaderWriterQueue<ForceSample> forces{8192};
+  moodycamel::ReaderWriterQueue<ForceTransition> transitions{1024};
   SceneHandOver scenes;
   std::atomic<bool> armed;  ///< false: zero force from the next tick on
   /// Where steps go from the next tick on; null: nowhere. The ring outlives its use: it is left
@@ -48,7 +56,18 @@ class ServoLoop {
   void step(double time) HAPTICS_RT;
 
  private:
+  /// What guards a real device's hand.
+  struct Guard {
+    Guard(Device& device, const Pose& X_WD) : watchdog{device}, mapping{X_WD} {}
+    Watchdog watchdog;
+    MotionGuard motion;
+    Mapping mapping;
+    Handling handling;
+    int silent = 0;  ///< readings in a row that told nothing new
+  };
+
   void run();
+  std::uint16_t readDevice(Engagement* adopted) HAPTICS_RT;
   void startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT;
   void record(StepRing& ring, const Proxy* proxy) HAPTICS_RT;
 
@@ -58,6 +77,8 @@ class ServoLoop {
   TickStats stats_;
   Snapshot snapshot_;
   DeviceReading reading_;
+  Pose X_WD_ = Pose::Identity();
+  std::unique_ptr<Guard> guard_;  ///< null: not a real device
   Step step_;
   std::atomic<bool> ending_{false};
   std::thread thread_;

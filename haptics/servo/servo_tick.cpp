@@ -5,22 +5,47 @@
 
 namespace haptics {
 
+ForceLimits limitsOf(const DeviceRating& rating) {
+  constexpr double kRampTime = 1.0, kSlewTime = 0.02, kRiseTime = 0.002;
+  ForceLimits limits{.force = rating.force,
+                     .torque = rating.torque,
+                     .ramp_time = kRampTime,
+                     .slew_time = kSlewTime,
+                     .rise_time = kRiseTime,
+                     .guard_passivity = true};
+  if (rating.continuous_force > 0.0) limits.continuous_force = rating.continuous_force;
+  return limits;
+}
+
 ServoResult servoTick(const ServoInput& input, const Scene* scene, Proxy* proxy, Safety& safety,
                       double period, Budget& budget) HAPTICS_RT {
-  const auto has = [&](std::uint8_t flag) { return (input.flags & flag) != 0; };
-  if (has(StepFlags::kAdopted)) safety.restart();
-  if (has(StepFlags::kSettingMoved)) safety.settingMoved();
-  if (has(StepFlags::kArmed))
-    safety.arm();
-  else
-    safety.forceOff();
+  const auto has = [&](std::uint16_t flag) { return (input.flags & flag) != 0; };
+  const bool ready = scene != nullptr && !has(StepFlags::kLost | StepFlags::kNotReady);
+  safety.begin({.armed = has(StepFlags::kArmed),
+                .ready = ready,
+                .unready = has(StepFlags::kNotReady) ? ForceReason::NotHomed
+                           : scene == nullptr        ? ForceReason::Scene
+                                                     : ForceReason::NoReading,
+                .withheld = has(StepFlags::kGap)        ? ForceReason::Gap
+                            : has(StepFlags::kSilent)   ? ForceReason::Stale
+                            : has(StepFlags::kTooFast)  ? ForceReason::TooFast
+                            : has(StepFlags::kClutched) ? ForceReason::Clutched
+                            : has(StepFlags::kLetGo)    ? ForceReason::NotHeld
+                                                        : ForceReason::None,
+                .fault = has(StepFlags::kLost)      ? ForceReason::Lost
+                         : has(StepFlags::kJumped)  ? ForceReason::Jump
+                         : has(StepFlags::kStalled) ? ForceReason::Stalled
+                                                    : ForceReason::None,
+                .adopted = has(StepFlags::kAdopted)});
+  if (has(StepFlags::kSettingMoved)) safety.settingMoved(has(StepFlags::kStiffnessMoved));
+  safety.moved(input.X_WD, input.settings.position_scale, period);
+  const double share = safety.stiffnessShare();
   ServoResult result;
-  if (scene != nullptr && !has(StepFlags::kLost))
-    result.tick =
-        tick(*scene, input.settings.isovalue,
-             {input.settings.stiffness, input.settings.angular_stiffness, input.settings.friction},
-             input.X_WD, *proxy, budget);
-  if (has(StepFlags::kLost)) safety.forceOff();
+  if (ready)
+    result.tick = tick(*scene, input.settings.isovalue,
+                       {share * input.settings.stiffness, share * input.settings.angular_stiffness,
+                        input.settings.friction},
+                       input.X_WD, *proxy, budget);
   result.sent_W = safety.pass(result.tick.wrench_W, result.tick.outside, period);
   return result;
 }

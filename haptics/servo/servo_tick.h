@@ -5,6 +5,7 @@
 
 #include "haptics/core/realtime.h"
 #include "haptics/coupling/safety.h"
+#include "haptics/devices/ratings.h"
 #include "haptics/servo/tick.h"
 #include "haptics/settings.h"
 
@@ -14,8 +15,12 @@ namespace haptics {
 struct ServoInput {
   const Pose& X_WD;  ///< as read
   const Settings& settings;
-  std::uint8_t flags = 0;  ///< StepFlags
+  std::uint16_t flags = 0;  ///< StepFlags
 };
+
+/// What a device's motors may be asked for in the live loop: its rating, a ramp of a second, 20 ms
+/// from zero to the rating after a moved isovalue, 2 ms at any time.
+ForceLimits limitsOf(const DeviceRating& rating);
 
 /// What it came to.
 struct ServoResult {

@@ -20,7 +20,6 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   if (on_start) on_start(*start);
   Proxy proxy{*scene, *start};
   Safety safety{limits};
-  safety.arm();
   PassivityController controller{passivity_damping, device.gyration, link.torque};
   PassivityObserver observer;  // at the handle, of what really acts there
   Wrench held;
@@ -37,7 +36,12 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
 
     Budget budget = Budget::counted(kTickWork);
     const std::int64_t begun = Budget::threadTime();
-    const TickResult result = tick(*scene, isovalue, coupling, X_WD, proxy, budget);
+    safety.begin({.armed = true, .ready = true});
+    safety.moved(X_WD, 1.0, period);
+    VirtualCoupling felt = coupling;
+    felt.stiffness *= safety.stiffnessShare();
+    felt.angular_stiffness *= safety.stiffnessShare();
+    const TickResult result = tick(*scene, isovalue, felt, X_WD, proxy, budget);
     Wrench wanted = result.wrench_W;
     if (damping > 0.0 || passivity_damping > 0.0) {
       const Twist motion = motionBetween(X_WD_before, X_WD);

@@ -17,13 +17,19 @@ HERE = pathlib.Path(__file__).resolve().parent
 SCHEMA = re.search(r'R"\((.*?)\)"', (HERE / "../../haptics/recording/schema.h").read_text(),
                    re.S).group(1)
 # widths of the columns of a step and of a contact, as haptics/recording/block.cpp has them
-STEP_WIDTH = 36 * 8 + 3 * 4 + 3
+STEP_WIDTH = 38 * 8 + 3 * 4 + 4
 CONTACT_WIDTH = 7 * 4
 
 START = json.dumps({
     "scene": 1, "proxy": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], "turn": [0, 0, 0],
-    "limits": [12, None, 1, 0.02], "force_state": 2, "gain": 1, "slewing": False, "slew_left": 0,
-    "sent_force": [0, 0, 0], "sent_torque": [0, 0, 0]})
+    "limits": {"force": 12, "torque": None, "ramp_time": 1, "slew_time": 0.02, "rise_time": 0.002,
+               "continuous_force": None, "guard_passivity": True},
+    "force_state": 4, "reason": 1, "withheld": 0, "let_go": False, "gain": 1, "slewing": False,
+    "slew_left": 0, "heat": 0, "sent_force": [0, 0, 0], "sent_torque": [0, 0, 0],
+    "passivity": {"device": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], "begun": False,
+                  "slow_linear": [0, 0, 0], "slow_angular": [0, 0, 0], "slow_force": [0, 0, 0],
+                  "slow_torque": [0, 0, 0], "made": 0, "turns": 0, "power": 0, "power_before": 0, "direction": 0, "since": 0,
+                  "share": 1}})
 SETTINGS = json.dumps({
     "field": "trilinear", "normal": "central",
     "plan": {name: True for name in ("free_space", "empty_space", "unspent_room", "far_gradients",

@@ -115,7 +115,8 @@ def from_rows(path):
             "proxy": [[s["proxy_" + n] for n in POSE] for s in steps],
             "force": [[s["force_" + a] for a in AXES] for s in steps],
             "torque": [[s["torque_" + a] for a in AXES] for s in steps],
-            "settings": [[s[n] for n in ("isovalue", "stiffness", "angular_stiffness", "friction",
+            "settings": [[s[n] for n in ("isovalue", "stiffness", "angular_stiffness", "friction", "force_scale",
+                                         "position_scale",
                                          "scene")] for s in steps],
             "tick": [[s[n] for n in ("sequence", "cpu", "cut_at", "late_ticks", "missed_ticks",
                                      "force_state", "flags", "contacts")] for s in steps],
@@ -165,7 +166,8 @@ def from_csv(prefix):
             "proxy": columns(*["proxy_" + n for n in pose]),
             "force": columns(*["force_" + a for a in AXES]),
             "torque": columns(*["torque_" + a for a in AXES]),
-            "settings": columns("isovalue", "stiffness", "angular_stiffness", "friction", "scene"),
+            "settings": columns("isovalue", "stiffness", "angular_stiffness", "friction", "force_scale",
+                                         "position_scale", "scene"),
             "tick": columns("step", "cpu", "cut_at", "late_ticks", "missed_ticks", "force_state",
                             "flags", "contacts", number=int)}
     if os.path.exists(f"{prefix}_contacts.tsv"):
@@ -202,7 +204,8 @@ def from_hdf5(path):
                 "proxy": joined("proxy/position", "proxy/orientation"),
                 "force": file["force"][:].tolist(), "torque": file["torque"][:].tolist(),
                 "settings": joined("settings/isovalue", "settings/stiffness",
-                                   "settings/angular_stiffness", "settings/friction", "tick/scene"),
+                                   "settings/angular_stiffness", "settings/friction", "settings/force_scale",
+                                   "settings/position_scale", "tick/scene"),
                 "tick": list(zip(*[file[n][:].tolist() for n in (
                     "step", "tick/cpu", "tick/cut_at", "tick/late", "tick/missed",
                     "tick/force_state", "tick/flags", "tick/contacts")]))}
@@ -248,7 +251,8 @@ def from_mcap(path):
         while len(changes) > 1 and changes[1][0] <= t:
             changes = changes[1:]
         now = changes[0][1]
-        settings.append([now[n] for n in ("isovalue", "stiffness", "angular_stiffness", "friction",
+        settings.append([now[n] for n in ("isovalue", "stiffness", "angular_stiffness", "friction", "force_scale",
+                                         "position_scale",
                                           "scene")])
     read = {"time": [t for t, _ in topics["/tick"]], "device": poses("/device"),
             "proxy": poses("/proxy"), "settings": settings,

@@ -51,7 +51,7 @@ TEST(ServoLoop, EscapeMakesTheVeryNextWriteZeroUntilArmedAgain) {
   Pressed loop;
   loop.loop->armed = false;
   for (int n = 0; n < 50; ++n) ASSERT_TRUE(isZero(loop.step())) << n;
-  EXPECT_EQ(loop.snapshot().force_state, ForceState::Off);
+  EXPECT_EQ(loop.snapshot().force_state, ForceState::Ready);
   loop.loop->armed = true;
   EXPECT_LE(loop.step().force.norm(), 8.0 * 1e-3 + 1e-9);  // and from zero again
   loop.steps(1200);

@@ -154,7 +154,7 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
       if (HasFatalFailure()) return;
       loop.snapshots.take(snapshot);
       touching += snapshot.contacts > 0;
-      recovering += snapshot.force_state == haptics::ForceState::Recovering;
+      recovering += snapshot.reason == haptics::ForceReason::Inside;
       adopted += snapshot.scene == other->id;
       // the isovalue down so that the tool is buried, and back; then another tool, and back
       settings.isovalue =
@@ -163,7 +163,7 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
       loop.settings.publish(settings);
       run(loop, tick, 5);
       loop.snapshots.take(snapshot);
-      recovering += snapshot.force_state == haptics::ForceState::Recovering;
+      recovering += snapshot.reason == haptics::ForceReason::Inside;
       if (part % 4 == 3)
         loop.scenes.offer(
             std::make_unique<haptics::Engagement>(part % 8 == 3 ? other : scene, snapshot.X_WD));

@@ -71,7 +71,7 @@ TEST(Application, AHandPressesOnASphereAndEscapeDropsTheForce) {
   EXPECT_GT(after.size(), 50U);
   EXPECT_LE(std::count_if(after.begin(), after.end(), [](double f) { return f != 0.0; }), 1);
   QTest::qWait(100);
-  EXPECT_EQ(application.snapshot().force_state, ForceState::Off);
+  EXPECT_EQ(application.snapshot().force_state, ForceState::Ready);
   EXPECT_EQ(application.snapshot().felt_W.force.norm(), 0.0);
   // it stays off, whatever the hand does, until the user wants it again
   QTest::qWait(1'000);

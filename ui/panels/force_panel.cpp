@@ -8,18 +8,25 @@
 namespace ui {
 namespace {
 
-QString wordsFor(haptics::ForceState state) {
+QString wordsFor(haptics::ForceState state, haptics::ForceReason reason) {
+  using haptics::ForceState;
   switch (state) {
-    case haptics::ForceState::Off:
+    case ForceState::Off:
+      return ForcePanel::tr("No force: nothing to touch, or no hand");
+    case ForceState::Ready:
       return ForcePanel::tr("Force off");
-    case haptics::ForceState::Ramping:
+    case ForceState::Ramping:
       return ForcePanel::tr("Force rising");
-    case haptics::ForceState::On:
+    case ForceState::On:
       return ForcePanel::tr("Force on");
-    case haptics::ForceState::Recovering:
+    case ForceState::Fault:
+      return ForcePanel::tr("Fault: force off");
+    case ForceState::Armed:
       break;
   }
-  return ForcePanel::tr("Surface moved: finding the outside");
+  return reason == haptics::ForceReason::Inside
+             ? ForcePanel::tr("Surface moved: finding the outside")
+             : ForcePanel::tr("Force withheld");
 }
 
 }  // namespace
@@ -52,7 +59,7 @@ ForcePanel::ForcePanel(QWidget* parent)
 void ForcePanel::display(const haptics::Snapshot& snapshot) {
   force_->setText(tr("%1 N").arg(snapshot.felt_W.force.norm(), 0, 'f', 2));
   torque_->setText(tr("%1 mN·m").arg(snapshot.felt_W.torque.norm() * 1000.0, 0, 'f', 0));
-  state_->setText(wordsFor(snapshot.force_state));
+  state_->setText(wordsFor(snapshot.force_state, snapshot.reason));
 }
 
 }  // namespace ui

@@ -32,13 +32,17 @@ struct KindWords {
   Look look;
   const char* unit;
 };
-constexpr std::array<KindWords, 12> kKinds{{
+constexpr std::array<KindWords, 15> kKinds{{
     {"mark", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Mark"), Look::Note, ""},
     {"isovalue", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Isovalue"), Look::Setting, ""},
     {"stiffness", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Stiffness"), Look::Setting, " N/m"},
     {"angular_stiffness", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Angular stiffness"),
      Look::Setting, " N·m/rad"},
     {"friction", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Friction"), Look::Setting, ""},
+    {"force_scale", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Force scale"), Look::Setting, ""},
+    {"position_scale", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Position scale"), Look::Setting,
+     ""},
+    {"clutch", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Clutch"), Look::Force, ""},
     {"scene", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Scene"), Look::Scene, ""},
     {"camera", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Camera"), Look::Scene, ""},
     {"force", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Force"), Look::Force, ""},

@@ -260,7 +260,6 @@ Outcome saturation(int, std::uint64_t) {
   const auto scene = sphere(ball(200, 3e-3));
   const haptics::ForceLimits limits{3.3, 0.05, 0.0, 0.02};
   haptics::Safety safety{limits};
-  safety.arm();
   Trial trial{scene, datasets::kSolidIso, at(0, 0, 0.03)};
   trial.coupling.stiffness = 20'000.0;
   double most = 0.0, torque = 0.0, least_turn = 1.0;
@@ -270,6 +269,7 @@ Outcome saturation(int, std::uint64_t) {
     const Pose D =
         at({0.004, 0, 0.03 - 1e-4 * down}, Quat{Eigen::AngleAxisd{0.01 * down, Vec3::UnitX()}});
     const haptics::Wrench asked = trial.step(D).wrench_W;
+    safety.begin({.armed = true, .ready = true});
     const haptics::Wrench got = safety.pass(asked, trial.last.outside, 1e-3);
     most = std::max(most, got.force.norm());
     torque = std::max(torque, got.torque.norm());

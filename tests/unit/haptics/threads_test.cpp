@@ -190,7 +190,7 @@ TEST(Session, OpensAdoptsSetsDropsTheForceAndClosesWhileTheLoopRuns) {
         EXPECT_GT(snapshot.tick, last);
         EXPECT_TRUE(snapshot.X_WP.matrix().allFinite());
         EXPECT_NE(snapshot.policy, haptics::SchedulingPolicy::NotStarted);
-        if (snapshot.force_state == haptics::ForceState::Off) {
+        if (snapshot.force_state == haptics::ForceState::Ready) {
           EXPECT_TRUE(snapshot.felt_W.force.isZero(0.0));
           off_seen = true;
         }
@@ -237,19 +237,19 @@ TEST(Session, ForceOffHoldsThroughEveryHandAndSceneUntilArmed) {
       }
       if (from == 0) from = snapshot.tick + 2;  // the word may come in the middle of a tick
       if (snapshot.tick > from)
-        wrong += (snapshot.force_state == haptics::ForceState::Off) !=
-                 (wanted == haptics::ForceState::Off);
+        wrong += (snapshot.force_state == haptics::ForceState::Ready) !=
+                 (wanted == haptics::ForceState::Ready);
     }
     return wrong;
   };
   ASSERT_TRUE(session.open(HandKind::Tap));
   EXPECT_EQ(ticks(20, haptics::ForceState::Ramping), 0u);
   session.forceOff();
-  EXPECT_EQ(ticks(20, haptics::ForceState::Off), 0u);
+  EXPECT_EQ(ticks(20, haptics::ForceState::Ready), 0u);
   session.adopt(smallScene(), at(0, 0, 0.012));
-  EXPECT_EQ(ticks(20, haptics::ForceState::Off), 0u);
+  EXPECT_EQ(ticks(20, haptics::ForceState::Ready), 0u);
   ASSERT_TRUE(session.open(HandKind::Slide));
-  EXPECT_EQ(ticks(20, haptics::ForceState::Off), 0u);
+  EXPECT_EQ(ticks(20, haptics::ForceState::Ready), 0u);
   session.arm();
   EXPECT_EQ(ticks(20, haptics::ForceState::Ramping), 0u);
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
+
+namespace haptics {
+
+/// From the device's base B to the world and back. Whatever is changed, the tool stays where it is:
+///
+///   p_WD = p_W0 + scale R_WB (p_BD - p_B0),   R_WD = R_WB R_BD R_0
+///
+/// where p_B0, p_W0 and R_0 are taken anew, so that X_WD is the same before and after. Servo
+/// thread only.
+class Mapping {
+ public:
+  /// The first pose of the device becomes X_WD.
+  explicit Mapping(const Pose& X_WD) : X_WD_{X_WD} {}
+
+  /// The tool in W, for the handle in B. While clutched it is where it was.
+  Pose toWorld(const Pose& X_BD) HAPTICS_RT;
+  /// The wrench on the hand, its axes turned from W into B.
+  Wrench toBase(const Wrench& wrench_W) const HAPTICS_RT;
+
+  /// R_WB: a rotation; `scale`: m in W for each m in B. What is neither is not taken.
+  void set(const Mat3& R_WB, double scale) HAPTICS_RT;
+  void clutch(bool clutched) HAPTICS_RT;
+  bool clutched() const HAPTICS_RT { return clutched_; }
+  /// The tool is put elsewhere; the hand stays.
+  void place(const Pose& X_WD) HAPTICS_RT;
+
+ private:
+  Pose X_WD_;
+  Mat3 R_WB_ = Mat3::Identity();
+  double scale_ = 1.0;
+  Vec3 p_B0_ = Vec3::Zero(), p_W0_ = Vec3::Zero();
+  Mat3 R_0_ = Mat3::Identity();
+  bool clutched_ = false;
+  bool anchored_ = false;
+};
+
+}  // namespace haptics
