@@ -56,7 +56,7 @@ void ServoLoop::run() {
   const std::int64_t begun = monotonic();
   std::int64_t due = begun;
   while (!ending_.load(std::memory_order_relaxed)) {
-    step(double(due - begun) * 1e-9);
+    step(double(due - begun) * 1e-9, monotonic());
     due += kPeriodNs;
     // a period in which no tick can begin any more is missed, not made up for
     const std::int64_t behind = monotonic() - due;
@@ -73,7 +73,7 @@ void ServoLoop::run() {
   device_->write({});
 }
 
-std::uint16_t ServoLoop::readDevice(Engagement* adopted) HAPTICS_RT {
+std::uint16_t ServoLoop::readDevice(Engagement* adopted, std::int64_t now) HAPTICS_RT {
   unsigned flags = 0;
   const DeviceStatus read = device_->read(reading_);
   if (read == DeviceStatus::Lost) flags |= StepFlags::kLost;
@@ -91,7 +91,7 @@ std::uint16_t ServoLoop::readDevice(Engagement* adopted) HAPTICS_RT {
   // poses that mean nothing are neither followed nor judged
   if (read == DeviceStatus::Lost || read == DeviceStatus::NotReady)
     return static_cast<std::uint16_t>(flags);
-  const std::int64_t measured = reading_.time_ns != 0 ? reading_.time_ns : monotonic();
+  const std::int64_t measured = reading_.time_ns != 0 ? reading_.time_ns : now;
   switch (guard_->motion.judge(reading_.X_BD, measured)) {
     case ForceReason::TooFast:
       flags |= StepFlags::kTooFast;
@@ -115,9 +115,9 @@ std::uint16_t ServoLoop::readDevice(Engagement* adopted) HAPTICS_RT {
   return static_cast<std::uint16_t>(flags);
 }
 
-void ServoLoop::step(double time) HAPTICS_RT {
+void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   const std::int64_t begun = Budget::threadTime();
-  const Watchdog::Beat beat = guard_ ? guard_->watchdog.beat(monotonic()) : Watchdog::Beat{};
+  const Watchdog::Beat beat = guard_ ? guard_->watchdog.beat(now) : Watchdog::Beat{};
   const Settings before = in_force_;
   settings.take(in_force_);
   const bool adopted = scenes.adopt();
@@ -132,7 +132,7 @@ void ServoLoop::step(double time) HAPTICS_RT {
   StepRing* const ring = recording.load(std::memory_order_acquire);
   if (ring != nullptr && (adopted || ring->startIsDue())) startRecording(*ring, touched);
 
-  std::uint16_t flags = readDevice(adopted ? touched : nullptr);
+  std::uint16_t flags = readDevice(adopted ? touched : nullptr, now);
   const std::int64_t read_at = ring != nullptr ? monotonic() : 0;
   flags = static_cast<std::uint16_t>(
       flags | (adopted ? StepFlags::kAdopted : 0) | (moved ? StepFlags::kSettingMoved : 0) |

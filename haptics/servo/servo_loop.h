@@ -52,8 +52,11 @@ class ServoLoop {
   /// Starts the thread.
   void start();
 
-  /// One period's work, at `time` [s] since the start. Public for the allocation and lock test.
-  void step(double time) HAPTICS_RT;
+  /// One period's work, of the tick that was due at `time` [s] since the start, at `now` [ns,
+  /// monotonic]. Public for tests.
+  void step(double time, std::int64_t now) HAPTICS_RT;
+  /// The same, with a clock that keeps time with the ticks.
+  void step(double time) HAPTICS_RT { step(time, 1 + std::int64_t(time * 1e9)); }
 
  private:
   /// What guards a real device's hand.
@@ -67,7 +70,7 @@ class ServoLoop {
   };
 
   void run();
-  std::uint16_t readDevice(Engagement* adopted) HAPTICS_RT;
+  std::uint16_t readDevice(Engagement* adopted, std::int64_t now) HAPTICS_RT;
   void startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT;
   void record(StepRing& ring, const Proxy* proxy) HAPTICS_RT;
 

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
 #include <memory>
+#include <optional>
+#include <thread>
 #include <vector>
 
 #include "haptics/devices/device.h"
@@ -14,21 +20,33 @@ class FakeDevice final : public haptics::Device {
 
   const haptics::DeviceRating& rating() const noexcept override { return rated; }
   haptics::DeviceStatus read(haptics::DeviceReading& reading) noexcept override {
+    while (hang) std::this_thread::sleep_for(std::chrono::milliseconds{1});
     if (status != haptics::DeviceStatus::Lost) reading.X_BD = X_BD;
-    return status;
+    reading.buttons = buttons;
+    reading.trouble = trouble;
+    return status_of_read.value_or(status);
   }
   haptics::DeviceStatus write(const haptics::Wrench& wrench) noexcept override {
-    writes.push_back(wrench);  // within what was reserved
+    if (writes.size() < writes.capacity()) writes.push_back(wrench);
     return status;
   }
-  void stop() noexcept override { stopped = true; }
+  void stop() noexcept override {
+    stopped = true;
+    constexpr char kWords[] = "motors stopped\n";
+    if (says_stopped) says_stopped = ::write(STDERR_FILENO, kWords, sizeof kWords - 1) < 0;
+  }
   void resume() noexcept override { stopped = false; }
 
   haptics::Pose X_BD;
   haptics::DeviceStatus status = haptics::DeviceStatus::Ok;
   haptics::DeviceRating rated{.force = 8.0, .torque = 0.2};
   std::vector<haptics::Wrench> writes;
-  bool stopped = false;
+  std::optional<haptics::DeviceStatus> status_of_read = {};  ///< where it is not the same
+  std::uint32_t buttons = 0;
+  haptics::Trouble trouble = haptics::Trouble::None;
+  std::atomic<bool> hang{false};  ///< the next read does not come back
+  std::atomic<bool> stopped{false};
+  bool says_stopped = false;  ///< on standard error, once
 };
 
 /// A servo loop without its thread, one period a call.

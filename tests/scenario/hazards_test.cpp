@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <thread>
+
+#include "app/study/made/made.h"
+#include "haptics/servo/emergency.h"
+#include "tests/scenario/fake_device.h"
+#include "tests/scenario/trial.h"
+
+// What may go wrong between a real device and a hand, each done on purpose with the hand pressed
+// on a ball at full force.
+
+namespace {
+
+using haptics::DeviceStatus;
+using haptics::ForceReason;
+using haptics::ForceState;
+using haptics::ForceTransition;
+using haptics::Handling;
+using haptics::Mat3;
+using haptics::Pose;
+using haptics::Quat;
+using haptics::Settings;
+using haptics::Snapshot;
+using haptics::Trouble;
+using haptics::Vec3;
+using haptics::Watchdog;
+using haptics::Wrench;
+using made::at;
+
+bool isZero(const Wrench& wrench) {
+  return (wrench.force.array() == 0.0).all() && (wrench.torque.array() == 0.0).all();
+}
+
+/// A real device's loop, a tick a call, with the clock in the test's hand. Its base is turned
+/// against the world, and the tool moves three times as far as the hand.
+struct Held {
+  static constexpr double kScale = 3.0;
+  const Mat3 R_WB = Quat{Eigen::AngleAxisd{0.7, Vec3(1, 2, -1).normalized()}}.toRotationMatrix();
+
+  Held() : stage{stageOf("sphere", ballTool(200, 3e-3))} {
+    settings.isovalue = stage.isovalue;
+    settings.stiffness = 1000.0;
+    settings.position_scale = kScale;
+    auto made = std::make_unique<FakeDevice>(X_B);
+    device = made.get();
+    loop = std::make_unique<haptics::ServoLoop>(std::move(made), settings, kAbove);
+    handling.R_WB = R_WB;
+    loop->handling.publish(handling);
+    loop->scenes.offer(std::make_unique<haptics::Engagement>(stage.scene, kAbove));
+  }
+  const Wrench& step(std::int64_t pause_ns = 1'000'000) {
+    now += pause_ns;
+    loop->step(1e-9 * double(now), now);
+    return device->writes.back();
+  }
+  void steps(int n) {
+    for (int i = 0; i < n; ++i) step();
+  }
+  /// The hand moves by this much of the world in so many ticks.
+  void move(const Vec3& by_W, int ticks) {
+    for (int n = 0; n < ticks; ++n) {
+      device->X_BD.translation() += R_WB.transpose() * by_W / kScale / ticks;
+      step();
+    }
+  }
+  /// Armed, and pressed 2 mm into the ball's top.
+  void press() {
+    step();
+    loop->armed = true;
+    move({0, 0, -0.009}, 60);
+    steps(1200);
+    ASSERT_EQ(snapshot().force_state, ForceState::On);
+    ASSERT_GT(device->writes.back().force.norm(), 1.5);
+  }
+  Snapshot snapshot() {
+    loop->snapshots.take(taken);
+    return taken;
+  }
+  std::vector<ForceTransition> transitions() {
+    std::vector<ForceTransition> all;
+    ForceTransition one;
+    while (loop->transitions.try_dequeue(one)) all.push_back(one);
+    return all;
+  }
+  /// From here on the force is zero, ticks long, whatever the device says, until it is armed; then
+  /// it comes from zero.
+  void expectLatched(ForceReason why) {
+    EXPECT_EQ(snapshot().force_state, ForceState::Fault);
+    EXPECT_EQ(snapshot().reason, why);
+    EXPECT_FALSE(loop->armed);
+    for (int n = 0; n < 2000; ++n) ASSERT_TRUE(isZero(step()));
+    EXPECT_EQ(snapshot().force_state, ForceState::Fault);
+    device->status = DeviceStatus::Ok;
+    for (int n = 0; n < 100; ++n) ASSERT_TRUE(isZero(step()));
+    EXPECT_EQ(snapshot().force_state, ForceState::Fault);
+  }
+  void expectRampsWhenArmed() {
+    loop->armed = true;
+    for (int n = 1; n <= 1000; ++n)
+      ASSERT_LE(step().force.norm(), 8.0 * n * 1e-3 + 1e-9) << "tick " << n;
+  }
+
+  const Pose kAbove = at(0, 0, 0.030);
+  const Pose X_B = at(Vec3(0.4, -0.2, 0.1), Quat{Eigen::AngleAxisd{0.3, Vec3::UnitY()}});
+  Stage stage;
+  Settings settings;
+  Handling handling;
+  FakeDevice* device = nullptr;
+  std::unique_ptr<haptics::ServoLoop> loop;
+  Snapshot taken;
+  std::int64_t now = 1'000'000'000;
+};
+
+TEST(Hazards, NoForceBeforeTheUserArms) {
+  Held held;
+  held.step();
+  held.move({0, 0, -0.009}, 60);
+  for (int n = 0; n < 3000; ++n) ASSERT_TRUE(isZero(held.step()));
+  EXPECT_EQ(held.snapshot().force_state, ForceState::Ready);
+  EXPECT_GT(held.snapshot().coupling_W.force.norm(), 1.5);  // the tool is held, the hand is not
+  held.expectRampsWhenArmed();
+}
+
+TEST(Hazards, TheForceActsAgainstTheHandsOwnWay) {
+  Held held;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  const Snapshot snapshot = held.snapshot();
+  const Wrench sent = held.device->writes.back();
+  EXPECT_LT((held.R_WB * sent.force - snapshot.felt_W.force).norm(), 1e-12);
+  EXPECT_LT((held.R_WB * sent.torque - snapshot.felt_W.torque).norm(), 1e-12);
+  // 1000 N/m at 2 mm: what the tool pulls, felt along the way that the hand came
+  EXPECT_NEAR(sent.force.norm(), 2.0, 0.2);
+  const Vec3 way_B = held.R_WB.transpose() * Vec3(0, 0, -1);
+  EXPECT_LT(sent.force.normalized().dot(way_B), -0.99);
+}
+
+TEST(Hazards, UnpluggedUnderForceIsZeroInThatTickAndLatched) {
+  for (const bool write : {false, true}) {
+    Held held;
+    ASSERT_NO_FATAL_FAILURE(held.press());
+    held.device->status = DeviceStatus::Lost;
+    if (write) held.device->status_of_read = DeviceStatus::Ok;  // the pose still came
+    held.step();
+    EXPECT_TRUE(held.device->stopped);
+    EXPECT_TRUE(isZero(held.step()));
+    EXPECT_FALSE(held.loop->armed);
+    held.device->status_of_read.reset();
+    held.step();
+    held.expectLatched(ForceReason::Lost);
+    held.expectRampsWhenArmed();
+  }
+}
+
+TEST(Hazards, ThreeReadingsWithNothingNewAreZeroAndTwoAreNot) {
+  Held held;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  held.device->status = DeviceStatus::Stale;
+  EXPECT_GT(held.step().force.norm(), 1.5);
+  EXPECT_GT(held.step().force.norm(), 1.5);
+  for (int n = 0; n < 50; ++n) ASSERT_TRUE(isZero(held.step()));
+  EXPECT_EQ(held.snapshot().reason, ForceReason::Stale);
+  held.device->status = DeviceStatus::Ok;
+  for (int n = 1; n <= 1000; ++n) ASSERT_LE(held.step().force.norm(), 8.0 * n * 1e-3 + 1e-9);
+  EXPECT_GT(held.step().force.norm(), 1.5);
+}
+
+TEST(Hazards, AnEncoderThatJumpsIsAFault) {
+  for (const bool turn : {false, true}) {
+    Held held;
+    ASSERT_NO_FATAL_FAILURE(held.press());
+    const Pose before = held.device->X_BD;
+    if (turn)
+      held.device->X_BD.linear() =
+          before.linear() * Eigen::AngleAxisd{0.3, Vec3::UnitX()}.toRotationMatrix();
+    else
+      held.device->X_BD.translation().x() += 0.011;  // in one tick: 11 m/s
+    EXPECT_TRUE(isZero(held.step()));
+    held.expectLatched(ForceReason::Jump);
+    held.device->X_BD = before;
+    EXPECT_TRUE(isZero(held.step()));  // back is a jump too
+    held.step();
+    held.expectRampsWhenArmed();
+  }
+}
+
+TEST(Hazards, ADeviceThatRunsAwayIsLetGoOf) {
+  Held held;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  for (int n = 0; n < 20; ++n) {
+    held.device->X_BD.translation() += held.R_WB.transpose() * Vec3(0, 0, -0.0016);  // 1.6 m/s
+    ASSERT_TRUE(isZero(held.step())) << n;
+  }
+  EXPECT_EQ(held.snapshot().reason, ForceReason::TooFast);
+  // calm for 50 ms before anything is felt
+  for (int n = 0; n < 49; ++n) ASSERT_TRUE(isZero(held.step())) << n;
+  for (int n = 1; n <= 1000; ++n) ASSERT_LE(held.step().force.norm(), 8.0 * n * 1e-3 + 1e-9);
+  EXPECT_EQ(held.snapshot().force_state, ForceState::Ramping);
+}
+
+TEST(Hazards, NotHomedIsOffAndItsPosesAreNotFollowed) {
+  Held held;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  const Pose X_WD = held.snapshot().X_WD;
+  held.device->status = DeviceStatus::NotReady;
+  held.device->X_BD.translation().x() += 0.5;
+  for (int n = 0; n < 50; ++n) ASSERT_TRUE(isZero(held.step()));
+  EXPECT_EQ(held.snapshot().force_state, ForceState::Off);
+  EXPECT_EQ(held.snapshot().reason, ForceReason::NotHomed);
+  EXPECT_EQ(held.snapshot().X_WD.translation(), X_WD.translation());
+}
+
+TEST(Hazards, AGapIsZeroAndANewRampAndThreeOfThemAreAFault) {
+  Held held;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  for (int gap = 0; gap < 2; ++gap) {
+    EXPECT_TRUE(isZero(held.step(5'100'000)));
+    EXPECT_EQ(held.snapshot().reason, ForceReason::Gap);
+    for (int n = 1; n <= 1000; ++n) ASSERT_LE(held.step().force.norm(), 8.0 * n * 1e-3 + 1e-9);
+    held.steps(10);
+    EXPECT_EQ(held.snapshot().force_state, ForceState::On);  // by itself
+  }
+  EXPECT_TRUE(isZero(held.step(5'100'000)));
+  held.expectLatched(ForceReason::Stalled);
+  held.expectRampsWhenArmed();
+  // what is longer ago than ten seconds counts no more
+  held.steps(9'000);
+  EXPECT_TRUE(isZero(held.step(5'100'000)));
+  EXPECT_NE(held.snapshot().force_state, ForceState::Fault);
+}
+
+TEST(Hazards, ALateTickIsNoGap) {
+  Held held;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  EXPECT_GT(held.step(4'900'000).force.norm(), 1.5);
+}
+
+TEST(Watchdog, StopsADeviceWhoseServoThreadHangsAndLetsItGoOnAfterwards) {
+  FakeDevice device{at(0, 0, 0)};
+  Watchdog watchdog{device};
+  const std::int64_t ms = 1'000'000;
+  watchdog.look(500 * ms);  // nothing has begun: nothing hangs
+  EXPECT_FALSE(device.stopped);
+  EXPECT_FALSE(watchdog.beat(1000 * ms).gap);
+  watchdog.look(1004 * ms);
+  EXPECT_FALSE(device.stopped);
+  watchdog.look(1006 * ms);
+  EXPECT_TRUE(device.stopped);
+  watchdog.look(1007 * ms);
+  EXPECT_TRUE(watchdog.beat(1008 * ms).gap);
+  EXPECT_FALSE(device.stopped);
+  EXPECT_FALSE(watchdog.beat(1009 * ms).gap);
+  // a stop between two beats that were in time: it had looked at the older
+  EXPECT_FALSE(watchdog.beat(1013 * ms).gap);
+  watchdog.look(1019 * ms);
+  const Watchdog::Beat second = watchdog.beat(1019 * ms);
+  EXPECT_TRUE(second.gap);
+  EXPECT_FALSE(second.stalled);
+  watchdog.look(1030 * ms);
+  EXPECT_TRUE(watchdog.beat(1030 * ms).stalled);
+}
+
+TEST(Watchdog, CountsAGapOnceThoughItsStopCameLate) {
+  FakeDevice device{at(0, 0, 0)};
+  Watchdog watchdog{device};
+  const std::int64_t ms = 1'000'000;
+  watchdog.beat(1000 * ms);
+  for (int gap = 1; gap <= 2; ++gap) {
+    const std::int64_t then = (1000 + 100 * gap) * ms;
+    watchdog.beat(then - 10 * ms);  // a gap of its own, told by the beat
+    watchdog.look(then);            // and the stop for it, late
+    EXPECT_TRUE(watchdog.beat(then + ms).gap);
+    EXPECT_FALSE(device.stopped);
+  }
+}
+
+// the whole of it, with threads: a read that hangs
+TEST(Watchdog, ZeroReachesADeviceWhoseReadHangs) {
+  const Stage stage = stageOf("sphere", ballTool(50, 3e-3));
+  auto made = std::make_unique<FakeDevice>(at(0, 0, 0.03));
+  FakeDevice* device = made.get();
+  haptics::ServoLoop loop{std::move(made), Settings{.isovalue = stage.isovalue}, at(0, 0, 0.03)};
+  loop.scenes.offer(std::make_unique<haptics::Engagement>(stage.scene, at(0, 0, 0.03)));
+  loop.start();
+  while (loop.boundary.load() < 50) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  device->hang = true;
+  while (!device->stopped) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  const std::uint64_t ticks = loop.boundary.load();
+  device->hang = false;
+  while (loop.boundary.load() < ticks + 20)
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  EXPECT_FALSE(device->stopped);  // it goes on by itself
+}
+
+TEST(Hazards, ClutchedTheToolStaysTheForceFadesAndNothingJumps) {
+  for (const bool key : {true, false}) {
+    Held held;
+    held.handling.clutch_button = 2;
+    held.loop->handling.publish(held.handling);
+    ASSERT_NO_FATAL_FAILURE(held.press());
+    const Pose X_WD = held.snapshot().X_WD;
+    held.handling.clutch = key;
+    held.loop->handling.publish(held.handling);
+    held.device->buttons = key ? 0U : 4U;
+    double last = 8.0;
+    for (int n = 0; n < 60; ++n) {
+      held.device->X_BD.translation().x() += 2e-4;
+      held.device->X_BD.linear() =
+          held.device->X_BD.linear() * Eigen::AngleAxisd{0.01, Vec3::UnitZ()}.toRotationMatrix();
+      const double force = held.step().force.norm();
+      EXPECT_LE(force, last);
+      last = force;
+      EXPECT_TRUE(held.snapshot().clutched);
+      EXPECT_TRUE(held.snapshot().X_WD.isApprox(X_WD, 0.0));
+    }
+    EXPECT_EQ(last, 0.0);
+    held.handling.clutch = false;
+    held.loop->handling.publish(held.handling);
+    held.device->buttons = 0;
+    held.step();
+    EXPECT_LT((held.snapshot().X_WD.matrix() - X_WD.matrix()).cwiseAbs().maxCoeff(), 1e-12);
+    for (int n = 1; n <= 1000; ++n) ASSERT_LE(held.step().force.norm(), 8.0 * n * 1e-3 + 1e-9);
+    // and follows from there, by as much as the hand moves
+    held.move({0.001, 0.002, 0.003}, 20);
+    EXPECT_LT((held.snapshot().X_WD.translation() - X_WD.translation() - Vec3(0.001, 0.002, 0.003))
+                  .norm(),
+              1e-12);
+  }
+}
+
+TEST(Hazards, TheCameraAndTheScaleTurnTheMappingWithoutAJump) {
+  Held held;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  Pose X_WD = held.snapshot().X_WD;
+  for (int n = 0; n < 100; ++n) {
+    held.handling.R_WB = Eigen::AngleAxisd{0.03 * n, Vec3::UnitY()}.toRotationMatrix();
+    held.loop->handling.publish(held.handling);
+    held.settings.position_scale = 1.0 + 0.02 * n;
+    held.loop->settings.publish(held.settings);
+    held.step();
+    EXPECT_LT((held.snapshot().X_WD.matrix() - X_WD.matrix()).cwiseAbs().maxCoeff(), 1e-11);
+  }
+  // what is no rotation is not taken
+  held.handling.R_WB = 2.0 * Mat3::Identity();
+  held.loop->handling.publish(held.handling);
+  held.step();
+  EXPECT_LT((held.snapshot().X_WD.matrix() - X_WD.matrix()).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST(Hazards, HoldToRunLetsGoWhenNobodyHolds) {
+  Held held;
+  held.handling.hold_to_run = true;
+  held.handling.hold_button = 0;
+  held.loop->handling.publish(held.handling);
+  held.device->buttons = 1;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  held.device->buttons = 0;
+  double last = 8.0;
+  for (int n = 1; n <= 50; ++n) {
+    const double force = held.step().force.norm();
+    EXPECT_LE(force, last);
+    last = force;
+  }
+  EXPECT_NEAR(last, 0.0, 1e-9);
+  for (int n = 0; n < 500; ++n) ASSERT_TRUE(isZero(held.step()));
+  EXPECT_EQ(held.snapshot().reason, ForceReason::NotHeld);
+  held.handling.held = true;  // the key does as well
+  held.loop->handling.publish(held.handling);
+  for (int n = 1; n <= 1000; ++n) ASSERT_LE(held.step().force.norm(), 8.0 * n * 1e-3 + 1e-9);
+  EXPECT_GT(held.step().force.norm(), 1.5);
+}
+
+TEST(Hazards, AnotherSceneComesToTheHandWithTheForceFromZero) {
+  Held held;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  const Stage other = stageOf("halfspace", ballTool(100, 2e-3));
+  const Pose start = at(0.01, 0, 0.02);
+  held.loop->scenes.offer(std::make_unique<haptics::Engagement>(other.scene, start));
+  EXPECT_LE(held.step().force.norm(), 8.0 * 1e-3 + 1e-9);
+  EXPECT_LT((held.snapshot().X_WD.translation() - start.translation()).norm(), 1e-12);
+}
+
+TEST(Hazards, EveryTransitionIsAnEvent) {
+  Held held;
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  held.loop->armed = false;
+  held.step();
+  const std::vector<ForceTransition> all = held.transitions();
+  std::vector<ForceState> path{ForceState::Off};
+  for (const ForceTransition& one : all) {
+    EXPECT_EQ(one.from, path.back());
+    EXPECT_GT(one.time, 0.0);
+    path.push_back(one.to);
+  }
+  EXPECT_EQ(path, (std::vector{ForceState::Off, ForceState::Ready, ForceState::Armed,
+                               ForceState::Ramping, ForceState::On, ForceState::Ready}));
+}
+
+TEST(Hazards, WhatIsWrongWithTheDeviceIsInTheSnapshot) {
+  Held held;
+  held.device->status = DeviceStatus::NotReady;
+  held.device->trouble = Trouble::NotHomed;
+  held.step();
+  EXPECT_EQ(held.snapshot().trouble, Trouble::NotHomed);
+}
+
+// in a process of its own: motors first, then the crash as it would have been
+TEST(Emergency, ACrashStopsTheMotorsAndThenGoesItsWay) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto crash = [](int signal) {
+    haptics::installCrashStop();
+    auto device = std::make_unique<FakeDevice>(at(0, 0, 0.03));
+    device->says_stopped = true;
+    haptics::ServoLoop loop{std::move(device), {}, at(0, 0, 0.03)};
+    loop.start();
+    while (loop.boundary.load() < 20) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    raise(signal);
+  };
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    EXPECT_EXIT(crash(signal), testing::KilledBySignal(signal), "motors stopped") << signal;
+}
+
+TEST(Emergency, StoppedMotorsStayStopped) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto stop = [] {
+    auto made = std::make_unique<FakeDevice>(at(0, 0, 0.03));
+    FakeDevice* device = made.get();
+    haptics::ServoLoop loop{std::move(made), {}, at(0, 0, 0.03)};
+    loop.start();
+    while (loop.boundary.load() < 20) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    haptics::stopAllMotors();
+    while (!device->stopped) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    for (int n = 0; n < 100; ++n) {
+      if (!device->stopped) std::_Exit(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(stop(), testing::ExitedWithCode(0), "");
+}
+
+}  // namespace
