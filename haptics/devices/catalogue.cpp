@@ -5,11 +5,19 @@
 #include <iterator>
 #include <utility>
 
+#include "haptics/devices/polhem.h"
+#include "haptics/devices/space_mouse.h"
+#include "haptics/devices/spacenav_socket.h"
+
 namespace haptics {
 namespace {
 
 // one line a driver
-constexpr std::array<Driver, 0> kDrivers{};
+constexpr std::array kDrivers{
+    Driver{"spacenav", surveySpacenav, openSpacenav},
+    Driver{"spacemouse", surveySpaceMice, openSpaceMouse},
+    Driver{"polhem", surveyPolhem, openPolhem},
+};
 
 }  // namespace
 

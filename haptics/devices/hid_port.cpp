@@ -34,6 +34,17 @@ class OpenHid final : public HidPort {
   hid_device* device_;
 };
 
+/// What the system's word means for the user.
+HidObstacle obstacleFor(int error, const std::string& name) {
+  if (error == EACCES || error == EPERM)
+    return {Trouble::NoPermission,
+            "The system does not let you use the " + name +
+                "; install packaging/70-palpate.rules in /etc/udev/rules.d and plug it in again."};
+  if (error == EBUSY)
+    return {Trouble::InUse, "Another program uses the " + name + "; close that program first."};
+  return {Trouble::NotPluggedIn, "The " + name + " is gone; plug it in again."};
+}
+
 }  // namespace
 
 std::vector<HidPlace> findHid(std::uint16_t vendor) {
@@ -46,20 +57,17 @@ std::vector<HidPlace> findHid(std::uint16_t vendor) {
   return places;
 }
 
+HidObstacle hidObstacle(const HidPlace& place, const std::string& name) {
+  if (::faccessat(AT_FDCWD, place.path.c_str(), R_OK | W_OK, AT_EACCESS) == 0) return {};
+  return obstacleFor(errno, name);
+}
+
 Expected<std::unique_ptr<HidPort>> openHid(const HidPlace& place, const std::string& name) {
   // hidapi does not say why it could not open: the system does
   const int tried = ::open(place.path.c_str(), O_RDWR | O_CLOEXEC);
   if (tried < 0) {
-    if (errno == EACCES || errno == EPERM)
-      return tl::unexpected(refusal(
-          Trouble::NoPermission,
-          "The system does not let you use the " + name +
-              "; install packaging/70-palpate.rules in /etc/udev/rules.d and plug it in again."));
-    if (errno == EBUSY)
-      return tl::unexpected(refusal(
-          Trouble::InUse, "Another program uses the " + name + "; close that program first."));
-    return tl::unexpected(
-        refusal(Trouble::NotPluggedIn, "The " + name + " is gone; plug it in again."));
+    const HidObstacle obstacle = obstacleFor(errno, name);
+    return tl::unexpected(refusal(obstacle.trouble, obstacle.why));
   }
   ::close(tried);
   if (hid_device* const device = hid_open_path(place.path.c_str()))

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptics/core/error.h"
+#include "haptics/core/trouble.h"
 
 namespace haptics {
 
@@ -35,6 +36,15 @@ struct HidPlace {
 
 /// What is plugged in, of one vendor. Not the GUI's or servo thread's.
 std::vector<HidPlace> findHid(std::uint16_t vendor);
+
+/// Why a place cannot be opened, and what to try; Trouble::None: it can.
+struct HidObstacle {
+  Trouble trouble = Trouble::None;
+  std::string why = {};
+};
+
+/// What the system would say if it were opened, without opening it. Not: whether it is in use.
+HidObstacle hidObstacle(const HidPlace& place, const std::string& name);
 
 /// Opens it. Refused as Trouble::NoPermission, InUse or NotPluggedIn, in words with `name`.
 Expected<std::unique_ptr<HidPort>> openHid(const HidPlace& place, const std::string& name);
