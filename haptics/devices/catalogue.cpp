@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "haptics/devices/falcon.h"
 #include "haptics/devices/polhem.h"
 #include "haptics/devices/space_mouse.h"
 #include "haptics/devices/spacenav_socket.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr std::array kDrivers{
     Driver{"spacenav", surveySpacenav, openSpacenav},
     Driver{"spacemouse", surveySpaceMice, openSpaceMouse},
+    Driver{"falcon", surveyFalcon, openFalcon},
     Driver{"polhem", surveyPolhem, openPolhem},
 };
 
