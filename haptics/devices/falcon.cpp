@@ -236,11 +236,13 @@ class Link final : public Transport {
     Vec3 theta1;
     for (int i = 0; i < 3; ++i) theta1[i] = angleOf(newest_.encoders[std::size_t(i)]);
     const bool follows = last_ns_ != 0;
+    // from reply to reply: an encoder that stays where it jumped does not become true in time
+    const double gap = 1e-9 * static_cast<double>(newest_ns_ - last_ns_);
+    if (follows) last_ns_ = newest_ns_;
     const auto p_B = positionOf(theta1, follows ? p_B_ : Vec3::Zero());
     if (!p_B) return DeviceStatus::Stale;
     // further than a hand goes is an encoder's fault
-    constexpr double kFastest = 5.0, kSlack = 2e-3, kLongestGap = 0.02;  // m/s, m, s
-    const double gap = std::min(1e-9 * static_cast<double>(newest_ns_ - last_ns_), kLongestGap);
+    constexpr double kFastest = 5.0, kSlack = 2e-3;  // m/s, m
     if (follows && (*p_B - p_B_).norm() > kFastest * gap + kSlack) return DeviceStatus::Stale;
     const auto legs = legsAt(*p_B);
     if (!legs) return DeviceStatus::Stale;
@@ -260,8 +262,9 @@ class Link final : public Transport {
   std::int64_t newest_ns_ = 0;  ///< when it came
   LegAngles legs_;              ///< of the last reading that was taken
   Vec3 p_B_ = Vec3::Zero();     ///< likewise
-  std::int64_t last_ns_ = 0;    ///< when that was; 0: none since it was homed
-  int owed_ = 0;                ///< replies to commands that have not come
+  std::int64_t last_ns_ =
+      0;          ///< of the last reply since that; 0: none was taken since it was homed
+  int owed_ = 0;  ///< replies to commands that have not come
   bool homed_ = false;
   bool trusted_ = false;  ///< the last exchange brought a reading: the next may carry force
 };

@@ -384,7 +384,7 @@ TEST(Falcon, AnEncoderThatStaysWhereItJumpedIsNeverTaken) {
   const auto link = linked(falcon);
   DeviceReading reading;
   ASSERT_EQ(link->exchange({}, reading), DeviceStatus::Ok);
-  falcon.encoders[1] = static_cast<std::int16_t>(falcon.encoders[1] + 3000);
+  falcon.encoders[1] = static_cast<std::int16_t>(falcon.encoders[1] + 600);
   for (int n = 0; n < 200; ++n) {
     ASSERT_EQ(link->exchange(kPush, reading), DeviceStatus::Stale);
     EXPECT_TRUE(n == 0 || isZero(falcon.motors.back()));
