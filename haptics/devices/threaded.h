@@ -17,16 +17,26 @@ class Transport {
 
   virtual ~Transport() = default;  ///< leaves the motors off
   /// One round: sends the wrench, waits kLongestWait at most for what comes back. Stale: nothing
-  /// came, and the reading stands. What is not finite is never sent. A device without motors
-  /// ignores the wrench.
+  /// came that should have, and the reading stands; a device that reports changes only and has
+  /// none to report is Ok. What is not finite is never sent. A device without motors ignores the
+  /// wrench.
   virtual DeviceStatus exchange(const Wrench& wrench_B, DeviceReading& reading) noexcept = 0;
 };
 
-/// The transport as a device: its thread exchanges as fast as the transport lets it, always with
-/// the newest wrench. Reading and writing take no time, so `read` gives what came last, Stale once
-/// that is older than `fresh`; three exchanges in a row that failed make it Lost. A wrench that no
-/// write has confirmed for 5 ms is not sent any more: zero is. stop() is obeyed by the next
-/// exchange, within kLongestWait.
+/// The transport as a device: its thread exchanges as fast as the transport lets it, but not more
+/// than once in 250 us, always with the newest wrench. Reading and writing take no time, so `read`
+/// gives what came last, Stale once that is older than `fresh`; three exchanges in a row that
+/// failed make it Lost, as does one that hangs for half a second. An exchange that begins later
+/// than 5 ms after the last write sends zero.
+///
+/// stop(): every exchange that begins after it sends zero. The one that had begun, or was about to,
+/// may still carry a force; so zero is sent within kLongestWait and 250 us, and within two
+/// exchanges. What was written before resume() is never sent after it.
+///
+/// The last exchange before the transport is destroyed, on its thread, sends zero. Where an
+/// exchange hangs, the destructor waits two seconds and leaves thread and transport behind; they
+/// end, with a zero, when the exchange does. What a hung exchange had sent no one can take back
+/// here: a transport that can hang needs a device that lets go by itself.
 ///
 /// `fresh`: how old a reading may be; 0: as old as it likes (a device that reports changes only).
 std::unique_ptr<Device> threaded(std::unique_ptr<Transport> transport, const DeviceRating& rating,
