@@ -9,6 +9,7 @@
 #include "haptics/devices/polhem.h"
 #include "haptics/devices/space_mouse.h"
 #include "haptics/devices/spacenav_socket.h"
+#include "haptics/devices/inverse3.h"
 
 namespace haptics {
 namespace {
@@ -20,6 +21,7 @@ constexpr std::array kDrivers{
     Driver{"falcon", surveyFalcon, openFalcon},
     Driver{"polhem", surveyPolhem, openPolhem},
 };
+constexpr std::array kDrivers{Driver{"inverse3", surveyInverse3, openInverse3}};
 
 }  // namespace
 

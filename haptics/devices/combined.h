@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "haptics/devices/device.h"
+
+namespace haptics {
+
+/// Two devices as one, for a device that knows no rotation: a Falcon, and a SpaceMouse in the other
+/// hand. Position, buttons and force are the first's; rotation is the second's, and its buttons
+/// follow from number 8 on. Its rating is the first's, with six sensed degrees and no torque. Force
+/// goes to the first alone, torque nowhere; stop() and resume() go to both.
+///
+/// A read waits as long as both, a write as long as the first's.
+///
+/// What came of a read is the worse of the two, with one exception: a rotation that is stale or
+/// lost leaves the last one standing and the device Stale, with the second's trouble. The force
+/// goes on, under the loop's rule for what is stale: where the hand is stays measured, so what it
+/// feels stays true of a tool that does not turn, and to drop the force would let the hand fall
+/// through what it leans on. As the rotation stands still, nothing jumps. A second device that is
+/// NotReady makes both so: before it has a rotation there is nothing to hold.
+std::unique_ptr<Device> combined(std::unique_ptr<Device> position,
+                                 std::unique_ptr<Device> rotation);
+
+}  // namespace haptics
