@@ -240,6 +240,7 @@ class Link {
     std::swap(message_, partial_);
     arrived_ = true;
     if (unanswered_ > 0) --unanswered_;
+    lws_validity_confirmed(socket_);  // or the library would ask for a pong every five minutes
     return true;
   }
 

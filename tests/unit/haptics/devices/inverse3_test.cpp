@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/devices/inverse3.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -324,6 +326,15 @@ TEST_F(Inverse3, AProxyIsNotAsked) {
   EXPECT_EQ(service.connections(), 2);
 }
 
+TEST_F(Inverse3, DoesNotMindHowManyFilesAreOpen) {
+  std::vector<int> files;
+  for (int n = 0; n < 300; ++n) files.push_back(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  ASSERT_GT(files.back(), 256);
+  open(patient());
+  EXPECT_TRUE(pushUntil([&](DeviceStatus) { return pushes() >= 5; }));
+  for (const int file : files) ::close(file);
+}
+
 TEST_F(Inverse3, IsFeltAndFollowed) {
   open(patient());
   EXPECT_EQ(device_here->rating().id, "inverse3");
@@ -484,6 +495,8 @@ struct Wrong {
   std::vector<Reply> replies;
   bool hasty = false;
   bool at_once = false;  ///< after one answer, not three
+
+  friend void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
 };
 
 std::vector<Wrong> wrongs() {
