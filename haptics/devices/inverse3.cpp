@@ -312,7 +312,10 @@ class Inverse3 final : public Transport {
   DeviceStatus exchange(const Wrench& wrench_B, DeviceReading& reading,
                         std::chrono::milliseconds answer) noexcept {
     const auto text = link_->ask(inverse3Command(id_, wrench_B.force), Clock::now() + answer);
-    if (!link_->isOpen()) return DeviceStatus::Lost;
+    if (!link_->isOpen()) {
+      reading.trouble = Trouble::Lost;
+      return DeviceStatus::Lost;
+    }
     answered_ = text.has_value();
     if (!text) return DeviceStatus::Stale;
     const auto message = readInverse3(*text);

@@ -25,7 +25,8 @@ namespace haptics {
 // idle, also when the program is killed.
 //
 // The service's axes are x right, y forward, z up (its basis "XYZ"); those of B are (x, z, -y). A
-// device that is set to another basis is refused.
+// device that is set to another basis is refused. The origin is the maker's, in the device's base:
+// the cursor is at home some 15 cm above it and before it.
 //
 // The service is spoken to at 127.0.0.1 alone: no name is looked up, no proxy or redirection
 // followed, no TLS. The library and the parser allocate, on the transport's thread, not the servo

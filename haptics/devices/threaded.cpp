@@ -18,8 +18,7 @@ namespace {
 constexpr int kPriority = 79;                     // below the servo thread's
 constexpr std::int64_t kConfirmedNs = 5'000'000;  // what no write has confirmed for so long is zero
 constexpr std::chrono::microseconds kShortestRound{250};  // a transport that never waits
-constexpr std::chrono::milliseconds kHung{500};           // a hundred times what it may wait
-constexpr std::chrono::seconds kLongestEnd{2};            // exchange, last exchange and closing
+constexpr std::chrono::seconds kHung{2};  // not even a machine that is very busy takes so long
 
 std::int64_t monotonic() noexcept {
   timespec now{};
@@ -64,7 +63,7 @@ class Exchanges {
     stopped.store(true, std::memory_order_release);
     ending_.store(true, std::memory_order_relaxed);
     std::unique_lock lock{mutex_};
-    return ends_.wait_for(lock, kLongestEnd, [this] { return ended_; });
+    return ends_.wait_for(lock, kHung, [this] { return ended_; });
   }
 
   LatestValue<Seen> seen;
@@ -83,7 +82,8 @@ class Exchanges {
       // in this order: whoever sees the resume() sees that it took back what was written before
       const bool stop_said = stopped.load(std::memory_order_acquire);
       wanted.take(newest);
-      const bool zero = stop_said || monotonic() - newest.at_ns > kConfirmedNs ||
+      const bool zero = stop_said || last.status != DeviceStatus::Ok ||
+                        monotonic() - newest.at_ns > kConfirmedNs ||
                         !newest.wrench_B.force.allFinite() || !newest.wrench_B.torque.allFinite();
       const DeviceStatus status =
           transport_->exchange(zero ? Wrench{} : newest.wrench_B, last.reading);

@@ -3,15 +3,20 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <clocale>
 #include <cstdlib>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -231,13 +236,19 @@ struct Inverse3 : testing::Test {
     EXPECT_NE(opened.error().what.find("Haply Inverse3"), std::string::npos);
     EXPECT_EQ(opened.error().what.back(), '.');
   }
-  /// A servo loop that pushes, until this holds; a minute is for ever.
+  /// A servo loop that pushes, until this holds or never will; a minute is for ever.
   bool pushUntil(const std::function<bool(DeviceStatus)>& holds) {
-    for (int tick = 0; tick < 60'000; ++tick) {
-      if (holds(device_here->read(reading))) return true;
+    const auto end = std::chrono::steady_clock::now() + 1min;
+    DeviceStatus status = DeviceStatus::Ok;
+    while (status != DeviceStatus::Lost && std::chrono::steady_clock::now() < end) {
+      status = device_here->read(reading);
+      if (holds(status)) return true;
       device_here->write(Wrench{Vec3{0, 1.5, 0}, Vec3::Zero()});
       std::this_thread::sleep_for(1ms);
     }
+    std::cout << "status " << int(status) << ", trouble " << wordOf(reading.trouble) << ", "
+              << service.commands().size() << " commands, "
+              << (service.isConnected() ? "connected\n" : "not connected\n");
     return false;
   }
   int pushes() const {
@@ -324,6 +335,75 @@ TEST_F(Inverse3, AProxyIsNotAsked) {
   EXPECT_TRUE(opened);
   EXPECT_EQ(proxy.connections(), 0);
   EXPECT_EQ(service.connections(), 2);
+}
+
+/// Takes one connection after the other and says the same to each, whatever it is asked.
+class Parrot {
+ public:
+  explicit Parrot(std::string says) : says_{std::move(says)} {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t length = sizeof address;
+    auto* const generic = reinterpret_cast<sockaddr*>(&address);
+    if (::bind(listening_, generic, length) != 0 || ::listen(listening_, 4) != 0 ||
+        ::getsockname(listening_, generic, &length) != 0)
+      throw std::runtime_error("no port on loopback");
+    port_ = ntohs(address.sin_port);
+    thread_ = std::thread{[this] { run(); }};
+  }
+  ~Parrot() {
+    ::shutdown(listening_, SHUT_RDWR);
+    thread_.join();
+    for (const int taken : taken_) ::close(taken);
+    ::close(listening_);
+  }
+  Parrot(const Parrot&) = delete;
+  Parrot& operator=(const Parrot&) = delete;
+  std::uint16_t port() const { return port_; }
+
+ private:
+  void run() {
+    for (;;) {
+      const int taken = ::accept(listening_, nullptr, nullptr);
+      if (taken < 0) return;
+      taken_.push_back(taken);
+      std::array<char, 4096> asked;
+      if (::recv(taken, asked.data(), asked.size(), 0) > 0)
+        ::send(taken, says_.data(), says_.size(), MSG_NOSIGNAL);
+    }
+  }
+
+  const std::string says_;
+  const int listening_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  std::vector<int> taken_;
+  std::uint16_t port_ = 0;
+  std::thread thread_;
+};
+
+TEST_F(Inverse3, NobodyIsFollowedToAnotherPlace) {
+  for (const char* const code : {"301 Moved", "302 Found", "307 Temporary Redirect"}) {
+    const std::string there = "127.0.0.1:" + std::to_string(service.port()) + "/";
+    for (const char* const scheme : {"ws://", "http://"}) {
+      const Parrot elsewhere{std::string{"HTTP/1.1 "} + code + "\r\nLocation: " + scheme + there +
+                             "\r\nContent-Length: 0\r\n\r\n"};
+      const auto entries = haptics::surveyInverse3({.port = elsewhere.port()});
+      EXPECT_EQ(entries[0].trouble, Trouble::Refused) << code;
+    }
+  }
+  EXPECT_EQ(service.connections(), 0);
+}
+
+TEST_F(Inverse3, WhoListensAndIsNoWebSocketIsNotTheService) {
+  const Parrot silent{""};
+  EXPECT_EQ(haptics::surveyInverse3({.port = silent.port()})[0].trouble, Trouble::NoService);
+  for (const char* const says :
+       {"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nhi", "220 mail.example ESMTP\r\n", "\n"}) {
+    const Parrot other{says};
+    const auto entries = haptics::surveyInverse3({.port = other.port()});
+    EXPECT_NE(entries[0].trouble, Trouble::None) << says;
+    EXPECT_FALSE(entries[0].why.empty());
+  }
 }
 
 TEST_F(Inverse3, DoesNotMindHowManyFilesAreOpen) {
@@ -437,6 +517,7 @@ TEST_F(Inverse3, NotReadyIsToldAndGoesAway) {
   const std::size_t sent = service.commands().size();
   ASSERT_TRUE(pushUntil([&](DeviceStatus) { return service.commands().size() > sent + 5; }));
   EXPECT_EQ(device_here->read(reading), DeviceStatus::NotReady);
+  EXPECT_FALSE(service.commands().back().pushes());
   calibrated = 1;
   ASSERT_TRUE(pushUntil([](DeviceStatus status) { return status == DeviceStatus::Ok; }));
   EXPECT_EQ(reading.trouble, Trouble::None);

@@ -136,6 +136,20 @@ TEST(Threaded, StaysNotReadyForAsLongAsTheTransportSaysSo) {
   EXPECT_EQ(it.device->read(it.reading), DeviceStatus::NotReady);
 }
 
+TEST(Threaded, NoForceGoesToADeviceThatIsNotReady) {
+  Threaded it;
+  it.wire->says = DeviceStatus::NotReady;
+  ASSERT_TRUE(it.exchanged(3));
+  const int before = it.wire->pushes;
+  for (int tick = 0; tick < 20; ++tick) {
+    it.device->write(Wrench{Vec3{1, 0, 0}, Vec3::Zero()});
+    ASSERT_TRUE(it.exchanged(1));
+  }
+  EXPECT_EQ(it.wire->pushes, before);
+  it.wire->says = DeviceStatus::Ok;
+  EXPECT_TRUE(it.pushed(1.0));
+}
+
 TEST(Threaded, SendsTheNewestWrenchWhole) {
   Threaded it;
   ASSERT_TRUE(it.pushed(1.0));
