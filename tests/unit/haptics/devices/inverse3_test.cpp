@@ -457,7 +457,7 @@ TEST_F(Inverse3, StopIsTheLastWord) {
 TEST_F(Inverse3, OpensTheOneThatIsAskedFor) {
   const auto two = message({device({0.01, 0, 0}, "A1"), device({0.02, 0, 0}, "B-2_x")}).dump();
   service.greetWith({Reply{.text = two}});
-  service.answerWith([&](int) { return std::vector{Reply{.text = two}}; });
+  service.answerWith([two](int) { return std::vector{Reply{.text = two}}; });
   EXPECT_EQ(haptics::surveyInverse3(patient()).size(), 2u);
   open(patient(), "inverse3:B-2_x");
   ASSERT_TRUE(pushUntil([&](DeviceStatus status) { return status == DeviceStatus::Ok; }));
@@ -499,40 +499,41 @@ TEST_F(Inverse3, IsNotOpenedWhereItWouldBeMisunderstood) {
 }
 
 TEST_F(Inverse3, NotReadyIsToldAndGoesAway) {
-  std::atomic<int> calibrated{1};  // 2: the status is left out
-  service.answerWith([&](int) {
+  const auto calibrated = std::make_shared<std::atomic<int>>(1);  // 2: the status is left out
+  service.answerWith([calibrated](int) {
     json said = full();
-    if (calibrated == 2)
+    if (*calibrated == 2)
       said["inverse3"][0].erase("status");
     else
-      said["inverse3"][0]["status"]["calibrated"] = calibrated == 1;
+      said["inverse3"][0]["status"]["calibrated"] = *calibrated == 1;
     return std::vector{Reply{.text = said.dump()}};
   });
   open(patient());
   ASSERT_TRUE(pushUntil([](DeviceStatus status) { return status == DeviceStatus::Ok; }));
-  calibrated = 0;
+  *calibrated = 0;
   ASSERT_TRUE(pushUntil([](DeviceStatus status) { return status == DeviceStatus::NotReady; }));
   EXPECT_EQ(reading.trouble, Trouble::NeedsCalibration);
-  calibrated = 2;
+  *calibrated = 2;
   const std::size_t sent = service.commands().size();
   ASSERT_TRUE(pushUntil([&](DeviceStatus) { return service.commands().size() > sent + 5; }));
   EXPECT_EQ(device_here->read(reading), DeviceStatus::NotReady);
   EXPECT_FALSE(service.commands().back().pushes());
-  calibrated = 1;
+  *calibrated = 1;
   ASSERT_TRUE(pushUntil([](DeviceStatus status) { return status == DeviceStatus::Ok; }));
   EXPECT_EQ(reading.trouble, Trouble::None);
 }
 
 TEST_F(Inverse3, TheRotationOfAGripThatGoesSilentIsHeld) {
-  std::atomic<bool> silent{false};
-  service.answerWith([&](int) {
-    json said = full({silent ? 0.05 : 0.01, 0, 0});
-    if (silent) said.erase("wireless_verse_grip");
+  const auto silent = std::make_shared<std::atomic<bool>>(false);
+  service.answerWith([silent](int) {
+    const bool now = *silent;
+    json said = full({now ? 0.05 : 0.01, 0, 0});
+    if (now) said.erase("wireless_verse_grip");
     return std::vector{Reply{.text = said.dump()}};
   });
   open(patient());
   ASSERT_TRUE(pushUntil([](DeviceStatus status) { return status == DeviceStatus::Ok; }));
-  silent = true;
+  *silent = true;
   ASSERT_TRUE(pushUntil([&](DeviceStatus) { return reading.X_BD.translation().x() == 0.05; }));
   EXPECT_TRUE(reading.X_BD.linear().isApprox(about({0, 1, 0}, 0.5).toRotationMatrix(), 1e-12));
   EXPECT_EQ(reading.buttons, 0u);  // none stays down
@@ -554,10 +555,8 @@ TEST_F(Inverse3, MessagesInPiecesAreWhole) {
 }
 
 TEST_F(Inverse3, AServiceThatAnswersTwiceIsFollowedToWhatIsNewest) {
-  std::atomic<double> x{0.0};
-  service.answerWith([&](int n) {
-    x = 0.001 * (n % 50);
-    const Reply reply{.text = full({x, 0, 0}).dump()};
+  service.answerWith([](int n) {
+    const Reply reply{.text = full({0.001 * (n % 50), 0, 0}).dump()};
     return std::vector{reply, reply};
   });
   open(patient());
