@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "haptics/devices/falcon.h"
+#include "haptics/devices/inverse3.h"
 #include "haptics/devices/polhem.h"
 #include "haptics/devices/space_mouse.h"
 #include "haptics/devices/spacenav_socket.h"
-#include "haptics/devices/inverse3.h"
 
 namespace haptics {
 namespace {
@@ -19,9 +19,9 @@ constexpr std::array kDrivers{
     Driver{"spacenav", surveySpacenav, openSpacenav},
     Driver{"spacemouse", surveySpaceMice, openSpaceMouse},
     Driver{"falcon", surveyFalcon, openFalcon},
+    Driver{"inverse3", surveyInverse3, openInverse3},
     Driver{"polhem", surveyPolhem, openPolhem},
 };
-constexpr std::array kDrivers{Driver{"inverse3", surveyInverse3, openInverse3}};
 
 }  // namespace
 
