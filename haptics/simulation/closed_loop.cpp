@@ -53,7 +53,8 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     const std::int64_t ended = Budget::threadTime();
     held = link.carry(sent, device.X_WD);
     if (!each({time, X_WD, proxy.X_WP, sent, result.wrench_W, result.contacts, ended - begun,
-               device.X_WD, observer.energy(), budget.cutAt(), proxy.bearing, safety.state()}))
+               device.X_WD, observer.energy(), budget.cutAt(), proxy.bearing, safety.state(),
+               safety.stiffnessShare()}))
       break;
   }
   return {};

@@ -30,6 +30,7 @@ struct TraceRow {
   std::int64_t cut_at = 0;  ///< Budget::cutAt; not part of the trace
   Bearing bearing = {};     ///< what pushes; not part of the trace
   ForceState force_state = ForceState::Off;  ///< not part of the trace
+  double stiffness_share = 1.0;              ///< Safety::stiffnessShare; not part of the trace
 };
 
 /// Hand, grip, servo tick and limits in one loop, without threads or clocks: the same rows every

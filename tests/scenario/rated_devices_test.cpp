@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +39,8 @@ Felt feel(const DeviceModel& device, HandMotion motion, double stiffness, bool g
   loop.limits = haptics::limitsOf(device.rating);
   loop.limits.guard_passivity = guarded;
   // as a session does: no more in rotation than is rated
-  const double angular = stiffness * stage.scene->tool.shell.inertia.eigenvalues().real().maxCoeff();
+  const double angular =
+      stiffness * stage.scene->tool.shell.inertia.eigenvalues().real().maxCoeff();
   if (device.rating.torque > 0.0 && angular > device.rating.angular_stiffness)
     loop.coupling.angular_stiffness = device.rating.angular_stiffness;
   loop.grip = device.heldBy({}, std::sqrt(stage.scene->tool.shell.inertia.trace() / 3.0));
