@@ -18,6 +18,7 @@ enum class Trouble : std::uint8_t {
   NotHomed,          ///< the user has to move it to its stops
   NeedsCalibration,  ///< the user has to put it in its cradle, or start the maker's tool
   MotorsHot,         ///< it cools down by itself
+  ForceOff,          ///< it has switched its force off: its button, its speed limit, its watchdog
   Refused,           ///< it answers in a way that this driver does not know
   Lost               ///< unplugged, or silent
 };
@@ -45,6 +46,8 @@ constexpr std::string_view wordOf(Trouble trouble) {
       return "needs-calibration";
     case Trouble::MotorsHot:
       return "motors-hot";
+    case Trouble::ForceOff:
+      return "force-off";
     case Trouble::Refused:
       return "refused";
     case Trouble::Lost:

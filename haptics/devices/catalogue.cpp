@@ -7,6 +7,8 @@
 
 #include "haptics/devices/falcon.h"
 #include "haptics/devices/inverse3.h"
+#include "haptics/devices/force_dimension.h"
+#include "haptics/devices/open_haptics.h"
 #include "haptics/devices/polhem.h"
 #include "haptics/devices/space_mouse.h"
 #include "haptics/devices/spacenav_socket.h"
@@ -21,6 +23,8 @@ constexpr std::array kDrivers{
     Driver{"falcon", surveyFalcon, openFalcon},
     Driver{"inverse3", surveyInverse3, openInverse3},
     Driver{"polhem", surveyPolhem, openPolhem},
+    Driver{"force-dimension", surveyForceDimension, openForceDimension},
+    Driver{"openhaptics", surveyOpenHaptics, openOpenHaptics},
 };
 
 }  // namespace

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <ctime>
+
+#include "haptics/core/latest_value.h"
+#include "haptics/devices/device.h"
+
+namespace haptics {
+
+/// Nanoseconds of the monotonic clock.
+inline std::int64_t monotonicNs() noexcept {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+/// What passes between the servo thread and the one thread that talks to a device, in both
+/// directions and without waiting. It decides what may be sent: a wrench is zero once it was not
+/// confirmed by a write for 5 ms, while the device is stopped, once it is lost, and if a number in
+/// it is not finite.
+class Relay {
+ public:
+  /// `fresh`: older than this a reading is Stale; `silent`: when nothing has come for so long the
+  /// device is Lost. 0: whatever the age.
+  Relay(std::chrono::milliseconds fresh, std::chrono::milliseconds silent)
+      : fresh_ns_{fresh.count() * 1'000'000}, silent_ns_{silent.count() * 1'000'000} {
+    last_.at_ns = monotonicNs();
+  }
+
+  // Servo thread: Device's four, stop() from any thread.
+  DeviceStatus read(DeviceReading& reading) noexcept {
+    seen_.take(last_);
+    const std::int64_t age = monotonicNs() - last_.at_ns;
+    if (silent_ns_ > 0 && age > silent_ns_) lost_.store(true, std::memory_order_relaxed);
+    if (lost_.load(std::memory_order_relaxed)) {
+      const bool told = last_.status == DeviceStatus::Lost;
+      reading.trouble = told ? last_.reading.trouble : Trouble::Lost;
+      return DeviceStatus::Lost;
+    }
+    reading = last_.reading;
+    if (last_.status == DeviceStatus::NotReady) return DeviceStatus::NotReady;
+    return fresh_ns_ > 0 && age > fresh_ns_ ? DeviceStatus::Stale : DeviceStatus::Ok;
+  }
+  DeviceStatus write(const Wrench& wrench_B) noexcept {
+    wanted_.publish({wrench_B, monotonicNs()});
+    return lost_.load(std::memory_order_relaxed) ? DeviceStatus::Lost : DeviceStatus::Ok;
+  }
+  void stop() noexcept { stopped_.store(true, std::memory_order_release); }
+  void resume() noexcept { stopped_.store(false, std::memory_order_release); }
+
+  // The device's thread.
+  /// What is to be sent now.
+  Wrench due() noexcept {
+    wanted_.take(newest_);
+    const bool zero = stopped_.load(std::memory_order_acquire) ||
+                      lost_.load(std::memory_order_relaxed) ||
+                      monotonicNs() - newest_.at_ns > kConfirmedNs ||
+                      !newest_.wrench_B.force.allFinite() || !newest_.wrench_B.torque.allFinite();
+    return zero ? Wrench{} : newest_.wrench_B;
+  }
+  /// What came of a round, and the reading, which counts unless it is Stale. The third Stale in a
+  /// row is Lost; after Lost nothing counts any more. False: it is lost.
+  bool came(DeviceStatus status, const DeviceReading& reading) noexcept {
+    if (lost_.load(std::memory_order_relaxed)) return false;
+    if (status == DeviceStatus::Stale) {
+      if (polls_.failed() != DeviceStatus::Lost) return true;
+      status = DeviceStatus::Lost;
+      coming_.reading.trouble = Trouble::Lost;
+    } else {
+      polls_.succeeded();
+      coming_.reading = reading;
+      coming_.at_ns = monotonicNs();
+    }
+    coming_.status = status;
+    if (status == DeviceStatus::Lost) {
+      if (coming_.reading.trouble == Trouble::None) coming_.reading.trouble = Trouble::Lost;
+      lost_.store(true, std::memory_order_relaxed);
+    }
+    seen_.publish(coming_);
+    return status != DeviceStatus::Lost;
+  }
+
+ private:
+  static constexpr std::int64_t kConfirmedNs = 5'000'000;
+
+  /// What the device's thread last saw, and when.
+  struct Seen {
+    DeviceReading reading;
+    DeviceStatus status = DeviceStatus::NotReady;
+    std::int64_t at_ns = 0;
+  };
+  /// What the servo thread last wrote, and when.
+  struct Wanted {
+    Wrench wrench_B;
+    std::int64_t at_ns = 0;
+  };
+
+  const std::int64_t fresh_ns_, silent_ns_;
+  LatestValue<Seen> seen_;
+  LatestValue<Wanted> wanted_;
+  Seen last_;          ///< the servo thread's copy
+  Seen coming_;        ///< the device thread's
+  Wanted newest_;      ///< the device thread's
+  FailedPolls polls_;  ///< the device thread's
+  std::atomic<bool> stopped_{false};
+  std::atomic<bool> lost_{false};
+};
+
+}  // namespace haptics
