@@ -22,12 +22,13 @@ constexpr const char* kName = "Force Dimension device";
 constexpr const char* kAdvice =
     "install the Force Dimension SDK from its maker's site, where the system looks for libraries.";
 
-constexpr std::tuple kOldest{3, 3, 2};      // with the watchdog
-constexpr int kNewestMajor = 3;             // another one may have other functions
-constexpr int kMostUnits = 8;               // that are counted
-constexpr unsigned char kWatchdog = 40;     // of 125 us: 5 ms
-constexpr std::int64_t kRoundNs = 250'000;  // the link's 4 kHz
-constexpr unsigned kRoundsToStatus = 64;    // 16 ms and more
+constexpr std::tuple kOldest{3, 3, 2};           // with the watchdog
+constexpr int kNewestMajor = 3;                  // another one may have other functions
+constexpr int kMostUnits = 8;                    // that are counted
+constexpr unsigned char kWatchdog = 40;          // of 125 us: 5 ms
+constexpr std::int64_t kRoundNs = 250'000;       // the link's 4 kHz
+constexpr std::int64_t kCalmNs = 1'000'000'000;  // without wish, before force comes back
+constexpr unsigned kRoundsToStatus = 64;         // 16 ms and more
 constexpr std::chrono::milliseconds kFresh{15};
 constexpr double kFarthest = 1.0;  // m from the base: no model reaches so far
 constexpr double kSkew = 1e-3;     // how far from a rotation a matrix may be
@@ -197,14 +198,19 @@ class ForceDimension final : public Transport {
   DeviceStatus exchange(const Wrench& wrench_B, DeviceReading& reading) noexcept override {
     pace();
     const bool polled = poll(reading);
-    const bool asked = !wrench_B.force.isZero(0.0) || !wrench_B.torque.isZero(0.0);
-    if (rounds_++ % kRoundsToStatus == 0 || !polled || !told_) told_ = look(!asked);
+    const std::int64_t now = monotonicNs();
+    if (!wrench_B.force.isZero(0.0) || !wrench_B.torque.isZero(0.0)) asked_ns_ = now;
+    const bool calm = now - asked_ns_ > kCalmNs;
+    if (rounds_++ % kRoundsToStatus == 0 || !polled || !told_) told_ = look(calm);
     const bool answered = polled && told_;
 
+    // after a pause force comes back only when none is asked for: it begins without a jump
+    paused_ = state_ != Trouble::None || (paused_ && !calm);
+
     // zero is the answer to every doubt
-    const bool ready = answered && state_ == Trouble::None;
+    const bool ready = answered && !paused_;
     const bool sent = send(ready ? wrench_B : Wrench{});
-    reading.trouble = state_;
+    reading.trouble = paused_ && state_ == Trouble::None ? Trouble::ForceOff : state_;
     if (state_ == Trouble::Lost) return DeviceStatus::Lost;
     if (!sent || !answered) return DeviceStatus::Stale;
     return ready ? DeviceStatus::Ok : DeviceStatus::NotReady;
@@ -243,7 +249,7 @@ class ForceDimension final : public Transport {
   }
 
   /// Asks for the unit's state, and switches its force on where it may be. False: no answer.
-  bool look(bool asked_zero) noexcept {
+  bool look(bool calm) noexcept {
     std::array<int, kStates> state{};
     state[kConnected] = state[kForce] = 1;
     if (dhd_.state(state.data(), id_) < 0) return false;
@@ -262,7 +268,7 @@ class ForceDimension final : public Transport {
     }
     // what its user has switched off stays off
     const int cause = state[kForceOffCause];
-    if (asked_zero && cause != kButton && cause != kDeadMan) dhd_.enableForce(1, id_);
+    if (calm && cause != kButton && cause != kDeadMan) dhd_.enableForce(1, id_);
     state_ = Trouble::ForceOff;
     return true;
   }
@@ -280,7 +286,9 @@ class ForceDimension final : public Transport {
   const Mat3 R_BF_ = axes();
   bool turns_ = false, torques_ = false;
   Trouble state_ = Trouble::NeedsCalibration;  ///< until it was looked at
-  bool told_ = false;  ///< it has answered when it was last asked for its state
+  bool paused_ = true;
+  std::int64_t asked_ns_ = 0;  ///< when a wrench unlike zero was asked for last
+  bool told_ = false;          ///< it has answered when it was last asked for its state
   unsigned rounds_ = 0;
   std::int64_t next_ns_ = 0;
 };

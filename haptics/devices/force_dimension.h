@@ -33,9 +33,10 @@ namespace haptics {
 /// Trouble::NeedsCalibration, until the user has moved it as its manual says, or started the
 /// maker's tool; force comes after that by itself. A unit that has switched its force off is
 /// NotReady with Trouble::ForceOff; after a break of speed limit or watchdog its force is switched
-/// on again once the wrench that is asked for is zero, after its button or dead-man's switch only
-/// the user can. The weight of the handle is borne by the library whenever commands are sent. The
-/// grip is never driven. Closing sends zero and brakes.
+/// on again once no wrench unlike zero has been asked for for a second, after its button or
+/// dead-man's switch only the user can; and so long it stays zero after any pause. The weight of
+/// the handle is borne by the library whenever commands are sent. The grip is never driven. Closing
+/// sends zero and brakes.
 ///
 /// `libraries`: names or paths to try, in this order.
 std::vector<DeviceEntry> surveyForceDimension(std::span<const std::string> libraries);

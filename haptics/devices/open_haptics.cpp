@@ -23,11 +23,11 @@ constexpr const char* kAdvice =
     "install OpenHaptics and the device's driver from 3D Systems' site, where the system looks for "
     "libraries.";
 
-constexpr std::chrono::milliseconds kFresh = 15ms, kSilent = 100ms;
+constexpr std::chrono::milliseconds kFresh = 15ms, kSilent = 500ms;
 constexpr std::chrono::milliseconds kLastCall = 100ms;  // that closing waits for zero to be sent
 constexpr int kCallsToCalibration = 100;                // between two looks at it
 constexpr int kMostErrors = 32;                         // that are taken off the stack in one call
-constexpr std::int64_t kCalmNs = 1'000'000'000;         // without an error, before force comes back
+constexpr std::int64_t kCalmNs = 1'000'000'000;  // without error or wish, before force comes back
 constexpr double kMetresPerMm = 1e-3;
 constexpr double kFarthest = 2.0;   // m from the base: no model reaches so far
 constexpr double kSkew = 1e-3;      // how far from a rotation a matrix may be
@@ -256,7 +256,7 @@ class Unit {
       settle(due.force.isZero(0.0) && due.torque.isZero(0.0));
       if (!forceMay()) status = DeviceStatus::NotReady;
     }
-    reading.trouble = trouble();
+    reading.trouble = status == DeviceStatus::Lost ? Trouble::Lost : trouble();
     if (status != DeviceStatus::Stale) reading_ = reading;
     relay_.came(status, reading);
     if (last) ended_.store(true);
@@ -280,16 +280,22 @@ class Unit {
     return polled && (error == 0 || error == kWarmMotors) ? DeviceStatus::Ok : DeviceStatus::Stale;
   }
 
-  /// Looks at the calibration now and then, and has the force back where it may be.
+  /// Looks at the calibration now and then, and has the force back where it may be: not while one
+  /// is asked for, so that none begins with a jump.
   void settle(bool asked_zero) noexcept {
+    const std::int64_t now = monotonicNs();
     if (calls_++ % kCallsToCalibration == 0) {
       const unsigned calibration = hd_.calibration();
-      calibrated_ = calibration == kCalibrated && (calibrated_ || asked_zero);
       if (calibration == kCanUpdate && (style_ & (kAutomatic | kInkwell)) != 0)
         hd_.calibrate(static_cast<unsigned>(style_ & kInkwell ? kInkwell : kAutomatic));
       worstError(hd_);  // what it says of a calibration is no fault of a frame
+      calibrated_ = calibration == kCalibrated;
+      if (!calibrated_) error_ns_ = now;
     }
-    if (error_ns_ != 0 && asked_zero && monotonicNs() - error_ns_ > kCalmNs) {
+    if (error_ns_ == 0) return;
+    if (!asked_zero) {
+      error_ns_ = now;
+    } else if (now - error_ns_ > kCalmNs) {
       error_ns_ = 0;
       hot_ = false;
     }
@@ -334,7 +340,7 @@ class Unit {
   DeviceReading reading_;
   bool calibrated_ = false;    ///< as far as was looked
   bool hot_ = false;           ///< the error was warm motors
-  std::int64_t error_ns_ = 0;  ///< when the last error came; 0: none, or it is over
+  std::int64_t error_ns_ = 0;  ///< when an error, or a wish for force after it, came last; 0: over
   unsigned calls_ = 0;
 };
 

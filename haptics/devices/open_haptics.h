@@ -23,15 +23,15 @@ namespace haptics {
 ///
 /// Threads: the library has a thread of its own that calls the driver a thousand times a second;
 /// each call reads pose and buttons and sends the newest wrench. Reading and writing take no time.
-/// stop() is obeyed by the next call. Without a call for 15 ms a reading is Stale, for 100 ms the
-/// device is Lost.
+/// stop() is obeyed by the next call. Without a call for 15 ms a reading is Stale, for half a
+/// second the device is Lost.
 ///
 /// Safety: a wrench is sent for 5 ms after its write at most, then zero (relay.h). An error of the
-/// library makes the force zero until a second has passed without one and the wrench that is asked
-/// for is zero: warm motors are NotReady with Trouble::MotorsHot, too much force, impulse or speed
-/// Stale, the third in a row Lost; a lost link or a fault of the device is Lost at once. A unit
-/// that is not calibrated is NotReady with Trouble::NeedsCalibration and without force until its
-/// stylus is put into the inkwell, or the maker's tool has been used. The maker's own limits of
+/// library makes the force zero until a second has passed without one and without a wrench unlike
+/// zero being asked for: warm motors are NotReady with Trouble::MotorsHot, too much force, impulse
+/// or speed Stale, the third in a row Lost; a lost link or a fault of the device is Lost at once. A
+/// unit that is not calibrated is NotReady with Trouble::NeedsCalibration and without force until
+/// its stylus is put into the inkwell, or the maker's tool has been used. The maker's own limits of
 /// force stay on. Closing sends zero, stops the library's thread and switches the force off. What
 /// the motors do when the program is killed is the maker's [U].
 ///

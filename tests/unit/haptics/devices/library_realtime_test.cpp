@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "haptics/devices/force_dimension.h"
+#include "haptics/devices/open_haptics.h"
+#include "tests/support/no_allocation.h"
+#include "tests/unit/haptics/devices/stub_dhd.h"
+#include "tests/unit/haptics/devices/stub_hd.h"
+#include "tests/unit/haptics/devices/stub_library.h"
+
+namespace {
+
+/// What the servo thread's four calls do that they must not.
+support::Calls forbidden(haptics::Device& device) {
+  haptics::DeviceReading reading;
+  const support::NoAllocation guard;
+  for (int n = 0; n < 1000; ++n) {
+    device.read(reading);
+    device.write({.force = {1.0, 2.0, 3.0}});
+    if (n % 10 == 0) device.stop();
+    if (n % 10 == 5) device.resume();
+  }
+  return guard.calls();
+}
+
+TEST(DriversOverLibraries, NeitherAllocateNorWaitOnTheServoThread) {
+  auto& dhd = stubs::control<StubDhd>(PALPATE_STUB_DHD, "stubDhd");
+  for (std::size_t n = 0; n < 9; n += 4) dhd.R_FD[n] = 1.0;
+  auto& hd = stubs::control<StubHd>(PALPATE_STUB_HD, "stubHd");
+  for (std::size_t n = 0; n < 16; n += 5) hd.transform[n] = 1.0;
+  const std::vector<std::string> dhd_names{PALPATE_STUB_DHD}, hd_names{PALPATE_STUB_HD};
+  const auto force_dimension = haptics::openForceDimension({.id = "force-dimension"}, dhd_names);
+  const auto open_haptics = haptics::openOpenHaptics({.id = "openhaptics"}, hd_names);
+  for (const auto* device : {&force_dimension, &open_haptics}) {
+    ASSERT_TRUE(*device) << device->error().what;
+    haptics::DeviceReading reading;
+    ASSERT_TRUE(
+        stubs::comes([&] { return (**device)->read(reading) == haptics::DeviceStatus::Ok; }));
+    const support::Calls calls = forbidden(***device);
+    EXPECT_EQ(calls.all(), 0) << calls.first;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/devices/shared_library.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/unit/haptics/devices/stub_library.h"
+
+namespace {
+
+using haptics::SharedLibrary;
+
+TEST(SharedLibrary, TakesTheFirstNameThatIsThere) {
+  const std::vector<std::string> names{"libpalpate-absent.so", PALPATE_STUB_DHD};
+  auto library = SharedLibrary::open(names, "look elsewhere.");
+  ASSERT_TRUE(library) << library.error().what;
+  EXPECT_EQ(library->name(), PALPATE_STUB_DHD);
+}
+
+TEST(SharedLibrary, NamesAllThatItLookedFor) {
+  const std::vector<std::string> names{"libpalpate-absent.so.3", "libpalpate-absent.so"};
+  const auto library = SharedLibrary::open(names, "look elsewhere.");
+  ASSERT_FALSE(library);
+  EXPECT_EQ(library.error().reason, "no-library");
+  EXPECT_EQ(library.error().what,
+            "Not installed (looked for libpalpate-absent.so.3, libpalpate-absent.so); look "
+            "elsewhere.");
+}
+
+TEST(SharedLibrary, SaysOfOneThatIsThereWhyItCannotBeLoaded) {
+  const std::string broken = testing::TempDir() + "broken.so";
+  std::ofstream{broken} << "no library";
+  const std::vector<std::string> names{"libpalpate-absent.so", broken};
+  const auto library = SharedLibrary::open(names, "look elsewhere.");
+  ASSERT_FALSE(library);
+  EXPECT_EQ(library.error().what.find(broken + " cannot be loaded ("), 0u) << library.error().what;
+}
+
+TEST(SharedLibrary, KeepsTheFirstFunctionThatIsNotThere) {
+  const std::vector<std::string> names{PALPATE_STUB_DHD};
+  auto library = SharedLibrary::open(names, "");
+  ASSERT_TRUE(library);
+  int (*there)() = nullptr;
+  int (*absent)() = nullptr;
+  library->find(absent, "dhdFindNone");
+  library->need(there, "dhdGetDeviceCount");
+  EXPECT_EQ(absent, nullptr);
+  EXPECT_NE(there, nullptr);
+  EXPECT_EQ(library->lacks(), "");
+  library->need(absent, "dhdFirst");
+  library->need(absent, "dhdSecond");
+  EXPECT_EQ(library->lacks(), "dhdFirst");
+}
+
+}  // namespace
