@@ -372,8 +372,12 @@ TEST_F(ForceDimension, IsLostWithForceOffWhenAnyOfItsCallsFailsUnderForceAndOpen
     auto device = open();
     ASSERT_TRUE(arrives(*device, push, {3.0, 1.0, 2.0, 0.03, 0.01, 0.02, 0.0}));
     *result = -1;
+    const long forces = stub.wrenches_unlike_zero;
     EXPECT_TRUE(reads(*device, DeviceStatus::Lost, push));
     EXPECT_EQ(reading.trouble, Trouble::Lost);
+    if (result == &stub.pose_result) {
+      EXPECT_LE(stub.wrenches_unlike_zero - forces, 1);  // what was under way
+    }
     EXPECT_EQ(device->write(push), DeviceStatus::Lost);
     EXPECT_TRUE(comes([&] { return stub.wrench() == kZero; }));
     *result = 0;
