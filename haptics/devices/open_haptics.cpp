@@ -375,8 +375,9 @@ class OpenHaptics final : public Device {
  public:
   explicit OpenHaptics(std::unique_ptr<Unit> unit) : unit_{std::move(unit)} {}
   ~OpenHaptics() override {
-    // what a late call may still touch is left to it
-    if (!unit_->end()) unit_.release();
+    // what a late call may still touch is kept for it
+    static auto& kept = *new std::vector<std::unique_ptr<Unit>>;
+    if (!unit_->end()) kept.push_back(std::move(unit_));
     taken.store(false);
   }
 
