@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "haptics/devices/falcon.h"
-#include "haptics/devices/inverse3.h"
 #include "haptics/devices/force_dimension.h"
+#include "haptics/devices/inverse3.h"
 #include "haptics/devices/open_haptics.h"
 #include "haptics/devices/polhem.h"
 #include "haptics/devices/space_mouse.h"
