@@ -54,6 +54,24 @@ install_missing() {
     fail "apt-get could not install what is missing; the reason stands above."
 }
 
+# fetch_kernel FOLDER: puts Debian's package of its kernel there, which the drivers' tests boot; does
+# nothing, and asks no network, where one is there. Without one those tests are skipped.
+fetch_kernel() {
+  local folder="$1" package
+  ! compgen -G "$folder/linux-image-*.deb" > /dev/null || return 0
+  say "Fetching Debian's kernel for the drivers' tests, 70 MB."
+  package="$(apt-cache depends linux-image-amd64 2> /dev/null | sed -n 's/^ *Depends: *//p' | head -n 1)"
+  rm -rf "$folder/coming"
+  mkdir -p "$folder/coming"
+  if [ -n "$package" ] &&
+    (cd "$folder/coming" && timeout 300 apt-get -qq download "$package") > /dev/null 2>&1; then
+    mv "$folder/coming"/*.deb "$folder/"
+  else
+    echo "It could not be fetched: the drivers' tests on a real kernel will be skipped." >&2
+  fi
+  rm -rf "$folder/coming"
+}
+
 # quietly LOG COMMAND…: its output goes to a log, and is shown only if it fails
 quietly() {
   local log="$1"

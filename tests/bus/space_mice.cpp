@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/bus/space_mice.h"
+
+#include <fcntl.h>
+#include <linux/uhid.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace bus {
+namespace {
+
+// two reports of three 16-bit axes, one of buttons, one of the light
+const Bytes kReports{
+    0x05, 0x01, 0x09, 0x08, 0xA1, 0x01,              // a multi-axis controller
+    0x16, 0xA2, 0xFE, 0x26, 0x5E, 0x01,              // -350 to 350
+    0x36, 0x88, 0xFA, 0x46, 0x78, 0x05, 0x75, 0x10,  // physically -1400 to 1400; 16 bits
+    0xA1, 0x00, 0x85, 0x01, 0x09, 0x30, 0x09, 0x31, 0x09, 0x32, 0x95, 0x03, 0x81, 0x02, 0xC0, 0xA1,
+    0x00, 0x85, 0x02, 0x09, 0x33, 0x09, 0x34, 0x09, 0x35, 0x95, 0x03, 0x81, 0x02, 0xC0, 0xA1, 0x02,
+    0x85, 0x03, 0x05, 0x09, 0x19, 0x01, 0x29, 0x10, 0x15, 0x00, 0x25, 0x01, 0x35, 0x00, 0x45, 0x01,
+    0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xC0, 0xA1, 0x02, 0x85, 0x04, 0x05, 0x08, 0x09, 0x4B, 0x15,
+    0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x01, 0x91, 0x02, 0x95, 0x07, 0x91, 0x03, 0xC0,  //
+    0xC0};
+
+Bytes axesReport(std::uint8_t id, const CapAxes& axes, std::size_t first) {
+  Bytes report{id};
+  for (std::size_t n = first; n < first + 3; ++n) {
+    report.push_back(std::uint8_t(axes[n]));
+    report.push_back(std::uint8_t(axes[n] >> 8));
+  }
+  return report;
+}
+Bytes buttonReport(unsigned buttons) {
+  return {3, std::uint8_t(buttons), std::uint8_t(buttons >> 8)};
+}
+
+}  // namespace
+
+std::string hidNode(std::uint16_t vendor, std::uint16_t product) {
+  namespace fs = std::filesystem;
+  std::array<char, 32> id{};
+  std::snprintf(id.data(), id.size(), ":%08X:%08X", vendor, product);
+  std::error_code failed;
+  for (const auto& node : fs::directory_iterator{"/sys/class/hidraw", failed}) {
+    std::ifstream words{node.path() / "device/uevent"};
+    std::string line;
+    while (std::getline(words, line))
+      if (line.starts_with("HID_ID=") && line.ends_with(id.data()))
+        return "/dev/" + node.path().filename().string();
+  }
+  return {};
+}
+
+void SpaceNavigatorEmulator::move(const CapAxes& axes) {
+  const std::scoped_lock lock{mutex_};
+  reports_.push_back(axesReport(1, axes, 0));
+  reports_.push_back(axesReport(2, axes, 3));
+}
+
+void SpaceNavigatorEmulator::press(unsigned buttons) {
+  const std::scoped_lock lock{mutex_};
+  reports_.push_back(buttonReport(buttons));
+}
+
+Bytes SpaceNavigatorEmulator::deviceDescriptor() const {
+  return {18, 1, 0x00, 0x02, 0, 0, 0, 8, 0x6D, 0x04, 0x26, 0xC6, 0x01, 0x04, 1, 2, 0, 1};
+}
+
+Bytes SpaceNavigatorEmulator::configuration() const {
+  const auto size = std::uint8_t(kReports.size());
+  return {9, 2,    34,   0, 1, 1, 0,    0x80, 50,  // one interface
+          9, 4,    0,    0, 1, 3, 0,    0,    0,   // HID
+          9, 0x21, 0x11, 1, 0, 1, 0x22, size, 0,   // one report descriptor
+          7, 5,    0x81, 3, 8, 0, 8};              // interrupt in, every 8 ms
+}
+
+std::vector<std::string> SpaceNavigatorEmulator::strings() const {
+  return {"Palpate", "Emulated SpaceNavigator"};
+}
+
+std::optional<Bytes> SpaceNavigatorEmulator::control(const Setup& setup,
+                                                     std::span<const std::uint8_t> out) {
+  constexpr std::uint8_t kGetDescriptor = 6, kSetReport = 9, kSetIdle = 10;
+  if (setup.type == 0x81 && setup.request == kGetDescriptor && setup.value == 0x2200)
+    return kReports;
+  if (setup.type != 0x21) return std::nullopt;
+  if (setup.request == kSetReport && setup.value == 0x0204 && out.size() == 2 && out[0] == 4)
+    lit_ = out[1] & 1;
+  if (setup.request == kSetReport || setup.request == kSetIdle) return Bytes{};
+  return std::nullopt;
+}
+
+void SpaceNavigatorEmulator::received(int /*endpoint*/, std::span<const std::uint8_t> /*bytes*/) {}
+
+std::optional<Bytes> SpaceNavigatorEmulator::toSend(int /*endpoint*/, std::size_t /*room*/) {
+  const std::scoped_lock lock{mutex_};
+  if (reports_.empty()) return std::nullopt;
+  Bytes report = std::move(reports_.front());
+  reports_.pop_front();
+  return report;
+}
+
+UhidSpaceMouse::UhidSpaceMouse() {
+  file_ = open("/dev/uhid", O_RDWR | O_CLOEXEC);
+  uhid_event event{};
+  event.type = UHID_CREATE2;
+  uhid_create2_req& made = event.u.create2;
+  std::snprintf(reinterpret_cast<char*>(made.name), sizeof made.name, "Emulated SpaceMouse");
+  std::copy(kReports.begin(), kReports.end(), made.rd_data);
+  made.rd_size = std::uint16_t(kReports.size());
+  made.bus = 3;  // USB
+  made.vendor = 0x256F;
+  made.product = 0xC635;
+  if (file_ < 0 || write(file_, &event, sizeof event) != ssize_t(sizeof event)) {
+    if (file_ >= 0) close(file_);
+    throw std::runtime_error{"uhid did not take the device"};
+  }
+  thread_ = std::thread{[this] { listen(); }};
+  for (int n = 0; n < 3000 && node_.empty(); ++n) {
+    node_ = hidNode(0x256F, 0xC635);
+    std::this_thread::sleep_for(std::chrono::milliseconds{10});
+  }
+  if (!node_.empty()) return;
+  ending_ = true;
+  thread_.join();
+  close(file_);
+  throw std::runtime_error{"the kernel shows no hidraw node for the device"};
+}
+
+UhidSpaceMouse::~UhidSpaceMouse() {
+  ending_ = true;
+  thread_.join();
+  close(file_);  // unplugs it
+}
+
+void UhidSpaceMouse::listen() {
+  while (!ending_) {
+    pollfd waiting{file_, POLLIN, 0};
+    uhid_event event{};
+    if (poll(&waiting, 1, 10) <= 0 || ::read(file_, &event, sizeof event) <= 0) continue;
+    if (event.type == UHID_OUTPUT && event.u.output.size == 2 && event.u.output.data[0] == 4)
+      lit_ = event.u.output.data[1] & 1;
+  }
+}
+
+void UhidSpaceMouse::report(const Bytes& bytes) {
+  uhid_event event{};
+  event.type = UHID_INPUT2;
+  event.u.input2.size = std::uint16_t(std::min<std::size_t>(bytes.size(), UHID_DATA_MAX));
+  std::copy_n(bytes.begin(), event.u.input2.size, event.u.input2.data);
+  if (write(file_, &event, sizeof event) < 0) throw std::runtime_error{"uhid took no report"};
+}
+
+void UhidSpaceMouse::move(const CapAxes& axes) {
+  report(axesReport(1, axes, 0));
+  report(axesReport(2, axes, 3));
+}
+
+void UhidSpaceMouse::press(unsigned buttons) { report(buttonReport(buttons)); }
+
+}  // namespace bus
