@@ -9,10 +9,11 @@ namespace {
 
 constexpr double kSlow = 0.008;     // s: the time constant of 20 Hz
 constexpr double kWindow = 0.1;     // s
-constexpr double kMostMade = 3e-4;  // J
+constexpr double kMostMade = 6e-4;  // J
 constexpr double kMostTurns = 6.0;
 constexpr double kBetween = 0.02;  // s between two lowerings
 constexpr double kLowered = 0.8;
+constexpr double kLeastShare = 0.2;
 constexpr double kShort = 0.05, kLong = 0.2;  // s
 constexpr double kLasting = 0.8;
 
@@ -74,7 +75,7 @@ void PassivityGuard::add(const Wrench& held, const Pose& X_WD, double scale,
   at_.since += period;
   const bool lasts = at_.power > kLasting * at_.power_before;
   if (lasts && at_.made > kMostMade && at_.turns > kMostTurns && at_.since > kBetween) {
-    at_.share *= kLowered;
+    at_.share = std::max(kLeastShare, kLowered * at_.share);
     at_.since = 0.0;
   }
 }

@@ -59,10 +59,12 @@ class PassivityController {
 /// took; a hand's own damping takes that away, or the loop builds up a shaking between 20 Hz and a
 /// few hundred. So what is counted is the work of the held wrench above 20 Hz only, over the last
 /// 0.1 s: pressing, sliding and letting go are slower, and an impact turns round but once or
-/// twice. Where it is more than 0.3 mJ, the motion has turned six times and is not dying
-/// away by itself, a fifth of the stiffness is taken away, at most once in 20 ms, and is not given
-/// back until the user arms again or sets another stiffness. Up to two thirds of the limit of a
-/// sampled spring nothing is taken away; near it a spring rings for long, and may be lowered.
+/// twice. Where it is more than 0.6 mJ, the motion has turned six times and is not dying
+/// away by itself, a fifth of the stiffness is taken away, at most once in 20 ms and down to a
+/// fifth of what was set, and is not given back until the user arms again or sets another
+/// stiffness. Up to two thirds of the limit of a sampled spring nothing is taken away on a wall;
+/// near it a spring rings for long, and may be lowered. What shakes for another reason, a hard tap
+/// that bounces, say, is taken for it too.
 class PassivityGuard {
  public:
   struct Memory {
