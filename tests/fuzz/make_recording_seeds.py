@@ -50,7 +50,7 @@ def recording(steps=3, contacts=2):
         path = pathlib.Path(folder) / "r"
         base = sqlite3.connect(path)
         base.executescript("PRAGMA page_size = 512; PRAGMA application_id = 1346456656;"
-                           "PRAGMA user_version = 1;" + SCHEMA)
+                           "PRAGMA user_version = 2;" + SCHEMA)
         base.executemany("INSERT INTO meta VALUES (?, ?)",
                          [("palpate", "0.1.0"), ("build", "x"), ("vectors", "AVX2")])
         base.execute("INSERT INTO step VALUES (0, ?, 0, ?, ?)",
