@@ -213,6 +213,66 @@ TEST(EveryTick, NeitherAllocatesNorLocksWhereNobodyEmptiesTheRing) {
   EXPECT_EQ(step.sequence, 12'009U);
 }
 
+// watched, guarded and mapped, with everything that may happen to it
+TEST(EveryTick, NeitherAllocatesNorLocksForARealDevice) {
+  const Stage stage = stageOf("sphere", namedTool("probe"));
+  const Stage other = stageOf("torus", namedTool("drill"));
+  const Pose start = haptics::legalPoseNear(*stage.scene, stage.isovalue, at(0, 0, 0.03)).value();
+  auto made = std::make_unique<FakeDevice>(start);
+  FakeDevice* device = made.get();
+  haptics::Settings settings{.isovalue = stage.isovalue};
+  haptics::Handling handling;
+  haptics::StepRing ring{0};
+  ServoLoop loop{std::move(made), settings, start};
+  loop.recording = &ring;
+  made::Random random{7};
+  std::int64_t now = 1'000'000'000;
+  std::array<long, 6> states{};
+  for (int n = 0; n < 40'000; ++n) {
+    device->X_BD.translation() = start.translation() + Vec3(0, 0, -0.012) + random.box(1e-4);
+    if (n % 5003 == 5002) device->X_BD.translation() += random.box(0.05);
+    device->buttons = n / 500 % 4 == 3 ? 1U : 0U;
+    device->status = n % 6997 == 6996 ? haptics::DeviceStatus::Lost
+                     : n % 6007 < 4   ? haptics::DeviceStatus::Stale
+                     : n % 2503 < 30  ? haptics::DeviceStatus::NotReady
+                                      : haptics::DeviceStatus::Ok;
+    if (n % 300 == 0) {
+      handling = {.R_WB = random.rotation().toRotationMatrix(),
+                  .clutch_button = 0,
+                  .hold_to_run = n % 4500 == 0,
+                  .held = n % 9000 == 0};
+      loop.handling.publish(handling);
+      settings.position_scale = 1.0 + 0.1 * (n % 7);
+      loop.settings.publish(settings);
+      loop.armed = n % 6300 != 0;
+    }
+    if (n % 4000 == 0)
+      loop.scenes.offer(
+          std::make_unique<haptics::Engagement>(n % 8000 == 0 ? stage.scene : other.scene, start));
+    now += n % 4001 == 4000 ? 6'000'000 : 1'000'000;
+    Calls calls;
+    {
+      const NoAllocation guard;
+      loop.step(1e-9 * double(now), now);
+      calls = guard.calls();
+    }
+    ASSERT_EQ(calls.all(), 0) << calls.first << " in tick " << n;
+    haptics::Snapshot snapshot;
+    loop.snapshots.take(snapshot);
+    ++states[static_cast<std::size_t>(snapshot.force_state)];
+    haptics::ForceSample sample;
+    while (loop.forces.try_dequeue(sample)) {
+    }
+    haptics::Step step;
+    while (ring.take(step)) {
+    }
+    haptics::ProxyStart begun;
+    while (ring.take(begun)) {
+    }
+  }
+  for (std::size_t state = 0; state < states.size(); ++state) EXPECT_GT(states[state], 10) << state;
+}
+
 TEST(EveryTick, NeitherAllocatesNorLocksWhateverTheDeviceReads) {
   const Stage stage = stageOf("gyroid", namedTool("probe"));
   made::Random random{131};
