@@ -253,7 +253,7 @@ class Unit {
 
     DeviceStatus status = judge(worstError(hd_), polled);
     if (status == DeviceStatus::Ok) {
-      settle(due.force.isZero(0.0) && due.torque.isZero(0.0));
+      settle(!relay_.asked());
       if (!forceMay()) status = DeviceStatus::NotReady;
     }
     reading.trouble = status == DeviceStatus::Lost ? Trouble::Lost : trouble();

@@ -19,13 +19,13 @@ inline std::int64_t monotonicNs() noexcept {
 }
 
 /// What passes between the servo thread and the one thread that talks to a device, in both
-/// directions and without waiting. It decides what may be sent: a wrench is zero once it was not
-/// confirmed by a write for 5 ms, while the device is stopped, once it is lost, and if a number in
-/// it is not finite.
+/// directions and without waiting. It decides what may be sent. A wrench is zero once it was not
+/// confirmed by a write for 5 ms, if a number in it is not finite, while the device is stopped or
+/// not Ok, and once it is lost. What was written before resume() is never due after it.
 class Relay {
  public:
-  /// `fresh`: older than this a reading is Stale; `silent`: when nothing has come for so long the
-  /// device is Lost. 0: whatever the age.
+  /// `fresh`: older than this a reading is Stale; `silent`: when nothing has come for so long a
+  /// read makes the device Lost, whatever comes later. 0: whatever the age.
   Relay(std::chrono::milliseconds fresh, std::chrono::milliseconds silent)
       : fresh_ns_{fresh.count() * 1'000'000}, silent_ns_{silent.count() * 1'000'000} {
     last_.at_ns = monotonicNs();
@@ -49,23 +49,34 @@ class Relay {
     wanted_.publish({wrench_B, monotonicNs()});
     return lost_.load(std::memory_order_relaxed) ? DeviceStatus::Lost : DeviceStatus::Ok;
   }
-  void stop() noexcept { stopped_.store(true, std::memory_order_release); }
-  void resume() noexcept { stopped_.store(false, std::memory_order_release); }
+  void stop() noexcept { stopped_.store(true); }
+  /// Changes nothing where it is not stopped.
+  void resume() noexcept {
+    if (!stopped_.load()) return;
+    wanted_.publish({});
+    stopped_.store(false);
+  }
 
   // The device's thread.
-  /// What is to be sent now.
+  /// What is to be sent now: zero if stop() had returned when it began. A stop() that falls while
+  /// it looks counts from the next time on.
   Wrench due() noexcept {
+    // in this order: whoever sees the resume() sees that it took back what was written before
+    const bool stop_said = stopped_.load();
     wanted_.take(newest_);
-    const bool zero = stopped_.load(std::memory_order_acquire) ||
-                      lost_.load(std::memory_order_relaxed) ||
+    const bool zero = stop_said || lost_.load(std::memory_order_relaxed) ||
                       monotonicNs() - newest_.at_ns > kConfirmedNs ||
                       !newest_.wrench_B.force.allFinite() || !newest_.wrench_B.torque.allFinite();
-    return zero ? Wrench{} : newest_.wrench_B;
+    const Wrench wrench_B = zero ? Wrench{} : newest_.wrench_B;
+    asked_ = !wrench_B.force.isZero(0.0) || !wrench_B.torque.isZero(0.0);
+    return coming_.status == DeviceStatus::Ok ? wrench_B : Wrench{};
   }
+  /// Whether the last due() was unlike zero, or was zero only because the device is not Ok.
+  bool asked() const noexcept { return asked_; }
   /// What came of a round, and the reading, which counts unless it is Stale. The third Stale in a
-  /// row is Lost; after Lost nothing counts any more. False: it is lost.
+  /// row is Lost; after Lost nothing counts any more. False: what came says that it is lost.
   bool came(DeviceStatus status, const DeviceReading& reading) noexcept {
-    if (lost_.load(std::memory_order_relaxed)) return false;
+    if (coming_.status == DeviceStatus::Lost) return false;
     if (status == DeviceStatus::Stale) {
       if (polls_.failed() != DeviceStatus::Lost) return true;
       status = DeviceStatus::Lost;
@@ -102,11 +113,12 @@ class Relay {
   const std::int64_t fresh_ns_, silent_ns_;
   LatestValue<Seen> seen_;
   LatestValue<Wanted> wanted_;
-  Seen last_;          ///< the servo thread's copy
-  Seen coming_;        ///< the device thread's
-  Wanted newest_;      ///< the device thread's
-  FailedPolls polls_;  ///< the device thread's
-  std::atomic<bool> stopped_{false};
+  Seen last_;                         ///< the servo thread's copy
+  Seen coming_;                       ///< the device thread's
+  Wanted newest_;                     ///< the device thread's
+  FailedPolls polls_;                 ///< the device thread's
+  bool asked_ = false;                ///< the device thread's
+  std::atomic<bool> stopped_{false};  ///< of one order for all: who looks after a stop() sees it
   std::atomic<bool> lost_{false};
 };
 

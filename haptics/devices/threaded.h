@@ -26,8 +26,9 @@ class Transport {
 /// The transport as a device: its thread exchanges as fast as the transport lets it, but not more
 /// than once in 250 us, always with the newest wrench. Reading and writing take no time, so `read`
 /// gives what came last, Stale once that is older than `fresh`; three exchanges in a row that
-/// failed make it Lost, as does one that hangs for two seconds. An exchange that begins later
-/// than 5 ms after the last write sends zero, and so does every one while the device is NotReady.
+/// failed make it Lost, as does an exchange that hangs, noticed by a read when nothing has come
+/// for two seconds. What may be sent the Relay decides: an exchange that begins later than 5 ms
+/// after the last write sends zero, and so does every one while the device is NotReady or Lost.
 ///
 /// stop(): every exchange that begins after it sends zero. The one that had begun, or was about to,
 /// may still carry a force; so zero is sent within kLongestWait and 250 us, and within two
