@@ -55,6 +55,12 @@ void Child::kill() {
   process_ = -1;
 }
 
+std::string Child::line() {
+  std::string text;
+  for (char letter = 0; read(words_, &letter, 1) == 1 && letter != '\n';) text += letter;
+  return text;
+}
+
 std::string Child::said() {
   std::string text;
   std::array<char, 4096> part{};
@@ -78,7 +84,9 @@ int childMain(const std::string& what, const std::string& id) {
     std::cout << "opened\n";
     return 0;
   }
-  const FeltSphere sphere{std::move(*device)};
+  FeltSphere sphere{std::move(*device)};
+  sphere.arm();
+  std::cout << "armed" << std::endl;
   for (;;) std::this_thread::sleep_for(std::chrono::seconds{1});
 }
 

@@ -20,6 +20,8 @@ class Child {
   Child& operator=(const Child&) = delete;
 
   void kill();  ///< SIGKILL: it has no say; waits until it is gone
+  /// The next line that it says, without its end; empty where it has ended.
+  std::string line();
   /// All that it says until it ends.
   std::string said();
 
@@ -29,7 +31,8 @@ class Child {
 };
 
 /// What a child does and says: "survey": one line a device, its id, word of trouble and sentence;
-/// "open ID": "opened", or word of trouble and sentence; "feel ID": renders the sphere without end.
+/// "open ID": "opened", or word of trouble and sentence; "feel ID": renders the sphere without end,
+/// armed, and says "armed".
 int childMain(const std::string& what, const std::string& id = {});
 
 /// The line of a survey about this device, or empty.

@@ -86,9 +86,10 @@ bool FalconEmulator::home() {
   return true;
 }
 
-void FalconEmulator::jump(int counts) {
+FalconEmulator::Seen FalconEmulator::jump(int counts) {
   const std::scoped_lock lock{mutex_};
   for (int& lost : lost_) lost += counts;
+  return seen_;
 }
 
 void FalconEmulator::leave(const Bytes& stale) {
@@ -96,9 +97,10 @@ void FalconEmulator::leave(const Bytes& stale) {
   to_host_.insert(to_host_.end(), stale.begin(), stale.end());
 }
 
-void FalconEmulator::fail(const Faults& faults) {
+FalconEmulator::Seen FalconEmulator::fail(const Faults& faults) {
   const std::scoped_lock lock{mutex_};
   faults_ = faults;
+  return seen_;
 }
 
 FalconEmulator::Seen FalconEmulator::seen() const {

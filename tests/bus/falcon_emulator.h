@@ -53,11 +53,11 @@ class FalconEmulator final : public UsbFunction {
   void press(int buttons);  ///< bits 0 to 3
   /// The user pulls the grip out and pushes it in: true if the device was waiting for it.
   bool home();
-  /// Encoders lose their place by so many counts.
-  void jump(int counts);
+  /// Encoders lose their place by so many counts. What had arrived until then.
+  Seen jump(int counts);
   /// Bytes that an earlier program did not fetch.
   void leave(const Bytes& stale);
-  void fail(const Faults& faults);
+  Seen fail(const Faults& faults);  ///< what had arrived until then
 
   Seen seen() const;
   haptics::Vec3 force_F() const;  ///< N, of the last motor values where the grip is now

@@ -2,13 +2,18 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "haptics/devices/catalogue.h"
 #include "tests/bus/child.h"
@@ -27,6 +32,8 @@ using bus::lineOf;
 using haptics::Device;
 using haptics::DeviceReading;
 using haptics::DeviceStatus;
+using haptics::ForceReason;
+using haptics::ForceState;
 using haptics::Trouble;
 using haptics::Vec3;
 using haptics::Wrench;
@@ -37,12 +44,12 @@ constexpr Motors kNone{};
 /// The middle of the workspace, which the driver takes for the base's origin, in the Falcon's
 /// frame.
 const Vec3 kMiddle{0, 0, 0.125};
-const Vec3 kAbove{0, 0, 0.030}, kPressed{0, 0, FeltSphere::kTouch - 3e-3};
+const Vec3 kPressed{0, 0, FeltSphere::kTouch - 3e-3};
 
 /// A Falcon with a plug, which may be pulled.
 struct PluggedFalcon {
   explicit PluggedFalcon(bool loaded = true) : falcon{loaded} {
-    hold(kAbove);
+    hold(FeltSphere::kAbove);
     plug();
   }
   void plug() { port.emplace(0, falcon); }
@@ -58,6 +65,9 @@ struct PluggedFalcon {
   FalconEmulator falcon;
   std::optional<bus::UsbPort> port;
 };
+
+/// Counts by which the encoders let the grip seem 4 mm deeper in the sphere.
+constexpr int kSlipInwards = -110;
 
 struct Heard {
   DeviceStatus status = DeviceStatus::Stale;
@@ -91,18 +101,103 @@ std::unique_ptr<Device> opened(PluggedFalcon& plugged) {
   return std::move(*device);
 }
 
-/// Opened, homed, rendering the sphere, and pressed into it: force is on.
-std::unique_ptr<FeltSphere> pressed(PluggedFalcon& plugged) {
-  auto device = opened(plugged);
+bool isPressed(FeltSphere& sphere) {
+  return (sphere.snapshot().X_WD.translation() - kPressed).norm() < 1e-4;
+}
+
+/// Pressed into the sphere, the hand at rest, and not armed.
+bool pressedUnarmed(PluggedFalcon& plugged, FeltSphere& sphere) {
+  plugged.hold(kPressed);
+  return comesTrue([&] { return isPressed(sphere); });
+}
+
+/// Whether the force comes up from zero to most of what the sphere gives, in no fewer commands than
+/// a ramp of a second takes.
+bool rampsFromZero(PluggedFalcon& plugged, std::uint64_t since) {
+  constexpr std::uint64_t kFewest = 400;
+  const bool came = comesTrue([&] { return plugged.falcon.force_F().z() > 2.5; });
+  return came && plugged.falcon.seen().commands >= since + kFewest;
+}
+
+/// Renders the sphere on this device, armed and pressed into it: full force.
+std::unique_ptr<FeltSphere> pressed(PluggedFalcon& plugged, std::unique_ptr<Device> device) {
   if (device == nullptr) return nullptr;
   auto sphere = std::make_unique<FeltSphere>(std::move(device));
-  EXPECT_TRUE(sphere->runs(100));
+  sphere->arm();
   plugged.hold(kPressed);
   EXPECT_TRUE(comesTrue([&] {
-    return plugged.falcon.force_F().z() > 2.0 &&
-           (sphere->snapshot().X_WD.translation() - kPressed).norm() < 1e-4;
+    return plugged.falcon.force_F().z() > 2.0 && isPressed(*sphere) &&
+           sphere->snapshot().force_state == ForceState::On;
   }));
   return sphere;
+}
+std::unique_ptr<FeltSphere> pressed(PluggedFalcon& plugged) {
+  return pressed(plugged, opened(plugged));
+}
+
+/// A device whose next read, on demand, takes `kHang`: longer than the watchdog waits. Says what
+/// the emulator had seen before and after.
+class Hanging final : public Device {
+ public:
+  static constexpr std::chrono::milliseconds kHang{30};
+
+  /// The test's side of it, which outlives the device.
+  struct Hangs {
+    std::atomic<bool> wanted{false};
+    std::atomic<int> over{0};   ///< hangs that have ended; the two below are of the last one
+    std::atomic<int> stops{0};  ///< calls of stop()
+    FalconEmulator::Seen before, after;
+  };
+
+  Hanging(std::unique_ptr<Device> device, const FalconEmulator& falcon, Hangs& hangs)
+      : device_{std::move(device)}, falcon_{falcon}, hangs_{hangs} {}
+  const haptics::DeviceRating& rating() const noexcept override { return device_->rating(); }
+  DeviceStatus read(DeviceReading& reading) noexcept override {
+    if (hangs_.wanted.exchange(false)) {
+      hangs_.before = falcon_.seen();
+      std::this_thread::sleep_for(kHang);
+      hangs_.after = falcon_.seen();
+      ++hangs_.over;
+    }
+    return device_->read(reading);
+  }
+  DeviceStatus write(const Wrench& wrench_B) noexcept override { return device_->write(wrench_B); }
+  void stop() noexcept override {
+    ++hangs_.stops;
+    device_->stop();
+  }
+  void resume() noexcept override { device_->resume(); }
+
+ private:
+  std::unique_ptr<Device> device_;
+  const FalconEmulator& falcon_;
+  Hangs& hangs_;
+};
+
+/// Until the force is at fault; it then stays zero and off for as long as nobody arms it.
+void expectLatchedFault(PluggedFalcon& plugged, FeltSphere& sphere,
+                        std::initializer_list<ForceReason> reasons) {
+  ASSERT_TRUE(comesTrue([&] { return sphere.snapshot().force_state == ForceState::Fault; }));
+  ASSERT_TRUE(sphere.runs(20));
+  const std::uint64_t forced = plugged.falcon.seen().forced;
+  ASSERT_TRUE(sphere.runs(300));
+  const haptics::Snapshot last = sphere.snapshot();
+  EXPECT_EQ(last.force_state, ForceState::Fault);
+  EXPECT_NE(std::find(reasons.begin(), reasons.end(), last.reason), reasons.end())
+      << int(last.reason);
+  EXPECT_FALSE(sphere.isArmed());
+  EXPECT_EQ(last.felt_W.force.norm(), 0.0);
+  EXPECT_EQ(plugged.falcon.seen().forced, forced);
+  EXPECT_EQ(sphere.transitions().back().to, ForceState::Fault);
+}
+
+/// The same, of a device that stays lost until it is opened again: arming it changes nothing.
+void expectLost(PluggedFalcon& plugged, FeltSphere& sphere,
+                std::initializer_list<ForceReason> reasons = {ForceReason::Lost}) {
+  expectLatchedFault(plugged, sphere, reasons);
+  EXPECT_EQ(sphere.snapshot().trouble, Trouble::Lost);
+  sphere.arm();
+  expectLatchedFault(plugged, sphere, reasons);
 }
 
 std::filesystem::path fakeFirmware(Bytes& bytes) {
@@ -231,6 +326,25 @@ TEST(Falcon, ItsMotorsPushAsWrittenAndItsEncodersSayWhereItIs) {
   EXPECT_TRUE(readsUntil(*device, heard, [&] { return heard.reading.buttons == 0b0101; }));
 }
 
+TEST(Falcon, GivesNoForceBeforeItIsArmedAndThenRampsFromZero) {
+  PluggedFalcon plugged;
+  auto device = opened(plugged);
+  ASSERT_NE(device, nullptr);
+  FeltSphere sphere{std::move(device)};
+  ASSERT_TRUE(pressedUnarmed(plugged, sphere));
+  ASSERT_TRUE(plugged.hears(300));
+  const haptics::Snapshot withheld = sphere.snapshot();
+  EXPECT_EQ(withheld.force_state, ForceState::Ready);
+  EXPECT_GT(withheld.coupling_W.force.z(), 2.0);
+  EXPECT_EQ(withheld.felt_W.force.norm(), 0.0);
+  EXPECT_EQ(plugged.falcon.seen().forced, 0u);
+
+  const std::uint64_t since = plugged.falcon.seen().commands;
+  sphere.arm();
+  EXPECT_TRUE(rampsFromZero(plugged, since))
+      << plugged.falcon.seen().commands - since << " commands";
+}
+
 TEST(Falcon, TheServoLoopRendersASphereAndEndsAtZeroForce) {
   PluggedFalcon plugged;
   auto sphere = pressed(plugged);
@@ -244,6 +358,14 @@ TEST(Falcon, TheServoLoopRendersASphereAndEndsAtZeroForce) {
     ASSERT_TRUE(sphere->runs(25));
   }
   EXPECT_GE(plugged.falcon.seen().commands, 1000u);
+  // the guards let a sound device alone: the force came up once, and stayed
+  std::vector<ForceState> states;
+  for (const haptics::ForceTransition& step : sphere->transitions()) states.push_back(step.to);
+  EXPECT_EQ(states, (std::vector{ForceState::Ready, ForceState::Armed, ForceState::Ramping,
+                                 ForceState::On}));
+  const haptics::Snapshot end = sphere->snapshot();
+  std::cout << "of " << end.tick << " ticks " << end.late_ticks << " were late, "
+            << end.missed_ticks << " missed\n";
   ASSERT_TRUE(
       comesTrue([&] { return (sphere->snapshot().X_WD.translation() - p_BD).norm() < 1e-4; }));
   // at rest the motors are those of the force that the loop says it sent, outwards
@@ -287,51 +409,119 @@ TEST(Falcon, RepliesInPiecesStaleLateOrGarbledNeitherLoseItNorKickTheHand) {
   staysPressed("stale");
 }
 
+// one command that was under way may carry a force, none after it
 TEST(Falcon, ASilentOneIsLostAtZeroForce) {
   PluggedFalcon plugged;
   auto sphere = pressed(plugged);
   ASSERT_NE(sphere, nullptr);
-  plugged.falcon.fail({.mute = true});
-  EXPECT_TRUE(comesTrue([&] { return !sphere->isArmed(); }));
-  EXPECT_TRUE(comesTrue([&] { return plugged.motors() == kNone; }));
-  EXPECT_TRUE(sphere->runs(50));
-  EXPECT_EQ(sphere->snapshot().felt_W.force.norm(), 0.0);
+  const std::uint64_t forced = plugged.falcon.fail({.mute = true}).forced;
+  expectLost(plugged, *sphere);
   EXPECT_EQ(plugged.motors(), kNone);
+  EXPECT_LE(plugged.falcon.seen().forced, forced + 1);
+  // that it answers again is not enough
+  plugged.falcon.fail({});
+  expectLost(plugged, *sphere);
 }
 
 TEST(Falcon, EncodersThatLoseTheirPlaceEndTheForce) {
   PluggedFalcon plugged;
   auto sphere = pressed(plugged);
   ASSERT_NE(sphere, nullptr);
-  plugged.falcon.jump(400);
-  EXPECT_TRUE(comesTrue([&] { return !sphere->isArmed(); }));
-  EXPECT_TRUE(comesTrue([&] { return plugged.motors() == kNone; }));
+  const std::uint64_t forced = plugged.falcon.jump(400).forced;
+  expectLost(plugged, *sphere, {ForceReason::Lost, ForceReason::Jump});
+  EXPECT_EQ(plugged.motors(), kNone);
+  EXPECT_LE(plugged.falcon.seen().forced, forced + 1);
   // the pose has not gone along
-  EXPECT_LT((sphere->snapshot().X_WD.translation() - kPressed).norm(), 1e-4);
+  EXPECT_TRUE(isPressed(*sphere));
 }
 
-TEST(Falcon, PulledOutUnderForceItEndsAtZeroAndIsUsedAgainOnceReplugged) {
+// 4 mm in a millisecond: no hand under force, and not enough to know that an encoder is wrong
+TEST(Falcon, EncodersThatSlipALittleTakeTheForceAwayUntilItRampsAnew) {
+  PluggedFalcon plugged;
+  auto sphere = pressed(plugged);
+  ASSERT_NE(sphere, nullptr);
+  const int largest = plugged.falcon.seen().largest;
+  plugged.falcon.jump(kSlipInwards);
+  ASSERT_TRUE(
+      comesTrue([&] { return sphere->times(ForceState::Armed, ForceReason::TooFast) == 1; }));
+  plugged.falcon.jump(-kSlipInwards);
+  const std::uint64_t since = plugged.falcon.seen().commands;
+  EXPECT_TRUE(comesTrue([&] { return plugged.motors() == kNone; }));
+  EXPECT_TRUE(rampsFromZero(plugged, since))
+      << plugged.falcon.seen().commands - since << " commands";
+  EXPECT_LT(plugged.falcon.seen().largest, 1.1 * largest);
+  EXPECT_TRUE(sphere->isArmed());
+}
+
+TEST(Falcon, PulledOutUnderForceItIsLostAndReplugGivesForceOnlyOnceArmed) {
   PluggedFalcon plugged;
   auto sphere = pressed(plugged);
   ASSERT_NE(sphere, nullptr);
   plugged.unplug();
-  EXPECT_TRUE(comesTrue([&] { return !sphere->isArmed(); }));
-  EXPECT_TRUE(sphere->runs(100));
-  EXPECT_EQ(sphere->snapshot().felt_W.force.norm(), 0.0);
-  EXPECT_FALSE(sphere->isArmed());
+  expectLost(plugged, *sphere);
+  // it has a power supply of its own: as far as is known what was sent last still stands there, and
+  // no one can take it back through a cable that is out
+  EXPECT_NE(plugged.motors(), kNone);
+
+  // plugged in again it is not the one that the loop had
+  plugged.hold(FeltSphere::kAbove);
+  plugged.plug();
+  expectLost(plugged, *sphere);
   sphere.reset();
+  plugged.unplug();
   const auto refused = haptics::openDevice({"falcon"});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().reason, "not-plugged-in");
   EXPECT_FALSE(refused.error().what.empty());
 
-  // it has a power supply of its own: as far as is known what was sent last still stands there
-  plugged.hold(kAbove);
   plugged.plug();
-  sphere = pressed(plugged);
-  ASSERT_NE(sphere, nullptr);
-  sphere.reset();
+  const std::uint64_t forced = plugged.falcon.seen().forced;
+  auto device = opened(plugged);
+  ASSERT_NE(device, nullptr);
+  FeltSphere again{std::move(device)};
   EXPECT_EQ(plugged.motors(), kNone);
+  ASSERT_TRUE(pressedUnarmed(plugged, again));
+  ASSERT_TRUE(plugged.hears(300));
+  EXPECT_EQ(again.snapshot().force_state, ForceState::Ready);
+  EXPECT_EQ(plugged.falcon.seen().forced, forced);
+  const std::uint64_t since = plugged.falcon.seen().commands;
+  again.arm();
+  EXPECT_TRUE(rampsFromZero(plugged, since))
+      << plugged.falcon.seen().commands - since << " commands";
+}
+
+TEST(Falcon, AServoThreadThatHangsIsAnsweredWithZeroAndThriceWithAFault) {
+  PluggedFalcon plugged;
+  auto device = opened(plugged);
+  ASSERT_NE(device, nullptr);
+  Hanging::Hangs hangs;
+  auto sphere =
+      pressed(plugged, std::make_unique<Hanging>(std::move(device), plugged.falcon, hangs));
+  ASSERT_NE(sphere, nullptr);
+  EXPECT_EQ(hangs.stops, 0);
+  for (int n = 1; n <= 3; ++n) {
+    hangs.stops = 0;
+    hangs.wanted = true;
+    ASSERT_TRUE(comesTrue([&] { return hangs.over == n; }));
+    EXPECT_EQ(hangs.after.motors, kNone);
+    EXPECT_GT(hangs.stops, 0);
+    const std::uint64_t commands = hangs.after.commands - hangs.before.commands;
+    const std::uint64_t forced = hangs.after.forced - hangs.before.forced;
+    std::cout << "while it hung: " << commands << " commands, " << forced << " with force\n";
+    EXPECT_GE(commands, forced + 5);
+    if (n == 3) break;
+    // by itself, and from zero
+    EXPECT_TRUE(rampsFromZero(plugged, hangs.after.commands));
+    EXPECT_TRUE(sphere->isArmed());
+    EXPECT_EQ(sphere->times(ForceState::Armed, ForceReason::Gap), n);
+  }
+  expectLatchedFault(plugged, *sphere, {ForceReason::Stalled});
+  EXPECT_EQ(sphere->snapshot().trouble, Trouble::None);
+  EXPECT_EQ(plugged.motors(), kNone);
+  // the device is sound: whoever arms it has force again
+  const std::uint64_t since = plugged.falcon.seen().commands;
+  sphere->arm();
+  EXPECT_TRUE(rampsFromZero(plugged, since));
 }
 
 TEST(Falcon, StoppedFromAnotherThreadNothingWrittenCountsUntilItIsResumed) {
@@ -361,6 +551,7 @@ TEST(Falcon, AKilledProgramLeavesItsLastForceStandingUntilTheNextOneOpensTheDevi
   {
     Child child{As::Root, {"feel", "falcon"}};
     ASSERT_TRUE(comesTrue([&] { return plugged.falcon.home(); }));
+    ASSERT_EQ(child.line(), "armed");
     plugged.hold(kPressed);
     ASSERT_TRUE(comesTrue([&] { return plugged.falcon.force_F().z() > 2.0; }));
     child.kill();

@@ -21,6 +21,8 @@ using bus::Child;
 using bus::comesTrue;
 using bus::FeltSphere;
 using bus::lineOf;
+using haptics::ForceReason;
+using haptics::ForceState;
 using haptics::Pose;
 using haptics::Vec3;
 
@@ -80,7 +82,8 @@ void isFelt(Mouse& mouse) {
   auto device = haptics::openDevice({"spacemouse"});
   ASSERT_TRUE(device) << device.error().what;
   EXPECT_TRUE(comesTrue([&] { return mouse.lit() == 1; }));
-  FeltSphere sphere{std::move(*device)};
+  FeltSphere sphere{std::move(*device), Vec3::Zero()};
+  sphere.arm();
   ASSERT_TRUE(sphere.runs(100));
   // the cap's Y is towards the user and its Z down; the base's y is up and its z to the user
   movesThePose(mouse, sphere, {350, 0, 0, 0, 0, 0}, {0.01, 0, 0}, {0, 0, 0});
@@ -128,11 +131,15 @@ TEST(SpaceMouse, PulledOutItIsLostAndUsedAgainOnceReplugged) {
   std::optional<bus::UhidSpaceMouse> mouse{std::in_place};
   auto device = haptics::openDevice({"spacemouse"});
   ASSERT_TRUE(device) << device.error().what;
-  auto sphere = std::make_unique<FeltSphere>(std::move(*device));
+  auto sphere = std::make_unique<FeltSphere>(std::move(*device), Vec3::Zero());
+  sphere->arm();
   ASSERT_TRUE(sphere->runs(50));
   mouse->move({350, 0, 0, 0, 0, 0});
   mouse.reset();
-  EXPECT_TRUE(comesTrue([&] { return !sphere->isArmed(); }));
+  EXPECT_TRUE(comesTrue([&] { return sphere->snapshot().force_state == ForceState::Fault; }));
+  EXPECT_EQ(sphere->snapshot().reason, ForceReason::Lost);
+  EXPECT_EQ(sphere->snapshot().trouble, haptics::Trouble::Lost);
+  EXPECT_FALSE(sphere->isArmed());
   const Vec3 there = sphere->snapshot().X_WD.translation();
   EXPECT_TRUE(sphere->runs(50));
   EXPECT_EQ(sphere->snapshot().X_WD.translation(), there);
