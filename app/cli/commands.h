@@ -24,5 +24,8 @@ void addRecover(CLI::App& program, Chosen& chosen);
 void addInfo(CLI::App& program, Chosen& chosen);
 void addConvert(CLI::App& program, Chosen& chosen);
 #endif
+#ifdef PALPATE_DEVICES
+void addDevices(CLI::App& program, Chosen& chosen);
+#endif
 
 }  // namespace app::cli

@@ -52,6 +52,9 @@ int main(int argc, char** argv) {
   addInfo(program, chosen);
   addConvert(program, chosen);
 #endif
+#ifdef PALPATE_DEVICES
+  addDevices(program, chosen);
+#endif
   addTool(program, chosen);
   addRun(program, chosen);
   addReplay(program, chosen);

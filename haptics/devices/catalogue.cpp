@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/devices/catalogue.h"
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 #include <utility>
@@ -39,6 +40,17 @@ std::vector<DeviceEntry> surveyDevices() {
                    std::move_iterator{found.end()});
   }
   return entries;
+}
+
+const DeviceRating* ratingOf(const DeviceEntry& entry) {
+  const std::string_view id = entry.id;
+  const std::size_t colon = std::min(id.find(':'), id.size());
+  if (const DeviceRating* rating = findRating(id)) return rating;
+  if (const DeviceRating* rating = findRating(id.substr(std::min(colon + 1, id.size()))))
+    return rating;
+  for (const DeviceRating& rating : deviceRatings())
+    if (rating.name == entry.name) return &rating;
+  return findRating(id.substr(0, colon));
 }
 
 Expected<std::unique_ptr<Device>> openDevice(const OpenRequest& request) {

@@ -48,6 +48,10 @@ std::span<const Driver> drivers();
 /// What all drivers know and see.
 std::vector<DeviceEntry> surveyDevices();
 
+/// The rating of an entry's model, or null: found by its id, what stands behind its colon, its
+/// name, or its driver, in this order.
+const DeviceRating* ratingOf(const DeviceEntry& entry);
+
 /// Opens a device by the id of its entry.
 Expected<std::unique_ptr<Device>> openDevice(const OpenRequest& request);
 
