@@ -23,6 +23,8 @@
 
 #include "ui/escape_filter.h"
 #include "ui/panels/force_panel.h"
+#include "ui/panels/force_words.h"
+#include "ui/panels/haptic_device_panel.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/panels/recording_panel.h"
@@ -37,13 +39,17 @@ MainWindow::MainWindow(QWidget* parent)
       view_(new VolumeView),
       isosurface_(new IsosurfacePanel),
       device_(new DevicePanel),
+      haptic_device_(new HapticDevicePanel),
       force_(new ForcePanel),
       performance_(new PerformancePanel),
       recording_(new RecordingPanel),
       replay_(new ReplayBar),
       status_(new StatusLine),
+      fault_bar_(new QFrame),
+      fault_(new QLabel),
       message_bar_(new QFrame),
       message_(new QLabel),
+      force_state_(new QLabel),
       loading_(new QFrame),
       loading_what_(new QLabel),
       progress_(new QProgressBar) {
@@ -80,22 +86,33 @@ void MainWindow::buildForceBar() {
   connect(on, &QToolButton::clicked, this, &MainWindow::forceOnWanted);
   bar->addWidget(off);  // leftmost: never in the overflow
   bar->addWidget(on);
+  force_state_->setObjectName("forceStateBar");
+  force_state_->setAccessibleName(tr("State of the force"));
   bar->addSeparator();
+  bar->addWidget(force_state_);
   addToolBar(Qt::TopToolBarArea, bar);
 }
 
+void MainWindow::buildBar(QFrame* bar, QLabel* words, const char* name, const char* style) {
+  words->setObjectName(name);
+  words->setWordWrap(true);
+  words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* close = new QToolButton;
+  close->setObjectName(QString(name) + "Close");
+  close->setText(tr("Close"));
+  connect(close, &QToolButton::clicked, bar, &QWidget::hide);
+  bar->setStyleSheet(style);
+  auto* row = new QHBoxLayout(bar);
+  row->addWidget(words, 1);
+  row->addWidget(close);
+  bar->hide();
+}
+
 void MainWindow::buildViews() {
-  message_->setObjectName("message");
-  message_->setWordWrap(true);
-  message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* close_message = new QToolButton;
-  close_message->setText(tr("Close"));
-  connect(close_message, &QToolButton::clicked, this, &MainWindow::clearMessage);
-  message_bar_->setStyleSheet("QFrame { background: #7a4a00; } QLabel { color: white; }");
-  auto* message_row = new QHBoxLayout(message_bar_);
-  message_row->addWidget(message_, 1);
-  message_row->addWidget(close_message);
-  message_bar_->hide();
+  buildBar(message_bar_, message_, "message",
+           "QFrame { background: #7a4a00; } QLabel { color: white; }");
+  buildBar(fault_bar_, fault_, "fault",
+           "QFrame { background: #3a2400; } QLabel { color: #ffd9a0; font-weight: bold; }");
 
   auto* slices = new QSplitter(Qt::Vertical);
   for (const Plane plane : {Plane::Axial, Plane::Coronal, Plane::Sagittal}) {
@@ -116,6 +133,7 @@ void MainWindow::buildViews() {
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(fault_bar_);
   column->addWidget(message_bar_);
   column->addWidget(views, 1);
   column->addWidget(replay_);
@@ -138,7 +156,7 @@ void MainWindow::buildDocks() {
     return frame;
   };
   dock(tr("Isosurface"), "isosurfaceDock", isosurface_);
-  dock(tr("Device and tool"), "deviceDock", device_);
+  QDockWidget* device = dock(tr("Hand and tool"), "deviceDock", device_);
   QDockWidget* force = dock(tr("Force"), "forceDock", force_);
   // behind the force: they are looked at now and then
   performance_dock_ = dock(tr("Performance"), "performanceDock", performance_);
@@ -146,6 +164,10 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(force, performance_dock_);
   tabifyDockWidget(performance_dock_, recording_dock_);
   force->raise();
+  haptic_device_dock_ = dock(tr("Haptic device"), "hapticDeviceDock", haptic_device_);
+  tabifyDockWidget(device, haptic_device_dock_);
+  device->raise();
+  connect(haptic_device_, &HapticDevicePanel::armWanted, this, &MainWindow::forceOnWanted);
   addAction(recording_->markAction());  // of the window: the panel may be out of sight
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, view_, &VolumeView::setIsovalue);
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, this, &MainWindow::isovalueChanged);
@@ -202,6 +224,10 @@ void MainWindow::buildMenus() {
   surface->addAction(tr("Ray casting"), this,
                      [this] { view_->setSurfaceWish(SurfaceMode::RayCast); });
   surface->addAction(tr("Mesh"), this, [this] { view_->setSurfaceWish(SurfaceMode::Mesh); });
+  look->addAction(tr("&Haptic device"), this, [this] {
+    haptic_device_dock_->raise();
+    haptic_device_->setFocus();
+  });
   look->addAction(tr("&Performance"), this, [this] {
     performance_dock_->raise();
     performance_->setFocus();
@@ -250,9 +276,21 @@ void MainWindow::show(const haptics::TriangleMesh& tool) { view_->show(tool); }
 
 void MainWindow::display(const haptics::Snapshot& snapshot) {
   view_->display(snapshot);
+  for (SliceView* slice : slices_) slice->setProxy(snapshot.X_WP.translation() * kMmPerM);
+  displayForce(snapshot);
+}
+
+void MainWindow::displayForce(const haptics::Snapshot& snapshot) {
   force_->display(snapshot);
   status_->display(snapshot);
-  for (SliceView* slice : slices_) slice->setProxy(snapshot.X_WP.translation() * kMmPerM);
+  haptic_device_->display(snapshot);
+  if (shown_force_state_ != snapshot.force_state) {
+    shown_force_state_ = snapshot.force_state;
+    force_state_->setText(tr("Force: %1").arg(nameOf(snapshot.force_state)));
+    force_state_->setStyleSheet(
+        QStringLiteral("background: %1; color: white; font-weight: bold; padding: 6px 12px;")
+            .arg(colourOf(snapshot.force_state)));
+  }
 }
 
 void MainWindow::clearForces() { force_->clear(); }
@@ -296,6 +334,11 @@ void MainWindow::showMessage(const QString& sentence) {
 
 void MainWindow::clearMessage() { message_bar_->hide(); }
 
+void MainWindow::showFault(const QString& sentence) {
+  fault_->setText(sentence);
+  fault_bar_->show();
+}
+
 void MainWindow::showLoading(const QString& what) {
   loading_what_->setText(what);
   progress_->setRange(0, 0);  // busy, until a fraction is known
@@ -319,7 +362,7 @@ bool MainWindow::askWhether(const QString& what, const QString& consequence, con
 }
 
 void MainWindow::showHandInUse(const QString& id, const QString& label) {
-  device_->showHand(id);
+  device_->showHand(id, label);
   status_->setHand(label);
 }
 
@@ -335,6 +378,9 @@ void MainWindow::showControls() {
   QMessageBox::information(
       this, tr("Controls"),
       tr("<p><b>Force off</b>: Escape anywhere, Space in the 3-D view, or the red button.</p>"
+         "<p><b>Haptic device</b> (View > Haptic device): Connect, then Arm. While C is held in "
+         "the 3-D view the tool stays and the hand moves freely; while H is held the force is on "
+         "if it is to be held.</p>"
          "<p><b>3-D view</b>: left drag turns the picture. With the mouse as hand, left drag "
          "moves the tool in the plane of the screen, Shift and left drag turns it, and the wheel "
          "moves it in depth; right drag turns the picture. Middle drag shifts the picture, Ctrl "

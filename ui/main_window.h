@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <array>
+#include <optional>
 #include <span>
 
 #include "haptics/core/triangle_mesh.h"
@@ -22,6 +23,7 @@ class QProgressBar;
 namespace ui {
 
 class ForcePanel;
+class HapticDevicePanel;
 class IsosurfacePanel;
 class PerformancePanel;
 class RecordingPanel;
@@ -47,6 +49,8 @@ class MainWindow : public QMainWindow {
   using QMainWindow::show;
   /// The state of the touch, at display rate.
   void display(const haptics::Snapshot& snapshot);
+  /// Only what becomes of the force: its poses are not of what is on view.
+  void displayForce(const haptics::Snapshot& snapshot);
   /// What was appended is shown no more.
   void clearForces();
   void appendForces(std::span<const ForcePoint> points);
@@ -59,6 +63,8 @@ class MainWindow : public QMainWindow {
   /// One sentence for the user, until closed or until clearMessage().
   void showMessage(const QString& sentence);
   void clearMessage();
+  /// The same in a bar of its own, which only the user closes.
+  void showFault(const QString& sentence);
   void showLoading(const QString& what);
   void showProgress(double fraction);
   void endLoading();
@@ -69,6 +75,7 @@ class MainWindow : public QMainWindow {
 
   VolumeView& view() { return *view_; }
   DevicePanel& devicePanel() { return *device_; }
+  HapticDevicePanel& hapticDevicePanel() { return *haptic_device_; }
   IsosurfacePanel& isosurfacePanel() { return *isosurface_; }
   PerformancePanel& performancePanel() { return *performance_; }
   RecordingPanel& recordingPanel() { return *recording_; }
@@ -102,6 +109,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildViews();
+  void buildBar(QFrame* bar, QLabel* words, const char* name, const char* style);
   void buildDocks();
   void buildForceBar();
   void buildMenus();
@@ -116,15 +124,21 @@ class MainWindow : public QMainWindow {
   std::array<SliceView*, 3> slices_{};
   IsosurfacePanel* isosurface_;
   DevicePanel* device_;
+  HapticDevicePanel* haptic_device_;
   ForcePanel* force_;
   PerformancePanel* performance_;
   RecordingPanel* recording_;
   ReplayBar* replay_;
+  QDockWidget* haptic_device_dock_ = nullptr;
   QDockWidget* performance_dock_ = nullptr;
   QDockWidget* recording_dock_ = nullptr;
   StatusLine* status_;
+  QFrame* fault_bar_;
+  QLabel* fault_;
   QFrame* message_bar_;
   QLabel* message_;
+  QLabel* force_state_;
+  std::optional<haptics::ForceState> shown_force_state_;
   QFrame* loading_;
   QLabel* loading_what_;
   QProgressBar* progress_;

@@ -328,9 +328,33 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_T:
       lookFromTool();
       break;
+    case Qt::Key_C:
+      emit clutchHeld(true);
+      break;
+    case Qt::Key_H:
+      emit forceHeld(true);
+      break;
     default:
       Viewport::keyPressEvent(event);
   }
+}
+
+void VolumeView::keyReleaseEvent(QKeyEvent* event) {
+  // a key that is held repeats itself as releases and presses
+  if (event->isAutoRepeat()) return Viewport::keyReleaseEvent(event);
+  if (event->key() == Qt::Key_C)
+    emit clutchHeld(false);
+  else if (event->key() == Qt::Key_H)
+    emit forceHeld(false);
+  else
+    Viewport::keyReleaseEvent(event);
+}
+
+void VolumeView::focusOutEvent(QFocusEvent* event) {
+  // the release would go elsewhere
+  emit clutchHeld(false);
+  emit forceHeld(false);
+  Viewport::focusOutEvent(event);
 }
 
 }  // namespace ui

@@ -24,7 +24,8 @@ class HeldPass;
 /// Left drag turns the camera, or with the mouse as hand moves the hand in the view plane (Shift
 /// turns it, the wheel pushes it away); right drag always turns the camera, middle drag shifts
 /// it, Ctrl and wheel (without a mouse hand the wheel alone) come nearer. Space wishes the force
-/// off, R shows everything again, T the same from the tool's side.
+/// off, R shows everything again, T the same from the tool's side. While C is down the clutch is
+/// held, while H is down the force is; both are let go with the focus.
 class VolumeView : public Viewport {
   Q_OBJECT
  public:
@@ -46,11 +47,14 @@ class VolumeView : public Viewport {
   /// Where a point of W is drawn, in widget coordinates.
   QPointF projected(const haptics::Vec3& p_W) const;
   Eigen::Vector3d letterPosition_mm(char letter) const { return letters_->positionOf(letter); }
+  Eigen::Matrix3d viewAxes() const;  ///< columns: right, up, towards the viewer; in W
   VolumeProp& surface() { return surface_; }
   vtkCamera* camera() const { return camera_; }
 
  signals:
   void forceOffWanted();
+  void clutchHeld(bool held);
+  void forceHeld(bool held);
   /// Where the hand wants the tool, W.
   void handPulled(const haptics::Pose& X_WH);
   void surfaceChosen(const ui::SurfaceChoice& choice);
@@ -63,6 +67,8 @@ class VolumeView : public Viewport {
   void mouseMoveEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   void chooseMode();
@@ -77,7 +83,6 @@ class VolumeView : public Viewport {
   void moveHand(QPointF by, bool turn);
   /// Metres across one widget pixel at a point of W.
   double metresPerPixel(const haptics::Vec3& p_W) const;
-  Eigen::Matrix3d viewAxes() const;  ///< columns: right, up, towards the viewer; in W
   void fitClippingRange();
 
   vtkSmartPointer<vtkCamera> camera_;

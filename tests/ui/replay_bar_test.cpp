@@ -27,7 +27,7 @@ ui::ReplayTrack track() {
                  {2.5, "isovalue", 300.0},
                  {22.5, "stiffness", 1500.0},
                  {32.5, "scene", 2.0},
-                 {42.5, "force", 2.0},
+                 {42.5, "force", 4.0},
                  {52.5, "gap", 12.0},
                  {92.5, "something new", 4.0, "words"}};
   for (int i = 0; i < 1'000; ++i) {

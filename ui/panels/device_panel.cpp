@@ -118,7 +118,11 @@ void DevicePanel::showField(const QString& id, const QString& effect) {
   effect_->setVisible(!effect.isEmpty());
 }
 
-void DevicePanel::showHand(const QString& id) { hands_->setCurrentIndex(hands_->findData(id)); }
+void DevicePanel::showHand(const QString& id, const QString& label) {
+  // a haptic device is not chosen here
+  hands_->setPlaceholderText(label);
+  hands_->setCurrentIndex(hands_->findData(id));
+}
 
 void DevicePanel::showTool(const QString& id, const QString& label) {
   tool_ = id;

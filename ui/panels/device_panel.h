@@ -30,7 +30,7 @@ class DevicePanel : public QWidget {
   void setTools(const QList<Choice>& tools);
   void setFields(const QList<Choice>& fields);
   /// Shows what is in use; these emit nothing.
-  void showHand(const QString& id);
+  void showHand(const QString& id, const QString& label);
   void showTool(const QString& id, const QString& label);
   void showStiffness(double newton_per_metre);
   /// `effect`: what the field does to the solid, in a sentence; or empty.

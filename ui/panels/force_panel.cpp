@@ -5,31 +5,9 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/panels/force_words.h"
+
 namespace ui {
-namespace {
-
-QString wordsFor(haptics::ForceState state, haptics::ForceReason reason) {
-  using haptics::ForceState;
-  switch (state) {
-    case ForceState::Off:
-      return ForcePanel::tr("No force: nothing to touch, or no hand");
-    case ForceState::Ready:
-      return ForcePanel::tr("Force off");
-    case ForceState::Ramping:
-      return ForcePanel::tr("Force rising");
-    case ForceState::On:
-      return ForcePanel::tr("Force on");
-    case ForceState::Fault:
-      return ForcePanel::tr("Fault: force off");
-    case ForceState::Armed:
-      break;
-  }
-  return reason == haptics::ForceReason::Inside
-             ? ForcePanel::tr("Surface moved: finding the outside")
-             : ForcePanel::tr("Force withheld");
-}
-
-}  // namespace
 
 ForcePanel::ForcePanel(QWidget* parent)
     : QWidget(parent),
@@ -45,6 +23,7 @@ ForcePanel::ForcePanel(QWidget* parent)
   QFont medium = font();
   medium.setPointSizeF(medium.pointSizeF() * 1.3);
   torque_->setFont(medium);
+  state_->setWordWrap(true);
   plot_->setObjectName("forcePlot");
   auto* figures = new QHBoxLayout;
   figures->addWidget(force_);
@@ -59,7 +38,9 @@ ForcePanel::ForcePanel(QWidget* parent)
 void ForcePanel::display(const haptics::Snapshot& snapshot) {
   force_->setText(tr("%1 N").arg(snapshot.felt_W.force.norm(), 0, 'f', 2));
   torque_->setText(tr("%1 mN·m").arg(snapshot.felt_W.torque.norm() * 1000.0, 0, 'f', 0));
-  state_->setText(wordsFor(snapshot.force_state, snapshot.reason));
+  const QString why = sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
+  const QString state = tr("Force: %1").arg(nameOf(snapshot.force_state).toLower());
+  state_->setText(why.isEmpty() ? state : tr("%1. %2").arg(state, why));
 }
 
 }  // namespace ui

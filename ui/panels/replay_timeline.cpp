@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/panels/force_words.h"
 #include "ui/panels/time_words.h"
 
 namespace ui {
@@ -91,11 +92,9 @@ QString wordsOf(const ReplayMark& mark) {
   QString text = ReplayTimeline::tr("%1  %2").arg(
       clockTime(mark.time, 3), words == nullptr ? mark.kind : ReplayTimeline::tr(words->words));
   if (mark.kind == QLatin1String("force") && mark.value) {
-    const std::array<QString, 4> states{ReplayTimeline::tr("off"), ReplayTimeline::tr("rising"),
-                                        ReplayTimeline::tr("on"), ReplayTimeline::tr("recovering")};
     const double state = *mark.value;
-    if (state >= 0.0 && state < static_cast<double>(states.size()))
-      return text + ' ' + states[static_cast<std::size_t>(state)];
+    if (state >= 0.0 && state <= static_cast<double>(haptics::ForceState::Fault))
+      return text + ' ' + nameOf(static_cast<haptics::ForceState>(state)).toLower();
   }
   if (mark.value)
     text += QStringLiteral(" %1").arg(*mark.value, 0, 'g', 6) +

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/status_line.h"
 
+#include "ui/panels/force_words.h"
+
 namespace ui {
 namespace {
 
@@ -31,14 +33,15 @@ void StatusLine::display(const haptics::Snapshot& snapshot) {
                  .arg(snapshot.felt_W.force.norm(), 0, 'f', 2);
     return compose();
   }
-  servo_ = tr("Servo %1 Hz (%2), tick p99 %3 µs, late %4, missed %5 · %6 contacts · %7 N")
+  servo_ = tr("Force %1, %2 N · %3 contacts · servo %4 Hz (%5), tick p99 %6 µs, late %7, missed %8")
+               .arg(nameOf(snapshot.force_state).toLower())
+               .arg(snapshot.felt_W.force.norm(), 0, 'f', 2)
+               .arg(snapshot.contacts)
                .arg(snapshot.servo_rate, 0, 'f', 0)
                .arg(wordsFor(snapshot.policy))
                .arg(snapshot.tick_p99 * 1e6, 0, 'f', 0)
                .arg(snapshot.late_ticks)
-               .arg(snapshot.missed_ticks)
-               .arg(snapshot.contacts)
-               .arg(snapshot.felt_W.force.norm(), 0, 'f', 2);
+               .arg(snapshot.missed_ticks);
   compose();
 }
 

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/haptic_device_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSet>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeWidget>
+
+#include "ui/panels/force_words.h"
+#include "window_support.h"
+
+namespace {
+
+using haptics::ForceReason;
+using haptics::ForceState;
+using haptics::Trouble;
+using ui::DeviceLine;
+using ui::HapticDevicePanel;
+
+const QString kNotPlugged = "No SpaceMouse is plugged in; connect its cable or its receiver.";
+const QString kNoFirmware = "The Falcon has no firmware; name its maker's file.";
+
+QList<DeviceLine> someDevices() {
+  return {
+      {.id = "spacemouse",
+       .name = "3Dconnexion SpaceMouse",
+       .sensed = 6,
+       .trouble = Trouble::NotPluggedIn,
+       .why = kNotPlugged},
+      {.id = "falcon",
+       .name = "Novint Falcon",
+       .sensed = 3,
+       .actuated = 3,
+       .present = true,
+       .trouble = Trouble::NoFirmware,
+       .why = kNoFirmware},
+      {.id = "inverse3:1", .name = "Haply Inverse3", .sensed = 6, .actuated = 3, .present = true}};
+}
+
+class Shown {
+ public:
+  Shown() {
+    panel.show(someDevices());
+    window::showAndWait(panel, {330, 720});
+  }
+  template <class T>
+  T* find(const char* name) {
+    T* found = panel.findChild<T*>(name);
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  void select(int row) { list->setCurrentItem(list->topLevelItem(row)); }
+
+  HapticDevicePanel panel;
+  QTreeWidget* list = find<QTreeWidget>("deviceList");
+  QLabel* why = find<QLabel>("deviceWhy");
+  QPushButton* connect = find<QPushButton>("connectDevice");
+};
+
+TEST(HapticDevicePanel, WhatIsHereComesFirstAndWhatIsMissingIsGreyWithItsReasonAsText) {
+  Shown shown;
+  ASSERT_EQ(shown.list->topLevelItemCount(), 3);
+  EXPECT_EQ(shown.list->topLevelItem(0)->text(0), "Novint Falcon");
+  EXPECT_EQ(shown.list->topLevelItem(1)->text(0), "Haply Inverse3");
+  const QTreeWidgetItem* missing = shown.list->topLevelItem(2);
+  EXPECT_EQ(missing->text(0), "3Dconnexion SpaceMouse");
+  EXPECT_EQ(missing->text(1), "not plugged in");
+  EXPECT_NE(missing->foreground(0).color(), shown.list->palette().color(QPalette::Text));
+  EXPECT_EQ(missing->foreground(0).style(), Qt::SolidPattern);
+  EXPECT_EQ(shown.list->topLevelItem(1)->foreground(0).style(), Qt::NoBrush);
+  shown.select(2);
+  EXPECT_TRUE(shown.why->isVisible());
+  EXPECT_EQ(shown.why->text(), kNotPlugged);
+  EXPECT_FALSE(shown.connect->isEnabled());
+  window::keep(window::pictureOf(shown.panel), "haptic_device_missing");
+  shown.select(1);
+  EXPECT_FALSE(shown.why->isVisible());
+  EXPECT_TRUE(shown.connect->isEnabled());
+}
+
+TEST(HapticDevicePanel, EachTroubleHasItsWordsAndSentenceAndOnlySomeLetConnect) {
+  Shown shown;
+  QSet<QString> words;
+  for (int n = 1; n <= static_cast<int>(Trouble::Lost); ++n) {
+    const auto trouble = static_cast<Trouble>(n);
+    const QString sentence = QString("Sentence %1 <b>.").arg(n);
+    shown.panel.show(QList<DeviceLine>{{.id = "x",
+                                        .name = "X",
+                                        .sensed = 6,
+                                        .present = trouble != Trouble::NotPluggedIn,
+                                        .trouble = trouble,
+                                        .why = sentence}});
+    words << shown.list->topLevelItem(0)->text(1);
+    EXPECT_EQ(shown.why->text(), sentence);
+    EXPECT_EQ(shown.why->textFormat(), Qt::PlainText);
+    const bool user_sees_to_it = trouble == Trouble::NotHomed ||
+                                 trouble == Trouble::NeedsCalibration ||
+                                 trouble == Trouble::MotorsHot || trouble == Trouble::ForceOff;
+    EXPECT_EQ(shown.connect->isEnabled(), user_sees_to_it) << n;
+  }
+  EXPECT_EQ(words.size(), static_cast<int>(Trouble::Lost));
+}
+
+TEST(HapticDevicePanel, FirmwareIsAskedForOnlyWhereItIsMissing) {
+  Shown shown;
+  QSignalSpy wanted(&shown.panel, &HapticDevicePanel::connectWanted);
+  shown.select(0);
+  auto* firmware = shown.find<QLineEdit>("firmware");
+  EXPECT_TRUE(firmware->isVisible());
+  EXPECT_FALSE(shown.connect->isEnabled());
+  QTest::keyClicks(firmware, "/firmware of its maker");
+  ASSERT_TRUE(shown.connect->isEnabled());
+  window::keep(window::pictureOf(shown.panel), "haptic_device_firmware");
+  QTest::mouseClick(shown.connect, Qt::LeftButton);
+  ASSERT_EQ(wanted.size(), 1);
+  EXPECT_EQ(qvariant_cast<ui::DeviceWish>(wanted[0][0]),
+            (ui::DeviceWish{.id = "falcon", .firmware = "/firmware of its maker"}));
+  shown.select(1);
+  EXPECT_FALSE(firmware->isVisible());
+  QTest::mouseClick(shown.connect, Qt::LeftButton);
+  ASSERT_EQ(wanted.size(), 2);
+  EXPECT_EQ(qvariant_cast<ui::DeviceWish>(wanted[1][0]), (ui::DeviceWish{.id = "inverse3:1"}));
+}
+
+TEST(HapticDevicePanel, ADeviceWithoutRotationMayBeTurnedByAnother) {
+  Shown shown;
+  QSignalSpy wanted(&shown.panel, &HapticDevicePanel::connectWanted);
+  QList<DeviceLine> devices = someDevices();
+  devices[0].present = true;
+  devices[0].trouble = devices[1].trouble = Trouble::None;
+  shown.panel.show(devices);
+  auto* turned_by = shown.find<QComboBox>("turnedBy");
+  shown.select(2);
+  EXPECT_FALSE(turned_by->isVisible());  // an Inverse3 knows its rotation
+  shown.select(1);
+  ASSERT_TRUE(turned_by->isVisible());
+  EXPECT_EQ(turned_by->currentData().toString(), QString());
+  ASSERT_GE(turned_by->findData("spacemouse"), 0);
+  EXPECT_EQ(turned_by->findData("falcon"), -1);
+  turned_by->setCurrentIndex(turned_by->findData("spacemouse"));
+  // it is not forgotten while the list is told anew
+  shown.panel.show(devices);
+  QTest::mouseClick(shown.connect, Qt::LeftButton);
+  ASSERT_EQ(wanted.size(), 1);
+  EXPECT_EQ(qvariant_cast<ui::DeviceWish>(wanted[0][0]),
+            (ui::DeviceWish{.id = "falcon", .turned_by = "spacemouse"}));
+}
+
+TEST(HapticDevicePanel, ConnectingCanBeGivenUpAndConnectedBeEnded) {
+  Shown shown;
+  QSignalSpy ended(&shown.panel, &HapticDevicePanel::disconnectWanted);
+  shown.select(1);
+  shown.panel.showConnecting("Haply Inverse3");
+  auto* link = shown.find<QLabel>("deviceLink");
+  EXPECT_TRUE(link->text().contains("Haply Inverse3"));
+  EXPECT_EQ(shown.connect->text(), "Cancel");
+  QTest::mouseClick(shown.connect, Qt::LeftButton);
+  EXPECT_EQ(ended.size(), 1);
+  shown.panel.showConnected("inverse3:1");
+  EXPECT_EQ(shown.connect->text(), "Disconnect");
+  EXPECT_EQ(shown.list->topLevelItem(1)->text(1), "connected");
+  // that this program has it is no trouble to the user
+  QList<DeviceLine> devices = someDevices();
+  devices[2].trouble = Trouble::InUse;
+  devices[2].why = "Another program has it.";
+  shown.panel.show(devices);
+  EXPECT_EQ(shown.list->topLevelItem(1)->text(1), "connected");
+  EXPECT_FALSE(shown.why->isVisible());
+  QTest::mouseClick(shown.connect, Qt::LeftButton);
+  EXPECT_EQ(ended.size(), 2);
+  shown.panel.showDisconnected("It was unplugged.");
+  EXPECT_EQ(link->text(), "It was unplugged.");
+  EXPECT_TRUE(link->isVisible());
+}
+
+TEST(HapticDevicePanel, TheMappingIsSaidInWordsAndEachChangeIsToldOnce) {
+  Shown shown;
+  QSignalSpy changed(&shown.panel, &HapticDevicePanel::mappingChanged);
+  ui::Mapping mapping{.position_scale = 2.0, .force_scale = 0.5, .follow_camera = false};
+  shown.panel.show(mapping);
+  EXPECT_EQ(changed.size(), 0);
+  EXPECT_EQ(shown.find<QLabel>("positionScaleWords")->text(),
+            "1 mm of the hand is 2 mm in the scan.");
+  auto* scale = shown.find<QDoubleSpinBox>("positionScale");
+  scale->setValue(100.0);
+  EXPECT_EQ(scale->value(), 10.0);
+  scale->setValue(0.5);
+  shown.find<QCheckBox>("followCamera")->click();
+  shown.find<QCheckBox>("holdToRun")->click();
+  auto* clutch = shown.find<QComboBox>("clutchButton");
+  clutch->setFocus();
+  QTest::keyClick(clutch, Qt::Key_Down);
+  auto* hold = shown.find<QComboBox>("holdButton");
+  hold->setFocus();
+  QTest::keyClick(hold, Qt::Key_End);
+  ASSERT_EQ(changed.size(), 6);
+  EXPECT_EQ(qvariant_cast<ui::Mapping>(changed.last()[0]), (ui::Mapping{.position_scale = 0.5,
+                                                                        .force_scale = 0.5,
+                                                                        .follow_camera = true,
+                                                                        .clutch_button = 0,
+                                                                        .hold_to_run = true,
+                                                                        .hold_button = 7}));
+  EXPECT_EQ(clutch->count(), 9);
+  EXPECT_EQ(hold->currentText(), "button 8");
+}
+
+TEST(HapticDevicePanel, TheStiffnessIsShownAtBothEndsAndWhetherItIsCapped) {
+  Shown shown;
+  haptics::Settings wished;
+  wished.stiffness = 1'000.0;
+  wished.position_scale = 2.0;
+  wished.force_scale = 0.5;
+  auto* twice = shown.find<QLabel>("stiffnessTwice");
+  auto* capped = shown.find<QLabel>("stiffnessCapped");
+  shown.panel.showStiffness(wished, std::nullopt);
+  EXPECT_EQ(twice->text(), "1000 N/m at the hand\n1000 N/m in the scan");
+  EXPECT_FALSE(capped->isVisible());
+  // half the scale, half the stiffness at the hand
+  wished.position_scale = 1.0;
+  shown.panel.showStiffness(wished, std::nullopt);
+  EXPECT_EQ(twice->text(), "500 N/m at the hand\n1000 N/m in the scan");
+  // in force its force scale is taken into it: 3 x 2000 N/m are not rendered by 3000 N/m
+  wished = {};
+  wished.stiffness = 2'000.0;
+  wished.position_scale = 3.0;
+  haptics::Settings in_force = wished;
+  in_force.stiffness = 1'000.0;
+  shown.panel.showStiffness(wished, in_force);
+  EXPECT_EQ(twice->text(), "3000 N/m at the hand\n1000 N/m in the scan");
+  EXPECT_TRUE(capped->isVisible());
+  EXPECT_TRUE(capped->text().contains("6000 N/m")) << capped->text().toStdString();
+  in_force.stiffness = 2'000.0;
+  shown.panel.showStiffness(wished, in_force);
+  EXPECT_FALSE(capped->isVisible());
+}
+
+TEST(HapticDevicePanel, EachStateIsToldByAWordAColourAndWhy) {
+  Shown shown;
+  QSignalSpy armed(&shown.panel, &HapticDevicePanel::armWanted);
+  auto* state = shown.find<QLabel>("forceState");
+  auto* reason = shown.find<QLabel>("forceReason");
+  auto* arm = shown.find<QPushButton>("arm");
+  QSet<QString> words, colours;
+  const struct {
+    ForceState state;
+    ForceReason reason;
+    bool may_arm;
+    const char* word;
+    const char* sentence;
+  } cases[] = {
+      {ForceState::Off, ForceReason::NoReading, true, "OFF", "has not told"},
+      {ForceState::Ready, ForceReason::User, true, "READY", "Arm the device"},
+      {ForceState::Armed, ForceReason::Clutched, false, "ARMED", "clutch"},
+      {ForceState::Ramping, ForceReason::Gap, false, "RISING", "gap"},
+      {ForceState::On, ForceReason::User, false, "ON", ""},
+      {ForceState::Fault, ForceReason::Lost, true, "FAULT", "connect it again"},
+  };
+  for (const auto& c : cases) {
+    haptics::Snapshot snapshot;
+    snapshot.force_state = c.state;
+    snapshot.reason = c.reason;
+    shown.panel.display(snapshot);
+    EXPECT_EQ(state->text(), c.word);
+    EXPECT_TRUE(reason->text().contains(c.sentence)) << reason->text().toStdString();
+    EXPECT_EQ(reason->isVisible(), *c.sentence != '\0');
+    EXPECT_EQ(arm->isEnabled(), c.may_arm) << c.word;
+    words << state->text();
+    const QImage image = window::pictureOf(*state);
+    const QColor ground = image.pixelColor(3, 3);
+    colours << ground.name();
+    // red takes the force away, and nothing else; white is legible on it
+    EXPECT_LT(ground.red(), 0x90) << c.word;
+    EXPECT_LT(ground.lightness(), 0x80) << c.word;
+    window::keep(window::pictureOf(shown.panel), QString("haptic_device_%1").arg(c.word).toUtf8());
+  }
+  EXPECT_EQ(words.size(), 6);
+  EXPECT_EQ(colours.size(), 6);
+  QTest::mouseClick(arm, Qt::LeftButton);
+  EXPECT_EQ(armed.size(), 1);
+}
+
+TEST(HapticDevicePanel, EveryReasonAndWhatTheDeviceAsksForHaveASentence) {
+  QSet<QString> sentences;
+  for (int n = static_cast<int>(ForceReason::NoReading);
+       n <= static_cast<int>(ForceReason::Stalled); ++n) {
+    const QString sentence =
+        ui::sentenceFor(ForceState::Armed, static_cast<ForceReason>(n), Trouble::None);
+    EXPECT_FALSE(sentence.isEmpty()) << n;
+    sentences << sentence;
+  }
+  EXPECT_EQ(sentences.size(), static_cast<int>(ForceReason::Stalled) - 1);
+  EXPECT_TRUE(
+      ui::sentenceFor(ForceState::Off, ForceReason::NotHomed, Trouble::NotHomed).contains("stops"));
+  EXPECT_TRUE(
+      ui::sentenceFor(ForceState::On, ForceReason::User, Trouble::MotorsHot).contains("hot"));
+}
+
+TEST(HapticDevicePanel, WhatThePassivityGuardTookIsSaid) {
+  Shown shown;
+  auto* share = shown.find<QLabel>("stiffnessShare");
+  haptics::Snapshot snapshot;
+  shown.panel.display(snapshot);
+  EXPECT_FALSE(share->isVisible());
+  snapshot.stiffness_share = 0.42;
+  shown.panel.display(snapshot);
+  EXPECT_TRUE(share->isVisible());
+  EXPECT_TRUE(share->text().contains("42 %")) << share->text().toStdString();
+}
+
+}  // namespace

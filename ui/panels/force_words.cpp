@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/force_words.h"
+
+#include <QCoreApplication>
+
+namespace ui {
+namespace {
+
+using haptics::ForceReason;
+using haptics::ForceState;
+using haptics::Trouble;
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ui::ForceWords)
+};
+
+// why there is no force, without what to do about it
+QString whatHappened(ForceReason reason) {
+  switch (reason) {
+    case ForceReason::None:
+    case ForceReason::User:
+      return {};
+    case ForceReason::NoReading:
+      return Words::tr("The device has not told yet where it is.");
+    case ForceReason::NotHomed:
+      return Words::tr("The device does not know yet where it is.");
+    case ForceReason::Scene:
+      return Words::tr("There is something new to touch, or nothing yet.");
+    case ForceReason::Inside:
+      return Words::tr("The isovalue left the tool inside the solid; it is being brought out.");
+    case ForceReason::Clutched:
+      return Words::tr("The clutch is held.");
+    case ForceReason::NotHeld:
+      return Words::tr("The button or key that has to be held for a force is not down.");
+    case ForceReason::Gap:
+      return Words::tr("There was a gap in the servo loop.");
+    case ForceReason::TooFast:
+      return Words::tr("The handle moved faster than a hand does.");
+    case ForceReason::NotFinite:
+      return Words::tr("What was computed was not a number.");
+    case ForceReason::Stale:
+      return Words::tr("The device's readings came too late.");
+    case ForceReason::Lost:
+      return Words::tr("The device is gone, or silent.");
+    case ForceReason::Jump:
+      return Words::tr("The device's position jumped.");
+    case ForceReason::Stalled:
+      return Words::tr("The servo loop stood still.");
+  }
+  return {};
+}
+
+// what the device itself asks of the user
+QString whatToDo(Trouble trouble) {
+  switch (trouble) {
+    case Trouble::NotHomed:
+      return Words::tr("Move its handle to its stops: all the way out, then all the way in.");
+    case Trouble::NeedsCalibration:
+      return Words::tr("Put its stylus into the cradle, or calibrate it as its maker says.");
+    case Trouble::MotorsHot:
+      return Words::tr("Its motors are hot: let it rest for some minutes.");
+    case Trouble::ForceOff:
+      return Words::tr("It switched its force off: press its force button, or see its lamp.");
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+QString nameOf(ForceState state) {
+  switch (state) {
+    case ForceState::Off:
+      return Words::tr("Off");
+    case ForceState::Ready:
+      return Words::tr("Ready");
+    case ForceState::Armed:
+      return Words::tr("Armed");
+    case ForceState::Ramping:
+      return Words::tr("Rising");
+    case ForceState::On:
+      return Words::tr("On");
+    case ForceState::Fault:
+      return Words::tr("Fault");
+  }
+  return {};
+}
+
+QString sentenceFor(ForceState state, ForceReason reason, Trouble trouble) {
+  QStringList parts{state == ForceState::On ? QString{} : whatHappened(reason), whatToDo(trouble)};
+  if (state == ForceState::Ready) parts << Words::tr("Arm the device to feel a force.");
+  if (state == ForceState::Fault)
+    parts << (reason == ForceReason::Lost
+                  ? Words::tr("Plug it in, then disconnect it here and connect it again.")
+                  : Words::tr("Let the handle rest, then arm the device again."));
+  parts.removeAll(QString{});
+  return parts.join(' ');
+}
+
+QString colourOf(ForceState state) {
+  switch (state) {
+    case ForceState::Off:
+      return QStringLiteral("#555555");
+    case ForceState::Ready:
+      return QStringLiteral("#1f5fa8");
+    case ForceState::Armed:
+      return QStringLiteral("#5a3d99");
+    case ForceState::Ramping:
+      return QStringLiteral("#4a6b1a");
+    case ForceState::On:
+      return QStringLiteral("#1a6b2e");
+    case ForceState::Fault:
+      return QStringLiteral("#7a4a00");
+  }
+  return {};
+}
+
+}  // namespace ui

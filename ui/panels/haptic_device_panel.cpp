@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/haptic_device_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/force_words.h"
+
+namespace ui {
+namespace {
+
+using haptics::ForceState;
+using haptics::Trouble;
+
+enum Column { Name, State, kColumns };
+
+constexpr double kLeastScale = 0.1, kGreatestScale = 10.0;
+constexpr int kButtons = 8;
+constexpr int kListRows = 7;       // seen without scrolling
+constexpr double kCapped = 0.999;  // of what was wished: below it the rating is what counts
+
+QLabel* label(const char* name) {
+  auto* made = new QLabel;
+  made->setObjectName(name);
+  // what a device calls itself is no markup
+  made->setTextFormat(Qt::PlainText);
+  made->setWordWrap(true);
+  return made;
+}
+
+QString wordsFor(const DeviceLine& device) {
+  switch (device.trouble) {
+    case Trouble::None:
+      return device.present ? HapticDevicePanel::tr("here") : HapticDevicePanel::tr("not here");
+    case Trouble::NotPluggedIn:
+      return HapticDevicePanel::tr("not plugged in");
+    case Trouble::NoPermission:
+      return HapticDevicePanel::tr("not permitted");
+    case Trouble::NoLibrary:
+      return HapticDevicePanel::tr("library missing");
+    case Trouble::NoService:
+      return HapticDevicePanel::tr("service missing");
+    case Trouble::InUse:
+      return HapticDevicePanel::tr("in use");
+    case Trouble::NoFirmware:
+      return HapticDevicePanel::tr("needs firmware");
+    case Trouble::NotHomed:
+      return HapticDevicePanel::tr("needs homing");
+    case Trouble::NeedsCalibration:
+      return HapticDevicePanel::tr("needs calibration");
+    case Trouble::MotorsHot:
+      return HapticDevicePanel::tr("motors hot");
+    case Trouble::ForceOff:
+      return HapticDevicePanel::tr("force switched off");
+    case Trouble::Refused:
+      return HapticDevicePanel::tr("not understood");
+    case Trouble::Lost:
+      return HapticDevicePanel::tr("gone");
+  }
+  return {};
+}
+
+// what the user sees to once it is connected, or names before
+bool canConnect(const DeviceLine& device, bool firmware_named) {
+  switch (device.trouble) {
+    case Trouble::None:
+    case Trouble::NotHomed:
+    case Trouble::NeedsCalibration:
+    case Trouble::MotorsHot:
+    case Trouble::ForceOff:
+      return device.present;
+    case Trouble::NoFirmware:
+      return device.present && firmware_named;
+    default:
+      return false;
+  }
+}
+
+QDoubleSpinBox* scaleBox(const char* name) {
+  auto* box = new QDoubleSpinBox;
+  box->setObjectName(name);
+  box->setRange(kLeastScale, kGreatestScale);
+  box->setDecimals(2);
+  box->setSingleStep(0.1);
+  box->setValue(1.0);
+  box->setKeyboardTracking(false);
+  return box;
+}
+
+QComboBox* buttonBox(const char* name, const QString& none) {
+  auto* box = new QComboBox;
+  box->setObjectName(name);
+  box->addItem(none, -1);
+  for (int n = 0; n < kButtons; ++n) box->addItem(HapticDevicePanel::tr("button %1").arg(n + 1), n);
+  return box;
+}
+
+QString shownNumber(double value) { return QString::number(value, 'g', 5); }
+
+}  // namespace
+
+HapticDevicePanel::HapticDevicePanel(QWidget* parent)
+    : QWidget(parent),
+      list_(new QTreeWidget),
+      why_(label("deviceWhy")),
+      firmware_row_(new QWidget),
+      firmware_(new QLineEdit),
+      turned_row_(new QWidget),
+      turned_by_(new QComboBox),
+      connect_(new QPushButton),
+      link_words_(label("deviceLink")),
+      arm_(new QPushButton),
+      state_(label("forceState")),
+      reason_(label("forceReason")),
+      share_(label("stiffnessShare")),
+      position_scale_(scaleBox("positionScale")),
+      position_words_(label("positionScaleWords")),
+      force_scale_(scaleBox("forceScale")),
+      follow_camera_(new QCheckBox(tr("Follow the camera"))),
+      clutch_button_(buttonBox("clutchButton", tr("key C only"))),
+      hold_to_run_(new QCheckBox(tr("Force only while held"))),
+      hold_button_(buttonBox("holdButton", tr("key H only"))),
+      stiffness_(label("stiffnessTwice")),
+      capped_(label("stiffnessCapped")) {
+  auto* inside = new QWidget;
+  auto* column = new QVBoxLayout(inside);
+  column->addWidget(buildForce());
+  column->addWidget(buildList());
+  column->addWidget(buildMapping());
+  column->addStretch(1);
+  // the dock may be lower than all this
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(inside);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(inside->minimumSizeHint().width() +
+                          scroll->verticalScrollBar()->sizeHint().width());
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(scroll);
+  setFocusProxy(list_);
+  show(Mapping{});
+  showStiffness({}, std::nullopt);
+  showDisconnected({});
+  display({});
+}
+
+QWidget* HapticDevicePanel::buildForce() {
+  arm_->setObjectName("arm");
+  arm_->setText(tr("Arm"));
+  arm_->setMinimumHeight(40);
+  arm_->setToolTip(
+      tr("The motors may push from now on: hold the handle. Escape, Space in the 3-D view and the "
+         "red button take the force away."));
+  state_->setAlignment(Qt::AlignCenter);
+  state_->setMinimumWidth(80);
+  QFont bold = arm_->font();
+  bold.setBold(true);
+  arm_->setFont(bold);
+  state_->setFont(bold);
+  connect(arm_, &QPushButton::clicked, this, &HapticDevicePanel::armWanted);
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
+  row->addWidget(arm_, 1);
+  row->addWidget(state_, 1);
+  column->addLayout(row);
+  column->addWidget(reason_);
+  column->addWidget(share_);
+  return box;
+}
+
+QWidget* HapticDevicePanel::buildList() {
+  list_->setObjectName("deviceList");
+  list_->setAccessibleName(tr("Haptic devices"));
+  list_->setColumnCount(kColumns);
+  list_->setHeaderLabels({tr("Device"), tr("State")});
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(State, QHeaderView::ResizeToContents);
+  list_->header()->setStretchLastSection(false);
+  list_->setMinimumHeight(list_->fontMetrics().height() * (kListRows + 2));
+  why_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  connect(list_, &QTreeWidget::itemSelectionChanged, this, &HapticDevicePanel::showSelected);
+
+  firmware_->setObjectName("firmware");
+  firmware_->setPlaceholderText(tr("Its maker's firmware file"));
+  firmware_->setAccessibleName(tr("Firmware file"));
+  auto* choose = new QToolButton;
+  choose->setObjectName("chooseFirmware");
+  choose->setText(tr("Choose…"));
+  connect(choose, &QToolButton::clicked, this, &HapticDevicePanel::chooseFirmware);
+  connect(firmware_, &QLineEdit::textChanged, this, &HapticDevicePanel::showSelected);
+  auto* firmware = new QHBoxLayout(firmware_row_);
+  firmware->setContentsMargins(0, 0, 0, 0);
+  firmware->addWidget(firmware_, 1);
+  firmware->addWidget(choose);
+
+  turned_by_->setObjectName("turnedBy");
+  auto* turned = new QHBoxLayout(turned_row_);
+  turned->setContentsMargins(0, 0, 0, 0);
+  turned->addWidget(new QLabel(tr("Rotation")));
+  turned->addWidget(turned_by_, 1);
+
+  connect_->setObjectName("connectDevice");
+  connect(connect_, &QPushButton::clicked, this, &HapticDevicePanel::connectSelected);
+  auto* again = new QPushButton(tr("Look again"));
+  again->setObjectName("lookAgain");
+  connect(again, &QPushButton::clicked, this, &HapticDevicePanel::surveyWanted);
+  auto* row = new QHBoxLayout;
+  row->addWidget(connect_, 1);
+  row->addWidget(again);
+
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(list_);
+  column->addWidget(why_);
+  column->addWidget(firmware_row_);
+  column->addWidget(turned_row_);
+  column->addLayout(row);
+  column->addWidget(link_words_);
+  return box;
+}
+
+QGroupBox* HapticDevicePanel::buildMapping() {
+  auto* box = new QGroupBox(tr("From the hand to the scan"));
+  follow_camera_->setObjectName("followCamera");
+  follow_camera_->setToolTip(
+      tr("Right, up and towards you are the picture's; without it they stay as they are now."));
+  hold_to_run_->setObjectName("holdToRun");
+  hold_to_run_->setToolTip(tr("Force only while this button, or H in the 3-D view, is held down."));
+  force_scale_->setToolTip(tr("Newtons at the hand for a newton in the scan"));
+  auto* form = new QFormLayout(box);
+  form->addRow(tr("Motion scale"), position_scale_);
+  form->addRow(position_words_);
+  form->addRow(tr("Force scale"), force_scale_);
+  form->addRow(tr("Stiffness"), stiffness_);
+  form->addRow(capped_);
+  form->addRow(follow_camera_);
+  form->addRow(tr("Clutch"), clutch_button_);
+  form->addRow(hold_to_run_);
+  form->addRow(tr("Held by"), hold_button_);
+
+  const auto changed = [this] { changeMapping(); };
+  connect(position_scale_, &QDoubleSpinBox::valueChanged, this, changed);
+  connect(force_scale_, &QDoubleSpinBox::valueChanged, this, changed);
+  connect(follow_camera_, &QCheckBox::toggled, this, changed);
+  connect(clutch_button_, &QComboBox::activated, this, changed);
+  connect(hold_to_run_, &QCheckBox::toggled, this, changed);
+  connect(hold_button_, &QComboBox::activated, this, changed);
+  return box;
+}
+
+void HapticDevicePanel::show(const QList<DeviceLine>& devices) {
+  const DeviceLine* before = selected();
+  const QString kept = before != nullptr ? before->id : connected_;
+  devices_ = devices;
+  std::ranges::stable_partition(devices_, &DeviceLine::present);
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (const DeviceLine& device : devices_) {
+      const bool mine = link_ == Link::Connected && device.id == connected_;
+      auto* line = new QTreeWidgetItem({device.name, mine ? tr("connected") : wordsFor(device)});
+      line->setToolTip(Name, device.why.toHtmlEscaped());
+      if (!device.present)
+        for (int c = 0; c < kColumns; ++c)
+          line->setForeground(c, palette().brush(QPalette::Disabled, QPalette::Text));
+      list_->addTopLevelItem(line);
+      if (device.id == kept) list_->setCurrentItem(line);
+    }
+    if (list_->currentItem() == nullptr && list_->topLevelItemCount() > 0)
+      list_->setCurrentItem(list_->topLevelItem(0));
+  }
+  showSelected();
+}
+
+const DeviceLine* HapticDevicePanel::selected() const {
+  const auto row = list_->indexOfTopLevelItem(list_->currentItem());
+  return row < 0 || row >= devices_.size() ? nullptr : &devices_[row];
+}
+
+void HapticDevicePanel::showSelected() {
+  const DeviceLine* device = selected();
+  const bool mine = device != nullptr && link_ == Link::Connected && device->id == connected_;
+  why_->setText(device != nullptr && !mine ? device->why : QString{});
+  why_->setVisible(!why_->text().isEmpty());
+  const bool free = link_ == Link::None;
+  firmware_row_->setVisible(free && device != nullptr && device->trouble == Trouble::NoFirmware);
+  turned_row_->setVisible(free && device != nullptr && device->sensed == 3);
+  if (free) listTurners(device);
+  if (link_ == Link::Connecting)
+    connect_->setText(tr("Cancel"));
+  else
+    connect_->setText(free ? tr("Connect") : tr("Disconnect"));
+  connect_->setEnabled(
+      !free || (device != nullptr && canConnect(*device, !firmware_->text().trimmed().isEmpty())));
+}
+
+void HapticDevicePanel::listTurners(const DeviceLine* device) {
+  const QString kept = turned_by_->currentData().toString();
+  turned_by_->clear();
+  turned_by_->addItem(tr("held as it is"), QString());
+  for (const DeviceLine& other : devices_)
+    if (device != nullptr && other.id != device->id && other.sensed >= 6 &&
+        canConnect(other, false))
+      turned_by_->addItem(other.name, other.id);
+  turned_by_->setCurrentIndex(std::max(0, turned_by_->findData(kept)));
+}
+
+void HapticDevicePanel::chooseFirmware() {
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Firmware of the device"), {}, tr("All files (*)"),
+                                   nullptr, QFileDialog::DontUseNativeDialog);
+  if (!path.isEmpty()) firmware_->setText(path);
+}
+
+void HapticDevicePanel::connectSelected() {
+  if (link_ != Link::None) return void(emit disconnectWanted());
+  const DeviceLine* device = selected();
+  if (device == nullptr) return;
+  DeviceWish wish{.id = device->id};
+  if (device->trouble == Trouble::NoFirmware) wish.firmware = firmware_->text().trimmed();
+  if (device->sensed == 3) wish.turned_by = turned_by_->currentData().toString();
+  emit connectWanted(wish);
+}
+
+void HapticDevicePanel::showConnecting(const QString& name) {
+  link_ = Link::Connecting;
+  link_words_->setText(tr("Connecting %1…").arg(name));
+  link_words_->show();
+  showSelected();
+}
+
+void HapticDevicePanel::showConnected(const QString& id) {
+  link_ = Link::Connected;
+  connected_ = id;
+  link_words_->hide();
+  show(QList<DeviceLine>{devices_});
+}
+
+void HapticDevicePanel::showDisconnected(const QString& why) {
+  link_ = Link::None;
+  connected_.clear();
+  link_words_->setText(why);
+  link_words_->setVisible(!why.isEmpty());
+  show(QList<DeviceLine>{devices_});
+}
+
+void HapticDevicePanel::show(const Mapping& mapping) {
+  mapping_ = mapping;
+  const QSignalBlocker quiet[] = {QSignalBlocker(position_scale_), QSignalBlocker(force_scale_),
+                                  QSignalBlocker(follow_camera_), QSignalBlocker(hold_to_run_)};
+  position_scale_->setValue(mapping.position_scale);
+  force_scale_->setValue(mapping.force_scale);
+  follow_camera_->setChecked(mapping.follow_camera);
+  clutch_button_->setCurrentIndex(std::max(0, clutch_button_->findData(mapping.clutch_button)));
+  hold_to_run_->setChecked(mapping.hold_to_run);
+  hold_button_->setCurrentIndex(std::max(0, hold_button_->findData(mapping.hold_button)));
+  showMappingWords();
+}
+
+void HapticDevicePanel::changeMapping() {
+  mapping_ = {.position_scale = position_scale_->value(),
+              .force_scale = force_scale_->value(),
+              .follow_camera = follow_camera_->isChecked(),
+              .clutch_button = clutch_button_->currentData().toInt(),
+              .hold_to_run = hold_to_run_->isChecked(),
+              .hold_button = hold_button_->currentData().toInt()};
+  showMappingWords();
+  emit mappingChanged(mapping_);
+}
+
+void HapticDevicePanel::showMappingWords() {
+  position_words_->setText(
+      tr("1 mm of the hand is %1 mm in the scan.").arg(shownNumber(mapping_.position_scale)));
+  hold_button_->setEnabled(mapping_.hold_to_run);
+}
+
+void HapticDevicePanel::showStiffness(const haptics::Settings& wished,
+                                      const std::optional<haptics::Settings>& in_force) {
+  // the same spring, seen from either end
+  const double wished_at_hand = wished.stiffness * wished.force_scale * wished.position_scale;
+  const double at_hand = in_force ? in_force->stiffness * in_force->position_scale : wished_at_hand;
+  const double in_scan = at_hand / (wished.force_scale * wished.position_scale);
+  const QString twice = tr("%1 N/m at the hand\n%2 N/m in the scan")
+                            .arg(shownNumber(std::round(at_hand)))
+                            .arg(shownNumber(std::round(in_scan)));
+  // sixty times a second: what has not changed is not set anew
+  if (stiffness_->text() != twice) stiffness_->setText(twice);
+  const QString capped = at_hand < kCapped * wished_at_hand
+                             ? tr("The device's rating caps it: %1 N/m at the hand were asked for.")
+                                   .arg(shownNumber(std::round(wished_at_hand)))
+                             : QString{};
+  if (capped_->text() != capped) capped_->setText(capped);
+  capped_->setVisible(!capped.isEmpty());
+}
+
+void HapticDevicePanel::display(const haptics::Snapshot& snapshot) {
+  const QString share =
+      snapshot.stiffness_share < kCapped
+          ? tr("The stiffness is lowered to %1 % for now: the hand and the device shook.")
+                .arg(std::round(snapshot.stiffness_share * 100.0))
+          : QString{};
+  if (share_->text() != share) share_->setText(share);
+  share_->setVisible(!share.isEmpty());
+  const QString sentence = sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
+  if (reason_->text() != sentence) reason_->setText(sentence);
+  reason_->setVisible(!sentence.isEmpty());
+  if (shown_state_ == snapshot.force_state) return;
+  shown_state_ = snapshot.force_state;
+  state_->setText(nameOf(snapshot.force_state).toUpper());
+  state_->setStyleSheet(QStringLiteral("background: %1; color: white; padding: 8px;")
+                            .arg(colourOf(snapshot.force_state)));
+  const bool waits = snapshot.force_state == ForceState::Ready ||
+                     snapshot.force_state == ForceState::Fault ||
+                     snapshot.force_state == ForceState::Off;
+  arm_->setEnabled(waits);
+}
+
+void HapticDevicePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  emit seen(true);
+}
+
+void HapticDevicePanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  emit seen(false);
+}
+
+}  // namespace ui

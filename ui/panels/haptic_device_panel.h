@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QWidget>
+#include <optional>
+
+#include "haptics/core/trouble.h"
+#include "haptics/settings.h"
+#include "haptics/snapshot.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QGroupBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+
+namespace ui {
+
+/// A haptic device, as the list shows it.
+struct DeviceLine {
+  QString id;
+  QString name;
+  int sensed = 0, actuated = 0;  ///< degrees of freedom
+  bool present = false;
+  haptics::Trouble trouble = haptics::Trouble::None;  ///< None: it can be connected
+  QString why = {};                                   ///< a sentence; or empty
+  double force = 0.0;      ///< N, the most that its maker rates it at; 0: not known, or no motors
+  double stiffness = 0.0;  ///< N/m, likewise
+
+  bool operator==(const DeviceLine&) const = default;
+};
+
+/// What the user wants connected.
+struct DeviceWish {
+  QString id;
+  QString firmware = {};  ///< its maker's firmware: a path, or empty
+  QString turned_by =
+      {};  ///< id of the device that turns the tool; empty: its own rotation, or none
+
+  bool operator==(const DeviceWish&) const = default;
+};
+
+/// How the hand at the device moves the tool in the volume. Buttons count from 0, -1 is none.
+struct Mapping {
+  double position_scale = 1.0;  ///< m in the volume per m of the hand
+  double force_scale = 1.0;     ///< N at the hand per N in the volume
+  bool follow_camera = true;    ///< the hand's right, up and near are the picture's
+  int clutch_button = -1;       ///< while it is down the tool stays
+  bool hold_to_run = false;     ///< force only while hold_button or the key H is down
+  int hold_button = -1;
+
+  bool operator==(const Mapping&) const = default;
+};
+
+/// Which haptic device is connected, how its motion is taken to the volume, and what stands between
+/// the computed force and its motors.
+class HapticDevicePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit HapticDevicePanel(QWidget* parent = nullptr);
+
+  /// All devices, in this order, those that are here first; what was selected stays so.
+  void show(const QList<DeviceLine>& devices);
+  using QWidget::show;
+  /// What is being connected, is connected, or is no longer: `why` is a sentence, or empty.
+  void showConnecting(const QString& name);
+  void showConnected(const QString& id);
+  void showDisconnected(const QString& why);
+  void show(const Mapping& mapping);
+  /// What was set, and what it came to under the rating of the device that is connected.
+  void showStiffness(const haptics::Settings& wished,
+                     const std::optional<haptics::Settings>& in_force);
+  /// The state of the force, at display rate.
+  void display(const haptics::Snapshot& snapshot);
+
+ signals:
+  /// It became visible, or is so no more.
+  void seen(bool visible);
+  void surveyWanted();
+  void connectWanted(const ui::DeviceWish& wish);
+  /// Also: what is being connected is to be given up.
+  void disconnectWanted();
+  void mappingChanged(const ui::Mapping& mapping);
+  void armWanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  enum class Link { None, Connecting, Connected };
+
+  QWidget* buildList();
+  QWidget* buildForce();
+  QGroupBox* buildMapping();
+  const DeviceLine* selected() const;
+  void showSelected();
+  void listTurners(const DeviceLine* device);
+  void chooseFirmware();
+  void connectSelected();
+  void changeMapping();
+  void showMappingWords();
+
+  QTreeWidget* list_;
+  QLabel* why_;
+  QWidget* firmware_row_;
+  QLineEdit* firmware_;
+  QWidget* turned_row_;
+  QComboBox* turned_by_;
+  QPushButton* connect_;
+  QLabel* link_words_;
+  QPushButton* arm_;
+  QLabel* state_;
+  QLabel* reason_;
+  QLabel* share_;
+  QDoubleSpinBox* position_scale_;
+  QLabel* position_words_;
+  QDoubleSpinBox* force_scale_;
+  QCheckBox* follow_camera_;
+  QComboBox* clutch_button_;
+  QCheckBox* hold_to_run_;
+  QComboBox* hold_button_;
+  QLabel* stiffness_;
+  QLabel* capped_;
+  QList<DeviceLine> devices_;
+  Link link_ = Link::None;
+  QString connected_;  ///< id
+  Mapping mapping_;
+  std::optional<haptics::ForceState> shown_state_;
+};
+
+}  // namespace ui
