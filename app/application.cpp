@@ -69,6 +69,7 @@ Application::Application(Arguments arguments)
       preferences_(loadPreferences()),
       loader_(arguments_.free_memory),
       hand_(arguments_.hand),
+      watch_(arguments_.devices),
       recordings_(arguments_.recordings),
       recording_(session_, recordings_, identity_),
       samples_(kSamplesAtOnce),
@@ -94,6 +95,7 @@ Application::Application(Arguments arguments)
   connectMeasurement();
   connectRecording();
   connectExport();
+  connectDevices();
   display_.setInterval(kDisplayMs);
   display_.setTimerType(Qt::PreciseTimer);
   connect(&display_, &QTimer::timeout, this, &Application::refresh);
@@ -218,9 +220,10 @@ void Application::adopt(const Loaded& loaded) {
   if (!loaded.note.isEmpty()) window_.showMessage(loaded.note);
   // with another tool the isovalue is the slider's, which may have moved meanwhile
   if (new_volume) settings_.isovalue = loaded.isovalue;
-  // a simulated hand aims at its scene, so a new one needs a new hand; the mouse goes on
+  // a simulated hand aims at its scene, so a new one needs a new hand; what the user holds goes on
   recording_.describe(loaded.scene, loaded.tool.file ? std::string{} : loaded.tool.name);
-  const bool live = session_.isOpen() && handNamed(hand_) == HandKind::Mouse;
+  const bool mouse = handNamed(hand_) == HandKind::Mouse;
+  const bool live = session_.isOpen() && (mouse || connected_);
   if (!live) {
     session_.close();
     session_.set(settings_);
@@ -230,7 +233,7 @@ void Application::adopt(const Loaded& loaded) {
     if (!new_volume && placed)
       start = haptics::legalPoseNear(*loaded.scene, settings_.isovalue, snapshot_.X_WP);
     // the hand comes along where the tool starts elsewhere
-    if (!start) {
+    if (!start && mouse) {
       session_.pull(loaded.start);
       window_.view().setMouseHand(true);
     }
@@ -285,18 +288,24 @@ bool Application::openHand(const std::string& name) {
   const auto opened = session_.open(hand->kind);
   if (!opened) {
     window_.showMessage(QString::fromStdString(opened.error().what));
-    window_.devicePanel().showHand(QString::fromStdString(hand_));
+    window_.devicePanel().showHand(QString::fromStdString(hand_), hand_label_);
     return false;
   }
-  endMeasuring(tr("The measurement was cancelled: another hand took the device."));
-  snapshot_ = {};  // of the new loop nothing is known yet, and its counts begin at zero
-  window_.view().setMouseHand(hand->kind == HandKind::Mouse);
-  hand_ = name;
-  recording_.note("hand", QString::fromStdString(name));
+  forgetDevice(tr("Another hand was chosen: the device was disconnected."));
+  showHand(name, tr(hand->label), hand->kind == HandKind::Mouse);
   // a simulated hand aims where it likes: show where
   look_from_tool_ = hand->kind != HandKind::Mouse;
-  window_.showHandInUse(hand->id, tr(hand->label));
   return true;
+}
+
+void Application::showHand(const std::string& id, const QString& label, bool is_mouse) {
+  endMeasuring(tr("The measurement was cancelled: another hand took the device."));
+  snapshot_ = {};  // of the new loop nothing is known yet, and its counts begin at zero
+  window_.view().setMouseHand(is_mouse);
+  hand_ = id;
+  hand_label_ = label;
+  recording_.note("hand", QString::fromStdString(id));
+  window_.showHandInUse(QString::fromStdString(id), label);
 }
 
 void Application::changeTool(const ToolSource& tool) {
@@ -336,8 +345,10 @@ void Application::refresh() {
     window_.appendForces(std::span{points_}.first(count));
     if (count < samples_.size()) break;
   }
+  tellOfForce();
   // poses of the old scene would mislead in the new one
-  if (!session_.latest(snapshot_) || !shown_ || snapshot_.scene != shown_->scene->id) return;
+  if (!session_.latest(snapshot_) || !shown_) return;
+  if (snapshot_.scene != shown_->scene->id) return window_.displayForce(snapshot_);
   window_.display(snapshot_);
   if (look_from_tool_) {
     look_from_tool_ = false;

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/device_watch.h"
 #include "app/export_task.h"
 #include "app/loader.h"
 #include "app/measurement.h"
@@ -22,6 +23,7 @@
 #include "datasets/readers/refusal.h"
 #include "haptics/session.h"
 #include "ui/main_window.h"
+#include "ui/panels/haptic_device_panel.h"
 
 namespace ui {
 class SeriesBrowser;
@@ -38,6 +40,7 @@ struct Arguments {
   double screenshot_after = 3.0;  ///< s of running with a scene
   bool notice = true;
   std::function<double()> free_memory = datasets::freeMemory;  ///< bytes; any thread
+  DeviceCatalogue devices = builtInCatalogue();
   std::filesystem::path recordings = {};  ///< where sessions are kept; empty: the user's folder
 };
 
@@ -79,6 +82,7 @@ class Application : public QObject {
   void connectChoosing();
   void connectLoader();
   void connectMeasurement();
+  void connectDevices();
   void connectRecording();
   void showRecordings();
   void offerRecovery();
@@ -109,6 +113,15 @@ class Application : public QObject {
   bool offerPart(LoadRequest request, const QString& why);
   /// False, with the reason in the window, if the hand that was open goes on.
   bool openHand(const std::string& name);
+  void showHand(const std::string& id, const QString& label, bool is_mouse);
+  QString nameOfDevice(const QString& id) const;
+  void watchDevices();
+  void takeDevice(const ui::DeviceWish& wish, const DeviceWatch::Opened& device);
+  void letGoOfDevice(const QString& why);
+  void forgetDevice(const QString& why);
+  void handleDevice();
+  void tellOfForce();
+  void tellOfFault(haptics::ForceReason why);
   void changeTool(const ToolSource& tool);
   void changeField(const QString& id);
   void showField();
@@ -136,7 +149,14 @@ class Application : public QObject {
   std::optional<Loaded> shown_;
   haptics::SceneOptions options_;  ///< of the next scene
   QTimer field_rest_;              ///< since the isovalue last moved
-  std::string hand_;
+  std::string hand_;               ///< which holds the device: one of ours, or a device's id
+  QString hand_label_;
+  DeviceWatch watch_;
+  QList<ui::DeviceLine> devices_;
+  std::optional<ui::DeviceWish> connected_;  ///< the real device that is open
+  bool devices_seen_ = false;
+  ui::Mapping mapping_;
+  haptics::Handling handling_;
   bool look_from_tool_ = false;  ///< at the next snapshot
   Recordings recordings_;
   VolumeIdentity identity_;

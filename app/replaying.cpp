@@ -137,6 +137,7 @@ void Application::openRecording(const std::filesystem::path& path) {
   recording_.stop();
   endMeasuring(tr("The measurement was cancelled: a recording is being replayed."));
   // the hand lets go: what is seen is what was
+  forgetDevice(tr("A recording was opened: the device was disconnected."));
   session_.close();
   replay_ = std::move(*opened);
   replayed_scene_.reset();

@@ -12,6 +12,8 @@ file(WRITE ${SCRATCH}/ui/planted.h "#include \"haptics/snapshot.h\"\n#include \"
 file(WRITE ${SCRATCH}/datasets/phantoms/planted.cpp "#include <vtkImageData.h>\n")
 file(WRITE ${SCRATCH}/datasets/readers/fine.cpp "#include <vtkImageData.h>\n")
 file(WRITE ${SCRATCH}/app/planted.cpp "#include \"haptics/collision/sweep.h\"\n")
+file(WRITE ${SCRATCH}/app/driven.cpp
+     "#include \"haptics/devices/catalogue.h\"\n#include \"haptics/devices/threaded.h\"\n")
 file(WRITE ${SCRATCH}/app/cli/fine.cpp "#include \"haptics/collision/sweep.h\"\n")
 file(WRITE ${SCRATCH}/resources/planted.cpp "#include \"app/application.h\"\n")
 file(WRITE ${SCRATCH}/haptics/tool/planted.cpp "#include \"../core/error.h\"\n")
@@ -21,8 +23,8 @@ execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${SCRATCH} -P ${RULES}
 set(said "${said}${complained}")
 set(expected
   "haptics/field/planted.cpp:3:" "haptics/solver/planted.h:2:" "haptics/devices/planted.cpp:2:"
-  "ui/planted.h:2:" "datasets/phantoms/planted.cpp:1:" "app/planted.cpp:1:"
-  "resources/planted.cpp:1:" "haptics/tool/planted.cpp:1:" "8 includes point")
+  "ui/planted.h:2:" "datasets/phantoms/planted.cpp:1:" "app/planted.cpp:1:" "app/driven.cpp:2:"
+  "resources/planted.cpp:1:" "haptics/tool/planted.cpp:1:" "9 includes point")
 foreach(violation IN LISTS expected)
   string(FIND "${said}" "${violation}" at)
   if(at EQUAL -1)

@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeWidget>
+#include <thread>
+
+#include "app/application.h"
+#include "hand_device.h"
+#include "ui/volume_view.h"
+#include "window_support.h"
+
+namespace {
+
+using haptics::DeviceStatus;
+using haptics::ForceState;
+using haptics::Trouble;
+using haptics::Vec3;
+using window::HandDevice;
+using window::Handle;
+
+constexpr double kLong = 60.0;    // s: far more than anything takes on a machine that is busy
+constexpr double kDepth = 0.004;  // m beyond the surface, at which the Falcon's 8 N are reached
+constexpr double kMoved = 2e-5;   // m
+
+/// What the test has plugged in, and how it answers.
+struct Bench {
+  std::shared_ptr<Handle> handle = std::make_shared<Handle>();
+  std::atomic<bool> plugged{true};
+  std::atomic<int> opening_ms{0};
+  std::atomic<Trouble> refusing{Trouble::None};
+
+  app::DeviceCatalogue catalogue() {
+    return {.survey =
+                [this] {
+                  haptics::DeviceEntry falcon{
+                      .id = "falcon", .name = "Novint Falcon", .sensed = 3, .actuated = 3};
+                  falcon.present = plugged;
+                  if (!plugged) {
+                    falcon.trouble = Trouble::NotPluggedIn;
+                    falcon.why = "No Falcon is plugged in; connect its cable.";
+                  }
+                  return std::vector{falcon};
+                },
+            .open = [this](const haptics::OpenRequest&)
+                -> haptics::Expected<std::unique_ptr<haptics::Device>> {
+              std::this_thread::sleep_for(std::chrono::milliseconds(opening_ms));
+              if (refusing != Trouble::None) {
+                const std::string word{haptics::wordOf(refusing)};
+                return tl::unexpected(haptics::Error{haptics::Error::Kind::Unsupported,
+                                                     "Refused: " + word + ".", word});
+              }
+              return std::make_unique<HandDevice>(handle);
+            },
+            .join = [](auto moved, auto) { return moved; }};
+  }
+};
+
+bool waitFor(const std::function<bool()>& done, double seconds = kLong) {
+  for (int i = 0; i < seconds * 100.0 && !done(); ++i) QTest::qWait(10);
+  return done();
+}
+
+/// The whole application on the sphere, with a fake Falcon in its catalogue and the panel in view.
+class Session {
+ public:
+  explicit Session(Bench& bench) : bench_(bench), application(arguments(bench)) {
+    application.start();
+    EXPECT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
+    for (QAction* action : window().findChildren<QAction*>())
+      if (action->text() == "&Haptic device") action->trigger();
+    EXPECT_TRUE(waitFor([&] { return list()->topLevelItemCount() == 1; }));
+    window().activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window(), 20'000));
+  }
+
+  ui::MainWindow& window() { return application.window(); }
+  ui::VolumeView& view() { return window().view(); }
+  haptics::Snapshot now() { return application.snapshot(); }
+  Handle& handle() { return *bench_.handle; }
+  QTreeWidget* list() { return window().findChild<QTreeWidget*>("deviceList"); }
+  QLabel* label(const char* name) { return window().findChild<QLabel*>(name); }
+  void click(const char* name) {
+    auto* button = window().findChild<QAbstractButton*>(name);
+    ASSERT_TRUE(button != nullptr && button->isVisible() && button->isEnabled()) << name;
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  bool is(ForceState state) { return now().force_state == state; }
+  void connectDevice() {
+    click("connectDevice");
+    ASSERT_TRUE(waitFor([&] { return bench_.handle->open && is(ForceState::Ready); }));
+    // the hand is where it is; the tool is in front of the sphere
+    home_B_ = handle().led();
+  }
+  /// Leads the handle so that the tool goes from its start towards the middle of the sphere.
+  void leadToSphere(double depth) {
+    const Vec3 start = application.shown()->start.translation();
+    const haptics::Grid& grid = application.shown()->picture.volume->grid;
+    const Vec3 middle = grid.worldOf(
+        Vec3{(grid.dims[0] - 1) * 0.5, (grid.dims[1] - 1) * 0.5, (grid.dims[2] - 1) * 0.5});
+    const Vec3 way_B = view().viewAxes().transpose() * (middle - start).normalized();
+    // onwards until the proxy stays behind as far as wanted
+    double gone = 0.0;
+    ASSERT_TRUE(waitFor([&] {
+      if (handle().arrived() && gap() < depth) handle().lead(home_B_ + way_B * (gone += 5e-4));
+      return gap() >= depth;
+    }));
+    handle().lead(handle().led());
+  }
+  /// m between device and proxy.
+  double gap() { return (now().X_WD.translation() - now().X_WP.translation()).norm(); }
+  /// On, and pushing. A busy machine may miss its ticks, which is a fault: armed again then.
+  void armUntilItPushes() {
+    ASSERT_TRUE(waitFor([&] {
+      if (is(ForceState::Ready) || is(ForceState::Fault)) application.session().forceOff();
+      if (is(ForceState::Ready) || is(ForceState::Fault)) {
+        QTest::qWait(30);
+        click("arm");
+        QTest::qWait(30);
+      }
+      return is(ForceState::On) && handle().lastForce() > 2.0;
+    }));
+  }
+
+ private:
+  static app::Arguments arguments(Bench& bench) {
+    app::Arguments made;
+    made.load.phantom = "sphere";
+    made.surface = ui::SurfaceMode::Mesh;
+    made.screenshot = "unused";  // neither notice nor preferences of the user
+    made.screenshot_after = 36'000.0;
+    made.notice = false;
+    made.devices = bench.catalogue();
+    return made;
+  }
+
+  Bench& bench_;
+  Vec3 home_B_ = Vec3::Zero();
+
+ public:
+  app::Application application;
+};
+
+TEST(HapticDevice, IsConnectedButNeverArmedByItself) {
+  Bench bench;
+  Session session(bench);
+  session.connectDevice();
+  EXPECT_EQ(session.label("forceState")->text(), "READY");
+  session.leadToSphere(kDepth);
+  QTest::qWait(1'500);
+  EXPECT_GT(session.handle().written.load(), 500U);
+  EXPECT_EQ(session.handle().pushesSince(0), 0);
+  session.armUntilItPushes();
+  EXPECT_EQ(session.label("forceState")->text(), "ON");
+  EXPECT_TRUE(session.label("statusLine")->text().contains("Novint Falcon"));
+  window::keep(window::pictureOf(session.window()), "haptic_device_on");
+  // and let go of: no more writes, and the device is closed
+  session.click("connectDevice");
+  EXPECT_FALSE(session.handle().open);
+  EXPECT_EQ(session.handle().lastForce(), 0.0);
+  EXPECT_TRUE(waitFor([&] { return session.now().tick > 100; }));  // the mouse has it again
+}
+
+// The three ways to stop, from the key or click to what the device is written.
+void expectStop(const std::function<void(Session&)>& stop) {
+  Bench bench;
+  Session session(bench);
+  session.connectDevice();
+  session.leadToSphere(kDepth);
+  session.armUntilItPushes();
+  // behind the application's own connection: the wish has been obeyed when this is called
+  std::optional<std::size_t> delivered;
+  QObject::connect(&session.window(), &ui::MainWindow::forceOffWanted, [&] {
+    if (!delivered) delivered = session.handle().written.load();
+  });
+  const std::size_t before = session.handle().written.load();
+  ASSERT_GT(session.handle().pushesSince(before - 1), 0);
+  stop(session);
+  ASSERT_TRUE(delivered.has_value());
+  ::testing::Test::RecordProperty("writes_between_press_and_delivery",
+                                  static_cast<int>(*delivered - before));
+  QTest::qWait(2'000);
+  EXPECT_GT(session.handle().written.load(), *delivered + 200);
+  // the one of the tick that was under way may yet push
+  EXPECT_LE(session.handle().pushesSince(*delivered), 1);
+  EXPECT_EQ(session.handle().pushesSince(*delivered + 1), 0);
+  EXPECT_TRUE(session.is(ForceState::Ready));
+  session.armUntilItPushes();
+}
+
+TEST(HapticDevice, EscapeStopsItWithinOneTick) {
+  expectStop([](Session& session) {
+    // wherever the focus is
+    session.list()->setFocus();
+    QTest::keyClick(session.list(), Qt::Key_Escape);
+  });
+}
+
+TEST(HapticDevice, SpaceInTheViewStopsItWithinOneTick) {
+  expectStop([](Session& session) {
+    session.view().setFocus();
+    QTest::keyClick(&session.view(), Qt::Key_Space);
+  });
+}
+
+TEST(HapticDevice, TheRedButtonStopsItWithinOneTick) {
+  expectStop([](Session& session) { session.click("forceOff"); });
+}
+
+TEST(HapticDevice, TheWindowAnswersWhileADeviceTakesThreeSecondsToOpen) {
+  Bench bench;
+  bench.opening_ms = 3'000;
+  Session session(bench);
+  session.click("connectDevice");
+  EXPECT_TRUE(session.label("deviceLink")->text().contains("Novint Falcon"));
+  int turns = 0;
+  while (!bench.handle->open && turns < 10'000) {
+    QTest::qWait(10);
+    ++turns;
+  }
+  EXPECT_GT(turns, 60);  // of some 300
+  // a wish that is given up meanwhile comes to nothing
+  ASSERT_TRUE(waitFor([&] { return session.is(ForceState::Ready); }));
+  session.click("connectDevice");
+  EXPECT_FALSE(bench.handle->open);
+  session.click("connectDevice");
+  QTest::qWait(200);
+  session.click("connectDevice");
+  EXPECT_EQ(session.window().findChild<QAbstractButton*>("connectDevice")->text(), "Connect");
+  const std::size_t written = session.handle().written;
+  QTest::qWait(4'000);
+  EXPECT_FALSE(bench.handle->open);
+  EXPECT_EQ(session.handle().written, written);
+}
+
+TEST(HapticDevice, WhatIsPluggedInLaterAppearsByItself) {
+  Bench bench;
+  bench.plugged = false;
+  Session session(bench);
+  EXPECT_EQ(session.list()->topLevelItem(0)->text(1), "not plugged in");
+  EXPECT_TRUE(session.label("deviceWhy")->text().contains("connect its cable"));
+  bench.plugged = true;
+  EXPECT_TRUE(waitFor([&] { return session.list()->topLevelItem(0)->text(1) == "here"; }));
+  EXPECT_TRUE(session.window().findChild<QAbstractButton*>("connectDevice")->isEnabled());
+}
+
+TEST(HapticDevice, EveryRefusalIsSaidInTheWindow) {
+  Bench bench;
+  Session session(bench);
+  for (int n = 1; n <= static_cast<int>(Trouble::Lost); ++n) {
+    bench.refusing = static_cast<Trouble>(n);
+    const QString sentence =
+        "Refused: " + QString::fromUtf8(haptics::wordOf(bench.refusing).data()) + ".";
+    session.click("connectDevice");
+    EXPECT_TRUE(waitFor([&] { return session.label("message")->text() == sentence; })) << n;
+    EXPECT_TRUE(session.label("message")->isVisible());
+    EXPECT_EQ(session.label("deviceLink")->text(), sentence);
+    session.click("messageClose");
+  }
+  // the mouse went on
+  EXPECT_TRUE(session.application.session().isOpen());
+}
+
+TEST(HapticDevice, UnpluggedUnderForceIsAFaultThatStaysUntilItIsSeen) {
+  Bench bench;
+  Session session(bench);
+  session.connectDevice();
+  session.leadToSphere(kDepth);
+  session.armUntilItPushes();
+  bench.plugged = false;
+  session.handle().status = DeviceStatus::Lost;
+  ASSERT_TRUE(waitFor([&] { return session.is(ForceState::Fault); }));
+  EXPECT_EQ(session.label("forceState")->text(), "FAULT");
+  EXPECT_TRUE(session.label("forceReason")->text().contains("gone"));
+  QLabel* fault = session.label("fault");
+  ASSERT_TRUE(waitFor([&] { return fault->isVisible(); }));
+  EXPECT_TRUE(fault->text().contains("Novint Falcon") && fault->text().contains("connect it again"))
+      << fault->text().toStdString();
+  window::keep(window::pictureOf(session.window()), "haptic_device_fault");
+  // other messages come and go
+  session.window().showMessage("Something else.");
+  session.window().clearMessage();
+  EXPECT_TRUE(fault->isVisible());
+  // a device that is back is not taken up by itself, and arming does not bring it back
+  session.handle().status = DeviceStatus::Lost;
+  session.click("arm");
+  QTest::qWait(200);
+  EXPECT_FALSE(session.is(ForceState::On));
+  EXPECT_EQ(session.handle().lastForce(), 0.0);
+  session.click("faultClose");
+  EXPECT_FALSE(fault->isVisible());
+  // connected again it is as new
+  session.click("connectDevice");
+  bench.plugged = true;
+  session.handle().status = DeviceStatus::Ok;
+  ASSERT_TRUE(waitFor(
+      [&] { return session.window().findChild<QAbstractButton*>("connectDevice")->isEnabled(); }));
+  session.handle().lead(session.handle().led());
+  const std::size_t then = session.handle().written;
+  session.connectDevice();
+  EXPECT_EQ(session.handle().pushesSince(then), 0);
+  session.leadToSphere(kDepth);
+  session.armUntilItPushes();
+}
+
+TEST(HapticDevice, TheClutchKeyHoldsTheToolWhileTheHandMoves) {
+  Bench bench;
+  Session session(bench);
+  session.connectDevice();
+  session.view().setFocus();
+  const auto toolAt = [&] { return Vec3{session.now().X_WD.translation()}; };
+  Vec3 at = toolAt();
+  const Vec3 hand = session.handle().led();
+  session.handle().lead(hand + Vec3{0.0, 0.01, 0.0});
+  ASSERT_TRUE(waitFor([&] { return session.handle().arrived(); }));
+  QTest::qWait(100);
+  EXPECT_NEAR((toolAt() - at).norm(), 0.01, 1e-4);
+  QTest::keyPress(&session.view(), Qt::Key_C);
+  ASSERT_TRUE(waitFor([&] { return session.now().clutched; }));
+  at = toolAt();
+  session.handle().lead(hand);
+  ASSERT_TRUE(waitFor([&] { return session.handle().arrived(); }));
+  QTest::qWait(100);
+  EXPECT_LT((toolAt() - at).norm(), kMoved);
+  QTest::keyRelease(&session.view(), Qt::Key_C);
+  ASSERT_TRUE(waitFor([&] { return !session.now().clutched; }));
+  EXPECT_LT((toolAt() - at).norm(), kMoved);
+  session.handle().lead(hand + Vec3{0.0, 0.005, 0.0});
+  ASSERT_TRUE(waitFor([&] { return session.handle().arrived(); }));
+  QTest::qWait(100);
+  EXPECT_NEAR((toolAt() - at).norm(), 0.005, 1e-4);
+  // a key whose release goes elsewhere does not stay down
+  QTest::keyPress(&session.view(), Qt::Key_C);
+  ASSERT_TRUE(waitFor([&] { return session.now().clutched; }));
+  session.list()->setFocus();
+  EXPECT_TRUE(waitFor([&] { return !session.now().clutched; }));
+}
+
+TEST(HapticDevice, HeldToRunItPushesOnlyWhileTheKeyIsDown) {
+  Bench bench;
+  Session session(bench);
+  session.connectDevice();
+  session.leadToSphere(kDepth);
+  session.click("holdToRun");
+  session.view().setFocus();
+  QTest::qWait(100);
+  const std::size_t from = session.handle().written;
+  session.click("arm");
+  QTest::qWait(1'500);
+  EXPECT_EQ(session.handle().pushesSince(from), 0);
+  EXPECT_TRUE(waitFor([&] { return session.is(ForceState::Armed); }));
+  EXPECT_TRUE(session.label("forceReason")->text().contains("held")) << "what is to be done";
+  session.view().setFocus();
+  QTest::keyPress(&session.view(), Qt::Key_H);
+  session.armUntilItPushes();
+  QTest::keyRelease(&session.view(), Qt::Key_H);
+  EXPECT_TRUE(waitFor([&] { return session.handle().lastForce() == 0.0; }));
+  // and by its button
+  session.handle().buttons = 1U << 1;
+  auto* button = session.window().findChild<QComboBox*>("holdButton");
+  button->setFocus();
+  QTest::keyClick(button, Qt::Key_Down);
+  QTest::keyClick(button, Qt::Key_Down);
+  session.armUntilItPushes();
+  session.handle().buttons = 0;
+  EXPECT_TRUE(waitFor([&] { return session.handle().lastForce() == 0.0; }));
+}
+
+TEST(HapticDevice, TurningTheCameraTurnsTheHandsDirectionsAndMovesNothing) {
+  Bench bench;
+  Session session(bench);
+  session.connectDevice();
+  const auto toolAt = [&] { return Vec3{session.now().X_WD.translation()}; };
+  const Vec3 hand = session.handle().led();
+  for (const bool follow : {true, false}) {
+    if (!follow) session.click("followCamera");
+    Vec3 at = toolAt();
+    const Eigen::Matrix3d before = session.view().viewAxes();
+    QTest::mousePress(&session.view(), Qt::RightButton, {}, {100, 100});
+    QTest::mouseMove(&session.view(), {220, 130});
+    QTest::mouseRelease(&session.view(), Qt::RightButton, {}, {220, 130});
+    const Eigen::Matrix3d after = session.view().viewAxes();
+    ASSERT_GT((after - before).norm(), 0.2);
+    QTest::qWait(300);
+    EXPECT_LT((toolAt() - at).norm(), kMoved);
+    // to the right of the picture, or of what it was
+    session.handle().lead(session.handle().led() + Vec3{0.01, 0.0, 0.0});
+    ASSERT_TRUE(waitFor([&] { return session.handle().arrived(); }));
+    QTest::qWait(100);
+    const Vec3 right = (follow ? after : before).col(0);
+    EXPECT_LT((toolAt() - at - 0.01 * right).norm(), 1e-4) << follow;
+  }
+  EXPECT_NEAR((session.handle().led() - hand).norm(), 0.02, 1e-9);
+}
+
+TEST(HapticDevice, AnotherHandTakesItsPlaceAndClosesIt) {
+  Bench bench;
+  Session session(bench);
+  session.connectDevice();
+  emit session.window().devicePanel().handChosen("mouse");
+  EXPECT_FALSE(bench.handle->open);
+  EXPECT_TRUE(session.label("deviceLink")->text().contains("disconnected"));
+  EXPECT_EQ(session.window().findChild<QAbstractButton*>("connectDevice")->text(), "Connect");
+}
+
+TEST(HapticDevice, AnotherToolAndVolumeLeaveItConnected) {
+  Bench bench;
+  Session session(bench);
+  session.connectDevice();
+  auto scene = session.now().scene;
+  emit session.window().devicePanel().toolChosen("wrench");
+  ASSERT_TRUE(waitFor([&] { return session.now().scene > scene; }));
+  EXPECT_TRUE(bench.handle->open);
+  scene = session.now().scene;
+  emit session.window().phantomWanted("torus");
+  ASSERT_TRUE(waitFor([&] { return session.now().scene > scene; }));
+  EXPECT_TRUE(bench.handle->open);
+  EXPECT_EQ(session.handle().pushesSince(0), 0);
+}
+
+}  // namespace
