@@ -9,8 +9,10 @@
 #include "app/application.h"
 #include "app/display.h"
 #include "app/recording/volume_hash.h"
+#include "app/signals.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/archive.h"
+#include "haptics/servo/emergency.h"
 #include "resources/named_tools.h"
 
 namespace {
@@ -26,6 +28,8 @@ CLI::Validator oneOf(const Names& names) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  haptics::installCrashStop();
+  app::blockEndingSignals();
   app::Arguments arguments;
   std::string path, phantom, tool, tool_unit = "mm", surface;
   double isovalue = 0.0;
@@ -94,6 +98,16 @@ int main(int argc, char** argv) {
   QObject::connect(
       &application, &app::Application::finished, &qt,
       [](int code) { QCoreApplication::exit(code); }, Qt::QueuedConnection);
+  // as if the user had closed the window, whatever question stands open
+  const app::EndingSignals ending([&] {
+    QMetaObject::invokeMethod(
+        &application,
+        [&] {
+          application.window().close();
+          QCoreApplication::exit(0);
+        },
+        Qt::QueuedConnection);
+  });
   application.start();
   return QApplication::exec();
 }

@@ -105,8 +105,9 @@ std::optional<FfmpegFile> FfmpegFile::start(const std::string& program,
   posix_spawn_file_actions_adddup2(&files, words[1], STDERR_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  // in a group of its own: Ctrl+C on the terminal is for us, and we end it
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  // in a group of its own: Ctrl+C on the terminal is for us, and we end it; what we have blocked it
+  // need not have
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
   auto arguments = argumentsFor(program, file, format);
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The window is told to end by a signal: once, and it closes as its user would close it; twice,
+and it is gone at once.
+
+Use: signals_test.py PALPATE (with a display)
+"""
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+program = sys.argv[1]
+LONG = 120  # s: far more than it takes on a machine that is busy
+
+
+def blocked(process):
+    for line in pathlib.Path(f"/proc/{process.pid}/status").read_text().splitlines():
+        if line.startswith("SigBlk:"):
+            return bool(int(line.split()[1], 16) >> (signal.SIGTERM - 1) & 1)
+    return False
+
+
+def started(home, seconds):
+    """A window that has been up for so long, with preferences of its own."""
+    environment = dict(os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"),
+                       XDG_DATA_HOME=str(home / "data"))
+    process = subprocess.Popen([program, "--no-notice", "--phantom", "sphere"], env=environment)
+    end = time.monotonic() + LONG
+    while not blocked(process) and time.monotonic() < end:
+        time.sleep(0.01)
+    time.sleep(seconds)
+    assert process.poll() is None, process.returncode
+    return process
+
+
+def remembered(home):
+    files = list((home / "config").rglob("*.conf"))
+    return any("geometry" in file.read_text() for file in files)
+
+
+with tempfile.TemporaryDirectory() as folder:
+    for number, (which, seconds) in enumerate([(signal.SIGTERM, 3), (signal.SIGINT, 3), (signal.SIGHUP, 3),
+                                               (signal.SIGTERM, 0)]):
+        home = pathlib.Path(folder) / str(number)
+        home.mkdir()
+        process = started(home, seconds)
+        process.send_signal(which)
+        code = process.wait(timeout=LONG)
+        assert code == 0, (which, seconds, code)
+        # what closing the window does was done; a window that never was has nothing to remember
+        assert seconds == 0 or remembered(home), (which, list(home.rglob("*")))
+
+    # the first closes it, in its own time; the second does not wait for that. The process may be
+    # quicker than the second signal, but not every time.
+    codes = []
+    for number in range(5):
+        home = pathlib.Path(folder) / f"twice{number}"
+        home.mkdir()
+        process = started(home, 3)
+        os.kill(process.pid, signal.SIGTERM)
+        time.sleep(0.002)
+        os.kill(process.pid, signal.SIGINT)
+        codes.append(process.wait(timeout=LONG))
+        if codes[-1] == -signal.SIGINT:
+            break
+    assert -signal.SIGINT in codes and set(codes) <= {0, -signal.SIGINT}, codes
