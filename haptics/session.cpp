@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "haptics/devices/simulated.h"
 #include "haptics/servo/servo_loop.h"
@@ -21,6 +22,21 @@ Error nothingToTouch() {
 Error noRoom() {
   return {Error::Kind::Unsupported,
           "The tool would start inside the solid, with no room within 50 mm; raise the isovalue."};
+}
+
+/// What Settings allows; a number that is not finite stays what it was.
+Settings withinRange(Settings settings, const Settings& before) {
+  const auto keep = [&](double Settings::*member, double least, double most) {
+    double& value = settings.*member;
+    value = std::isfinite(value) ? std::clamp(value, least, most) : before.*member;
+  };
+  constexpr double kStiffest = 20'000.0, kRoughest = 1.5, kMostScale = 10.0;
+  keep(&Settings::stiffness, 0.0, kStiffest);
+  keep(&Settings::angular_stiffness, 0.0, kStiffest);
+  keep(&Settings::friction, 0.0, kRoughest);
+  keep(&Settings::force_scale, 1.0 / kMostScale, kMostScale);
+  keep(&Settings::position_scale, 1.0 / kMostScale, kMostScale);
+  return settings;
 }
 
 /// N/m and N·m/rad that do not pass what the device may render stably: K at the hand is K at the
@@ -65,7 +81,9 @@ HandMotion motionOf(HandKind hand) {
 /// The GUI's side of an open loop, and what outlives one.
 class Session::Loop {
  public:
-  LatestValue<Pose> mouse;  // before the servo: its device reads from it
+  LatestValue<Pose> mouse;                         // before the servo: its device reads from it
+  std::shared_ptr<StepRing> ring;                  ///< where steps go; outlives the servo
+  std::vector<std::shared_ptr<StepRing>> leaving;  ///< where the last ones may yet go
   std::unique_ptr<ServoLoop> servo;
   std::shared_ptr<const Scene> scene;
   Pose X_start = Pose::Identity();
@@ -80,9 +98,8 @@ class Session::Loop {
     servo->recording.store(ring.get());
     servo->start();
   }
-  bool armed = true;                        ///< the user's word, through every hand and scene
-  std::shared_ptr<StepRing> ring, leaving;  ///< where steps go; where the last ones may yet go
-  std::uint64_t left_at = 0;                ///< the boundary behind which they do no more
+  bool armed = true;          ///< the user's word, through every hand and scene
+  std::uint64_t left_at = 0;  ///< the boundary behind which they do no more
 };
 
 Session::Session() : loop_{std::make_unique<Loop>()} {}
@@ -136,7 +153,7 @@ Expected<void> Session::open(std::unique_ptr<Device> device) {
 void Session::close() {
   loop_->servo.reset();
   loop_->rating.reset();
-  loop_->leaving.reset();
+  loop_->leaving.clear();
 }
 bool Session::isOpen() const { return loop_->servo != nullptr; }
 
@@ -144,10 +161,10 @@ void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W) {
   loop_->scene = std::move(scene);
   loop_->X_start = start_W;
   if (!loop_->servo) return;
-  loop_->servo->settings.publish(inForce());  // the tool's inertia may have changed
   // with no room near, the proxy starts where it is and is brought out, force faded
   const Pose X_legal =
       legalPoseNear(*loop_->scene, loop_->settings.isovalue, start_W).value_or(start_W);
+  loop_->servo->settings.publish(inForce());  // the tool's inertia may have changed
   loop_->servo->scenes.offer(std::make_unique<Engagement>(loop_->scene, X_legal));
 }
 
@@ -156,7 +173,7 @@ void Session::collectGarbage() {
 }
 
 void Session::set(const Settings& settings) {
-  loop_->settings = settings;
+  loop_->settings = withinRange(settings, loop_->settings);
   if (loop_->servo) loop_->servo->settings.publish(inForce());
 }
 
@@ -184,16 +201,16 @@ void Session::arm() {
 void Session::record(std::shared_ptr<StepRing> ring) {
   if (loop_->servo) {
     loop_->servo->recording.store(ring.get());
-    loop_->leaving = std::move(loop_->ring);
+    if (loop_->ring) loop_->leaving.push_back(std::move(loop_->ring));
     loop_->left_at = loop_->servo->boundary.load() + 2;
   }
   loop_->ring = std::move(ring);
 }
 
 bool Session::hasLeftRing() const {
-  if (loop_->leaving && loop_->servo && loop_->servo->boundary.load() < loop_->left_at)
+  if (!loop_->leaving.empty() && loop_->servo && loop_->servo->boundary.load() < loop_->left_at)
     return false;
-  loop_->leaving.reset();
+  loop_->leaving.clear();
   return true;
 }
 

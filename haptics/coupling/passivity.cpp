@@ -51,28 +51,34 @@ Wrench PassivityController::pass(const Wrench& wanted, const Twist& motion,
 
 void PassivityGuard::add(const Wrench& held, const Pose& X_WD, double scale,
                          double period) HAPTICS_RT {
-  if (!X_WD.matrix().allFinite()) return;
+  if (!X_WD.matrix().allFinite() || !(scale > 0.0)) return;
+  // a reading that came again is no motion, and the next one is that of two ticks
+  at_.waited += period;
+  if (at_.begun && (X_WD.matrix().array() == at_.X_WD.matrix().array()).all() && at_.waited < kSlow)
+    return;
+  const double step = at_.waited, ticks = step / period;
+  at_.waited = 0.0;
   Twist motion = at_.begun ? motionBetween(at_.X_WD, X_WD) : Twist{};
   motion.linear /= scale;
   at_.X_WD = X_WD;
   at_.begun = true;
-  const double share = period / (kSlow + period);
-  at_.slow_motion.linear += share * (motion.linear - at_.slow_motion.linear);
-  at_.slow_motion.angular += share * (motion.angular - at_.slow_motion.angular);
+  const double share = step / (kSlow + step);
+  at_.slow_motion.linear += share * (motion.linear / ticks - at_.slow_motion.linear);
+  at_.slow_motion.angular += share * (motion.angular / ticks - at_.slow_motion.angular);
   at_.slow_wrench.force += share * (held.force - at_.slow_wrench.force);
   at_.slow_wrench.torque += share * (held.torque - at_.slow_wrench.torque);
-  const Vec3 shaken = motion.linear - at_.slow_motion.linear;
-  const Vec3 turned = motion.angular - at_.slow_motion.angular;
-  const double left = 1.0 - period / kWindow;
+  const Vec3 shaken = motion.linear - ticks * at_.slow_motion.linear;
+  const Vec3 turned = motion.angular - ticks * at_.slow_motion.angular;
+  const double left = 1.0 - step / kWindow;
   at_.made = left * at_.made + (held.force - at_.slow_wrench.force).dot(shaken) +
              (held.torque - at_.slow_wrench.torque).dot(turned);
   const double along = held.force.dot(shaken) + held.torque.dot(turned);
   at_.turns *= left;
   if (along * at_.direction < 0.0) at_.turns += 1.0;
-  at_.power += period / kShort * (std::abs(along) - at_.power);
-  at_.power_before += period / kLong * (std::abs(along) - at_.power_before);
+  at_.power += step / kShort * (std::abs(along) / ticks - at_.power);
+  at_.power_before += step / kLong * (std::abs(along) / ticks - at_.power_before);
   if (along != 0.0) at_.direction = along > 0.0 ? 1.0 : -1.0;
-  at_.since += period;
+  at_.since += step;
   const bool lasts = at_.power > kLasting * at_.power_before;
   if (lasts && at_.made > kMostMade && at_.turns > kMostTurns && at_.since > kBetween) {
     at_.share = std::max(kLeastShare, kLowered * at_.share);

@@ -70,6 +70,7 @@ class PassivityGuard {
   struct Memory {
     Pose X_WD = Pose::Identity();  ///< at the last tick
     bool begun = false;
+    double waited = 0.0;        ///< s since it last moved
     Twist slow_motion;          ///< of the hand in a tick, below 20 Hz
     Wrench slow_wrench;         ///< below 20 Hz
     double made = 0.0;          ///< J, of the last 0.1 s

@@ -62,6 +62,12 @@ void Safety::begin(const Circumstances& now) HAPTICS_RT {
     if (!at_.let_go || !now.armed) return;
     enter(ForceState::Ready, ForceReason::User);
   }
+  // what the device did meanwhile was no work of the force
+  if (now.adopted || !now.ready) {
+    const double share = at_.passivity.share;
+    at_.passivity = {};
+    at_.passivity.share = share;
+  }
   if (!now.ready) return enter(ForceState::Off, now.unready);
   if (!now.armed) return enter(ForceState::Ready, ForceReason::User);
   if (at_.state == ForceState::Off) enter(ForceState::Ready, ForceReason::User);
@@ -113,12 +119,17 @@ Wrench Safety::pass(const Wrench& wanted, bool outside, double period) HAPTICS_R
     at_.sent = {};
     return {};
   }
-  if (at_.withheld != ForceReason::None) {
-    enter(ForceState::Armed, at_.withheld);
-    at_.gain = faded(at_.gain, period);
-  } else if (at_.state == ForceState::Armed && at_.gain > 0.0) {
-    at_.gain = faded(at_.gain, period);
-  } else if (at_.state != ForceState::On) {
+  if (at_.withheld != ForceReason::None) enter(ForceState::Armed, at_.withheld);
+  if (at_.state == ForceState::Armed && (at_.gain > 0.0 || at_.withheld != ForceReason::None)) {
+    // what was felt dies away, whatever is wished for meanwhile
+    const double left = at_.gain > 0.0 ? faded(at_.gain, period) / at_.gain : 0.0;
+    at_.gain *= left;
+    at_.sent.force *= left;
+    at_.sent.torque *= left;
+    at_.slewing = false;
+    return at_.sent;
+  }
+  if (at_.state != ForceState::On) {
     enter(ForceState::Ramping, at_.reason);
     at_.gain = limits_.ramp_time > 0.0 ? std::min(1.0, at_.gain + period / limits_.ramp_time) : 1.0;
     if (at_.gain == 1.0) enter(ForceState::On, at_.reason);
@@ -136,9 +147,7 @@ Wrench Safety::pass(const Wrench& wanted, bool outside, double period) HAPTICS_R
     // a proxy that the budget held back follows ticks later, and one that is brought out is set
     // down elsewhere: the wish may yet jump
     at_.slew_left -= period;
-    at_.slewing = at_.slewing && (at_.slew_left > 0.0 || !reached ||
-                                  (at_.state == ForceState::Armed && at_.gain > 0.0) ||
-                                  at_.withheld == ForceReason::Inside);
+    at_.slewing = at_.slewing && (at_.slew_left > 0.0 || !reached);
   }
   at_.sent = wrench;
   return wrench;

@@ -26,7 +26,7 @@ class Combined final : public Device {
     const DeviceStatus moved = position_->read(where_);
     const DeviceStatus turned = rotation_->read(turn_);
     reading.trouble = where_.trouble != Trouble::None ? where_.trouble : turn_.trouble;
-    if (moved == DeviceStatus::Lost) return DeviceStatus::Lost;
+    if (moved == DeviceStatus::Lost || turned == DeviceStatus::Lost) return DeviceStatus::Lost;
 
     if (turned == DeviceStatus::Ok) R_BD_ = turn_.X_BD.linear();
     reading.X_BD.translation() = where_.X_BD.translation();
@@ -34,7 +34,7 @@ class Combined final : public Device {
     reading.time_ns = where_.time_ns;
     constexpr std::uint32_t kMask = (1u << kFirstsButtons) - 1u;
     reading.buttons = (where_.buttons & kMask);
-    if (turned != DeviceStatus::Lost) reading.buttons |= turn_.buttons << kFirstsButtons;
+    reading.buttons |= turn_.buttons << kFirstsButtons;
 
     if (moved == DeviceStatus::NotReady || turned == DeviceStatus::NotReady)
       return DeviceStatus::NotReady;

@@ -14,12 +14,10 @@ namespace haptics {
 ///
 /// A read waits as long as both, a write as long as the first's.
 ///
-/// What came of a read is the worse of the two, with one exception: a rotation that is stale or
-/// lost leaves the last one standing and the device Stale, with the second's trouble. The force
-/// goes on, under the loop's rule for what is stale: where the hand is stays measured, so what it
-/// feels stays true of a tool that does not turn, and to drop the force would let the hand fall
-/// through what it leans on. As the rotation stands still, nothing jumps. A second device that is
-/// NotReady makes both so: before it has a rotation there is nothing to hold.
+/// What came of a read is the worse of the two. A rotation that is stale leaves the last one
+/// standing; one that is lost ends both, with zero force: a tool that turns no more with the hand
+/// that holds it is not what the hand believes to feel. A second device that is NotReady makes both
+/// so: before it has a rotation there is nothing to hold.
 std::unique_ptr<Device> combined(std::unique_ptr<Device> position,
                                  std::unique_ptr<Device> rotation);
 

@@ -14,6 +14,8 @@
 #include <thread>
 #include <utility>
 
+#include "haptics/devices/relay.h"
+
 namespace haptics {
 namespace {
 
@@ -328,6 +330,7 @@ class Inverse3 final : public Transport {
     reading.X_BD.translation() = at->p_BD;
     if (message->R_BD) reading.X_BD.linear() = *message->R_BD;
     reading.buttons = message->buttons;
+    reading.time_ns = monotonicNs();
     reading.trouble = trouble_;
     return trouble_ == Trouble::None ? DeviceStatus::Ok : DeviceStatus::NotReady;
   }

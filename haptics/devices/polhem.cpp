@@ -87,7 +87,7 @@ class PolhemTransport final : public Transport {
   }
 
  private:
-  enum class Zero : std::uint8_t { Unset, Setting, Set };
+  enum class Zero : std::uint8_t { Unset, Setting, Set, Gone };
 
   PolhemCommand next(const Wrench& wrench_B) const noexcept {
     if (zero_ == Zero::Setting) return polhemAtRest();
@@ -118,6 +118,11 @@ class PolhemTransport final : public Transport {
 
     reading.buttons = report.button ? 1 : 0;
     reading.time_ns = monotonic();
+    if (zero_ == Zero::Gone) {
+      J_B_.reset();
+      reading.trouble = Trouble::Lost;
+      return DeviceStatus::Lost;
+    }
     if (zero_ != Zero::Set) {
       J_B_.reset();
       reading.trouble = Trouble::NeedsCalibration;
@@ -146,7 +151,9 @@ class PolhemTransport final : public Transport {
         if (report.asks)
           beginSetting();
         else if (!makes_an_arm || jumped(report))
-          zero_ = Zero::Unset;
+          zero_ = Zero::Gone;
+        return;
+      case Zero::Gone:
         return;
     }
   }

@@ -89,8 +89,9 @@ Vec3 polhemCurrentsFor(const Vec3& force_B, const Mat3& J_B) noexcept;
 /// NotReady with Trouble::NeedsCalibration until the encoders are set: the user folds the arm back
 /// to its rest pose and presses the zero button of the device, or the one of the stylus. Then the
 /// encoders are set and looked at: within 100 counts of the rest pose, and it is ready. Back to
-/// that, without force, when the zero button is pressed again, when a motor's encoder jumps by
-/// more than 2000 counts between two answers, or when the counts make no arm.
+/// that, without force, when the zero button is pressed again. When a motor's encoder jumps by
+/// more than 2000 counts between two answers, or the counts make no arm, it is Lost: opened again,
+/// it has to be set again.
 ///
 /// After a round without an answer zero is sent until one comes. Its writes wait for the system,
 /// which is a millisecond with a device that is well. Destroyed, it sends zero.

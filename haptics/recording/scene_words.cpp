@@ -243,6 +243,7 @@ std::string wordsOf(const ProxyStart& start) {
               {"passivity",
                {{"device", listOf(guard.X_WD.matrix().topRows<3>().eval())},
                 {"begun", guard.begun},
+                {"waited", guard.waited},
                 {"slow_linear", listOf(guard.slow_motion.linear)},
                 {"slow_angular", listOf(guard.slow_motion.angular)},
                 {"slow_force", listOf(guard.slow_wrench.force)},
@@ -294,6 +295,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     take(passivity.at("device"), pose);
     guard.X_WD.matrix().topRows<3>() = pose;
     guard.begun = passivity.at("begun").get<bool>();
+    guard.waited = passivity.at("waited").get<double>();
     take(passivity.at("slow_linear"), guard.slow_motion.linear);
     take(passivity.at("slow_angular"), guard.slow_motion.angular);
     take(passivity.at("slow_force"), guard.slow_wrench.force);

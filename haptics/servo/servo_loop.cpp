@@ -56,7 +56,7 @@ void ServoLoop::run() {
   const std::int64_t begun = monotonic();
   std::int64_t due = begun;
   while (!ending_.load(std::memory_order_relaxed)) {
-    step(double(due - begun) * 1e-9, monotonic());
+    step(double(due - begun) * 1e-9, Watchdog::clock());
     due += kPeriodNs;
     // a period in which no tick can begin any more is missed, not made up for
     const std::int64_t behind = monotonic() - due;
@@ -75,7 +75,7 @@ void ServoLoop::run() {
 
 std::uint16_t ServoLoop::readDevice(Engagement* adopted, std::int64_t now) HAPTICS_RT {
   unsigned flags = 0;
-  const DeviceStatus read = device_->read(reading_);
+  const DeviceStatus read = lost_ ? DeviceStatus::Lost : device_->read(reading_);
   if (read == DeviceStatus::Lost) flags |= StepFlags::kLost;
   if (read == DeviceStatus::NotReady) flags |= StepFlags::kNotReady;
   if (read == DeviceStatus::Stale) flags |= StepFlags::kStale;
@@ -89,8 +89,11 @@ std::uint16_t ServoLoop::readDevice(Engagement* adopted, std::int64_t now) HAPTI
   guard_->silent = read == DeviceStatus::Stale ? guard_->silent + 1 : 0;
   if (guard_->silent >= kSilent) flags |= StepFlags::kSilent;
   // poses that mean nothing are neither followed nor judged
-  if (read == DeviceStatus::Lost || read == DeviceStatus::NotReady)
+  if (read == DeviceStatus::Lost || read == DeviceStatus::NotReady) {
+    guard_->mapping.lift();
+    guard_->motion = {};
     return static_cast<std::uint16_t>(flags);
+  }
   const std::int64_t measured = reading_.time_ns != 0 ? reading_.time_ns : now;
   switch (guard_->motion.judge(reading_.X_BD, measured)) {
     case ForceReason::TooFast:
@@ -117,7 +120,7 @@ std::uint16_t ServoLoop::readDevice(Engagement* adopted, std::int64_t now) HAPTI
 
 void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   const std::int64_t begun = Budget::threadTime();
-  const Watchdog::Beat beat = guard_ ? guard_->watchdog.beat(now) : Watchdog::Beat{};
+  const Watchdog::Beat beat = guard_ && !lost_ ? guard_->watchdog.beat(now) : Watchdog::Beat{};
   const Settings before = in_force_;
   settings.take(in_force_);
   const bool adopted = scenes.adopt();
@@ -143,11 +146,14 @@ void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   const ServoResult result =
       servoTick({X_WD_, in_force_, flags}, touching ? touched->scene.get() : nullptr,
                 touching ? &touched->proxy : nullptr, safety_, kPeriod, budget);
-  const bool lost = device_->write(guard_ ? guard_->mapping.toBase(result.sent_W)
-                                          : result.sent_W) == DeviceStatus::Lost;
-  if (lost || (flags & StepFlags::kLost) != 0) device_->stop();
-  // what is at fault stays off until the user arms it
-  if (lost || safety_.state() == ForceState::Fault) armed.store(false, std::memory_order_relaxed);
+  const Wrench sent_B = guard_ ? guard_->mapping.toBase(result.sent_W) : result.sent_W;
+  if (device_->write(sent_B) == DeviceStatus::Lost || (flags & StepFlags::kLost) != 0) {
+    lost_ = true;
+    device_->stop();
+  }
+  // what is at fault, or was homed and is no more, stays off until the user arms it
+  if (lost_ || safety_.state() == ForceState::Fault || (flags & StepFlags::kNotReady) != 0)
+    armed.store(false, std::memory_order_relaxed);
   for (ForceTransition transition : safety_.transitions()) {
     transition.time = time;
     transitions.try_enqueue(transition);

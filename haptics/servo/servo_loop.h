@@ -52,8 +52,8 @@ class ServoLoop {
   /// Starts the thread.
   void start();
 
-  /// One period's work, of the tick that was due at `time` [s] since the start, at `now` [ns,
-  /// monotonic]. Public for tests.
+  /// One period's work, of the tick that was due at `time` [s] since the start, at `now` of the
+  /// watchdog's clock [ns]. Public for tests.
   void step(double time, std::int64_t now) HAPTICS_RT;
   /// The same, with a clock that keeps time with the ticks.
   void step(double time) HAPTICS_RT { step(time, 1 + std::int64_t(time * 1e9)); }
@@ -80,6 +80,7 @@ class ServoLoop {
   TickStats stats_;
   Snapshot snapshot_;
   DeviceReading reading_;
+  bool lost_ = false;  ///< the device is gone for good
   Pose X_WD_ = Pose::Identity();
   std::unique_ptr<Guard> guard_;  ///< null: not a real device
   Step step_;

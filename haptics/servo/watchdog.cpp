@@ -14,13 +14,13 @@ namespace {
 constexpr std::int64_t kLookNs = 1'000'000;
 constexpr int kPriority = 81;  // above the servo thread's, which may hang
 
-std::int64_t monotonic() HAPTICS_RT {
+}  // namespace
+
+std::int64_t Watchdog::clock() HAPTICS_RT {
   timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
+  clock_gettime(CLOCK_BOOTTIME, &now);
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
-
-}  // namespace
 
 Watchdog::~Watchdog() {
   ending_.store(true, std::memory_order_relaxed);
@@ -35,7 +35,7 @@ void Watchdog::run() {
   const sched_param parameters{.sched_priority = kPriority};
   pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
   while (!ending_.load(std::memory_order_relaxed)) {
-    look(monotonic());
+    look(clock());
     const timespec pause{0, kLookNs};
     clock_nanosleep(CLOCK_MONOTONIC, 0, &pause, nullptr);
   }

@@ -21,6 +21,9 @@ class Watchdog {
   static constexpr std::int64_t kWindow = 10'000'000'000;  ///< ns in which kMostGaps are a fault
   static constexpr int kMostGaps = 3;
 
+  /// ns, of a clock that goes on while the machine sleeps.
+  static std::int64_t clock() HAPTICS_RT;
+
   /// `device` outlives it. The thread begins with `start`.
   explicit Watchdog(Device& device) : device_{device} {}
   ~Watchdog();
@@ -31,7 +34,7 @@ class Watchdog {
     bool gap = false;      ///< there was a gap before this tick
     bool stalled = false;  ///< it was the third in ten seconds
   };
-  /// Servo thread only, at the begin of each tick: it is alive at `now` [ns, monotonic].
+  /// Servo thread only, at the begin of each tick: it is alive at `now` of `clock`.
   Beat beat(std::int64_t now) HAPTICS_RT;
 
   /// One look at the clock, by the thread. Public for tests, which have a clock of their own.

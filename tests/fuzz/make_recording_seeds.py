@@ -26,7 +26,7 @@ START = json.dumps({
                "continuous_force": None, "guard_passivity": True},
     "force_state": 4, "reason": 1, "withheld": 0, "let_go": False, "gain": 1, "slewing": False,
     "slew_left": 0, "heat": 0, "sent_force": [0, 0, 0], "sent_torque": [0, 0, 0],
-    "passivity": {"device": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], "begun": False,
+    "passivity": {"device": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], "begun": False, "waited": 0,
                   "slow_linear": [0, 0, 0], "slow_angular": [0, 0, 0], "slow_force": [0, 0, 0],
                   "slow_torque": [0, 0, 0], "made": 0, "turns": 0, "power": 0, "power_before": 0, "direction": 0, "since": 0,
                   "share": 1}})

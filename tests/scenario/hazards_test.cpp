@@ -6,6 +6,7 @@
 
 #include "app/study/made/made.h"
 #include "haptics/servo/emergency.h"
+#include "haptics/session.h"
 #include "tests/scenario/fake_device.h"
 #include "tests/scenario/trial.h"
 
@@ -150,7 +151,13 @@ TEST(Hazards, UnpluggedUnderForceIsZeroInThatTickAndLatched) {
     held.device->status_of_read.reset();
     held.step();
     held.expectLatched(ForceReason::Lost);
-    held.expectRampsWhenArmed();
+    // gone for good: arming does not help, opening it anew does
+    for (int n = 0; n < 2000; ++n) {
+      held.loop->armed = true;
+      ASSERT_TRUE(isZero(held.step()));
+    }
+    EXPECT_EQ(held.snapshot().force_state, ForceState::Fault);
+    EXPECT_TRUE(held.device->stopped);
   }
 }
 
@@ -210,6 +217,12 @@ TEST(Hazards, NotHomedIsOffAndItsPosesAreNotFollowed) {
   EXPECT_EQ(held.snapshot().force_state, ForceState::Off);
   EXPECT_EQ(held.snapshot().reason, ForceReason::NotHomed);
   EXPECT_EQ(held.snapshot().X_WD.translation(), X_WD.translation());
+  // homed again, elsewhere: the tool stays, and the user is asked
+  held.device->status = DeviceStatus::Ok;
+  for (int n = 0; n < 2000; ++n) ASSERT_TRUE(isZero(held.step()));
+  EXPECT_EQ(held.snapshot().force_state, ForceState::Ready);
+  EXPECT_LT((held.snapshot().X_WD.translation() - X_WD.translation()).norm(), 1e-12);
+  held.expectRampsWhenArmed();
 }
 
 TEST(Hazards, AGapIsZeroAndANewRampAndThreeOfThemAreAFault) {
@@ -334,6 +347,7 @@ TEST(Hazards, TheCameraAndTheScaleTurnTheMappingWithoutAJump) {
   Held held;
   ASSERT_NO_FATAL_FAILURE(held.press());
   Pose X_WD = held.snapshot().X_WD;
+  Vec3 last = held.device->writes.back().force;
   for (int n = 0; n < 100; ++n) {
     held.handling.R_WB = Eigen::AngleAxisd{0.03 * n, Vec3::UnitY()}.toRotationMatrix();
     held.loop->handling.publish(held.handling);
@@ -341,7 +355,15 @@ TEST(Hazards, TheCameraAndTheScaleTurnTheMappingWithoutAJump) {
     held.loop->settings.publish(held.settings);
     held.step();
     EXPECT_LT((held.snapshot().X_WD.matrix() - X_WD.matrix()).cwiseAbs().maxCoeff(), 1e-11);
+    // and what the hand feels turns slowly: 2 rad/s
+    const Vec3 force = held.device->writes.back().force;
+    EXPECT_LT((force - last).norm(), 0.0021 * force.norm() + 1e-6);
+    last = force;
   }
+  // until it has come round, and nothing of the hand's own way is lost meanwhile
+  held.move({0.003, 0, 0}, 30);
+  EXPECT_GT((held.snapshot().X_WD.translation() - X_WD.translation()).norm(), 0.002);
+  X_WD = held.snapshot().X_WD;
   // what is no rotation is not taken
   held.handling.R_WB = 2.0 * Mat3::Identity();
   held.loop->handling.publish(held.handling);
@@ -380,6 +402,41 @@ TEST(Hazards, AnotherSceneComesToTheHandWithTheForceFromZero) {
   held.loop->scenes.offer(std::make_unique<haptics::Engagement>(other.scene, start));
   EXPECT_LE(held.step().force.norm(), 8.0 * 1e-3 + 1e-9);
   EXPECT_LT((held.snapshot().X_WD.translation() - start.translation()).norm(), 1e-12);
+}
+
+TEST(Session, TakesNoSettingBeyondItsRangeAndNoStiffnessBeyondTheRating) {
+  const Stage stage = stageOf("sphere", ballTool(50, 3e-3));
+  haptics::Session session;
+  session.set({.isovalue = stage.isovalue});
+  session.adopt(stage.scene, at(0, 0, 0.03));
+  auto device = std::make_unique<FakeDevice>(at(0, 0, 0));
+  device->rated = {.sensed = 6,
+                   .actuated = 6,
+                   .force = 8.0,
+                   .torque = 0.2,
+                   .stiffness = 1000.0,
+                   .angular_stiffness = 0.001};
+  ASSERT_TRUE(session.open(std::move(device)));
+  const auto inForce = [&](double stiffness, double force_scale, double position_scale) {
+    session.set({.isovalue = stage.isovalue,
+                 .stiffness = stiffness,
+                 .force_scale = force_scale,
+                 .position_scale = position_scale});
+    return session.inForce();
+  };
+  EXPECT_EQ(inForce(400.0, 1.0, 2.0).stiffness, 400.0);
+  EXPECT_EQ(inForce(800.0, 1.0, 2.0).stiffness, 500.0);  // 1000 N/m at the hand
+  EXPECT_EQ(inForce(400.0, 2.0, 1.0).stiffness, 800.0);
+  EXPECT_EQ(inForce(400.0, 5.0, 0.5).stiffness, 2000.0);
+  EXPECT_EQ(inForce(400.0, 1.0, 1.0).angular_stiffness, 0.001);
+  const double nan = std::nan("");
+  for (const double odd : {nan, 0.0, -1.0, 1e300, -1e300}) {
+    const Settings settings = inForce(odd, odd, odd);
+    EXPECT_GE(settings.stiffness, 0.0);
+    EXPECT_LE(settings.stiffness * settings.position_scale, 1000.0 + 1e-9) << odd;
+    EXPECT_GE(settings.position_scale, 0.1);
+    EXPECT_LE(settings.position_scale, 10.0);
+  }
 }
 
 TEST(Hazards, EveryTransitionIsAnEvent) {

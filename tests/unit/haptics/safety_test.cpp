@@ -168,6 +168,25 @@ TEST(Safety, ShortlyLetGoStillFadesOutBeforeItRampsIn) {
   EXPECT_EQ(gate.safety.state(), ForceState::Ramping);
 }
 
+// whatever is wished for while it fades: a proxy that is set down far away, a hand that sinks in
+TEST(Safety, WhatFadesNeitherGrowsNorTurns) {
+  for (const ForceReason why : {ForceReason::Clutched, ForceReason::NotHeld, ForceReason::None})
+    for (const bool slewing : {false, true}) {
+      Gate gate = onAlready();
+      if (slewing) gate.safety.settingMoved(false);
+      double last = 4.0;
+      for (int n = 0; n < 60; ++n) {
+        const bool outside = why != ForceReason::None || n >= 6;
+        const Wrench sent =
+            gate.pass({{-500, 20, 30}, {0, 9, 9}}, outside, n < 30 ? withheld(why) : kArmed);
+        if (gate.safety.state() != ForceState::Armed) break;
+        EXPECT_LE(sent.force.norm(), last + 1e-12);
+        EXPECT_EQ(sent.force.x(), 0.0);
+        last = sent.force.norm();
+      }
+    }
+}
+
 TEST(Safety, AFaultIsZeroAndLatchedUntilTheUserHasLetGoAndArmsAgain) {
   for (const ForceReason why : {ForceReason::Lost, ForceReason::Jump, ForceReason::Stalled})
     for (const Circumstances& before : {kArmed, kReady, withheld(ForceReason::Gap)}) {
@@ -342,6 +361,7 @@ TEST(Safety, WithoutLimitsPassesTheWrenchAsItIs) {
 struct Shaken {
   double stiffness, scale = 1.0;
   bool guarded = true;
+  double exchange = kPeriod;  // s between two readings: a link of its own pace
   double share = 1.0, last_swing = 0.0, most_swing = 0.0;
 
   void run(double seconds) {
@@ -349,6 +369,7 @@ struct Shaken {
     const double mass = 0.15, damping = 4.0;  // kg, N·s/m: a light grip
     double x = 0.005, v = 0.0;                // m: the hand comes to the wall at 0.2 m/s, and in
     Wrench sent;
+    double read = x, read_at = 0.0;
     const int ticks = static_cast<int>(seconds / kPeriod);
     for (int n = 0; n < ticks; ++n) {
       for (int k = 0; k < 20; ++k) {
@@ -358,9 +379,13 @@ struct Shaken {
         x += dt * v;
       }
       // at the hand; in the volume it is scale times as far
-      const double wanted = x < 0.0 ? -gate.safety.stiffnessShare() * stiffness * x : 0.0;
+      if (n * kPeriod >= read_at - 1e-9) {
+        read = x;
+        read_at += exchange;
+      }
+      const double wanted = read < 0.0 ? -gate.safety.stiffnessShare() * stiffness * read : 0.0;
       gate.safety.begin(kArmed);
-      gate.safety.moved(at(0, 0, scale * x), scale, kPeriod);
+      gate.safety.moved(at(0, 0, scale * read), scale, kPeriod);
       sent = gate.safety.pass({{0, 0, wanted}, Vec3::Zero()}, true, kPeriod);
       most_swing = std::max(most_swing, std::abs(v));
       if (n > ticks - 500) last_swing = std::max(last_swing, std::abs(v));
@@ -377,6 +402,11 @@ TEST(Safety, LowersTheStiffnessOfALoopThatShakesAndNotOfOneThatDoesNot) {
     EXPECT_EQ(still.share, 1.0) << stiffness;
     EXPECT_LT(still.last_swing, 1e-3) << stiffness;
   }
+  // a link that brings eight readings in ten ticks
+  Shaken tapped{1000.0};
+  tapped.exchange = 1.25e-3;
+  tapped.run(3.0);
+  EXPECT_EQ(tapped.share, 1.0);
   for (const double stiffness : {12'000.0, 16'000.0, 30'000.0})
     for (const double scale : {0.2, 1.0, 5.0}) {
       Shaken shaking{stiffness, scale};

@@ -476,7 +476,7 @@ TEST(PolhemTransport, ReadsEightAnswersARoundAtMost) {
   EXPECT_EQ(it.hid->reads, 8);
 }
 
-TEST(PolhemTransport, AJumpOfItsEncodersOrCountsWithoutAnArmTakeItsZero) {
+TEST(PolhemTransport, AJumpOfItsEncodersOrCountsWithoutAnArmAreItsEnd) {
   const Counts jumped{static_cast<std::int16_t>(kWork[0] + 2'001), kWork[1], kWork[2], 0, 0, 0};
   const Counts restarted{0, 0, 0, 0, 0, 0};
   for (const Counts& counts : {jumped, restarted}) {
@@ -484,8 +484,8 @@ TEST(PolhemTransport, AJumpOfItsEncodersOrCountsWithoutAnArmTakeItsZero) {
     it.makeReady();
     it.counts = counts;
     for (int i = 0; i < 10; ++i) {
-      EXPECT_EQ(it.round(kPush), DeviceStatus::NotReady);
-      EXPECT_EQ(it.reading.trouble, Trouble::NeedsCalibration);
+      EXPECT_EQ(it.round(kPush), DeviceStatus::Lost);
+      EXPECT_EQ(it.reading.trouble, Trouble::Lost);
       if (i > 0) {
         EXPECT_TRUE(zero(it.hid->written.back()));
       }
@@ -499,7 +499,7 @@ TEST(PolhemTransport, AJumpOfItsEncodersOrCountsWithoutAnArmTakeItsZero) {
     it.counts[2] = static_cast<std::int16_t>(it.counts[2] - 300);
     status = it.round(kPush);
   }
-  EXPECT_EQ(status, DeviceStatus::NotReady);
+  EXPECT_EQ(status, DeviceStatus::Lost);
   it.round(kPush);
   EXPECT_TRUE(zero(it.hid->written.back()));
 }
