@@ -304,7 +304,8 @@ void Application::showHand(const std::string& id, const QString& label, bool is_
   window_.view().setMouseHand(is_mouse);
   hand_ = id;
   hand_label_ = label;
-  recording_.note("hand", QString::fromStdString(id));
+  // which of several is nobody's business: a device's own name may tell whose it is
+  recording_.note("hand", QString::fromStdString(id.substr(0, id.find(':'))));
   window_.showHandInUse(QString::fromStdString(id), label);
 }
 

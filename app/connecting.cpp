@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/application.h"
+#include "ui/panels/device_panel.h"
 #include "ui/panels/force_words.h"
 #include "ui/volume_view.h"
 
@@ -86,6 +87,12 @@ void Application::watchDevices() { watch_.watch(devices_seen_ || connected_.has_
 void Application::takeDevice(const ui::DeviceWish& wish, const DeviceWatch::Opened& device) {
   closeReplay();
   handleDevice();
+  // half of what it is rated for at the hand, to begin with: what was set was for another hand
+  if (const double rated = (*device)->rating().stiffness; rated > 0.0) {
+    settings_.stiffness = 0.5 * rated / (settings_.position_scale * settings_.force_scale);
+    window_.devicePanel().showStiffness(settings_.stiffness);
+    session_.set(settings_);
+  }
   const auto opened = session_.open(std::move(*device));
   if (!opened) {
     const QString why = QString::fromStdString(opened.error().what);

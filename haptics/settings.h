@@ -27,7 +27,9 @@ struct Handling {
   int hold_button = -1;      ///< hold-to-run by it; -1: none
   bool hold_to_run = false;  ///< no force unless the button or the key is held
   bool clutch = false;       ///< the clutch's key is down
-  bool held = false;         ///< the key of hold-to-run is down
+  /// The key of hold-to-run is down. Counts for 0.25 s: a window that hangs holds nothing, so who
+  /// means it says it again and again.
+  bool held = false;
 };
 
 }  // namespace haptics

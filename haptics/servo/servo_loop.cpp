@@ -83,7 +83,7 @@ std::uint16_t ServoLoop::readDevice(Engagement* adopted, std::int64_t now) HAPTI
     X_WD_ = reading_.X_BD;
     return static_cast<std::uint16_t>(flags);
   }
-  handling.take(guard_->handling);
+  if (handling.take(guard_->handling)) guard_->handled_ns = now;
   if (adopted != nullptr) guard_->mapping.place(X_WD_ = adopted->proxy.X_WP);
   constexpr int kSilent = 3;
   guard_->silent = read == DeviceStatus::Stale ? guard_->silent + 1 : 0;
@@ -111,7 +111,9 @@ std::uint16_t ServoLoop::readDevice(Engagement* adopted, std::int64_t now) HAPTI
   const Handling& held = guard_->handling;
   const bool clutched = held.clutch || down(held.clutch_button);
   if (clutched) flags |= StepFlags::kClutched;
-  if (held.hold_to_run && !held.held && !down(held.hold_button)) flags |= StepFlags::kLetGo;
+  constexpr std::int64_t kKeyCounts = 250'000'000;  // ns
+  const bool key = held.held && now - guard_->handled_ns < kKeyCounts;
+  if (held.hold_to_run && !key && !down(held.hold_button)) flags |= StepFlags::kLetGo;
   guard_->mapping.set(held.R_WB, in_force_.position_scale);
   guard_->mapping.clutch(clutched);
   X_WD_ = guard_->mapping.toWorld(reading_.X_BD);

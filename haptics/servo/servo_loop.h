@@ -66,7 +66,8 @@ class ServoLoop {
     MotionGuard motion;
     Mapping mapping;
     Handling handling;
-    int silent = 0;  ///< readings in a row that told nothing new
+    int silent = 0;               ///< readings in a row that told nothing new
+    std::int64_t handled_ns = 0;  ///< when `handling` came
   };
 
   void run();

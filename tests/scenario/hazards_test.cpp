@@ -389,9 +389,15 @@ TEST(Hazards, HoldToRunLetsGoWhenNobodyHolds) {
   for (int n = 0; n < 500; ++n) ASSERT_TRUE(isZero(held.step()));
   EXPECT_EQ(held.snapshot().reason, ForceReason::NotHeld);
   held.handling.held = true;  // the key does as well
-  held.loop->handling.publish(held.handling);
-  for (int n = 1; n <= 1000; ++n) ASSERT_LE(held.step().force.norm(), 8.0 * n * 1e-3 + 1e-9);
+  for (int n = 1; n <= 1001; ++n) {
+    held.loop->handling.publish(held.handling);  // as the window does at each picture
+    ASSERT_LE(held.step().force.norm(), 8.0 * n * 1e-3 + 1e-9);
+  }
   EXPECT_GT(held.step().force.norm(), 1.5);
+  // and a window that hangs with the key down holds nothing
+  for (int n = 0; n < 300; ++n) held.step();
+  EXPECT_TRUE(isZero(held.step()));
+  EXPECT_EQ(held.snapshot().reason, ForceReason::NotHeld);
 }
 
 TEST(Hazards, AnotherSceneComesToTheHandWithTheForceFromZero) {

@@ -95,6 +95,9 @@ class Session {
   void connectDevice() {
     click("connectDevice");
     ASSERT_TRUE(waitFor([&] { return bench_.handle->open && settled(); }));
+    // half of what a Falcon is rated for, at the hand
+    const haptics::Settings settings = application.session().inForce();
+    EXPECT_NEAR(settings.stiffness * settings.position_scale, 1500.0, 1e-9);
     // the hand is where it is; the tool is in front of the sphere
     home_B_ = handle().led();
   }
