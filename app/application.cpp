@@ -102,6 +102,10 @@ Application::Application(Arguments arguments)
 }
 
 Application::~Application() {
+  // a window that goes says so, to what has gone before it
+  window_.disconnect(this);
+  window_.view().disconnect(this);
+  window_.hapticDevicePanel().disconnect(this);
   display_.stop();
   measurement_.cancel();
   replay_.reset();

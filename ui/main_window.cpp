@@ -155,7 +155,7 @@ void MainWindow::buildDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, frame);
     return frame;
   };
-  dock(tr("Isosurface"), "isosurfaceDock", isosurface_);
+  QDockWidget* isosurface = dock(tr("Isosurface"), "isosurfaceDock", isosurface_);
   QDockWidget* device = dock(tr("Hand and tool"), "deviceDock", device_);
   QDockWidget* force = dock(tr("Force"), "forceDock", force_);
   // behind the force: they are looked at now and then
@@ -167,6 +167,7 @@ void MainWindow::buildDocks() {
   haptic_device_dock_ = dock(tr("Haptic device"), "hapticDeviceDock", haptic_device_);
   tabifyDockWidget(device, haptic_device_dock_);
   device->raise();
+  resizeDocks({isosurface, device, force}, {190, 220, 390}, Qt::Vertical);
   connect(haptic_device_, &HapticDevicePanel::armWanted, this, &MainWindow::forceOnWanted);
   addAction(recording_->markAction());  // of the window: the panel may be out of sight
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, view_, &VolumeView::setIsovalue);

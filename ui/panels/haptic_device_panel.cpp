@@ -151,6 +151,8 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // how high the docks are is for the others to say
+  scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   scroll->setMinimumWidth(inside->minimumSizeHint().width() +
                           scroll->verticalScrollBar()->sizeHint().width());
   auto* all = new QVBoxLayout(this);
