@@ -38,7 +38,7 @@ enum class ForceReason : std::uint8_t {
   Stale,      ///< Armed: the device told nothing new for three ticks
   Lost,       ///< Fault: the device is gone, or three polls failed
   Jump,       ///< Fault: it moved faster than a hand can, so an encoder is wrong
-  Stalled     ///< Fault: three gaps within ten seconds
+  Stalled     ///< Fault: three gaps within ten seconds, while armed
 };
 
 /// A step of the force from one state to another.

@@ -142,7 +142,7 @@ void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   flags = static_cast<std::uint16_t>(
       flags | (adopted ? StepFlags::kAdopted : 0) | (moved ? StepFlags::kSettingMoved : 0) |
       (stiffened ? StepFlags::kStiffnessMoved : 0) | (arm ? StepFlags::kArmed : 0) |
-      (beat.gap ? StepFlags::kGap : 0) | (beat.stalled ? StepFlags::kStalled : 0));
+      (beat.gap ? StepFlags::kGap : 0) | (beat.stalled && arm ? StepFlags::kStalled : 0));
   Budget budget = Budget::timed(kTickBudget);
   const bool touching = touched != nullptr && (flags & StepFlags::kLost) == 0;
   const ServoResult result =

@@ -244,6 +244,13 @@ TEST(Hazards, AGapIsZeroAndANewRampAndThreeOfThemAreAFault) {
   EXPECT_NE(held.snapshot().force_state, ForceState::Fault);
 }
 
+TEST(Hazards, GapsBeforeItIsArmedAreNoFault) {
+  Held held;
+  held.step();
+  for (int n = 0; n < 10; ++n) EXPECT_TRUE(isZero(held.step(6'000'000)));
+  EXPECT_EQ(held.snapshot().force_state, ForceState::Ready);
+}
+
 TEST(Hazards, ALateTickIsNoGap) {
   Held held;
   ASSERT_NO_FATAL_FAILURE(held.press());
