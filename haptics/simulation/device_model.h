@@ -70,8 +70,9 @@ struct DeviceModel {
   Grip heldBy(const HumanHand& hand, double gyration) const;
 };
 
-/// Every device that is rated and has motors, and "omni-arm-200": a PHANTOM Omni, six sensed and three actuated,
-/// whose tool has its origin 200 mm from the gimbal ([Chan 2011], 3.1, on large moment arms).
+/// Every device that is rated and has motors, and "omni-arm-200": a PHANTOM Omni, six sensed and
+/// three actuated, whose tool has its origin 200 mm from the gimbal ([Chan 2011], 3.1, on large
+/// moment arms).
 std::vector<DeviceModel> deviceModels();
 std::optional<DeviceModel> findDeviceModel(std::string_view name);
 
