@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 
+#include "haptics/core/clock.h"
 #include "haptics/devices/catalogue.h"
 #include "haptics/devices/falcon_packets.h"
 #include "haptics/devices/falcon_port.h"
@@ -21,12 +21,6 @@ constexpr int kInterface = 0;
 constexpr unsigned kRequestMs = 1000;
 constexpr std::int64_t kMillisecond = 1'000'000, kLastWords = 50 * kMillisecond,
                        kCancelled = 500 * kMillisecond;  // ns
-
-std::int64_t monotonic() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 /// Transfers that are kept in flight: reads always, so that the bus never waits for this program.
 /// libusb takes a small block off the heap for every transfer that it submits, and locks; the
@@ -102,7 +96,7 @@ class UsbPort final : public FalconPort {
     return length;
   }
 
-  std::int64_t now() const noexcept override { return monotonic(); }
+  std::int64_t now() const noexcept override { return monotonicNs(); }
 
  private:
   struct Read {
@@ -152,8 +146,8 @@ class UsbPort final : public FalconPort {
   /// Lets libusb work while that holds, or until the time is over; once at least.
   template <class Condition>
   void waitWhile(Condition holds, std::int64_t wait_ns) noexcept {
-    const std::int64_t end = monotonic() + wait_ns;
-    for (std::int64_t left = wait_ns; holds() && left >= 0; left = end - monotonic()) {
+    const std::int64_t end = monotonicNs() + wait_ns;
+    for (std::int64_t left = wait_ns; holds() && left >= 0; left = end - monotonicNs()) {
       handleEvents(left);
       if (left == 0) break;
     }

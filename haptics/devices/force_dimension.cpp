@@ -10,7 +10,7 @@
 #include <optional>
 #include <tuple>
 
-#include "haptics/devices/relay.h"
+#include "haptics/core/clock.h"
 #include "haptics/devices/shared_library.h"
 #include "haptics/devices/threaded.h"
 

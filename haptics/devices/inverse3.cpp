@@ -14,7 +14,7 @@
 #include <thread>
 #include <utility>
 
-#include "haptics/devices/relay.h"
+#include "haptics/core/clock.h"
 
 namespace haptics {
 namespace {

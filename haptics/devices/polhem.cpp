@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <numbers>
 #include <string>
 #include <utility>
+
+#include "haptics/core/clock.h"
 
 namespace haptics {
 namespace {
@@ -38,12 +39,6 @@ constexpr int kLongestJump = 2'000;   // counts between two answers: a motor's h
 constexpr int kRoundsToSet = 20;      // rounds that setting may take
 constexpr int kMostAnswers = 8;       // a round
 constexpr int kRoundsToWakeUp = 100;  // of 5 ms
-
-std::int64_t monotonic() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 PolhemCommand commandOf(const std::array<std::int16_t, 7>& words) noexcept {
   PolhemCommand command{};
@@ -117,7 +112,7 @@ class PolhemTransport final : public Transport {
     last_ = report;
 
     reading.buttons = report.button ? 1 : 0;
-    reading.time_ns = monotonic();
+    reading.time_ns = monotonicNs();
     if (zero_ == Zero::Gone) {
       J_B_.reset();
       reading.trouble = Trouble::Lost;

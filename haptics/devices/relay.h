@@ -4,19 +4,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <ctime>
 
+#include "haptics/core/clock.h"
 #include "haptics/core/latest_value.h"
 #include "haptics/devices/device.h"
 
 namespace haptics {
-
-/// Nanoseconds of the monotonic clock.
-inline std::int64_t monotonicNs() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 /// What passes between the servo thread and the one thread that talks to a device, in both
 /// directions and without waiting. It decides what may be sent. A wrench is zero once it was not

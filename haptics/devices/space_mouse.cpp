@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <optional>
 #include <string>
 #include <utility>
@@ -262,12 +261,6 @@ Pose RateControl::step(std::int64_t now_ns) noexcept {
     rotation_ = (Quat{turned} * rotation_).normalized();
   }
   return poseOf(translation_, rotation_);
-}
-
-std::int64_t monotonicClock() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
 std::unique_ptr<Device> spaceMouseAt(std::vector<std::unique_ptr<HidPort>> ports, Clock clock) {

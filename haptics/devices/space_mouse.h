@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "haptics/core/clock.h"
 #include "haptics/devices/catalogue.h"
 #include "haptics/devices/hid_port.h"
 
@@ -87,9 +88,8 @@ class RateControl {
   bool started_ = false;
 };
 
-/// The monotonic clock, ns.
+/// A clock, ns: the monotonic one, or a test's.
 using Clock = std::int64_t (*)() noexcept;
-std::int64_t monotonicClock() noexcept;
 
 /// The device at these ports, which are interfaces of one device: whichever reports moves it. Its
 /// light is on until it is closed.
@@ -98,7 +98,7 @@ std::int64_t monotonicClock() noexcept;
 /// pose to now. Ok until the last port is gone, then Lost, the pose at rest and no button down.
 /// `write`, `stop` and `resume` do nothing.
 std::unique_ptr<Device> spaceMouseAt(std::vector<std::unique_ptr<HidPort>> ports,
-                                     Clock clock = monotonicClock);
+                                     Clock clock = monotonicNs);
 
 /// The claimed ones among these places, one entry a device, and none if there is none. Only
 /// collections of usage page 1, usage 8 (multi-axis controller) count, or of an unknown usage.

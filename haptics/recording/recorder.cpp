@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "haptics/core/clock.h"
 #include "haptics/field/lanes.h"
 #include "haptics/recording/block.h"
 #include "haptics/recording/database.h"
@@ -31,12 +32,6 @@ namespace {
 
 constexpr int kPageBytes = 16384;  // a block fits into a few
 constexpr const char* kNoRoom = "the disk is full";
-
-std::int64_t monotonic() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 std::int64_t bytesOf(const fs::path& path) {
   std::error_code error;
@@ -87,7 +82,7 @@ class Recorder::Writer {
       : target_{std::move(target)},
         database_{std::move(database)},
         options_{options},
-        ring{monotonic()} {
+        ring{monotonicNs()} {
     steps_.reserve(StepRing::kCapacity);
     thread_ = std::thread{[this] { run(); }};
   }
@@ -192,7 +187,7 @@ class Recorder::Writer {
 };
 
 void Recorder::Writer::run() {
-  std::int64_t committed = monotonic();
+  std::int64_t committed = monotonicNs();
   auto due = std::chrono::steady_clock::now() + options_.commit_every;
   for (bool ended = false; !ended;) {
     {
@@ -215,7 +210,7 @@ void Recorder::Writer::run() {
       // libraries may throw where memory ends
       return fail("there is no memory left");
     }
-    const std::int64_t now = monotonic();
+    const std::int64_t now = monotonicNs();
     const std::int64_t bytes =
         bytesOf(partOf(target_)) + bytesOf(fs::path(partOf(target_).string() + "-wal"));
     const std::scoped_lock lock(mutex_);
@@ -495,7 +490,7 @@ void Recorder::describe(std::shared_ptr<const Scene> scene, std::string tool) {
 void Recorder::identify(std::uint64_t scene, const VolumeHash& hash) { writer_->tell(scene, hash); }
 void Recorder::hurry() { writer_->hurry(); }
 void Recorder::note(std::string kind, std::string text) {
-  writer_->tell(Writer::Event{.time_ns = monotonic() - writer_->ring.begun(),
+  writer_->tell(Writer::Event{.time_ns = monotonicNs() - writer_->ring.begun(),
                               .kind = std::move(kind),
                               .text = std::move(text)});
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "haptics/core/clock.h"
 #include "haptics/servo/servo_tick.h"
 
 namespace haptics {
@@ -15,12 +16,6 @@ namespace {
 constexpr std::int64_t kPeriodNs = 1'000'000;
 constexpr std::int64_t kLateNs = 100'000;
 constexpr int kPriority = 80;
-
-std::int64_t monotonic() HAPTICS_RT {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 }  // namespace
 
@@ -53,13 +48,13 @@ void ServoLoop::run() {
   snapshot_.policy = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0
                          ? SchedulingPolicy::RealTime
                          : SchedulingPolicy::Ordinary;
-  const std::int64_t begun = monotonic();
+  const std::int64_t begun = monotonicNs();
   std::int64_t due = begun;
   while (!ending_.load(std::memory_order_relaxed)) {
     step(double(due - begun) * 1e-9, Watchdog::clock());
     due += kPeriodNs;
     // a period in which no tick can begin any more is missed, not made up for
-    const std::int64_t behind = monotonic() - due;
+    const std::int64_t behind = monotonicNs() - due;
     if (behind > kPeriodNs) {
       const std::int64_t missed = behind / kPeriodNs;
       snapshot_.missed_ticks += static_cast<std::uint64_t>(missed);
@@ -68,7 +63,7 @@ void ServoLoop::run() {
     const timespec wake{due / 1'000'000'000, due % 1'000'000'000};
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) != 0) {
     }
-    if (monotonic() - due > kLateNs) ++snapshot_.late_ticks;
+    if (monotonicNs() - due > kLateNs) ++snapshot_.late_ticks;
   }
   device_->write({});
 }
@@ -138,7 +133,7 @@ void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   if (ring != nullptr && (adopted || ring->startIsDue())) startRecording(*ring, touched);
 
   std::uint16_t flags = readDevice(adopted ? touched : nullptr, now);
-  const std::int64_t read_at = ring != nullptr ? monotonic() : 0;
+  const std::int64_t read_at = ring != nullptr ? monotonicNs() : 0;
   flags = static_cast<std::uint16_t>(
       flags | (adopted ? StepFlags::kAdopted : 0) | (moved ? StepFlags::kSettingMoved : 0) |
       (stiffened ? StepFlags::kStiffnessMoved : 0) | (arm ? StepFlags::kArmed : 0) |
