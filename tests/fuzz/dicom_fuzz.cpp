@@ -9,14 +9,15 @@
 
 #include "datasets/readers/dicom_folder.h"
 #include "datasets/readers/file_geometry.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/require.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
 constexpr std::string_view kSeparator = "\n=file=\n";
 constexpr std::size_t kMostFiles = 12;
 
-std::vector<std::filesystem::path> filesOf(const fuzz::ScratchFolder& folder,
+std::vector<std::filesystem::path> filesOf(const support::ScratchFolder& folder,
                                            std::string_view bytes) {
   std::vector<std::filesystem::path> paths;
   for (std::size_t n = 0; n < kMostFiles; ++n) {
@@ -49,7 +50,7 @@ void check(const datasets::DicomSeries& series) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  static const fuzz::ScratchFolder folder;
+  static const support::ScratchFolder folder;
   const auto paths = filesOf(folder, std::string_view(reinterpret_cast<const char*>(bytes), size));
   if (const auto all = datasets::seriesAmong(paths))
     for (const datasets::DicomSeries& series : *all) check(series);

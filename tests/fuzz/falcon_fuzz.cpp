@@ -12,7 +12,8 @@
 #include "haptics/devices/falcon.h"
 #include "haptics/devices/falcon_kinematics.h"
 #include "haptics/devices/falcon_packets.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/require.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
@@ -112,7 +113,7 @@ void exchange(Bytes input) {
 }
 
 void load(Bytes input) {
-  static const fuzz::ScratchFolder scratch;
+  static const support::ScratchFolder scratch;
   static const auto firmware = scratch.write("firmware", std::string(150, 'f'));
   const auto link = haptics::falcon::linkTo(std::make_unique<Scripted>(input, false), firmware);
   if (!link)

@@ -10,7 +10,7 @@
 #include "haptics/devices/polhem.h"
 #include "haptics/devices/space_mouse.h"
 #include "haptics/devices/spacenav_socket.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "haptics/devices/inverse3.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto message = haptics::readInverse3({reinterpret_cast<const char*>(bytes), size});

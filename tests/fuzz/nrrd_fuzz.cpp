@@ -6,13 +6,14 @@
 
 #include "datasets/readers/nrrd_header.h"
 #include "datasets/readers/nrrd_voxels.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/require.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
 /// The folder of the header, with data files that it may name.
-const fuzz::ScratchFolder& folder() {
-  static const fuzz::ScratchFolder scratch;
+const support::ScratchFolder& folder() {
+  static const support::ScratchFolder scratch;
   static const bool filled = [] {
     scratch.write("data.raw", std::string(4096, '\1'));
     for (const char* name : {"slice_0.raw", "slice_1.raw", "slice_2.raw"})

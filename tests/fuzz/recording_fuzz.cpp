@@ -11,14 +11,15 @@
 
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
-#include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/require.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
 using haptics::Error;
 
-const fuzz::ScratchFolder& folder() {
-  static const fuzz::ScratchFolder scratch;
+const support::ScratchFolder& folder() {
+  static const support::ScratchFolder scratch;
   return scratch;
 }
 

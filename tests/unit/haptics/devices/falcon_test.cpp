@@ -10,7 +10,6 @@
 #include <cmath>
 #include <deque>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -21,6 +20,7 @@
 
 #include "haptics/devices/falcon_kinematics.h"
 #include "haptics/devices/falcon_packets.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
@@ -200,10 +200,8 @@ const Wrench kPush{.force = {0.5, -0.3, 1.0}};
 bool isZero(const Motors& motors) { return motors == Motors{}; }
 
 std::filesystem::path fileOf(const std::string& name, const Bytes& bytes) {
-  const auto path = std::filesystem::path{testing::TempDir()} / ("palpate-" + name);
-  std::ofstream{path, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
-                                              std::streamsize(bytes.size()));
-  return path;
+  static const support::ScratchFolder folder;
+  return folder.write(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 /// Firmware of the test's own: 40 chunks, the last one short, zeros in front.

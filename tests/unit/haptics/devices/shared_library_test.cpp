@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
+#include "tests/support/scratch_folder.h"
 #include "tests/unit/haptics/devices/stub_library.h"
 
 namespace {
@@ -29,8 +28,8 @@ TEST(SharedLibrary, NamesAllThatItLookedFor) {
 }
 
 TEST(SharedLibrary, SaysOfOneThatIsThereWhyItCannotBeLoaded) {
-  const std::string broken = testing::TempDir() + "broken.so";
-  std::ofstream{broken} << "no library";
+  const support::ScratchFolder folder;
+  const std::string broken = folder.write("broken.so", "no library").string();
   const std::vector<std::string> names{"libpalpate-absent.so", broken};
   const auto library = SharedLibrary::open(names, "look elsewhere.");
   ASSERT_FALSE(library);

@@ -3,16 +3,16 @@
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "tests/support/scratch_folder.h"
 
 /// What tests of drivers over makers' libraries share: the stub's control, copies of it that lack a
 /// function, and patience.
@@ -37,10 +37,8 @@ inline std::string without(const std::string& path, const std::string& symbol) {
     if (at == bytes.end()) break;
     *++at = 'X';
   }
-  const std::filesystem::path copy = std::filesystem::path{testing::TempDir()} /
-                                     (std::to_string(getpid()) + "-without-" + symbol + ".so");
-  std::ofstream{copy, std::ios::binary}.write(bytes.data(), std::ssize(bytes));
-  return copy.string();
+  static const support::ScratchFolder folder;
+  return folder.write("without-" + symbol + ".so", {bytes.data(), bytes.size()}).string();
 }
 
 /// Waits for what another thread is to bring about: half a minute, which no machine needs.

@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <unistd.h>
-
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
 
-namespace fuzz {
+namespace support {
 
-/// A folder of this process for the files of a run; removed when the process ends well.
+/// A folder of its own, whatever runs beside it; removed in the end, unless the process crashes.
 class ScratchFolder {
  public:
-  ScratchFolder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("palpate-fuzz-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "palpate-tests-XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
   }
   ~ScratchFolder() {
     std::error_code ignored;
@@ -37,11 +33,4 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// Ends the run as a crash does, so that the fuzzer keeps the input.
-inline void require(bool holds, const char* promise) {
-  if (holds) return;
-  std::fprintf(stderr, "Does not hold: %s\n", promise);
-  std::abort();
-}
-
-}  // namespace fuzz
+}  // namespace support
