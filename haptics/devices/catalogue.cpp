@@ -13,6 +13,7 @@
 #include "haptics/devices/polhem.h"
 #include "haptics/devices/space_mouse.h"
 #include "haptics/devices/spacenav_socket.h"
+#include "haptics/devices/wooden_haptics.h"
 
 namespace haptics {
 namespace {
@@ -24,6 +25,7 @@ constexpr std::array kDrivers{
     Driver{"falcon", surveyFalcon, openFalcon},
     Driver{"inverse3", surveyInverse3, openInverse3},
     Driver{"polhem", surveyPolhem, openPolhem},
+    Driver{"woodenhaptics", surveyWoodenHaptics, openWoodenHaptics},
     Driver{"force-dimension", surveyForceDimension, openForceDimension},
     Driver{"openhaptics", surveyOpenHaptics, openOpenHaptics},
 };

@@ -192,15 +192,16 @@ constexpr std::array kRatings{
                  .source = "its makers' open parameters (polhem_v3); resolution from its geometry"},
     DeviceRating{.id = "woodenhaptics",
                  .name = "WoodenHaptics",
-                 .sensed = 6,
+                 .sensed = 3,
                  .actuated = 3,
                  .force = 5.0,
                  .continuous_force = 1.7,
                  .stiffness = 1000.0,
                  .damping = 8.0,
                  .workspace = 0.10,
-                 .resolution = 0.01e-3,
-                 .source = "its makers' open parameters (aluhaptics_v2); resolution not verified"},
+                 .resolution = 0.06e-3,
+                 .source = "its makers' open parameters (woodenhaptics_v2015); resolution from its "
+                           "geometry"},
 };
 }  // namespace
 

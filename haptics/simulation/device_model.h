@@ -51,8 +51,9 @@ struct HumanHand {
 /// Force, torque and stiffness are the makers' ratings. So are the encoder steps of omega (at
 /// most 0.01 mm), Touch and Omni (0.055), Desktop (0.023), by what is public and unverified; those
 /// of Falcon (0.0364 degrees at an arm of 60 mm) and Polhem (4096 counts on a capstan of 28.8 mm
-/// that drives a sector of 175 mm, which moves the handle at 0.13 m: 0.033 mm) follow from their
-/// geometry. Where nothing is known it is 0.01 mm, and half a milliradian in rotation.
+/// that drives a sector of 175 mm, which moves the handle at 0.13 m: 0.033 mm) and WoodenHaptics
+/// (2000 counts on one of 10 mm, a sector of 120 mm, a forearm of 245 mm: 0.06 mm) follow from
+/// their geometry. Where nothing is known it is 0.01 mm, and half a milliradian in rotation.
 ///
 /// No public table has moving masses, damping and dry friction of all. Mass: 0.1 kg up to a force
 /// of 5 N, 0.2 up to 15, 0.3 above. Damping: 1 N·s/m. Both from the range in which the loop was

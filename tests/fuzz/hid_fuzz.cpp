@@ -76,7 +76,7 @@ void readSpacenav(Bytes bytes) {
 /// What came of the device's bytes, and what was sent to it.
 struct Line {
   Bytes left;
-  haptics::PolhemCommand last{};
+  haptics::BoardCommand last{};
 };
 
 class Port final : public haptics::HidPort {
@@ -103,7 +103,8 @@ class Port final : public haptics::HidPort {
 void readPolhem(Bytes bytes) {
   Line line{bytes};
   {
-    const auto transport = haptics::polhemTransport(std::make_unique<Port>(line));
+    const auto transport = haptics::armTransport(haptics::polhem(), std::make_unique<Port>(line),
+                                                 haptics::kTeensyBoard.report);
     haptics::DeviceReading reading;
     DeviceStatus last = DeviceStatus::NotReady;
     while (last != DeviceStatus::Lost) {
@@ -122,7 +123,7 @@ void readPolhem(Bytes bytes) {
       last = status;
     }
   }
-  fuzz::require(line.last == haptics::PolhemCommand{}, "zero is the last word");
+  fuzz::require(line.last == haptics::BoardCommand{}, "zero is the last word");
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ QString whatToDo(Trouble trouble) {
     case Trouble::NotHomed:
       return Words::tr("Move its handle to its stops: all the way out, then all the way in.");
     case Trouble::NeedsCalibration:
-      return Words::tr("Put its stylus into the cradle, or calibrate it as its maker says.");
+      return Words::tr("Put its stylus into the cradle; or put its arm to rest and press its zero button.");
     case Trouble::MotorsHot:
       return Words::tr("Its motors are hot: let it rest for some minutes.");
     case Trouble::ForceOff:

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptics/devices/space_mouse.h"
+#include "haptics/devices/wooden_haptics.h"
 
 namespace {
 
@@ -100,7 +101,8 @@ TEST(UdevRules, LetInWhatTheDriversClaim) {
   EXPECT_GE(all.size(), 6u);
   for (const haptics::SpaceMouseModel& model : haptics::spaceMouseModels())
     EXPECT_TRUE(letIn(all, "hidraw", model.vendor, model.product)) << model.name;
-  EXPECT_TRUE(letIn(all, "hidraw", 0x16c0, 0x0486));  // Polhem
+  for (const haptics::BoardIds& board : haptics::woodenHaptics().boards)  // and Polhem's
+    EXPECT_TRUE(letIn(all, "hidraw", board.vendor, board.product));
   EXPECT_TRUE(letIn(all, "hidraw", 0x2988, 0x0302));  // Touch
   EXPECT_TRUE(letIn(all, "usb", 0x0403, 0xcb48));     // Falcon
   EXPECT_TRUE(letIn(all, "usb", 0x1451, 0x0402));     // Force Dimension
@@ -121,6 +123,7 @@ TEST(UdevRules, LetNothingElseIn) {
   for (int product = 0; product < 0x10000; ++product) {
     ASSERT_EQ(letIn(all, "usb", 0x0403, product), product == 0xcb48);  // a maker of serial chips
     ASSERT_EQ(letIn(all, "hidraw", 0x16c0, product), product == 0x0486);
+    ASSERT_EQ(letIn(all, "hidraw", 0x1234, product), product == 0x0006);
   }
 }
 
