@@ -46,10 +46,10 @@ std::string asTable(const std::vector<haptics::DeviceEntry>& entries) {
       std::snprintf(text, sizeof text, "%.3g N", rating->force);
       force = text;
     }
-    const bool usable = entry.trouble == haptics::Trouble::None;
+    std::string state{haptics::wordOf(entry.trouble)};
+    if (entry.trouble == haptics::Trouble::None) state = entry.present ? "ready" : "to-be-tried";
     rows.push_back({entry.id, entry.name, std::to_string(entry.sensed),
-                    std::to_string(entry.actuated), force,
-                    usable ? "ready" : std::string{haptics::wordOf(entry.trouble)}});
+                    std::to_string(entry.actuated), force, state});
   }
   std::array<std::size_t, 6> widths{};
   for (const Row& row : rows)

@@ -17,6 +17,7 @@ enum class Trouble : std::uint8_t {
   NoFirmware,        ///< it needs its maker's firmware, which the user has to name
   NotHomed,          ///< the user has to move it to its stops
   NeedsCalibration,  ///< the user has to put it in its cradle, or start the maker's tool
+  NotStarted,        ///< it has no power, or has not come up
   MotorsHot,         ///< it cools down by itself
   ForceOff,          ///< it has switched its force off: its button, its speed limit, its watchdog
   Refused,           ///< it answers in a way that this driver does not know
@@ -44,6 +45,8 @@ constexpr std::string_view wordOf(Trouble trouble) {
       return "not-homed";
     case Trouble::NeedsCalibration:
       return "needs-calibration";
+    case Trouble::NotStarted:
+      return "not-started";
     case Trouble::MotorsHot:
       return "motors-hot";
     case Trouble::ForceOff:

@@ -25,6 +25,10 @@ constexpr int kRoundsToSet = 20;      // rounds that setting may take
 constexpr int kMostAnswers = 8;       // a round
 constexpr int kRoundsToWakeUp = 100;  // of 5 ms
 
+constexpr const char* kWhichArm =
+    "Polhem and WoodenHaptics have the same boards: connect the arm that it is, or it is pushed in "
+    "wrong directions.";
+
 // one more than the longest report: what is too long shows
 using Buffer = std::array<std::uint8_t, kTeensyBoard.report + 1>;
 
@@ -253,13 +257,12 @@ std::unique_ptr<Transport> armTransport(const CapstanArm& arm, std::unique_ptr<H
 std::vector<DeviceEntry> armsAmong(const CapstanArm& arm, std::span<const HidPlace> places) {
   const std::vector<Found> found = boardsAmong(arm, places);
   const DeviceRating& rating = *findRating(arm.driver);
-  std::string name = nameOf(arm);
-  if (found.size() > 1) name += " (one of " + std::to_string(found.size()) + ")";
+  const std::string name = nameOf(arm);
   std::vector<DeviceEntry> entries;
   for (const auto& [place, report] : found) {
-    const auto [trouble, why] = hidObstacle(place, name);
-    entries.push_back({found.size() == 1 ? std::string{arm.driver} : idOf(arm, place), name,
-                       rating.sensed, rating.actuated, true, trouble, why});
+    auto [trouble, why] = hidObstacle(place, name);
+    if (trouble == Trouble::None) why = kWhichArm;
+    entries.push_back({idOf(arm, place), name, rating.sensed, rating.actuated, true, trouble, why});
   }
   return entries;
 }

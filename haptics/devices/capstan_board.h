@@ -102,7 +102,7 @@ std::unique_ptr<Transport> armTransport(const CapstanArm& arm, std::unique_ptr<H
 
 /// The boards among these places that the arm may stand behind: also by the usage page (0xffab) and
 /// usage (0x0200) of a raw report device. Another project on such a board still passes; opening
-/// finds out.
+/// finds out. So does the other arm, and nothing finds that out: `why` says it to the user.
 std::vector<DeviceEntry> armsAmong(const CapstanArm& arm, std::span<const HidPlace> places);
 
 /// Wakes a device up: refused as Trouble::Refused where no report of its board comes within half a

@@ -16,11 +16,16 @@ namespace haptics {
 
 /// A device as it stands now: known, and perhaps here.
 struct DeviceEntry {
-  std::string id;    ///< to open it by: the driver's name, and after a colon which one of several
-  std::string name;  ///< for people: "Novint Falcon"
-  int sensed = 0, actuated = 0;     ///< degrees of freedom
-  bool present = false;             ///< plugged in, or its service knows it
-  Trouble trouble = Trouble::None;  ///< why it cannot be opened now; None: it can
+  /// To open it by, whatever else is plugged in: the driver's name, and after a colon which one;
+  /// the name alone where none is here, or the first that can be opened is meant.
+  std::string id;
+  std::string name;              ///< for people: "Novint Falcon"
+  int sensed = 0, actuated = 0;  ///< degrees of freedom
+  bool present = false;          ///< plugged in, or its service knows it
+  /// Why it cannot be used now. None: it can be opened, or where it is not known to be present,
+  /// opening tells. What the user sees to at the device (NotHomed to ForceOff) keeps it from
+  /// nothing but force.
+  Trouble trouble = Trouble::None;
   std::string why = {};  ///< one sentence for the user: what is wrong, and what to try; or empty
 };
 

@@ -290,7 +290,7 @@ std::vector<DeviceEntry> entriesOf(std::span<const FalconPlace> places) {
   std::vector<DeviceEntry> entries;
   for (const FalconPlace& place : places) {
     DeviceEntry entry = absent;
-    if (places.size() > 1) entry.id += ":" + place.where;
+    entry.id += ":" + place.where;
     entry.present = true;
     entry.trouble = Trouble::None;
     entry.why.clear();

@@ -19,8 +19,9 @@ namespace {
 
 constexpr std::string_view kDriver = "force-dimension";
 constexpr const char* kName = "Force Dimension device";
+constexpr const char* kProduct = "The Force Dimension SDK";
 constexpr const char* kAdvice =
-    "install the Force Dimension SDK from its maker's site, where the system looks for libraries.";
+    "install it from its maker's site, where the system looks for libraries.";
 
 constexpr std::tuple kOldest{3, 3, 2};           // with the watchdog
 constexpr int kNewestMajor = 3;                  // another one may have other functions
@@ -106,7 +107,7 @@ Mat3 axes() {
 }
 
 Expected<Dhd> load(std::span<const std::string> libraries) {
-  auto library = SharedLibrary::open(libraries, kAdvice);
+  auto library = SharedLibrary::open(libraries, kProduct, kAdvice);
   if (!library) return tl::unexpected(library.error());
   Dhd dhd{std::move(*library)};
   SharedLibrary& of = dhd.library;
@@ -133,14 +134,16 @@ Expected<Dhd> load(std::span<const std::string> libraries) {
 
   if (!of.lacks().empty())
     return tl::unexpected(refusal(
-        Trouble::NoLibrary, of.name() + " lacks " + of.lacks() + " and is too old; " + kAdvice));
+        Trouble::NoLibrary, std::string{kProduct} + " is too old (" + of.name() + " lacks " +
+                                of.lacks() + "); install a newer one from its maker's site."));
   int major = 0, minor = 0, release = 0, revision = 0;
   dhd.version(&major, &minor, &release, &revision);
   if (std::tuple{major, minor, release} < kOldest || major > kNewestMajor)
-    return tl::unexpected(
-        refusal(Trouble::NoLibrary, of.name() + " is of version " + std::to_string(major) + "." +
-                                        std::to_string(minor) + "." + std::to_string(release) +
-                                        ", and Palpate knows 3.3.2 to 3.x; " + kAdvice));
+    return tl::unexpected(refusal(
+        Trouble::NoLibrary, std::string{kProduct} + " is of version " + std::to_string(major) +
+                                "." + std::to_string(minor) + "." + std::to_string(release) +
+                                ", and Palpate knows 3.3.2 to 3.x; install one of these from its "
+                                "maker's site."));
   return dhd;
 }
 
@@ -301,15 +304,15 @@ Error notOpened(int error) {
                      "Another program uses the Force Dimension device; close that program first.");
     case kErrorNoDriver:
       return refusal(Trouble::NoPermission,
-                     "The system does not let you use the Force Dimension device; install the udev "
-                     "rule that comes with its SDK and plug it in again.");
+                     "The system does not let you use the Force Dimension device; install "
+                     "packaging/70-palpate.rules in /etc/udev/rules.d and plug it in again.");
     case kErrorNoDevice:
       return refusal(Trouble::NotPluggedIn,
                      "The Force Dimension device is gone; plug it in and switch it on.");
     case kErrorCommunication:
       return refusal(Trouble::NoPermission,
-                     "The Force Dimension device does not answer; switch it on, and see that the "
-                     "udev rule that comes with its SDK is installed.");
+                     "The Force Dimension device does not answer; switch it on, and see that "
+                     "packaging/70-palpate.rules is installed in /etc/udev/rules.d.");
     default:
       return refusal(Trouble::Refused, "The Force Dimension device could not be opened (error " +
                                            std::to_string(error) +

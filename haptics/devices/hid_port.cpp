@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <hidapi/hidapi.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,8 +15,12 @@ namespace {
 
 class OpenHid final : public HidPort {
  public:
-  explicit OpenHid(hid_device* device) : device_{device} {}
-  ~OpenHid() override { hid_close(device_); }
+  /// `lock`: the device's file, locked.
+  OpenHid(hid_device* device, int lock) : device_{device}, lock_{lock} {}
+  ~OpenHid() override {
+    hid_close(device_);
+    ::close(lock_);
+  }
   OpenHid(const OpenHid&) = delete;
   OpenHid& operator=(const OpenHid&) = delete;
 
@@ -32,6 +37,7 @@ class OpenHid final : public HidPort {
 
  private:
   hid_device* device_;
+  int lock_;
 };
 
 /// What the system's word means for the user.
@@ -40,8 +46,9 @@ HidObstacle obstacleFor(int error, const std::string& name) {
     return {Trouble::NoPermission,
             "The system does not let you use the " + name +
                 "; install packaging/70-palpate.rules in /etc/udev/rules.d and plug it in again."};
-  if (error == EBUSY)
-    return {Trouble::InUse, "Another program uses the " + name + "; close that program first."};
+  if (error == EBUSY || error == EWOULDBLOCK)
+    return {Trouble::InUse, "Another program, or another part of Palpate, uses the " + name +
+                                "; close that one first."};
   return {Trouble::NotPluggedIn, "The " + name + " is gone; plug it in again."};
 }
 
@@ -64,14 +71,16 @@ HidObstacle hidObstacle(const HidPlace& place, const std::string& name) {
 
 Expected<std::unique_ptr<HidPort>> openHid(const HidPlace& place, const std::string& name) {
   // hidapi does not say why it could not open: the system does
-  const int tried = ::open(place.path.c_str(), O_RDWR | O_CLOEXEC);
-  if (tried < 0) {
+  const int lock = ::open(place.path.c_str(), O_RDWR | O_CLOEXEC);
+  const bool locked = lock >= 0 && ::flock(lock, LOCK_EX | LOCK_NB) == 0;
+  if (!locked) {
     const HidObstacle obstacle = obstacleFor(errno, name);
+    if (lock >= 0) ::close(lock);
     return tl::unexpected(refusal(obstacle.trouble, obstacle.why));
   }
-  ::close(tried);
   if (hid_device* const device = hid_open_path(place.path.c_str()))
-    return std::make_unique<OpenHid>(device);
+    return std::make_unique<OpenHid>(device, lock);
+  ::close(lock);
   return tl::unexpected(refusal(
       Trouble::Refused, "The " + name + " could not be opened; unplug it and plug it in again."));
 }

@@ -46,7 +46,9 @@ struct HidObstacle {
 /// What the system would say if it were opened, without opening it. Not: whether it is in use.
 HidObstacle hidObstacle(const HidPlace& place, const std::string& name);
 
-/// Opens it. Refused as Trouble::NoPermission, InUse or NotPluggedIn, in words with `name`.
+/// Opens it, for one port at a time of all that are opened here, in this program or another
+/// Palpate: the system would let any number of programs have it, and does not tell of others'.
+/// Refused as Trouble::NoPermission, InUse or NotPluggedIn, in words with `name`.
 Expected<std::unique_ptr<HidPort>> openHid(const HidPlace& place, const std::string& name);
 
 }  // namespace haptics

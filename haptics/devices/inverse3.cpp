@@ -70,13 +70,17 @@ bool readStatus(const json& status, Inverse3State& state) {
   state.tells_status = true;
   struct Flag {
     const char* key;
+    Trouble trouble;
     const char* why;
   };
   constexpr std::array kFlags{
-      Flag{"power_supply", "The Haply Inverse3 has no power; plug in its power supply."},
-      Flag{"started", "The Haply Inverse3 is not started; switch it off and on, and wait."},
-      Flag{"ready", "The Haply Inverse3 is not ready; wait, or switch it off and on."},
-      Flag{"calibrated",
+      Flag{"power_supply", Trouble::NotStarted,
+           "The Haply Inverse3 has no power; plug in its power supply."},
+      Flag{"started", Trouble::NotStarted,
+           "The Haply Inverse3 is not started; switch it off and on, and wait."},
+      Flag{"ready", Trouble::NotStarted,
+           "The Haply Inverse3 is not ready; wait, or switch it off and on."},
+      Flag{"calibrated", Trouble::NeedsCalibration,
            "The Haply Inverse3 is not calibrated; put its handle in the inkwell until its light "
            "says that it is."}};
   for (const Flag& flag : kFlags) {
@@ -84,7 +88,7 @@ bool readStatus(const json& status, Inverse3State& state) {
     if (value == nullptr) continue;
     if (!value->is_boolean()) return false;
     if (value->get<bool>() || state.trouble != Trouble::None) continue;
-    state.trouble = Trouble::NeedsCalibration;
+    state.trouble = flag.trouble;
     state.why = flag.why;
   }
   return true;
@@ -393,6 +397,7 @@ DeviceEntry entryOf(const Inverse3State& device, bool grip) {
                     .sensed = grip ? 6 : rating.sensed,
                     .actuated = rating.actuated,
                     .present = true,
+                    .trouble = device.trouble,
                     .why = device.why};
   if (!device.axes_are_ours) {
     entry.trouble = Trouble::Refused;

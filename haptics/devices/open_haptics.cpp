@@ -19,8 +19,9 @@ using namespace std::chrono_literals;
 
 constexpr std::string_view kDriver = "openhaptics";
 constexpr const char* kName = "Touch or PHANTOM (OpenHaptics)";
+constexpr const char* kProduct = "OpenHaptics";
 constexpr const char* kAdvice =
-    "install OpenHaptics and the device's driver from 3D Systems' site, where the system looks for "
+    "install it and the device's driver from 3D Systems' site, where the system looks for "
     "libraries.";
 
 constexpr std::chrono::milliseconds kFresh = 15ms, kSilent = 500ms;
@@ -84,7 +85,7 @@ struct Hd {
 std::atomic<bool> taken{false};
 
 Expected<Hd> load(std::span<const std::string> libraries) {
-  auto library = SharedLibrary::open(libraries, kAdvice);
+  auto library = SharedLibrary::open(libraries, kProduct, kAdvice);
   if (!library) return tl::unexpected(library.error());
   Hd hd{std::move(*library)};
   SharedLibrary& of = hd.library;
@@ -108,7 +109,8 @@ Expected<Hd> load(std::span<const std::string> libraries) {
   of.need(hd.stop, "hdStopScheduler");
   if (!of.lacks().empty())
     return tl::unexpected(refusal(
-        Trouble::NoLibrary, of.name() + " lacks " + of.lacks() + " and is too old; " + kAdvice));
+        Trouble::NoLibrary, std::string{kProduct} + " is too old (" + of.name() + " lacks " +
+                                of.lacks() + "); install a newer one from 3D Systems' site."));
   return hd;
 }
 
@@ -357,7 +359,8 @@ Error notOpened(unsigned error) {
         Trouble::NotPluggedIn,
         error == kLink
             ? "The Touch or PHANTOM does not answer; see that it is plugged in and "
-              "switched on, and pair it in the maker's setup tool."
+              "switched on, that packaging/70-palpate.rules is installed in /etc/udev/rules.d, and "
+              "pair it in the maker's setup tool."
             : "OpenHaptics finds no Touch or PHANTOM; plug it in, switch it on, and set it "
               "up with the maker's setup tool.");
   std::array<char, 16> code{};

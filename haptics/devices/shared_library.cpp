@@ -12,7 +12,7 @@ void SharedLibrary::Close::operator()(void* handle) const { dlclose(handle); }
 void* SharedLibrary::address(const char* symbol) const { return dlsym(handle_.get(), symbol); }
 
 Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names,
-                                            const std::string& advice) {
+                                            const std::string& product, const std::string& advice) {
   std::string looked_for, fault;
   for (const std::string& name : names) {
     if (void* const handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE))
@@ -25,9 +25,10 @@ Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names,
     const bool absent = why.starts_with(name + ": cannot open shared object file: No such file");
     if (!absent && fault.empty()) fault = name + " cannot be loaded (" + why + "); ";
   }
-  if (!fault.empty()) return tl::unexpected(refusal(Trouble::NoLibrary, fault + advice));
-  return tl::unexpected(
-      refusal(Trouble::NoLibrary, "Not installed (looked for " + looked_for + "); " + advice));
+  if (!fault.empty())
+    return tl::unexpected(refusal(Trouble::NoLibrary, product + ": " + fault + advice));
+  return tl::unexpected(refusal(Trouble::NoLibrary, product + " is not installed (looked for " +
+                                                        looked_for + "); " + advice));
 }
 
 }  // namespace haptics

@@ -177,7 +177,6 @@ std::vector<Found> devicesAmong(std::span<const HidPlace> places) {
   return devices;
 }
 
-/// The one by its id, where several are plugged in.
 std::string idOf(const Found& device) {
   return std::string{kDriver} + ":" + device.places.front().path;
 }
@@ -273,8 +272,7 @@ std::vector<DeviceEntry> spaceMiceAmong(std::span<const HidPlace> places) {
   for (const Found& device : devices) {
     const std::string name = device.name();
     const auto [trouble, why] = hidObstacle(device.places.front(), name);
-    entries.push_back({devices.size() == 1 ? std::string{kDriver} : idOf(device), name, 6, 0, true,
-                       trouble, why});
+    entries.push_back({idOf(device), name, 6, 0, true, trouble, why});
   }
   return entries;
 }

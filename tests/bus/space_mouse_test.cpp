@@ -48,6 +48,19 @@ TEST(SpaceMouse, AUserWithoutTheRuleIsToldOfItAndWithItOpensTheDevice) {
   EXPECT_EQ(Child(As::User, {"open", "spacemouse"}).said(), "opened\n");
 }
 
+TEST(SpaceMouse, WhatOnePalpateHasOpenAnotherDoesNotOpen) {
+  const bus::UhidSpaceMouse mouse;
+  auto device = haptics::openDevice({"spacemouse"});
+  ASSERT_TRUE(device) << device.error().what;
+  const std::string refused = Child{As::Root, {"open", "spacemouse"}}.said();
+  EXPECT_TRUE(refused.starts_with("in-use ")) << refused;
+  const auto twice = haptics::openDevice({"spacemouse"});
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().reason, "in-use");
+  device->reset();
+  EXPECT_EQ(Child(As::Root, {"open", "spacemouse"}).said(), "opened\n");
+}
+
 /// Pushes the cap, again and again as a cap does, until the pose has gone `way` or longer.
 template <class Mouse>
 void movesThePose(Mouse& mouse, FeltSphere& sphere, const CapAxes& axes, const Vec3& way_W,

@@ -109,6 +109,20 @@ TEST(HapticDevicePanel, EachTroubleHasItsWordsAndSentenceAndOnlySomeLetConnect) 
   EXPECT_EQ(words.size(), static_cast<int>(Trouble::Lost));
 }
 
+TEST(HapticDevicePanel, WhatOnlyOpeningTellsCanBeTried) {
+  Shown shown;
+  QSignalSpy wanted(&shown.panel, &HapticDevicePanel::connectWanted);
+  shown.panel.show(QList<DeviceLine>{
+      {.id = "openhaptics", .name = "Touch", .sensed = 6, .actuated = 3, .why = "Opening tells."}});
+  const QTreeWidgetItem* line = shown.list->topLevelItem(0);
+  EXPECT_EQ(line->text(1), "to be tried");
+  EXPECT_EQ(line->foreground(0).style(), Qt::NoBrush);
+  EXPECT_EQ(shown.why->text(), "Opening tells.");
+  QTest::mouseClick(shown.connect, Qt::LeftButton);
+  ASSERT_EQ(wanted.size(), 1);
+  EXPECT_EQ(qvariant_cast<ui::DeviceWish>(wanted[0][0]), (ui::DeviceWish{.id = "openhaptics"}));
+}
+
 TEST(HapticDevicePanel, FirmwareIsAskedForOnlyWhereItIsMissing) {
   Shown shown;
   QSignalSpy wanted(&shown.panel, &HapticDevicePanel::connectWanted);

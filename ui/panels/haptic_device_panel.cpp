@@ -48,7 +48,7 @@ QLabel* label(const char* name) {
 QString wordsFor(const DeviceLine& device) {
   switch (device.trouble) {
     case Trouble::None:
-      return device.present ? HapticDevicePanel::tr("here") : HapticDevicePanel::tr("not here");
+      return device.present ? HapticDevicePanel::tr("here") : HapticDevicePanel::tr("to be tried");
     case Trouble::NotPluggedIn:
       return HapticDevicePanel::tr("not plugged in");
     case Trouble::NoPermission:
@@ -65,6 +65,8 @@ QString wordsFor(const DeviceLine& device) {
       return HapticDevicePanel::tr("needs homing");
     case Trouble::NeedsCalibration:
       return HapticDevicePanel::tr("needs calibration");
+    case Trouble::NotStarted:
+      return HapticDevicePanel::tr("not started");
     case Trouble::MotorsHot:
       return HapticDevicePanel::tr("motors hot");
     case Trouble::ForceOff:
@@ -81,6 +83,7 @@ QString wordsFor(const DeviceLine& device) {
 bool canConnect(const DeviceLine& device, bool firmware_named) {
   switch (device.trouble) {
     case Trouble::None:
+      return true;
     case Trouble::NotHomed:
     case Trouble::NeedsCalibration:
     case Trouble::MotorsHot:
@@ -286,7 +289,7 @@ void HapticDevicePanel::show(const QList<DeviceLine>& devices) {
       const bool mine = link_ == Link::Connected && device.id == connected_;
       auto* line = new QTreeWidgetItem({device.name, mine ? tr("connected") : wordsFor(device)});
       line->setToolTip(Name, device.why.toHtmlEscaped());
-      if (!device.present)
+      if (!canConnect(device, true))
         for (int c = 0; c < kColumns; ++c)
           line->setForeground(c, palette().brush(QPalette::Disabled, QPalette::Text));
       list_->addTopLevelItem(line);

@@ -375,7 +375,7 @@ TEST(ArmsAmong, TakeTheUsageOfARawReportDevice) {
                           place(0x0486, 0, 0, "/dev/zero")};
   const auto entries = haptics::armsAmong(haptics::polhem(), places);
   ASSERT_EQ(entries.size(), 1u);
-  EXPECT_EQ(entries[0].id, "polhem");
+  EXPECT_EQ(entries[0].id, "polhem:/dev/null");
   EXPECT_EQ(entries[0].sensed, 6);
   EXPECT_EQ(entries[0].actuated, 3);
   EXPECT_EQ(entries[0].trouble, Trouble::None);
@@ -394,6 +394,7 @@ TEST(ArmsAmong, WhichArmIsBehindABoardTheUserSays) {
   const auto polhems = haptics::armsAmong(haptics::polhem(), all);
   ASSERT_EQ(polhems.size(), 1u);
   EXPECT_EQ(polhems[0].name, "Polhem");
+  EXPECT_NE(polhems[0].why.find("wrong directions"), std::string::npos);
   const auto wooden = haptics::armsAmong(haptics::woodenHaptics(), all);
   ASSERT_EQ(wooden.size(), 2u);
   EXPECT_EQ(wooden[0].id, "woodenhaptics:/dev/null");

@@ -711,7 +711,7 @@ TEST(FalconSurvey, SaysWhatIsMissing) {
   EXPECT_FALSE(none[0].why.empty());
   const std::vector<FalconPlace> one{{"1-2"}};
   ASSERT_EQ(entriesOf(one).size(), 1u);
-  EXPECT_EQ(entriesOf(one)[0].id, "falcon");
+  EXPECT_EQ(entriesOf(one)[0].id, "falcon:1-2");  // whatever else is plugged in
   EXPECT_TRUE(entriesOf(one)[0].present);
   EXPECT_EQ(entriesOf(one)[0].trouble, Trouble::None);
   EXPECT_TRUE(entriesOf(one)[0].why.empty());

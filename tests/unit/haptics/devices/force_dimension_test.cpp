@@ -123,7 +123,7 @@ TEST_F(ForceDimension, SaysWhichFunctionTheLibraryLacks) {
     const auto device = haptics::openForceDimension({.id = "force-dimension"}, lacking);
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "no-library");
-    EXPECT_NE(device.error().what.find(" lacks " + name + " "), std::string::npos)
+    EXPECT_NE(device.error().what.find(" lacks " + name + ")"), std::string::npos)
         << device.error().what;
     EXPECT_EQ(haptics::surveyForceDimension(lacking)[0].trouble, Trouble::NoLibrary);
     std::filesystem::remove(lacking[0]);

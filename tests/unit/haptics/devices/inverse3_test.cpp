@@ -108,12 +108,14 @@ TEST(Inverse3Message, TakesTheFirstGripThatTellsItsOrientation) {
 }
 
 TEST(Inverse3Message, SaysWhyADeviceIsNotReady) {
-  for (const char* const flag : {"calibrated", "power_supply", "ready", "started"}) {
+  for (const std::string flag : {"calibrated", "power_supply", "ready", "started"}) {
     json said = message({device(Vec3::Zero())});
     said["inverse3"][0]["status"][flag] = false;
     const auto read = haptics::readInverse3(said.dump());
     ASSERT_TRUE(read);
-    EXPECT_EQ(read->devices[0].trouble, Trouble::NeedsCalibration) << flag;
+    EXPECT_EQ(read->devices[0].trouble,
+              flag == "calibrated" ? Trouble::NeedsCalibration : Trouble::NotStarted)
+        << flag;
     EXPECT_FALSE(read->devices[0].why.empty()) << flag;
   }
   json said = message({device(Vec3::Zero())});
@@ -299,7 +301,7 @@ TEST_F(Inverse3, ASurveySaysWhatIsMissing) {
   said = message({device(Vec3::Zero())});
   said["inverse3"][0]["status"]["calibrated"] = false;
   service.greetWith({Reply{.text = said.dump()}});
-  EXPECT_EQ(surveyed().trouble, Trouble::None);  // it can be opened
+  EXPECT_EQ(surveyed().trouble, Trouble::NeedsCalibration);
   EXPECT_EQ(surveyed().sensed, 3);
 
   service.greetWith({Reply{.text = "hello"}});

@@ -130,7 +130,7 @@ TEST_F(OpenHaptics, SaysWhichFunctionTheLibraryLacks) {
     const auto device = haptics::openOpenHaptics({.id = "openhaptics"}, lacking);
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "no-library");
-    EXPECT_NE(device.error().what.find(" lacks " + name + " "), std::string::npos)
+    EXPECT_NE(device.error().what.find(" lacks " + name + ")"), std::string::npos)
         << device.error().what;
     EXPECT_EQ(haptics::surveyOpenHaptics(lacking)[0].trouble, Trouble::NoLibrary);
     std::filesystem::remove(lacking[0]);

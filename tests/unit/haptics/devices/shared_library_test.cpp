@@ -12,18 +12,19 @@ using haptics::SharedLibrary;
 
 TEST(SharedLibrary, TakesTheFirstNameThatIsThere) {
   const std::vector<std::string> names{"libpalpate-absent.so", PALPATE_STUB_DHD};
-  auto library = SharedLibrary::open(names, "look elsewhere.");
+  auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
   ASSERT_TRUE(library) << library.error().what;
   EXPECT_EQ(library->name(), PALPATE_STUB_DHD);
 }
 
 TEST(SharedLibrary, NamesAllThatItLookedFor) {
   const std::vector<std::string> names{"libpalpate-absent.so.3", "libpalpate-absent.so"};
-  const auto library = SharedLibrary::open(names, "look elsewhere.");
+  const auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
   ASSERT_FALSE(library);
   EXPECT_EQ(library.error().reason, "no-library");
   EXPECT_EQ(library.error().what,
-            "Not installed (looked for libpalpate-absent.so.3, libpalpate-absent.so); look "
+            "Its product is not installed (looked for libpalpate-absent.so.3, "
+            "libpalpate-absent.so); look "
             "elsewhere.");
 }
 
@@ -31,14 +32,15 @@ TEST(SharedLibrary, SaysOfOneThatIsThereWhyItCannotBeLoaded) {
   const support::ScratchFolder folder;
   const std::string broken = folder.write("broken.so", "no library").string();
   const std::vector<std::string> names{"libpalpate-absent.so", broken};
-  const auto library = SharedLibrary::open(names, "look elsewhere.");
+  const auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
   ASSERT_FALSE(library);
-  EXPECT_EQ(library.error().what.find(broken + " cannot be loaded ("), 0u) << library.error().what;
+  EXPECT_EQ(library.error().what.find("Its product: " + broken + " cannot be loaded ("), 0u)
+      << library.error().what;
 }
 
 TEST(SharedLibrary, KeepsTheFirstFunctionThatIsNotThere) {
   const std::vector<std::string> names{PALPATE_STUB_DHD};
-  auto library = SharedLibrary::open(names, "");
+  auto library = SharedLibrary::open(names, "", "");
   ASSERT_TRUE(library);
   int (*there)() = nullptr;
   int (*absent)() = nullptr;

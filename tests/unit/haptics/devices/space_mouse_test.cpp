@@ -351,7 +351,7 @@ TEST(SpaceMiceAmong, FindsEveryModelAndNothingElse) {
       if (entries.empty()) continue;
       ++found;
       EXPECT_FALSE(left_alone.contains(product)) << std::hex << product;
-      EXPECT_EQ(entries[0].id, "spacemouse");
+      EXPECT_EQ(entries[0].id, "spacemouse:/dev/null");
       EXPECT_TRUE(entries[0].present);
       EXPECT_EQ(entries[0].trouble, Trouble::None);
     }
