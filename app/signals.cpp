@@ -14,7 +14,7 @@ namespace {
 sigset_t endingSignals() {
   sigset_t set;
   sigemptyset(&set);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&set, signal);
   return set;
 }
 
@@ -23,6 +23,8 @@ sigset_t endingSignals() {
 void blockEndingSignals() {
   const sigset_t set = endingSignals();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  // who is stopped, or ended by a pipe, cannot take a force back
+  for (const int signal : {SIGTSTP, SIGTTIN, SIGTTOU, SIGPIPE}) std::signal(signal, SIG_IGN);
 }
 
 EndingSignals::EndingSignals(std::function<void()> end)

@@ -7,13 +7,14 @@
 
 namespace app {
 
-/// Keeps SIGINT, SIGTERM and SIGHUP from this thread and all that it starts. Called before there
-/// is any other thread, so that none but EndingSignals' gets them.
+/// Keeps SIGINT, SIGTERM, SIGHUP and SIGQUIT from this thread and all that it starts. Called before
+/// there is any other thread, so that none but EndingSignals' gets them. What a terminal may stop
+/// the process by, and SIGPIPE, is ignored: the motors would keep their force.
 void blockEndingSignals();
 
-/// Waits for SIGINT, SIGTERM and SIGHUP on a thread of its own. At the first the motors stop at
-/// once and `end` is called, on that thread; the next one ends the process as if nobody had waited,
-/// with the motors stopped again.
+/// Waits for SIGINT, SIGTERM, SIGHUP and SIGQUIT on a thread of its own. At the first the motors
+/// stop at once and `end` is called, on that thread; the next one ends the process as if nobody had
+/// waited, with the motors stopped again.
 class EndingSignals {
  public:
   explicit EndingSignals(std::function<void()> end);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "haptics/core/clock.h"
 #include "haptics/devices/simulated.h"
 #include "haptics/servo/servo_loop.h"
 
@@ -76,6 +77,19 @@ HandMotion motionOf(HandKind hand) {
   return HandMotion::Tap;
 }
 
+/// How hot the motors of a model were left. Opened anew, they are no cooler than time has made
+/// them.
+struct Warmth {
+  std::string_view model = {};  ///< id of its rating
+  double heat = 0.0;
+  std::int64_t left_ns = 0;
+
+  double of(const DeviceRating& rating) const {
+    if (model != rating.id) return 0.0;
+    return heat * std::exp(-1e-9 * double(monotonicNs() - left_ns) / ForceLimits::kWarmUp);
+  }
+};
+
 }  // namespace
 
 /// The GUI's side of an open loop, and what outlives one.
@@ -89,6 +103,7 @@ class Session::Loop {
   Pose X_start = Pose::Identity();
   Settings settings;
   std::optional<DeviceRating> rating;  ///< of the real device that is open
+  Warmth warmth;                       ///< of the one before
   Handling handling;
 
   /// Takes over, with the proxy at X_WP.
@@ -144,13 +159,18 @@ Expected<void> Session::open(std::unique_ptr<Device> device) {
   if (!legal) return tl::unexpected(noRoom());
   close();
   loop_->rating = device->rating();
-  auto servo = std::make_unique<ServoLoop>(std::move(device), inForce(), *legal);
+  auto servo = std::make_unique<ServoLoop>(std::move(device), inForce(), *legal,
+                                           loop_->warmth.of(*loop_->rating));
   servo->handling.publish(loop_->handling);
   loop_->begin(std::move(servo), *legal);
   return {};
 }
 
 void Session::close() {
+  if (loop_->servo && loop_->rating) {
+    loop_->servo->end();
+    loop_->warmth = {loop_->rating->id, loop_->servo->heat(), monotonicNs()};
+  }
   loop_->servo.reset();
   loop_->rating.reset();
   loop_->leaving.clear();

@@ -19,11 +19,13 @@ constexpr std::size_t kOldReport = 8;  // bytes, of firmware before October 2019
 constexpr int kButtonFold = 10'000;
 constexpr std::int16_t kSetEncoders = 1;  // a command; 0: currents
 
-constexpr int kNearRest = 100;        // counts
-constexpr int kLongestJump = 2'000;   // counts between two answers: half a turn of a motor, or one
-constexpr int kRoundsToSet = 20;      // rounds that setting may take
-constexpr int kMostAnswers = 8;       // a round
-constexpr int kRoundsToWakeUp = 100;  // of 5 ms
+constexpr int kNearRest = 100;       // counts
+constexpr int kLongestJump = 2'000;  // counts between two answers: half a turn of a motor, or one
+constexpr int kRoundsToSet = 20;     // rounds that setting may take
+constexpr int kMostAnswers = 8;      // a round
+constexpr int kStill = 20;           // counts
+constexpr int kLastRounds = 10;      // of 5 ms
+constexpr std::int64_t kHoldNs = 1'000'000'000, kLongestWakeUpNs = 500'000'000;
 
 constexpr const char* kWhichArm =
     "Polhem and WoodenHaptics have the same boards: connect the arm that it is, or it is pushed in "
@@ -44,16 +46,21 @@ BoardCommand commandOf(const std::array<std::int16_t, 7>& words) noexcept {
 
 class ArmTransport final : public Transport {
  public:
-  ArmTransport(const CapstanArm& arm, std::unique_ptr<HidPort> port, std::size_t report)
-      : arm_{arm}, port_{std::move(port)}, report_{report} {}
-  ~ArmTransport() override { send(boardCurrents(Vec3::Zero())); }
+  ArmTransport(const CapstanArm& arm, std::unique_ptr<HidPort> port, std::size_t report,
+               MonotonicClock clock)
+      : arm_{arm}, port_{std::move(port)}, report_{report}, clock_{clock} {}
+  ~ArmTransport() override {
+    for (int round = 0; round < kLastRounds && !send(boardCurrents(Vec3::Zero())); ++round)
+      if (!port_->read(bytes_, kLongestWait)) return;
+  }
   ArmTransport(const ArmTransport&) = delete;
   ArmTransport& operator=(const ArmTransport&) = delete;
 
   DeviceStatus exchange(const Wrench& wrench_B, DeviceReading& reading) noexcept override {
     if (!send(next(wrench_B))) {
       J_B_.reset();
-      return DeviceStatus::Stale;
+      // the round is waited out all the same: what is well again in a moment is not Lost
+      return port_->read(bytes_, kLongestWait) ? DeviceStatus::Stale : DeviceStatus::Lost;
     }
     bool gone = false;
     const std::optional<BoardReport> report = newest(gone);
@@ -93,11 +100,11 @@ class ArmTransport final : public Transport {
 
   DeviceStatus takeIn(const BoardReport& report, DeviceReading& reading) noexcept {
     const std::optional<ArmState> state = arm_.state(report.counts);
-    settle(report, state.has_value());
+    reading.time_ns = clock_();
+    settle(report, state.has_value(), reading.time_ns);
     last_ = report;
 
     reading.buttons = report.button ? 1 : 0;
-    reading.time_ns = monotonicNs();
     if (zero_ == Zero::Gone) {
       J_B_.reset();
       reading.trouble = Trouble::Lost;
@@ -115,11 +122,10 @@ class ArmTransport final : public Transport {
   }
 
   /// Whether the counts mean anything, after this report.
-  void settle(const BoardReport& report, bool makes_an_arm) noexcept {
-    const bool pressed = report.button && last_ && !last_->button;
+  void settle(const BoardReport& report, bool makes_an_arm, std::int64_t now) noexcept {
     switch (zero_) {
       case Zero::Unset:
-        if (report.asks || pressed) beginSetting();
+        if (isHeldStill(report, now) || report.asks) beginSetting();
         return;
       case Zero::Setting:
         if (!report.asks && makes_an_arm && atRest(report))
@@ -138,15 +144,30 @@ class ArmTransport final : public Transport {
     }
   }
 
+  /// Whether the stylus' button has been down long enough, pressed here, with the arm still.
+  bool isHeldStill(const BoardReport& report, std::int64_t now) noexcept {
+    const bool pressed = report.button && last_ && !last_->button;
+    if (!report.button)
+      held_.reset();
+    else if (pressed || (held_ && furthest(report.counts, held_->counts) > kStill))
+      held_ = {report.counts, now};
+    return held_ && now - held_->since_ns >= kHoldNs;
+  }
+
   void beginSetting() noexcept {
     zero_ = Zero::Setting;
     rounds_ = 0;
+    held_.reset();
+  }
+
+  static int furthest(const BoardCounts& a, const BoardCounts& b) noexcept {
+    int most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most;
   }
 
   bool atRest(const BoardReport& report) const noexcept {
-    for (std::size_t i = 0; i < arm_.rest.size(); ++i)
-      if (std::abs(report.counts[i] - arm_.rest[i]) > kNearRest) return false;
-    return true;
+    return furthest(report.counts, arm_.rest) <= kNearRest;
   }
 
   bool jumped(const BoardReport& report) const noexcept {
@@ -158,9 +179,15 @@ class ArmTransport final : public Transport {
   const CapstanArm& arm_;
   std::unique_ptr<HidPort> port_;
   std::size_t report_;  ///< bytes
+  MonotonicClock clock_;
   Buffer bytes_{};
   Zero zero_ = Zero::Unset;
   int rounds_ = 0;
+  struct Held {
+    BoardCounts counts;
+    std::int64_t since_ns;
+  };
+  std::optional<Held> held_;  ///< the stylus' button, and where the arm stood
   std::optional<BoardReport> last_;
   std::optional<Mat3> J_B_;  ///< of the newest answer; none: no force
 };
@@ -250,8 +277,8 @@ Vec3 currentsFor(const CapstanArm& arm, const Vec3& force_B, const Mat3& J_B) no
 }
 
 std::unique_ptr<Transport> armTransport(const CapstanArm& arm, std::unique_ptr<HidPort> port,
-                                        std::size_t report) {
-  return std::make_unique<ArmTransport>(arm, std::move(port), report);
+                                        std::size_t report, MonotonicClock clock) {
+  return std::make_unique<ArmTransport>(arm, std::move(port), report, clock);
 }
 
 std::vector<DeviceEntry> armsAmong(const CapstanArm& arm, std::span<const HidPlace> places) {
@@ -268,13 +295,14 @@ std::vector<DeviceEntry> armsAmong(const CapstanArm& arm, std::span<const HidPla
 }
 
 Expected<std::unique_ptr<Device>> armAt(const CapstanArm& arm, std::unique_ptr<HidPort> port,
-                                        std::size_t report) {
+                                        std::size_t report, MonotonicClock clock) {
   const std::string name = nameOf(arm);
   // a wake-up, until it answers in its own way
   const BoardCommand zero = boardCurrents(Vec3::Zero());
   Buffer bytes{};
   bool old = false;
-  for (int round = 0; round < kRoundsToWakeUp; ++round) {
+  const std::int64_t begun = clock();
+  while (clock() - begun < kLongestWakeUpNs) {
     const bool sent = port->write(std::span{zero}.first(1 + report));
     const auto length = port->read(bytes, Transport::kLongestWait);
     if (!length)
@@ -283,7 +311,7 @@ Expected<std::unique_ptr<Device>> armAt(const CapstanArm& arm, std::unique_ptr<H
     old = old || *length == kOldReport;
     if (sent && *length == report) {
       // an answer may be 20 ms old: a round waits 5, and three that fail end it
-      return threaded(armTransport(arm, std::move(port), report), *findRating(arm.driver),
+      return threaded(armTransport(arm, std::move(port), report, clock), *findRating(arm.driver),
                       std::chrono::milliseconds{20});
     }
   }

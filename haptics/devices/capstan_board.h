@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "haptics/core/clock.h"
 #include "haptics/devices/catalogue.h"
 #include "haptics/devices/hid_port.h"
 #include "haptics/devices/threaded.h"
@@ -87,18 +88,19 @@ Vec3 currentsFor(const CapstanArm& arm, const Vec3& force_B, const Mat3& J_B) no
 /// The arm's link, for `threaded`. Every round sends currents and takes the newest answer.
 ///
 /// NotReady with Trouble::NeedsCalibration until the encoders are set: the user puts the arm to its
-/// rest pose and presses the zero button of the device, or the one of the stylus. Then the
-/// encoders are set and looked at: within 100 counts of the rest pose, and it is ready. Back to
-/// that, without force, when the zero button is pressed again. When a motor's encoder jumps by
-/// more than 2000 counts between two answers, or the counts make no arm, it is Lost: opened again,
-/// it has to be set again.
+/// rest pose and presses the zero button of the device, or holds the one of the stylus for a
+/// second, the arm still. Then the encoders are set and looked at: within 100 counts of the rest
+/// pose, and it is ready. Back to that, without force, when the zero button is pressed again. When
+/// a motor's encoder jumps by more than 2000 counts between two answers, or the counts make no arm,
+/// it is Lost: opened again, it has to be set again.
 ///
 /// After a round without an answer zero is sent until one comes. Its writes wait for the system,
-/// which is a millisecond with a device that is well. Destroyed, it sends zero.
+/// which is a millisecond with a device that is well. Destroyed, it sends zero until one is taken,
+/// for 50 ms at most.
 ///
 /// `report`: as in BoardIds. `arm` outlives it.
 std::unique_ptr<Transport> armTransport(const CapstanArm& arm, std::unique_ptr<HidPort> port,
-                                        std::size_t report);
+                                        std::size_t report, MonotonicClock clock = monotonicNs);
 
 /// The boards among these places that the arm may stand behind: also by the usage page (0xffab) and
 /// usage (0x0200) of a raw report device. Another project on such a board still passes; opening
@@ -108,7 +110,7 @@ std::vector<DeviceEntry> armsAmong(const CapstanArm& arm, std::span<const HidPla
 /// Wakes a device up: refused as Trouble::Refused where no report of its board comes within half a
 /// second, or the board has firmware of before October 2019, which speaks otherwise.
 Expected<std::unique_ptr<Device>> armAt(const CapstanArm& arm, std::unique_ptr<HidPort> port,
-                                        std::size_t report);
+                                        std::size_t report, MonotonicClock clock = monotonicNs);
 
 /// As a driver's.
 std::vector<DeviceEntry> surveyArms(const CapstanArm& arm);

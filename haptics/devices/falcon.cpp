@@ -6,6 +6,7 @@
 #include <chrono>
 #include <fstream>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "haptics/devices/falcon_kinematics.h"
@@ -166,9 +167,10 @@ class Link final : public Transport {
       drop(*port_);
       const Sent sent = port_->send(zeros);
       if (sent == Sent::Gone) return;
-      if (const auto replies = listen(milliseconds{20}, 1);
-          !replies || (*replies > 0 && sent == Sent::Taken))
-        return;
+      const auto replies = listen(milliseconds{20}, 1);
+      if (sent == Sent::Taken && (!replies || *replies > 0)) return;
+      // what is under way goes out meanwhile
+      if (!replies) std::this_thread::sleep_for(milliseconds{5});
     }
   }
   Link(const Link&) = delete;
@@ -178,7 +180,10 @@ class Link final : public Transport {
     const bool trusted = std::exchange(trusted_, false);
     // what came too late, or twice, is not the answer to what is asked now
     const auto late = listen(nanoseconds{0}, 0);
-    if (!late) return lost(reading);
+    if (!late) {
+      port_->send(encoded({.homing = true}));  // it may yet be told to let go
+      return lost(reading);
+    }
 
     const Command command{
         .motors = trusted ? motorsFor(torquesFor(legs_, wrench_B.force)) : Motors{},

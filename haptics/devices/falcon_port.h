@@ -32,7 +32,8 @@ class FalconPort {
   virtual Sent send(std::span<const std::uint8_t> bytes) noexcept = 0;
   /// The next transfer that carries more than the chip's two bytes of status, those first, into 64
   /// bytes; waits at most `wait`, which is rounded up to whole milliseconds. Returns its length, 0
-  /// if none came, and nothing once the device is gone.
+  /// if none came, and nothing once none will: the device is gone, or only what is sent still gets
+  /// through.
   virtual std::optional<std::size_t> receive(std::span<std::uint8_t> transfer,
                                              std::chrono::nanoseconds wait) noexcept = 0;
   /// Monotonic [ns].

@@ -41,7 +41,7 @@ class UsbPort final : public FalconPort {
                                 static_cast<int>(read.bytes.size()), &UsbPort::received, &read, 0);
       submit(read);
     }
-    ready_ = !gone_;
+    ready_ = !gone_ && !deaf_;
   }
   ~UsbPort() override {
     waitWhile([this] { return sending_ && !gone_; }, kLastWords);
@@ -84,8 +84,8 @@ class UsbPort final : public FalconPort {
 
   std::optional<std::size_t> receive(std::span<std::uint8_t> transfer,
                                      std::chrono::nanoseconds wait) noexcept override {
-    waitWhile([this] { return waiting_ == 0 && !gone_; }, wait.count());
-    if (waiting_ == 0) return gone_ ? std::nullopt : std::optional<std::size_t>{0};
+    waitWhile([this] { return waiting_ == 0 && !gone_ && !deaf_; }, wait.count());
+    if (waiting_ == 0) return gone_ || deaf_ ? std::nullopt : std::optional<std::size_t>{0};
     Read& read = *order_[0];
     std::copy(order_.begin() + 1, order_.end(), order_.begin());
     --waiting_;
@@ -107,9 +107,9 @@ class UsbPort final : public FalconPort {
   };
 
   void submit(Read& read) noexcept {
-    if (gone_) return;
+    if (gone_ || deaf_) return;
     read.in_flight = libusb_submit_transfer(read.transfer) == 0;
-    gone_ = !read.in_flight;
+    deaf_ = !read.in_flight;
   }
 
   static void LIBUSB_CALL sent(libusb_transfer* transfer) noexcept {
@@ -124,7 +124,8 @@ class UsbPort final : public FalconPort {
     UsbPort& port = *read.owner;
     read.in_flight = false;
     if (transfer->status != LIBUSB_TRANSFER_COMPLETED) {
-      port.gone_ = true;
+      port.deaf_ = true;
+      port.gone_ = port.gone_ || transfer->status == LIBUSB_TRANSFER_NO_DEVICE;
     } else if (transfer->actual_length > 2) {
       port.order_[port.waiting_++] = &read;  // one place for each
     } else {
@@ -162,6 +163,7 @@ class UsbPort final : public FalconPort {
   std::size_t waiting_ = 0;
   bool sending_ = false;
   bool gone_ = false;
+  bool deaf_ = false;  ///< nothing can be read any more
   bool ready_ = false;
 };
 

@@ -29,6 +29,7 @@ constexpr int kMostUnits = 8;                    // that are counted
 constexpr unsigned char kWatchdog = 40;          // of 125 us: 5 ms
 constexpr std::int64_t kRoundNs = 250'000;       // the link's 4 kHz
 constexpr std::int64_t kCalmNs = 1'000'000'000;  // without wish, before force comes back
+constexpr std::int64_t kStaleNs = 5'000'000;     // a wish is that old at most
 constexpr unsigned kRoundsToStatus = 64;         // 16 ms and more
 constexpr std::chrono::milliseconds kFresh{15};
 constexpr double kFarthest = 1.0;  // m from the base: no model reaches so far
@@ -200,6 +201,7 @@ class ForceDimension final : public Transport {
 
   DeviceStatus exchange(const Wrench& wrench_B, DeviceReading& reading) noexcept override {
     pace();
+    const std::int64_t asked_for_ns = monotonicNs();
     const bool polled = poll(reading);
     const std::int64_t now = monotonicNs();
     if (!wrench_B.force.isZero(0.0) || !wrench_B.torque.isZero(0.0)) asked_ns_ = now;
@@ -211,7 +213,9 @@ class ForceDimension final : public Transport {
     paused_ = state_ != Trouble::None || (paused_ && !calm);
 
     // zero is the answer to every doubt
-    const bool ready = answered && !paused_;
+    // the library has no bound, and a force that waited in it is nobody's wish any more
+    const bool late = monotonicNs() - asked_for_ns > kStaleNs;
+    const bool ready = answered && !paused_ && !late;
     const bool sent = send(ready ? wrench_B : Wrench{});
     reading.trouble = paused_ && state_ == Trouble::None ? Trouble::ForceOff : state_;
     if (state_ == Trouble::Lost) return DeviceStatus::Lost;

@@ -66,7 +66,7 @@ Vec3 rateOf(const Vec3& counts) noexcept {
 
 class SpaceMouse final : public Device {
  public:
-  SpaceMouse(std::vector<std::unique_ptr<HidPort>> ports, Clock clock) : clock_{clock} {
+  SpaceMouse(std::vector<std::unique_ptr<HidPort>> ports, MonotonicClock clock) : clock_{clock} {
     for (std::unique_ptr<HidPort>& port : ports) ports_.push_back({std::move(port)});
     light(1);
   }
@@ -132,7 +132,7 @@ class SpaceMouse final : public Device {
   }
 
   const DeviceRating rating_ = *findRating(kDriver);
-  const Clock clock_;
+  const MonotonicClock clock_;
   std::vector<Port> ports_;
   std::array<std::uint8_t, 64> report_{};
   CapState cap_;
@@ -262,7 +262,8 @@ Pose RateControl::step(std::int64_t now_ns) noexcept {
   return poseOf(translation_, rotation_);
 }
 
-std::unique_ptr<Device> spaceMouseAt(std::vector<std::unique_ptr<HidPort>> ports, Clock clock) {
+std::unique_ptr<Device> spaceMouseAt(std::vector<std::unique_ptr<HidPort>> ports,
+                                     MonotonicClock clock) {
   return std::make_unique<SpaceMouse>(std::move(ports), clock);
 }
 

@@ -88,9 +88,6 @@ class RateControl {
   bool started_ = false;
 };
 
-/// A clock, ns: the monotonic one, or a test's.
-using Clock = std::int64_t (*)() noexcept;
-
 /// The device at these ports, which are interfaces of one device: whichever reports moves it. Its
 /// light is on until it is closed.
 ///
@@ -98,7 +95,7 @@ using Clock = std::int64_t (*)() noexcept;
 /// pose to now. Ok until the last port is gone, then Lost, the pose at rest and no button down.
 /// `write`, `stop` and `resume` do nothing.
 std::unique_ptr<Device> spaceMouseAt(std::vector<std::unique_ptr<HidPort>> ports,
-                                     Clock clock = monotonicNs);
+                                     MonotonicClock clock = monotonicNs);
 
 /// The claimed ones among these places, one entry a device, and none if there is none. Only
 /// collections of usage page 1, usage 8 (multi-axis controller) count, or of an unknown usage.

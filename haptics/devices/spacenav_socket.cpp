@@ -43,7 +43,7 @@ Vec3 inBase(const SpacenavEvent& event, std::size_t first) noexcept {
 
 class Spacenav final : public Device {
  public:
-  Spacenav(Socket socket, Clock clock) : socket_{std::move(socket)}, clock_{clock} {}
+  Spacenav(Socket socket, MonotonicClock clock) : socket_{std::move(socket)}, clock_{clock} {}
 
   const DeviceRating& rating() const noexcept override { return rating_; }
 
@@ -88,7 +88,7 @@ class Spacenav final : public Device {
 
   const DeviceRating rating_ = *findRating("spacemouse");
   Socket socket_;
-  const Clock clock_;
+  const MonotonicClock clock_;
   std::array<std::uint8_t, kBytes> bytes_{};
   SpacenavStream stream_;
   RateControl control_;
@@ -154,7 +154,7 @@ std::string spacenavPlace() {
   return place != nullptr && *place != '\0' ? place : "/var/run/spnav.sock";
 }
 
-Expected<std::unique_ptr<Device>> spacenavAt(const std::string& place, Clock clock) {
+Expected<std::unique_ptr<Device>> spacenavAt(const std::string& place, MonotonicClock clock) {
   auto socket = connected(place);
   if (!socket) return tl::unexpected(socket.error());
   return std::make_unique<Spacenav>(std::move(*socket), clock);

@@ -57,7 +57,8 @@ std::string spacenavPlace();
 /// RateControl's silence applies: the kernel passes on only axes that change, so a cap held
 /// without the least tremor, as at its stop, halts after 200 ms unless spacenavd is told to repeat
 /// (`repeat-interval = 50` in /etc/spnavrc; not verified).
-Expected<std::unique_ptr<Device>> spacenavAt(const std::string& place, Clock clock = monotonicNs);
+Expected<std::unique_ptr<Device>> spacenavAt(const std::string& place,
+                                             MonotonicClock clock = monotonicNs);
 
 /// The driver "spacenav".
 std::vector<DeviceEntry> surveySpacenav();

@@ -21,7 +21,7 @@ constexpr CapstanArm kWooden{
     .boards = kBoards,
     .rest = kWoodenRest,
     .ratio = kRatio,
-    .torque_constant = {0.0259, 0.0259, 0.0259},
+    .torque_constant = {0.0603, 0.0603, 0.0603},
     .state = woodenArm,
 };
 

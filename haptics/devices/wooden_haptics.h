@@ -12,12 +12,21 @@ namespace haptics {
 
 // WoodenHaptics, an arm of plywood that people build from its makers' drawings: three encoders,
 // three motors on capstans, behind the board of capstan_board.h. Its parameters are those that its
-// makers published (haptikfabrikenapi, model woodenhaptics_v2015; its board 0.4, firmware of
-// October 2019). It senses no rotation: its board has no pins for a gimbal. Not verified on
-// hardware: all signs. Its makers' programs agree on those of the encoders, but not on those of
-// motors b and c: here as in the newer ones, of 2019 on. Not compensated: the arm's own weight. Not
-// driven: the same arm of aluminium (aluhaptics_v2), whose rest pose is not published, firmware of
-// before October 2019, and boards of other makes.
+// makers published (haptikfabrikenapi, models woodenhaptics_v2015 and _v2019; its board 0.4,
+// firmware of October 2019). It senses no rotation: its board has no pins for a gimbal.
+//
+// The two models differ by their motors alone, 0.0259 N·m/A in 2015 and 0.0603 in 2019, and nothing
+// tells them apart: the stronger ones are taken, so that no arm pushes harder than it is asked to.
+// One of 2015 pushes with 0.43 of that. For motor a of 2019 their programs have 0.321, which they
+// corrected to 0.0603 for the same motor of a Polhem; here too.
+//
+// Not verified on hardware: all signs. The makers' programs do not agree on them: here those of the
+// program for this firmware. Their newest, over a serial line to other firmware, turns b and c.
+//
+// Not compensated: the arm's own weight.
+//
+// Not driven: the same arm of aluminium (aluhaptics_v2), whose rest pose is not published, firmware
+// of before October 2019, and boards of other makes.
 
 /// The encoders' counts in the rest pose: the upper arm upright, the forearm level.
 inline constexpr BoardCounts kWoodenRest{0, 0, 6000, 0, 0, 0};

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/servo/emergency.h"
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
+#include <cstdlib>
 #include <ctime>
 
 namespace haptics {
@@ -13,13 +16,21 @@ std::atomic<bool> stopped{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
 constexpr long kGraceNs = 20'000'000;
+constexpr std::size_t kStackBytes = 65'536;
 
-extern "C" void onCrash(int signal) {
-  const int error = errno;
+void stopAndWait() noexcept {
   stopAllMotors();
   timespec left{0, kGraceNs};
   while (nanosleep(&left, &left) != 0 && errno == EINTR) {
   }
+}
+
+// the display's library ends the process so when the display is gone
+extern "C" void onExit() { stopAndWait(); }
+
+extern "C" void onCrash(int signal) {
+  const int error = errno;
+  stopAndWait();
   errno = error;
   // what was done before happens again, now without us; abort() and kill() do not come back
   std::signal(signal, SIG_DFL);
@@ -32,8 +43,16 @@ void stopAllMotors() noexcept { stopped.store(true, std::memory_order_release); 
 bool motorsAreStopped() noexcept { return stopped.load(std::memory_order_acquire); }
 
 void installCrashStop() noexcept {
+  std::atexit(onExit);
+  // where the stack has ended the handler needs another
+  static std::array<std::byte, kStackBytes> spare;
+  stack_t stack{};
+  stack.ss_sp = spare.data();
+  stack.ss_size = spare.size();
+  sigaltstack(&stack, nullptr);
   struct sigaction action {};
   action.sa_handler = onCrash;
+  action.sa_flags = SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
     sigaction(signal, &action, nullptr);

@@ -25,15 +25,23 @@ ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bo
       in_force_{initial},
       safety_{limitsOf(device_->rating())} {}
 
-ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD)
+ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD,
+                     double heat)
     : ServoLoop{std::move(device), initial, false} {
   guard_ = std::make_unique<Guard>(*device_, X_WD);
   X_WD_ = X_WD;
+  Safety::Memory warm;
+  warm.heat = heat;
+  safety_ = Safety{safety_.limits(), warm};
+}
+
+void ServoLoop::end() {
+  ending_.store(true, std::memory_order_relaxed);
+  if (thread_.joinable()) thread_.join();
 }
 
 ServoLoop::~ServoLoop() {
-  ending_.store(true, std::memory_order_relaxed);
-  if (thread_.joinable()) thread_.join();
+  end();
   device_->stop();
   guard_.reset();
 }

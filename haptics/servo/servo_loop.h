@@ -32,9 +32,15 @@ class ServoLoop {
 
   /// A device without motors that can hurt: its base is the world, and nothing watches it.
   ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bool arm = true);
-  /// A real one, not armed: watched, guarded, and mapped so that its first pose is X_WD.
-  ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD);
-  ~ServoLoop();  ///< ends the thread with the force at zero
+  /// A real one, not armed: watched, guarded, and mapped so that its first pose is X_WD. `heat`:
+  /// its motors', as an earlier loop left them.
+  ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD,
+            double heat = 0.0);
+  ~ServoLoop();  ///< as end()
+  /// Ends the thread, with the force at zero.
+  void end();
+  /// Of the motors: 1 is what they stand for ever. Once it has ended.
+  double heat() const { return safety_.memory().heat; }
 
   // The other thread's side; none of these waits.
   LatestValue<Settings> settings;

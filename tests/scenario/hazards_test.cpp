@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <string_view>
 #include <thread>
 
 #include "app/study/made/made.h"
@@ -452,6 +454,49 @@ TEST(Session, TakesNoSettingBeyondItsRangeAndNoStiffnessBeyondTheRating) {
   }
 }
 
+/// A real device whose hand goes down into the ball and stays there.
+class Diver final : public haptics::Device {
+ public:
+  explicit Diver(std::string_view id) {
+    rated_ = {.id = id, .force = 8.0, .continuous_force = 0.5, .torque = 0.2};
+  }
+  const haptics::DeviceRating& rating() const noexcept override { return rated_; }
+  DeviceStatus read(haptics::DeviceReading& reading) noexcept override {
+    reading.X_BD.translation().z() = -std::min(5e-5 * ++reads_, 0.012);
+    return DeviceStatus::Ok;
+  }
+  DeviceStatus write(const Wrench&) noexcept override { return DeviceStatus::Ok; }
+  void stop() noexcept override {}
+  void resume() noexcept override {}
+
+ private:
+  haptics::DeviceRating rated_;
+  int reads_ = 0;
+};
+
+TEST(Session, MotorsThatWereHotAreSoWhenTheirDeviceIsOpenedAnew) {
+  const Stage stage = stageOf("sphere", ballTool(50, 3e-3));
+  haptics::Session session;
+  session.set({.isovalue = stage.isovalue, .stiffness = 1000.0});
+  session.adopt(stage.scene, at(0, 0, 0.03));
+  // N, the most that is felt in two and a half seconds
+  const auto strongest = [&](std::string_view id) {
+    EXPECT_TRUE(session.open(std::make_unique<Diver>(id)));
+    Snapshot snapshot;
+    double most = 0.0;
+    while (snapshot.tick < 2500) {
+      session.arm();  // again and again: a busy machine's loop is at fault
+      std::this_thread::sleep_for(std::chrono::milliseconds{1});
+      session.latest(snapshot);
+      most = std::max(most, snapshot.felt_W.force.norm());
+    }
+    return most;
+  };
+  EXPECT_GT(strongest("one"), 1.5);
+  EXPECT_LT(strongest("one"), 1.0);
+  EXPECT_GT(strongest("another"), 1.5);
+}
+
 TEST(Hazards, EveryTransitionIsAnEvent) {
   Held held;
   ASSERT_NO_FATAL_FAILURE(held.press());
@@ -490,6 +535,41 @@ TEST(Emergency, ACrashStopsTheMotorsAndThenGoesItsWay) {
   };
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
     EXPECT_EXIT(crash(signal), testing::KilledBySignal(signal), "motors stopped") << signal;
+}
+
+// as Xlib does when the display is gone
+TEST(Emergency, AProcessThatExitsByItselfStopsTheMotorsFirst) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto leave = [] {
+    haptics::installCrashStop();
+    auto device = std::make_unique<FakeDevice>(at(0, 0, 0.03));
+    device->says_stopped = true;
+    haptics::ServoLoop loop{std::move(device), {}, at(0, 0, 0.03)};
+    loop.start();
+    while (loop.boundary.load() < 20) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    std::exit(7);
+  };
+  EXPECT_EXIT(leave(), testing::ExitedWithCode(7), "motors stopped");
+}
+
+int fallFor(int depth) {
+  volatile char kept[4096];
+  kept[0] = static_cast<char>(depth);
+  return depth == 0 ? 0 : fallFor(depth - 1) + kept[0];
+}
+
+TEST(Emergency, TheEndOfTheStackStopsThemToo) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto fall = [] {
+    haptics::installCrashStop();
+    auto device = std::make_unique<FakeDevice>(at(0, 0, 0.03));
+    device->says_stopped = true;
+    haptics::ServoLoop loop{std::move(device), {}, at(0, 0, 0.03)};
+    loop.start();
+    while (loop.boundary.load() < 20) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    std::exit(fallFor(100'000'000));
+  };
+  EXPECT_EXIT(fall(), testing::KilledBySignal(SIGSEGV), "motors stopped");
 }
 
 TEST(Emergency, StoppedMotorsStayStopped) {

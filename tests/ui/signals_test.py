@@ -24,6 +24,11 @@ def blocked(process):
     return False
 
 
+def state(process):
+    """As ps has it: T where it is stopped."""
+    return pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[0]
+
+
 def started(home, seconds):
     """A window that has been up for so long, with preferences of its own."""
     environment = dict(os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"),
@@ -44,10 +49,15 @@ def remembered(home):
 
 with tempfile.TemporaryDirectory() as folder:
     for number, (which, seconds) in enumerate([(signal.SIGTERM, 3), (signal.SIGINT, 3), (signal.SIGHUP, 3),
-                                               (signal.SIGTERM, 0)]):
+                                               (signal.SIGQUIT, 3), (signal.SIGTERM, 0)]):
         home = pathlib.Path(folder) / str(number)
         home.mkdir()
         process = started(home, seconds)
+        # what stops or kills others leaves it as it is: it goes on, and can take a force back
+        for harmless in (signal.SIGTSTP, signal.SIGTTIN, signal.SIGTTOU, signal.SIGPIPE):
+            process.send_signal(harmless)
+        time.sleep(0.2)
+        assert process.poll() is None and state(process) != "T", (process.poll(), state(process))
         process.send_signal(which)
         code = process.wait(timeout=LONG)
         assert code == 0, (which, seconds, code)

@@ -127,6 +127,10 @@ TEST(BoardCommands, WhatIsNotFiniteIsZeroForAllMotors) {
     }
 }
 
+// a clock of the tests', a millisecond later whenever it is looked at
+std::int64_t now = 0;
+std::int64_t fakeClock() noexcept { return now += 1'000'000; }
+
 /// A device on a transport without a thread. It answers each write with its counts, and sets them
 /// as it is told.
 struct Linked {
@@ -147,7 +151,7 @@ struct Linked {
       }
       hid->reports.push_back(report(counts, button, asks, length));
     };
-    transport = haptics::armTransport(arm, std::make_unique<fake::Port>(hid), length);
+    transport = haptics::armTransport(arm, std::make_unique<fake::Port>(hid), length, fakeClock);
   }
   ~Linked() { hid->answer = nullptr; }
   DeviceStatus round(const Vec3& force = Vec3::Zero()) {
@@ -202,18 +206,30 @@ TEST(ArmTransport, ItsZeroButtonSetsTheEncoders) {
   EXPECT_FALSE(zero(it.hid->written.back()));
 }
 
-TEST(ArmTransport, TheStylusButtonDoesToo) {
+TEST(ArmTransport, TheStylusButtonDoesTooHeldForASecondWithTheArmStill) {
   Linked it;
+  const auto rounds = [&](int n) {
+    for (int i = 0; i < n; ++i) ASSERT_EQ(it.round(), DeviceStatus::NotReady);
+  };
   it.button = true;  // held since before: does not count
-  for (int i = 0; i < 10; ++i) it.round();
-  for (const Bytes& command : it.hid->written) EXPECT_TRUE(zero(command));
+  rounds(1500);
   it.button = false;
-  it.round();
-  it.button = true;
+  rounds(1);
+  it.button = true;  // a click, however often
+  rounds(900);
+  it.button = false;
+  rounds(1);
+  it.button = true;  // in a hand that moves
+  for (int i = 0; i < 30; ++i) {
+    it.counts[4] = static_cast<std::int16_t>(it.counts[4] + 21);
+    rounds(100);
+  }
+  for (const Bytes& command : it.hid->written) EXPECT_TRUE(zero(command));
+  rounds(900);  // and comes to rest
   EXPECT_EQ(it.round(), DeviceStatus::NotReady);
   EXPECT_EQ(it.round(), DeviceStatus::Ok);
+  EXPECT_EQ(it.counts, kPolhemRest);
   EXPECT_EQ(it.reading.buttons, 1u);
-  EXPECT_EQ(it.hid->written.size(), 13u);
 }
 
 TEST(ArmTransport, ADeviceThatDoesNotSetItsEncodersStaysUncalibrated) {
@@ -221,7 +237,7 @@ TEST(ArmTransport, ADeviceThatDoesNotSetItsEncodersStaysUncalibrated) {
   it.deaf = true;
   it.round();
   it.button = true;
-  for (int i = 0; i < 200; ++i) ASSERT_EQ(it.round(kPush), DeviceStatus::NotReady);
+  for (int i = 0; i < 3000; ++i) ASSERT_EQ(it.round(kPush), DeviceStatus::NotReady);
   int set = 0;
   for (const Bytes& command : it.hid->written) {
     if (zero(command)) continue;
@@ -346,7 +362,7 @@ TEST(ArmTransport, AWoodenArmHasAnotherBoardRestAndMotors) {
   // the forearm level, 245 mm out of the axis: to the right pulls motor a alone
   EXPECT_EQ(it.round(kPush), DeviceStatus::Ok);
   EXPECT_EQ(words(it.hid->written.back()),
-            (std::array<int, 7>{int(std::lround(kForce * 0.245 / 16 / 0.0259 * 1e3))}));
+            (std::array<int, 7>{int(std::lround(kForce * 0.245 / 16 / 0.0603 * 1e3))}));
   // a Polhem's handle turns in its gimbal
   it.counts[4] = 300;
   EXPECT_EQ(it.round(kPush), DeviceStatus::Lost);
@@ -361,6 +377,29 @@ TEST(ArmTransport, ClosedItLeavesTheMotorsAtZero) {
   EXPECT_FALSE(zero(it.hid->written.back()));
   it.transport.reset();
   EXPECT_TRUE(zero(it.hid->written.back()));
+}
+
+TEST(ArmTransport, WritesThatFailForAMomentAreWaitedOut) {
+  Linked it;
+  it.makeReady();
+  it.round(kPush);
+  it.hid->refuses = 4;
+  const long reads = it.hid->reads;
+  for (int i = 1; i <= 3; ++i) {
+    EXPECT_EQ(it.round(kPush), DeviceStatus::Stale);
+    EXPECT_EQ(it.hid->reads, reads + i);  // that waits as long as a round
+  }
+  // the last that is written is zero, though not at the first try
+  it.transport.reset();
+  EXPECT_EQ(it.hid->refuses, 0);
+  EXPECT_TRUE(zero(it.hid->written.back()));
+  // one that takes nothing any more is let go of
+  Linked dead;
+  dead.makeReady();
+  dead.hid->takes = false;
+  dead.hid->reads = 0;
+  dead.transport.reset();
+  EXPECT_LE(dead.hid->reads, 10);
 }
 
 HidPlace place(std::uint16_t product, std::uint16_t page, std::uint16_t usage, std::string path) {
@@ -422,7 +461,8 @@ TEST(Arm, AnotherProjectOnSuchABoardIsRefused) {
     hid->answer = [hid_pointer = hid.get(), length](const Bytes&) {
       if (length > 0) hid_pointer->reports.push_back(Bytes(length, 0x42));
     };
-    const auto device = haptics::armAt(haptics::polhem(), std::make_unique<fake::Port>(hid), 64);
+    const auto device =
+        haptics::armAt(haptics::polhem(), std::make_unique<fake::Port>(hid), 64, fakeClock);
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "refused");
     for (const Bytes& command : hid->written) EXPECT_TRUE(zero(command));
@@ -436,12 +476,22 @@ TEST(Arm, FirmwareWithShorterReportsIsRefusedByName) {
     for (int i = 0; i < 3; ++i) hid_pointer->reports.push_back(Bytes(8, 1));
   };
   const auto device = haptics::armAt(haptics::woodenHaptics(), std::make_unique<fake::Port>(hid),
-                                     haptics::kMbedBoard.report);
+                                     haptics::kMbedBoard.report, fakeClock);
   ASSERT_FALSE(device);
   EXPECT_EQ(device.error().reason, "refused");
   EXPECT_NE(device.error().what.find("WoodenHaptics has firmware of before"), std::string::npos)
       << device.error().what;
   for (const Bytes& command : hid->written) EXPECT_EQ(command, Bytes(15));
+}
+
+TEST(Arm, OneWhoseWritesTakeSecondsIsNotWaitedForAHundredTimes) {
+  auto hid = std::make_shared<fake::Hid>();
+  hid->answer = [](const Bytes&) { now += 5'000'000'000; };
+  const auto device =
+      haptics::armAt(haptics::polhem(), std::make_unique<fake::Port>(hid), 64, fakeClock);
+  ASSERT_FALSE(device);
+  EXPECT_EQ(device.error().reason, "refused");
+  EXPECT_EQ(hid->written.size(), 1u);
 }
 
 /// A device that a transport's thread talks to.

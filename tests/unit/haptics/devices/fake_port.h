@@ -21,6 +21,7 @@ struct Hid {
   std::vector<Bytes> written;
   bool gone = false;                                   ///< unplugged: reads say so
   bool takes = true;                                   ///< false: writes fail
+  int refuses = 0;                                     ///< so many more writes fail
   long reads = 0;                                      ///< how often it was asked
   std::function<void(const Bytes&)> answer = nullptr;  ///< called for each write that is taken
 };
@@ -42,6 +43,7 @@ class Port final : public haptics::HidPort {
   }
   bool write(std::span<const std::uint8_t> report) noexcept override {
     if (!hid_->takes || hid_->gone) return false;
+    if (hid_->refuses > 0) return --hid_->refuses, false;
     hid_->written.emplace_back(report.begin(), report.end());
     if (hid_->answer) hid_->answer(hid_->written.back());
     return true;

@@ -47,6 +47,7 @@ struct FakeFalcon {
   // how it is
   bool firmware_runs = true;
   bool gone = false;
+  bool mute = false;  ///< nothing that it says gets through any more
   int sends_left = 1'000'000'000;  ///< then it is unplugged
   std::array<std::int16_t, 3> encoders{};
   std::uint8_t homed = 0b111, buttons = 0;
@@ -169,6 +170,7 @@ class FakePort final : public FalconPort {
   }
   std::optional<std::size_t> receive(std::span<std::uint8_t> transfer,
                                      std::chrono::nanoseconds wait) noexcept override {
+    if (falcon_.mute) return std::nullopt;
     if (falcon_.waiting.empty()) {
       if (falcon_.gone) return std::nullopt;
       falcon_.clock += wait.count();
@@ -506,6 +508,26 @@ TEST(Falcon, UnpluggedIsLost) {
   }
   link.reset();
   EXPECT_TRUE(falcon.closed);
+}
+
+TEST(Falcon, WhoOnlyHearsAnyMoreIsLostAndToldToLetGo) {
+  for (const int busy : {0, 1, 2}) {
+    FakeFalcon falcon;
+    falcon.standAt({0.0, 0.0, 0.0});
+    auto link = linked(falcon);
+    DeviceReading reading;
+    link->exchange(kPush, reading);
+    link->exchange(kPush, reading);
+    ASSERT_FALSE(isZero(falcon.motors.back()));
+    falcon.mute = true;
+    EXPECT_EQ(link->exchange(kPush, reading), DeviceStatus::Lost);
+    EXPECT_TRUE(isZero(falcon.motors.back()));
+    falcon.motors.clear();
+    falcon.busy_left = busy;
+    link.reset();
+    ASSERT_EQ(falcon.motors.size(), 1u) << busy;
+    EXPECT_TRUE(isZero(falcon.motors.back()));
+  }
 }
 
 TEST(Falcon, DestructionSendsZerosAndWaitsForOneToBeConfirmed) {

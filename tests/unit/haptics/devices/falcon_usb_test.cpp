@@ -41,6 +41,7 @@ struct Bus {
   bool deaf = false;       ///< does not take what is sent
   bool deaf_once = false;  ///< takes it one round of events later
   bool stuck = false;      ///< gives cancelled transfers never back
+  bool broken = false;     ///< what is read comes with an error
   bool unplugged = false;
   std::function<void(Bus&, const Bytes&)> answer = [](Bus&, const Bytes&) {};
 
@@ -84,6 +85,7 @@ struct Bus {
       answer(*this, bytes);
       worked = true;
     }
+    if (broken && !reads.empty()) finish(reads.front(), LIBUSB_TRANSFER_STALL, 0), worked = true;
     // as many as are there now: what is submitted meanwhile waits for the next round
     for (std::size_t n = reads.size(); n > 0 && !to_read.empty() && !reads.empty(); --n) {
       const Bytes bytes = to_read.front();
@@ -326,6 +328,20 @@ TEST_F(FalconUsb, UnpluggedIsGoneButWhatCameBeforeIsHandedOn) {
   EXPECT_EQ(port->send(kPacket), Sent::Gone);
   EXPECT_FALSE(port->request(9, 1));
   EXPECT_EQ(received(*port), "gone");
+}
+
+TEST_F(FalconUsb, WithNothingToBeReadAnyMoreItStillSends) {
+  auto port = open();
+  say("sslast");
+  bus.broken = true;
+  EXPECT_EQ(received(*port, milliseconds{2000}), "sslast");
+  EXPECT_EQ(received(*port, milliseconds{2000}), "gone");
+  for (int n = 0; n < 3; ++n) {
+    EXPECT_EQ(port->send(kPacket), Sent::Taken);
+    EXPECT_EQ(received(*port), "gone");
+  }
+  port.reset();
+  EXPECT_EQ(bus.sent, std::vector<Bytes>(3, kPacket));
 }
 
 TEST_F(FalconUsb, UnpluggedInTheMiddleOfAPacketIsGone) {

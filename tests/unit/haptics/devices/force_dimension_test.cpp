@@ -514,6 +514,27 @@ TEST_F(ForceDimension, LeavesZeroForceAndBrakesWhenItIsClosedUnderForce) {
   EXPECT_EQ(stub.closes, 1);
 }
 
+TEST_F(ForceDimension, AForceThatWaitedInTheLibraryIsNotSent) {
+  const auto device = open();
+  ASSERT_TRUE(arrives(*device, push, {3.0, 1.0, 2.0, 0.03, 0.01, 0.02, 0.0}));
+  stub.pose_ms = 12;
+  const long slow = stub.rounds;
+  DeviceReading mine;
+  const auto rounds = [&](long n) {
+    return comes([&] {
+      device->read(mine);
+      device->write(push);
+      return stub.rounds >= slow + n;
+    });
+  };
+  ASSERT_TRUE(rounds(2));  // the one that was under way, perhaps
+  const long forces = stub.wrenches_unlike_zero;
+  ASSERT_TRUE(rounds(20));
+  EXPECT_EQ(stub.wrenches_unlike_zero, forces);
+  EXPECT_EQ(stub.wrench(), kZero);
+  stub.pose_ms = 0;
+}
+
 TEST_F(ForceDimension, StopsFromAnotherThreadWhateverIsWritten) {
   const auto device = open();
   std::atomic<bool> end{false};

@@ -21,6 +21,7 @@ struct StubDhd {
   std::array<std::atomic<double>, 3> p_F{};
   std::array<std::atomic<double>, 9> R_FD{};  ///< row by row
   std::atomic<unsigned> buttons{0};
+  std::atomic<int> pose_ms{0};  ///< so long it takes to tell where it is
 
   // what it was told
   std::atomic<int> opened{-1}, opened_by_robotics{0}, closes{0}, brakes{0}, enables{0},

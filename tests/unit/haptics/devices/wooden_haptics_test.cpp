@@ -96,7 +96,7 @@ TEST(WoodenArm, MotorsDoTheWorkOfTheForce) {
       ++more[i];
       --less[i];
       const double motor_work =
-          currents[static_cast<Eigen::Index>(i)] * 0.0259 * (2.0 * std::numbers::pi / 2000.0) * 2.0;
+          currents[static_cast<Eigen::Index>(i)] * 0.0603 * (2.0 * std::numbers::pi / 2000.0) * 2.0;
       worst = std::max(worst, std::abs(motor_work - force.dot(placeAt(more) - placeAt(less))));
     }
   }
