@@ -403,7 +403,8 @@ void Application::takeScreenshot() {
 void Application::remember() {
   preferences_.geometry = window_.saveGeometry();
   preferences_.layout = window_.saveState();
-  preferences_.stiffness = settings_.stiffness;
+  preferences_.stiffness = own_stiffness_.value_or(settings_.stiffness);
+  preferences_.mapping = mapping_;
   if (arguments_.screenshot.empty()) savePreferences(preferences_);
 }
 

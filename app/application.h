@@ -118,7 +118,11 @@ class Application : public QObject {
   void watchDevices();
   void takeDevice(const ui::DeviceWish& wish, const DeviceWatch::Opened& device);
   void letGoOfDevice(const QString& why);
+  /// Once it is closed: the stiffness that was set before it comes back.
   void forgetDevice(const QString& why);
+  void setStiffness(double stiffness);
+  void restoreStiffness();
+  void scaleAsMapped();
   void handleDevice();
   void tellOfForce();
   void tellOfFault(haptics::ForceReason why);
@@ -154,6 +158,8 @@ class Application : public QObject {
   DeviceWatch watch_;
   QList<ui::DeviceLine> devices_;
   std::optional<ui::DeviceWish> connected_;  ///< the real device that is open
+  QString connected_name_;
+  std::optional<double> own_stiffness_;  ///< N/m, as it was before a device was connected
   bool devices_seen_ = false;
   ui::Mapping mapping_;
   haptics::Handling handling_;

@@ -2,6 +2,7 @@
 // The part of the application that connects a haptic device, and says what becomes of its force.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/application.h"
 #include "ui/panels/device_panel.h"
@@ -50,8 +51,7 @@ void Application::connectDevices() {
   });
   connect(&panel, &ui::HapticDevicePanel::mappingChanged, this, [this](const ui::Mapping& mapping) {
     mapping_ = mapping;
-    settings_.position_scale = mapping.position_scale;
-    settings_.force_scale = mapping.force_scale;
+    scaleAsMapped();
     session_.set(settings_);
   });
   connect(&watch_, &DeviceWatch::surveyed, this, [this](const QList<ui::DeviceLine>& devices) {
@@ -60,8 +60,8 @@ void Application::connectDevices() {
   });
   connect(&watch_, &DeviceWatch::opened, this, &Application::takeDevice);
   connect(&watch_, &DeviceWatch::refused, this,
-          [this](const ui::DeviceWish&, haptics::Trouble, const QString& sentence) {
-            window_.hapticDevicePanel().showDisconnected(sentence);
+          [this](const ui::DeviceWish& wish, haptics::Trouble trouble, const QString& sentence) {
+            window_.hapticDevicePanel().showRefused(wish.id, trouble, sentence);
             window_.showMessage(sentence);
           });
   ui::VolumeView& view = window_.view();
@@ -73,7 +73,14 @@ void Application::connectDevices() {
     handling_.held = held;
     session_.handle(handling_);
   });
+  mapping_ = preferences_.mapping;
+  scaleAsMapped();
   panel.show(mapping_);
+}
+
+void Application::scaleAsMapped() {
+  settings_.position_scale = mapping_.position_scale;
+  settings_.force_scale = mapping_.force_scale;
 }
 
 QString Application::nameOfDevice(const QString& id) const {
@@ -89,31 +96,44 @@ void Application::takeDevice(const ui::DeviceWish& wish, const DeviceWatch::Open
   handleDevice();
   // half of what it is rated for at the hand, to begin with: what was set was for another hand
   if (const double rated = (*device)->rating().stiffness; rated > 0.0) {
-    settings_.stiffness = 0.5 * rated / (settings_.position_scale * settings_.force_scale);
-    window_.devicePanel().showStiffness(settings_.stiffness);
-    session_.set(settings_);
+    if (!own_stiffness_) own_stiffness_ = settings_.stiffness;
+    setStiffness(0.5 * rated / (settings_.position_scale * settings_.force_scale));
   }
   const auto opened = session_.open(std::move(*device));
   if (!opened) {
+    restoreStiffness();
     const QString why = QString::fromStdString(opened.error().what);
     window_.hapticDevicePanel().showDisconnected(why);
     return window_.showMessage(why);
   }
   connected_ = wish;
+  connected_name_ = nameOfDevice(wish.id);
   window_.hapticDevicePanel().showConnected(wish.id);
   watchDevices();
-  showHand(wish.id.toStdString(), nameOfDevice(wish.id), false);
+  showHand(wish.id.toStdString(), connected_name_, false);
+}
+
+void Application::setStiffness(double stiffness) {
+  settings_.stiffness = stiffness;
+  window_.devicePanel().showStiffness(stiffness);
+  session_.set(settings_);
+}
+
+/// What was set before a device brought its own.
+void Application::restoreStiffness() {
+  if (own_stiffness_) setStiffness(*std::exchange(own_stiffness_, std::nullopt));
 }
 
 void Application::letGoOfDevice(const QString& why) {
-  forgetDevice(why);
   session_.close();
+  forgetDevice(why);
   if (shown_ && !replay_) openHand(hand_);
 }
 
 void Application::forgetDevice(const QString& why) {
   if (!connected_) return;
   connected_.reset();
+  restoreStiffness();
   hand_ = "mouse";
   window_.hapticDevicePanel().showDisconnected(why);
   watchDevices();
@@ -147,9 +167,9 @@ void Application::tellOfForce() {
 }
 
 void Application::tellOfFault(haptics::ForceReason why) {
-  window_.showFault(tr("%1: the force was taken away. %2")
-                        .arg(nameOfDevice(connected_->id),
-                             ui::sentenceFor(ForceState::Fault, why, snapshot_.trouble)));
+  window_.showFault(
+      tr("%1: the force was taken away. %2")
+          .arg(connected_name_, ui::sentenceFor(ForceState::Fault, why, snapshot_.trouble)));
 }
 
 }  // namespace app

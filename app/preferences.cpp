@@ -6,6 +6,30 @@
 #include "app/recent_places.h"
 
 namespace app {
+namespace {
+
+// what cannot be is left at what it is without preferences
+ui::Mapping loadMapping(const QSettings& settings) {
+  ui::Mapping mapping;
+  const auto scale = [&](const char* key, double& value) {
+    const double stored = settings.value(key, value).toDouble();
+    if (stored >= 0.1 && stored <= 10.0) value = stored;
+  };
+  const auto button = [&](const char* key, int& value) {
+    bool is_number = false;
+    const int stored = settings.value(key, value).toInt(&is_number);
+    if (is_number && stored >= 0 && stored < 8) value = stored;
+  };
+  scale("device/position_scale", mapping.position_scale);
+  scale("device/force_scale", mapping.force_scale);
+  mapping.follow_camera = settings.value("device/follow_camera", true).toBool();
+  button("device/clutch_button", mapping.clutch_button);
+  mapping.hold_to_run = settings.value("device/hold_to_run", false).toBool();
+  button("device/hold_button", mapping.hold_button);
+  return mapping;
+}
+
+}  // namespace
 
 Preferences loadPreferences() {
   const QSettings settings;
@@ -15,6 +39,7 @@ Preferences loadPreferences() {
   preferences.notice_seen = settings.value("notice/seen", false).toBool();
   const double stiffness = settings.value("coupling/stiffness", 1000.0).toDouble();
   if (stiffness >= 0.0 && stiffness <= 20'000.0) preferences.stiffness = stiffness;
+  preferences.mapping = loadMapping(settings);
   preferences.places_remembered = settings.value("places/remembered", true).toBool();
   if (preferences.places_remembered)
     preferences.places = settings.value("places/recent").toStringList().mid(0, kMostPlaces);
@@ -27,6 +52,13 @@ void savePreferences(const Preferences& preferences) {
   settings.setValue("window/layout", preferences.layout);
   settings.setValue("notice/seen", preferences.notice_seen);
   settings.setValue("coupling/stiffness", preferences.stiffness);
+  const ui::Mapping& mapping = preferences.mapping;
+  settings.setValue("device/position_scale", mapping.position_scale);
+  settings.setValue("device/force_scale", mapping.force_scale);
+  settings.setValue("device/follow_camera", mapping.follow_camera);
+  settings.setValue("device/clutch_button", mapping.clutch_button);
+  settings.setValue("device/hold_to_run", mapping.hold_to_run);
+  settings.setValue("device/hold_button", mapping.hold_button);
   settings.setValue("places/remembered", preferences.places_remembered);
   // nothing is left of them in the file once they are forgotten
   if (preferences.places.isEmpty())

@@ -4,6 +4,8 @@
 #include <QByteArray>
 #include <QStringList>
 
+#include "ui/panels/haptic_device_panel.h"
+
 namespace app {
 
 /// What is remembered between runs. Of paths only the recent places, for their menu and nothing
@@ -13,6 +15,7 @@ struct Preferences {
   QByteArray layout = {};    ///< of its docks
   bool notice_seen = false;
   double stiffness = 1000.0;  ///< N/m
+  ui::Mapping mapping = {};   ///< of haptic devices
   QStringList places = {};    ///< what File > Open recent offers, the newest first
   bool places_remembered = true;
 };

@@ -137,8 +137,8 @@ void Application::openRecording(const std::filesystem::path& path) {
   recording_.stop();
   endMeasuring(tr("The measurement was cancelled: a recording is being replayed."));
   // the hand lets go: what is seen is what was
-  forgetDevice(tr("A recording was opened: the device was disconnected."));
   session_.close();
+  forgetDevice(tr("A recording was opened: the device was disconnected."));
   replay_ = std::move(*opened);
   replayed_scene_.reset();
   connect(replay_.get(), &Replay::moved, this, &Application::showReplayed);

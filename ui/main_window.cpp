@@ -167,7 +167,7 @@ void MainWindow::buildDocks() {
   haptic_device_dock_ = dock(tr("Haptic device"), "hapticDeviceDock", haptic_device_);
   tabifyDockWidget(device, haptic_device_dock_);
   device->raise();
-  resizeDocks({isosurface, device, force}, {190, 220, 390}, Qt::Vertical);
+  resizeDocks({isosurface, device, force}, {165, 275, 340}, Qt::Vertical);
   connect(haptic_device_, &HapticDevicePanel::armWanted, this, &MainWindow::forceOnWanted);
   addAction(recording_->markAction());  // of the window: the panel may be out of sight
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, view_, &VolumeView::setIsovalue);

@@ -158,7 +158,8 @@ Outcome run(const RunOptions& options) {
       std::string names;
       for (const auto& r : haptics::deviceRatings())
         if (r.actuated > 0) names += (names.empty() ? "" : ", ") + std::string{r.id};
-      return usage("There is no device \"" + options.device + "\"; choose one of " + names + ".");
+      return usage("No model with motors is called '" + options.device + "'; choose one of " +
+                   names + ".");
     }
     limits = haptics::limitsOf(*rating);
   }
@@ -280,7 +281,8 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->add_option("--normal", options->normal,
                    "Normals of points near the surface: central, cell, spline")
       ->check(CLI::IsMember(namesIn(normals())));
-  command->add_option("--device", options->device, "Take the limits of this device");
+  command->add_option("--device", options->device,
+                      "Take the limits of this model of a device (a name that is none lists them)");
   command->add_option("--trace", options->trace, "CSV to write, one row a tick")->check(notEmpty());
   command->add_option("--record", options->record, "Recording to write, NAME.palpate")
       ->check(notEmpty());

@@ -103,7 +103,8 @@ TEST(HapticDevicePanel, EachTroubleHasItsWordsAndSentenceAndOnlySomeLetConnect) 
     EXPECT_EQ(shown.why->textFormat(), Qt::PlainText);
     const bool user_sees_to_it = trouble == Trouble::NotHomed ||
                                  trouble == Trouble::NeedsCalibration ||
-                                 trouble == Trouble::MotorsHot || trouble == Trouble::ForceOff;
+                                 trouble == Trouble::NotStarted || trouble == Trouble::MotorsHot ||
+                                 trouble == Trouble::ForceOff;
     EXPECT_EQ(shown.connect->isEnabled(), user_sees_to_it) << n;
   }
   EXPECT_EQ(words.size(), static_cast<int>(Trouble::Lost));
@@ -144,6 +145,51 @@ TEST(HapticDevicePanel, FirmwareIsAskedForOnlyWhereItIsMissing) {
   EXPECT_EQ(qvariant_cast<ui::DeviceWish>(wanted[1][0]), (ui::DeviceWish{.id = "inverse3:1"}));
 }
 
+TEST(HapticDevicePanel, WhatOnlyOpeningTellsOfFirmwareIsRemembered) {
+  Shown shown;
+  QSignalSpy wanted(&shown.panel, &HapticDevicePanel::connectWanted);
+  QList<DeviceLine> devices = someDevices();
+  devices[1].trouble = Trouble::None;
+  devices[1].why.clear();
+  shown.panel.show(devices);
+  shown.select(0);
+  auto* firmware = shown.find<QLineEdit>("firmware");
+  EXPECT_FALSE(firmware->isVisible());
+  shown.panel.showConnecting("Novint Falcon");
+  shown.panel.showRefused("falcon", Trouble::NoFirmware, kNoFirmware);
+  EXPECT_EQ(shown.list->topLevelItem(0)->text(1), "needs firmware");
+  EXPECT_EQ(shown.why->text(), kNoFirmware);
+  ASSERT_TRUE(firmware->isVisible());
+  QTest::keyClicks(firmware, "/firmware");
+  shown.panel.show(devices);  // looked for again: it does not say so by itself
+  QTest::mouseClick(shown.connect, Qt::LeftButton);
+  ASSERT_EQ(wanted.size(), 1);
+  EXPECT_EQ(qvariant_cast<ui::DeviceWish>(wanted[0][0]),
+            (ui::DeviceWish{.id = "falcon", .firmware = "/firmware"}));
+  // pulled out and plugged in it may have some
+  devices[1].present = false;
+  shown.panel.show(devices);
+  devices[1].present = true;
+  shown.panel.show(devices);
+  EXPECT_EQ(shown.list->topLevelItem(0)->text(1), "here");
+  // other refusals do not ask for it
+  shown.panel.showRefused("falcon", Trouble::InUse, "Another program uses it.");
+  EXPECT_EQ(shown.list->topLevelItem(0)->text(1), "here");
+  EXPECT_EQ(shown.find<QLabel>("deviceLink")->text(), "Another program uses it.");
+}
+
+TEST(HapticDevicePanel, DevicesOfOneNameAreToldApartByTheirPlaces) {
+  Shown shown;
+  QList<DeviceLine> devices = someDevices();
+  devices[1].id = "falcon:1-2";
+  devices << devices[1];
+  devices.last().id = "falcon:3-1.4";
+  shown.panel.show(devices);
+  EXPECT_EQ(shown.list->topLevelItem(0)->text(0), "Novint Falcon at 1-2");
+  EXPECT_EQ(shown.list->topLevelItem(1)->text(0), "Haply Inverse3");
+  EXPECT_EQ(shown.list->topLevelItem(2)->text(0), "Novint Falcon at 3-1.4");
+}
+
 TEST(HapticDevicePanel, ADeviceWithoutRotationMayBeTurnedByAnother) {
   Shown shown;
   QSignalSpy wanted(&shown.panel, &HapticDevicePanel::connectWanted);
@@ -159,6 +205,7 @@ TEST(HapticDevicePanel, ADeviceWithoutRotationMayBeTurnedByAnother) {
   EXPECT_EQ(turned_by->currentData().toString(), QString());
   ASSERT_GE(turned_by->findData("spacemouse"), 0);
   EXPECT_EQ(turned_by->findData("falcon"), -1);
+  EXPECT_EQ(turned_by->findData("inverse3:1"), -1);  // it has motors of its own to see to
   turned_by->setCurrentIndex(turned_by->findData("spacemouse"));
   // it is not forgotten while the list is told anew
   shown.panel.show(devices);
@@ -188,6 +235,13 @@ TEST(HapticDevicePanel, ConnectingCanBeGivenUpAndConnectedBeEnded) {
   shown.panel.show(devices);
   EXPECT_EQ(shown.list->topLevelItem(1)->text(1), "connected");
   EXPECT_FALSE(shown.why->isVisible());
+  // but what the device wants of the user is
+  devices[2].trouble = Trouble::NotStarted;
+  devices[2].why = "It has no power.";
+  shown.panel.show(devices);
+  EXPECT_EQ(shown.list->topLevelItem(1)->text(1), "connected");
+  EXPECT_EQ(shown.why->text(), "It has no power.");
+  EXPECT_TRUE(shown.why->isVisible());
   QTest::mouseClick(shown.connect, Qt::LeftButton);
   EXPECT_EQ(ended.size(), 2);
   shown.panel.showDisconnected("It was unplugged.");
@@ -263,6 +317,13 @@ TEST(HapticDevicePanel, EachStateIsToldByAWordAColourAndWhy) {
   auto* reason = shown.find<QLabel>("forceReason");
   auto* arm = shown.find<QPushButton>("arm");
   QSet<QString> words, colours;
+  // nobody's force but a connected device's
+  haptics::Snapshot mouse;
+  mouse.force_state = ForceState::On;
+  shown.panel.display(mouse);
+  EXPECT_EQ(state->text(), "NO DEVICE");
+  EXPECT_FALSE(arm->isEnabled());
+  shown.panel.showConnected("inverse3:1");
   const struct {
     ForceState state;
     ForceReason reason;
@@ -270,12 +331,12 @@ TEST(HapticDevicePanel, EachStateIsToldByAWordAColourAndWhy) {
     const char* word;
     const char* sentence;
   } cases[] = {
-      {ForceState::Off, ForceReason::NoReading, true, "OFF", "has not told"},
+      {ForceState::Off, ForceReason::NoReading, false, "OFF", "has not told"},
       {ForceState::Ready, ForceReason::User, true, "READY", "Arm the device"},
       {ForceState::Armed, ForceReason::Clutched, false, "ARMED", "clutch"},
       {ForceState::Ramping, ForceReason::Gap, false, "RISING", "gap"},
       {ForceState::On, ForceReason::User, false, "ON", ""},
-      {ForceState::Fault, ForceReason::Lost, true, "FAULT", "connect it again"},
+      {ForceState::Fault, ForceReason::Jump, true, "FAULT", "arm the device again"},
   };
   for (const auto& c : cases) {
     haptics::Snapshot snapshot;
@@ -299,6 +360,36 @@ TEST(HapticDevicePanel, EachStateIsToldByAWordAColourAndWhy) {
   EXPECT_EQ(colours.size(), 6);
   QTest::mouseClick(arm, Qt::LeftButton);
   EXPECT_EQ(armed.size(), 1);
+  // what is gone is not armed, and the list says so
+  haptics::Snapshot gone;
+  gone.force_state = ForceState::Fault;
+  gone.reason = ForceReason::Lost;
+  shown.panel.display(gone);
+  EXPECT_TRUE(reason->text().contains("connect it again"));
+  EXPECT_FALSE(arm->isEnabled());
+  EXPECT_EQ(shown.list->topLevelItem(1)->text(1), "gone");
+  shown.panel.showConnected("inverse3:1");
+  EXPECT_EQ(shown.list->topLevelItem(1)->text(1), "connected");
+}
+
+TEST(HapticDevicePanel, WhatHasNoMotorsIsNotArmed) {
+  Shown shown;
+  QList<DeviceLine> devices = someDevices();
+  devices[0].present = true;
+  devices[0].trouble = Trouble::None;
+  shown.panel.show(devices);
+  shown.panel.showConnected("spacemouse");
+  haptics::Snapshot snapshot;
+  snapshot.force_state = ForceState::Ready;
+  shown.panel.display(snapshot);
+  EXPECT_EQ(shown.find<QLabel>("forceState")->text(), "NO MOTORS");
+  EXPECT_TRUE(shown.find<QLabel>("forceReason")->text().contains("nothing is felt"));
+  EXPECT_FALSE(shown.find<QPushButton>("arm")->isEnabled());
+  snapshot.trouble = Trouble::Lost;
+  snapshot.force_state = ForceState::Fault;
+  snapshot.reason = ForceReason::Lost;
+  shown.panel.display(snapshot);
+  EXPECT_TRUE(shown.find<QLabel>("forceReason")->text().contains("gone"));
 }
 
 TEST(HapticDevicePanel, EveryReasonAndWhatTheDeviceAsksForHaveASentence) {
@@ -320,6 +411,7 @@ TEST(HapticDevicePanel, EveryReasonAndWhatTheDeviceAsksForHaveASentence) {
 TEST(HapticDevicePanel, WhatThePassivityGuardTookIsSaid) {
   Shown shown;
   auto* share = shown.find<QLabel>("stiffnessShare");
+  shown.panel.showConnected("inverse3:1");
   haptics::Snapshot snapshot;
   shown.panel.display(snapshot);
   EXPECT_FALSE(share->isVisible());

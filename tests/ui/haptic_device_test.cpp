@@ -6,9 +6,11 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
+#include <mutex>
 #include <thread>
 
 #include "app/application.h"
@@ -35,6 +37,13 @@ struct Bench {
   std::atomic<bool> plugged{true};
   std::atomic<int> opening_ms{0};
   std::atomic<Trouble> refusing{Trouble::None};
+  std::mutex lock;
+  std::string named;  ///< firmware, at the last opening
+
+  std::string firmware() {
+    const std::lock_guard guard{lock};
+    return named;
+  }
 
   app::DeviceCatalogue catalogue() {
     return {.survey =
@@ -48,8 +57,12 @@ struct Bench {
                   }
                   return std::vector{falcon};
                 },
-            .open = [this](const haptics::OpenRequest&)
+            .open = [this](const haptics::OpenRequest& request)
                 -> haptics::Expected<std::unique_ptr<haptics::Device>> {
+              {
+                const std::lock_guard guard{lock};
+                named = request.firmware.string();
+              }
               std::this_thread::sleep_for(std::chrono::milliseconds(opening_ms));
               if (refusing != Trouble::None) {
                 const std::string word{haptics::wordOf(refusing)};
@@ -164,7 +177,10 @@ class Session {
 TEST(HapticDevice, IsConnectedButNeverArmedByItself) {
   Bench bench;
   Session session(bench);
+  const double own = session.application.session().inForce().stiffness;
+  EXPECT_EQ(session.label("forceState")->text(), "NO DEVICE");
   session.connectDevice();
+  EXPECT_NE(session.application.session().inForce().stiffness, own);
   session.leadToSphere(kDepth);
   QTest::qWait(1'500);
   EXPECT_GT(session.handle().written.load(), 500U);
@@ -173,8 +189,9 @@ TEST(HapticDevice, IsConnectedButNeverArmedByItself) {
   EXPECT_EQ(session.label("forceState")->text(), "ON");
   EXPECT_TRUE(session.label("statusLine")->text().contains("Novint Falcon"));
   window::keep(window::pictureOf(session.window()), "haptic_device_on");
-  // and let go of: no more writes, and the device is closed
+  // and let go of: no more writes, the device is closed, and the mouse has its stiffness again
   session.click("connectDevice");
+  EXPECT_EQ(session.application.session().inForce().stiffness, own);
   EXPECT_FALSE(session.handle().open);
   EXPECT_EQ(session.handle().lastForce(), 0.0);
   EXPECT_TRUE(waitFor([&] { return session.now().tick > 100; }));  // the mouse has it again
@@ -274,6 +291,21 @@ TEST(HapticDevice, EveryRefusalIsSaidInTheWindow) {
     EXPECT_TRUE(waitFor([&] { return session.label("message")->text() == sentence; })) << n;
     EXPECT_TRUE(session.label("message")->isVisible());
     EXPECT_EQ(session.label("deviceLink")->text(), sentence);
+    EXPECT_EQ(session.window().findChild<QWidget*>("firmware")->isVisible(),
+              bench.refusing == Trouble::NoFirmware)
+        << n;
+    if (bench.refusing == Trouble::NoFirmware) {
+      // with a file it is tried again, and with none left to name it is as it was
+      auto* file = session.window().findChild<QLineEdit*>("firmware");
+      file->setText("/its/firmware");
+      session.click("connectDevice");
+      EXPECT_TRUE(waitFor([&] { return bench.firmware() == "/its/firmware"; }));
+      EXPECT_TRUE(waitFor([&] { return session.label("deviceLink")->text() == sentence; }));
+      bench.plugged = false;
+      EXPECT_TRUE(waitFor([&] { return !file->isVisible(); }));
+      bench.plugged = true;
+      EXPECT_TRUE(waitFor([&] { return session.list()->topLevelItem(0)->text(1) == "here"; }));
+    }
     session.click("messageClose");
   }
   // the mouse went on
@@ -302,7 +334,8 @@ TEST(HapticDevice, UnpluggedUnderForceIsAFaultThatStaysUntilItIsSeen) {
   EXPECT_TRUE(fault->isVisible());
   // a device that is back is not taken up by itself, and arming does not bring it back
   session.handle().status = DeviceStatus::Lost;
-  session.click("arm");
+  EXPECT_FALSE(session.window().findChild<QAbstractButton*>("arm")->isEnabled());
+  session.application.session().arm();
   QTest::qWait(200);
   EXPECT_FALSE(session.is(ForceState::On));
   EXPECT_EQ(session.handle().lastForce(), 0.0);

@@ -56,7 +56,11 @@ QString whatToDo(Trouble trouble) {
     case Trouble::NotHomed:
       return Words::tr("Move its handle to its stops: all the way out, then all the way in.");
     case Trouble::NeedsCalibration:
-      return Words::tr("Put its stylus into the cradle; or put its arm to rest and press its zero button.");
+      return Words::tr(
+          "Put its stylus into the cradle. Or put its arm to rest and press its zero button, or "
+          "hold down the button of its stylus.");
+    case Trouble::NotStarted:
+      return Words::tr("See that it has power, and wait until it has started.");
     case Trouble::MotorsHot:
       return Words::tr("Its motors are hot: let it rest for some minutes.");
     case Trouble::ForceOff:

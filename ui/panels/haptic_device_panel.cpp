@@ -15,6 +15,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -33,7 +34,8 @@ enum Column { Name, State, kColumns };
 
 constexpr double kLeastScale = 0.1, kGreatestScale = 10.0;
 constexpr int kButtons = 8;
-constexpr int kListRows = 7;       // seen without scrolling
+constexpr int kListRows = 4;  // seen without scrolling
+constexpr int kPatienceMs = 5'000;
 constexpr double kCapped = 0.999;  // of what was wished: below it the rating is what counts
 
 QLabel* label(const char* name) {
@@ -45,10 +47,10 @@ QLabel* label(const char* name) {
   return made;
 }
 
-QString wordsFor(const DeviceLine& device) {
-  switch (device.trouble) {
+QString wordsFor(Trouble trouble, bool present) {
+  switch (trouble) {
     case Trouble::None:
-      return device.present ? HapticDevicePanel::tr("here") : HapticDevicePanel::tr("to be tried");
+      return present ? HapticDevicePanel::tr("here") : HapticDevicePanel::tr("to be tried");
     case Trouble::NotPluggedIn:
       return HapticDevicePanel::tr("not plugged in");
     case Trouble::NoPermission:
@@ -79,16 +81,25 @@ QString wordsFor(const DeviceLine& device) {
   return {};
 }
 
-// what the user sees to once it is connected, or names before
+// what the user sees to at the device, once it is connected
+bool isAtDevice(Trouble trouble) {
+  switch (trouble) {
+    case Trouble::NotHomed:
+    case Trouble::NeedsCalibration:
+    case Trouble::NotStarted:
+    case Trouble::MotorsHot:
+    case Trouble::ForceOff:
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool canConnect(const DeviceLine& device, bool firmware_named) {
+  if (isAtDevice(device.trouble)) return device.present;
   switch (device.trouble) {
     case Trouble::None:
       return true;
-    case Trouble::NotHomed:
-    case Trouble::NeedsCalibration:
-    case Trouble::MotorsHot:
-    case Trouble::ForceOff:
-      return device.present;
     case Trouble::NoFirmware:
       return device.present && firmware_named;
     default:
@@ -114,6 +125,9 @@ QComboBox* buttonBox(const char* name, const QString& none) {
   for (int n = 0; n < kButtons; ++n) box->addItem(HapticDevicePanel::tr("button %1").arg(n + 1), n);
   return box;
 }
+
+// what tells it from others of its name
+QString placeOf(const DeviceLine& device) { return device.id.section(':', 1); }
 
 QString shownNumber(double value) { return QString::number(value, 'g', 5); }
 
@@ -141,7 +155,8 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
       hold_to_run_(new QCheckBox(tr("Force only while held"))),
       hold_button_(buttonBox("holdButton", tr("key H only"))),
       stiffness_(label("stiffnessTwice")),
-      capped_(label("stiffnessCapped")) {
+      capped_(label("stiffnessCapped")),
+      patience_(new QTimer(this)) {
   auto* inside = new QWidget;
   auto* column = new QVBoxLayout(inside);
   column->addWidget(buildForce());
@@ -162,6 +177,12 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(scroll);
   setFocusProxy(list_);
+  patience_->setSingleShot(true);
+  connect(patience_, &QTimer::timeout, this, [this] {
+    link_words_->setText(
+        tr("Still connecting. Firmware takes a minute; what does not answer at all is given up "
+           "with Cancel: unplug it, plug it in, and start Palpate again if that is not enough."));
+  });
   show(Mapping{});
   showStiffness({}, std::nullopt);
   showDisconnected({});
@@ -170,6 +191,7 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
 
 QWidget* HapticDevicePanel::buildForce() {
   arm_->setObjectName("arm");
+  arm_->setEnabled(false);
   arm_->setText(tr("Arm"));
   arm_->setMinimumHeight(40);
   arm_->setToolTip(
@@ -204,7 +226,7 @@ QWidget* HapticDevicePanel::buildList() {
   list_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(State, QHeaderView::ResizeToContents);
   list_->header()->setStretchLastSection(false);
-  list_->setMinimumHeight(list_->fontMetrics().height() * (kListRows + 2));
+  list_->setFixedHeight(list_->fontMetrics().height() * (kListRows + 2));
   why_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &HapticDevicePanel::showSelected);
 
@@ -282,13 +304,28 @@ void HapticDevicePanel::show(const QList<DeviceLine>& devices) {
   const QString kept = before != nullptr ? before->id : connected_;
   devices_ = devices;
   std::ranges::stable_partition(devices_, &DeviceLine::present);
+  bool refused_is_here = false;
+  for (DeviceLine& device : devices_) {
+    if (device.id != without_firmware_ || !device.present) continue;
+    refused_is_here = true;
+    device.trouble = Trouble::NoFirmware;
+    device.why = firmware_words_;
+  }
+  if (!refused_is_here) without_firmware_.clear();
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const DeviceLine& device : devices_) {
       const bool mine = link_ == Link::Connected && device.id == connected_;
-      auto* line = new QTreeWidgetItem({device.name, mine ? tr("connected") : wordsFor(device)});
-      line->setToolTip(Name, device.why.toHtmlEscaped());
+      const bool alone = std::ranges::count(devices_, device.name, &DeviceLine::name) == 1;
+      const QString name =
+          alone || placeOf(device).isEmpty()
+              ? device.name
+              : tr("%1 at %2", "a device and its place").arg(device.name, placeOf(device));
+      const QString state = lost_ ? wordsFor(Trouble::Lost, true) : tr("connected");
+      auto* line =
+          new QTreeWidgetItem({name, mine ? state : wordsFor(device.trouble, device.present)});
+      line->setToolTip(Name, (name + '\n' + device.why).trimmed().toHtmlEscaped());
       if (!canConnect(device, true))
         for (int c = 0; c < kColumns; ++c)
           line->setForeground(c, palette().brush(QPalette::Disabled, QPalette::Text));
@@ -309,7 +346,9 @@ const DeviceLine* HapticDevicePanel::selected() const {
 void HapticDevicePanel::showSelected() {
   const DeviceLine* device = selected();
   const bool mine = device != nullptr && link_ == Link::Connected && device->id == connected_;
-  why_->setText(device != nullptr && !mine ? device->why : QString{});
+  // that this program has it is no trouble to the user
+  const bool told = device != nullptr && (!mine || isAtDevice(device->trouble));
+  why_->setText(told ? device->why : QString{});
   why_->setVisible(!why_->text().isEmpty());
   const bool free = link_ == Link::None;
   firmware_row_->setVisible(free && device != nullptr && device->trouble == Trouble::NoFirmware);
@@ -328,7 +367,7 @@ void HapticDevicePanel::listTurners(const DeviceLine* device) {
   turned_by_->clear();
   turned_by_->addItem(tr("held as it is"), QString());
   for (const DeviceLine& other : devices_)
-    if (device != nullptr && other.id != device->id && other.sensed >= 6 &&
+    if (device != nullptr && other.id != device->id && other.sensed >= 6 && other.actuated == 0 &&
         canConnect(other, false))
       turned_by_->addItem(other.name, other.id);
   turned_by_->setCurrentIndex(std::max(0, turned_by_->findData(kept)));
@@ -356,22 +395,39 @@ void HapticDevicePanel::showConnecting(const QString& name) {
   link_ = Link::Connecting;
   link_words_->setText(tr("Connecting %1…").arg(name));
   link_words_->show();
+  patience_->start(kPatienceMs);
   showSelected();
 }
 
 void HapticDevicePanel::showConnected(const QString& id) {
   link_ = Link::Connected;
   connected_ = id;
+  if (id == without_firmware_) without_firmware_.clear();
+  const auto device = std::ranges::find(devices_, id, &DeviceLine::id);
+  motors_ = device == devices_.end() || device->actuated > 0;
+  lost_ = false;
   link_words_->hide();
+  patience_->stop();
   show(QList<DeviceLine>{devices_});
+  display({});
+}
+
+void HapticDevicePanel::showRefused(const QString& id, Trouble trouble, const QString& why) {
+  if (trouble == Trouble::NoFirmware) {
+    without_firmware_ = id;
+    firmware_words_ = why;
+  }
+  showDisconnected(why);
 }
 
 void HapticDevicePanel::showDisconnected(const QString& why) {
   link_ = Link::None;
   connected_.clear();
+  patience_->stop();
   link_words_->setText(why);
   link_words_->setVisible(!why.isEmpty());
   show(QList<DeviceLine>{devices_});
+  display({});
 }
 
 void HapticDevicePanel::show(const Mapping& mapping) {
@@ -424,25 +480,40 @@ void HapticDevicePanel::showStiffness(const haptics::Settings& wished,
 }
 
 void HapticDevicePanel::display(const haptics::Snapshot& snapshot) {
-  const QString share =
-      snapshot.stiffness_share < kCapped
-          ? tr("The stiffness is lowered to %1 % for now: the hand and the device shook.")
-                .arg(std::round(snapshot.stiffness_share * 100.0))
-          : QString{};
+  const bool here = link_ == Link::Connected;
+  const bool lost = here && (snapshot.trouble == Trouble::Lost ||
+                             (snapshot.force_state == ForceState::Fault &&
+                              snapshot.reason == haptics::ForceReason::Lost));
+  if (lost != lost_) {
+    lost_ = lost;
+    show(QList<DeviceLine>{devices_});
+  }
+  QString word = tr("no device").toUpper(), sentence, share;
+  QString colour = colourOf(ForceState::Off);
+  bool waits = false;
+  if (here && !motors_) {
+    word = tr("no motors").toUpper();
+    sentence = lost ? sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble)
+                    : tr("It moves the tool; nothing is felt.");
+  } else if (here) {
+    word = nameOf(snapshot.force_state).toUpper();
+    colour = colourOf(snapshot.force_state);
+    sentence = sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
+    if (snapshot.stiffness_share < kCapped)
+      share = tr("The stiffness is lowered to %1 % for now: the hand and the device shook.")
+                  .arg(std::round(snapshot.stiffness_share * 100.0));
+    waits = !lost && (snapshot.force_state == ForceState::Ready ||
+                      snapshot.force_state == ForceState::Fault);
+  }
+  // sixty times a second: what has not changed is not set anew
   if (share_->text() != share) share_->setText(share);
   share_->setVisible(!share.isEmpty());
-  const QString sentence = sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
   if (reason_->text() != sentence) reason_->setText(sentence);
   reason_->setVisible(!sentence.isEmpty());
-  if (shown_state_ == snapshot.force_state) return;
-  shown_state_ = snapshot.force_state;
-  state_->setText(nameOf(snapshot.force_state).toUpper());
-  state_->setStyleSheet(QStringLiteral("background: %1; color: white; padding: 8px;")
-                            .arg(colourOf(snapshot.force_state)));
-  const bool waits = snapshot.force_state == ForceState::Ready ||
-                     snapshot.force_state == ForceState::Fault ||
-                     snapshot.force_state == ForceState::Off;
   arm_->setEnabled(waits);
+  if (state_->text() == word) return;
+  state_->setText(word);
+  state_->setStyleSheet(QStringLiteral("background: %1; color: white; padding: 8px;").arg(colour));
 }
 
 void HapticDevicePanel::showEvent(QShowEvent* event) {

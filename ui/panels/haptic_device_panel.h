@@ -17,6 +17,7 @@ class QGroupBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QTimer;
 class QTreeWidget;
 
 namespace ui {
@@ -64,18 +65,22 @@ class HapticDevicePanel : public QWidget {
  public:
   explicit HapticDevicePanel(QWidget* parent = nullptr);
 
-  /// All devices, in this order, those that are here first; what was selected stays so.
+  /// All devices, in this order, those that are here first; what was selected stays so. Of several
+  /// with one name the place is shown, which is what stands behind the colon of the id.
   void show(const QList<DeviceLine>& devices);
   using QWidget::show;
   /// What is being connected, is connected, or is no longer: `why` is a sentence, or empty.
   void showConnecting(const QString& name);
   void showConnected(const QString& id);
   void showDisconnected(const QString& why);
+  /// It could not be connected. What only opening tells is shown of it until it is tried again or
+  /// goes: that it wants its maker's firmware.
+  void showRefused(const QString& id, haptics::Trouble trouble, const QString& why);
   void show(const Mapping& mapping);
   /// What was set, and what it came to under the rating of the device that is connected.
   void showStiffness(const haptics::Settings& wished,
                      const std::optional<haptics::Settings>& in_force);
-  /// The state of the force, at display rate.
+  /// The state of the force, at display rate. Nobody's but a connected device's is shown.
   void display(const haptics::Snapshot& snapshot);
 
  signals:
@@ -129,9 +134,13 @@ class HapticDevicePanel : public QWidget {
   QLabel* capped_;
   QList<DeviceLine> devices_;
   Link link_ = Link::None;
-  QString connected_;  ///< id
+  QString connected_;         ///< id
+  bool motors_ = true;        ///< the connected device has some
+  bool lost_ = false;         ///< it is gone, though connected
+  QString without_firmware_;  ///< id of the one that was refused for want of it
+  QString firmware_words_;    ///< and what was said
+  QTimer* patience_;          ///< with what is being connected
   Mapping mapping_;
-  std::optional<haptics::ForceState> shown_state_;
 };
 
 }  // namespace ui
