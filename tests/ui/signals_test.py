@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The window is told to end by a signal: once, and it closes as its user would close it; twice,
-and it is gone at once.
+and it is gone at once. Or its display goes.
 
 Use: signals_test.py PALPATE (with a display)
 """
@@ -78,3 +78,17 @@ with tempfile.TemporaryDirectory() as folder:
         if codes[-1] == -signal.SIGINT:
             break
     assert -signal.SIGINT in codes and set(codes) <= {0, -signal.SIGINT}, codes
+
+    # the display goes, and the display's library leaves: by exit(), which stops the motors first
+    told, tells = os.pipe()
+    display = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", "1280x1024x24"], pass_fds=[tells],
+                               stderr=subprocess.DEVNULL)
+    os.close(tells)
+    os.environ["DISPLAY"] = ":" + os.read(told, 16).decode().strip()
+    home = pathlib.Path(folder) / "display"
+    home.mkdir()
+    process = started(home, 3)
+    display.kill()
+    display.wait()
+    code = process.wait(timeout=LONG)
+    assert code == 1, code
