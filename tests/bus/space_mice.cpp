@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bus/space_mice.h"
 
-#include <fcntl.h>
-#include <linux/uhid.h>
-#include <poll.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
-#include <chrono>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
-
 namespace bus {
 namespace {
 
@@ -42,21 +29,6 @@ Bytes buttonReport(unsigned buttons) {
 }
 
 }  // namespace
-
-std::string hidNode(std::uint16_t vendor, std::uint16_t product) {
-  namespace fs = std::filesystem;
-  std::array<char, 32> id{};
-  std::snprintf(id.data(), id.size(), ":%08X:%08X", vendor, product);
-  std::error_code failed;
-  for (const auto& node : fs::directory_iterator{"/sys/class/hidraw", failed}) {
-    std::ifstream words{node.path() / "device/uevent"};
-    std::string line;
-    while (std::getline(words, line))
-      if (line.starts_with("HID_ID=") && line.ends_with(id.data()))
-        return "/dev/" + node.path().filename().string();
-  }
-  return {};
-}
 
 void SpaceNavigatorEmulator::move(const CapAxes& axes) {
   const std::scoped_lock lock{mutex_};
@@ -107,56 +79,11 @@ std::optional<Bytes> SpaceNavigatorEmulator::toSend(int /*endpoint*/, std::size_
   return report;
 }
 
-UhidSpaceMouse::UhidSpaceMouse() {
-  file_ = open("/dev/uhid", O_RDWR | O_CLOEXEC);
-  uhid_event event{};
-  event.type = UHID_CREATE2;
-  uhid_create2_req& made = event.u.create2;
-  std::snprintf(reinterpret_cast<char*>(made.name), sizeof made.name, "Emulated SpaceMouse");
-  std::copy(kReports.begin(), kReports.end(), made.rd_data);
-  made.rd_size = std::uint16_t(kReports.size());
-  made.bus = 3;  // USB
-  made.vendor = 0x256F;
-  made.product = 0xC635;
-  if (file_ < 0 || write(file_, &event, sizeof event) != ssize_t(sizeof event)) {
-    if (file_ >= 0) close(file_);
-    throw std::runtime_error{"uhid did not take the device"};
-  }
-  thread_ = std::thread{[this] { listen(); }};
-  for (int n = 0; n < 3000 && node_.empty(); ++n) {
-    node_ = hidNode(0x256F, 0xC635);
-    std::this_thread::sleep_for(std::chrono::milliseconds{10});
-  }
-  if (!node_.empty()) return;
-  ending_ = true;
-  thread_.join();
-  close(file_);
-  throw std::runtime_error{"the kernel shows no hidraw node for the device"};
-}
-
-UhidSpaceMouse::~UhidSpaceMouse() {
-  ending_ = true;
-  thread_.join();
-  close(file_);  // unplugs it
-}
-
-void UhidSpaceMouse::listen() {
-  while (!ending_) {
-    pollfd waiting{file_, POLLIN, 0};
-    uhid_event event{};
-    if (poll(&waiting, 1, 10) <= 0 || ::read(file_, &event, sizeof event) <= 0) continue;
-    if (event.type == UHID_OUTPUT && event.u.output.size == 2 && event.u.output.data[0] == 4)
-      lit_ = event.u.output.data[1] & 1;
-  }
-}
-
-void UhidSpaceMouse::report(const Bytes& bytes) {
-  uhid_event event{};
-  event.type = UHID_INPUT2;
-  event.u.input2.size = std::uint16_t(std::min<std::size_t>(bytes.size(), UHID_DATA_MAX));
-  std::copy_n(bytes.begin(), event.u.input2.size, event.u.input2.data);
-  if (write(file_, &event, sizeof event) < 0) throw std::runtime_error{"uhid took no report"};
-}
+UhidSpaceMouse::UhidSpaceMouse()
+    : port_{"Emulated SpaceMouse", 0x256F, 0xC635, kReports,
+            [this](std::span<const std::uint8_t> report) {
+              if (report.size() == 2 && report[0] == 4) lit_ = report[1] & 1;
+            }} {}
 
 void UhidSpaceMouse::move(const CapAxes& axes) {
   report(axesReport(1, axes, 0));

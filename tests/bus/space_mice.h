@@ -7,8 +7,8 @@
 #include <deque>
 #include <mutex>
 #include <string>
-#include <thread>
 
+#include "tests/bus/uhid_port.h"
 #include "tests/bus/usb_port.h"
 
 namespace bus {
@@ -40,29 +40,18 @@ class SpaceNavigatorEmulator final : public UsbFunction {
 /// A SpaceMouse Compact (256f:c635) that the kernel's uhid plays. In the system while it lives.
 class UhidSpaceMouse {
  public:
-  UhidSpaceMouse();  ///< throws std::runtime_error where the system does not show it
-  ~UhidSpaceMouse();
-  UhidSpaceMouse(const UhidSpaceMouse&) = delete;
-  UhidSpaceMouse& operator=(const UhidSpaceMouse&) = delete;
+  UhidSpaceMouse();
 
   void move(const CapAxes& axes);
   void press(unsigned buttons);
   /// Any bytes as an input report.
-  void report(const Bytes& bytes);
+  void report(const Bytes& bytes) { port_.report(bytes); }
   int lit() const { return lit_; }
-  std::string node() const { return node_; }  ///< "/dev/hidraw0"
+  std::string node() const { return port_.node(); }
 
  private:
-  void listen();
-
-  int file_ = -1;
-  std::string node_;
   std::atomic<int> lit_{-1};
-  std::atomic<bool> ending_{false};
-  std::thread thread_;
+  UhidPort port_;
 };
-
-/// The hidraw node of a HID device, or empty: "/dev/hidraw0".
-std::string hidNode(std::uint16_t vendor, std::uint16_t product);
 
 }  // namespace bus
