@@ -527,35 +527,31 @@ TEST(Hazards, WhatIsWrongWithTheDeviceIsInTheSnapshot) {
   EXPECT_EQ(held.snapshot().trouble, Trouble::NotHomed);
 }
 
-// in a process of its own: motors first, then the crash as it would have been
+/// What a program is, to be ended: watched motors under way, which say when they are stopped.
+template <class End>
+void endUnderWay(End end) {
+  haptics::installCrashStop();
+  auto device = std::make_unique<FakeDevice>(at(0, 0, 0.03));
+  device->says_stopped = true;
+  haptics::ServoLoop loop{std::move(device), {}, at(0, 0, 0.03)};
+  loop.start();
+  while (loop.boundary.load() < 20) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  end();
+}
+
+// each in a process of its own: motors first, then the end as it would have been
 TEST(Emergency, ACrashStopsTheMotorsAndThenGoesItsWay) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  const auto crash = [](int signal) {
-    haptics::installCrashStop();
-    auto device = std::make_unique<FakeDevice>(at(0, 0, 0.03));
-    device->says_stopped = true;
-    haptics::ServoLoop loop{std::move(device), {}, at(0, 0, 0.03)};
-    loop.start();
-    while (loop.boundary.load() < 20) std::this_thread::sleep_for(std::chrono::milliseconds{1});
-    raise(signal);
-  };
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
-    EXPECT_EXIT(crash(signal), testing::KilledBySignal(signal), "motors stopped") << signal;
+    EXPECT_EXIT(endUnderWay([signal] { raise(signal); }), testing::KilledBySignal(signal),
+                "motors stopped")
+        << signal;
 }
 
 // as Xlib does when the display is gone
 TEST(Emergency, AProcessThatExitsByItselfStopsTheMotorsFirst) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  const auto leave = [] {
-    haptics::installCrashStop();
-    auto device = std::make_unique<FakeDevice>(at(0, 0, 0.03));
-    device->says_stopped = true;
-    haptics::ServoLoop loop{std::move(device), {}, at(0, 0, 0.03)};
-    loop.start();
-    while (loop.boundary.load() < 20) std::this_thread::sleep_for(std::chrono::milliseconds{1});
-    std::exit(7);
-  };
-  EXPECT_EXIT(leave(), testing::ExitedWithCode(7), "motors stopped");
+  EXPECT_EXIT(endUnderWay([] { std::exit(7); }), testing::ExitedWithCode(7), "motors stopped");
 }
 
 int fallFor(int depth) {
@@ -566,16 +562,8 @@ int fallFor(int depth) {
 
 TEST(Emergency, TheEndOfTheStackStopsThemToo) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  const auto fall = [] {
-    haptics::installCrashStop();
-    auto device = std::make_unique<FakeDevice>(at(0, 0, 0.03));
-    device->says_stopped = true;
-    haptics::ServoLoop loop{std::move(device), {}, at(0, 0, 0.03)};
-    loop.start();
-    while (loop.boundary.load() < 20) std::this_thread::sleep_for(std::chrono::milliseconds{1});
-    std::exit(fallFor(100'000'000));
-  };
-  EXPECT_EXIT(fall(), testing::KilledBySignal(SIGSEGV), "motors stopped");
+  EXPECT_EXIT(endUnderWay([] { std::exit(fallFor(100'000'000)); }),
+              testing::KilledBySignal(SIGSEGV), "motors stopped");
 }
 
 TEST(Emergency, StoppedMotorsStayStopped) {

@@ -47,7 +47,7 @@ struct FakeFalcon {
   // how it is
   bool firmware_runs = true;
   bool gone = false;
-  bool mute = false;  ///< nothing that it says gets through any more
+  bool mute = false;               ///< nothing that it says gets through any more
   int sends_left = 1'000'000'000;  ///< then it is unplugged
   std::array<std::int16_t, 3> encoders{};
   std::uint8_t homed = 0b111, buttons = 0;
