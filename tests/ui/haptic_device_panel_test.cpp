@@ -166,6 +166,13 @@ TEST(HapticDevicePanel, WhatOnlyOpeningTellsOfFirmwareIsRemembered) {
   ASSERT_EQ(wanted.size(), 1);
   EXPECT_EQ(qvariant_cast<ui::DeviceWish>(wanted[0][0]),
             (ui::DeviceWish{.id = "falcon", .firmware = "/firmware"}));
+  // connected it has it, from then on
+  shown.panel.showConnected("falcon");
+  shown.panel.showDisconnected({});
+  EXPECT_EQ(shown.list->topLevelItem(0)->text(1), "here");
+  EXPECT_FALSE(firmware->isVisible());
+  shown.panel.showRefused("falcon", Trouble::NoFirmware, kNoFirmware);
+  EXPECT_TRUE(firmware->isVisible());
   // pulled out and plugged in it may have some
   devices[1].present = false;
   shown.panel.show(devices);

@@ -302,7 +302,7 @@ QGroupBox* HapticDevicePanel::buildMapping() {
 void HapticDevicePanel::show(const QList<DeviceLine>& devices) {
   const DeviceLine* before = selected();
   const QString kept = before != nullptr ? before->id : connected_;
-  devices_ = devices;
+  surveyed_ = devices_ = devices;
   std::ranges::stable_partition(devices_, &DeviceLine::present);
   bool refused_is_here = false;
   for (DeviceLine& device : devices_) {
@@ -408,7 +408,7 @@ void HapticDevicePanel::showConnected(const QString& id) {
   lost_ = false;
   link_words_->hide();
   patience_->stop();
-  show(QList<DeviceLine>{devices_});
+  show(QList<DeviceLine>{surveyed_});
   display({});
 }
 
@@ -426,7 +426,7 @@ void HapticDevicePanel::showDisconnected(const QString& why) {
   patience_->stop();
   link_words_->setText(why);
   link_words_->setVisible(!why.isEmpty());
-  show(QList<DeviceLine>{devices_});
+  show(QList<DeviceLine>{surveyed_});
   display({});
 }
 
@@ -486,7 +486,7 @@ void HapticDevicePanel::display(const haptics::Snapshot& snapshot) {
                               snapshot.reason == haptics::ForceReason::Lost));
   if (lost != lost_) {
     lost_ = lost;
-    show(QList<DeviceLine>{devices_});
+    show(QList<DeviceLine>{surveyed_});
   }
   QString word = tr("no device").toUpper(), sentence, share;
   QString colour = colourOf(ForceState::Off);

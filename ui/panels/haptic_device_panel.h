@@ -132,7 +132,8 @@ class HapticDevicePanel : public QWidget {
   QComboBox* hold_button_;
   QLabel* stiffness_;
   QLabel* capped_;
-  QList<DeviceLine> devices_;
+  QList<DeviceLine> surveyed_;  ///< as it was told
+  QList<DeviceLine> devices_;   ///< as the list has them
   Link link_ = Link::None;
   QString connected_;         ///< id
   bool motors_ = true;        ///< the connected device has some
