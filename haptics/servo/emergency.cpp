@@ -25,8 +25,9 @@ void stopAndWait() noexcept {
   }
 }
 
-// the display's library ends the process so when the display is gone
-extern "C" void onExit() { stopAndWait(); }
+extern "C" void onExit() {
+  if (!motorsAreStopped()) stopAndWait();
+}
 
 extern "C" void onCrash(int signal) {
   const int error = errno;
@@ -42,8 +43,10 @@ extern "C" void onCrash(int signal) {
 void stopAllMotors() noexcept { stopped.store(true, std::memory_order_release); }
 bool motorsAreStopped() noexcept { return stopped.load(std::memory_order_acquire); }
 
+// the display's library ends the process so when the display is gone
+void stopAtExit() noexcept { std::atexit(onExit); }
+
 void installCrashStop() noexcept {
-  std::atexit(onExit);
   // where the stack has ended the handler needs another
   static std::array<std::byte, kStackBytes> spare;
   stack_t stack{};

@@ -9,10 +9,14 @@ namespace haptics {
 void stopAllMotors() noexcept;
 bool motorsAreStopped() noexcept;
 
-/// For the first line of main(): a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) and exit(),
-/// whoever calls it, stop all motors, wait 20 ms for that, and then go their ordinary way. So does
-/// the stack's end of the thread that calls this; of others it does not. A crash of the very thread
-/// that a device is written on ends with what was written last.
+/// For the first line of main(): a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) stops all
+/// motors, waits 20 ms for that, and then goes its ordinary way. So does the stack's end of the
+/// thread that calls this; of others it does not. A crash of the very thread that a device is
+/// written on ends with what was written last.
 void installCrashStop() noexcept;
+
+/// The same for exit(), whoever calls it. Before all that was registered or made static earlier, so
+/// each watchdog says it as it starts.
+void stopAtExit() noexcept;
 
 }  // namespace haptics

@@ -28,6 +28,7 @@ Watchdog::~Watchdog() {
 }
 
 void Watchdog::start() {
+  stopAtExit();
   thread_ = std::thread{[this] { run(); }};
 }
 

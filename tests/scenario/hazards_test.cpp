@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 #include <thread>
@@ -531,6 +532,7 @@ TEST(Hazards, WhatIsWrongWithTheDeviceIsInTheSnapshot) {
 template <class End>
 void endUnderWay(End end) {
   haptics::installCrashStop();
+  std::atexit([] { std::fputs("the rest\n", stderr); });
   auto device = std::make_unique<FakeDevice>(at(0, 0, 0.03));
   device->says_stopped = true;
   haptics::ServoLoop loop{std::move(device), {}, at(0, 0, 0.03)};
@@ -551,7 +553,8 @@ TEST(Emergency, ACrashStopsTheMotorsAndThenGoesItsWay) {
 // as Xlib does when the display is gone
 TEST(Emergency, AProcessThatExitsByItselfStopsTheMotorsFirst) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(endUnderWay([] { std::exit(7); }), testing::ExitedWithCode(7), "motors stopped");
+  EXPECT_EXIT(endUnderWay([] { std::exit(7); }), testing::ExitedWithCode(7),
+              "motors stopped\nthe rest");
 }
 
 int fallFor(int depth) {
