@@ -98,16 +98,18 @@ int main(int argc, char** argv) {
   QObject::connect(
       &application, &app::Application::finished, &qt,
       [](int code) { QCoreApplication::exit(code); }, Qt::QueuedConnection);
+  bool ended = false;  // in the loop of a question, before the one below
   // as if the user had closed the window, whatever question stands open
   const app::EndingSignals ending([&] {
     QMetaObject::invokeMethod(
         &application,
         [&] {
+          ended = true;
           application.window().close();
           QCoreApplication::exit(0);
         },
         Qt::QueuedConnection);
   });
   application.start();
-  return QApplication::exec();
+  return ended ? 0 : QApplication::exec();
 }

@@ -29,11 +29,11 @@ def state(process):
     return pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[0]
 
 
-def started(home, seconds):
+def started(home, seconds, *options):
     """A window that has been up for so long, with preferences of its own."""
     environment = dict(os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"),
                        XDG_DATA_HOME=str(home / "data"))
-    process = subprocess.Popen([program, "--no-notice", "--phantom", "sphere"], env=environment)
+    process = subprocess.Popen([program, *options, "--phantom", "sphere"], env=environment)
     end = time.monotonic() + LONG
     while not blocked(process) and time.monotonic() < end:
         time.sleep(0.01)
@@ -52,7 +52,7 @@ with tempfile.TemporaryDirectory() as folder:
                                                (signal.SIGQUIT, 3), (signal.SIGTERM, 0)]):
         home = pathlib.Path(folder) / str(number)
         home.mkdir()
-        process = started(home, seconds)
+        process = started(home, seconds, "--no-notice")
         # what stops or kills others leaves it as it is: it goes on, and can take a force back
         for harmless in (signal.SIGTSTP, signal.SIGTTIN, signal.SIGTTOU, signal.SIGPIPE):
             process.send_signal(harmless)
@@ -64,13 +64,21 @@ with tempfile.TemporaryDirectory() as folder:
         # what closing the window does was done; a window that never was has nothing to remember
         assert seconds == 0 or remembered(home), (which, list(home.rglob("*")))
 
+    # with the notice of the first start still standing there too
+    home = pathlib.Path(folder) / "notice"
+    home.mkdir()
+    process = started(home, 3)
+    process.send_signal(signal.SIGTERM)
+    code = process.wait(timeout=LONG)
+    assert code == 0, code
+
     # the first closes it, in its own time; the second does not wait for that. The process may be
     # quicker than the second signal, but not every time.
     codes = []
     for number in range(5):
         home = pathlib.Path(folder) / f"twice{number}"
         home.mkdir()
-        process = started(home, 3)
+        process = started(home, 3, "--no-notice")
         os.kill(process.pid, signal.SIGTERM)
         time.sleep(0.002)
         os.kill(process.pid, signal.SIGINT)
@@ -87,7 +95,7 @@ with tempfile.TemporaryDirectory() as folder:
     os.environ["DISPLAY"] = ":" + os.read(told, 16).decode().strip()
     home = pathlib.Path(folder) / "display"
     home.mkdir()
-    process = started(home, 3)
+    process = started(home, 3, "--no-notice")
     display.kill()
     display.wait()
     code = process.wait(timeout=LONG)
