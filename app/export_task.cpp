@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-constexpr double kStep = 0.002;  // between two signals of progress
+constexpr double kExportStep = 0.002;  // between two signals of progress
 
 using GoesOn = std::function<bool(double)>;
 
@@ -76,7 +76,7 @@ bool ExportTask::start(ExportRequest request) {
 void ExportTask::work(const ExportRequest& request) {
   double told = 0.0;
   const auto goes_on = [&](double fraction) {
-    if (fraction - told >= kStep) {
+    if (fraction - told >= kExportStep) {
       told = fraction;
       emit progressed(fraction);  // queued: the receivers live on another thread
     }

@@ -62,7 +62,7 @@ struct Watch {
 
 // shares of the whole
 constexpr double kSurveyed = 0.1, kRead = 0.8;
-constexpr double kStep = 0.002;  // between two signals of progress
+constexpr double kLoadingStep = 0.002;  // between two signals of progress
 
 QString nameOf(const std::filesystem::path& path) {
   const auto name = path.has_filename() ? path.filename() : path.parent_path().filename();
@@ -311,7 +311,7 @@ void Loader::work(Job& job, std::uint64_t number, LoadRequest request) {
   double told = 0.0;
   const Watch watch{.advanced =
                         [&](double fraction) {
-                          if (fraction < told + kStep) return;
+                          if (fraction < told + kLoadingStep) return;
                           told = fraction;
                           onThisThread(number, [this, fraction] { emit progressed(fraction); });
                         },

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr double kStep = 0.005;  // of the whole, between two signals of progress
+constexpr double kMeasuringStep = 0.005;  // of the whole, between two signals of progress
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void Measurement::work(std::uint64_t number, const study::HereRequest& request,
                        std::stop_token stop) {
   double told = 0.0;
   const auto advanced = [&](double fraction) {
-    if (fraction < told + kStep) return;
+    if (fraction < told + kMeasuringStep) return;
     told = fraction;
     onThisThread(number, [this, fraction] { emit progressed(fraction); });
   };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/session.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -50,7 +49,7 @@ Settings underRating(Settings settings, const DeviceRating& rating, const Scene*
   if (rating.torque > 0.0 && rating.angular_stiffness > 0.0) {
     double angular = settings.angular_stiffness;
     if (angular == 0.0 && scene != nullptr)
-      angular = settings.stiffness * scene->tool.shell.inertia.eigenvalues().real().maxCoeff();
+      angular = settings.stiffness * largestInertia(scene->tool.shell.inertia);
     if (angular > rating.angular_stiffness) settings.angular_stiffness = rating.angular_stiffness;
   }
   return settings;
@@ -77,24 +76,24 @@ HandMotion motionOf(HandKind hand) {
   return HandMotion::Tap;
 }
 
-/// How hot the motors of a model were left. Opened anew, they are no cooler than time has made
-/// them.
-struct Warmth {
-  std::string_view model = {};  ///< id of its rating
-  double heat = 0.0;
-  std::int64_t left_ns = 0;
-
-  double of(const DeviceRating& rating) const {
-    if (model != rating.id) return 0.0;
-    return heat * std::exp(-1e-9 * double(monotonicNs() - left_ns) / ForceLimits::kWarmUp);
-  }
-};
-
 }  // namespace
 
 /// The GUI's side of an open loop, and what outlives one.
 class Session::Loop {
  public:
+  /// How hot the motors of a model were left. Opened anew, they are no cooler than time has made
+  /// them.
+  struct Warmth {
+    std::string_view model = {};  ///< id of its rating
+    double heat = 0.0;
+    std::int64_t left_ns = 0;
+
+    double of(const DeviceRating& rating) const {
+      if (model != rating.id) return 0.0;
+      return heat * std::exp(-1e-9 * double(monotonicNs() - left_ns) / ForceLimits::kWarmUp);
+    }
+  };
+
   LatestValue<Pose> mouse;                         // before the servo: its device reads from it
   std::shared_ptr<StepRing> ring;                  ///< where steps go; outlives the servo
   std::vector<std::shared_ptr<StepRing>> leaving;  ///< where the last ones may yet go

@@ -76,7 +76,7 @@ struct Topic {
   const char* schema;
   const char* properties;  ///< of the JSON schema
 };
-enum Channel : std::uint16_t { Device, Proxy, Wrench, Contacts, Tick, Settings, Event };
+enum TopicNumber : std::uint16_t { Device, Proxy, Wrench, Contacts, Tick, Settings, Event };
 constexpr const char* kPoseProperties =
     R"("timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},"frame_id":{"type":"string"},"pose":{"type":"object","properties":{"position":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"orientation":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}})";
 constexpr Topic kTopics[] = {
@@ -144,7 +144,7 @@ class Writer {
   }
 
   /// False once nothing more can be written.
-  bool message(Channel channel, std::int64_t time_ns, std::string_view json) {
+  bool message(TopicNumber channel, std::int64_t time_ns, std::string_view json) {
     // a damaged recording may have an event before its beginning
     const auto time = static_cast<std::uint64_t>(std::max<std::int64_t>(time_ns, 0));
     std::string& index = chunk_indexes_[channel];
@@ -386,7 +386,7 @@ haptics::Expected<Exported> exportMcap(haptics::Recording& recording,
     writer.metadata("scene " + std::to_string(scene.id), factsOf(scene));
 
   Json json;
-  const auto send = [&](Channel channel, std::int64_t time, auto&& write) {
+  const auto send = [&](TopicNumber channel, std::int64_t time, auto&& write) {
     json.clear();
     write(json);
     return writer.message(channel, time, json.text());

@@ -31,7 +31,7 @@ constexpr std::int64_t kMostFrames = 1'000'000;
 tl::unexpected<Error> refused(const char* what, const char* reason) {
   return tl::unexpected(Error{Error::Kind::Unsupported, what, reason});
 }
-tl::unexpected<Error> cancelled() {
+tl::unexpected<Error> filmCancelled() {
   return tl::unexpected(Error{Error::Kind::Cancelled, "The film was cancelled.", "cancelled"});
 }
 tl::unexpected<Error> unwritable(const fs::path& file) {
@@ -309,7 +309,7 @@ Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene
   auto* const theora = std::get_if<TheoraFile>(&*file);
 
   for (; done < timing->count(); ++done) {
-    if (!wanted()) return cancelled();
+    if (!wanted()) return filmCancelled();
     const auto drawn = drawing.draw(done);
     if (!drawn) return tl::unexpected(drawn.error());
     const auto written =
@@ -319,7 +319,7 @@ Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene
   }
   if (auto whole = ffmpeg != nullptr ? ffmpeg->finish(wanted) : theora->finish(); !whole)
     return tl::unexpected(whole.error());
-  if (!wanted()) return cancelled();
+  if (!wanted()) return filmCancelled();
   rows.close();
   if (!rows) return unwritable(times.target());
   if (auto named = times.name(); !named) return tl::unexpected(named.error());

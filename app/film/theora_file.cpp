@@ -24,7 +24,7 @@ tl::unexpected<Error> failure() {
 
 /// Whether a file is Ogg pages without a gap up to the one that ends the stream. The writer looks
 /// at no write that failed.
-bool isWhole(const std::filesystem::path& file) {
+bool isWholeTheora(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::array<unsigned char, 27> header{};
   for (std::uint32_t expected = 0;; ++expected) {
@@ -73,7 +73,7 @@ Expected<void> TheoraFile::write(const FilmFrame& frame) {
 
 Expected<void> TheoraFile::finish() {
   writer_->End();
-  if (writer_->GetError() || !isWhole(file_)) return failure();
+  if (writer_->GetError() || !isWholeTheora(file_)) return failure();
   return {};
 }
 

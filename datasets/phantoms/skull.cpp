@@ -16,11 +16,11 @@ namespace {
 using skull::Vec3f;
 
 constexpr std::int64_t kDims[3] = {188, 232, 224};
-constexpr double kSpacing = 0.001;  // m
-constexpr float kBrick = 8;         // voxels: the head is planned by bricks of this side
-constexpr float kMargin = 3.0f;     // mm: what is further off cannot show in a voxel
-constexpr float kNoise = 16.0f;     // HU, standard deviation
-constexpr float kPlate = 1.3f;      // mm, thickness of the orbits' walls towards the sinuses
+constexpr double kSkullSpacing = 0.001;  // m
+constexpr float kBrick = 8;              // voxels: the head is planned by bricks of this side
+constexpr float kMargin = 3.0f;          // mm: what is further off cannot show in a voxel
+constexpr float kNoise = 16.0f;          // HU, standard deviation
+constexpr float kPlate = 1.3f;           // mm, thickness of the orbits' walls towards the sinuses
 constexpr float kShift[3] = {0.0f, -9.0f,
                              -6.0f};  // mm: the grid's middle in the head's coordinates
 
@@ -129,7 +129,7 @@ void fill(const skull::Anatomy& whole, std::int64_t k0, std::int64_t k1, std::in
 }  // namespace
 
 haptics::Expected<Phantom> skullPhantom() {
-  const haptics::Grid grid = centredGrid(kDims[0], kDims[1], kDims[2], kSpacing);
+  const haptics::Grid grid = centredGrid(kDims[0], kDims[1], kDims[2], kSkullSpacing);
   auto voxels = haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16);
   if (!voxels) return tl::unexpected(voxels.error());
   auto* first = static_cast<std::int16_t*>(voxels->get());

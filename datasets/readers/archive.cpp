@@ -34,7 +34,7 @@ constexpr std::int64_t kMostBytes = 32 * kGiB;
 constexpr std::int64_t kAnyway = kGiB;  // whatever the archive's size
 constexpr std::int64_t kExpansion = 100;
 constexpr std::int64_t kMostFiles = 200'000;
-constexpr int kDeepest = 32;
+constexpr int kDeepestPath = 32;
 
 /// The lock of a folder, if it can be had; the caller closes it.
 int lockOf(const fs::path& folder) {
@@ -117,7 +117,7 @@ std::optional<fs::path> placeOf(std::string_view name) {
     const std::string_view part = name.substr(0, end);
     name.remove_prefix(std::min(end + 1, name.size()));
     if (part.empty() || part == ".") continue;
-    if (part == ".." || part.find('\0') != part.npos || ++depth > kDeepest) return {};
+    if (part == ".." || part.find('\0') != part.npos || ++depth > kDeepestPath) return {};
     place /= part;
   }
   if (place.empty()) return {};

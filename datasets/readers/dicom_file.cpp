@@ -31,18 +31,18 @@ using haptics::Vec3;
 
 namespace {
 
-constexpr std::string_view kDeflated = "1.2.840.10008.1.2.1.99";
+constexpr std::string_view kDeflatedSyntax = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view kFolderIndex = "1.2.840.10008.1.3.10";  // media storage directory
 constexpr unsigned int kUndefinedLength = 0xffffffffu;
 constexpr int kMostFrames = 65'535;
 
-std::string trimmed(const vtkDICOMValue& value) {
+std::string trimmedValue(const vtkDICOMValue& value) {
   std::string text = value.AsString();
   while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
   return text;
 }
 
-std::string textOf(vtkDICOMMetaData* meta, vtkDICOMTag tag) { return trimmed(meta->Get(tag)); }
+std::string textOf(vtkDICOMMetaData* meta, vtkDICOMTag tag) { return trimmedValue(meta->Get(tag)); }
 
 /// A text in the file's character set, as UTF-8.
 std::string shownText(vtkDICOMMetaData* meta, vtkDICOMTag tag) {
@@ -221,7 +221,7 @@ void readRescale(vtkDICOMMetaData* meta, DicomFile& file) {
   file.rescaled = true;
   file.slope = slope.AsDouble();
   file.intercept = intercept.AsDouble();
-  const std::string type = trimmed(transformation(DC::RescaleType));
+  const std::string type = trimmedValue(transformation(DC::RescaleType));
   const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 0
                                ? meta->Get(DC::ImageType).GetString(0)
                                : std::string();
@@ -299,7 +299,8 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   DicomStructure structure = structureOf(path, path);
   const auto bare = bareDataSetOf(path);
   std::optional<RewrittenFile> rewritten, beginning;
-  if ((bare && bare->needsRewriting()) || (!structure.fault && structure.syntax == kDeflated)) {
+  if ((bare && bare->needsRewriting()) ||
+      (!structure.fault && structure.syntax == kDeflatedSyntax)) {
     auto copy = RewrittenFile::of(path);
     if (!copy) return unreadable(copy.error());
     rewritten.emplace(std::move(*copy));

@@ -136,7 +136,7 @@ int fileCount(const DicomSeries& series) {
 }
 
 /// Of the voxels once they are read: what is not 8 bits becomes 16, or float where it must.
-std::int64_t bytesOf(const DicomSeries& series) {
+std::int64_t voxelBytesOf(const DicomSeries& series) {
   const DicomFile& first = series.files.front();
   std::int64_t pixels = first.plane.columns * first.plane.rows;
   auto slices = static_cast<std::int64_t>(series.files.size());
@@ -221,7 +221,7 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
   SeriesVerdict verdict;
   verdict.labels = first.labels;
   verdict.file_count = fileCount(series);
-  verdict.bytes = bytesOf(series);
+  verdict.bytes = voxelBytesOf(series);
   for (const DicomFile& file : series.files)
     if (file.fault) verdict.faults.push_back(quoted(file.path) + ": " + file.fault->what);
   verdict.modality = first.modality;

@@ -21,8 +21,8 @@ namespace datasets {
 
 namespace {
 
-constexpr std::size_t kDeepest = 64;  // sequences and items in each other
-constexpr int kMostBackwards = 1000;  // elements of an item before which they do not belong
+constexpr std::size_t kDeepestSequence = 64;  // sequences and items in each other
+constexpr int kMostBackwards = 1000;          // elements of an item before which they do not belong
 constexpr std::uint32_t kUndefined = 0xffffffffu;
 constexpr std::uint32_t kItem = 0xfffee000u, kItemEnd = 0xfffee00du, kSequenceEnd = 0xfffee0ddu;
 constexpr std::uint32_t kTransferSyntax = 0x00020010u;
@@ -206,7 +206,7 @@ void walk(const std::filesystem::path& named, Bytes& bytes, std::int64_t at,
     if (element->tag < levels.back().last) ++levels.back().backwards;
     levels.back().last = element->tag;
     const auto level = levelOf(*element, levels.back(), bytes.size());
-    if (!level || levels.size() > kDeepest || levels.back().isFull()) {
+    if (!level || levels.size() > kDeepestSequence || levels.back().isFull()) {
       structure.fault = senseless(named);
       return;
     }

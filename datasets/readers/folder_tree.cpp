@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostFiles = 200'000;
-constexpr int kDeepest = 32;
+constexpr std::size_t kMostInFolder = 200'000;
+constexpr int kDeepestFolder = 32;
 
 }  // namespace
 
@@ -25,10 +25,10 @@ haptics::Expected<std::vector<fs::path>> filesBelow(const fs::path& folder,
     if (progress.isCancelled()) return cancelled();
     std::error_code ignored;
     if (it->is_regular_file(ignored)) paths.push_back(it->path());
-    if (it.depth() >= kDeepest) it.disable_recursion_pending();
-    if (paths.size() > kMostFiles)
+    if (it.depth() >= kDeepestFolder) it.disable_recursion_pending();
+    if (paths.size() > kMostInFolder)
       return unsupported("too-large", "The folder " + quoted(folder) + " holds more than " +
-                                          std::to_string(kMostFiles) +
+                                          std::to_string(kMostInFolder) +
                                           " files; open the folder of one study.");
   }
   if (error) return notFound(folder);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "datasets/readers/header_words.h"
 #include "datasets/readers/refusal.h"
 
 namespace datasets {
@@ -53,13 +54,6 @@ std::optional<std::int64_t> integerOf(std::string_view word) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc() || end != word.data() + word.size()) return {};
   return number;
-}
-
-std::string lowered(std::string_view word) {
-  std::string out(word);
-  std::ranges::transform(out, out.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
 }
 
 Expected<std::int64_t> checkAsciiStl(const fs::path& path, std::string_view text) {
@@ -134,7 +128,7 @@ bool eachStatement(std::string_view text, F&& f) {
   return true;
 }
 
-std::size_t listOf(std::string_view word) {
+std::size_t listNamedBy(std::string_view word) {
   if (word == "v") return 0;
   if (word == "vt") return 1;
   return word == "vn" ? 2 : 3;
@@ -179,7 +173,7 @@ Expected<std::int64_t> checkObj(const fs::path& path, std::string_view bytes) {
   std::vector<std::int64_t> totals(4, 0);
   Corner worst = Corner::Finite;
   eachStatement(bytes, [&](std::string_view word, std::string_view rest) {
-    ++totals[listOf(word)];
+    ++totals[listNamedBy(word)];
     if (word == "v") worst = cornerOf(rest);
     return worst == Corner::Finite;
   });
@@ -187,7 +181,7 @@ Expected<std::int64_t> checkObj(const fs::path& path, std::string_view bytes) {
   std::vector<std::int64_t> so_far(4, 0);
   std::int64_t faces = 0;
   const bool fits = eachStatement(bytes, [&](std::string_view word, std::string_view rest) {
-    ++so_far[listOf(word)];
+    ++so_far[listNamedBy(word)];
     if (word != "f") return true;
     ++faces;
     int corners = 0;

@@ -74,14 +74,14 @@ struct ElementType {
 };
 
 // as long as MetaIO stores them, whatever a C compiler's long is
-constexpr ElementType kTypes[] = {
+constexpr ElementType kMetaTypes[] = {
     {"MET_UCHAR", ScalarType::UInt8, false},   {"MET_CHAR", ScalarType::Int8, false},
     {"MET_USHORT", ScalarType::UInt16, false}, {"MET_SHORT", ScalarType::Int16, false},
     {"MET_UINT", ScalarType::UInt32, false},   {"MET_INT", ScalarType::Int32, false},
     {"MET_ULONG", ScalarType::UInt32, false},  {"MET_LONG", ScalarType::Int32, false},
     {"MET_FLOAT", ScalarType::Float32, false}, {"MET_DOUBLE", ScalarType::Float32, true}};
 
-Expected<void> readType(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
+Expected<void> readMetaType(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   const std::string* channels = text.find({"ElementNumberOfChannels"});
   const std::string* type = text.find({"ElementType"});
   if (type == nullptr) return badHeader(path, "states no ElementType");
@@ -89,7 +89,7 @@ Expected<void> readType(const fs::path& path, const MetaText& text, StoredVolume
     return unsupported("not-scalar", "The voxels of " + quoted(path) +
                                          " are colours or vectors; export a volume of one value "
                                          "per voxel.");
-  for (const ElementType& known : kTypes)
+  for (const ElementType& known : kMetaTypes)
     if (*type == known.name) {
       stored.voxels.layout.type = known.type;
       stored.voxels.layout.doubles = known.is_double;
@@ -103,7 +103,7 @@ Expected<void> readType(const fs::path& path, const MetaText& text, StoredVolume
   return badHeader(path, "states an unknown ElementType");
 }
 
-Expected<void> readSizes(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
+Expected<void> readMetaSizes(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   const std::string* dims = text.find({"NDims"});
   const auto axes = dims != nullptr ? integerOf(*dims) : std::nullopt;
   if (!axes) return badHeader(path, "states no NDims");
@@ -142,7 +142,7 @@ std::optional<double> millimetresIn(const std::string* unit) {
   return {};
 }
 
-Expected<void> readGeometry(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
+Expected<void> readMetaGeometry(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   const std::size_t axes = *text.find({"NDims"}) == "4" ? 4 : 3;
   const auto spacing = numbersOf(path, text, {"ElementSpacing", "ElementSize"}, axes);
   const auto origin = numbersOf(path, text, {"Offset", "Position", "Origin"}, axes);
@@ -177,7 +177,7 @@ Expected<void> readGeometry(const fs::path& path, const MetaText& text, StoredVo
   return {};
 }
 
-Expected<void> readValues(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
+Expected<void> readMetaValues(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   const auto slope = numbersOf(path, text, {"ElementToIntensityFunctionSlope"}, 1);
   const auto offset = numbersOf(path, text, {"ElementToIntensityFunctionOffset"}, 1);
   for (const auto* numbers : {&slope, &offset})
@@ -193,7 +193,7 @@ Expected<void> readValues(const fs::path& path, const MetaText& text, StoredVolu
   return {};
 }
 
-Expected<void> readPlace(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
+Expected<void> readMetaPlace(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   StoredVoxels& voxels = stored.voxels;
   if (text.find({"BinaryData"}) != nullptr && !text.isTrue({"BinaryData"}))
     return unsupported("unsupported-syntax", "The voxels of " + quoted(path) +
@@ -250,7 +250,8 @@ Expected<StoredVolumes> describeMetaImage(const fs::path& path) {
   const auto text = readText(path);
   if (!text) return tl::unexpected(text.error());
   StoredVolumes stored;
-  for (const auto step : {readType, readSizes, readPlace, readGeometry, readValues})
+  for (const auto step :
+       {readMetaType, readMetaSizes, readMetaPlace, readMetaGeometry, readMetaValues})
     if (auto done = step(path, *text, stored); !done)
       return tl::unexpected(std::move(done.error()));
   return stored;

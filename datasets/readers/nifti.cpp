@@ -44,9 +44,10 @@ struct Fields {
 };
 
 /// Numbers at places of the header, in its byte order.
-class Bytes {
+class NiftiHeader {
  public:
-  Bytes(const std::array<char, kHeader2>& bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
+  NiftiHeader(const std::array<char, kHeader2>& bytes, bool swapped)
+      : bytes_(bytes), swapped_(swapped) {}
   template <class T>
   T at(std::size_t place) const {
     char raw[sizeof(T)];
@@ -66,7 +67,7 @@ class Bytes {
   bool swapped_;
 };
 
-Fields version1(const Bytes& b) {
+Fields version1(const NiftiHeader& b) {
   Fields f;
   b.fill<std::int16_t>(f.dim, 40);
   f.datatype = b.at<std::int16_t>(70);
@@ -85,7 +86,7 @@ Fields version1(const Bytes& b) {
   return f;
 }
 
-Fields version2(const Bytes& b) {
+Fields version2(const NiftiHeader& b) {
   Fields f;
   f.datatype = b.at<std::int16_t>(12);
   f.bits = b.at<std::int16_t>(14);
@@ -106,7 +107,7 @@ Fields version2(const Bytes& b) {
 
 std::optional<Fields> fieldsOf(const std::array<char, kHeader2>& bytes) {
   for (const bool swapped : {false, true}) {
-    const Bytes b(bytes, swapped);
+    const NiftiHeader b(bytes, swapped);
     const auto size = b.at<std::int32_t>(0);
     std::optional<Fields> fields;
     if (size == kHeader1 && std::memcmp(bytes.data() + 344, "n+1", 4) == 0) fields = version1(b);
@@ -139,14 +140,14 @@ struct DataType {
   bool is_double;
 };
 
-constexpr DataType kTypes[] = {
+constexpr DataType kNiftiTypes[] = {
     {2, 8, ScalarType::UInt8, false},     {4, 16, ScalarType::Int16, false},
     {8, 32, ScalarType::Int32, false},    {16, 32, ScalarType::Float32, false},
     {64, 64, ScalarType::Float32, true},  {256, 8, ScalarType::Int8, false},
     {512, 16, ScalarType::UInt16, false}, {768, 32, ScalarType::UInt32, false}};
 
-Expected<void> readType(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
-  for (const DataType& known : kTypes)
+Expected<void> readNiftiType(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
+  for (const DataType& known : kNiftiTypes)
     if (fields.datatype == known.code) {
       // some writers leave it at 0
       if (fields.bits != 0 && fields.bits != known.bits)
@@ -167,7 +168,7 @@ Expected<void> readType(const fs::path& path, const Fields& fields, StoredVolume
                                              "exactly; convert them to 32-bit integers or float.");
 }
 
-Expected<void> readSizes(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
+Expected<void> readNiftiSizes(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
   const std::int64_t axes = fields.dim[0];
   if (axes < 1 || axes > 7) return badHeader(path, "states a number of axes that makes no sense");
   if (axes < 3)
@@ -183,7 +184,7 @@ Expected<void> readSizes(const fs::path& path, const Fields& fields, StoredVolum
   return {};
 }
 
-Expected<void> readPlace(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
+Expected<void> readNiftiPlace(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
   // some writers leave it at 0
   const double first =
       fields.first_voxel == 0.0 ? static_cast<double>(fields.least_offset) : fields.first_voxel;
@@ -267,7 +268,8 @@ Expected<Affine> affineOf(const fs::path& path, const Fields& fields) {
   return plain;
 }
 
-Expected<void> readGeometry(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
+Expected<void> readNiftiGeometry(const fs::path& path, const Fields& fields,
+                                 StoredVolumes& stored) {
   const auto unit = millimetresIn(fields.units);
   if (!unit) return badHeader(path, "measures in a unit that is no length known here");
   FileGeometry geometry;
@@ -289,7 +291,7 @@ Expected<void> readGeometry(const fs::path& path, const Fields& fields, StoredVo
   return {};
 }
 
-Expected<void> readValues(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
+Expected<void> readNiftiValues(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
   // a slope of 0, or of none, says that nothing is to be rescaled
   if (!std::isfinite(fields.slope) || fields.slope == 0.0) return {};
   if (!std::isfinite(fields.intercept))
@@ -318,7 +320,8 @@ Expected<StoredVolumes> describeNifti(const fs::path& path) {
   const auto fields = readFields(path, isGzip(path));
   if (!fields) return badHeader(path, "does not begin as that of a NIfTI file in one piece");
   StoredVolumes stored;
-  for (const auto step : {readType, readSizes, readPlace, readGeometry, readValues})
+  for (const auto step :
+       {readNiftiType, readNiftiSizes, readNiftiPlace, readNiftiGeometry, readNiftiValues})
     if (auto done = step(path, *fields, stored); !done)
       return tl::unexpected(std::move(done.error()));
   return stored;

@@ -27,40 +27,40 @@ struct TypeName {
   int bytes;
 };
 
-constexpr TypeName kTypes[] = {{"signed char", "signed char", 1},
-                               {"int8", "signed char", 1},
-                               {"int8_t", "signed char", 1},
-                               {"uchar", "unsigned char", 1},
-                               {"unsigned char", "unsigned char", 1},
-                               {"uint8", "unsigned char", 1},
-                               {"uint8_t", "unsigned char", 1},
-                               {"short", "short", 2},
-                               {"short int", "short", 2},
-                               {"signed short", "short", 2},
-                               {"signed short int", "short", 2},
-                               {"int16", "short", 2},
-                               {"int16_t", "short", 2},
-                               {"ushort", "unsigned short", 2},
-                               {"unsigned short", "unsigned short", 2},
-                               {"unsigned short int", "unsigned short", 2},
-                               {"uint16", "unsigned short", 2},
-                               {"uint16_t", "unsigned short", 2},
-                               {"int", "int", 4},
-                               {"signed int", "int", 4},
-                               {"int32", "int", 4},
-                               {"int32_t", "int", 4},
-                               {"uint", "unsigned int", 4},
-                               {"unsigned int", "unsigned int", 4},
-                               {"uint32", "unsigned int", 4},
-                               {"uint32_t", "unsigned int", 4},
-                               {"float", "float", 4},
-                               {"double", "double", 8}};
+constexpr TypeName kNrrdTypes[] = {{"signed char", "signed char", 1},
+                                   {"int8", "signed char", 1},
+                                   {"int8_t", "signed char", 1},
+                                   {"uchar", "unsigned char", 1},
+                                   {"unsigned char", "unsigned char", 1},
+                                   {"uint8", "unsigned char", 1},
+                                   {"uint8_t", "unsigned char", 1},
+                                   {"short", "short", 2},
+                                   {"short int", "short", 2},
+                                   {"signed short", "short", 2},
+                                   {"signed short int", "short", 2},
+                                   {"int16", "short", 2},
+                                   {"int16_t", "short", 2},
+                                   {"ushort", "unsigned short", 2},
+                                   {"unsigned short", "unsigned short", 2},
+                                   {"unsigned short int", "unsigned short", 2},
+                                   {"uint16", "unsigned short", 2},
+                                   {"uint16_t", "unsigned short", 2},
+                                   {"int", "int", 4},
+                                   {"signed int", "int", 4},
+                                   {"int32", "int", 4},
+                                   {"int32_t", "int", 4},
+                                   {"uint", "unsigned int", 4},
+                                   {"unsigned int", "unsigned int", 4},
+                                   {"uint32", "unsigned int", 4},
+                                   {"uint32_t", "unsigned int", 4},
+                                   {"float", "float", 4},
+                                   {"double", "double", 8}};
 
-Expected<void> readType(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+Expected<void> readNrrdType(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* type = text.find("type");
   if (type == nullptr) return badHeader(path, "states no type");
   const std::string name = lowered(*type);
-  for (const TypeName& known : kTypes)
+  for (const TypeName& known : kNrrdTypes)
     if (name == known.name) {
       header.type = known.teem;
       header.bytes_per_voxel = known.bytes;
@@ -143,7 +143,7 @@ Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& 
   return {};
 }
 
-Expected<void> readSizes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* dimension = text.find("dimension");
   const auto axes = dimension ? integerOf(*dimension) : std::nullopt;
   if (!axes) return badHeader(path, "states no dimension");
@@ -354,7 +354,7 @@ Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
   NrrdHeader header;
   header.header_bytes = text->bytes;
   header.text = text->lines;
-  for (const auto step : {readType, readSizes, readEncoding, readDataFiles})
+  for (const auto step : {readNrrdType, readNrrdSizes, readEncoding, readDataFiles})
     if (auto done = step(path, *text, header); !done)
       return tl::unexpected(std::move(done.error()));
   if (auto fits = checkCapacity(path, header); !fits)

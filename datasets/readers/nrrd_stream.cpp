@@ -8,7 +8,7 @@ namespace datasets {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 18;  // bytes
+constexpr std::size_t kBuffer = 1 << 18;  // bytes
 
 }  // namespace
 
@@ -19,7 +19,7 @@ NrrdStream::NrrdStream(std::string text, const std::filesystem::path& file,
   size_ = static_cast<std::int64_t>(text_.size()) + static_cast<std::int64_t>(file_.tellg());
   stream_ =
       fopencookie(this, "rb", {.read = read, .write = nullptr, .seek = seek, .close = nullptr});
-  if (stream_ != nullptr) std::setvbuf(stream_, nullptr, _IOFBF, kBlock);
+  if (stream_ != nullptr) std::setvbuf(stream_, nullptr, _IOFBF, kBuffer);
 }
 
 NrrdStream::~NrrdStream() {

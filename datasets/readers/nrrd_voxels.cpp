@@ -177,7 +177,7 @@ tl::unexpected<haptics::Error> headerRefused(const std::filesystem::path& path) 
                                      " cannot be understood; export the volume again.");
 }
 
-std::optional<ScalarType> typeOf(int teem_type) {
+std::optional<ScalarType> typeOfTeem(int teem_type) {
   switch (teem_type) {
     case nrrdTypeChar:
       return ScalarType::Int8;
@@ -204,7 +204,7 @@ Expected<StoredVoxels> voxelsOf(const std::filesystem::path& path, const NrrdHea
   StoredVoxels stored;
   VoxelLayout& layout = stored.layout;
   layout.doubles = nrrd.type == nrrdTypeDouble;
-  const auto type = layout.doubles ? ScalarType::Float32 : typeOf(nrrd.type);
+  const auto type = layout.doubles ? ScalarType::Float32 : typeOfTeem(nrrd.type);
   if (!type || nrrd.dim != header.sizes.size()) return headerRefused(path);
   layout.type = *type;
   layout.swapped = header.big_endian && header.bytes_per_voxel > 1;

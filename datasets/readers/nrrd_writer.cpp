@@ -62,7 +62,7 @@ std::string vectorOf(const Vec3& v) {
   return "(" + millimetres(v.x()) + "," + millimetres(v.y()) + "," + millimetres(v.z()) + ")";
 }
 
-std::string headerOf(const haptics::Volume& volume) {
+std::string nrrdHeaderOf(const haptics::Volume& volume) {
   const haptics::Grid& grid = volume.grid;
   std::string text = "NRRD0005\n# Palpate\ntype: ";
   text += std::string(nrrdTypeOf(volume.type)) + "\ndimension: 3\nsizes:";
@@ -103,7 +103,7 @@ haptics::Expected<void> writeNrrd(const haptics::Volume& volume, const fs::path&
   std::error_code error;
   {
     std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    const std::string header = headerOf(volume);
+    const std::string header = nrrdHeaderOf(volume);
     file.write(header.data(), static_cast<std::streamsize>(header.size()));
     file.write(static_cast<const char*>(volume.voxels.get()),
                static_cast<std::streamsize>(volume.grid.voxelCount()) *

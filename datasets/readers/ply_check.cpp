@@ -38,7 +38,7 @@ struct Property {
   std::optional<Number> count;  ///< stated for a list
 };
 
-struct Element {
+struct PlyElement {
   std::string name;
   std::int64_t count = 0;
   std::vector<Property> properties;
@@ -46,14 +46,14 @@ struct Element {
 
 enum class Form { Ascii, LittleEndian, BigEndian };
 
-struct Header {
+struct PlyHeader {
   Form form = Form::Ascii;
-  std::vector<Element> elements;
+  std::vector<PlyElement> elements;
 };
 
-std::optional<Header> headerOf(std::string_view& text) {
+std::optional<PlyHeader> plyHeaderOf(std::string_view& text) {
   if (takeLine(text) != "ply") return {};
-  Header header;
+  PlyHeader header;
   bool has_form = false;
   while (!text.empty()) {
     std::string_view line = takeLine(text);
@@ -71,7 +71,7 @@ std::optional<Header> headerOf(std::string_view& text) {
       else
         return {};
     } else if (word == "element") {
-      Element element{std::string(takeWord(line)), 0, {}};
+      PlyElement element{std::string(takeWord(line)), 0, {}};
       const std::string_view count = takeWord(line);
       const auto [end, error] =
           std::from_chars(count.data(), count.data() + count.size(), element.count);
@@ -154,7 +154,7 @@ static_assert(std::endian::native == std::endian::little,
 enum class Fault { None, Truncated, BadIndex };
 
 /// Walks over one element's rows; corners of faces must name one of `vertices`.
-Fault walk(const Element& element, Numbers& numbers, std::int64_t vertices) {
+Fault walk(const PlyElement& element, Numbers& numbers, std::int64_t vertices) {
   for (std::int64_t row = 0; row < element.count; ++row)
     for (const Property& property : element.properties) {
       if (!property.count) {
@@ -180,16 +180,16 @@ Fault walk(const Element& element, Numbers& numbers, std::int64_t vertices) {
 
 Expected<std::int64_t> checkPly(const fs::path& path, std::string_view bytes) {
   std::string_view rest = bytes;
-  const auto header = headerOf(rest);
+  const auto header = plyHeaderOf(rest);
   if (!header)
     return malformed("bad-header", "The header of " + quoted(path) +
                                        " is not one of a PLY file; export the mesh again.");
   const auto countOf = [&](std::string_view name) {
-    const auto it = std::ranges::find(header->elements, name, &Element::name);
+    const auto it = std::ranges::find(header->elements, name, &PlyElement::name);
     return it == header->elements.end() ? std::int64_t{0} : it->count;
   };
   Numbers numbers(rest, header->form);
-  for (const Element& element : header->elements) {
+  for (const PlyElement& element : header->elements) {
     // a row without properties takes no room: nothing would bound the walk
     if (element.properties.empty()) continue;
     switch (walk(element, numbers, countOf("vertex"))) {

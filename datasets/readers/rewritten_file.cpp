@@ -25,8 +25,8 @@ namespace {
 constexpr std::size_t kMeta = 132;  // where the file's own group begins: a preamble and a mark
 constexpr std::int64_t kMost = std::int64_t{1} << 30;  // bytes, before and after
 // a slice of nothing but air deflates a thousandfold; a small file must not fill the memory
-constexpr std::int64_t kAnyway = std::int64_t{64} << 20;
-constexpr std::int64_t kExpansion = 32;
+constexpr std::int64_t kRewrittenAnyway = std::int64_t{64} << 20;
+constexpr std::int64_t kMostExpansion = 32;
 constexpr std::string_view kImplicitLittleEndian = "1.2.840.10008.1.2";
 constexpr std::string_view kExplicitLittleEndian = "1.2.840.10008.1.2.1";
 constexpr std::string_view kExplicitBigEndian = "1.2.840.10008.1.2.2";
@@ -167,8 +167,9 @@ Expected<RewrittenFile> RewrittenFile::of(const std::filesystem::path& path) {
   if (bare) {
     sound = sound && writeAll(file.descriptor_, bytes.data() + data, bytes.size() - data);
   } else {
-    const std::int64_t most =
-        std::min(kMost, std::max(kAnyway, kExpansion * static_cast<std::int64_t>(bytes.size())));
+    const std::int64_t most = std::min(
+        kMost,
+        std::max(kRewrittenAnyway, kMostExpansion * static_cast<std::int64_t>(bytes.size())));
     const Inflated outcome = inflateTo(file.descriptor_, bytes, data, most);
     if (outcome == Inflated::TooLarge) return tooLarge();
     sound = sound && outcome == Inflated::Whole;
@@ -184,7 +185,7 @@ Expected<RewrittenFile> RewrittenFile::beginningOf(const std::filesystem::path& 
   const auto unreadable = [&] {
     return malformed("unreadable", quoted(file) + " cannot be read; copy or fetch it again.");
   };
-  if (count > kAnyway) return unreadable();
+  if (count > kRewrittenAnyway) return unreadable();
   std::string bytes(static_cast<std::size_t>(count), '\0');
   std::ifstream in(file, std::ios::binary);
   RewrittenFile copy{memfd_create("dicom", MFD_CLOEXEC)};

@@ -21,9 +21,9 @@ using haptics::ScalarType;
 
 namespace {
 
-constexpr double kMostInflation = 1032.0;  // times: the most that deflate can do
-constexpr double kReading = 0.9;           // of the progress; the rest is for the range
-constexpr std::int64_t kBlock = 1 << 20;   // voxels between two looks at Cancel
+constexpr double kMostInflation = 1032.0;        // times: the most that deflate can do
+constexpr double kReading = 0.9;                 // of the progress; the rest is for the range
+constexpr std::int64_t kVoxelsAtOnce = 1 << 20;  // voxels between two looks at Cancel
 
 struct Values {
   double least = std::numeric_limits<double>::infinity();
@@ -33,9 +33,9 @@ struct Values {
 /// Calls f for the voxels from `begin` to `end`, block by block; false if cancelled.
 template <class F>
 bool inBlocks(std::int64_t count, const ReadProgress& progress, F&& f) {
-  for (std::int64_t at = 0; at < count; at += kBlock) {
+  for (std::int64_t at = 0; at < count; at += kVoxelsAtOnce) {
     if (progress.isCancelled()) return false;
-    f(at, std::min(at + kBlock, count));
+    f(at, std::min(at + kVoxelsAtOnce, count));
   }
   return true;
 }

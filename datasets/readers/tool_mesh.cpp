@@ -53,20 +53,20 @@ double metresIn(MeshUnit unit) {
   return 25.4e-3;
 }
 
-enum class Format { Stl, Obj, Ply };
+enum class MeshFormat { Stl, Obj, Ply };
 
-Expected<Format> formatOf(const fs::path& path) {
+Expected<MeshFormat> meshFormatOf(const fs::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".stl") return Format::Stl;
-  if (extension == ".obj") return Format::Obj;
-  if (extension == ".ply") return Format::Ply;
+  if (extension == ".stl") return MeshFormat::Stl;
+  if (extension == ".obj") return MeshFormat::Obj;
+  if (extension == ".ply") return MeshFormat::Ply;
   return unsupported("unreadable", quoted(path) +
                                        " is not a mesh that can be read; save the tool as "
                                        "STL, OBJ or PLY.");
 }
 
-Expected<std::string> bytesOf(const fs::path& path) {
+Expected<std::string> bytesIn(const fs::path& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return notFound(path);
   const std::uintmax_t size = fs::file_size(path, error);
@@ -80,38 +80,38 @@ Expected<std::string> bytesOf(const fs::path& path) {
 }
 
 /// The polygons in the file, counted by us.
-Expected<std::int64_t> countedPolygons(Format format, const fs::path& path) {
-  const auto bytes = bytesOf(path);
+Expected<std::int64_t> countedPolygons(MeshFormat format, const fs::path& path) {
+  const auto bytes = bytesIn(path);
   if (!bytes) return tl::unexpected(bytes.error());
   switch (format) {
-    case Format::Stl:
+    case MeshFormat::Stl:
       return checkStl(path, *bytes);
-    case Format::Obj:
+    case MeshFormat::Obj:
       return checkObj(path, *bytes);
-    case Format::Ply:
+    case MeshFormat::Ply:
       break;
   }
   return checkPly(path, *bytes);
 }
 
-vtkSmartPointer<vtkAbstractPolyDataReader> readerFor(Format format) {
+vtkSmartPointer<vtkAbstractPolyDataReader> readerFor(MeshFormat format) {
   switch (format) {
-    case Format::Stl: {
+    case MeshFormat::Stl: {
       // merging is ours: VTK's would drop triangles before they are counted
       const auto stl = vtkSmartPointer<vtkSTLReader>::New();
       stl->MergingOff();
       return stl;
     }
-    case Format::Obj:
+    case MeshFormat::Obj:
       return vtkSmartPointer<vtkOBJReader>::New();
-    case Format::Ply:
+    case MeshFormat::Ply:
       break;
   }
   return vtkSmartPointer<vtkPLYReader>::New();
 }
 
 /// VTK's view of the file as triangles; refused where it differs from our count.
-Expected<vtkSmartPointer<vtkPolyData>> triangulated(Format format, const fs::path& path,
+Expected<vtkSmartPointer<vtkPolyData>> triangulated(MeshFormat format, const fs::path& path,
                                                     std::int64_t polygons) {
   const CLocale numbers_with_points;
   const auto reader = readerFor(format);
@@ -197,7 +197,7 @@ std::vector<std::string> warningsOf(const TriangleMesh& mesh) {
 }
 
 Expected<ToolMesh> read(const fs::path& path, MeshUnit unit) {
-  const auto format = formatOf(path);
+  const auto format = meshFormatOf(path);
   if (!format) return tl::unexpected(format.error());
   const auto polygons = countedPolygons(*format, path);
   if (!polygons) return tl::unexpected(polygons.error());

@@ -10,7 +10,7 @@
 namespace haptics {
 namespace {
 
-using Counts = std::array<std::int64_t, 3>;
+using BlockCounts = std::array<std::int64_t, 3>;
 
 /// The next float at or above x, so that a rounded bound is still a bound.
 float roundedUp(double x) {
@@ -21,8 +21,8 @@ float roundedUp(double x) {
 /// Greatest voxel and greatest edge difference of each finest block, for block layers
 /// [first, last) along k.
 template <class T>
-void scanBlocks(const T* voxels, const Counts& dims, double background, const Vec3& spacing,
-                const Counts& blocks, std::int64_t first, std::int64_t last,
+void scanBlocks(const T* voxels, const BlockCounts& dims, double background, const Vec3& spacing,
+                const BlockCounts& blocks, std::int64_t first, std::int64_t last,
                 lanes::BlockBound* out) {
   constexpr int n = 5;  // voxels along a side of a block of four cells
   // differences of 32-bit integers need more than 32 bits
@@ -77,9 +77,9 @@ void scanBlocks(const T* voxels, const Counts& dims, double background, const Ve
 /// The same for the cubic spline: of the voxels that its cells are means of. In the ring the face
 /// falls to the background, and the face is a mean of voxels too.
 template <class T>
-void scanSplineBlocks(const T* voxels, const Counts& dims, double background, const Vec3& spacing,
-                      const Counts& blocks, std::int64_t first, std::int64_t last,
-                      lanes::BlockBound* out) {
+void scanSplineBlocks(const T* voxels, const BlockCounts& dims, double background,
+                      const Vec3& spacing, const BlockCounts& blocks, std::int64_t first,
+                      std::int64_t last, lanes::BlockBound* out) {
   const std::int64_t stride[3] = {1, dims[0], dims[0] * dims[1]};
   for (std::int64_t bk = first; bk < last; ++bk)
     for (std::int64_t bj = 0; bj < blocks[1]; ++bj)
@@ -149,7 +149,7 @@ lanes::BlockBound greater(const lanes::BlockBound& a, const lanes::BlockBound& b
 /// Makes every block the greatest of itself and its 26 neighbours; beyond the grid nothing counts.
 /// In place: of a large volume the blocks alone are a gigabyte.
 template <class Block>
-void dilate(std::vector<Block>& values, const Counts& blocks) {
+void dilate(std::vector<Block>& values, const BlockCounts& blocks) {
   std::int64_t stride = 1;
   for (int axis = 0; axis < 3; stride *= blocks[axis], ++axis) {
     const std::int64_t n = blocks[axis];
@@ -169,7 +169,7 @@ void dilate(std::vector<Block>& values, const Counts& blocks) {
 
 MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<bool>* cancel)
     : dims_{volume.grid.dims}, smallest_spacing_{volume.grid.spacing.minCoeff()} {
-  Counts blocks;
+  BlockCounts blocks;
   for (int axis = 0; axis < 3; ++axis) blocks[axis] = (dims_[axis] + 1 + kCells - 1) / kCells;
   finest_.resize(static_cast<std::size_t>(blocks[0] * blocks[1] * blocks[2]));
   const auto isCancelled = [cancel] { return cancel != nullptr && *cancel; };
@@ -202,7 +202,7 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<b
   std::vector<float> greatest;
   for (int l = 0; l < kLevels && !isCancelled(); ++l) {
     levels_[l].blocks = blocks;
-    Counts coarser;
+    BlockCounts coarser;
     for (int axis = 0; axis < 3; ++axis) coarser[axis] = (blocks[axis] + 1) / 2;
     std::vector<float> next(static_cast<std::size_t>(coarser[0] * coarser[1] * coarser[2]),
                             -std::numeric_limits<float>::infinity());

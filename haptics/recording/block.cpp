@@ -171,7 +171,7 @@ void getFloats(Planes& planes, Vec3& v) {
   for (int a = 0; a < 3; ++a) v[a] = double(planes.get<float>());
 }
 
-tl::unexpected<Error> damaged() {
+tl::unexpected<Error> damagedBlock() {
   return tl::unexpected(Error{Error::Kind::Malformed,
                               "A part of the recording is damaged and cannot be read.", "damaged"});
 }
@@ -236,12 +236,12 @@ Expected<std::vector<RecordedStep>> decoded(const Block& block) {
   constexpr auto kMost = static_cast<std::int64_t>(Bearing::capacity());
   if (block.count < 1 || block.count > kMostStepsInBlock || block.contact_count < 0 ||
       block.contact_count > kMost * block.count)
-    return damaged();
+    return damagedBlock();
   const auto count = static_cast<std::size_t>(block.count);
   Planes planes{kStepWidth, count};
   Planes contacts{kContactWidth, static_cast<std::size_t>(block.contact_count)};
   if (!unpack(block.steps, planes.bytes) || !unpack(block.contacts, contacts.bytes))
-    return damaged();
+    return damagedBlock();
   std::vector<RecordedStep> steps(count);
   std::int64_t contact = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -273,11 +273,11 @@ Expected<std::vector<RecordedStep>> decoded(const Block& block) {
     planes.get(step.late_ticks);
     planes.get(step.missed_ticks);
     const auto state = planes.get<std::uint8_t>();
-    if (state > static_cast<std::uint8_t>(ForceState::Fault)) return damaged();
+    if (state > static_cast<std::uint8_t>(ForceState::Fault)) return damagedBlock();
     step.force_state = static_cast<ForceState>(state);
     planes.get(step.flags);
     const auto touching = planes.get<std::uint8_t>();
-    if (touching > kMost || contact + touching > block.contact_count) return damaged();
+    if (touching > kMost || contact + touching > block.contact_count) return damagedBlock();
     for (int k = 0; k < touching; ++k) {
       contacts.row(static_cast<std::size_t>(contact++));
       BearingContact c;
@@ -287,7 +287,7 @@ Expected<std::vector<RecordedStep>> decoded(const Block& block) {
       step.contacts.push(c);
     }
   }
-  if (contact != block.contact_count) return damaged();
+  if (contact != block.contact_count) return damagedBlock();
   return steps;
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t kMostBlocks = 10'000'000;
 constexpr std::size_t kMostEvents = 10'000'000;
 
-tl::unexpected<Error> damaged() {
+tl::unexpected<Error> damagedRecording() {
   return tl::unexpected(Error{Error::Kind::Malformed,
                               "The recording is damaged and cannot be read; use a copy of it.",
                               "damaged"});
@@ -86,12 +86,12 @@ Expected<void> Recording::readBlocks() {
         entry.first > std::numeric_limits<std::int64_t>::max() - kMostStepsInBlock ||
         entry.from_ns < earliest || entry.to_ns < entry.from_ns ||
         static_cast<std::int64_t>(blocks_.size()) == kMostBlocks)
-      return damaged();
+      return damagedRecording();
     lost_ += entry.first - next;
     step_count_ += entry.count;
     blocks_.push_back(entry);
   }
-  if (at == Statement::Step::Failed) return damaged();
+  if (at == Statement::Step::Failed) return damagedRecording();
   return {};
 }
 
@@ -110,10 +110,10 @@ Expected<void> Recording::readEvents() {
       starts_.push_back(*start);
       continue;
     }
-    if (events_.size() == kMostEvents) return damaged();
+    if (events_.size() == kMostEvents) return damagedRecording();
     events_.push_back(std::move(event));
   }
-  if (at == Statement::Step::Failed) return damaged();
+  if (at == Statement::Step::Failed) return damagedRecording();
   // what was lost at the end no later step shows
   const std::int64_t behind = blocks_.empty() ? 0 : blocks_.back().first + blocks_.back().count;
   for (const RecordedEvent& event : events_)
@@ -140,7 +140,7 @@ Expected<void> Recording::readScenes() {
     bytes +=
         double(scene->tool.shell.points.size() + scene->tool.mesh.vertices.size()) * sizeof(Vec3) +
         double(scene->tool.mesh.triangles.size()) * 3.0 * sizeof(std::uint32_t);
-    if (scenes_.size() == kMostScenes || bytes > kMostBytes) return damaged();
+    if (scenes_.size() == kMostScenes || bytes > kMostBytes) return damagedRecording();
     scene->id = static_cast<std::uint32_t>(rows.integer(0));
     scene->tool.name = rows.text(1);
     if (const auto hash = rows.blob(4); hash.size() == VolumeHash{}.size()) {
@@ -149,7 +149,7 @@ Expected<void> Recording::readScenes() {
     }
     scenes_.push_back(std::move(*scene));
   }
-  if (at == Statement::Step::Failed) return damaged();
+  if (at == Statement::Step::Failed) return damagedRecording();
   return {};
 }
 
@@ -176,11 +176,11 @@ Expected<std::vector<RecordedStep>> Recording::block(std::size_t index) {
               .from_ns = entry.from_ns,
               .to_ns = entry.to_ns};
   Statement steps = database_.prepare("SELECT data FROM step WHERE first = ?");
-  if (steps.bind(1, entry.first).step() != Statement::Step::Row) return damaged();
+  if (steps.bind(1, entry.first).step() != Statement::Step::Row) return damagedRecording();
   block.steps = steps.blob(0);
   Statement contacts = database_.prepare("SELECT count, data FROM contact WHERE first = ?");
   const Statement::Step found = contacts.bind(1, entry.first).step();
-  if (found == Statement::Step::Failed) return damaged();
+  if (found == Statement::Step::Failed) return damagedRecording();
   if (found == Statement::Step::Row) {
     block.contact_count = contacts.integer(0);
     block.contacts = contacts.blob(1);
@@ -207,7 +207,7 @@ Expected<RecordingSummary> summaryOf(const fs::path& path) {
   if (!database) return tl::unexpected(database.error());
   RecordingSummary summary;
   Statement steps = database->prepare("SELECT sum(count), min(from_ns), max(to_ns) FROM step");
-  if (steps.step() != Statement::Step::Row) return damaged();
+  if (steps.step() != Statement::Step::Row) return damagedRecording();
   if (steps.isNull(0)) return empty(path);
   summary.steps = steps.integer(0);
   summary.duration = (steps.real(2) - steps.real(1)) * 1e-9;

@@ -102,7 +102,7 @@ std::vector<T> unpacked(const std::vector<std::uint8_t>& bytes, std::size_t coun
 }
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
-tl::unexpected<Error> damaged(const char* what) {
+tl::unexpected<Error> damagedWords(const char* what) {
   return tl::unexpected(Error{
       Error::Kind::Malformed,
       std::string("What the recording says of ") + what + " is damaged; nothing can be replayed.",
@@ -210,7 +210,7 @@ Expected<RecordedScene> sceneFrom(const SceneWords& words) {
     takeSettings(json::parse(words.settings), words, scene);
     takeVolume(json::parse(words.volume), scene.volume);
   } catch (const json::exception&) {
-    return damaged("its scene");
+    return damagedWords("its scene");
   }
   return scene;
 }
@@ -280,7 +280,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     constexpr int kReasons = static_cast<int>(ForceReason::Stalled);
     if (state < 0 || state > static_cast<int>(ForceState::Fault) || reason < 0 ||
         reason > kReasons || withheld < 0 || withheld > kReasons)
-      return damaged("a start");
+      return damagedWords("a start");
     safety.state = static_cast<ForceState>(state);
     safety.reason = static_cast<ForceReason>(reason);
     safety.withheld = static_cast<ForceReason>(withheld);
@@ -308,7 +308,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     guard.since = passivity.at("since").get<double>();
     guard.share = passivity.at("share").get<double>();
   } catch (const json::exception&) {
-    return damaged("a start");
+    return damagedWords("a start");
   }
   return start;
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kPeriodNs = 1'000'000;
 constexpr std::int64_t kLateNs = 100'000;
-constexpr int kPriority = 80;
+constexpr int kServoPriority = 80;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void ServoLoop::start() {
 }
 
 void ServoLoop::run() {
-  const sched_param parameters{.sched_priority = kPriority};
+  const sched_param parameters{.sched_priority = kServoPriority};
   snapshot_.policy = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0
                          ? SchedulingPolicy::RealTime
                          : SchedulingPolicy::Ordinary;

@@ -17,7 +17,7 @@
 namespace haptics {
 namespace {
 
-constexpr double kLargestTurn = 0.3;  // rad in one sub-step
+constexpr double kLargestTurnOfSubStep = 0.3;  // rad in one sub-step
 
 /// How far the farthest point of the tool travels at most [m].
 double reachOf(const Twist& motion, double radius) HAPTICS_RT {
@@ -241,7 +241,7 @@ class Tick {
     double factor = 1.0;
     const double length = reachOf(free, radius_), angle = free.angular.norm();
     if (length > lengths().step_free) factor = lengths().step_free / length;
-    if (angle * factor > kLargestTurn) factor = kLargestTurn / angle;
+    if (angle * factor > kLargestTurnOfSubStep) factor = kLargestTurnOfSubStep / angle;
     return factor;
   }
 

@@ -12,7 +12,7 @@ namespace haptics {
 namespace {
 
 constexpr std::int64_t kLookNs = 1'000'000;
-constexpr int kPriority = 81;  // above the servo thread's, which may hang
+constexpr int kWatchdogPriority = 81;  // above the servo thread's, which may hang
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void Watchdog::start() {
 }
 
 void Watchdog::run() {
-  const sched_param parameters{.sched_priority = kPriority};
+  const sched_param parameters{.sched_priority = kWatchdogPriority};
   pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
   while (!ending_.load(std::memory_order_relaxed)) {
     look(clock());

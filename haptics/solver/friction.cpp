@@ -21,7 +21,7 @@ constexpr double kConverged = 1e-5;  // of the free motion: change in a sweep th
 constexpr double kSettled = 1e-6;    // of its square: work that counts as none
 
 /// A row that bears, in whitened coordinates, with its reactions.
-struct Bearing {
+struct BearingRow {
   int row = 0;
   double room = 0.0;
   Vector6 n, t1, t2;
@@ -30,11 +30,11 @@ struct Bearing {
   double normal = 0.0;             ///< reaction, >= 0
   Vec2 tangential = Vec2::Zero();  ///< at most mu times that
 };
-using Bearings = FixedVector<Bearing, kMostBearing>;
+using Bearings = FixedVector<BearingRow, kMostBearing>;
 
-Bearing bearingOf(int index, const MotionRow& row, const MassMetric& metric,
-                  const Mat3& R_WP) HAPTICS_RT {
-  Bearing b;
+BearingRow bearingOf(int index, const MotionRow& row, const MassMetric& metric,
+                     const Mat3& R_WP) HAPTICS_RT {
+  BearingRow b;
   b.row = index;
   b.room = row.room;
   const Vec3 t1 = row.n_W.unitOrthogonal();
@@ -73,7 +73,7 @@ void sweepBearings(Bearings& bearings, double mu, double scale, Vector6& y,
   for (int sweep = 0; sweep < kSweeps && budget.left(); ++sweep) {
     double change = 0.0;
     budget.spend(kBearingWork * static_cast<std::int64_t>(bearings.size()));
-    for (Bearing& b : bearings) {
+    for (BearingRow& b : bearings) {
       const double normal = std::max(0.0, b.normal - (b.n.dot(y) + b.room) / b.nn);
       y += (normal - b.normal) * b.n;
       change = std::max(change, std::abs(normal - b.normal) * std::sqrt(b.nn));
@@ -89,7 +89,7 @@ void sweepBearings(Bearings& bearings, double mu, double scale, Vector6& y,
   }
 }
 
-double workOf(const Bearing& b, const Vector6& y) HAPTICS_RT {
+double workOf(const BearingRow& b, const Vector6& y) HAPTICS_RT {
   return b.tangential.dot(Vec2{b.t1.dot(y), b.t2.dot(y)});
 }
 
@@ -109,8 +109,8 @@ Vector6 rested(const Bearings& bearings, const Vector6& y) HAPTICS_RT {
     result += (target - a.dot(result)) / size * q;
     basis.push(q);
   };
-  for (const Bearing& b : bearings) require(b.n, b.n.dot(y));
-  for (const Bearing& b : bearings)
+  for (const BearingRow& b : bearings) require(b.n, b.n.dot(y));
+  for (const BearingRow& b : bearings)
     if (workOf(b, y) > 0.0) {
       require(b.t1, 0.0);
       require(b.t2, 0.0);
@@ -133,9 +133,9 @@ ConstrainedMotion withFriction(const Twist& free, std::span<const MotionRow> row
       const auto at = static_cast<std::size_t>(j);
       const int row = motion.bearing[at];
       const auto same = std::find_if(bearings.begin(), bearings.end(),
-                                     [&](const Bearing& b) { return b.row == row; });
+                                     [&](const BearingRow& b) { return b.row == row; });
       if (same != bearings.end()) continue;
-      Bearing b = bearingOf(row, rows[static_cast<std::size_t>(row)], metric, R_WP);
+      BearingRow b = bearingOf(row, rows[static_cast<std::size_t>(row)], metric, R_WP);
       // rows that contradict each other may not push
       if (motion.status == ConstrainedMotion::Status::Relaxed) b.room = std::max(b.room, 0.0);
       b.normal = motion.reaction[at];
@@ -148,13 +148,14 @@ ConstrainedMotion withFriction(const Twist& free, std::span<const MotionRow> row
   ConstrainedMotion held;
   for (int round = 0; round < kRounds; ++round) {
     Vector6 y = y_free;
-    for (const Bearing& b : bearings)
+    for (const BearingRow& b : bearings)
       y += b.normal * b.n + b.tangential.x() * b.t1 + b.tangential.y() * b.t2;
     sweepBearings(bearings, mu, scale, y, budget);
 
     // with this friction the normal problem is exact again, and over all rows
     Vector6 y_held = y_free;
-    for (const Bearing& b : bearings) y_held += b.tangential.x() * b.t1 + b.tangential.y() * b.t2;
+    for (const BearingRow& b : bearings)
+      y_held += b.tangential.x() * b.t1 + b.tangential.y() * b.t2;
     held = constrainedMotion(metric.twist(y_held, R_WP), rows, metric, R_WP);
     budget.counts.pivots += held.pivots;
     if (held.status == ConstrainedMotion::Status::Infeasible) return frictionless;
@@ -163,7 +164,7 @@ ConstrainedMotion withFriction(const Twist& free, std::span<const MotionRow> row
 
   // what friction does to the motion must be work against it
   double work = 0.0;
-  for (const Bearing& b : bearings) work += workOf(b, held.whitened);
+  for (const BearingRow& b : bearings) work += workOf(b, held.whitened);
   if (work <= kSettled * scale * scale) return held;
   const Vector6 y = rested(bearings, held.whitened);
   bool allowed = y.dot(y_free - y) >= 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/tool/point_shell.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,6 +86,10 @@ Expected<PointShell> makeShell(std::vector<Vec3> points) {
                       : Mat3::Identity();
   shell.spacing = medianSpacing(shell.points);
   return shell;
+}
+
+double largestInertia(const Mat3& inertia) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>{inertia, Eigen::EigenvaluesOnly}.eigenvalues()[2];
 }
 
 Expected<Tool> makeTool(std::string name, TriangleMesh mesh, int point_count) {

@@ -33,6 +33,9 @@ struct Tool {
 /// Refuses no point, or a non-finite one.
 Expected<PointShell> makeShell(std::vector<Vec3> points);
 
+/// The greatest of its principal inertias, m²; of a symmetric matrix.
+double largestInertia(const Mat3& inertia);
+
 /// The mesh's vertices as the shell ([Chan 2011], 2.2), or with `point_count` > 0 that many
 /// points spread evenly by area; deterministic.
 Expected<Tool> makeTool(std::string name, TriangleMesh mesh, int point_count = 0);

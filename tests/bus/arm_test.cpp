@@ -27,7 +27,7 @@ using haptics::Vec3;
 const Vec3 kPressed{0.0, 0.0, FeltSphere::kTouch - 0.003};
 
 /// Opened, zeroed by its user, and held above the sphere.
-std::unique_ptr<haptics::Device> opened(ArmBoardEmulator& arm) {
+std::unique_ptr<haptics::Device> openedArm(ArmBoardEmulator& arm) {
   auto device = haptics::openDevice({"woodenhaptics"});
   if (!device) {
     ADD_FAILURE() << device.error().what;
@@ -70,7 +70,7 @@ TEST(Arm, IsListedWhereItIsAndOpenedWithTheRule) {
 
 TEST(Arm, IsPushedOutOfTheSphereAsTheServoLoopWants) {
   std::optional<ArmBoardEmulator> arm{std::in_place};
-  auto device = opened(*arm);
+  auto device = openedArm(*arm);
   ASSERT_NE(device, nullptr);
   FeltSphere sphere{std::move(device)};
   ASSERT_TRUE(sphere.runs(200));
@@ -107,7 +107,7 @@ TEST(Arm, IsPushedOutOfTheSphereAsTheServoLoopWants) {
 
 TEST(Arm, ClosedItLeavesTheMotorsAtZero) {
   ArmBoardEmulator arm;
-  auto device = opened(arm);
+  auto device = openedArm(arm);
   ASSERT_NE(device, nullptr);
   {
     FeltSphere sphere{std::move(device)};

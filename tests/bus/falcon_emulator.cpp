@@ -13,15 +13,15 @@ using haptics::Mat3;
 using haptics::Vec3;
 
 // the legs (m): upper arm, forearm, and what lies between their joints
-constexpr double kUpper = 0.060, kFore = 0.1025, kC = 0.01443, kD = 0.01125, kE = 0.01125,
-                 kF = -0.025, kR = 0.0400, kS = -0.02309;
+constexpr double kFalconUpper = 0.060, kFalconFore = 0.1025, kC = 0.01443, kD = 0.01125,
+                 kE = 0.01125, kF = -0.025, kR = 0.0400, kS = -0.02309;
 constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr std::array<double, 3> kAzimuths{105.0 * kRadian, -15.0 * kRadian, -135.0 * kRadian};
 constexpr double kDegreePerCount = 0.0364347, kDegreeAtZero = 35.0;
 constexpr double kMotorPerTorque = -10'000.0;
 
 // the angles [rad] of the upper arms where the grip is at p_F
-Vec3 anglesAt(const Vec3& p_F) {
+Vec3 falconAnglesAt(const Vec3& p_F) {
   Vec3 angles;
   for (int leg = 0; leg < 3; ++leg) {
     const double co = std::cos(kAzimuths[std::size_t(leg)]);
@@ -30,17 +30,17 @@ Vec3 anglesAt(const Vec3& p_F) {
     const double v = -p_F.x() * si + p_F.y() * co - kS;
     const double w = p_F.z();
     // the forearm's parallelogram as one rod of this length in the leg's plane
-    const double rod = kFore * std::sqrt(1.0 - std::pow((v + kF) / kFore, 2)) + kD + kE;
+    const double rod = kFalconFore * std::sqrt(1.0 - std::pow((v + kF) / kFalconFore, 2)) + kD + kE;
     // |(u + c, w) - upper (cos, sin)| is the rod: A cos + B sin = C
-    const double a = 2.0 * kUpper * (u + kC), b = 2.0 * kUpper * w;
-    const double c = kUpper * kUpper + (u + kC) * (u + kC) + w * w - rod * rod;
+    const double a = 2.0 * kFalconUpper * (u + kC), b = 2.0 * kFalconUpper * w;
+    const double c = kFalconUpper * kFalconUpper + (u + kC) * (u + kC) + w * w - rod * rod;
     angles[leg] = std::atan2(b, a) - std::acos(c / std::hypot(a, b));
   }
   return angles;
 }
 
-std::array<int, 3> countsAt(const Vec3& p_F) {
-  const Vec3 angles = anglesAt(p_F);
+std::array<int, 3> falconCountsAt(const Vec3& p_F) {
+  const Vec3 angles = falconAnglesAt(p_F);
   std::array<int, 3> counts{};
   for (int leg = 0; leg < 3; ++leg)
     counts[std::size_t(leg)] =
@@ -118,9 +118,9 @@ Vec3 FalconEmulator::forceOf(const std::array<int, 3>& motors, const Vec3& p_F) 
   constexpr double kStep = 1e-6;  // m
   Mat3 turn_per_way;
   for (int axis = 0; axis < 3; ++axis)
-    turn_per_way.col(axis) =
-        (anglesAt(p_F + kStep * Vec3::Unit(axis)) - anglesAt(p_F - kStep * Vec3::Unit(axis))) /
-        (2.0 * kStep);
+    turn_per_way.col(axis) = (falconAnglesAt(p_F + kStep * Vec3::Unit(axis)) -
+                              falconAnglesAt(p_F - kStep * Vec3::Unit(axis))) /
+                             (2.0 * kStep);
   const Vec3 torques =
       Vec3{double(motors[0]), double(motors[1]), double(motors[2])} / kMotorPerTorque;
   return turn_per_way.transpose() * torques;
@@ -239,7 +239,7 @@ void FalconEmulator::obey() {
 }
 
 Bytes FalconEmulator::reply() {
-  const std::array<int, 3> counts = countsAt(gripNow());
+  const std::array<int, 3> counts = falconCountsAt(gripNow());
   Bytes packet{'<'};
   for (std::size_t n = 0; n < 3; ++n) append(packet, counts[n] + lost_[n]);
   packet.push_back(std::uint8_t('A' + ((homed_ ? 0x70 : 0) | buttons_)));

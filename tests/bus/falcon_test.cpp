@@ -44,7 +44,7 @@ constexpr Motors kNone{};
 /// The middle of the workspace, which the driver takes for the base's origin, in the Falcon's
 /// frame.
 const Vec3 kMiddle{0, 0, 0.125};
-const Vec3 kPressed{0, 0, FeltSphere::kTouch - 3e-3};
+const Vec3 kFalconPressed{0, 0, FeltSphere::kTouch - 3e-3};
 
 /// A Falcon with a plug, which may be pulled.
 struct PluggedFalcon {
@@ -102,12 +102,12 @@ std::unique_ptr<Device> opened(PluggedFalcon& plugged) {
 }
 
 bool isPressed(FeltSphere& sphere) {
-  return (sphere.snapshot().X_WD.translation() - kPressed).norm() < 1e-4;
+  return (sphere.snapshot().X_WD.translation() - kFalconPressed).norm() < 1e-4;
 }
 
 /// Pressed into the sphere, the hand at rest, and not armed.
 bool pressedUnarmed(PluggedFalcon& plugged, FeltSphere& sphere) {
-  plugged.hold(kPressed);
+  plugged.hold(kFalconPressed);
   return comesTrue([&] { return isPressed(sphere); });
 }
 
@@ -124,7 +124,7 @@ std::unique_ptr<FeltSphere> pressed(PluggedFalcon& plugged, std::unique_ptr<Devi
   if (device == nullptr) return nullptr;
   auto sphere = std::make_unique<FeltSphere>(std::move(device));
   sphere->arm();
-  plugged.hold(kPressed);
+  plugged.hold(kFalconPressed);
   EXPECT_TRUE(comesTrue([&] {
     return plugged.falcon.force_F().z() > 2.0 && isPressed(*sphere) &&
            sphere->snapshot().force_state == ForceState::On;
@@ -350,10 +350,10 @@ TEST(Falcon, TheServoLoopRendersASphereAndEndsAtZeroForce) {
   auto sphere = pressed(plugged);
   ASSERT_NE(sphere, nullptr);
   // a thousand ticks, along the surface and back
-  Vec3 p_BD = kPressed;
+  Vec3 p_BD = kFalconPressed;
   for (int n = 0; n < 40; ++n) {
     const double angle = 0.5 * std::sin(0.3 * n);
-    p_BD = kPressed.z() * Vec3{std::sin(angle), 0.0, std::cos(angle)};
+    p_BD = kFalconPressed.z() * Vec3{std::sin(angle), 0.0, std::cos(angle)};
     plugged.hold(p_BD);
     ASSERT_TRUE(sphere->runs(25));
   }
@@ -396,7 +396,7 @@ TEST(Falcon, RepliesInPiecesStaleLateOrGarbledNeitherLoseItNorKickTheHand) {
     EXPECT_TRUE(plugged.hears(200)) << what;
     EXPECT_TRUE(sphere->isArmed()) << what;
     EXPECT_TRUE(comesTrue([&] { return plugged.falcon.force_F().z() > 2.0; })) << what;
-    EXPECT_LT((sphere->snapshot().X_WD.translation() - kPressed).norm(), 1e-4) << what;
+    EXPECT_LT((sphere->snapshot().X_WD.translation() - kFalconPressed).norm(), 1e-4) << what;
     EXPECT_LT(plugged.falcon.seen().largest, 1.1 * largest) << what;
   };
   plugged.falcon.fail({.most_bytes = 5});
@@ -552,7 +552,7 @@ TEST(Falcon, AKilledProgramLeavesItsLastForceStandingUntilTheNextOneOpensTheDevi
     Child child{As::Root, {"feel", "falcon"}};
     ASSERT_TRUE(comesTrue([&] { return plugged.falcon.home(); }));
     ASSERT_EQ(child.line(), "armed");
-    plugged.hold(kPressed);
+    plugged.hold(kFalconPressed);
     ASSERT_TRUE(comesTrue([&] { return plugged.falcon.force_F().z() > 2.0; }));
     child.kill();
   }

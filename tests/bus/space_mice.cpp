@@ -5,7 +5,7 @@ namespace bus {
 namespace {
 
 // two reports of three 16-bit axes, one of buttons, one of the light
-const Bytes kReports{
+const Bytes kMouseReports{
     0x05, 0x01, 0x09, 0x08, 0xA1, 0x01,              // a multi-axis controller
     0x16, 0xA2, 0xFE, 0x26, 0x5E, 0x01,              // -350 to 350
     0x36, 0x88, 0xFA, 0x46, 0x78, 0x05, 0x75, 0x10,  // physically -1400 to 1400; 16 bits
@@ -46,7 +46,7 @@ Bytes SpaceNavigatorEmulator::deviceDescriptor() const {
 }
 
 Bytes SpaceNavigatorEmulator::configuration() const {
-  const auto size = std::uint8_t(kReports.size());
+  const auto size = std::uint8_t(kMouseReports.size());
   return {9, 2,    34,   0, 1, 1, 0,    0x80, 50,  // one interface
           9, 4,    0,    0, 1, 3, 0,    0,    0,   // HID
           9, 0x21, 0x11, 1, 0, 1, 0x22, size, 0,   // one report descriptor
@@ -61,7 +61,7 @@ std::optional<Bytes> SpaceNavigatorEmulator::control(const Setup& setup,
                                                      std::span<const std::uint8_t> out) {
   constexpr std::uint8_t kGetDescriptor = 6, kSetReport = 9, kSetIdle = 10;
   if (setup.type == 0x81 && setup.request == kGetDescriptor && setup.value == 0x2200)
-    return kReports;
+    return kMouseReports;
   if (setup.type != 0x21) return std::nullopt;
   if (setup.request == kSetReport && setup.value == 0x0204 && out.size() == 2 && out[0] == 4)
     lit_ = out[1] & 1;
@@ -80,7 +80,7 @@ std::optional<Bytes> SpaceNavigatorEmulator::toSend(int /*endpoint*/, std::size_
 }
 
 UhidSpaceMouse::UhidSpaceMouse()
-    : port_{"Emulated SpaceMouse", 0x256F, 0xC635, kReports,
+    : port_{"Emulated SpaceMouse", 0x256F, 0xC635, kMouseReports,
             [this](std::span<const std::uint8_t> report) {
               if (report.size() == 2 && report[0] == 4) lit_ = report[1] & 1;
             }} {}

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "tests/scenario/trial.h"
+#include "tests/support/millimetre.h"
 
 namespace {
 
@@ -14,8 +15,7 @@ using haptics::Vec3;
 using haptics::Wrench;
 using made::at;
 using made::Random;
-
-constexpr double h = 1e-3;  // m
+using millimetre::h;
 
 TEST(Feel, InFreeSpaceTheProxyIsTheDeviceAndTheWrenchIsNothingAtAnySpeed) {
   const Stage stage = stageOf("sphere", namedTool("probe"));

@@ -14,7 +14,7 @@ using haptics::Vec3;
 using haptics::Wrench;
 using made::at;
 
-bool isZero(const Wrench& wrench) {
+bool isNoForce(const Wrench& wrench) {
   return (wrench.force.array() == 0.0).all() && (wrench.torque.array() == 0.0).all();
 }
 
@@ -50,7 +50,7 @@ TEST(ServoLoop, ForceRampsInOverASecondAndStaysWithinTheRating) {
 TEST(ServoLoop, EscapeMakesTheVeryNextWriteZeroUntilArmedAgain) {
   Pressed loop;
   loop.loop->armed = false;
-  for (int n = 0; n < 50; ++n) ASSERT_TRUE(isZero(loop.step())) << n;
+  for (int n = 0; n < 50; ++n) ASSERT_TRUE(isNoForce(loop.step())) << n;
   EXPECT_EQ(loop.snapshot().force_state, ForceState::Ready);
   loop.loop->armed = true;
   EXPECT_LE(loop.step().force.norm(), 8.0 * 1e-3 + 1e-9);  // and from zero again
@@ -63,7 +63,7 @@ TEST(ServoLoop, AReadingThatIsNotANumberIsZeroForceAndThenForgotten) {
   const Wrench before = loop.device->writes.back();
   for (const int place : {0, 5, 12, 15}) {
     loop.device->X_BD.matrix().data()[place] = NAN;
-    for (int n = 0; n < 20; ++n) ASSERT_TRUE(isZero(loop.step()));
+    for (int n = 0; n < 20; ++n) ASSERT_TRUE(isNoForce(loop.step()));
     loop.device->X_BD = kPressed;
     EXPECT_LE(loop.step().force.norm(), 8.0 * 1e-3 + 1e-9);  // in again over a second
     loop.steps(1200);
@@ -76,7 +76,7 @@ TEST(ServoLoop, AReadingThatIsNotANumberIsZeroForceAndThenForgotten) {
 TEST(ServoLoop, ALostDeviceIsStoppedAtZero) {
   Pressed loop;
   loop.device->status = DeviceStatus::Lost;
-  for (int n = 0; n < 10; ++n) ASSERT_TRUE(isZero(loop.step()));
+  for (int n = 0; n < 10; ++n) ASSERT_TRUE(isNoForce(loop.step()));
   EXPECT_TRUE(loop.device->stopped);
   EXPECT_FALSE(loop.loop->armed);
 }

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "tests/scenario/trial.h"
+#include "tests/support/millimetre.h"
 
 // Voxels of every type, more of them than 32 bits count, and scenes from a tenth of a millimetre to
 // two metres: the same answers.
@@ -18,8 +19,7 @@ using haptics::ScalarType;
 using haptics::Vec3;
 using made::at;
 using made::Random;
-
-constexpr double h = 1e-3;  // m
+using millimetre::h;
 
 TEST(Numbers, EveryTypeOfVoxelIsFeltAtTheSamePlace) {
   struct Row {

@@ -5,6 +5,7 @@
 
 #include "haptics/simulation/closed_loop.h"
 #include "tests/scenario/trial.h"
+#include "tests/support/millimetre.h"
 
 namespace {
 
@@ -17,8 +18,7 @@ using haptics::TraceRow;
 using haptics::Vec3;
 using made::at;
 using made::Random;
-
-constexpr double h = 1e-3;  // m
+using millimetre::h;
 
 // penetration exactly 0 at every tick, by an evaluator that shares no code with the field
 TEST(Outside, NoHandEverBringsAPointOfTheToolInside) {

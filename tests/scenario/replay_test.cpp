@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tests/scenario/trial.h"
+#include "tests/support/millimetre.h"
 
 namespace {
 
@@ -14,8 +15,7 @@ using haptics::Quat;
 using haptics::Vec3;
 using made::at;
 using made::Random;
-
-constexpr double h = 1e-3;  // m
+using millimetre::h;
 
 // the clock cuts where it will; by the counts at which it did, another proxy goes the same way
 TEST(Replay, OfTicksThatTheClockCutIsTheSameToTheBit) {

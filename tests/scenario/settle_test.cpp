@@ -6,6 +6,7 @@
 
 #include "app/study/accuracy/closed_forms.h"
 #include "tests/scenario/trial.h"
+#include "tests/support/millimetre.h"
 
 // A device held inside a solid of known form: where the proxy settles, and which way the hand is
 // pushed. The proxy keeps the rest gap, 0.025 voxel, between its points and the surface, so the
@@ -15,9 +16,9 @@ namespace {
 
 using haptics::Vec3;
 using made::at;
+using millimetre::h;
 using study::AnalyticHold;
 
-constexpr double h = 1e-3;  // m: the phantoms' voxel
 constexpr double kGap = 0.025 * h;
 constexpr double kBall = 3e-3;     // m, radius
 constexpr int kBallPoints = 1000;  // 0.35 mm apart: the ball bulges 5 um between them

@@ -6,6 +6,7 @@
 
 #include "haptics/simulation/hand.h"
 #include "tests/scenario/trial.h"
+#include "tests/support/millimetre.h"
 
 // More than a tick can look at: what is proven in one must serve the next, or the proxy stays where
 // it is for ever, legal and useless.
@@ -17,8 +18,7 @@ using haptics::Quat;
 using haptics::Vec3;
 using made::at;
 using made::Random;
-
-constexpr double h = 1e-3;  // m
+using millimetre::h;
 
 /// What a tick may spend beyond its allowance before it looks at the budget again.
 constexpr std::int64_t kOverrun = haptics::kTickWork / 5;

@@ -23,6 +23,7 @@
 namespace {
 
 using haptics::ForceState;
+using window::waitFor;
 
 constexpr double kSlewOfTick_N = 12.0 / 20.0;  // rated force within 20 ms
 
@@ -35,12 +36,6 @@ app::Arguments sphere(const char* hand) {
   arguments.screenshot_after = 3'600.0;
   arguments.notice = false;
   return arguments;
-}
-
-// runs until `done` or for at most so many seconds
-bool waitFor(const std::function<bool()>& done, double seconds) {
-  for (int i = 0; i < seconds * 100.0 && !done(); ++i) QTest::qWait(10);
-  return done();
 }
 
 // Every tick's force, as the plot gets them, for so many seconds in which no event is handled:

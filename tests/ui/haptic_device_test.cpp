@@ -26,6 +26,7 @@ using haptics::Trouble;
 using haptics::Vec3;
 using window::HandDevice;
 using window::Handle;
+using window::waitFor;
 
 constexpr double kLong = 60.0;    // s: far more than anything takes on a machine that is busy
 constexpr double kDepth = 0.004;  // m beyond the surface, at which the Falcon's 8 N are reached
@@ -74,11 +75,6 @@ struct Bench {
             .join = [](auto moved, auto) { return moved; }};
   }
 };
-
-bool waitFor(const std::function<bool()>& done, double seconds = kLong) {
-  for (int i = 0; i < seconds * 100.0 && !done(); ++i) QTest::qWait(10);
-  return done();
-}
 
 /// The whole application on the sphere, with a fake Falcon in its catalogue and the panel in view.
 class Session {

@@ -33,14 +33,11 @@
 
 namespace {
 
+using window::waitFor;
+
 const std::filesystem::path kScans = PALPATE_SCANS;
 const std::filesystem::path kMixed = kScans / "philips_head_phantom/mixed_series_one_folder";
 const std::filesystem::path kTilted = kScans / "dicom_oddities/series_failing/gantrytilting";
-
-bool waitFor(const std::function<bool()>& done, double seconds) {
-  for (int i = 0; i < seconds * 50.0 && !done(); ++i) QTest::qWait(20);
-  return done();
-}
 
 class Opening : public testing::Test {
  protected:

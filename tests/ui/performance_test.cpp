@@ -17,10 +17,7 @@
 
 namespace {
 
-bool waitFor(const std::function<bool()>& done, double seconds) {
-  for (int i = 0; i < seconds * 100.0 && !done(); ++i) QTest::qWait(10);
-  return done();
-}
+using window::waitFor;
 
 ui::Performance wrench() {
   ui::Performance p;
@@ -176,7 +173,7 @@ TEST(Performance, ThePlotIsDrawnInTheColoursOfADarkWindowToo) {
   QApplication::setPalette(before);
 }
 
-app::Arguments sphere(const char* hand) {
+app::Arguments sphereInHand(const char* hand) {
   app::Arguments arguments;
   arguments.load.phantom = "sphere";
   arguments.hand = hand;
@@ -196,7 +193,7 @@ struct Running {
   QLabel* details = panel.findChild<QLabel*>("performanceDetails");
   QProgressBar* progress = panel.findChild<QProgressBar*>("measureProgress");
 
-  explicit Running(const char* hand = "tap") : application(sphere(hand)) {
+  explicit Running(const char* hand = "tap") : application(sphereInHand(hand)) {
     EXPECT_FALSE(button->isEnabled());
     application.start();
     EXPECT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));

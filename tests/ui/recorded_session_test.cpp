@@ -21,9 +21,11 @@
 
 namespace {
 
+using window::waitFor;
+
 namespace fs = std::filesystem;
 
-app::Arguments sphere(const QTemporaryDir& folder, const char* hand = "slide") {
+app::Arguments recordedSphere(const QTemporaryDir& folder, const char* hand = "slide") {
   app::Arguments arguments;
   arguments.load.phantom = "sphere";
   arguments.load.tool = app::ToolSource{.name = "sphere"};
@@ -34,11 +36,6 @@ app::Arguments sphere(const QTemporaryDir& folder, const char* hand = "slide") {
   arguments.notice = false;
   arguments.recordings = folder.path().toStdString();
   return arguments;
-}
-
-bool waitFor(const std::function<bool()>& done, double seconds) {
-  for (int i = 0; i < seconds * 100.0 && !done(); ++i) QTest::qWait(10);
-  return done();
 }
 
 template <class W>
@@ -87,7 +84,7 @@ void recordSome(app::Application& application, const QTemporaryDir& folder, qint
 
 TEST(RecordedSession, IsRecordedMarkedAndReplayedToTheBit) {
   const QTemporaryDir folder;
-  app::Application application(sphere(folder));
+  app::Application application(recordedSphere(folder));
   application.start();
   recordSome(application, folder, 2000);
   if (HasFatalFailure()) return;
@@ -122,7 +119,7 @@ TEST(RecordedSession, IsRecordedMarkedAndReplayedToTheBit) {
 
 TEST(RecordedSession, IsGoneThroughInTheWindow) {
   const QTemporaryDir folder;
-  app::Application application(sphere(folder));
+  app::Application application(recordedSphere(folder));
   application.start();
   recordSome(application, folder, 1500);
   if (HasFatalFailure()) return;
@@ -186,7 +183,7 @@ TEST(RecordedSession, OverVoxelsThatAreOthersInTheSamePlaceSaysSo) {
     return datasets::writeNrrd(*volume, path).has_value();
   };
   ASSERT_TRUE(written(0.014));
-  app::Arguments arguments = sphere(folder);
+  app::Arguments arguments = recordedSphere(folder);
   arguments.load.phantom = {};
   arguments.load.path = path;
   arguments.load.isovalue = 50.0;
@@ -210,7 +207,7 @@ TEST(RecordedSession, OverVoxelsThatAreOthersInTheSamePlaceSaysSo) {
 
 TEST(RecordedSession, IsExportedBehindTheWindow) {
   const QTemporaryDir folder, exports;
-  app::Application application(sphere(folder));
+  app::Application application(recordedSphere(folder));
   application.start();
   recordSome(application, folder, 1500);
   if (HasFatalFailure()) return;
@@ -264,7 +261,7 @@ TEST(RecordedSession, ThatWasNeverFinishedIsOfferedAtTheNextStart) {
     (*recorder)->ring().start({});
     (*recorder)->ring().push(step);
   }
-  app::Application application(sphere(folder, "mouse"));
+  app::Application application(recordedSphere(folder, "mouse"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   ui::MainWindow& window = application.window();
@@ -281,7 +278,7 @@ TEST(RecordedSession, ThatWasNeverFinishedIsOfferedAtTheNextStart) {
 TEST(RecordedSession, EndsWholeWhenTheWindowCloses) {
   const QTemporaryDir folder;
   {
-    app::Application application(sphere(folder));
+    app::Application application(recordedSphere(folder));
     application.start();
     ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
     emit application.window().recordingPanel().recordWanted(true);
@@ -296,7 +293,7 @@ TEST(RecordedSession, EndsWholeWhenTheWindowCloses) {
 
 TEST(RecordedSession, GoesOnThroughAnotherToolVolumeAndHand) {
   const QTemporaryDir folder;
-  app::Application application(sphere(folder));
+  app::Application application(recordedSphere(folder));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 60.0));
   ui::MainWindow& window = application.window();

@@ -58,6 +58,11 @@ haptics::TriangleMesh octahedron(double size) {
   return mesh;
 }
 
+bool waitFor(const std::function<bool()>& done, double seconds) {
+  for (int i = 0; i < seconds * 100.0 && !done(); ++i) QTest::qWait(10);
+  return done();
+}
+
 void showAndWait(QWidget& widget, QSize size) {
   widget.resize(size);
   widget.show();

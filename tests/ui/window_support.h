@@ -28,6 +28,9 @@ std::function<double(const haptics::Vec3&)> ball(const haptics::Vec3& centre_W, 
 /// An octahedron with corners this far from its middle, m.
 haptics::TriangleMesh octahedron(double size);
 
+/// Handles events until `done`, or for at most so many seconds; whether it is done.
+bool waitFor(const std::function<bool()>& done, double seconds = 60.0);
+
 /// Shows the widget and waits until it has been drawn.
 void showAndWait(QWidget& widget, QSize size);
 /// Waits until nothing more is drawn, and takes the widget's picture.

@@ -20,7 +20,7 @@ constexpr double kLane = 15.0;  // height of the ticks' heads
 constexpr double kHead = 4.0;   // half a head's width
 constexpr double kReach = 4.0;  // how near the mouse must come to a tick
 constexpr int kMostLines = 8;   // of ticks in one tool tip
-constexpr int kLongestNote = 160;
+constexpr int kLongestMark = 160;
 
 /// Ticks that look alike.
 enum class Look { Note, Setting, Scene, Force, Loss };
@@ -100,8 +100,8 @@ QString wordsOf(const ReplayMark& mark) {
     text += QStringLiteral(" %1").arg(*mark.value, 0, 'g', 6) +
             (words == nullptr ? QString{} : QString::fromUtf8(words->unit));
   if (!mark.note.isEmpty())
-    text += QStringLiteral(": ") + (mark.note.size() > kLongestNote
-                                        ? mark.note.left(kLongestNote) + QStringLiteral("…")
+    text += QStringLiteral(": ") + (mark.note.size() > kLongestMark
+                                        ? mark.note.left(kLongestMark) + QStringLiteral("…")
                                         : mark.note);
   return text;
 }

@@ -16,7 +16,6 @@
 namespace study {
 namespace {
 
-namespace shapes = datasets::shapes;
 using comparison::Limit;
 using made::at;
 using made::Random;
@@ -39,13 +38,13 @@ AnalyticHold onHalfSpace(double radius, Random& random) {
 }
 
 AnalyticHold onSphere(double radius, Random& random) {
-  const double R = shapes::Sphere{}.radius;
+  const double R = datasets::shapes::Sphere{}.radius;
   const Vec3 D = (R - random.in(1e-3, 5e-3)) * random.direction(), out = D.normalized();
   return {aside(D, (R + radius) * out, random), D, R * out, out};
 }
 
 AnalyticHold onCylinder(double radius, Random& random) {
-  const double R = shapes::Cylinder{}.radius;
+  const double R = datasets::shapes::Cylinder{}.radius;
   const double angle = random.in(0.0, 2.0 * std::numbers::pi), depth = random.in(1e-3, 4e-3);
   const Vec3 out{0.0, std::cos(angle), std::sin(angle)};
   const Vec3 axis{random.in(-0.01, 0.01), 0.0, 0.0};
@@ -55,7 +54,7 @@ AnalyticHold onCylinder(double radius, Random& random) {
 
 /// Both walls press: the device below the edge, within the cone of their normals.
 AnalyticHold inWedge(double radius, Random& random) {
-  const shapes::Wedge wedge;
+  const datasets::shapes::Wedge wedge;
   const Vec3 base{0.0, random.in(-0.01, 0.01), wedge.bottom};
   const Vec3 along = Vec3::UnitZ() / std::sin(wedge.half_angle);
   const Vec3 P = base + radius * along;
@@ -66,7 +65,7 @@ AnalyticHold inWedge(double radius, Random& random) {
 
 /// On the floor, at the wall, or in the corner of both.
 AnalyticHold inSlot(double radius, int which, Random& random) {
-  const shapes::Slot slot;
+  const datasets::shapes::Slot slot;
   const double wall = slot.half_width - radius, floor = slot.floor + radius;
   const double y = random.in(-0.01, 0.01), x = random.in(-0.7, 0.7) * wall,
                deep = random.in(1e-3, 4e-3);

@@ -42,15 +42,15 @@ Grid gridOf(std::int64_t ni, std::int64_t nj, std::int64_t nk, const Vec3& spaci
 template <class T, class Distance>
 std::shared_ptr<const haptics::Volume> scanned(const Grid& grid, const Scanner& scanner,
                                                haptics::ScalarType type, Distance distance) {
-  constexpr std::int64_t kBlock = 8;
+  constexpr std::int64_t kBlockSide = 8;
   auto voxels = haptics::allocateVoxels(grid.voxelCount(), type).value();
   T* const first = static_cast<T*>(voxels.get());
-  const double block_radius = 0.5 * kBlock * grid.spacing.norm();
+  const double block_radius = 0.5 * kBlockSide * grid.spacing.norm();
 
   const auto fillBlock = [&](std::int64_t i0, std::int64_t j0, std::int64_t k0) {
-    const std::int64_t i1 = std::min(i0 + kBlock, grid.dims[0]),
-                       j1 = std::min(j0 + kBlock, grid.dims[1]),
-                       k1 = std::min(k0 + kBlock, grid.dims[2]);
+    const std::int64_t i1 = std::min(i0 + kBlockSide, grid.dims[0]),
+                       j1 = std::min(j0 + kBlockSide, grid.dims[1]),
+                       k1 = std::min(k0 + kBlockSide, grid.dims[2]);
     const double middle =
         distance(grid.worldOf(0.5 * Vec3{double(i0 + i1), double(j0 + j1), double(k0 + k1)}));
     const bool far = std::abs(middle) > scanner.lipschitz * block_radius + scanner.blur;
@@ -78,9 +78,9 @@ std::shared_ptr<const haptics::Volume> scanned(const Grid& grid, const Scanner& 
   // slabs of blocks in turn to as many threads as there are
   const auto threads = static_cast<std::int64_t>(std::max(1u, std::thread::hardware_concurrency()));
   const auto fillSlabs = [&](std::int64_t turn) {
-    for (std::int64_t k = turn * kBlock; k < grid.dims[2]; k += threads * kBlock)
-      for (std::int64_t j = 0; j < grid.dims[1]; j += kBlock)
-        for (std::int64_t i = 0; i < grid.dims[0]; i += kBlock) fillBlock(i, j, k);
+    for (std::int64_t k = turn * kBlockSide; k < grid.dims[2]; k += threads * kBlockSide)
+      for (std::int64_t j = 0; j < grid.dims[1]; j += kBlockSide)
+        for (std::int64_t i = 0; i < grid.dims[0]; i += kBlockSide) fillBlock(i, j, k);
   };
   std::vector<std::jthread> pool;
   for (std::int64_t turn = 0; turn < threads; ++turn) pool.emplace_back(fillSlabs, turn);

@@ -22,7 +22,7 @@ using haptics::Quat;
 using haptics::TraceRow;
 using haptics::Vec3;
 
-const char* const kSection = "Hands that move";
+const char* const kHandsSection = "Hands that move";
 
 /// A phantom as one of the scenes.
 comparison::Case phantomCase(const std::string& name) {
@@ -236,17 +236,17 @@ std::vector<Job> handJobs(Depth depth) {
   const bool full = depth == Depth::Full;
   std::vector<Job> jobs;
   for (const std::string name : {"sphere", "torus", "gyroid", "slot", "demo"})
-    jobs.push_back({"hands/" + name, kSection, full ? 5.0 : 2.0, [=](std::uint64_t seed) {
+    jobs.push_back({"hands/" + name, kHandsSection, full ? 5.0 : 2.0, [=](std::uint64_t seed) {
                       return handsAt5000(phantomCase(name), full ? 10.0 : 3.0, seed);
                     }});
   // the paper's, which are large: only one of them where it is quick
   for (const std::string& name : comparison::sceneNames())
     if (full || name == "hole")
-      jobs.push_back({"hands/" + name, kSection, full ? 20.0 : 5.0, [=](std::uint64_t seed) {
+      jobs.push_back({"hands/" + name, kHandsSection, full ? 20.0 : 5.0, [=](std::uint64_t seed) {
                         return handsAt5000(comparison::makeScene(name), full ? 10.0 : 3.0, seed);
                       }});
-  jobs.push_back(
-      {"hands/turned arm", kSection, 1.0, [=](std::uint64_t) { return turnedArm(full ? 20 : 4); }});
+  jobs.push_back({"hands/turned arm", kHandsSection, 1.0,
+                  [=](std::uint64_t) { return turnedArm(full ? 20 : 4); }});
   return jobs;
 }
 

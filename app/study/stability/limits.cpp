@@ -8,7 +8,7 @@ namespace {
 
 using haptics::DeviceModel;
 
-const char* const kSection = "The stiffest wall";
+const char* const kWallSection = "The stiffest wall";
 
 /// N of dry friction: what a light device of tendons has. Each device is tried without it, its
 /// model's own, and with it.
@@ -41,8 +41,8 @@ std::vector<Variant> variants(const DeviceModel& device, double period,
   return all;
 }
 
-Outcome limitsOf(const DeviceModel& device, int number, double period,
-                 const std::vector<int>& delays) {
+Outcome wallLimitsOf(const DeviceModel& device, int number, double period,
+                     const std::vector<int>& delays) {
   Outcome outcome;
   Table table{"Measured limits of stiffness",
               {"device", "rate", "loop", "b + b_hand [N s/m]", "measured [N/m]",
@@ -159,9 +159,9 @@ std::vector<Job> limitJobs(Depth depth) {
     // the wall has one degree of freedom, in which an arm is nothing
     if (!device.linkage.arm.isZero(0.0)) continue;
     for (const double period : {1e-3, 0.25e-3})
-      jobs.push_back({"limit/" + device.name + "/" + rateOf(period), kSection,
+      jobs.push_back({"limit/" + device.name + "/" + rateOf(period), kWallSection,
                       (period < 1e-3 ? 2.0 : 0.5) * (full ? 2.0 : 1.0),
-                      [=](std::uint64_t) { return limitsOf(device, number, period, delays); }});
+                      [=](std::uint64_t) { return wallLimitsOf(device, number, period, delays); }});
   }
   return jobs;
 }

@@ -14,9 +14,9 @@ using haptics::DeviceModel;
 using haptics::Pose;
 using haptics::Vec3;
 
-const char* const kSection = "The stiffest plane, through the tick";
+const char* const kPlaneSection = "The stiffest plane, through the tick";
 
-Outcome limitsOf(const DeviceModel& device, int number, double period) {
+Outcome planeLimitsOf(const DeviceModel& device, int number, double period) {
   Outcome outcome;
   Table table{"Measured limits of stiffness in six degrees of freedom",
               {"device", "rate", "loop", "b + b_hand [N s/m]", "through the tick [N/m]",
@@ -108,9 +108,9 @@ std::vector<Job> planeLimitJobs(Depth depth) {
     if (!device.linkage.arm.isZero(0.0) || !(full || quick.contains(device.name))) continue;
     for (const double period : {1e-3, 0.25e-3})
       if (full || period == 1e-3)
-        jobs.push_back({"limit in 6-DOF/" + device.name + "/" + rateOf(period), kSection,
+        jobs.push_back({"limit in 6-DOF/" + device.name + "/" + rateOf(period), kPlaneSection,
                         period < 1e-3 ? 8.0 : 2.0,
-                        [=](std::uint64_t) { return limitsOf(device, number, period); }});
+                        [=](std::uint64_t) { return planeLimitsOf(device, number, period); }});
   }
   return jobs;
 }

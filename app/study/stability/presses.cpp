@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/stability/presses.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -19,7 +18,7 @@ using haptics::Pose;
 using haptics::Quat;
 using haptics::Vec3;
 
-const char* const kSection = "Presses in six degrees of freedom";
+const char* const kPressSection = "Presses in six degrees of freedom";
 constexpr double kPress = 2.0;              // N
 constexpr double kSpeed = 0.06;             // m/s, of the hand at its fastest
 constexpr double kHold = 0.6, kRest = 0.2;  // s
@@ -219,9 +218,7 @@ double ceilingOf(const Wall& wall, const Stage& stage, double share) {
   double limit = share * wall.theory();
   if (wall.device.linkage.torque) {
     const haptics::Mat3& inertia = stage.scene->tool.shell.inertia;
-    const double greatest =
-        Eigen::SelfAdjointEigenSolver<haptics::Mat3>{inertia}.eigenvalues().maxCoeff();
-    limit *= inertia.trace() / 3.0 / greatest;
+    limit *= inertia.trace() / 3.0 / haptics::largestInertia(inertia);
   }
   return std::min(wall.device.rating.stiffness, limit);
 }
@@ -314,8 +311,8 @@ std::vector<Job> pressJobs(Depth depth) {
            : std::set<std::string>{"sigma.7"};
   std::vector<Job> jobs;
   const auto add = [&](double cost, const Sweep& sweep) {
-    jobs.push_back(
-        {sweep.name(), kSection, cost, [=](std::uint64_t seed) { return pressesOf(sweep, seed); }});
+    jobs.push_back({sweep.name(), kPressSection, cost,
+                    [=](std::uint64_t seed) { return pressesOf(sweep, seed); }});
   };
   for (const DeviceModel& device : haptics::deviceModels())
     for (const std::string& stage : kStages) {

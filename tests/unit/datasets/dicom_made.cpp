@@ -17,13 +17,9 @@ using testing::asBigEndian;
 using testing::asImplicit;
 using testing::DicomSlice;
 using testing::element;
+using testing::reasonFor;
 using testing::voxelAt;
 using testing::Workshop;
-
-std::string reasonFor(const fs::path& path) {
-  const auto volume = readVolume(path);
-  return volume ? "" : volume.error().reason;
-}
 
 /// Slices of one voxel, each its own image, at these heights; their value is their number.
 void writeSlices(const Workshop& workshop, const std::vector<double>& heights_mm) {

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 using haptics::ScalarType;
 using haptics::Vec3;
 using testing::differing;
+using testing::reasonFor;
 using testing::scan;
 using testing::voxelAt;
 using testing::Workshop;
@@ -29,11 +30,6 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
-}
-
-std::string reasonFor(const fs::path& path) {
-  const auto volume = readVolume(path);
-  return volume ? "" : volume.error().reason;
 }
 
 TEST(DicomReader, HeadSlabIsTheSameRegionOfTheHead) {

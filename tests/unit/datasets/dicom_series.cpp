@@ -40,7 +40,7 @@ std::vector<SlicePlane> stack(const std::vector<double>& heights_mm, double tilt
   return slices;
 }
 
-std::string reasonFor(const std::vector<SlicePlane>& slices) {
+std::string reasonForStack(const std::vector<SlicePlane>& slices) {
   const auto verdict = stackOf(slices);
   return verdict ? "" : verdict.error().reason;
 }
@@ -78,37 +78,37 @@ TEST(DicomSeries, ColumnsGoAlongRowsAndRowsDownColumns) {
 }
 
 TEST(DicomSeries, RefusesByName) {
-  EXPECT_EQ(reasonFor(stack({0, 1, 2, 4, 5, 6})), "missing-slices");
-  EXPECT_EQ(reasonFor(stack({0, 1, 2, 5, 6, 7})), "missing-slices");
-  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3, 12.5, 14})), "uneven-spacing");
-  EXPECT_EQ(reasonFor(stack({0, 1, 2, 2, 3})), "duplicate");
-  EXPECT_EQ(reasonFor(stack({0, 1, 2, 3}, 50.0)), "sheared");
-  EXPECT_EQ(reasonFor(stack({0, 1, 3, 4}, 12.0)), "missing-slices");
+  EXPECT_EQ(reasonForStack(stack({0, 1, 2, 4, 5, 6})), "missing-slices");
+  EXPECT_EQ(reasonForStack(stack({0, 1, 2, 5, 6, 7})), "missing-slices");
+  EXPECT_EQ(reasonForStack(stack({0, 1, 2, 3, 12.5, 14})), "uneven-spacing");
+  EXPECT_EQ(reasonForStack(stack({0, 1, 2, 2, 3})), "duplicate");
+  EXPECT_EQ(reasonForStack(stack({0, 1, 2, 3}, 50.0)), "sheared");
+  EXPECT_EQ(reasonForStack(stack({0, 1, 3, 4}, 12.0)), "missing-slices");
   // as far apart as no memory would hold, and farther than numbers of pixels go
-  EXPECT_EQ(reasonFor(stack({0, 1e6}, 30.0)), "sheared");
-  EXPECT_EQ(reasonFor(stack({0, 1e100}, 30.0)), "sheared");
-  EXPECT_EQ(reasonFor({}), "no-pixels");
+  EXPECT_EQ(reasonForStack(stack({0, 1e6}, 30.0)), "sheared");
+  EXPECT_EQ(reasonForStack(stack({0, 1e100}, 30.0)), "sheared");
+  EXPECT_EQ(reasonForStack({}), "no-pixels");
 
   auto turned = stack({0, 1, 2, 3});
   turned[2].along_column =
       Eigen::AngleAxisd(0.003, turned[2].along_row) * turned[2].along_column;  // 0.17 degrees
-  EXPECT_EQ(reasonFor(turned), "mixed-orientation");
+  EXPECT_EQ(reasonForStack(turned), "mixed-orientation");
 
   auto sized = stack({0, 1, 2});
   sized[1].rows = 10;
-  EXPECT_EQ(reasonFor(sized), "mixed-size");
+  EXPECT_EQ(reasonForStack(sized), "mixed-size");
   auto spaced = stack({0, 1, 2});
   spaced[1].row_step_mm = 0.71;
-  EXPECT_EQ(reasonFor(spaced), "mixed-size");
+  EXPECT_EQ(reasonForStack(spaced), "mixed-size");
   auto aside = stack({0, 1, 2});
   aside[1].position_mm += 0.3 * aside[1].along_row;
-  EXPECT_EQ(reasonFor(aside), "sheared");
+  EXPECT_EQ(reasonForStack(aside), "sheared");
   auto broken = stack({0, 1, 2});
   broken[1].along_row = Vec3::Zero();
-  EXPECT_EQ(reasonFor(broken), "bad-header");
+  EXPECT_EQ(reasonForStack(broken), "bad-header");
   broken = stack({0, 1, 2});
   broken[1].position_mm.x() = std::nan("");
-  EXPECT_EQ(reasonFor(broken), "bad-header");
+  EXPECT_EQ(reasonForStack(broken), "bad-header");
 }
 
 TEST(DicomSeries, StepsMayWanderByOnePercentOrATwentiethOfAMillimetre) {

@@ -21,6 +21,7 @@ using haptics::ScalarType;
 using haptics::Vec3;
 using testing::asBytes;
 using testing::deflated;
+using testing::reasonFor;
 using testing::swapped;
 using testing::voxelAt;
 using testing::Workshop;
@@ -33,22 +34,17 @@ std::string ramp(int count = 60) {
 }
 
 /// A header of 5 x 4 x 3 voxels, up to the name of its data file.
-std::string header(const std::string& more = {}, const std::string& type = "MET_SHORT") {
+std::string metaHeader(const std::string& more = {}, const std::string& type = "MET_SHORT") {
   return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
          "DimSize = 5 4 3\nElementType = " +
          type + "\n" + more;
 }
 
-std::string placed(const std::string& more = {}) {
-  return header(
+std::string placedMeta(const std::string& more = {}) {
+  return metaHeader(
       "TransformMatrix = 0 1 0 0 0 1 -1 0 0\nOffset = 10 20 30\nCenterOfRotation = 9 9 9\n"
       "AnatomicalOrientation = AIL\nElementSpacing = 2 3 4\n" +
       more);
-}
-
-std::string reasonFor(const fs::path& path) {
-  const auto volume = readVolume(path);
-  return volume ? "" : volume.error().reason;
 }
 
 TEST(MetaImage, IsReadInEveryForm) {
@@ -61,18 +57,19 @@ TEST(MetaImage, IsReadInEveryForm) {
   const std::string compressed = "CompressedData = True\nCompressedDataSize = " +
                                  std::to_string(deflated(ramp(), false).size()) + "\n";
   const std::map<std::string, std::string> files{
-      {"local.mha", placed("ElementDataFile = LOCAL\n") + ramp()},
+      {"local.mha", placedMeta("ElementDataFile = LOCAL\n") + ramp()},
       {"crlf.mha",
        "ObjectType = Image\r\nNDims = 3\r\nBinaryData = True\r\nDimSize = 5 4 3\r\n"
        "ElementType = MET_SHORT\r\nTransformMatrix = 0 1 0 0 0 1 -1 0 0\r\n"
        "Offset = 10 20 30\r\nElementSpacing = 2 3 4\r\nElementDataFile = LOCAL\r\n" +
            ramp()},
-      {"packed.mha", placed(compressed + "ElementDataFile = LOCAL\n") + deflated(ramp(), false)},
-      {"detached.mhd", placed("ElementDataFile = v.raw\n")},
-      {"no-end.mhd", placed("ElementDataFile = v.raw")},
-      {"header.mhd", placed("HeaderSize = 3\nElementDataFile = skip.raw\n")},
-      {"last.mhd", placed("HeaderSize = -1\nElementDataFile = skip.raw\n")},
-      {"packed.mhd", placed(compressed + "ElementDataFile = packed.zraw\n")},
+      {"packed.mha",
+       placedMeta(compressed + "ElementDataFile = LOCAL\n") + deflated(ramp(), false)},
+      {"detached.mhd", placedMeta("ElementDataFile = v.raw\n")},
+      {"no-end.mhd", placedMeta("ElementDataFile = v.raw")},
+      {"header.mhd", placedMeta("HeaderSize = 3\nElementDataFile = skip.raw\n")},
+      {"last.mhd", placedMeta("HeaderSize = -1\nElementDataFile = skip.raw\n")},
+      {"packed.mhd", placedMeta(compressed + "ElementDataFile = packed.zraw\n")},
       {"be.mhd",
        "NDims = 3\nDimSize = 5 4 3\nBinaryData = True\nElementByteOrderMSB = True\n"
        "ElementType = MET_SHORT\nRotation = 0 1 0 0 0 1 -1 0 0\nPosition = 10 20 30\n"
@@ -131,7 +128,8 @@ TEST(MetaImage, OrientationIsKnownFromAMatrixOnly) {
   Workshop workshop;
   const auto known = [&](const std::string& fields) {
     const auto found = survey(workshop.write(
-        "v.mha", header(fields + "ElementSpacing = 1 1 1\nElementDataFile = LOCAL\n") + ramp()));
+        "v.mha",
+        metaHeader(fields + "ElementSpacing = 1 1 1\nElementDataFile = LOCAL\n") + ramp()));
     EXPECT_EQ(found->series.front().verdict, Verdict::Sound) << found->series.front().message;
     return found->series.front().reasons.empty();
   };
@@ -155,10 +153,11 @@ TEST(MetaImage, TypesUnitsAndValues) {
       {"MET_DOUBLE", {ScalarType::Float32, ramp<double>()}}};
   for (const auto& [name, type] : types) {
     const auto v = readVolume(workshop.write(
-        "v.mha", header("DistanceUnits = cm\nElementSpacing = 0.1 0.2 0.3\nModality = MET_MOD_CT\n"
-                        "ElementDataFile = LOCAL\n",
-                        name) +
-                     type.second));
+        "v.mha",
+        metaHeader("DistanceUnits = cm\nElementSpacing = 0.1 0.2 0.3\nModality = MET_MOD_CT\n"
+                   "ElementDataFile = LOCAL\n",
+                   name) +
+            type.second));
     ASSERT_TRUE(v) << name << ": " << v.error().what;
     EXPECT_EQ(v->type, type.first) << name;
     EXPECT_EQ(voxelAt(*v, 4, 3, 2), 59) << name;
@@ -167,9 +166,9 @@ TEST(MetaImage, TypesUnitsAndValues) {
   }
   const auto scaled = [&](const std::string& slope, const std::string& offset) {
     auto v = readVolume(
-        workshop.write("v.mha", header("ElementToIntensityFunctionSlope = " + slope +
-                                       "\nElementToIntensityFunctionOffset = " + offset +
-                                       "\nElementSpacing = 1 1 1\nElementDataFile = LOCAL\n") +
+        workshop.write("v.mha", metaHeader("ElementToIntensityFunctionSlope = " + slope +
+                                           "\nElementToIntensityFunctionOffset = " + offset +
+                                           "\nElementSpacing = 1 1 1\nElementDataFile = LOCAL\n") +
                                     ramp()));
     EXPECT_TRUE(v);
     return std::move(*v);
@@ -191,17 +190,17 @@ TEST(MetaImage, RefusesByName) {
   };
   const std::string data = "ElementSpacing = 1 1 1\nElementDataFile = LOCAL\n";
   const std::string start = "ObjectType = Image\nBinaryData = True\n";
-  EXPECT_EQ(reason(header(data) + ramp()), "");
+  EXPECT_EQ(reason(metaHeader(data) + ramp()), "");
   EXPECT_EQ(reason(""), "bad-header");
   EXPECT_EQ(reason(std::string(3000, '\0')), "bad-header");
-  EXPECT_EQ(reason(header("ElementSpacing = 1 1 1\n")), "bad-header");
-  EXPECT_EQ(reason(header(data) + ramp().substr(1)), "truncated");
+  EXPECT_EQ(reason(metaHeader("ElementSpacing = 1 1 1\n")), "bad-header");
+  EXPECT_EQ(reason(metaHeader(data) + ramp().substr(1)), "truncated");
   EXPECT_EQ(
-      reason(header("CompressedData = True\n" + data) + deflated(ramp(), false).substr(0, 60)),
+      reason(metaHeader("CompressedData = True\n" + data) + deflated(ramp(), false).substr(0, 60)),
       "truncated");
-  EXPECT_EQ(reason(header("ElementNumberOfChannels = 3\n" + data) + ramp(180)), "not-scalar");
-  EXPECT_EQ(reason(header(data, "MET_LONG_LONG") + ramp(240)), "unsupported-type");
-  EXPECT_EQ(reason(header(data, "MET_STRING") + ramp()), "bad-header");
+  EXPECT_EQ(reason(metaHeader("ElementNumberOfChannels = 3\n" + data) + ramp(180)), "not-scalar");
+  EXPECT_EQ(reason(metaHeader(data, "MET_LONG_LONG") + ramp(240)), "unsupported-type");
+  EXPECT_EQ(reason(metaHeader(data, "MET_STRING") + ramp()), "bad-header");
   EXPECT_EQ(reason(start + "NDims = 2\nDimSize = 5 4\nElementType = MET_SHORT\n" + data + ramp()),
             "not-scalar");
   for (const char* sizes : {"-5 4 3", "0 4 3", "5 4", "5 4 x"})
@@ -219,14 +218,15 @@ TEST(MetaImage, RefusesByName) {
                    "ElementType = MET_SHORT\n" +
                    data + ramp()),
             "truncated");
-  EXPECT_EQ(reason(header("ElementSpacing = 1 0 1\nElementDataFile = LOCAL\n") + ramp()),
+  EXPECT_EQ(reason(metaHeader("ElementSpacing = 1 0 1\nElementDataFile = LOCAL\n") + ramp()),
             "bad-header");
-  EXPECT_EQ(reason(header("ElementSpacing = 1 nan 1\nElementDataFile = LOCAL\n") + ramp()),
+  EXPECT_EQ(reason(metaHeader("ElementSpacing = 1 nan 1\nElementDataFile = LOCAL\n") + ramp()),
             "bad-header");
   EXPECT_EQ(
-      reason(header("TransformMatrix = 1 0 0 0.1 0.99498743710662 0 0 0 1\n" + data) + ramp()),
+      reason(metaHeader("TransformMatrix = 1 0 0 0.1 0.99498743710662 0 0 0 1\n" + data) + ramp()),
       "sheared");
-  EXPECT_EQ(reason(header("TransformMatrix = 2 0 0 0 1 0 0 0 1\n" + data) + ramp()), "bad-header");
+  EXPECT_EQ(reason(metaHeader("TransformMatrix = 2 0 0 0 1 0 0 0 1\n" + data) + ramp()),
+            "bad-header");
   EXPECT_EQ(reason("NDims = 3\nBinaryData = False\nDimSize = 5 4 3\nElementType = MET_SHORT\n" +
                    data + "0 1 2"),
             "unsupported-syntax");
@@ -240,7 +240,7 @@ TEST(MetaImage, DataFilesStayInTheHeadersFolder) {
   fs::create_symlink(workshop.folder() / "outside.raw", workshop.folder() / "in/link.raw");
   const auto reason = [&](const std::string& data) {
     return reasonFor(workshop.write(
-        "in/v.mhd", header("ElementSpacing = 1 1 1\nElementDataFile = " + data + "\n")));
+        "in/v.mhd", metaHeader("ElementSpacing = 1 1 1\nElementDataFile = " + data + "\n")));
   };
   EXPECT_EQ(reason("inside.raw"), "");
   EXPECT_EQ(reason("../outside.raw"), "outside-folder");

@@ -29,7 +29,7 @@ using testing::voxelAt;
 using testing::Workshop;
 
 /// 5 x 4 x 3 voxels, placed by a matrix: i towards anterior, j towards superior, k towards left.
-Nifti placed() {
+Nifti placedNifti() {
   Nifti n;
   n.matrix_code = 1;
   n.matrix = {0, 0, -4, 10, 2, 0, 0, 20, 0, 3, 0, 30};
@@ -48,7 +48,7 @@ TEST(NiftiFile, IsReadInBothVersionsAndByteOrdersPackedOrNot) {
   for (const int version : {1, 2})
     for (const bool big : {false, true})
       for (const bool packed : {false, true}) {
-        Nifti n = placed();
+        Nifti n = placedNifti();
         n.version = version;
         n.big = big;
         const std::string bytes = packed ? deflated(bytesOf(n)) : bytesOf(n);
@@ -70,7 +70,7 @@ TEST(NiftiFile, AQuaternionPlacesAsItsMatrixDoes) {
   Workshop workshop;
   // 120 degrees about (1, 1, 1): x to y, y to z, z to x
   for (const double mirror : {1.0, -1.0}) {
-    Nifti n = placed();
+    Nifti n = placedNifti();
     n.matrix_code = 0;
     n.quaternion_code = 1;
     n.quaternion = {0.5, 0.5, 0.5};
@@ -136,7 +136,7 @@ TEST(NiftiFile, WhatVtkWritesIsPlacedAsItWas) {
 
 TEST(NiftiFile, WithoutAPlaceHasNoSide) {
   Workshop workshop;
-  Nifti n = placed();
+  Nifti n = placedNifti();
   n.matrix_code = 0;
   auto found = survey(workshop.write("v.nii", bytesOf(n)));
   ASSERT_TRUE(found);
@@ -158,7 +158,7 @@ TEST(NiftiFile, WithoutAPlaceHasNoSide) {
 
 TEST(NiftiFile, OffersItsVolumes) {
   Workshop workshop;
-  Nifti n = placed();
+  Nifti n = placedNifti();
   n.dim = {4, 5, 4, 3, 2, 1, 1, 1};
   for (std::int16_t v = 100; v < 160; ++v) n.voxels += asBytes(v);
   for (const char* name : {"v.nii", "v.nii.gz"}) {
@@ -175,7 +175,7 @@ TEST(NiftiFile, OffersItsVolumes) {
 TEST(NiftiFile, RescalesAndKeepsWholeNumbersWhole) {
   Workshop workshop;
   const auto with = [&](double slope, double intercept) {
-    Nifti n = placed();
+    Nifti n = placedNifti();
     n.slope = slope;
     n.intercept = intercept;
     auto v = readVolume(workshop.write("v.nii", bytesOf(n)));
@@ -196,7 +196,7 @@ TEST(NiftiFile, RescalesAndKeepsWholeNumbersWhole) {
 TEST(NiftiFile, RefusesByName) {
   Workshop workshop;
   const auto reason = [&](auto&& change) {
-    Nifti n = placed();
+    Nifti n = placedNifti();
     change(n);
     return reasonFor(workshop, n);
   };
@@ -229,20 +229,20 @@ TEST(NiftiFile, RefusesByName) {
             "bad-header");
   EXPECT_EQ(reason([](Nifti& n) { n.matrix_code = 0, n.pixdim[2] = -1; }), "bad-header");
   // the header of a pair, whose voxels are elsewhere
-  std::string pair = bytesOf(placed());
+  std::string pair = bytesOf(placedNifti());
   pair[345] = 'i';
   EXPECT_EQ(readVolume(workshop.write("v.nii", pair)).error().reason, "bad-header");
   EXPECT_EQ(readVolume(workshop.write("v.hdr", pair)).error().reason, "unreadable");
   EXPECT_EQ(readVolume(workshop.write("v.nii", "")).error().reason, "bad-header");
-  EXPECT_EQ(readVolume(workshop.write("v.nii.gz", deflated(bytesOf(placed())).substr(0, 30)))
+  EXPECT_EQ(readVolume(workshop.write("v.nii.gz", deflated(bytesOf(placedNifti())).substr(0, 30)))
                 .error()
                 .reason,
             "bad-header");
-  const std::string packed = deflated(bytesOf(placed()));
+  const std::string packed = deflated(bytesOf(placedNifti()));
   EXPECT_EQ(
       readVolume(workshop.write("v.nii.gz", packed.substr(0, packed.size() - 20))).error().reason,
       "truncated");
-  Nifti huge = placed();
+  Nifti huge = placedNifti();
   huge.dim = {3, 3000, 3000, 3000, 1, 1, 1, 1};
   EXPECT_EQ(readVolume(workshop.write("v.nii.gz", deflated(bytesOf(huge)))).error().reason,
             "truncated");

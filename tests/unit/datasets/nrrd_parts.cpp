@@ -27,7 +27,7 @@ using testing::swapped;
 using testing::voxelAt;
 using testing::Workshop;
 
-constexpr std::array<std::int64_t, 3> kDims{11, 7, 5};
+constexpr std::array<std::int64_t, 3> kPartDims{11, 7, 5};
 
 int valueAt(std::int64_t i, std::int64_t j, std::int64_t k, std::int64_t volume = 0) {
   return static_cast<int>(i + 11 * (j + 7 * (k + 5 * volume)) - 300);
@@ -36,14 +36,14 @@ int valueAt(std::int64_t i, std::int64_t j, std::int64_t k, std::int64_t volume 
 template <class T>
 std::string voxels(std::int64_t volume = 0) {
   std::string bytes;
-  for (std::int64_t k = 0; k < kDims[2]; ++k)
-    for (std::int64_t j = 0; j < kDims[1]; ++j)
-      for (std::int64_t i = 0; i < kDims[0]; ++i)
+  for (std::int64_t k = 0; k < kPartDims[2]; ++k)
+    for (std::int64_t j = 0; j < kPartDims[1]; ++j)
+      for (std::int64_t i = 0; i < kPartDims[0]; ++i)
         bytes += asBytes(static_cast<T>(valueAt(i, j, k, volume)));
   return bytes;
 }
 
-std::string header(const std::string& rest, const std::string& type = "short") {
+std::string headerInParts(const std::string& rest, const std::string& type = "short") {
   return "NRRD0005\ntype: " + type +
          "\ndimension: 3\nsizes: 11 7 5\nspace: left-posterior-superior\n"
          "space directions: (0,2,0) (0,0,3) (4,0,0)\nspace origin: (10,20,30)\n" +
@@ -81,21 +81,23 @@ TEST(NrrdParts, AreTakenOfEveryEncoding) {
   for (int k = 0; k < 5; ++k)
     workshop.write("s" + std::to_string(k) + ".raw", raw.substr(std::size_t(k) * 154, 154));
   const std::vector<std::pair<std::string, std::string>> files{
-      {"raw.nrrd", header(little + "encoding: raw\n\n") + raw},
-      {"be.nrrd", header(big + "encoding: raw\n\n") + swapped(raw, 2)},
-      {"gz.nrrd", header(little + "encoding: gzip\n\n") + deflated(raw)},
-      {"gzbe.nrrd", header(big + "encoding: gzip\n\n") + deflated(swapped(raw, 2))},
-      {"gzlast.nrrd", header(little + "encoding: gzip\nbyte skip: -1\n\n") + deflated("odd" + raw)},
-      {"double.nrrd", header(little + "encoding: raw\n\n", "double") + voxels<double>()},
-      {"float.nrrd", header(little + "encoding: gz\n\n", "float") + deflated(voxels<float>())},
-      {"ascii.nrrd", header("encoding: ascii\n\n") + ascii},
-      {"hex.nrrd", header(little + "encoding: hex\n\n") + hex},
+      {"raw.nrrd", headerInParts(little + "encoding: raw\n\n") + raw},
+      {"be.nrrd", headerInParts(big + "encoding: raw\n\n") + swapped(raw, 2)},
+      {"gz.nrrd", headerInParts(little + "encoding: gzip\n\n") + deflated(raw)},
+      {"gzbe.nrrd", headerInParts(big + "encoding: gzip\n\n") + deflated(swapped(raw, 2))},
+      {"gzlast.nrrd",
+       headerInParts(little + "encoding: gzip\nbyte skip: -1\n\n") + deflated("odd" + raw)},
+      {"double.nrrd", headerInParts(little + "encoding: raw\n\n", "double") + voxels<double>()},
+      {"float.nrrd",
+       headerInParts(little + "encoding: gz\n\n", "float") + deflated(voxels<float>())},
+      {"ascii.nrrd", headerInParts("encoding: ascii\n\n") + ascii},
+      {"hex.nrrd", headerInParts(little + "encoding: hex\n\n") + hex},
       {"skips.nhdr",
-       header(little + "encoding: raw\nline skip: 2\nbyte skip: 3\ndata file: v.raw\n")},
-      {"last.nhdr", header(little + "encoding: raw\nbyte skip: -1\ndata file: v.raw\n")},
+       headerInParts(little + "encoding: raw\nline skip: 2\nbyte skip: 3\ndata file: v.raw\n")},
+      {"last.nhdr", headerInParts(little + "encoding: raw\nbyte skip: -1\ndata file: v.raw\n")},
       {"gzskips.nhdr",
-       header(little + "encoding: gzip\nline skip: 1\nbyte skip: 3\ndata file: v.raw.gz\n")},
-      {"many.nhdr", header(little + "encoding: raw\ndata file: s%d.raw 0 4 1 2\n")}};
+       headerInParts(little + "encoding: gzip\nline skip: 1\nbyte skip: 3\ndata file: v.raw.gz\n")},
+      {"many.nhdr", headerInParts(little + "encoding: raw\ndata file: s%d.raw 0 4 1 2\n")}};
   const std::vector<Part> parts{{.step = 2},
                                 {.step = 3},
                                 {.box = Part::Box{{2, 1, 0}, {9, 6, 4}}},
@@ -120,9 +122,9 @@ TEST(NrrdParts, OfADamagedFileAreRefused) {
   Workshop workshop;
   const std::string packed = deflated(voxels<std::int16_t>());
   const auto reason = [&](const std::string& bytes) {
-    const auto v =
-        readVolume(workshop.write("v.nrrd", header("endian: little\nencoding: gzip\n\n") + bytes),
-                   {.part = {.step = 2}});
+    const auto v = readVolume(
+        workshop.write("v.nrrd", headerInParts("endian: little\nencoding: gzip\n\n") + bytes),
+        {.part = {.step = 2}});
     return v ? "" : v.error().reason;
   };
   EXPECT_EQ(reason(packed), "");
@@ -169,7 +171,7 @@ TEST(NrrdVolumes, OfAFourthAxisAreOffered) {
       EXPECT_EQ(found->series[std::size_t(volume)].verdict, Verdict::Sound);
       const auto v = readVolume(path, {.series = volume});
       ASSERT_TRUE(v) << name << ": " << v.error().what;
-      ASSERT_EQ(v->grid.dims, kDims) << name;
+      ASSERT_EQ(v->grid.dims, kPartDims) << name;
       EXPECT_LT((v->grid.worldOf({1, 1, 1}) - Vec3(0.014, 0.022, 0.033)).norm(), 1e-12) << name;
       for (std::int64_t n = 0; n < 11 * 7 * 5; ++n)
         ASSERT_EQ(voxelAt(*v, n % 11, n / 11 % 7, n / 77),
@@ -201,7 +203,7 @@ TEST(NrrdVolumes, AxesOfOtherKindsAreRefusedByName) {
   }
   // a list of flat pictures is no volume
   const auto flat = readVolume(workshop.write(
-      "v.nrrd", header("kinds: domain domain list\nendian: little\nencoding: raw\n\n") +
+      "v.nrrd", headerInParts("kinds: domain domain list\nendian: little\nencoding: raw\n\n") +
                     voxels<std::int16_t>()));
   ASSERT_FALSE(flat);
   EXPECT_NE(flat.error().what.find("Axis 2 "), std::string::npos) << flat.error().what;
@@ -222,7 +224,7 @@ TEST(NrrdVolumes, AxesOfOtherKindsAreRefusedByName) {
   ASSERT_EQ(one->series.front().verdict, Verdict::Sound) << one->series.front().message;
   const auto v = readVolume(one->series.front());
   ASSERT_TRUE(v) << v.error().what;
-  EXPECT_EQ(v->grid.dims, kDims);
+  EXPECT_EQ(v->grid.dims, kPartDims);
   EXPECT_EQ(voxelAt(*v, 10, 6, 4), valueAt(10, 6, 4));
   // more than anybody could look through
   EXPECT_EQ(readVolume(workshop.write("v.nrrd", four("1 1 1 20000", vectors + " none", "") +
@@ -288,7 +290,7 @@ TEST(MappedVoxels, AreAlignedAndInThisMachinesOrder) {
 TEST(NrrdThumbnail, IsTheMiddleSlice) {
   Workshop workshop;
   const auto found = survey(workshop.write(
-      "v.nrrd", header("endian: little\nencoding: raw\n\n") + voxels<std::int16_t>()));
+      "v.nrrd", headerInParts("endian: little\nencoding: raw\n\n") + voxels<std::int16_t>()));
   ASSERT_TRUE(found);
   const auto small = thumbnailOf(found->series.front(), 22);
   ASSERT_TRUE(small) << small.error().what;

@@ -22,14 +22,10 @@ namespace fs = std::filesystem;
 using haptics::ScalarType;
 using haptics::Vec3;
 using testing::differing;
+using testing::reasonFor;
 using testing::scan;
 using testing::voxelAt;
 using testing::Workshop;
-
-std::string reasonFor(const fs::path& path) {
-  const auto volume = readVolume(path);
-  return volume ? "" : volume.error().reason;
-}
 
 /// 5 x 4 x 3 voxels, each different from all others.
 std::string rampBytes() {

@@ -17,7 +17,7 @@ using testing::differing;
 using testing::Workshop;
 
 /// 5 x 4 x 3 voxels, each different from all others.
-std::string rampBytes() {
+std::string rampToWrite() {
   std::string bytes;
   for (std::int16_t v = 0; v < 60; ++v) bytes.append(reinterpret_cast<const char*>(&v), 2);
   return bytes;
@@ -34,7 +34,7 @@ TEST(NrrdWriter, WhatIsWrittenIsReadAlike) {
   for (const bool known : {true, false}) {
     auto voxels = haptics::allocateVoxels(60, ScalarType::Int16);
     ASSERT_TRUE(voxels);
-    std::memcpy(voxels->get(), rampBytes().data(), 120);
+    std::memcpy(voxels->get(), rampToWrite().data(), 120);
     const auto v =
         haptics::makeVolume(grid, ScalarType::Int16, *voxels,
                             {.unit = "HU", .modality = "CT", .orientation_known = known});

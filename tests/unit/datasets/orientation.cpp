@@ -42,7 +42,7 @@ std::vector<Mat3> orientations() {
   return all;
 }
 
-constexpr std::array<int, 3> kDims{5, 6, 7};
+constexpr std::array<int, 3> kOrientedDims{5, 6, 7};
 const Vec3 kSpacing_mm{1.0, 2.0, 3.0};
 const Vec3 kOrigin_mm{-3.0, 4.0, 2.0};
 
@@ -53,15 +53,15 @@ Vec3 placeOf(const Mat3& axes, int i, int j, int k) {
 /// The phantom's voxels, laid along these axes.
 std::string voxelsAlong(const Mat3& axes) {
   std::string bytes;
-  for (int k = 0; k < kDims[2]; ++k)
-    for (int j = 0; j < kDims[1]; ++j)
-      for (int i = 0; i < kDims[0]; ++i)
+  for (int k = 0; k < kOrientedDims[2]; ++k)
+    for (int j = 0; j < kOrientedDims[1]; ++j)
+      for (int i = 0; i < kOrientedDims[0]; ++i)
         bytes += testing::number(std::uint16_t(valueAt(placeOf(axes, i, j, k))), 2);
   return bytes;
 }
 
 void expectThePhantom(const haptics::Volume& v, const std::string& what) {
-  ASSERT_EQ(v.grid.voxelCount(), kDims[0] * kDims[1] * kDims[2]) << what;
+  ASSERT_EQ(v.grid.voxelCount(), kOrientedDims[0] * kOrientedDims[1] * kOrientedDims[2]) << what;
   EXPECT_TRUE(v.orientation_known) << what;
   for (std::int64_t k = 0; k < v.grid.dims[2]; ++k)
     for (std::int64_t j = 0; j < v.grid.dims[1]; ++j)
@@ -77,7 +77,7 @@ TEST(Orientation, OfEveryDicomSeriesIsThePatients) {
   for (const Mat3& axes : orientations()) {
     if (axes.determinant() < 0.0) continue;
     Workshop workshop;
-    for (int k = 0; k < kDims[2]; ++k) {
+    for (int k = 0; k < kOrientedDims[2]; ++k) {
       DicomSlice slice;
       slice.instance += "." + std::to_string(k + 1);
       slice.position_mm = placeOf(axes, 0, 0, k);
@@ -85,12 +85,12 @@ TEST(Orientation, OfEveryDicomSeriesIsThePatients) {
       slice.along_column = axes.col(1);
       slice.column_step_mm = kSpacing_mm.x();
       slice.row_step_mm = kSpacing_mm.y();
-      slice.columns = kDims[0];
-      slice.rows = kDims[1];
-      for (int j = 0; j < kDims[1]; ++j)
-        for (int i = 0; i < kDims[0]; ++i)
+      slice.columns = kOrientedDims[0];
+      slice.rows = kOrientedDims[1];
+      for (int j = 0; j < kOrientedDims[1]; ++j)
+        for (int i = 0; i < kOrientedDims[0]; ++i)
           slice.pixels.push_back(std::int16_t(valueAt(placeOf(axes, i, j, k))));
-      workshop.write(std::to_string((k * 3) % kDims[2]), bytesOf(slice));
+      workshop.write(std::to_string((k * 3) % kOrientedDims[2]), bytesOf(slice));
     }
     const auto v = readVolume(workshop.folder());
     ASSERT_TRUE(v) << v.error().what;
@@ -116,8 +116,9 @@ TEST(Orientation, OfEveryNrrdIsThePatients) {
                std::to_string(w.z()) + ")";
       };
       std::string bytes = "NRRD0004\ntype: short\ndimension: 3\nspace: " + space +
-                          "\nsizes: " + std::to_string(kDims[0]) + " " + std::to_string(kDims[1]) +
-                          " " + std::to_string(kDims[2]) + "\nspace directions:";
+                          "\nsizes: " + std::to_string(kOrientedDims[0]) + " " +
+                          std::to_string(kOrientedDims[1]) + " " +
+                          std::to_string(kOrientedDims[2]) + "\nspace directions:";
       for (int axis = 0; axis < 3; ++axis)
         bytes += " " + vector(axes.col(axis) * kSpacing_mm[axis]);
       bytes += "\nspace origin: " + vector(kOrigin_mm) + "\nendian: little\nencoding: raw\n\n";
@@ -157,7 +158,7 @@ TEST(Orientation, OfEveryNiftiFileIsThePatients) {
       const Mat3 turned = ras.asDiagonal() * axes;
       const Vec3 origin = ras.cwiseProduct(kOrigin_mm);
       testing::Nifti n;
-      n.dim = {3, kDims[0], kDims[1], kDims[2], 1, 1, 1, 1};
+      n.dim = {3, kOrientedDims[0], kOrientedDims[1], kOrientedDims[2], 1, 1, 1, 1};
       // a left-handed frame is a rotation of one whose third axis is turned about
       const bool mirrored = turned.determinant() < 0.0;
       n.pixdim = {mirrored ? -1.0 : 1.0, 1, 2, 3, 0, 0, 0, 0};

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "datasets/readers/volume_reader.h"
 #include "haptics/core/volume.h"
 
 /// Skips the test, loudly, where the real scans do not stand beside the checkout.
@@ -20,6 +21,12 @@ namespace datasets::testing {
 
 inline std::filesystem::path scan(const std::string& name) {
   return std::filesystem::path(PALPATE_SCANS) / name;
+}
+
+/// The reason for which this file or folder is refused; empty where it is not.
+inline std::string reasonFor(const std::filesystem::path& path) {
+  const auto volume = readVolume(path);
+  return volume ? "" : volume.error().reason;
 }
 
 /// A folder of its own for each test, removed at the end.

@@ -58,7 +58,7 @@ const char* const kPlyHeader =
     "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0\n20 0 0\n0 30 0\n0 0 40\n";
 
-std::string reasonFor(const fs::path& path) {
+std::string reasonForTool(const fs::path& path) {
   const auto mesh = readToolMesh(path, MeshUnit::Millimetre);
   return mesh ? "" : mesh.error().reason;
 }
@@ -127,7 +127,7 @@ TEST(ToolMesh, PolygonsBecomeTriangles) {
 TEST(ToolMesh, BrokenFilesAreRefusedByName) {
   Workshop workshop;
   const auto reason = [&](const std::string& name, const std::string& bytes) {
-    return reasonFor(workshop.write(name, bytes));
+    return reasonForTool(workshop.write(name, bytes));
   };
   EXPECT_EQ(reason("s.stl", binaryStl(3, 4)), "truncated");
   EXPECT_EQ(reason("s.stl", binaryStl(4, 3)), "truncated");
@@ -159,7 +159,7 @@ TEST(ToolMesh, BrokenFilesAreRefusedByName) {
             "bad-index");
   EXPECT_EQ(reason("p.ply", "not a mesh"), "bad-header");
   EXPECT_EQ(reason("x.3ds", binaryStl()), "unreadable");
-  EXPECT_EQ(reasonFor(workshop.folder() / "absent.stl"), "unreadable");
+  EXPECT_EQ(reasonForTool(workshop.folder() / "absent.stl"), "unreadable");
 }
 
 TEST(ToolMesh, RealTools) {

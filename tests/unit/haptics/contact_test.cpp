@@ -7,6 +7,7 @@
 #include "haptics/collision/motion.h"
 #include "haptics/collision/prune.h"
 #include "haptics/solver/unconstrained_motion.h"
+#include "tests/support/millimetre.h"
 
 namespace {
 
@@ -24,11 +25,10 @@ using haptics::Twist;
 using haptics::Vec3;
 using made::at;
 using made::Random;
+using millimetre::h;
+using millimetre::unlimited;
 
-constexpr double h = 1e-3;  // m
 constexpr double kPi = M_PI;
-
-Budget unlimited() { return Budget::counted(std::numeric_limits<std::int64_t>::max()); }
 
 TEST(PointPath, IsTheLineOfTheOriginAndTheTurnAboutIt) {
   Random random{41};

@@ -16,7 +16,7 @@ using haptics::Quat;
 using haptics::Vec3;
 using haptics::Wrench;
 
-constexpr double T = 1e-3;  // s
+constexpr double kStep = 1e-3;  // s
 
 Pose at(const Vec3& p, const Quat& q = Quat::Identity()) { return haptics::poseOf(p, q); }
 
@@ -24,7 +24,7 @@ TEST(DeviceModel, AFreeMassComesToRestAsItsDampingSays) {
   Grip grip;
   grip.stiffness = 0.0;
   grip.velocity = {{0.1, 0.0, 0.0}, {0.0, 2.0, 0.0}};
-  for (int n = 0; n < 30; ++n) grip.advance(Pose::Identity(), {}, T);
+  for (int n = 0; n < 30; ++n) grip.advance(Pose::Identity(), {}, kStep);
   // v = v0 exp(-b t / m), x = v0 m / b (1 - exp(-b t / m)); the same in rotation
   const double left = std::exp(-grip.damping * 0.03 / grip.mass);
   const double gone = grip.mass / grip.damping * (1.0 - left);
@@ -38,9 +38,9 @@ TEST(DeviceModel, AFreeMassComesToRestAsItsDampingSays) {
 TEST(DeviceModel, AHeldForceMovesAFreeMassByHalfAccelerationTimesTimeSquared) {
   Grip grip;
   grip.stiffness = grip.damping = 0.0;
-  grip.advance(Pose::Identity(), {{1.0, 0.0, 0.0}, Vec3::Zero()}, T);
+  grip.advance(Pose::Identity(), {{1.0, 0.0, 0.0}, Vec3::Zero()}, kStep);
   // to rounding: a first-order step would be off by a tenth
-  EXPECT_NEAR(grip.X_WD.translation().x(), 0.5 / grip.mass * T * T, 1e-18);
+  EXPECT_NEAR(grip.X_WD.translation().x(), 0.5 / grip.mass * kStep * kStep, 1e-18);
 }
 
 TEST(DeviceModel, DryFrictionStopsAMassAfterItsMomentumOverTheForceAndHoldsItThere) {
@@ -51,19 +51,19 @@ TEST(DeviceModel, DryFrictionStopsAMassAfterItsMomentumOverTheForceAndHoldsItThe
   const double stops = grip.mass * 0.1 / grip.coulomb;  // s: 20 ms
   int ticks = 0;
   while (!grip.velocity.linear.isZero(0.0) && ticks < 100) {
-    grip.advance(Pose::Identity(), {}, T);
+    grip.advance(Pose::Identity(), {}, kStep);
     ++ticks;
   }
-  EXPECT_NEAR(ticks * T, stops, T);
+  EXPECT_NEAR(ticks * kStep, stops, kStep);
   EXPECT_NEAR(grip.X_WD.translation().norm(), 0.5 * 0.1 * stops, 1e-5);  // m
   // a force below it moves nothing, one above does
   const Vec3 rest = grip.X_WD.translation();
-  grip.advance(Pose::Identity(), {{0.49, 0.0, 0.0}, Vec3::Zero()}, T);
+  grip.advance(Pose::Identity(), {{0.49, 0.0, 0.0}, Vec3::Zero()}, kStep);
   EXPECT_EQ(grip.X_WD.translation(), rest);
-  grip.advance(Pose::Identity(), {{0.51, 0.0, 0.0}, Vec3::Zero()}, T);
+  grip.advance(Pose::Identity(), {{0.51, 0.0, 0.0}, Vec3::Zero()}, kStep);
   EXPECT_NE(grip.X_WD.translation(), rest);
   grip.velocity.angular = {0.0, 1.0, 0.0};
-  for (int n = 0; n < 100; ++n) grip.advance(Pose::Identity(), {}, T);
+  for (int n = 0; n < 100; ++n) grip.advance(Pose::Identity(), {}, kStep);
   EXPECT_TRUE(grip.velocity.angular.isZero(0.0));
 }
 

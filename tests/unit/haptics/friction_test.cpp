@@ -10,6 +10,7 @@
 #include "app/study/made/made.h"
 #include "haptics/servo/tick.h"
 #include "haptics/simulation/penetration.h"
+#include "tests/support/millimetre.h"
 
 namespace {
 
@@ -27,10 +28,8 @@ using haptics::Vec3;
 using haptics::Vector6;
 using made::at;
 using made::Random;
-
-constexpr double h = 1e-3;  // m: the voxel of these volumes
-
-Budget unlimited() { return Budget::counted(std::numeric_limits<std::int64_t>::max()); }
+using millimetre::h;
+using millimetre::unlimited;
 
 struct Solved {
   ConstrainedMotion frictionless, held;

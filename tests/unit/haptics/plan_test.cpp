@@ -7,6 +7,7 @@
 
 #include "app/study/made/made.h"
 #include "haptics/servo/tick.h"
+#include "tests/support/millimetre.h"
 
 namespace {
 
@@ -19,8 +20,7 @@ using haptics::Scene;
 using haptics::SceneOptions;
 using haptics::Vec3;
 using made::at;
-
-constexpr double h = 1e-3;  // m: the voxel
+using millimetre::h;
 
 std::shared_ptr<const Scene> sceneOf(haptics::Tool tool, const SceneOptions& options = {}) {
   return makeScene(

@@ -23,7 +23,7 @@ using haptics::Vec3;
 using haptics::Wrench;
 using made::at;
 
-constexpr double kPeriod = 1e-3;  // s
+constexpr double kSafetyPeriod = 1e-3;  // s
 constexpr ForceLimits kLimits{.force = 10.0, .torque = 0.2, .ramp_time = 1.0, .slew_time = 0.02};
 const Wrench kPress{{0, 0, 4}, {0.1, 0, 0}};
 constexpr Circumstances kArmed{.armed = true, .ready = true};
@@ -45,7 +45,7 @@ struct Gate {
   explicit Gate(const ForceLimits& limits = kLimits) : safety{limits} {}
   Wrench pass(const Wrench& wanted, bool outside = true, const Circumstances& now = kArmed) {
     safety.begin(now);
-    const Wrench sent = safety.pass(wanted, outside, kPeriod);
+    const Wrench sent = safety.pass(wanted, outside, kSafetyPeriod);
     for (const ForceTransition& transition : safety.transitions()) steps.push_back(transition);
     return sent;
   }
@@ -249,7 +249,7 @@ TEST(Safety, SparesMotorsThatGetWarm) {
     if (n >= 9 * minute) sum += sent.force.squaredNorm();
   }
   // heat rises as 6.25 (1 - exp(-t / 20 s)), and reaches 0.8 after 2.7 s
-  EXPECT_NEAR(full * kPeriod, 20.0 * -std::log(1.0 - 0.8 / 6.25), 0.01);
+  EXPECT_NEAR(full * kSafetyPeriod, 20.0 * -std::log(1.0 - 0.8 / 6.25), 0.01);
   EXPECT_NEAR(std::sqrt(sum / minute), 4.0, 0.05);
   // at rest they cool down again
   for (int n = 0; n < 3 * minute; ++n) gate.pass(kReady);
@@ -361,7 +361,7 @@ TEST(Safety, WithoutLimitsPassesTheWrenchAsItIs) {
 struct Shaken {
   double stiffness, scale = 1.0;
   bool guarded = true;
-  double exchange = kPeriod;  // s between two readings: a link of its own pace
+  double exchange = kSafetyPeriod;  // s between two readings: a link of its own pace
   double share = 1.0, last_swing = 0.0, most_swing = 0.0;
 
   void run(double seconds) {
@@ -370,23 +370,23 @@ struct Shaken {
     double x = 0.005, v = 0.0;                // m: the hand comes to the wall at 0.2 m/s, and in
     Wrench sent;
     double read = x, read_at = 0.0;
-    const int ticks = static_cast<int>(seconds / kPeriod);
+    const int ticks = static_cast<int>(seconds / kSafetyPeriod);
     for (int n = 0; n < ticks; ++n) {
       for (int k = 0; k < 20; ++k) {
-        const double dt = kPeriod / 20;
-        const double hand = std::max(-0.004, 0.005 - 0.2 * kPeriod * n);
+        const double dt = kSafetyPeriod / 20;
+        const double hand = std::max(-0.004, 0.005 - 0.2 * kSafetyPeriod * n);
         v += dt / mass * (sent.force.z() - damping * v - 500.0 * (x - hand));
         x += dt * v;
       }
       // at the hand; in the volume it is scale times as far
-      if (n * kPeriod >= read_at - 1e-9) {
+      if (n * kSafetyPeriod >= read_at - 1e-9) {
         read = x;
         read_at += exchange;
       }
       const double wanted = read < 0.0 ? -gate.safety.stiffnessShare() * stiffness * read : 0.0;
       gate.safety.begin(kArmed);
-      gate.safety.moved(at(0, 0, scale * read), scale, kPeriod);
-      sent = gate.safety.pass({{0, 0, wanted}, Vec3::Zero()}, true, kPeriod);
+      gate.safety.moved(at(0, 0, scale * read), scale, kSafetyPeriod);
+      sent = gate.safety.pass({{0, 0, wanted}, Vec3::Zero()}, true, kSafetyPeriod);
       most_swing = std::max(most_swing, std::abs(v));
       if (n > ticks - 500) last_swing = std::max(last_swing, std::abs(v));
     }

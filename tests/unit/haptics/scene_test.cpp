@@ -7,6 +7,7 @@
 
 #include "app/study/made/made.h"
 #include "haptics/collision/motion_rows.h"
+#include "tests/support/millimetre.h"
 
 namespace {
 
@@ -21,10 +22,8 @@ using haptics::Scene;
 using haptics::Vec3;
 using made::at;
 using made::Random;
-
-constexpr double h = 1e-3;  // m: the voxel
-
-Budget unlimited() { return Budget::counted(std::numeric_limits<std::int64_t>::max()); }
+using millimetre::h;
+using millimetre::unlimited;
 
 TEST(Scene, SharesTheFieldOfTheOneBeforeWhereVolumeAndKindAreTheSame) {
   const auto volume =

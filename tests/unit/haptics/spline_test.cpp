@@ -8,6 +8,7 @@
 #include "app/study/reference/evaluator.h"
 #include "haptics/collision/sweep.h"
 #include "haptics/field/scalar_field.h"
+#include "tests/support/millimetre.h"
 #include "tests/unit/haptics/spline_reference.h"
 
 namespace {
@@ -25,10 +26,8 @@ using haptics::Vec3;
 using haptics::Volume;
 using made::Crossing;
 using made::Random;
-
-constexpr double h = 1e-3;  // m: the voxel where nothing else is said
-
-Budget unlimited() { return Budget::counted(std::numeric_limits<std::int64_t>::max()); }
+using millimetre::h;
+using millimetre::unlimited;
 
 Vec3 around(const Grid& grid, double margin, Random& random) {
   Vec3 u;

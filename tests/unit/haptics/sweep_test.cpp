@@ -8,6 +8,7 @@
 #include "app/study/made/arcs.h"
 #include "app/study/made/made.h"
 #include "app/study/made/one_point.h"
+#include "tests/support/millimetre.h"
 
 namespace {
 
@@ -20,8 +21,7 @@ using haptics::Vec3;
 using made::Arc;
 using made::Crossing;
 using made::Random;
-
-constexpr double h = 1e-3;  // m: the voxel of these volumes
+using millimetre::h;
 
 Crossing cross(const Isosurface& solid, const Arc& path) {
   return made::crossed(solid, path, Tolerances{h});

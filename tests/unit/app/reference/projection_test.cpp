@@ -75,7 +75,7 @@ class Enumeration {
   VecX b_;
 };
 
-class Generator {
+class ProjectionGenerator {
  public:
   double number(double size) { return size * std::uniform_real_distribution{-1.0, 1.0}(random_); }
   Vec3 vector(double size) { return {number(size), number(size), number(size)}; }
@@ -106,7 +106,7 @@ class Generator {
 Twist minus(const Twist& a, const Twist& b) { return {a.linear - b.linear, a.angular - b.angular}; }
 
 TEST(ReferenceProjection, AgreesWithEverySetOfRowsTried) {
-  Generator make;
+  ProjectionGenerator make;
   int slowed = 0, compared = 0;
   for (int trial = 0; trial < 600; ++trial) {
     SCOPED_TRACE(trial);
@@ -131,7 +131,7 @@ TEST(ReferenceProjection, AgreesWithEverySetOfRowsTried) {
 
 // V is the optimum exactly if it is allowed and no allowed U lies on free's side of it
 TEST(ReferenceProjection, IsTheNearestAllowedMotionWithManyRows) {
-  Generator make;
+  ProjectionGenerator make;
   int rivals = 0;
   for (const int count : {12, 40, 200}) {
     for (int trial = 0; trial < 60; ++trial) {

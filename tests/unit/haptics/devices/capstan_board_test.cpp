@@ -128,8 +128,8 @@ TEST(BoardCommands, WhatIsNotFiniteIsZeroForAllMotors) {
 }
 
 // a clock of the tests', a millisecond later whenever it is looked at
-std::int64_t now = 0;
-std::int64_t fakeClock() noexcept { return now += 1'000'000; }
+std::int64_t board_now = 0;
+std::int64_t boardClock() noexcept { return board_now += 1'000'000; }
 
 /// A device on a transport without a thread. It answers each write with its counts, and sets them
 /// as it is told.
@@ -151,7 +151,7 @@ struct Linked {
       }
       hid->reports.push_back(report(counts, button, asks, length));
     };
-    transport = haptics::armTransport(arm, std::make_unique<fake::Port>(hid), length, fakeClock);
+    transport = haptics::armTransport(arm, std::make_unique<fake::Port>(hid), length, boardClock);
   }
   ~Linked() { hid->answer = nullptr; }
   DeviceStatus round(const Vec3& force = Vec3::Zero()) {
@@ -178,13 +178,13 @@ struct Linked {
 };
 
 constexpr double kForce = 2.0;  // N
-const Vec3 kPush{kForce, 0, 0};
+const Vec3 kBoardPush{kForce, 0, 0};
 
 TEST(ArmTransport, MakesNoForceBeforeItsZeroIsSet) {
   Linked it;
   it.counts = kWork;  // whatever they are, they are nobody's
   for (int i = 0; i < 100; ++i) {
-    ASSERT_EQ(it.round(kPush), DeviceStatus::NotReady);
+    ASSERT_EQ(it.round(kBoardPush), DeviceStatus::NotReady);
     EXPECT_EQ(it.reading.trouble, Trouble::NeedsCalibration);
   }
   for (const Bytes& command : it.hid->written) EXPECT_TRUE(zero(command));
@@ -194,15 +194,15 @@ TEST(ArmTransport, ItsZeroButtonSetsTheEncoders) {
   Linked it;
   it.round();
   it.asks = true;
-  EXPECT_EQ(it.round(kPush), DeviceStatus::NotReady);
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Ok);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::NotReady);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Ok);
   EXPECT_EQ(words(it.hid->written.back())[3], 1);
   EXPECT_EQ(it.reading.trouble, Trouble::None);
   const auto arm = haptics::polhemArm(haptics::polhemAngles(kPolhemRest));
   EXPECT_EQ(it.reading.X_BD.matrix(), arm->X_BD.matrix());
   EXPECT_GT(it.reading.time_ns, 0);
   // and the next round has the force
-  it.round(kPush);
+  it.round(kBoardPush);
   EXPECT_FALSE(zero(it.hid->written.back()));
 }
 
@@ -237,7 +237,7 @@ TEST(ArmTransport, ADeviceThatDoesNotSetItsEncodersStaysUncalibrated) {
   it.deaf = true;
   it.round();
   it.button = true;
-  for (int i = 0; i < 3000; ++i) ASSERT_EQ(it.round(kPush), DeviceStatus::NotReady);
+  for (int i = 0; i < 3000; ++i) ASSERT_EQ(it.round(kBoardPush), DeviceStatus::NotReady);
   int set = 0;
   for (const Bytes& command : it.hid->written) {
     if (zero(command)) continue;
@@ -273,13 +273,13 @@ TEST(ArmTransport, AfterASilentRoundThereIsNoForceUntilItAnswers) {
   Linked it;
   it.makeReady();
   auto answer = std::exchange(it.hid->answer, nullptr);
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Stale);
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Stale);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Stale);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Stale);
   EXPECT_TRUE(zero(it.hid->written.back()));
   it.hid->answer = answer;
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Ok);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Ok);
   EXPECT_TRUE(zero(it.hid->written.back()));
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Ok);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Ok);
   EXPECT_FALSE(zero(it.hid->written.back()));
 }
 
@@ -289,13 +289,13 @@ TEST(ArmTransport, AnswersOfAnotherLengthAreNone) {
   auto answer = std::exchange(it.hid->answer, nullptr);
   for (const std::size_t length : {1u, 13u, 14u, 63u, 65u, 4096u}) {
     it.hid->reports = {Bytes(length, 0x11)};
-    EXPECT_EQ(it.round(kPush), DeviceStatus::Stale) << length;
+    EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Stale) << length;
   }
   // among others that are whole, the newest of these counts
   it.counts = kWork;
   it.counts[0] = static_cast<std::int16_t>(it.counts[0] + 100);
   it.hid->reports = {report(kWork), report(it.counts), Bytes(14)};
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Ok);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Ok);
   EXPECT_EQ(it.reading.X_BD.matrix(),
             haptics::polhemArm(haptics::polhemAngles(it.counts))->X_BD.matrix());
 }
@@ -317,7 +317,7 @@ TEST(ArmTransport, AJumpOfItsEncodersOrCountsWithoutAnArmAreItsEnd) {
     it.makeReady();
     it.counts = counts;
     for (int i = 0; i < 10; ++i) {
-      EXPECT_EQ(it.round(kPush), DeviceStatus::Lost);
+      EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Lost);
       EXPECT_EQ(it.reading.trouble, Trouble::Lost);
       if (i > 0) {
         EXPECT_TRUE(zero(it.hid->written.back()));
@@ -330,10 +330,10 @@ TEST(ArmTransport, AJumpOfItsEncodersOrCountsWithoutAnArmAreItsEnd) {
   DeviceStatus status = DeviceStatus::Ok;
   for (int i = 0; i < 100 && status == DeviceStatus::Ok; ++i) {
     it.counts[2] = static_cast<std::int16_t>(it.counts[2] - 300);
-    status = it.round(kPush);
+    status = it.round(kBoardPush);
   }
   EXPECT_EQ(status, DeviceStatus::Lost);
-  it.round(kPush);
+  it.round(kBoardPush);
   EXPECT_TRUE(zero(it.hid->written.back()));
 }
 
@@ -341,39 +341,39 @@ TEST(ArmTransport, UnpluggedItIsLostAndAFailedWriteIsStale) {
   Linked it;
   it.makeReady();
   it.hid->takes = false;  // in the midst of a write
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Stale);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Stale);
   it.hid->takes = true;
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Ok);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Ok);
   EXPECT_TRUE(zero(it.hid->written.back()));
   it.hid->answer = [&](const Bytes&) { it.hid->gone = true; };
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Lost);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Lost);
 }
 
 TEST(ArmTransport, AWoodenArmHasAnotherBoardRestAndMotors) {
   Linked it{haptics::woodenHaptics(), haptics::kMbedBoard.report};
-  it.round(kPush);
+  it.round(kBoardPush);
   it.asks = true;
-  EXPECT_EQ(it.round(kPush), DeviceStatus::NotReady);
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Ok);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::NotReady);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Ok);
   EXPECT_EQ(it.counts, haptics::kWoodenRest);
   for (const Bytes& command : it.hid->written) EXPECT_EQ(command.size(), 15u);
   const auto rest = haptics::woodenArm(haptics::kWoodenRest);
   EXPECT_EQ(it.reading.X_BD.matrix(), rest->X_BD.matrix());
   // the forearm level, 245 mm out of the axis: to the right pulls motor a alone
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Ok);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Ok);
   EXPECT_EQ(words(it.hid->written.back()),
             (std::array<int, 7>{int(std::lround(kForce * 0.245 / 16 / 0.0603 * 1e3))}));
   // a Polhem's handle turns in its gimbal
   it.counts[4] = 300;
-  EXPECT_EQ(it.round(kPush), DeviceStatus::Lost);
-  it.round(kPush);
+  EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Lost);
+  it.round(kBoardPush);
   EXPECT_EQ(words(it.hid->written.back()), (std::array<int, 7>{}));
 }
 
 TEST(ArmTransport, ClosedItLeavesTheMotorsAtZero) {
   Linked it;
   it.makeReady();
-  it.round(kPush);
+  it.round(kBoardPush);
   EXPECT_FALSE(zero(it.hid->written.back()));
   it.transport.reset();
   EXPECT_TRUE(zero(it.hid->written.back()));
@@ -382,11 +382,11 @@ TEST(ArmTransport, ClosedItLeavesTheMotorsAtZero) {
 TEST(ArmTransport, WritesThatFailForAMomentAreWaitedOut) {
   Linked it;
   it.makeReady();
-  it.round(kPush);
+  it.round(kBoardPush);
   it.hid->refuses = 4;
   const long reads = it.hid->reads;
   for (int i = 1; i <= 3; ++i) {
-    EXPECT_EQ(it.round(kPush), DeviceStatus::Stale);
+    EXPECT_EQ(it.round(kBoardPush), DeviceStatus::Stale);
     EXPECT_EQ(it.hid->reads, reads + i);  // that waits as long as a round
   }
   // the last that is written is zero, though not at the first try
@@ -462,7 +462,7 @@ TEST(Arm, AnotherProjectOnSuchABoardIsRefused) {
       if (length > 0) hid_pointer->reports.push_back(Bytes(length, 0x42));
     };
     const auto device =
-        haptics::armAt(haptics::polhem(), std::make_unique<fake::Port>(hid), 64, fakeClock);
+        haptics::armAt(haptics::polhem(), std::make_unique<fake::Port>(hid), 64, boardClock);
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "refused");
     for (const Bytes& command : hid->written) EXPECT_TRUE(zero(command));
@@ -476,7 +476,7 @@ TEST(Arm, FirmwareWithShorterReportsIsRefusedByName) {
     for (int i = 0; i < 3; ++i) hid_pointer->reports.push_back(Bytes(8, 1));
   };
   const auto device = haptics::armAt(haptics::woodenHaptics(), std::make_unique<fake::Port>(hid),
-                                     haptics::kMbedBoard.report, fakeClock);
+                                     haptics::kMbedBoard.report, boardClock);
   ASSERT_FALSE(device);
   EXPECT_EQ(device.error().reason, "refused");
   EXPECT_NE(device.error().what.find("WoodenHaptics has firmware of before"), std::string::npos)
@@ -486,9 +486,9 @@ TEST(Arm, FirmwareWithShorterReportsIsRefusedByName) {
 
 TEST(Arm, OneWhoseWritesTakeSecondsIsNotWaitedForAHundredTimes) {
   auto hid = std::make_shared<fake::Hid>();
-  hid->answer = [](const Bytes&) { now += 5'000'000'000; };
+  hid->answer = [](const Bytes&) { board_now += 5'000'000'000; };
   const auto device =
-      haptics::armAt(haptics::polhem(), std::make_unique<fake::Port>(hid), 64, fakeClock);
+      haptics::armAt(haptics::polhem(), std::make_unique<fake::Port>(hid), 64, boardClock);
   ASSERT_FALSE(device);
   EXPECT_EQ(device.error().reason, "refused");
   EXPECT_EQ(hid->written.size(), 1u);
@@ -548,7 +548,7 @@ TEST(Arm, IsADeviceWithAThreadOfItsOwn) {
   const auto until = [&](auto&& there) {
     while (true) {
       device->read(reading);
-      device->write({kPush, Vec3::Zero()});
+      device->write({kBoardPush, Vec3::Zero()});
       {
         const std::scoped_lock guard{state->lock};
         if (there()) return;

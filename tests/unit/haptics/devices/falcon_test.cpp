@@ -197,7 +197,7 @@ std::unique_ptr<Transport> linked(FakeFalcon& falcon) {
   return link ? std::move(*link) : nullptr;
 }
 
-const Wrench kPush{.force = {0.5, -0.3, 1.0}};
+const Wrench kFalconPush{.force = {0.5, -0.3, 1.0}};
 
 bool isZero(const Motors& motors) { return motors == Motors{}; }
 
@@ -221,20 +221,20 @@ TEST(Falcon, ReadsThePlaceOfTheGripAndPushesIt) {
   falcon.standAt(p);
   falcon.buttons = 0b0101;
   DeviceReading reading;
-  ASSERT_EQ(link->exchange(kPush, reading), DeviceStatus::Ok);
+  ASSERT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Ok);
   EXPECT_LT((reading.X_BD.translation() - p).norm(), 1e-4);
   EXPECT_TRUE(reading.X_BD.linear().isIdentity(0.0));
   EXPECT_EQ(reading.buttons, 0b0101u);
   EXPECT_EQ(reading.trouble, Trouble::None);
   EXPECT_GT(reading.time_ns, 0);
   EXPECT_TRUE(isZero(falcon.motors.back()));  // nothing was known when it was sent
-  ASSERT_EQ(link->exchange(kPush, reading), DeviceStatus::Ok);
+  ASSERT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Ok);
   // the force that these motors make is the one that was asked for
   const auto legs = haptics::falcon::legsAt(reading.X_BD.translation());
   const Motors& motors = falcon.motors.back();
   const Vec3 torques = Vec3{double(motors[0]), double(motors[1]), double(motors[2])} / -10'000.0;
   const Vec3 felt = velocityJacobian(*legs).transpose() * torques;
-  EXPECT_LT((felt - kPush.force).norm(), 0.01);
+  EXPECT_LT((felt - kFalconPush.force).norm(), 0.01);
   EXPECT_EQ(falcon.controls.back(), 'A' + 1 + 4);  // homing and blue
 }
 
@@ -265,7 +265,7 @@ TEST(Falcon, WhatIsNotFiniteIsZero) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308}) {
     ASSERT_EQ(link->exchange({.force = {1.0, wrong, wrong}}, reading), DeviceStatus::Ok);
     EXPECT_TRUE(isZero(falcon.motors.back()));
-    ASSERT_EQ(link->exchange(kPush, reading), DeviceStatus::Ok);
+    ASSERT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Ok);
     EXPECT_FALSE(isZero(falcon.motors.back()));
   }
 }
@@ -279,7 +279,7 @@ TEST(Falcon, HasNoForceUntilAllLegsAreHomed) {
   for (const std::uint8_t homed : {0b000, 0b001, 0b011, 0b110, 0b101}) {
     falcon.homed = homed;
     for (int n = 0; n < 3; ++n) {
-      ASSERT_EQ(link->exchange(kPush, reading), DeviceStatus::NotReady);
+      ASSERT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::NotReady);
       EXPECT_EQ(reading.trouble, Trouble::NotHomed);
       EXPECT_TRUE(isZero(falcon.motors.back()));
       EXPECT_EQ(falcon.controls.back(), 'A' + 1 + 8);  // homing and red
@@ -288,16 +288,16 @@ TEST(Falcon, HasNoForceUntilAllLegsAreHomed) {
   // the stops are reached, and the encoders start anew somewhere else
   falcon.homed = 0b111;
   falcon.standAt({0.0, 0.01, -0.04});
-  ASSERT_EQ(link->exchange(kPush, reading), DeviceStatus::Ok);
+  ASSERT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Ok);
   EXPECT_EQ(reading.trouble, Trouble::None);
   EXPECT_TRUE(isZero(falcon.motors.back()));
-  ASSERT_EQ(link->exchange(kPush, reading), DeviceStatus::Ok);
+  ASSERT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Ok);
   EXPECT_FALSE(isZero(falcon.motors.back()));
   EXPECT_EQ(falcon.controls.back(), 'A' + 1 + 4);
   // a leg that is no longer homed: the packet under way still pushes, the next does not
   falcon.homed = 0b101;
-  EXPECT_EQ(link->exchange(kPush, reading), DeviceStatus::NotReady);
-  EXPECT_EQ(link->exchange(kPush, reading), DeviceStatus::NotReady);
+  EXPECT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::NotReady);
+  EXPECT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::NotReady);
   EXPECT_TRUE(isZero(falcon.motors.back()));
 }
 
@@ -307,13 +307,13 @@ void expectZeroAfter(const std::function<void(FakeFalcon&)>& fault, DeviceStatus
   falcon.standAt({0.0, 0.0, 0.0});
   const auto link = linked(falcon);
   DeviceReading reading, before;
-  link->exchange(kPush, reading);
-  ASSERT_EQ(link->exchange(kPush, reading), DeviceStatus::Ok);
+  link->exchange(kFalconPush, reading);
+  ASSERT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Ok);
   ASSERT_FALSE(isZero(falcon.motors.back()));
   before = reading;
   falcon.answer = fault;
   const std::int64_t begun = falcon.clock;
-  EXPECT_EQ(link->exchange(kPush, reading), expected);
+  EXPECT_EQ(link->exchange(kFalconPush, reading), expected);
   EXPECT_LE(falcon.clock - begun, 5'000'000);
   if (expected == DeviceStatus::Stale) {
     EXPECT_EQ(reading.X_BD.translation(), before.X_BD.translation());
@@ -321,9 +321,9 @@ void expectZeroAfter(const std::function<void(FakeFalcon&)>& fault, DeviceStatus
   }
   falcon.answer = nullptr;
   falcon.gone = false;
-  link->exchange(kPush, reading);
+  link->exchange(kFalconPush, reading);
   EXPECT_TRUE(isZero(falcon.motors.back()));
-  EXPECT_EQ(link->exchange(kPush, reading), DeviceStatus::Ok);
+  EXPECT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Ok);
   EXPECT_FALSE(isZero(falcon.motors.back()));
 }
 
@@ -386,7 +386,7 @@ TEST(Falcon, AnEncoderThatStaysWhereItJumpedIsNeverTaken) {
   ASSERT_EQ(link->exchange({}, reading), DeviceStatus::Ok);
   falcon.encoders[1] = static_cast<std::int16_t>(falcon.encoders[1] + 600);
   for (int n = 0; n < 200; ++n) {
-    ASSERT_EQ(link->exchange(kPush, reading), DeviceStatus::Stale);
+    ASSERT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Stale);
     EXPECT_TRUE(n == 0 || isZero(falcon.motors.back()));
   }
 }
@@ -486,11 +486,11 @@ TEST(Falcon, ABusThatDoesNotTakeThePacketIsStaleAndLaterZero) {
   falcon.standAt({0.0, 0.0, 0.0});
   const auto link = linked(falcon);
   DeviceReading reading;
-  link->exchange(kPush, reading);
+  link->exchange(kFalconPush, reading);
   falcon.busy_left = 2;
-  EXPECT_EQ(link->exchange(kPush, reading), DeviceStatus::Stale);
-  EXPECT_EQ(link->exchange(kPush, reading), DeviceStatus::Stale);
-  EXPECT_EQ(link->exchange(kPush, reading), DeviceStatus::Ok);
+  EXPECT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Stale);
+  EXPECT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Stale);
+  EXPECT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Ok);
   EXPECT_TRUE(isZero(falcon.motors.back()));
 }
 
@@ -499,11 +499,11 @@ TEST(Falcon, UnpluggedIsLost) {
   falcon.standAt({0.0, 0.0, 0.0});
   auto link = linked(falcon);
   DeviceReading reading;
-  link->exchange(kPush, reading);
+  link->exchange(kFalconPush, reading);
   // while the reply is waited for, and from then on
   falcon.answer = [](FakeFalcon& self) { self.gone = true; };
   for (int n = 0; n < 3; ++n) {
-    EXPECT_EQ(link->exchange(kPush, reading), DeviceStatus::Lost);
+    EXPECT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Lost);
     EXPECT_EQ(reading.trouble, Trouble::Lost);
   }
   link.reset();
@@ -516,11 +516,11 @@ TEST(Falcon, WhoOnlyHearsAnyMoreIsLostAndToldToLetGo) {
     falcon.standAt({0.0, 0.0, 0.0});
     auto link = linked(falcon);
     DeviceReading reading;
-    link->exchange(kPush, reading);
-    link->exchange(kPush, reading);
+    link->exchange(kFalconPush, reading);
+    link->exchange(kFalconPush, reading);
     ASSERT_FALSE(isZero(falcon.motors.back()));
     falcon.mute = true;
-    EXPECT_EQ(link->exchange(kPush, reading), DeviceStatus::Lost);
+    EXPECT_EQ(link->exchange(kFalconPush, reading), DeviceStatus::Lost);
     EXPECT_TRUE(isZero(falcon.motors.back()));
     falcon.motors.clear();
     falcon.busy_left = busy;
@@ -535,8 +535,8 @@ TEST(Falcon, DestructionSendsZerosAndWaitsForOneToBeConfirmed) {
   falcon.standAt({0.0, 0.0, 0.0});
   auto link = linked(falcon);
   DeviceReading reading;
-  link->exchange(kPush, reading);
-  link->exchange(kPush, reading);
+  link->exchange(kFalconPush, reading);
+  link->exchange(kFalconPush, reading);
   ASSERT_FALSE(isZero(falcon.motors.back()));
   const std::size_t sent = falcon.motors.size();
   link.reset();
@@ -547,7 +547,7 @@ TEST(Falcon, DestructionSendsZerosAndWaitsForOneToBeConfirmed) {
   FakeFalcon silent;
   silent.standAt({0.0, 0.0, 0.0});
   auto other = linked(silent);
-  other->exchange(kPush, reading);
+  other->exchange(kFalconPush, reading);
   silent.answer = [](FakeFalcon&) {};
   silent.motors.clear();
   const std::int64_t begun = silent.clock;
@@ -575,7 +575,7 @@ TEST(Falcon, AsADeviceItStopsAtOnceAndEndsWithZeros) {
   const auto waitFor = [&](const auto& holds) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{30};
     while (!holds() && std::chrono::steady_clock::now() < end) {
-      device->write(kPush);
+      device->write(kFalconPush);
       std::this_thread::yield();
     }
     return holds();

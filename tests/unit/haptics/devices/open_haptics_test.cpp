@@ -20,8 +20,8 @@ using haptics::Vec3;
 using haptics::Wrench;
 using stubs::comes;
 
-const std::vector<std::string> kStub{PALPATE_STUB_HD};
-constexpr std::array<double, 6> kZero{};
+const std::vector<std::string> kStubOfTouch{PALPATE_STUB_HD};
+constexpr std::array<double, 6> kNoTorque{};
 
 class OpenHaptics : public testing::Test {
  protected:
@@ -65,7 +65,7 @@ class OpenHaptics : public testing::Test {
   }
 
   static auto tryToOpen(const std::string& id = "openhaptics") {
-    return haptics::openOpenHaptics({.id = id}, kStub);
+    return haptics::openOpenHaptics({.id = id}, kStubOfTouch);
   }
   std::unique_ptr<Device> open() {
     auto device = tryToOpen();
@@ -138,7 +138,7 @@ TEST_F(OpenHaptics, SaysWhichFunctionTheLibraryLacks) {
 }
 
 TEST_F(OpenHaptics, SurveysWithoutOpening) {
-  const auto entries = haptics::surveyOpenHaptics(kStub);
+  const auto entries = haptics::surveyOpenHaptics(kStubOfTouch);
   ASSERT_EQ(entries.size(), 1u);
   EXPECT_EQ(entries[0].id, "openhaptics");
   EXPECT_FALSE(entries[0].present);
@@ -178,7 +178,7 @@ TEST_F(OpenHaptics, ClosesAUnitThatCannotBeStarted) {
     EXPECT_NE(device.error().what.find("0x0501"), std::string::npos);
     EXPECT_EQ(stub.story().back(), "close");
     EXPECT_FALSE(stub.force_on);
-    EXPECT_EQ(stub.wrench(), kZero);
+    EXPECT_EQ(stub.wrench(), kNoTorque);
     *error = 0;
     stub.errors.clear();
   }
@@ -201,7 +201,7 @@ TEST_F(OpenHaptics, OpensByNameAndOnceAtATime) {
     const auto second = tryToOpen();
     ASSERT_FALSE(second);
     EXPECT_EQ(second.error().reason, "in-use");
-    EXPECT_EQ(haptics::surveyOpenHaptics(kStub)[0].trouble, Trouble::InUse);
+    EXPECT_EQ(haptics::surveyOpenHaptics(kStubOfTouch)[0].trouble, Trouble::InUse);
   }
   EXPECT_TRUE(open());
   EXPECT_EQ(stub.nameOpened(), "(default)");
@@ -308,7 +308,7 @@ TEST_F(OpenHaptics, IsDrivenByTheLibrarysThreadFromStartToEnd) {
   ASSERT_TRUE(arrives(*device, push, pushed));
   device->write(push);
   device.reset();
-  EXPECT_EQ(stub.wrench(), kZero);
+  EXPECT_EQ(stub.wrench(), kNoTorque);
   EXPECT_EQ(stub.story(), (std::vector<std::string>{"open", "schedule", "start", "stop",
                                                     "unschedule", "disable", "close"}));
   const long calls = stub.calls;
@@ -326,7 +326,7 @@ TEST_F(OpenHaptics, IsStaleThenLostWhenTheLibraryCallsNoMoreAndOpensAgain) {
   EXPECT_EQ(device->write(push), DeviceStatus::Lost);
   // it wakes up: still no force, and still lost
   stub.frozen = false;
-  EXPECT_TRUE(comes([&] { return stub.wrench() == kZero; }));
+  EXPECT_TRUE(comes([&] { return stub.wrench() == kNoTorque; }));
   EXPECT_FALSE(anyForce(*device, push));
   EXPECT_EQ(device->read(reading), DeviceStatus::Lost);
   device.reset();
@@ -346,7 +346,7 @@ TEST_F(OpenHaptics, SendsZeroItselfWhenClosedWhileTheLibraryDoesNotCall) {
   stub.frozen = true;
   std::this_thread::sleep_for(std::chrono::milliseconds{5});
   device.reset();
-  EXPECT_EQ(stub.wrench(), kZero);
+  EXPECT_EQ(stub.wrench(), kNoTorque);
   EXPECT_EQ(stub.story().back(), "close");
   stub.frozen = false;
   EXPECT_TRUE(open());
@@ -362,7 +362,7 @@ TEST_F(OpenHaptics, IsLostAtOnceByAFaultUnderForceAndOpensAgain) {
     stub.frame_error = error;
     EXPECT_TRUE(reads(*device, DeviceStatus::Lost, push));
     EXPECT_EQ(reading.trouble, Trouble::Lost);
-    EXPECT_TRUE(comes([&] { return stub.wrench() == kZero; }));
+    EXPECT_TRUE(comes([&] { return stub.wrench() == kNoTorque; }));
     EXPECT_FALSE(anyForce(*device, push));
     stub.frame_error = stub.second_error = 0;
     stub.errors_left = -1;
@@ -382,7 +382,7 @@ TEST_F(OpenHaptics, IsLostByTheThirdErrorOfAnyOtherKindInARow) {
     EXPECT_GE(stub.frames - frames, 2);
     // a frame that was under way when the first error came, and that which brought it
     EXPECT_LE(stub.unlike_zero - forces, stub.frames - frames);
-    EXPECT_TRUE(comes([&] { return stub.wrench() == kZero; }));
+    EXPECT_TRUE(comes([&] { return stub.wrench() == kNoTorque; }));
     stub.frame_error = 0;
   }
 }
@@ -406,7 +406,7 @@ TEST_F(OpenHaptics, LetsWarmMotorsCoolDown) {
   stub.frame_error = 0x200;
   EXPECT_TRUE(reads(*device, DeviceStatus::NotReady, push));
   EXPECT_EQ(reading.trouble, Trouble::MotorsHot);
-  EXPECT_TRUE(comes([&] { return stub.wrench() == kZero; }));
+  EXPECT_TRUE(comes([&] { return stub.wrench() == kNoTorque; }));
   EXPECT_FALSE(anyForce(*device, push));
   EXPECT_EQ(device->read(reading), DeviceStatus::NotReady);  // warm is not lost
   stub.frame_error = 0;
@@ -436,7 +436,7 @@ TEST_F(OpenHaptics, NeverShowsAPoseThatCannotBe) {
       EXPECT_TRUE(reading.X_BD.translation().isApprox(Vec3(0.01, 0.02, 0.03), 1e-12));
       return status == DeviceStatus::Lost;
     }));
-    EXPECT_TRUE(comes([&] { return stub.wrench() == kZero; }));
+    EXPECT_TRUE(comes([&] { return stub.wrench() == kNoTorque; }));
   }
 }
 
@@ -477,14 +477,14 @@ TEST_F(OpenHaptics, SendsZeroForWhatIsNotFiniteAndForWhatNobodyConfirms) {
     ASSERT_TRUE(arrives(*device, push, pushed));
     Wrench wrench = push;
     wrench.force.x() = bad;
-    EXPECT_TRUE(arrives(*device, wrench, kZero));
+    EXPECT_TRUE(arrives(*device, wrench, kNoTorque));
     ASSERT_TRUE(arrives(*device, push, pushed));
     wrench = push;
     wrench.torque.x() = bad;
-    EXPECT_TRUE(arrives(*device, wrench, kZero));
+    EXPECT_TRUE(arrives(*device, wrench, kNoTorque));
   }
   ASSERT_TRUE(arrives(*device, push, pushed));
-  EXPECT_TRUE(comes([&] { return stub.wrench() == kZero; }));
+  EXPECT_TRUE(comes([&] { return stub.wrench() == kNoTorque; }));
 }
 
 TEST_F(OpenHaptics, StopsFromAnotherThreadWhateverIsWritten) {
@@ -504,7 +504,7 @@ TEST_F(OpenHaptics, StopsFromAnotherThreadWhateverIsWritten) {
   const long forces = stub.unlike_zero;
   EXPECT_TRUE(comes([&] { return stub.frames > stopped + 100; }));
   EXPECT_EQ(stub.unlike_zero, forces);
-  EXPECT_EQ(stub.wrench(), kZero);
+  EXPECT_EQ(stub.wrench(), kNoTorque);
   end = true;
   servo.join();
   device->resume();

@@ -16,7 +16,7 @@ using haptics::Pose;
 using haptics::Vec3;
 using Counts = haptics::BoardCounts;
 
-constexpr Counts kWork{2000, -6000, 14000, 40, -60, 120};  // in the midst of the workspace
+constexpr Counts kPolhemWork{2000, -6000, 14000, 40, -60, 120};  // in the midst of the workspace
 
 /// Angles all over what the arm may do, and more.
 PolhemAngles anyAngles(std::mt19937& random) {
@@ -106,8 +106,8 @@ TEST(PolhemArm, MotorsDoTheWorkOfTheForce) {
   for (int trial = 0; trial < 20'000; ++trial) {
     Counts counts{};
     for (std::size_t i = 0; i < 3; ++i)
-      counts[i] =
-          static_cast<std::int16_t>(kWork[i] + std::uniform_int_distribution{-3000, 3000}(random));
+      counts[i] = static_cast<std::int16_t>(kPolhemWork[i] +
+                                            std::uniform_int_distribution{-3000, 3000}(random));
     const PolhemAngles angles = haptics::polhemAngles(counts);
     const auto arm = haptics::polhemArm(angles);
     if (!arm || arm->J_B.norm() > 3.0) continue;
@@ -130,7 +130,7 @@ TEST(PolhemArm, MotorsDoTheWorkOfTheForce) {
 }
 
 TEST(PolhemArm, TurnsRightLiftsAndReachesOut) {
-  const PolhemAngles angles = haptics::polhemAngles(kWork);
+  const PolhemAngles angles = haptics::polhemAngles(kPolhemWork);
   const auto arm = haptics::polhemArm(angles);
   ASSERT_TRUE(arm);
   PolhemAngles level = angles;
@@ -153,7 +153,7 @@ TEST(PolhemArm, ReachesItsWorkspace) {
   for (int point = 0; point < points; ++point) {
     const Vec3 direction = Vec3{normal(random), normal(random), normal(random)}.normalized();
     const Vec3 target = direction * (0.10 * std::cbrt(unit(random)));
-    PolhemAngles angles = haptics::polhemAngles(kWork);
+    PolhemAngles angles = haptics::polhemAngles(kPolhemWork);
     for (int i = 0; i < 100; ++i) {
       const auto arm = haptics::polhemArm(angles);
       if (!arm) break;
@@ -171,7 +171,7 @@ TEST(PolhemArm, ReachesItsWorkspace) {
 }
 
 TEST(PolhemArm, TheGimbalTurnsTheHandle) {
-  PolhemAngles angles = haptics::polhemAngles(kWork);
+  PolhemAngles angles = haptics::polhemAngles(kPolhemWork);
   angles[0] = angles[3] = angles[4] = angles[5] = 0.0;
   const Mat3 straight = haptics::polhemArm(angles)->X_BD.linear();
   // the stylus, D's z, lies along the forearm, in the plane of the arm

@@ -26,8 +26,8 @@ using haptics::Trouble;
 using haptics::Vec3;
 
 constexpr std::int64_t kMs = 1'000'000;
-std::int64_t now = 0;
-std::int64_t fakeClock() noexcept { return now; }
+std::int64_t mouse_now = 0;
+std::int64_t mouseClock() noexcept { return mouse_now; }
 
 CapReport decode(const Bytes& bytes, CapState& cap) { return haptics::decodeCap(bytes, cap); }
 
@@ -239,14 +239,14 @@ struct Opened {
 };
 
 Opened opened(std::size_t count = 1) {
-  now = 0;
+  mouse_now = 0;
   Opened it;
   std::vector<std::unique_ptr<haptics::HidPort>> ports;
   for (std::size_t i = 0; i < count; ++i) {
     it.hids.push_back(std::make_shared<fake::Hid>());
     ports.push_back(std::make_unique<fake::Port>(it.hids.back()));
   }
-  it.device = haptics::spaceMouseAt(std::move(ports), fakeClock);
+  it.device = haptics::spaceMouseAt(std::move(ports), mouseClock);
   return it;
 }
 
@@ -257,17 +257,17 @@ TEST(SpaceMouse, MovesAsItIsPushedAndShowsItsLight) {
   EXPECT_EQ(device->rating().actuated, 0);
   DeviceReading reading;
   for (int ms = 0; ms <= 1'000; ++ms) {
-    now = ms * kMs;
+    mouse_now = ms * kMs;
     if (ms % 8 == 0) hids[0]->reports.push_back(axes(1, {0, 350, 0}));  // towards the user
     ASSERT_EQ(device->read(reading), DeviceStatus::Ok);
-    EXPECT_EQ(reading.time_ns, now);
+    EXPECT_EQ(reading.time_ns, mouse_now);
   }
   EXPECT_NEAR((reading.X_BD.translation() - Vec3{0, 0, 0.1}).norm(), 0.0, 1e-9);
   hids[0]->reports = {{3, 4}, axes(1, {0, 0, 0}), axes(1, {0, 0, 0}), axes(1, {0, 0, 0})};
   device->read(reading);
   EXPECT_EQ(reading.buttons, 4u);
   const Pose rest = reading.X_BD;
-  for (now += 8 * kMs; now < 3'000 * kMs; now += kMs) device->read(reading);
+  for (mouse_now += 8 * kMs; mouse_now < 3'000 * kMs; mouse_now += kMs) device->read(reading);
   EXPECT_EQ(reading.X_BD.matrix(), rest.matrix());
   EXPECT_EQ(reading.buttons, 4u);  // a button that is held is not repeated
   device.reset();
@@ -279,7 +279,7 @@ TEST(SpaceMouse, AllSixAxesOfAWirelessOne) {
   DeviceReading reading;
   device->read(reading);
   for (int i = 0; i < 100; ++i) {
-    now += 8 * kMs;
+    mouse_now += 8 * kMs;
     hids[0]->reports.push_back(axes(1, {350, 0, 0, 0, 0, -350}));
     device->read(reading);
   }
@@ -294,13 +294,13 @@ TEST(SpaceMouse, UnpluggedWhileItIsHeldItIsLostAndStill) {
   DeviceReading reading;
   hids[0]->reports = {axes(1, {350, 0, 0}), {3, 1}};
   device->read(reading);
-  now += 8 * kMs;
+  mouse_now += 8 * kMs;
   device->read(reading);
   EXPECT_GT(reading.X_BD.translation().x(), 0.0);
   const Pose last = reading.X_BD;
   hids[0]->gone = true;
   for (int i = 0; i < 100; ++i) {
-    now += kMs;
+    mouse_now += kMs;
     EXPECT_EQ(device->read(reading), DeviceStatus::Lost);
     EXPECT_EQ(reading.trouble, Trouble::Lost);
     EXPECT_EQ(reading.X_BD.matrix(), last.matrix());
@@ -317,7 +317,7 @@ TEST(SpaceMouse, OfAReceiverWhicheverInterfaceReportsCounts) {
   DeviceReading reading;
   device->read(reading);
   hids[2]->reports = {axes(1, {350, 0, 0, 0, 0, 0})};
-  now += kMs;
+  mouse_now += kMs;
   device->read(reading);
   EXPECT_GT(reading.X_BD.translation().x(), 0.0);
   hids[0]->gone = hids[1]->gone = true;

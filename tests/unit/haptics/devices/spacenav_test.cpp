@@ -21,9 +21,9 @@ using haptics::SpacenavStep;
 using haptics::Trouble;
 using haptics::Vec3;
 
-constexpr std::int64_t kMs = 1'000'000;
-std::int64_t now = 0;
-std::int64_t fakeClock() noexcept { return now; }
+constexpr std::int64_t kMillisecond = 1'000'000;
+std::int64_t spacenav_now = 0;
+std::int64_t spacenavClock() noexcept { return spacenav_now; }
 
 /// A service that listens at a place of its own and does what the test says.
 class Service {
@@ -77,8 +77,8 @@ struct Connected {
   std::unique_ptr<haptics::Device> device;
   DeviceReading reading;
   Connected() {
-    now = 0;
-    auto opened = haptics::spacenavAt(service.place(), fakeClock);
+    spacenav_now = 0;
+    auto opened = haptics::spacenavAt(service.place(), spacenavClock);
     EXPECT_TRUE(opened);
     device = std::move(*opened);
     service.accept();
@@ -114,7 +114,7 @@ TEST(SpacenavEvents, AxesAreRightUpAndAwayFromTheUser) {
     std::uint32_t buttons = 0;
     control.step(0);
     EXPECT_EQ(haptics::applySpacenav(event, 0, control, buttons), SpacenavStep::Taken);
-    const haptics::Pose X = control.step(10 * kMs);
+    const haptics::Pose X = control.step(10 * kMillisecond);
     const Eigen::AngleAxisd turned{X.linear()};
     return std::pair<Vec3, Vec3>{X.translation() * 1e3, turned.axis() * turned.angle() * 100};
   };
@@ -165,7 +165,7 @@ TEST(Spacenav, MovesByWhatTheServiceSends) {
   Connected it;
   for (int i = 0; i < 100; ++i) {
     it.service.send(kRight);
-    now += 8 * kMs;
+    spacenav_now += 8 * kMillisecond;
     ASSERT_EQ(it.read(), DeviceStatus::Ok);
   }
   EXPECT_NEAR(it.reading.X_BD.translation().x(), 0.08, 1e-9);
@@ -173,7 +173,7 @@ TEST(Spacenav, MovesByWhatTheServiceSends) {
   it.service.send({0, 0, 0, 0, 0, 0, 0, 8});
   it.read();
   EXPECT_EQ(it.reading.buttons, 4u);
-  EXPECT_EQ(it.reading.time_ns, now);
+  EXPECT_EQ(it.reading.time_ns, spacenav_now);
 }
 
 TEST(Spacenav, HalfAnEventIsNothingYet) {
@@ -181,12 +181,12 @@ TEST(Spacenav, HalfAnEventIsNothingYet) {
   std::array<std::uint8_t, sizeof(SpacenavEvent)> bytes;
   std::memcpy(bytes.data(), kRight.data(), bytes.size());
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    now += kMs;
+    spacenav_now += kMillisecond;
     ASSERT_EQ(it.read(), DeviceStatus::Ok);
     ASSERT_EQ(it.reading.X_BD.translation().x(), 0.0);
     it.service.send(&bytes[i], 1);
   }
-  now += kMs;
+  spacenav_now += kMillisecond;
   it.read();
   EXPECT_NEAR(it.reading.X_BD.translation().x(), 1e-4, 1e-12);
 }
@@ -196,13 +196,13 @@ TEST(Spacenav, AServiceThatDiesIsLostAndMovesNothing) {
   it.service.send(kRight);
   it.service.send({1, 0, 1, 0, 0, 0, 0, 0});
   it.service.send(kRight.data(), 13);  // and in the midst of an event
-  now += kMs;
+  spacenav_now += kMillisecond;
   it.read();
   EXPECT_EQ(it.reading.buttons, 1u);
   const haptics::Pose last = it.reading.X_BD;
   it.service.hangUp();
   for (int i = 0; i < 10; ++i) {
-    now += kMs;
+    spacenav_now += kMillisecond;
     EXPECT_EQ(it.read(), DeviceStatus::Lost);
     EXPECT_EQ(it.reading.trouble, Trouble::Lost);
     EXPECT_EQ(it.reading.X_BD.matrix(), last.matrix());
@@ -216,7 +216,7 @@ TEST(Spacenav, AStreamOutOfStepIsRefused) {
   const std::uint8_t slipped = 0;
   it.service.send(&slipped, 1);  // every event after this begins a byte late
   for (int i = 0; i < 3; ++i) it.service.send({1, 3, 1, 0, 0, 0, 0, 0});
-  now += kMs;
+  spacenav_now += kMillisecond;
   EXPECT_EQ(it.read(), DeviceStatus::Lost);
   EXPECT_EQ(it.reading.trouble, Trouble::Refused);
   EXPECT_EQ(it.reading.X_BD.translation(), Vec3::Zero());
@@ -233,7 +233,7 @@ TEST(Spacenav, AFloodIsTakenInPortions) {
     ++reads;
   }
   it.service.send(kRight);
-  now += kMs;
+  spacenav_now += kMillisecond;
   it.read();
   EXPECT_GT(it.reading.X_BD.translation().x(), 0.0);
 }
