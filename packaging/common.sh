@@ -50,7 +50,8 @@ install_missing() {
   export DEBIAN_FRONTEND=noninteractive
   "${as_root[@]}" apt-get -qq update ||
     fail "The package lists could not be fetched: check the network and /etc/apt."
-  "${as_root[@]}" apt-get -qq install -y --no-install-recommends "${missing[@]}" > /dev/null ||
+  followed "$root/build/install.log" "installed" \
+    "${as_root[@]}" apt-get install -y --no-install-recommends "${missing[@]}" ||
     fail "apt-get could not install what is missing; the reason stands above."
 }
 
@@ -72,21 +73,71 @@ fetch_kernel() {
   rm -rf "$folder/coming"
 }
 
-# quietly LOG COMMAND…: its output goes to a log, and is shown only if it fails
-quietly() {
-  local log="$1"
-  shift
+# minutes SECONDS: as people say it
+minutes() { printf '%d:%02d' "$(($1 / 60))" "$(($1 % 60))"; }
+
+# on_these_cores SERIAL PARALLEL: whole minutes that so many seconds take here, of which the second
+# kind is shared out to all cores
+on_these_cores() { echo "$((($1 + $2 / $(nproc) + 59) / 60))"; }
+
+# followed LOG WHAT COMMAND…: runs it with its output in a log, and shows how far it is: where ninja
+# says "[12/340]" or ctest " 12/340 Test", "WHAT: 12 of 340". In place on a terminal, elsewhere a line
+# each half a minute. The last lines of a test that fails are shown when it does, those of the log if
+# the whole fails.
+followed() {
+  local log="$1" what="$2" status
+  shift 2
   mkdir -p "$(dirname "$log")"
-  "$@" > "$log" 2>&1 || {
-    tail -n 60 "$log" >&2
-    return 1
-  }
+  "$@" 2>&1 | tee "$log" | show_progress "$what"
+  status="${PIPESTATUS[0]}"
+  [ "$status" -eq 0 ] || tail -n 40 "$log" >&2
+  return "$status"
+}
+
+# show_progress WHAT: of what is read; see `followed`
+show_progress() {
+  local what="$1" began=$SECONDS said=$SECONDS every=30 terminal=false
+  local status line read_so_far="" far="begun" failing=false last=()
+  local erase=""
+  if [ -t 1 ]; then terminal=true every=1 erase=$'\r\033[K'; fi
+  while :; do
+    status=0
+    IFS= read -r -t "$every" line || status=$?
+    if [ "$status" -eq 0 ]; then
+      line="$read_so_far$line" read_so_far=""
+      if [[ "$line" =~ ^\ *\[?([0-9]+)/([0-9]+)(\]|\ Test\ ) ]]; then
+        far="${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+        [ ${#last[@]} -eq 0 ] || printf '%s\n' "${last[@]}"
+        failing=false last=()
+        # such a line of ctest ends in stars and what happened, where a test did not pass
+        if [[ "$line" =~ \ Test\ .*\*\*\*(Failed|Timeout|Exception|Not\ Run) ]]; then
+          failing=true last=("${erase}$line")
+        fi
+      elif $failing && ! [[ "$line" =~ ^\ *Start\ +[0-9]+: ]]; then
+        last+=("   $line")
+        [ ${#last[@]} -le 60 ] || last=("${last[0]}" "${last[@]:2}")
+      fi
+    elif [ "$status" -gt 128 ]; then
+      read_so_far+="$line" # the time was up in the middle of a line
+    else
+      break
+    fi
+    [ $((SECONDS - said)) -ge "$every" ] || continue
+    said=$SECONDS
+    if $terminal; then
+      printf '%s   %s: %s, %s' "$erase" "$what" "$far" "$(minutes $((SECONDS - began)))"
+    else
+      printf '   %s: %s, %s\n' "$what" "$far" "$(minutes $((SECONDS - began)))"
+    fi
+  done
+  [ ${#last[@]} -eq 0 ] || printf '%s\n' "${last[@]}"
+  printf '%s   %s: %s, %s\n' "$erase" "$what" "$far" "$(minutes $((SECONDS - began)))"
 }
 
 # configure PRESET OPTION…
 configure() {
   say "Configuring $1."
-  quietly "$root/build/$1.configure.log" cmake --preset "$@" -S "$root" ||
+  followed "$root/build/$1.configure.log" "configured" cmake --preset "$@" -S "$root" ||
     fail "CMake could not configure '$1'; see build/$1.configure.log."
 }
 
@@ -95,7 +146,8 @@ build() {
   local preset="$1"
   shift
   say "Building $preset."
-  quietly "$root/build/$preset.build.log" cmake --build "$root/build/$preset" --target "$@" ||
+  followed "$root/build/$preset.build.log" "built" \
+    cmake --build "$root/build/$preset" --target "$@" ||
     fail "The build of '$preset' failed; see build/$preset.build.log."
 }
 
