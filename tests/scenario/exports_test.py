@@ -7,6 +7,7 @@ Usage: exports_test.py PALPATE_CLI ROOT
 Python's own sqlite3 and zlib (haptics/recording/rows.py), h5py, a reader of TSV and a reader of MCAP
 written from its specification are held against the trace of the same run.
 """
+import bisect
 import csv
 import json
 import math
@@ -345,9 +346,9 @@ def chooses(folder, recording, truth):
         if rate:
             chosen, least, most = [], max(first, 0), min(last, times[-1])
             for n in range(math.ceil(least * rate / 1e9 - 1e-9), math.floor(most * rate / 1e9) + 1):
-                before = [i for i in inside if times[i] <= round(n * 1e9 / rate)]
-                if before and before[-1] not in chosen[-1:]:
-                    chosen.append(before[-1])
+                before = bisect.bisect_right(inside, round(n * 1e9 / rate), key=times.__getitem__)
+                if before and inside[before - 1] not in chosen[-1:]:
+                    chosen.append(inside[before - 1])
         events = [e for e in truth["events"] if first <= e[0] <= last]
         for format, (ending, read) in FORMATS.items():
             out = folder / f"chosen{ending}"
