@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -42,7 +41,7 @@ Felt feel(const DeviceModel& device, HandMotion motion, double stiffness, bool g
   loop.limits = haptics::limitsOf(device.rating);
   loop.limits.guard_passivity = guarded;
   // as a session does: no more in rotation than is rated
-  const double inertia = stage.scene->tool.shell.inertia.eigenvalues().real().maxCoeff();
+  const double inertia = haptics::largestInertia(stage.scene->tool.shell.inertia);
   if (device.rating.torque > 0.0 && stiffness * inertia > device.rating.angular_stiffness)
     loop.coupling.angular_stiffness = device.rating.angular_stiffness;
   loop.grip = device.heldBy({}, std::sqrt(stage.scene->tool.shell.inertia.trace() / 3.0));

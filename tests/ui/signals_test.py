@@ -73,7 +73,8 @@ with tempfile.TemporaryDirectory() as folder:
     assert code == 0, code
 
     # the first closes it, in its own time; the second does not wait for that. The process may be
-    # quicker than the second signal, but not every time.
+    # quicker than the second signal, but not every time. Two that are pending together are
+    # delivered by their numbers, so either may be the second.
     codes = []
     for number in range(5):
         home = pathlib.Path(folder) / f"twice{number}"
@@ -83,9 +84,9 @@ with tempfile.TemporaryDirectory() as folder:
         time.sleep(0.002)
         os.kill(process.pid, signal.SIGINT)
         codes.append(process.wait(timeout=LONG))
-        if codes[-1] == -signal.SIGINT:
+        if codes[-1] != 0:
             break
-    assert -signal.SIGINT in codes and set(codes) <= {0, -signal.SIGINT}, codes
+    assert codes[-1] in (-signal.SIGINT, -signal.SIGTERM) and not any(codes[:-1]), codes
 
     # the display goes, and the display's library leaves: by exit(), which stops the motors first
     told, tells = os.pipe()
