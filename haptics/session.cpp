@@ -88,8 +88,8 @@ class Session::Loop {
     double heat = 0.0;
     std::int64_t left_ns = 0;
 
-    double of(const DeviceRating& rating) const {
-      if (model != rating.id) return 0.0;
+    double of(const DeviceRating& opened) const {
+      if (model != opened.id) return 0.0;
       return heat * std::exp(-1e-9 * double(monotonicNs() - left_ns) / ForceLimits::kWarmUp);
     }
   };
