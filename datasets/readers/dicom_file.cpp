@@ -19,6 +19,7 @@
 #include <string_view>
 
 #include "datasets/readers/c_locale.h"
+#include "datasets/readers/codestream.h"
 #include "datasets/readers/dicom_structure.h"
 #include "datasets/readers/refusal.h"
 #include "datasets/readers/rewritten_file.h"
@@ -81,22 +82,9 @@ bool numbersOf(const vtkDICOMValue& value, std::array<double, N>& numbers) {
 
 /// Syntaxes that Part 5 retired or that describe films: nobody decodes them here.
 bool decodable(const std::string& syntax) {
-  static constexpr std::array<std::string_view, 13> kKnown = {"1.2.840.10008.1.2",
-                                                              "1.2.840.10008.1.2.1",
-                                                              "1.2.840.10008.1.2.2",
-                                                              "1.2.840.10008.1.2.5",
-                                                              "1.2.840.10008.1.2.4.50",
-                                                              "1.2.840.10008.1.2.4.51",
-                                                              "1.2.840.10008.1.2.4.57",
-                                                              "1.2.840.10008.1.2.4.70",
-                                                              "1.2.840.10008.1.2.4.80",
-                                                              "1.2.840.10008.1.2.4.81",
-                                                              "1.2.840.10008.1.2.4.90",
-                                                              "1.2.840.10008.1.2.4.91",
-                                                              ""};
-  for (const std::string_view known : kKnown)
-    if (syntax == known) return true;
-  return false;
+  static constexpr std::array<std::string_view, 4> kPlain = {
+      "1.2.840.10008.1.2", "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2", ""};
+  return codingOf(syntax).has_value() || std::ranges::find(kPlain, syntax) != kPlain.end();
 }
 
 haptics::Error fault(tl::unexpected<haptics::Error> error) { return std::move(error.value()); }
@@ -128,7 +116,7 @@ bool encapsulationCloses(const std::filesystem::path& path, std::int64_t begin, 
 }
 
 std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData* meta,
-                                         vtkDICOMParser* parser, const std::string& syntax) {
+                                         vtkDICOMParser* parser) {
   const int samples = meta->Get(DC::SamplesPerPixel).AsInt();
   const std::string meaning = textOf(meta, DC::PhotometricInterpretation);
   const auto size = static_cast<std::int64_t>(parser->GetFileSize());
@@ -171,7 +159,9 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
     return fault(unsupported("localizer",
                              "The series is a scout view for planning and no stack of slices; "
                              "choose the series of the scan."));
-  if (!decodable(syntax)) return syntaxFault(syntax);
+  if (!decodable(file.syntax)) return syntaxFault(file.syntax);
+  // pixels without a length are compressed, and the other way round
+  if (compressed != codingOf(file.syntax).has_value()) return cutOff();
   if (file.plane.rows < 1 || file.plane.columns < 1 ||
       (file.bits_allocated != 8 && file.bits_allocated != 16 && file.bits_allocated != 32))
     return fault(unsupported("bad-header", "A file of the series states " +
@@ -336,7 +326,7 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   file.inverted = textOf(meta, DC::PhotometricInterpretation) == "MONOCHROME1";
   file.is_signed = meta->Get(DC::PixelRepresentation).AsInt() == 1;
 
-  const std::string syntax = textOf(meta, DC::TransferSyntaxUID);
+  file.syntax = textOf(meta, DC::TransferSyntaxUID);
   const bool understood = !file.series.empty() || !file.modality.empty() || file.plane.rows != 0;
   // it only began like a data set
   if (bare && !understood) return {};
@@ -358,7 +348,7 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   }
   if (meta->Has(DC::NumberOfFrames))
     file.frame_count = std::max(1, meta->Get(DC::NumberOfFrames).AsInt());
-  file.fault = pixelFault(file, meta, parser, syntax);
+  file.fault = pixelFault(file, meta, parser);
   if (file.fault) {
     placeSlice(meta, 0, file.plane);  // to know what it is a copy of
     return {file};

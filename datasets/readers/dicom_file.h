@@ -19,6 +19,7 @@ namespace datasets {
 struct DicomFile {
   std::filesystem::path path;
   bool rewritten = false;         ///< read by way of a RewrittenFile
+  std::string syntax;             ///< TransferSyntaxUID; empty where it is not stated
   std::int64_t pixels_begin = 0;  ///< bytes of the file before its pixels
   int frame = 0;                  ///< which of the file's
   int frame_count = 1;            ///< in the file

@@ -9,14 +9,19 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
+#include <system_error>
 
 #include "datasets/readers/c_locale.h"
+#include "datasets/readers/codestream.h"
+#include "datasets/readers/decoder.h"
 #include "datasets/readers/dicom_values.h"
+#include "datasets/readers/encapsulated.h"
 #include "datasets/readers/parallel.h"
 #include "datasets/readers/part.h"
-#include "datasets/readers/quiet_terminal.h"
 #include "datasets/readers/refusal.h"
 #include "datasets/readers/rewritten_file.h"
 #include "datasets/readers/straighten.h"
@@ -52,10 +57,29 @@ std::optional<ScalarType> typeOf(int vtk_type) {
   }
 }
 
-/// The pixels of one file, in its own row order.
-class DecodedFile {
+haptics::Error undecodable(const DicomFile& file) {
+  return malformed("truncated", "The pixels of " + quoted(file.path) +
+                                    " cannot be decoded: they are cut off, damaged or in a form "
+                                    "unknown here; fetch the file again or export it as explicit "
+                                    "little endian.")
+      .value();
+}
+
+/// The pixels of one file, frame by frame, in its own row order.
+class FileFrames {
  public:
-  DecodedFile() {
+  FileFrames() = default;
+  FileFrames(const FileFrames&) = delete;
+  FileFrames& operator=(const FileFrames&) = delete;
+  virtual ~FileFrames() = default;
+  /// Of one of the file's frames, until the next is asked for.
+  virtual Expected<Pixels> pixelsOf(const DicomFile& frame, const ReadProgress& progress) = 0;
+};
+
+/// As they lie in the file: by vtk-dicom.
+class PlainFrames : public FileFrames {
+ public:
+  PlainFrames() {
     errors_->watch(reader_);
     reader_->SetMemoryRowOrderToFileNative();
     reader_->SetAutoRescale(0);
@@ -63,7 +87,18 @@ class DecodedFile {
     reader_->SetSorting(0);
   }
 
-  Expected<void> decode(const DicomFile& file) {
+  Expected<Pixels> pixelsOf(const DicomFile& frame, const ReadProgress&) override {
+    if (!is_read_)
+      if (const auto done = read(frame); !done) return tl::unexpected(done.error());
+    vtkImageData* image = reader_->GetOutput();
+    const ScalarType type = *typeOf(image->GetScalarType());
+    const std::int64_t before = frame.frame * frame.plane.columns * frame.plane.rows;
+    return Pixels{type, static_cast<const char*>(image->GetScalarPointer()) +
+                            before * static_cast<std::int64_t>(haptics::sizeOf(type))};
+  }
+
+ private:
+  Expected<void> read(const DicomFile& file) {
     std::optional<RewrittenFile> rewritten;
     if (file.rewritten) {
       auto copy = RewrittenFile::of(file.path);
@@ -71,37 +106,103 @@ class DecodedFile {
       rewritten.emplace(std::move(*copy));
     }
     reader_->SetFileName(rewritten ? rewritten->path().c_str() : file.path.c_str());
-    const QuietTerminal while_decoding;
     reader_->Update();
-    const vtkImageData* image = reader_->GetOutput();
-    int dims[3] = {0, 0, 0};
-    if (image != nullptr) reader_->GetOutput()->GetDimensions(dims);
-    const bool whole = errors_->errors() == 0 && reader_->GetErrorCode() == 0 && image != nullptr &&
-                       dims[0] == file.plane.columns && dims[1] == file.plane.rows &&
-                       dims[2] == file.frame_count &&
-                       reader_->GetOutput()->GetScalarPointer() != nullptr &&
-                       reader_->GetOutput()->GetNumberOfScalarComponents() == 1 &&
-                       typeOf(reader_->GetOutput()->GetScalarType()).has_value();
-    if (whole) return {};
-    return malformed("truncated", "The pixels of " + quoted(file.path) +
-                                      " cannot be decoded: they are cut off, damaged or in a form "
-                                      "unknown here; fetch the file again or export it as explicit "
-                                      "little endian.");
-  }
-
-  /// Of one of the frames of the file that was decoded.
-  Pixels pixelsOf(const DicomFile& frame) const {
     vtkImageData* image = reader_->GetOutput();
-    const ScalarType type = *typeOf(image->GetScalarType());
-    const std::int64_t before = frame.frame * frame.plane.columns * frame.plane.rows;
-    return {type, static_cast<const char*>(image->GetScalarPointer()) +
-                      before * static_cast<std::int64_t>(haptics::sizeOf(type))};
+    int dims[3] = {0, 0, 0};
+    if (image != nullptr) image->GetDimensions(dims);
+    is_read_ = errors_->errors() == 0 && reader_->GetErrorCode() == 0 && image != nullptr &&
+               dims[0] == file.plane.columns && dims[1] == file.plane.rows &&
+               dims[2] == file.frame_count && image->GetScalarPointer() != nullptr &&
+               image->GetNumberOfScalarComponents() == 1 &&
+               typeOf(image->GetScalarType()) == storedTypeOf(file);
+    if (!is_read_) return tl::unexpected(undecodable(file));
+    return {};
   }
 
- private:
+  bool is_read_ = false;
   vtkNew<vtkDICOMReader> reader_;
   vtkNew<VtkErrors> errors_;
 };
+
+/// Compressed: each frame by a program of its own.
+class CompressedFrames : public FileFrames {
+ public:
+  explicit CompressedFrames(Decoders& decoders) : decoders_{decoders} {}
+  ~CompressedFrames() override {
+    if (decoder_) decoders_.give(std::move(decoder_));
+  }
+
+  Expected<Pixels> pixelsOf(const DicomFile& frame, const ReadProgress& progress) override {
+    if (!frames_) {
+      auto found = EncapsulatedFrames::of(frame.path, frame.pixels_begin, frame.frame_count,
+                                          *codingOf(frame.syntax));
+      if (!found) return tl::unexpected(std::move(found.error()));
+      frames_ = std::move(*found);
+    }
+    const auto bytes = frames_->bytesOf(frame.frame);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const CodedImage image = codedImageOf(frame);
+    Codestream codestream;
+    if (const auto fault = parseCodestream(*bytes, image, codestream))
+      return malformed(fault->disagrees ? "bad-header" : "truncated",
+                       "The compressed image in " + quoted(frame.path) +
+                           " cannot be shown: " + fault->why +
+                           "; fetch the file again or export it as explicit little endian.");
+    if (!decoder_) {
+      auto taken = decoders_.take();
+      if (!taken) return tl::unexpected(std::move(taken.error()));
+      decoder_ = std::move(*taken);
+    }
+    switch (decoder_->decode(codestream, *bytes, image, progress)) {
+      case Decoder::Outcome::Decoded:
+        return Pixels{storedTypeOf(frame), decoder_->pixels()};
+      case Decoder::Outcome::Refused:
+        return tl::unexpected(undecodable(frame));
+      case Decoder::Outcome::Cancelled:
+        decoder_.reset();
+        return cancelled();
+      case Decoder::Outcome::Died:
+      case Decoder::Outcome::TooLong:
+        break;
+    }
+    decoder_.reset();
+    return malformed("truncated", "The compressed image in " + quoted(frame.path) +
+                                      " is damaged in a way that its decoder does not bear; fetch "
+                                      "the file again or export it as explicit little endian.");
+  }
+
+ private:
+  static CodedImage codedImageOf(const DicomFile& file) {
+    return {.syntax = file.syntax,
+            .columns = file.plane.columns,
+            .rows = file.plane.rows,
+            .bits_allocated = file.bits_allocated,
+            .bits_stored = file.bits_stored,
+            .is_signed = file.is_signed};
+  }
+
+  Decoders& decoders_;
+  std::unique_ptr<Decoder> decoder_;
+  std::optional<EncapsulatedFrames> frames_;
+};
+
+std::unique_ptr<FileFrames> framesOf(const DicomFile& file, Decoders& decoders) {
+  if (codingOf(file.syntax)) return std::make_unique<CompressedFrames>(decoders);
+  return std::make_unique<PlainFrames>();
+}
+
+/// Of the largest among files: its frames cannot be larger than the file.
+Decoders decodersFor(std::span<const DicomFile> files) {
+  std::size_t coded = 0, decoded = 0;
+  for (const DicomFile& file : files) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(file.path, error);
+    coded = std::max(coded, error ? std::size_t{0} : static_cast<std::size_t>(size));
+    decoded = std::max(decoded, static_cast<std::size_t>(file.plane.columns * file.plane.rows *
+                                                         (file.bits_allocated / 8)));
+  }
+  return {coded, decoded};
+}
 
 /// What a reading takes of a series.
 struct Taken {
@@ -145,13 +246,14 @@ std::vector<FileTask> tasksOf(const Taken& taken) {
   return tasks;
 }
 
-/// What the files under way hold while they are decoded: all of their frames.
+/// What the files under way hold while they are read: all of their frames, or a compressed one.
 std::int64_t decodedBytes(const Taken& taken) {
   std::int64_t most = 0;
   for (const std::size_t n : taken.slices) {
     const DicomFile& file = taken.series.files[n];
-    most = std::max(
-        most, file.plane.columns * file.plane.rows * file.frame_count * (file.bits_allocated / 8));
+    const int frames = codingOf(file.syntax) ? 1 : file.frame_count;
+    most =
+        std::max(most, file.plane.columns * file.plane.rows * frames * (file.bits_allocated / 8));
   }
   return most * static_cast<std::int64_t>(workersFor(tasksOf(taken).size()));
 }
@@ -170,30 +272,30 @@ Expected<Outcome> decodeAll(const Taken& taken, ScalarType type, void* voxels, d
   const bool padded = isPadded(taken.series);
   air = std::numeric_limits<double>::infinity();
   const std::vector<FileTask> tasks = tasksOf(taken);
+  Decoders decoders = decodersFor(taken.series.files);
   std::mutex mutex;
   std::optional<haptics::Error> failed;
   std::size_t failed_at = tasks.size();
   std::atomic<bool> fits = true;
   const auto decodeOne = [&](std::size_t n) {
     const CLocale numbers_with_points;
-    DecodedFile decoded;
-    const auto fileAt = [&](std::size_t place) -> const DicomFile& {
-      return taken.series.files[taken.slices[place]];
-    };
-    if (const auto done = decoded.decode(fileAt(tasks[n].places.front())); !done) {
-      const std::scoped_lock lock(mutex);
-      if (n < failed_at) failed = done.error();
-      failed_at = std::min(n, failed_at);
-      return false;
-    }
+    std::unique_ptr<FileFrames> frames;
     for (const std::size_t place : tasks[n].places) {
-      const Pixels pixels = decoded.pixelsOf(fileAt(place));
+      const DicomFile& file = taken.series.files[taken.slices[place]];
+      if (!frames) frames = framesOf(file, decoders);
+      const auto pixels = frames->pixelsOf(file, progress);
+      if (!pixels) {
+        const std::scoped_lock lock(mutex);
+        if (n < failed_at) failed = pixels.error();
+        failed_at = std::min(n, failed_at);
+        return false;
+      }
       if (padded) {
-        const double least = leastOf(pixels, fileAt(place));
+        const double least = leastOf(*pixels, file);
         const std::scoped_lock lock(mutex);
         air = std::min(air, least);
       }
-      if (!rescale(pixels, fileAt(place), taken.window, type, taken.sliceAt(place, type, voxels)))
+      if (!rescale(*pixels, file, taken.window, type, taken.sliceAt(place, type, voxels)))
         fits = false;
     }
     return fits.load();
@@ -276,11 +378,12 @@ Expected<Thumbnail> thumbnailOf(const DicomSeries& series, int longest) {
   if (const auto room = checkRoom(file.plane.columns * file.plane.rows * file.frame_count, 4);
       !room)
     return tl::unexpected(room.error());
-  DecodedFile decoded;
-  if (const auto done = decoded.decode(file); !done) return tl::unexpected(done.error());
-  const Pixels pixels = decoded.pixelsOf(file);
-  return thumbnailOf({.type = pixels.type,
-                      .pixels = pixels.first,
+  Decoders decoders = decodersFor({&file, 1});
+  const std::unique_ptr<FileFrames> frames = framesOf(file, decoders);
+  const auto pixels = frames->pixelsOf(file, {});
+  if (!pixels) return tl::unexpected(pixels.error());
+  return thumbnailOf({.type = pixels->type,
+                      .pixels = pixels->first,
                       .columns = file.plane.columns,
                       .rows = file.plane.rows,
                       .column_step = file.plane.column_step_mm,

@@ -13,17 +13,6 @@ using haptics::ScalarType;
 
 namespace {
 
-ScalarType storedType(const DicomFile& file) {
-  switch (file.bits_allocated) {
-    case 8:
-      return file.is_signed ? ScalarType::Int8 : ScalarType::UInt8;
-    case 16:
-      return file.is_signed ? ScalarType::Int16 : ScalarType::UInt16;
-    default:
-      return file.is_signed ? ScalarType::Int32 : ScalarType::UInt32;
-  }
-}
-
 struct Interval {
   double least, greatest;
 };
@@ -74,9 +63,20 @@ bool rescaleAs(const From* from, To* to, const Window& window, const DicomFile& 
 
 }  // namespace
 
+ScalarType storedTypeOf(const DicomFile& file) {
+  switch (file.bits_allocated) {
+    case 8:
+      return file.is_signed ? ScalarType::Int8 : ScalarType::UInt8;
+    case 16:
+      return file.is_signed ? ScalarType::Int16 : ScalarType::UInt16;
+    default:
+      return file.is_signed ? ScalarType::Int32 : ScalarType::UInt32;
+  }
+}
+
 std::vector<ScalarType> voxelTypesFor(const DicomSeries& series) {
   const DicomFile& first = series.files.front();
-  const ScalarType stored = storedType(first);
+  const ScalarType stored = storedTypeOf(first);
   bool plain = true, integers = true;
   Interval values{std::numeric_limits<double>::infinity(),
                   -std::numeric_limits<double>::infinity()};

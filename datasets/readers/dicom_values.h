@@ -16,6 +16,9 @@ struct Pixels {
   const void* first;
 };
 
+/// The type that holds the file's stored values.
+haptics::ScalarType storedTypeOf(const DicomFile& file);
+
 /// The voxel types to try for a series, in order: the header's bits may allow more than the voxels
 /// use, so a 16-bit type comes before a 32-bit one, and the next is tried when a voxel does not
 /// fit.

@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/study/made/made.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 #include "tests/support/failing_disk.h"
@@ -119,7 +120,7 @@ pid_t startChild(const fs::path& folder) {
 }
 
 TEST(RecordingLoss, OfAHundredKilledProcessesIsAtMostWhatWasNotYetCommitted) {
-  constexpr int kRounds = 20, kAtOnce = 5;
+  constexpr int kRounds = made::trials(20), kAtOnce = 5;
   std::mt19937 random(11);
   std::vector<std::uint64_t> losses;
   for (int round = 0; round < kRounds; ++round) {
@@ -212,7 +213,8 @@ std::int64_t committedOn(const support::FailingDisk& disk, int rounds, std::stri
 TEST(RecordingLoss, OfPowerIsNothingThatWasCommitted) {
   std::mt19937 random(5);
   int with_steps = 0;
-  for (int n = 0; n < 150; ++n) {
+  const int trials = made::trials(150);
+  for (int n = 0; n < trials; ++n) {
     const Workshop workshop;
     support::FailingDisk disk;
     disk.cutAfter(static_cast<std::int64_t>(random() % 600));
@@ -227,7 +229,7 @@ TEST(RecordingLoss, OfPowerIsNothingThatWasCommitted) {
     ASSERT_GE(intactSteps(*recovered), committed);
     if (HasFailure()) return;
   }
-  EXPECT_GT(with_steps, 60);
+  EXPECT_GT(5 * with_steps, 2 * trials);
 }
 
 TEST(RecordingLoss, OfAFullDiskIsToldAndWhatWasCommittedStays) {

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "app/study/made/made.h"
 #include "datasets/phantoms/noise.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/phantoms/sampling.h"
@@ -22,12 +23,16 @@ TEST(Phantoms, AnUnknownNameIsToldTheKnownOnes) {
 TEST(Phantoms, EveryOneIsMadeTheSameTwiceAndIsFitToTouch) {
   for (const std::string& name : phantomNames()) {
     SCOPED_TRACE(name);
-    const auto first = makePhantom(name), second = makePhantom(name);
-    ASSERT_TRUE(first.has_value() && second.has_value());
+    const auto first = makePhantom(name);
+    ASSERT_TRUE(first.has_value());
     const haptics::Volume& volume = first->volume;
-    const auto bytes =
-        static_cast<std::size_t>(volume.grid.voxelCount()) * haptics::sizeOf(volume.type);
-    EXPECT_EQ(std::memcmp(volume.voxels.get(), second->volume.voxels.get(), bytes), 0);
+    if (!made::kSanitized) {
+      const auto second = makePhantom(name);
+      ASSERT_TRUE(second.has_value());
+      const auto bytes =
+          static_cast<std::size_t>(volume.grid.voxelCount()) * haptics::sizeOf(volume.type);
+      EXPECT_EQ(std::memcmp(volume.voxels.get(), second->volume.voxels.get(), bytes), 0);
+    }
     EXPECT_FALSE(first->tool.empty());
     EXPECT_LT(volume.least, first->isovalue);
     EXPECT_GT(volume.greatest, first->isovalue);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace datasets {
+
+/// How the pixels of a frame are compressed.
+enum class Coding : std::uint32_t { Jpeg = 1, JpegLs, Jpeg2000, Rle };
+
+/// What the DICOM header says that a compressed frame holds: one component, one value a pixel.
+struct CodedImage {
+  std::string_view syntax;  ///< TransferSyntaxUID
+  std::int64_t columns = 0;
+  std::int64_t rows = 0;
+  int bits_allocated = 0;  ///< 8, 16 or 32
+  int bits_stored = 0;     ///< 1 to bits_allocated
+  bool is_signed = false;
+
+  std::size_t byteCount() const {
+    return static_cast<std::size_t>(columns * rows * (bits_allocated / 8));
+  }
+};
+
+/// Empty for a syntax whose pixels are not compressed, or that is not read here.
+std::optional<Coding> codingOf(std::string_view syntax);
+
+/// What a frame's own header says, where it agrees with the DICOM header.
+struct Codestream {
+  Coding coding = Coding::Jpeg;
+  int precision = 0;     ///< bits of a value as it was coded
+  std::size_t size = 0;  ///< bytes, without what only fills up the last of its fragments
+};
+
+/// Why a frame must not reach its decoder.
+struct CodestreamFault {
+  bool disagrees =
+      false;        ///< with the DICOM header; else it is damaged, or in a form not read here
+  std::string why;  ///< a clause: "its JPEG frame has 64 x 32 pixels, not 512 x 512"
+};
+
+/// Parses a compressed frame from its first byte to its last, but for what only a decoder
+/// understands: the frame header of every JPEG process with its segments (T.81), JPEG-LS with its
+/// preset parameters (T.87), the main and tile-part headers of JPEG 2000 (T.800), the segment table
+/// of RLE (PS3.5 Annex G). What passes has the size, depth and single component that the DICOM
+/// header states, coded by the process that its transfer syntax names, ends where it says, and is
+/// no smaller than so many pixels can be.
+std::optional<CodestreamFault> parseCodestream(std::span<const std::byte> bytes,
+                                               const CodedImage& image, Codestream& parsed);
+
+/// Whether a fragment begins like a codestream of this kind; RLE has no mark.
+bool beginsCodestream(Coding coding, std::span<const std::byte> bytes);
+
+}  // namespace datasets
