@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -103,6 +104,51 @@ inline std::vector<Element> elementsOf(const std::string& data_set) {
     elements.push_back(std::move(e));
   }
   return elements;
+}
+
+/// Where the data set begins in a file of bytesOf's.
+inline std::size_t dataSetOf(const std::string& file) {
+  const auto* meta = reinterpret_cast<const unsigned char*>(file.data()) + 132 + 8;
+  return 132 + 12 + (meta[0] | std::size_t{meta[1]} << 8);
+}
+
+/// The file with elements of its data set replaced or added; one without a representation is
+/// taken out.
+inline std::string edited(const std::string& file, const std::vector<Element>& changes) {
+  const std::size_t begin = dataSetOf(file);
+  std::map<std::pair<unsigned, unsigned>, Element> all;
+  for (Element& e : elementsOf(file.substr(begin))) all[{e.group, e.number}] = std::move(e);
+  for (const Element& e : changes)
+    if (e.representation.empty())
+      all.erase({e.group, e.number});
+    else
+      all[{e.group, e.number}] = e;
+  std::string bytes = file.substr(0, begin);
+  for (const auto& [tag, e] : all) bytes += element(e.group, e.number, e.representation, e.value);
+  return bytes;
+}
+
+/// The file with compressed pixels: an offset table and fragments.
+inline std::string encapsulated(const std::string& file, const std::string& syntax,
+                                const std::vector<std::string>& fragments,
+                                const std::vector<std::size_t>& offsets = {}) {
+  const std::string meta = element(2, 1, "OB", std::string{'\0', '\1'}) +
+                           element(2, 2, "UI", "1.2.840.10008.5.1.4.1.1.2") +
+                           element(2, 0x10, "UI", syntax);
+  std::string bytes =
+      std::string(128, '\0') + "DICM" + element(2, 0, "UL", number(meta.size(), 4)) + meta;
+  for (const Element& e : elementsOf(file.substr(dataSetOf(file))))
+    if (e.group != 0x7fe0) bytes += element(e.group, e.number, e.representation, e.value);
+  bytes += number(0x7fe0, 2) + number(0x10, 2) + "OB" + number(0, 2) + number(0xffffffff, 4);
+  const auto item = [](const std::string& value) {
+    return number(0xe000fffe, 4) + number(value.size(), 4) + value;
+  };
+  std::string table;
+  for (const std::size_t offset : offsets) table += number(offset, 4);
+  bytes += item(table);
+  for (const std::string& fragment : fragments)
+    bytes += item(fragment.size() % 2 == 0 ? fragment : fragment + '\0');
+  return bytes + number(0xe0ddfffe, 4) + number(0, 4);
 }
 
 /// A data set of explicit little endian in the other two uncompressed encodings.
