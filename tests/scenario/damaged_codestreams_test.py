@@ -6,7 +6,7 @@ before. Nothing ends by a signal, hangs, or shows a patient.
 
     damaged_codestreams_test.py palpate-cli FOLDER [--of-each N] [--seed S] [--program PATH]
 
---of-each is how many damages of each kind each coding gets (6 in the tests, 500 for a study)."""
+--of-each is how many damages of each kind each coding gets: 1 in the tests, 100 for a study."""
 import argparse
 import os
 import random
