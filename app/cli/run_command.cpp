@@ -163,8 +163,10 @@ Outcome run(const RunOptions& options) {
     }
     limits = haptics::limitsOf(*rating);
   }
+  if (const auto wrong = contradictionIn(options.tool)) return usage(*wrong);
   auto loaded = loadTool(options.tool);
   if (!loaded) return refused(loaded.error());
+  for (const std::string& warning : loaded->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
   auto volume = loadVolume(options.volume);
   if (!volume) return refused(volume.error());
   if (options.isovalue <= (*volume)->least)

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "datasets/phantoms/phantoms.h"
 #include "resources/named_tools.h"
@@ -21,6 +23,31 @@ tl::unexpected<Error> malformed(std::string what) {
   return tl::unexpected(Error{Error::Kind::Malformed, std::move(what)});
 }
 
+constexpr double kLongest = 0.5;  // m, a tool above this is probably in another unit
+
+bool isPointFile(const ToolChoice& choice) {
+  const std::string extension = std::filesystem::path(choice.name).extension().string();
+  return extension == ".csv" || extension == ".CSV";
+}
+
+/// The numbers of a line of a CSV; nothing where it is anything else.
+std::optional<std::vector<double>> numbersIn(std::string_view line) {
+  std::vector<double> row;
+  const char *at = line.data(), *end = line.data() + line.size();
+  while (at < end) {
+    while (at < end && (*at == ' ' || *at == '\t')) ++at;
+    double value = 0.0;
+    const auto [stop, error] = std::from_chars(at, end, value);
+    if (error != std::errc{}) return {};
+    row.push_back(value);
+    at = stop;
+    while (at < end && (*at == ' ' || *at == '\t')) ++at;
+    if (at < end && *at != ',') return {};
+    ++at;
+  }
+  return row;
+}
+
 haptics::Expected<LoadedTool> toolFromPoints(const ToolChoice& choice) {
   auto rows = readNumbers(choice.name, 3);
   if (!rows) return tl::unexpected(rows.error());
@@ -28,7 +55,12 @@ haptics::Expected<LoadedTool> toolFromPoints(const ToolChoice& choice) {
   for (const std::vector<double>& row : *rows) points.emplace_back(row[0], row[1], row[2]);
   auto shell = haptics::makeShell(std::move(points));
   if (!shell) return tl::unexpected(shell.error());
-  return LoadedTool{{"points", {}, std::move(*shell)}, {}};
+  LoadedTool loaded{{"points", {}, std::move(*shell)}, {}};
+  const double length = 2.0 * loaded.tool.shell.radius;
+  if (length > kLongest)
+    loaded.warnings.push_back("The tool is up to " + std::to_string(std::lround(length * 1e3)) +
+                              " mm long, which is unusual; the points are taken to be in metres.");
+  return loaded;
 }
 
 }  // namespace
@@ -82,9 +114,9 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
     if (!tool) return tl::unexpected(tool.error());
     return LoadedTool{std::move(*tool), {}};
   }
-  const std::string extension = std::filesystem::path(choice.name).extension().string();
-  if (extension == ".csv" || extension == ".CSV") return toolFromPoints(choice);
-  if (extension.empty() && !std::filesystem::exists(choice.name)) {
+  if (isPointFile(choice)) return toolFromPoints(choice);
+  if (!std::filesystem::path(choice.name).has_extension() &&
+      !std::filesystem::exists(choice.name)) {
     std::string names;
     for (const std::string& name : named) names += (names.empty() ? "" : ", ") + name;
     return tl::unexpected(Error{
@@ -92,9 +124,10 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
         "There is no tool \"" + choice.name + "\"; choose one of " + names + ", or a mesh file."});
   }
 #ifdef PALPATE_READERS
-  const auto unit = datasets::meshUnitNamed(choice.unit);
+  const std::string named_unit = choice.unit.value_or("mm");
+  const auto unit = datasets::meshUnitNamed(named_unit);
   if (!unit)
-    return tl::unexpected(Error{Error::Kind::Unsupported, "There is no unit \"" + choice.unit +
+    return tl::unexpected(Error{Error::Kind::Unsupported, "There is no unit \"" + named_unit +
                                                               "\"; choose one of m, mm, cm, in."});
   auto read = datasets::readToolMesh(choice.name, *unit);
   if (!read) return tl::unexpected(read.error());
@@ -106,6 +139,12 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
                               "This palpate-cli was built without readers and opens no mesh files; "
                               "use a named tool or a CSV of points."});
 #endif
+}
+
+std::optional<std::string> contradictionIn(const ToolChoice& choice) {
+  if (!isPointFile(choice) || (choice.points == 0 && !choice.unit)) return {};
+  return "A CSV holds the tool's points in metres, and no mesh: leave out " +
+         std::string(choice.unit ? "--tool-unit" : "--points") + ".";
 }
 
 haptics::Expected<std::string> writableTarget(const std::string& path) {
@@ -128,27 +167,23 @@ haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::strin
         Error{Error::Kind::NotFound, "\"" + path + "\" cannot be opened; check the path."});
   std::string line;
   if (!std::getline(file, line)) return malformed("\"" + path + "\" is empty.");
+  const auto withoutReturn = [&] {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+  };
+  withoutReturn();
+  if (const auto numbers = numbersIn(line); numbers && !numbers->empty())
+    return malformed("The first line of \"" + path +
+                     "\" holds numbers, where the columns' names belong, and would be lost; write "
+                     "a line of names above it.");
   std::vector<std::vector<double>> rows;
   for (std::size_t number = 2; std::getline(file, line); ++number) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+    withoutReturn();
     if (line.empty()) continue;
-    std::vector<double> row;
-    const char *at = line.data(), *end = line.data() + line.size();
-    while (at < end) {
-      while (at < end && (*at == ' ' || *at == '\t')) ++at;
-      double value = 0.0;
-      const auto [stop, error] = std::from_chars(at, end, value);
-      if (error != std::errc{}) break;
-      row.push_back(value);
-      at = stop;
-      while (at < end && (*at == ' ' || *at == '\t')) ++at;
-      if (at < end && *at != ',') break;
-      ++at;
-    }
-    if (at < end || row.size() < columns)
+    auto row = numbersIn(line);
+    if (!row || row->size() < columns)
       return malformed("\"" + path + "\" needs " + std::to_string(columns) +
                        " numbers, separated by commas, in line " + std::to_string(number) + ".");
-    rows.push_back(std::move(row));
+    rows.push_back(std::move(*row));
   }
   if (rows.empty()) return malformed("\"" + path + "\" holds a header and no rows.");
   return rows;

@@ -36,9 +36,13 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const Volum
 /// Which tool: a named one, a mesh file, or a CSV of points (x,y,z in metres, one header line).
 struct ToolChoice {
   std::string name = {};
-  int points = 0;           ///< 0: the mesh's vertices
-  std::string unit = "mm";  ///< of a mesh file: m, mm, cm, in
+  int points = 0;                        ///< 0: the mesh's vertices
+  std::optional<std::string> unit = {};  ///< of a mesh file: m, mm, cm, in; mm where not said
 };
+/// What of a choice has no meaning, if anything: points are spread over meshes, and only their
+/// files have units.
+std::optional<std::string> contradictionIn(const ToolChoice& choice);
+
 struct LoadedTool {
   haptics::Tool tool;
   std::vector<std::string> warnings;
@@ -49,7 +53,8 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice);
 /// regular file (a folder, a device, a pipe).
 haptics::Expected<std::string> writableTarget(const std::string& path);
 
-/// Rows of numbers under one header line; every row has at least `columns` of them.
+/// Rows of numbers under one header line, which names the columns; every row has at least
+/// `columns` of them. A first line of numbers is refused, since it would be lost.
 haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,
                                                                 std::size_t columns);
 

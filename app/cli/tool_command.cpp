@@ -15,6 +15,7 @@ struct ToolOptions {
 };
 
 Outcome writeShell(const ToolOptions& options) {
+  if (const auto wrong = contradictionIn(options.tool)) return usage(*wrong);
   auto loaded = loadTool(options.tool);
   if (!loaded) return refused(loaded.error());
   const haptics::PointShell& shell = loaded->tool.shell;

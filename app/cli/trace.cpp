@@ -2,6 +2,7 @@
 #include "app/cli/trace.h"
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 
@@ -87,6 +88,13 @@ haptics::Expected<haptics::Hand> readHand(const std::string& path) {
     if (!(q.norm() > 0.5 && q.norm() < 2.0))
       return tl::unexpected(Error{Error::Kind::Malformed,
                                   "\"" + path + "\" has a rotation that is no unit quaternion."});
+    constexpr double kFarthest = 100.0;  // m
+    for (std::size_t c = 1; c < 4; ++c)
+      if (!(std::abs(row[c]) <= kFarthest))
+        return tl::unexpected(Error{Error::Kind::Malformed,
+                                    "\"" + path +
+                                        "\" leads the hand further away than 100 m, which no hand "
+                                        "goes; its positions are in metres."});
     times.push_back(row[0]);
     poses.push_back(haptics::poseOf({row[1], row[2], row[3]}, q));
   }

@@ -214,7 +214,15 @@ Expected<std::shared_ptr<const TemporaryFolder>> unpacked(const fs::path& path,
                                                           const ReadProgress& progress) {
   const ArchivePtr a = opened(path);
   if (!a) return damaged(path);
-  auto folder = std::make_shared<TemporaryFolder>();
+  std::shared_ptr<TemporaryFolder> folder;
+  try {
+    folder = std::make_shared<TemporaryFolder>();
+  } catch (const fs::filesystem_error& failed) {
+    return unsupported("no-temporary-folder",
+                       "The folder for temporary files, \"" + failed.path1().string() +
+                           "\", cannot be written, and an archive is unpacked there; set TMPDIR to "
+                           "one that can be, or unpack the archive yourself.");
+  }
   std::error_code error;
   const fs::space_info space = fs::space(folder->path(), error);
   const auto size = static_cast<std::int64_t>(fs::file_size(path, error));

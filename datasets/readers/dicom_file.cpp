@@ -16,10 +16,13 @@
 #include <cmath>
 #include <fstream>
 #include <memory>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "datasets/readers/c_locale.h"
 #include "datasets/readers/codestream.h"
+#include "datasets/readers/dicom_numbers.h"
 #include "datasets/readers/dicom_structure.h"
 #include "datasets/readers/refusal.h"
 #include "datasets/readers/rewritten_file.h"
@@ -72,12 +75,26 @@ const vtkDICOMValue& ofFrame(vtkDICOMMetaData* meta, int frame, vtkDICOMTag grou
   return meta->Get(tag);
 }
 
-/// As many numbers as asked for; false if there is another count.
+haptics::Error fault(tl::unexpected<haptics::Error> error) { return std::move(error.value()); }
+
+haptics::Error senseless(const DicomFile& file, const char* attribute) {
+  return fault(malformed("bad-header", "The file " + quoted(file.path) + " states a " + attribute +
+                                           " that is not written as DICOM writes numbers (\"1.5\", "
+                                           "with a point and without a unit), or too many or too "
+                                           "few of them; export it again."));
+}
+
+/// As many numbers as asked for, where the element is there.
 template <std::size_t N>
-bool numbersOf(const vtkDICOMValue& value, std::array<double, N>& numbers) {
-  if (!value.IsValid() || value.GetNumberOfValues() != N) return false;
-  value.GetValues(numbers.data(), N);
-  return true;
+std::optional<haptics::Error> readNumbers(const DicomFile& file, const char* attribute,
+                                          const vtkDICOMValue& value,
+                                          std::optional<std::array<double, N>>& numbers) {
+  const auto all = numbersIn(value);
+  if (!all || (!all->empty() && all->size() != N)) return senseless(file, attribute);
+  if (all->empty()) return {};
+  numbers.emplace();
+  std::ranges::copy(*all, numbers->begin());
+  return {};
 }
 
 /// Syntaxes that Part 5 retired or that describe films: nobody decodes them here.
@@ -86,8 +103,6 @@ bool decodable(const std::string& syntax) {
       "1.2.840.10008.1.2", "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2", ""};
   return codingOf(syntax).has_value() || std::ranges::find(kPlain, syntax) != kPlain.end();
 }
-
-haptics::Error fault(tl::unexpected<haptics::Error> error) { return std::move(error.value()); }
 
 haptics::Error syntaxFault(const std::string& syntax) {
   const char* name = vtkDICOMUtilities::GetUIDName(syntax.c_str());
@@ -113,6 +128,45 @@ bool encapsulationCloses(const std::filesystem::path& path, std::int64_t begin, 
     at += 8 + length;
   }
   return false;
+}
+
+/// Whether a program that took the file for text has put a carriage return before each line feed:
+/// what follows `begin` has no line feed without one, and as many bytes too many.
+bool isTextModeCopy(const std::filesystem::path& path, std::int64_t begin, std::int64_t too_many) {
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(begin);
+  std::vector<char> block(std::size_t{1} << 16);
+  std::int64_t feeds = 0;
+  char before = 0;
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
+    for (const char c : std::span{block.data(), static_cast<std::size_t>(in.gcount())}) {
+      if (c == '\n' && before != '\r') return false;
+      feeds += c == '\n' ? 1 : 0;
+      before = c;
+    }
+  return feeds > 0 && feeds <= too_many;
+}
+
+/// Of a file whose pixels are not compressed: what follows them must be elements, or nothing.
+std::optional<haptics::Error> checkBehindPixels(const DicomFile& file, std::int64_t begin,
+                                                std::int64_t end, std::int64_t size) {
+  if (file.rewritten || size <= end) return {};
+  if (isTextModeCopy(file.path, begin, size - end))
+    return fault(malformed("truncated",
+                           "The file " + quoted(file.path) +
+                               " was copied as if it were text, which put bytes among its pixels; "
+                               "copy it again in binary mode."));
+  constexpr std::int64_t kElementHead = 8;
+  if (size - end >= kElementHead) return {};  // its elements have been looked at
+  std::ifstream in(file.path, std::ios::binary);
+  in.seekg(end);
+  for (char c = 0; in.get(c);)
+    if (c != '\0')
+      return fault(malformed("truncated",
+                             "The file " + quoted(file.path) +
+                                 " goes on after its pixels with something that is no DICOM; copy "
+                                 "or fetch it again."));
+  return {};
 }
 
 std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData* meta,
@@ -161,7 +215,10 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
                              "choose the series of the scan."));
   if (!decodable(file.syntax)) return syntaxFault(file.syntax);
   // pixels without a length are compressed, and the other way round
-  if (compressed != codingOf(file.syntax).has_value()) return cutOff();
+  if (compressed != codingOf(file.syntax).has_value())
+    return fault(malformed("bad-header", "The pixels of " + quoted(file.path) +
+                                             " are stored in another way than its transfer syntax "
+                                             "says; export it again."));
   if (file.plane.rows < 1 || file.plane.columns < 1 ||
       (file.bits_allocated != 8 && file.bits_allocated != 16 && file.bits_allocated != 32))
     return fault(unsupported("bad-header", "A file of the series states " +
@@ -174,48 +231,81 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
                                       file.frame_count <= (size - begin) / 8
                                 : needed <= parser->GetPixelDataVL() && begin + needed <= size;
   if (!whole) return cutOff();
+  if (compressed) return {};
+  return checkBehindPixels(file, begin, begin + parser->GetPixelDataVL(), size);
+}
+
+haptics::Error unplaced() {
+  return fault(unsupported("bad-header",
+                           "The series does not say where its slices lie (position, orientation or "
+                           "pixel spacing is missing); export it again with its geometry."));
+}
+
+/// Fills in where the slice lies, or says why that is not known.
+std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file) {
+  std::optional<std::array<double, 3>> position;
+  std::optional<std::array<double, 6>> orientation;
+  std::optional<std::array<double, 2>> spacing;
+  std::optional<std::array<double, 1>> thickness;
+  const auto ofGroup = [&](vtkDICOMTag group, vtkDICOMTag tag) -> const vtkDICOMValue& {
+    return ofFrame(meta, file.frame, group, tag);
+  };
+  if (auto bad = readNumbers(
+          file, "position", ofGroup(DC::PlanePositionSequence, DC::ImagePositionPatient), position))
+    return bad;
+  if (auto bad = readNumbers(file, "direction",
+                             ofGroup(DC::PlaneOrientationSequence, DC::ImageOrientationPatient),
+                             orientation))
+    return bad;
+  if (auto bad = readNumbers(file, "pixel spacing",
+                             ofGroup(DC::PixelMeasuresSequence, DC::PixelSpacing), spacing))
+    return bad;
+  if (auto bad = readNumbers(file, "slice thickness",
+                             ofGroup(DC::PixelMeasuresSequence, DC::SliceThickness), thickness))
+    return bad;
+  if (!position || !orientation || !spacing) return unplaced();
+  SlicePlane& plane = file.plane;
+  plane.position_mm = Vec3::Map(position->data());
+  plane.along_row = Vec3::Map(orientation->data());
+  plane.along_column = Vec3::Map(orientation->data() + 3);
+  plane.row_step_mm = spacing->front();
+  plane.column_step_mm = spacing->back();
+  if (thickness) plane.thickness_mm = thickness->front();
   return {};
 }
 
-/// Fills in where the slice lies; false if the file does not say.
-bool placeSlice(vtkDICOMMetaData* meta, int frame, SlicePlane& plane) {
-  std::array<double, 3> position{};
-  std::array<double, 6> orientation{};
-  std::array<double, 2> spacing{};
-  const auto measure = [&](vtkDICOMTag tag) -> const vtkDICOMValue& {
-    return ofFrame(meta, frame, DC::PixelMeasuresSequence, tag);
-  };
-  if (!numbersOf(ofFrame(meta, frame, DC::PlanePositionSequence, DC::ImagePositionPatient),
-                 position) ||
-      !numbersOf(ofFrame(meta, frame, DC::PlaneOrientationSequence, DC::ImageOrientationPatient),
-                 orientation) ||
-      !numbersOf(measure(DC::PixelSpacing), spacing))
-    return false;
-  plane.position_mm = {position[0], position[1], position[2]};
-  plane.along_row = {orientation[0], orientation[1], orientation[2]};
-  plane.along_column = {orientation[3], orientation[4], orientation[5]};
-  plane.row_step_mm = spacing[0];
-  plane.column_step_mm = spacing[1];
-  const vtkDICOMValue& thickness = measure(DC::SliceThickness);
-  if (thickness.IsValid()) plane.thickness_mm = thickness.AsDouble();
-  return true;
-}
-
-void readRescale(vtkDICOMMetaData* meta, DicomFile& file) {
+std::optional<haptics::Error> readRescale(vtkDICOMMetaData* meta, DicomFile& file) {
   const auto transformation = [&](vtkDICOMTag tag) -> const vtkDICOMValue& {
     return ofFrame(meta, file.frame, DC::PixelValueTransformationSequence, tag);
   };
-  const vtkDICOMValue &slope = transformation(DC::RescaleSlope),
-                      &intercept = transformation(DC::RescaleIntercept);
-  if (!slope.IsValid() || !intercept.IsValid()) return;
+  if (itemOf(transformation(DC::ModalityLUTSequence), 0) != nullptr)
+    return fault(unsupported("unsupported-type",
+                             "The file " + quoted(file.path) +
+                                 " maps its stored values through a table (Modality LUT), which is "
+                                 "not done here; export it with a rescale slope and intercept."));
+  std::optional<std::array<double, 1>> slope, intercept;
+  if (auto bad = readNumbers(file, "rescale slope", transformation(DC::RescaleSlope), slope))
+    return bad;
+  if (auto bad =
+          readNumbers(file, "rescale intercept", transformation(DC::RescaleIntercept), intercept))
+    return bad;
+  if (slope.has_value() != intercept.has_value())
+    return fault(malformed("bad-header", "The file " + quoted(file.path) +
+                                             " states one of rescale slope and intercept without "
+                                             "the other; export it again."));
+  if (!slope) return {};
   file.rescaled = true;
-  file.slope = slope.AsDouble();
-  file.intercept = intercept.AsDouble();
+  file.slope = slope->front();
+  file.intercept = intercept->front();
+  if (file.slope == 0.0)
+    return fault(malformed("bad-header", "The file " + quoted(file.path) +
+                                             " states a rescale slope of 0; export it again."));
   const std::string type = trimmedValue(transformation(DC::RescaleType));
   const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 0
                                ? meta->Get(DC::ImageType).GetString(0)
                                : std::string();
   file.hounsfield = file.modality == "CT" && (type == "HU" || (type.empty() && kind == "ORIGINAL"));
+  return {};
 }
 
 /// A stored value of the file's own sign, whatever sign its attribute was written with.
@@ -237,22 +327,43 @@ void readPadding(vtkDICOMMetaData* meta, DicomFile& file) {
 
 /// What differs from frame to frame, and why it cannot be used, if it cannot.
 void readFrame(vtkDICOMMetaData* meta, DicomFile& file) {
-  readRescale(meta, file);
+  file.fault = readRescale(meta, file);
   readPadding(meta, file);
-  if (!std::isfinite(file.slope) || !std::isfinite(file.intercept) || file.slope == 0.0) {
-    file.fault = fault(malformed("bad-header",
-                                 "The series states a rescale slope or intercept that cannot be "
-                                 "used; export it again."));
-    return;
-  }
+  file.identity.kernel =
+      trimmedValue(ofFrame(meta, file.frame, DC::CTReconstructionSequence, DC::ConvolutionKernel));
+  if (file.fault) return;
   // several frames at the one place that a root states are no stack
-  const bool placed = (file.frame_count == 1 || meta->Has(DC::PerFrameFunctionalGroupsSequence)) &&
-                      placeSlice(meta, file.frame, file.plane);
-  if (!placed)
-    file.fault = fault(unsupported("bad-header",
-                                   "The series does not say where its slices lie (position, "
-                                   "orientation or pixel spacing is missing); export it again "
-                                   "with its geometry."));
+  if (file.frame_count > 1 && !meta->Has(DC::PerFrameFunctionalGroupsSequence))
+    file.fault = unplaced();
+  else
+    file.fault = placeSlice(meta, file);
+}
+
+/// How many frames; some programs leave the number out of a file of one.
+std::optional<haptics::Error> readFrameCount(vtkDICOMMetaData* meta, DicomFile& file) {
+  const vtkDICOMValue& stated = meta->Get(DC::NumberOfFrames);
+  if (!stated.IsValid() || trimmedValue(stated).empty()) return {};
+  const auto count = integerString(trimmedValue(stated));
+  if (!count || *count < 1) return senseless(file, "number of frames");
+  file.frame_count = *count;
+  return {};
+}
+
+/// Whether it is known what the stored bits mean.
+std::optional<haptics::Error> bitsFault(const DicomFile& file, vtkDICOMMetaData* meta) {
+  if (!meta->Get(DC::PixelRepresentation).IsValid())
+    return fault(malformed("bad-header", "The file " + quoted(file.path) +
+                                             " does not say whether its pixels have a sign (Pixel "
+                                             "Representation); export it again."));
+  const bool fits = file.bits_stored >= 1 && file.bits_stored <= file.bits_allocated &&
+                    file.high_bit >= file.bits_stored - 1 && file.high_bit < file.bits_allocated;
+  const bool moved = file.high_bit != file.bits_stored - 1;
+  if (fits && !(moved && codingOf(file.syntax))) return {};
+  return fault(malformed("bad-header", "The file " + quoted(file.path) + " states " +
+                                           std::to_string(file.bits_stored) + " stored of " +
+                                           std::to_string(file.bits_allocated) +
+                                           " bits, up to bit " + std::to_string(file.high_bit) +
+                                           ", which cannot be; export it again."));
 }
 
 /// A parsed header.
@@ -276,6 +387,13 @@ struct Header {
 
 bool looksLikeDicom(const std::filesystem::path& path) {
   return vtkDICOMUtilities::IsDICOMFile(path.c_str()) || bareDataSetOf(path).has_value();
+}
+
+bool isFolderIndex(const std::filesystem::path& path) {
+  // its syntax is always explicit little endian
+  if (structureOf(path, path).fault) return false;
+  const auto header = std::make_unique<Header>(path.string());
+  return textOf(header->meta, DC::MediaStorageSOPClassUID) == kFolderIndex;
 }
 
 std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
@@ -313,6 +431,13 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   file.rewritten = rewritten.has_value();
   file.pixels_begin = static_cast<std::int64_t>(parser->GetFileOffset());
   file.series = textOf(meta, DC::SeriesInstanceUID);
+  file.identity = {.patient = textOf(meta, DC::PatientID) + "\n" + textOf(meta, DC::PatientName),
+                   .study = textOf(meta, DC::StudyInstanceUID),
+                   .frame_of_reference = textOf(meta, DC::FrameOfReferenceUID),
+                   .modality = textOf(meta, DC::Modality),
+                   .kernel = textOf(meta, DC::ConvolutionKernel),
+                   .image_type = textOf(meta, DC::ImageType)};
+  file.acquisition = textOf(meta, DC::AcquisitionNumber);
   file.instance = textOf(meta, DC::SOPInstanceUID);
   file.modality = modalityFrom(textOf(meta, DC::Modality));
   file.labels = {shownText(meta, DC::PatientName), shownText(meta, DC::StudyDescription),
@@ -323,6 +448,7 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   file.bits_allocated = meta->Get(DC::BitsAllocated).AsInt();
   file.bits_stored =
       meta->Has(DC::BitsStored) ? meta->Get(DC::BitsStored).AsInt() : file.bits_allocated;
+  file.high_bit = meta->Has(DC::HighBit) ? meta->Get(DC::HighBit).AsInt() : file.bits_stored - 1;
   file.inverted = textOf(meta, DC::PhotometricInterpretation) == "MONOCHROME1";
   file.is_signed = meta->Get(DC::PixelRepresentation).AsInt() == 1;
 
@@ -332,7 +458,7 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   if (bare && !understood) return {};
   if (structure.fault) {
     file.fault = structure.fault;
-    placeSlice(meta, 0, file.plane);  // to know what it is a copy of
+    placeSlice(meta, file);  // to know what it is a copy of
     return {file};
   }
   if (!header->isSound()) {
@@ -346,11 +472,11 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
         "bad-header", "The header of " + quoted(path) + " cannot be understood; export it again."));
     return {file};
   }
-  if (meta->Has(DC::NumberOfFrames))
-    file.frame_count = std::max(1, meta->Get(DC::NumberOfFrames).AsInt());
-  file.fault = pixelFault(file, meta, parser);
+  file.fault = readFrameCount(meta, file);
+  if (!file.fault) file.fault = bitsFault(file, meta);
+  if (auto pixels = pixelFault(file, meta, parser)) file.fault = std::move(pixels);
   if (file.fault) {
-    placeSlice(meta, 0, file.plane);  // to know what it is a copy of
+    placeSlice(meta, file);  // to know what it is a copy of
     return {file};
   }
   std::vector<DicomFile> frames;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -43,7 +45,10 @@ Expected<Stack> judge(const std::vector<DicomFile>& files) {
                          "The series mixes voxel types; put them into folders of their own.");
     planes.push_back(file.plane);
   }
-  return stackOf(planes);
+  auto stack = stackOf(planes);
+  if (!stack) return stack;
+  if (const auto grid = gridOf(stack->geometry); !grid) return tl::unexpected(grid.error());
+  return stack;
 }
 
 bool isSamePlace(const SlicePlane& a, const SlicePlane& b) {
@@ -131,8 +136,117 @@ Expected<std::vector<DicomFile>> headersOf(const std::vector<fs::path>& paths,
   return headers;
 }
 
+/// Whether a file whose header could be read in part only may belong to these.
+bool mayBelong(const DicomFile& broken, const DicomFile& to) {
+  const auto agrees = [](const std::string& known, const std::string& other) {
+    return known.empty() || known == "\n" || known == other;
+  };
+  const SliceIdentity &a = broken.identity, &b = to.identity;
+  return !broken.series.empty() && broken.series == to.series && agrees(a.patient, b.patient) &&
+         agrees(a.study, b.study) && agrees(a.frame_of_reference, b.frame_of_reference) &&
+         agrees(a.modality, b.modality) && agrees(a.kernel, b.kernel) &&
+         agrees(a.image_type, b.image_type);
+}
+
+/// Files by series, and by all else that slices of one stack have in common, since identifiers of
+/// series are blank, or given twice, in files that are made anonymous. What is known of a broken
+/// file puts it to every series that may lack it.
+std::vector<std::vector<DicomFile>> separated(std::vector<DicomFile> files) {
+  std::map<std::pair<std::string, SliceIdentity>, std::vector<DicomFile>> by_identity;
+  std::vector<DicomFile> broken;
+  for (DicomFile& file : files) {
+    if (file.fault) {
+      broken.push_back(std::move(file));
+      continue;
+    }
+    // a series without an identifier is one of its folder
+    const std::string series =
+        file.series.empty() ? "/" + file.path.parent_path().string() : file.series;
+    by_identity[{series, file.identity}].push_back(std::move(file));
+  }
+  std::map<std::string, std::vector<DicomFile>> alone;
+  for (const DicomFile& file : broken) {
+    bool belongs = false;
+    for (auto& [key, sound] : by_identity)
+      if (mayBelong(file, sound.front())) {
+        sound.push_back(file);
+        belongs = true;
+      }
+    if (!belongs)
+      alone[file.series.empty() ? "/" + file.path.parent_path().string() : file.series].push_back(
+          file);
+  }
+  std::vector<std::vector<DicomFile>> all;
+  for (auto& [key, some] : by_identity) all.push_back(std::move(some));
+  for (auto& [key, some] : alone) all.push_back(std::move(some));
+  for (std::vector<DicomFile>& some : all)
+    std::ranges::stable_sort(some, {},
+                             [](const DicomFile& f) { return std::pair(f.path, f.frame); });
+  return all;
+}
+
+DicomSeries judgedTogether(std::vector<DicomFile> files) {
+  DicomSeries series;
+  series.files = std::move(files);
+  series.copies_left_out = leaveOutCopies(series.files);
+  series.stack = judge(series.files);
+  return series;
+}
+
+/// From the lowest slice to the highest along their normal, mm.
+std::pair<double, double> extentOf(const std::vector<DicomFile>& files) {
+  const SlicePlane& any = files.front().plane;
+  const haptics::Vec3 normal = any.along_row.cross(any.along_column);
+  std::pair<double, double> extent{std::numeric_limits<double>::infinity(),
+                                   -std::numeric_limits<double>::infinity()};
+  for (const DicomFile& file : files) {
+    const double height_mm = normal.dot(file.plane.position_mm);
+    extent = {std::min(extent.first, height_mm), std::max(extent.second, height_mm)};
+  }
+  return extent;
+}
+
+/// The series that files of one identity make: one, or one for each acquisition, where acquisitions
+/// lie in each other's place and each is an even stack. Acquisitions one after the other are turns
+/// of a scanner that counts them.
+std::vector<DicomSeries> judged(std::vector<DicomFile> files) {
+  std::map<std::string, std::vector<DicomFile>> by_acquisition;
+  const bool faulty =
+      std::ranges::any_of(files, [](const DicomFile& f) { return f.fault.has_value(); });
+  if (!faulty)
+    for (const DicomFile& file : files) by_acquisition[file.acquisition].push_back(file);
+  bool overlap = false;
+  std::vector<std::pair<double, double>> extents;
+  for (const auto& [number, some] : by_acquisition) extents.push_back(extentOf(some));
+  std::ranges::sort(extents);
+  double highest_mm = -std::numeric_limits<double>::infinity();
+  for (const auto& [low_mm, high_mm] : extents) {
+    overlap = overlap || low_mm <= highest_mm;
+    highest_mm = std::max(highest_mm, high_mm);
+  }
+  if (by_acquisition.size() < 2 || !overlap) return {judgedTogether(std::move(files))};
+
+  std::vector<DicomSeries> apart;
+  bool each_even = true;
+  for (auto& [number, some] : by_acquisition) {
+    apart.push_back(judgedTogether(std::move(some)));
+    each_even = each_even && apart.back().files.size() > 1 && apart.back().stack &&
+                !apart.back().stack->crooked;
+  }
+  if (each_even) return apart;
+  DicomSeries together = judgedTogether(std::move(files));
+  if (together.stack)
+    together.stack = unsupported(
+        "mixed-acquisitions",
+        "The series holds several acquisitions whose slices lie between each other's, and it "
+        "cannot be told which belong together; put each acquisition into a folder of its own.");
+  return {std::move(together)};
+}
+
 int fileCount(const DicomSeries& series) {
-  return static_cast<int>(std::ranges::count(series.files, 0, &DicomFile::frame));
+  std::set<fs::path> paths;
+  for (const DicomFile& file : series.files) paths.insert(file.path);
+  return static_cast<int>(paths.size());
 }
 
 /// Of the voxels once they are read: what is not 8 bits becomes 16, or float where it must.
@@ -161,20 +275,9 @@ Expected<std::vector<DicomSeries>> seriesAmong(const std::vector<fs::path>& path
                                                const ReadProgress& progress) {
   auto headers = headersOf(paths, progress);
   if (!headers) return tl::unexpected(std::move(headers.error()));
-  std::map<std::string, DicomSeries> by_series;
-  for (DicomFile& file : *headers) {
-    // a series without an identifier is one of its folder
-    const std::string key =
-        file.series.empty() ? "/" + file.path.parent_path().string() : file.series;
-    by_series[key].files.push_back(std::move(file));
-  }
-
   std::vector<DicomSeries> all;
-  for (auto& [uid, series] : by_series) {
-    series.copies_left_out = leaveOutCopies(series.files);
-    series.stack = judge(series.files);
-    all.push_back(std::move(series));
-  }
+  for (std::vector<DicomFile>& files : separated(std::move(*headers)))
+    for (DicomSeries& series : judged(std::move(files))) all.push_back(std::move(series));
   std::ranges::sort(all, {}, [](const DicomSeries& s) {
     return std::pair(s.files.front().series_number, s.files.front().path);
   });
@@ -193,27 +296,29 @@ Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progres
   auto headers = headersOf(*paths, progress);
   if (!headers) return tl::unexpected(std::move(headers.error()));
   const DicomFile& named = frames.front();
-  DicomSeries series;
-  for (DicomFile& file : *headers) {
-    if (file.series != named.series) continue;
-    const bool is_named = file.path.filename() == path.filename();
+  const auto isNamed = [&](const DicomFile& file) {
+    return file.path.filename() == path.filename();
+  };
+  for (std::vector<DicomFile>& files : separated(std::move(*headers))) {
+    if (std::ranges::none_of(files, isNamed)) continue;
     // files without identifiers stand for themselves
-    if (!is_named && file.series.empty()) continue;
-    const bool same_instance = !file.instance.empty() && file.instance == named.instance;
-    const bool same_place = !named.fault && isSamePlace(file.plane, named.plane);
-    if (!is_named && (same_instance || same_place)) {
-      ++series.copies_left_out;
-      continue;
+    if (named.series.empty())
+      std::erase_if(files, [&](const DicomFile& file) { return !isNamed(file); });
+    const auto copies = std::erase_if(files, [&](const DicomFile& file) {
+      const bool same_instance = !file.instance.empty() && file.instance == named.instance;
+      const bool same_place = !named.fault && isSamePlace(file.plane, named.plane);
+      return !isNamed(file) && file.acquisition == named.acquisition &&
+             (same_instance || same_place);
+    });
+    for (DicomSeries& series : judged(std::move(files))) {
+      if (std::ranges::none_of(series.files, isNamed)) continue;
+      series.copies_left_out += static_cast<int>(copies);
+      return std::move(series);
     }
-    series.files.push_back(std::move(file));
   }
-  if (series.files.empty())
-    return malformed("unreadable", quoted(path) +
-                                       " is no DICOM file, or not any more; open the folder of one "
-                                       "series.");
-  series.copies_left_out += leaveOutCopies(series.files);
-  series.stack = judge(series.files);
-  return series;
+  return malformed("unreadable", quoted(path) +
+                                     " is no DICOM file, or not any more; open the folder of one "
+                                     "series.");
 }
 
 SeriesVerdict verdictOf(const DicomSeries& series) {

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/dicom_pixels.h"
 
-#include <vtkDICOMReader.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <system_error>
 
 #include "datasets/readers/c_locale.h"
@@ -26,7 +25,6 @@
 #include "datasets/readers/rewritten_file.h"
 #include "datasets/readers/straighten.h"
 #include "datasets/readers/thumbnail.h"
-#include "datasets/readers/vtk_errors.h"
 
 namespace datasets {
 
@@ -34,28 +32,6 @@ using haptics::Expected;
 using haptics::ScalarType;
 
 namespace {
-
-std::optional<ScalarType> typeOf(int vtk_type) {
-  switch (vtk_type) {
-    case VTK_UNSIGNED_CHAR:
-      return ScalarType::UInt8;
-    case VTK_CHAR:
-    case VTK_SIGNED_CHAR:
-      return ScalarType::Int8;
-    case VTK_UNSIGNED_SHORT:
-      return ScalarType::UInt16;
-    case VTK_SHORT:
-      return ScalarType::Int16;
-    case VTK_UNSIGNED_INT:
-      return ScalarType::UInt32;
-    case VTK_INT:
-      return ScalarType::Int32;
-    case VTK_FLOAT:
-      return ScalarType::Float32;
-    default:
-      return {};
-  }
-}
 
 haptics::Error undecodable(const DicomFile& file) {
   return malformed("truncated", "The pixels of " + quoted(file.path) +
@@ -76,52 +52,50 @@ class FileFrames {
   virtual Expected<Pixels> pixelsOf(const DicomFile& frame, const ReadProgress& progress) = 0;
 };
 
-/// As they lie in the file: by vtk-dicom.
+/// As they lie in the file: vtk-dicom's own reader masks bits that mean padding, and knows no
+/// others than the lowest.
 class PlainFrames : public FileFrames {
  public:
-  PlainFrames() {
-    errors_->watch(reader_);
-    reader_->SetMemoryRowOrderToFileNative();
-    reader_->SetAutoRescale(0);
-    reader_->SetAutoYBRToRGB(0);
-    reader_->SetSorting(0);
-  }
-
   Expected<Pixels> pixelsOf(const DicomFile& frame, const ReadProgress&) override {
-    if (!is_read_)
-      if (const auto done = read(frame); !done) return tl::unexpected(done.error());
-    vtkImageData* image = reader_->GetOutput();
-    const ScalarType type = *typeOf(image->GetScalarType());
-    const std::int64_t before = frame.frame * frame.plane.columns * frame.plane.rows;
-    return Pixels{type, static_cast<const char*>(image->GetScalarPointer()) +
-                            before * static_cast<std::int64_t>(haptics::sizeOf(type))};
+    if (!in_.is_open())
+      if (const auto done = open(frame); !done) return tl::unexpected(done.error());
+    const auto count = static_cast<std::size_t>(frame.plane.columns * frame.plane.rows);
+    const ScalarType type = storedTypeOf(frame);
+    const std::size_t size = haptics::sizeOf(type);
+    words_.resize(count * size);
+    const auto bytes = static_cast<std::streamoff>(words_.size());
+    in_.seekg(frame.pixels_begin + frame.frame * bytes);
+    if (!in_.read(reinterpret_cast<char*>(words_.data()), bytes))
+      return tl::unexpected(undecodable(frame));
+    if (swapped_bytes_ > 1)
+      for (auto at = words_.begin(); words_.end() - at >= swapped_bytes_; at += swapped_bytes_)
+        std::reverse(at, at + swapped_bytes_);
+    return Pixels{type, words_.data()};
   }
 
  private:
-  Expected<void> read(const DicomFile& file) {
-    std::optional<RewrittenFile> rewritten;
+  Expected<void> open(const DicomFile& file) {
     if (file.rewritten) {
       auto copy = RewrittenFile::of(file.path);
       if (!copy) return tl::unexpected(copy.error());
-      rewritten.emplace(std::move(*copy));
+      rewritten_.emplace(std::move(*copy));
     }
-    reader_->SetFileName(rewritten ? rewritten->path().c_str() : file.path.c_str());
-    reader_->Update();
-    vtkImageData* image = reader_->GetOutput();
-    int dims[3] = {0, 0, 0};
-    if (image != nullptr) image->GetDimensions(dims);
-    is_read_ = errors_->errors() == 0 && reader_->GetErrorCode() == 0 && image != nullptr &&
-               dims[0] == file.plane.columns && dims[1] == file.plane.rows &&
-               dims[2] == file.frame_count && image->GetScalarPointer() != nullptr &&
-               image->GetNumberOfScalarComponents() == 1 &&
-               typeOf(image->GetScalarType()) == storedTypeOf(file);
-    if (!is_read_) return tl::unexpected(undecodable(file));
+    in_.open(rewritten_ ? rewritten_->path() : file.path.string(), std::ios::binary);
+    if (file.syntax != kBigEndian) return {};
+    // bytes that are stored as words of 16 bits are turned about as such
+    std::array<char, 2> representation{};
+    in_.seekg(file.pixels_begin - 8);
+    in_.read(representation.data(), 2);
+    const bool as_words = std::string_view{representation.data(), 2} == "OW";
+    swapped_bytes_ = file.bits_allocated == 8 && as_words ? 2 : file.bits_allocated / 8;
     return {};
   }
 
-  bool is_read_ = false;
-  vtkNew<vtkDICOMReader> reader_;
-  vtkNew<VtkErrors> errors_;
+  static constexpr std::string_view kBigEndian = "1.2.840.10008.1.2.2";
+  std::optional<RewrittenFile> rewritten_;
+  std::ifstream in_;
+  std::ptrdiff_t swapped_bytes_ = 1;
+  std::vector<std::byte> words_;
 };
 
 /// Compressed: each frame by a program of its own.
@@ -246,7 +220,7 @@ std::vector<FileTask> tasksOf(const Taken& taken) {
   return tasks;
 }
 
-/// What the files under way hold while they are read: all of their frames, or a compressed one.
+/// What the frames under way take while they are read.
 std::int64_t decodedBytes(const Taken& taken) {
   std::int64_t most = 0;
   for (const std::size_t n : taken.slices) {
@@ -280,22 +254,24 @@ Expected<Outcome> decodeAll(const Taken& taken, ScalarType type, void* voxels, d
   const auto decodeOne = [&](std::size_t n) {
     const CLocale numbers_with_points;
     std::unique_ptr<FileFrames> frames;
+    std::vector<std::byte> room;
     for (const std::size_t place : tasks[n].places) {
       const DicomFile& file = taken.series.files[taken.slices[place]];
       if (!frames) frames = framesOf(file, decoders);
-      const auto pixels = frames->pixelsOf(file, progress);
-      if (!pixels) {
+      const auto words = frames->pixelsOf(file, progress);
+      if (!words) {
         const std::scoped_lock lock(mutex);
-        if (n < failed_at) failed = pixels.error();
+        if (n < failed_at) failed = words.error();
         failed_at = std::min(n, failed_at);
         return false;
       }
+      const Pixels pixels = settled(*words, file, room);
       if (padded) {
-        const double least = leastOf(*pixels, file);
+        const double least = leastOf(pixels, file);
         const std::scoped_lock lock(mutex);
         air = std::min(air, least);
       }
-      if (!rescale(*pixels, file, taken.window, type, taken.sliceAt(place, type, voxels)))
+      if (!rescale(pixels, file, taken.window, type, taken.sliceAt(place, type, voxels)))
         fits = false;
     }
     return fits.load();
@@ -375,15 +351,16 @@ Expected<Thumbnail> thumbnailOf(const DicomSeries& series, int longest) {
   if (series.stack) middle = series.stack->order[middle];
   const DicomFile& file = series.files[middle];
   if (file.fault) return tl::unexpected(*file.fault);
-  if (const auto room = checkRoom(file.plane.columns * file.plane.rows * file.frame_count, 4);
-      !room)
+  if (const auto room = checkRoom(file.plane.columns * file.plane.rows, 4); !room)
     return tl::unexpected(room.error());
   Decoders decoders = decodersFor({&file, 1});
   const std::unique_ptr<FileFrames> frames = framesOf(file, decoders);
-  const auto pixels = frames->pixelsOf(file, {});
-  if (!pixels) return tl::unexpected(pixels.error());
-  return thumbnailOf({.type = pixels->type,
-                      .pixels = pixels->first,
+  const auto words = frames->pixelsOf(file, {});
+  if (!words) return tl::unexpected(words.error());
+  std::vector<std::byte> room;
+  const Pixels pixels = settled(*words, file, room);
+  return thumbnailOf({.type = pixels.type,
+                      .pixels = pixels.first,
                       .columns = file.plane.columns,
                       .rows = file.plane.rows,
                       .column_step = file.plane.column_step_mm,

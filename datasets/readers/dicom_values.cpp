@@ -13,6 +13,9 @@ using haptics::ScalarType;
 
 namespace {
 
+/// No value lies between these.
+constexpr std::array<double, 2> kNoValues{std::numeric_limits<double>::infinity(), 0.0};
+
 struct Interval {
   double least, greatest;
 };
@@ -104,6 +107,32 @@ std::vector<ScalarType> voxelTypesFor(const DicomSeries& series) {
   return types;
 }
 
+Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byte>& room) {
+  const int below = file.high_bit + 1 - file.bits_stored;
+  if (file.bits_stored == file.bits_allocated) return pixels;
+  const auto count = static_cast<std::size_t>(file.plane.columns * file.plane.rows);
+  room.resize(count * haptics::sizeOf(pixels.type));
+  const std::array<double, 2> padding = below == 0 ? file.padding.value_or(kNoValues) : kNoValues;
+  haptics::visitVoxels(pixels.type, pixels.first, [&](const auto* from) {
+    using T = std::remove_cvref_t<decltype(*from)>;
+    if constexpr (std::is_integral_v<T>) {
+      using Bits = std::make_unsigned_t<T>;
+      auto* to = reinterpret_cast<T*>(room.data());
+      const auto mask = static_cast<Bits>((std::uint64_t{1} << file.bits_stored) - 1);
+      const auto sign = static_cast<Bits>(
+          file.is_signed ? std::uint64_t{1} << (file.bits_stored - 1) : std::uint64_t{0});
+      for (std::size_t n = 0; n < count; ++n) {
+        const auto bits = static_cast<Bits>(static_cast<Bits>(from[n]) >> below & mask);
+        // what has the sign bit goes below zero
+        to[n] = static_cast<T>(static_cast<Bits>((bits ^ sign) - sign));
+        const auto whole = static_cast<double>(from[n]);
+        if (padding[0] <= whole && whole <= padding[1]) to[n] = from[n];
+      }
+    }
+  });
+  return {pixels.type, room.data()};
+}
+
 bool rescale(const Pixels& pixels, const DicomFile& file, const Window& window, ScalarType type,
              void* to) {
   return haptics::visitVoxels(pixels.type, pixels.first, [&](const auto* from) {
@@ -115,9 +144,7 @@ bool rescale(const Pixels& pixels, const DicomFile& file, const Window& window, 
 }
 
 double leastOf(const Pixels& pixels, const DicomFile& file) {
-  // no value lies between where there is no padding
-  const std::array<double, 2> padding =
-      file.padding.value_or(std::array{std::numeric_limits<double>::infinity(), 0.0});
+  const std::array<double, 2> padding = file.padding.value_or(kNoValues);
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   haptics::visitVoxels(pixels.type, pixels.first, [&](const auto* from) {
     for (std::int64_t i = 0; i < file.plane.columns * file.plane.rows; ++i) {

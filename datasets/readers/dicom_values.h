@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,10 @@ haptics::ScalarType storedTypeOf(const DicomFile& file);
 /// use, so a 16-bit type comes before a 32-bit one, and the next is tried when a voxel does not
 /// fit.
 std::vector<haptics::ScalarType> voxelTypesFor(const DicomSeries& series);
+
+/// The stored values of one slice: of what its words hold, the stored bits, with their sign. A word
+/// that is padding as a whole stays. In `room` where anything may differ.
+Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byte>& room);
 
 /// The chosen pixels of one slice, with its slope and intercept; false if a value does not fit an
 /// integer type.

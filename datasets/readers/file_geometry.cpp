@@ -16,6 +16,9 @@ using haptics::Vec3;
 namespace {
 
 constexpr double kMetresPerMillimetre = 1e-3;
+constexpr double kLeastStep_mm = 1e-6;
+constexpr double kMostStep_mm = 1e3;  // no voxel of a scan is as large as a step
+constexpr double kFarthest_mm = 1e5;    // beyond, positions have no room for their micrometres
 constexpr double kSquareEnough = 8e-5;  // cosine between two axes: 0.005 degrees
 constexpr double kRounding = 1e-12;     // cosine below which axes are left as they are
 
@@ -43,11 +46,16 @@ haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file) {
                      "The volume's spacing, orientation or origin is not a number; export it again "
                      "with its geometry.");
   const Vec3 spacing_mm = file.steps_mm.colwise().norm().transpose();
-  if (spacing_mm.minCoeff() < 1e-6 || spacing_mm.maxCoeff() > 1e6)
+  if (spacing_mm.minCoeff() < kLeastStep_mm || spacing_mm.maxCoeff() > kMostStep_mm)
     return malformed("bad-header", "The volume's voxel spacing of " + brief(spacing_mm.x()) +
                                        " x " + brief(spacing_mm.y()) + " x " +
                                        brief(spacing_mm.z()) +
                                        " mm cannot be right; export it again with its geometry.");
+  if (file.origin_mm.cwiseAbs().maxCoeff() > kFarthest_mm)
+    return malformed("bad-header", "The volume is said to lie " +
+                                       brief(1e-3 * file.origin_mm.cwiseAbs().maxCoeff()) +
+                                       " m away from the origin of its space, which cannot be "
+                                       "right; export it again with its geometry.");
 
   Mat3 direction = signsOf(file.space).asDiagonal() * file.steps_mm;
   for (int axis = 0; axis < 3; ++axis) direction.col(axis) /= spacing_mm[axis];

@@ -27,8 +27,9 @@ struct FileGeometry {
 };
 
 /// The one place where millimetres of a file become metres in patient LPS. Axes keep their
-/// handedness and order. Refuses steps that are zero or not finite ("bad-header") and axes more
-/// than 0.005 degrees off their right angles ("sheared"); smaller errors of rounding are removed.
+/// handedness and order. Refuses steps that are zero, not finite or beyond 1 m and origins
+/// beyond 100 m ("bad-header"), and axes more than 0.005 degrees off their right angles
+/// ("sheared"); smaller errors of rounding are removed.
 haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file);
 
 }  // namespace datasets

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -21,12 +20,9 @@ namespace {
 
 constexpr std::string_view kBlank = " \t\r\n\v\f";
 
-std::optional<double> numberOf(std::string_view word) {
+std::optional<double> coordinateOf(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return {};
-  return number;
+  return numberOf(word);
 }
 
 enum class Corner { Finite, NonFinite, NoNumbers };
@@ -34,7 +30,7 @@ enum class Corner { Finite, NonFinite, NoNumbers };
 Corner cornerOf(std::string_view& words) {
   Corner corner = Corner::Finite;
   for (int c = 0; c < 3; ++c) {
-    const auto number = numberOf(takeWord(words));
+    const auto number = coordinateOf(takeWord(words));
     if (!number) return Corner::NoNumbers;
     if (!std::isfinite(*number)) corner = Corner::NonFinite;
   }
@@ -47,13 +43,6 @@ tl::unexpected<haptics::Error> badCorner(const fs::path& path, Corner corner) {
                                        " is not a finite number; export the mesh again.");
   return malformed("truncated",
                    "A vertex of " + quoted(path) + " is not three numbers; export the mesh again.");
-}
-
-std::optional<std::int64_t> integerOf(std::string_view word) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return {};
-  return number;
 }
 
 Expected<std::int64_t> checkAsciiStl(const fs::path& path, std::string_view text) {
@@ -166,6 +155,29 @@ Expected<std::int64_t> checkStl(const fs::path& path, std::string_view bytes) {
                                     " triangles and has room for " +
                                     std::to_string((bytes.size() - kHead) / kFacet) +
                                     "; copy or export it again.");
+}
+
+std::string placesOfObj(std::string_view bytes) {
+  std::string text;
+  std::int64_t so_far = 0;
+  eachStatement(bytes, [&](std::string_view word, std::string_view rest) {
+    if (word == "v") {
+      ++so_far;
+      text += "v";
+      for (int c = 0; c < 3; ++c) text.append(" ").append(takeWord(rest));
+      text += '\n';
+    } else if (word == "f") {
+      text += "f";
+      for (std::string_view corner = takeWord(rest); !corner.empty() && corner.front() != '#';
+           corner = takeWord(rest)) {
+        const std::int64_t index = integerOf(corner.substr(0, corner.find('/'))).value_or(0);
+        text.append(" ").append(std::to_string(index < 0 ? so_far + 1 + index : index));
+      }
+      text += '\n';
+    }
+    return true;
+  });
+  return text;
 }
 
 Expected<std::int64_t> checkObj(const fs::path& path, std::string_view bytes) {

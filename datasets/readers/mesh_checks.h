@@ -23,4 +23,8 @@ std::string_view takeLine(std::string_view& text);
 /// Cuts one word off the front of a text; empty at the end.
 std::string_view takeWord(std::string_view& text);
 
+/// Of an OBJ that was checked: its vertices and the corners of its faces alone. VTK's reader does
+/// not take faces that state texture or normal at some corners, and this program needs neither.
+std::string placesOfObj(std::string_view bytes);
+
 }  // namespace datasets

@@ -17,6 +17,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "datasets/readers/c_locale.h"
 #include "datasets/readers/file_geometry.h"
@@ -99,6 +102,16 @@ tl::unexpected<haptics::Error> badUnit(const std::filesystem::path& path) {
                                        "export it in millimetres.");
 }
 
+tl::unexpected<haptics::Error> mixedUnits(const std::filesystem::path& path) {
+  return unsupported("bad-header", "The header of " + quoted(path) +
+                                       " measures its axes in different units; export it in "
+                                       "millimetres.");
+}
+
+bool isSameUnit(const char* a, const char* b) {
+  return std::string_view(a != nullptr ? a : "") == std::string_view(b != nullptr ? b : "");
+}
+
 /// Axes with directions in a space.
 Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const NrrdHeader& header,
                                         const Nrrd& nrrd) {
@@ -108,6 +121,7 @@ Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const
   for (unsigned int c = 0; c < 3; ++c) {
     const auto millimetres = millimetresIn(nrrd.spaceUnits[c]);
     if (!millimetres) return badUnit(path);
+    if (!isSameUnit(nrrd.spaceUnits[c], nrrd.spaceUnits[0])) return mixedUnits(path);
     scale[c] = *millimetres;
   }
   for (unsigned int a = 0; a < 3; ++a)
@@ -143,10 +157,21 @@ Expected<FileGeometry> plainGeometry(const std::filesystem::path& path, const Nr
     const NrrdAxisInfo& axis = nrrd.axis[header.axes[a]];
     const auto millimetres = millimetresIn(axis.units);
     if (!millimetres) return badUnit(path);
+    if (!isSameUnit(axis.units, nrrd.axis[header.axes[0]].units)) return mixedUnits(path);
     const double spacing = spacingOf(axis);
     if (std::isnan(spacing)) continue;
     ++known;
     geometry.steps_mm(a, a) = spacing * *millimetres;
+    if (std::isnan(axis.min)) continue;
+    const double centre = axis.min + (axis.center == nrrdCenterNode ? 0.0 : 0.5 * spacing);
+    geometry.origin_mm[a] = centre * *millimetres;
+    const double end =
+        centre +
+        (static_cast<double>(axis.size) - (axis.center == nrrdCenterNode ? 1.0 : 0.5)) * spacing;
+    if (!std::isnan(axis.max) && std::abs(axis.max - end) > 0.01 * std::abs(spacing))
+      return malformed("bad-header", "The header of " + quoted(path) +
+                                         " states spacings that do not lead from its axis mins to "
+                                         "its axis maxs; export it again with its geometry.");
   }
   stated = known > 0;
   if (known != 0 && known != 3)
@@ -285,12 +310,50 @@ Expected<std::shared_ptr<void>> narrowed(const Nrrd& nrrd, std::int64_t count) {
   return voxels;
 }
 
+/// Whether a word is a value of this type as a whole: teem takes "300" for 44 where a byte is
+/// meant, and "1,5" for 1.
+bool isValueOf(std::string_view word, ScalarType type) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  if (type == ScalarType::Float32) return numberOf(word).has_value();
+  const auto value = integerOf(word);
+  return value && haptics::visitVoxels(type, nullptr, [&](auto* v) {
+           using T = std::remove_const_t<std::remove_pointer_t<decltype(v)>>;
+           if constexpr (std::is_integral_v<T>) return std::in_range<T>(*value);
+           return true;
+         });
+}
+
+/// Voxels as text: every word is a value of their type.
+Expected<void> checkText(const std::filesystem::path& path, const NrrdHeader& header,
+                         ScalarType type) {
+  std::vector<std::filesystem::path> files = header.data_files;
+  if (files.empty()) files.push_back(path);
+  std::int64_t left = header.voxelCount();
+  for (const std::filesystem::path& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    if (header.data_files.empty()) in.seekg(header.header_bytes);
+    for (std::int64_t line = 0; line < header.line_skip && in; ++line)
+      in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    if (header.byte_skip > 0) in.ignore(header.byte_skip);
+    for (std::string word; left > 0 && in >> word; --left)
+      if (!isValueOf(word, type))
+        return malformed("bad-header", "A voxel of " + quoted(path) + " is written as \"" +
+                                           word.substr(0, 20) +
+                                           "\", which is no value of its type; export it again as "
+                                           "raw.");
+  }
+  return {};
+}
+
 /// The whole file's voxels, as teem decodes them. The lock must be held.
 Expected<NrrdPtr> decodedByTeem(const std::filesystem::path& path, const NrrdHeader& header,
-                                const ReadProgress& progress) {
+                                ScalarType type, const ReadProgress& progress) {
   const std::int64_t count = header.voxelCount();
   if (auto room = checkRoom(count, header.bytes_per_voxel, kSaveRaw); !room)
     return tl::unexpected(std::move(room.error()));
+  if (header.encoding == NrrdEncoding::Ascii)
+    if (auto text = checkText(path, header, type); !text)
+      return tl::unexpected(std::move(text.error()));
   NrrdPtr nrrd = load(path, header, true, progress);
   if (progress.isCancelled()) return cancelled();
   if (!nrrd || nrrd->data == nullptr)
@@ -304,7 +367,7 @@ Expected<NrrdPtr> decodedByTeem(const std::filesystem::path& path, const NrrdHea
 Expected<std::shared_ptr<void>> wholeByTeem(const std::filesystem::path& path,
                                             const NrrdHeader& header, const VoxelLayout& layout,
                                             const ReadProgress& progress) {
-  const auto nrrd = decodedByTeem(path, header, progress);
+  const auto nrrd = decodedByTeem(path, header, layout.type, progress);
   if (!nrrd) return tl::unexpected(nrrd.error());
   if (layout.doubles) return narrowed(**nrrd, layout.voxelCount());
   return adopted(**nrrd, layout.voxelCount() * layout.bytesPerVoxel());
@@ -315,7 +378,7 @@ Expected<std::shared_ptr<void>> windowByTeem(const std::filesystem::path& path,
                                              const NrrdHeader& header, VoxelLayout layout,
                                              int number, const Window& window,
                                              const ReadProgress& progress) {
-  const auto nrrd = decodedByTeem(path, header, progress);
+  const auto nrrd = decodedByTeem(path, header, layout.type, progress);
   if (!nrrd) return tl::unexpected(nrrd.error());
   layout.swapped = false;  // teem has done it
   const auto bytes = bytesOf((*nrrd)->data, layout.voxelCount() * layout.bytesPerVoxel());

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/rewritten_file.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -71,16 +69,6 @@ std::pair<std::string, std::size_t> inflatedMetaOf(const std::string& bytes) {
   return {std::move(meta), at};
 }
 
-bool writeAll(int descriptor, const char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t written = write(descriptor, bytes, count);
-    if (written <= 0) return false;
-    bytes += written;
-    count -= static_cast<std::size_t>(written);
-  }
-  return true;
-}
-
 /// An inflation under way; ends with it.
 struct Inflation : z_stream {
   Inflation() : z_stream{} { ready = inflateInit2(this, -MAX_WBITS) == Z_OK; }
@@ -93,7 +81,7 @@ struct Inflation : z_stream {
 enum class Inflated { Whole, Damaged, TooLarge };
 
 /// Inflates what begins at `data` of the bytes, and writes it.
-Inflated inflateTo(int descriptor, std::string& bytes, std::size_t data, std::int64_t most) {
+Inflated inflateTo(MemoryFile& file, std::string& bytes, std::size_t data, std::int64_t most) {
   Inflation inflation;
   if (!inflation.ready) return Inflated::Damaged;
   inflation.next_in = reinterpret_cast<Bytef*>(bytes.data() + data);
@@ -107,7 +95,7 @@ Inflated inflateTo(int descriptor, std::string& bytes, std::size_t data, std::in
     const std::size_t made = block.size() - inflation.avail_out;
     total += static_cast<std::int64_t>(made);
     if (total > most) return Inflated::TooLarge;
-    if ((result != Z_OK && result != Z_STREAM_END) || !writeAll(descriptor, block.data(), made))
+    if ((result != Z_OK && result != Z_STREAM_END) || !file.append({block.data(), made}))
       return Inflated::Damaged;
   }
   return Inflated::Whole;
@@ -159,18 +147,18 @@ Expected<RewrittenFile> RewrittenFile::of(const std::filesystem::path& path) {
   if (meta.empty())
     return malformed("bad-header",
                      "The header of " + quoted(path) + " cannot be understood; export it again.");
-  RewrittenFile file{memfd_create("dicom", MFD_CLOEXEC)};
+  RewrittenFile file;
   std::string head = std::string(kMeta - 4, '\0') + "DICM" + std::string{"\x02\0\0\0UL\x04\0", 8};
   for (int n = 0; n < 4; ++n) head += static_cast<char>(meta.size() >> (8 * n) & 0xff);
   head += meta;
-  bool sound = file.descriptor_ >= 0 && writeAll(file.descriptor_, head.data(), head.size());
+  bool sound = file.file_.append(head);
   if (bare) {
-    sound = sound && writeAll(file.descriptor_, bytes.data() + data, bytes.size() - data);
+    sound = sound && file.file_.append(std::string_view{bytes}.substr(data));
   } else {
     const std::int64_t most = std::min(
         kMost,
         std::max(kRewrittenAnyway, kMostExpansion * static_cast<std::int64_t>(bytes.size())));
-    const Inflated outcome = inflateTo(file.descriptor_, bytes, data, most);
+    const Inflated outcome = inflateTo(file.file_, bytes, data, most);
     if (outcome == Inflated::TooLarge) return tooLarge();
     sound = sound && outcome == Inflated::Whole;
   }
@@ -188,20 +176,9 @@ Expected<RewrittenFile> RewrittenFile::beginningOf(const std::filesystem::path& 
   if (count > kRewrittenAnyway) return unreadable();
   std::string bytes(static_cast<std::size_t>(count), '\0');
   std::ifstream in(file, std::ios::binary);
-  RewrittenFile copy{memfd_create("dicom", MFD_CLOEXEC)};
-  if (!in.read(bytes.data(), count) || copy.descriptor_ < 0 ||
-      !writeAll(copy.descriptor_, bytes.data(), bytes.size()))
-    return unreadable();
+  RewrittenFile copy;
+  if (!in.read(bytes.data(), count) || !copy.file_.append(bytes)) return unreadable();
   return copy;
 }
-
-RewrittenFile::~RewrittenFile() {
-  if (descriptor_ >= 0) close(descriptor_);
-}
-
-RewrittenFile::RewrittenFile(RewrittenFile&& other) noexcept
-    : descriptor_{std::exchange(other.descriptor_, -1)} {}
-
-std::string RewrittenFile::path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
 }  // namespace datasets

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "datasets/readers/memory_file.h"
 #include "haptics/core/error.h"
 
 namespace datasets {
@@ -22,8 +23,7 @@ struct BareDataSet {
 };
 std::optional<BareDataSet> bareDataSetOf(const std::filesystem::path& path);
 
-/// A DICOM file that vtk-dicom cannot read as it stands, written anew in memory: a file of this
-/// process alone that never touches a disk and ends with the object.
+/// A DICOM file that vtk-dicom cannot read as it stands, written anew in memory.
 class RewrittenFile {
  public:
   /// Of one whose data set is deflated, or bare and in need of it. Refuses what is cut off
@@ -33,16 +33,13 @@ class RewrittenFile {
   /// The first bytes of a file, as one of this kind: what of it is sound.
   static haptics::Expected<RewrittenFile> beginningOf(const std::filesystem::path& file,
                                                       std::int64_t count);
-  ~RewrittenFile();
-  RewrittenFile(RewrittenFile&& other) noexcept;
-  RewrittenFile& operator=(RewrittenFile&&) = delete;
 
   /// To open it by, while it lives.
-  std::string path() const;
+  std::string path() const { return file_.path(); }
 
  private:
-  explicit RewrittenFile(int descriptor) : descriptor_{descriptor} {}
-  int descriptor_;
+  RewrittenFile() = default;
+  MemoryFile file_;
 };
 
 }  // namespace datasets

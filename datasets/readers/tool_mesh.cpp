@@ -19,9 +19,11 @@
 #include <exception>
 #include <fstream>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "datasets/readers/c_locale.h"
+#include "datasets/readers/memory_file.h"
 #include "datasets/readers/mesh_checks.h"
 #include "datasets/readers/refusal.h"
 #include "datasets/readers/vtk_errors.h"
@@ -79,19 +81,18 @@ Expected<std::string> bytesIn(const fs::path& path) {
   return bytes;
 }
 
-/// The polygons in the file, counted by us.
-Expected<std::int64_t> countedPolygons(MeshFormat format, const fs::path& path) {
-  const auto bytes = bytesIn(path);
-  if (!bytes) return tl::unexpected(bytes.error());
+/// The polygons in the file's bytes, counted by us.
+Expected<std::int64_t> countedPolygons(MeshFormat format, const fs::path& path,
+                                       std::string_view bytes) {
   switch (format) {
     case MeshFormat::Stl:
-      return checkStl(path, *bytes);
+      return checkStl(path, bytes);
     case MeshFormat::Obj:
-      return checkObj(path, *bytes);
+      return checkObj(path, bytes);
     case MeshFormat::Ply:
       break;
   }
-  return checkPly(path, *bytes);
+  return checkPly(path, bytes);
 }
 
 vtkSmartPointer<vtkAbstractPolyDataReader> readerFor(MeshFormat format) {
@@ -112,12 +113,16 @@ vtkSmartPointer<vtkAbstractPolyDataReader> readerFor(MeshFormat format) {
 
 /// VTK's view of the file as triangles; refused where it differs from our count.
 Expected<vtkSmartPointer<vtkPolyData>> triangulated(MeshFormat format, const fs::path& path,
-                                                    std::int64_t polygons) {
+                                                    std::string_view bytes, std::int64_t polygons) {
   const CLocale numbers_with_points;
   const auto reader = readerFor(format);
   vtkNew<VtkErrors> errors;
   errors->watch(reader);
-  reader->SetFileName(path.c_str());
+  MemoryFile places;
+  if (format == MeshFormat::Obj && !places.append(placesOfObj(bytes)))
+    return unsupported("too-large", "The memory of this machine does not hold " + quoted(path) +
+                                        "; reduce the mesh first.");
+  reader->SetFileName(format == MeshFormat::Obj ? places.path().c_str() : path.c_str());
   reader->Update();
   vtkPolyData* read = reader->GetOutput();
   if (errors->errors() > 0 || reader->GetErrorCode() != 0 || read == nullptr ||
@@ -199,13 +204,15 @@ std::vector<std::string> warningsOf(const TriangleMesh& mesh) {
 Expected<ToolMesh> read(const fs::path& path, MeshUnit unit) {
   const auto format = meshFormatOf(path);
   if (!format) return tl::unexpected(format.error());
-  const auto polygons = countedPolygons(*format, path);
+  const auto bytes = bytesIn(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto polygons = countedPolygons(*format, path, *bytes);
   if (!polygons) return tl::unexpected(polygons.error());
   if (*polygons == 0)
     return malformed("no-triangle", quoted(path) +
                                         " holds no triangle; a tool needs a surface, so "
                                         "export one.");
-  const auto poly = triangulated(*format, path, *polygons);
+  const auto poly = triangulated(*format, path, *bytes, *polygons);
   if (!poly) return tl::unexpected(poly.error());
   auto mesh = meshOf(path, *poly, metresIn(unit));
   if (!mesh) return tl::unexpected(std::move(mesh.error()));

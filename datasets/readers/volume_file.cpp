@@ -44,6 +44,10 @@ SeriesVerdict verdictOf(const StoredVolumes& stored) {
                           : "The file states neither orientation nor spacing: left and right are "
                             "unknown, and voxels of 1 mm are assumed.";
   }
+  if (stored.facts.orientation_known && !stored.spacing_stated) {
+    verdict.reasons.push_back("spacing-unknown");
+    verdict.message += " The file states no spacing: voxels of 1 mm are assumed.";
+  }
   return verdict;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/volume_reader.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <iterator>
 #include <map>
@@ -10,6 +13,7 @@
 #include <variant>
 
 #include "datasets/readers/archive.h"
+#include "datasets/readers/dicom_file.h"
 #include "datasets/readers/dicom_folder.h"
 #include "datasets/readers/dicom_pixels.h"
 #include "datasets/readers/folder_tree.h"
@@ -111,13 +115,47 @@ void add(std::vector<SeriesVerdict> found, std::vector<SeriesVerdict>& volumes) 
   std::ranges::move(found, std::back_inserter(volumes));
 }
 
-/// A copy that broke off leaves files without a byte, and a stack may lack its last slices.
-void sayEmpty(SeriesVerdict& series, int count) {
-  const std::string sentence = std::to_string(count) +
-                               (count == 1 ? " empty file lies" : " empty files lie") +
-                               " beside the slices; if the series lacks some, copy it again.";
-  series.message += " " + sentence;
-  series.faults.push_back(sentence);
+/// Files in a folder that cannot be looked into.
+struct Closed {
+  int empty = 0;      ///< without a byte
+  int forbidden = 0;  ///< that the user may not read
+};
+
+/// A copy that broke off leaves files without a byte, one by another user files that are forbidden,
+/// and a stack may lack its last slices.
+void sayClosed(SeriesVerdict& series, const Closed& closed) {
+  const auto say = [&](int count, const char* one, const char* more, const char* advice) {
+    if (count == 0) return;
+    const std::string sentence = std::to_string(count) + (count == 1 ? one : more) + advice;
+    series.message += " " + sentence;
+    series.faults.push_back(sentence);
+  };
+  say(closed.empty, " empty file lies", " empty files lie",
+      " beside the slices; if the series lacks some, copy it again.");
+  say(closed.forbidden, " file beside the slices may not be read",
+      " files beside the slices may not be read",
+      "; if the series lacks some, change their permissions.");
+}
+
+bool isForbidden(const fs::path& path) {
+  return access(path.c_str(), R_OK) != 0 && errno == EACCES;
+}
+
+/// What lies beside a file of a series.
+Closed closedBeside(const fs::path& folder) {
+  Closed closed;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code ignored;
+    if (!it->is_regular_file(ignored)) continue;
+    closed.empty += it->file_size(ignored) == 0 ? 1 : 0;
+    closed.forbidden += isForbidden(it->path()) ? 1 : 0;
+  }
+  return closed;
+}
+
+fs::path folderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
 /// Of the files of a folder and all in it: volumes after series, each in order.
@@ -127,13 +165,15 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
   Survey survey{true, {}};
   std::vector<fs::path> slices;
   std::vector<SeriesVerdict> volumes;
-  std::map<fs::path, int> empty;  // files without a byte, by folder
-  enum class Kind : char { Slice, Volume, Empty };
+  std::map<fs::path, Closed> closed;  // by folder
+  enum class Kind : char { Slice, Volume, Empty, Forbidden };
   std::vector<Kind> kinds(paths->size(), Kind::Slice);
   const bool done = onAllCores(paths->size(), progress.part(0.0, kSorted), [&](std::size_t i) {
     std::error_code error;
     if (fs::file_size((*paths)[i], error) == 0)
       kinds[i] = Kind::Empty;
+    else if (isForbidden((*paths)[i]))
+      kinds[i] = Kind::Forbidden;
     else if (isVolumeFile((*paths)[i]))
       kinds[i] = Kind::Volume;
     return true;
@@ -142,16 +182,17 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
   for (std::size_t i = 0; i < paths->size(); ++i) {
     if (progress.isCancelled()) return cancelled();
     const fs::path& path = (*paths)[i];
-    if (kinds[i] == Kind::Empty) ++empty[path.parent_path()];
+    if (kinds[i] == Kind::Empty) ++closed[path.parent_path()].empty;
+    if (kinds[i] == Kind::Forbidden) ++closed[path.parent_path()].forbidden;
     if (kinds[i] == Kind::Volume) add(verdictsOf(path), volumes);
     if (kinds[i] == Kind::Slice) slices.push_back(path);
   }
   auto all = seriesAmong(slices, progress.part(kSorted, 1.0));
   if (!all) return tl::unexpected(std::move(all.error()));
   for (DicomSeries& series : *all) {
-    const auto beside = empty.find(series.files.front().path.parent_path());
+    const auto beside = closed.find(series.files.front().path.parent_path());
     survey.series.push_back(verdictWith(std::move(series)));
-    if (beside != empty.end()) sayEmpty(survey.series.back(), beside->second);
+    if (beside != closed.end()) sayClosed(survey.series.back(), beside->second);
   }
   std::ranges::move(volumes, std::back_inserter(survey.series));
   return survey;
@@ -167,10 +208,18 @@ tl::unexpected<haptics::Error> noScan(const std::string& what, const fs::path& p
 Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
   std::error_code error;
   Survey survey;
-  if (fs::is_directory(path, error)) {
-    auto found = surveyOf(path, progress);
+  if (isForbidden(path))
+    return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
+                                         quoted(path) + " may not be read by this user; change its "
+                                                        "permissions or copy it.",
+                                         "unreadable"});
+  const bool is_index =
+      fs::is_regular_file(path, error) && looksLikeDicom(path) && isFolderIndex(path);
+  if (is_index || fs::is_directory(path, error)) {
+    const fs::path folder = is_index ? folderOf(path) : path;
+    auto found = surveyOf(folder, progress);
     if (!found) return found;
-    if (found->series.empty()) return noScan("The folder ", path);
+    if (found->series.empty()) return noScan("The folder ", folder);
     survey = std::move(*found);
   } else if (!fs::is_regular_file(path, error)) {
     return notFound(path);
@@ -181,6 +230,7 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     auto one = seriesOf(path, progress);
     if (!one) return tl::unexpected(std::move(one.error()));
     survey.series.push_back(verdictWith(std::move(*one)));
+    sayClosed(survey.series.back(), closedBeside(folderOf(path)));
   } else if (looksLikeArchive(path)) {
     const auto folder = unpacked(path, progress.part(0.0, 0.5));
     if (!folder) return tl::unexpected(folder.error());

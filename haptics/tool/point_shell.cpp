@@ -10,6 +10,8 @@
 namespace haptics {
 namespace {
 
+constexpr double kFarthest = 10.0;  // m, of a tool's points from their centroid
+
 /// The median over (at most 512 of) the points of the distance to the nearest other point.
 double medianSpacing(const std::vector<Vec3>& points) {
   if (points.size() < 2) return 0.0;
@@ -70,6 +72,12 @@ Expected<PointShell> makeShell(std::vector<Vec3> points) {
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : points) centroid += p;
   centroid /= double(points.size());
+  for (const Vec3& p : points)
+    if (!((p - centroid).cwiseAbs().maxCoeff() <= kFarthest))
+      return tl::unexpected(
+          Error{Error::Kind::Malformed,
+                "The tool has a point more than 10 m from its middle, and no hand "
+                "holds that; check its unit."});
 
   PointShell shell;
   shell.points = std::move(points);

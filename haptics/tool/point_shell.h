@@ -30,7 +30,7 @@ struct Tool {
 };
 
 /// Makes the shell of a set of points and centres it; inertia is regularised by 1e-6 r².
-/// Refuses no point, or a non-finite one.
+/// Refuses no point, a non-finite one, and one more than 10 m from the centroid.
 Expected<PointShell> makeShell(std::vector<Vec3> points);
 
 /// The greatest of its principal inertias, m²; of a symmetric matrix.

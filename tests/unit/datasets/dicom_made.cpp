@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::asBigEndian;
 using testing::asImplicit;
+using testing::dataSetOf;
 using testing::DicomSlice;
 using testing::element;
 using testing::reasonFor;
@@ -107,11 +108,6 @@ TEST(DicomReader, PaddingThatTheVoxelsCannotHoldIsNoVoxel) {
   ASSERT_TRUE(all) << all.error().what;
   EXPECT_EQ(all->padded, 0);
   EXPECT_EQ(voxelAt(*all, 1, 0, 0), 17.0);
-}
-
-/// Where the data set begins: behind preamble, mark and the file's own group.
-std::size_t dataSetOf(const std::string& bytes) {
-  return bytes.find(element(8, 8, "CS", "OR").substr(0, 6));
 }
 
 TEST(DicomReader, FilesWithoutPreambleOrMetaHeaderAreRead) {

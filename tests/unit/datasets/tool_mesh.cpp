@@ -163,16 +163,16 @@ TEST(ToolMesh, BrokenFilesAreRefusedByName) {
 }
 
 TEST(ToolMesh, RealTools) {
-  struct Said {
+  struct Tool {
     const char* name;
     std::size_t triangles;
     Vec3 box_mm;
   };
-  const Said expected[] = {{"tools/chai3d_drill.stl", 886, {227, 20.3, 20.0}},
+  const Tool expected[] = {{"tools/chai3d_drill.stl", 886, {227, 20.3, 20.0}},
                            {"tools/chai3d_endoscope.stl", 8761, {4.7, 0.87, 1.4}},
                            {"tools/chai3d_tooth.obj", 8768, {232, 294, 502}},
                            {"tools/metaworld_assembly_peg_ring.stl", 1152, {0.13, 0.13, 0.029}}};
-  for (const Said& said : expected) {
+  for (const Tool& said : expected) {
     NEEDS_SCAN(scan(said.name));
     const auto tool = readToolMesh(scan(said.name), MeshUnit::Millimetre);
     ASSERT_TRUE(tool) << said.name << ": " << tool.error().what;
