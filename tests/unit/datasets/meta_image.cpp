@@ -141,6 +141,17 @@ TEST(MetaImage, OrientationIsKnownFromAMatrixOnly) {
   EXPECT_FALSE(known(""));
 }
 
+TEST(MetaImage, ASpacingThatIsAssumedIsSaid) {
+  Workshop workshop;
+  const auto found = survey(workshop.write(
+      "v.mha",
+      metaHeader("TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementDataFile = LOCAL\n") + ramp()));
+  ASSERT_TRUE(found);
+  const SeriesVerdict& verdict = found->series.front();
+  EXPECT_EQ(verdict.reasons, std::vector<std::string>{"spacing-unknown"});
+  EXPECT_NE(verdict.message.find("1 mm"), std::string::npos) << verdict.message;
+}
+
 TEST(MetaImage, TypesUnitsAndValues) {
   Workshop workshop;
   const std::map<std::string, std::pair<ScalarType, std::string>> types{

@@ -347,6 +347,63 @@ TEST(NrrdReader, UnitsOfLength) {
   }
 }
 
+TEST(NrrdReader, AxesOfDifferentUnitsAreRefused) {
+  Workshop workshop;
+  const auto reason = [&](const std::string& fields) {
+    return reasonFor(workshop.write("u.nrrd", header(fields) + "\n" + rampBytes()));
+  };
+  const std::string placed =
+      "space: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace units: \"mm\" ";
+  EXPECT_EQ(reason(placed + "\"mm\" \"mm\"\n"), "");
+  EXPECT_EQ(reason(placed + "\"mm\" \"cm\"\n"), "bad-header");
+  EXPECT_EQ(reason("spacings: 1 1 1\nunits: \"mm\" \"mm\" \"cm\"\n"), "bad-header");
+}
+
+TEST(NrrdReader, AxisMinsArePlaces) {
+  Workshop workshop;
+  const auto read = [&](const std::string& fields) {
+    return readVolume(workshop.write("m.nrrd", header(fields) + "\n" + rampBytes()));
+  };
+  const auto cells = read("spacings: 2 2 2\naxis mins: 10 20 30\n");
+  ASSERT_TRUE(cells) << cells.error().what;
+  EXPECT_LT((1e3 * cells->grid.origin - Vec3(11, 21, 31)).norm(), 1e-9);
+  const auto nodes = read("spacings: 2 2 2\naxis mins: 10 20 30\ncenterings: node node node\n");
+  ASSERT_TRUE(nodes) << nodes.error().what;
+  EXPECT_LT((1e3 * nodes->grid.origin - Vec3(10, 20, 30)).norm(), 1e-9);
+  const auto wrong = read("spacings: 2 2 2\naxis mins: 0 0 0\naxis maxs: 99 99 99\n");
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().reason, "bad-header");
+}
+
+TEST(NrrdReader, TextBeyondItsTypeIsRefused) {
+  Workshop workshop;
+  const auto reason = [&](const std::string& type, const std::string& value) {
+    return reasonFor(workshop.write(
+        "t.nrrd", "NRRD0004\ntype: " + type +
+                      "\ndimension: 3\nsizes: 2 1 1\nencoding: ascii\nspacings: 1 1 1\n\n7 " +
+                      value + "\n"));
+  };
+  for (const auto& [type, value] : {std::pair{"uchar", "255"}, std::pair{"short", "-32768"},
+                                    std::pair{"ushort", "+65535"}, std::pair{"float", "1e3"}})
+    EXPECT_EQ(reason(type, value), "") << type << " " << value;
+  for (const auto& [type, value] :
+       {std::pair{"uchar", "256"}, std::pair{"uchar", "-1"}, std::pair{"short", "32768"},
+        std::pair{"int", "4294967296"}, std::pair{"short", "1.5"}, std::pair{"float", "1,5"},
+        std::pair{"uchar", "0x10"}})
+    EXPECT_EQ(reason(type, value), "bad-header") << type << " " << value;
+}
+
+TEST(NrrdReader, OriginsBeyondAllRoomsAreRefused) {
+  Workshop workshop;
+  const std::string placed = "space: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n";
+  const auto reason = [&](const std::string& origin) {
+    return reasonFor(workshop.write(
+        "o.nrrd", header(placed + "space origin: (" + origin + ",0,0)\n") + "\n" + rampBytes()));
+  };
+  EXPECT_EQ(reason("99999"), "");
+  EXPECT_EQ(reason("1e15"), "bad-header");
+}
+
 TEST(NrrdReader, NumbersAreReadAlikeInEveryLanguage) {
   Workshop workshop;
   const fs::path path =

@@ -162,6 +162,17 @@ TEST(ToolMesh, BrokenFilesAreRefusedByName) {
   EXPECT_EQ(reasonForTool(workshop.folder() / "absent.stl"), "unreadable");
 }
 
+TEST(ToolMesh, FacesMayStateTextureAndNormalAtSomeCornersOnly) {
+  Workshop workshop;
+  const std::string lists = std::string(kObj) + "vt 0 0\nvt 1 0\nvn 0 0 1\n";
+  const auto tool = readToolMesh(
+      workshop.write("m.obj", lists + "f 1 3/1 2//1\nf 1/2/1 2 4\nf -4//1 -1 -2\nf 2 3 4/1\n"),
+      MeshUnit::Millimetre);
+  ASSERT_TRUE(tool) << tool.error().what;
+  EXPECT_EQ(tool->mesh.triangles.size(), 4u);
+  EXPECT_EQ(tool->mesh.vertices.size(), 4u);
+}
+
 TEST(ToolMesh, RealTools) {
   struct Tool {
     const char* name;

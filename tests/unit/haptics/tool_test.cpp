@@ -90,6 +90,12 @@ TEST(PointShell, RefusesNoPointAndNumbersThatAreNone) {
     EXPECT_FALSE(makeShell({Vec3::Zero(), {0, bad, 0}}));
 }
 
+TEST(PointShell, RefusesWhatNoHandHolds) {
+  EXPECT_TRUE(makeShell({{0, 0, 100}, {0, 0, 101}}));
+  for (const double far : {25.0, 1e155, 1e308})
+    EXPECT_FALSE(makeShell({{0, 0, 0}, {far, 0, 0}})) << far;
+}
+
 TEST(MassMetric, MeasuresAPointsDisplacementOverTheShell) {
   Random random{72};
   std::vector<Vec3> points;
