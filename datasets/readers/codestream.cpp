@@ -230,8 +230,6 @@ Fault parseScan(Cursor segment, const CodedImage& image, const JpegHeader& heade
                               : start == 0 && end == 63 && approximation == 0;
   if (!sound || (tables >> 4) > 3 || (tables & 0xf) > 3)
     return broken("its scan header is senseless");
-  if (image.syntax.ends_with(".70") && start != 1)
-    return disagreeing("it is coded with another predictor than its transfer syntax names");
   return {};
 }
 
@@ -260,6 +258,7 @@ Fault parseJpeg(std::span<const std::byte> bytes, const CodedImage& image, Codes
   Cursor cursor{bytes};
   if (cursor.u16() != 0xffd8) return broken("it does not begin like JPEG");
   JpegHeader header;
+  std::optional<Cursor> preset;
   for (bool in_scan = false; !in_scan;) {
     const std::uint32_t m = nextMarker(cursor);
     const std::uint32_t length = cursor.u16();
@@ -275,8 +274,8 @@ Fault parseJpeg(std::span<const std::byte> bytes, const CodedImage& image, Codes
       in_scan = true;
     } else if (m == marker::kHuffman) {
       fault = checkHuffman(segment);
-    } else if (m == marker::kLsPreset && header.process == marker::kLsFrame) {
-      fault = checkPreset(segment, header.precision);
+    } else if (m == marker::kLsPreset && !preset) {
+      preset = segment;  // it may stand before the frame header
     } else if (m != marker::kQuantisation && m != marker::kComment &&
                m != marker::kRestartInterval && (m < marker::kFirstApp || m > marker::kLastApp)) {
       return broken("a marker stands in its header that has no place there");
@@ -284,6 +283,9 @@ Fault parseJpeg(std::span<const std::byte> bytes, const CodedImage& image, Codes
     if (fault) return fault;
   }
   const bool is_ls = header.process == marker::kLsFrame;
+  if (preset && !is_ls) return broken("a marker stands in its header that has no place there");
+  if (preset)
+    if (const Fault fault = checkPreset(*preset, header.precision)) return fault;
   std::size_t at = cursor.at();
   const std::size_t scan = at;
   if (!skipScan(bytes, at, is_ls)) return cutShort();

@@ -15,6 +15,8 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "datasets/readers/decode_protocol.h"
@@ -91,6 +93,18 @@ struct Spawning {
   Spawning& operator=(const Spawning&) = delete;
 };
 
+/// What of the environment the program needs: where libraries lie, and what tests tell the C
+/// library and the sanitizers. Codecs look for switches of their own there.
+std::vector<char*> environmentOfDecoder() {
+  std::vector<char*> kept;
+  for (char** variable = environ; *variable != nullptr; ++variable)
+    for (const std::string_view name : {"LD_LIBRARY_PATH=", "MALLOC_PERTURB_=", "ASAN_OPTIONS=",
+                                        "LSAN_OPTIONS=", "UBSAN_OPTIONS=", "TSAN_OPTIONS="})
+      if (std::string_view{*variable}.starts_with(name)) kept.push_back(*variable);
+  kept.push_back(nullptr);
+  return kept;
+}
+
 /// The program with a socket as its input and output and the memory as its third descriptor, and
 /// nothing else of this process: no other descriptor, signals as usual, deaf to the terminal.
 pid_t spawn(const std::filesystem::path& program, int socket, int memory) {
@@ -113,9 +127,10 @@ pid_t spawn(const std::filesystem::path& program, int socket, int memory) {
   posix_spawnattr_setflags(&with.attributes,
                            POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
   std::array<char*, 2> arguments{const_cast<char*>(kProgram), nullptr};
+  std::vector<char*> environment = environmentOfDecoder();
   pid_t process = -1;
   const int failed = posix_spawn(&process, program.c_str(), &with.actions, &with.attributes,
-                                 arguments.data(), environ);
+                                 arguments.data(), environment.data());
   return failed == 0 ? process : -1;
 }
 
@@ -140,8 +155,11 @@ Expected<Decoder> Decoder::start(std::size_t codestream_bytes, std::size_t pixel
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     return notStarted("could not be connected");
   decoder.socket_ = ends[0];
-  const Descriptor theirs{ends[1]};
-  decoder.process_ = spawn(program, theirs.get(), memory.get());
+  {
+    // closed here at once, so that its end is seen
+    const Descriptor theirs{ends[1]};
+    decoder.process_ = spawn(program, theirs.get(), memory.get());
+  }
   if (decoder.process_ < 0) return notStarted("could not be started");
   const decode::Room room{decoder.codestream_bytes_, decoder.pixel_bytes_};
   std::byte said{};

@@ -198,6 +198,12 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
     return fault(unsupported("too-large", "The file " + quoted(file.path) + " states " +
                                               std::to_string(file.frame_count) +
                                               " frames, more than any scan has; export it again."));
+  constexpr std::int64_t kMostSide = 65'535;
+  if (file.plane.rows > kMostSide || file.plane.columns > kMostSide || file.bits_allocated > 64 ||
+      file.plane.rows < 0 || file.plane.columns < 0 || file.bits_allocated < 0)
+    return fault(malformed("bad-header", "The file " + quoted(file.path) +
+                                             " states a number of pixels or bits that no image "
+                                             "has; export it again."));
   const std::int64_t slice = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
   const std::int64_t needed = slice * file.frame_count;
   const bool compressed = parser->GetPixelDataVL() == kUndefinedLength;
@@ -265,6 +271,7 @@ std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file
     return bad;
   if (!position || !orientation || !spacing) return unplaced();
   SlicePlane& plane = file.plane;
+  file.placed = true;
   plane.position_mm = Vec3::Map(position->data());
   plane.along_row = Vec3::Map(orientation->data());
   plane.along_column = Vec3::Map(orientation->data() + 3);
@@ -309,26 +316,31 @@ std::optional<haptics::Error> readRescale(vtkDICOMMetaData* meta, DicomFile& fil
 }
 
 /// A stored value of the file's own sign, whatever sign its attribute was written with.
-double storedValue(const DicomFile& file, const vtkDICOMValue& value) {
-  const double number = value.AsDouble(), all = std::ldexp(1.0, file.bits_allocated);
+double storedValue(const DicomFile& file, double number) {
+  const double all = std::ldexp(1.0, file.bits_allocated);
   if (file.is_signed && number >= 0.5 * all) return number - all;
   if (!file.is_signed && number < 0.0) return number + all;
   return number;
 }
 
-void readPadding(vtkDICOMMetaData* meta, DicomFile& file) {
-  if (!meta->Has(DC::PixelPaddingValue)) return;
-  const double value = storedValue(file, meta->Get(DC::PixelPaddingValue));
-  const double limit = meta->Has(DC::PixelPaddingRangeLimit)
-                           ? storedValue(file, meta->Get(DC::PixelPaddingRangeLimit))
-                           : value;
-  file.padding = {std::min(value, limit), std::max(value, limit)};
+std::optional<haptics::Error> readPadding(vtkDICOMMetaData* meta, DicomFile& file) {
+  std::optional<std::array<double, 1>> value, limit;
+  if (auto bad = readNumbers(file, "pixel padding value", meta->Get(DC::PixelPaddingValue), value))
+    return bad;
+  if (auto bad =
+          readNumbers(file, "pixel padding limit", meta->Get(DC::PixelPaddingRangeLimit), limit))
+    return bad;
+  if (!value) return {};
+  const double one = storedValue(file, value->front());
+  const double other = limit ? storedValue(file, limit->front()) : one;
+  file.padding = {std::min(one, other), std::max(one, other)};
+  return {};
 }
 
 /// What differs from frame to frame, and why it cannot be used, if it cannot.
 void readFrame(vtkDICOMMetaData* meta, DicomFile& file) {
   file.fault = readRescale(meta, file);
-  readPadding(meta, file);
+  if (!file.fault) file.fault = readPadding(meta, file);
   file.identity.kernel =
       trimmedValue(ofFrame(meta, file.frame, DC::CTReconstructionSequence, DC::ConvolutionKernel));
   if (file.fault) return;
@@ -351,7 +363,8 @@ std::optional<haptics::Error> readFrameCount(vtkDICOMMetaData* meta, DicomFile& 
 
 /// Whether it is known what the stored bits mean.
 std::optional<haptics::Error> bitsFault(const DicomFile& file, vtkDICOMMetaData* meta) {
-  if (!meta->Get(DC::PixelRepresentation).IsValid())
+  const auto sign = numbersIn(meta->Get(DC::PixelRepresentation));
+  if (!sign || sign->size() != 1 || (sign->front() != 0.0 && sign->front() != 1.0))
     return fault(malformed("bad-header", "The file " + quoted(file.path) +
                                              " does not say whether its pixels have a sign (Pixel "
                                              "Representation); export it again."));
@@ -465,6 +478,7 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
     file.fault =
         fault(malformed("truncated", "The header of " + quoted(path) +
                                          " is damaged or cut off; copy or fetch it again."));
+    placeSlice(meta, file);  // likewise
     return {file};
   }
   if (!understood) {

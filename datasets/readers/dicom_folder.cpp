@@ -99,7 +99,8 @@ int leaveOutCopies(std::vector<DicomFile>& files) {
     }
     DicomFile& before = once[it->second];
     const bool faulty = file.fault.has_value() || before.fault.has_value();
-    if (!faulty && !same(file, before)) {
+    const bool elsewhere = file.placed && before.placed && !isSamePlace(file.plane, before.plane);
+    if (elsewhere || (!faulty && !same(file, before))) {
       once.push_back(std::move(file));
       continue;
     }
@@ -305,8 +306,11 @@ Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progres
     if (named.series.empty())
       std::erase_if(files, [&](const DicomFile& file) { return !isNamed(file); });
     const auto copies = std::erase_if(files, [&](const DicomFile& file) {
-      const bool same_instance = !file.instance.empty() && file.instance == named.instance;
-      const bool same_place = !named.fault && isSamePlace(file.plane, named.plane);
+      // many are made anonymous by giving all images one identifier
+      const bool comparable = file.placed && named.placed;
+      const bool same_instance =
+          !comparable && !file.instance.empty() && file.instance == named.instance;
+      const bool same_place = comparable && isSamePlace(file.plane, named.plane);
       return !isNamed(file) && file.acquisition == named.acquisition &&
              (same_instance || same_place);
     });

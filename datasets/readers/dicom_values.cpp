@@ -113,9 +113,23 @@ Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byt
   const auto count = static_cast<std::size_t>(file.plane.columns * file.plane.rows);
   room.resize(count * haptics::sizeOf(pixels.type));
   const std::array<double, 2> padding = below == 0 ? file.padding.value_or(kNoValues) : kNoValues;
+  // coded with loss, values swing beyond the stored bits, which must not begin anew at the other
+  // end
+  const bool with_loss =
+      std::ranges::any_of(std::array{".4.50", ".4.51", ".4.81", ".4.91"},
+                          [&](const char* ending) { return file.syntax.ends_with(ending); });
+  const bool swings = with_loss && (!file.is_signed || file.syntax.ends_with(".4.91"));
+  const double low = file.is_signed ? -std::ldexp(1.0, file.bits_stored - 1) : 0.0;
+  const double high = low + std::ldexp(1.0, file.bits_stored) - 1.0;
   haptics::visitVoxels(pixels.type, pixels.first, [&](const auto* from) {
     using T = std::remove_cvref_t<decltype(*from)>;
     if constexpr (std::is_integral_v<T>) {
+      if (swings) {
+        auto* to = reinterpret_cast<T*>(room.data());
+        for (std::size_t n = 0; n < count; ++n)
+          to[n] = std::clamp(from[n], static_cast<T>(low), static_cast<T>(high));
+        return;
+      }
       using Bits = std::make_unsigned_t<T>;
       auto* to = reinterpret_cast<T*>(room.data());
       const auto mask = static_cast<Bits>((std::uint64_t{1} << file.bits_stored) - 1);

@@ -66,21 +66,22 @@ Expected<EncapsulatedFrames> EncapsulatedFrames::of(const std::filesystem::path&
   // which fragments begin a frame
   std::vector<std::size_t> first;
   const auto count = static_cast<std::size_t>(frame_count);
-  if (table.size > 0) {
+  if (count == 1) {
+    first.push_back(0);  // whatever the table says
+  } else if (table.size > 0) {
     if (table.size != std::int64_t{4} * frame_count) return cutOffPixels(file);
     std::vector<unsigned char> bytes(static_cast<std::size_t>(table.size));
     in.seekg(table.begin);
     if (!in.read(reinterpret_cast<char*>(bytes.data()), table.size)) return cutOffPixels(file);
     for (std::size_t n = 0; n < count; ++n) {
       const std::int64_t begin = all.front().begin + littleEndian(bytes.data() + 4 * n);
-      const auto found = std::ranges::find(all, begin, &Fragment::begin);
+      const auto found = std::ranges::lower_bound(all, begin, {}, &Fragment::begin);
       const auto place = static_cast<std::size_t>(found - all.begin());
-      if (found == all.end() || (n == 0 ? place != 0 : place <= first.back()))
+      if (found == all.end() || found->begin != begin ||
+          (n == 0 ? place != 0 : place <= first.back()))
         return cutOffPixels(file);
       first.push_back(place);
     }
-  } else if (count == 1) {
-    first.push_back(0);
   } else if (count == all.size()) {
     first.resize(count);
     std::iota(first.begin(), first.end(), std::size_t{0});

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMetresPerMillimetre = 1e-3;
 constexpr double kLeastStep_mm = 1e-6;
-constexpr double kMostStep_mm = 1e3;  // no voxel of a scan is as large as a step
+constexpr double kMostStep_mm = 1e3;    // no voxel of a scan is as large as a step
 constexpr double kFarthest_mm = 1e5;    // beyond, positions have no room for their micrometres
 constexpr double kSquareEnough = 8e-5;  // cosine between two axes: 0.005 degrees
 constexpr double kRounding = 1e-12;     // cosine below which axes are left as they are

@@ -328,19 +328,23 @@ Expected<void> checkText(const std::filesystem::path& path, const NrrdHeader& he
                          ScalarType type) {
   std::vector<std::filesystem::path> files = header.data_files;
   if (files.empty()) files.push_back(path);
-  std::int64_t left = header.voxelCount();
+  const std::int64_t count = header.voxelCount();
+  std::int64_t read = 0;
   for (const std::filesystem::path& file : files) {
     std::ifstream in(file, std::ios::binary);
     if (header.data_files.empty()) in.seekg(header.header_bytes);
     for (std::int64_t line = 0; line < header.line_skip && in; ++line)
       in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
     if (header.byte_skip > 0) in.ignore(header.byte_skip);
-    for (std::string word; left > 0 && in >> word; --left)
+    for (std::string word; read < count && in >> word;) {
+      if (word.back() == ',') word.pop_back();  // which teem takes as well
+      if (word.empty()) continue;
+      ++read;
       if (!isValueOf(word, type))
-        return malformed("bad-header", "A voxel of " + quoted(path) + " is written as \"" +
-                                           word.substr(0, 20) +
-                                           "\", which is no value of its type; export it again as "
-                                           "raw.");
+        return malformed("bad-header", "Voxel " + std::to_string(read) + " of " + quoted(path) +
+                                           " is written as something that is no value of its type; "
+                                           "export it again as raw.");
+    }
   }
   return {};
 }

@@ -119,6 +119,7 @@ void add(std::vector<SeriesVerdict> found, std::vector<SeriesVerdict>& volumes) 
 struct Closed {
   int empty = 0;      ///< without a byte
   int forbidden = 0;  ///< that the user may not read
+  int damaged = 0;    ///< DICOM whose header does not say to which series it belongs
 };
 
 /// A copy that broke off leaves files without a byte, one by another user files that are forbidden,
@@ -132,6 +133,8 @@ void sayClosed(SeriesVerdict& series, const Closed& closed) {
   };
   say(closed.empty, " empty file lies", " empty files lie",
       " beside the slices; if the series lacks some, copy it again.");
+  say(closed.damaged, " damaged DICOM file lies", " damaged DICOM files lie",
+      " beside the slices and may be one of them; copy the folder again.");
   say(closed.forbidden, " file beside the slices may not be read",
       " files beside the slices may not be read",
       "; if the series lacks some, change their permissions.");
@@ -189,6 +192,9 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
   }
   auto all = seriesAmong(slices, progress.part(kSorted, 1.0));
   if (!all) return tl::unexpected(std::move(all.error()));
+  for (const DicomSeries& series : *all)
+    for (const DicomFile& file : series.files)
+      if (file.fault && file.series.empty()) ++closed[file.path.parent_path()].damaged;
   for (DicomSeries& series : *all) {
     const auto beside = closed.find(series.files.front().path.parent_path());
     survey.series.push_back(verdictWith(std::move(series)));

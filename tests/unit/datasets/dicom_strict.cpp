@@ -6,10 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "datasets/readers/dicom_numbers.h"
+#include "datasets/readers/dicom_values.h"
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/dicom_bytes.h"
 #include "tests/unit/datasets/scans.h"
@@ -159,6 +162,51 @@ TEST(DicomStrict, TheStoredBitsAreTakenFromTheirPlace) {
   EXPECT_EQ(values(11, true, {0x0001, 0x0fff, 0x7001, -5}), (V{1, -1, 1, -5}));
   // padding is a word as a whole: it is the least of the others
   EXPECT_EQ(values(11, true, {0x0001, -100, 7, -32768}), (V{1, -100, 7, -100}));
+}
+
+TEST(DicomStrict, PaddingThatIsEmptyIsNone) {
+  Workshop workshop;
+  writeStack(workshop, "s", 2, 0.0, {{0x28, 0x120, "SS", ""}, {0x28, 0x103, "US", number(1, 2)}});
+  const auto v = readVolume(workshop.folder());
+  ASSERT_TRUE(v) << v.error().what;
+  EXPECT_EQ(v->padded, 0);
+  EXPECT_EQ(voxelAt(*v, 1, 1, 0), 0.0);
+  // nor does an empty sign mean none
+  writeStack(workshop, "s", 2, 0.0, {{0x28, 0x103, "US", ""}});
+  EXPECT_EQ(reasonFor(workshop.folder()), "bad-header");
+}
+
+TEST(DicomStrict, WhatLossSwingsBeyondTheStoredBitsStaysAtTheirEnd) {
+  DicomFile file;
+  file.plane.columns = 3;
+  file.plane.rows = 1;
+  file.bits_allocated = 16;
+  file.bits_stored = 12;
+  file.high_bit = 11;
+  const std::array<std::uint16_t, 3> decoded{4095, 4097, 0};
+  const Pixels pixels{haptics::ScalarType::UInt16, decoded.data()};
+  std::vector<std::byte> room;
+  const auto second = [&] {
+    return static_cast<const std::uint16_t*>(settled(pixels, file, room).first)[1];
+  };
+  file.syntax = "1.2.840.10008.1.2.4.81";
+  EXPECT_EQ(second(), 4095);
+  file.syntax = "1.2.840.10008.1.2.4.80";
+  EXPECT_EQ(second(), 1);  // without loss, bits above mean something else
+}
+
+TEST(DicomStrict, OneIdentifierForAllImagesLosesNone) {
+  Workshop workshop;
+  writeStack(workshop, "s", 3, 0.0, {{8, 0x18, "UI", "1.2.3.4.5"}});
+  for (const fs::path& path : {workshop.folder(), workshop.folder() / "s1"}) {
+    const auto v = readVolume(path);
+    ASSERT_TRUE(v) << v.error().what;
+    EXPECT_EQ(v->grid.dims[2], 3);
+  }
+  // nor is one that is damaged a copy of another
+  const auto last = workshop.folder() / "s2";
+  fs::resize_file(last, fs::file_size(last) - 4);
+  EXPECT_EQ(reasonFor(workshop.folder()), "truncated");
 }
 
 // planted: a patient that is not compared
