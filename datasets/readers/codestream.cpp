@@ -499,6 +499,11 @@ std::optional<CodestreamFault> parseCodestream(std::span<const std::byte> bytes,
   const auto coding = codingOf(image.syntax);
   if (!coding) return broken("its transfer syntax is not known here");
   parsed = {*coding};
+  // what a decoder takes for a frame must fit any machine; mammograms have a third of it
+  constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
+  if (image.columns * image.rows > kMostPixels)
+    return broken("it has " + sizeText(image.columns, image.rows) +
+                  " pixels, more than any slice does");
   switch (*coding) {
     case Coding::Jpeg:
     case Coding::JpegLs:

@@ -31,7 +31,7 @@ namespace {
 constexpr const char* kProgram = "palpate-decode";
 constexpr double kStartTime = 10.0;     // s
 constexpr double kFrameTime = 10.0;     // s, and
-constexpr double kTimeOfAPixel = 1e-6;  // s
+constexpr double kTimeOfAPixel = 5e-8;  // s
 constexpr int kListen_ms = 50;          // between looks at Cancel
 
 /// Closed when it goes.

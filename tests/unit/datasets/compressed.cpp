@@ -186,18 +186,21 @@ TEST(Codestream, OfRleHasATableThatFits) {
 }
 
 TEST(Codestream, OfASmallFileAsksForNoLargeImage) {
-  // 65,500 x 65,500 pixels of nothing
+  // 8,000 x 8,000 pixels of nothing
   const auto values = pictureOf(kColumns, kRows, 16);
   std::string coded = support::asLosslessJpeg({kColumns, kRows, 16, 1, values});
   const auto frame = coded.find("\xff\xc3");
   ASSERT_NE(frame, std::string::npos);
-  coded.replace(frame + 5, 4, "\xff\xdc\xff\xdc");
+  coded.replace(frame + 5, 4, "\x1f\x40\x1f\x40");
   CodedImage image = imageOf(ways().front());
-  image.columns = image.rows = 65'500;
+  image.columns = image.rows = 8'000;
   Codestream parsed;
   const auto fault = parseCodestream(asBytes(coded), image, parsed);
   ASSERT_TRUE(fault);
   EXPECT_NE(fault->why.find("too few"), std::string::npos) << fault->why;
+  image.columns = image.rows = 65'500;
+  EXPECT_NE(parseCodestream(asBytes(coded), image, parsed)->why.find("any slice"),
+            std::string::npos);
 }
 
 TEST(Codestream, OfAnyBytesIsReadWithinThem) {
