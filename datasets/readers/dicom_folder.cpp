@@ -300,6 +300,9 @@ Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progres
   const auto isNamed = [&](const DicomFile& file) {
     return file.path.filename() == path.filename();
   };
+  const auto damaged = std::ranges::count_if(*headers, [&](const DicomFile& file) {
+    return file.fault && file.series.empty() && !isNamed(file);
+  });
   for (std::vector<DicomFile>& files : separated(std::move(*headers))) {
     if (std::ranges::none_of(files, isNamed)) continue;
     // files without identifiers stand for themselves
@@ -317,6 +320,7 @@ Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progres
     for (DicomSeries& series : judged(std::move(files))) {
       if (std::ranges::none_of(series.files, isNamed)) continue;
       series.copies_left_out += static_cast<int>(copies);
+      series.damaged_beside = static_cast<int>(damaged);
       return std::move(series);
     }
   }

@@ -16,6 +16,8 @@ struct DicomSeries {
   std::vector<DicomFile> files;
   haptics::Expected<Stack> stack = Stack{};  ///< geometry and order, or why there is none
   int copies_left_out = 0;                   ///< other files with the image of one that is kept
+  /// Of one file's series: damaged files beside it that do not say to which series they belong.
+  int damaged_beside = 0;
 };
 
 /// The series among files, by series number; what is no DICOM is passed over. Of files with the

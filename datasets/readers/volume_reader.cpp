@@ -196,9 +196,12 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
     for (const DicomFile& file : series.files)
       if (file.fault && file.series.empty()) ++closed[file.path.parent_path()].damaged;
   for (DicomSeries& series : *all) {
-    const auto beside = closed.find(series.files.front().path.parent_path());
+    const DicomFile& first = series.files.front();
+    const auto beside = closed.find(first.path.parent_path());
+    const bool lacks =
+        !first.series.empty() && beside != closed.end();  // else it is what lies there
     survey.series.push_back(verdictWith(std::move(series)));
-    if (beside != closed.end()) sayClosed(survey.series.back(), beside->second);
+    if (lacks) sayClosed(survey.series.back(), beside->second);
   }
   std::ranges::move(volumes, std::back_inserter(survey.series));
   return survey;
@@ -235,8 +238,10 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
   } else if (looksLikeDicom(path)) {
     auto one = seriesOf(path, progress);
     if (!one) return tl::unexpected(std::move(one.error()));
+    Closed beside = closedBeside(folderOf(path));
+    beside.damaged = one->damaged_beside;
     survey.series.push_back(verdictWith(std::move(*one)));
-    sayClosed(survey.series.back(), closedBeside(folderOf(path)));
+    sayClosed(survey.series.back(), beside);
   } else if (looksLikeArchive(path)) {
     const auto folder = unpacked(path, progress.part(0.0, 0.5));
     if (!folder) return tl::unexpected(folder.error());

@@ -296,6 +296,29 @@ TEST(DicomStrict, ACopyInTextModeIsRefused) {
   EXPECT_EQ(reasonFor(workshop.write("zeros/s", bytes + std::string(2, '\0'))), "");
 }
 
+TEST(DicomStrict, ADamagedFileBesideASeriesIsToldFromThatSeries) {
+  Workshop workshop;
+  writeStack(workshop, "s", 3, 0.0);
+  std::string damaged = bytesOf(DicomSlice{});
+  // a header that breaks off before it names its series
+  workshop.write("torn", damaged.substr(0, damaged.rfind("1.2.840.10008.5.1.4.1.1.2") + 12));
+  const auto counts = [](const SeriesVerdict& series) {
+    return series.message.find("1 damaged DICOM file lies beside the slices") != std::string::npos;
+  };
+  const auto all = survey(workshop.folder());
+  ASSERT_TRUE(all) << all.error().what;
+  ASSERT_EQ(all->series.size(), 2u);
+  int sound = 0;
+  for (const SeriesVerdict& series : all->series) {
+    sound += series.verdict == Verdict::Sound ? 1 : 0;
+    EXPECT_EQ(counts(series), series.verdict == Verdict::Sound) << series.message;
+  }
+  EXPECT_EQ(sound, 1);
+  const auto named = survey(workshop.folder() / "s1");
+  ASSERT_TRUE(named) << named.error().what;
+  EXPECT_TRUE(counts(named->series.front())) << named->series.front().message;
+}
+
 TEST(DicomStrict, AnIndexStandsForItsFolder) {
   Workshop workshop;
   writeStack(workshop, "images/s", 3, 0.0);
