@@ -42,6 +42,7 @@ struct Search {
   Twist motion;         ///< of the sub-step, in unit time
   double length = 0.0;  ///< m: of its farthest point
   bool whole = false;   ///< it leads to X_goal without a bend
+  bool bears = false;   ///< contacts shaped it
   Pose X_goal = Pose::Identity();
 
   // the step that led to X, to be halved if X is inside after all
@@ -92,6 +93,10 @@ struct Proxy {
   Acceptance acceptance;
   Recovery recovery;
   double isovalue = std::numeric_limits<double>::quiet_NaN();  ///< of the last tick
+  Pose X_WD_before = Pose::Identity();                         ///< the device in the last tick
+  /// The surface bore on it since it was last at the device: until it is there again, it follows
+  /// no faster than tick() lets it.
+  bool held = false;
 
   /// Keeps where it is and how it is turned, and nothing else: as if it were made there.
   void forget() HAPTICS_RT {
@@ -102,6 +107,7 @@ struct Proxy {
     acceptance = {};
     recovery = {};
     isovalue = std::numeric_limits<double>::quiet_NaN();
+    held = false;
   }
 };
 

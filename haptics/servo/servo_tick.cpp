@@ -45,7 +45,7 @@ ServoResult servoTick(const ServoInput& input, const Scene* scene, Proxy* proxy,
     result.tick = tick(*scene, input.settings.isovalue,
                        {share * input.settings.stiffness, share * input.settings.angular_stiffness,
                         input.settings.friction},
-                       input.X_WD, *proxy, budget);
+                       input.X_WD, *proxy, budget, period);
   result.sent_W = safety.pass(result.tick.wrench_W, result.tick.outside, period);
   return result;
 }

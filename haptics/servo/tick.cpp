@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/collision/free_way.h"
 #include "haptics/collision/motion.h"
 #include "haptics/collision/motion_rows.h"
 #include "haptics/collision/prune.h"
@@ -17,7 +18,7 @@
 namespace haptics {
 namespace {
 
-constexpr double kLargestTurnOfSubStep = 0.3;  // rad in one sub-step
+constexpr double kLargestTurnOfSubStep = 0.3;  // rad, where rows or the field say what is free
 
 /// How far the farthest point of the tool travels at most [m].
 double reachOf(const Twist& motion, double radius) HAPTICS_RT {
@@ -32,14 +33,16 @@ Twist scaled(const Twist& motion, double factor) HAPTICS_RT {
 class Tick {
  public:
   Tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling, const Pose& X_WD,
-       Proxy& proxy, Budget& budget) HAPTICS_RT : scene_{scene},
-                                                  solid_{scene.field, isovalue},
-                                                  coupling_{coupling},
-                                                  X_WD_{X_WD},
-                                                  proxy_{proxy},
-                                                  at_{proxy.search},
-                                                  budget_{budget},
-                                                  radius_{scene.tool.shell.radius} {}
+       double period, Proxy& proxy, Budget& budget) HAPTICS_RT : scene_{scene},
+                                                                 solid_{scene.field, isovalue},
+                                                                 coupling_{coupling},
+                                                                 X_WD_{X_WD},
+                                                                 proxy_{proxy},
+                                                                 at_{proxy.search},
+                                                                 budget_{budget},
+                                                                 radius_{scene.tool.shell.radius} {
+    if (proxy.held) follow(kRelease / coupling.stiffness * period);
+  }
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
   void run(TickResult& result) HAPTICS_RT {
@@ -52,19 +55,17 @@ class Tick {
       proxy_.acceptance.start(distance, distance);
     }
     if (unhindered()) return;
-    int tries = 0;
     while (at_.stage != Search::Stage::Done) {
       bool through = true;
       switch (at_.stage) {
         case Search::Stage::Look:
-          through = look(tries, result);
+          through = look(result);
           break;
         case Search::Stage::Reach:
           through = reach();
           break;
         case Search::Stage::Sweep:
           through = go();
-          ++tries;
           ++budget_.counts.sub_steps;
           break;
         case Search::Stage::Done:
@@ -87,16 +88,49 @@ class Tick {
     return scene_.metric.whitened(unconstrainedMotion(X, X_WD_, turn), X.linear()).norm();
   }
 
+  /// How a proxy that was held follows: what it is behind changes by `most` [m, by the metric] and
+  /// by what the hand's own motion makes of it.
+  void follow(double most) HAPTICS_RT {
+    Vec3 turn = proxy_.turn, turn_before = proxy_.turn;
+    const Mat3 R = proxy_.X_WP.linear();
+    const Vector6 now = scene_.metric.whitened(unconstrainedMotion(proxy_.X_WP, X_WD_, turn), R);
+    behind_ = scene_.metric.whitened(
+        unconstrainedMotion(proxy_.X_WP, proxy_.X_WD_before, turn_before), R);
+    most_change_ = most;
+    least_change_ = INFINITY;
+    const double distance = behind_.norm();
+    // the hand may bring the two together faster by itself
+    const double nearer = (behind_ - now).dot(behind_) / distance;
+    left_behind_ = std::max(0.0, 1.0 - std::max(most, nearer) / distance) * behind_;
+  }
+
+  /// What the proxy is behind has changed by `change_`; how little that comes to along a motion,
+  /// squared.
+  double leastChange(const Vector6& motion) const HAPTICS_RT {
+    const double squares = motion.squaredNorm();
+    const double nearest =
+        squares > 0.0 ? std::clamp(-change_.dot(motion) / squares, 0.0, 1.0) : 0.0;
+    return std::min(least_change_, (change_ + nearest * motion).squaredNorm());
+  }
+  /// The share of a motion after which what the proxy is behind has changed by more than it may:
+  /// as little as it can on the way, and most_change_ across that.
+  double shareToFollow(const Vector6& motion) const HAPTICS_RT {
+    const double squares = motion.squaredNorm(), along = change_.dot(motion);
+    const double most = leastChange(motion) + most_change_ * most_change_;
+    const double root = along * along - squares * (change_.squaredNorm() - most);
+    return root > 0.0 ? std::clamp((std::sqrt(root) - along) / squares, 0.0, 1.0) : 0.0;
+  }
+
   /// Goes to the device if the whole tool has more room than the way there asks for, in one
   /// sub-step: no point could meet the surface, none is near enough for a row, before or after.
   bool unhindered() HAPTICS_RT {
     if (!scene_.plan.free_space) return false;
     if (at_.stage != Search::Stage::Look || !at_.atTaken() || !at_.fresh) return false;
-    if (!proxy_.contacts.empty()) return false;
+    if (!proxy_.contacts.empty() || proxy_.held) return false;
     Vec3 turn = proxy_.turn;
     const Twist way = unconstrainedMotion(proxy_.X_WP, X_WD_, turn);
     const double length = reachOf(way, radius_);
-    if (length == 0.0 || !inOneStep(way)) return false;
+    if (length == 0.0) return false;
     // where nothing reaches the isovalue there is room without end
     const bool nothing = scene_.volume->greatest < solid_.ceiling();
     if (!nothing && proxy_.clearance.room(scene_.tree) < length + lengths().band) return false;
@@ -113,7 +147,7 @@ class Tick {
   }
 
   /// Steps 1 to 3 at the pose reached: judges it, and says where to go next. False if cut.
-  bool look(int tries, TickResult& result) HAPTICS_RT {
+  bool look(TickResult& result) HAPTICS_RT {
     // 1  where the proxy would go if nothing were in the way
     Vec3 turn = proxy_.turn;
     const Twist free = unconstrainedMotion(at_.X, X_WD_, turn);
@@ -150,18 +184,54 @@ class Tick {
     if (at_.fresh) judge(distance, step, turn);
     at_.fresh = false;
     if (at_.atTaken()) bear(allowed);
-    const double length = reachOf(allowed.twist, radius_);
-    // in free space even the last billionth of a metre is gone
-    if (tries == scene_.fineness.sub_steps || length == 0.0 ||
-        (allowed.active > 0 && length < 0.02 * lengths().epsilon)) {
+    at_.bears = allowed.active > 0;
+    Twist way = allowed.twist;
+    double most = 1.0;  // of it
+    bool arrives = !at_.bears;
+    if (proxy_.held) {
+      const Vector6 whole = scene_.metric.whitened(free, at_.X.linear());
+      change_ = behind_ - whole;
+      arrives = arrives && left_behind_.isZero(0.0);
+      if (at_.bears)
+        most = shareToFollow(allowed.whitened);
+      else
+        way = limited(arrives ? free : scene_.metric.twist(whole - left_behind_, at_.X.linear()));
+    }
+    // even the last billionth of a metre of free space is gone
+    const double length = reachOf(way, radius_), least = arrives ? 0.0 : 0.02 * lengths().epsilon;
+    if (tries_ >= mostTries() || most * length <= least) {
       at_.stage = Search::Stage::Done;
       return true;
     }
-    at_.length = std::min(length, at_.trust);
-    at_.motion = at_.length < length ? scaled(allowed.twist, at_.length / length) : allowed.twist;
-    at_.whole = allowed.active == 0 && at_.length == length && inOneStep(free);
+    if (!budget_.left()) return false;
     at_.X_goal = X_WD_;
+    if (arrives && !inOneStep(free) && advance(free)) return true;
+    at_.length = std::min(most * length, at_.trust);
+    at_.motion = at_.length < length ? scaled(way, at_.length / length) : way;
+    at_.whole = arrives && at_.length == length && inOneStep(free);
     at_.stage = Search::Stage::Reach;
+    return true;
+  }
+
+  /// A proxy that stops short while the hand moves on is felt as a blow: then it tries for longer.
+  int mostTries() const HAPTICS_RT {
+    const bool behind = proxy_.held && change_.squaredNorm() > most_change_ * most_change_;
+    return (behind ? kMoreTries : 1) * scene_.fineness.sub_steps;
+  }
+
+  /// Goes as far towards the device as the pyramid proves the way free; false if that is less than
+  /// Sweep would prove.
+  bool advance(const Twist& free) HAPTICS_RT {
+    const double share =
+        freeShareOf(solid_, scene_.tree, at_.X, free, kLeastStretch * lengths().voxel, budget_);
+    if (share == 0.0) return false;
+    at_.motion = share < 1.0 ? scaled(free, share) : free;
+    at_.length = reachOf(at_.motion, radius_);
+    at_.whole = share == 1.0;
+    if (scene_.plan.looksAgain())
+      at_.stage = Search::Stage::Reach;
+    else
+      arrive(1.0);
     return true;
   }
 
@@ -203,20 +273,28 @@ class Tick {
     double advance = impact.time;
     if (impact.time < 1.0) advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);
     at_.stage = Search::Stage::Look;
+    if (at_.bears || advance < 1.0) ++tries_;
     if (advance * length < 0.05 * lengths().rest_gap && advance < 1.0) {
       // blocked: the exact normal of what blocks becomes a contact, or the step gets shorter
       if (!impact.met || !keep(impact.contact)) at_.trust = 0.25 * length;
       if (at_.trust < 0.02 * lengths().epsilon) at_.stage = Search::Stage::Done;
       return true;
     }
+    arrive(advance);
+    at_.trust = advance < 1.0 ? 3.0 * advance * length : 2.0 * at_.trust;
+    return true;
+  }
+
+  /// Moves on by this share of the motion.
+  void arrive(double advance) HAPTICS_RT {
+    if (proxy_.held)
+      least_change_ = leastChange(advance * scene_.metric.whitened(at_.motion, at_.X.linear()));
     at_.X_before = at_.X;
     at_.advance = advance;
     at_.halvings = 0;
     at_.X = at_.whole && advance == 1.0 ? at_.X_goal : moved(at_.X, at_.motion, advance);
     travel(advance);
-    at_.trust = advance < 1.0 ? 3.0 * advance * length : 2.0 * at_.trust;
     at_.fresh = true;
-    return true;
   }
 
   /// Halves the step that led to a pose that is inside after all; false if there is none.
@@ -231,7 +309,7 @@ class Tick {
     return true;
   }
 
-  /// The motion, shortened to what one sub-step may cover.
+  /// The motion, shortened to what rows are true of and what Sweep proves in one sub-step.
   Twist limited(const Twist& free) const HAPTICS_RT {
     const double factor = shareOf(free);
     return factor < 1.0 ? scaled(free, factor) : free;
@@ -294,6 +372,8 @@ class Tick {
 
   static constexpr double kMany = 4096;  // near points: then a motion is proven bit by bit
   static constexpr double kProofWork = 32.0 * double(kTickWork);  // of one sub-step at most
+  static constexpr int kMoreTries = 3;
+  static constexpr double kLeastStretch = 4.0;  // voxels: the pyramid's finest blocks prove no less
 
   const Scene& scene_;
   const Isosurface solid_;
@@ -304,12 +384,19 @@ class Tick {
   Budget& budget_;
   MotionRows rows_;
   double radius_;
+  int tries_ = 0;  // motions that a contact shaped or stopped
+
+  // of a proxy that was held, whitened: the way to the device before it moved, what of that is left
+  // in this tick even where nothing is in the way, and how much of it may change
+  Vector6 behind_ = Vector6::Zero(), left_behind_ = Vector6::Zero();
+  double most_change_ = INFINITY, least_change_ = INFINITY;  // the second squared
+  Vector6 change_ = Vector6::Zero();                         // by now
 };
 
 }  // namespace
 
 TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling,
-                const Pose& X_WD, Proxy& proxy, Budget& budget) HAPTICS_RT {
+                const Pose& X_WD, Proxy& proxy, Budget& budget, double period) HAPTICS_RT {
   TickResult result;
   if (!X_WD.matrix().allFinite()) {
     // nothing is known of the hand: no number, which safety turns into no force
@@ -318,10 +405,13 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
     return result;
   }
   if (isovalue != proxy.isovalue) {
+    const bool held = proxy.held;
     proxy.forget();
     proxy.isovalue = isovalue;
+    proxy.held = held;  // what the hand feels stays what it is until the proxy has caught up
   }
-  if (!proxy.recovery.active) Tick{scene, isovalue, coupling, X_WD, proxy, budget}.run(result);
+  if (!proxy.recovery.active)
+    Tick{scene, isovalue, coupling, X_WD, period, proxy, budget}.run(result);
   result.contacts = static_cast<int>(proxy.bearing.size());
   if (!result.outside || proxy.recovery.active) {
     // even when it succeeds at once: the force fades before it follows the proxy elsewhere
@@ -330,10 +420,13 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
   }
 
   // 6  what the hand feels; in free space exactly nothing
+  proxy.X_WD_before = X_WD;
   if (proxy.X_WP.matrix() == X_WD.matrix()) {
+    proxy.held = false;
     proxy.turn.setZero();
     return result;
   }
+  proxy.held = proxy.held || result.contacts > 0;
   proxy.turn = unwrappedTurn(proxy.X_WP, X_WD, proxy.turn);
   const Mat3 R = proxy.X_WP.linear();
   result.wrench_W =

@@ -41,7 +41,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     VirtualCoupling felt = coupling;
     felt.stiffness *= safety.stiffnessShare();
     felt.angular_stiffness *= safety.stiffnessShare();
-    const TickResult result = tick(*scene, isovalue, felt, X_WD, proxy, budget);
+    const TickResult result = tick(*scene, isovalue, felt, X_WD, proxy, budget, period);
     Wrench wanted = result.wrench_W;
     if (damping > 0.0 || passivity_damping > 0.0) {
       const Twist motion = motionBetween(X_WD_before, X_WD);

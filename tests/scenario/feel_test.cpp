@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "tests/scenario/trial.h"
@@ -39,6 +41,113 @@ TEST(Feel, InFreeSpaceTheProxyIsTheDeviceAndTheWrenchIsNothingAtAnySpeed) {
     }
   }
   EXPECT_EQ(ticks, 2000);
+}
+
+/// How near a line between two places comes to the origin [m].
+double nearestToOrigin(const Vec3& a, const Vec3& b) {
+  const Vec3 way = b - a;
+  const double share = std::clamp(-a.dot(way) / way.squaredNorm(), 0.0, 1.0);
+  return (a + share * way).norm();
+}
+
+TEST(Feel, NoWayThroughFreeSpaceIsTooLongForATick) {
+  const Stage stage = stageOf("sphere", namedTool("probe"));
+  const double clear = 0.020 + stage.scene->tool.shell.radius + 0.006;  // m: beside the ball
+  Random random{117};
+  int free = 0, stopped = 0;
+  for (int n = 0; n < 400; ++n) {
+    // up to 5 m away, turned by up to half a turn
+    const auto place = [&] {
+      const double distance = 1.1 * clear * std::pow(5.0 / clear, 0.5 + 0.5 * random.in(0.0, 1.0));
+      return at(distance * random.direction(),
+                Quat{Eigen::AngleAxisd{1.5 * random.in(0.0, 1.0), random.direction()}});
+    };
+    const Pose from = place(), to = place();
+    Trial trial{stage.scene, stage.isovalue, from};
+    trial.step(from);
+    trial.step(to);
+    EXPECT_EQ(trial.illegal, 0);
+    const double passing = nearestToOrigin(from.translation(), to.translation());
+    if (passing > clear) {
+      ++free;
+      EXPECT_TRUE((trial.proxy.X_WP.matrix().array() == to.matrix().array()).all())
+          << n << ": " << 1e3 * (trial.place() - to.translation()).norm() << " mm short of "
+          << (to.translation() - from.translation()).norm() << " m";
+      EXPECT_TRUE(trial.last.wrench_W.force.isZero(0.0));
+      EXPECT_FALSE(trial.last.cut);
+    } else if (passing < 0.010) {
+      // right through the ball: it may not come out on the other side
+      ++stopped;
+      EXPECT_GT(trial.place().dot(from.translation()), 0.0) << n;
+    }
+  }
+  EXPECT_GT(free, 100);
+  EXPECT_GT(stopped, 1);
+}
+
+TEST(Feel, VoxelsOfAMicrometreDoNotHoldTheHandBack) {
+  constexpr double kVoxel = 1e-6;  // m
+  // a floor of which the hand stays a few voxels clear
+  const auto scene = made::scene(
+      made::sampled(made::centred(96, kVoxel),
+                    [&](const Vec3& p) { return 1000.0 - 500.0 / kVoxel * (p.z() + 20e-6); }),
+      made::tool({{0, 0, 0}, {2e-6, 0, 0}, {0, 3e-6, 1e-6}}));
+  Pose D = at(-0.02, 0, 0);
+  Trial trial{scene, made::kIso, D};
+  int over = 0;
+  for (int n = 0; n < 60; ++n) {
+    // 2 m/s: 2,000 voxels a tick, to and fro
+    D = at(n % 20 < 10 ? -0.01 + 2e-3 * (n % 20) : 0.01 - 2e-3 * (n % 20 - 10), 5e-6, 0);
+    trial.step(D);
+    over += D.translation().norm() < 40e-6;
+    ASSERT_TRUE((trial.proxy.X_WP.matrix().array() == D.matrix().array()).all()) << n;
+    ASSERT_TRUE(trial.last.wrench_W.force.isZero(0.0));
+  }
+  EXPECT_GT(over, 0);
+}
+
+TEST(Feel, WhatTheSurfaceHeldFollowsWithoutABlow) {
+  constexpr double kMost = 1e-3 * haptics::kRelease;  // N a tick
+  for (const double friction : {0.0, 1.2}) {
+    const Stage stage = stageOf("halfspace", ballTool(200, 3e-3));
+    Trial trial{stage.scene, stage.isovalue, at(0, 0, 5e-3)};
+    trial.coupling = {.stiffness = 3000.0, .friction = friction};
+    const Pose pressed = at(3e-3, 0, -1e-3), away = at(3e-3, 0, 8e-3);
+    trial.carry(at(0, 0, 5e-3), at(0, 0, -1e-3), 40);
+    trial.carry(at(0, 0, -1e-3), pressed, 400);
+    Vec3 last = trial.last.wrench_W.force;
+    const double held = last.norm();
+    // the hand is gone in a tick, and stays where it is
+    trial.step(away);
+    int ticks = 0;
+    for (last = trial.last.wrench_W.force; !last.isZero(0.0) && ticks < 1000; ++ticks) {
+      trial.step(away);
+      const Vec3 force = trial.last.wrench_W.force;
+      EXPECT_LE((force - last).norm(), 1.001 * kMost) << friction << ", tick " << ticks;
+      EXPECT_LT(force.norm(), last.norm());
+      last = force;
+    }
+    EXPECT_GT(held, 5.0);
+    EXPECT_GT(ticks, 50);
+    EXPECT_LT(ticks, 400);
+    // and then it has no lag
+    trial.step(at(0, 0, 0.05));
+    EXPECT_TRUE(trial.last.wrench_W.force.isZero(0.0));
+    EXPECT_EQ(trial.illegal, 0);
+  }
+}
+
+TEST(Feel, ASlideHasNoLagHoweverFast) {
+  const Stage stage = stageOf("halfspace", made::point());
+  Trial trial{stage.scene, stage.isovalue, at(-0.02, 0, 4e-3)};
+  trial.carry(at(-0.02, 0, 4e-3), at(-0.02, 0, -2e-3), 50);
+  double worst = 0.0;
+  for (int n = 0; n < 200; ++n) {
+    // 1 m/s to and fro, twenty times what a released proxy may catch up
+    trial.step(at(-0.02 + 1e-3 * (n % 40 < 20 ? n % 20 : 20 - n % 20), 0, -2e-3));
+    worst = std::max(worst, trial.last.wrench_W.force.head<2>().norm());
+  }
+  EXPECT_LE(worst, 1e-6);  // N
 }
 
 TEST(Feel, JustAboveTheSurfaceThereIsNothingToFeelEither) {
