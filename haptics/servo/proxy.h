@@ -93,10 +93,10 @@ struct Proxy {
   Acceptance acceptance;
   Recovery recovery;
   double isovalue = std::numeric_limits<double>::quiet_NaN();  ///< of the last tick
-  Pose X_WD_before = Pose::Identity();                         ///< the device in the last tick
   /// The surface bore on it since it was last at the device: until it is there again, it follows
   /// no faster than tick() lets it.
   bool held = false;
+  Twist behind;  ///< while held: the motion to the device after the last tick in which it followed
 
   /// Keeps where it is and how it is turned, and nothing else: as if it were made there.
   void forget() HAPTICS_RT {

@@ -41,7 +41,7 @@ class Tick {
                                                                  at_{proxy.search},
                                                                  budget_{budget},
                                                                  radius_{scene.tool.shell.radius} {
-    if (proxy.held) follow(kRelease / coupling.stiffness * period);
+    if (proxy.held) follow(releaseSpeed(coupling.stiffness) * period);
   }
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
@@ -74,6 +74,7 @@ class Tick {
       if (!through) {
         // the search goes on in the next tick
         result.cut = true;
+        result.followed = false;
         return;
       }
     }
@@ -91,14 +92,14 @@ class Tick {
   /// How a proxy that was held follows: what it is behind changes by `most` [m, by the metric] and
   /// by what the hand's own motion makes of it.
   void follow(double most) HAPTICS_RT {
-    Vec3 turn = proxy_.turn, turn_before = proxy_.turn;
+    Vec3 turn = proxy_.turn;
     const Mat3 R = proxy_.X_WP.linear();
     const Vector6 now = scene_.metric.whitened(unconstrainedMotion(proxy_.X_WP, X_WD_, turn), R);
-    behind_ = scene_.metric.whitened(
-        unconstrainedMotion(proxy_.X_WP, proxy_.X_WD_before, turn_before), R);
+    behind_ = scene_.metric.whitened(proxy_.behind, R);
+    const double distance = behind_.norm();
+    most = std::max(most, distance - kMostReleased / coupling_.stiffness);
     most_change_ = most;
     least_change_ = INFINITY;
-    const double distance = behind_.norm();
     // the hand may bring the two together faster by itself
     const double nearer = (behind_ - now).dot(behind_) / distance;
     left_behind_ = std::max(0.0, 1.0 - std::max(most, nearer) / distance) * behind_;
@@ -199,8 +200,10 @@ class Tick {
     }
     // even the last billionth of a metre of free space is gone
     const double length = reachOf(way, radius_), least = arrives ? 0.0 : 0.02 * lengths().epsilon;
-    if (tries_ >= mostTries() || most * length <= least) {
+    const bool tried = tries_ >= mostTries();
+    if (tried || most * length <= least) {
       at_.stage = Search::Stage::Done;
+      result.followed = !tried || inOneStep(free);
       return true;
     }
     if (!budget_.left()) return false;
@@ -420,14 +423,17 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
   }
 
   // 6  what the hand feels; in free space exactly nothing
-  proxy.X_WD_before = X_WD;
   if (proxy.X_WP.matrix() == X_WD.matrix()) {
     proxy.held = false;
     proxy.turn.setZero();
     return result;
   }
-  proxy.held = proxy.held || result.contacts > 0;
+  if (result.contacts > 0 && !proxy.held) {
+    proxy.held = true;
+    result.followed = true;
+  }
   proxy.turn = unwrappedTurn(proxy.X_WP, X_WD, proxy.turn);
+  if (result.followed) proxy.behind = {X_WD.translation() - proxy.X_WP.translation(), proxy.turn};
   const Mat3 R = proxy.X_WP.linear();
   result.wrench_W =
       coupling.pull(proxy.X_WP, X_WD, -proxy.turn, R * scene.metric.inertia() * R.transpose());

@@ -118,7 +118,7 @@ TEST(Numbers, AVolumeBeyondTwoToThe31VoxelsIsFeltAtItsFarEnd) {
 struct Happening {
   std::vector<Vec3> places;  ///< over the scale
   std::vector<Quat> turns;
-  std::vector<Vec3> forces;  ///< over the scale
+  std::vector<Vec3> forces;
   int contact = 0, recovered = 0;
 };
 Happening happen(double scale, const std::vector<Vec3>& points, const Vec3& origin, double noise) {
@@ -138,11 +138,12 @@ Happening happen(double scale, const std::vector<Vec3>& points, const Vec3& orig
   const auto place = [&](const Vec3& p) -> Vec3 { return scale * (origin + p); };
   Pose from = at(place({0, 0, 0.022}));
   Trial trial{scene, 0.0, from};
+  trial.coupling.stiffness = 16e3 / scale;  // forces stay, and with them how fast one falls
   Happening happening;
   const auto note = [&] {
     happening.places.push_back(trial.place() / scale - origin);
     happening.turns.push_back(haptics::rotationOf(trial.proxy.X_WP));
-    happening.forces.push_back(trial.last.wrench_W.force / scale);
+    happening.forces.push_back(trial.last.wrench_W.force);
     happening.recovered += !trial.last.outside;
   };
   for (int n = 0; n < 24; ++n) {
