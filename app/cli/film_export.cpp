@@ -20,7 +20,7 @@ bool readSize(const std::string& text, FilmOptions& options) {
   const auto width = std::from_chars(text.data(), end, options.width);
   if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return false;
   const auto height = std::from_chars(width.ptr + 1, end, options.height);
-  return height.ec == std::errc{} && height.ptr == end;
+  return height.ec == std::errc{} && height.ptr == end && options.width > 0 && options.height > 0;
 }
 
 Outcome refusedFilm(const haptics::Error& error) {

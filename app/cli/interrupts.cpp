@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 // a terminal's Ctrl+C may come twice within it, from the shell and from a program between
-constexpr std::chrono::seconds kPatience{1};
+constexpr std::chrono::milliseconds kPatience{500};
 
 std::atomic<bool> asked{false};
 std::atomic<int> closing{0};
@@ -33,7 +33,10 @@ sigset_t endingSignals() {
 
 [[noreturn]] void endNow(bool json) {
   haptics::discardOutputs();
-  print({Exit::Interrupted, {}, {}, "Stopped; nothing was written."}, json);
+  // a terminal or pipe may take nothing any more
+  std::signal(SIGALRM, [](int) { ::_exit(static_cast<int>(Exit::Interrupted)); });
+  ::alarm(1);
+  printUnlessPrinted(stopped(), json);
   ::_exit(static_cast<int>(Exit::Interrupted));
 }
 

@@ -12,8 +12,8 @@ inline bool interrupted() { return interruption(); }
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP (unless nohup wards it off) are waited for on a
 /// thread of its own, and interruption() tells of the first. What does not look there, such as a
-/// library deep in its work, is ended a second later: nothing half written stays, exit code 130. A
-/// signal after that second ends the program in any case. One at a time, before there is another
+/// library deep in its work, is ended half a second later: nothing half written stays, exit code
+/// 130. A signal after that ends the program in any case. One at a time, before there is another
 /// thread.
 class Interrupts {
  public:

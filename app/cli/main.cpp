@@ -46,6 +46,8 @@ int main(int argc, char** argv) {
 #ifdef PALPATE_READERS
   app::nameApplication();
 #endif
+  bool json = asksForJson(argc, argv);
+  const Interrupts interrupts{json};
   CLI::App program{
       "Palpate without a window: what a scan is, what a tool is, and how one feels the other.\n"
       "Not a medical device, not for diagnosis.",
@@ -65,7 +67,6 @@ int main(int argc, char** argv) {
   addRecover(program, chosen);
   addExport(program, chosen);
   addStudy(program, chosen);
-  bool json = asksForJson(argc, argv);
   for (CLI::App* command : program.get_subcommands({})) {
     const auto leaves = command->get_subcommands({});
     for (CLI::App* leaf : leaves.empty() ? std::vector{command} : leaves)
@@ -80,7 +81,6 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return print(usage(sentenceOf(error, program)), json);
   }
-  const Interrupts interrupts{json};
 #ifdef PALPATE_READERS
   datasets::sweepTemporaryFolders();
 #endif

@@ -32,10 +32,10 @@ CLI::Validator finiteNumber() {
 CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t greatest) {
   return {[least, greatest](std::string& text) {
             const auto value = numberIn<std::uint64_t>(text);
-            if (!value || *value < least || *value > greatest)
+            // 010 is ten to some and eight to others
+            if (!value || std::to_string(*value) != text || *value < least || *value > greatest)
               return "\"" + text + "\" is not a whole number of " + std::to_string(least) + " to " +
                      std::to_string(greatest);
-            text = std::to_string(*value);  // 010 is ten
             return std::string{};
           },
           "COUNT"};

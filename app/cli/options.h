@@ -11,7 +11,7 @@ namespace app::cli {
 
 /// A number that is finite, as 0.5, -3 or 1e-6.
 CLI::Validator finiteNumber();
-/// Decimal digits, within bounds.
+/// Decimal digits without leading zeros, within bounds.
 CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t greatest);
 /// Some text.
 CLI::Validator notEmpty();

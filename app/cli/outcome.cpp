@@ -52,9 +52,11 @@ Outcome usage(std::string what) { return {Exit::Usage, {}, {}, std::move(what)};
 Outcome failed(std::string what) { return {Exit::Failed, {}, {}, std::move(what)}; }
 Outcome stopped() { return {Exit::Interrupted, {}, {}, "Stopped; nothing was written."}; }
 
-int print(const Outcome& outcome, bool json) {
-  static std::atomic<bool> told{false};
-  while (told.exchange(true)) ::pause();
+namespace {
+
+std::atomic<bool> told{false};
+
+int tellAll(const Outcome& outcome, bool json) {
   Exit code = outcome.code;
   if (!outcome.error.empty()) tell(outcome.error);
   std::ostream& out = outcome.aside ? std::cerr : std::cout;
@@ -75,6 +77,17 @@ int print(const Outcome& outcome, bool json) {
          std::generic_category().message(errno != 0 ? errno : EIO) + ").");
   }
   return static_cast<int>(code);
+}
+
+}  // namespace
+
+int print(const Outcome& outcome, bool json) {
+  while (told.exchange(true)) ::pause();
+  return tellAll(outcome, json);
+}
+
+void printUnlessPrinted(const Outcome& outcome, bool json) {
+  if (!told.exchange(true)) tellAll(outcome, json);
 }
 
 }  // namespace app::cli

@@ -30,7 +30,9 @@ Outcome failed(std::string what);
 Outcome stopped();
 
 /// Prints the outcome and returns its exit code: Failed where it was Done and cannot be told. Once
-/// in a program: whoever comes second, of two threads, waits for the end.
+/// in a program; where another thread is at it, waits for the end.
 int print(const Outcome& outcome, bool json);
+/// The same, unless another thread is at it.
+void printUnlessPrinted(const Outcome& outcome, bool json);
 
 }  // namespace app::cli
