@@ -343,6 +343,11 @@ def reads_numbers_whole():
         call(*line, code=2)
 
 
+def ticks_of(running):
+    """Of the processor, that a process has used."""
+    return sum(map(int, pathlib.Path(f"/proc/{running.pid}/stat").read_text().split()[13:15]))
+
+
 def keeps_one_key():
     place = folder / "key"
     home = place / "home"
@@ -351,11 +356,21 @@ def keeps_one_key():
     call("convert", *SPHERE, place / "v.nrrd", env=env)
     shutil.rmtree(home, ignore_errors=True)
     volume = ("--volume", place / "v.nrrd")
-    running = [subprocess.Popen([program, *touch(volume, "--record", place / f"{n}.palpate")],
-                                env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    # all wait for the reader of their trace, and then want the key in the same moment
+    gate = place / "gate"
+    os.mkfifo(gate)
+    running = [subprocess.Popen([program, *touch(volume, "--trace", gate, "--record",
+                                                 place / f"{n}.palpate")], env=env,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
                for n in range(30)]
+    spent, before = 0, -1
+    while spent == 0 or spent != before or any(ticks_of(one) == 0 for one in running):
+        time.sleep(0.3)
+        before, spent = spent, sum(map(ticks_of, running))
+    reader = subprocess.Popen(["cat", gate], stdout=subprocess.DEVNULL)
     for one in running:
         check(one.wait() == 0, "a run among thirty failed")
+    reader.wait()
     kept = [path for path in home.rglob("*") if path.is_file()]
     check([path.name for path in kept] == ["installation.key"], f"kept: {kept}")
     check(kept[0].stat().st_size == 32 and kept[0].stat().st_mode & 0o777 == 0o600, "the key's file")
