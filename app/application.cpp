@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/application.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QPixmap>
 #include <array>
+#include <cstddef>
 #include <cstdio>
 #include <new>
 
 #include "app/film/face.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/core/output_file.h"
 #include "haptics/smoothing.h"
 #include "resources/named_tools.h"
 #include "ui/panels/device_panel.h"
@@ -395,7 +399,12 @@ void Application::takeScreenshot() {
     std::fprintf(stderr,
                  "At this isovalue skin is drawn, and a face can tell who the patient is: look at "
                  "the picture before you pass it on.\n");
-  const bool saved = window_.grab().save(QString::fromStdString(arguments_.screenshot));
+  QBuffer picture;
+  const QString ending = QFileInfo(QString::fromStdString(arguments_.screenshot)).suffix();
+  const bool drawn = window_.grab().save(&picture, ending.isEmpty() ? "PNG" : qPrintable(ending));
+  const bool saved =
+      drawn && haptics::writeFile(arguments_.screenshot,
+                                  {picture.data().constData(), std::size_t(picture.data().size())});
   if (!saved) std::fprintf(stderr, "The picture could not be written.\n");
   emit finished(saved ? 0 : 4);
 }

@@ -29,7 +29,7 @@ void VolumeIdentity::seek(const std::shared_ptr<const haptics::Volume>& volume) 
   job.thread = std::thread([this, &job, volume] {
     std::optional<haptics::VolumeHash> hash;
     try {
-      hash = hashOf(*volume, installationKey(), job.cancel);
+      if (const auto key = installationKey()) hash = hashOf(*volume, *key, job.cancel);
     } catch (const std::exception&) {  // then nobody can tell
     }
     QMetaObject::invokeMethod(

@@ -4,13 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "app/cli/options.h"
 #include "app/cli/outcome.h"
 
 namespace app::cli {
-
-/// Option checks: a number that is finite; some text.
-CLI::Validator finiteNumber();
-CLI::Validator notEmpty();
 
 /// Each adds its subcommand to the program; `chosen` becomes what to do when it was named.
 using Chosen = std::function<Outcome()>;

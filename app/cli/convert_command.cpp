@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
+#include "app/cli/terminal.h"
 #include "datasets/readers/volume_reader.h"
 
 namespace app::cli {
@@ -19,18 +22,25 @@ Outcome convert(ConvertOptions options) {
     return usage("convert needs a volume (a path, or --phantom NAME) and OUT.nrrd.");
   if (!phantom) options.volume.path = options.paths.front();
   const std::string& out = options.paths.back();
-  const auto target = writableTarget(out);
-  if (!target) return {Exit::Failed, {}, {}, target.error().what};
-  if (!out.ends_with(".nrrd")) return usage("\"" + out + "\" must end in .nrrd.");
+  // what is no file, such as a pipe, needs no ending
+  std::error_code nothing;
+  const bool file =
+      !std::filesystem::exists(out, nothing) || std::filesystem::is_regular_file(out, nothing);
+  if (file && !out.ends_with(".nrrd") && !isStandardOutput(out))
+    return usage("\"" + out + "\" must end in .nrrd.");
+  if (const auto wrong = overwritten({{"OUT.nrrd", out}}, options.volume, {})) return usage(*wrong);
+  if (std::filesystem::is_directory(out, nothing))
+    return failed("\"" + out + "\" is a folder, and is not written over; name a file.");
   auto volume = loadVolume(options.volume);
   if (!volume) return refused(volume.error());
-  if (auto written = datasets::writeNrrd(**volume, *target); !written)
-    return {Exit::Failed, {}, {}, written.error().what};
+  if (auto written = datasets::writeNrrd(**volume, out, {.cancel = &interruption()}); !written)
+    return refused(written.error());
   Outcome outcome;
   outcome.json["dims"] = (*volume)->grid.dims;
   outcome.json["scalar"] = haptics::nameOf((*volume)->type);
   outcome.json["unit"] = (*volume)->unit;
   outcome.json["modality"] = (*volume)->modality;
+  outcome.aside = isStandardOutput(out);
   return outcome;
 }
 
@@ -41,8 +51,10 @@ void addConvert(CLI::App& program, Chosen& chosen) {
   CLI::App* command = program.add_subcommand("convert", "Write what was read as NRRD");
   command->add_option("paths", options->paths, "PATH OUT.nrrd, or with --phantom OUT.nrrd")
       ->required()
-      ->expected(1, 2);
-  command->add_option("--phantom", options->volume.phantom, "A named phantom in place of PATH");
+      ->expected(1, 2)
+      ->check(notEmpty());
+  command->add_option("--phantom", options->volume.phantom, "A named phantom in place of PATH")
+      ->check(notEmpty());
   addReading(*command, options->volume);
   command->callback([options, &chosen] { chosen = [options] { return convert(*options); }; });
 }

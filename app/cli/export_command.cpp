@@ -4,6 +4,9 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupts.h"
+#include "app/cli/sources.h"
+#include "app/cli/terminal.h"
 #include "app/export/export.h"
 #ifdef PALPATE_FILM
 #include "app/cli/film_export.h"
@@ -57,23 +60,25 @@ Outcome run(ExportCommand command) {
                     [&](const Format& one) { return one.name == command.format; });
   if (!command.out.ends_with(format.ending))
     return usage("\"" + command.out + "\" must end in " + format.ending + ".");
+  std::vector<Target> targets{{"--out", command.out}};
+  if (command.format == "csv") {
+    targets.clear();
+    for (const char* ending : exporting::kCsvEndings)
+      targets.push_back({"--out", command.out + ending});
+  }
+  if (const auto wrong = overwritten(targets, {}, {command.file})) return usage(*wrong);
   auto recording = haptics::Recording::open(command.file);
   if (!recording) return refused(recording.error());
   command.options.goes_on = [](double) { return !interrupted(); };
   const auto exported = format.write(*recording, command.out, command.options);
-  if (!exported) {
-    const haptics::Error& error = exported.error();
-    if (error.reason == "cancelled") return {Exit::Interrupted, {}, {}, error.what};
-    // what cannot be written is not the input's fault
-    if (error.reason == "unwritable") return {Exit::Failed, {}, {}, error.what};
-    return refused(error);
-  }
+  if (!exported) return refused(exported.error());
   Outcome outcome;
   outcome.json["format"] = format.name;
   outcome.json["steps"] = exported->steps;
   outcome.json["events"] = exported->events;
   outcome.json["bytes"] = exported->bytes;
   outcome.json["files"] = exported->files;
+  outcome.aside = isStandardOutput(command.out);
   return outcome;
 }
 

@@ -2,10 +2,11 @@
 #include "app/cli/film_export.h"
 
 #include <charconv>
-#include <iostream>
 #include <memory>
 
+#include "app/cli/interrupts.h"
 #include "app/cli/recorded_run.h"
+#include "app/cli/terminal.h"
 #include "app/film/face.h"
 #include "app/film/film.h"
 #include "haptics/recording/recording.h"
@@ -19,17 +20,15 @@ bool readSize(const std::string& text, FilmOptions& options) {
   const auto width = std::from_chars(text.data(), end, options.width);
   if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return false;
   const auto height = std::from_chars(width.ptr + 1, end, options.height);
-  return height.ec == std::errc{} && height.ptr == end;
+  return height.ec == std::errc{} && height.ptr == end && options.width > 0 && options.height > 0;
 }
 
 Outcome refusedFilm(const haptics::Error& error) {
   Outcome outcome = refused(error);
-  if (error.reason == "cancelled") {
-    outcome.code = Exit::Interrupted;
-  } else if (error.reason == "options" || error.reason == "nothing") {
+  if (error.reason == "options" || error.reason == "nothing") {
     outcome.code = Exit::Usage;
-  } else if (error.reason == "encoder" || error.reason == "unwritable" ||
-             error.reason == "no-display" || error.reason == "no-graphics") {
+  } else if (error.reason == "encoder" || error.reason == "no-display" ||
+             error.reason == "no-graphics") {
     outcome.code = Exit::Failed;
   }
   return outcome;
@@ -39,8 +38,7 @@ Outcome refusedFilm(const haptics::Error& error) {
 
 Outcome exportFilm(const FilmChoice& choice) {
   FilmOptions options;
-  if (!readSize(choice.size, options))
-    return usage("\"" + choice.size + "\" is no size; write it as 1280x720.");
+  readSize(choice.size, options);  // checked when it was given
   options.frames_per_second = choice.frames_per_second;
   options.speed = choice.speed;
   options.from = choice.from;
@@ -51,6 +49,11 @@ Outcome exportFilm(const FilmChoice& choice) {
   if (choice.surface == "raycast") options.surface = ui::SurfaceMode::RayCast;
   options.goes_on = [](double) { return !interrupted(); };
 
+  std::vector<Target> targets;
+  for (const std::filesystem::path& file : filesOfFilm(choice.out))
+    targets.push_back({"--out", file.string()});
+  if (const auto wrong = overwritten(targets, choice.volume, {choice.recording}))
+    return usage(*wrong);
   auto recording = haptics::Recording::open(choice.recording);
   if (!recording) return refused(recording.error());
   std::shared_ptr<const haptics::Volume> volume;
@@ -76,8 +79,9 @@ Outcome exportFilm(const FilmChoice& choice) {
     face = choice.volume.phantom.empty() && mayShowAFace(*volume, leastIsovalue(*recording));
   }
   if (face)
-    std::cerr << "At this isovalue skin is drawn, and a face can tell who the patient is: look at "
-                 "the film before you pass it on.\n";
+    tell(
+        "At this isovalue skin is drawn, and a face can tell who the patient is: look at the film "
+        "before you pass it on.");
 
   const auto volumeOf = [&](std::uint32_t id) {
     const haptics::RecordedScene* scene = recording->scene(id);
@@ -102,12 +106,22 @@ Outcome exportFilm(const FilmChoice& choice) {
 void addFilmOptions(CLI::App& command, FilmChoice& choice) {
   auto* path = command.add_option("--volume", choice.volume.path,
                                   "The scan that was touched; none: the tool alone");
+  path->check(notEmpty());
   command.add_option("--phantom", choice.volume.phantom, "The phantom that was touched")
-      ->excludes(path);
+      ->excludes(path)
+      ->check(notEmpty());
   addReading(command, choice.volume);
-  command.add_option("--size", choice.size, "Width and height in pixels, as 1280x720");
+  command.add_option("--size", choice.size, "Width and height in pixels, as 1280x720")
+      ->check(CLI::Validator{[](std::string& text) {
+                               FilmOptions read;
+                               return readSize(text, read) ? std::string{}
+                                                           : "\"" + text +
+                                                                 "\" is no size; write it as "
+                                                                 "1280x720";
+                             },
+                             "SIZE"});
   command.add_option("--fps", choice.frames_per_second, "Frames a second")
-      ->check(CLI::Range(1, 240));
+      ->check(wholeNumber(1, 240));
   command.add_option("--speed", choice.speed, "Seconds of the session in a second of the film")
       ->check(finiteNumber() & CLI::Range(0.001, 1000.0));
   command.add_flag("--burn-in", choice.burn_in, "Write time and force into the picture");

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
 #include "datasets/readers/volume_reader.h"
 
@@ -72,7 +73,8 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
 }
 
 Outcome info(const VolumeChoice& options) {
-  auto survey = datasets::survey(options.path);
+  const datasets::ReadProgress progress{.cancel = &interruption()};
+  auto survey = datasets::survey(options.path, progress);
   if (!survey) return refused(survey.error());
   const auto loads = [&](const datasets::SeriesVerdict& series) {
     return series.verdict == datasets::Verdict::Sound ||
@@ -108,7 +110,7 @@ Outcome info(const VolumeChoice& options) {
     return {Exit::Refused, json, {}, sentence};
   }
   if (!options.series && loading > 1) return {Exit::Done, json, {}, {}};
-  auto volume = datasets::readVolume(*only, readingOf(options));
+  auto volume = datasets::readVolume(*only, readingOf(options), progress);
   if (!volume) {
     json["message"] = volume.error().what;
     return refused(volume.error(), json);
@@ -126,7 +128,8 @@ void addInfo(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("path", options->path,
                    "Folder, archive, or file (DICOM, NRRD, MetaImage, NIfTI)")
-      ->required();
+      ->required()
+      ->check(notEmpty());
   addReading(*command, *options);
   command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });
 }

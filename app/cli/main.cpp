@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <exception>
+#include <iostream>
 #include <string_view>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupts.h"
+#include "app/cli/terminal.h"
 #ifdef PALPATE_READERS
+#include "app/recording/volume_hash.h"
 #include "datasets/readers/archive.h"
 #endif
 
@@ -18,30 +21,33 @@ bool asksForJson(int argc, char** argv) {
   return false;
 }
 
+/// A sentence for a line that cannot be parsed.
+std::string sentenceOf(const CLI::ParseError& error, const CLI::App& program) {
+  const CLI::App* command = &program;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  const auto choices = command->get_subcommands([](const CLI::App*) { return true; });
+  const std::vector<std::string> left = command->remaining();
+  const auto named =
+      std::ranges::find_if(left, [](const std::string& word) { return !word.starts_with('-'); });
+  std::string sentence = error.what();
+  if (!choices.empty() && named != left.end()) {
+    sentence = "There is no command \"" + *named + "\"; choose one of ";
+    for (const CLI::App* choice : choices)
+      sentence += (choice == choices.front() ? "" : ", ") + choice->get_name();
+  }
+  return sentence + " (palpate-cli --help tells more).";
+}
+
 }  // namespace
-
-namespace app::cli {
-
-CLI::Validator finiteNumber() {
-  return {[](std::string& text) {
-            double value = 0.0;
-            const char* end = text.data() + text.size();
-            const auto [stop, error] = std::from_chars(text.data(), end, value);
-            const bool number = error == std::errc{} && stop == end && std::isfinite(value);
-            return number ? std::string{} : "\"" + text + "\" is not a number";
-          },
-          "NUMBER"};
-}
-
-CLI::Validator notEmpty() {
-  return {[](std::string& text) { return text.empty() ? std::string{"is empty"} : std::string{}; },
-          "TEXT"};
-}
-
-}  // namespace app::cli
 
 int main(int argc, char** argv) {
   using namespace app::cli;
+  openStandardStreams();
+#ifdef PALPATE_READERS
+  app::nameApplication();
+#endif
+  bool json = asksForJson(argc, argv);
+  const Interrupts interrupts{json};
   CLI::App program{
       "Palpate without a window: what a scan is, what a tool is, and how one feels the other.\n"
       "Not a medical device, not for diagnosis.",
@@ -61,7 +67,6 @@ int main(int argc, char** argv) {
   addRecover(program, chosen);
   addExport(program, chosen);
   addStudy(program, chosen);
-  bool json = asksForJson(argc, argv);
   for (CLI::App* command : program.get_subcommands({})) {
     const auto leaves = command->get_subcommands({});
     for (CLI::App* leaf : leaves.empty() ? std::vector{command} : leaves)
@@ -70,11 +75,12 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
-    return program.exit(help);
+    program.exit(help);
+    std::cout.flush();
+    return static_cast<int>(std::cout ? Exit::Done : Exit::Failed);
   } catch (const CLI::ParseError& error) {
-    return print(usage(std::string{error.what()} + " (palpate-cli --help tells more)"), json);
+    return print(usage(sentenceOf(error, program)), json);
   }
-  watchForInterrupts();
 #ifdef PALPATE_READERS
   datasets::sweepTemporaryFolders();
 #endif
@@ -82,6 +88,6 @@ int main(int argc, char** argv) {
     return print(chosen(), json);
   } catch (const std::exception&) {
     // libraries may throw where memory ends; there is nothing better to say of it
-    return print({Exit::Failed, {}, {}, "Palpate ran out of memory; try a smaller volume."}, json);
+    return print(failed("Palpate ran out of memory; try a smaller volume."), json);
   }
 }

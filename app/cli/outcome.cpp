@@ -1,27 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/outcome.h"
 
-#include <csignal>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
 #include <iostream>
+#include <system_error>
+
+#include "app/cli/terminal.h"
 
 namespace app::cli {
 namespace {
 
-volatile std::sig_atomic_t stop_asked = 0;
+/// A path may hold bytes that are no UTF-8: replaced, not thrown over.
+std::string textOf(const nlohmann::ordered_json& json, int indent) {
+  return printable(json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace), true);
+}
 
 /// The JSON as lines "name: value" for people.
 std::string asLines(const nlohmann::ordered_json& json) {
   std::string lines;
   for (const auto& [name, value] : json.items())
-    lines += name + ": " + (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+    lines += name + ": " +
+             printable(value.is_string() ? value.get<std::string>() : textOf(value, -1)) + "\n";
   return lines;
 }
 
 }  // namespace
 
 Outcome refused(const haptics::Error& error, nlohmann::ordered_json known) {
+  if (error.reason == "cancelled") return stopped();
   Outcome outcome{Exit::Refused, std::move(known), {}, error.what};
   if (error.kind == haptics::Error::Kind::Correctable) outcome.error += " Add --correct for that.";
+  // what cannot be written is not the input's fault
+  if (error.reason == "unwritable") outcome.code = Exit::Failed;
   // a folder with several series and none named is a question of usage
   if (error.reason == "which-series" || error.reason == "no-such-series")
     outcome.code = Exit::Usage;
@@ -36,33 +49,45 @@ Outcome refused(const haptics::Error& error, nlohmann::ordered_json known) {
 
 Outcome usage(std::string what) { return {Exit::Usage, {}, {}, std::move(what)}; }
 
-int print(const Outcome& outcome, bool json) {
-  const int code = static_cast<int>(outcome.code);
-  // a file's name may hold anything; what would steer the terminal is not printed
-  std::string sentence = outcome.error;
-  for (char& c : sentence)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  if (!sentence.empty()) std::cerr << sentence << '\n';
+Outcome failed(std::string what) { return {Exit::Failed, {}, {}, std::move(what)}; }
+Outcome stopped() { return {Exit::Interrupted, {}, {}, "Stopped; nothing was written."}; }
+
+namespace {
+
+std::atomic<bool> told{false};
+
+int tellAll(const Outcome& outcome, bool json) {
+  Exit code = outcome.code;
+  if (!outcome.error.empty()) tell(outcome.error);
+  std::ostream& out = outcome.aside ? std::cerr : std::cout;
+  errno = 0;
   if (json) {
     nlohmann::ordered_json object = outcome.json;
     if (object.is_null()) object = nlohmann::ordered_json::object();
-    if (outcome.code != Exit::Done) object["error"] = {{"code", code}, {"message", outcome.error}};
-    // a path may hold bytes that are no UTF-8: replaced, not thrown over
-    std::cout << object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-  } else if (outcome.code == Exit::Done || !outcome.json.empty()) {
-    std::cout << (outcome.text.empty() ? asLines(outcome.json) : outcome.text);
+    if (code != Exit::Done)
+      object["error"] = {{"code", static_cast<int>(code)}, {"message", outcome.error}};
+    out << textOf(object, 2) << '\n';
+  } else if (code == Exit::Done || !outcome.json.empty()) {
+    out << (outcome.text.empty() ? asLines(outcome.json) : printable(outcome.text, true));
   }
-  std::cout.flush();
-  return code;
+  out.flush();
+  if (!out && code == Exit::Done) {
+    code = Exit::Failed;
+    tell("The answer could not be written to standard output (" +
+         std::generic_category().message(errno != 0 ? errno : EIO) + ").");
+  }
+  return static_cast<int>(code);
 }
 
-bool interrupted() { return stop_asked != 0; }
+}  // namespace
 
-void watchForInterrupts() {
-  std::signal(SIGINT, [](int) { stop_asked = 1; });
-  std::signal(SIGTERM, [](int) { stop_asked = 1; });
-  // a file that may not grow further is an error like any other
-  std::signal(SIGXFSZ, SIG_IGN);
+int print(const Outcome& outcome, bool json) {
+  while (told.exchange(true)) ::pause();
+  return tellAll(outcome, json);
+}
+
+void printUnlessPrinted(const Outcome& outcome, bool json) {
+  if (!told.exchange(true)) tellAll(outcome, json);
 }
 
 }  // namespace app::cli

@@ -18,17 +18,21 @@ struct Outcome {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   std::string text = {};  ///< for people; empty: made from the JSON
   std::string error = {};
+  bool aside = false;  ///< standard output holds what was asked for: the report goes beside it
 };
 
 /// A refusal with what is known beside the sentence.
 Outcome refused(const haptics::Error& error, nlohmann::ordered_json known = {});
 Outcome usage(std::string what);
 
-/// Prints the outcome and returns its exit code.
-int print(const Outcome& outcome, bool json);
+Outcome failed(std::string what);
+/// The user asked to stop, and nothing is told of a part.
+Outcome stopped();
 
-/// True once the user asked to stop (SIGINT, SIGTERM).
-bool interrupted();
-void watchForInterrupts();
+/// Prints the outcome and returns its exit code: Failed where it was Done and cannot be told. Once
+/// in a program; where another thread is at it, waits for the end.
+int print(const Outcome& outcome, bool json);
+/// The same, unless another thread is at it.
+void printUnlessPrinted(const Outcome& outcome, bool json);
 
 }  // namespace app::cli

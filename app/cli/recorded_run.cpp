@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <thread>
 
+#include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
+#include "app/cli/terminal.h"
 #include "app/recording/facts.h"
 #ifdef PALPATE_READERS
 #include "app/recording/volume_hash.h"
@@ -18,8 +20,12 @@ using haptics::Expected;
 
 std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume) {
 #ifdef PALPATE_READERS
-  nameApplication();
-  return hashOf(volume, installationKey(), false);
+  const auto key = installationKey();
+  if (!key) {
+    tell(key.error().what);
+    return {};
+  }
+  return hashOf(volume, *key, interruption());
 #else
   (void)volume;
   return {};
@@ -29,9 +35,15 @@ std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume) {
 Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& path,
                                                           haptics::ClosedLoop& loop,
                                                           std::string tool) {
-  const auto target = writableTarget(path);
-  if (!target) return tl::unexpected(target.error());
-  auto recorder = haptics::Recorder::create(*target, recordingFacts());
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(path, error);
+  if (error || (fs::exists(target, error) && !fs::is_regular_file(target, error)))
+    return tl::unexpected(haptics::Error{
+        haptics::Error::Kind::Unsupported,
+        "\"" + path + "\" is no regular file, and a recording needs one; name a file.",
+        "unwritable"});
+  auto recorder = haptics::Recorder::create(target, recordingFacts());
   if (!recorder) return tl::unexpected(recorder.error());
   const auto id = static_cast<std::uint32_t>(loop.scene->id);
   (*recorder)->describe(loop.scene, std::move(tool));

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupts.h"
 #include "app/cli/recorded_run.h"
 #include "app/cli/sources.h"
 #include "app/recording/facts.h"
@@ -33,11 +34,14 @@ Outcome replay(const ReplayOptions& options) {
     known = known && compared == haptics::SameVolume::Same;
     same = same && compared != haptics::SameVolume::Another;
   }
-  if (!fits)
-    return refused({haptics::Error::Kind::Unsupported,
-                    "The volume is not the one that was recorded: its voxels are others in number, "
-                    "place or type; give the one that was touched.",
-                    "another-volume"});
+  if (!fits) {
+    Outcome outcome = failed(
+        "The volume is not the one that was recorded: its voxels are others in number, place or "
+        "type; give the one that was touched.");
+    outcome.json["volume"] = "another";
+    outcome.json["reasons"] = {"another-volume"};
+    return outcome;
+  }
   std::optional<haptics::Error> failed;
   std::shared_ptr<const haptics::Scene> last;
   const auto sceneOf = [&](std::uint32_t id) -> std::shared_ptr<const haptics::Scene> {
@@ -52,11 +56,7 @@ Outcome replay(const ReplayOptions& options) {
   };
   const auto difference =
       haptics::replay(*recording, sceneOf, [](double) { return !interrupted(); });
-  if (!difference) {
-    if (difference.error().reason == "cancelled")
-      return {Exit::Interrupted, {}, {}, "Stopped; nothing is told of a part."};
-    return refused(difference.error());
-  }
+  if (!difference) return refused(difference.error());
   if (failed) return refused(*failed);
 
   const haptics::RecordingFacts here = recordingFacts();
@@ -76,10 +76,16 @@ Outcome replay(const ReplayOptions& options) {
   if (difference->steps == 0) {
     outcome.code = Exit::Refused;
     outcome.error = "Nothing could be replayed: no step was recorded in this volume.";
+  } else if (!same) {
+    outcome.code = Exit::Failed;
+    outcome.error =
+        std::string{"The volume is not the one that was recorded: its voxels have other values. "} +
+        (difference->differing > 0 ? "The replay differs from what was recorded."
+                                   : "No step that was recorded came across them.");
+    outcome.json["reasons"] = {"another-volume"};
   } else if (difference->differing > 0) {
     outcome.code = Exit::Failed;
-    outcome.error = same ? "The replay differs from what was recorded."
-                         : "The replay differs from what was recorded; its volume was another.";
+    outcome.error = "The replay differs from what was recorded.";
   }
   return outcome;
 }
@@ -103,11 +109,14 @@ void addReplay(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = program.add_subcommand(
       "replay", "Drive today's algorithm along a recorded path, and compare");
-  command->add_option("file", options->file, "A recording")->required();
+  command->add_option("file", options->file, "A recording")->required()->check(notEmpty());
   auto* path =
       command->add_option("--volume", options->volume.path,
                           "What was touched: DICOM folder or file, NRRD, MetaImage, NIfTI");
-  command->add_option("--phantom", options->volume.phantom, "A named phantom")->excludes(path);
+  path->check(notEmpty());
+  command->add_option("--phantom", options->volume.phantom, "A named phantom")
+      ->excludes(path)
+      ->check(notEmpty());
   addReading(*command, options->volume);
   command->callback([options, &chosen] { chosen = [options] { return replay(*options); }; });
 }
@@ -116,7 +125,7 @@ void addRecover(CLI::App& program, Chosen& chosen) {
   auto file = std::make_shared<std::string>();
   CLI::App* command =
       program.add_subcommand("recover", "Bring back what an unfinished recording holds");
-  command->add_option("file", *file, "NAME.palpate.part")->required();
+  command->add_option("file", *file, "NAME.palpate.part")->required()->check(notEmpty());
   command->callback([file, &chosen] { chosen = [file] { return recover(*file); }; });
 }
 

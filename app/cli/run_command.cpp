@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupts.h"
 #include "app/cli/recorded_run.h"
 #include "app/cli/sources.h"
+#include "app/cli/terminal.h"
 #include "app/cli/trace.h"
 #include "haptics/devices/ratings.h"
 #include "haptics/servo/servo_tick.h"
@@ -164,9 +167,14 @@ Outcome run(const RunOptions& options) {
     limits = haptics::limitsOf(*rating);
   }
   if (const auto wrong = contradictionIn(options.tool)) return usage(*wrong);
+  std::vector<Target> targets;
+  if (!options.trace.empty()) targets.push_back({"--trace", options.trace});
+  if (!options.record.empty()) targets.push_back({"--record", options.record});
+  if (const auto wrong = overwritten(targets, options.volume, {options.tool.name, options.hand}))
+    return usage(*wrong);
   auto loaded = loadTool(options.tool);
   if (!loaded) return refused(loaded.error());
-  for (const std::string& warning : loaded->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  for (const std::string& warning : loaded->warnings) tell(warning);
   auto volume = loadVolume(options.volume);
   if (!volume) return refused(volume.error());
   if (options.isovalue <= (*volume)->least)
@@ -191,16 +199,18 @@ Outcome run(const RunOptions& options) {
   auto hand = handFor(options, **scene, loop.grip);
   if (!hand) return refused(hand.error());
 
+  if (interrupted()) return stopped();
+  const Closing held;
   std::unique_ptr<TraceWriter> trace;
   if (!options.trace.empty()) {
     auto opened = TraceWriter::open(options.trace);
-    if (!opened) return {Exit::Failed, {}, {}, opened.error().what};
+    if (!opened) return failed(opened.error().what);
     trace = std::make_unique<TraceWriter>(std::move(*opened));
   }
   std::unique_ptr<RecordedRun> recorded;
   if (!options.record.empty()) {
     auto begun = RecordedRun::begin(options.record, loop, nameOf(options.tool));
-    if (!begun) return {Exit::Failed, {}, {}, begun.error().what};
+    if (!begun) return failed(begun.error().what);
     recorded = std::move(*begun);
   }
   Tally tally;
@@ -214,7 +224,9 @@ Outcome run(const RunOptions& options) {
     return !stopped;
   });
   if (!done) return refused(done.error());
-  Outcome outcome{Exit::Done, tally.report(), {}, {}};
+  Outcome outcome;
+  outcome.json = tally.report();
+  outcome.aside = !options.trace.empty() && isStandardOutput(options.trace);
   for (const haptics::Structure& built : (*scene)->structures)
     outcome.json["structures"].push_back(
         {{"name", built.name}, {"bytes", built.bytes}, {"build_ms", built.build_time * 1e3}});
@@ -250,21 +262,26 @@ void addRun(CLI::App& program, Chosen& chosen) {
       program.add_subcommand("run", "Touch a volume with the simulated hand, in closed loop");
   auto* path = command->add_option("--volume", options->volume.path,
                                    "DICOM folder or file, NRRD, MetaImage or NIfTI");
-  command->add_option("--phantom", options->volume.phantom, "A named phantom")->excludes(path);
+  path->check(notEmpty());
+  command->add_option("--phantom", options->volume.phantom, "A named phantom")
+      ->excludes(path)
+      ->check(notEmpty());
   addReading(*command, options->volume);
   command->add_option("--isovalue", options->isovalue, "Where the surface is")
       ->required()
       ->check(finiteNumber());
   command->add_option("--tool", options->tool.name, "A named tool, or a mesh or CSV file")
-      ->required();
+      ->required()
+      ->check(notEmpty());
   command->add_option("--points", options->tool.points, "So many points, spread evenly by area")
-      ->check(CLI::Range(1, 10'000'000));
+      ->check(wholeNumber(1, 10'000'000));
   command->add_option("--tool-unit", options->tool.unit, "Unit of a mesh file")
       ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
   command
       ->add_option("--hand", options->hand,
                    "tap, slide, wedge, pry, hook, jerk, twist, or a CSV of poses")
-      ->required();
+      ->required()
+      ->check(notEmpty());
   command->add_option("--seconds", options->seconds, "How long")
       ->required()
       ->check(finiteNumber() & CLI::Range(0.001, 86'400.0));
@@ -283,12 +300,15 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->add_option("--normal", options->normal,
                    "Normals of points near the surface: central, cell, spline")
       ->check(CLI::IsMember(namesIn(normals())));
-  command->add_option("--device", options->device,
-                      "Take the limits of this model of a device (a name that is none lists them)");
+  command
+      ->add_option("--device", options->device,
+                   "Take the limits of this model of a device (a name that is none lists them)")
+      ->check(notEmpty());
   command->add_option("--trace", options->trace, "CSV to write, one row a tick")->check(notEmpty());
   command->add_option("--record", options->record, "Recording to write, NAME.palpate")
       ->check(notEmpty());
-  command->add_option("--seed", options->seed, "Of the hand's aim");
+  command->add_option("--seed", options->seed, "Of the hand's aim")
+      ->check(wholeNumber(0, std::numeric_limits<std::uint64_t>::max()));
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

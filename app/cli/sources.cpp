@@ -6,8 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 
+#include "app/cli/interrupts.h"
+#include "app/cli/options.h"
 #include "datasets/phantoms/phantoms.h"
 #include "resources/named_tools.h"
 #ifdef PALPATE_READERS
@@ -23,6 +26,7 @@ tl::unexpected<Error> malformed(std::string what) {
   return tl::unexpected(Error{Error::Kind::Malformed, std::move(what)});
 }
 
+constexpr std::uint64_t kMostIndex = 1'000'000'000;
 constexpr double kLongest = 0.5;  // m, a tool above this is probably in another unit
 
 bool isPointFile(const ToolChoice& choice) {
@@ -66,15 +70,17 @@ haptics::Expected<LoadedTool> toolFromPoints(const ToolChoice& choice) {
 }  // namespace
 
 void addReading(CLI::App& command, VolumeChoice& choice) {
-  command.add_option("--series", choice.series, "Which series of a folder, or volume of a file");
+  command.add_option("--series", choice.series, "Which series of a folder, or volume of a file")
+      ->check(wholeNumber(0, kMostIndex));
   command.add_flag("--correct", choice.correct,
                    "Resample slices that are tilted or unevenly spaced");
   command.add_option("--every", choice.every, "Read every so manieth voxel along each axis")
-      ->check(CLI::Range(1, 1000));
+      ->check(wholeNumber(1, 1000));
   command
       .add_option("--box", choice.box,
                   "Read a box of voxels: first and end (the one after the last) along i, j and k")
-      ->expected(6);
+      ->expected(6)
+      ->check(wholeNumber(0, kMostIndex));
 }
 
 #ifdef PALPATE_READERS
@@ -95,7 +101,7 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const Volum
     return std::make_shared<const haptics::Volume>(std::move(phantom->volume));
   }
 #ifdef PALPATE_READERS
-  auto volume = datasets::readVolume(choice.path, readingOf(choice));
+  auto volume = datasets::readVolume(choice.path, readingOf(choice), {.cancel = &interruption()});
   if (!volume) return tl::unexpected(volume.error());
   return std::make_shared<const haptics::Volume>(std::move(*volume));
 #else
@@ -147,13 +153,40 @@ std::optional<std::string> contradictionIn(const ToolChoice& choice) {
          std::string(choice.unit ? "--tool-unit" : "--points") + ".";
 }
 
-haptics::Expected<std::string> writableTarget(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
-  if (error) return malformed("\"" + path + "\" cannot be written; check the path.");
-  if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error))
-    return malformed("\"" + path + "\" is no regular file, and is not written over; name a file.");
-  return target.string();
+std::optional<std::string> overwritten(const std::vector<Target>& targets,
+                                       const VolumeChoice& volume,
+                                       const std::vector<std::string>& inputs) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  std::optional<std::vector<fs::path>> read;  // sought only where something could be lost
+  for (std::size_t n = 0; n < targets.size(); ++n) {
+    const Target& target = targets[n];
+    const fs::path whole = fs::weakly_canonical(target.path, ignored);
+    for (std::size_t m = 0; m < n; ++m)
+      if (whole == fs::weakly_canonical(targets[m].path, ignored) ||
+          (fs::is_regular_file(target.path, ignored) &&
+           fs::equivalent(target.path, targets[m].path, ignored)))
+        return target.option + " and " + targets[m].option + " name the same file, \"" +
+               target.path + "\"; give each its own.";
+    if (!fs::is_regular_file(target.path, ignored)) continue;
+    if (!read) {
+      read.emplace(inputs.begin(), inputs.end());
+#ifdef PALPATE_READERS
+      if (!volume.path.empty())
+        std::ranges::move(datasets::filesReadFor(volume.path, {.cancel = &interruption()}),
+                          std::back_inserter(*read));
+#else
+      (void)volume;
+#endif
+    }
+    // by device and number, so that no link hides it
+    if (std::ranges::any_of(*read, [&](const fs::path& input) {
+          return fs::equivalent(target.path, input, ignored);
+        }))
+      return target.option + " \"" + target.path +
+             "\" is a file that is read here, and would be lost; name another.";
+  }
+  return {};
 }
 
 haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,

@@ -49,9 +49,15 @@ struct LoadedTool {
 };
 haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice);
 
-/// Where to write: the path with links resolved, or a refusal where something stands that is no
-/// regular file (a folder, a device, a pipe).
-haptics::Expected<std::string> writableTarget(const std::string& path);
+/// Something that a command writes: the option that named it, and where.
+struct Target {
+  std::string option;
+  std::string path;
+};
+/// A sentence where a target is a file that is read, by whatever name or link, or two are the same.
+std::optional<std::string> overwritten(const std::vector<Target>& targets,
+                                       const VolumeChoice& volume,
+                                       const std::vector<std::string>& inputs);
 
 /// Rows of numbers under one header line, which names the columns; every row has at least
 /// `columns` of them. A first line of numbers is refused, since it would be lost.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <charconv>
-#include <iostream>
+#include <limits>
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupts.h"
+#include "app/cli/terminal.h"
 #include "app/study/report/run_study.h"
 #include "app/study/studies.h"
 
@@ -47,12 +49,7 @@ std::string sentenceOf(const study::Results& results) {
 }
 
 Outcome outcomeOf(const haptics::Expected<study::Results>& results, const std::string& out) {
-  if (!results) {
-    // what cannot be written is not the input's fault
-    if (results.error().reason == "not-writable")
-      return {Exit::Failed, {}, {}, results.error().what};
-    return refused(results.error());
-  }
+  if (!results) return refused(results.error());
   Outcome outcome;
   std::size_t failing = 0;
   outcome.json["study"] = results->identity.study;
@@ -79,7 +76,8 @@ Outcome run(const std::string& name, const StudyOptions& options) {
   if (!shard) return usage("--shard \"" + options.shard + "\" is not i/n with i from 1 to n.");
   study::RunOptions how{depth, options.seed, *shard, options.out};
   how.stop = [] { return interrupted(); };
-  how.tell = [](const std::string& line) { std::cerr << line << '\n'; };
+  how.tell = [](const std::string& line) { tell(line); };
+  const Closing held;
   return outcomeOf(study::runStudy(*study::makeStudy(name, depth), how), options.out);
 }
 
@@ -102,8 +100,10 @@ void addStudy(CLI::App& program, Chosen& chosen) {
     CLI::App* one =
         command->add_subcommand(name, study::makeStudy(name, study::Depth::Quick)->title);
     one->add_flag("--quick", options->quick, "A minute or so in place of half an hour");
-    one->add_option("--seed", options->seed, "Of all that is random");
-    one->add_option("--shard", options->shard, "i/n: only the i-th of n equal parts");
+    one->add_option("--seed", options->seed, "Of all that is random")
+        ->check(wholeNumber(0, std::numeric_limits<std::uint64_t>::max()));
+    one->add_option("--shard", options->shard, "i/n: only the i-th of n equal parts")
+        ->check(notEmpty());
     one->add_option("--out", options->out, "Folder for report.html, results.json and results.csv")
         ->required()
         ->check(notEmpty());

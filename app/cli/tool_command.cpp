@@ -4,7 +4,10 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
+#include "app/cli/terminal.h"
+#include "haptics/core/output_file.h"
 
 namespace app::cli {
 namespace {
@@ -16,6 +19,8 @@ struct ToolOptions {
 
 Outcome writeShell(const ToolOptions& options) {
   if (const auto wrong = contradictionIn(options.tool)) return usage(*wrong);
+  if (const auto wrong = overwritten({{"--out", options.out}}, {}, {options.tool.name}))
+    return usage(*wrong);
   auto loaded = loadTool(options.tool);
   if (!loaded) return refused(loaded.error());
   const haptics::PointShell& shell = loaded->tool.shell;
@@ -27,17 +32,9 @@ Outcome writeShell(const ToolOptions& options) {
       text.append(number, end);
       text += axis < 2 ? ',' : '\n';
     }
-  if (auto target = writableTarget(options.out); !target)
-    return {Exit::Failed, {}, {}, target.error().what};
-  std::FILE* file = std::fopen(options.out.c_str(), "wb");
-  const bool written =
-      file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const bool closed = file != nullptr && std::fclose(file) == 0;
-  if (!written || !closed)
-    return {Exit::Failed,
-            {},
-            {},
-            "\"" + options.out + "\" cannot be written; check the folder and the disk."};
+  if (interrupted()) return stopped();
+  if (auto written = haptics::writeFile(options.out, text); !written)
+    return refused(written.error());
 
   Outcome outcome;
   outcome.json["points"] = shell.points.size();
@@ -45,6 +42,7 @@ Outcome writeShell(const ToolOptions& options) {
   outcome.json["radius_mm"] = shell.radius * 1e3;
   outcome.json["spacing_mm"] = shell.spacing * 1e3;
   outcome.json["warnings"] = loaded->warnings;
+  outcome.aside = isStandardOutput(options.out);
   return outcome;
 }
 
@@ -54,12 +52,13 @@ void addTool(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ToolOptions>();
   CLI::App* command = program.add_subcommand("tool", "Write a tool's point shell");
   command->add_option("tool", options->tool.name, "A named tool, or a mesh or CSV file")
-      ->required();
+      ->required()
+      ->check(notEmpty());
   command->add_option("--points", options->tool.points, "So many points, spread evenly by area")
-      ->check(CLI::Range(1, 10'000'000));
+      ->check(wholeNumber(1, 10'000'000));
   command->add_option("--tool-unit", options->tool.unit, "Unit of a mesh file")
       ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
-  command->add_option("--out", options->out, "CSV to write")->required();
+  command->add_option("--out", options->out, "CSV to write")->required()->check(notEmpty());
   command->callback([options, &chosen] { chosen = [options] { return writeShell(*options); }; });
 }
 

@@ -3,8 +3,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 
 #include "app/cli/sources.h"
 
@@ -13,39 +11,16 @@ namespace {
 
 using haptics::Error;
 
-tl::unexpected<Error> unwritable(const std::string& path) {
-  return tl::unexpected(
-      Error{Error::Kind::Unsupported,
-            "\"" + path + "\" cannot be written; check the folder and the disk."});
-}
-
-std::string partOf(const std::string& path) { return path + ".part"; }
-
 }  // namespace
 
 haptics::Expected<TraceWriter> TraceWriter::open(const std::string& path) {
-  const auto target = writableTarget(path);
-  if (!target) return tl::unexpected(target.error());
-  std::FILE* file = std::fopen(partOf(*target).c_str(), "wb");
-  if (file == nullptr) return unwritable(path);
-  std::fputs(
+  auto file = haptics::OutputFile::open(path);
+  if (!file) return tl::unexpected(file.error());
+  file->write(
       "t_s,device_x_m,device_y_m,device_z_m,device_qw,device_qx,device_qy,device_qz,"
       "proxy_x_m,proxy_y_m,proxy_z_m,proxy_qw,proxy_qx,proxy_qy,proxy_qz,"
-      "force_x_N,force_y_N,force_z_N,torque_x_Nm,torque_y_Nm,torque_z_Nm,contacts\n",
-      file);
-  return TraceWriter{*target, file};
-}
-
-TraceWriter::TraceWriter(TraceWriter&& other) noexcept
-    : path_{std::move(other.path_)}, file_{other.file_} {
-  other.file_ = nullptr;
-}
-
-TraceWriter::~TraceWriter() {
-  if (file_ == nullptr) return;
-  std::fclose(file_);
-  std::error_code ignored;
-  std::filesystem::remove(partOf(path_), ignored);
+      "force_x_N,force_y_N,force_z_N,torque_x_Nm,torque_y_Nm,torque_z_Nm,contacts\n");
+  return TraceWriter{std::move(*file)};
 }
 
 void TraceWriter::write(const haptics::TraceRow& row) {
@@ -63,19 +38,13 @@ void TraceWriter::write(const haptics::TraceRow& row) {
   }
   at = std::to_chars(at, line + sizeof line - 1, row.contacts).ptr;
   *at++ = '\n';
-  std::fwrite(line, 1, static_cast<std::size_t>(at - line), file_);
+  file_.write({line, static_cast<std::size_t>(at - line)});
 }
 
 haptics::Expected<void> TraceWriter::finish() {
-  const bool sound = std::ferror(file_) == 0;
-  const bool closed = std::fclose(file_) == 0;
-  file_ = nullptr;
-  std::error_code error;
-  if (sound && closed) std::filesystem::rename(partOf(path_), path_, error);
-  if (sound && closed && !error) return {};
-  std::error_code ignored;
-  std::filesystem::remove(partOf(path_), ignored);
-  return unwritable(path_);
+  if (auto closed = file_.close(); !closed) return closed;
+  if (auto finished = file_.finish(); !finished) return tl::unexpected(finished.error());
+  return {};
 }
 
 haptics::Expected<haptics::Hand> readHand(const std::string& path) {

@@ -8,12 +8,13 @@
 
 #include "app/export/export.h"
 #include "app/export/facts.h"
-#include "app/export/output_file.h"
 #include "app/export/selection.h"
 #include "app/export/text.h"
+#include "haptics/core/output_file.h"
 
 namespace app::exporting {
 
+using haptics::OutputFile;
 using haptics::PoseNumbers;
 using haptics::RecordedEvent;
 using haptics::RecordedStep;
@@ -82,20 +83,36 @@ std::vector<Channel> vectorChannels(const std::string& name, const char* unit,
 }
 
 template <class Of>
-Channel single(const char* name, const char* unit, const char* description, Of of) {
+Channel single(const char* name, const char* unit, std::string description, Of of) {
   return {name,
           kMissing,
           "MISC",
           kMissing,
           unit,
           kMissing,
-          description,
+          std::move(description),
           [of](std::string& line, const RecordedStep& row, std::int64_t) {
             append(line, of(row.step));
           }};
 }
 
-std::vector<Channel> motionChannels() {
+/// What the numbers in the channel of scenes stand for: in words without quotes, which readers of
+/// tables take in different ways.
+std::string scenesOf(const haptics::Recording& recording) {
+  std::string words = "Number of the scene; 0: none";
+  for (const haptics::RecordedScene& scene : recording.scenes()) {
+    words += "; " + std::to_string(scene.id) + ":";
+    const ordered_json facts = factsOf(scene);
+    for (const auto& [name, value] : facts.items())
+      words +=
+          " " + name + " " + (value.is_string() ? value.get<std::string>() : value.dump()) + ",";
+    words.pop_back();
+  }
+  std::erase(words, '"');
+  return words;
+}
+
+std::vector<Channel> motionChannels(const haptics::Recording& recording) {
   std::vector<Channel> all;
   const auto add = [&](std::vector<Channel> channels) {
     std::move(channels.begin(), channels.end(), std::back_inserter(all));
@@ -138,7 +155,7 @@ std::vector<Channel> motionChannels() {
               [](const Step& step) { return static_cast<std::int64_t>(step.force_state); }),
        single("flags", kMissing, kFlagsMeaning,
               [](const Step& step) { return std::int64_t{step.flags}; }),
-       single("scene", kMissing, "Number of the scene; 0: none",
+       single("scene", kMissing, scenesOf(recording),
               [](const Step& step) { return std::int64_t{step.scene}; }),
        single("step", kMissing, "Number of the tick since the recording began",
               [](const Step& step) { return static_cast<std::int64_t>(step.sequence); }),
@@ -173,6 +190,14 @@ struct Rows {
   double duration() const { return double(last_ns - first_ns) * 1e-9; }
 };
 
+// BIDS knows every key of _motion.json and has a place for what it does not: in words.
+
+/// What made the recording.
+std::string softwareOf(const haptics::Recording& recording) {
+  return "Palpate " + plain(recording.version()) + ", build " + plain(recording.build()) +
+         ", vectors " + plain(recording.vectors()) + ", on " + plain(recording.machine());
+}
+
 ordered_json motionFacts(const haptics::Recording& recording, const std::vector<Channel>& channels,
                          const Rows& rows, double rate) {
   ordered_json facts;
@@ -192,11 +217,7 @@ ordered_json motionFacts(const haptics::Recording& recording, const std::vector<
     facts[type + std::string{"ChannelCount"}] = std::count_if(
         channels.begin(), channels.end(), [&](const Channel& c) { return c.type == type; });
   facts["MissingValues"] = kMissing;
-  facts["SoftwareVersions"] = plain(recording.version());
-  // beyond BIDS, which allows it
-  facts["Recording"] = factsOf(recording);
-  for (const haptics::RecordedScene& scene : recording.scenes())
-    facts["Scenes"][std::to_string(scene.id)] = factsOf(scene);
+  facts["SoftwareVersions"] = softwareOf(recording);
   return facts;
 }
 
@@ -267,7 +288,7 @@ haptics::Expected<Exported> exportCsv(haptics::Recording& recording,
     if (!file) return tl::unexpected(file.error());
     return &files.emplace_back(std::move(*file));
   };
-  const std::vector<Channel> channels = motionChannels();
+  const std::vector<Channel> channels = motionChannels(recording);
   auto motion = open("_motion.tsv");
   if (!motion) return tl::unexpected(motion.error());
   OutputFile* contacts = nullptr;

@@ -41,6 +41,11 @@ struct Exported {
 // Refusals beside those of the recording: "unwritable"; "empty", no step between from and to;
 // "cancelled".
 
+/// How the names of what exportCsv writes end, after the prefix.
+inline constexpr const char* kCsvEndings[] = {"_motion.tsv",   "_contacts.tsv",  "_events.tsv",
+                                              "_channels.tsv", "_channels.json", "_motion.json",
+                                              "_events.json"};
+
 /// Tab-separated values in the shape of Motion-BIDS. `prefix` begins the names of the files:
 /// prefix_motion.tsv, prefix_channels.tsv and so on.
 haptics::Expected<Exported> exportCsv(haptics::Recording& recording,

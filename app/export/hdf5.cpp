@@ -8,12 +8,13 @@
 
 #include "app/export/export.h"
 #include "app/export/facts.h"
-#include "app/export/output_file.h"
 #include "app/export/selection.h"
 #include "app/export/text.h"
+#include "haptics/core/output_file.h"
 
 namespace app::exporting {
 
+using haptics::Output;
 using haptics::RecordedEvent;
 using haptics::RecordedScene;
 using haptics::RecordedStep;

@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <utility>
 #include <variant>
 
 #include "app/film/ffmpeg_file.h"
 #include "app/film/stage.h"
 #include "app/film/theora_file.h"
+#include "haptics/core/output_file.h"
 #include "ui/props/picture.h"
 
 namespace app {
@@ -95,35 +95,6 @@ class StepFinder {
   haptics::Recording& recording_;
   std::optional<std::size_t> block_;
   std::vector<RecordedStep> steps_;
-};
-
-/// A file under another name until it is whole.
-class PartFile {
- public:
-  explicit PartFile(fs::path target)
-      : target_{std::move(target)}, part_{target_.string() + ".part" + std::to_string(getpid())} {}
-  ~PartFile() {
-    std::error_code ignored;
-    fs::remove(named_ ? target_ : part_, ignored);
-  }
-  const fs::path& part() const { return part_; }
-  const fs::path& target() const { return target_; }
-  Expected<void> name() {
-    std::error_code error;
-    fs::rename(part_, target_, error);
-    if (error) return unwritable(target_);
-    named_ = true;
-    return {};
-  }
-  /// It is to stay.
-  void keep() {
-    part_.clear();
-    target_.clear();
-  }
-
- private:
-  fs::path target_, part_;
-  bool named_ = false;
 };
 
 /// OUT without an ending that says what kind of film it is.
@@ -273,15 +244,18 @@ Expected<void> check(const FilmOptions& options) {
 
 }  // namespace
 
+std::vector<fs::path> filesOfFilm(const fs::path& out) {
+  const std::string stem = stemOf(out).string();
+  return {stem + ".mp4", stem + ".ogv", stem + ".frames.csv"};
+}
+
 Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene& volume,
                               const fs::path& out, const FilmOptions& options) {
   if (auto sound = check(options); !sound) return tl::unexpected(sound.error());
   const auto timing = Timing::of(recording, options);
   if (!timing) return tl::unexpected(timing.error());
-  const fs::path stem = stemOf(out);
-  if (!out.has_filename() || !canHold(stem.string() + ".mp4") || !canHold(stem.string() + ".ogv") ||
-      !canHold(stem.string() + ".frames.csv"))
-    return unwritable(out);
+  const std::vector<fs::path> names = filesOfFilm(out);
+  if (!out.has_filename() || !std::ranges::all_of(names, canHold)) return unwritable(out);
 
   std::int64_t done = 0;
   const StillWanted wanted = [&] {
@@ -292,18 +266,21 @@ Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene
   Drawing drawing{recording, volume, options, *timing, **stage};
   if (auto begun = drawing.begin(); !begun) return tl::unexpected(begun.error());
 
-  PartFile times{stem.string() + ".frames.csv"};
-  std::ofstream rows{times.part(), std::ios::binary | std::ios::trunc};
-  if (!rows) return unwritable(times.target());
-  rows << "frame,sequence,time_ns,film_time_s\n";
+  auto rows = haptics::OutputFile::open(names[2]);
+  if (!rows) return tl::unexpected(rows.error());
+  rows->write("frame,sequence,time_ns,film_time_s\n");
   const FilmFormat format{options.width, options.height, options.frames_per_second};
-  std::optional<PartFile> film{std::in_place, stem.string() + ".mp4"};
+  auto film = haptics::Output::at(names[0]);
+  if (!film) return tl::unexpected(film.error());
+  std::optional<haptics::Output> other;  // where there is no ffmpeg
   std::optional<FilmFile> file;
   if (auto ffmpeg = FfmpegFile::start(options.ffmpeg, film->part(), format)) {
     file.emplace(std::move(*ffmpeg));
   } else {
-    film.emplace(stem.string() + ".ogv");
-    file.emplace(TheoraFile{film->part(), format});
+    auto ogg = haptics::Output::at(names[1]);
+    if (!ogg) return tl::unexpected(ogg.error());
+    other.emplace(std::move(*ogg));
+    file.emplace(TheoraFile{other->part(), format});
   }
   auto* const ffmpeg = std::get_if<FfmpegFile>(&*file);
   auto* const theora = std::get_if<TheoraFile>(&*file);
@@ -315,24 +292,25 @@ Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene
     const auto written =
         ffmpeg != nullptr ? ffmpeg->write(drawn->picture, wanted) : theora->write(drawn->picture);
     if (!written) return tl::unexpected(written.error());
-    rows << rowOf(done, drawn->step, double(done) / options.frames_per_second);
+    rows->write(rowOf(done, drawn->step, double(done) / options.frames_per_second));
   }
   if (auto whole = ffmpeg != nullptr ? ffmpeg->finish(wanted) : theora->finish(); !whole)
     return tl::unexpected(whole.error());
   if (!wanted()) return filmCancelled();
-  rows.close();
-  if (!rows) return unwritable(times.target());
-  if (auto named = times.name(); !named) return tl::unexpected(named.error());
-  if (auto named = film->name(); !named) return tl::unexpected(named.error());
+  if (auto closed = rows->close(); !closed) return tl::unexpected(closed.error());
+  if (auto named = (other ? *other : *film).finish(); !named) return tl::unexpected(named.error());
+  if (auto named = rows->finish(); !named) {
+    std::error_code ignored;
+    fs::remove(other ? names[1] : names[0], ignored);  // not without its table
+    return tl::unexpected(named.error());
+  }
 
-  FilmResult result{.film = film->target(),
-                    .times = times.target(),
+  FilmResult result{.film = other ? names[1] : names[0],
+                    .times = names[2],
                     .frames = timing->count(),
                     .seconds = double(timing->count()) / options.frames_per_second,
                     .codec = ffmpeg != nullptr ? "h264" : "theora",
                     .surface = (*stage)->surfaceMode()};
-  film->keep();
-  times.keep();
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/film/camera.h"
 #include "haptics/core/error.h"
@@ -44,6 +45,9 @@ struct FilmResult {
   std::string codec;     ///< "h264" or "theora"
   ui::SurfaceMode surface = ui::SurfaceMode::Mesh;
 };
+
+/// What makeFilm may write for an `out`: the film as it may be called, and its table.
+std::vector<std::filesystem::path> filesOfFilm(const std::filesystem::path& out);
 
 /// The volume of a scene of the recording; null: only the tool is drawn.
 using VolumeOfScene = std::function<std::shared_ptr<const haptics::Volume>(std::uint32_t scene)>;

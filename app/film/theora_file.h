@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkSmartPointer.h>
-
 #include <filesystem>
+#include <memory>
 
 #include "app/film/frame.h"
 #include "haptics/core/error.h"
 
-class vtkImageData;
-class vtkOggTheoraWriter;
-
 namespace app {
 
-/// An Ogg file (Theora), written by VTK where there is no ffmpeg.
+/// An Ogg file (Theora), written where there is no ffmpeg. The same frames give the same bytes.
 class TheoraFile {
  public:
   TheoraFile(const std::filesystem::path& file, const FilmFormat& format);
@@ -23,13 +19,12 @@ class TheoraFile {
 
   /// Refusal: "encoder".
   haptics::Expected<void> write(const FilmFrame& frame);
-  /// After the last frame; sees that all of it is on the disk.
+  /// After the last frame; sees that all of it is written.
   haptics::Expected<void> finish();
 
  private:
-  std::filesystem::path file_;
-  vtkSmartPointer<vtkImageData> picture_;
-  vtkSmartPointer<vtkOggTheoraWriter> writer_;
+  struct Writer;
+  std::unique_ptr<Writer> writer_;
 };
 
 }  // namespace app

@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/recording/volume_hash.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QMessageAuthenticationCode>
 #include <QRandomGenerator>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <string>
+#include <system_error>
 
 namespace app {
 namespace {
+
+using haptics::Error;
+using haptics::Expected;
 
 constexpr qsizetype kKeyBytes = 32;
 constexpr qsizetype kMarkBytes = 8;  // of what tells the key from others
@@ -33,29 +42,66 @@ void add(QMessageAuthenticationCode& code, const haptics::Grid& grid) {
   }
 }
 
+tl::unexpected<Error> unusable(const std::string& path, int why) {
+  return tl::unexpected(Error{why == ENOENT ? Error::Kind::NotFound : Error::Kind::Unsupported,
+                              "The key of this installation, \"" + path + "\", cannot be used (" +
+                                  std::generic_category().message(why) +
+                                  "); volumes of recordings are not recognised until it can.",
+                              "no-key"});
+}
+
+/// The key that is kept; NotFound where there is none yet.
+Expected<QByteArray> keptKey(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return unusable(path, errno);
+  QByteArray key(kKeyBytes + 1, '\0');
+  const ssize_t bytes = ::read(file, key.data(), static_cast<std::size_t>(key.size()));
+  ::close(file);
+  if (bytes == kKeyBytes) return key.first(kKeyBytes);
+  // a new one in its place would know nothing of what was recorded under it
+  return tl::unexpected(
+      Error{Error::Kind::Malformed,
+            "The key of this installation, \"" + path +
+                "\", is damaged; put it back from a copy. Or remove it, for a new one: then no "
+                "volume of an earlier recording is recognised any more.",
+            "no-key"});
+}
+
 }  // namespace
 
 void nameApplication() {
+  // Qt takes them as they are; to their specification one that is not absolute is not there
+  for (const char* folder :
+       {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME", "XDG_RUNTIME_DIR"})
+    if (qEnvironmentVariableIsSet(folder) && !qgetenv(folder).startsWith('/')) qunsetenv(folder);
   QCoreApplication::setOrganizationName("Palpate");
   QCoreApplication::setApplicationName("Palpate");
 }
 
-QByteArray installationKey() {
+haptics::Expected<QByteArray> installationKey() {
   const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
-  const QString path = folder.filePath("installation.key");
-  const auto read = [&] {
-    QFile file(path);
-    const QByteArray key = file.open(QIODevice::ReadOnly) ? file.read(kKeyBytes) : QByteArray();
-    return key.size() == kKeyBytes ? key : QByteArray();
-  };
-  if (const QByteArray key = read(); !key.isEmpty()) return key;
+  const std::string path = QFile::encodeName(folder.filePath("installation.key")).toStdString();
+  if (auto kept = keptKey(path); kept || kept.error().kind != Error::Kind::NotFound) return kept;
+  if (!folder.mkpath(".")) return unusable(path, EACCES);
+  // others may be making one as well: the first that has the name is everybody's
   std::array<quint32, kKeyBytes / 4> random{};
   QRandomGenerator::system()->fillRange(random.data(), random.size());
-  QSaveFile file(path);
-  if (!folder.mkpath(".") || !file.open(QIODevice::WriteOnly)) return {};
-  file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner);
-  file.write(reinterpret_cast<const char*>(random.data()), kKeyBytes);
-  return file.commit() ? read() : QByteArray();
+  std::string made = path + ".XXXXXX";
+  const int file = ::mkostemp(made.data(), O_CLOEXEC);  // for its owner's eyes
+  if (file < 0) return unusable(path, errno);
+  int why = 0;
+  if (::write(file, random.data(), kKeyBytes) != kKeyBytes)
+    why = ENOSPC;
+  else if (::fsync(file) != 0 || (::link(made.c_str(), path.c_str()) != 0 && errno != EEXIST))
+    why = errno;
+  ::close(file);
+  ::unlink(made.c_str());
+  if (why != 0) return unusable(path, why);
+  // the name as well is to survive the power
+  const int place = ::open(QFile::encodeName(folder.path()).constData(), O_DIRECTORY | O_CLOEXEC);
+  ::fsync(place);
+  ::close(place);
+  return keptKey(path);
 }
 
 std::optional<haptics::VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,

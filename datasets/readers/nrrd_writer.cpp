@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unistd.h>
-
 #include <bit>
 #include <charconv>
 #include <cstdio>
-#include <fstream>
 #include <string>
+#include <string_view>
 
 #include "datasets/readers/refusal.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/core/output_file.h"
 
 namespace datasets {
 
@@ -21,7 +20,8 @@ static_assert(std::endian::native == std::endian::little,
 
 namespace {
 
-constexpr std::size_t kAligned = 64;  // bytes
+constexpr std::size_t kAligned = 64;       // bytes
+constexpr std::size_t kAtOnce = 16 << 20;  // bytes between two looks at Cancel
 
 const char* nrrdTypeOf(ScalarType type) {
   switch (type) {
@@ -89,37 +89,23 @@ std::string nrrdHeaderOf(const haptics::Volume& volume) {
   return text + "#" + std::string(rest == 0 ? 0 : kAligned - rest, ' ') + "\n\n";
 }
 
-tl::unexpected<haptics::Error> cannotWrite(const fs::path& out) {
-  return unsupported("unwritable", "The file " + quoted(out) +
-                                       " cannot be written; check that its folder exists, may be "
-                                       "written to and has room.");
-}
-
 }  // namespace
 
-haptics::Expected<void> writeNrrd(const haptics::Volume& volume, const fs::path& out) {
-  fs::path temporary = out;
-  temporary += ".part" + std::to_string(getpid());
-  std::error_code error;
-  {
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    const std::string header = nrrdHeaderOf(volume);
-    file.write(header.data(), static_cast<std::streamsize>(header.size()));
-    file.write(static_cast<const char*>(volume.voxels.get()),
-               static_cast<std::streamsize>(volume.grid.voxelCount()) *
-                   static_cast<std::streamsize>(haptics::sizeOf(volume.type)));
-    file.close();
-    if (!file) {
-      fs::remove(temporary, error);
-      return cannotWrite(out);
-    }
+haptics::Expected<void> writeNrrd(const haptics::Volume& volume, const fs::path& out,
+                                  const ReadProgress& progress) {
+  auto file = haptics::OutputFile::open(out);
+  if (!file) return tl::unexpected(file.error());
+  file->write(nrrdHeaderOf(volume));
+  const std::string_view voxels{
+      static_cast<const char*>(volume.voxels.get()),
+      static_cast<std::size_t>(volume.grid.voxelCount()) * haptics::sizeOf(volume.type)};
+  for (std::size_t at = 0; at < voxels.size(); at += kAtOnce) {
+    if (progress.isCancelled()) return cancelled();
+    if (!file->write(voxels.substr(at, kAtOnce))) break;
   }
-  fs::rename(temporary, out, error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    return cannotWrite(out);
-  }
+  if (auto closed = file->close(); !closed) return closed;
+  if (progress.isCancelled()) return cancelled();
+  if (auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "datasets/readers/found.h"
@@ -125,6 +126,17 @@ std::vector<SeriesVerdict> verdictsOf(const fs::path& path) {
     verdicts.push_back(std::move(verdict));
   }
   return verdicts;
+}
+
+std::vector<fs::path> filesReadFor(const VolumeInFile& chosen) {
+  std::vector<fs::path> files{chosen.path};
+  if (formatOf(chosen.path) == Format::Nrrd) {
+    if (const auto header = readNrrdHeader(chosen.path))
+      std::ranges::copy(header->data_files, std::back_inserter(files));
+  } else if (const auto stored = describe(chosen.path)) {
+    files.push_back(stored->voxels.file);
+  }
+  return files;
 }
 
 Expected<haptics::Volume> readVolume(const VolumeInFile& chosen, const Part& part,

@@ -22,6 +22,9 @@ bool isVolumeFile(const std::filesystem::path& path);
 /// A verdict for each volume of the file; a single refusal where nothing of it can be read.
 std::vector<SeriesVerdict> verdictsOf(const std::filesystem::path& path);
 
+/// The file, and those beside it that hold its voxels.
+std::vector<std::filesystem::path> filesReadFor(const VolumeInFile& chosen);
+
 haptics::Expected<haptics::Volume> readVolume(const VolumeInFile& chosen, const Part& part,
                                               const ReadProgress& progress);
 

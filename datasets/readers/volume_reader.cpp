@@ -269,6 +269,15 @@ Expected<haptics::Volume> readFound(const Found& found, const Reading& reading,
   return readVolume(std::get<VolumeInFile>(found.source), reading.part, progress);
 }
 
+/// Those of one entry of a survey.
+std::vector<fs::path> filesReadFor(const Found& found) {
+  if (const auto* file = std::get_if<VolumeInFile>(&found.source)) return filesReadFor(*file);
+  std::vector<fs::path> files;
+  for (const DicomFile& file : std::get<DicomSeries>(found.source).files)
+    files.push_back(file.path);
+  return files;
+}
+
 Expected<haptics::Volume> readAny(const fs::path& path, const Reading& reading,
                                   const ReadProgress& progress) {
   if (progress.isCancelled()) return cancelled();
@@ -294,6 +303,18 @@ Expected<haptics::Volume> readVolume(const SeriesVerdict& chosen, const Reading&
 Expected<haptics::Volume> readVolume(const fs::path& path, const Reading& reading,
                                      const ReadProgress& progress) {
   return guarded<haptics::Volume>(path, [&] { return readAny(path, reading, progress); });
+}
+
+std::vector<fs::path> filesReadFor(const fs::path& path, const ReadProgress& progress) {
+  std::vector<fs::path> files{path};
+  std::error_code error;
+  if (fs::is_regular_file(path, error) && !isVolumeFile(path) && !looksLikeDicom(path))
+    return files;
+  const auto found = survey(path, progress);
+  if (!found) return files;
+  for (const SeriesVerdict& series : found->series)
+    std::ranges::move(filesReadFor(*series.found), std::back_inserter(files));
+  return files;
 }
 
 Expected<Thumbnail> thumbnailOf(const SeriesVerdict& chosen, int longest) {

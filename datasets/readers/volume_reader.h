@@ -115,8 +115,14 @@ struct Thumbnail {
 };
 haptics::Expected<Thumbnail> thumbnailOf(const SeriesVerdict& chosen, int longest);
 
+/// The files that the scans at a path are read from, the path itself first: slices, headers, and
+/// the voxels that lie beside a header. Of an archive, and of what cannot be read, the path alone.
+std::vector<std::filesystem::path> filesReadFor(const std::filesystem::path& path,
+                                                const ReadProgress& progress = {});
+
 /// Writes an NRRD (raw, attached, space left-posterior-superior, unit and modality as
-/// key/values): geometry and voxels, nothing of the patient.
-haptics::Expected<void> writeNrrd(const haptics::Volume& volume, const std::filesystem::path& out);
+/// key/values): geometry and voxels, nothing of the patient. It is there whole or not at all.
+haptics::Expected<void> writeNrrd(const haptics::Volume& volume, const std::filesystem::path& out,
+                                  const ReadProgress& progress = {});
 
 }  // namespace datasets

@@ -15,6 +15,7 @@ import os
 import pathlib
 import random
 import resource
+import shutil
 import signal
 import sqlite3
 import struct
@@ -50,6 +51,17 @@ print(usage.ru_maxrss)
 """
 NOTE = "tab\there, two\nlines, ünïcode and \"quotes\""
 PLAIN_NOTE = NOTE.replace("\t", " ").replace("\n", " ")
+
+# what BIDS 1.11.0 knows of a _motion.json; its validator refuses every other key
+MOTION_KEYS = {
+    "TaskName", "TaskDescription", "Instructions", "InstitutionName", "InstitutionAddress",
+    "InstitutionalDepartmentName", "Manufacturer", "ManufacturersModelName", "DeviceSerialNumber",
+    "SoftwareVersions", "SamplingFrequency", "SamplingFrequencyEffective", "RecordingDuration",
+    "SubjectArtefactDescription", "TrackedPointsCount", "TrackingSystemName", "MissingValues",
+    "MotionChannelCount", *(kind + "ChannelCount" for kind in (
+        "ACCEL", "ANGACCEL", "GYRO", "JNTANG", "LATENCY", "MAGN", "MISC", "ORNT", "POS", "VEL"))}
+COLUMN_KEYS = {"LongName", "Description", "Levels", "Units", "TermURL"}  # of a column's description
+FRAME_KEYS = {"SpatialAxes", "RotationOrder", "RotationRule", "Description"}
 
 faults = 0
 
@@ -182,6 +194,53 @@ def from_csv(prefix):
     levels = json.load(open(f"{prefix}_events.json", encoding="utf-8"))["trial_type"]["Levels"]
     check({row[2] for row in events[1:]} <= set(levels), "a kind of event is not told of")
     return read
+
+
+def is_bids(prefix):
+    """Every key of every sidecar is one that BIDS knows, and every value of a kind it allows."""
+    sidecars = sorted(pathlib.Path(prefix).parent.glob(pathlib.Path(prefix).name + "_*.json"))
+    check([f.name.rsplit("_", 1)[1] for f in sidecars] ==
+          ["channels.json", "events.json", "motion.json"], f"sidecars: {sidecars}")
+    for sidecar in sidecars:
+        facts = json.loads(sidecar.read_text(encoding="utf-8"))
+        if sidecar.name.endswith("_motion.json"):
+            check(set(facts) <= MOTION_KEYS, f"not of BIDS: {set(facts) - MOTION_KEYS}")
+            for key, value in facts.items():
+                number = key.endswith("Count") or key.startswith(("Sampling", "Recording"))
+                check(isinstance(value, (int, float) if number else str), f"{key} is {value}")
+            continue
+        columns = table(str(sidecar)[:-len("json")] + "tsv")[0]
+        for column, told in facts.items():
+            check(column in columns, f"{sidecar.name} tells of {column}, which is no column")
+            check(set(told) <= COLUMN_KEYS, f"{sidecar.name}, {column}: {set(told) - COLUMN_KEYS}")
+            for level in told.get("Levels", {}).values():
+                check(isinstance(level, str) or
+                      column == "reference_frame" and set(level) <= FRAME_KEYS,
+                      f"{sidecar.name}, {column}: {level}")
+    # and what BIDS has no key for is told in words
+    made_by = json.loads(pathlib.Path(f"{prefix}_motion.json").read_text())["SoftwareVersions"]
+    check("Palpate" in made_by and "build" in made_by and "cpu" in made_by, made_by)
+    scene = [row for row in table(f"{prefix}_channels.tsv") if row[0] == "scene"][0][6]
+    check("1: tool probe, points" in scene and "dims [64,64,64]" in scene and '"' not in scene, scene)
+    if shutil.which("bids-validator"):
+        validates(prefix)
+
+
+def validates(prefix):
+    with tempfile.TemporaryDirectory() as scratch:
+        place = pathlib.Path(scratch)
+        motion = place / "sub-01/motion"
+        motion.mkdir(parents=True)
+        (place / "dataset_description.json").write_text('{"Name": "touch", "BIDSVersion": "1.11.0"}')
+        (place / "README").write_text("A hand felt a phantom, and this is how it moved.\n" * 5)
+        (place / "participants.tsv").write_text("participant_id\nsub-01\n")
+        for ending in CSV_ENDINGS:
+            if ending != "_contacts.tsv":
+                shutil.copy(f"{prefix}{ending}",
+                            motion / f"sub-01_task-touch_tracksys-palpate{ending}")
+        done = subprocess.run(["bids-validator", "--json", place], capture_output=True, text=True)
+        issues = json.loads(done.stdout)["issues"]
+        check(done.returncode == 0 and not issues["errors"], f"bids-validator: {issues['errors']}")
 
 
 def from_hdf5(path):
@@ -320,6 +379,7 @@ def holds_the_trace(folder):
         found = read(out)
         compare(format, found, truth)
         check(found["events"] == events, f"{format}: events are {found['events']}")
+    is_bids(folder / "whole")
     return recording, truth
 
 

@@ -55,11 +55,18 @@ voxels = bytearray(whole)
 for k in range(head + len(whole) // 3, head + len(whole) // 3 + 4 * size):
     voxels[k] ^= 1
 (folder / "other.nrrd").write_bytes(voxels)
-done = subprocess.run([program, "replay", r, "--volume", folder / "other.nrrd", "--json"],
-                      capture_output=True, text=True, env=environment)
-assert json.loads(done.stdout)["volume"] == "another", done
-said = call("replay", r, "--phantom", "torus", code=3)
-assert "another-volume" in said["reasons"], said
+said = call("replay", r, "--volume", folder / "other.nrrd", code=4)
+assert said["volume"] == "another" and "not the one" in said["error"]["message"], said
+# also where the hand never came: nothing differs, and it is another all the same
+voxels = bytearray(whole)
+voxels[-1] ^= 1
+(folder / "corner.nrrd").write_bytes(voxels)
+said = call("replay", r, "--volume", folder / "corner.nrrd", code=4)
+assert said["volume"] == "another" and said["differing"] == 0, said
+assert "not the one" in said["error"]["message"], said
+said = call("replay", r, "--phantom", "torus", code=4)
+assert said["volume"] == "another" and "another-volume" in said["reasons"], said
+assert "not the one" in said["error"]["message"], said
 call("replay", r, code=2)
 call("replay", folder / "none.palpate", "--phantom", "sphere", code=3)
 # of another installation nobody can tell

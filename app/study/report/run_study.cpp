@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/report/run_study.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <numeric>
-#include <random>
+
+#include "haptics/core/output_file.h"
 
 namespace study {
 namespace {
@@ -20,23 +19,7 @@ using haptics::Expected;
 Error cannotWrite(const fs::path& path) {
   return {Error::Kind::Unsupported,
           path.string() + " cannot be written; choose a folder that is yours to write.",
-          "not-writable"};
-}
-
-/// The whole text or nothing, also when two write at once.
-Expected<void> writeWhole(const fs::path& path, const std::string& text) {
-  // process numbers repeat on the machines of a cluster that share a folder
-  const fs::path part =
-      path.string() + ".part" + std::to_string(std::random_device{}()) + std::to_string(::getpid());
-  std::error_code failed;
-  {
-    std::ofstream file{part, std::ios::binary};
-    file << text;
-    if (!file.flush()) return tl::unexpected(cannotWrite(path));
-  }
-  fs::rename(part, path, failed);
-  if (failed) return tl::unexpected(cannotWrite(path));
-  return {};
+          "unwritable"};
 }
 
 /// A job's file: its name with what a file name cannot hold replaced.
@@ -106,7 +89,7 @@ Expected<void> writeResults(const Results& results, const fs::path& out) {
       {"results.csv", csvOf(results)},
       {"report.html", htmlOf(results)}};
   for (const auto& [name, text] : files)
-    if (auto written = writeWhole(out / name, text); !written) return written;
+    if (auto written = haptics::writeFile(out / name, text); !written) return written;
   return {};
 }
 
@@ -172,8 +155,8 @@ Expected<Results> runStudy(const Study& study, const RunOptions& options) {
                       outcomeOf(job, seedOf(options.seed, job.name))};
     finished.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    if (auto written =
-            writeWhole(fileOf(options.out, job.name), jsonOf(identity, finished).dump(1) + "\n");
+    if (auto written = haptics::writeFile(fileOf(options.out, job.name),
+                                          jsonOf(identity, finished).dump(1) + "\n");
         !written)
       return tl::unexpected(written.error());
     spent += finished.seconds;
@@ -224,7 +207,8 @@ Expected<Results> mergeStudies(
                                 "other-build"});
   if (auto made = makeFolder(out); !made) return tl::unexpected(made.error());
   for (const Finished& one : all)
-    if (auto written = writeWhole(fileOf(out, one.job), jsonOf(*identity, one).dump(1) + "\n");
+    if (auto written =
+            haptics::writeFile(fileOf(out, one.job), jsonOf(*identity, one).dump(1) + "\n");
         !written)
       return tl::unexpected(written.error());
   Results results = resultsOf(*study, *identity, std::move(all));

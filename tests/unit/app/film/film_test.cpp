@@ -549,6 +549,37 @@ TEST_F(Film, WithoutFfmpegIsOggTheora) {
   }
 }
 
+/// What a program says on both outputs.
+std::string saidBy(const std::string& command) {
+  std::string said;
+  FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
+  std::array<char, 256> piece{};
+  while (pipe != nullptr && std::fgets(piece.data(), int(piece.size()), pipe) != nullptr)
+    said += piece.data();
+  if (pipe != nullptr) pclose(pipe);
+  return said;
+}
+
+TEST_F(Film, NothingIsSaidAgainstIt) {
+  auto recording = recorded(workshop, {});
+  // also where the picture fills no whole blocks, and with more than one key frame
+  for (const auto& [width, rate] : {std::pair{640, 30}, std::pair{98, 240}})
+    for (const char* program : {"ffmpeg", ""}) {
+      FilmOptions chosen = options();
+      chosen.ffmpeg = program;
+      chosen.width = width;
+      chosen.frames_per_second = rate;
+      const auto film = app::makeFilm(recording, none, workshop / "f", chosen);
+      ASSERT_TRUE(film) << film.error().what;
+      const std::string named = " -i '" + film->film.string() + "'";
+      EXPECT_EQ(saidBy("ffmpeg -nostdin -v warning" + named + " -f null -"), "") << film->film;
+      EXPECT_EQ(saidBy("ffprobe -v warning -show_frames" + named + " > /dev/null"), "");
+      const std::string size =
+          saidBy("ffprobe -v warning -show_entries stream=width -of csv=p=0" + named);
+      EXPECT_EQ(size, std::to_string(width) + "\n");
+    }
+}
+
 TEST_F(Film, CancelledLeavesNothing) {
   auto recording = recorded(workshop, {});
   for (const char* program : {"ffmpeg", ""})
