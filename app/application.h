@@ -128,6 +128,8 @@ class Application : public QObject {
   void tellOfFault(haptics::ForceReason why);
   void changeTool(const ToolSource& tool);
   void changeField(const QString& id);
+  /// Of what is shown.
+  Kept kept() const;
   void showField();
   void refresh();
   void measure();

@@ -191,7 +191,9 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
     source.picture =
         ui::pictureOf(std::make_shared<const haptics::Volume>(std::move(phantom->volume)));
   } else if (request.keep) {
-    source.picture = *request.keep;
+    source.picture = request.keep->picture;
+    source.title = request.keep->title;
+    source.place = request.keep->place;
   } else {
     return refused(Error::Kind::NotFound, Loader::tr("There is nothing to load."), "nothing");
   }
