@@ -275,6 +275,7 @@ void Application::onFailed(const LoadRequest& request, const haptics::Error& err
   if (arguments_.screenshot.empty()) {
     if (error.reason == kWhichSeries) return browseSeries();
     if (error.kind == haptics::Error::Kind::Correctable) return offerCorrection(request, why);
+    if (error.reason == kMissingSlices && offerLargestPart(request)) return;
     if (error.reason == kTooLarge && offerPart(request, why)) return;
   }
   if (error.kind != haptics::Error::Kind::Cancelled) window_.showMessage(why);
