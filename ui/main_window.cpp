@@ -292,6 +292,7 @@ void MainWindow::display(const haptics::Snapshot& snapshot) {
 void MainWindow::displayForce(const haptics::Snapshot& snapshot) {
   unsaid_ = snapshot;
   if (!words_.isActive()) displayWords();
+  haptic_device_->display(snapshot);
   if (shown_force_state_ != snapshot.force_state) {
     shown_force_state_ = snapshot.force_state;
     force_state_->setText(tr("Force: %1").arg(nameOf(snapshot.force_state)));
@@ -305,7 +306,6 @@ void MainWindow::displayWords() {
   if (!unsaid_) return;
   force_->display(*unsaid_);
   status_->display(*unsaid_);
-  haptic_device_->display(*unsaid_);
   unsaid_.reset();
   words_.start();
 }
