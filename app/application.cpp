@@ -212,11 +212,9 @@ void Application::adopt(const Loaded& loaded) {
   const bool new_volume = !shown_ || shown_->picture.volume != loaded.picture.volume;
   // whether the last snapshot is of the scene that is about to go
   const bool placed = shown_ && snapshot_.scene == shown_->scene->id;
-  const QString title = new_volume ? loaded.title : shown_->title;
   shown_ = loaded;
-  shown_->title = title;
   window_.endLoading();
-  keepPlace(loaded.place);
+  if (new_volume) keepPlace(loaded.place);
   ui::PerformancePanel& performance = window_.performancePanel();
   performance.showNothing({});  // what was measured was another scene
   QList<ui::LeftOut> left_out;
@@ -249,7 +247,7 @@ void Application::adopt(const Loaded& loaded) {
     // not before the scene: in the old volume this isovalue may make everything solid
     session_.set(settings_);
   }
-  if (new_volume) window_.show(loaded.picture, settings_.isovalue, title);
+  if (new_volume) window_.show(loaded.picture, settings_.isovalue, loaded.title);
   window_.show(loaded.scene->tool.mesh);
   const QString label = labelOf(loaded.tool);
   window_.devicePanel().showTool(QString::fromStdString(loaded.tool.name), label);
@@ -281,6 +279,7 @@ void Application::onFailed(const LoadRequest& request, const haptics::Error& err
   if (arguments_.screenshot.empty()) {
     if (error.reason == kWhichSeries) return browseSeries();
     if (error.kind == haptics::Error::Kind::Correctable) return offerCorrection(request, why);
+    if (error.reason == kMissingSlices && offerLargestPart(request)) return;
     if (error.reason == kTooLarge && offerPart(request, why)) return;
   }
   if (error.kind != haptics::Error::Kind::Cancelled) window_.showMessage(why);
@@ -319,16 +318,17 @@ void Application::showHand(const std::string& id, const QString& label, bool is_
 
 void Application::changeTool(const ToolSource& tool) {
   if (!shown_) return;
-  load({.keep = shown_->picture, .tool = tool, .isovalue = settings_.isovalue},
-       tr("Preparing the tool"));
+  load({.keep = kept(), .tool = tool, .isovalue = settings_.isovalue}, tr("Preparing the tool"));
 }
 
 void Application::changeField(const QString& id) {
   options_.field = id == kSpline ? haptics::FieldKind::CubicSpline : haptics::FieldKind::Trilinear;
   if (!shown_) return;
-  load({.keep = shown_->picture, .tool = shown_->tool, .isovalue = settings_.isovalue},
+  load({.keep = kept(), .tool = shown_->tool, .isovalue = settings_.isovalue},
        tr("Preparing the field"));
 }
+
+Kept Application::kept() const { return {shown_->picture, shown_->title, shown_->place}; }
 
 void Application::showField() {
   if (!shown_) return;

@@ -109,6 +109,8 @@ class Application : public QObject {
   void closeBrowser();
   void loadChosen(int row);
   void offerCorrection(LoadRequest request, const QString& why);
+  /// False if no part of it is without a gap.
+  bool offerLargestPart(LoadRequest request);
   /// False if no part of it can be read either.
   bool offerPart(LoadRequest request, const QString& why);
   /// False, with the reason in the window, if the hand that was open goes on.
@@ -128,6 +130,8 @@ class Application : public QObject {
   void tellOfFault(haptics::ForceReason why);
   void changeTool(const ToolSource& tool);
   void changeField(const QString& id);
+  /// Of what is shown.
+  Kept kept() const;
   void showField();
   void refresh();
   void measure();

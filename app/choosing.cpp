@@ -25,7 +25,7 @@ ui::Verdict verdictOf(const datasets::SeriesVerdict& series) {
     case datasets::Verdict::Refused:
       break;
   }
-  return ui::Verdict::Refused;
+  return series.unbroken_part ? ui::Verdict::InPart : ui::Verdict::Refused;
 }
 
 ui::SeriesRow rowOf(const datasets::SeriesVerdict& series) {
@@ -39,6 +39,12 @@ ui::SeriesRow rowOf(const datasets::SeriesVerdict& series) {
       .verdict = verdictOf(series),
       .sentence = QString::fromStdString(series.message),
       .bytes = series.bytes};
+  if (const auto& part = series.unbroken_part) {
+    row.dims[2] = part->slices;
+    row.slices_there = part->of;
+    row.spacing_mm = {part->spacing_mm.x(), part->spacing_mm.y(), part->spacing_mm.z()};
+    row.bytes = row.bytes / part->of * part->slices;
+  }
   for (const std::string& fault : series.faults) row.faults << QString::fromStdString(fault);
   return row;
 }
@@ -93,7 +99,22 @@ void Application::loadChosen(int row) {
                                              .place = surveyed_->place}};
   if (series.verdict == datasets::Verdict::Correctable)
     return offerCorrection(std::move(request), QString::fromStdString(series.message));
+  if (series.unbroken_part) return void(offerLargestPart(std::move(request)));
   load(std::move(request), tr("Reading"));
+}
+
+bool Application::offerLargestPart(LoadRequest request) {
+  if (!request.chosen || !request.chosen->series.unbroken_part) return false;
+  // the sentence of the survey says which part that is
+  const QString why = QString::fromStdString(request.chosen->series.message);
+  if (window_.askWhether(why,
+                         tr("Only these slices are then seen and felt, as they are; of what lies "
+                            "beyond the gaps nothing is shown. The files stay as they are."),
+                         tr("Load the largest unbroken part"))) {
+    request.largest_part = true;
+    load(std::move(request), tr("Reading"));
+  }
+  return true;
 }
 
 void Application::offerCorrection(LoadRequest request, const QString& why) {

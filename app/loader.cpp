@@ -78,8 +78,20 @@ std::filesystem::path placeOf(const std::filesystem::path& path, const datasets:
   return std::filesystem::is_directory(whole, error) || whole_file ? whole : whole.parent_path();
 }
 
+// Whether one entry is not to be loaded without a word about another: that is larger, or could be
+// loaded once it is corrected.
+bool needsAWord(const datasets::SeriesVerdict& other, const datasets::SeriesVerdict& one) {
+  const auto voxels = [](const datasets::SeriesVerdict& s) {
+    return static_cast<double>(s.dims[0]) * static_cast<double>(s.dims[1]) *
+           static_cast<double>(s.dims[2]);
+  };
+  return other.verdict == datasets::Verdict::Correctable || other.dims[2] > one.dims[2] ||
+         voxels(other) > voxels(one);
+}
+
 // Which entry to load without asking: the one that was named, else the only sound one, else the
-// only one that could be corrected. Of a single refused one the reader says why.
+// only one that could be corrected, where no other needs a word. Of a single refused one the
+// reader says why.
 Expected<datasets::SeriesVerdict> entryOf(const LoadRequest& request,
                                           const std::vector<datasets::SeriesVerdict>& all) {
   using datasets::Verdict;
@@ -99,10 +111,16 @@ Expected<datasets::SeriesVerdict> entryOf(const LoadRequest& request,
   const auto correctable = [](const datasets::SeriesVerdict& s) {
     return s.verdict == Verdict::Correctable;
   };
-  if (std::ranges::count_if(all, sound) == 1) return *std::ranges::find_if(all, sound);
-  if (std::ranges::none_of(all, sound) && std::ranges::count_if(all, correctable) == 1)
-    return *std::ranges::find_if(all, correctable);
   if (count == 1) return all.front();
+  auto only = all.end();
+  if (std::ranges::count_if(all, sound) == 1)
+    only = std::ranges::find_if(all, sound);
+  else if (std::ranges::none_of(all, sound) && std::ranges::count_if(all, correctable) == 1)
+    only = std::ranges::find_if(all, correctable);
+  if (only != all.end() && std::ranges::none_of(all, [&](const datasets::SeriesVerdict& other) {
+        return other.index != only->index && needsAWord(other, *only);
+      }))
+    return *only;
   if (std::ranges::all_of(all, [](const auto& s) { return s.verdict == Verdict::Refused; }))
     return refused(Error::Kind::Unsupported,
                    Loader::tr("None of the %n series in \"%1\" can be loaded.", nullptr, count)
@@ -132,11 +150,15 @@ Expected<void> choose(LoadRequest& request, const Watch& watch) {
 
 // Before anything is read: by the estimate, what the memory holds with room to spare. A file of
 // volumes is left to its reader, which maps what is large and refuses the rest as early.
-Expected<void> checkMemory(const datasets::SeriesVerdict& series, const Watch& watch) {
+Expected<void> checkMemory(const datasets::SeriesVerdict& series, bool in_part,
+                           const Watch& watch) {
   if (std::holds_alternative<datasets::VolumeInFile>(series.found->source)) return {};
-  const double wanted = static_cast<double>(series.bytes) * ui::kMemoryPerVoxel;
+  double wanted = static_cast<double>(series.bytes) * ui::kMemoryPerVoxel;
+  if (in_part)
+    wanted *= static_cast<double>(series.unbroken_part->slices) /
+              static_cast<double>(series.unbroken_part->of);
   const double there = watch.free_memory();
-  if (series.verdict == datasets::Verdict::Refused || wanted <= there) return {};
+  if ((series.verdict == datasets::Verdict::Refused && !in_part) || wanted <= there) return {};
   const auto inWords = [](double bytes) {
     return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
   };
@@ -154,6 +176,10 @@ QString titleOf(const LoadRequest& request, const haptics::Volume& volume) {
         title, series.isEmpty() ? Loader::tr("series %1").arg(request.chosen->series.index)
                                 : series.simplified());
   }
+  if (volume.slices_left_out > 0) {
+    const datasets::UnbrokenPart& part = *request.chosen->series.unbroken_part;
+    title = Loader::tr("%1 (%2 of %3 slices)").arg(title).arg(part.slices).arg(part.of);
+  }
   if (volume.resampled) title = Loader::tr("%1 (resampled)").arg(title);
   if (request.part.step > 1)
     title = Loader::tr("%1 (every %2 voxel)").arg(title, ui::ordinal(request.part.step));
@@ -164,12 +190,16 @@ QString titleOf(const LoadRequest& request, const haptics::Volume& volume) {
 Expected<Source> readChosen(const LoadRequest& request, const Watch& watch) {
   const datasets::SeriesVerdict& series = request.chosen->series;
   if (request.part.isWhole())
-    if (const auto room = checkMemory(series, watch); !room) return tl::unexpected(room.error());
+    if (const auto room = checkMemory(series, request.largest_part && series.unbroken_part, watch);
+        !room)
+      return tl::unexpected(room.error());
   const datasets::ReadProgress progress{
       .advanced = [&](double f) { watch.advanced(kSurveyed + (kRead - kSurveyed) * f); },
       .cancel = &watch.cancel};
-  auto volume =
-      datasets::readVolume(series, {.geometry = request.geometry, .part = request.part}, progress);
+  auto volume = datasets::readVolume(
+      series,
+      {.geometry = request.geometry, .largest_part = request.largest_part, .part = request.part},
+      progress);
   if (!volume) return tl::unexpected(volume.error());
   Source source;
   source.title = titleOf(request, *volume);
@@ -191,7 +221,9 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
     source.picture =
         ui::pictureOf(std::make_shared<const haptics::Volume>(std::move(phantom->volume)));
   } else if (request.keep) {
-    source.picture = *request.keep;
+    source.picture = request.keep->picture;
+    source.title = request.keep->title;
+    source.place = request.keep->place;
   } else {
     return refused(Error::Kind::NotFound, Loader::tr("There is nothing to load."), "nothing");
   }

@@ -33,17 +33,26 @@ struct ChosenSeries {
   std::filesystem::path place = {};  ///< as in Surveyed
 };
 
+/// A volume that stays on view, and where it comes from.
+struct Kept {
+  ui::Picture picture;
+  QString title;
+  std::filesystem::path place = {};  ///< as in Loaded
+};
+
 /// What to load. Of path, phantom and keep, the first that is set counts.
 struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
   std::optional<int> series = {};  ///< which entry of the path's survey
-  /// The entry itself; none: the path is surveyed, and the only sound one taken.
+  /// The entry itself; none: the path is surveyed, and the only sound one taken, unless another is
+  /// larger or could be corrected.
   std::optional<ChosenSeries> chosen = {};
   datasets::Geometry geometry = datasets::Geometry::AsStored;
+  bool largest_part = false;  ///< as in datasets::Reading
   datasets::Part part = {};
   std::optional<std::string> phantom = {};
-  std::optional<ui::Picture> keep = {};  ///< the volume already shown, with another tool
-  std::optional<ToolSource> tool = {};   ///< none: the one that fits a phantom, else `probe`
+  std::optional<Kept> keep = {};        ///< the volume already shown, with another tool or field
+  std::optional<ToolSource> tool = {};  ///< none: the one that fits a phantom, else `probe`
   std::optional<double> isovalue = {};
   haptics::SceneOptions options = {};
   /// The scene whose field is taken over where volume and kind are the same; or none.
@@ -67,13 +76,15 @@ struct Loaded {
   double isovalue = 0.0;
   haptics::Pose start = haptics::Pose::Identity();  ///< a legal pose in front of the surface, W
   QString title;
-  QString note;                      ///< a sentence worth saying although it was loaded, or empty
-  std::filesystem::path place = {};  ///< where it was read; empty: nowhere
+  QString note;  ///< a sentence worth saying although it was loaded, or empty
+  /// Where it was read; empty: made by formula, so that it is nobody's.
+  std::filesystem::path place = {};
 };
 
 /// Reasons of Loader::failed that ask for an answer of the user's.
 inline constexpr const char* kWhichSeries = "which-series";
 inline constexpr const char* kTooLarge = "too-large";
+inline constexpr const char* kMissingSlices = "missing-slices";
 
 /// Reads and prepares on a thread of its own for each request; a new one cancels the last.
 /// Signals arrive on the thread that owns the loader, and only for the newest request. No call
@@ -94,7 +105,8 @@ class Loader : public QObject {
   void surveyed(const app::Surveyed& surveyed);
   void loaded(const app::Loaded& loaded);
   /// The request holds the chosen entry, if the survey came as far as that. The reason is
-  /// kWhichSeries where one must be chosen, kTooLarge where the memory does not hold it.
+  /// kWhichSeries where one must be chosen, kTooLarge where the memory does not hold it,
+  /// kMissingSlices where a part may be had without a gap.
   void failed(const app::LoadRequest& request, const haptics::Error& error);
 
  private:

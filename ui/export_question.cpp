@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -13,6 +12,7 @@
 #include <QVBoxLayout>
 #include <array>
 
+#include "ui/number_box.h"
 #include "ui/panels/time_words.h"
 
 namespace ui {
@@ -52,7 +52,7 @@ ExportDialog::ExportDialog(double begin, double end, QWidget* parent)
       range_(new QLabel),
       every_step_(new QRadioButton(tr("every step"))),
       at_rate_(new QRadioButton(tr("at"))),
-      rate_(new QDoubleSpinBox),
+      rate_(new NumberBox),
       contacts_(new QCheckBox(tr("With the contacts of each step"))),
       cameras_(new QComboBox),
       sizes_(new QComboBox),
@@ -98,14 +98,15 @@ ExportDialog::ExportDialog(double begin, double end, QWidget* parent)
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(formats_, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
   connect(frame_rates_, &QComboBox::currentIndexChanged, this, &ExportDialog::showRange);
-  for (QDoubleSpinBox* spin : {from_, to_})
-    connect(spin, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showRange);
+  connect(at_rate_, &QRadioButton::toggled, this, &ExportDialog::showRange);
+  for (NumberBox* spin : {from_, to_, rate_})
+    connect(spin, &NumberBox::typedChanged, this, &ExportDialog::showRange);
   export_->setDefault(true);  // known to the dialog only now
   showFormat();
 }
 
-QDoubleSpinBox* ExportDialog::timeSpin(const char* name, double value) {
-  auto* spin = new QDoubleSpinBox;
+NumberBox* ExportDialog::timeSpin(const char* name, double value) {
+  auto* spin = new NumberBox;
   spin->setObjectName(name);
   spin->setDecimals(3);
   spin->setSuffix(tr(" s"));
@@ -173,6 +174,11 @@ void ExportDialog::showFormat() {
 
 void ExportDialog::showRange() {
   const ExportWish wished = wish();
+  const bool rated = wished.format == Format::Film || !at_rate_->isChecked() || rate_->typed();
+  if (!from_->typed() || !to_->typed() || !rated) {
+    export_->setEnabled(false);
+    return range_->setText(tr("This is not a number that can be taken here."));
+  }
   // a recording of one step has no length, and is whole
   const bool whole = wished.from == begin_ && wished.to == end_;
   const bool sound = wished.from < wished.to || whole;
@@ -190,9 +196,11 @@ ExportWish ExportDialog::wish() const {
   ExportWish wish;
   wish.format = static_cast<Format>(formats_->currentData().toInt());
   // the fields round to milliseconds: at an end of theirs it is the recording's own
-  wish.from = from_->value() == from_->minimum() ? begin_ : from_->value();
-  wish.to = to_->value() == to_->maximum() ? end_ : to_->value();
-  if (at_rate_->isChecked()) wish.rate = rate_->value();
+  const double from = from_->typed().value_or(from_->value());
+  const double to = to_->typed().value_or(to_->value());
+  wish.from = from == from_->minimum() ? begin_ : from;
+  wish.to = to == to_->maximum() ? end_ : to;
+  if (at_rate_->isChecked()) wish.rate = rate_->typed().value_or(rate_->value());
   wish.contacts = contacts_->isChecked();
   wish.film.camera = static_cast<Camera>(cameras_->currentData().toInt());
   const QSize size = sizes_->currentData().toSize();

@@ -6,13 +6,13 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QRadioButton;
-class QSpinBox;
 
 namespace ui {
+
+class NumberBox;
 
 /// What a recording is to be exported as. Times are the recording's own, s.
 struct ExportWish {
@@ -45,19 +45,19 @@ class ExportDialog : public QDialog {
  private:
   QWidget* buildSamples();
   QWidget* buildFilm();
-  QDoubleSpinBox* timeSpin(const char* name, double value);
+  NumberBox* timeSpin(const char* name, double value);
   void showFormat();
   void showRange();
 
   double begin_, end_;
   QComboBox* formats_;
   QLabel* about_;
-  QDoubleSpinBox* from_;
-  QDoubleSpinBox* to_;
+  NumberBox* from_;
+  NumberBox* to_;
   QLabel* range_;
   QRadioButton* every_step_;
   QRadioButton* at_rate_;
-  QDoubleSpinBox* rate_;
+  NumberBox* rate_;
   QCheckBox* contacts_;
   QComboBox* cameras_;
   QComboBox* sizes_;

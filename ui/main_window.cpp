@@ -33,6 +33,11 @@
 #include "ui/volume_view.h"
 
 namespace ui {
+namespace {
+
+constexpr int kWordsMs = 100;  // between two changes of force and status in words
+
+}  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
@@ -62,6 +67,9 @@ MainWindow::MainWindow(QWidget* parent)
   buildDocks();
   buildMenus();
   buildStatusBar();
+  words_.setSingleShot(true);
+  words_.setInterval(kWordsMs);
+  connect(&words_, &QTimer::timeout, this, &MainWindow::displayWords);
   connect(new EscapeFilter(this), &EscapeFilter::pressed, this, &MainWindow::forceOffWanted);
   resize(1240, 840);
 }
@@ -282,8 +290,8 @@ void MainWindow::display(const haptics::Snapshot& snapshot) {
 }
 
 void MainWindow::displayForce(const haptics::Snapshot& snapshot) {
-  force_->display(snapshot);
-  status_->display(snapshot);
+  unsaid_ = snapshot;
+  if (!words_.isActive()) displayWords();
   haptic_device_->display(snapshot);
   if (shown_force_state_ != snapshot.force_state) {
     shown_force_state_ = snapshot.force_state;
@@ -292,6 +300,14 @@ void MainWindow::displayForce(const haptics::Snapshot& snapshot) {
         QStringLiteral("background: %1; color: white; font-weight: bold; padding: 6px 12px;")
             .arg(colourOf(snapshot.force_state)));
   }
+}
+
+void MainWindow::displayWords() {
+  if (!unsaid_) return;
+  force_->display(*unsaid_);
+  status_->display(*unsaid_);
+  unsaid_.reset();
+  words_.start();
 }
 
 void MainWindow::clearForces() { force_->clear(); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 #include <array>
 #include <optional>
 #include <span>
@@ -47,7 +48,7 @@ class MainWindow : public QMainWindow {
   void show(const Picture& picture, double isovalue, const QString& title);
   void show(const haptics::TriangleMesh& tool);
   using QMainWindow::show;
-  /// The state of the touch, at display rate.
+  /// The state of the touch, at display rate. Pictures follow at once, words ten times a second.
   void display(const haptics::Snapshot& snapshot);
   /// Only what becomes of the force: its poses are not of what is on view.
   void displayForce(const haptics::Snapshot& snapshot);
@@ -115,6 +116,7 @@ class MainWindow : public QMainWindow {
   void buildMenus();
   void buildFileMenu();
   void buildStatusBar();
+  void displayWords();
   void moveCross(const Eigen::Vector3d& cross_W_mm);
   void setGrey(const GreyWindow& grey);
   void showControls();
@@ -139,6 +141,8 @@ class MainWindow : public QMainWindow {
   QLabel* message_;
   QLabel* force_state_;
   std::optional<haptics::ForceState> shown_force_state_;
+  std::optional<haptics::Snapshot> unsaid_;  ///< came while words_ ran
+  QTimer words_;                             ///< since the words changed
   QFrame* loading_;
   QLabel* loading_what_;
   QProgressBar* progress_;

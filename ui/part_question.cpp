@@ -7,8 +7,11 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/number_box.h"
 
 namespace ui {
 namespace {
@@ -81,18 +84,20 @@ BoxDialog::BoxDialog(const LargeVolume& volume, QWidget* parent)
 
 void BoxDialog::addAxis(std::size_t axis, const QString& name) {
   const int count = static_cast<int>(volume_.dims[axis]);
-  auto* first = new QSpinBox;
-  auto* last = new QSpinBox;
+  auto* first = new NumberBox;
+  auto* last = new NumberBox;
   first->setObjectName(QStringLiteral("first%1").arg(axis));
   last->setObjectName(QStringLiteral("last%1").arg(axis));
   first->setAccessibleName(tr("%1: first").arg(name));
   last->setAccessibleName(tr("%1: last").arg(name));
+  first->setDecimals(0);
+  last->setDecimals(0);
   first->setRange(1, count);
   last->setRange(1, count);
   first->setValue(count / 4 + 1);
-  last->setValue(std::max(first->value(), count - count / 4));
-  connect(first, &QSpinBox::valueChanged, this, &BoxDialog::showSize);
-  connect(last, &QSpinBox::valueChanged, this, &BoxDialog::showSize);
+  last->setValue(std::max(count / 4 + 1, count - count / 4));
+  connect(first, &NumberBox::typedChanged, this, &BoxDialog::showSize);
+  connect(last, &NumberBox::typedChanged, this, &BoxDialog::showSize);
   first_[axis] = first;
   last_[axis] = last;
 }
@@ -100,13 +105,18 @@ void BoxDialog::addAxis(std::size_t axis, const QString& name) {
 VoxelChoice::Box BoxDialog::box() const {
   VoxelChoice::Box box;
   for (std::size_t a = 0; a < 3; ++a) {
-    box.first[a] = first_[a]->value() - 1;
-    box.end[a] = last_[a]->value();
+    box.first[a] = std::lround(first_[a]->typed().value_or(first_[a]->value())) - 1;
+    box.end[a] = std::lround(last_[a]->typed().value_or(last_[a]->value()));
   }
   return box;
 }
 
 void BoxDialog::showSize() {
+  const auto refused = [](const NumberBox* field) { return !field->typed(); };
+  if (std::ranges::any_of(first_, refused) || std::ranges::any_of(last_, refused)) {
+    size_->setText(tr("Each end is a whole number within its axis."));
+    return read_->setEnabled(false);
+  }
   const VoxelChoice::Box chosen = box();
   std::array<std::int64_t, 3> count{};
   for (std::size_t a = 0; a < 3; ++a) count[a] = chosen.end[a] - chosen.first[a];

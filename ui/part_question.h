@@ -8,9 +8,10 @@
 
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace ui {
+
+class NumberBox;
 
 /// How much more memory is wanted than the voxels fill: the picture and the touch need some too.
 inline constexpr double kMemoryPerVoxel = 1.25;
@@ -59,7 +60,7 @@ class BoxDialog : public QDialog {
   void showSize();
 
   LargeVolume volume_;
-  std::array<QSpinBox*, 3> first_{}, last_{};
+  std::array<NumberBox*, 3> first_{}, last_{};
   QLabel* size_;
   QPushButton* read_ = nullptr;
 };

@@ -59,7 +59,7 @@ QIcon iconOf(Verdict verdict, qreal scale) {
   painter.scale(pixmap.width() / kDrawn, pixmap.height() / kDrawn);
   painter.setPen(QPen(Qt::white, 2.0));  // seen on a selected row too
   const QPen mark(Qt::white, 8.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
-  if (verdict == Verdict::Correctable)
+  if (verdict == Verdict::Correctable || verdict == Verdict::InPart)
     drawTriangle(painter, mark);
   else
     drawDisc(painter, mark, verdict == Verdict::Sound);
@@ -74,6 +74,8 @@ QString wordFor(Verdict verdict) {
       return SeriesBrowser::tr("sound");
     case Verdict::Correctable:
       return SeriesBrowser::tr("correctable");
+    case Verdict::InPart:
+      return SeriesBrowser::tr("in part");
     case Verdict::Refused:
       break;
   }
@@ -82,7 +84,10 @@ QString wordFor(Verdict verdict) {
 
 QString sizeOf(const SeriesRow& row) {
   if (row.dims[0] == 0) return {};
-  return SeriesBrowser::tr("%1 × %2 × %3").arg(row.dims[0]).arg(row.dims[1]).arg(row.dims[2]);
+  const QString size =
+      SeriesBrowser::tr("%1 × %2 × %3").arg(row.dims[0]).arg(row.dims[1]).arg(row.dims[2]);
+  if (row.verdict != Verdict::InPart) return size;
+  return SeriesBrowser::tr("%1 of %2").arg(size).arg(row.slices_there);
 }
 
 // what is refused may state anything
@@ -191,7 +196,8 @@ void SeriesBrowser::fill() {
   const qreal scale = devicePixelRatioF();
   const QIcon empty = plainIcon(framed({}, scale));
   QMap<Verdict, QIcon> marks;
-  for (const Verdict verdict : {Verdict::Sound, Verdict::Correctable, Verdict::Refused})
+  for (const Verdict verdict :
+       {Verdict::Sound, Verdict::Correctable, Verdict::InPart, Verdict::Refused})
     marks[verdict] = iconOf(verdict, scale);
   for (int row = 0; row < rows_.size(); ++row) fillRow(row, marks[rows_[row].verdict], empty);
   QHeaderView* header = table_->horizontalHeader();
@@ -200,8 +206,9 @@ void SeriesBrowser::fill() {
   header->setMinimumSectionSize(QFontMetrics(font()).averageCharWidth() * 10);
   for (const int column : {Study, Series})
     header->setSectionResizeMode(column, QHeaderView::Stretch);
-  const auto loadable = std::ranges::find_if(
-      rows_, [](const SeriesRow& row) { return row.verdict != Verdict::Refused; });
+  const auto loadable = std::ranges::find_if(rows_, [](const SeriesRow& row) {
+    return row.verdict == Verdict::Sound || row.verdict == Verdict::Correctable;
+  });
   if (!rows_.isEmpty())
     table_->selectRow(loadable == rows_.end() ? 0 : static_cast<int>(loadable - rows_.begin()));
 }

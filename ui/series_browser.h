@@ -19,13 +19,15 @@ namespace ui {
 enum class Verdict {
   Sound,
   Correctable,  ///< resampled, if the user agrees
+  InPart,       ///< slices are missing: the largest part without a gap, if the user agrees
   Refused
 };
 
 /// One line of the browser. Texts are empty where nothing is stated.
 struct SeriesRow {
   QString patient, study, series, modality;
-  std::array<std::int64_t, 3> dims{};  ///< voxels; zeros: not known
+  std::array<std::int64_t, 3> dims{};  ///< voxels, of the part if it is one; zeros: not known
+  std::int64_t slices_there = 0;       ///< of InPart: dims[2] are these many's largest part
   std::array<double, 3> spacing_mm{};  ///< not shown of what is refused
   Verdict verdict = Verdict::Refused;
   QString sentence;         ///< what is to be said of the verdict

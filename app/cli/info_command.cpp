@@ -40,6 +40,11 @@ ordered_json listed(const datasets::SeriesVerdict& series) {
   json["verdict"] = verdictOf(series);
   json["reasons"] = series.reasons;
   json["message"] = series.message;
+  if (const auto& part = series.unbroken_part)
+    json["largest_part"] = {{"slices", part->slices},
+                            {"of", part->of},
+                            {"from_mm", part->from_mm},
+                            {"to_mm", part->to_mm}};
   return json;
 }
 
@@ -57,7 +62,7 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
   json["modality"] = volume.modality;
   json["replaced"] = volume.replaced;
   json["padded"] = volume.padded;
-  json["verdict"] = volume.resampled ? "corrected" : "sound";
+  json["verdict"] = volume.slices_left_out > 0 ? "part" : volume.resampled ? "corrected" : "sound";
   std::vector<std::string> reasons =
       series != nullptr ? series->reasons : std::vector<std::string>{};
   json["reasons"] = reasons;
@@ -66,6 +71,7 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
     message += " " + std::to_string(volume.replaced) +
                " voxels that are not numbers were made background.";
   if (volume.resampled) message += " This was done.";
+  if (volume.slices_left_out > 0) message += " Only this part was read.";
   if (volume.padded > 0)
     message += " " + std::to_string(volume.padded) +
                " voxels are padding, where nothing was measured, and count as air.";
@@ -78,7 +84,8 @@ Outcome info(const VolumeChoice& options) {
   if (!survey) return refused(survey.error());
   const auto loads = [&](const datasets::SeriesVerdict& series) {
     return series.verdict == datasets::Verdict::Sound ||
-           (options.correct && series.verdict == datasets::Verdict::Correctable);
+           (options.correct && series.verdict == datasets::Verdict::Correctable) ||
+           (options.largest_part && series.unbroken_part);
   };
   ordered_json json;
   const datasets::SeriesVerdict* only = nullptr;
@@ -106,6 +113,8 @@ Outcome info(const VolumeChoice& options) {
         shown != nullptr ? shown->message : "\"" + options.path + "\" holds no series.";
     if (shown != nullptr && shown->verdict == datasets::Verdict::Correctable)
       sentence += " Add --correct for that.";
+    if (shown != nullptr && shown->unbroken_part)
+      sentence += " Add --largest-part to read that alone.";
     json["message"] = sentence;
     return {Exit::Refused, json, {}, sentence};
   }

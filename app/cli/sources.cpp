@@ -74,6 +74,8 @@ void addReading(CLI::App& command, VolumeChoice& choice) {
       ->check(wholeNumber(0, kMostIndex));
   command.add_flag("--correct", choice.correct,
                    "Resample slices that are tilted or unevenly spaced");
+  command.add_flag("--largest-part", choice.largest_part,
+                   "Of a series that lacks slices, read the largest part without a gap");
   command.add_option("--every", choice.every, "Read every so manieth voxel along each axis")
       ->check(wholeNumber(1, 1000));
   command
@@ -85,7 +87,8 @@ void addReading(CLI::App& command, VolumeChoice& choice) {
 
 #ifdef PALPATE_READERS
 datasets::Reading readingOf(const VolumeChoice& choice) {
-  datasets::Reading reading{.series = choice.series, .part = {.step = choice.every}};
+  datasets::Reading reading{
+      .series = choice.series, .largest_part = choice.largest_part, .part = {.step = choice.every}};
   if (choice.correct) reading.geometry = datasets::Geometry::Corrected;
   if (choice.box.size() == 6)
     reading.part.box = {.first = {choice.box[0], choice.box[2], choice.box[4]},

@@ -23,10 +23,11 @@ struct VolumeChoice {
   std::string phantom = {};
   std::optional<int> series = {};
   bool correct = false;                ///< resample what is tilted or unevenly spaced
+  bool largest_part = false;           ///< of what lacks slices
   int every = 1;                       ///< every so manieth voxel
   std::vector<std::int64_t> box = {};  ///< first and end along i, j, k; empty: all
 };
-/// Adds --series, --correct, --every and --box.
+/// Adds --series, --correct, --largest-part, --every and --box.
 void addReading(CLI::App& command, VolumeChoice& choice);
 #ifdef PALPATE_READERS
 datasets::Reading readingOf(const VolumeChoice& choice);

@@ -49,7 +49,8 @@ ordered_json factsOf(const haptics::RecordedScene& scene) {
       {"unit", plain(volume.unit)},
       {"modality", plain(volume.modality)},
       {"orientation_known", volume.orientation_known},
-      {"resampled", volume.resampled}};
+      {"resampled", volume.resampled},
+      {"slices_left_out", volume.slices_left_out}};
   if (scene.hash) facts["volume_hash"] = hexOf(*scene.hash);
   return facts;
 }

@@ -2,6 +2,7 @@
 #include "datasets/readers/dicom_folder.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -186,11 +187,25 @@ std::vector<std::vector<DicomFile>> separated(std::vector<DicomFile> files) {
   return all;
 }
 
+/// The largest part without a gap of files that lack slices; none where it is no sound stack.
+std::shared_ptr<const DicomSeries> unbrokenPartOf(const std::vector<DicomFile>& files) {
+  std::vector<SlicePlane> planes;
+  for (const DicomFile& file : files) planes.push_back(file.plane);
+  DicomSeries part;
+  for (const std::size_t i : longestRun(planes)) part.files.push_back(files[i]);
+  if (part.files.size() < 2) return {};
+  part.stack = judge(part.files);
+  if (!part.stack || part.stack->crooked) return {};
+  return std::make_shared<const DicomSeries>(std::move(part));
+}
+
 DicomSeries judgedTogether(std::vector<DicomFile> files) {
   DicomSeries series;
   series.files = std::move(files);
   series.copies_left_out = leaveOutCopies(series.files);
   series.stack = judge(series.files);
+  if (!series.stack && series.stack.error().reason == "missing-slices")
+    series.unbroken = unbrokenPartOf(series.files);
   return series;
 }
 
@@ -236,6 +251,7 @@ std::vector<DicomSeries> judged(std::vector<DicomFile> files) {
   }
   if (each_even) return apart;
   DicomSeries together = judgedTogether(std::move(files));
+  together.unbroken.reset();  // it may hold slices of several
   if (together.stack)
     together.stack = unsupported(
         "mixed-acquisitions",
@@ -248,6 +264,24 @@ int fileCount(const DicomSeries& series) {
   std::set<fs::path> paths;
   for (const DicomFile& file : series.files) paths.insert(file.path);
   return static_cast<int>(paths.size());
+}
+
+/// A number with one decimal.
+std::string tenths(double number) {
+  char text[64];
+  const auto end = std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, 1);
+  return {text, end.ptr};
+}
+
+UnbrokenPart partOf(const DicomSeries& series) {
+  const DicomSeries& part = *series.unbroken;
+  const haptics::Vec3 normal = part.stack->geometry.steps_mm.col(2).normalized();
+  const auto height_mm = [&](std::size_t i) { return normal.dot(part.files[i].plane.position_mm); };
+  return {.slices = static_cast<std::int64_t>(part.files.size()),
+          .of = static_cast<std::int64_t>(series.files.size()),
+          .from_mm = height_mm(part.stack->order.front()),
+          .to_mm = height_mm(part.stack->order.back()),
+          .spacing_mm = part.stack->geometry.steps_mm.colwise().norm().transpose()};
 }
 
 /// Of the voxels once they are read: what is not 8 bits becomes 16, or float where it must.
@@ -345,6 +379,14 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
   if (!series.stack) {
     verdict.reasons.push_back(series.stack.error().reason);
     verdict.message = series.stack.error().what;
+    if (series.unbroken) {
+      const UnbrokenPart part = partOf(series);
+      verdict.message += " The largest part without a gap has " + std::to_string(part.slices) +
+                         " of the " + std::to_string(part.of) + " slices that are there, from " +
+                         tenths(part.from_mm) + " to " + tenths(part.to_mm) +
+                         " mm along the stack.";
+      verdict.unbroken_part = part;
+    }
     return verdict;
   }
   verdict.verdict = series.stack->crooked ? Verdict::Correctable : Verdict::Sound;

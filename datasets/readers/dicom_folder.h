@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "datasets/readers/dicom_file.h"
@@ -15,7 +16,9 @@ namespace datasets {
 struct DicomSeries {
   std::vector<DicomFile> files;
   haptics::Expected<Stack> stack = Stack{};  ///< geometry and order, or why there is none
-  int copies_left_out = 0;                   ///< other files with the image of one that is kept
+  /// Of a series that lacks slices: its largest part without a gap, a sound stack; or none.
+  std::shared_ptr<const DicomSeries> unbroken;
+  int copies_left_out = 0;  ///< other files with the image of one that is kept
   /// Of one file's series: damaged files beside it that do not say to which series they belong.
   int damaged_beside = 0;
 };

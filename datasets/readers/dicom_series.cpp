@@ -130,11 +130,32 @@ Expected<Advance> advanceOf(const std::vector<SlicePlane>& ordered, const Vec3& 
   return advance;
 }
 
+/// How far a step may be off the usual one, mm.
+double evenWithin(double median_mm) { return std::max(kEvenStep * median_mm, kEvenStep_mm); }
+
+double medianOf(std::vector<double> numbers) {
+  std::ranges::sort(numbers);
+  return numbers[numbers.size() / 2];
+}
+
+Vec3 normalOf(const SlicePlane& slice) {
+  return slice.along_row.cross(slice.along_column).normalized();
+}
+
+/// Indices along the normal.
+std::vector<std::size_t> orderAlong(const Vec3& normal, const std::vector<SlicePlane>& slices) {
+  std::vector<std::size_t> order(slices.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return normal.dot(slices[i].position_mm); });
+  return order;
+}
+
 /// Nothing where the steps are even; why they are not; or, unexpected, that slices are missing.
 Expected<std::optional<haptics::Error>> checkSteps(const std::vector<double>& steps_mm,
                                                    double median_mm) {
   const auto [least, greatest] = std::ranges::minmax(steps_mm);
-  const double even = std::max(kEvenStep * median_mm, kEvenStep_mm);
+  const double even = evenWithin(median_mm);
   int odd = 0, missing = 0;
   bool multiples = true;
   for (const double step : steps_mm) {
@@ -224,12 +245,9 @@ Expected<Stack> stackOf(const std::vector<SlicePlane>& slices) {
 
   // order along the normal
   const SlicePlane& any = slices.front();
-  const Vec3 normal = any.along_row.cross(any.along_column).normalized();
+  const Vec3 normal = normalOf(any);
   Stack stack;
-  stack.order.resize(slices.size());
-  std::iota(stack.order.begin(), stack.order.end(), std::size_t{0});
-  std::ranges::stable_sort(stack.order, {},
-                           [&](std::size_t i) { return normal.dot(slices[i].position_mm); });
+  stack.order = orderAlong(normal, slices);
   std::vector<SlicePlane> ordered;
   for (const std::size_t i : stack.order) ordered.push_back(slices[i]);
 
@@ -248,15 +266,32 @@ Expected<Stack> stackOf(const std::vector<SlicePlane>& slices) {
   std::vector<double> steps_mm;
   for (std::size_t k = 1; k < ordered.size(); ++k)
     steps_mm.push_back(advance->heights_mm[k] - advance->heights_mm[k - 1]);
-  std::vector<double> sorted = steps_mm;
-  std::ranges::sort(sorted);
-  const double median_mm = sorted[sorted.size() / 2];
+  const double median_mm = medianOf(steps_mm);
   const auto uneven = checkSteps(steps_mm, median_mm);
   if (!uneven) return tl::unexpected(uneven.error());
   if (*uneven || advance->tilt() > kParallel)
     return straightened(std::move(stack), ordered, *advance, *uneven, median_mm);
   box.steps_mm.col(2) = normal * (advance->extent_mm / static_cast<double>(slices.size() - 1));
   return stack;
+}
+
+std::vector<std::size_t> longestRun(const std::vector<SlicePlane>& slices) {
+  if (slices.size() < 2) return {};
+  const Vec3 normal = normalOf(slices.front());
+  const std::vector<std::size_t> order = orderAlong(normal, slices);
+  std::vector<double> steps_mm;
+  for (std::size_t k = 1; k < order.size(); ++k)
+    steps_mm.push_back(normal.dot(slices[order[k]].position_mm - slices[order[k - 1]].position_mm));
+  const double median_mm = medianOf(steps_mm);
+  std::size_t first = 0, best = 0, longest = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k > 0 && std::abs(steps_mm[k - 1] - median_mm) > evenWithin(median_mm)) first = k;
+    if (k + 1 - first <= longest) continue;
+    longest = k + 1 - first;
+    best = first;
+  }
+  const auto begin = order.begin() + static_cast<std::ptrdiff_t>(best);
+  return {begin, begin + static_cast<std::ptrdiff_t>(longest)};
 }
 
 }  // namespace datasets

@@ -55,4 +55,8 @@ struct Stack {
 /// A single slice takes its thickness, or 1 mm, as its step.
 haptics::Expected<Stack> stackOf(const std::vector<SlicePlane>& slices);
 
+/// Of slices that stackOf() refuses with "missing-slices": the indices of the longest run between
+/// two gaps, along the normal; of several as long the lowest.
+std::vector<std::size_t> longestRun(const std::vector<SlicePlane>& slices);
+
 }  // namespace datasets

@@ -75,7 +75,8 @@ Expected<SeriesVerdict> chosenOf(const fs::path& path, const std::vector<SeriesV
   const auto any = [](const SeriesVerdict& s) { return s.verdict != Verdict::Refused; };
   const auto sound = [&](const SeriesVerdict& s) {
     return s.verdict == Verdict::Sound ||
-           (s.verdict == Verdict::Correctable && reading.geometry == Geometry::Corrected);
+           (s.verdict == Verdict::Correctable && reading.geometry == Geometry::Corrected) ||
+           (s.unbroken_part && reading.largest_part);
   };
   const auto loadable = std::ranges::count_if(all, sound);
   if (loadable > 1)
@@ -264,8 +265,15 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
 
 Expected<haptics::Volume> readFound(const Found& found, const Reading& reading,
                                     const ReadProgress& progress) {
-  if (const auto* series = std::get_if<DicomSeries>(&found.source))
-    return readSeries(*series, reading.geometry, reading.part, progress);
+  if (const auto* series = std::get_if<DicomSeries>(&found.source)) {
+    if (!series->unbroken || !reading.largest_part)
+      return readSeries(*series, reading.geometry, reading.part, progress);
+    const DicomSeries& part = *series->unbroken;
+    auto volume = readSeries(part, reading.geometry, reading.part, progress);
+    if (volume)
+      volume->slices_left_out = static_cast<std::int64_t>(series->files.size() - part.files.size());
+    return volume;
+  }
   return readVolume(std::get<VolumeInFile>(found.source), reading.part, progress);
 }
 

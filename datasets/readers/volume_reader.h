@@ -43,6 +43,7 @@ struct Part {
 struct Reading {
   std::optional<int> series = {};  ///< which entry of the survey; none: the only one
   Geometry geometry = Geometry::AsStored;
+  bool largest_part = false;  ///< of a series that lacks slices take UnbrokenPart
   Part part = {};
 };
 
@@ -50,6 +51,17 @@ struct Reading {
 /// else. Empty where it is not stated.
 struct Labels {
   std::string patient, study, series;
+};
+
+/// The largest run of slices without a gap, of a series that lacks some. Its slices are taken as
+/// they are, with their own positions.
+struct UnbrokenPart {
+  std::int64_t slices = 0;
+  std::int64_t of = 0;  ///< slices that are there
+  /// Where its first and its last slice lie along the normal (row x column), in patient LPS: for
+  /// axial slices their z.
+  double from_mm = 0.0, to_mm = 0.0;
+  haptics::Vec3 spacing_mm = haptics::Vec3::Zero();
 };
 
 struct Found;
@@ -63,6 +75,9 @@ struct SeriesVerdict {
   Verdict verdict = Verdict::Refused;
   std::vector<std::string> reasons;  ///< codes: "gantry-tilt", "not-scalar", "truncated", …
   std::string message;               ///< one sentence for the user
+  /// Of a series that is refused because slices are missing: what can be loaded of it, if the user
+  /// agrees; or none.
+  std::optional<UnbrokenPart> unbroken_part = {};
   Labels labels;
   int file_count = 0;
   std::int64_t bytes = 0;           ///< of the voxels in memory, estimated; 0: not known
@@ -95,8 +110,9 @@ haptics::Expected<Survey> survey(const std::filesystem::path& path,
                                  const ReadProgress& progress = {});
 
 /// Reads one entry of a survey. Anything but one evenly spaced, right-angled, single-component
-/// stack is refused by name, and what is correctable too unless `reading` says to correct it. What
-/// the free memory does not hold is refused ("too-large"); a part of it may fit.
+/// stack is refused by name, and what is correctable too unless `reading` says to correct it; of
+/// what lacks slices the largest part is read where it says so. What the free memory does not hold
+/// is refused ("too-large"); a part of it may fit.
 haptics::Expected<haptics::Volume> readVolume(const SeriesVerdict& chosen,
                                               const Reading& reading = {},
                                               const ReadProgress& progress = {});

@@ -52,6 +52,9 @@ struct Volume {
   std::int64_t replaced = 0;      ///< non-finite voxels that became background
   std::int64_t padded = 0;        ///< stored as padding, where nothing was measured; air now
   bool resampled = false;         ///< from slices that were tilted or unevenly spaced
+  /// Of a series that lacks slices, of which this is the largest part without a gap: how many that
+  /// are there are not in it.
+  std::int64_t slices_left_out = 0;
 };
 
 inline constexpr std::size_t kVoxelPadding = 64;  ///< bytes

@@ -201,6 +201,10 @@ def main():
                 said, code, *_ = info(cli, path, "--correct")
                 if verdict_of(said) != "corrected gantry-tilt" or code != 0:
                     wrong.append(f"{inside}: {verdict_of(said)} with --correct, code {code}")
+            if expected == "refused missing-slices":
+                said, code, *_ = info(cli, path, "--largest-part")
+                if verdict_of(said) != "part missing-slices" or code != 0:
+                    wrong.append(f"{inside}: {verdict_of(said)} with --largest-part, code {code}")
         for name in entries:
             if not (scans / folder / name).exists():
                 wrong.append(f"{folder}/{name}: in the table and not here")

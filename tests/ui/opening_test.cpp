@@ -27,6 +27,7 @@
 #include "app/application.h"
 #include "app/recent_places.h"
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/dicom_bytes.h"
 #include "ui/series_browser.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
@@ -189,6 +190,80 @@ TEST_F(Opening, AFolderOfOneSoundSeriesLoadsAtOnceAndClosesAListThatIsOpen) {
   ASSERT_TRUE(loadedBegins("bone_1mm —"));
   EXPECT_EQ(browser(), nullptr);
   EXPECT_EQ(volume().grid.dims, (std::array<std::int64_t, 3>{512, 512, 48}));
+}
+
+/// A series of small slices at these heights.
+void writeSeries(const QTemporaryDir& folder, const char* number,
+                 const std::vector<double>& heights_mm) {
+  for (std::size_t k = 0; k < heights_mm.size(); ++k) {
+    datasets::testing::DicomSlice slice;
+    slice.series += number;
+    slice.instance += std::string(number) + "." + std::to_string(k + 1);
+    slice.position_mm = {0, 0, heights_mm[k]};
+    slice.rows = slice.columns = 8;
+    for (int n = 0; n < 64; ++n) slice.pixels.push_back(std::int16_t(n % 8 < 4 ? -1000 : 500));
+    const std::string bytes = bytesOf(slice);
+    QFile file(folder.filePath(QString("%1-%2").arg(number).arg(k)));
+    ASSERT_TRUE(file.open(QFile::WriteOnly));
+    file.write(bytes.data(), qint64(bytes.size()));
+  }
+}
+
+TEST_F(Opening, TheOnlySoundSeriesIsNotLoadedWithoutAWordAboutALargerOne) {
+  const QTemporaryDir folder;
+  writeSeries(folder, ".1", {0, 1, 2, 3});
+  writeSeries(folder, ".2", {0, 1, 2, 4, 5, 6, 7, 8, 20, 21});
+  started();
+  open(folder.path().toStdString());
+  ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }, 60.0));
+  EXPECT_TRUE(title().startsWith("sphere"));
+  auto* table = browser()->findChild<QTableWidget*>("series");
+  ASSERT_EQ(table->rowCount(), 2);
+  int lacking = table->item(0, 6)->text() == "in part" ? 0 : 1;
+  EXPECT_EQ(table->item(1 - lacking, 6)->text(), "sound");
+  EXPECT_EQ(table->currentRow(), 1 - lacking);
+  EXPECT_EQ(table->item(lacking, 6)->text(), "in part");
+  EXPECT_EQ(table->item(lacking, 4)->text(), QString::fromUtf8("8 × 8 × 5 of 10"));
+  table->selectRow(lacking);
+  auto* details = browser()->findChild<QPlainTextEdit*>("seriesDetails");
+  EXPECT_TRUE(details->toPlainText().contains("from 4.0 to 8.0 mm"))
+      << details->toPlainText().toStdString();
+  window::keep(window::pictureOf(*browser()), "series_browser_in_part");
+
+  auto* load = browser()->findChild<QPushButton*>(QString("load%1").arg(lacking));
+  ASSERT_NE(load, nullptr);
+  answerNext("Cancel");
+  QTest::mouseClick(load, Qt::LeftButton);
+  EXPECT_TRUE(asked_.contains("5 of the 10 slices")) << asked_.toStdString();
+  EXPECT_TRUE(title().startsWith("sphere"));
+  answerNext("largest unbroken part");
+  QTest::mouseClick(load, Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return title().contains("(5 of 10 slices)"); }, 60.0))
+      << title().toStdString() << message().toStdString();
+  EXPECT_EQ(volume().grid.dims, (std::array<std::int64_t, 3>{8, 8, 5}));
+  EXPECT_NEAR(volume().grid.origin.z(), 4e-3, 1e-12);
+  EXPECT_EQ(volume().slices_left_out, 5);
+}
+
+TEST_F(Opening, ASeriesAloneThatLacksSlicesOffersItsLargestPart) {
+  const QTemporaryDir folder;
+  writeSeries(folder, ".1", {0, 1, 2, 4, 5, 6, 7, 8});
+  started();
+  answerNext("largest unbroken part");
+  open(folder.path().toStdString());
+  ASSERT_TRUE(waitFor([&] { return title().contains("(5 of 8 slices)"); }, 60.0));
+  EXPECT_EQ(browser(), nullptr);
+}
+
+TEST_F(Opening, ASmallerSeriesThatIsRefusedIsNoReasonToAsk) {
+  const QTemporaryDir folder;
+  writeSeries(folder, ".1", {0, 1, 2, 3});
+  writeSeries(folder, ".2", {0, 1, 1});
+  started();
+  open(folder.path().toStdString());
+  ASSERT_TRUE(waitFor([&] { return !title().startsWith("sphere"); }, 60.0));
+  EXPECT_EQ(browser(), nullptr);
+  EXPECT_EQ(volume().grid.dims[2], 4);
 }
 
 TEST_F(Opening, ACorrectableSeriesOfSeveralAsksFirst) {

@@ -2,18 +2,25 @@
 // A session is recorded in the window, and gone through again.
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include "app/application.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/recording/replay.h"
+#include "ui/export_question.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/volume_view.h"
@@ -115,6 +122,58 @@ TEST(RecordedSession, IsRecordedMarkedAndReplayedToTheBit) {
   ASSERT_TRUE(difference);
   EXPECT_EQ(difference->steps, recording->stepCount());
   EXPECT_EQ(difference->differing, 0) << difference->distance << " m";
+}
+
+/// What the user is asked when the first recording is to become a film, and says no to.
+QString askedBeforeAFilm(app::Application& application) {
+  QString asked;
+  QTimer answers;
+  QObject::connect(&answers, &QTimer::timeout, [&] {
+    QWidget* dialog = QApplication::activeModalWidget();
+    if (auto* wish = qobject_cast<ui::ExportDialog*>(dialog)) {
+      auto* formats = child<QComboBox>(*wish, "exportFormat");
+      formats->setCurrentIndex(formats->count() - 1);
+      child<QPushButton>(*wish, "exportAgree")->click();
+    } else if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
+      asked = box->text();
+      box->reject();
+    } else if (dialog != nullptr) {
+      dialog->close();  // where to write it: nothing was asked
+    }
+  });
+  answers.start(50);
+  ui::RecordingPanel& panel = application.window().recordingPanel();
+  child<QTableWidget>(panel, "recordings")->selectRow(0);
+  QTest::mouseClick(child<QPushButton>(panel, "exportRecording"), Qt::LeftButton);
+  return asked;
+}
+
+TEST(RecordedSession, AFilmOfAScanWarnsOfAFaceWhateverToolAndField) {
+  const QTemporaryDir folder, scans;
+  const fs::path scan = fs::path(scans.path().toStdString()) / "head.nrrd";
+  const auto volume = window::volumeOf(
+      window::cubeGrid(80), haptics::ScalarType::Int16,
+      [](const haptics::Vec3& p) { return p.norm() < 30e-3 ? 100.0 : -1000.0; }, {.unit = "HU"});
+  ASSERT_TRUE(datasets::writeNrrd(*volume, scan));
+  app::Arguments arguments = recordedSphere(folder, "tap");
+  arguments.load.phantom = {};
+  arguments.load.path = scan;
+  arguments.load.isovalue = -300.0;
+  app::Application application(arguments);
+  application.start();
+  recordSome(application, folder, 300);
+  if (HasFatalFailure()) return;
+  EXPECT_TRUE(askedBeforeAFilm(application).contains("face"));
+  const QString title = application.window().windowTitle();
+  ui::DevicePanel& panel = application.window().devicePanel();
+  for (const auto& change : {std::function([&] { emit panel.toolChosen("wrench"); }),
+                             std::function([&] { emit panel.fieldChosen("spline"); })}) {
+    QSignalSpy adopted(&application, &app::Application::adopted);
+    change();
+    ASSERT_TRUE(adopted.wait(60'000));
+    EXPECT_TRUE(askedBeforeAFilm(application).contains("face"));
+    EXPECT_EQ(application.window().windowTitle(), title);
+  }
 }
 
 TEST(RecordedSession, IsGoneThroughInTheWindow) {

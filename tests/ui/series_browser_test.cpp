@@ -11,13 +11,13 @@
 #include <QPalette>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTableWidget>
 #include <QTest>
 #include <QTimer>
 #include <vector>
 
 #include "ui/main_window.h"
+#include "ui/number_box.h"
 #include "ui/part_question.h"
 #include "window_support.h"
 
@@ -259,7 +259,7 @@ TEST(PartQuestion, ABoxIsTheMiddleHalfAtFirstAndSaysItsSize) {
       auto* box = qobject_cast<ui::BoxDialog*>(QApplication::activeModalWidget());
       ASSERT_NE(box, nullptr);
       window::keep(window::pictureOf(*box), "box_dialog");
-      const auto spin = [&](const char* name) { return box->findChild<QSpinBox*>(name); };
+      const auto spin = [&](const char* name) { return box->findChild<ui::NumberBox*>(name); };
       auto* size = box->findChild<QLabel*>("boxSize");
       auto* read = box->findChild<QPushButton*>("readBox");
       EXPECT_EQ(spin("first0")->value(), 129);

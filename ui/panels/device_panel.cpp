@@ -2,7 +2,6 @@
 #include "ui/panels/device_panel.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -10,8 +9,9 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QSpinBox>
 #include <cmath>
+
+#include "ui/number_box.h"
 
 namespace ui {
 namespace {
@@ -37,8 +37,8 @@ DevicePanel::DevicePanel(QWidget* parent)
       hands_(new QComboBox),
       tools_(new QComboBox),
       stiffness_(new QSlider(Qt::Horizontal)),
-      stiffness_typed_(new QSpinBox),
-      friction_(new QDoubleSpinBox),
+      stiffness_typed_(new NumberBox),
+      friction_(new NumberBox),
       fields_(new QComboBox),
       effect_(new QLabel) {
   hands_->setObjectName("hands");
@@ -46,14 +46,15 @@ DevicePanel::DevicePanel(QWidget* parent)
   stiffness_->setObjectName("stiffness");
   stiffness_->setRange(0, kSliderSteps);
   stiffness_->setAccessibleName(tr("Stiffness"));
+  stiffness_typed_->setObjectName("stiffnessTyped");
+  stiffness_typed_->setAccessibleName(tr("Stiffness, typed"));
+  stiffness_typed_->setDecimals(0);
   stiffness_typed_->setRange(0, kMostStiff);
   stiffness_typed_->setSingleStep(100);
   stiffness_typed_->setSuffix(tr(" N/m"));
-  stiffness_typed_->setKeyboardTracking(false);
   friction_->setObjectName("friction");
   friction_->setRange(0.0, kRoughest);
   friction_->setSingleStep(0.05);
-  friction_->setKeyboardTracking(false);
   friction_->setSpecialValueText(tr("none"));
   fields_->setObjectName("fields");
   effect_->setObjectName("fieldEffect");
@@ -82,14 +83,14 @@ DevicePanel::DevicePanel(QWidget* parent)
   });
   connect(fields_, &QComboBox::activated, this,
           [this](int i) { emit fieldChosen(fields_->itemData(i).toString()); });
-  connect(friction_, &QDoubleSpinBox::valueChanged, this, &DevicePanel::frictionChanged);
+  connect(friction_, &NumberBox::valueChanged, this, &DevicePanel::frictionChanged);
   connect(stiffness_, &QSlider::valueChanged, this, [this](int step) {
     const double stiffness = std::round(stiffnessAt(step) / 10.0) * 10.0;
     const QSignalBlocker quiet(stiffness_typed_);
     stiffness_typed_->setValue(qRound(stiffness));
     emit stiffnessChanged(stiffness);
   });
-  connect(stiffness_typed_, &QSpinBox::valueChanged, this, [this](int stiffness) {
+  connect(stiffness_typed_, &NumberBox::valueChanged, this, [this](double stiffness) {
     const QSignalBlocker quiet(stiffness_);
     stiffness_->setValue(stepOf(stiffness));
     emit stiffnessChanged(stiffness);

@@ -6,12 +6,12 @@
 #include <QWidget>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QSlider;
-class QSpinBox;
 
 namespace ui {
+
+class NumberBox;
 
 /// Something to choose: what the program calls it, and what the user reads.
 struct Choice {
@@ -51,8 +51,8 @@ class DevicePanel : public QWidget {
   QComboBox* hands_;
   QComboBox* tools_;
   QSlider* stiffness_;
-  QSpinBox* stiffness_typed_;
-  QDoubleSpinBox* friction_;
+  NumberBox* stiffness_typed_;
+  NumberBox* friction_;
   QComboBox* fields_;
   QLabel* effect_;
   QString tool_;

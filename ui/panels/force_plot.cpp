@@ -10,6 +10,7 @@ namespace ui {
 namespace {
 
 constexpr std::size_t kCapacity = 10'000;  // ten seconds of 1 kHz
+constexpr int kPauseMs = 50;               // between two paints
 
 // the least of 1, 2, 5, 10, … that is not below `value`
 double roundScale(double value) {
@@ -24,6 +25,9 @@ double roundScale(double value) {
 ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent) {
   ring_.resize(kCapacity);
   setAccessibleName(tr("Force over time"));
+  pause_.setSingleShot(true);
+  pause_.setInterval(kPauseMs);
+  connect(&pause_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
 }
 
 void ForcePlot::append(std::span<const ForcePoint> points) {
@@ -33,15 +37,33 @@ void ForcePlot::append(std::span<const ForcePoint> points) {
     ring_[next_] = point;
     next_ = (next_ + 1) % kCapacity;
     full_ = full_ || next_ == 0;
+    level(point);
   }
   newest_ = points.back().time;
-  if (isVisible()) update();
+  // where all that was painted was level and it stays so, the same would be painted again
+  const bool changes = level_->since > painted_ - kSeconds;
+  // under another tab it counts as visible, and to update it would compose the window for nothing
+  if (changes && !pause_.isActive() && !visibleRegion().isEmpty()) pause_.start();
+}
+
+void ForcePlot::level(const ForcePoint& point) {
+  const Level alone{point.time, point.force, point.force, point.torque, point.torque};
+  if (!level_) level_ = alone;
+  level_->least_force = std::min(level_->least_force, point.force);
+  level_->greatest_force = std::max(level_->greatest_force, point.force);
+  level_->least_torque = std::min(level_->least_torque, point.torque);
+  level_->greatest_torque = std::max(level_->greatest_torque, point.torque);
+  const double half_pixel = 0.5 / std::max(1, area().height());
+  if (level_->greatest_force - level_->least_force > half_pixel * force_top_ ||
+      level_->greatest_torque - level_->least_torque > half_pixel * torque_top_)
+    level_ = alone;
 }
 
 void ForcePlot::clear() {
   next_ = 0;
   full_ = false;
-  newest_ = 0.0;
+  newest_ = painted_ = 0.0;
+  level_.reset();
   update();
 }
 
@@ -67,7 +89,8 @@ std::vector<ForcePlot::Column> ForcePlot::columns(int count, double from, double
 void ForcePlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Base));
-  const QRect area = rect().adjusted(4, 16, -4, -4);
+  const QRect area = this->area();
+  painted_ = newest_;
   const double to = std::max(newest_, kSeconds), from = to - kSeconds;
   const std::vector<Column> pixels = columns(area.width(), from, to);
   greatest_force_ = greatest_torque_ = 0.0F;
@@ -75,8 +98,8 @@ void ForcePlot::paintEvent(QPaintEvent*) {
     greatest_force_ = std::max(greatest_force_, c.greatest_force);
     greatest_torque_ = std::max(greatest_torque_, c.greatest_torque);
   }
-  const double force_top = roundScale(std::max(1.0F, greatest_force_));
-  const double torque_top = roundScale(std::max(0.01F, greatest_torque_));
+  force_top_ = roundScale(std::max(1.0F, greatest_force_));
+  torque_top_ = roundScale(std::max(0.01F, greatest_torque_));
 
   painter.setPen(QPen(palette().color(QPalette::Mid), 1.0, Qt::DotLine));
   for (int line = 0; line <= 4; ++line) {
@@ -102,18 +125,18 @@ void ForcePlot::paintEvent(QPaintEvent*) {
       last_y = area.bottom() - c.*greatest / top * area.height();
     }
   };
-  draw(torque, torque_top, &Column::least_torque, &Column::greatest_torque);
-  draw(force, force_top, &Column::least_force, &Column::greatest_force);
+  draw(torque, torque_top_, &Column::least_torque, &Column::greatest_torque);
+  draw(force, force_top_, &Column::least_force, &Column::greatest_force);
 
   QFont font = painter.font();
   font.setPointSizeF(8.0);
   painter.setFont(font);
   painter.setPen(force);
   painter.drawText(rect().adjusted(4, 1, -4, 0), Qt::AlignLeft | Qt::AlignTop,
-                   tr("Force, to %1 N").arg(force_top));
+                   tr("Force, to %1 N").arg(force_top_));
   painter.setPen(torque);
   painter.drawText(rect().adjusted(4, 1, -4, 0), Qt::AlignRight | Qt::AlignTop,
-                   tr("Torque, to %1 mN·m").arg(torque_top * 1000.0));
+                   tr("Torque, to %1 mN·m").arg(torque_top_ * 1000.0));
 }
 
 }  // namespace ui

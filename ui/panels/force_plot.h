@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +18,8 @@ struct ForcePoint {
 };
 
 /// Force and torque over the last ten seconds. Every tick is kept; a pixel shows the least and
-/// the greatest of the ticks that fall on it, so that a spike of one tick is seen.
+/// the greatest of the ticks that fall on it, so that a spike of one tick is seen. It is painted
+/// twenty times a second at most, and not at all once all that is on view is level.
 class ForcePlot : public QWidget {
   Q_OBJECT
  public:
@@ -37,13 +40,24 @@ class ForcePlot : public QWidget {
     float least_force, greatest_force, least_torque, greatest_torque;
     bool any;
   };
+  /// Since when both curves are level, to half a pixel.
+  struct Level {
+    double since = 0.0;  ///< s
+    float least_force = 0.0F, greatest_force = 0.0F, least_torque = 0.0F, greatest_torque = 0.0F;
+  };
   std::vector<Column> columns(int count, double from, double to) const;
+  QRect area() const { return rect().adjusted(4, 16, -4, -4); }
+  void level(const ForcePoint& point);
   std::vector<ForcePoint> ring_;
   std::size_t next_ = 0;
   bool full_ = false;
   double newest_ = 0.0;
   float greatest_force_ = 0.0F;
   float greatest_torque_ = 0.0F;
+  double force_top_ = 1.0, torque_top_ = 0.01;  ///< N and N·m at the upper edge
+  std::optional<Level> level_;
+  double painted_ = 0.0;  ///< s: the newest point when it was last painted
+  QTimer pause_;          ///< between two paints
 };
 
 }  // namespace ui

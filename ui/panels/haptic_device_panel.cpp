@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -22,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/number_box.h"
 #include "ui/panels/force_words.h"
 
 namespace ui {
@@ -107,14 +107,13 @@ bool canConnect(const DeviceLine& device, bool firmware_named) {
   }
 }
 
-QDoubleSpinBox* scaleBox(const char* name) {
-  auto* box = new QDoubleSpinBox;
+NumberBox* scaleBox(const char* name) {
+  auto* box = new NumberBox;
   box->setObjectName(name);
   box->setRange(kLeastScale, kGreatestScale);
   box->setDecimals(2);
   box->setSingleStep(0.1);
   box->setValue(1.0);
-  box->setKeyboardTracking(false);
   return box;
 }
 
@@ -290,8 +289,8 @@ QGroupBox* HapticDevicePanel::buildMapping() {
   form->addRow(tr("Held by"), hold_button_);
 
   const auto changed = [this] { changeMapping(); };
-  connect(position_scale_, &QDoubleSpinBox::valueChanged, this, changed);
-  connect(force_scale_, &QDoubleSpinBox::valueChanged, this, changed);
+  connect(position_scale_, &NumberBox::valueChanged, this, changed);
+  connect(force_scale_, &NumberBox::valueChanged, this, changed);
   connect(follow_camera_, &QCheckBox::toggled, this, changed);
   connect(clutch_button_, &QComboBox::activated, this, changed);
   connect(hold_to_run_, &QCheckBox::toggled, this, changed);

@@ -12,7 +12,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QGroupBox;
 class QLabel;
 class QLineEdit;
@@ -21,6 +20,8 @@ class QTimer;
 class QTreeWidget;
 
 namespace ui {
+
+class NumberBox;
 
 /// A haptic device, as the list shows it.
 struct DeviceLine {
@@ -123,9 +124,9 @@ class HapticDevicePanel : public QWidget {
   QLabel* state_;
   QLabel* reason_;
   QLabel* share_;
-  QDoubleSpinBox* position_scale_;
+  NumberBox* position_scale_;
   QLabel* position_words_;
-  QDoubleSpinBox* force_scale_;
+  NumberBox* force_scale_;
   QCheckBox* follow_camera_;
   QComboBox* clutch_button_;
   QCheckBox* hold_to_run_;

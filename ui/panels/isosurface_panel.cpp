@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/isosurface_panel.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -9,6 +8,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/number_box.h"
 
 namespace ui {
 namespace {
@@ -40,14 +41,13 @@ double allowedIsovalue(const haptics::Volume& volume, double isovalue) {
 IsosurfacePanel::IsosurfacePanel(QWidget* parent)
     : QWidget(parent),
       slider_(new HistogramSlider),
-      typed_(new QDoubleSpinBox),
+      typed_(new NumberBox),
       presets_(new QWidget),
       range_(new QLabel) {
   slider_->setObjectName("isovalueSlider");
   slider_->setAccessibleName(tr("Isovalue"));
   typed_->setObjectName("isovalueTyped");
   typed_->setAccessibleName(tr("Isovalue, typed"));
-  typed_->setKeyboardTracking(false);
   presets_->setObjectName("presets");
 
   auto* row = new QHBoxLayout;
@@ -74,7 +74,7 @@ IsosurfacePanel::IsosurfacePanel(QWidget* parent)
 
   connect(slider_, &QAbstractSlider::valueChanged, this,
           [this](int step) { choose(slider_->intensityAt(step)); });
-  connect(typed_, &QDoubleSpinBox::valueChanged, this, &IsosurfacePanel::choose);
+  connect(typed_, &NumberBox::valueChanged, this, &IsosurfacePanel::choose);
 }
 
 void IsosurfacePanel::show(const Picture& picture, double isovalue) {

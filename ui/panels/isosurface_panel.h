@@ -5,10 +5,11 @@
 
 #include "ui/panels/histogram_slider.h"
 
-class QDoubleSpinBox;
 class QLabel;
 
 namespace ui {
+
+class NumberBox;
 
 /// The nearest isovalue that a volume can have: above its least intensity, not above its greatest,
 /// and with no more decimals than the panel shows. Any thread.
@@ -37,7 +38,7 @@ class IsosurfacePanel : public QWidget {
   void showValue(double isovalue);
 
   HistogramSlider* slider_;
-  QDoubleSpinBox* typed_;
+  NumberBox* typed_;
   QWidget* presets_;
   QLabel* range_;
   std::shared_ptr<const haptics::Volume> volume_;

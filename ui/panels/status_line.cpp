@@ -1,10 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/status_line.h"
 
+#include <cmath>
+
 #include "ui/panels/force_words.h"
 
 namespace ui {
 namespace {
+
+constexpr int kLoopMs = 5'000;  // between two changes of the servo loop's figures
+
+// a hundredth of the rate, a quarter of a tick, a tenth more ticks that came late or never
+bool isNews(const haptics::Snapshot& now, const haptics::Snapshot& shown) {
+  const auto differs = [](std::uint64_t count, std::uint64_t before) {
+    return count < before || count > before + before / 10;
+  };
+  return std::abs(now.servo_rate - shown.servo_rate) > 0.01 * shown.servo_rate ||
+         std::abs(now.tick_p99 - shown.tick_p99) > 0.25 * shown.tick_p99 ||
+         differs(now.late_ticks, shown.late_ticks) || differs(now.missed_ticks, shown.missed_ticks);
+}
 
 QString wordsFor(haptics::SchedulingPolicy policy) {
   switch (policy) {
@@ -28,21 +42,32 @@ StatusLine::StatusLine(QWidget* parent) : QLabel(parent) {
 void StatusLine::display(const haptics::Snapshot& snapshot) {
   // no loop runs: what is shown is of another time
   if (snapshot.policy == haptics::SchedulingPolicy::NotStarted) {
-    servo_ = tr("Replay: %1 contacts · %2 N")
+    touch_ = tr("Replay: %1 contacts · %2 N")
                  .arg(snapshot.contacts)
                  .arg(snapshot.felt_W.force.norm(), 0, 'f', 2);
+    loop_.clear();
     return compose();
   }
-  servo_ = tr("Force %1, %2 N · %3 contacts · servo %4 Hz (%5), tick p99 %6 µs, late %7, missed %8")
+  touch_ = tr("Force %1, %2 N · %3 contacts")
                .arg(nameOf(snapshot.force_state).toLower())
                .arg(snapshot.felt_W.force.norm(), 0, 'f', 2)
-               .arg(snapshot.contacts)
-               .arg(snapshot.servo_rate, 0, 'f', 0)
-               .arg(wordsFor(snapshot.policy))
-               .arg(snapshot.tick_p99 * 1e6, 0, 'f', 0)
-               .arg(snapshot.late_ticks)
-               .arg(snapshot.missed_ticks);
+               .arg(snapshot.contacts);
+  displayLoop(snapshot);
   compose();
+}
+
+void StatusLine::displayLoop(const haptics::Snapshot& snapshot) {
+  if (!loop_.isEmpty() && snapshot.policy == loop_shown_.policy &&
+      (since_loop_.elapsed() < kLoopMs || !isNews(snapshot, loop_shown_)))
+    return;
+  loop_shown_ = snapshot;
+  since_loop_.start();
+  loop_ = tr("servo %1 Hz (%2), tick p99 %3 µs, late %4, missed %5")
+              .arg(snapshot.servo_rate, 0, 'f', 0)
+              .arg(wordsFor(snapshot.policy))
+              .arg(snapshot.tick_p99 * 1e6, 0, 'f', 0)
+              .arg(snapshot.late_ticks)
+              .arg(snapshot.missed_ticks);
 }
 
 void StatusLine::setHand(const QString& hand) {
@@ -58,10 +83,12 @@ void StatusLine::setSurface(const SurfaceChoice& choice) {
 
 void StatusLine::compose() {
   QStringList parts;
-  for (const QString& part : {servo_, hand_, surface_})
+  for (const QString& part : {touch_, loop_, hand_, surface_})
     if (!part.isEmpty()) parts << part;
-  setText(parts.join(" · "));
-  setToolTip(text());
+  const QString line = parts.join(" · ");
+  if (line == text()) return;
+  setText(line);
+  setToolTip(line);
 }
 
 }  // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QElapsedTimer>
 #include <QLabel>
 
 #include "haptics/snapshot.h"
@@ -8,7 +9,8 @@
 
 namespace ui {
 
-/// The one line that says how the touch and the picture are doing.
+/// The one line that says how the touch and the picture are doing. What the servo loop's figures
+/// jitter by is no news: they change where they differ noticeably, every five seconds at most.
 class StatusLine : public QLabel {
   Q_OBJECT
  public:
@@ -19,7 +21,10 @@ class StatusLine : public QLabel {
 
  private:
   void compose();
-  QString servo_, hand_, surface_;
+  void displayLoop(const haptics::Snapshot& snapshot);
+  QString touch_, loop_, hand_, surface_;
+  haptics::Snapshot loop_shown_;
+  QElapsedTimer since_loop_;
 };
 
 }  // namespace ui

@@ -51,6 +51,67 @@ TEST(DicomReader, ACopyOfASliceIsLeftOutAndSaid) {
   EXPECT_EQ(reasonFor(workshop.folder()), "");
 }
 
+TEST(DicomReader, OfASeriesThatLacksSlicesTheLargestPartIsReadIfTheUserAgrees) {
+  Workshop workshop;
+  writeSlices(workshop, {10, 11, 12, 14, 15, 16, 17.004, 20, 21});
+  EXPECT_EQ(reasonFor(workshop.folder()), "missing-slices");
+  const auto said = survey(workshop.folder());
+  ASSERT_TRUE(said);
+  const SeriesVerdict& series = said->series.at(0);
+  EXPECT_EQ(series.verdict, Verdict::Refused);
+  ASSERT_TRUE(series.unbroken_part);
+  EXPECT_EQ(series.unbroken_part->slices, 4);
+  EXPECT_EQ(series.unbroken_part->of, 9);
+  EXPECT_NEAR(series.unbroken_part->from_mm, 14.0, 1e-9);
+  EXPECT_NEAR(series.unbroken_part->to_mm, 17.004, 1e-9);
+  EXPECT_NE(series.message.find("4 of the 9 slices that are there, from 14.0 to 17.0 mm"),
+            std::string::npos)
+      << series.message;
+  // never without being told to
+  EXPECT_FALSE(readVolume(series));
+  const auto v = readVolume(series, {.largest_part = true});
+  ASSERT_TRUE(v) << v.error().what;
+  EXPECT_EQ(v->slices_left_out, 5);
+  EXPECT_EQ(v->grid.dims[2], 4);
+  // its own positions, and nothing made up
+  EXPECT_NEAR(1e3 * v->grid.origin.z(), 14.0, 1e-9);
+  EXPECT_NEAR(1e3 * v->grid.spacing.z(), 3.004 / 3.0, 1e-9);
+  EXPECT_FALSE(v->resampled);
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(voxelAt(*v, 0, 0, k), 3 + k);
+  const auto by_path = readVolume(workshop.folder(), {.largest_part = true});
+  ASSERT_TRUE(by_path) << by_path.error().what;
+  EXPECT_EQ(by_path->grid.dims[2], 4);
+}
+
+TEST(DicomReader, OfASoundSeriesTheLargestPartIsAllOfIt) {
+  Workshop workshop;
+  writeSlices(workshop, {0, 1, 2});
+  const auto said = survey(workshop.folder());
+  ASSERT_TRUE(said);
+  EXPECT_FALSE(said->series.at(0).unbroken_part);
+  const auto v = readVolume(workshop.folder(), {.largest_part = true});
+  ASSERT_TRUE(v) << v.error().what;
+  EXPECT_EQ(v->grid.dims[2], 3);
+  EXPECT_EQ(v->slices_left_out, 0);
+}
+
+TEST(DicomReader, OfATiltedSeriesThatLacksSlicesNoPartIsOffered) {
+  Workshop workshop;
+  int number = 0;
+  for (const double h : {0, 1, 2, 4, 5, 6}) {
+    DicomSlice slice;
+    slice.instance += "." + std::to_string(++number);
+    slice.position_mm = {0, 0.2 * h, h};
+    slice.pixels = {0};
+    workshop.write(std::to_string(number), bytesOf(slice));
+  }
+  const auto said = survey(workshop.folder());
+  ASSERT_TRUE(said);
+  EXPECT_EQ(said->series.at(0).reasons, std::vector<std::string>{"missing-slices"});
+  EXPECT_FALSE(said->series.at(0).unbroken_part);
+  EXPECT_EQ(reasonFor(workshop.folder()), "missing-slices");
+}
+
 TEST(DicomReader, TwoImagesAtOnePlaceAreNoStack) {
   Workshop workshop;
   writeSlices(workshop, {0, 1, 1});

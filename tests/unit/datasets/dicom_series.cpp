@@ -77,6 +77,16 @@ TEST(DicomSeries, ColumnsGoAlongRowsAndRowsDownColumns) {
   EXPECT_EQ(grid->dims[1], 9);
 }
 
+TEST(DicomSeries, TheLongestRunLiesBetweenTwoGaps) {
+  using Indices = std::vector<std::size_t>;
+  EXPECT_EQ(longestRun(stack({0, 1, 2, 4, 5, 6, 7, 9, 10})), (Indices{3, 4, 5, 6}));
+  EXPECT_EQ(longestRun(stack({7, 0, 5, 1, 6, 4, 2, 9, 10})), (Indices{5, 2, 4, 0}));  // shuffled
+  EXPECT_EQ(longestRun(stack({0, 1, 2, 4, 5, 6})), (Indices{0, 1, 2}));  // of two the lowest
+  // every second slice missing is a gap too, however evenly
+  EXPECT_EQ(longestRun(stack({0, 1, 2, 3, 5, 7, 9, 10, 11})), (Indices{0, 1, 2, 3}));
+  EXPECT_EQ(longestRun({}), Indices{});
+}
+
 TEST(DicomSeries, RefusesByName) {
   EXPECT_EQ(reasonForStack(stack({0, 1, 2, 4, 5, 6})), "missing-slices");
   EXPECT_EQ(reasonForStack(stack({0, 1, 2, 5, 6, 7})), "missing-slices");

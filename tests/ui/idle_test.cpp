@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is painted, and what it costs, while nothing moves and while the hand does. Any paint makes
+// Qt compose the whole window anew, 3-D view and all.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QEventLoop>
+#include <QMap>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <cstdio>
+#include <ctime>
+
+#include "app/application.h"
+#include "ui/panels/recording_panel.h"
+#include "ui/panels/replay_bar.h"
+#include "ui/volume_view.h"
+#include "window_support.h"
+
+namespace {
+
+using window::waitFor;
+
+/// Counts paints by the widget's name, or its class where it has none.
+class Paints : public QObject {
+ public:
+  Paints() { qApp->installEventFilter(this); }
+  bool eventFilter(QObject* target, QEvent* event) override {
+    if (event->type() == QEvent::Paint) {
+      const QString name = target->objectName();
+      ++counts_[name.isEmpty() ? QString(target->metaObject()->className()) : name];
+    }
+    return false;
+  }
+  int all() const {
+    int sum = 0;
+    for (const int count : counts_) sum += count;
+    return sum;
+  }
+  int of(const char* name) const { return counts_.value(name); }
+  std::string words() const {
+    QStringList words;
+    for (auto it = counts_.begin(); it != counts_.end(); ++it)
+      words << QString("%1 %2").arg(it.key()).arg(it.value());
+    return words.join(", ").toStdString();
+  }
+
+ private:
+  QMap<QString, int> counts_;
+};
+
+struct Cost {
+  int paints = 0;
+  double cpu = 0.0;  ///< of a core, all threads
+  int plot = 0, status = 0, view = 0;
+  std::string words;
+};
+
+double cpuSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+Cost costOf(double seconds, const char* what) {
+  QEventLoop loop;
+  QTimer::singleShot(int(seconds * 1e3), &loop, &QEventLoop::quit);
+  const Paints paints;
+  const double before = cpuSeconds();
+  loop.exec();
+  const Cost cost{.paints = paints.all(),
+                  .cpu = (cpuSeconds() - before) / seconds,
+                  .plot = paints.of("forcePlot"),
+                  .status = paints.of("statusLine"),
+                  .view = paints.of("view"),
+                  .words = paints.words()};
+  std::printf("%s: %.1f %% of a core, %.1f paints a second (%s)\n", what, 100.0 * cost.cpu,
+              cost.paints / seconds, cost.words.c_str());
+  return cost;
+}
+
+app::Arguments touching(const QTemporaryDir& recordings, const char* hand) {
+  app::Arguments arguments;
+  arguments.load.phantom = "sphere";
+  arguments.load.tool = app::ToolSource{.name = "sphere"};
+  arguments.hand = hand;
+  arguments.surface = ui::SurfaceMode::Mesh;
+  arguments.screenshot = "unused";  // neither notice nor preferences of the user
+  arguments.screenshot_after = 3'600.0;
+  arguments.notice = false;
+  arguments.recordings = recordings.path().toStdString();
+  return arguments;
+}
+
+// a busy machine has news of its servo loop now and then, and what lies under the status line is
+// painted with it: five paints
+constexpr int kHandful = 12;
+constexpr double kQuiet = 0.10;  // of a core; it is 2 to 3 %, and was 90
+
+TEST(Idle, NothingIsPaintedWhereNothingMoves) {
+  const QTemporaryDir recordings;
+  app::Application application(touching(recordings, "mouse"));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ui::VolumeView& view = application.window().view();
+  // into the surface, and there the hand rests
+  for (int i = 0; i < 20 && application.snapshot().felt_W.force.norm() < 1.0; ++i) {
+    QWheelEvent wheel({150, 150}, view.mapToGlobal(QPointF{150, 150}), {}, {0, 120}, {}, {},
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&view, &wheel);
+    QTest::qWait(200);
+  }
+  ASSERT_GT(application.snapshot().felt_W.force.norm(), 0.3);
+  QTest::qWait(int(1e3 * ui::ForcePlot::kSeconds) + 2'000);  // until the plot shows rest alone
+  const Cost cost = costOf(10.0, "at rest");
+  EXPECT_LE(cost.paints, kHandful) << cost.words;
+  EXPECT_LT(cost.cpu, kQuiet) << cost.words;
+  for (const char* name : {"performanceDock", "recordingDock", "hapticDeviceDock", "deviceDock"}) {
+    application.window().findChild<QDockWidget*>(name)->raise();
+    QTest::qWait(1'500);
+    const Cost raised = costOf(2.0, name);
+    EXPECT_LE(raised.paints, kHandful) << name << ": " << raised.words;
+  }
+}
+
+TEST(Idle, OfAMovingHandOnlyWhatChangedIsPainted) {
+  const QTemporaryDir recordings;
+  app::Application application(touching(recordings, "slide"));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 60.0));
+  QTest::qWait(1'000);
+  const Cost moving = costOf(4.0, "sliding");
+  EXPECT_GT(moving.view, 4);
+  EXPECT_GT(moving.plot, 4);
+  EXPECT_LE(moving.plot, 4 * 20 + 2) << moving.words;
+  EXPECT_LE(moving.status, 4 * 10 + 2) << moving.words;
+
+  ui::RecordingPanel& panel = application.window().recordingPanel();
+  auto* record = panel.findChild<QPushButton*>("record");
+  application.window().findChild<QDockWidget*>("recordingDock")->raise();
+  QTest::mouseClick(record, Qt::LeftButton);
+  QTest::qWait(1'000);
+  const Cost recording = costOf(2.0, "recording");
+  EXPECT_EQ(recording.plot, 0) << recording.words;  // it is out of sight
+  QTest::mouseClick(record, Qt::LeftButton);
+  auto* list = panel.findChild<QTableWidget*>("recordings");
+  ASSERT_TRUE(waitFor(
+      [&] {
+        return list->rowCount() == 1 &&
+               std::filesystem::exists(recordings.filePath("session-0001.palpate").toStdString());
+      },
+      20.0));
+  QTest::qWait(500);
+  list->selectRow(0);
+  QTest::mouseClick(panel.findChild<QPushButton*>("openRecording"), Qt::LeftButton);
+  ASSERT_NE(application.replay(), nullptr);
+  QTest::qWait(2'000);
+  const Cost paused = costOf(2.0, "replay, paused");
+  EXPECT_LE(paused.paints, 2) << paused.words;
+}
+
+}  // namespace
