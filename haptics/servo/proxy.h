@@ -97,6 +97,7 @@ struct Proxy {
   /// no faster than tick() lets it.
   bool held = false;
   Twist behind;  ///< while held: the motion to the device after the last tick in which it followed
+  int ticks_behind = 0;  ///< since then
 
   /// Keeps where it is and how it is turned, and nothing else: as if it were made there.
   void forget() HAPTICS_RT {
@@ -108,6 +109,7 @@ struct Proxy {
     recovery = {};
     isovalue = std::numeric_limits<double>::quiet_NaN();
     held = false;
+    ticks_behind = 0;
   }
 };
 

@@ -41,7 +41,7 @@ class Tick {
                                                                  at_{proxy.search},
                                                                  budget_{budget},
                                                                  radius_{scene.tool.shell.radius} {
-    if (proxy.held) follow(releaseSpeed(coupling.stiffness) * period);
+    if (proxy.held) follow(releaseSpeed(coupling.stiffness) * period * (1 + proxy.ticks_behind));
   }
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
@@ -74,7 +74,7 @@ class Tick {
       if (!through) {
         // the search goes on in the next tick
         result.cut = true;
-        result.followed = false;
+        result.followed = moved_;
         return;
       }
     }
@@ -203,7 +203,7 @@ class Tick {
     const bool tried = tries_ >= mostTries();
     if (tried || most * length <= least) {
       at_.stage = Search::Stage::Done;
-      result.followed = !tried || inOneStep(free);
+      result.followed = !tried || inOneStep(free) || gone_ < lengths().step_free;
       return true;
     }
     if (!budget_.left()) return false;
@@ -297,6 +297,7 @@ class Tick {
     at_.halvings = 0;
     at_.X = at_.whole && advance == 1.0 ? at_.X_goal : moved(at_.X, at_.motion, advance);
     travel(advance);
+    gone_ += advance * at_.length;
     at_.fresh = true;
   }
 
@@ -359,6 +360,7 @@ class Tick {
       proxy_.acceptance.start(distance, step);
     else if (!proxy_.acceptance.take(distance, step, 0.002 * lengths().epsilon))
       return;
+    moved_ = moved_ || !at_.atTaken();
     proxy_.X_WP = at_.X;
     proxy_.turn = turn;
     at_.way = at_.turned = 0.0;
@@ -387,7 +389,9 @@ class Tick {
   Budget& budget_;
   MotionRows rows_;
   double radius_;
-  int tries_ = 0;  // motions that a contact shaped or stopped
+  int tries_ = 0;       // motions that a contact shaped or stopped
+  bool moved_ = false;  // the proxy, in this tick
+  double gone_ = 0.0;   // m: the farthest point, in it
 
   // of a proxy that was held, whitened: the way to the device before it moved, what of that is left
   // in this tick even where nothing is in the way, and how much of it may change
@@ -433,7 +437,12 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
     result.followed = true;
   }
   proxy.turn = unwrappedTurn(proxy.X_WP, X_WD, proxy.turn);
-  if (result.followed) proxy.behind = {X_WD.translation() - proxy.X_WP.translation(), proxy.turn};
+  if (result.followed) {
+    proxy.behind = {X_WD.translation() - proxy.X_WP.translation(), proxy.turn};
+    proxy.ticks_behind = 0;
+  } else {
+    ++proxy.ticks_behind;
+  }
   const Mat3 R = proxy.X_WP.linear();
   result.wrench_W =
       coupling.pull(proxy.X_WP, X_WD, -proxy.turn, R * scene.metric.inertia() * R.transpose());
