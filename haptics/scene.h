@@ -25,7 +25,9 @@ namespace haptics {
 struct Fineness {
   /// Voxels, above 0 and below 1: how near counts as contact; what a contact keeps is half of it.
   double epsilon = 0.05;
-  int sub_steps = 8;  ///< at least 1: moves, and blocked tries, in one tick
+  /// At least 1: motions in one tick that contacts shape or stop; three times as many where the
+  /// proxy was held and stops short.
+  int sub_steps = 8;
 };
 
 /// What the user may choose of a scene beside volume and tool.

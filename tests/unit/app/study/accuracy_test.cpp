@@ -267,13 +267,13 @@ TEST(Fineness, OtherValuesAreFelt) {
     gaps.push_back(gap / voxel);
   }
   EXPECT_NEAR(gaps[1] - gaps[0], 0.5 * (0.2 - 0.0125), 0.03);
-  // one sub-step in a tick, where there were more
+  // one sub-step that contacts shape in a tick, and one through free space, where there were more
   std::int64_t one = 0, eight = 0;
   for (const auto& tick : pressed(*others.methods[2])) one = std::max(one, tick.counts.sub_steps);
   for (const auto& tick : pressed(*others.methods[3]))
     eight = std::max(eight, tick.counts.sub_steps);
-  EXPECT_EQ(one, 1);
-  EXPECT_GT(eight, 1);
+  EXPECT_LE(one, 2);
+  EXPECT_GT(eight, one);
 }
 
 TEST(Counts, OfOnePointAreExact) {
