@@ -181,8 +181,10 @@ Outcome run(const RunOptions& options) {
   if (!scene) return refused(scene.error());
 
   haptics::ClosedLoop loop{*scene,
-                           options.isovalue,
-                           {options.stiffness, options.angular_stiffness, options.friction},
+                           {.isovalue = options.isovalue,
+                            .stiffness = options.stiffness,
+                            .angular_stiffness = options.angular_stiffness,
+                            .friction = options.friction},
                            limits,
                            {},
                            !motions().contains(options.hand),

@@ -32,7 +32,7 @@ TEST(Outside, NoHandEverBringsAPointOfTheToolInside) {
       ASSERT_TRUE(hand);
       ClosedLoop loop;
       loop.scene = scene;
-      loop.isovalue = isovalue;
+      loop.settings.isovalue = isovalue;
       loop.grip.gyration = std::sqrt(scene->tool.shell.inertia.trace() / 3.0);
       int contact = 0, illegal = 0, ticks = 0;
       bool finite = true;
@@ -66,7 +66,7 @@ TEST(Outside, TwoRunsAreTheSameToTheBit) {
   for (auto& trace : rows) {
     ClosedLoop loop;
     loop.scene = stage.scene;
-    loop.isovalue = stage.isovalue;
+    loop.settings.isovalue = stage.isovalue;
     ASSERT_TRUE(loop.run(*hand, 1500, [&](const TraceRow& row) {
       trace.push_back(row);
       return true;

@@ -176,8 +176,8 @@ haptics::ClosedLoop loopOf(const Wall& wall, std::shared_ptr<const haptics::Scen
                            double isovalue, double stiffness) {
   const DeviceModel& device = wall.device;
   haptics::ClosedLoop loop;
-  loop.isovalue = isovalue;
-  loop.coupling.stiffness = stiffness;
+  loop.settings.isovalue = isovalue;
+  loop.settings.stiffness = stiffness;
   loop.limits = {device.rating.force, device.rating.torque, 0.0, 0.02};
   loop.grip = device.heldBy(wall.hand, std::sqrt(scene->tool.shell.inertia.trace() / 3.0));
   loop.linkage = device.linkage;
