@@ -221,10 +221,11 @@ Outcome run(const RunOptions& options) {
   if (!hand) return refused(hand.error());
   const std::optional<double> allowed = allowedIn(loop, rating);
   if (allowed && options.stiffness > *allowed)
-    std::fprintf(stderr,
-                 "The stiffness of %s is more than the %s that are allowed here: the loop may shake, "
-                 "or diverge.\n",
-                 shown(options.stiffness).c_str(), shown(*allowed).c_str());
+    std::fprintf(
+        stderr,
+        "The stiffness of %s is more than the %s that are allowed here: the loop may shake, "
+        "or diverge.\n",
+        shown(options.stiffness).c_str(), shown(*allowed).c_str());
 
   std::unique_ptr<TraceWriter> trace;
   if (!options.trace.empty()) {

@@ -10,7 +10,7 @@ namespace haptics {
 namespace {
 
 constexpr double kShare = 0.5;    // of the limit of a sampled spring
-constexpr double kTurned = 20.0;  // N: stiffness times arm, at which a turn of 3 degrees gives 1 mJ
+constexpr double kTurned = 0.9;  // N·m/rad, about the pivot: more gives over 0.8 mJ a turn
 
 double shareOfLimit(double damping, const Timing& timing) {
   return kShare * 2.0 * damping / (timing.period * (1.0 + 2.0 * timing.delay));
@@ -27,7 +27,7 @@ double allowedStiffness(const DeviceRating& rating, const Mat3& inertia, const T
   if (rating.torque > 0.0)
     allowed *= roundness(inertia);
   else if (arm > 0.0)
-    allowed = std::min(allowed, kTurned / arm);
+    allowed = std::min(allowed, kTurned / (arm * arm));
   return std::min(rating.stiffness, allowed);
 }
 

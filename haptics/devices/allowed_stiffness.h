@@ -15,8 +15,7 @@ struct Timing {
 
 /// The stiffest spring [N/m, at the hand] that a device may render: its rating, and half of what a
 /// sampled spring may be, 2 b / (T (1 + 2 delay)), b being the damping of device and hand as
-/// simulation/device_model.h has them. Up to there presses give the hand no energy
-/// (app/study/stability).
+/// simulation/device_model.h has them. What presses come to there: app/study/stability.
 ///
 /// With torque motors the angular spring, which is the stiffness times the tool's `inertia` [m²],
 /// has the same limit, and across a long tool it is stiffer than in the mean. Without them an

@@ -171,8 +171,8 @@ TEST(AllowedStiffness, FallsWithALongToolWhereThereAreTorqueMotorsAndWithTheArmW
   EXPECT_DOUBLE_EQ(haptics::allowedStiffness(lambda, round, {}, 0.2), 5000.0);
   const double short_arm = haptics::allowedStiffness(omega, round, {}, 0.1),
                long_arm = haptics::allowedStiffness(omega, round, {}, 0.2);
-  EXPECT_LT(short_arm, 1000.0);
-  EXPECT_DOUBLE_EQ(long_arm, 0.5 * short_arm);
+  EXPECT_LT(short_arm, 100.0);
+  EXPECT_DOUBLE_EQ(long_arm, 0.25 * short_arm);
   // the grip of the simulated hands: 8 N·s/m, and never a force that comes late
   EXPECT_DOUBLE_EQ(haptics::allowedStiffness(Grip{}, round, 1e-3), 8000.0);
   EXPECT_DOUBLE_EQ(haptics::allowedStiffness(Grip{}, rod, 1e-3), 5600.0);
