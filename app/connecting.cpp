@@ -54,6 +54,8 @@ void Application::connectDevices() {
     scaleAsMapped();
     session_.set(settings_);
   });
+  connect(&panel, &ui::HapticDevicePanel::stiffnessLifted, this,
+          [this](bool lifted) { session_.liftStiffness(lifted); });
   connect(&watch_, &DeviceWatch::surveyed, this, [this](const QList<ui::DeviceLine>& devices) {
     devices_ = devices;
     window_.hapticDevicePanel().show(devices);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "haptics/core/clock.h"
+#include "haptics/devices/allowed_stiffness.h"
 #include "haptics/devices/simulated.h"
 #include "haptics/servo/servo_loop.h"
 
@@ -40,18 +41,33 @@ Settings withinRange(Settings settings, const Settings& before) {
 }
 
 /// N/m and N·m/rad that do not pass what the device may render stably: K at the hand is K at the
-/// volume times both scales, and no more than rated.
-Settings underRating(Settings settings, const DeviceRating& rating, const Scene* scene) {
+/// volume times both scales, and no more than allowed, or where that is `lifted`, than rated.
+Settings underRating(Settings settings, const DeviceRating& rating, const Scene* scene,
+                     bool lifted) {
   settings.stiffness *= settings.force_scale;
   settings.angular_stiffness *= settings.force_scale;
-  if (rating.stiffness > 0.0)
-    settings.stiffness = std::min(settings.stiffness, rating.stiffness / settings.position_scale);
+  if (rating.stiffness > 0.0) {
+    const Mat3 inertia = scene == nullptr ? Mat3::Identity() : scene->tool.shell.inertia;
+    const double most = lifted
+                            ? rating.stiffness
+                            : allowedStiffness(rating, inertia, {ServoLoop::kPeriod, rating.delay});
+    settings.stiffness = std::min(settings.stiffness, most / settings.position_scale);
+  }
   if (rating.torque > 0.0 && rating.angular_stiffness > 0.0) {
     double angular = settings.angular_stiffness;
     if (angular == 0.0 && scene != nullptr)
       angular = settings.stiffness * largestInertia(scene->tool.shell.inertia);
     if (angular > rating.angular_stiffness) settings.angular_stiffness = rating.angular_stiffness;
   }
+  return settings;
+}
+
+/// What the grip of the mouse and of the simulated hands carries.
+Settings underGrip(Settings settings, const Scene* scene) {
+  if (scene != nullptr)
+    settings.stiffness =
+        std::min(settings.stiffness,
+                 allowedStiffness(Grip{}, scene->tool.shell.inertia, ServoLoop::kPeriod));
   return settings;
 }
 
@@ -102,6 +118,7 @@ class Session::Loop {
   Pose X_start = Pose::Identity();
   Settings settings;
   std::optional<DeviceRating> rating;  ///< of the real device that is open
+  bool lifted = false;                 ///< it may have all that it is rated for
   Warmth warmth;                       ///< of the one before
   Handling handling;
 
@@ -121,12 +138,13 @@ Session::~Session() = default;
 
 Expected<void> Session::open(HandKind hand) {
   if (!loop_->scene) return tl::unexpected(nothingToTouch());
+  const Settings settings = underGrip(loop_->settings, loop_->scene.get());
   Grip grip;
   grip.gyration = std::sqrt(loop_->scene->tool.shell.inertia.trace() / 3.0);
   Pose X_start = loop_->X_start;
   std::optional<Hand> path;
   if (hand != HandKind::Mouse) {
-    const double reach = Hand::reachFor(kDepth, loop_->settings.stiffness, grip.stiffness);
+    const double reach = Hand::reachFor(kDepth, settings.stiffness, grip.stiffness);
     auto aimed = Hand::aimed(motionOf(hand), *loop_->scene, loop_->settings.isovalue, reach, kSeed);
     if (!aimed) return tl::unexpected(aimed.error());
     X_start = aimed->at(0.0);
@@ -146,8 +164,7 @@ Expected<void> Session::open(HandKind hand) {
     loop_->mouse.publish(X_start);
     device = openMouse(loop_->mouse, grip, ServoLoop::kPeriod);
   }
-  loop_->begin(std::make_unique<ServoLoop>(std::move(device), loop_->settings, loop_->armed),
-               *legal);
+  loop_->begin(std::make_unique<ServoLoop>(std::move(device), settings, loop_->armed), *legal);
   return {};
 }
 
@@ -172,6 +189,7 @@ void Session::close() {
   }
   loop_->servo.reset();
   loop_->rating.reset();
+  loop_->lifted = false;
   loop_->leaving.clear();
 }
 bool Session::isOpen() const { return loop_->servo != nullptr; }
@@ -197,8 +215,14 @@ void Session::set(const Settings& settings) {
 }
 
 Settings Session::inForce() const {
-  if (!loop_->rating) return loop_->settings;
-  return underRating(loop_->settings, *loop_->rating, loop_->scene.get());
+  const Scene* scene = loop_->scene.get();
+  if (loop_->rating) return underRating(loop_->settings, *loop_->rating, scene, loop_->lifted);
+  return underGrip(loop_->settings, scene);
+}
+
+void Session::liftStiffness(bool lifted) {
+  loop_->lifted = lifted && loop_->rating;
+  if (loop_->servo) loop_->servo->settings.publish(inForce());
 }
 
 void Session::handle(const Handling& handling) {

@@ -65,10 +65,13 @@ class Session {
   void collectGarbage();
 
   void set(const Settings& settings);
-  /// What they came to under the rating of the real device that is open: stiffness at the hand no
-  /// more than it is rated for, force_scale taken into it. The servo's and the recording's
-  /// settings.
+  /// What they came to under what is allowed to the real device that is open (allowedStiffness),
+  /// and for any other hand to the grip that holds it: stiffness at the hand no more than that,
+  /// force_scale taken into it. The servo's and the recording's settings.
   Settings inForce() const;
+  /// Lets a real device have all that its maker rates it for, though the loop may shake; until it
+  /// is closed, or another is opened.
+  void liftStiffness(bool lifted);
   /// How a real device is held from the next tick on.
   void handle(const Handling& handling);
   /// Where the mouse wants the tool to be, W.

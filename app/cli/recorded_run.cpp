@@ -65,8 +65,7 @@ void RecordedRun::write(const haptics::TraceRow& row) {
   step.X_WD = row.X_WD;
   step.X_WP = row.X_WP;
   step.sent_W = row.sent_W;
-  step.settings = {loop_.isovalue, loop_.coupling.stiffness, loop_.coupling.angular_stiffness,
-                   loop_.coupling.friction};
+  step.settings = loop_.settings;
   step.scene = static_cast<std::uint32_t>(loop_.scene->id);
   step.cut_at = row.cut_at;
   step.cpu_ns = row.cpu_ns;

@@ -12,6 +12,7 @@
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
 #include "app/cli/trace.h"
+#include "haptics/devices/allowed_stiffness.h"
 #include "haptics/devices/ratings.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/closed_loop.h"
@@ -144,6 +145,31 @@ haptics::Expected<haptics::Hand> handFor(const RunOptions& options, const haptic
   return haptics::Hand::aimed(found->second, scene, options.isovalue, reach, options.seed);
 }
 
+/// N/m: what the loop may carry: our grip, and the device whose limits are taken. None where the
+/// hand is the device, which nothing moves.
+std::optional<double> allowedIn(const haptics::ClosedLoop& loop,
+                                const haptics::DeviceRating* rating) {
+  if (loop.hand_is_device) return {};
+  const haptics::Mat3& inertia = loop.scene->tool.shell.inertia;
+  const double gripped = haptics::allowedStiffness(loop.grip, inertia, loop.period);
+  if (rating == nullptr) return gripped;
+  return std::min(gripped,
+                  haptics::allowedStiffness(*rating, inertia, {loop.period, rating->delay}));
+}
+
+std::string shown(double stiffness) {
+  return nlohmann::json(std::llround(stiffness)).dump() + " N/m";
+}
+
+/// What ended a run early: its last tick.
+std::string notFinite(const Tally& tally, double stiffness, std::optional<double> allowed) {
+  return "Tick " + std::to_string(tally.ticks - 1) +
+         " gave a number that is not finite, and the run ended there; " +
+         (allowed && stiffness > *allowed
+              ? shown(stiffness) + " is more than the " + shown(*allowed) + " that are allowed."
+              : "please report it.");
+}
+
 /// A tool's name if it is one of ours; what a file is called is nobody's business.
 std::string nameOf(const ToolChoice& choice) {
   const auto names = resources::namedTools();
@@ -155,8 +181,9 @@ Outcome run(const RunOptions& options) {
   if (options.volume.path.empty() == options.volume.phantom.empty())
     return usage("run needs either --volume or --phantom.");
   haptics::ForceLimits limits;
+  const haptics::DeviceRating* rating = nullptr;
   if (!options.device.empty()) {
-    const haptics::DeviceRating* rating = haptics::findRating(options.device);
+    rating = haptics::findRating(options.device);
     if (rating == nullptr || rating->actuated == 0) {
       std::string names;
       for (const auto& r : haptics::deviceRatings())
@@ -189,8 +216,10 @@ Outcome run(const RunOptions& options) {
   if (!scene) return refused(scene.error());
 
   haptics::ClosedLoop loop{*scene,
-                           options.isovalue,
-                           {options.stiffness, options.angular_stiffness, options.friction},
+                           {.isovalue = options.isovalue,
+                            .stiffness = options.stiffness,
+                            .angular_stiffness = options.angular_stiffness,
+                            .friction = options.friction},
                            limits,
                            {},
                            !motions().contains(options.hand),
@@ -198,6 +227,13 @@ Outcome run(const RunOptions& options) {
   loop.grip.gyration = std::sqrt((*scene)->tool.shell.inertia.trace() / 3.0);
   auto hand = handFor(options, **scene, loop.grip);
   if (!hand) return refused(hand.error());
+  const std::optional<double> allowed = allowedIn(loop, rating);
+  if (allowed && options.stiffness > *allowed)
+    std::fprintf(
+        stderr,
+        "The stiffness of %s is more than the %s that are allowed here: the loop may shake, "
+        "or diverge.\n",
+        shown(options.stiffness).c_str(), shown(*allowed).c_str());
 
   if (interrupted()) return stopped();
   const Closing held;
@@ -221,12 +257,13 @@ Outcome run(const RunOptions& options) {
     if (trace) trace->write(row);
     if (recorded) recorded->write(row);
     stopped = stopped || interrupted();
-    return !stopped;
+    return !stopped && tally.non_finite == 0;
   });
   if (!done) return refused(done.error());
   Outcome outcome;
   outcome.json = tally.report();
   outcome.aside = !options.trace.empty() && isStandardOutput(options.trace);
+  if (allowed) outcome.json["allowed_stiffness_N_m"] = *allowed;
   for (const haptics::Structure& built : (*scene)->structures)
     outcome.json["structures"].push_back(
         {{"name", built.name}, {"bytes", built.bytes}, {"build_ms", built.build_time * 1e3}});
@@ -247,9 +284,8 @@ Outcome run(const RunOptions& options) {
     outcome.error = "Stopped; what was run until then is reported.";
   } else if (tally.non_finite > 0 || tally.penetration_mm > 0.0) {
     outcome.code = Exit::Failed;
-    outcome.error = tally.non_finite > 0
-                        ? "The run produced numbers that are not finite; please report it."
-                        : "The proxy entered the surface; please report it.";
+    outcome.error = tally.non_finite > 0 ? notFinite(tally, options.stiffness, allowed)
+                                         : "The proxy entered the surface; please report it.";
   }
   return outcome;
 }

@@ -46,7 +46,11 @@ ServoResult servoTick(const ServoInput& input, const Scene* scene, Proxy* proxy,
                        {share * input.settings.stiffness, share * input.settings.angular_stiffness,
                         input.settings.friction},
                        input.X_WD, *proxy, budget, period);
-  result.sent_W = safety.pass(result.tick.wrench_W, result.tick.outside, period);
+  const Wrench wanted = input.hook == nullptr
+                            ? result.tick.wrench_W
+                            : input.hook->shaped(result.tick.wrench_W, input.X_WD, period);
+  result.sent_W = safety.pass(wanted, result.tick.outside, period);
+  if (input.hook != nullptr) input.hook->sent(result.sent_W);
   return result;
 }
 

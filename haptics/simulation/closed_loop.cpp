@@ -2,8 +2,38 @@
 #include "haptics/simulation/closed_loop.h"
 
 #include "haptics/coupling/passivity.h"
+#include "haptics/recording/step.h"
+#include "haptics/servo/servo_tick.h"
 
 namespace haptics {
+namespace {
+
+/// Virtual damping, and the passivity controller behind it.
+class Damping final : public WrenchHook {
+ public:
+  Damping(const ClosedLoop& loop, const Pose& X_start)
+      : loop_{loop},
+        X_WD_{X_start},
+        controller_{loop.passivity_damping, loop.grip.gyration, loop.linkage.torque} {}
+
+  Wrench shaped(const Wrench& wanted, const Pose& X_WD, double period) HAPTICS_RT override {
+    const Twist motion = motionBetween(X_WD_, X_WD);
+    X_WD_ = X_WD;
+    Wrench wrench = wanted;
+    if (loop_.damping > 0.0)
+      wrench = damped(wrench, motion, period, loop_.damping, loop_.grip.gyration);
+    if (loop_.passivity_damping > 0.0) wrench = controller_.pass(wrench, motion, period);
+    return wrench;
+  }
+  void sent(const Wrench& sent_W) HAPTICS_RT override { controller_.sent(sent_W); }
+
+ private:
+  const ClosedLoop& loop_;
+  Pose X_WD_;
+  PassivityController controller_;
+};
+
+}  // namespace
 
 Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
                                const std::function<bool(const TraceRow&)>& each) {
@@ -12,7 +42,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   Linkage link = linkage;
   device.X_WD = link.handleAt(hand.at(0.0));
   Pose X_WD = link.read(device.X_WD);
-  const std::optional<Pose> start = legalPoseNear(*scene, isovalue, X_WD);
+  const std::optional<Pose> start = legalPoseNear(*scene, settings.isovalue, X_WD);
   if (!start)
     return tl::unexpected(Error{Error::Kind::Unsupported,
                                 "The tool starts inside the solid and there is no room for it "
@@ -20,12 +50,13 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   if (on_start) on_start(*start);
   Proxy proxy{*scene, *start};
   Safety safety{limits};
-  PassivityController controller{passivity_damping, device.gyration, link.torque};
+  Damping hook{*this, X_WD};
+  const bool hooked = damping > 0.0 || passivity_damping > 0.0;
   PassivityObserver observer;  // at the handle, of what really acts there
   Wrench held;
   for (std::int64_t n = 0; n < ticks; ++n) {
     const double time = double(n) * period;
-    const Pose X_WH_before = device.X_WD, X_WD_before = X_WD;
+    const Pose X_WH_before = device.X_WD;
     // the hand moves the device against the force that was sent last, which is held between ticks
     if (hand_is_device)
       device.X_WD = hand.at(time);
@@ -36,25 +67,14 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
 
     Budget budget = Budget::counted(kTickWork);
     const std::int64_t begun = Budget::threadTime();
-    safety.begin({.armed = true, .ready = true});
-    safety.moved(X_WD, 1.0, period);
-    VirtualCoupling felt = coupling;
-    felt.stiffness *= safety.stiffnessShare();
-    felt.angular_stiffness *= safety.stiffnessShare();
-    const TickResult result = tick(*scene, isovalue, felt, X_WD, proxy, budget, period);
-    Wrench wanted = result.wrench_W;
-    if (damping > 0.0 || passivity_damping > 0.0) {
-      const Twist motion = motionBetween(X_WD_before, X_WD);
-      if (damping > 0.0) wanted = damped(wanted, motion, period, damping, device.gyration);
-      if (passivity_damping > 0.0) wanted = controller.pass(wanted, motion, period);
-    }
-    const Wrench sent = safety.pass(wanted, result.outside, period);
-    controller.sent(sent);
+    const ServoResult result =
+        servoTick({X_WD, settings, StepFlags::kArmed, hooked ? &hook : nullptr}, scene.get(),
+                  &proxy, safety, period, budget);
     const std::int64_t ended = Budget::threadTime();
-    held = link.carry(sent, device.X_WD);
-    if (!each({time, X_WD, proxy.X_WP, sent, result.wrench_W, result.contacts, ended - begun,
-               device.X_WD, observer.energy(), budget.cutAt(), proxy.bearing, safety.state(),
-               safety.stiffnessShare()}))
+    held = link.carry(result.sent_W, device.X_WD);
+    if (!each({time, X_WD, proxy.X_WP, result.sent_W, result.tick.wrench_W, result.tick.contacts,
+               ended - begun, device.X_WD, observer.energy(), budget.cutAt(), proxy.bearing,
+               safety.state(), safety.stiffnessShare()}))
       break;
   }
   return {};

@@ -7,9 +7,9 @@
 
 #include "haptics/core/geometry.h"
 #include "haptics/coupling/safety.h"
-#include "haptics/coupling/virtual_coupling.h"
 #include "haptics/scene.h"
-#include "haptics/servo/tick.h"
+#include "haptics/servo/proxy.h"
+#include "haptics/settings.h"
 #include "haptics/simulation/device_model.h"
 #include "haptics/simulation/grip.h"
 #include "haptics/simulation/hand.h"
@@ -33,12 +33,11 @@ struct TraceRow {
   double stiffness_share = 1.0;              ///< Safety::stiffnessShare; not part of the trace
 };
 
-/// Hand, grip, servo tick and limits in one loop, without threads or clocks: the same rows every
+/// Hand, grip and servoTick in one loop, armed, without threads or clocks: the same rows every
 /// time.
 struct ClosedLoop {
   std::shared_ptr<const Scene> scene;
-  double isovalue = 0.0;
-  VirtualCoupling coupling;
+  Settings settings;
   ForceLimits limits;
   Grip grip;
   /// A recorded device path is the device itself: its poses are read as they are, ungripped.

@@ -124,7 +124,7 @@ Json measureFast(const Touched& touched, const Options& options) {
   if (!recorder) return {{"failed", recorder.error().what}};
   haptics::StepRing& ring = (*recorder)->ring();
   (*recorder)->describe(touched.scene, touched.tool);
-  haptics::ClosedLoop loop{touched.scene, touched.isovalue, {}, {}, {}};
+  haptics::ClosedLoop loop{touched.scene, {.isovalue = touched.isovalue}, {}, {}};
   loop.grip.gyration = std::sqrt(touched.scene->tool.shell.inertia.trace() / 3.0);
   const auto id = static_cast<std::uint32_t>(touched.scene->id);
   loop.on_start = [&](const haptics::Pose& X) {

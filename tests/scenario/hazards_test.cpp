@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/study/made/made.h"
+#include "haptics/devices/allowed_stiffness.h"
 #include "haptics/servo/emergency.h"
 #include "haptics/session.h"
 #include "tests/scenario/fake_device.h"
@@ -453,6 +454,33 @@ TEST(Session, TakesNoSettingBeyondItsRangeAndNoStiffnessBeyondTheRating) {
     EXPECT_GE(settings.position_scale, 0.1);
     EXPECT_LE(settings.position_scale, 10.0);
   }
+}
+
+TEST(Session, LetsNobodySetWhatShakesUnlessItIsLiftedAndForOneConnection) {
+  const Stage stage = stageOf("sphere", ballTool(50, 3e-3));
+  haptics::Session session;
+  const Settings stiff{.isovalue = stage.isovalue, .stiffness = 20'000.0};
+  session.set(stiff);
+  session.adopt(stage.scene, at(0, 0, 0.03));
+  const haptics::DeviceRating falcon = *haptics::findRating("falcon");
+  const double allowed =
+      haptics::allowedStiffness(falcon, stage.scene->tool.shell.inertia, {1e-3, falcon.delay});
+  ASSERT_LT(allowed, 0.9 * falcon.stiffness);
+  for (int connection = 0; connection < 2; ++connection) {
+    auto device = std::make_unique<FakeDevice>(at(0, 0, 0));
+    device->rated = falcon;
+    ASSERT_TRUE(session.open(std::move(device)));
+    EXPECT_EQ(session.inForce().stiffness, allowed);
+    session.liftStiffness(true);
+    EXPECT_EQ(session.inForce().stiffness, falcon.stiffness);
+  }
+  session.liftStiffness(false);
+  EXPECT_EQ(session.inForce().stiffness, allowed);
+  // nor what the grip of the mouse does not carry, which nothing lifts
+  ASSERT_TRUE(session.open(haptics::HandKind::Mouse));
+  session.liftStiffness(true);
+  EXPECT_LE(session.inForce().stiffness, 8000.0);
+  EXPECT_GT(session.inForce().stiffness, 7000.0);
 }
 
 /// A real device whose hand goes down into the ball and stays there.

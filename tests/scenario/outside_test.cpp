@@ -3,6 +3,8 @@
 
 #include <iostream>
 
+#include "haptics/recording/step.h"
+#include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/closed_loop.h"
 #include "tests/scenario/trial.h"
 #include "tests/support/millimetre.h"
@@ -32,7 +34,7 @@ TEST(Outside, NoHandEverBringsAPointOfTheToolInside) {
       ASSERT_TRUE(hand);
       ClosedLoop loop;
       loop.scene = scene;
-      loop.isovalue = isovalue;
+      loop.settings.isovalue = isovalue;
       loop.grip.gyration = std::sqrt(scene->tool.shell.inertia.trace() / 3.0);
       int contact = 0, illegal = 0, ticks = 0;
       bool finite = true;
@@ -66,7 +68,7 @@ TEST(Outside, TwoRunsAreTheSameToTheBit) {
   for (auto& trace : rows) {
     ClosedLoop loop;
     loop.scene = stage.scene;
-    loop.isovalue = stage.isovalue;
+    loop.settings.isovalue = stage.isovalue;
     ASSERT_TRUE(loop.run(*hand, 1500, [&](const TraceRow& row) {
       trace.push_back(row);
       return true;
@@ -77,6 +79,39 @@ TEST(Outside, TwoRunsAreTheSameToTheBit) {
     ASSERT_TRUE((rows[0][n].X_WP.matrix().array() == rows[1][n].X_WP.matrix().array()).all());
     ASSERT_EQ(rows[0][n].sent_W.torque, rows[1][n].sent_W.torque);
   }
+}
+
+// what a study says is of the code that drives a motor: the loop's own device poses, given to
+// servoTick, come to the same, with all of a device's limits, a ramp and a guard
+TEST(ClosedLoop, IsServoTickToTheBit) {
+  const Stage stage = stageOf("gyroid", namedTool("probe"));
+  ClosedLoop loop;
+  loop.scene = stage.scene;
+  loop.settings = {.isovalue = stage.isovalue, .stiffness = 30'000.0, .friction = 0.3};
+  loop.limits = haptics::limitsOf(*haptics::findRating("sigma.7"));
+  loop.grip.gyration = std::sqrt(stage.scene->tool.shell.inertia.trace() / 3.0);
+  const double reach = Hand::reachFor(2e-4, 30'000.0, loop.grip.stiffness);
+  const auto hand = Hand::aimed(HandMotion::Tap, *stage.scene, stage.isovalue, reach, 5);
+  ASSERT_TRUE(hand);
+  haptics::Safety safety{loop.limits};
+  std::optional<haptics::Proxy> proxy;
+  loop.on_start = [&](const Pose& X_WP) { proxy.emplace(*stage.scene, X_WP); };
+  int felt = 0, differ = 0;
+  double share = 1.0;
+  ASSERT_TRUE(loop.run(*hand, 3000, [&](const TraceRow& row) {
+    haptics::Budget budget = haptics::Budget::counted(haptics::kTickWork);
+    const haptics::ServoResult live =
+        haptics::servoTick({row.X_WD, loop.settings, haptics::StepFlags::kArmed}, stage.scene.get(),
+                           &*proxy, safety, loop.period, budget);
+    differ += live.sent_W.force != row.sent_W.force || live.sent_W.torque != row.sent_W.torque ||
+              (proxy->X_WP.matrix().array() != row.X_WP.matrix().array()).any();
+    felt += !row.sent_W.force.isZero(0.0);
+    share = row.stiffness_share;
+    return true;
+  }));
+  EXPECT_EQ(differ, 0);
+  EXPECT_GT(felt, 300);
+  EXPECT_LT(share, 1.0);  // or the guard's place among the steps would not be seen
 }
 
 /// Moves the isovalue and watches: never deeper than the change left it, and out in 20 ticks.

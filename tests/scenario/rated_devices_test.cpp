@@ -36,14 +36,14 @@ Felt feel(const DeviceModel& device, HandMotion motion, double stiffness, bool g
   Felt felt;
   haptics::ClosedLoop loop;
   loop.scene = stage.scene;
-  loop.isovalue = stage.isovalue;
-  loop.coupling.stiffness = stiffness;
+  loop.settings.isovalue = stage.isovalue;
+  loop.settings.stiffness = stiffness;
   loop.limits = haptics::limitsOf(device.rating);
   loop.limits.guard_passivity = guarded;
   // as a session does: no more in rotation than is rated
   const double inertia = haptics::largestInertia(stage.scene->tool.shell.inertia);
   if (device.rating.torque > 0.0 && stiffness * inertia > device.rating.angular_stiffness)
-    loop.coupling.angular_stiffness = device.rating.angular_stiffness;
+    loop.settings.angular_stiffness = device.rating.angular_stiffness;
   loop.grip = device.heldBy({}, std::sqrt(stage.scene->tool.shell.inertia.trace() / 3.0));
   loop.linkage = device.linkage;
   const double depth = 0.5 * device.rating.force / stiffness;  // half of what it may push

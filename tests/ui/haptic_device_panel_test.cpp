@@ -317,6 +317,29 @@ TEST(HapticDevicePanel, TheStiffnessIsShownAtBothEndsAndWhetherItIsCapped) {
   EXPECT_FALSE(capped->isVisible());
 }
 
+TEST(HapticDevicePanel, WhatMayShakeIsAllowedByTheUserAloneAndForOneConnection) {
+  Shown shown;
+  QSignalSpy lifted(&shown.panel, &HapticDevicePanel::stiffnessLifted);
+  auto* lift = shown.find<QCheckBox>("liftStiffness");
+  auto* warning = shown.find<QLabel>("stiffnessLiftedWords");
+  EXPECT_FALSE(lift->isEnabled());
+  EXPECT_FALSE(warning->isVisible());
+  for (int connection = 0; connection < 2; ++connection) {
+    shown.panel.showConnected("falcon");
+    ASSERT_TRUE(lift->isEnabled());
+    EXPECT_FALSE(lift->isChecked());
+    lift->click();
+    EXPECT_TRUE(warning->isVisible());
+    EXPECT_TRUE(lifted.takeLast().at(0).toBool());
+    // another one, without a word of the first, or none
+    if (connection == 1) shown.panel.showDisconnected({});
+  }
+  EXPECT_FALSE(lift->isChecked());
+  EXPECT_FALSE(lift->isEnabled());
+  EXPECT_FALSE(warning->isVisible());
+  EXPECT_FALSE(lifted.takeLast().at(0).toBool());
+}
+
 TEST(HapticDevicePanel, EachStateIsToldByAWordAColourAndWhy) {
   Shown shown;
   QSignalSpy armed(&shown.panel, &HapticDevicePanel::armWanted);

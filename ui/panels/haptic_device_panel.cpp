@@ -36,7 +36,7 @@ constexpr double kLeastScale = 0.1, kGreatestScale = 10.0;
 constexpr int kButtons = 8;
 constexpr int kListRows = 4;  // seen without scrolling
 constexpr int kPatienceMs = 5'000;
-constexpr double kCapped = 0.999;  // of what was wished: below it the rating is what counts
+constexpr double kCapped = 0.999;  // of what was wished: below it what is allowed counts
 
 QLabel* label(const char* name) {
   auto* made = new QLabel;
@@ -155,6 +155,8 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
       hold_button_(buttonBox("holdButton", tr("key H only"))),
       stiffness_(label("stiffnessTwice")),
       capped_(label("stiffnessCapped")),
+      lift_(new QCheckBox(tr("Allow stiffness that may shake"))),
+      lifted_words_(label("stiffnessLiftedWords")),
       patience_(new QTimer(this)) {
   auto* inside = new QWidget;
   auto* column = new QVBoxLayout(inside);
@@ -182,6 +184,7 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
         tr("Still connecting. Firmware takes a minute; what does not answer at all is given up "
            "with Cancel: unplug it, plug it in, and start Palpate again if that is not enough."));
   });
+  lifted_words_->hide();
   show(Mapping{});
   showStiffness({}, std::nullopt);
   showDisconnected({});
@@ -276,6 +279,12 @@ QGroupBox* HapticDevicePanel::buildMapping() {
       tr("Right, up and towards you are the picture's; without it they stay as they are now."));
   hold_to_run_->setObjectName("holdToRun");
   hold_to_run_->setToolTip(tr("Force only while this button, or H in the 3-D view, is held down."));
+  lift_->setObjectName("liftStiffness");
+  lift_->setToolTip(
+      tr("Up to what the device is rated for. Without it no stiffness can be set at which the "
+         "device and a light hand may shake each other."));
+  lifted_words_->setText(
+      tr("The device may shake, hard and at once: hold it firmly, and keep Escape in reach."));
   force_scale_->setToolTip(tr("Newtons at the hand for a newton in the scan"));
   auto* form = new QFormLayout(box);
   form->addRow(tr("Motion scale"), position_scale_);
@@ -283,6 +292,8 @@ QGroupBox* HapticDevicePanel::buildMapping() {
   form->addRow(tr("Force scale"), force_scale_);
   form->addRow(tr("Stiffness"), stiffness_);
   form->addRow(capped_);
+  form->addRow(lift_);
+  form->addRow(lifted_words_);
   form->addRow(follow_camera_);
   form->addRow(tr("Clutch"), clutch_button_);
   form->addRow(hold_to_run_);
@@ -291,6 +302,8 @@ QGroupBox* HapticDevicePanel::buildMapping() {
   const auto changed = [this] { changeMapping(); };
   connect(position_scale_, &NumberBox::valueChanged, this, changed);
   connect(force_scale_, &NumberBox::valueChanged, this, changed);
+  connect(lift_, &QCheckBox::toggled, lifted_words_, &QLabel::setVisible);
+  connect(lift_, &QCheckBox::toggled, this, &HapticDevicePanel::stiffnessLifted);
   connect(follow_camera_, &QCheckBox::toggled, this, changed);
   connect(clutch_button_, &QComboBox::activated, this, changed);
   connect(hold_to_run_, &QCheckBox::toggled, this, changed);
@@ -405,6 +418,8 @@ void HapticDevicePanel::showConnected(const QString& id) {
   const auto device = std::ranges::find(devices_, id, &DeviceLine::id);
   motors_ = device == devices_.end() || device->actuated > 0;
   lost_ = false;
+  lift_->setChecked(false);
+  lift_->setEnabled(motors_);
   link_words_->hide();
   patience_->stop();
   show(QList<DeviceLine>{surveyed_});
@@ -422,6 +437,8 @@ void HapticDevicePanel::showRefused(const QString& id, Trouble trouble, const QS
 void HapticDevicePanel::showDisconnected(const QString& why) {
   link_ = Link::None;
   connected_.clear();
+  lift_->setChecked(false);
+  lift_->setEnabled(false);
   patience_->stop();
   link_words_->setText(why);
   link_words_->setVisible(!why.isEmpty());
@@ -470,10 +487,11 @@ void HapticDevicePanel::showStiffness(const haptics::Settings& wished,
                             .arg(shownNumber(std::round(in_scan)));
   // sixty times a second: what has not changed is not set anew
   if (stiffness_->text() != twice) stiffness_->setText(twice);
-  const QString capped = at_hand < kCapped * wished_at_hand
-                             ? tr("The device's rating caps it: %1 N/m at the hand were asked for.")
-                                   .arg(shownNumber(std::round(wished_at_hand)))
-                             : QString{};
+  const QString capped =
+      at_hand < kCapped * wished_at_hand
+          ? tr("No more is allowed to this device: %1 N/m at the hand were asked for.")
+                .arg(shownNumber(std::round(wished_at_hand)))
+          : QString{};
   if (capped_->text() != capped) capped_->setText(capped);
   capped_->setVisible(!capped.isEmpty());
 }

@@ -78,7 +78,7 @@ class HapticDevicePanel : public QWidget {
   /// goes: that it wants its maker's firmware.
   void showRefused(const QString& id, haptics::Trouble trouble, const QString& why);
   void show(const Mapping& mapping);
-  /// What was set, and what it came to under the rating of the device that is connected.
+  /// What was set, and what it came to under what is allowed to the device that is connected.
   void showStiffness(const haptics::Settings& wished,
                      const std::optional<haptics::Settings>& in_force);
   /// The state of the force, at display rate. Nobody's but a connected device's is shown.
@@ -92,6 +92,8 @@ class HapticDevicePanel : public QWidget {
   /// Also: what is being connected is to be given up.
   void disconnectWanted();
   void mappingChanged(const ui::Mapping& mapping);
+  /// The device may have all that it is rated for, though it may shake. Off at each connection.
+  void stiffnessLifted(bool lifted);
   void armWanted();
 
  protected:
@@ -133,6 +135,8 @@ class HapticDevicePanel : public QWidget {
   QComboBox* hold_button_;
   QLabel* stiffness_;
   QLabel* capped_;
+  QCheckBox* lift_;
+  QLabel* lifted_words_;
   QList<DeviceLine> surveyed_;  ///< as it was told
   QList<DeviceLine> devices_;   ///< as the list has them
   Link link_ = Link::None;

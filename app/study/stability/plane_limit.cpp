@@ -26,28 +26,23 @@ Outcome planeLimitsOf(const DeviceModel& device, int number, double period) {
       limitPlot("Measured limit through the tick over 2b / T, " + rateOf(period),
                 "One mark for each device, in the order of the table of devices, and way to run "
                 "the loop; b counts device, hand and virtual damper. What is plain lies near 1");
-  double plain = NAN;
   for (const Loop& loop : kLoops) {
     const Wall wall = withLoop({device, {}, period}, loop);
     const Limit through_tick = planeLimit(wall), on_wall = measuredLimit(wall);
     const double limit = through_tick.stiffness, one = on_wall.stiffness, theory = wall.theory();
     const std::string name =
         "limit in 6-DOF/" + device.name + "/" + rateOf(period) + "/" + loop.name;
+    // that of which a half is allowed; what is not shipped is a row, no case
     if (&loop == &kLoops[0]) {
-      plain = limit;
       outcome.cases.push_back({name, limit / theory, 0.85, "", Case::Sense::AtLeast,
                                "over 2 (b + b_hand) / T = " + shortly(theory) + " N/m, with " +
-                                   shortly(wall.totalDamping()) + " N s/m in all"});
-      outcome.cases.push_back({name + ", from above", limit / theory, 1.15, "", Case::Sense::AtMost,
-                               "a press that does not see the shaking would find no limit"});
-    } else if (wall.controller > 0.0) {
-      outcome.cases.push_back({name, limit / plain, 0.95, "", Case::Sense::AtLeast,
-                               "over the plain limit: the controller must not cost stiffness"});
+                                   shortly(wall.totalDamping()) +
+                                   " N s/m in all; half of it is allowed"});
+      outcome.cases.push_back(
+          {name + ", over one degree of freedom", limit / one, 0.85, "", Case::Sense::AtLeast,
+           "over what the same loop carries on a wall without a proxy, " + toWords(on_wall) +
+               " N/m: the tick adds no lag, so no more than the 15 % of the theory may be lost"});
     }
-    outcome.cases.push_back(
-        {name + ", over one degree of freedom", limit / one, 0.85, "", Case::Sense::AtLeast,
-         "over what the same loop carries on a wall without a proxy, " + toWords(on_wall) +
-             " N/m: the tick adds no lag, so no more than the 15 % of the theory may be lost"});
     table.rows.push_back({device.name, rateOf(period), loop.name, shortly(wall.totalDamping()),
                           toWords(through_tick), toWords(on_wall), shortly(theory),
                           shortly(limit / one), shortly(limit / theory)});
@@ -62,7 +57,7 @@ Outcome planeLimitsOf(const DeviceModel& device, int number, double period) {
 
 Pressed pressOnPlane(const Wall& wall, double stiffness) {
   static const Stage plane = makeStage("plane", 0.0, 1);
-  haptics::ClosedLoop loop = loopOf(wall, plane.scene, plane.isovalue, stiffness);
+  haptics::ClosedLoop loop = loopOf(wall, plane.scene, plane.isovalue, stiffness, false);
   loop.grip.velocity.linear.z() = -kArrival;
 
   // from where the points would rest

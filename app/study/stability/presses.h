@@ -12,9 +12,15 @@
 
 namespace study {
 
-/// The loop of a wall, touching a scene instead: within the device's rating, nothing else.
+/// The loop of a wall, touching a scene instead, as the program ships it: within the device's
+/// rating, with its ramp and the guard of passivity. Not `shipped`: within the rating, nothing
+/// else.
 haptics::ClosedLoop loopOf(const Wall& wall, std::shared_ptr<const haptics::Scene> scene,
-                           double isovalue, double stiffness);
+                           double isovalue, double stiffness, bool shipped = true);
+
+/// N/m: what the program allows to the device of this wall with a tool, and what it begins with.
+double allowedFor(const Wall& wall, const haptics::Scene& scene);
+double defaultFor(const Wall& wall, const haptics::Scene& scene);
 
 /// A scene to press on: from `X_from` straight down to the first touch at `X_touch`, and from there
 /// no deeper than `deepest` [m], for a ball is not to be pressed through.
@@ -42,17 +48,15 @@ struct PressResult {
   int non_finite = 0;       ///< ticks
   int inside = 0;           ///< looks, every 50 ticks, that found a shell point inside
   int contact = 0;          ///< ticks
+  double share = 1.0;       ///< of the stiffness that the guard of passivity left
 };
 
-PressResult press(const Wall& wall, const Stage& stage, double stiffness);
+/// `shipped`: as in loopOf; the press then waits for the ramp.
+PressResult press(const Wall& wall, const Stage& stage, double stiffness, bool shipped = true);
 
-/// The device's rating, and no more than a share of the limit of a sampled spring [N/m].
-/// With torque motors the angular spring counts as well: across a long tool it is stiffer than in
-/// the mean, while the device's inertia and damping, here, are the same about all axes.
-double ceilingOf(const Wall& wall, const Stage& stage, double share);
-
-/// Every device, stage, stiffness, delay and noise through the tick itself; some devices also at 4
-/// kHz, with virtual damping and with the passivity controller.
+/// Every device, stage, stiffness, delay and noise through the tick itself, at 1 and 4 kHz. A case
+/// is the program as shipped, up to what is allowed; rows of a table are what is stiffer, and for
+/// some devices what the guard, virtual damping and the passivity controller each do.
 std::vector<Job> pressJobs(Depth depth);
 
 }  // namespace study

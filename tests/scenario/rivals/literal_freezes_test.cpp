@@ -40,7 +40,7 @@ TEST_P(Rivals, LiteralFreezesWhereOursMovesAndAcceptInsideEnters) {
   ASSERT_TRUE(scene);
 
   // ours, with the hand in its grip; the rivals are given the device's path as it came out
-  haptics::ClosedLoop loop{*scene, scan.isovalue, {1000.0, 0.0}, {}, {}, false, 1e-3};
+  haptics::ClosedLoop loop{*scene, {.isovalue = scan.isovalue}, {}, {}, false, 1e-3};
   auto hand = haptics::Hand::aimed(scan.motion, **scene, scan.isovalue, 0.018, 1);
   ASSERT_TRUE(hand) << hand.error().what;
   std::vector<haptics::Pose> device;

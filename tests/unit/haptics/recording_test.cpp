@@ -71,8 +71,7 @@ Step stepOf(const TraceRow& row, const ClosedLoop& loop, std::int64_t n) {
   step.X_WD = row.X_WD;
   step.X_WP = row.X_WP;
   step.sent_W = row.sent_W;
-  step.settings = {loop.isovalue, loop.coupling.stiffness, loop.coupling.angular_stiffness,
-                   loop.coupling.friction};
+  step.settings = loop.settings;
   step.scene = static_cast<std::uint32_t>(loop.scene->id);
   step.cut_at = row.cut_at;
   step.cpu_ns = row.cpu_ns;
@@ -88,7 +87,7 @@ std::vector<TraceRow> recorded(const fs::path& path, HandMotion motion, std::int
   auto recorder = Recorder::create(path, {"test", "a build", "a machine"});
   EXPECT_TRUE(recorder) << recorder.error().what;
   StepRing& ring = (*recorder)->ring();
-  ClosedLoop loop{scene(), 0.0, {1000.0, 0.0, friction}, {}, {}};
+  ClosedLoop loop{scene(), {.friction = friction}, {}, {}};
   loop.grip.gyration = std::sqrt(loop.scene->tool.shell.inertia.trace() / 3.0);
   (*recorder)->describe(loop.scene, "egg");
   loop.on_start = [&](const Pose& X_WP) {

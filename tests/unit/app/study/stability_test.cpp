@@ -114,14 +114,37 @@ TEST(PlantedError, AControllerThatIsOffIsSeenThroughTheTick) {
 TEST(PlantedError, AForceThatLagsATickGivesEnergyInAPress) {
   DeviceModel device = findDeviceModel("lambda.7").value();
   const auto stage = study::makeStage("ball", 0.0, 1);
-  const double stiffness = study::ceilingOf({device}, stage, 0.5);
-  const auto sound = study::press({device}, stage, stiffness);
+  const double stiffness = study::allowedFor({device}, *stage.scene);
+  const auto sound = study::press({device}, stage, stiffness, false);
   device.linkage.delay = 1;
-  const auto lags = study::press({device}, stage, stiffness);
+  const auto lags = study::press({device}, stage, stiffness, false);
   EXPECT_GT(sound.contact, 400);
   EXPECT_LT(sound.energy, 1e-3);  // J
   EXPECT_GT(lags.energy, 10e-3);
   EXPECT_GT(lags.amplitude, 10.0 * sound.amplitude);
+}
+
+// five times as stiff as is allowed: the guard is in the loop that cases are about
+TEST(Press, AsShippedIsGuarded) {
+  const DeviceModel device = findDeviceModel("sigma.7").value();
+  const auto stage = study::makeStage("ball", 0.0, 1);
+  const double allowed = study::allowedFor({device}, *stage.scene);
+  EXPECT_EQ(study::press({device}, stage, allowed).share, 1.0);
+  EXPECT_LT(study::press({device}, stage, 5.0 * allowed).share, 0.7);
+  EXPECT_EQ(study::press({device}, stage, 5.0 * allowed, false).share, 1.0);
+}
+
+TEST(PressJobs, JudgeWhatIsAllowedAndShowTheRestAsRows) {
+  for (const Job& job : study::pressJobs(Depth::Quick)) {
+    if (job.name != "press/touch/ball") continue;
+    const Outcome outcome = job.run(1);
+    ASSERT_EQ(outcome.tables.size(), 2u);
+    for (const auto& row : outcome.tables[0].rows) EXPECT_LE(std::stod(row[7]), 1.0);
+    EXPECT_FALSE(outcome.tables[1].rows.empty());
+    for (const auto& row : outcome.tables[1].rows) EXPECT_GT(std::stod(row[7]), 1.0);
+    return;
+  }
+  FAIL() << "no such job";
 }
 
 TEST(StabilityStudy, HasEveryDeviceAndNamesEachJobOnce) {
@@ -149,7 +172,7 @@ TEST(StabilityStudy, HasEveryDeviceAndNamesEachJobOnce) {
       for (const char* scene : {"bunny", "engine", "hole", "bone"})
         EXPECT_TRUE(names.contains(std::string{"hands/"} + scene)) << scene;
       EXPECT_TRUE(names.contains("press/lambda.7/ball/4 kHz"));
-      EXPECT_TRUE(names.contains("press/touch/plane/passivity controller"));
+      EXPECT_TRUE(names.contains("press/touch/plane/4 kHz"));
     }
   }
 }
@@ -199,10 +222,10 @@ TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
     ASSERT_EQ(first.cases.size(), second.cases.size());
     for (std::size_t n = 0; n < first.cases.size(); ++n) {
       EXPECT_EQ(first.cases[n].value, second.cases[n].value) << first.cases[n].name;
-      // with a long arm the missing torque is felt, and the study says so
+      // on noise of 10 % a detour may go farther than is asked, and the study says so
       const std::string& name = first.cases[n].name;
-      const bool overly_active = name.ends_with("00 mm, three actuated/energy given at the handle");
-      EXPECT_NE(first.cases[n].pass(), overly_active) << name << ": " << first.cases[n].value;
+      EXPECT_TRUE(first.cases[n].pass() || name.ends_with("/proxy's farthest rise"))
+          << name << ": " << first.cases[n].value;
       EXPECT_TRUE(names.insert(first.cases[n].name).second) << first.cases[n].name;
     }
     EXPECT_FALSE(first.plots.empty()) << job.name;

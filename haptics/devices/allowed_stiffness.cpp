@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/devices/allowed_stiffness.h"
+
+#include <algorithm>
+
+#include "haptics/simulation/device_model.h"
+#include "haptics/tool/point_shell.h"
+
+namespace haptics {
+namespace {
+
+constexpr double kShare = 0.5;    // of the limit of a sampled spring
+constexpr double kTurned = 0.9;  // N·m/rad, about the pivot: more gives over 0.8 mJ a turn
+
+double shareOfLimit(double damping, const Timing& timing) {
+  return kShare * 2.0 * damping / (timing.period * (1.0 + 2.0 * timing.delay));
+}
+
+/// How much softer the angular spring must be about the axis across which the tool is longest.
+double roundness(const Mat3& inertia) { return inertia.trace() / 3.0 / largestInertia(inertia); }
+
+}  // namespace
+
+double allowedStiffness(const DeviceRating& rating, const Mat3& inertia, const Timing& timing,
+                        double arm) {
+  double allowed = shareOfLimit(DeviceModel{}.damping + HumanHand{}.damping, timing);
+  if (rating.torque > 0.0)
+    allowed *= roundness(inertia);
+  else if (arm > 0.0)
+    allowed = std::min(allowed, kTurned / (arm * arm));
+  return std::min(rating.stiffness, allowed);
+}
+
+double allowedStiffness(const Grip& grip, const Mat3& inertia, double period) {
+  return shareOfLimit(grip.damping, {period}) * roundness(inertia);
+}
+
+}  // namespace haptics

@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""palpate-cli run: what is allowed is said at once, and what is not finite ends the run.
+
+Use: run_command_test.py PALPATE-CLI
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+program = sys.argv[1]
+
+
+def run(*arguments):
+    done = subprocess.run([program, "run", "--phantom", "sphere", "--isovalue", "300", "--json", *arguments],
+                          capture_output=True, text=True, timeout=120)
+    return done, json.loads(done.stdout)
+
+
+# within what is allowed nothing is said; beyond it the run goes on and says so; a device has less
+still, report = run("--tool", "sphere", "--hand", "tap", "--seconds", "0.3", "--stiffness", "1000")
+allowed = report["allowed_stiffness_N_m"]
+assert still.returncode == 0 and not still.stderr and 7000 < allowed <= 8000, (still, allowed)
+stiff, report = run("--tool", "sphere", "--hand", "tap", "--seconds", "0.3", "--stiffness", "9000")
+assert stiff.returncode == 0 and report["ticks"] == 300, stiff
+assert "9000 N/m is more than" in stiff.stderr and f"{allowed:.0f} N/m" in stiff.stderr, stiff.stderr
+device, report = run("--tool", "sphere", "--hand", "tap", "--seconds", "0.3", "--stiffness", "1700",
+                     "--device", "falcon")
+assert device.returncode == 0 and "more than the 1667 N/m" in device.stderr, device
+assert abs(report["allowed_stiffness_N_m"] - 5000 / 3) < 1e-9, report
+
+# a tool so small that its grip turns without inertia: its first contact is no number any more
+with tempfile.TemporaryDirectory() as folder:
+    tool, trace = pathlib.Path(folder, "tiny.csv"), pathlib.Path(folder, "trace.csv")
+    r = "1e-100"
+    points = [f"{r},0,0", f"-{r},0,0", f"0,{r},0", f"0,-{r},0", f"0,0,{r}", f"0,0,-{r}"]
+    tool.write_text("x,y,z\n" + "\n".join(points) + "\n")
+    ended, report = run("--tool", str(tool), "--hand", "twist", "--seconds", "5", "--stiffness", "20000",
+                        "--angular-stiffness", "1000", "--trace", str(trace))
+    assert ended.returncode == 4, ended
+    assert report["nonfinite"] == 1 and 100 < report["ticks"] < 5000, report
+    assert f"Tick {report['ticks'] - 1} gave a number that is not finite" in ended.stderr, ended.stderr
+    assert len(trace.read_text().splitlines()) == report["ticks"] + 1, "the trace ends with that tick"
