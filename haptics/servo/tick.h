@@ -21,7 +21,8 @@ inline constexpr std::int64_t kTickWork = 20'000;
 /// "Release").
 inline double releaseSpeed(double stiffness) HAPTICS_RT {
   constexpr double kStiff = 3000.0, kFall = 90.0;  // N/m, N/s
-  return kFall / stiffness * std::max(1.0, kStiff / stiffness);
+  const double softer = std::max(1.0, kStiff / stiffness);
+  return kFall / stiffness * softer * softer;
 }
 /// N: what is pulled with more than this comes nearer at once, for no device renders it.
 inline constexpr double kMostReleased = 50.0;
