@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "haptics/core/clock.h"
-#include "haptics/devices/allowed_stiffness.h"
 #include "haptics/devices/simulated.h"
+#include "haptics/servo/allowed_stiffness.h"
 #include "haptics/servo/servo_loop.h"
 
 namespace haptics {

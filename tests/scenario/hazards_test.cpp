@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/study/made/made.h"
-#include "haptics/devices/allowed_stiffness.h"
+#include "haptics/servo/allowed_stiffness.h"
 #include "haptics/servo/emergency.h"
 #include "haptics/session.h"
 #include "tests/scenario/fake_device.h"

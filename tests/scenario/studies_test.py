@@ -30,7 +30,7 @@ KNOWN = (
     # on noise the proxy's detours feed a handle that wanders
     "press/delta.3/plane/delay 0/energy given",
     *(f"press/delta.3/{where}/amplitude at rest"
-      for where in ("groove/delay 0", "ball/delay 0", "ball/delay 1")),
+      for where in ("groove/delay 0", "groove/delay 1", "ball/delay 0", "ball/delay 1")),
     "press/sigma.7/ball/4 kHz/delay 1/amplitude at rest",
     "press/sigma.7/ball/4 kHz/delay 1/energy given",
 )

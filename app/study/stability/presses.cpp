@@ -10,7 +10,7 @@
 #include "app/study/stability/wall.h"
 #include "datasets/phantoms/shapes.h"
 #include "haptics/coupling/passivity.h"
-#include "haptics/devices/allowed_stiffness.h"
+#include "haptics/servo/allowed_stiffness.h"
 #include "haptics/servo/servo_tick.h"
 
 namespace study {
