@@ -362,14 +362,17 @@ std::vector<Job> pressJobs(Depth depth) {
   for (const DeviceModel& device : haptics::deviceModels())
     for (const std::string& stage : kStages) {
       const bool other_loops = varied.contains(device.name) && (full || stage == "ball");
-      Sweep sweep{device.name, stage, {device}, stiffnesses, delays, noises, other_loops};
+      const Wall loop{device};
+      Sweep sweep{device.name, stage, loop, stiffnesses, delays, noises, other_loops};
       if (full || quick.contains(device.name)) add(full ? 10.0 : 1.0, sweep);
       if (!full && !other_loops) continue;
       sweep.loop.period = 0.25e-3;
-      if (full)
+      if (full) {
         sweep.stiffnesses = {50, 1000, 5000, 20000};
-      else
-        sweep.stiffnesses = {1000}, sweep.delays = {0, 1};
+      } else {
+        sweep.stiffnesses = {1000};
+        sweep.delays = {0, 1};
+      }
       add(4.0, sweep);
     }
   return jobs;
