@@ -109,7 +109,7 @@ Outcome handsOn(const comparison::Case& touched, double seconds, std::uint64_t s
                                  return true;
                                });
       const double given = run ? 1e3 * most : NAN;
-      plot.series.push_back(std::move(series));
+      if (!way.controlled) plot.series.push_back(std::move(series));
       if (!way.shipped) {
         beyond.rows.push_back({touched.name, name, way.name, shortly(way.stiffness),
                                shortly(allowed), shortly(given), shortly(step),
