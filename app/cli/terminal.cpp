@@ -45,7 +45,7 @@ std::string printable(std::string_view text, bool lines) {
   std::string shown;
   while (!text.empty()) {
     const Character next = firstOf(text);
-    char escape[8];
+    char escape[16];
     if (next.bytes == 0) {
       std::snprintf(escape, sizeof escape, "\\x%02x", static_cast<unsigned char>(text[0]));
       shown += escape;
