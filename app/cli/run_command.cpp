@@ -229,11 +229,8 @@ Outcome run(const RunOptions& options) {
   if (!hand) return refused(hand.error());
   const std::optional<double> allowed = allowedIn(loop, rating);
   if (allowed && options.stiffness > *allowed)
-    std::fprintf(
-        stderr,
-        "The stiffness of %s is more than the %s that are allowed here: the loop may shake, "
-        "or diverge.\n",
-        shown(options.stiffness).c_str(), shown(*allowed).c_str());
+    tell("The stiffness of " + shown(options.stiffness) + " is more than the " + shown(*allowed) +
+         " that are allowed here: the loop may shake, or diverge.");
 
   if (interrupted()) return stopped();
   const Closing held;
