@@ -21,9 +21,8 @@ struct DeviceRating {
   double workspace = 0.0;          ///< m, radius
   double resolution = 0.0;         ///< m, of the handle's position
   double rate = 1000.0;            ///< Hz, the most that its link carries
-  int delay =
-      0;  ///< ticks of 1 ms that its force comes late: 1 where a link of that rate carries it
-  std::string_view source = {};  ///< where the values are from, and which are not verified
+  int delay = 0;                   ///< ticks of 1 ms that its force comes late: 1 over such a link
+  std::string_view source = {};    ///< where the values are from, and which are not verified
 };
 
 /// What the user may own, one row a model.
