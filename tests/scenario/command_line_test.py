@@ -17,6 +17,8 @@ import subprocess
 import sys
 import time
 
+from checks import check, outcome
+
 program, folder = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
@@ -24,14 +26,6 @@ folder = folder.resolve()
 environment = {k: v for k, v in os.environ.items() if not k.startswith("XDG_")}
 environment["HOME"] = str(folder / "home")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-faults = 0
-
-
-def check(holds, sentence):
-    global faults
-    if not holds:
-        faults += 1
-        print("FAULT:", sentence, flush=True)
 
 
 def start(*words, **how):
@@ -401,5 +395,4 @@ for test in (is_interrupted, answers_or_fails, is_whole_or_not_there, loses_no_i
     test()
     print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)
 shutil.rmtree(folder)
-print("faults:", faults)
-sys.exit(1 if faults else 0)
+sys.exit(outcome())

@@ -24,6 +24,8 @@ import sys
 import tempfile
 import time
 
+from checks import check, outcome
+
 try:
     import h5py
     import numpy
@@ -62,16 +64,6 @@ MOTION_KEYS = {
         "ACCEL", "ANGACCEL", "GYRO", "JNTANG", "LATENCY", "MAGN", "MISC", "ORNT", "POS", "VEL"))}
 COLUMN_KEYS = {"LongName", "Description", "Levels", "Units", "TermURL"}  # of a column's description
 FRAME_KEYS = {"SpatialAxes", "RotationOrder", "RotationRule", "Description"}
-
-faults = 0
-
-
-def check(holds, sentence):
-    global faults
-    if not holds:
-        faults += 1
-        print("FAULT:", sentence, flush=True)
-    return holds
 
 
 def bits(number):
@@ -554,8 +546,7 @@ def main():
         refuses(folder, recording)
         names_no_file(folder)
         stays_small(folder)
-    print("faults:", faults)
-    return 1 if faults else 0
+    return outcome()
 
 
 if __name__ == "__main__":
