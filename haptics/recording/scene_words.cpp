@@ -185,9 +185,7 @@ void takeVolume(const json& words, Volume& volume) {
   volume.modality = words.at("modality").get<std::string>();
   volume.orientation_known = words.at("orientation_known").get<bool>();
   volume.resampled = words.at("resampled").get<bool>();
-  // recordings of before it was known have no such word
-  if (words.contains("slices_left_out"))
-    volume.slices_left_out = whole<std::int64_t>(words.at("slices_left_out"));
+  volume.slices_left_out = whole<std::int64_t>(words.at("slices_left_out"));
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ SETTINGS = json.dumps({
 VOLUME = json.dumps({
     "dims": [8, 8, 8], "spacing_m": [0.001] * 3, "origin_m": [0, 0, 0],
     "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1], "scalar": "int16", "least": 0, "greatest": 100,
-    "unit": "HU", "modality": "CT", "orientation_known": True, "resampled": False})
+    "unit": "HU", "modality": "CT", "orientation_known": True, "resampled": False,
+    "slices_left_out": 0})
 POINT = struct.pack("<3d", 0.0, 0.0, 0.001)
 
 
