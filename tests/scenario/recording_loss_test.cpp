@@ -22,6 +22,7 @@
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 #include "tests/support/failing_disk.h"
+#include "tests/support/scratch_folder.h"
 
 extern char** environ;
 
@@ -29,19 +30,7 @@ namespace haptics {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Workshop {
- public:
-  Workshop() {
-    std::string name = (fs::temp_directory_path() / "palpate-loss-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~Workshop() { fs::remove_all(folder_); }
-  const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
-};
+using support::ScratchFolder;
 
 /// A step that only its number makes, with noise as of a hand.
 Step stepNumbered(std::uint64_t n) {
@@ -124,7 +113,7 @@ TEST(RecordingLoss, OfAHundredKilledProcessesIsAtMostWhatWasNotYetCommitted) {
   std::mt19937 random(11);
   std::vector<std::uint64_t> losses;
   for (int round = 0; round < kRounds; ++round) {
-    const Workshop workshop;
+    const ScratchFolder scratch;
     struct Child {
       fs::path folder;
       Told* told = nullptr;
@@ -134,7 +123,7 @@ TEST(RecordingLoss, OfAHundredKilledProcessesIsAtMostWhatWasNotYetCommitted) {
     std::vector<Child> children(kAtOnce);
     for (int c = 0; c < kAtOnce; ++c) {
       Child& child = children[static_cast<std::size_t>(c)];
-      child.folder = workshop.folder() / std::to_string(c);
+      child.folder = scratch.folder() / std::to_string(c);
       fs::create_directory(child.folder);
       child.told = toldIn(child.folder / "told");
       ASSERT_NE(child.told, nullptr);
@@ -215,16 +204,16 @@ TEST(RecordingLoss, OfPowerIsNothingThatWasCommitted) {
   int with_steps = 0;
   const int trials = made::trials(150);
   for (int n = 0; n < trials; ++n) {
-    const Workshop workshop;
+    const ScratchFolder scratch;
     support::FailingDisk disk;
     disk.cutAfter(static_cast<std::int64_t>(random() % 600));
     std::string failure;
     const std::int64_t committed = committedOn(disk, 20, &failure);
     ASSERT_TRUE(disk.isCut() || failure.empty());
-    disk.saveAfterPowerCut(workshop.folder(), random());
+    disk.saveAfterPowerCut(scratch.folder(), random());
     if (committed == 0) continue;
     ++with_steps;
-    const auto recovered = recover(workshop.folder() / "r.palpate.part");
+    const auto recovered = recover(scratch.folder() / "r.palpate.part");
     ASSERT_TRUE(recovered) << recovered.error().what << " after " << n;
     ASSERT_GE(intactSteps(*recovered), committed);
     if (HasFailure()) return;
@@ -234,7 +223,7 @@ TEST(RecordingLoss, OfPowerIsNothingThatWasCommitted) {
 
 TEST(RecordingLoss, OfAFullDiskIsToldAndWhatWasCommittedStays) {
   for (const std::int64_t room : {20'000, 100'000, 700'000, 1'500'000}) {
-    const Workshop workshop;
+    const ScratchFolder scratch;
     support::FailingDisk disk;
     disk.setRoom(room);
     std::string failure;
@@ -242,8 +231,8 @@ TEST(RecordingLoss, OfAFullDiskIsToldAndWhatWasCommittedStays) {
     EXPECT_NE(failure.find("the disk is full"), std::string::npos) << failure;
     if (room <= 100'000) continue;  // not even the tables, or the first block
     EXPECT_GT(committed, 0);
-    disk.save(workshop.folder());
-    const auto recovered = recover(workshop.folder() / "r.palpate.part");
+    disk.save(scratch.folder());
+    const auto recovered = recover(scratch.folder() / "r.palpate.part");
     ASSERT_TRUE(recovered) << recovered.error().what;
     EXPECT_GE(intactSteps(*recovered), committed);
   }

@@ -16,27 +16,14 @@
 #include "haptics/recording/replay.h"
 #include "haptics/servo/servo_loop.h"
 #include "haptics/simulation/closed_loop.h"
+#include "tests/support/scratch_folder.h"
 
 namespace haptics {
 namespace {
 
 namespace fs = std::filesystem;
+using support::ScratchFolder;
 constexpr double kEver = 1e9;  // s
-
-/// A folder that goes with the test.
-class Workshop {
- public:
-  Workshop() {
-    std::string name = (fs::temp_directory_path() / "palpate-recording-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~Workshop() { fs::remove_all(folder_); }
-  fs::path operator/(const char* name) const { return folder_ / name; }
-  const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
-};
 
 /// A ball of 15 mm in a volume of 48 mm, rippled so that contacts come and go.
 std::shared_ptr<const Scene> scene(double radius = 0.015) {
@@ -144,9 +131,9 @@ bool same(const Pose& a, const Pose& b) {
 }
 
 TEST(Recording, HoldsEveryTickToTheBit) {
-  const Workshop workshop;
-  const auto rows = recorded(workshop / "r.palpate", HandMotion::Slide, 3000);
-  auto recording = Recording::open(workshop / "r.palpate");
+  const ScratchFolder scratch;
+  const auto rows = recorded(scratch / "r.palpate", HandMotion::Slide, 3000);
+  auto recording = Recording::open(scratch / "r.palpate");
   ASSERT_TRUE(recording) << recording.error().what;
   EXPECT_EQ(recording->version(), "test");
   EXPECT_EQ(recording->machine(), "a machine");
@@ -170,14 +157,14 @@ TEST(Recording, HoldsEveryTickToTheBit) {
     touching += step.contacts.size();
   }
   EXPECT_GT(touching, 500U);
-  EXPECT_FALSE(fs::exists(workshop / "r.palpate.part"));
-  EXPECT_FALSE(fs::exists(workshop / "r.palpate-wal"));
+  EXPECT_FALSE(fs::exists(scratch / "r.palpate.part"));
+  EXPECT_FALSE(fs::exists(scratch / "r.palpate-wal"));
 }
 
 TEST(Recording, WhatPushesAddsUpToTheForce) {
-  const Workshop workshop;
-  recorded(workshop / "r.palpate", HandMotion::Slide, 3000);
-  auto recording = Recording::open(workshop / "r.palpate");
+  const ScratchFolder scratch;
+  recorded(scratch / "r.palpate", HandMotion::Slide, 3000);
+  auto recording = Recording::open(scratch / "r.palpate");
   ASSERT_TRUE(recording);
   int seen = 0;
   for (const RecordedStep& recorded : stepsIn(*recording)) {
@@ -192,10 +179,10 @@ TEST(Recording, WhatPushesAddsUpToTheForce) {
 }
 
 TEST(Recording, IsReplayedToTheBit) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   for (const HandMotion motion : {HandMotion::Tap, HandMotion::Slide, HandMotion::Hook}) {
-    recorded(workshop / "r.palpate", motion, 2500, motion == HandMotion::Hook ? 0.4 : 0.0);
-    auto recording = Recording::open(workshop / "r.palpate");
+    recorded(scratch / "r.palpate", motion, 2500, motion == HandMotion::Hook ? 0.4 : 0.0);
+    auto recording = Recording::open(scratch / "r.palpate");
     ASSERT_TRUE(recording);
     const ReplayDifference difference = replayed(*recording, scene()->volume);
     EXPECT_EQ(difference.steps, 2500);
@@ -240,8 +227,8 @@ struct Bench {
 };
 
 TEST(Recording, OfALiveLoopIsReplayedToTheBitThroughAllThatTheUserDoes) {
-  const Workshop workshop;
-  Bench bench(workshop / "r.palpate");
+  const ScratchFolder scratch;
+  Bench bench(scratch / "r.palpate");
   // begun in the middle of a touch
   bench.run(1200);
   bench.loop->recording.store(&bench.recorder->ring());
@@ -300,11 +287,11 @@ TEST(Recording, OfALiveLoopIsReplayedToTheBitThroughAllThatTheUserDoes) {
 
 TEST(Recording, BegunAtAnyMomentIsReplayedToTheBit) {
   // what the proxy remembers matters most where it is held and the hand rests
-  const Workshop workshop;
+  const ScratchFolder scratch;
   const auto touched = scene();
   for (const HandMotion motion : {HandMotion::Tap, HandMotion::Wedge, HandMotion::Hook})
     for (int moment = 600; moment < 2600; moment += 250) {
-      auto recorder = Recorder::create(workshop / "r.palpate", {"test", "", ""});
+      auto recorder = Recorder::create(scratch / "r.palpate", {"test", "", ""});
       ASSERT_TRUE(recorder);
       (*recorder)->describe(touched, "egg");
       const auto hand = Hand::aimed(motion, *touched, 0.0, 0.012, 1);
@@ -325,7 +312,7 @@ TEST(Recording, BegunAtAnyMomentIsReplayedToTheBit) {
         loop.step(1e-3 * n);
       }
       ASSERT_TRUE((*recorder)->finish());
-      auto recording = Recording::open(workshop / "r.palpate");
+      auto recording = Recording::open(scratch / "r.palpate");
       ASSERT_TRUE(recording);
       const ReplayDifference difference = replayed(*recording, touched->volume);
       EXPECT_EQ(difference.steps, 300);
@@ -360,10 +347,10 @@ TEST(Recording, AfterALossNothingGoesInBeforeAStart) {
 }
 
 TEST(Recording, AFullRingLosesStepsCountsThemAndGoesOnExactly) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   Recorder::Options slow;
   slow.commit_every = std::chrono::hours(1);
-  auto recorder = Recorder::create(workshop / "r.palpate", {"test", "", ""}, slow);
+  auto recorder = Recorder::create(scratch / "r.palpate", {"test", "", ""}, slow);
   ASSERT_TRUE(recorder);
   const auto touched = scene();
   (*recorder)->describe(touched, "egg");
@@ -384,7 +371,7 @@ TEST(Recording, AFullRingLosesStepsCountsThemAndGoesOnExactly) {
   loop.recording.store(nullptr);
   ASSERT_TRUE((*recorder)->finish());
 
-  auto recording = Recording::open(workshop / "r.palpate");
+  auto recording = Recording::open(scratch / "r.palpate");
   ASSERT_TRUE(recording) << recording.error().what;
   EXPECT_GT(recording->lostCount(), 0);
   EXPECT_EQ(recording->stepCount() + recording->lostCount(), kTicks + 500);
@@ -398,8 +385,8 @@ TEST(Recording, AFullRingLosesStepsCountsThemAndGoesOnExactly) {
 }
 
 TEST(Recording, WhatAProcessLeftIsRecoveredOnce) {
-  const Workshop workshop;
-  const fs::path path = workshop / "r.palpate";
+  const ScratchFolder scratch;
+  const fs::path path = scratch / "r.palpate";
   {
     Bench bench(path);
     bench.loop->recording.store(&bench.recorder->ring());
@@ -429,22 +416,22 @@ TEST(Recording, WhatAProcessLeftIsRecoveredOnce) {
 }
 
 TEST(Recording, IsMadeAndReadWhereAFolderOnTheWayIsALink) {
-  const Workshop workshop;
-  fs::create_directory(workshop / "real");
-  fs::create_directory_symlink(workshop / "real", workshop / "link");
-  recorded(workshop / "link" / "r.palpate", HandMotion::Tap, 100);
-  EXPECT_TRUE(fs::exists(workshop / "real" / "r.palpate"));
-  EXPECT_TRUE(Recording::open(workshop / "link" / "r.palpate"));
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "real");
+  fs::create_directory_symlink(scratch / "real", scratch / "link");
+  recorded(scratch / "link" / "r.palpate", HandMotion::Tap, 100);
+  EXPECT_TRUE(fs::exists(scratch / "real" / "r.palpate"));
+  EXPECT_TRUE(Recording::open(scratch / "link" / "r.palpate"));
   // the file itself is not followed elsewhere
-  fs::create_symlink(workshop / "real" / "r.palpate", workshop / "s.palpate");
-  EXPECT_FALSE(Recording::open(workshop / "s.palpate"));
+  fs::create_symlink(scratch / "real" / "r.palpate", scratch / "s.palpate");
+  EXPECT_FALSE(Recording::open(scratch / "s.palpate"));
 }
 
 TEST(Recording, CountsWhatWasLostAtItsEnd) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   Recorder::Options slow;
   slow.commit_every = std::chrono::hours(1);
-  auto recorder = Recorder::create(workshop / "r.palpate", {"test", "", ""}, slow);
+  auto recorder = Recorder::create(scratch / "r.palpate", {"test", "", ""}, slow);
   ASSERT_TRUE(recorder);
   StepRing& ring = (*recorder)->ring();
   ring.start({});
@@ -453,7 +440,7 @@ TEST(Recording, CountsWhatWasLostAtItsEnd) {
   for (int n = 0; n < 10'000; ++n) kept += ring.push(step);
   ASSERT_TRUE((*recorder)->finish());
   EXPECT_EQ((*recorder)->status().lost, 10'000 - kept);
-  auto recording = Recording::open(workshop / "r.palpate");
+  auto recording = Recording::open(scratch / "r.palpate");
   ASSERT_TRUE(recording);
   EXPECT_EQ(recording->stepCount(), kept);
   EXPECT_EQ(recording->lostCount(), 10'000 - kept);
@@ -461,17 +448,17 @@ TEST(Recording, CountsWhatWasLostAtItsEnd) {
 }
 
 TEST(Recording, OfNothingLeavesNothing) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   {
-    auto recorder = Recorder::create(workshop / "r.palpate", {"test", "", ""});
+    auto recorder = Recorder::create(scratch / "r.palpate", {"test", "", ""});
     ASSERT_TRUE(recorder);
-    EXPECT_TRUE(isInUse(workshop / "r.palpate.part"));
+    EXPECT_TRUE(isInUse(scratch / "r.palpate.part"));
     const auto finished = (*recorder)->finish();
     ASSERT_FALSE(finished);
     EXPECT_EQ(finished.error().reason, "empty");
   }
-  { EXPECT_TRUE(Recorder::create(workshop / "s.palpate", {"test", "", ""})); }
-  EXPECT_TRUE(fs::is_empty(workshop.folder()));
+  { EXPECT_TRUE(Recorder::create(scratch / "s.palpate", {"test", "", ""})); }
+  EXPECT_TRUE(fs::is_empty(scratch.folder()));
 }
 
 TEST(Recording, SaysNothingOfAVolumeThatAnotherInstallationHashed) {
@@ -494,8 +481,8 @@ TEST(Recording, KnowsHowManySlicesItsVolumeLacks) {
 }
 
 TEST(Recording, MarksLieWhereTheyWereSet) {
-  const Workshop workshop;
-  Bench bench(workshop / "r.palpate");
+  const ScratchFolder scratch;
+  Bench bench(scratch / "r.palpate");
   bench.loop->recording.store(&bench.recorder->ring());
   bench.run(100);
   bench.recorder->note("mark", "here");
@@ -514,39 +501,39 @@ TEST(Recording, MarksLieWhereTheyWereSet) {
 }
 
 TEST(Recording, TakesAtMost300BytesAStepInContact) {
-  const Workshop workshop;
-  const auto rows = recorded(workshop / "r.palpate", HandMotion::Slide, 10'000);
+  const ScratchFolder scratch;
+  const auto rows = recorded(scratch / "r.palpate", HandMotion::Slide, 10'000);
   std::size_t contacts = 0;
   for (const TraceRow& row : rows) contacts += row.bearing.size();
-  const double bytes = double(fs::file_size(workshop / "r.palpate")) / 10'000.0;
+  const double bytes = double(fs::file_size(scratch / "r.palpate")) / 10'000.0;
   std::printf("%.1f bytes a step with %.2f contacts\n", bytes, double(contacts) / 10'000.0);
   EXPECT_GT(contacts, 10'000U);
   EXPECT_LT(bytes, 300.0);
 }
 
 TEST(Recording, WhatIsNoneIsRefusedWithAReason) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   const auto reason = [](const fs::path& path) {
     const auto recording = Recording::open(path);
     return recording ? std::string{} : recording.error().reason;
   };
-  EXPECT_EQ(reason(workshop / "none.palpate"), "not-found");
-  EXPECT_EQ(reason(workshop.folder()), "not-found");
-  std::ofstream(workshop / "text.palpate") << "this is text, and long enough to look at";
-  EXPECT_EQ(reason(workshop / "text.palpate"), "no-recording");
-  std::ofstream(workshop / "nothing.palpate");
-  EXPECT_EQ(reason(workshop / "nothing.palpate"), "no-recording");
+  EXPECT_EQ(reason(scratch / "none.palpate"), "not-found");
+  EXPECT_EQ(reason(scratch.folder()), "not-found");
+  std::ofstream(scratch / "text.palpate") << "this is text, and long enough to look at";
+  EXPECT_EQ(reason(scratch / "text.palpate"), "no-recording");
+  std::ofstream(scratch / "nothing.palpate");
+  EXPECT_EQ(reason(scratch / "nothing.palpate"), "no-recording");
   const auto folder = Recorder::create("/proc/self/r.palpate", {"test", "", ""});
   ASSERT_FALSE(folder);
   EXPECT_EQ(folder.error().reason, "unwritable");
 }
 
 TEST(Recording, DamageIsRefusedAndNeverBelieved) {
-  const Workshop workshop;
-  recorded(workshop / "r.palpate", HandMotion::Tap, 1500);
-  std::ifstream file(workshop / "r.palpate", std::ios::binary);
+  const ScratchFolder scratch;
+  recorded(scratch / "r.palpate", HandMotion::Tap, 1500);
+  std::ifstream file(scratch / "r.palpate", std::ios::binary);
   const std::string whole{std::istreambuf_iterator<char>(file), {}};
-  auto intact = Recording::open(workshop / "r.palpate");
+  auto intact = Recording::open(scratch / "r.palpate");
   ASSERT_TRUE(intact);
   const auto truth = stepsIn(*intact);
   std::mt19937 random(7);
@@ -556,8 +543,8 @@ TEST(Recording, DamageIsRefusedAndNeverBelieved) {
     if (n % 4 == 0) bytes.resize(random() % bytes.size());
     for (int k = 0; k < 1 + n % 20 && !bytes.empty(); ++k)
       bytes[random() % bytes.size()] = static_cast<char>(random());
-    std::ofstream(workshop / "d.palpate", std::ios::binary | std::ios::trunc) << bytes;
-    auto recording = Recording::open(workshop / "d.palpate");
+    std::ofstream(scratch / "d.palpate", std::ios::binary | std::ios::trunc) << bytes;
+    auto recording = Recording::open(scratch / "d.palpate");
     if (!recording) {
       EXPECT_FALSE(recording.error().what.empty());
       ++refused;

@@ -16,6 +16,7 @@
 #include <sstream>
 
 #include "haptics/recording/recorder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace app::exporting {
 namespace {
@@ -24,23 +25,7 @@ namespace fs = std::filesystem;
 using haptics::Expected;
 using haptics::Recording;
 using haptics::Step;
-
-/// A folder that goes with the test.
-class Workshop {
- public:
-  Workshop() {
-    std::string name = (fs::temp_directory_path() / "palpate-export-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~Workshop() { fs::remove_all(folder_); }
-  fs::path operator/(const std::string& name) const { return folder_ / name; }
-  std::size_t files() const {
-    return std::size_t(std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{}));
-  }
-
- private:
-  fs::path folder_;
-};
+using support::ScratchFolder;
 
 Step at(std::int64_t time_ns) {
   Step step;
@@ -87,18 +72,18 @@ std::vector<std::string> channel(const fs::path& prefix, const std::string& name
 
 /// The numbers of the steps that are chosen of ones at these times.
 std::vector<int> chosen(const std::vector<std::int64_t>& times_ms, const ExportOptions& options) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   std::vector<Step> steps;
   for (const std::int64_t time : times_ms) steps.push_back(at(time * 1'000'000));
-  Recording recording = recorded(workshop / "r.palpate", steps);
-  const auto exported = exportCsv(recording, workshop / "x", options);
+  Recording recording = recorded(scratch / "r.palpate", steps);
+  const auto exported = exportCsv(recording, scratch / "x", options);
   if (!exported) {
     EXPECT_EQ(exported.error().reason, "empty") << exported.error().what;
-    EXPECT_EQ(workshop.files(), 1U);
+    EXPECT_EQ(scratch.names().size(), 1U);
     return {};
   }
   std::vector<int> numbers;
-  for (const std::string& cell : channel(workshop / "x", "step")) numbers.push_back(stoi(cell));
+  for (const std::string& cell : channel(scratch / "x", "step")) numbers.push_back(stoi(cell));
   EXPECT_EQ(exported->steps, std::int64_t(numbers.size()));
   return numbers;
 }
@@ -141,18 +126,18 @@ TEST(Selection, HoldsBothEndsOfTheWindowToTheNanosecond) {
 }
 
 TEST(Selection, RefusesATimeThatGoesBackwards) {
-  const Workshop workshop;
-  Recording recording = recorded(workshop / "r.palpate", {at(5), at(9), at(7), at(11)});
+  const ScratchFolder scratch;
+  Recording recording = recorded(scratch / "r.palpate", {at(5), at(9), at(7), at(11)});
   for (const auto& write : {exportHdf5, exportMcap, exportCsv}) {
-    const auto exported = write(recording, workshop / "x.out", {});
+    const auto exported = write(recording, scratch / "x.out", {});
     ASSERT_FALSE(exported);
     EXPECT_EQ(exported.error().reason, "damaged");
   }
-  EXPECT_EQ(workshop.files(), 1U);
+  EXPECT_EQ(scratch.names().size(), 1U);
 }
 
 TEST(ExportCsv, PrintsEveryDoubleSoThatItReadsAsTheSame) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   std::mt19937_64 random{11};
   std::vector<Step> steps;
   std::vector<double> numbers{0.0, -0.0, 5e-324, -1.7976931348623157e308, 0.1, 1e22, 123456789.0};
@@ -161,9 +146,9 @@ TEST(ExportCsv, PrintsEveryDoubleSoThatItReadsAsTheSame) {
     steps.push_back(at(std::int64_t(steps.size())));
     steps.back().sent_W.force.x() = number;
   }
-  Recording recording = recorded(workshop / "r.palpate", steps);
-  ASSERT_TRUE(exportCsv(recording, workshop / "x", {}));
-  const auto cells = channel(workshop / "x", "force_x");
+  Recording recording = recorded(scratch / "r.palpate", steps);
+  ASSERT_TRUE(exportCsv(recording, scratch / "x", {}));
+  const auto cells = channel(scratch / "x", "force_x");
   ASSERT_EQ(cells.size(), numbers.size());
   int missing = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -180,22 +165,22 @@ TEST(ExportCsv, PrintsEveryDoubleSoThatItReadsAsTheSame) {
 }
 
 TEST(ExportMcap, KeepsTheSignOfZeroAndSaysNullForWhatIsNoNumber) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   Step step = at(0);
   step.sent_W.force = {-0.0, std::nan(""), 4.0};
-  Recording recording = recorded(workshop / "r.palpate", {step});
-  ASSERT_TRUE(exportMcap(recording, workshop / "x.mcap", {}));
+  Recording recording = recorded(scratch / "r.palpate", {step});
+  ASSERT_TRUE(exportMcap(recording, scratch / "x.mcap", {}));
   std::ostringstream content;
-  content << std::ifstream{workshop / "x.mcap"}.rdbuf();
+  content << std::ifstream{scratch / "x.mcap"}.rdbuf();
   // "-0" would be read as the whole number 0
   EXPECT_NE(content.str().find(R"({"force":{"x":-0.0,"y":null,"z":4.0})"), std::string::npos);
 }
 
 TEST(Export, TellsHowFarItIsAndLeavesNothingWhenItIsStopped) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   std::vector<Step> steps;
   for (int i = 0; i < 20'000; ++i) steps.push_back(at(std::int64_t{i} * 1'000'000));
-  Recording recording = recorded(workshop / "r.palpate", steps);
+  Recording recording = recorded(scratch / "r.palpate", steps);
   for (const auto& write : {exportHdf5, exportMcap, exportCsv}) {
     std::vector<double> parts;
     ExportOptions options = within(5.0, kEver);
@@ -203,7 +188,7 @@ TEST(Export, TellsHowFarItIsAndLeavesNothingWhenItIsStopped) {
       parts.push_back(part);
       return part < 0.5;
     };
-    const auto exported = write(recording, workshop / "x.out", options);
+    const auto exported = write(recording, scratch / "x.out", options);
     ASSERT_FALSE(exported);
     EXPECT_EQ(exported.error().reason, "cancelled");
     EXPECT_EQ(exported.error().kind, haptics::Error::Kind::Cancelled);
@@ -211,7 +196,7 @@ TEST(Export, TellsHowFarItIsAndLeavesNothingWhenItIsStopped) {
     EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
     EXPECT_LT(parts.front(), 0.01);
     EXPECT_NEAR(parts.back(), 0.5, 0.05);
-    EXPECT_EQ(workshop.files(), 1U);
+    EXPECT_EQ(scratch.names().size(), 1U);
   }
 }
 
@@ -236,28 +221,28 @@ class NoRoom {
 };
 
 TEST(Export, LeavesNothingWhereThereIsNoRoomAndWorksAgainOnceThereIs) {
-  const Workshop workshop;
+  const ScratchFolder scratch;
   std::mt19937_64 random{3};
   std::vector<Step> steps;
   for (int i = 0; i < 12'000; ++i) {
     steps.push_back(at(std::int64_t{i} * 1'000'000));
     steps.back().sent_W.force = haptics::Vec3::Constant(double(random()));
   }
-  Recording recording = recorded(workshop / "r.palpate", steps);
+  Recording recording = recorded(scratch / "r.palpate", steps);
   for (const auto& write : {exportHdf5, exportMcap, exportCsv}) {
-    const auto whole = write(recording, workshop / "x.out", {});
+    const auto whole = write(recording, scratch / "x.out", {});
     ASSERT_TRUE(whole) << whole.error().what;
     for (const std::string& file : whole->files) fs::remove(file);
     for (const rlim_t bytes : {0, 3000, 50'000, 200'000}) {
       const NoRoom no_room{bytes};
-      const auto exported = write(recording, workshop / "x.out", {});
+      const auto exported = write(recording, scratch / "x.out", {});
       ASSERT_FALSE(exported) << bytes;
       EXPECT_EQ(exported.error().reason, "unwritable");
       EXPECT_NE(exported.error().what.find("File too large"), std::string::npos)
           << exported.error().what;
-      EXPECT_EQ(workshop.files(), 1U) << bytes;
+      EXPECT_EQ(scratch.names().size(), 1U) << bytes;
     }
-    const auto again = write(recording, workshop / "x.out", {});
+    const auto again = write(recording, scratch / "x.out", {});
     ASSERT_TRUE(again) << again.error().what;
     EXPECT_EQ(again->bytes, whole->bytes);
     for (const std::string& file : again->files) EXPECT_TRUE(fs::remove(file));

@@ -20,6 +20,7 @@
 #include "app/display.h"
 #include "app/film/stage.h"
 #include "haptics/recording/recorder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
@@ -29,30 +30,9 @@ using app::FilmOptions;
 using haptics::Pose;
 using haptics::Step;
 using haptics::Vec3;
+using support::ScratchFolder;
 
 constexpr int kWidth = 320, kHeight = 240;
-
-/// A folder that goes with the test.
-class Workshop {
- public:
-  Workshop() {
-    std::string name = (fs::temp_directory_path() / "palpate-film-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~Workshop() { fs::remove_all(folder_); }
-  fs::path operator/(const char* name) const { return folder_ / name; }
-  const fs::path& folder() const { return folder_; }
-  std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_))
-      names.push_back(entry.path().filename().string());
-    std::ranges::sort(names);
-    return names;
-  }
-
- private:
-  fs::path folder_;
-};
 
 /// A ball of 12 mm, 100 inside and 0 outside, in a volume of 40 mm about W's origin.
 std::shared_ptr<const haptics::Volume> ball() {
@@ -116,8 +96,8 @@ struct Session {
   std::shared_ptr<const haptics::Scene> scene = ::scene();
 };
 
-haptics::Recording recorded(const Workshop& workshop, const Session& session) {
-  const fs::path path = workshop / "r.palpate";
+haptics::Recording recorded(const ScratchFolder& scratch, const Session& session) {
+  const fs::path path = scratch / "r.palpate";
   auto recorder = haptics::Recorder::create(path, {"test", "a build", "a machine"});
   EXPECT_TRUE(recorder) << recorder.error().what;
   (*recorder)->describe(session.scene, "");
@@ -242,18 +222,18 @@ class Film : public testing::Test {
     if (!app::displayDraws()) GTEST_SKIP() << "no X display with GLX";
     if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg";
   }
-  Workshop workshop;
+  ScratchFolder scratch;
 };
 
 TEST_F(Film, ShowsToolAndDeviceWhereEachStepHadThem) {
-  auto recording = recorded(workshop, {});
-  const auto film = app::makeFilm(recording, none, workshop / "f.mp4", options());
+  auto recording = recorded(scratch, {});
+  const auto film = app::makeFilm(recording, none, scratch / "f.mp4", options());
   ASSERT_TRUE(film) << film.error().what;
-  EXPECT_EQ(film->film, workshop / "f.mp4");
+  EXPECT_EQ(film->film, scratch / "f.mp4");
   EXPECT_EQ(film->codec, "h264");
   EXPECT_EQ(film->frames, 30);
   EXPECT_DOUBLE_EQ(film->seconds, 1.5);
-  EXPECT_EQ(workshop.names(), (std::vector<std::string>{"f.frames.csv", "f.mp4", "r.palpate"}));
+  EXPECT_EQ(scratch.names(), (std::vector<std::string>{"f.frames.csv", "f.mp4", "r.palpate"}));
   EXPECT_TRUE(childless());
   const Decoded pictures = decoded(film->film);
   const auto rows = rowsOf(film->times);
@@ -286,7 +266,7 @@ TEST_F(Film, ShowsTheLastStepAtOrBeforeTheTimeOfEachFrame) {
     step.time_ns = n * 1'000'000 + (n * 7919) % 900'000;
     return step;
   };
-  auto recording = recorded(workshop, session);
+  auto recording = recorded(scratch, session);
   std::vector<std::pair<std::int64_t, std::int64_t>> steps;
   ASSERT_TRUE(recording.forEach(-1.0, 1e9, [&](const haptics::RecordedStep& step) {
     steps.emplace_back(step.step.sequence, step.step.time_ns);
@@ -297,9 +277,9 @@ TEST_F(Film, ShowsTheLastStepAtOrBeforeTheTimeOfEachFrame) {
   chosen.from = 0.9;
   chosen.to = 1.5;
   chosen.speed = 0.37;
-  const auto film = app::makeFilm(recording, none, workshop / "f", chosen);
+  const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
   ASSERT_TRUE(film) << film.error().what;
-  EXPECT_EQ(film->film, workshop / "f.mp4");
+  EXPECT_EQ(film->film, scratch / "f.mp4");
   const auto rows = rowsOf(film->times);
   ASSERT_EQ(rows.size(), 33U);  // 0.6 s at 0.37 / 20
   EXPECT_EQ(decoded(film->film).frames.size(), rows.size());
@@ -316,7 +296,7 @@ TEST_F(Film, ShowsTheLastStepAtOrBeforeTheTimeOfEachFrame) {
   // before the first step there is the first
   chosen.from = -5.0;
   chosen.to = 0.75;
-  const auto early = app::makeFilm(recording, none, workshop / "g", chosen);
+  const auto early = app::makeFilm(recording, none, scratch / "g", chosen);
   ASSERT_TRUE(early) << early.error().what;
   EXPECT_EQ(rowsOf(early->times).front().sequence, 0);
 }
@@ -332,12 +312,12 @@ TEST_F(Film, DrawsTheSurfaceAtTheIsovalueOfEachStep) {
       step.X_WD = at(0.0, 0.0, 0.0);
       return step;
     };
-    auto recording = recorded(workshop, session);
+    auto recording = recorded(scratch, session);
     FilmOptions chosen = options();
     chosen.surface = mode;
     chosen.frames_per_second = 10;
     const auto film = app::makeFilm(
-        recording, [&](std::uint32_t) { return session.scene->volume; }, workshop / "f", chosen);
+        recording, [&](std::uint32_t) { return session.scene->volume; }, scratch / "f", chosen);
     ASSERT_TRUE(film) << film.error().what;
     EXPECT_EQ(film->surface, mode);
     const Decoded pictures = decoded(film->film);
@@ -361,9 +341,9 @@ TEST_F(Film, GoesFromCameraToCamera) {
   Session session;
   session.cameras = {
       {400'000'000, wordsOf(front())}, {800'000'000, wordsOf(side)}, {1'200'000'000, "nonsense"}};
-  auto recording = recorded(workshop, session);
+  auto recording = recorded(scratch, session);
   const auto film = app::makeFilm(
-      recording, [&](std::uint32_t) { return session.scene->volume; }, workshop / "f", options());
+      recording, [&](std::uint32_t) { return session.scene->volume; }, scratch / "f", options());
   ASSERT_TRUE(film) << film.error().what;
   const Decoded pictures = decoded(film->film);
   ASSERT_EQ(pictures.frames.size(), 30U);
@@ -386,7 +366,7 @@ TEST_F(Film, GoesFromCameraToCamera) {
   // and where that is not wanted, one of its own
   FilmOptions chosen = options();
   chosen.recorded_camera = false;
-  const auto own = app::makeFilm(recording, none, workshop / "g", chosen);
+  const auto own = app::makeFilm(recording, none, scratch / "g", chosen);
   ASSERT_TRUE(own) << own.error().what;
   const auto proxy = projected(front(), stepAt(1400).X_WP.translation());
   const auto seen = decoded(own->film).centroid(28, proxyColoured);
@@ -396,13 +376,13 @@ TEST_F(Film, GoesFromCameraToCamera) {
 
 TEST_F(Film, WithoutACameraSeesSurfaceAndToolWhole) {
   const Session session;
-  auto recording = recorded(workshop, session);
+  auto recording = recorded(scratch, session);
   FilmOptions chosen = options();
   chosen.camera.reset();
   for (const bool surface : {true, false}) {
     const auto film = app::makeFilm(
         recording, [&](std::uint32_t) { return surface ? session.scene->volume : nullptr; },
-        workshop / "f", chosen);
+        scratch / "f", chosen);
     ASSERT_TRUE(film) << film.error().what;
     const Decoded pictures = decoded(film->film);
     for (std::size_t i = 0; i < pictures.frames.size(); ++i) {
@@ -418,12 +398,12 @@ TEST_F(Film, WithoutACameraSeesSurfaceAndToolWhole) {
 
 TEST_F(Film, BurnsTimeAndForceIntoItsCornerAlone) {
   const Session session;
-  auto recording = recorded(workshop, session);
+  auto recording = recorded(scratch, session);
   FilmOptions chosen = options();
   const auto volume = [&](std::uint32_t) { return session.scene->volume; };
-  const auto plain = app::makeFilm(recording, volume, workshop / "plain", chosen);
+  const auto plain = app::makeFilm(recording, volume, scratch / "plain", chosen);
   chosen.burn_in = true;
-  const auto burnt = app::makeFilm(recording, volume, workshop / "burnt", chosen);
+  const auto burnt = app::makeFilm(recording, volume, scratch / "burnt", chosen);
   ASSERT_TRUE(plain && burnt);
   const Decoded a = decoded(plain->film), b = decoded(burnt->film);
   ASSERT_EQ(a.frames.size(), b.frames.size());
@@ -510,14 +490,14 @@ TEST_F(Film, WhatIsKeptOfTheSurfaceIsNeverOutOfDate) {
 
 TEST_F(Film, TwiceTheSameHasTheSameFrames) {
   const Session session;
-  auto recording = recorded(workshop, session);
+  auto recording = recorded(scratch, session);
   FilmOptions chosen = options();
   chosen.burn_in = true;
   const auto volume = [&](std::uint32_t) { return session.scene->volume; };
-  const auto first = app::makeFilm(recording, volume, workshop / "a", chosen);
+  const auto first = app::makeFilm(recording, volume, scratch / "a", chosen);
   // the second by another thread
   std::optional<haptics::Expected<app::FilmResult>> second;
-  std::thread other([&] { second = app::makeFilm(recording, volume, workshop / "b", chosen); });
+  std::thread other([&] { second = app::makeFilm(recording, volume, scratch / "b", chosen); });
   other.join();
   ASSERT_TRUE(first && *second);
   EXPECT_EQ(decoded(first->film).frames, decoded((*second)->film).frames);
@@ -529,15 +509,15 @@ TEST_F(Film, TwiceTheSameHasTheSameFrames) {
 }
 
 TEST_F(Film, WithoutFfmpegIsOggTheora) {
-  auto recording = recorded(workshop, {});
+  auto recording = recorded(scratch, {});
   for (const char* program : {"", "no-such-program", "/no/such/program", "/"}) {
     FilmOptions chosen = options();
     chosen.ffmpeg = program;
-    const auto film = app::makeFilm(recording, none, workshop / "f.mp4", chosen);
+    const auto film = app::makeFilm(recording, none, scratch / "f.mp4", chosen);
     ASSERT_TRUE(film) << film.error().what;
-    EXPECT_EQ(film->film, workshop / "f.ogv");
+    EXPECT_EQ(film->film, scratch / "f.ogv");
     EXPECT_EQ(film->codec, "theora");
-    EXPECT_EQ(workshop.names(), (std::vector<std::string>{"f.frames.csv", "f.ogv", "r.palpate"}));
+    EXPECT_EQ(scratch.names(), (std::vector<std::string>{"f.frames.csv", "f.ogv", "r.palpate"}));
     const Decoded pictures = decoded(film->film);
     ASSERT_EQ(pictures.frames.size(), 30U);
     for (const std::size_t i : {0U, 14U, 29U}) {
@@ -561,7 +541,7 @@ std::string saidBy(const std::string& command) {
 }
 
 TEST_F(Film, NothingIsSaidAgainstIt) {
-  auto recording = recorded(workshop, {});
+  auto recording = recorded(scratch, {});
   // also where the picture fills no whole blocks, and with more than one key frame
   for (const auto& [width, rate] : {std::pair{640, 30}, std::pair{98, 240}})
     for (const char* program : {"ffmpeg", ""}) {
@@ -569,7 +549,7 @@ TEST_F(Film, NothingIsSaidAgainstIt) {
       chosen.ffmpeg = program;
       chosen.width = width;
       chosen.frames_per_second = rate;
-      const auto film = app::makeFilm(recording, none, workshop / "f", chosen);
+      const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
       ASSERT_TRUE(film) << film.error().what;
       const std::string named = " -i '" + film->film.string() + "'";
       EXPECT_EQ(saidBy("ffmpeg -nostdin -v warning" + named + " -f null -"), "") << film->film;
@@ -581,26 +561,26 @@ TEST_F(Film, NothingIsSaidAgainstIt) {
 }
 
 TEST_F(Film, CancelledLeavesNothing) {
-  auto recording = recorded(workshop, {});
+  auto recording = recorded(scratch, {});
   for (const char* program : {"ffmpeg", ""})
     for (const double until : {0.0, 0.4, 0.98}) {
       FilmOptions chosen = options();
       chosen.ffmpeg = program;
       chosen.goes_on = [&](double done) { return done < until; };
-      const auto film = app::makeFilm(recording, none, workshop / "f", chosen);
+      const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
       ASSERT_FALSE(film);
       EXPECT_EQ(film.error().reason, "cancelled");
-      EXPECT_EQ(workshop.names(), std::vector<std::string>{"r.palpate"});
+      EXPECT_EQ(scratch.names(), std::vector<std::string>{"r.palpate"});
       EXPECT_TRUE(childless());
     }
 }
 
 TEST_F(Film, AnEncoderThatFailsIsOneSentence) {
-  auto recording = recorded(workshop, {});
+  auto recording = recorded(scratch, {});
   const auto script = [&](const char* name, const std::string& text) {
-    std::ofstream(workshop / name) << "#!/bin/sh\n" << text;
-    fs::permissions(workshop / name, fs::perms::owner_all);
-    return (workshop / name).string();
+    std::ofstream(scratch / name) << "#!/bin/sh\n" << text;
+    fs::permissions(scratch / name, fs::perms::owner_all);
+    return (scratch / name).string();
   };
   const std::array programs{
       script("dies", "echo 'no such thing as libx264' >&2; echo more >&2; exit 1\n"),
@@ -612,30 +592,30 @@ TEST_F(Film, AnEncoderThatFailsIsOneSentence) {
     SCOPED_TRACE(program);
     FilmOptions chosen = options();
     chosen.ffmpeg = program;
-    const auto film = app::makeFilm(recording, none, workshop / "f", chosen);
+    const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
     ASSERT_FALSE(film);
     EXPECT_EQ(film.error().reason, "encoder");
     EXPECT_LT(film.error().what.size(), 400U);
     EXPECT_EQ(film.error().what.find('\n'), std::string::npos);
     EXPECT_TRUE(childless());
-    EXPECT_EQ(workshop.names().size(), 1U + programs.size());
+    EXPECT_EQ(scratch.names().size(), 1U + programs.size());
   }
   FilmOptions chosen = options();
   chosen.ffmpeg = programs[0];
-  const auto film = app::makeFilm(recording, none, workshop / "f", chosen);
+  const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
   EXPECT_NE(film.error().what.find("no such thing as libx264"), std::string::npos);
   // one that neither reads nor ends can be left
   chosen.ffmpeg = script("hangs", "exec sleep 1000\n");
   int asked = 0;
   chosen.goes_on = [&](double) { return ++asked < 20; };
-  const auto left = app::makeFilm(recording, none, workshop / "f", chosen);
+  const auto left = app::makeFilm(recording, none, scratch / "f", chosen);
   ASSERT_FALSE(left);
   EXPECT_EQ(left.error().reason, "cancelled");
   EXPECT_TRUE(childless());
 }
 
 TEST_F(Film, AFullDiskLeavesNothing) {
-  auto recording = recorded(workshop, {});
+  auto recording = recorded(scratch, {});
   // a file cannot grow beyond this: as on a full disk, but for the error's name
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
@@ -643,7 +623,7 @@ TEST_F(Film, AFullDiskLeavesNothing) {
   for (const char* program : {"ffmpeg", ""}) {
     FilmOptions chosen = options();
     chosen.ffmpeg = program;
-    const auto whole = app::makeFilm(recording, none, workshop / "f", chosen);
+    const auto whole = app::makeFilm(recording, none, scratch / "f", chosen);
     ASSERT_TRUE(whole) << whole.error().what;
     const rlim_t size = fs::file_size(whole->film);
     fs::remove(whole->film);
@@ -652,22 +632,22 @@ TEST_F(Film, AFullDiskLeavesNothing) {
       rlimit little = before;
       little.rlim_cur = room;
       setrlimit(RLIMIT_FSIZE, &little);
-      const auto film = app::makeFilm(recording, none, workshop / "f", chosen);
+      const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
       setrlimit(RLIMIT_FSIZE, &before);
       ASSERT_FALSE(film) << fs::file_size(film->film) << " bytes with room for " << room;
       EXPECT_TRUE(film.error().reason == "encoder" || film.error().reason == "unwritable");
-      EXPECT_EQ(workshop.names(), std::vector<std::string>{"r.palpate"});
+      EXPECT_EQ(scratch.names(), std::vector<std::string>{"r.palpate"});
     }
   }
   std::signal(SIGXFSZ, SIG_DFL);
 }
 
 TEST_F(Film, WhatCannotBeIsRefused) {
-  auto recording = recorded(workshop, {});
+  auto recording = recorded(scratch, {});
   const auto reason = [&](auto change, fs::path out = {}) {
     FilmOptions chosen = options();
     change(chosen);
-    const auto film = app::makeFilm(recording, none, out.empty() ? workshop / "f" : out, chosen);
+    const auto film = app::makeFilm(recording, none, out.empty() ? scratch / "f" : out, chosen);
     return film ? std::string{} : film.error().reason;
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -681,18 +661,18 @@ TEST_F(Film, WhatCannotBeIsRefused) {
   EXPECT_EQ(reason([](FilmOptions& o) { o.to = -1.0; }), "nothing");
   EXPECT_EQ(reason([&](FilmOptions& o) { o.from = nan; }), "nothing");
   const auto as_is = [](FilmOptions&) {};
-  EXPECT_EQ(reason(as_is, workshop / "nowhere" / "f"), "unwritable");
-  EXPECT_EQ(reason(as_is, workshop.folder() / ""), "unwritable");
-  fs::create_directory(workshop / "folder.mp4");
-  EXPECT_EQ(reason(as_is, workshop / "folder"), "unwritable");
-  EXPECT_EQ(workshop.names(), (std::vector<std::string>{"folder.mp4", "r.palpate"}));
+  EXPECT_EQ(reason(as_is, scratch / "nowhere" / "f"), "unwritable");
+  EXPECT_EQ(reason(as_is, scratch.folder() / ""), "unwritable");
+  fs::create_directory(scratch / "folder.mp4");
+  EXPECT_EQ(reason(as_is, scratch / "folder"), "unwritable");
+  EXPECT_EQ(scratch.names(), (std::vector<std::string>{"folder.mp4", "r.palpate"}));
   const std::string display = std::getenv("DISPLAY");
   unsetenv("DISPLAY");
   EXPECT_EQ(reason(as_is), "no-display");
   setenv("DISPLAY", ":65530", 1);
   EXPECT_EQ(reason(as_is), "no-display");
   setenv("DISPLAY", display.c_str(), 1);
-  EXPECT_EQ(workshop.names(), (std::vector<std::string>{"folder.mp4", "r.palpate"}));
+  EXPECT_EQ(scratch.names(), (std::vector<std::string>{"folder.mp4", "r.palpate"}));
 }
 
 TEST_F(Film, OfNumbersThatAreNoneIsDrawnWithoutThem) {
@@ -707,13 +687,13 @@ TEST_F(Film, OfNumbersThatAreNoneIsDrawnWithoutThem) {
     if (n >= 400) step.sent_W.force.z() = wild;
     return step;
   };
-  auto recording = recorded(workshop, session);
+  auto recording = recorded(scratch, session);
   FilmOptions chosen = options();
   chosen.burn_in = true;
   for (const bool given : {true, false}) {
     if (!given) chosen.camera.reset();
     const auto film = app::makeFilm(
-        recording, [&](std::uint32_t) { return session.scene->volume; }, workshop / "f", chosen);
+        recording, [&](std::uint32_t) { return session.scene->volume; }, scratch / "f", chosen);
     // a reader that refuses such numbers is as good
     if (!film) {
       EXPECT_EQ(film.error().reason, "damaged");
@@ -728,8 +708,8 @@ TEST_F(Film, OfAToolThatIsOnlyPointsShowsThem) {
   haptics::Tool points;
   points.shell = *haptics::makeShell(octahedron().mesh.vertices);
   session.scene = scene(points);
-  auto recording = recorded(workshop, session);
-  const auto film = app::makeFilm(recording, none, workshop / "f", options());
+  auto recording = recorded(scratch, session);
+  const auto film = app::makeFilm(recording, none, scratch / "f", options());
   ASSERT_TRUE(film) << film.error().what;
   const auto proxy = projected(front(), stepAt(0).X_WP.translation());
   const Decoded pictures = decoded(film->film);
@@ -739,12 +719,12 @@ TEST_F(Film, OfAToolThatIsOnlyPointsShowsThem) {
 }
 
 TEST_F(Film, MayBeLargerThanTheScreen) {
-  auto recording = recorded(workshop, {});
+  auto recording = recorded(scratch, {});
   FilmOptions chosen = options();
   chosen.width = 1920;
   chosen.height = 1080;
   chosen.to = 0.1;
-  const auto film = app::makeFilm(recording, none, workshop / "f", chosen);
+  const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
   ASSERT_TRUE(film) << film.error().what;
   const Decoded pictures = decoded(film->film, 1920, 1080);
   ASSERT_EQ(pictures.frames.size(), 3U);
