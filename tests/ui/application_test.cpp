@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "sphere_in_hand.h"
 #include "ui/panels/histogram_slider.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/volume_view.h"
@@ -23,20 +24,10 @@
 namespace {
 
 using haptics::ForceState;
+using window::sphereInHand;
 using window::waitFor;
 
 constexpr double kSlewOfTick_N = 12.0 / 20.0;  // rated force within 20 ms
-
-app::Arguments sphere(const char* hand) {
-  app::Arguments arguments;
-  arguments.load.phantom = "sphere";
-  arguments.hand = hand;
-  arguments.surface = ui::SurfaceMode::Mesh;
-  arguments.screenshot = "unused";  // neither notice nor preferences of the user
-  arguments.screenshot_after = 3'600.0;
-  arguments.notice = false;
-  return arguments;
-}
 
 // Every tick's force, as the plot gets them, for so many seconds in which no event is handled:
 // the application's own timer would take them first.
@@ -53,7 +44,7 @@ std::vector<double> forcesOfTicks(haptics::Session& session, double seconds) {
 }
 
 TEST(Application, AHandPressesOnASphereAndEscapeDropsTheForce) {
-  app::Application application(sphere("tap"));
+  app::Application application(sphereInHand("tap"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 20.0));
@@ -76,7 +67,7 @@ TEST(Application, AHandPressesOnASphereAndEscapeDropsTheForce) {
 }
 
 TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
-  app::Application application(sphere("mouse"));
+  app::Application application(sphereInHand("mouse"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   ui::VolumeView& view = application.window().view();
@@ -120,7 +111,7 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
 }
 
 TEST(Application, KeepsTheOldVolumeWhenTheNewOneCannotBeRead) {
-  app::Application application(sphere("mouse"));
+  app::Application application(sphereInHand("mouse"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   const auto scene = application.snapshot().scene;
@@ -136,7 +127,7 @@ TEST(Application, SaysInItsTitleThatAScanWasResampled) {
   const std::filesystem::path scan =
       std::filesystem::path(PALPATE_SCANS) / "dicom_oddities/series_failing/gantrytilting";
   if (!std::filesystem::exists(scan)) GTEST_SKIP() << "NOT CHECKED: no tilted scan here";
-  app::Arguments arguments = sphere("mouse");
+  app::Arguments arguments = sphereInHand("mouse");
   arguments.load.phantom = {};
   arguments.load.path = scan;
   arguments.load.geometry = datasets::Geometry::Corrected;
@@ -148,7 +139,7 @@ TEST(Application, SaysInItsTitleThatAScanWasResampled) {
 }
 
 TEST(Application, AnIsovalueThatTheVolumeHasNotIsReplacedEverywhereAndSaid) {
-  app::Arguments arguments = sphere("mouse");
+  app::Arguments arguments = sphereInHand("mouse");
   arguments.load.isovalue = 1e9;
   app::Application application(std::move(arguments));
   application.start();
@@ -162,7 +153,7 @@ TEST(Application, AnIsovalueThatTheVolumeHasNotIsReplacedEverywhereAndSaid) {
 }
 
 TEST(Application, AnotherToolKeepsTheIsovalueThatMovedMeanwhile) {
-  app::Application application(sphere("mouse"));
+  app::Application application(sphereInHand("mouse"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   const auto scene = application.snapshot().scene;
@@ -176,7 +167,7 @@ TEST(Application, AnotherToolKeepsTheIsovalueThatMovedMeanwhile) {
 }
 
 TEST(Application, AnotherFieldIsTouchedLiveAndItsEffectSaid) {
-  app::Application application(sphere("mouse"));
+  app::Application application(sphereInHand("mouse"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   auto* effect = application.window().findChild<QLabel*>("fieldEffect");

@@ -15,6 +15,7 @@
 
 #include "app/application.h"
 #include "hand_device.h"
+#include "sphere_in_hand.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
 
@@ -153,12 +154,7 @@ class Session {
 
  private:
   static app::Arguments arguments(Bench& bench) {
-    app::Arguments made;
-    made.load.phantom = "sphere";
-    made.surface = ui::SurfaceMode::Mesh;
-    made.screenshot = "unused";  // neither notice nor preferences of the user
-    made.screenshot_after = 36'000.0;
-    made.notice = false;
+    app::Arguments made = window::sphereInHand("mouse");
     made.devices = bench.catalogue();
     return made;
   }

@@ -16,6 +16,7 @@
 #include <ctime>
 
 #include "app/application.h"
+#include "sphere_in_hand.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/volume_view.h"
@@ -23,6 +24,7 @@
 
 namespace {
 
+using window::recordedSphere;
 using window::waitFor;
 
 /// Counts paints by the widget's name, or its class where it has none.
@@ -83,19 +85,6 @@ Cost costOf(double seconds, const char* what) {
   return cost;
 }
 
-app::Arguments touching(const QTemporaryDir& recordings, const char* hand) {
-  app::Arguments arguments;
-  arguments.load.phantom = "sphere";
-  arguments.load.tool = app::ToolSource{.name = "sphere"};
-  arguments.hand = hand;
-  arguments.surface = ui::SurfaceMode::Mesh;
-  arguments.screenshot = "unused";  // neither notice nor preferences of the user
-  arguments.screenshot_after = 3'600.0;
-  arguments.notice = false;
-  arguments.recordings = recordings.path().toStdString();
-  return arguments;
-}
-
 // a busy machine has news of its servo loop now and then, and what lies under the status line is
 // painted with it: five paints
 constexpr int kHandful = 12;
@@ -103,7 +92,7 @@ constexpr double kQuiet = 0.10;  // of a core; it is 2 to 3 %, and was 90
 
 TEST(Idle, NothingIsPaintedWhereNothingMoves) {
   const QTemporaryDir recordings;
-  app::Application application(touching(recordings, "mouse"));
+  app::Application application(recordedSphere(recordings, "mouse"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   ui::VolumeView& view = application.window().view();
@@ -129,7 +118,7 @@ TEST(Idle, NothingIsPaintedWhereNothingMoves) {
 
 TEST(Idle, OfAMovingHandOnlyWhatChangedIsPainted) {
   const QTemporaryDir recordings;
-  app::Application application(touching(recordings, "slide"));
+  app::Application application(recordedSphere(recordings, "slide"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 60.0));
   QTest::qWait(1'000);

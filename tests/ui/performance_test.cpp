@@ -13,10 +13,12 @@
 #include <QTest>
 
 #include "app/application.h"
+#include "sphere_in_hand.h"
 #include "window_support.h"
 
 namespace {
 
+using window::sphereInHand;
 using window::waitFor;
 
 ui::Performance wrench() {
@@ -171,17 +173,6 @@ TEST(Performance, ThePlotIsDrawnInTheColoursOfADarkWindowToo) {
     EXPECT_GT(window::count(plot, [](QColor c) { return c.blue() > 180 && c.red() < 120; }), 50);
   }
   QApplication::setPalette(before);
-}
-
-app::Arguments sphereInHand(const char* hand) {
-  app::Arguments arguments;
-  arguments.load.phantom = "sphere";
-  arguments.hand = hand;
-  arguments.surface = ui::SurfaceMode::Mesh;
-  arguments.screenshot = "unused";  // neither notice nor preferences of the user
-  arguments.screenshot_after = 3'600.0;
-  arguments.notice = false;
-  return arguments;
 }
 
 /// The application with the sphere in hand, and the panel's parts.

@@ -20,6 +20,7 @@
 #include "app/application.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/recording/replay.h"
+#include "sphere_in_hand.h"
 #include "ui/export_question.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
@@ -28,22 +29,10 @@
 
 namespace {
 
+using window::recordedSphere;
 using window::waitFor;
 
 namespace fs = std::filesystem;
-
-app::Arguments recordedSphere(const QTemporaryDir& folder, const char* hand = "slide") {
-  app::Arguments arguments;
-  arguments.load.phantom = "sphere";
-  arguments.load.tool = app::ToolSource{.name = "sphere"};
-  arguments.hand = hand;
-  arguments.surface = ui::SurfaceMode::Mesh;
-  arguments.screenshot = "unused";  // neither notice nor preferences of the user
-  arguments.screenshot_after = 3'600.0;
-  arguments.notice = false;
-  arguments.recordings = folder.path().toStdString();
-  return arguments;
-}
 
 template <class W>
 W* child(QWidget& parent, const char* name) {
