@@ -18,6 +18,7 @@ using haptics::Pose;
 using haptics::Quat;
 using haptics::TraceRow;
 using haptics::Vec3;
+using haptics::Wrench;
 using made::at;
 using made::Random;
 using millimetre::h;
@@ -112,6 +113,37 @@ TEST(ClosedLoop, IsServoTickToTheBit) {
   EXPECT_EQ(differ, 0);
   EXPECT_GT(felt, 300);
   EXPECT_LT(share, 1.0);  // or the guard's place among the steps would not be seen
+}
+
+/// Asks for more than any device has, and keeps what it is told.
+struct Greedy final : haptics::WrenchHook {
+  Wrench shaped(const Wrench& wanted, const Pose&, double) HAPTICS_RT override {
+    wanted_W = wanted;
+    return {{0.0, 0.0, 1e3}, {}};
+  }
+  void sent(const Wrench& wrench) HAPTICS_RT override { sent_W = wrench; }
+
+  Wrench wanted_W, sent_W;
+};
+
+TEST(WrenchHook, StandsBeforeTheGateAndIsToldWhatTheGateMadeOfIt) {
+  const Stage stage = stageOf("halfspace", made::point());
+  haptics::Proxy proxy{*stage.scene, at(0, 0, 1e-3)};
+  haptics::Safety safety{{.force = 8.0}};
+  const haptics::Settings settings{.isovalue = stage.isovalue, .stiffness = 1000.0};
+  Greedy hook;
+  for (int n = 0; n < 20; ++n) {
+    const Pose D = at(0, 0, 1e-3 - 1e-4 * n);
+    haptics::Budget budget = haptics::Budget::counted(haptics::kTickWork);
+    const haptics::ServoResult result =
+        haptics::servoTick({D, settings, haptics::StepFlags::kArmed, &hook}, stage.scene.get(),
+                           &proxy, safety, 1e-3, budget);
+    EXPECT_EQ(hook.wanted_W.force, result.tick.wrench_W.force);
+    EXPECT_EQ(hook.sent_W.force, result.sent_W.force);
+    EXPECT_LE(result.sent_W.force.norm(), 8.0 + 1e-9);
+  }
+  EXPECT_NEAR(hook.wanted_W.force.z(), 0.9, 0.05);  // N: 0.9 mm in
+  EXPECT_NEAR(hook.sent_W.force.z(), 8.0, 1e-9);
 }
 
 /// Moves the isovalue and watches: never deeper than the change left it, and out in 20 ticks.
