@@ -454,6 +454,9 @@ TEST(Session, TakesNoSettingBeyondItsRangeAndNoStiffnessBeyondTheRating) {
     EXPECT_GE(settings.position_scale, 0.1);
     EXPECT_LE(settings.position_scale, 10.0);
   }
+  // of what nobody has rated no limit is known
+  ASSERT_TRUE(session.open(std::make_unique<FakeDevice>(at(0, 0, 0))));
+  EXPECT_EQ(inForce(5000.0, 1.0, 1.0).stiffness, 5000.0);
 }
 
 TEST(Session, LetsNobodySetWhatShakesUnlessItIsLiftedAndForOneConnection) {
