@@ -327,7 +327,7 @@ TEST(HapticDevicePanel, WhatMayShakeIsAllowedByTheUserAloneAndForOneConnection) 
   for (int connection = 0; connection < 2; ++connection) {
     shown.panel.showConnected("falcon");
     ASSERT_TRUE(lift->isEnabled());
-    EXPECT_FALSE(lift->isChecked());
+    ASSERT_FALSE(lift->isChecked());
     lift->click();
     EXPECT_TRUE(warning->isVisible());
     EXPECT_TRUE(lifted.takeLast().at(0).toBool());
