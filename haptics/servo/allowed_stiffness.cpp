@@ -9,7 +9,7 @@
 namespace haptics {
 namespace {
 
-constexpr double kShare = 0.5;   // of the limit of a sampled spring
+constexpr double kShare = 0.45;  // of the limit of a sampled spring
 constexpr double kTurned = 0.9;  // N·m/rad, about the pivot: more gives over 0.8 mJ a turn
 
 double shareOfLimit(double damping, const Timing& timing) {

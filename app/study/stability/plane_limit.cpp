@@ -32,12 +32,12 @@ Outcome planeLimitsOf(const DeviceModel& device, int number, double period) {
     const double limit = through_tick.stiffness, one = on_wall.stiffness, theory = wall.theory();
     const std::string name =
         "limit in 6-DOF/" + device.name + "/" + rateOf(period) + "/" + loop.name;
-    // that of which a half is allowed; what is not shipped is a row, no case
+    // that of which 0.45 is allowed; what is not shipped is a row, no case
     if (&loop == &kLoops[0]) {
       outcome.cases.push_back({name, limit / theory, 0.85, "", Case::Sense::AtLeast,
                                "over 2 (b + b_hand) / T = " + shortly(theory) + " N/m, with " +
                                    shortly(wall.totalDamping()) +
-                                   " N s/m in all; half of it is allowed"});
+                                   " N s/m in all; 0.45 of it is allowed"});
       outcome.cases.push_back(
           {name + ", over one degree of freedom", limit / one, 0.85, "", Case::Sense::AtLeast,
            "over what the same loop carries on a wall without a proxy, " + toWords(on_wall) +

@@ -280,7 +280,7 @@ PressResult press(const Wall& wall, const Stage& stage, double stiffness, bool s
   // until what the arrival set off has died, to 1 %; beyond the limit it does not
   const double left = 1.0 - stiffness / wall.theory();
   const double decay = 0.5 * loop.grip.damping / loop.grip.mass * left;
-  const double up = down + kRest + 0.3 + (decay > 0.0 ? std::min(4.6 / decay, 4.0) : 0.0);
+  const double up = down + kRest + 0.8 + (decay > 0.0 ? std::min(4.6 / decay, 4.0) : 0.0);
   std::vector<double> times;
   std::vector<Pose> poses;
   for (int n = 0; n <= 100; ++n) {

@@ -18,22 +18,22 @@ using haptics::TickStats;
 using made::at;
 using made::Random;
 
-constexpr double kRadius = 0.01, kStill = 1e-6, kResolution = 1e-9;  // m
+constexpr double kRadius = 0.01, kTolerance = 2e-3, kResolution = 1e-9;  // m
 
 /// A filter that has just begun at the device pose of the origin, from a pose 10 mm away.
 Acceptance begun() {
   Acceptance filter;
-  filter.begin(Pose::Identity(), kRadius, kStill);
+  filter.begin(Pose::Identity(), kRadius, kTolerance);
   filter.start(10e-3, 1e-3);
   return filter;
 }
 
 TEST(Acceptance, TakesANearerPoseOrAShorterStepButNotOneThatIsAsGoodInNeither) {
   Acceptance filter = begun();
-  EXPECT_TRUE(filter.take(9e-3, 2e-3, kResolution));     // nearer
-  EXPECT_TRUE(filter.take(11e-3, 0.5e-3, kResolution));  // less to do
-  EXPECT_FALSE(filter.take(11e-3, 1e-3, kResolution));  // worse than the start in one, equal in one
-  EXPECT_FALSE(filter.take(9e-3, 2e-3, kResolution));   // seen already
+  EXPECT_TRUE(filter.take(9e-3, 2e-3, kResolution));      // nearer
+  EXPECT_TRUE(filter.take(9.5e-3, 0.5e-3, kResolution));  // less to do
+  EXPECT_FALSE(filter.take(9.5e-3, 2e-3, kResolution));   // worse than one in one, equal in one
+  EXPECT_FALSE(filter.take(9e-3, 2e-3, kResolution));     // seen already
   EXPECT_FALSE(filter.take(9e-3 - 0.5e-9, 2e-3, kResolution));  // and no different
   EXPECT_TRUE(filter.take(0.0, 0.0, kResolution));
 }
@@ -69,42 +69,95 @@ TEST(Acceptance, NeverTakesWhatAnEarlierPoseDominatesAndEndsItsDetours) {
 // what was visited is known by its distance to the device: no motion is too small to void that
 TEST(Acceptance, ForgetsPosesWhenTheDeviceMovesAtAllAndNotWhileItRests) {
   Acceptance filter = begun();
-  filter.begin(Pose::Identity(), kRadius, kStill);
+  filter.begin(Pose::Identity(), kRadius, kTolerance);
   filter.start(10e-3, 1e-3);
   EXPECT_FALSE(filter.take(10e-3, 1e-3, kResolution));
-  filter.begin(at(1e-12, 0, 0), kRadius, kStill);
+  filter.begin(at(1e-12, 0, 0), kRadius, kTolerance);
   filter.start(10.1e-3, 2e-3);
   EXPECT_TRUE(filter.take(10e-3, 1e-3, kResolution));
 }
 
 int detours(Acceptance& filter) {
   int taken = 0;
-  for (int n = 1; n <= 40; ++n)
-    taken += filter.take(10e-3 + n * 1e-6, 1e-3 - n * 1e-6, kResolution);
+  for (int n = 1; n <= 40; ++n) taken += filter.take(10e-3, 1e-3 - n * 1e-6, kResolution);
   return taken;
 }
 
-TEST(Acceptance, GivesNewDetoursOnlyOnceTheDeviceHasMovedByMoreThanItMayTremble) {
+// a slide has what it needs; a hand that trembles or wanders about one place has a dozen in all
+TEST(Acceptance, GivesNewDetoursForTravelAndNoneWithinThePlay) {
   Acceptance filter = begun();
   EXPECT_EQ(detours(filter), 12);
-  for (int n = 0; n < 20; ++n) {  // trembling about one place
-    filter.begin(at(n % 2 * 0.8e-6, 0, 0), kRadius, kStill);
+  Random random{63};
+  for (int n = 0; n < 200; ++n) {
+    const Eigen::Vector3d p = random.direction() * random.in(0.0, 2.0 * kTolerance);
+    const Quat q{Eigen::AngleAxisd{1.9 * kTolerance / kRadius, random.direction()}};
+    filter.begin(at(p, q), kRadius, kTolerance);
     filter.start(10e-3, 1e-3);
-    EXPECT_EQ(detours(filter), 0);
-    EXPECT_TRUE(filter.take(9.9e-3, 1e-3, kResolution));  // nearer is always allowed
+    ASSERT_EQ(detours(filter), 0);
+    ASSERT_TRUE(filter.take(9.9e-3, 1e-3, kResolution));  // nearer is always allowed
   }
-  const Quat turned{Eigen::AngleAxisd{1e-3, Eigen::Vector3d::UnitX()}};  // 10 um at the rim
-  filter.begin(at(Eigen::Vector3d::Zero(), turned), kRadius, kStill);
-  filter.start(10e-3, 1e-3);
-  EXPECT_EQ(detours(filter), 12);
-  // a creeping device gets there too
+  // to and fro along a line: after the play, a dozen for each half of a tolerance
   int given = 0;
-  for (int n = 1; n <= 100; ++n) {
-    filter.begin(at({0.3e-6 * n, 0, 0}, turned), kRadius, kStill);
+  const auto slide = [&](int from, int to) {
+    given = 0;
+    for (int n = from; n != to; n += to > from ? 1 : -1) {
+      filter.begin(at({0.1 * kTolerance * n, 0, 0}, Quat::Identity()), kRadius, kTolerance);
+      filter.start(10e-3, 1e-3);
+      given += detours(filter) == 12;
+    }
+  };
+  slide(0, 1000);
+  const auto expectDozens = [&](double travel) {  // in tolerances, counted each 0.1
+    EXPECT_GE(given, int(travel / 0.6) - 1);
+    EXPECT_LE(given, int(travel / 0.5) + 1);
+  };
+  expectDozens(100.0 - 4.0);
+  slide(1000, 0);
+  expectDozens(100.0 - 8.0);
+  // turning counts as its rim
+  filter = begun();
+  detours(filter);
+  given = 0;
+  for (int n = 0; n <= 100; ++n) {
+    const double angle = 0.1 * kTolerance / kRadius * n;
+    filter.begin(at({0, 0, 0}, Quat{Eigen::AngleAxisd{angle, Eigen::Vector3d::UnitX()}}), kRadius,
+                 kTolerance);
     filter.start(10e-3, 1e-3);
     given += detours(filter) == 12;
   }
-  EXPECT_GE(given, 20);
+  expectDozens(10.0 - 4.0);
+}
+
+// the spring's energy over the stiffness is half of the distance squared
+TEST(Acceptance, RaisesTheSpringByNoMoreThanMovesLetGoOf) {
+  Random random{64};
+  int detours = 0, refused = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    Acceptance filter;
+    double distance = 5e-3, given = 0.0;
+    for (int tick = 0; tick < 100; ++tick) {
+      // the device moves, the proxy does not
+      filter.begin(at(random.direction() * 5e-3), kRadius, kTolerance);
+      distance = std::clamp(distance + random.in(-1e-3, 1e-3), 1e-4, 8e-3);
+      filter.start(distance, 1e-3);
+      const double first = distance;
+      for (int n = 0; n < 10; ++n) {
+        const double next = random.in(0.8, 1.2) * distance;
+        if (!filter.take(next, random.in(0.0, 1e-3), kResolution)) {
+          ++refused;
+          continue;
+        }
+        detours += next > distance;
+        given += 0.5 * (next * next - distance * distance);
+        ASSERT_LE(given, 0.5 * kTolerance * 10e-3);
+        distance = next;
+        // and in a tick by a tolerance against the pull at most
+        ASSERT_LE(0.5 * (distance * distance - first * first), 1.001 * kTolerance * first);
+      }
+    }
+  }
+  EXPECT_GT(detours, 1000);
+  EXPECT_GT(refused, 1000);
 }
 
 TEST(TickStats, GivesRateAndTheTimeThatOneTickInAHundredExceeds) {
