@@ -74,7 +74,7 @@ class Tick {
       if (!through) {
         // the search goes on in the next tick
         result.cut = true;
-        result.followed = moved_;
+        result.followed = gone_ > 0.0;
         return;
       }
     }
@@ -360,7 +360,6 @@ class Tick {
       proxy_.acceptance.start(distance, step);
     else if (!proxy_.acceptance.take(distance, step, 0.002 * lengths().epsilon))
       return;
-    moved_ = moved_ || !at_.atTaken();
     proxy_.X_WP = at_.X;
     proxy_.turn = turn;
     at_.way = at_.turned = 0.0;
@@ -389,9 +388,8 @@ class Tick {
   Budget& budget_;
   MotionRows rows_;
   double radius_;
-  int tries_ = 0;       // motions that a contact shaped or stopped
-  bool moved_ = false;  // the proxy, in this tick
-  double gone_ = 0.0;   // m: the farthest point, in it
+  int tries_ = 0;      // motions that a contact shaped or stopped
+  double gone_ = 0.0;  // m: the farthest point, in it
 
   // of a proxy that was held, whitened: the way to the device before it moved, what of that is left
   // in this tick even where nothing is in the way, and how much of it may change
