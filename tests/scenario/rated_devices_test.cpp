@@ -98,13 +98,14 @@ TEST_P(Rated, IsStableAtItsRatedStiffnessThroughTapWedgePryAndHook) {
   }
 }
 
-// and the guard has nothing to do where the hand only pries or hooks. (The 22 N of a Premium 3.0 at
-// 1000 N/m are 11 mm of press: its tool slips by millimetres.)
+// and the guard has nothing to do where the hand only pries or hooks. (The force of a Premium makes
+// 5 and 11 mm of press at its stiffness: its tool slips by millimetres, and the guard eases what
+// that strikes up in half of a dozen seeds of prying.)
 TEST_P(Rated, KeepsItsStiffnessWhenPryingAndHooking) {
   const DeviceModel& device = GetParam();
   for (const HandMotion motion : {HandMotion::Pry, HandMotion::Hook}) {
     const Felt felt = feel(device, motion, device.rating.stiffness, true);
-    if (device.name == "premium-3.0")
+    if (device.name.starts_with("premium"))
       EXPECT_GE(felt.share, 0.2);
     else
       EXPECT_EQ(felt.share, 1.0) << static_cast<int>(motion);
