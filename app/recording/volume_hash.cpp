@@ -86,7 +86,7 @@ haptics::Expected<QByteArray> installationKey() {
   // others may be making one as well: the first that has the name is everybody's
   std::array<quint32, kKeyBytes / 4> random{};
   QRandomGenerator::system()->fillRange(random.data(), random.size());
-  std::string made = path + ".XXXXXX";
+  std::string made = path + "." + std::string(6, 'X');  // mkostemp fills it in
   const int file = ::mkostemp(made.data(), O_CLOEXEC);  // for its owner's eyes
   if (file < 0) return unusable(path, errno);
   int why = 0;

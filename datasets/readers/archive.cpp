@@ -49,7 +49,7 @@ int lockOf(const fs::path& folder) {
 /// folder with it.
 int makeFolder(const fs::path& place, fs::path& folder) {
   for (int n = 0; n < 3; ++n) {
-    std::string name = (place / (std::string(kFolderName) + "XXXXXX")).string();
+    std::string name = (place / (std::string(kFolderName) + std::string(6, 'X'))).string();
     if (mkdtemp(name.data()) == nullptr) break;
     folder = name;
     if (const int lock = lockOf(folder); lock >= 0) return lock;

@@ -15,8 +15,8 @@ struct Timing {
 
 /// The stiffest spring [N/m, at the hand] that a device may render: its rating, and 0.45 of what
 /// a sampled spring may be, 2 b / (T (1 + 2 delay)), b being the damping of device and hand as
-/// simulation/device_model.h has them: half of what is left where the surface is noise of 10 %.
-/// What presses come to there: app/study/stability.
+/// simulation/device_model.h has them. At half, presses on noise of 10 % gave up to 1.06 mJ where 1
+/// is asked (app/study/stability).
 ///
 /// With torque motors the angular spring, which is the stiffness times the tool's `inertia` [m²],
 /// has the same limit, and across a long tool it is stiffer than in the mean. Without them an

@@ -15,7 +15,8 @@ namespace support {
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "palpate-tests-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "palpate-tests-").string();
+    name.append(6, 'X');  // what mkdtemp fills in
     path_ = ::mkdtemp(name.data());
   }
   ~ScratchFolder() {

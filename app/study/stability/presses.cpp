@@ -22,9 +22,10 @@ using haptics::Quat;
 using haptics::Vec3;
 
 const char* const kPressSection = "Presses in six degrees of freedom";
-constexpr double kPress = 2.0;              // N
-constexpr double kSpeed = 0.06;             // m/s, of the hand at its fastest
-constexpr double kHold = 0.6, kRest = 0.2;  // s
+constexpr double kPress = 2.0;   // N
+constexpr double kSpeed = 0.06;  // m/s, of the hand at its fastest
+constexpr double kRest = 0.2;    // s
+constexpr double kSettle = 0.8;  // s: a handle on noise finds its place, ringing at some 7 Hz
 
 template <class Distance>
 haptics::Volume ramp(double noise, unsigned seed, Distance&& distance) {
@@ -280,7 +281,7 @@ PressResult press(const Wall& wall, const Stage& stage, double stiffness, bool s
   // until what the arrival set off has died, to 1 %; beyond the limit it does not
   const double left = 1.0 - stiffness / wall.theory();
   const double decay = 0.5 * loop.grip.damping / loop.grip.mass * left;
-  const double up = down + kRest + 0.8 + (decay > 0.0 ? std::min(4.6 / decay, 4.0) : 0.0);
+  const double up = down + kRest + kSettle + (decay > 0.0 ? std::min(4.6 / decay, 4.0) : 0.0);
   std::vector<double> times;
   std::vector<Pose> poses;
   for (int n = 0; n <= 100; ++n) {
