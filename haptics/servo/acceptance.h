@@ -51,13 +51,14 @@ class Acceptance {
     travel_ = 0.0;
   }
   /// Whether a pose this far [m] from the device, with a step of this length [m] left to do, may
-  /// be taken. What is told apart: `resolution` [m].
-  bool take(double distance, double step, double resolution) HAPTICS_RT {
+  /// be taken.
+  bool take(double distance, double step) HAPTICS_RT {
     // arrived: there is nothing better
     if (distance == 0.0) {
       nearest_ = last_ = saved_ = 0.0;
       return true;
     }
+    const double resolution = kResolution * tolerance_;
     const bool nearer = distance < nearest_ - resolution;
     const double squared = distance * distance, rise = 0.5 * (squared - last_ * last_);
     const double farthest = nearest_ * (nearest_ + 2.0 * tolerance_);
@@ -85,11 +86,13 @@ class Acceptance {
     double distance = 0.0, step = 0.0;
   };
   static constexpr int kDetours = 12;
-  // in tolerances; with a play of less than 3, handles wander on noise of 10 % of the range
-  static constexpr double kPlay = 4.0;
-  static constexpr double kRenewal = 0.5;    // of travel
-  static constexpr double kMostSaved = 4.0;  // of way against the pull
-  static constexpr double kLent = 0.5;       // likewise
+  // in tolerances:
+  static constexpr double kResolution = 0.002;  // what is nearer by less is not nearer
+  static constexpr double kPlay = 4.0;          // with less than 3, handles wander on noise of 10 %
+  static constexpr double kRenewal = 0.5;       // of travel
+  // of way against the pull: work of long ago pays for nothing now
+  static constexpr double kMostSaved = 4.0;
+  static constexpr double kLent = 0.5;  // of way against the pull
 
   void clear() HAPTICS_RT {
     visited_.clear();

@@ -138,7 +138,7 @@ class Tick {
     ++budget_.counts.sub_steps;
     const double distance = scene_.metric.whitened(way, proxy_.X_WP.linear()).norm();
     proxy_.acceptance.start(distance, distance);
-    proxy_.acceptance.take(0.0, 0.0, 0.0);
+    proxy_.acceptance.take(0.0, 0.0);
     proxy_.clearance.moved(way.linear.norm(), way.angular.norm());
     proxy_.X_WP = X_WD_;
     proxy_.turn.setZero();
@@ -358,7 +358,7 @@ class Tick {
   void judge(double distance, double step, const Vec3& turn) HAPTICS_RT {
     if (at_.atTaken())
       proxy_.acceptance.start(distance, step);
-    else if (!proxy_.acceptance.take(distance, step, 0.002 * lengths().epsilon))
+    else if (!proxy_.acceptance.take(distance, step))
       return;
     proxy_.X_WP = at_.X;
     proxy_.turn = turn;
