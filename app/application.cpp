@@ -14,6 +14,7 @@
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/core/output_file.h"
+#include "haptics/scene/legal_pose.h"
 #include "haptics/smoothing.h"
 #include "resources/named_tools.h"
 #include "ui/panels/device_panel.h"

@@ -14,7 +14,7 @@
 
 #include "datasets/readers/volume_reader.h"
 #include "haptics/core/error.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "ui/props/picture.h"
 
 namespace app {

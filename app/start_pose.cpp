@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "haptics/scene/legal_pose.h"
+
 namespace app {
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 
 namespace app {
 

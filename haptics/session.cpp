@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "haptics/core/clock.h"
-#include "haptics/devices/simulated.h"
-#include "haptics/servo/allowed_stiffness.h"
+#include "haptics/scene/legal_pose.h"
 #include "haptics/servo/servo_loop.h"
+#include "haptics/simulation/allowed_stiffness.h"
+#include "haptics/simulation/simulated.h"
 
 namespace haptics {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "haptics/core/error.h"
 #include "haptics/core/geometry.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "haptics/settings.h"
 #include "haptics/snapshot.h"
 
@@ -15,13 +15,6 @@ namespace haptics {
 
 class Device;
 class StepRing;
-
-/// One sample of the force plot.
-struct ForceSample {
-  double time = 0.0;    ///< s since the loop started
-  float force = 0.0F;   ///< N, norm of what was sent
-  float torque = 0.0F;  ///< N·m, norm of what was sent
-};
 
 /// Which hand holds the device.
 enum class HandKind {

@@ -72,4 +72,11 @@ struct Snapshot {
   std::uint64_t missed_ticks = 0;  ///< periods in which no tick began
 };
 
+/// One sample of the force plot.
+struct ForceSample {
+  double time = 0.0;    ///< s since the loop started
+  float force = 0.0F;   ///< N, norm of what was sent
+  float torque = 0.0F;  ///< N·m, norm of what was sent
+};
+
 }  // namespace haptics

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "haptics/core/error.h"
-#include "haptics/recording/step.h"
+#include "haptics/servo/step.h"
 
 namespace haptics {
 

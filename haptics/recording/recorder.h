@@ -9,8 +9,8 @@
 
 #include "haptics/core/error.h"
 #include "haptics/recording/scene_words.h"
-#include "haptics/recording/step_ring.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
+#include "haptics/servo/step_ring.h"
 
 namespace haptics {
 

@@ -8,7 +8,7 @@
 
 #include "haptics/core/error.h"
 #include "haptics/recording/recording.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 
 namespace haptics {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "haptics/core/error.h"
-#include "haptics/recording/step.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
+#include "haptics/servo/step.h"
 
 namespace haptics {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "haptics/core/realtime.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "haptics/servo/proxy.h"
 
 namespace haptics {

@@ -10,7 +10,7 @@
 #include "haptics/collision/motion_rows.h"
 #include "haptics/collision/sweep.h"
 #include "haptics/core/geometry.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "haptics/servo/acceptance.h"
 
 namespace haptics {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "haptics/collision/motion.h"
+#include "haptics/scene/legal_pose.h"
 #include "haptics/solver/constrained_motion.h"
 
 namespace haptics {
@@ -85,27 +86,6 @@ Pose outsideGrid(const Scene& scene, const Pose& X_WP) HAPTICS_RT {
 }
 
 }  // namespace
-
-bool legal(const Isosurface& solid, const PointShell& shell, const Pose& X_WT,
-           Budget& budget) HAPTICS_RT {
-  for (const Vec3& p : shell.points) {
-    if (!budget.left()) return false;
-    budget.spend(solid.field.work());
-    ++budget.counts.samples;
-    if (solid.inside(X_WT * p)) return false;
-  }
-  return true;
-}
-
-double placeAround(const Pose& X_WT, double voxel, int n, Pose& place) HAPTICS_RT {
-  const int direction = n % 26 + (n % 26 >= 13 ? 1 : 0);  // of 27 steps, without the middle one
-  const Vec3 way{double(direction % 3 - 1), double(direction / 3 % 3 - 1),
-                 double(direction / 9 - 1)};
-  const double distance = voxel * std::pow(1.25, n / 26);
-  place = X_WT;
-  place.translation() += distance * way.normalized();
-  return distance;
-}
 
 bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, Budget& budget) HAPTICS_RT {
   Recovery& recovery = proxy.recovery;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/servo/servo_tick.h"
 
-#include "haptics/recording/step.h"
+#include "haptics/servo/step.h"
 
 namespace haptics {
 

@@ -8,7 +8,7 @@
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
 #include "haptics/coupling/virtual_coupling.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "haptics/servo/proxy.h"
 
 namespace haptics {

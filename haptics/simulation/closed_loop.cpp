@@ -2,8 +2,9 @@
 #include "haptics/simulation/closed_loop.h"
 
 #include "haptics/coupling/passivity.h"
-#include "haptics/recording/step.h"
+#include "haptics/scene/legal_pose.h"
 #include "haptics/servo/servo_tick.h"
+#include "haptics/servo/step.h"
 
 namespace haptics {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "haptics/core/geometry.h"
 #include "haptics/coupling/safety.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "haptics/servo/proxy.h"
 #include "haptics/settings.h"
 #include "haptics/simulation/device_model.h"

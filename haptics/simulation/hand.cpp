@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "haptics/servo/recovery.h"
+#include "haptics/scene/legal_pose.h"
 
 namespace haptics {
 namespace {

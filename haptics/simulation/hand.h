@@ -8,7 +8,7 @@
 #include "haptics/core/error.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 
 namespace haptics {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "haptics/core/geometry.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 
 namespace haptics {
 

@@ -14,13 +14,13 @@ endmacro()
 rule(FOLDERS "haptics" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|resources/)"
      WHY "haptics knows neither window nor picture nor files")
 rule(FOLDERS "haptics/(core|field|tool|collision|solver|coupling)"
-     FORBIDS "^haptics/(servo|devices|session)"
+     FORBIDS "^haptics/(servo|devices|simulation|recording|session)"
      WHY "the algorithm knows neither threads nor devices")
 rule(FOLDERS "haptics/core" FORBIDS "^haptics/" PERMITS "^haptics/core/"
      WHY "the common words depend on nothing")
 rule(FOLDERS "haptics/devices" FORBIDS "^haptics/"
-     PERMITS "^haptics/(core|devices|simulation)/"
-     WHY "a driver sees its interface and its kit")
+     PERMITS "^haptics/(core|devices)/"
+     WHY "a driver sees its interface and the common words")
 rule(FOLDERS "ui" FORBIDS "^(haptics/|datasets/|app/)"
      PERMITS "^haptics/(snapshot[.]h|settings[.]h|core/)"
      WHY "the window is told; it opens nothing")

@@ -11,7 +11,7 @@
 #include "app/study/made/made.h"
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/devices/device.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "haptics/servo/servo_loop.h"
 
 namespace bus {

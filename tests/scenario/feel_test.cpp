@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "haptics/scene/legal_pose.h"
 #include "tests/scenario/trial.h"
 #include "tests/support/millimetre.h"
 

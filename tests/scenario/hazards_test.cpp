@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "app/study/made/made.h"
-#include "haptics/servo/allowed_stiffness.h"
 #include "haptics/servo/emergency.h"
 #include "haptics/session.h"
+#include "haptics/simulation/allowed_stiffness.h"
 #include "tests/scenario/fake_device.h"
 #include "tests/scenario/trial.h"
 

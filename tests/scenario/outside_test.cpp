@@ -3,8 +3,9 @@
 
 #include <iostream>
 
-#include "haptics/recording/step.h"
+#include "haptics/scene/legal_pose.h"
 #include "haptics/servo/servo_tick.h"
+#include "haptics/servo/step.h"
 #include "haptics/simulation/closed_loop.h"
 #include "tests/scenario/trial.h"
 #include "tests/support/millimetre.h"

@@ -7,7 +7,8 @@
 #include <mutex>
 #include <thread>
 
-#include "haptics/devices/simulated.h"
+#include "haptics/scene/legal_pose.h"
+#include "haptics/simulation/simulated.h"
 #include "tests/scenario/fake_device.h"
 #include "tests/scenario/trial.h"
 #include "tests/support/no_allocation.h"

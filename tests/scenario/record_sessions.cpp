@@ -10,10 +10,11 @@
 #include <thread>
 
 #include "datasets/phantoms/phantoms.h"
-#include "haptics/devices/simulated.h"
 #include "haptics/recording/recorder.h"
+#include "haptics/scene/legal_pose.h"
 #include "haptics/servo/servo_loop.h"
 #include "haptics/simulation/hand.h"
+#include "haptics/simulation/simulated.h"
 #include "resources/named_tools.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include "app/study/comparison/scenes.h"
 #include "app/study/reference/tick.h"
 #include "haptics/core/budget.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 
 namespace comparison {
 

@@ -10,7 +10,7 @@
 
 #include "app/study/here/load.h"
 #include "haptics/core/error.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 
 namespace study {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "haptics/coupling/virtual_coupling.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "haptics/servo/servo_loop.h"
 
 namespace study {

@@ -12,7 +12,7 @@
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
 #include "haptics/core/volume.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "haptics/tool/point_shell.h"
 
 /// Volumes, tools and poses that the tests make for themselves.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/study/quantile.h"
+#include "haptics/scene/legal_pose.h"
 #include "haptics/servo/tick.h"
 #include "haptics/simulation/grip.h"
 

@@ -7,7 +7,7 @@
 
 #include "app/study/report/outcome.h"
 #include "haptics/coupling/virtual_coupling.h"
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 #include "haptics/simulation/hand.h"
 
 namespace study {

@@ -10,7 +10,7 @@
 #include "app/study/stability/presses.h"
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/coupling/passivity.h"
-#include "haptics/servo/allowed_stiffness.h"
+#include "haptics/simulation/allowed_stiffness.h"
 
 namespace study {
 namespace {

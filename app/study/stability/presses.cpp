@@ -10,8 +10,8 @@
 #include "app/study/stability/wall.h"
 #include "datasets/phantoms/shapes.h"
 #include "haptics/coupling/passivity.h"
-#include "haptics/servo/allowed_stiffness.h"
 #include "haptics/servo/servo_tick.h"
+#include "haptics/simulation/allowed_stiffness.h"
 
 namespace study {
 namespace {

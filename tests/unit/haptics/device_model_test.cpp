@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "haptics/servo/allowed_stiffness.h"
+#include "haptics/simulation/allowed_stiffness.h"
 #include "haptics/tool/point_shell.h"
 
 namespace {

@@ -10,12 +10,13 @@
 #include <thread>
 
 #include "haptics/core/latest_value.h"
-#include "haptics/devices/simulated.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 #include "haptics/recording/replay.h"
+#include "haptics/scene/legal_pose.h"
 #include "haptics/servo/servo_loop.h"
 #include "haptics/simulation/closed_loop.h"
+#include "haptics/simulation/simulated.h"
 #include "tests/support/scratch_folder.h"
 
 namespace haptics {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 
 #include "app/study/made/made.h"
 #include "haptics/core/latest_value.h"
-#include "haptics/recording/step_ring.h"
 #include "haptics/servo/engagement.h"
+#include "haptics/servo/step_ring.h"
 #include "haptics/servo/tick.h"
 #include "haptics/session.h"
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 
 #include <atomic>
 #include <chrono>
-#include <limits>
 #include <utility>
-
-#include "haptics/servo/recovery.h"
 
 namespace haptics {
 
@@ -54,17 +51,6 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
   return std::make_shared<const Scene>(Scene{
       ++last_id, std::move(volume), std::move(tool), std::move(tree), field, *field, metric,
       lengths, options.normal, std::move(structures), plan, std::move(planned), options.fineness});
-}
-
-std::optional<Pose> legalPoseNear(const Scene& scene, double isovalue, const Pose& X_WT) {
-  constexpr double kFarthest = 0.050;  // m
-  const Isosurface solid{scene.field, isovalue};
-  Budget unlimited = Budget::counted(std::numeric_limits<std::int64_t>::max());
-  if (legal(solid, scene.tool.shell, X_WT, unlimited)) return X_WT;
-  Pose place;
-  for (int n = 0; placeAround(X_WT, scene.field.voxel(), n, place) <= kFarthest; ++n)
-    if (legal(solid, scene.tool.shell, place, unlimited)) return place;
-  return {};
 }
 
 }  // namespace haptics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/devices/simulated.h"
+#include "haptics/simulation/simulated.h"
 
 #include <atomic>
 #include <utility>

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,9 +73,5 @@ PlanLines linesOf(const Plan& plan, const SceneOptions& options, const Volume& v
 Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,
                                                  const SceneOptions& options = {},
                                                  const Scene* previous = nullptr);
-
-/// The pose itself if every shell point is outside, else a legal pose near it, at most 50 mm
-/// away; none if there is none to be found.
-std::optional<Pose> legalPoseNear(const Scene& scene, double isovalue, const Pose& X_WT);
 
 }  // namespace haptics

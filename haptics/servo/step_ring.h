@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "haptics/core/realtime.h"
-#include "haptics/recording/step.h"
+#include "haptics/servo/step.h"
 
 namespace haptics {
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/plan.h"
-
 #include <array>
 #include <charconv>
 
-#include "haptics/scene.h"
+#include "haptics/scene/scene.h"
 
 namespace haptics {
 namespace {

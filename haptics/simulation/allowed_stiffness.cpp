@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/servo/allowed_stiffness.h"
+#include "haptics/simulation/allowed_stiffness.h"
 
 #include <algorithm>
 
