@@ -94,23 +94,27 @@ Outcome judged(const std::string& scene, const Reference& reference,
   return outcome;
 }
 
-Outcome convergence(const std::string& scene, const Reference& reference,
-                    const std::string& back_end, const std::vector<Drawn>& drawn) {
-  std::vector<double> distances, errors;
-  for (const Drawn& d : drawn)
-    if (d.back_end == back_end) {
-      distances.push_back(d.sample_distance);
-      errors.push_back(median(errorsOf(d, reference, rmse)));
-    }
+Outcome convergence(const std::string& scene, const std::string& refined, const std::string& coarse,
+                    const std::vector<Drawn>& drawn) {
+  std::vector<double> distances, differences;
+  for (const Drawn& d : drawn) {
+    if (d.back_end != coarse) continue;
+    Reference same_rays{refined};
+    for (const Drawn& r : drawn)
+      if (r.back_end == refined && r.sample_distance == d.sample_distance)
+        for (const Shot& view : r.views) same_rays.views.push_back(view.image);
+    distances.push_back(d.sample_distance);
+    differences.push_back(median(errorsOf(d, same_rays, rmse)));
+  }
   Outcome outcome;
-  if (distances.empty()) distances = errors = {NAN};
+  if (distances.empty()) distances = differences = {NAN};
   const double finer = distances.back() / distances.front();
   outcome.cases.push_back(
-      {scene + " against " + reference.name + ": " + back_end +
-           ", error at the shortest sample distance over that at the longest",
-       errors.back() / errors.front(), 1.5 * finer, "", Case::Sense::AtMost,
-       "The hit lies half a sample behind the surface in the mean, so the error goes with the "
-       "sample distance, here " +
+      {scene + ": what the refinement of hits corrects, at the shortest sample distance over the "
+               "longest",
+       differences.back() / differences.front(), 1.5 * finer, "", Case::Sense::AtMost,
+       "An unrefined hit lies half a sample behind the surface in the mean, so what it is off by "
+       "goes with the sample distance, here " +
            shortly(finer) + " of the longest; half as much again is allowed."});
   return outcome;
 }

@@ -120,7 +120,8 @@ Outcome drawScene(const std::string& scene, Depth depth) {
         drawing.shoot(BackEnd::RayCast, effort.reference, camera, {0, 0, 0.0}).image);
 
   Outcome outcome = judged(sphere ? "Sphere" : "Head", finest, drawn);
-  outcome += convergence(sphere ? "Sphere" : "Head", finest, nameOf(BackEnd::RayCastCoarse), drawn);
+  outcome += convergence(sphere ? "Sphere" : "Head", nameOf(BackEnd::RayCast),
+                         nameOf(BackEnd::RayCastCoarse), drawn);
   if (sphere) {
     Reference formula{"its formula"};
     for (const Camera& camera : cameras)

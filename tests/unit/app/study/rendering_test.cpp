@@ -155,12 +155,23 @@ TEST(Convergence, SeesASampleDistanceWithoutEffect) {
     return std::vector{study::Shot{image, {1.0}}};
   };
   const auto passes = [&](double error) {
-    return allPass(study::convergence("S", {"what is meant", {meant}}, "b",
-                                      {{"b", 2.0, off_by(8.0)}, {"b", 0.5, off_by(error)}}));
+    return allPass(study::convergence("S", "refined", "b",
+                                      {{"refined", 2.0, off_by(0.0)},
+                                       {"refined", 0.5, off_by(0.0)},
+                                       {"b", 2.0, off_by(8.0)},
+                                       {"b", 0.5, off_by(error)}}));
   };
   EXPECT_TRUE(passes(2.0));
   EXPECT_FALSE(passes(8.0));
   EXPECT_FALSE(passes(3.5));
+  // a missed edge that both have in common is not counted; without the refined there is no verdict
+  EXPECT_TRUE(allPass(study::convergence("S", "refined", "b",
+                                         {{"refined", 2.0, off_by(50.0)},
+                                          {"refined", 0.5, off_by(50.0)},
+                                          {"b", 2.0, off_by(58.0)},
+                                          {"b", 0.5, off_by(52.0)}})));
+  EXPECT_FALSE(allPass(
+      study::convergence("S", "refined", "b", {{"b", 2.0, off_by(8.0)}, {"b", 0.5, off_by(2.0)}})));
 }
 
 TEST(Rendering, WithoutADisplayIsAnOmissionAndNoCase) {
