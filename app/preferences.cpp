@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include "app/recent_places.h"
+#include "haptics/settings.h"
 
 namespace app {
 namespace {
@@ -13,12 +14,12 @@ ui::Mapping loadMapping(const QSettings& settings) {
   ui::Mapping mapping;
   const auto scale = [&](const char* key, double& value) {
     const double stored = settings.value(key, value).toDouble();
-    if (stored >= 0.1 && stored <= 10.0) value = stored;
+    if (haptics::kScaleRange.holds(stored)) value = stored;
   };
   const auto button = [&](const char* key, int& value) {
     bool is_number = false;
     const int stored = settings.value(key, value).toInt(&is_number);
-    if (is_number && stored >= 0 && stored < 8) value = stored;
+    if (is_number && stored >= 0 && stored < haptics::kButtons) value = stored;
   };
   scale("device/position_scale", mapping.position_scale);
   scale("device/force_scale", mapping.force_scale);
@@ -38,7 +39,7 @@ Preferences loadPreferences() {
   preferences.layout = settings.value("window/layout").toByteArray();
   preferences.notice_seen = settings.value("notice/seen", false).toBool();
   const double stiffness = settings.value("coupling/stiffness", 1000.0).toDouble();
-  if (stiffness >= 0.0 && stiffness <= 20'000.0) preferences.stiffness = stiffness;
+  if (haptics::kStiffnessRange.holds(stiffness)) preferences.stiffness = stiffness;
   preferences.mapping = loadMapping(settings);
   preferences.places_remembered = settings.value("places/remembered", true).toBool();
   if (preferences.places_remembered)

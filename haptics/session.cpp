@@ -28,16 +28,15 @@ Error noRoom() {
 
 /// What Settings allows; a number that is not finite stays what it was.
 Settings withinRange(Settings settings, const Settings& before) {
-  const auto keep = [&](double Settings::*member, double least, double most) {
+  const auto keep = [&](double Settings::*member, Range range) {
     double& value = settings.*member;
-    value = std::isfinite(value) ? std::clamp(value, least, most) : before.*member;
+    value = std::isfinite(value) ? std::clamp(value, range.least, range.most) : before.*member;
   };
-  constexpr double kStiffest = 20'000.0, kRoughest = 1.5, kMostScale = 10.0;
-  keep(&Settings::stiffness, 0.0, kStiffest);
-  keep(&Settings::angular_stiffness, 0.0, kStiffest);
-  keep(&Settings::friction, 0.0, kRoughest);
-  keep(&Settings::force_scale, 1.0 / kMostScale, kMostScale);
-  keep(&Settings::position_scale, 1.0 / kMostScale, kMostScale);
+  keep(&Settings::stiffness, kStiffnessRange);
+  keep(&Settings::angular_stiffness, kAngularStiffnessRange);
+  keep(&Settings::friction, kFrictionRange);
+  keep(&Settings::force_scale, kScaleRange);
+  keep(&Settings::position_scale, kScaleRange);
   return settings;
 }
 

@@ -5,18 +5,36 @@
 
 namespace haptics {
 
+/// What a setting may be, both ends included.
+struct Range {
+  double least, most;
+  constexpr bool holds(double value) const { return value >= least && value <= most; }
+};
+
+/// The ranges of Settings, for all who ask for a number or keep one.
+inline constexpr Range kStiffnessRange{0.0, 20'000.0};
+inline constexpr Range kAngularStiffnessRange{0.0, 1000.0};
+inline constexpr Range kFrictionRange{0.0, 1.5};
+inline constexpr Range kScaleRange{0.1, 10.0};  ///< of force and of position
+
+/// Buttons that a Handling may name: those of the device that moves the tool are numbered from 0,
+/// those of a second one in the other hand from kButtonsEach.
+inline constexpr int kButtonsEach = 8;
+inline constexpr int kButtons = 2 * kButtonsEach;
+
 /// What the user may change while the servo loop runs. Set by the GUI thread through
 /// Session::set, adopted at the next tick; never needs a new Scene.
 struct Settings {
   double isovalue = 0.0;  ///< in the volume's own unit; above the background
-  /// N on the hand, were force_scale 1, for each m in the volume; 0 to 20,000. At the hand that is
-  /// stiffness · force_scale · position_scale, which a device's rating may cap.
+  /// N on the hand, were force_scale 1, for each m in the volume; kStiffnessRange. At the hand that
+  /// is stiffness · force_scale · position_scale, which a device's rating may cap.
   double stiffness = 1000.0;
-  /// N·m/rad at the hand; 0 takes stiffness times the tool's mean inertia (the paper's scalar k).
+  /// N·m/rad at the hand, kAngularStiffnessRange; 0 takes stiffness times the tool's mean inertia
+  /// (the paper's scalar k).
   double angular_stiffness = 0.0;
-  double friction = 0.0;        ///< Coulomb's coefficient between tool and surface, 0 to 1.5
-  double force_scale = 1.0;     ///< of what the hand feels to what the tool exerts, 0.1 to 10
-  double position_scale = 1.0;  ///< m that the tool moves for each m of the hand, 0.1 to 10
+  double friction = 0.0;        ///< Coulomb's coefficient between tool and surface; kFrictionRange
+  double force_scale = 1.0;     ///< of what the hand feels to what the tool exerts; kScaleRange
+  double position_scale = 1.0;  ///< m that the tool moves for each m of the hand; kScaleRange
 };
 
 /// How a real device is held. Set by the GUI thread through Session::handle.
@@ -27,8 +45,8 @@ struct Handling {
   int hold_button = -1;      ///< hold-to-run by it; -1: none
   bool hold_to_run = false;  ///< no force unless the button or the key is held
   bool clutch = false;       ///< the clutch's key is down
-  /// The key of hold-to-run is down. Counts for 0.25 s: a window that hangs holds nothing, so who
-  /// means it says it again and again.
+  /// The key of hold-to-run is down. Expires after 0.25 s, so that a window that hangs holds
+  /// nothing; the GUI must resend it.
   bool held = false;
 };
 

@@ -72,6 +72,8 @@ std::vector<std::string> namesIn(const std::map<std::string, T>& kinds) {
   return names;
 }
 
+CLI::Range within(haptics::Range range) { return {range.least, range.most}; }
+
 /// What is told of a run, gathered row by row.
 struct Tally {
   std::vector<double> tick_us;
@@ -320,13 +322,13 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->check(finiteNumber() & CLI::Range(0.001, 86'400.0));
   command->add_option("--stiffness", options->stiffness, "Of the virtual coupling [N/m]")
       ->required()
-      ->check(finiteNumber() & CLI::Range(0.0, 20'000.0));
+      ->check(finiteNumber() & within(haptics::kStiffnessRange));
   command
       ->add_option("--angular-stiffness", options->angular_stiffness,
                    "In place of the tool's own [N·m/rad]")
-      ->check(finiteNumber() & CLI::Range(0.0, 1000.0));
+      ->check(finiteNumber() & within(haptics::kAngularStiffnessRange));
   command->add_option("--friction", options->friction, "Coulomb's coefficient")
-      ->check(finiteNumber() & CLI::Range(0.0, 1.5));
+      ->check(finiteNumber() & within(haptics::kFrictionRange));
   command->add_option("--field", options->field, "How voxels become a field: trilinear, spline")
       ->check(CLI::IsMember(namesIn(fields())));
   command

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shape of Motion-BIDS, Brain Imaging Data Structure 1.11.0, "Motion" and "Events".
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -82,17 +83,23 @@ std::vector<Channel> vectorChannels(const std::string& name, const char* unit,
   return channels;
 }
 
-template <class Of>
-Channel single(const char* name, const char* unit, std::string description, Of of) {
+/// With a capital first letter.
+std::string sentence(std::string words) {
+  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words;
+}
+
+Channel single(const char* name, const std::string& unit, std::string description,
+               std::function<void(std::string&, const RecordedStep&)> append) {
   return {name,
           kMissing,
           "MISC",
           kMissing,
-          unit,
+          unit.empty() || unit == "1" ? kMissing : unit,
           kMissing,
           std::move(description),
-          [of](std::string& line, const RecordedStep& row, std::int64_t) {
-            append(line, of(row.step));
+          [append = std::move(append)](std::string& line, const RecordedStep& row, std::int64_t) {
+            append(line, row);
           }};
 }
 
@@ -128,39 +135,25 @@ std::vector<Channel> motionChannels(const haptics::Recording& recording) {
                      [](const Step& step) -> const Vec3& { return step.sent_W.force; }));
   add(vectorChannels("torque", "N.m", "Torque sent to the hand, about the device's origin",
                      [](const Step& step) -> const Vec3& { return step.sent_W.torque; }));
-  add({single("isovalue", kMissing, "Where the surface is, in the scan's own unit",
-              [](const Step& step) { return step.settings.isovalue; }),
-       single("stiffness", "N/m", "Of the virtual coupling",
-              [](const Step& step) { return step.settings.stiffness; }),
-       single("angular_stiffness", "N.m/rad",
-              "Of the virtual coupling; 0: stiffness times the tool's mean inertia",
-              [](const Step& step) { return step.settings.angular_stiffness; }),
-       single("friction", kMissing, "Coulomb's coefficient between tool and surface",
-              [](const Step& step) { return step.settings.friction; }),
-       single("force_scale", kMissing, "Of what the hand feels to what the tool exerts",
-              [](const Step& step) { return step.settings.force_scale; }),
-       single("position_scale", kMissing, "m that the tool moves for each m of the hand",
-              [](const Step& step) { return step.settings.position_scale; }),
-       single("contacts", kMissing, "Contacts that bear on the tool",
-              [](const Step& step) { return static_cast<std::int64_t>(step.contacts.size()); }),
-       single("cpu", "ns", "Time of the thread that the tick took",
-              [](const Step& step) { return step.cpu_ns; }),
-       single("cut_at", kMissing, "Work at which the tick was cut off; 0: it was not",
-              [](const Step& step) { return step.cut_at; }),
-       single("late_ticks", kMissing, "Ticks that began late since the servo loop started",
-              [](const Step& step) { return std::int64_t{step.late_ticks}; }),
-       single("missed_ticks", kMissing, "Ticks that were left out since the servo loop started",
-              [](const Step& step) { return std::int64_t{step.missed_ticks}; }),
-       single("force_state", kMissing, kForceStateMeaning,
-              [](const Step& step) { return static_cast<std::int64_t>(step.force_state); }),
-       single("flags", kMissing, kFlagsMeaning,
-              [](const Step& step) { return std::int64_t{step.flags}; }),
-       single("scene", kMissing, scenesOf(recording),
-              [](const Step& step) { return std::int64_t{step.scene}; }),
-       single("step", kMissing, "Number of the tick since the recording began",
-              [](const Step& step) { return static_cast<std::int64_t>(step.sequence); }),
+  for (const haptics::StepColumn& column : haptics::stepColumns())
+    if (column.path != nullptr)
+      all.push_back(single(
+          column.name, column.unit,
+          column.name == std::string_view{"scene"} ? scenesOf(recording) : sentence(column.meaning),
+          [&column](std::string& line, const RecordedStep& row) {
+            haptics::withValue(column, row, [&](auto value) {
+              if constexpr (std::is_floating_point_v<decltype(value)>)
+                append(line, value);
+              else
+                append(line, static_cast<std::int64_t>(value));
+            });
+          }));
+  add({single("step", "", "Number of the tick since the recording began",
+              [](std::string& line, const RecordedStep& row) {
+                append(line, static_cast<std::int64_t>(row.step.sequence));
+              }),
        single("time", "ns", "Since the recording began",
-              [](const Step& step) { return step.time_ns; })});
+              [](std::string& line, const RecordedStep& row) { append(line, row.step.time_ns); })});
   return all;
 }
 
@@ -238,8 +231,8 @@ ordered_json eventFacts() {
       {"scene", "Another scene, of number value"},
       {"force_scale", "The force scale moved, to value"},
       {"position_scale", "The position scale moved, to value"},
-      {"force", "The force became value: " + std::string{kForceStateMeaning}},
-      {"device", "Of the device, value is: " + std::string{kFlagsMeaning}},
+      {"force", "The force became value: " + std::string{columnNamed("force_state").meaning}},
+      {"device", "Of the device, value is: " + std::string{columnNamed("flags").meaning}},
       {"clutch", "The tool stays while the hand moves: value 1; again with it: 0"},
       {"gap", "So many steps as value before this were not recorded"},
       {"late", "So many ticks as value began late until now"},

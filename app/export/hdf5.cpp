@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -149,6 +150,40 @@ class Table {
   bool sound_ = true;
 };
 
+/// The values of one column.
+class ColumnTable {
+ public:
+  virtual ~ColumnTable() = default;
+  virtual void add(const RecordedStep& row) = 0;
+  virtual bool flush() = 0;
+  virtual bool sound() const = 0;
+
+  static std::unique_ptr<ColumnTable> of(const haptics::StepColumn& column, hid_t file);
+};
+
+template <class T>
+class TypedColumnTable final : public ColumnTable {
+ public:
+  TypedColumnTable(const haptics::StepColumn& column, hid_t file)
+      : column_{column}, table_{file, column.path, 0, column.unit, column.meaning} {}
+  void add(const RecordedStep& row) override {
+    haptics::withValue(column_, row, [&](auto value) { table_.add(static_cast<T>(value)); });
+  }
+  bool flush() override { return table_.flush(); }
+  bool sound() const override { return table_.sound(); }
+
+ private:
+  const haptics::StepColumn& column_;
+  Table<T> table_;
+};
+
+std::unique_ptr<ColumnTable> ColumnTable::of(const haptics::StepColumn& column, hid_t file) {
+  // the type is that of any step's value
+  return haptics::withValue(column, {}, [&](auto value) -> std::unique_ptr<ColumnTable> {
+    return std::make_unique<TypedColumnTable<decltype(value)>>(column, file);
+  });
+}
+
 /// All that has a row per step.
 struct StepTables {
   explicit StepTables(hid_t file)
@@ -159,24 +194,10 @@ struct StepTables {
         proxy_position{file, "proxy/position", 3, "m", "proxy after the tick: x, y, z"},
         proxy_orientation{file, "proxy/orientation", 4, "1", "unit quaternion w, x, y, z"},
         force{file, "force", 3, "N", "force sent to the hand"},
-        torque{file, "torque", 3, "N.m", "torque sent to the hand, about the device's origin"},
-        isovalue{file, "settings/isovalue", 0, "", "where the surface is, in the scan's unit"},
-        stiffness{file, "settings/stiffness", 0, "N/m", "of the virtual coupling"},
-        angular_stiffness{file, "settings/angular_stiffness", 0, "N.m/rad",
-                          "of the virtual coupling; 0: stiffness times the tool's mean inertia"},
-        friction{file, "settings/friction", 0, "1", "Coulomb's coefficient, tool and surface"},
-        force_scale{file, "settings/force_scale", 0, "1",
-                    "of what the hand feels to what the tool exerts"},
-        position_scale{file, "settings/position_scale", 0, "1",
-                       "m that the tool moves for each m of the hand"},
-        cpu{file, "tick/cpu", 0, "ns", "time of the thread that the tick took"},
-        cut_at{file, "tick/cut_at", 0, "", "work at which it was cut off; 0: it was not"},
-        late{file, "tick/late", 0, "", "ticks that began late since the servo loop started"},
-        missed{file, "tick/missed", 0, "", "ticks left out since the servo loop started"},
-        force_state{file, "tick/force_state", 0, "", kForceStateMeaning},
-        flags{file, "tick/flags", 0, "", kFlagsMeaning},
-        scene{file, "tick/scene", 0, "", "number of the scene under /scenes; 0: none"},
-        contacts{file, "tick/contacts", 0, "", "contacts that bear on the tool"} {}
+        torque{file, "torque", 3, "N.m", "torque sent to the hand, about the device's origin"} {
+    for (const haptics::StepColumn& column : haptics::stepColumns())
+      if (column.path != nullptr) columns.push_back(ColumnTable::of(column, file));
+  }
 
   void add(const RecordedStep& row) {
     const Step& tick = row.step;
@@ -188,41 +209,21 @@ struct StepTables {
     proxy_orientation.add(row.proxy.data() + 3);
     force.add(tick.sent_W.force);
     torque.add(tick.sent_W.torque);
-    isovalue.add(tick.settings.isovalue);
-    stiffness.add(tick.settings.stiffness);
-    angular_stiffness.add(tick.settings.angular_stiffness);
-    friction.add(tick.settings.friction);
-    force_scale.add(tick.settings.force_scale);
-    position_scale.add(tick.settings.position_scale);
-    cpu.add(tick.cpu_ns);
-    cut_at.add(tick.cut_at);
-    late.add(tick.late_ticks);
-    missed.add(tick.missed_ticks);
-    force_state.add(static_cast<std::uint8_t>(tick.force_state));
-    flags.add(tick.flags);
-    scene.add(tick.scene);
-    contacts.add(static_cast<std::uint8_t>(tick.contacts.size()));
+    for (const auto& column : columns) column->add(row);
   }
   /// Calls f with each.
   template <class F>
   void visit(F&& f) {
     f(time), f(step), f(device_position), f(device_orientation), f(proxy_position),
-        f(proxy_orientation), f(force), f(torque), f(isovalue), f(stiffness), f(angular_stiffness),
-        f(friction), f(force_scale), f(position_scale), f(cpu), f(cut_at), f(late), f(missed),
-        f(force_state), f(flags), f(scene), f(contacts);
+        f(proxy_orientation), f(force), f(torque);
+    for (const auto& column : columns) f(*column);
   }
 
   Table<std::int64_t> time;
   Table<std::uint64_t> step;
   Table<double> device_position, device_orientation, proxy_position, proxy_orientation;
   Table<double> force, torque;
-  Table<double> isovalue, stiffness, angular_stiffness, friction, force_scale, position_scale;
-  Table<std::int64_t> cpu, cut_at;
-  Table<std::uint32_t> late, missed;
-  Table<std::uint8_t> force_state;
-  Table<std::uint16_t> flags;
-  Table<std::uint32_t> scene;
-  Table<std::uint8_t> contacts;
+  std::vector<std::unique_ptr<ColumnTable>> columns;
 };
 
 /// The contacts of all steps, one after another, and where those of a step begin.

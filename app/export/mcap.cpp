@@ -24,6 +24,7 @@ using haptics::PoseNumbers;
 using haptics::RecordedEvent;
 using haptics::RecordedStep;
 using haptics::Step;
+using haptics::StepColumn;
 using haptics::Vec3;
 
 namespace {
@@ -73,29 +74,58 @@ std::uint32_t crcOf(std::string_view bytes, std::uint32_t before = 0) {
 
 /// One of the streams of messages, with the schema of the same number.
 struct Topic {
-  const char* name;
-  const char* schema;
-  const char* properties;  ///< of the JSON schema
+  std::string name, schema;
+  std::string properties;  ///< of the JSON schema
 };
 enum TopicNumber : std::uint16_t { Device, Proxy, Wrench, Contacts, Tick, Settings, Event };
 constexpr const char* kPoseProperties =
     R"("timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},"frame_id":{"type":"string"},"pose":{"type":"object","properties":{"position":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"orientation":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}})";
-constexpr Topic kTopics[] = {
-    {"/device", "foxglove.PoseInFrame", kPoseProperties},
-    {"/proxy", "foxglove.PoseInFrame", kPoseProperties},
-    {"/wrench", "palpate.Wrench",
-     R"("force":{"type":"object","description":"N","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"torque":{"type":"object","description":"N.m, about the device's origin","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}})"},
-    {"/contacts", "palpate.Contacts",
-     R"("contacts":{"type":"array","items":{"type":"object","properties":{"arm":{"type":"object","description":"m, the point about the tool's origin","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"normal":{"type":"object","description":"unit, out of the solid","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"push":{"type":"number","description":"N"}}}})"},
-    {"/tick", "palpate.Tick",
-     R"("step":{"type":"integer"},"cpu_ns":{"type":"integer"},"cut_at":{"type":"integer"},"late":{"type":"integer"},"missed":{"type":"integer"},"force_state":{"type":"integer","description":"0 off, 1 ready, 2 armed, 3 ramping, 4 on, 5 fault"},"flags":{"type":"integer"},"contacts":{"type":"integer"})"},
-    {"/settings", "palpate.Settings",
-     R"("isovalue":{"type":"number"},"stiffness":{"type":"number","description":"N/m"},"angular_stiffness":{"type":"number","description":"N.m/rad"},"friction":{"type":"number"},"force_scale":{"type":"number"},"position_scale":{"type":"number"},"scene":{"type":"integer"})"},
-    {"/event", "palpate.Event",
-     R"("step":{"type":"integer"},"kind":{"type":"string"},"value":{"type":["number","null"]},"note":{"type":"string"})"}};
+
+/// What a column is called in a message: "tick/cpu" in ns is "cpu_ns".
+std::string keyOf(const StepColumn& column) {
+  const std::string_view path = column.path;
+  const std::string key{path.substr(path.find('/') + 1)};
+  return column.unit == std::string_view{"ns"} ? key + "_ns" : key;
+}
+
+/// The columns of /settings, which change seldom, or of /tick.
+std::vector<const StepColumn*> columnsOf(TopicNumber topic) {
+  std::vector<const StepColumn*> columns;
+  for (const StepColumn& column : haptics::stepColumns())
+    if (column.path != nullptr && column.steady == (topic == Settings)) columns.push_back(&column);
+  return columns;
+}
+
+std::string propertiesOf(TopicNumber topic) {
+  std::string properties;
+  for (const StepColumn* column : columnsOf(topic)) {
+    const std::string_view unit = column->unit;
+    const bool named = !unit.empty() && unit != "1";
+    const nlohmann::ordered_json property{
+        {"type", column->type == haptics::ColumnType::Float64 ? "number" : "integer"},
+        {"description", column->meaning + (named ? " [" + std::string{unit} + "]" : "")}};
+    properties += (properties.empty() ? "\"" : ",\"") + keyOf(*column) + "\":" + property.dump();
+  }
+  return properties;
+}
+
+const std::vector<Topic>& topics() {
+  static const std::vector<Topic> kTopics{
+      {"/device", "foxglove.PoseInFrame", kPoseProperties},
+      {"/proxy", "foxglove.PoseInFrame", kPoseProperties},
+      {"/wrench", "palpate.Wrench",
+       R"("force":{"type":"object","description":"N","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"torque":{"type":"object","description":"N.m, about the device's origin","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}})"},
+      {"/contacts", "palpate.Contacts",
+       R"("contacts":{"type":"array","items":{"type":"object","properties":{"arm":{"type":"object","description":"m, the point about the tool's origin","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"normal":{"type":"object","description":"unit, out of the solid","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"push":{"type":"number","description":"N"}}}})"},
+      {"/tick", "palpate.Tick", R"("step":{"type":"integer"},)" + propertiesOf(Tick)},
+      {"/settings", "palpate.Settings", propertiesOf(Settings)},
+      {"/event", "palpate.Event",
+       R"("step":{"type":"integer"},"kind":{"type":"string"},"value":{"type":["number","null"]},"note":{"type":"string"})"}};
+  return kTopics;
+}
 
 std::string schemaRecord(std::uint16_t id) {
-  const Topic& topic = kTopics[id];
+  const Topic& topic = topics()[id];
   std::string content;
   put(content, static_cast<std::uint16_t>(id + 1));  // 0 would be no schema
   putText(content, topic.schema);
@@ -107,7 +137,7 @@ std::string channelRecord(std::uint16_t id) {
   std::string content;
   put(content, id);
   put(content, static_cast<std::uint16_t>(id + 1));
-  putText(content, kTopics[id].name);
+  putText(content, topics()[id].name);
   putText(content, "json");
   putText(content, {});
   return record(Op::Channel, content);
@@ -122,7 +152,7 @@ class Writer {
     putText(header, "");
     putText(header, "palpate");
     emit(record(Op::Header, header));
-    for (std::uint16_t id = 0; id < std::size(kTopics); ++id)
+    for (std::uint16_t id = 0; id < topics().size(); ++id)
       chunk_ += schemaRecord(id) + channelRecord(id);
   }
 
@@ -182,7 +212,7 @@ class Writer {
       emit(records);
     };
     std::string schemas, channels;
-    for (std::uint16_t id = 0; id < std::size(kTopics); ++id) {
+    for (std::uint16_t id = 0; id < topics().size(); ++id) {
       schemas += schemaRecord(id);
       channels += channelRecord(id);
     }
@@ -273,8 +303,8 @@ class Writer {
     }
     std::string content;
     put(content, messages);
-    put(content, static_cast<std::uint16_t>(std::size(kTopics)));
-    put(content, static_cast<std::uint32_t>(std::size(kTopics)));
+    put(content, static_cast<std::uint16_t>(topics().size()));
+    put(content, static_cast<std::uint32_t>(topics().size()));
     put(content, std::uint32_t{0});  // attachments
     put(content, metadata_count_);
     put(content, chunk_count_);
@@ -346,24 +376,30 @@ void writeContacts(Json& json, const Step& step) {
   }
   json.raw("]}");
 }
-void writeTick(Json& json, const Step& step) {
-  json.raw(R"({"step":)").number(static_cast<std::int64_t>(step.sequence));
-  json.raw(R"(,"cpu_ns":)").number(step.cpu_ns);
-  json.raw(R"(,"cut_at":)").number(step.cut_at);
-  json.raw(R"(,"late":)").number(std::int64_t{step.late_ticks});
-  json.raw(R"(,"missed":)").number(std::int64_t{step.missed_ticks});
-  json.raw(R"(,"force_state":)").number(static_cast<std::int64_t>(step.force_state));
-  json.raw(R"(,"flags":)").number(std::int64_t{step.flags});
-  json.raw(R"(,"contacts":)").number(static_cast<std::int64_t>(step.contacts.size())).raw("}");
+void writeColumns(Json& json, const std::vector<const StepColumn*>& columns,
+                  const RecordedStep& row, const char* separator) {
+  for (const StepColumn* column : columns) {
+    json.raw(separator).raw("\"").raw(keyOf(*column)).raw("\":");
+    haptics::withValue(*column, row, [&](auto value) {
+      if constexpr (std::is_floating_point_v<decltype(value)>)
+        json.number(value);
+      else
+        json.number(static_cast<std::int64_t>(value));
+    });
+    separator = ",";
+  }
 }
-void writeSettings(Json& json, const Step& step) {
-  json.raw(R"({"isovalue":)").number(step.settings.isovalue);
-  json.raw(R"(,"stiffness":)").number(step.settings.stiffness);
-  json.raw(R"(,"angular_stiffness":)").number(step.settings.angular_stiffness);
-  json.raw(R"(,"friction":)").number(step.settings.friction);
-  json.raw(R"(,"force_scale":)").number(step.settings.force_scale);
-  json.raw(R"(,"position_scale":)").number(step.settings.position_scale);
-  json.raw(R"(,"scene":)").number(std::int64_t{step.scene}).raw("}");
+void writeTick(Json& json, const RecordedStep& row) {
+  static const std::vector<const StepColumn*> kColumns = columnsOf(Tick);
+  json.raw(R"({"step":)").number(static_cast<std::int64_t>(row.step.sequence));
+  writeColumns(json, kColumns, row, ",");
+  json.raw("}");
+}
+void writeSettings(Json& json, const RecordedStep& row) {
+  static const std::vector<const StepColumn*> kColumns = columnsOf(Settings);
+  json.raw("{");
+  writeColumns(json, kColumns, row, "");
+  json.raw("}");
 }
 void writeEvent(Json& json, const RecordedEvent& event) {
   json.raw(R"({"step":)").number(static_cast<std::int64_t>(event.sequence));
@@ -409,7 +445,7 @@ haptics::Expected<Exported> exportMcap(haptics::Recording& recording,
     ++exported.steps;
     // settings when they are first known, and when they change
     Json now;
-    writeSettings(now, step);
+    writeSettings(now, row);
     bool going = sendEventsUntil(time);
     if (settings != now.text()) {
       settings = now.text();
@@ -418,7 +454,7 @@ haptics::Expected<Exported> exportMcap(haptics::Recording& recording,
     going = going && send(Device, time, [&](Json& to) { writePose(to, time, row.device); }) &&
             send(Proxy, time, [&](Json& to) { writePose(to, time, row.proxy); }) &&
             send(Wrench, time, [&](Json& to) { writeWrench(to, step.sent_W); }) &&
-            send(Tick, time, [&](Json& to) { writeTick(to, step); });
+            send(Tick, time, [&](Json& to) { writeTick(to, row); });
     if (options.contacts)
       going = going && send(Contacts, time, [&](Json& to) { writeContacts(to, step); });
     return going;

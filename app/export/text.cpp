@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/export/text.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace app::exporting {
+
+const haptics::StepColumn& columnNamed(std::string_view name) {
+  return *std::ranges::find_if(haptics::stepColumns(),
+                               [&](const auto& column) { return column.name == name; });
+}
 
 std::string plain(std::string text) {
   using nlohmann::json;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptics/settings.h"
+
 namespace haptics {
 namespace {
-
-constexpr int kFirstsButtons = 8;
 
 class Combined final : public Device {
  public:
@@ -32,9 +32,9 @@ class Combined final : public Device {
     reading.X_BD.translation() = where_.X_BD.translation();
     reading.X_BD.linear() = R_BD_;
     reading.time_ns = where_.time_ns;
-    constexpr std::uint32_t kMask = (1u << kFirstsButtons) - 1u;
+    constexpr std::uint32_t kMask = (1u << kButtonsEach) - 1u;
     reading.buttons = (where_.buttons & kMask);
-    reading.buttons |= turn_.buttons << kFirstsButtons;
+    reading.buttons |= turn_.buttons << kButtonsEach;
 
     if (moved == DeviceStatus::NotReady || turned == DeviceStatus::NotReady)
       return DeviceStatus::NotReady;

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "haptics/core/error.h"
-#include "haptics/servo/step.h"
+#include "haptics/recording/columns.h"
 
 namespace haptics {
-
-/// A pose as it is written for people: x, y, z [m], then the unit quaternion w, x, y, z.
-using PoseNumbers = std::array<double, 7>;
-PoseNumbers numbersOf(const Pose& X);
-
-/// A step as it is read from a recording.
-struct RecordedStep {
-  Step step;             ///< X_WD to the bit; X_WP and the contacts as below
-  PoseNumbers device{};  ///< numbersOf X_WD
-  PoseNumbers proxy{};   ///< numbersOf X_WP when it was recorded
-};
 
 /// Steps whose numbers follow each other, compressed. Columns, each the values of all steps, little
 /// endian, all their lowest bytes first, then all the next: so what changes little lies together.

@@ -282,9 +282,10 @@ TEST(HapticDevicePanel, TheMappingIsSaidInWordsAndEachChangeIsToldOnce) {
                                                                         .follow_camera = true,
                                                                         .clutch_button = 0,
                                                                         .hold_to_run = true,
-                                                                        .hold_button = 7}));
-  EXPECT_EQ(clutch->count(), 9);
-  EXPECT_EQ(hold->currentText(), "button 8");
+                                                                        .hold_button = 15}));
+  EXPECT_EQ(clutch->count(), 17);
+  EXPECT_EQ(hold->itemText(8), "button 8");
+  EXPECT_EQ(hold->currentText(), "button 16 (8 of a second device)");
 }
 
 TEST(HapticDevicePanel, TheStiffnessIsShownAtBothEndsAndWhetherItIsCapped) {

@@ -12,7 +12,7 @@ const ui::Mapping kMapped{.position_scale = 2.5,
                           .follow_camera = false,
                           .clutch_button = 0,
                           .hold_to_run = true,
-                          .hold_button = 7};
+                          .hold_button = 8};  // the first of a second device
 
 TEST(Preferences, RememberHowAHandIsTakenToTheScan) {
   QSettings().remove("device");

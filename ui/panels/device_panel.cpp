@@ -16,18 +16,18 @@
 namespace ui {
 namespace {
 
-constexpr int kMostStiff = 20'000;  // N/m, as haptics::Settings allows
-constexpr int kSliderSteps = 400;   // by the logarithm, from 50 N/m
+constexpr haptics::Range kStiffness = haptics::kStiffnessRange;
+constexpr int kSliderSteps = 400;  // by the logarithm, from 50 N/m
 constexpr double kLeastShown = 50.0;
-constexpr double kRoughest = 1.5;  // as haptics::Settings allows
 
 int stepOf(double stiffness) {
   return qRound(std::log(std::max(stiffness, kLeastShown) / kLeastShown) /
-                std::log(kMostStiff / kLeastShown) * kSliderSteps);
+                std::log(kStiffness.most / kLeastShown) * kSliderSteps);
 }
 
 double stiffnessAt(int step) {
-  return kLeastShown * std::pow(kMostStiff / kLeastShown, static_cast<double>(step) / kSliderSteps);
+  return kLeastShown *
+         std::pow(kStiffness.most / kLeastShown, static_cast<double>(step) / kSliderSteps);
 }
 
 }  // namespace
@@ -49,11 +49,11 @@ DevicePanel::DevicePanel(QWidget* parent)
   stiffness_typed_->setObjectName("stiffnessTyped");
   stiffness_typed_->setAccessibleName(tr("Stiffness, typed"));
   stiffness_typed_->setDecimals(0);
-  stiffness_typed_->setRange(0, kMostStiff);
+  stiffness_typed_->setRange(kStiffness.least, kStiffness.most);
   stiffness_typed_->setSingleStep(100);
   stiffness_typed_->setSuffix(tr(" N/m"));
   friction_->setObjectName("friction");
-  friction_->setRange(0.0, kRoughest);
+  friction_->setRange(haptics::kFrictionRange.least, haptics::kFrictionRange.most);
   friction_->setSingleStep(0.05);
   friction_->setSpecialValueText(tr("none"));
   fields_->setObjectName("fields");

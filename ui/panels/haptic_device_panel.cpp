@@ -32,8 +32,6 @@ using haptics::Trouble;
 
 enum Column { Name, State, kColumns };
 
-constexpr double kLeastScale = 0.1, kGreatestScale = 10.0;
-constexpr int kButtons = 8;
 constexpr int kListRows = 4;  // seen without scrolling
 constexpr int kPatienceMs = 5'000;
 constexpr double kCapped = 0.999;  // of what was wished: below it what is allowed counts
@@ -110,7 +108,7 @@ bool canConnect(const DeviceLine& device, bool firmware_named) {
 NumberBox* scaleBox(const char* name) {
   auto* box = new NumberBox;
   box->setObjectName(name);
-  box->setRange(kLeastScale, kGreatestScale);
+  box->setRange(haptics::kScaleRange.least, haptics::kScaleRange.most);
   box->setDecimals(2);
   box->setSingleStep(0.1);
   box->setValue(1.0);
@@ -121,7 +119,13 @@ QComboBox* buttonBox(const char* name, const QString& none) {
   auto* box = new QComboBox;
   box->setObjectName(name);
   box->addItem(none, -1);
-  for (int n = 0; n < kButtons; ++n) box->addItem(HapticDevicePanel::tr("button %1").arg(n + 1), n);
+  for (int n = 0; n < haptics::kButtons; ++n)
+    box->addItem(n < haptics::kButtonsEach
+                     ? HapticDevicePanel::tr("button %1").arg(n + 1)
+                     : HapticDevicePanel::tr("button %1 (%2 of a second device)")
+                           .arg(n + 1)
+                           .arg(n + 1 - haptics::kButtonsEach),
+                 n);
   return box;
 }
 

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "haptics/core/latest_value.h"
+#include "haptics/recording/columns.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 #include "haptics/recording/replay.h"
@@ -160,6 +161,18 @@ TEST(Recording, HoldsEveryTickToTheBit) {
   EXPECT_GT(touching, 500U);
   EXPECT_FALSE(fs::exists(scratch / "r.palpate.part"));
   EXPECT_FALSE(fs::exists(scratch / "r.palpate-wal"));
+}
+
+// the list in README.md is this table
+TEST(Recording, ItsColumnsAreThoseOfTheReadme) {
+  std::string table = "| column | type | unit | meaning |\n|---|---|---|---|\n";
+  for (const StepColumn& column : stepColumns())
+    table += std::string{"| `"} + column.name + "` | " + nameOf(column.type) + " | " + column.unit +
+             " | " + column.meaning + " |\n";
+  std::ifstream file(PALPATE_RECORDING_README);
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(readme.empty());
+  EXPECT_NE(readme.find(table), std::string::npos) << "The list should be:\n\n" << table;
 }
 
 TEST(Recording, WhatPushesAddsUpToTheForce) {
