@@ -20,7 +20,7 @@
 #include "app/session_recording.h"
 #include "app/thumbnails.h"
 #include "app/volume_identity.h"
-#include "datasets/readers/refusal.h"
+#include "datasets/readers/files/refusal.h"
 #include "haptics/session.h"
 #include "ui/main_window.h"
 #include "ui/panels/haptic_device_panel.h"

@@ -11,7 +11,7 @@
 #include "app/start_pose.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/found.h"
-#include "datasets/readers/tool_mesh.h"
+#include "datasets/readers/meshes/tool_mesh.h"
 #include "datasets/readers/volume_file.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/tool/point_shell.h"

@@ -9,15 +9,15 @@
 #include <iterator>
 #include <memory>
 
+#include "datasets/readers/files/refusal.h"
+#include "datasets/readers/files/thumbnail.h"
+#include "datasets/readers/files/vtk_errors.h"
 #include "datasets/readers/found.h"
-#include "datasets/readers/meta_image.h"
-#include "datasets/readers/nifti.h"
-#include "datasets/readers/nrrd_header.h"
-#include "datasets/readers/nrrd_voxels.h"
-#include "datasets/readers/refusal.h"
-#include "datasets/readers/thumbnail.h"
-#include "datasets/readers/vtk_errors.h"
-#include "datasets/readers/vtk_nrrd_reader.h"
+#include "datasets/readers/meta_image/header.h"
+#include "datasets/readers/nifti/header.h"
+#include "datasets/readers/nrrd/header.h"
+#include "datasets/readers/nrrd/voxels.h"
+#include "datasets/readers/nrrd/vtk_reader.h"
 
 namespace datasets {
 

@@ -4,17 +4,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "datasets/readers/volume_reader.h"
+#include "datasets/readers/found.h"
+#include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
 
 namespace datasets {
-
-/// One of the volumes that a file of whole volumes holds.
-struct VolumeInFile {
-  std::filesystem::path path;
-  int number = 0;  ///< from 0
-};
 
 /// Whether a file is in a format that holds whole volumes: NRRD, MetaImage, NIfTI.
 bool isVolumeFile(const std::filesystem::path& path);

@@ -12,14 +12,14 @@
 #include <utility>
 #include <variant>
 
-#include "datasets/readers/archive.h"
-#include "datasets/readers/dicom_file.h"
-#include "datasets/readers/dicom_folder.h"
-#include "datasets/readers/dicom_pixels.h"
-#include "datasets/readers/folder_tree.h"
+#include "datasets/readers/dicom/file.h"
+#include "datasets/readers/dicom/folder.h"
+#include "datasets/readers/dicom/pixels.h"
+#include "datasets/readers/files/archive.h"
+#include "datasets/readers/files/folder_tree.h"
+#include "datasets/readers/files/parallel.h"
+#include "datasets/readers/files/refusal.h"
 #include "datasets/readers/found.h"
-#include "datasets/readers/parallel.h"
-#include "datasets/readers/refusal.h"
 #include "datasets/readers/volume_file.h"
 
 namespace datasets {

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "datasets/readers/nrrd_header.h"
-#include "datasets/readers/nrrd_voxels.h"
+#include "datasets/readers/nrrd/header.h"
+#include "datasets/readers/nrrd/voxels.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scratch_folder.h"
 

@@ -18,6 +18,7 @@
 #include <functional>
 
 #include "app/application.h"
+#include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/recording/replay.h"
 #include "sphere_in_hand.h"
