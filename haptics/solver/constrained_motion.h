@@ -40,7 +40,7 @@ struct ConstrainedMotion {
 ///   such that n_i · (v + w x r_i) >= -room_i         for every row i
 ///
 /// With zero rooms this is the projection onto the paper's cone, [Chan 2011], (3) and (4), which
-/// freezes on noisy scans (README). Dual active set after [Goldfarb 1983], whitened by
+/// freezes on noisy scans (haptics/README.md). Dual active set after [Goldfarb 1983], whitened by
 /// M: exact, at most six active rows.
 ConstrainedMotion constrainedMotion(const Twist& free, std::span<const MotionRow> rows,
                                     const MassMetric& metric, const Mat3& R_WP) HAPTICS_RT;

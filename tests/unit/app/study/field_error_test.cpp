@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-/// How far each field is from what was scanned: the figures of haptics/README.md, "Fields".
+/// How far each field is from what was scanned: the figures of haptics/MEASURED.md, "Fields".
 namespace {
 
 void expectAll(const study::Outcome& outcome) {
