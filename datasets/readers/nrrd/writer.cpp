@@ -24,24 +24,9 @@ namespace {
 constexpr std::size_t kAligned = 64;       // bytes
 constexpr std::size_t kAtOnce = 16 << 20;  // bytes between two looks at Cancel
 
+/// NRRD knows our names but for one.
 const char* nrrdTypeOf(ScalarType type) {
-  switch (type) {
-    case ScalarType::UInt8:
-      return "uint8";
-    case ScalarType::Int8:
-      return "int8";
-    case ScalarType::UInt16:
-      return "uint16";
-    case ScalarType::Int16:
-      return "int16";
-    case ScalarType::UInt32:
-      return "uint32";
-    case ScalarType::Int32:
-      return "int32";
-    case ScalarType::Float32:
-      break;
-  }
-  return "float";
+  return type == ScalarType::Float32 ? "float" : nameOf(type);
 }
 
 /// Metres as millimetres, such that reading them gives the same metres wherever a decimal of 15

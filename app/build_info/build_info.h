@@ -4,12 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace study {
+namespace app {
 
-using Json = nlohmann::ordered_json;
-
-/// What a study ran on, as far as its figures depend on it; nothing that tells whose it is.
-Json machineHere();
+/// What a program runs on, as far as figures depend on it; nothing that tells whose it is.
+nlohmann::ordered_json machineHere();
 
 /// Palpate's version.
 std::string versionHere();
@@ -18,4 +16,4 @@ std::string versionHere();
 /// programs with the same one give the same results.
 std::string buildHere();
 
-}  // namespace study
+}  // namespace app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/study/report/machine.h"
+#include "app/build_info/build_info.h"
 
 #include <elf.h>
 #include <link.h>
@@ -10,7 +10,7 @@
 
 #include "haptics/field/lanes.h"
 
-namespace study {
+namespace app {
 namespace {
 
 /// The build identity among the notes of the first object, which is the program itself.
@@ -45,7 +45,7 @@ int readIdentity(dl_phdr_info* program, std::size_t, void* out) {
 
 }  // namespace
 
-Json machineHere() {
+nlohmann::ordered_json machineHere() {
   std::string cpu = "unknown", line;
   std::ifstream info{"/proc/cpuinfo"};
   while (std::getline(info, line))
@@ -68,4 +68,4 @@ std::string buildHere() {
   return identity.empty() ? "unknown" : identity;
 }
 
-}  // namespace study
+}  // namespace app
