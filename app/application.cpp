@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <new>
 
 #include "app/film/face.h"
 #include "datasets/phantoms/phantoms.h"
@@ -116,8 +115,6 @@ Application::~Application() {
   replay_.reset();
   session_.close();
   recording_.end();
-  if (mesher_.joinable()) mesher_.join();
-  if (recoverer_.joinable()) recoverer_.join();
 }
 
 void Application::start() {
@@ -369,29 +366,22 @@ void Application::refresh() {
 void Application::makeFineMesh(double isovalue) {
   if (!shown_) return;
   mesh_next_ = isovalue;
-  if (meshing_) return;
-  meshing_ = true;
+  if (mesher_.isRunning()) return;
   mesh_next_.reset();
-  if (mesher_.joinable()) mesher_.join();
-  mesher_ = std::thread(
-      [this, isovalue, volume = shown_->picture.volume, mirrored = shown_->picture.mirrored()] {
-        vtkSmartPointer<vtkPolyData> mesh;
-        try {
-          const auto image = volume->grid.voxelCount() <= kFineVoxels
-                                 ? ui::imageOf(*volume)
-                                 : ui::reducedImageOf(*volume, kFineVoxels);
-          mesh = ui::isosurfaceMesh(image, isovalue, mirrored);
-        } catch (const std::bad_alloc&) {  // then the reduced mesh stays
-        }
-        QMetaObject::invokeMethod(
-            this,
-            [this, mesh, isovalue, volume] {
-              meshing_ = false;
-              const bool same = shown_ && shown_->picture.volume == volume;
-              if (same && mesh) window_.view().showFine(mesh, isovalue);
-              if (mesh_next_ && !(same && *mesh_next_ == isovalue)) makeFineMesh(*mesh_next_);
-            },
-            Qt::QueuedConnection);
+  mesher_.start(
+      [isovalue, volume = shown_->picture.volume, mirrored = shown_->picture.mirrored()](
+          const background::Watch&) -> haptics::Expected<vtkSmartPointer<vtkPolyData>> {
+        const auto image = volume->grid.voxelCount() <= kFineVoxels
+                               ? ui::imageOf(*volume)
+                               : ui::reducedImageOf(*volume, kFineVoxels);
+        return ui::isosurfaceMesh(image, isovalue, mirrored);
+      },
+      [this, isovalue, volume = shown_->picture.volume](
+          const haptics::Expected<vtkSmartPointer<vtkPolyData>>& mesh) {
+        // without one the reduced mesh stays
+        const bool same = shown_ && shown_->picture.volume == volume;
+        if (same && mesh && *mesh) window_.view().showFine(*mesh, isovalue);
+        if (mesh_next_ && !(same && *mesh_next_ == isovalue)) makeFineMesh(*mesh_next_);
       });
 }
 

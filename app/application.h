@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
+
 #include <functional>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "app/background/task.h"
 #include "app/device_watch.h"
 #include "app/export_task.h"
 #include "app/loader.h"
@@ -182,10 +185,8 @@ class Application : public QObject {
   QTimer display_;
   std::vector<haptics::ForceSample> samples_;
   std::vector<ui::ForcePoint> points_;
-  std::thread mesher_;
-  std::thread recoverer_;
-  bool recovering_ = false;
-  bool meshing_ = false;
+  background::Task<vtkSmartPointer<vtkPolyData>> mesher_;
+  background::Task<std::filesystem::path> recoverer_;
   std::optional<double> mesh_next_;  ///< the isovalue asked for while another was being meshed
 };
 

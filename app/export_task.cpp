@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/export_task.h"
 
-#include <exception>
 #include <utility>
 
 #include "app/export/export.h"
@@ -9,8 +8,6 @@
 
 namespace app {
 namespace {
-
-constexpr double kExportStep = 0.002;  // between two signals of progress
 
 using GoesOn = std::function<bool(double)>;
 
@@ -57,56 +54,35 @@ haptics::Expected<QString> table(haptics::Recording& recording, const ExportRequ
   return QString::fromStdString(request.out.filename().string());
 }
 
+haptics::Expected<QString> exported(const ExportRequest& request, const background::Watch& watch) {
+  auto recording = haptics::Recording::open(request.recording);
+  if (!recording) return tl::unexpected(recording.error());
+  const auto goes_on = [&](double fraction) {
+    watch.advanced(fraction);
+    return !watch.cancelled();
+  };
+  return request.wish.format == ui::ExportWish::Format::Film ? film(*recording, request, goes_on)
+                                                             : table(*recording, request, goes_on);
+}
+
 }  // namespace
 
-ExportTask::~ExportTask() {
-  cancel_ = true;
-  if (thread_.joinable()) thread_.join();
-}
+ExportTask::ExportTask(QObject* parent)
+    : QObject(parent), task_([this](double fraction) { emit progressed(fraction); }) {}
 
 bool ExportTask::start(ExportRequest request) {
-  if (running_) return false;
-  if (thread_.joinable()) thread_.join();
-  running_ = true;
-  cancel_ = false;
-  thread_ = std::thread{[this, request = std::move(request)] { work(request); }};
+  if (task_.isRunning()) return false;
+  task_.start([request = std::move(request)](
+                  const background::Watch& watch) { return exported(request, watch); },
+              [this](const haptics::Expected<QString>& made) {
+                if (made) return emit finished(true, tr("\"%1\" was exported.").arg(*made));
+                const haptics::Error& error = made.error();
+                QString why = QString::fromStdString(error.what);
+                if (error.reason == background::kNoMemory || error.reason == background::kThrew)
+                  why = tr("There is not enough memory for this export; choose a shorter time.");
+                emit finished(false, error.reason == "cancelled" ? QString{} : why);
+              });
   return true;
-}
-
-void ExportTask::work(const ExportRequest& request) {
-  double told = 0.0;
-  const auto goes_on = [&](double fraction) {
-    if (fraction - told >= kExportStep) {
-      told = fraction;
-      emit progressed(fraction);  // queued: the receivers live on another thread
-    }
-    return !cancel_.load();
-  };
-  bool well = false;
-  QString what;
-  try {
-    auto recording = haptics::Recording::open(request.recording);
-    if (!recording) throw recording.error();
-    const auto made = request.wish.format == ui::ExportWish::Format::Film
-                          ? film(*recording, request, goes_on)
-                          : table(*recording, request, goes_on);
-    well = made.has_value();
-    if (made)
-      what = tr("\"%1\" was exported.").arg(*made);
-    else
-      throw made.error();
-  } catch (const haptics::Error& error) {
-    if (error.reason != "cancelled") what = QString::fromStdString(error.what);
-  } catch (const std::exception&) {
-    what = tr("There is not enough memory for this export; choose a shorter time.");
-  }
-  QMetaObject::invokeMethod(
-      this,
-      [this, well, what] {
-        running_ = false;
-        emit finished(well, what);
-      },
-      Qt::QueuedConnection);
 }
 
 }  // namespace app

@@ -3,12 +3,11 @@
 
 #include <QObject>
 #include <QString>
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <thread>
 
+#include "app/background/task.h"
 #include "app/film/camera.h"
 #include "haptics/core/volume.h"
 #include "haptics/recording/scene_words.h"
@@ -29,12 +28,11 @@ struct ExportRequest {
 class ExportTask : public QObject {
   Q_OBJECT
  public:
-  explicit ExportTask(QObject* parent = nullptr) : QObject(parent) {}
-  ~ExportTask() override;
+  explicit ExportTask(QObject* parent = nullptr);
 
   /// False, and nothing done, while another is under way.
   bool start(ExportRequest request);
-  void cancel() { cancel_ = true; }
+  void cancel() { task_.cancel(); }
 
  signals:
   void progressed(double fraction);
@@ -42,11 +40,7 @@ class ExportTask : public QObject {
   void finished(bool well, const QString& what);
 
  private:
-  void work(const ExportRequest& request);
-
-  std::atomic<bool> cancel_{false};
-  bool running_ = false;
-  std::thread thread_;
+  background::Task<QString> task_;  ///< the name of what was written
 };
 
 }  // namespace app

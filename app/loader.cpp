@@ -4,8 +4,6 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <new>
 #include <variant>
 
 #include "app/start_pose.h"
@@ -62,7 +60,6 @@ struct Watch {
 
 // shares of the whole
 constexpr double kSurveyed = 0.1, kRead = 0.8;
-constexpr double kLoadingStep = 0.002;  // between two signals of progress
 
 QString nameOf(const std::filesystem::path& path) {
   const auto name = path.has_filename() ? path.filename() : path.parent_path().filename();
@@ -301,78 +298,45 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
   return loaded;
 }
 
+/// The error as the user reads it: exceptions know nothing of loading.
+Error inWords(Error error) {
+  if (error.reason == background::kNoMemory)
+    error.what = Loader::tr(
+                     "There is not enough memory for this volume and tool; close other "
+                     "programs or take a smaller one.")
+                     .toStdString();
+  else if (error.reason == background::kThrew)
+    error.what = Loader::tr("It could not be loaded: %1")
+                     .arg(QString::fromStdString(error.what))
+                     .toStdString();
+  return error;
+}
+
 }  // namespace
 
 Loader::Loader(std::function<double()> free_memory, QObject* parent)
-    : QObject(parent), free_memory_(std::move(free_memory)) {}
-
-Loader::~Loader() {
-  for (Job& job : jobs_) job.cancel = true;
-  for (Job& job : jobs_) job.thread.join();
-}
-
-void Loader::cancel() {
-  if (!jobs_.empty()) jobs_.back().cancel = true;
-}
-
-void Loader::onThisThread(std::uint64_t number, std::function<void()> action) {
-  QMetaObject::invokeMethod(
-      this,
-      [this, number, action = std::move(action)] {
-        if (number == number_) action();
-      },
-      Qt::QueuedConnection);
-}
+    : QObject(parent),
+      free_memory_(std::move(free_memory)),
+      task_([this](double fraction) { emit progressed(fraction); }) {}
 
 void Loader::start(LoadRequest request) {
-  for (Job& job : jobs_) job.cancel = true;
-  // a job that cannot stop at once ends beside the new one
-  jobs_.remove_if([](Job& job) {
-    if (job.done) job.thread.join();
-    return !job.thread.joinable();
-  });
-  const std::uint64_t number = ++number_;
-  Job& job = jobs_.emplace_back();
-  job.thread = std::thread([this, &job, number, request = std::move(request)]() mutable {
-    work(job, number, std::move(request));
-    job.done = true;
-  });
-}
-
-void Loader::work(Job& job, std::uint64_t number, LoadRequest request) {
-  double told = 0.0;
-  const Watch watch{.advanced =
-                        [&](double fraction) {
-                          if (fraction < told + kLoadingStep) return;
-                          told = fraction;
-                          onThisThread(number, [this, fraction] { emit progressed(fraction); });
-                        },
-                    .surveyed =
-                        [&](Surveyed found) {
-                          onThisThread(number,
-                                       [this, found = std::move(found)] { emit surveyed(found); });
-                        },
-                    .free_memory = free_memory_,
-                    .cancel = job.cancel};
-  Expected<Loaded> result;
-  try {
-    result = load(request, watch);
-  } catch (const std::bad_alloc&) {
-    result = refused(Error::Kind::Unsupported,
-                     Loader::tr("There is not enough memory for this volume and tool; close other "
-                                "programs or take a smaller one."),
-                     "no-memory");
-  } catch (const std::exception& thrown) {
-    result =
-        refused(Error::Kind::Malformed,
-                Loader::tr("It could not be loaded: %1").arg(QString(thrown.what())), "exception");
-  }
-  if (result)
-    onThisThread(number, [this, loaded = std::move(*result)] { emit this->loaded(loaded); });
-  else
-    onThisThread(number, [this, request = std::move(request), error = result.error()] {
-      emit failed(request, error);
-    });
+  // the work adds the entry that the survey chose; read once it has ended
+  const auto wanted = std::make_shared<LoadRequest>(std::move(request));
+  task_.start(
+      [this, wanted, free_memory = free_memory_](const background::Watch& watch) {
+        return load(*wanted,
+                    {.advanced = [&](double fraction) { watch.advanced(fraction); },
+                     .surveyed =
+                         [&](Surveyed found) {
+                           watch.tell([this, found = std::move(found)] { emit surveyed(found); });
+                         },
+                     .free_memory = free_memory,
+                     .cancel = watch.cancel});
+      },
+      [this, wanted](Expected<Loaded> result) {
+        if (result) return emit loaded(*result);
+        emit failed(*wanted, inWords(std::move(result.error())));
+      });
 }
 
 }  // namespace app

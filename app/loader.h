@@ -3,15 +3,13 @@
 
 #include <QObject>
 #include <QString>
-#include <atomic>
 #include <filesystem>
 #include <functional>
-#include <list>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 
+#include "app/background/task.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"
@@ -94,10 +92,9 @@ class Loader : public QObject {
  public:
   /// `free_memory` tells the bytes that may be filled; any thread.
   explicit Loader(std::function<double()> free_memory, QObject* parent = nullptr);
-  ~Loader() override;
 
   void start(LoadRequest request);
-  void cancel();
+  void cancel() { task_.cancel(); }
 
  signals:
   void progressed(double fraction);
@@ -110,17 +107,8 @@ class Loader : public QObject {
   void failed(const app::LoadRequest& request, const haptics::Error& error);
 
  private:
-  struct Job {
-    std::atomic<bool> cancel{false};
-    std::atomic<bool> done{false};  ///< its thread is about to end
-    std::thread thread;
-  };
-  void onThisThread(std::uint64_t number, std::function<void()> action);
-  void work(Job& job, std::uint64_t number, LoadRequest request);
-
   std::function<double()> free_memory_;
-  std::list<Job> jobs_;       ///< the newest last; older ones are cancelled, and kept until done
-  std::uint64_t number_ = 0;  ///< of the newest request
+  background::Task<Loaded> task_;
 };
 
 }  // namespace app

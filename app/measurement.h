@@ -3,10 +3,9 @@
 
 #include <QObject>
 #include <QString>
-#include <cstdint>
 #include <optional>
-#include <thread>
 
+#include "app/background/task.h"
 #include "app/study/here/here.h"
 
 namespace app {
@@ -34,16 +33,11 @@ class Measurement : public QObject {
 
  private:
   void begin(study::HereRequest request);
-  void ended();
-  void work(std::uint64_t number, const study::HereRequest& request, std::stop_token stop);
-  template <class Action>
-  void onThisThread(std::uint64_t number, Action&& action);
+  void end(const haptics::Expected<study::Here>& result);
 
-  std::uint64_t number_ = 0;  ///< of the newest
-  bool under_way_ = false;    ///< and not cancelled
-  bool running_ = false;      ///< the thread is, for the newest or for one that was cancelled
-  std::optional<study::HereRequest> next_;  ///< begins when the thread has ended
-  std::jthread thread_;                     ///< last: it ends first
+  bool under_way_ = false;                  ///< and not cancelled
+  std::optional<study::HereRequest> next_;  ///< begins when the one that was cancelled has ended
+  background::Task<study::Here> task_;
 };
 
 }  // namespace app

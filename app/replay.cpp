@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <utility>
 
@@ -42,24 +41,21 @@ Replay::Replay(haptics::Recording recording, std::filesystem::path path)
   timer_.setInterval(kFrameMs);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &Replay::advance);
-  reader_ = std::thread{[this] {
-    try {
-      readCurve();
-    } catch (const std::exception&) {  // then there is no curve
-    }
-  }};
+  reader_.start([path = path_](const background::Watch& watch) { return curveOf(path, watch); },
+                [this](haptics::Expected<Curve> curve) {
+                  if (!curve) return;  // then there is no curve
+                  track_.force_least = std::move(curve->least);
+                  track_.force_most = std::move(curve->most);
+                  emit trackRead();
+                });
 }
 
-Replay::~Replay() {
-  ending_ = true;
-  reader_.join();
-}
-
-void Replay::readCurve() {
-  auto recording = haptics::Recording::open(path_);
-  if (!recording) return;
+haptics::Expected<Replay::Curve> Replay::curveOf(const std::filesystem::path& path,
+                                                 const background::Watch& watch) {
+  auto recording = haptics::Recording::open(path);
+  if (!recording) return tl::unexpected(recording.error());
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-  std::vector<float> least(kBins, kNone), most(kBins, kNone);
+  Curve curve{std::vector<float>(kBins, kNone), std::vector<float>(kBins, kNone)};
   const double span = std::max(1e-9, recording->end() - recording->begin());
   const double everything = std::numeric_limits<double>::infinity();
   const auto read =
@@ -67,19 +63,12 @@ void Replay::readCurve() {
         const double place = (timeOf(step) - recording->begin()) / span * double(kBins);
         const auto bin = std::min(kBins - 1, static_cast<std::size_t>(std::max(0.0, place)));
         const auto force = static_cast<float>(step.step.sent_W.force.norm());
-        least[bin] = std::fmin(least[bin], force);
-        most[bin] = std::fmax(most[bin], force);
-        return !ending_;
+        curve.least[bin] = std::fmin(curve.least[bin], force);
+        curve.most[bin] = std::fmax(curve.most[bin], force);
+        return !watch.cancelled();
       });
-  if (!read || ending_) return;
-  QMetaObject::invokeMethod(
-      this,
-      [this, least = std::move(least), most = std::move(most)]() mutable {
-        track_.force_least = std::move(least);
-        track_.force_most = std::move(most);
-        emit trackRead();
-      },
-      Qt::QueuedConnection);
+  if (!read) return tl::unexpected(read.error());
+  return curve;
 }
 
 bool Replay::load(std::size_t block) {

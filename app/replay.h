@@ -4,12 +4,11 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
-#include <atomic>
 #include <filesystem>
 #include <memory>
-#include <thread>
 #include <vector>
 
+#include "app/background/task.h"
 #include "haptics/recording/recording.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/replay_timeline.h"
@@ -22,7 +21,6 @@ class Replay : public QObject {
   Q_OBJECT
  public:
   static haptics::Expected<std::unique_ptr<Replay>> open(const std::filesystem::path& path);
-  ~Replay() override;
 
   haptics::Recording& recording() { return recording_; }
   const std::filesystem::path& path() const { return path_; }
@@ -49,10 +47,16 @@ class Replay : public QObject {
   void failed(const QString& why);
 
  private:
+  /// Of the force [N], in equal steps of the time.
+  struct Curve {
+    std::vector<float> least, most;
+  };
+  static haptics::Expected<Curve> curveOf(const std::filesystem::path& path,
+                                          const background::Watch& watch);
+
   explicit Replay(haptics::Recording recording, std::filesystem::path path);
   bool load(std::size_t block);
   void advance();
-  void readCurve();
 
   haptics::Recording recording_;
   std::filesystem::path path_;
@@ -63,8 +67,7 @@ class Replay : public QObject {
   double time_ = 0.0, speed_ = 1.0;
   QTimer timer_;
   QElapsedTimer since_;
-  std::atomic<bool> ending_{false};
-  std::thread reader_;
+  background::Task<Curve> reader_;
 };
 
 }  // namespace app

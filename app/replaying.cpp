@@ -112,23 +112,16 @@ void Application::deleteRecording(const QString& id) {
 }
 
 void Application::recoverRecording(const QString& id) {
-  if (recovering_) return;
-  recovering_ = true;
-  if (recoverer_.joinable()) recoverer_.join();
-  recoverer_ = std::thread([this, path = recordings_.pathOf(id)] {
-    const auto recovered = haptics::recover(path);
-    QMetaObject::invokeMethod(
-        this,
-        [this, why = recovered ? QString{} : QString::fromStdString(recovered.error().what)] {
-          recovering_ = false;
-          if (why.isEmpty())
-            window_.clearMessage();
-          else
-            window_.showMessage(why);
-          showRecordings();
-        },
-        Qt::QueuedConnection);
-  });
+  if (recoverer_.isRunning()) return;
+  recoverer_.start(
+      [path = recordings_.pathOf(id)](const background::Watch&) { return haptics::recover(path); },
+      [this](const haptics::Expected<std::filesystem::path>& recovered) {
+        if (recovered)
+          window_.clearMessage();
+        else
+          window_.showMessage(QString::fromStdString(recovered.error().what));
+        showRecordings();
+      });
 }
 
 void Application::openRecording(const std::filesystem::path& path) {

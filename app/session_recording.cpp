@@ -2,7 +2,6 @@
 #include "app/session_recording.h"
 
 #include <algorithm>
-#include <exception>
 
 #include "app/recording/facts.h"
 
@@ -23,7 +22,7 @@ SessionRecording::~SessionRecording() { end(); }
 
 haptics::Expected<void> SessionRecording::start(std::shared_ptr<const haptics::Scene> scene,
                                                 const std::string& tool) {
-  if (recorder_ != nullptr || finishing_)
+  if (recorder_ != nullptr || finisher_.isRunning())
     return tl::unexpected(haptics::Error{
         haptics::Error::Kind::Unsupported,
         tr("The last recording is being finished; try again in a moment.").toStdString(), "busy"});
@@ -50,14 +49,15 @@ void SessionRecording::stop() {
 
 void SessionRecording::end() {
   stop();
-  if (finisher_.joinable()) finisher_.join();
+  finisher_.wait();
   if (recorder_ != nullptr) recorder_->finish();
   recorder_.reset();
   stopping_ = false;
 }
 
 std::filesystem::path SessionRecording::present() const {
-  return recorder_ != nullptr || finishing_ ? haptics::partOf(target_) : std::filesystem::path{};
+  return recorder_ != nullptr || finisher_.isRunning() ? haptics::partOf(target_)
+                                                       : std::filesystem::path{};
 }
 
 void SessionRecording::describe(std::shared_ptr<const haptics::Scene> scene,
@@ -113,33 +113,21 @@ void SessionRecording::showStatus(ui::RecordingStatus::State state) {
 }
 
 void SessionRecording::finish() {
-  if (finisher_.joinable()) finisher_.join();
-  finishing_ = true;
   const bool failed = !recorder_->status().failure.empty();
-  finisher_ = std::thread([this, failed, recorder = std::move(recorder_)]() mutable {
-    haptics::Expected<std::filesystem::path> done;
-    try {
-      done = recorder->finish();
-    } catch (const std::exception&) {
-      done = tl::unexpected(haptics::Error{haptics::Error::Kind::Unsupported,
-                                           tr("The recording could not be finished: there is no "
-                                              "memory left. It can be recovered.")
-                                               .toStdString(),
-                                           "unfinished"});
-    }
-    recorder.reset();
-    const QString what = done ? tr("The session was recorded: \"%1\".")
-                                    .arg(QString::fromStdString(done->stem().string()))
-                              : QString::fromStdString(done.error().what);
-    QMetaObject::invokeMethod(
-        this,
-        [this, well = done.has_value(), failed, what] {
-          finishing_ = false;
-          if (!failed) emit statusChanged({});
-          emit finished(well, what);
-        },
-        Qt::QueuedConnection);
-  });
+  finisher_.start(
+      [recorder = std::move(recorder_)](const background::Watch&) { return recorder->finish(); },
+      [this, failed](const haptics::Expected<std::filesystem::path>& done) {
+        if (!failed) emit statusChanged({});
+        if (done)
+          return emit finished(true, tr("The session was recorded: \"%1\".")
+                                         .arg(QString::fromStdString(done->stem().string())));
+        const haptics::Error& error = done.error();
+        emit finished(false,
+                      error.reason == background::kNoMemory || error.reason == background::kThrew
+                          ? tr("The recording could not be finished: there is no "
+                               "memory left. It can be recovered.")
+                          : QString::fromStdString(error.what));
+      });
   recorder_.reset();
   scenes_.clear();
   stopping_ = false;

@@ -6,8 +6,8 @@
 #include <QString>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
+#include "app/background/task.h"
 #include "app/recordings.h"
 #include "app/volume_identity.h"
 #include "haptics/recording/recorder.h"
@@ -59,11 +59,10 @@ class SessionRecording : public QObject {
   std::shared_ptr<haptics::Recorder> recorder_;
   std::filesystem::path target_;
   std::vector<std::shared_ptr<const haptics::Scene>> scenes_;  ///< whose hash is not known yet
-  bool stopping_ = false;   ///< the servo thread may yet be in the ring
-  bool finishing_ = false;  ///< a thread brings it to its end
+  bool stopping_ = false;  ///< the servo thread may yet be in the ring
   QElapsedTimer clock_, shown_;
-  double elapsed_ = 0.0;  ///< s, when it was stopped
-  std::thread finisher_;
+  double elapsed_ = 0.0;                              ///< s, when it was stopped
+  background::Task<std::filesystem::path> finisher_;  ///< brings a file to its end
 };
 
 }  // namespace app

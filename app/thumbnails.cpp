@@ -30,33 +30,17 @@ QImage pictureOf(const datasets::SeriesVerdict& series, int longest) {
 }  // namespace
 
 void Thumbnails::start(std::vector<datasets::SeriesVerdict> series, int longest) {
-  stop();
-  Job& job = jobs_.emplace_back();
-  job.thread = std::jthread([this, &job, number = number_, series = std::move(series),
-                             longest](const std::stop_token& stop) {
-    work(number, series, longest, stop);
-    job.done = true;
-  });
-}
-
-void Thumbnails::stop() {
-  ++number_;
-  for (Job& job : jobs_) job.thread.request_stop();
-  jobs_.remove_if([](const Job& job) { return job.done.load(); });
-}
-
-void Thumbnails::work(std::uint64_t number, const std::vector<datasets::SeriesVerdict>& series,
-                      int longest, const std::stop_token& stop) {
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
-  for (std::size_t i = 0; i < series.size() && !stop.stop_requested(); ++i) {
-    const QImage picture = pictureOf(series[i], longest);
-    QMetaObject::invokeMethod(
-        this,
-        [this, number, index = static_cast<int>(i), picture] {
-          if (number == number_) emit ready(index, picture);
-        },
-        Qt::QueuedConnection);
-  }
+  task_.start(
+      [this, series = std::move(series),
+       longest](const background::Watch& watch) -> haptics::Expected<void> {
+        setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
+        for (std::size_t i = 0; i < series.size() && !watch.cancelled(); ++i)
+          watch.tell([this, index = static_cast<int>(i), picture = pictureOf(series[i], longest)] {
+            emit ready(index, picture);
+          });
+        return {};
+      },
+      [](const haptics::Expected<void>&) {});  // each picture was told of by itself
 }
 
 }  // namespace app

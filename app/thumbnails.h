@@ -3,12 +3,9 @@
 
 #include <QImage>
 #include <QObject>
-#include <atomic>
-#include <cstdint>
-#include <list>
-#include <thread>
 #include <vector>
 
+#include "app/background/task.h"
 #include "datasets/readers/volume_reader.h"
 
 namespace app {
@@ -23,22 +20,14 @@ class Thumbnails : public QObject {
 
   /// Pictures of at most `longest` pixels to a side.
   void start(std::vector<datasets::SeriesVerdict> series, int longest);
-  void stop();
+  void stop() { task_.abandon(); }
 
  signals:
   /// A null image where none can be drawn.
   void ready(int series, const QImage& picture);
 
  private:
-  struct Job {
-    std::atomic<bool> done{false};  ///< its thread is about to end
-    std::jthread thread;
-  };
-  void work(std::uint64_t number, const std::vector<datasets::SeriesVerdict>& series, int longest,
-            const std::stop_token& stop);
-
-  std::uint64_t number_ = 0;  ///< of the newest start or stop
-  std::list<Job> jobs_;       ///< the newest last; older ones were stopped, and are kept until done
+  background::Task<void> task_;
 };
 
 }  // namespace app

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
 #include <list>
 #include <memory>
 #include <optional>
-#include <thread>
 
+#include "app/background/task.h"
 #include "haptics/recording/scene_words.h"
 
 namespace app {
@@ -18,7 +17,6 @@ class VolumeIdentity : public QObject {
   Q_OBJECT
  public:
   explicit VolumeIdentity(QObject* parent = nullptr) : QObject(parent) {}
-  ~VolumeIdentity() override;
 
   /// sought() follows, soon if it is known already.
   void seek(const std::shared_ptr<const haptics::Volume>& volume);
@@ -32,10 +30,8 @@ class VolumeIdentity : public QObject {
   struct Job {
     explicit Job(std::weak_ptr<const haptics::Volume> hashed) : volume{std::move(hashed)} {}
     std::weak_ptr<const haptics::Volume> volume;
-    std::optional<haptics::VolumeHash> hash = {};  ///< set on this object's thread
-    bool done = false;
-    std::atomic<bool> cancel{false};
-    std::thread thread = {};
+    std::optional<haptics::VolumeHash> hash = {};
+    background::Task<haptics::VolumeHash> task;
   };
   std::list<Job> jobs_;
 };
