@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of the application that connects a haptic device, and says what becomes of its force.
+#include "app/window/device_controller.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "app/application.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/force_words.h"
 #include "ui/volume_view.h"
@@ -33,34 +33,45 @@ static_assert(kReasons.size() == static_cast<std::size_t>(haptics::ForceReason::
 
 }  // namespace
 
-void Application::connectDevices() {
+DeviceController::DeviceController(ui::MainWindow& window, SharedState& shared,
+                                   PreferencesController& preferences, DeviceCatalogue catalogue)
+    : window_(window), shared_(shared), watch_(std::move(catalogue)) {
+  connectPanel();
+  map(preferences.present().mapping);
+  window.hapticDevicePanel().show(mapping_);
+  connect(&preferences, &PreferencesController::saving, this, [this](Preferences& saved) {
+    saved.stiffness = own_stiffness_.value_or(shared_.settings.stiffness);
+    saved.mapping = mapping_;
+  });
+}
+
+void DeviceController::connectPanel() {
   ui::HapticDevicePanel& panel = window_.hapticDevicePanel();
   connect(&panel, &ui::HapticDevicePanel::seen, this, [this](bool visible) {
-    devices_seen_ = visible;
+    seen_ = visible;
     watchDevices();
   });
   connect(&panel, &ui::HapticDevicePanel::surveyWanted, &watch_, &DeviceWatch::surveyNow);
   connect(&panel, &ui::HapticDevicePanel::connectWanted, this, [this](const ui::DeviceWish& wish) {
-    window_.hapticDevicePanel().showConnecting(nameOfDevice(wish.id));
+    window_.hapticDevicePanel().showConnecting(nameOf(wish.id));
     watch_.open(wish);
   });
   connect(&panel, &ui::HapticDevicePanel::disconnectWanted, this, [this] {
     watch_.cancel();
-    if (connected_) return letGoOfDevice({});
+    if (connected_) return letGo();
     window_.hapticDevicePanel().showDisconnected({});
   });
   connect(&panel, &ui::HapticDevicePanel::mappingChanged, this, [this](const ui::Mapping& mapping) {
-    mapping_ = mapping;
-    scaleAsMapped();
-    session_.set(settings_);
+    map(mapping);
+    shared_.apply();
   });
   connect(&panel, &ui::HapticDevicePanel::stiffnessLifted, this,
-          [this](bool lifted) { session_.liftStiffness(lifted); });
+          [this](bool lifted) { shared_.session.liftStiffness(lifted); });
   connect(&watch_, &DeviceWatch::surveyed, this, [this](const QList<ui::DeviceLine>& devices) {
     devices_ = devices;
     window_.hapticDevicePanel().show(devices);
   });
-  connect(&watch_, &DeviceWatch::opened, this, &Application::takeDevice);
+  connect(&watch_, &DeviceWatch::opened, this, &DeviceController::take);
   connect(&watch_, &DeviceWatch::refused, this,
           [this](const ui::DeviceWish& wish, haptics::Trouble trouble, const QString& sentence) {
             window_.hapticDevicePanel().showRefused(wish.id, trouble, sentence);
@@ -69,39 +80,37 @@ void Application::connectDevices() {
   ui::VolumeView& view = window_.view();
   connect(&view, &ui::VolumeView::clutchHeld, this, [this](bool held) {
     handling_.clutch = held;
-    session_.handle(handling_);
+    shared_.session.handle(handling_);
   });
   connect(&view, &ui::VolumeView::forceHeld, this, [this](bool held) {
     handling_.held = held;
-    session_.handle(handling_);
+    shared_.session.handle(handling_);
   });
-  mapping_ = preferences_.mapping;
-  scaleAsMapped();
-  panel.show(mapping_);
 }
 
-void Application::scaleAsMapped() {
-  settings_.position_scale = mapping_.position_scale;
-  settings_.force_scale = mapping_.force_scale;
+void DeviceController::map(const ui::Mapping& mapping) {
+  mapping_ = mapping;
+  shared_.settings.position_scale = mapping.position_scale;
+  shared_.settings.force_scale = mapping.force_scale;
 }
 
-QString Application::nameOfDevice(const QString& id) const {
+QString DeviceController::nameOf(const QString& id) const {
   for (const ui::DeviceLine& device : devices_)
     if (device.id == id) return device.name;
   return id;
 }
 
-void Application::watchDevices() { watch_.watch(devices_seen_ || connected_.has_value()); }
+void DeviceController::watchDevices() { watch_.watch(seen_ || connected_.has_value()); }
 
-void Application::takeDevice(const ui::DeviceWish& wish, const DeviceWatch::Opened& device) {
-  closeReplay();
-  handleDevice();
+void DeviceController::take(const ui::DeviceWish& wish, const DeviceWatch::Opened& device) {
+  emit taking();
+  handle();
   // half of what it is rated for at the hand, to begin with: what was set was for another hand
   if (const double rated = (*device)->rating().stiffness; rated > 0.0) {
-    if (!own_stiffness_) own_stiffness_ = settings_.stiffness;
-    setStiffness(0.5 * rated / (settings_.position_scale * settings_.force_scale));
+    if (!own_stiffness_) own_stiffness_ = shared_.settings.stiffness;
+    setStiffness(0.5 * rated / (shared_.settings.position_scale * shared_.settings.force_scale));
   }
-  const auto opened = session_.open(std::move(*device));
+  const auto opened = shared_.session.open(std::move(*device));
   if (!opened) {
     restoreStiffness();
     const QString why = QString::fromStdString(opened.error().what);
@@ -109,40 +118,40 @@ void Application::takeDevice(const ui::DeviceWish& wish, const DeviceWatch::Open
     return window_.showMessage(why);
   }
   connected_ = wish;
-  connected_name_ = nameOfDevice(wish.id);
+  connected_name_ = nameOf(wish.id);
   window_.hapticDevicePanel().showConnected(wish.id);
   watchDevices();
-  showHand(wish.id.toStdString(), connected_name_, false);
+  emit taken(wish.id, connected_name_);
 }
 
-void Application::setStiffness(double stiffness) {
-  settings_.stiffness = stiffness;
+void DeviceController::setStiffness(double stiffness) {
+  shared_.settings.stiffness = stiffness;
   window_.devicePanel().showStiffness(stiffness);
-  session_.set(settings_);
+  shared_.apply();
 }
 
 /// What was set before a device brought its own.
-void Application::restoreStiffness() {
+void DeviceController::restoreStiffness() {
   if (own_stiffness_) setStiffness(*std::exchange(own_stiffness_, std::nullopt));
 }
 
-void Application::letGoOfDevice(const QString& why) {
-  session_.close();
-  forgetDevice(why);
-  if (shown_ && !replay_) openHand(hand_);
+void DeviceController::letGo() {
+  shared_.session.close();
+  forget({});
+  emit released();
 }
 
-void Application::forgetDevice(const QString& why) {
+void DeviceController::forget(const QString& why) {
   if (!connected_) return;
   connected_.reset();
   restoreStiffness();
-  hand_ = "mouse";
+  emit forgotten();
   window_.hapticDevicePanel().showDisconnected(why);
   watchDevices();
 }
 
 /// The camera turns the hand's directions, unless they are to stay.
-void Application::handleDevice() {
+void DeviceController::handle() {
   haptics::Handling now = handling_;
   if (mapping_.follow_camera) now.R_WB = window_.view().viewAxes();
   now.clutch_button = mapping_.clutch_button;
@@ -151,27 +160,27 @@ void Application::handleDevice() {
   // a camera that has not been set up yet has no directions
   if (!now.R_WB.allFinite()) now.R_WB = handling_.R_WB;
   handling_ = now;
-  session_.handle(handling_);
+  shared_.session.handle(handling_);
 }
 
-void Application::tellOfForce() {
-  handleDevice();
+void DeviceController::refresh() {
+  handle();
   window_.hapticDevicePanel().showStiffness(
-      settings_, connected_ ? std::optional{session_.inForce()} : std::nullopt);
+      shared_.settings, connected_ ? std::optional{shared_.session.inForce()} : std::nullopt);
   std::array<haptics::ForceTransition, kTransitionsAtOnce> transitions;
-  while (const std::size_t count = session_.transitions(transitions)) {
+  while (const std::size_t count = shared_.session.transitions(transitions)) {
     for (const haptics::ForceTransition& transition : std::span{transitions}.first(count)) {
-      recording_.note("force", wordsOf(transition));
+      emit forceChanged(wordsOf(transition));
       if (transition.to == ForceState::Fault && connected_) tellOfFault(transition.reason);
     }
     if (count < transitions.size()) break;
   }
 }
 
-void Application::tellOfFault(haptics::ForceReason why) {
+void DeviceController::tellOfFault(haptics::ForceReason why) {
   window_.showFault(
       tr("%1: the force was taken away. %2")
-          .arg(connected_name_, ui::sentenceFor(ForceState::Fault, why, snapshot_.trouble)));
+          .arg(connected_name_, ui::sentenceFor(ForceState::Fault, why, shared_.snapshot.trouble)));
 }
 
 }  // namespace app

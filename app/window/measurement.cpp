@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/measurement.h"
+#include "app/window/measurement.h"
 
 #include <utility>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the application does about exports.
+#include "app/window/export_controller.h"
+
 #include <QFileDialog>
 
-#include "app/application.h"
 #include "app/film/face.h"
+#include "app/window/view_camera.h"
 #include "ui/export_question.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/volume_view.h"
@@ -20,37 +21,34 @@ struct Ending {
 Ending endingOf(ui::ExportWish::Format format) {
   switch (format) {
     case ui::ExportWish::Format::Csv:
-      return {"", QT_TRANSLATE_NOOP("app::Application", "Motion-BIDS: the beginning of the names")};
+      return {"", QT_TRANSLATE_NOOP("app::ExportController",
+                                    "Motion-BIDS: the beginning of the names")};
     case ui::ExportWish::Format::Hdf5:
-      return {".h5", QT_TRANSLATE_NOOP("app::Application", "HDF5 (*.h5)")};
+      return {".h5", QT_TRANSLATE_NOOP("app::ExportController", "HDF5 (*.h5)")};
     case ui::ExportWish::Format::Mcap:
-      return {".mcap", QT_TRANSLATE_NOOP("app::Application", "MCAP (*.mcap)")};
+      return {".mcap", QT_TRANSLATE_NOOP("app::ExportController", "MCAP (*.mcap)")};
     case ui::ExportWish::Format::Film:
       break;
   }
-  return {".mp4", QT_TRANSLATE_NOOP("app::Application", "Film (*.mp4 *.ogv)")};
+  return {".mp4", QT_TRANSLATE_NOOP("app::ExportController", "Film (*.mp4 *.ogv)")};
 }
 
 }  // namespace
 
-FilmCamera Application::cameraNow() {
-  vtkCamera* camera = window_.view().camera();
-  const auto vector = [](const double* v) { return haptics::Vec3(v[0], v[1], v[2]); };
-  return {vector(camera->GetPosition()), vector(camera->GetFocalPoint()),
-          vector(camera->GetViewUp()), camera->GetViewAngle()};
-}
-
-void Application::connectExport() {
-  connect(&window_.recordingPanel(), &ui::RecordingPanel::exportWanted, this,
-          &Application::exportRecording);
-  connect(&export_, &ExportTask::progressed, &window_, &ui::MainWindow::showProgress);
-  connect(&export_, &ExportTask::finished, this, [this](bool, const QString& what) {
+ExportController::ExportController(ui::MainWindow& window, SharedState& shared,
+                                   const Recordings& recordings, const VolumeIdentity& identity)
+    : window_(window), shared_(shared), recordings_(recordings), identity_(identity) {
+  connect(&window.recordingPanel(), &ui::RecordingPanel::exportWanted, this,
+          &ExportController::exportRecording);
+  connect(&window, &ui::MainWindow::cancelWanted, &task_, &ExportTask::cancel);
+  connect(&task_, &ExportTask::progressed, &window, &ui::MainWindow::showProgress);
+  connect(&task_, &ExportTask::finished, this, [this](bool, const QString& what) {
     window_.endLoading();
     if (!what.isEmpty()) window_.showMessage(what);
   });
 }
 
-void Application::exportRecording(const QString& id) {
+void ExportController::exportRecording(const QString& id) {
   const std::filesystem::path path = recordings_.pathOf(id);
   const auto recording = haptics::Recording::open(path);
   if (!recording) return window_.showMessage(QString::fromStdString(recording.error().what));
@@ -58,11 +56,12 @@ void Application::exportRecording(const QString& id) {
   if (!wish) return;
   ExportRequest request{.recording = path, .out = {}, .wish = *wish};
   if (wish->format == ui::ExportWish::Format::Film) {
-    request.volume = shown_ ? shown_->picture.volume : nullptr;
+    request.volume = shared_.shown ? shared_.shown->picture.volume : nullptr;
     if (request.volume) request.hash = identity_.of(request.volume);
-    if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed) request.camera = cameraNow();
+    if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed)
+      request.camera = cameraOf(window_.view());
     // said once for each film, before anything is written
-    if (shown_ && !shown_->place.empty() &&
+    if (shared_.shown && !shared_.shown->place.empty() &&
         mayShowAFace(*request.volume, leastIsovalue(*recording)) &&
         !window_.askWhether(
             tr("This film may show a face."),
@@ -97,8 +96,8 @@ void Application::exportRecording(const QString& id) {
   exportTo(std::move(request));
 }
 
-void Application::exportTo(ExportRequest request) {
-  if (!export_.start(std::move(request)))
+void ExportController::exportTo(ExportRequest request) {
+  if (!task_.start(std::move(request)))
     return window_.showMessage(tr("An export is under way; wait for it, or cancel it first."));
   window_.clearMessage();
   window_.showLoading(tr("Exporting"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/thumbnails.h"
+#include "app/window/thumbnails.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

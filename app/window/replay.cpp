@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/replay.h"
+#include "app/window/replay.h"
 
 #include <algorithm>
 #include <cmath>

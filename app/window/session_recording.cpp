@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/session_recording.h"
+#include "app/window/session_recording.h"
 
 #include <algorithm>
 

@@ -24,6 +24,9 @@ struct ToolSource {
   std::string unit = "mm";  ///< of the file: m, mm, cm, in
 };
 
+/// What the user reads for a tool: its name, or its file's.
+QString labelOf(const ToolSource& tool);
+
 /// An entry of a survey, which need not be made again to load it.
 struct ChosenSeries {
   datasets::SeriesVerdict series;

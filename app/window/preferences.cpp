@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/preferences.h"
+#include "app/window/preferences.h"
 
 #include <QSettings>
 
-#include "app/recent_places.h"
+#include "app/window/recent_places.h"
 
 namespace app {
 namespace {

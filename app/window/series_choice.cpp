@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of the application that lets one of several series be chosen, and how much of it.
+#include "app/window/series_choice.h"
+
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
+#include <utility>
 
-#include "app/application.h"
 #include "ui/part_question.h"
 #include "ui/series_browser.h"
 
@@ -60,25 +61,41 @@ ui::LargeVolume largeVolumeOf(const datasets::SeriesVerdict& series, double free
 
 }  // namespace
 
-void Application::connectChoosing() {
-  connect(&loader_, &Loader::surveyed, this, [this](const Surveyed& surveyed) {
-    closeBrowser();  // of the survey before
-    surveyed_ = surveyed;
-    window_.setSeriesKnown(surveyed.survey.several);
-  });
-  connect(&window_, &ui::MainWindow::seriesWanted, this, &Application::browseSeries);
-  connect(&window_, &ui::MainWindow::closing, this, &Application::closeBrowser);
+SeriesChoice::SeriesChoice(ui::MainWindow& window, std::function<double()> free_memory)
+    : window_(window), free_memory_(std::move(free_memory)) {
+  connect(&window, &ui::MainWindow::seriesWanted, this, &SeriesChoice::browse);
+  connect(&window, &ui::MainWindow::closing, this, &SeriesChoice::close);
 }
 
-void Application::browseSeries() {
+void SeriesChoice::take(const Surveyed& surveyed) {
+  close();  // of the survey before
+  surveyed_ = surveyed;
+  window_.setSeriesKnown(surveyed.survey.several);
+}
+
+bool SeriesChoice::ask(const LoadRequest& request, const haptics::Error& error) {
+  const QString why = QString::fromStdString(error.what);
+  if (error.reason == kWhichSeries) {
+    browse();
+    return true;
+  }
+  if (error.kind == haptics::Error::Kind::Correctable) {
+    offerCorrection(request, why);
+    return true;
+  }
+  return (error.reason == kMissingSlices && offerLargestPart(request)) ||
+         (error.reason == kTooLarge && offerPart(request, why));
+}
+
+void SeriesChoice::browse() {
   if (!surveyed_) return;
-  closeBrowser();
+  close();
   QList<ui::SeriesRow> rows;
   for (const datasets::SeriesVerdict& series : surveyed_->survey.series) rows << rowOf(series);
   const QString place = QString::fromStdString(surveyed_->place.filename().string());
   browser_ = new ui::SeriesBrowser(place, rows, &window_);
   browser_->setAttribute(Qt::WA_DeleteOnClose);
-  connect(browser_, &ui::SeriesBrowser::loadWanted, this, &Application::loadChosen);
+  connect(browser_, &ui::SeriesBrowser::loadWanted, this, &SeriesChoice::loadChosen);
   connect(browser_, &QDialog::finished, &thumbnails_, &Thumbnails::stop);
   connect(&thumbnails_, &Thumbnails::ready, browser_, &ui::SeriesBrowser::showThumbnail);
   // not modal: the touch goes on, and so does the red button
@@ -87,11 +104,11 @@ void Application::browseSeries() {
   thumbnails_.start(surveyed_->survey.series, qRound(ui::SeriesBrowser::kThumbnail * scale));
 }
 
-void Application::closeBrowser() {
+void SeriesChoice::close() {
   if (browser_) browser_->close();
 }
 
-void Application::loadChosen(int row) {
+void SeriesChoice::loadChosen(int row) {
   const datasets::SeriesVerdict& series = surveyed_->survey.series[static_cast<std::size_t>(row)];
   LoadRequest request{.path = surveyed_->path,
                       .chosen = ChosenSeries{.series = series,
@@ -100,10 +117,10 @@ void Application::loadChosen(int row) {
   if (series.verdict == datasets::Verdict::Correctable)
     return offerCorrection(std::move(request), QString::fromStdString(series.message));
   if (series.unbroken_part) return void(offerLargestPart(std::move(request)));
-  load(std::move(request), tr("Reading"));
+  emit wanted(request);
 }
 
-bool Application::offerLargestPart(LoadRequest request) {
+bool SeriesChoice::offerLargestPart(LoadRequest request) {
   if (!request.chosen || !request.chosen->series.unbroken_part) return false;
   // the sentence of the survey says which part that is
   const QString why = QString::fromStdString(request.chosen->series.message);
@@ -112,12 +129,12 @@ bool Application::offerLargestPart(LoadRequest request) {
                             "beyond the gaps nothing is shown. The files stay as they are."),
                          tr("Load the largest unbroken part"))) {
     request.largest_part = true;
-    load(std::move(request), tr("Reading"));
+    emit wanted(request);
   }
   return true;
 }
 
-void Application::offerCorrection(LoadRequest request, const QString& why) {
+void SeriesChoice::offerCorrection(LoadRequest request, const QString& why) {
   if (!window_.askWhether(
           why,
           tr("What is seen and felt is then interpolated between the scan's own slices. The files "
@@ -125,21 +142,21 @@ void Application::offerCorrection(LoadRequest request, const QString& why) {
           tr("Resample and load")))
     return;
   request.geometry = datasets::Geometry::Corrected;
-  load(std::move(request), tr("Reading"));
+  emit wanted(request);
 }
 
-bool Application::offerPart(LoadRequest request, const QString& why) {
+bool SeriesChoice::offerPart(LoadRequest request, const QString& why) {
   // slices that are to be resampled are read whole
   if (!request.chosen || !request.part.isWhole() ||
       request.chosen->series.verdict != datasets::Verdict::Sound ||
       std::ranges::any_of(request.chosen->series.dims, [](auto n) { return n < 1; }))
     return false;
-  const auto part = ui::askForPart(&window_, why,
-                                   largeVolumeOf(request.chosen->series, arguments_.free_memory()));
+  const auto part =
+      ui::askForPart(&window_, why, largeVolumeOf(request.chosen->series, free_memory_()));
   if (!part) return true;
   request.part.step = part->step;
   if (part->box) request.part.box = datasets::Part::Box{part->box->first, part->box->end};
-  load(std::move(request), tr("Reading"));
+  emit wanted(request);
   return true;
 }
 

@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "app/background/task.h"
-#include "app/recordings.h"
-#include "app/volume_identity.h"
+#include "app/window/recordings.h"
+#include "app/window/volume_identity.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/session.h"
 #include "ui/panels/recording_panel.h"

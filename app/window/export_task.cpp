@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/export_task.h"
+#include "app/window/export_task.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/start_pose.h"
+#include "app/window/start_pose.h"
 
 #include <cmath>
 

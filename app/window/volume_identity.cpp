@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/volume_identity.h"
+#include "app/window/volume_identity.h"
 
 #include "app/recording/volume_hash.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/recordings.h"
+#include "app/window/recordings.h"
 
 #include <QCoreApplication>
 #include <QStandardPaths>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/recent_places.h"
+#include "app/window/recent_places.h"
 
 #include <QDir>
 #include <QFileInfo>

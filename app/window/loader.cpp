@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/loader.h"
+#include "app/window/loader.h"
 
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
-#include "app/start_pose.h"
+#include "app/window/start_pose.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/found.h"
 #include "datasets/readers/tool_mesh.h"
@@ -313,6 +313,11 @@ Error inWords(Error error) {
 }
 
 }  // namespace
+
+QString labelOf(const ToolSource& tool) {
+  return tool.file ? QString::fromStdString(tool.file->filename().string())
+                   : QString::fromStdString(tool.name);
+}
 
 Loader::Loader(std::function<double()> free_memory, QObject* parent)
     : QObject(parent),
