@@ -268,7 +268,7 @@ TEST(RecordedSession, IsExportedBehindTheWindow) {
   request.wish.film.height = 240;
   int ended = 0;
   bool well = false;
-  QObject::connect(&application.exportTask(), &app::ExportTask::finished, &application,
+  QObject::connect(&application.exporting().task(), &app::ExportTask::finished, &application,
                    [&](bool done, const QString&) {
                      ++ended;
                      well = done;
@@ -281,7 +281,7 @@ TEST(RecordedSession, IsExportedBehindTheWindow) {
                                      {Format::Film, "film"}}) {
     request.wish.format = format;
     request.out = fs::path(exports.path().toStdString()) / name;
-    application.exportTo(request);
+    application.exporting().exportTo(request);
     ASSERT_TRUE(waitFor([&] { return ended > number; }, 120.0)) << name;
     EXPECT_TRUE(well) << name
                       << child<QLabel>(application.window(), "message")->text().toStdString();
@@ -292,7 +292,7 @@ TEST(RecordedSession, IsExportedBehindTheWindow) {
   EXPECT_GE(filesIn(exports).size(), 8U);
   // cancelled, nothing is left of it
   request.out = fs::path(exports.path().toStdString()) / "cancelled";
-  application.exportTo(request);
+  application.exporting().exportTo(request);
   emit application.window().cancelWanted();
   ASSERT_TRUE(waitFor([&] { return ended > number; }, 120.0));
   EXPECT_FALSE(well);
