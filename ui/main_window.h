@@ -54,7 +54,7 @@ class MainWindow : public QMainWindow {
   void displayForce(const haptics::Snapshot& snapshot);
   /// What was appended is shown no more.
   void clearForces();
-  void appendForces(std::span<const ForcePoint> points);
+  void appendForces(std::span<const haptics::ForceSample> points);
   void setPhantoms(const QStringList& names);
   /// What File > Open recent holds, the newest first, and whether more is to be remembered.
   void setRecentPlaces(const QList<Place>& places, bool remembered);

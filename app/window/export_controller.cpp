@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/export_controller.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 
+#include "app/export/formats.h"
 #include "app/film/face.h"
 #include "app/window/view_camera.h"
 #include "ui/export_question.h"
@@ -13,24 +15,15 @@ namespace app {
 
 namespace {
 
-/// The ending of a format's files, and what it is called.
-struct Ending {
-  const char* ending;
-  const char* label;
-};
-Ending endingOf(ui::ExportWish::Format format) {
-  switch (format) {
-    case ui::ExportWish::Format::Csv:
-      return {"", QT_TRANSLATE_NOOP("app::ExportController",
-                                    "Motion-BIDS: the beginning of the names")};
-    case ui::ExportWish::Format::Hdf5:
-      return {".h5", QT_TRANSLATE_NOOP("app::ExportController", "HDF5 (*.h5)")};
-    case ui::ExportWish::Format::Mcap:
-      return {".mcap", QT_TRANSLATE_NOOP("app::ExportController", "MCAP (*.mcap)")};
-    case ui::ExportWish::Format::Film:
-      break;
-  }
-  return {".mp4", QT_TRANSLATE_NOOP("app::ExportController", "Film (*.mp4 *.ogv)")};
+QString translated(const char* words) {
+  return QCoreApplication::translate("app::exporting", words);
+}
+
+std::vector<ui::ExportFormat> tables() {
+  std::vector<ui::ExportFormat> tables;
+  for (const exporting::Format& format : exporting::formats())
+    tables.push_back({translated(format.title), translated(format.about)});
+  return tables;
 }
 
 }  // namespace
@@ -52,10 +45,12 @@ void ExportController::exportRecording(const QString& id) {
   const std::filesystem::path path = recordings_.pathOf(id);
   const auto recording = haptics::Recording::open(path);
   if (!recording) return window_.showMessage(QString::fromStdString(recording.error().what));
-  const auto wish = ui::askForExport(&window_, recording->begin(), recording->end());
+  const auto wish = ui::askForExport(&window_, recording->begin(), recording->end(), tables());
   if (!wish) return;
   ExportRequest request{.recording = path, .out = {}, .wish = *wish};
-  if (wish->format == ui::ExportWish::Format::Film) {
+  const exporting::Format* const table =
+      wish->table ? &exporting::formats()[*wish->table] : nullptr;
+  if (table == nullptr) {
     request.volume = shared_.shown ? shared_.shown->picture.volume : nullptr;
     if (request.volume) request.hash = identity_.of(request.volume);
     if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed)
@@ -70,23 +65,24 @@ void ExportController::exportRecording(const QString& id) {
             tr("Make the film")))
       return;
   }
-  const Ending ending = endingOf(wish->format);
+  const QString ending = table != nullptr ? table->ending : ".mp4";
   // Qt's own dialog: in a foreign one Escape would not reach the application
   QFileDialog dialog(&window_, tr("Export to"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setOption(QFileDialog::DontUseNativeDialog);
-  dialog.setNameFilter(tr(ending.label));
-  dialog.setDefaultSuffix(QString(ending.ending).mid(1));
-  dialog.selectFile(QString::fromStdString(path.stem().string()) + ending.ending);
+  dialog.setNameFilter(table != nullptr ? translated(table->filter) : tr("Film (*.mp4 *.ogv)"));
+  dialog.setDefaultSuffix(ending.mid(1));
+  dialog.selectFile(QString::fromStdString(path.stem().string()) + ending);
   if (dialog.exec() != QDialog::Accepted) return;
   QString out = dialog.selectedFiles().value(0);
-  const bool film = wish->format == ui::ExportWish::Format::Film;
-  if (!film && !out.endsWith(ending.ending)) out += ending.ending;
+  if (table != nullptr && !out.endsWith(ending)) out += ending;
   request.out = out.toStdString();
   // the dialog asks about the name that was chosen; what is written may have others
   std::filesystem::path beside = request.out;
-  if (wish->format == ui::ExportWish::Format::Csv) beside += "_motion.tsv";
-  if (film) beside.replace_extension(".frames.csv");
+  if (table == nullptr)
+    beside.replace_extension(".frames.csv");
+  else if (!table->files.empty())
+    beside += table->files.front();
   std::error_code error;
   if (out != dialog.selectedFiles().value(0) || beside != request.out)
     if (std::filesystem::exists(beside, error) &&

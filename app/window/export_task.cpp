@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/export/export.h"
+#include "app/export/formats.h"
 #include "app/film/film.h"
 
 namespace app {
@@ -46,10 +46,7 @@ haptics::Expected<QString> table(haptics::Recording& recording, const ExportRequ
   options.rate = wish.rate.value_or(0.0);
   options.contacts = wish.contacts;
   options.goes_on = std::move(goes_on);
-  const auto write = wish.format == ui::ExportWish::Format::Csv    ? exporting::exportCsv
-                     : wish.format == ui::ExportWish::Format::Hdf5 ? exporting::exportHdf5
-                                                                   : exporting::exportMcap;
-  const auto made = write(recording, request.out, options);
+  const auto made = exporting::formats()[*wish.table].write(recording, request.out, options);
   if (!made) return tl::unexpected(made.error());
   return QString::fromStdString(request.out.filename().string());
 }
@@ -61,8 +58,8 @@ haptics::Expected<QString> exported(const ExportRequest& request, const backgrou
     watch.advanced(fraction);
     return !watch.cancelled();
   };
-  return request.wish.format == ui::ExportWish::Format::Film ? film(*recording, request, goes_on)
-                                                             : table(*recording, request, goes_on);
+  return request.wish.table ? table(*recording, request, goes_on)
+                            : film(*recording, request, goes_on);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr std::int64_t kFineVoxels = 24'000'000;
 }  // namespace
 
 PictureController::PictureController(ui::MainWindow& window, SharedState& shared)
-    : window_(window), shared_(shared), samples_(kSamplesAtOnce), points_(kSamplesAtOnce) {
+    : window_(window), shared_(shared), samples_(kSamplesAtOnce) {
   connect(&window, &ui::MainWindow::isovalueChanged, this, [this](double isovalue) {
     shared_.settings.isovalue = isovalue;
     shared_.apply();
@@ -46,10 +46,7 @@ void PictureController::refresh() {
 
 void PictureController::showForces() {
   while (const std::size_t count = shared_.session.forces(samples_)) {
-    for (std::size_t i = 0; i < count; ++i)
-      points_[i] = {samples_[i].time, static_cast<float>(samples_[i].force),
-                    static_cast<float>(samples_[i].torque)};
-    window_.appendForces(std::span{points_}.first(count));
+    window_.appendForces(std::span{samples_}.first(count));
     if (count < samples_.size()) break;
   }
 }

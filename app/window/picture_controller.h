@@ -40,7 +40,6 @@ class PictureController : public QObject {
   SharedState& shared_;
   QTimer display_;
   std::vector<haptics::ForceSample> samples_;
-  std::vector<ui::ForcePoint> points_;
   bool look_ = false;
   background::Task<vtkSmartPointer<vtkPolyData>> mesher_;
   std::optional<double> mesh_next_;  ///< the isovalue asked for while another was being meshed

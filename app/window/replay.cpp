@@ -135,8 +135,8 @@ void Replay::stepBy(int ticks) {
   emit moved(time_);
 }
 
-std::vector<ui::ForcePoint> Replay::forces(double from, double to) {
-  std::vector<ui::ForcePoint> points;
+std::vector<haptics::ForceSample> Replay::forces(double from, double to) {
+  std::vector<haptics::ForceSample> points;
   // a part that cannot be read is told of where one goes to it
   (void)recording_.forEach(
       std::max(from, to - ui::ForcePlot::kSeconds), to, [&](const haptics::RecordedStep& step) {

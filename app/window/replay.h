@@ -29,7 +29,7 @@ class Replay : public QObject {
   /// The last step at or before the time one is at.
   const haptics::RecordedStep& step() const { return steps_[at_]; }
   /// What was felt after `from` and until `to` [s]: a point a tick, the newest ten seconds.
-  std::vector<ui::ForcePoint> forces(double from, double to);
+  std::vector<haptics::ForceSample> forces(double from, double to);
 
   void play(bool play);
   void setSpeed(double factor);

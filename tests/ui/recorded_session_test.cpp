@@ -273,13 +273,12 @@ TEST(RecordedSession, IsExportedBehindTheWindow) {
                      ++ended;
                      well = done;
                    });
-  using Format = ui::ExportWish::Format;
   int number = 0;
-  for (const auto& [format, name] : {std::pair{Format::Csv, "csv"},
-                                     {Format::Hdf5, "e.h5"},
-                                     {Format::Mcap, "e.mcap"},
-                                     {Format::Film, "film"}}) {
-    request.wish.format = format;
+  for (const auto& [table, name] : {std::pair<std::optional<std::size_t>, const char*>{0, "csv"},
+                                    {1, "e.h5"},
+                                    {2, "e.mcap"},
+                                    {std::nullopt, "film"}}) {
+    request.wish.table = table;
     request.out = fs::path(exports.path().toStdString()) / name;
     application.exporting().exportTo(request);
     ASSERT_TRUE(waitFor([&] { return ended > number; }, 120.0)) << name;
