@@ -10,6 +10,7 @@
 
 #include "app/background/task.h"
 #include "haptics/recording/recording.h"
+#include "haptics/snapshot.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/replay_timeline.h"
 
