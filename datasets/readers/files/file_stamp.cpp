@@ -16,7 +16,7 @@ std::int64_t nanoseconds(const timespec& time) {
 FileStamp stampOf(const std::filesystem::path& path) {
   FileStamp stamp{.path = path};
   struct stat status {};
-  if (stat(path.c_str(), &status) != 0) return stamp;
+  if (::stat(path.c_str(), &status) != 0) return stamp;
   stamp.device = status.st_dev;
   stamp.number = status.st_ino;
   stamp.size = status.st_size;
