@@ -2,32 +2,25 @@
 #pragma once
 
 #include <QObject>
-#include <QPointer>
-#include <QTimer>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
-#include <thread>
-#include <vector>
 
-#include "app/device_watch.h"
-#include "app/export_task.h"
-#include "app/loader.h"
-#include "app/measurement.h"
-#include "app/preferences.h"
-#include "app/recordings.h"
-#include "app/replay.h"
-#include "app/session_recording.h"
-#include "app/thumbnails.h"
-#include "app/volume_identity.h"
-#include "datasets/readers/refusal.h"
-#include "haptics/session.h"
+#include "app/window/device_controller.h"
+#include "app/window/export_controller.h"
+#include "app/window/hand_controller.h"
+#include "app/window/measurement_controller.h"
+#include "app/window/opening_controller.h"
+#include "app/window/picture_controller.h"
+#include "app/window/preferences_controller.h"
+#include "app/window/recording_controller.h"
+#include "app/window/replay_controller.h"
+#include "app/window/screenshot_controller.h"
+#include "app/window/shared_state.h"
+#include "app/window/tool_controller.h"
+#include "datasets/readers/files/refusal.h"
 #include "ui/main_window.h"
-#include "ui/panels/haptic_device_panel.h"
-
-namespace ui {
-class SeriesBrowser;
-}
 
 namespace app {
 
@@ -44,13 +37,7 @@ struct Arguments {
   std::filesystem::path recordings = {};  ///< where sessions are kept; empty: the user's folder
 };
 
-/// What the user reads for a tool: its name, or its file's.
-QString labelOf(const ToolSource& tool);
-
-/// The names of the hands, as the command line knows them.
-std::optional<haptics::HandKind> handNamed(const std::string& name);
-
-/// Owns the window, the session and the loader, and makes every connection between them.
+/// Makes the window and its controllers, and connects them. What happens is in the controllers.
 class Application : public QObject {
   Q_OBJECT
  public:
@@ -59,16 +46,14 @@ class Application : public QObject {
 
   void start();
   ui::MainWindow& window() { return window_; }
-  haptics::Session& session() { return session_; }
-  const haptics::Snapshot& snapshot() const { return snapshot_; }
+  haptics::Session& session() { return shared_.session; }
+  const haptics::Snapshot& snapshot() const { return shared_.snapshot; }
   /// What is seen and touched; none before the first volume.
-  const std::optional<Loaded>& shown() const { return shown_; }
-  SessionRecording& recording() { return recording_; }
-  /// As the user does who has answered every question.
-  void exportTo(ExportRequest request);
-  ExportTask& exportTask() { return export_; }
+  const std::optional<Loaded>& shown() const { return shared_.shown; }
+  SessionRecording& recording() { return recording_.recording(); }
+  ExportController& exporting() { return export_; }
   /// The recording that is being replayed; null: the hand is at work.
-  Replay* replay() { return replay_.get(); }
+  Replay* replay() { return replay_.replay(); }
 
  signals:
   /// The screenshot was written, or could not be.
@@ -77,116 +62,28 @@ class Application : public QObject {
   void adopted();
 
  private:
-  void connectWindow();
-  void connectOpening();
-  void connectChoosing();
-  void connectLoader();
-  void connectMeasurement();
-  void connectDevices();
-  void connectRecording();
-  void showRecordings();
-  void offerRecovery();
-  void record(bool record);
-  void deleteRecording(const QString& id);
-  void recoverRecording(const QString& id);
-  void openRecording(const std::filesystem::path& path);
-  void closeReplay();
-  void compareVolumes();
-  void connectExport();
-  void exportRecording(const QString& id);
-  FilmCamera cameraNow();
-  void noteCamera();
-  void showReplayed(double time);
-  void load(LoadRequest request, const QString& what);
-  void adopt(const Loaded& loaded);
-  void onFailed(const LoadRequest& request, const haptics::Error& error);
-  void open(const QString& path);
-  void openDropped(const QStringList& paths);
-  void keepPlace(const std::filesystem::path& place);
-  void forgetPlaces();
-  void showPlaces();
-  void browseSeries();
-  void closeBrowser();
-  void loadChosen(int row);
-  void offerCorrection(LoadRequest request, const QString& why);
-  /// False if no part of it is without a gap.
-  bool offerLargestPart(LoadRequest request);
-  /// False if no part of it can be read either.
-  bool offerPart(LoadRequest request, const QString& why);
-  /// False, with the reason in the window, if the hand that was open goes on.
-  bool openHand(const std::string& name);
-  void showHand(const std::string& id, const QString& label, bool is_mouse);
-  QString nameOfDevice(const QString& id) const;
-  void watchDevices();
-  void takeDevice(const ui::DeviceWish& wish, const DeviceWatch::Opened& device);
-  void letGoOfDevice(const QString& why);
-  /// Once it is closed: the stiffness that was set before it comes back.
-  void forgetDevice(const QString& why);
-  void setStiffness(double stiffness);
-  void restoreStiffness();
-  void scaleAsMapped();
-  void handleDevice();
-  void tellOfForce();
-  void tellOfFault(haptics::ForceReason why);
-  void changeTool(const ToolSource& tool);
-  void changeField(const QString& id);
-  /// Of what is shown.
-  Kept kept() const;
-  void showField();
-  void refresh();
-  void measure();
-  void endMeasuring(const QString& why);
-  void showMeasured(const study::Here& here);
-  void makeFineMesh(double isovalue);
-  void takeScreenshot();
-  void remember();
+  void wireOpening();
+  void wireHands();
+  void wireRecordings();
+  /// Ends whatever touches, records or measures.
+  void close();
 
   Arguments arguments_;
-  Preferences preferences_;
   ui::MainWindow window_;
-  haptics::Session session_;
-  Loader loader_;
-  Thumbnails thumbnails_;
-  std::optional<Surveyed> surveyed_;  ///< what was last found where there was something to find
-  QPointer<ui::SeriesBrowser> browser_;
-  Measurement measurement_;
-  haptics::Settings settings_;
-  haptics::Snapshot snapshot_;
-  haptics::Snapshot before_measuring_;
-  QString measured_;  ///< with what and how the measurement under way is made
-  std::optional<Loaded> shown_;
-  haptics::SceneOptions options_;  ///< of the next scene
-  QTimer field_rest_;              ///< since the isovalue last moved
-  std::string hand_;               ///< which holds the device: one of ours, or a device's id
-  QString hand_label_;
-  DeviceWatch watch_;
-  QList<ui::DeviceLine> devices_;
-  std::optional<ui::DeviceWish> connected_;  ///< the real device that is open
-  QString connected_name_;
-  std::optional<double> own_stiffness_;  ///< N/m, as it was before a device was connected
-  bool devices_seen_ = false;
-  ui::Mapping mapping_;
-  haptics::Handling handling_;
-  bool look_from_tool_ = false;  ///< at the next snapshot
+  SharedState shared_;
   Recordings recordings_;
   VolumeIdentity identity_;
-  SessionRecording recording_;
-  std::string camera_noted_;    ///< the last that was recorded
-  QElapsedTimer since_camera_;  ///< and when
-  ExportTask export_;
-  std::unique_ptr<Replay> replay_;
-  std::optional<std::uint32_t> replayed_scene_;  ///< whose tool is on view
-  std::optional<double> replayed_isovalue_;
-  double replayed_to_ = 0.0;  ///< s: what the plot of the force shows
-  bool same_volume_ = false;  ///< on view is what was touched, as far as can be told
-  QTimer display_;
-  std::vector<haptics::ForceSample> samples_;
-  std::vector<ui::ForcePoint> points_;
-  std::thread mesher_;
-  std::thread recoverer_;
-  bool recovering_ = false;
-  bool meshing_ = false;
-  std::optional<double> mesh_next_;  ///< the isovalue asked for while another was being meshed
+  PreferencesController preferences_;
+  OpeningController opening_;
+  ToolController tool_;
+  HandController hand_;
+  DeviceController device_;
+  PictureController picture_;
+  MeasurementController measurement_;
+  RecordingController recording_;
+  ReplayController replay_;
+  ExportController export_;
+  ScreenshotController screenshot_;
 };
 
 }  // namespace app

@@ -11,7 +11,7 @@
 #include "app/recording/volume_hash.h"
 #include "app/signals.h"
 #include "datasets/phantoms/phantoms.h"
-#include "datasets/readers/archive.h"
+#include "datasets/readers/files/archive.h"
 #include "haptics/servo/emergency.h"
 #include "resources/named_tools.h"
 

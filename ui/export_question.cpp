@@ -11,6 +11,7 @@
 #include <QRadioButton>
 #include <QVBoxLayout>
 #include <array>
+#include <utility>
 
 #include "ui/number_box.h"
 #include "ui/panels/time_words.h"
@@ -18,33 +19,20 @@
 namespace ui {
 namespace {
 
-using Format = ExportWish::Format;
 using Camera = ExportWish::Film::Camera;
 
 constexpr double kFastest = 1000.0;  // Hz: a step each
 constexpr double kUsualRate = 100.0;
 constexpr std::array<QSize, 2> kSizes{QSize{1280, 720}, QSize{1920, 1080}};
 
-QString aboutFormat(Format format) {
-  switch (format) {
-    case Format::Csv:
-      return ExportDialog::tr("Tables as text, laid out as Motion-BIDS asks.");
-    case Format::Hdf5:
-      return ExportDialog::tr("One file of arrays, for programs that compute.");
-    case Format::Mcap:
-      return ExportDialog::tr("One file of messages over time, for viewers of robots' logs.");
-    case Format::Film:
-      break;
-  }
-  return ExportDialog::tr("A film of the 3-D view.");
-}
-
 }  // namespace
 
-ExportDialog::ExportDialog(double begin, double end, QWidget* parent)
+ExportDialog::ExportDialog(double begin, double end, std::vector<ExportFormat> formats,
+                           QWidget* parent)
     : QDialog(parent),
       begin_(begin),
       end_(end),
+      tables_(std::move(formats)),
       formats_(new QComboBox),
       about_(new QLabel),
       from_(timeSpin("exportFrom", begin)),
@@ -60,10 +48,8 @@ ExportDialog::ExportDialog(double begin, double end, QWidget* parent)
       figures_(new QCheckBox(tr("Write force and time into the picture"))) {
   setWindowTitle(tr("Export a recording"));
   formats_->setObjectName("exportFormat");
-  formats_->addItem(tr("CSV (Motion-BIDS)"), static_cast<int>(Format::Csv));
-  formats_->addItem(tr("HDF5"), static_cast<int>(Format::Hdf5));
-  formats_->addItem(tr("MCAP"), static_cast<int>(Format::Mcap));
-  formats_->addItem(tr("Film"), static_cast<int>(Format::Film));
+  for (const ExportFormat& table : tables_) formats_->addItem(table.title);
+  formats_->addItem(tr("Film"));
   from_->setAccessibleName(tr("From"));
   to_->setAccessibleName(tr("To"));
   range_->setObjectName("exportRange");
@@ -165,16 +151,16 @@ QWidget* ExportDialog::buildFilm() {
 }
 
 void ExportDialog::showFormat() {
-  const Format format = wish().format;
-  about_->setText(aboutFormat(format));
-  samples_->setVisible(format != Format::Film);
-  film_->setVisible(format == Format::Film);
+  const std::optional<std::size_t> table = wish().table;
+  about_->setText(table ? tables_[*table].about : tr("A film of the 3-D view."));
+  samples_->setVisible(table.has_value());
+  film_->setVisible(!table);
   showRange();
 }
 
 void ExportDialog::showRange() {
   const ExportWish wished = wish();
-  const bool rated = wished.format == Format::Film || !at_rate_->isChecked() || rate_->typed();
+  const bool rated = !wished.table || !at_rate_->isChecked() || rate_->typed();
   if (!from_->typed() || !to_->typed() || !rated) {
     export_->setEnabled(false);
     return range_->setText(tr("This is not a number that can be taken here."));
@@ -187,14 +173,15 @@ void ExportDialog::showRange() {
   const double length = wished.to - wished.from;
   QString words = whole ? tr("All of it: %1 min").arg(clockTime(length, 3))
                         : tr("A part of it: %1 min").arg(clockTime(length, 3));
-  if (wished.format == Format::Film)
+  if (!wished.table)
     words = tr("%1, %2 pictures").arg(words).arg(qRound64(length * wished.film.frames_per_second));
   range_->setText(words);
 }
 
 ExportWish ExportDialog::wish() const {
   ExportWish wish;
-  wish.format = static_cast<Format>(formats_->currentData().toInt());
+  const auto chosen = static_cast<std::size_t>(formats_->currentIndex());
+  wish.table = chosen < tables_.size() ? std::optional{chosen} : std::nullopt;
   // the fields round to milliseconds: at an end of theirs it is the recording's own
   const double from = from_->typed().value_or(from_->value());
   const double to = to_->typed().value_or(to_->value());
@@ -211,8 +198,9 @@ ExportWish ExportDialog::wish() const {
   return wish;
 }
 
-std::optional<ExportWish> askForExport(QWidget* parent, double begin, double end) {
-  ExportDialog dialog(begin, end, parent);
+std::optional<ExportWish> askForExport(QWidget* parent, double begin, double end,
+                                       std::vector<ExportFormat> formats) {
+  ExportDialog dialog(begin, end, std::move(formats), parent);
   if (dialog.exec() != QDialog::Accepted) return {};
   return dialog.wish();
 }

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <QDialog>
+#include <QString>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 class QCheckBox;
 class QComboBox;
@@ -14,9 +17,13 @@ namespace ui {
 
 class NumberBox;
 
+/// Title and description of an export format.
+struct ExportFormat {
+  QString title, about;
+};
+
 /// Format and options of an export. Times are the recording's own, s.
 struct ExportWish {
-  enum class Format { Csv, Hdf5, Mcap, Film };
   struct Film {
     enum class Camera {
       AsRecorded,
@@ -27,7 +34,7 @@ struct ExportWish {
     int frames_per_second = 30;
     bool figures = true;  ///< force and time are written into the picture
   };
-  Format format = Format::Csv;
+  std::optional<std::size_t> table = 0;  ///< its place among the formats; none: a film
   double from = 0.0, to = 0.0;
   std::optional<double> rate = {};  ///< Hz; none: every step. Not of a film
   bool contacts = true;             ///< not of a film
@@ -38,8 +45,9 @@ struct ExportWish {
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
-  /// A recording from `begin` to `end`, s.
-  ExportDialog(double begin, double end, QWidget* parent = nullptr);
+  /// A recording from `begin` to `end`, s; as one of `formats`, at least one, or as a film.
+  ExportDialog(double begin, double end, std::vector<ExportFormat> formats,
+               QWidget* parent = nullptr);
   ExportWish wish() const;
 
  private:
@@ -50,7 +58,8 @@ class ExportDialog : public QDialog {
   void showRange();
 
   double begin_, end_;
-  QComboBox* formats_;
+  std::vector<ExportFormat> tables_;
+  QComboBox* formats_;  ///< the tables, and a film
   QLabel* about_;
   NumberBox* from_;
   NumberBox* to_;
@@ -69,6 +78,7 @@ class ExportDialog : public QDialog {
 };
 
 /// Asks until the user agrees or cancels. Empty if the user cancels.
-std::optional<ExportWish> askForExport(QWidget* parent, double begin, double end);
+std::optional<ExportWish> askForExport(QWidget* parent, double begin, double end,
+                                       std::vector<ExportFormat> formats);
 
 }  // namespace ui

@@ -312,7 +312,9 @@ void MainWindow::displayWords() {
 
 void MainWindow::clearForces() { force_->clear(); }
 
-void MainWindow::appendForces(std::span<const ForcePoint> points) { force_->append(points); }
+void MainWindow::appendForces(std::span<const haptics::ForceSample> points) {
+  force_->append(points);
+}
 
 void MainWindow::setPhantoms(const QStringList& names) {
   phantoms_->clear();

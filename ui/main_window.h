@@ -55,7 +55,7 @@ class MainWindow : public QMainWindow {
   void displayForce(const haptics::Snapshot& snapshot);
   /// What was appended is shown no more.
   void clearForces();
-  void appendForces(std::span<const ForcePoint> points);
+  void appendForces(std::span<const haptics::ForceSample> points);
   void setPhantoms(const QStringList& names);
   /// The entries of File > Open recent, newest first, and whether new ones are remembered.
   void setRecentPlaces(const QList<Place>& places, bool remembered);

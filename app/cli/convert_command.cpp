@@ -6,6 +6,7 @@
 #include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
+#include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
 
 namespace app::cli {

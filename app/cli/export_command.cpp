@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <iterator>
 #include <memory>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
-#include "app/export/export.h"
+#include "app/export/formats.h"
 #ifdef PALPATE_FILM
 #include "app/cli/film_export.h"
 #endif
@@ -23,21 +22,9 @@ struct ExportCommand {
 #endif
 };
 
-/// A name of --format, what OUT must end in, and what writes it.
-struct Format {
-  const char* name;
-  const char* ending;
-  haptics::Expected<exporting::Exported> (*write)(haptics::Recording&,
-                                                  const std::filesystem::path& out,
-                                                  const exporting::ExportOptions&);
-};
-constexpr Format kFormats[] = {{"csv", "", exporting::exportCsv},
-                               {"hdf5", ".h5", exporting::exportHdf5},
-                               {"mcap", ".mcap", exporting::exportMcap}};
-
 std::vector<std::string> formatNames() {
   std::vector<std::string> names;
-  for (const Format& format : kFormats) names.emplace_back(format.name);
+  for (const exporting::Format& format : exporting::formats()) names.emplace_back(format.name);
 #ifdef PALPATE_FILM
   names.emplace_back("video");
 #endif
@@ -55,17 +42,13 @@ Outcome run(ExportCommand command) {
     return exportFilm(command.film);
   }
 #endif
-  const Format& format =
-      *std::find_if(std::begin(kFormats), std::end(kFormats),
-                    [&](const Format& one) { return one.name == command.format; });
+  const exporting::Format& format = *std::ranges::find_if(
+      exporting::formats(), [&](const auto& one) { return one.name == command.format; });
   if (!command.out.ends_with(format.ending))
     return usage("\"" + command.out + "\" must end in " + format.ending + ".");
-  std::vector<Target> targets{{"--out", command.out}};
-  if (command.format == "csv") {
-    targets.clear();
-    for (const char* ending : exporting::kCsvEndings)
-      targets.push_back({"--out", command.out + ending});
-  }
+  std::vector<Target> targets;
+  if (format.files.empty()) targets.push_back({"--out", command.out});
+  for (const char* ending : format.files) targets.push_back({"--out", command.out + ending});
   if (const auto wrong = overwritten(targets, {}, {command.file})) return usage(*wrong);
   auto recording = haptics::Recording::open(command.file);
   if (!recording) return refused(recording.error());

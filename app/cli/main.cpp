@@ -9,7 +9,7 @@
 #include "app/cli/terminal.h"
 #ifdef PALPATE_READERS
 #include "app/recording/volume_hash.h"
-#include "datasets/readers/archive.h"
+#include "datasets/readers/files/archive.h"
 #endif
 
 namespace {

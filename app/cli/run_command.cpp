@@ -12,6 +12,7 @@
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
 #include "app/cli/trace.h"
+#include "app/study/quantile.h"
 #include "haptics/devices/ratings.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/allowed_stiffness.h"
@@ -106,10 +107,7 @@ struct Tally {
   nlohmann::ordered_json report() const {
     std::vector<double> sorted = tick_us;
     std::sort(sorted.begin(), sorted.end());
-    const auto quantile = [&](double q) {
-      if (sorted.empty()) return 0.0;
-      return sorted[static_cast<std::size_t>(q * double(sorted.size() - 1))];
-    };
+    const auto quantile = [&](double q) { return study::quantile(sorted, q); };
     nlohmann::ordered_json json;
     json["ticks"] = ticks;
     json["mean_us"] =

@@ -14,7 +14,7 @@
 #include "datasets/phantoms/phantoms.h"
 #include "resources/named_tools.h"
 #ifdef PALPATE_READERS
-#include "datasets/readers/tool_mesh.h"
+#include "datasets/readers/meshes/tool_mesh.h"
 #endif
 
 namespace app::cli {

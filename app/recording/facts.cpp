@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/recording/facts.h"
 
-#include "app/study/report/machine.h"
+#include "app/build_info/build_info.h"
 
 namespace app {
 
 haptics::RecordingFacts recordingFacts() {
-  return {study::versionHere(), study::buildHere(), study::machineHere().dump()};
+  return {versionHere(), buildHere(), machineHere().dump()};
 }
 
 }  // namespace app

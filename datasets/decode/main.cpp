@@ -10,7 +10,7 @@
 
 #include "datasets/decode/sandbox.h"
 #include "datasets/decode/service.h"
-#include "datasets/readers/decode_protocol.h"
+#include "datasets/readers/dicom/decode_protocol.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "datasets/readers/decode_protocol.h"
+#include "datasets/readers/dicom/decode_protocol.h"
 
 namespace datasets::decode {
 

@@ -35,13 +35,20 @@ struct Tolerances {
         epsilon{epsilon_voxels * h},
         rest_gap{0.5 * epsilon},
         band{2.0 * epsilon},
+        least_way{0.02 * epsilon},
+        blocked{0.05 * rest_gap},
         sagitta{3e-4 * h},
         root{1e-5 * h},
         step_free{24.0 * h} {}
-  double voxel;      ///< h
-  double epsilon;    ///< how near counts as contact; the paper's epsilon
-  double rest_gap;   ///< what a contact keeps between point and surface: half of epsilon
-  double band;       ///< points nearer than this constrain the motion
+  double voxel;     ///< h
+  double epsilon;   ///< how near counts as contact; the paper's epsilon
+  double rest_gap;  ///< what a contact keeps between point and surface: half of epsilon
+  double band;      ///< points nearer than this constrain the motion
+  /// A motion that contacts shape is over when what is left of it is no more than this; as far
+  /// before an impact a sub-step ends, so that rounding does not put a point inside.
+  double least_way;
+  /// A sub-step that an impact ends before this has not moved: what it met becomes a contact.
+  double blocked;
   double sagitta;    ///< how far a path may leave its chord in collision detection
   double root;       ///< how finely a first crossing is found
   double step_free;  ///< longest sub-step

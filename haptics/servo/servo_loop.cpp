@@ -76,58 +76,65 @@ void ServoLoop::run() {
   device_->write({});
 }
 
-std::uint16_t ServoLoop::readDevice(Engagement* adopted, std::int64_t now) HAPTICS_RT {
-  unsigned flags = 0;
+void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {
   const DeviceStatus read = lost_ ? DeviceStatus::Lost : device_->read(reading_);
-  if (read == DeviceStatus::Lost) flags |= StepFlags::kLost;
-  if (read == DeviceStatus::NotReady) flags |= StepFlags::kNotReady;
-  if (read == DeviceStatus::Stale) flags |= StepFlags::kStale;
+  period.raise(StepFlags::kLost, read == DeviceStatus::Lost);
+  period.raise(StepFlags::kNotReady, read == DeviceStatus::NotReady);
+  period.raise(StepFlags::kStale, read == DeviceStatus::Stale);
   if (!guard_) {
     X_WD_ = reading_.X_BD;
-    return static_cast<std::uint16_t>(flags);
+    return;
   }
   if (handling.take(guard_->handling)) guard_->handled_ns = now;
-  if (adopted != nullptr) guard_->mapping.place(X_WD_ = adopted->proxy.X_WP);
+  if (period.has(StepFlags::kAdopted) && period.engaged != nullptr)
+    guard_->mapping.place(X_WD_ = period.engaged->proxy.X_WP);
   constexpr int kSilent = 3;
   guard_->silent = read == DeviceStatus::Stale ? guard_->silent + 1 : 0;
-  if (guard_->silent >= kSilent) flags |= StepFlags::kSilent;
+  period.raise(StepFlags::kSilent, guard_->silent >= kSilent);
   // poses that mean nothing are neither followed nor judged
   if (read == DeviceStatus::Lost || read == DeviceStatus::NotReady) {
     guard_->mapping.lift();
     guard_->motion = {};
-    return static_cast<std::uint16_t>(flags);
+    return;
   }
   const std::int64_t measured = reading_.time_ns != 0 ? reading_.time_ns : now;
-  switch (guard_->motion.judge(reading_.X_BD, measured)) {
-    case ForceReason::TooFast:
-      flags |= StepFlags::kTooFast;
-      break;
-    case ForceReason::Jump:
-      flags |= StepFlags::kJumped;
-      break;
-    default:
-      break;
-  }
+  const ForceReason judged = guard_->motion.judge(reading_.X_BD, measured);
+  period.raise(StepFlags::kTooFast, judged == ForceReason::TooFast);
+  period.raise(StepFlags::kJumped, judged == ForceReason::Jump);
   const auto down = [&](int button) {
     return button >= 0 && button < 32 && ((reading_.buttons >> button) & 1U) != 0;
   };
   const Handling& held = guard_->handling;
   const bool clutched = held.clutch || down(held.clutch_button);
-  if (clutched) flags |= StepFlags::kClutched;
+  period.raise(StepFlags::kClutched, clutched);
   constexpr std::int64_t kKeyCounts = 250'000'000;  // ns
   const bool key = held.held && now - guard_->handled_ns < kKeyCounts;
-  if (held.hold_to_run && !key && !down(held.hold_button)) flags |= StepFlags::kLetGo;
+  period.raise(StepFlags::kLetGo, held.hold_to_run && !key && !down(held.hold_button));
   guard_->mapping.set(held.R_WB, in_force_.position_scale);
   guard_->mapping.clutch(clutched);
   X_WD_ = guard_->mapping.toWorld(reading_.X_BD);
-  return static_cast<std::uint16_t>(flags);
 }
 
 void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   const std::int64_t begun = Budget::threadTime();
+  Period period = takeWishes(now);
+  readDevice(period, now);
+  period.read_at = period.ring != nullptr ? monotonicNs() : 0;
+  Budget budget = Budget::timed(kTickBudget);
+  const ServoResult result = feel(period, budget);
+  push(result.sent_W, period);
+  noteTransitions(time);
+  period.cpu_ns = Budget::threadTime() - begun;
+  publish(period, result, time);
+  if (period.ring != nullptr) record(period, budget);
+  boundary.store(snapshot_.tick, std::memory_order_release);
+}
+
+ServoLoop::Period ServoLoop::takeWishes(std::int64_t now) HAPTICS_RT {
   const Watchdog::Beat beat = guard_ && !lost_ ? guard_->watchdog.beat(now) : Watchdog::Beat{};
   const Settings before = in_force_;
   settings.take(in_force_);
+  Period period;
   const bool adopted = scenes.adopt();
   const bool stiffened = in_force_.stiffness != before.stiffness ||
                          in_force_.angular_stiffness != before.angular_stiffness;
@@ -135,42 +142,54 @@ void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
                      in_force_.friction != before.friction ||
                      in_force_.position_scale != before.position_scale;
   const bool arm = armed.load(std::memory_order_relaxed);
-  Engagement* const touched = scenes.current();
+  period.engaged = scenes.current();
   // from here on the recorder's own: what it is not told any more it will not miss
-  StepRing* const ring = recording.load(std::memory_order_acquire);
-  if (ring != nullptr && (adopted || ring->startIsDue())) startRecording(*ring, touched);
+  period.ring = recording.load(std::memory_order_acquire);
+  if (period.ring != nullptr && (adopted || period.ring->startIsDue()))
+    startRecording(*period.ring, period.engaged);
+  period.raise(StepFlags::kAdopted, adopted);
+  period.raise(StepFlags::kSettingMoved, moved);
+  period.raise(StepFlags::kStiffnessMoved, stiffened);
+  period.raise(StepFlags::kArmed, arm);
+  period.raise(StepFlags::kGap, beat.gap);
+  period.raise(StepFlags::kStalled, beat.stalled && arm);
+  return period;
+}
 
-  std::uint16_t flags = readDevice(adopted ? touched : nullptr, now);
-  const std::int64_t read_at = ring != nullptr ? monotonicNs() : 0;
-  flags = static_cast<std::uint16_t>(
-      flags | (adopted ? StepFlags::kAdopted : 0) | (moved ? StepFlags::kSettingMoved : 0) |
-      (stiffened ? StepFlags::kStiffnessMoved : 0) | (arm ? StepFlags::kArmed : 0) |
-      (beat.gap ? StepFlags::kGap : 0) | (beat.stalled && arm ? StepFlags::kStalled : 0));
-  Budget budget = Budget::timed(kTickBudget);
-  const bool touching = touched != nullptr && (flags & StepFlags::kLost) == 0;
-  const ServoResult result =
-      servoTick({X_WD_, in_force_, flags}, touching ? touched->scene.get() : nullptr,
-                touching ? &touched->proxy : nullptr, safety_, kPeriod, budget);
-  const Wrench sent_B = guard_ ? guard_->mapping.toBase(result.sent_W) : result.sent_W;
-  if (device_->write(sent_B) == DeviceStatus::Lost || (flags & StepFlags::kLost) != 0) {
+ServoResult ServoLoop::feel(Period& period, Budget& budget) HAPTICS_RT {
+  if (period.has(StepFlags::kLost)) period.engaged = nullptr;
+  Engagement* const engaged = period.engaged;
+  return servoTick({X_WD_, in_force_, period.flags},
+                   engaged != nullptr ? engaged->scene.get() : nullptr,
+                   engaged != nullptr ? &engaged->proxy : nullptr, safety_, kPeriod, budget);
+}
+
+void ServoLoop::push(const Wrench& sent_W, const Period& period) HAPTICS_RT {
+  const Wrench sent_B = guard_ ? guard_->mapping.toBase(sent_W) : sent_W;
+  if (device_->write(sent_B) == DeviceStatus::Lost || period.has(StepFlags::kLost)) {
     lost_ = true;
     device_->stop();
   }
   // what is at fault, or was homed and is no more, stays off until the user arms it
-  if (lost_ || safety_.state() == ForceState::Fault || (flags & StepFlags::kNotReady) != 0)
+  if (lost_ || safety_.state() == ForceState::Fault || period.has(StepFlags::kNotReady))
     armed.store(false, std::memory_order_relaxed);
+}
+
+void ServoLoop::noteTransitions(double time) HAPTICS_RT {
   for (ForceTransition transition : safety_.transitions()) {
     transition.time = time;
     transitions.try_enqueue(transition);
   }
+}
 
-  const std::int64_t cpu_ns = Budget::threadTime() - begun;
-  stats_.add(time, double(cpu_ns) * 1e-9);
+void ServoLoop::publish(const Period& period, const ServoResult& result, double time) HAPTICS_RT {
+  const Engagement* const engaged = period.engaged;
+  stats_.add(time, double(period.cpu_ns) * 1e-9);
   ++snapshot_.tick;
   snapshot_.time = time;
   snapshot_.X_WD = X_WD_;
-  snapshot_.X_WP = touching ? touched->proxy.X_WP : X_WD_;
-  snapshot_.scene = touching ? touched->scene->id : 0;
+  snapshot_.X_WP = engaged != nullptr ? engaged->proxy.X_WP : X_WD_;
+  snapshot_.scene = engaged != nullptr ? engaged->scene->id : 0;
   snapshot_.felt_W = result.sent_W;
   snapshot_.coupling_W = result.tick.wrench_W;
   snapshot_.isovalue = in_force_.isovalue;
@@ -179,7 +198,7 @@ void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   snapshot_.reason = safety_.reason();
   snapshot_.buttons = reading_.buttons;
   snapshot_.trouble = reading_.trouble;
-  snapshot_.clutched = (flags & StepFlags::kClutched) != 0;
+  snapshot_.clutched = period.has(StepFlags::kClutched);
   snapshot_.stiffness_share = safety_.stiffnessShare();
   snapshot_.servo_rate = stats_.rate();
   snapshot_.tick_p99 = stats_.p99();
@@ -187,14 +206,6 @@ void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   // a full queue drops the newest: the plot is not worth waiting for
   forces.try_enqueue({time, static_cast<float>(result.sent_W.force.norm()),
                       static_cast<float>(result.sent_W.torque.norm())});
-  if (ring != nullptr) {
-    step_.time_ns = read_at - ring->begun();
-    step_.flags = flags;
-    step_.cut_at = budget.cutAt();
-    step_.cpu_ns = cpu_ns;
-    record(*ring, touching ? &touched->proxy : nullptr);
-  }
-  boundary.store(snapshot_.tick, std::memory_order_release);
 }
 
 void ServoLoop::startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT {
@@ -210,7 +221,11 @@ void ServoLoop::startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT {
   ring.start(start);
 }
 
-void ServoLoop::record(StepRing& ring, const Proxy* proxy) HAPTICS_RT {
+void ServoLoop::record(const Period& period, const Budget& budget) HAPTICS_RT {
+  step_.time_ns = period.read_at - period.ring->begun();
+  step_.flags = period.flags;
+  step_.cut_at = budget.cutAt();
+  step_.cpu_ns = period.cpu_ns;
   step_.X_WD = snapshot_.X_WD;
   step_.X_WP = snapshot_.X_WP;
   step_.sent_W = snapshot_.felt_W;
@@ -220,8 +235,8 @@ void ServoLoop::record(StepRing& ring, const Proxy* proxy) HAPTICS_RT {
   step_.missed_ticks = static_cast<std::uint32_t>(snapshot_.missed_ticks);
   step_.force_state = snapshot_.force_state;
   step_.contacts.clear();
-  if (proxy != nullptr) step_.contacts = proxy->bearing;
-  ring.push(step_);
+  if (period.engaged != nullptr) step_.contacts = period.engaged->proxy.bearing;
+  period.ring->push(step_);
 }
 
 }  // namespace haptics

@@ -13,6 +13,7 @@
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/mapping.h"
 #include "haptics/servo/motion_guard.h"
+#include "haptics/servo/servo_tick.h"
 #include "haptics/servo/step_ring.h"
 #include "haptics/servo/tick_stats.h"
 #include "haptics/servo/watchdog.h"
@@ -75,10 +76,30 @@ class ServoLoop {
     std::int64_t handled_ns = 0;  ///< when `handling` came
   };
 
+  /// One period, from the wishes it began with to what it came to.
+  struct Period {
+    std::uint16_t flags = 0;        ///< StepFlags
+    Engagement* engaged = nullptr;  ///< what is touched; null: nothing, or the device is lost
+    StepRing* ring = nullptr;       ///< null: not recorded
+    std::int64_t read_at = 0;       ///< ns, monotonic; only where recorded
+    std::int64_t cpu_ns = 0;
+
+    bool has(std::uint16_t flag) const HAPTICS_RT { return (flags & flag) != 0; }
+    void raise(std::uint16_t flag, bool is) HAPTICS_RT {
+      if (is) flags = static_cast<std::uint16_t>(flags | flag);
+    }
+  };
+
   void run();
-  std::uint16_t readDevice(Engagement* adopted, std::int64_t now) HAPTICS_RT;
+  /// What others want of the servo thread since the last period, and what the watchdog saw.
+  Period takeWishes(std::int64_t now) HAPTICS_RT;
+  void readDevice(Period& period, std::int64_t now) HAPTICS_RT;
+  ServoResult feel(Period& period, Budget& budget) HAPTICS_RT;
+  void push(const Wrench& sent_W, const Period& period) HAPTICS_RT;
+  void noteTransitions(double time) HAPTICS_RT;
+  void publish(const Period& period, const ServoResult& result, double time) HAPTICS_RT;
   void startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT;
-  void record(StepRing& ring, const Proxy* proxy) HAPTICS_RT;
+  void record(const Period& period, const Budget& budget) HAPTICS_RT;
 
   std::unique_ptr<Device> device_;
   Settings in_force_;

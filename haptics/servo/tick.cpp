@@ -199,7 +199,7 @@ class Tick {
         way = limited(arrives ? free : scene_.metric.twist(whole - left_behind_, at_.X.linear()));
     }
     // even the last billionth of a metre of free space is gone
-    const double length = reachOf(way, radius_), least = arrives ? 0.0 : 0.02 * lengths().epsilon;
+    const double length = reachOf(way, radius_), least = arrives ? 0.0 : lengths().least_way;
     const bool tried = tries_ >= mostTries();
     if (tried || most * length <= least) {
       at_.stage = Search::Stage::Done;
@@ -274,17 +274,17 @@ class Tick {
     const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, lengths(), budget_);
     const double length = at_.length;
     double advance = impact.time;
-    if (impact.time < 1.0) advance = std::max(0.0, impact.time - 0.02 * lengths().epsilon / length);
+    if (impact.time < 1.0) advance = std::max(0.0, impact.time - lengths().least_way / length);
     at_.stage = Search::Stage::Look;
     if (at_.bears || advance < 1.0) ++tries_;
-    if (advance * length < 0.05 * lengths().rest_gap && advance < 1.0) {
+    if (advance * length < lengths().blocked && advance < 1.0) {
       // blocked: the exact normal of what blocks becomes a contact, or the step gets shorter
-      if (!impact.met || !keep(impact.contact)) at_.trust = 0.25 * length;
-      if (at_.trust < 0.02 * lengths().epsilon) at_.stage = Search::Stage::Done;
+      if (!impact.met || !keep(impact.contact)) at_.trust = kShorter * length;
+      if (at_.trust < lengths().least_way) at_.stage = Search::Stage::Done;
       return true;
     }
     arrive(advance);
-    at_.trust = advance < 1.0 ? 3.0 * advance * length : 2.0 * at_.trust;
+    at_.trust = advance < 1.0 ? kBeyondImpact * advance * length : kLonger * at_.trust;
     return true;
   }
 
@@ -377,6 +377,10 @@ class Tick {
   static constexpr double kMany = 4096;  // near points: then a motion is proven bit by bit
   static constexpr double kProofWork = 32.0 * double(kTickWork);  // of one sub-step at most
   static constexpr int kMoreTries = 3;
+  // How long a sub-step is tried: a quarter where one was blocked and nothing new was learned;
+  // three times what an impact left of it, so that a slide along a wavy surface does not creep;
+  // twice as long where nothing was met.
+  static constexpr double kShorter = 0.25, kBeyondImpact = 3.0, kLonger = 2.0;
   static constexpr double kLeastStretch = 4.0;  // voxels: the pyramid's finest blocks prove no less
 
   const Scene& scene_;

@@ -6,7 +6,7 @@ Usage: include_circles.py ROOT
        include_circles.py --plant SCRATCH   (proves that it can fail)
 
 A node is a folder at the first level below app, datasets, haptics and ui, or a file in the root of
-one of these (header and source are one).
+one of these (header and source are one). The folders and files in datasets/readers are nodes too.
 """
 import pathlib
 import re
@@ -17,9 +17,13 @@ TOPS = ("app", "datasets", "haptics", "ui")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"((?:%s)/[^"]+)"' % "|".join(TOPS), re.M)
 
 
+ROOMS = "datasets/readers/"  # whose folders are nodes of their own
+
+
 def node(path):
     parts = path.split("/")
-    return "/".join(parts[:2]) if len(parts) > 2 else path.rsplit(".", 1)[0]
+    level = 3 if path.startswith(ROOMS) else 2
+    return "/".join(parts[:level]) if len(parts) > level else path.rsplit(".", 1)[0]
 
 
 def graph(root):
@@ -81,6 +85,13 @@ def plant(scratch):
     write("haptics/c.cpp", "app/d/three.h")
     write("ui/e.h", "haptics/a/one.h")
     assert check(scratch) == (4, []), "a circle was found where there is none"
+    write("datasets/readers/e/one.h", "datasets/readers/f/two.h")
+    write("datasets/readers/f/two.h", "datasets/readers/g.h")
+    assert check(scratch)[1] == [], "a circle was found where there is none"
+    write("datasets/readers/g.h", "datasets/readers/e/one.h")
+    files, found = check(scratch)
+    assert found == [("datasets/readers/e", "datasets/readers/f", "datasets/readers/g")], found
+    (scratch / "datasets/readers/g.h").unlink()
     write("app/d/three.h", "haptics/a/one.h")
     files, found = check(scratch)
     assert found == [("app/d", "haptics/a", "haptics/b", "haptics/c")], found

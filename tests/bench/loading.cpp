@@ -23,7 +23,7 @@
 #include <random>
 #include <thread>
 
-#include "app/study/report/machine.h"
+#include "app/build_info/build_info.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/scene/scene.h"
@@ -39,7 +39,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-using study::Json;
+using Json = nlohmann::ordered_json;
 
 constexpr int kSide = 512, kSlices = 361, kFiles = 2000;
 
@@ -277,7 +277,7 @@ Json measureDisturbance(const fs::path& path, double seconds) {
 int run(const Options& options) {
   const fs::path folder = options.folder;
   if (!fs::exists(folder / "series")) makeFiles(folder);
-  Json json{{"machine", study::machineHere()}, {"version", study::versionHere()}};
+  Json json{{"machine", app::machineHere()}, {"version", app::versionHere()}};
   json["scan_2000_files"] = measureScan(folder, options.runs);
   json["load_512x512x361"] = measureLoad(folder / "series", options.runs);
   json["cancel"] = measureCancel(folder / "series", options.cancels);

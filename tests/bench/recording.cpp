@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "app/build_info/build_info.h"
 #include "app/recording/facts.h"
-#include "app/study/report/machine.h"
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
@@ -173,7 +173,7 @@ int run(const Options& options) {
     return 3;
   }
   const Touched touched = demo();
-  Json json{{"machine", study::machineHere()}, {"version", study::versionHere()}};
+  Json json{{"machine", app::machineHere()}, {"version", app::versionHere()}};
   json["live"] = measureLive(touched, options);
   json["as_fast_as_possible"] = measureFast(touched, options);
   std::puts(json.dump(2).c_str());

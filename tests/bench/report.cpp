@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "app/build_info/build_info.h"
 #include "app/study/page/text.h"
-#include "app/study/report/machine.h"
 
 namespace bench {
 namespace {
@@ -121,9 +121,9 @@ std::string whyNotHonest(const SceneReport& report) {
 }
 
 Json jsonOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>& sweep) {
-  Json json{{"machine", study::machineHere()}, {"results", Json::array()},
-            {"ratios", Json::array()},         {"scenes", Json::array()},
-            {"sweep", Json::array()},          {"long_ticks", Json::array()}};
+  Json json{{"machine", app::machineHere()}, {"results", Json::array()},
+            {"ratios", Json::array()},       {"scenes", Json::array()},
+            {"sweep", Json::array()},        {"long_ticks", Json::array()}};
   for (const SceneReport& report : reports) {
     for (const Summary& summary : report.summaries)
       json["results"].push_back(resultOf(report, summary));

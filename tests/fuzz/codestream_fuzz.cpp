@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "datasets/decode/service.h"
-#include "datasets/readers/codestream.h"
-#include "datasets/readers/encapsulated.h"
+#include "datasets/readers/dicom/codestream.h"
+#include "datasets/readers/dicom/encapsulated.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scratch_folder.h"
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "datasets/readers/dicom_folder.h"
-#include "datasets/readers/file_geometry.h"
+#include "datasets/readers/dicom/folder.h"
+#include "datasets/readers/files/file_geometry.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scratch_folder.h"
 

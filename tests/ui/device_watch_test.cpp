@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/device_watch.h"
+#include "app/window/device_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,6 @@
 
 namespace {
 
-using Format = ui::ExportWish::Format;
 using Camera = ui::ExportWish::Film::Camera;
 
 // neither end is a whole millisecond
@@ -48,7 +47,7 @@ std::optional<ui::ExportWish> answered(const std::function<void(ui::ExportDialog
   QTimer::singleShot(20'000, qApp, [] {
     if (auto* left = QApplication::activeModalWidget()) left->close();
   });
-  return ui::askForExport(parent, kBegin, kEnd);
+  return ui::askForExport(parent, kBegin, kEnd, window::exportFormats());
 }
 
 void agree(const ui::ExportDialog& dialog) {
@@ -66,7 +65,7 @@ TEST(ExportQuestion, AllOfItAtEveryStepUnlessSaidOtherwise) {
     QTest::keyClick(&dialog, Qt::Key_Return);
   });
   ASSERT_TRUE(wish.has_value());
-  EXPECT_EQ(wish->format, Format::Csv);
+  EXPECT_EQ(wish->table, 0U);
   EXPECT_EQ(wish->from, kBegin);
   EXPECT_EQ(wish->to, kEnd);
   EXPECT_FALSE(wish->rate.has_value());
@@ -86,7 +85,7 @@ TEST(ExportQuestion, APartOfItAtARateWithoutContacts) {
     agree(dialog);
   });
   ASSERT_TRUE(wish.has_value());
-  EXPECT_EQ(wish->format, Format::Hdf5);
+  EXPECT_EQ(wish->table, 1U);
   EXPECT_EQ(wish->from, 12.25);
   EXPECT_EQ(wish->to, 20.0);
   ASSERT_TRUE(wish->rate.has_value());
@@ -118,7 +117,7 @@ TEST(ExportQuestion, AFilmHasCameraSizeAndFrames) {
     agree(dialog);
   });
   ASSERT_TRUE(wish.has_value());
-  EXPECT_EQ(wish->format, Format::Film);
+  EXPECT_FALSE(wish->table);
   EXPECT_EQ(wish->film.camera, Camera::Fixed);
   EXPECT_EQ(wish->film.width, 1920);
   EXPECT_EQ(wish->film.height, 1080);
@@ -145,7 +144,7 @@ TEST(ExportQuestion, AnEmptyRangeCannotBeChosen) {
   });
   EXPECT_FALSE(wish.has_value());
   // one step is a recording too
-  const ui::ExportDialog one(4.0, 4.0);
+  const ui::ExportDialog one(4.0, 4.0, window::exportFormats());
   EXPECT_TRUE(part<QPushButton>(one, "exportAgree")->isEnabled());
   EXPECT_EQ(one.wish().from, 4.0);
   EXPECT_EQ(one.wish().to, 4.0);

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "app/device_watch.h"
+#include "app/window/device_watch.h"
 
 namespace window {
 

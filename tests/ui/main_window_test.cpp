@@ -157,7 +157,7 @@ TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
   snapshot.policy = haptics::SchedulingPolicy::RealTime;
   snapshot.force_state = haptics::ForceState::On;
   window.display(snapshot);
-  std::vector<ui::ForcePoint> points;
+  std::vector<haptics::ForceSample> points;
   for (int i = 0; i < 12'000; ++i) {
     const double t = i * 1e-3;
     const bool spike = i == 8'000;  // one tick among ten thousand is still seen

@@ -94,7 +94,7 @@ TEST(NumberBox, EveryFieldOfTheWindowTakesBothMarksAndNoOtherNumberComesOfWhatIs
 }
 
 TEST(NumberBox, EveryFieldOfTheDialogsDoes) {
-  takesNumbersAndNothingElse(ui::ExportDialog(0.0, 200.0), 3);
+  takesNumbersAndNothingElse(ui::ExportDialog(0.0, 200.0, window::exportFormats()), 3);
   takesNumbersAndNothingElse(
       ui::BoxDialog({.dims = {512, 512, 361}, .bytes = 200'000'000, .free_bytes = 1e9}), 6);
 }
@@ -138,7 +138,7 @@ TEST(NumberBox, AnIsovalueIsNeverTenTimesWhatWasTyped) {
 }
 
 TEST(NumberBox, ADialogIsNotAcceptedWithWhatIsRefused) {
-  ui::ExportDialog dialog(0.0, 83.5);
+  ui::ExportDialog dialog(0.0, 83.5, window::exportFormats());
   window::showAndWait(dialog, dialog.sizeHint());
   auto* to = dialog.findChild<QDoubleSpinBox*>("exportTo");
   auto* agree = dialog.findChild<QPushButton*>("exportAgree");

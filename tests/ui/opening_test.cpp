@@ -25,7 +25,7 @@
 #include <filesystem>
 
 #include "app/application.h"
-#include "app/recent_places.h"
+#include "app/window/recent_places.h"
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/dicom_bytes.h"
 #include "ui/series_browser.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/preferences.h"
+#include "app/window/preferences.h"
 
 #include <gtest/gtest.h>
 

@@ -18,6 +18,7 @@
 #include <functional>
 
 #include "app/application.h"
+#include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/recording/replay.h"
 #include "sphere_in_hand.h"
@@ -267,20 +268,19 @@ TEST(RecordedSession, IsExportedBehindTheWindow) {
   request.wish.film.height = 240;
   int ended = 0;
   bool well = false;
-  QObject::connect(&application.exportTask(), &app::ExportTask::finished, &application,
+  QObject::connect(&application.exporting().task(), &app::ExportTask::finished, &application,
                    [&](bool done, const QString&) {
                      ++ended;
                      well = done;
                    });
-  using Format = ui::ExportWish::Format;
   int number = 0;
-  for (const auto& [format, name] : {std::pair{Format::Csv, "csv"},
-                                     {Format::Hdf5, "e.h5"},
-                                     {Format::Mcap, "e.mcap"},
-                                     {Format::Film, "film"}}) {
-    request.wish.format = format;
+  for (const auto& [table, name] : {std::pair<std::optional<std::size_t>, const char*>{0, "csv"},
+                                    {1, "e.h5"},
+                                    {2, "e.mcap"},
+                                    {std::nullopt, "film"}}) {
+    request.wish.table = table;
     request.out = fs::path(exports.path().toStdString()) / name;
-    application.exportTo(request);
+    application.exporting().exportTo(request);
     ASSERT_TRUE(waitFor([&] { return ended > number; }, 120.0)) << name;
     EXPECT_TRUE(well) << name
                       << child<QLabel>(application.window(), "message")->text().toStdString();
@@ -291,7 +291,7 @@ TEST(RecordedSession, IsExportedBehindTheWindow) {
   EXPECT_GE(filesIn(exports).size(), 8U);
   // cancelled, nothing is left of it
   request.out = fs::path(exports.path().toStdString()) / "cancelled";
-  application.exportTo(request);
+  application.exporting().exportTo(request);
   emit application.window().cancelWanted();
   ASSERT_TRUE(waitFor([&] { return ended > number; }, 120.0));
   EXPECT_FALSE(well);

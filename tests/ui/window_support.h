@@ -9,6 +9,7 @@
 
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/core/volume.h"
+#include "ui/export_question.h"
 #include "ui/volume_view.h"
 
 namespace window {
@@ -49,5 +50,10 @@ int count(const QImage& image, const std::function<bool(QColor)>& wanted);
 bool proxyColoured(QColor colour);
 bool deviceColoured(QColor colour);
 bool surfaceColoured(QColor colour);
+
+/// Formats as an export dialog is given them.
+inline std::vector<ui::ExportFormat> exportFormats() {
+  return {{"CSV", "Tables."}, {"HDF5", "Arrays."}, {"MCAP", "Messages."}};
+}
 
 }  // namespace window

@@ -17,7 +17,7 @@ class ForcePanel : public QWidget {
   explicit ForcePanel(QWidget* parent = nullptr);
   void display(const haptics::Snapshot& snapshot);
   void clear() { plot_->clear(); }
-  void append(std::span<const ForcePoint> points) { plot_->append(points); }
+  void append(std::span<const haptics::ForceSample> points) { plot_->append(points); }
 
  private:
   QLabel* force_;

@@ -30,10 +30,10 @@ ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent) {
   connect(&pause_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
 }
 
-void ForcePlot::append(std::span<const ForcePoint> points) {
+void ForcePlot::append(std::span<const haptics::ForceSample> points) {
   if (points.empty()) return;
   if (points.front().time < newest_) clear();  // a new session's clock starts again
-  for (const ForcePoint& point : points) {
+  for (const haptics::ForceSample& point : points) {
     ring_[next_] = point;
     next_ = (next_ + 1) % kCapacity;
     full_ = full_ || next_ == 0;
@@ -46,7 +46,7 @@ void ForcePlot::append(std::span<const ForcePoint> points) {
   if (changes && !pause_.isActive() && !visibleRegion().isEmpty()) pause_.start();
 }
 
-void ForcePlot::level(const ForcePoint& point) {
+void ForcePlot::level(const haptics::ForceSample& point) {
   const Level alone{point.time, point.force, point.force, point.torque, point.torque};
   if (!level_) level_ = alone;
   level_->least_force = std::min(level_->least_force, point.force);
@@ -72,7 +72,7 @@ std::vector<ForcePlot::Column> ForcePlot::columns(int count, double from, double
                               Column{0.0F, 0.0F, 0.0F, 0.0F, false});
   const std::size_t size = full_ ? kCapacity : next_;
   for (std::size_t i = 0; i < size; ++i) {
-    const ForcePoint& p = ring_[i];
+    const haptics::ForceSample& p = ring_[i];
     if (p.time < from) continue;
     const auto x = static_cast<std::size_t>(
         std::clamp((p.time - from) / (to - from) * count, 0.0, count - 1.0));

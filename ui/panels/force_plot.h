@@ -8,14 +8,9 @@
 #include <span>
 #include <vector>
 
-namespace ui {
+#include "haptics/snapshot.h"
 
-/// The force of one tick, for the plot.
-struct ForcePoint {
-  double time = 0.0;    ///< s
-  float force = 0.0F;   ///< N
-  float torque = 0.0F;  ///< N·m
-};
+namespace ui {
 
 /// Force and torque over the last ten seconds. Every tick is kept; a pixel shows the least and
 /// the greatest of its ticks, so a spike of one tick is visible. The plot is painted at most twenty
@@ -26,7 +21,7 @@ class ForcePlot : public QWidget {
   static constexpr double kSeconds = 10.0;
 
   explicit ForcePlot(QWidget* parent = nullptr);
-  void append(std::span<const ForcePoint> points);
+  void append(std::span<const haptics::ForceSample> points);
   void clear();
   float greatestForce() const { return greatest_force_; }  ///< N, on view
   QSize sizeHint() const override { return {260, 150}; }
@@ -47,8 +42,8 @@ class ForcePlot : public QWidget {
   };
   std::vector<Column> columns(int count, double from, double to) const;
   QRect area() const { return rect().adjusted(4, 16, -4, -4); }
-  void level(const ForcePoint& point);
-  std::vector<ForcePoint> ring_;
+  void level(const haptics::ForceSample& point);
+  std::vector<haptics::ForceSample> ring_;
   std::size_t next_ = 0;
   bool full_ = false;
   double newest_ = 0.0;

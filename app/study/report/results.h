@@ -2,14 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "app/study/report/machine.h"
 #include "app/study/report/outcome.h"
 #include "haptics/core/error.h"
 
 namespace study {
+
+using Json = nlohmann::ordered_json;
 
 /// What makes results comparable: those of another build, depth or seed are another study.
 struct Identity {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <numeric>
 
+#include "app/build_info/build_info.h"
 #include "haptics/core/output_file.h"
 
 namespace study {
@@ -135,7 +136,8 @@ std::string duration(double seconds) {
 }  // namespace
 
 Expected<Results> runStudy(const Study& study, const RunOptions& options) {
-  const Identity identity{study.name, versionHere(), buildHere(), options.depth, options.seed};
+  const Identity identity{study.name, app::versionHere(), app::buildHere(), options.depth,
+                          options.seed};
   if (auto made = makeFolder(options.out); !made) return tl::unexpected(made.error());
   std::optional<Identity> expected = identity;
   auto found = jobsIn(options.out, expected);
@@ -147,7 +149,7 @@ Expected<Results> runStudy(const Study& study, const RunOptions& options) {
   });
   double cost = 0.0, spent = 0.0, cost_done = 0.0;
   for (const Job* job : jobs) cost += job->cost;
-  const Json machine = machineHere();
+  const Json machine = app::machineHere();
   for (std::size_t n = 0; n < jobs.size() && !options.stop(); ++n) {
     const Job& job = *jobs[n];
     const auto begun = std::chrono::steady_clock::now();
@@ -199,7 +201,7 @@ Expected<Results> mergeStudies(
   if (!there) return tl::unexpected(there.error());
   add(std::move(*there));
   const std::optional<Study> study =
-      identity && identity->build == buildHere() ? studyOf(*identity) : std::nullopt;
+      identity && identity->build == app::buildHere() ? studyOf(*identity) : std::nullopt;
   if (!study)
     return tl::unexpected(Error{Error::Kind::Unsupported,
                                 "These jobs were run by another build of Palpate; merge them with "

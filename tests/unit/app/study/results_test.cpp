@@ -9,6 +9,7 @@
 #include <new>
 #include <set>
 
+#include "app/build_info/build_info.h"
 #include "app/study/report/run_study.h"
 
 namespace {
@@ -250,6 +251,6 @@ TEST(MergeStudies, RefusesAMixAndWhatIsNoStudy) {
   EXPECT_FALSE(fs::exists(folder.path / "all" / "results.json"));
 }
 
-TEST(BuildHere, IsKnown) { EXPECT_EQ(study::buildHere().size(), 40u); }
+TEST(BuildHere, IsKnown) { EXPECT_EQ(app::buildHere().size(), 40u); }
 
 }  // namespace

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/background/task.h"
+
+#include <QCoreApplication>
+#include <QMetaObject>
+#include <system_error>
+#include <utility>
+
+namespace app::background {
+namespace {
+
+constexpr double kStep = 0.002;  // between two reports of progress
+
+haptics::Error errorOf(const char* sentence, const char* reason) {
+  return {haptics::Error::Kind::Unsupported,
+          QCoreApplication::translate("app::background::Task", sentence).toStdString(), reason};
+}
+
+}  // namespace
+
+haptics::Error noThread() {
+  return errorOf(QT_TRANSLATE_NOOP("app::background::Task",
+                                   "The system has no thread left for this; close other programs "
+                                   "and try again."),
+                 "no-thread");
+}
+
+haptics::Error noMemory() {
+  return errorOf(
+      QT_TRANSLATE_NOOP("app::background::Task",
+                        "There is not enough memory for this; close other programs and try again."),
+      kNoMemory);
+}
+
+haptics::Error threw(const char* words) { return {haptics::Error::Kind::Malformed, words, kThrew}; }
+
+void Watch::advanced(double fraction) const {
+  if (fraction < told_ + kStep) return;
+  told_ = fraction;
+  Threads* owner = &owner_;
+  if (owner->progressed_) owner->post(number_, [owner, fraction] { owner->progressed_(fraction); });
+}
+
+void Watch::tell(std::function<void()> action) const { owner_.post(number_, std::move(action)); }
+
+Threads::~Threads() {
+  for (Job& job : jobs_) job.cancel = true;
+  for (Job& job : jobs_) job.thread.request_stop();
+  wait();
+}
+
+void Threads::cancel() {
+  if (jobs_.empty()) return;
+  jobs_.back().cancel = true;
+  jobs_.back().thread.request_stop();
+}
+
+void Threads::abandon() {
+  cancel();
+  ++number_;
+  running_ = false;
+}
+
+void Threads::wait() {
+  for (Job& job : jobs_)
+    if (job.thread.joinable()) job.thread.join();
+  jobs_.clear();
+}
+
+void Threads::begin(std::function<void(const Watch&)> work, std::function<void()> done) {
+  abandon();
+  // joined by their destructors, which have nothing to wait for
+  jobs_.remove_if([](const Job& job) { return job.ended.load(); });
+  running_ = true;
+  const std::uint64_t number = number_;
+  Job& job = jobs_.emplace_back();
+  try {
+    job.thread = std::jthread(
+        [this, &job, number, work = std::move(work), done](const std::stop_token& stop) mutable {
+          // what the work holds goes on this thread, before the result is told
+          std::exchange(work, nullptr)(Watch{*this, number, job.cancel, stop});
+          postDone(number, std::move(done));
+          job.ended = true;
+        });
+  } catch (const std::system_error&) {
+    jobs_.pop_back();
+    postDone(number, std::move(done));
+  }
+}
+
+void Threads::post(std::uint64_t number, std::function<void()> action) {
+  QMetaObject::invokeMethod(
+      &context_,
+      [this, number, action = std::move(action)] {
+        if (number == number_) action();
+      },
+      Qt::QueuedConnection);
+}
+
+void Threads::postDone(std::uint64_t number, std::function<void()> done) {
+  post(number, [this, done = std::move(done)] {
+    running_ = false;
+    done();
+  });
+}
+
+}  // namespace app::background

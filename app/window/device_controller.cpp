@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/device_controller.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ui/panels/device_panel.h"
+#include "ui/panels/force_words.h"
+#include "ui/volume_view.h"
+
+namespace app {
+namespace {
+
+using haptics::ForceState;
+
+constexpr std::size_t kTransitionsAtOnce = 64;
+
+// as recordings keep it, in every language the same
+constexpr std::array kStates{"off", "ready", "armed", "ramping", "on", "fault"};
+constexpr std::array kReasons{"none",       "user",     "no-reading", "not-homed", "scene",
+                              "inside",     "clutched", "not-held",   "gap",       "too-fast",
+                              "not-finite", "stale",    "lost",       "jump",      "stalled"};
+
+QString wordsOf(const haptics::ForceTransition& transition) {
+  return QStringLiteral("%1 -> %2, %3")
+      .arg(kStates.at(static_cast<std::size_t>(transition.from)),
+           kStates.at(static_cast<std::size_t>(transition.to)),
+           kReasons.at(static_cast<std::size_t>(transition.reason)));
+}
+static_assert(kStates.size() == static_cast<std::size_t>(ForceState::Fault) + 1);
+static_assert(kReasons.size() == static_cast<std::size_t>(haptics::ForceReason::Stalled) + 1);
+
+}  // namespace
+
+DeviceController::DeviceController(ui::MainWindow& window, SharedState& shared,
+                                   PreferencesController& preferences, DeviceCatalogue catalogue)
+    : window_(window), shared_(shared), watch_(std::move(catalogue)) {
+  connectPanel();
+  map(preferences.present().mapping);
+  window.hapticDevicePanel().show(mapping_);
+  connect(&preferences, &PreferencesController::saving, this, [this](Preferences& saved) {
+    saved.stiffness = own_stiffness_.value_or(shared_.settings.stiffness);
+    saved.mapping = mapping_;
+  });
+}
+
+void DeviceController::connectPanel() {
+  ui::HapticDevicePanel& panel = window_.hapticDevicePanel();
+  connect(&panel, &ui::HapticDevicePanel::seen, this, [this](bool visible) {
+    seen_ = visible;
+    watchDevices();
+  });
+  connect(&panel, &ui::HapticDevicePanel::surveyWanted, &watch_, &DeviceWatch::surveyNow);
+  connect(&panel, &ui::HapticDevicePanel::connectWanted, this, [this](const ui::DeviceWish& wish) {
+    window_.hapticDevicePanel().showConnecting(nameOf(wish.id));
+    watch_.open(wish);
+  });
+  connect(&panel, &ui::HapticDevicePanel::disconnectWanted, this, [this] {
+    watch_.cancel();
+    if (connected_) return letGo();
+    window_.hapticDevicePanel().showDisconnected({});
+  });
+  connect(&panel, &ui::HapticDevicePanel::mappingChanged, this, [this](const ui::Mapping& mapping) {
+    map(mapping);
+    shared_.apply();
+  });
+  connect(&panel, &ui::HapticDevicePanel::stiffnessLifted, this,
+          [this](bool lifted) { shared_.session.liftStiffness(lifted); });
+  connect(&watch_, &DeviceWatch::surveyed, this, [this](const QList<ui::DeviceLine>& devices) {
+    devices_ = devices;
+    window_.hapticDevicePanel().show(devices);
+  });
+  connect(&watch_, &DeviceWatch::opened, this, &DeviceController::take);
+  connect(&watch_, &DeviceWatch::refused, this,
+          [this](const ui::DeviceWish& wish, haptics::Trouble trouble, const QString& sentence) {
+            window_.hapticDevicePanel().showRefused(wish.id, trouble, sentence);
+            window_.showMessage(sentence);
+          });
+  ui::VolumeView& view = window_.view();
+  connect(&view, &ui::VolumeView::clutchHeld, this, [this](bool held) {
+    handling_.clutch = held;
+    shared_.session.handle(handling_);
+  });
+  connect(&view, &ui::VolumeView::forceHeld, this, [this](bool held) {
+    handling_.held = held;
+    shared_.session.handle(handling_);
+  });
+}
+
+void DeviceController::map(const ui::Mapping& mapping) {
+  mapping_ = mapping;
+  shared_.settings.position_scale = mapping.position_scale;
+  shared_.settings.force_scale = mapping.force_scale;
+}
+
+QString DeviceController::nameOf(const QString& id) const {
+  for (const ui::DeviceLine& device : devices_)
+    if (device.id == id) return device.name;
+  return id;
+}
+
+void DeviceController::watchDevices() { watch_.watch(seen_ || connected_.has_value()); }
+
+void DeviceController::take(const ui::DeviceWish& wish, const DeviceWatch::Opened& device) {
+  emit taking();
+  handle();
+  // half of what it is rated for at the hand, to begin with: what was set was for another hand
+  if (const double rated = (*device)->rating().stiffness; rated > 0.0) {
+    if (!own_stiffness_) own_stiffness_ = shared_.settings.stiffness;
+    setStiffness(0.5 * rated / (shared_.settings.position_scale * shared_.settings.force_scale));
+  }
+  const auto opened = shared_.session.open(std::move(*device));
+  if (!opened) {
+    restoreStiffness();
+    const QString why = QString::fromStdString(opened.error().what);
+    window_.hapticDevicePanel().showDisconnected(why);
+    return window_.showMessage(why);
+  }
+  connected_ = wish;
+  connected_name_ = nameOf(wish.id);
+  window_.hapticDevicePanel().showConnected(wish.id);
+  watchDevices();
+  emit taken(wish.id, connected_name_);
+}
+
+void DeviceController::setStiffness(double stiffness) {
+  shared_.settings.stiffness = stiffness;
+  window_.devicePanel().showStiffness(stiffness);
+  shared_.apply();
+}
+
+/// What was set before a device brought its own.
+void DeviceController::restoreStiffness() {
+  if (own_stiffness_) setStiffness(*std::exchange(own_stiffness_, std::nullopt));
+}
+
+void DeviceController::letGo() {
+  shared_.session.close();
+  forget({});
+  emit released();
+}
+
+void DeviceController::forget(const QString& why) {
+  if (!connected_) return;
+  connected_.reset();
+  restoreStiffness();
+  emit forgotten();
+  window_.hapticDevicePanel().showDisconnected(why);
+  watchDevices();
+}
+
+/// The camera turns the hand's directions, unless they are to stay.
+void DeviceController::handle() {
+  haptics::Handling now = handling_;
+  if (mapping_.follow_camera) now.R_WB = window_.view().viewAxes();
+  now.clutch_button = mapping_.clutch_button;
+  now.hold_to_run = mapping_.hold_to_run;
+  now.hold_button = mapping_.hold_button;
+  // a camera that has not been set up yet has no directions
+  if (!now.R_WB.allFinite()) now.R_WB = handling_.R_WB;
+  handling_ = now;
+  shared_.session.handle(handling_);
+}
+
+void DeviceController::refresh() {
+  handle();
+  window_.hapticDevicePanel().showStiffness(
+      shared_.settings, connected_ ? std::optional{shared_.session.inForce()} : std::nullopt);
+  std::array<haptics::ForceTransition, kTransitionsAtOnce> transitions;
+  while (const std::size_t count = shared_.session.transitions(transitions)) {
+    for (const haptics::ForceTransition& transition : std::span{transitions}.first(count)) {
+      emit forceChanged(wordsOf(transition));
+      if (transition.to == ForceState::Fault && connected_) tellOfFault(transition.reason);
+    }
+    if (count < transitions.size()) break;
+  }
+}
+
+void DeviceController::tellOfFault(haptics::ForceReason why) {
+  window_.showFault(
+      tr("%1: the force was taken away. %2")
+          .arg(connected_name_, ui::sentenceFor(ForceState::Fault, why, shared_.snapshot.trouble)));
+}
+
+}  // namespace app

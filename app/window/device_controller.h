@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <optional>
+
+#include "app/window/device_watch.h"
+#include "app/window/preferences_controller.h"
+#include "app/window/shared_state.h"
+#include "ui/main_window.h"
+#include "ui/panels/haptic_device_panel.h"
+
+namespace app {
+
+/// Connects a haptic device, maps its hand to the scan, and tells of what becomes of its force.
+class DeviceController : public QObject {
+  Q_OBJECT
+ public:
+  DeviceController(ui::MainWindow& window, SharedState& shared, PreferencesController& preferences,
+                   DeviceCatalogue catalogue);
+
+  /// Disconnects a device that is connected; the session has closed it already. The stiffness that
+  /// was set before it comes back, and the panel says why.
+  void forget(const QString& why);
+  /// Called at display rate.
+  void refresh();
+
+ signals:
+  /// A device is about to be opened: a recording on view makes room for it.
+  void taking();
+  void taken(const QString& id, const QString& name);
+  /// It was disconnected.
+  void forgotten();
+  /// The user disconnected it: another hand may have the tool.
+  void released();
+  /// A transition of the force, in the words of recordings.
+  void forceChanged(const QString& transition);
+
+ private:
+  void connectPanel();
+  void watchDevices();
+  QString nameOf(const QString& id) const;
+  void take(const ui::DeviceWish& wish, const DeviceWatch::Opened& device);
+  void letGo();
+  void setStiffness(double stiffness);
+  void restoreStiffness();
+  void map(const ui::Mapping& mapping);
+  void handle();
+  void tellOfFault(haptics::ForceReason why);
+
+  ui::MainWindow& window_;
+  SharedState& shared_;
+  DeviceWatch watch_;
+  QList<ui::DeviceLine> devices_;
+  bool seen_ = false;                        ///< the panel is in view
+  std::optional<ui::DeviceWish> connected_;  ///< the device that is open
+  QString connected_name_;
+  std::optional<double> own_stiffness_;  ///< N/m, as it was before a device was connected
+  ui::Mapping mapping_;
+  haptics::Handling handling_;
+};
+
+}  // namespace app

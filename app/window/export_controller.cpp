@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/export_controller.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+
+#include "app/export/formats.h"
+#include "app/film/face.h"
+#include "app/window/view_camera.h"
+#include "ui/export_question.h"
+#include "ui/panels/recording_panel.h"
+#include "ui/volume_view.h"
+
+namespace app {
+
+namespace {
+
+QString translated(const char* words) {
+  return QCoreApplication::translate("app::exporting", words);
+}
+
+std::vector<ui::ExportFormat> tables() {
+  std::vector<ui::ExportFormat> tables;
+  for (const exporting::Format& format : exporting::formats())
+    tables.push_back({translated(format.title), translated(format.about)});
+  return tables;
+}
+
+}  // namespace
+
+ExportController::ExportController(ui::MainWindow& window, SharedState& shared,
+                                   const Recordings& recordings, const VolumeIdentity& identity)
+    : window_(window), shared_(shared), recordings_(recordings), identity_(identity) {
+  connect(&window.recordingPanel(), &ui::RecordingPanel::exportWanted, this,
+          &ExportController::exportRecording);
+  connect(&window, &ui::MainWindow::cancelWanted, &task_, &ExportTask::cancel);
+  connect(&task_, &ExportTask::progressed, &window, &ui::MainWindow::showProgress);
+  connect(&task_, &ExportTask::finished, this, [this](bool, const QString& what) {
+    window_.endLoading();
+    if (!what.isEmpty()) window_.showMessage(what);
+  });
+}
+
+void ExportController::exportRecording(const QString& id) {
+  const std::filesystem::path path = recordings_.pathOf(id);
+  const auto recording = haptics::Recording::open(path);
+  if (!recording) return window_.showMessage(QString::fromStdString(recording.error().what));
+  const auto wish = ui::askForExport(&window_, recording->begin(), recording->end(), tables());
+  if (!wish) return;
+  ExportRequest request{.recording = path, .out = {}, .wish = *wish};
+  const exporting::Format* const table =
+      wish->table ? &exporting::formats()[*wish->table] : nullptr;
+  if (table == nullptr) {
+    request.volume = shared_.shown ? shared_.shown->picture.volume : nullptr;
+    if (request.volume) request.hash = identity_.of(request.volume);
+    if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed)
+      request.camera = cameraOf(window_.view());
+    // said once for each film, before anything is written
+    if (shared_.shown && !shared_.shown->place.empty() &&
+        mayShowAFace(*request.volume, leastIsovalue(*recording)) &&
+        !window_.askWhether(
+            tr("This film may show a face."),
+            tr("At this isovalue the skin is drawn, and skin can be a face that somebody knows. "
+               "Raise the isovalue to bone, or give the film only to those who may see it."),
+            tr("Make the film")))
+      return;
+  }
+  const QString ending = table != nullptr ? table->ending : ".mp4";
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  QFileDialog dialog(&window_, tr("Export to"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setNameFilter(table != nullptr ? translated(table->filter) : tr("Film (*.mp4 *.ogv)"));
+  dialog.setDefaultSuffix(ending.mid(1));
+  dialog.selectFile(QString::fromStdString(path.stem().string()) + ending);
+  if (dialog.exec() != QDialog::Accepted) return;
+  QString out = dialog.selectedFiles().value(0);
+  if (table != nullptr && !out.endsWith(ending)) out += ending;
+  request.out = out.toStdString();
+  // the dialog asks about the name that was chosen; what is written may have others
+  std::filesystem::path beside = request.out;
+  if (table == nullptr)
+    beside.replace_extension(".frames.csv");
+  else if (!table->files.empty())
+    beside += table->files.front();
+  std::error_code error;
+  if (out != dialog.selectedFiles().value(0) || beside != request.out)
+    if (std::filesystem::exists(beside, error) &&
+        !window_.askWhether(tr("An export of that name is there already."),
+                            tr("Its files are written over."), tr("Write over it")))
+      return;
+  exportTo(std::move(request));
+}
+
+void ExportController::exportTo(ExportRequest request) {
+  if (!task_.start(std::move(request)))
+    return window_.showMessage(tr("An export is under way; wait for it, or cancel it first."));
+  window_.clearMessage();
+  window_.showLoading(tr("Exporting"));
+}
+
+}  // namespace app

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/hand_controller.h"
+
+#include <array>
+#include <utility>
+
+#include "haptics/scene/legal_pose.h"
+#include "ui/panels/device_panel.h"
+#include "ui/volume_view.h"
+
+namespace app {
+namespace {
+
+using haptics::HandKind;
+
+struct Hand {
+  const char* id;
+  HandKind kind;
+  const char* label;
+};
+constexpr std::array<Hand, 8> kHands{{
+    {"mouse", HandKind::Mouse, QT_TRANSLATE_NOOP("app::HandController", "Mouse")},
+    {"tap", HandKind::Tap, QT_TRANSLATE_NOOP("app::HandController", "Simulated: tap")},
+    {"slide", HandKind::Slide, QT_TRANSLATE_NOOP("app::HandController", "Simulated: slide")},
+    {"wedge", HandKind::Wedge, QT_TRANSLATE_NOOP("app::HandController", "Simulated: wedge")},
+    {"pry", HandKind::Pry, QT_TRANSLATE_NOOP("app::HandController", "Simulated: pry")},
+    {"hook", HandKind::Hook, QT_TRANSLATE_NOOP("app::HandController", "Simulated: hook")},
+    {"jerk", HandKind::Jerk, QT_TRANSLATE_NOOP("app::HandController", "Simulated: jerk")},
+    {"twist", HandKind::Twist, QT_TRANSLATE_NOOP("app::HandController", "Simulated: twist")},
+}};
+
+const Hand* handOf(const std::string& name) {
+  for (const Hand& hand : kHands)
+    if (name == hand.id) return &hand;
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<HandKind> handNamed(const std::string& name) {
+  const Hand* hand = handOf(name);
+  return hand == nullptr ? std::nullopt : std::optional{hand->kind};
+}
+
+HandController::HandController(ui::MainWindow& window, SharedState& shared, std::string hand,
+                               double stiffness)
+    : window_(window), shared_(shared), hand_(std::move(hand)) {
+  shared.settings.stiffness = stiffness;
+  ui::DevicePanel& panel = window.devicePanel();
+  QList<ui::Choice> hands;
+  for (const Hand& one : kHands) hands.append({one.id, tr(one.label)});
+  panel.setHands(hands);
+  panel.showStiffness(stiffness);
+  connect(&panel, &ui::DevicePanel::handChosen, this, &HandController::choose);
+  connect(&panel, &ui::DevicePanel::stiffnessChanged, this, [this](double wanted) {
+    shared_.settings.stiffness = wanted;
+    shared_.apply();
+  });
+  connect(&panel, &ui::DevicePanel::frictionChanged, this, [this](double coefficient) {
+    shared_.settings.friction = coefficient;
+    shared_.apply();
+  });
+  connect(&window, &ui::MainWindow::forceOffWanted, this, [this] { shared_.session.forceOff(); });
+  connect(&window, &ui::MainWindow::forceOnWanted, this, [this] { shared_.session.arm(); });
+  connect(&window.view(), &ui::VolumeView::handPulled, this,
+          [this](const haptics::Pose& X_WH) { shared_.session.pull(X_WH); });
+}
+
+void HandController::choose(const QString& id) {
+  const std::string name = id.toStdString();
+  if (!shared_.replaying) return void(open(name));
+  hand_ = name;
+  emit replayEndWanted();
+}
+
+bool HandController::open(std::string name) {
+  const Hand* hand = handOf(name);
+  if (hand == nullptr) return false;
+  const auto opened = shared_.session.open(hand->kind);
+  if (!opened) {
+    window_.showMessage(QString::fromStdString(opened.error().what));
+    window_.devicePanel().showHand(QString::fromStdString(hand_), label_);
+    return false;
+  }
+  emit this->opened();
+  show(name, tr(hand->label), hand->kind == HandKind::Mouse);
+  // a simulated hand aims where it likes: show where
+  emit lookWanted(hand->kind != HandKind::Mouse);
+  return true;
+}
+
+void HandController::show(const std::string& id, const QString& label, bool is_mouse) {
+  const QString name = QString::fromStdString(id);
+  hand_ = id;
+  label_ = label;
+  emit changed(name);
+  shared_.snapshot = {};  // of the new loop nothing is known yet, and its counts begin at zero
+  window_.view().setMouseHand(is_mouse);
+  window_.showHandInUse(name, label);
+}
+
+void HandController::takeDevice(const QString& id, const QString& label) {
+  show(id.toStdString(), label, false);
+}
+
+void HandController::forgetDevice() { hand_ = "mouse"; }
+
+void HandController::adopt(bool new_volume, bool placed) {
+  const Loaded& shown = *shared_.shown;
+  haptics::Session& session = shared_.session;
+  // a simulated hand aims at its scene, so a new one needs a new hand; what the user holds goes on
+  const Hand* hand = handOf(hand_);
+  const bool mouse = hand != nullptr && hand->kind == HandKind::Mouse;
+  const bool device = hand == nullptr;
+  if (!session.isOpen() || !(mouse || device)) {
+    session.close();
+    shared_.apply();
+    return session.adopt(shown.scene, shown.start);
+  }
+  std::optional<haptics::Pose> start;
+  if (!new_volume && placed)
+    start = haptics::legalPoseNear(*shown.scene, shared_.settings.isovalue, shared_.snapshot.X_WP);
+  // the hand comes along where the tool starts elsewhere
+  if (!start && mouse) {
+    session.pull(shown.start);
+    window_.view().setMouseHand(true);
+  }
+  session.adopt(shown.scene, start.value_or(shown.start));
+  // not before the scene: in the old volume this isovalue may make everything solid
+  shared_.apply();
+}
+
+void HandController::reopen() {
+  if (shared_.shown && !shared_.replaying) open(hand_);
+}
+
+void HandController::resume() {
+  if (shared_.replaying || shared_.session.isOpen()) return;
+  if (!open(hand_) && handNamed(hand_) != HandKind::Mouse) open("mouse");
+}
+
+}  // namespace app

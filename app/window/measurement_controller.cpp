@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/measurement_controller.h"
+
+#include "ui/panels/performance_panel.h"
+
+namespace app {
+
+MeasurementController::MeasurementController(ui::MainWindow& window, SharedState& shared)
+    : window_(window), shared_(shared) {
+  ui::PerformancePanel& panel = window.performancePanel();
+  connect(&panel, &ui::PerformancePanel::measureWanted, this, &MeasurementController::measure);
+  connect(&panel, &ui::PerformancePanel::cancelWanted, this,
+          [this] { end(tr("The measurement was cancelled.")); });
+  connect(&measurement_, &Measurement::progressed, &panel, &ui::PerformancePanel::showProgress);
+  connect(&measurement_, &Measurement::measured, this, &MeasurementController::showMeasured);
+  connect(&measurement_, &Measurement::failed, &panel, &ui::PerformancePanel::showNothing);
+}
+
+void MeasurementController::pause() {
+  end(tr("The measurement was cancelled: something else is being loaded."));
+  window_.performancePanel().setReady(false);
+}
+
+void MeasurementController::resume() {
+  if (shared_.shown) window_.performancePanel().setReady(true);
+}
+
+void MeasurementController::showScene() {
+  ui::PerformancePanel& panel = window_.performancePanel();
+  panel.showNothing({});  // what was measured was another scene
+  QList<ui::LeftOut> left_out;
+  for (const haptics::PlanLine& line : shared_.shown->scene->planned)
+    if (line.left_out)
+      left_out.push_back({QString::fromStdString(line.what), QString::fromStdString(line.why)});
+  panel.showLeftOut(left_out);
+  panel.setReady(true);
+}
+
+void MeasurementController::measure() {
+  if (!shared_.shown) return;
+  const Loaded& shown = *shared_.shown;
+  const haptics::Settings& settings = shared_.settings;
+  const QString unit = QString::fromStdString(shown.picture.volume->unit);
+  conditions_ =
+      tr("Touched with %1 at the isovalue %2, %3 N/m: simulated hands slid, tapped, hooked and "
+         "wedged, on one thread of ordinary priority. Carried is what keeps the tool, on "
+         "average, within %4 of a voxel of where ticks without a budget would bring it, with at "
+         "most one tick in a thousand longer than its period.")
+          .arg(labelOf(shown.tool),
+               QString::number(settings.isovalue) + (unit.isEmpty() ? QString() : ' ' + unit))
+          .arg(settings.stiffness, 0, 'f', 0)
+          .arg(study::kMostLag);
+  before_ = shared_.snapshot;
+  window_.performancePanel().showMeasuring();
+  measurement_.start(
+      {.scene = shown.scene,
+       .isovalue = settings.isovalue,
+       .coupling = {settings.stiffness, settings.angular_stiffness, settings.friction}});
+}
+
+void MeasurementController::end(const QString& why) {
+  if (measurement_.cancel()) window_.performancePanel().showNothing(why);
+}
+
+void MeasurementController::showMeasured(const study::Here& here) {
+  const auto timesOf = [](const study::Load& load) {
+    return ui::TickTimes{load.points, load.median, load.p99, load.longest, load.carried};
+  };
+  const haptics::Snapshot& now = shared_.snapshot;
+  ui::Performance shown{.conditions = conditions_,
+                        .present = timesOf(here.present),
+                        .ticks = here.present.ticks,
+                        .cut = here.present.cut,
+                        .missed = here.present.missed,
+                        .lag = here.present.lag,
+                        .budget = here.budget,
+                        .most = here.most,
+                        .too_many = here.too_many,
+                        .dense = here.dense,
+                        .suggested = here.suggested,
+                        .suggested_spacing = here.spacing(here.suggested),
+                        .voxel = here.voxel,
+                        .live_ticks = now.tick - before_.tick,
+                        .live_late = now.late_ticks - before_.late_ticks,
+                        .live_missed = now.missed_ticks - before_.missed_ticks};
+  for (const study::Load& load : here.tried) shown.tried.push_back(timesOf(load));
+  window_.performancePanel().show(shown);
+}
+
+}  // namespace app

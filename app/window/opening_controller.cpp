@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/opening_controller.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+#include <utility>
+
+#include "app/window/recent_places.h"
+#include "datasets/phantoms/phantoms.h"
+
+namespace app {
+
+OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared,
+                                     PreferencesController& preferences,
+                                     std::function<double()> free_memory, bool asks)
+    : window_(window),
+      shared_(shared),
+      preferences_(preferences),
+      asks_(asks),
+      loader_(free_memory),
+      choice_(window, free_memory) {
+  QStringList phantoms;
+  for (const std::string& name : datasets::phantomNames())
+    phantoms.append(QString::fromStdString(name));
+  window.setPhantoms(phantoms);
+  connect(&window, &ui::MainWindow::openWanted, this, &OpeningController::open);
+  connect(&window, &ui::MainWindow::dropped, this, &OpeningController::openDropped);
+  connect(&window, &ui::MainWindow::phantomWanted, this,
+          [this](const QString& name) { load({.phantom = name.toStdString()}, tr("Making")); });
+  connect(&window, &ui::MainWindow::cancelWanted, &loader_, &Loader::cancel);
+  connect(&window, &ui::MainWindow::recentPlacesSought, this, &OpeningController::showPlaces);
+  connect(&window, &ui::MainWindow::rememberPlacesChanged, this, [this](bool remember) {
+    preferences_.present().places_remembered = remember;
+    forgetPlaces();
+  });
+  connect(&window, &ui::MainWindow::forgetPlacesWanted, this, &OpeningController::forgetPlaces);
+  connect(&loader_, &Loader::progressed, &window, &ui::MainWindow::showProgress);
+  connect(&loader_, &Loader::surveyed, &choice_, &SeriesChoice::take);
+  connect(&loader_, &Loader::loaded, this, &OpeningController::adopt);
+  connect(&loader_, &Loader::failed, this, &OpeningController::refuse);
+  connect(&choice_, &SeriesChoice::wanted, this,
+          [this](const LoadRequest& request) { load(request, tr("Reading")); });
+  showPlaces();
+}
+
+void OpeningController::load(LoadRequest request, const QString& what) {
+  window_.clearMessage();
+  window_.showLoading(what);
+  emit loading();
+  if (!request.keep) choice_.close();
+  request.options = shared_.options;
+  if (shared_.shown) request.previous = shared_.shown->scene;
+  loader_.start(std::move(request));
+}
+
+void OpeningController::open(const QString& path) {
+  if (path.endsWith(".palpate")) return emit recordingWanted(path.toStdString());
+  load({.path = std::filesystem::path(path.toStdString())}, tr("Reading"));
+}
+
+void OpeningController::adopt(const Loaded& loaded) {
+  const bool new_volume = !shared_.shown || shared_.shown->picture.volume != loaded.picture.volume;
+  const bool placed = !new_volume && shared_.snapshot.scene == shared_.shown->scene->id;
+  shared_.shown = loaded;
+  window_.endLoading();
+  if (new_volume) keepPlace(loaded.place);
+  if (!loaded.note.isEmpty()) window_.showMessage(loaded.note);
+  // with another tool the isovalue is the slider's, which may have moved meanwhile
+  if (new_volume) shared_.settings.isovalue = loaded.isovalue;
+  emit this->loaded(new_volume, placed);
+  if (new_volume) window_.show(loaded.picture, shared_.settings.isovalue, loaded.title);
+  window_.show(loaded.scene->tool.mesh);
+  emit shown(new_volume);
+}
+
+void OpeningController::refuse(const LoadRequest& request, const haptics::Error& error) {
+  window_.endLoading();
+  if (shared_.shown) shared_.options.field = shared_.shown->scene->field.kind();
+  emit failed(error);
+  if (asks_ && choice_.ask(request, error)) return;
+  if (error.kind != haptics::Error::Kind::Cancelled)
+    window_.showMessage(QString::fromStdString(error.what));
+}
+
+void OpeningController::openDropped(const QStringList& paths) {
+  if (paths.size() == 1) return open(paths.first());
+  // the slices of a series, say, with whatever lies between them: their folder lists them all
+  const QString folder = QFileInfo(paths.first()).absolutePath();
+  if (std::ranges::all_of(paths, [&](const QString& path) {
+        const QFileInfo file(path);
+        return file.isFile() && file.absolutePath() == folder;
+      }))
+    return open(folder);
+  open(paths.first());
+  window_.showMessage(
+      tr("%1 things were dropped that are not files of one folder: only the first, \"%2\", is "
+         "opened; drop the folder that holds them all to choose among its series.")
+          .arg(paths.size())
+          .arg(QDir(paths.first()).dirName()));
+}
+
+void OpeningController::keepPlace(const std::filesystem::path& place) {
+  if (place.empty() || !preferences_.present().places_remembered) return;
+  preferences_.present().places =
+      withPlace(preferences_.present().places, QString::fromStdString(place.string()));
+  preferences_.save();
+}
+
+void OpeningController::forgetPlaces() {
+  preferences_.present().places.clear();
+  preferences_.save();
+}
+
+void OpeningController::showPlaces() {
+  QList<ui::Place> places;
+  for (const QString& path : preferences_.present().places)
+    places.append({.path = path, .exists = QFileInfo::exists(path)});
+  window_.setRecentPlaces(places, preferences_.present().places_remembered);
+}
+
+}  // namespace app

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/preferences.h"
+
+#include <QSettings>
+
+#include "app/window/recent_places.h"
+#include "haptics/settings.h"
+
+namespace app {
+namespace {
+
+// what cannot be is left at what it is without preferences
+ui::Mapping loadMapping(const QSettings& settings) {
+  ui::Mapping mapping;
+  const auto scale = [&](const char* key, double& value) {
+    const double stored = settings.value(key, value).toDouble();
+    if (haptics::kScaleRange.holds(stored)) value = stored;
+  };
+  const auto button = [&](const char* key, int& value) {
+    bool is_number = false;
+    const int stored = settings.value(key, value).toInt(&is_number);
+    if (is_number && stored >= 0 && stored < haptics::kButtons) value = stored;
+  };
+  scale("device/position_scale", mapping.position_scale);
+  scale("device/force_scale", mapping.force_scale);
+  mapping.follow_camera = settings.value("device/follow_camera", true).toBool();
+  button("device/clutch_button", mapping.clutch_button);
+  mapping.hold_to_run = settings.value("device/hold_to_run", false).toBool();
+  button("device/hold_button", mapping.hold_button);
+  return mapping;
+}
+
+}  // namespace
+
+Preferences loadPreferences() {
+  const QSettings settings;
+  Preferences preferences;
+  preferences.geometry = settings.value("window/geometry").toByteArray();
+  preferences.layout = settings.value("window/layout").toByteArray();
+  preferences.notice_seen = settings.value("notice/seen", false).toBool();
+  const double stiffness = settings.value("coupling/stiffness", 1000.0).toDouble();
+  if (haptics::kStiffnessRange.holds(stiffness)) preferences.stiffness = stiffness;
+  preferences.mapping = loadMapping(settings);
+  preferences.places_remembered = settings.value("places/remembered", true).toBool();
+  if (preferences.places_remembered)
+    preferences.places = settings.value("places/recent").toStringList().mid(0, kMostPlaces);
+  return preferences;
+}
+
+void savePreferences(const Preferences& preferences) {
+  QSettings settings;
+  settings.setValue("window/geometry", preferences.geometry);
+  settings.setValue("window/layout", preferences.layout);
+  settings.setValue("notice/seen", preferences.notice_seen);
+  settings.setValue("coupling/stiffness", preferences.stiffness);
+  const ui::Mapping& mapping = preferences.mapping;
+  settings.setValue("device/position_scale", mapping.position_scale);
+  settings.setValue("device/force_scale", mapping.force_scale);
+  settings.setValue("device/follow_camera", mapping.follow_camera);
+  settings.setValue("device/clutch_button", mapping.clutch_button);
+  settings.setValue("device/hold_to_run", mapping.hold_to_run);
+  settings.setValue("device/hold_button", mapping.hold_button);
+  settings.setValue("places/remembered", preferences.places_remembered);
+  // nothing is left of them in the file once they are forgotten
+  if (preferences.places.isEmpty())
+    settings.remove("places/recent");
+  else
+    settings.setValue("places/recent", preferences.places);
+}
+
+}  // namespace app

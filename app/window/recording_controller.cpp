@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/recording_controller.h"
+
+#include <system_error>
+
+#include "app/window/view_camera.h"
+#include "ui/panels/recording_panel.h"
+
+namespace app {
+namespace {
+
+constexpr int kLeastCameraMs = 100;
+
+/// What a recording says of a tool: the name of one of ours, or nothing.
+std::string recordedName(const ToolSource& tool) { return tool.file ? std::string{} : tool.name; }
+
+}  // namespace
+
+RecordingController::RecordingController(ui::MainWindow& window, SharedState& shared,
+                                         const Recordings& recordings, VolumeIdentity& identity)
+    : window_(window),
+      shared_(shared),
+      recordings_(recordings),
+      recording_(shared.session, recordings, identity) {
+  ui::RecordingPanel& panel = window.recordingPanel();
+  connect(&panel, &ui::RecordingPanel::recordWanted, this, &RecordingController::record);
+  connect(&panel, &ui::RecordingPanel::markWanted, this,
+          [this](const QString& note) { recording_.note("mark", note); });
+  connect(&panel, &ui::RecordingPanel::openWanted, this,
+          [this](const QString& id) { emit openWanted(recordings_.pathOf(id)); });
+  connect(&panel, &ui::RecordingPanel::recoverWanted, this, &RecordingController::recover);
+  connect(&panel, &ui::RecordingPanel::deleteWanted, this, &RecordingController::deleteRecording);
+  connect(&window, &ui::MainWindow::recordingWanted, this,
+          [this](const QString& path) { emit openWanted(path.toStdString()); });
+  connect(&recording_, &SessionRecording::statusChanged, &panel,
+          qOverload<const ui::RecordingStatus&>(&ui::RecordingPanel::show));
+  connect(&recording_, &SessionRecording::finished, this, [this](bool well, const QString& what) {
+    showRecordings();
+    if (!well) window_.showMessage(what);
+  });
+  showRecordings();
+}
+
+void RecordingController::describeScene() {
+  recording_.describe(shared_.shown->scene, recordedName(shared_.shown->tool));
+}
+
+void RecordingController::setReady(bool ready) { window_.recordingPanel().setReady(ready); }
+
+void RecordingController::refresh() {
+  recording_.refresh();
+  noteCamera();
+}
+
+void RecordingController::showRecordings() {
+  const QList<ui::PastRecording> recordings = recordings_.list(recording_.present());
+  window_.recordingPanel().show(recordings);
+}
+
+void RecordingController::offerRecovery() {
+  for (const ui::PastRecording& recording : recordings_.list(recording_.present()))
+    if (!recording.finished)
+      return window_.showMessage(
+          tr("The recording \"%1\" was never finished. View > Recording lists it: Recover brings "
+             "back what is in it.")
+              .arg(recording.name));
+}
+
+void RecordingController::record(bool record) {
+  if (!record) return recording_.stop();
+  if (!shared_.shown) return;
+  emit starting();
+  const auto begun = recording_.start(shared_.shown->scene, recordedName(shared_.shown->tool));
+  if (!begun) {
+    window_.recordingPanel().show(ui::RecordingStatus{});
+    return window_.showMessage(QString::fromStdString(begun.error().what));
+  }
+  emit started();
+  camera_noted_.clear();
+  showRecordings();
+}
+
+/// Where the user looks from belongs to the session: a film can show what was seen.
+void RecordingController::noteCamera() {
+  if (!recording_.isRecording()) return;
+  if (!camera_noted_.empty() && since_camera_.elapsed() < kLeastCameraMs) return;
+  const std::string camera = wordsOf(cameraOf(window_.view()));
+  if (camera == camera_noted_) return;
+  recording_.note("camera", QString::fromStdString(camera));
+  camera_noted_ = camera;
+  since_camera_.start();
+}
+
+void RecordingController::deleteRecording(const QString& id) {
+  const std::filesystem::path path = recordings_.pathOf(id);
+  emit deleting(path);
+  if (path.extension() == ".part" && haptics::isInUse(path))
+    return window_.showMessage(tr("Another window is writing this recording; stop it there."));
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  // what an unfinished one has beside it
+  for (const char* ending : {"-wal", "-shm", "-journal"}) {
+    std::error_code ignored;
+    std::filesystem::remove(path.string() + ending, ignored);
+  }
+  if (error)
+    window_.showMessage(
+        tr("The recording could not be deleted; check the permissions of its folder."));
+  showRecordings();
+}
+
+void RecordingController::recover(const QString& id) {
+  if (recoverer_.isRunning()) return;
+  recoverer_.start(
+      [path = recordings_.pathOf(id)](const background::Watch&) { return haptics::recover(path); },
+      [this](const haptics::Expected<std::filesystem::path>& recovered) {
+        if (recovered)
+          window_.clearMessage();
+        else
+          window_.showMessage(QString::fromStdString(recovered.error().what));
+        showRecordings();
+      });
+}
+
+}  // namespace app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <string>
+
+#include "app/background/task.h"
+#include "app/window/recordings.h"
+#include "app/window/session_recording.h"
+#include "app/window/shared_state.h"
+#include "app/window/volume_identity.h"
+#include "ui/main_window.h"
+
+namespace app {
+
+/// Runs the panel "Recording": begins and ends recordings, lists, recovers and deletes them.
+class RecordingController : public QObject {
+  Q_OBJECT
+ public:
+  RecordingController(ui::MainWindow& window, SharedState& shared, const Recordings& recordings,
+                      VolumeIdentity& identity);
+
+  SessionRecording& recording() { return recording_; }
+  /// Another scene, before the session adopts it.
+  void describeScene();
+  void note(const char* kind, const QString& text) { recording_.note(kind, text); }
+  /// Whether one may begin now.
+  void setReady(bool ready);
+  /// Called at display rate.
+  void refresh();
+  /// Names a recording that an ended process left unfinished.
+  void offerRecovery();
+
+ signals:
+  /// One is about to begin: a recording on view makes room for it.
+  void starting();
+  void started();
+  void openWanted(const std::filesystem::path& path);
+  /// The file is about to be deleted: what reads it stops.
+  void deleting(const std::filesystem::path& path);
+
+ private:
+  void record(bool record);
+  void showRecordings();
+  void noteCamera();
+  void deleteRecording(const QString& id);
+  void recover(const QString& id);
+
+  ui::MainWindow& window_;
+  SharedState& shared_;
+  const Recordings& recordings_;
+  SessionRecording recording_;
+  background::Task<std::filesystem::path> recoverer_;
+  std::string camera_noted_;    ///< the last that was recorded
+  QElapsedTimer since_camera_;  ///< and when
+};
+
+}  // namespace app

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/recordings.h"
+
+#include <QCoreApplication>
+#include <QStandardPaths>
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "haptics/recording/recorder.h"
+#include "haptics/recording/recording.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+
+Recordings::Recordings(fs::path folder) : folder_{std::move(folder)} {
+  if (folder_.empty())
+    folder_ =
+        fs::path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
+        "recordings";
+}
+
+fs::path Recordings::next() const {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  for (int n = 1;; ++n) {
+    char name[32];
+    std::snprintf(name, sizeof name, "session-%04d.palpate", n);
+    if (!fs::exists(folder_ / name, error) &&
+        !fs::exists(folder_ / (std::string(name) + ".part"), error))
+      return folder_ / name;
+  }
+}
+
+QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_, error)) {
+    const fs::path& path = entry.path();
+    const bool finished = path.extension() == ".palpate";
+    const bool unfinished = path.extension() == ".part" && path.stem().extension() == ".palpate";
+    // what another window is writing is that one's
+    if (finished || (unfinished && path != present && !haptics::isInUse(path)))
+      paths.push_back(path);
+  }
+  std::sort(paths.rbegin(), paths.rend());
+  QList<ui::PastRecording> recordings;
+  for (const fs::path& path : paths) {
+    const auto id = QString::fromStdString(path.filename().string());
+    if (path.extension() == ".part") {
+      recordings.append({.id = id,
+                         .name = QString::fromStdString(path.stem().stem().string()),
+                         .bytes = static_cast<qint64>(fs::file_size(path, error)),
+                         .finished = false});
+      continue;
+    }
+    const auto summary = haptics::summaryOf(path);
+    ui::PastRecording recording{.id = id, .name = QString::fromStdString(path.stem().string())};
+    if (summary) {
+      recording.duration = summary->duration;
+      recording.tool = QString::fromStdString(summary->tool);
+      recording.bytes = summary->bytes;
+    } else {
+      recording.tool = QCoreApplication::translate("app::Recordings", "(cannot be read)");
+      recording.bytes = static_cast<qint64>(fs::file_size(path, error));
+    }
+    recordings.append(recording);
+  }
+  return recordings;
+}
+
+double Recordings::room() const {
+  std::error_code error;
+  const fs::space_info space = fs::space(folder_, error);
+  return error ? 0.0 : static_cast<double>(space.available);
+}
+
+}  // namespace app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "app/background/task.h"
+#include "haptics/recording/recording.h"
+#include "haptics/snapshot.h"
+#include "ui/panels/force_plot.h"
+#include "ui/panels/replay_timeline.h"
+
+namespace app {
+
+/// An open recording, and where in it one is. GUI thread; the curve of the force is read on a
+/// thread of its own.
+class Replay : public QObject {
+  Q_OBJECT
+ public:
+  static haptics::Expected<std::unique_ptr<Replay>> open(const std::filesystem::path& path);
+
+  haptics::Recording& recording() { return recording_; }
+  const std::filesystem::path& path() const { return path_; }
+  /// Length and events; the force's curve comes with trackRead().
+  const ui::ReplayTrack& track() const { return track_; }
+  /// The last step at or before the time one is at.
+  const haptics::RecordedStep& step() const { return steps_[at_]; }
+  /// What was felt after `from` and until `to` [s]: a point a tick, the newest ten seconds.
+  std::vector<haptics::ForceSample> forces(double from, double to);
+
+  void play(bool play);
+  void setSpeed(double factor);
+  /// Goes to a time of the recording's own [s].
+  void seek(double time);
+  /// Goes so many ticks on, or back.
+  void stepBy(int ticks);
+
+ signals:
+  /// Another step is the present one; `time` [s] lies at it or, while it plays, a little after.
+  void moved(double time);
+  void playing(bool plays);
+  void trackRead();
+  /// A part of the file cannot be read: a sentence. It does not play on.
+  void failed(const QString& why);
+
+ private:
+  /// Of the force [N], in equal steps of the time.
+  struct Curve {
+    std::vector<float> least, most;
+  };
+  static haptics::Expected<Curve> curveOf(const std::filesystem::path& path,
+                                          const background::Watch& watch);
+
+  explicit Replay(haptics::Recording recording, std::filesystem::path path);
+  bool load(std::size_t block);
+  void advance();
+
+  haptics::Recording recording_;
+  std::filesystem::path path_;
+  ui::ReplayTrack track_;
+  std::size_t block_ = 0;
+  std::vector<haptics::RecordedStep> steps_;  ///< of that block
+  std::size_t at_ = 0;                        ///< in it
+  double time_ = 0.0, speed_ = 1.0;
+  QTimer timer_;
+  QElapsedTimer since_;
+  background::Task<Curve> reader_;
+};
+
+}  // namespace app

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/replay_controller.h"
+
+#include "ui/panels/force_plot.h"
+#include "ui/panels/isosurface_panel.h"
+#include "ui/panels/replay_bar.h"
+#include "ui/volume_view.h"
+
+namespace app {
+namespace {
+
+/// What the window shows of a step while the scene on view is this one.
+haptics::Snapshot snapshotOf(const haptics::Step& step, std::uint32_t scene) {
+  haptics::Snapshot snapshot;
+  snapshot.tick = step.sequence;
+  snapshot.time = static_cast<double>(step.time_ns) * 1e-9;
+  snapshot.X_WD = step.X_WD;
+  snapshot.X_WP = step.X_WP;
+  snapshot.felt_W = snapshot.coupling_W = step.sent_W;
+  snapshot.isovalue = step.settings.isovalue;
+  snapshot.scene = scene;
+  snapshot.contacts = static_cast<int>(step.contacts.size());
+  snapshot.force_state = step.force_state;
+  snapshot.late_ticks = step.late_ticks;
+  snapshot.missed_ticks = step.missed_ticks;
+  return snapshot;
+}
+
+}  // namespace
+
+ReplayController::ReplayController(ui::MainWindow& window, SharedState& shared,
+                                   VolumeIdentity& identity)
+    : window_(window), shared_(shared), identity_(identity) {
+  connectBar();
+  connect(&identity, &VolumeIdentity::sought, this, &ReplayController::compareVolumes);
+}
+
+void ReplayController::connectBar() {
+  ui::ReplayBar& bar = window_.replayBar();
+  connect(&bar, &ui::ReplayBar::playWanted, this, [this](bool play) {
+    if (replay_) replay_->play(play);
+  });
+  connect(&bar, &ui::ReplayBar::timeWanted, this, [this](double time) {
+    if (replay_) replay_->seek(time);
+  });
+  connect(&bar, &ui::ReplayBar::stepWanted, this, [this](int ticks) {
+    if (replay_) replay_->stepBy(ticks);
+  });
+  connect(&bar, &ui::ReplayBar::speedChosen, this, [this](double factor) {
+    if (replay_) replay_->setSpeed(factor);
+  });
+  connect(&bar, &ui::ReplayBar::closeWanted, this, &ReplayController::close);
+}
+
+void ReplayController::open(const std::filesystem::path& path) {
+  auto read = Replay::open(path);
+  if (!read) return window_.showMessage(QString::fromStdString(read.error().what));
+  emit opened();
+  replay_ = std::move(*read);
+  shared_.replaying = true;
+  scene_.reset();
+  connect(replay_.get(), &Replay::moved, this, &ReplayController::show);
+  connect(replay_.get(), &Replay::playing, &window_.replayBar(), &ui::ReplayBar::setPlaying);
+  connect(replay_.get(), &Replay::failed, &window_, &ui::MainWindow::showMessage);
+  connect(replay_.get(), &Replay::trackRead, this, [this] {
+    window_.replayBar().timeline().show(replay_->track());
+    window_.replayBar().setTime(shown_to_);
+  });
+  window_.clearMessage();
+  window_.view().setMouseHand(false);
+  window_.replayBar().show(replay_->track());
+  window_.replayBar().show();
+  replay_->setSpeed(window_.replayBar().speed());
+  window_.clearForces();
+  if (shared_.shown) identity_.seek(shared_.shown->picture.volume);
+  replay_->seek(replay_->track().begin);
+}
+
+void ReplayController::drop() {
+  replay_.reset();
+  shared_.replaying = false;
+}
+
+void ReplayController::close() {
+  if (!replay_) return;
+  drop();
+  window_.replayBar().hide();
+  window_.clearForces();
+  if (shared_.shown) {
+    // as it was before
+    const double isovalue = shared_.settings.isovalue;
+    window_.show(shared_.shown->scene->tool.mesh);
+    window_.isosurfacePanel().show(shared_.shown->picture, isovalue);
+    window_.view().setIsovalue(isovalue);
+  }
+  emit closed();
+}
+
+void ReplayController::closeFile(const std::filesystem::path& path) {
+  if (replay_ && replay_->path() == path) close();
+}
+
+void ReplayController::showScene() {
+  if (!replay_) return;
+  scene_.reset();
+  identity_.seek(shared_.shown->picture.volume);
+  show(shown_to_);
+}
+
+/// Whether the volume on view is the one that was touched, as far as can be told.
+void ReplayController::compareVolumes() {
+  if (!replay_ || !shared_.shown) return;
+  const haptics::RecordedScene* then = replay_->recording().scene(replay_->step().step.scene);
+  same_volume_ = then != nullptr && haptics::liesLike(then->volume, *shared_.shown->picture.volume);
+  if (same_volume_)
+    same_volume_ = haptics::compared(then->hash, identity_.of(shared_.shown->picture.volume)) !=
+                   haptics::SameVolume::Another;
+  QString warning;
+  if (then != nullptr && !same_volume_)
+    warning = tr("The volume on view is not the one that was touched; open that one to see it.");
+  window_.replayBar().showWarning(warning);
+}
+
+void ReplayController::show(double time) {
+  if (!replay_ || !shared_.shown) return;
+  const haptics::Step& step = replay_->step().step;
+  if (scene_ != step.scene) {
+    scene_ = step.scene;
+    if (const haptics::RecordedScene* scene = replay_->recording().scene(step.scene))
+      window_.show(scene->tool.mesh);
+    compareVolumes();
+    isovalue_.reset();
+  }
+  if (same_volume_ && isovalue_ != step.settings.isovalue) {
+    isovalue_ = step.settings.isovalue;
+    window_.isosurfacePanel().show(shared_.shown->picture, step.settings.isovalue);
+    window_.view().setIsovalue(step.settings.isovalue);
+  }
+  window_.display(snapshotOf(step, shared_.shown->scene->id));
+  // the plot goes on where it was, or begins anew after a jump
+  const bool goes_on = time >= shown_to_ && time < shown_to_ + ui::ForcePlot::kSeconds;
+  if (!goes_on) window_.clearForces();
+  window_.appendForces(replay_->forces(goes_on ? shown_to_ : time - ui::ForcePlot::kSeconds, time));
+  shown_to_ = time;
+  window_.replayBar().setTime(time);
+}
+
+}  // namespace app

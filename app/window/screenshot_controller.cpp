@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/screenshot_controller.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+#include <QPixmap>
+#include <QTimer>
+#include <cstdio>
+#include <utility>
+
+#include "app/film/face.h"
+#include "haptics/core/output_file.h"
+
+namespace app {
+
+ScreenshotController::ScreenshotController(ui::MainWindow& window, SharedState& shared,
+                                           std::string path, double after)
+    : window_(window), shared_(shared), path_(std::move(path)), after_(after) {}
+
+void ScreenshotController::prepare(bool new_volume) {
+  if (isWanted() && new_volume)
+    QTimer::singleShot(static_cast<int>(after_ * 1000.0), this, &ScreenshotController::take);
+}
+
+void ScreenshotController::fail(const haptics::Error& error) {
+  if (!isWanted()) return;
+  std::fprintf(stderr, "%s\n", error.what.c_str());
+  emit finished(3);
+}
+
+void ScreenshotController::take() {
+  const std::optional<Loaded>& shown = shared_.shown;
+  if (shown && !shown->place.empty() &&
+      mayShowAFace(*shown->picture.volume, shared_.settings.isovalue))
+    std::fprintf(stderr,
+                 "At this isovalue skin is drawn, and a face can tell who the patient is: look at "
+                 "the picture before you pass it on.\n");
+  QBuffer picture;
+  const QString ending = QFileInfo(QString::fromStdString(path_)).suffix();
+  const bool drawn = window_.grab().save(&picture, ending.isEmpty() ? "PNG" : qPrintable(ending));
+  const bool saved = drawn && haptics::writeFile(path_, {picture.data().constData(),
+                                                         std::size_t(picture.data().size())});
+  if (!saved) std::fprintf(stderr, "The picture could not be written.\n");
+  emit finished(saved ? 0 : 4);
+}
+
+}  // namespace app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <string>
+
+#include "app/window/shared_state.h"
+#include "ui/main_window.h"
+
+namespace app {
+
+/// Writes a picture of the window some time after a volume was shown, for --screenshot. What goes
+/// wrong is told on stderr.
+class ScreenshotController : public QObject {
+  Q_OBJECT
+ public:
+  /// `path`: of a PNG, or of another kind by its ending; empty: none is wanted. `after` [s].
+  ScreenshotController(ui::MainWindow& window, SharedState& shared, std::string path, double after);
+
+  bool isWanted() const { return !path_.empty(); }
+  /// A scene is shown.
+  void prepare(bool new_volume);
+  /// There is no volume to show.
+  void fail(const haptics::Error& error);
+
+ signals:
+  /// With the exit code of the program.
+  void finished(int exit_code);
+
+ private:
+  void take();
+
+  ui::MainWindow& window_;
+  SharedState& shared_;
+  std::string path_;
+  double after_;
+};
+
+}  // namespace app

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/tool_controller.h"
+
+#include "haptics/smoothing.h"
+#include "resources/named_tools.h"
+#include "ui/panels/device_panel.h"
+
+namespace app {
+namespace {
+
+constexpr int kRestMs = 300;
+constexpr const char* kTrilinear = "trilinear";
+constexpr const char* kSpline = "spline";
+
+}  // namespace
+
+ToolController::ToolController(ui::MainWindow& window, SharedState& shared)
+    : window_(window), shared_(shared) {
+  ui::DevicePanel& panel = window.devicePanel();
+  QList<ui::Choice> tools;
+  for (const std::string& tool : resources::namedTools())
+    tools.append({QString::fromStdString(tool), QString::fromStdString(tool)});
+  panel.setTools(tools);
+  panel.setFields({{kTrilinear, tr("As scanned")}, {kSpline, tr("Smoothed")}});
+  connect(&panel, &ui::DevicePanel::toolChosen, this,
+          [this](const QString& id) { changeTool({.name = id.toStdString()}); });
+  connect(&panel, &ui::DevicePanel::toolFileChosen, this,
+          [this](const QString& path, const QString& unit) {
+            changeTool({.name = path.toStdString(),
+                        .file = std::filesystem::path(path.toStdString()),
+                        .unit = unit.toStdString()});
+          });
+  connect(&panel, &ui::DevicePanel::fieldChosen, this, &ToolController::changeField);
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRestMs);
+  connect(&window, &ui::MainWindow::isovalueChanged, &rest_, qOverload<>(&QTimer::start));
+  connect(&rest_, &QTimer::timeout, this, &ToolController::showField);
+}
+
+void ToolController::show() {
+  if (!shared_.shown) return;
+  const ToolSource& tool = shared_.shown->tool;
+  window_.devicePanel().showTool(QString::fromStdString(tool.name), labelOf(tool));
+  showField();
+}
+
+void ToolController::changeTool(const ToolSource& tool) {
+  if (shared_.shown) emit wanted(requestWith(tool), tr("Preparing the tool"));
+}
+
+void ToolController::changeField(const QString& id) {
+  shared_.options.field =
+      id == kSpline ? haptics::FieldKind::CubicSpline : haptics::FieldKind::Trilinear;
+  if (shared_.shown) emit wanted(requestWith(shared_.shown->tool), tr("Preparing the field"));
+}
+
+LoadRequest ToolController::requestWith(const ToolSource& tool) const {
+  const Loaded& shown = *shared_.shown;
+  return {.keep = Kept{shown.picture, shown.title, shown.place},
+          .tool = tool,
+          .isovalue = shared_.settings.isovalue};
+}
+
+void ToolController::showField() {
+  if (!shared_.shown) return;
+  if (shared_.shown->scene->field.kind() == haptics::FieldKind::Trilinear)
+    return window_.devicePanel().showField(kTrilinear, {});
+  const haptics::SmoothingEffect effect =
+      haptics::smoothingEffect(*shared_.shown->picture.volume, shared_.settings.isovalue);
+  window_.devicePanel().showField(
+      kSpline, tr("Smoothing erases %1 % of this solid and adds %2 %: what is felt is not all that "
+                  "is seen.")
+                   .arg(effect.erased * 100.0, 0, 'f', 1)
+                   .arg(effect.gained * 100.0, 0, 'f', 1));
+}
+
+}  // namespace app

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "datasets/readers/dicom/codestream.h"
+
+namespace datasets::decode {
+
+// Between the readers and one palpate-decode. Both ends run on one machine, from one build; numbers
+// are as they lie in memory. The socket is the program's standard input and output, the shared
+// memory its third descriptor. The readers send a Room, once; then, for each frame, they put its
+// bytes at the beginning of the memory and send a Request; the program clears the pixels' place,
+// decodes into it, and answers with one byte. At the end of the input it ends.
+
+inline constexpr int kMemoryDescriptor = 3;
+inline constexpr std::uint64_t kMostBytes = std::uint64_t{1}
+                                            << 40;  ///< of either part of the memory
+
+/// How the shared memory is divided: codestream, then pixels.
+struct Room {
+  std::uint64_t codestream_bytes = 0;
+  std::uint64_t pixel_bytes = 0;
+};
+
+/// A frame to decode. Pixels come in rows without gaps, in this machine's byte order, as bits: what
+/// the coding has beyond its precision is 0, or the sign where it codes one.
+struct Request {
+  std::uint64_t codestream_bytes = 0;
+  Coding coding = Coding::Jpeg;
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+  std::uint32_t bytes_per_pixel = 0;  ///< 1, 2 or 4
+  std::uint32_t precision = 0;        ///< bits of a coded value
+  std::uint32_t is_signed = 0;
+};
+
+enum class Answer : std::uint8_t { Ready = 'r', Decoded = 'd', Refused = 'n' };
+
+}  // namespace datasets::decode

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "datasets/readers/dicom/codestream.h"
+#include "haptics/core/error.h"
+
+namespace datasets {
+
+/// Where compressed frames lie in their file.
+class EncapsulatedFrames {
+ public:
+  /// Of a file whose pixel data begin, with their offset table, after so many bytes. Fragments are
+  /// put to frames by the offset table; without one, where there are as many as frames, or where
+  /// as many begin like a codestream. Anything else is refused.
+  static haptics::Expected<EncapsulatedFrames> of(const std::filesystem::path& file,
+                                                  std::int64_t pixels_begin, int frame_count,
+                                                  Coding coding);
+
+  /// Of the largest frame.
+  std::size_t mostBytes() const;
+  /// The bytes of one frame, its fragments put together.
+  haptics::Expected<std::vector<std::byte>> bytesOf(int frame) const;
+
+ private:
+  struct Fragment {
+    std::int64_t begin = 0;  ///< in the file
+    std::int64_t size = 0;
+  };
+
+  std::filesystem::path file_;
+  std::vector<std::vector<Fragment>> frames_;
+};
+
+}  // namespace datasets

@@ -1,0 +1,506 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/dicom/file.h"
+
+#include <vtkDICOMDictionary.h>
+#include <vtkDICOMItem.h>
+#include <vtkDICOMMetaData.h>
+#include <vtkDICOMParser.h>
+#include <vtkDICOMTagPath.h>
+#include <vtkDICOMUtilities.h>
+#include <vtkDICOMValue.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "datasets/readers/dicom/codestream.h"
+#include "datasets/readers/dicom/numbers.h"
+#include "datasets/readers/dicom/rewritten_file.h"
+#include "datasets/readers/dicom/structure.h"
+#include "datasets/readers/files/c_locale.h"
+#include "datasets/readers/files/header_words.h"
+#include "datasets/readers/files/refusal.h"
+#include "datasets/readers/files/vtk_errors.h"
+
+namespace datasets {
+
+using haptics::Expected;
+using haptics::Vec3;
+
+namespace {
+
+constexpr std::string_view kDeflatedSyntax = "1.2.840.10008.1.2.1.99";
+constexpr std::string_view kFolderIndex = "1.2.840.10008.1.3.10";  // media storage directory
+constexpr unsigned int kUndefinedLength = 0xffffffffu;
+constexpr int kMostFrames = 65'535;
+
+std::string trimmedValue(const vtkDICOMValue& value) {
+  std::string text = value.AsString();
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
+  return text;
+}
+
+std::string textOf(vtkDICOMMetaData* meta, vtkDICOMTag tag) { return trimmedValue(meta->Get(tag)); }
+
+/// A text in the file's character set, as UTF-8.
+std::string shownText(vtkDICOMMetaData* meta, vtkDICOMTag tag) {
+  std::string text = meta->Get(tag).AsUTF8String();
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
+  return text;
+}
+
+/// An item of a sequence; null where there is none, which vtk-dicom itself would follow to nowhere.
+const vtkDICOMItem* itemOf(const vtkDICOMValue& sequence, int n) {
+  const vtkDICOMItem* items = sequence.GetSequenceData();
+  return items != nullptr && n < static_cast<int>(sequence.GetNumberOfValues()) ? items + n
+                                                                                : nullptr;
+}
+
+/// An attribute of a frame: from its own functional group, the shared one, or the root, where a
+/// file of one slice has it. By its full path, since private groups hold attributes of the same
+/// name.
+const vtkDICOMValue& ofFrame(vtkDICOMMetaData* meta, int frame, vtkDICOMTag group,
+                             vtkDICOMTag tag) {
+  for (const vtkDICOMItem* groups : {itemOf(meta->Get(DC::PerFrameFunctionalGroupsSequence), frame),
+                                     itemOf(meta->Get(DC::SharedFunctionalGroupsSequence), 0)}) {
+    const vtkDICOMItem* item = groups != nullptr ? itemOf(groups->Get(group), 0) : nullptr;
+    if (item != nullptr && item->Get(tag).IsValid()) return item->Get(tag);
+  }
+  return meta->Get(tag);
+}
+
+haptics::Error fault(tl::unexpected<haptics::Error> error) { return std::move(error.value()); }
+
+haptics::Error senseless(const DicomFile& file, const char* attribute) {
+  return fault(malformed("bad-header", "The file " + quoted(file.path) + " states a " + attribute +
+                                           " that is not written as DICOM writes numbers (\"1.5\", "
+                                           "with a point and without a unit), or too many or too "
+                                           "few of them; export it again."));
+}
+
+/// As many numbers as asked for, where the element is there.
+template <std::size_t N>
+std::optional<haptics::Error> readNumbers(const DicomFile& file, const char* attribute,
+                                          const vtkDICOMValue& value,
+                                          std::optional<std::array<double, N>>& numbers) {
+  const auto all = numbersIn(value);
+  if (!all || (!all->empty() && all->size() != N)) return senseless(file, attribute);
+  if (all->empty()) return {};
+  numbers.emplace();
+  std::ranges::copy(*all, numbers->begin());
+  return {};
+}
+
+/// Syntaxes that Part 5 retired or that describe films: nobody decodes them here.
+bool decodable(const std::string& syntax) {
+  static constexpr std::array<std::string_view, 4> kPlain = {
+      "1.2.840.10008.1.2", "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2", ""};
+  return codingOf(syntax).has_value() || std::ranges::find(kPlain, syntax) != kPlain.end();
+}
+
+haptics::Error syntaxFault(const std::string& syntax) {
+  const char* name = vtkDICOMUtilities::GetUIDName(syntax.c_str());
+  const std::string known = name != nullptr && *name != '\0' ? name : "that is not known here";
+  return fault(unsupported("unsupported-syntax",
+                           "The images are stored in a transfer syntax (" + known +
+                               ") that cannot be decoded; export them as explicit little endian."));
+}
+
+/// Whether the items of compressed pixel data end before the file does.
+bool encapsulationCloses(const std::filesystem::path& path, std::int64_t begin, std::int64_t end) {
+  std::ifstream in(path, std::ios::binary);
+  std::int64_t at = begin;
+  while (at + 8 <= end) {
+    std::array<unsigned char, 8> head{};
+    in.seekg(at);
+    if (!in.read(reinterpret_cast<char*>(head.data()), 8)) return false;
+    if (head[0] != 0xfe || head[1] != 0xff) return false;
+    if (head[2] == 0xdd && head[3] == 0xe0) return true;
+    if (head[2] != 0x00 || head[3] != 0xe0) return false;
+    const std::int64_t length =
+        head[4] | head[5] << 8 | head[6] << 16 | std::int64_t{head[7]} << 24;
+    at += 8 + length;
+  }
+  return false;
+}
+
+/// Whether a program that took the file for text has put a carriage return before each line feed:
+/// what follows `begin` has no line feed without one, and as many bytes too many.
+bool isTextModeCopy(const std::filesystem::path& path, std::int64_t begin, std::int64_t too_many) {
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(begin);
+  std::vector<char> block(std::size_t{1} << 16);
+  std::int64_t feeds = 0;
+  char before = 0;
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
+    for (const char c : std::span{block.data(), static_cast<std::size_t>(in.gcount())}) {
+      if (c == '\n' && before != '\r') return false;
+      feeds += c == '\n' ? 1 : 0;
+      before = c;
+    }
+  return feeds > 0 && feeds <= too_many;
+}
+
+/// Of a file whose pixels are not compressed: what follows them must be elements, or nothing.
+std::optional<haptics::Error> checkBehindPixels(const DicomFile& file, std::int64_t begin,
+                                                std::int64_t end, std::int64_t size) {
+  if (file.rewritten || size <= end) return {};
+  if (isTextModeCopy(file.path, begin, size - end))
+    return fault(malformed("truncated",
+                           "The file " + quoted(file.path) +
+                               " was copied as if it were text, which put bytes among its pixels; "
+                               "copy it again in binary mode."));
+  constexpr std::int64_t kElementHead = 8;
+  if (size - end >= kElementHead) return {};  // its elements have been looked at
+  std::ifstream in(file.path, std::ios::binary);
+  in.seekg(end);
+  for (char c = 0; in.get(c);)
+    if (c != '\0')
+      return fault(malformed("truncated",
+                             "The file " + quoted(file.path) +
+                                 " goes on after its pixels with something that is no DICOM; copy "
+                                 "or fetch it again."));
+  return {};
+}
+
+std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData* meta,
+                                         vtkDICOMParser* parser) {
+  const int samples = meta->Get(DC::SamplesPerPixel).AsInt();
+  const std::string meaning = textOf(meta, DC::PhotometricInterpretation);
+  const auto size = static_cast<std::int64_t>(parser->GetFileSize());
+  const auto begin = static_cast<std::int64_t>(parser->GetFileOffset());
+  if (!parser->GetPixelDataFound()) {
+    if (file.plane.rows > 0 && file.plane.columns > 0)
+      return fault(malformed("no-pixels",
+                             "A file of the series describes an image and ends without its pixels; "
+                             "fetch it again."));
+    return fault(
+        unsupported("no-pixels", "The series holds no image (modality " +
+                                     (file.modality.empty() ? "not stated" : file.modality) +
+                                     "); choose the series of the scan."));
+  }
+  if (samples > 1 || meaning == "RGB" || meaning == "PALETTE COLOR")
+    return fault(unsupported("not-scalar",
+                             "The series holds colour pictures, which have no isosurface; choose "
+                             "the series of the scan."));
+  const auto cutOff = [&] {
+    return fault(malformed("truncated", "The file " + quoted(file.path) +
+                                            " ends before its pixels do; copy or fetch it again."));
+  };
+  if (file.frame_count > size) return cutOff();
+  if (file.frame_count > kMostFrames)
+    return fault(unsupported("too-large", "The file " + quoted(file.path) + " states " +
+                                              std::to_string(file.frame_count) +
+                                              " frames, more than any scan has; export it again."));
+  constexpr std::int64_t kMostSide = 65'535;
+  if (file.plane.rows > kMostSide || file.plane.columns > kMostSide || file.bits_allocated > 64 ||
+      file.plane.rows < 0 || file.plane.columns < 0 || file.bits_allocated < 0)
+    return fault(malformed("bad-header", "The file " + quoted(file.path) +
+                                             " states a number of pixels or bits that no image "
+                                             "has; export it again."));
+  const std::int64_t slice = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
+  const std::int64_t needed = slice * file.frame_count;
+  const bool compressed = parser->GetPixelDataVL() == kUndefinedLength;
+  // some files misstate their frames: then the pixels tell
+  if (!compressed && needed > 0 && parser->GetPixelDataVL() >= needed + slice)
+    return fault(malformed("bad-header",
+                           "A file of the series holds more pixels than the slices it states; "
+                           "export it again, as one file per slice."));
+  const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 2
+                               ? meta->Get(DC::ImageType).GetString(2)
+                               : std::string();
+  if (kind == "LOCALIZER")
+    return fault(unsupported("localizer",
+                             "The series is a scout view for planning and no stack of slices; "
+                             "choose the series of the scan."));
+  if (!decodable(file.syntax)) return syntaxFault(file.syntax);
+  // pixels without a length are compressed, and the other way round
+  if (compressed != codingOf(file.syntax).has_value())
+    return fault(malformed("bad-header", "The pixels of " + quoted(file.path) +
+                                             " are stored in another way than its transfer syntax "
+                                             "says; export it again."));
+  if (file.plane.rows < 1 || file.plane.columns < 1 ||
+      (file.bits_allocated != 8 && file.bits_allocated != 16 && file.bits_allocated != 32))
+    return fault(unsupported("bad-header", "A file of the series states " +
+                                               std::to_string(file.plane.columns) + " x " +
+                                               std::to_string(file.plane.rows) + " pixels of " +
+                                               std::to_string(file.bits_allocated) +
+                                               " bits, which is not an image that can be read."));
+  // a frame takes a fragment at least, whose head has 8 bytes
+  const bool whole = compressed ? encapsulationCloses(file.path, begin, size) &&
+                                      file.frame_count <= (size - begin) / 8
+                                : needed <= parser->GetPixelDataVL() && begin + needed <= size;
+  if (!whole) return cutOff();
+  if (compressed) return {};
+  return checkBehindPixels(file, begin, begin + parser->GetPixelDataVL(), size);
+}
+
+haptics::Error unplaced() {
+  return fault(unsupported("bad-header",
+                           "The series does not say where its slices lie (position, orientation or "
+                           "pixel spacing is missing); export it again with its geometry."));
+}
+
+/// Fills in where the slice lies, or says why that is not known.
+std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file) {
+  std::optional<std::array<double, 3>> position;
+  std::optional<std::array<double, 6>> orientation;
+  std::optional<std::array<double, 2>> spacing;
+  std::optional<std::array<double, 1>> thickness;
+  const auto ofGroup = [&](vtkDICOMTag group, vtkDICOMTag tag) -> const vtkDICOMValue& {
+    return ofFrame(meta, file.frame, group, tag);
+  };
+  if (auto bad = readNumbers(
+          file, "position", ofGroup(DC::PlanePositionSequence, DC::ImagePositionPatient), position))
+    return bad;
+  if (auto bad = readNumbers(file, "direction",
+                             ofGroup(DC::PlaneOrientationSequence, DC::ImageOrientationPatient),
+                             orientation))
+    return bad;
+  if (auto bad = readNumbers(file, "pixel spacing",
+                             ofGroup(DC::PixelMeasuresSequence, DC::PixelSpacing), spacing))
+    return bad;
+  if (auto bad = readNumbers(file, "slice thickness",
+                             ofGroup(DC::PixelMeasuresSequence, DC::SliceThickness), thickness))
+    return bad;
+  if (!position || !orientation || !spacing) return unplaced();
+  SlicePlane& plane = file.plane;
+  file.placed = true;
+  plane.position_mm = Vec3::Map(position->data());
+  plane.along_row = Vec3::Map(orientation->data());
+  plane.along_column = Vec3::Map(orientation->data() + 3);
+  plane.row_step_mm = spacing->front();
+  plane.column_step_mm = spacing->back();
+  if (thickness) plane.thickness_mm = thickness->front();
+  return {};
+}
+
+std::optional<haptics::Error> readRescale(vtkDICOMMetaData* meta, DicomFile& file) {
+  const auto transformation = [&](vtkDICOMTag tag) -> const vtkDICOMValue& {
+    return ofFrame(meta, file.frame, DC::PixelValueTransformationSequence, tag);
+  };
+  if (itemOf(transformation(DC::ModalityLUTSequence), 0) != nullptr)
+    return fault(unsupported("unsupported-type",
+                             "The file " + quoted(file.path) +
+                                 " maps its stored values through a table (Modality LUT), which is "
+                                 "not done here; export it with a rescale slope and intercept."));
+  std::optional<std::array<double, 1>> slope, intercept;
+  if (auto bad = readNumbers(file, "rescale slope", transformation(DC::RescaleSlope), slope))
+    return bad;
+  if (auto bad =
+          readNumbers(file, "rescale intercept", transformation(DC::RescaleIntercept), intercept))
+    return bad;
+  if (slope.has_value() != intercept.has_value())
+    return fault(malformed("bad-header", "The file " + quoted(file.path) +
+                                             " states one of rescale slope and intercept without "
+                                             "the other; export it again."));
+  if (!slope) return {};
+  file.rescaled = true;
+  file.slope = slope->front();
+  file.intercept = intercept->front();
+  if (file.slope == 0.0)
+    return fault(malformed("bad-header", "The file " + quoted(file.path) +
+                                             " states a rescale slope of 0; export it again."));
+  const std::string type = trimmedValue(transformation(DC::RescaleType));
+  const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 0
+                               ? meta->Get(DC::ImageType).GetString(0)
+                               : std::string();
+  file.hounsfield = file.modality == "CT" && (type == "HU" || (type.empty() && kind == "ORIGINAL"));
+  return {};
+}
+
+/// A stored value of the file's own sign, whatever sign its attribute was written with.
+double storedValue(const DicomFile& file, double number) {
+  const double all = std::ldexp(1.0, file.bits_allocated);
+  if (file.is_signed && number >= 0.5 * all) return number - all;
+  if (!file.is_signed && number < 0.0) return number + all;
+  return number;
+}
+
+std::optional<haptics::Error> readPadding(vtkDICOMMetaData* meta, DicomFile& file) {
+  std::optional<std::array<double, 1>> value, limit;
+  if (auto bad = readNumbers(file, "pixel padding value", meta->Get(DC::PixelPaddingValue), value))
+    return bad;
+  if (auto bad =
+          readNumbers(file, "pixel padding limit", meta->Get(DC::PixelPaddingRangeLimit), limit))
+    return bad;
+  if (!value) return {};
+  const double one = storedValue(file, value->front());
+  const double other = limit ? storedValue(file, limit->front()) : one;
+  file.padding = {std::min(one, other), std::max(one, other)};
+  return {};
+}
+
+/// What differs from frame to frame, and why it cannot be used, if it cannot.
+void readFrame(vtkDICOMMetaData* meta, DicomFile& file) {
+  file.fault = readRescale(meta, file);
+  if (!file.fault) file.fault = readPadding(meta, file);
+  file.identity.kernel =
+      trimmedValue(ofFrame(meta, file.frame, DC::CTReconstructionSequence, DC::ConvolutionKernel));
+  if (file.fault) return;
+  // several frames at the one place that a root states are no stack
+  if (file.frame_count > 1 && !meta->Has(DC::PerFrameFunctionalGroupsSequence))
+    file.fault = unplaced();
+  else
+    file.fault = placeSlice(meta, file);
+}
+
+/// How many frames; some programs leave the number out of a file of one.
+std::optional<haptics::Error> readFrameCount(vtkDICOMMetaData* meta, DicomFile& file) {
+  const vtkDICOMValue& stated = meta->Get(DC::NumberOfFrames);
+  if (!stated.IsValid() || trimmedValue(stated).empty()) return {};
+  const auto count = integerString(trimmedValue(stated));
+  if (!count || *count < 1) return senseless(file, "number of frames");
+  file.frame_count = *count;
+  return {};
+}
+
+/// Whether it is known what the stored bits mean.
+std::optional<haptics::Error> bitsFault(const DicomFile& file, vtkDICOMMetaData* meta) {
+  const auto sign = numbersIn(meta->Get(DC::PixelRepresentation));
+  if (!sign || sign->size() != 1 || (sign->front() != 0.0 && sign->front() != 1.0))
+    return fault(malformed("bad-header", "The file " + quoted(file.path) +
+                                             " does not say whether its pixels have a sign (Pixel "
+                                             "Representation); export it again."));
+  const bool fits = file.bits_stored >= 1 && file.bits_stored <= file.bits_allocated &&
+                    file.high_bit >= file.bits_stored - 1 && file.high_bit < file.bits_allocated;
+  const bool moved = file.high_bit != file.bits_stored - 1;
+  if (fits && !(moved && codingOf(file.syntax))) return {};
+  return fault(malformed("bad-header", "The file " + quoted(file.path) + " states " +
+                                           std::to_string(file.bits_stored) + " stored of " +
+                                           std::to_string(file.bits_allocated) +
+                                           " bits, up to bit " + std::to_string(file.high_bit) +
+                                           ", which cannot be; export it again."));
+}
+
+/// A parsed header.
+struct Header {
+  explicit Header(const std::string& path) {
+    errors->watch(parser);
+    errors->watch(meta);
+    meta->SetNumberOfInstances(1);
+    parser->SetMetaData(meta);
+    parser->SetFileName(path.c_str());
+    parser->Update();
+  }
+  bool isSound() const { return errors->errors() == 0 && parser->GetErrorCode() == 0; }
+
+  vtkNew<vtkDICOMMetaData> meta;
+  vtkNew<vtkDICOMParser> parser;
+  vtkNew<VtkErrors> errors;
+};
+
+}  // namespace
+
+bool looksLikeDicom(const Beginning& file) {
+  // what vtk-dicom looks for, without opening the file once more
+  constexpr std::int64_t kLeast = 256;  // bytes
+  const bool marked = file.file_size >= kLeast && file.bytes.size() >= 136 &&
+                      file.bytes.compare(128, 8, std::string("DICM\2\0\0\0", 8)) == 0;
+  return marked || vtkDICOMUtilities::IsDICOMFile(file.path.c_str()) ||
+         bareDataSetOf(file.bytes).has_value();
+}
+
+DicomHeader readDicomHeader(const Beginning& beginning) {
+  const CLocale numbers_with_points;
+  const std::filesystem::path& path = beginning.path;
+  const auto unreadable = [&](const haptics::Error& why) {
+    DicomFile file;
+    file.path = path;
+    file.fault = why;
+    return DicomHeader{.frames = {file}};
+  };
+  DicomStructure structure = structureOf(path, path);
+  const auto bare = bareDataSetOf(beginning.bytes);
+  std::optional<RewrittenFile> rewritten, sound_part;
+  if ((bare && bare->needsRewriting()) ||
+      (!structure.fault && structure.syntax == kDeflatedSyntax)) {
+    auto copy = RewrittenFile::of(path);
+    if (!copy) return unreadable(copy.error());
+    rewritten.emplace(std::move(*copy));
+    structure = structureOf(rewritten->path(), path);
+  }
+  std::string parsed = rewritten ? rewritten->path() : path.string();
+  if (structure.fault) {
+    auto copy = RewrittenFile::beginningOf(parsed, structure.sound_bytes);
+    if (!copy) return unreadable(*structure.fault);
+    sound_part.emplace(std::move(*copy));
+    parsed = sound_part->path();
+  }
+  const auto header = std::make_unique<Header>(parsed);
+  vtkDICOMMetaData* meta = header->meta;
+  vtkDICOMParser* parser = header->parser;
+
+  if (textOf(meta, DC::MediaStorageSOPClassUID) == kFolderIndex)
+    return {.is_folder_index = !structure.fault, .frames = {}};
+  DicomFile file;
+  file.path = path;
+  file.rewritten = rewritten.has_value();
+  file.pixels_begin = static_cast<std::int64_t>(parser->GetFileOffset());
+  file.series = textOf(meta, DC::SeriesInstanceUID);
+  file.identity = {.patient = textOf(meta, DC::PatientID) + "\n" + textOf(meta, DC::PatientName),
+                   .study = textOf(meta, DC::StudyInstanceUID),
+                   .frame_of_reference = textOf(meta, DC::FrameOfReferenceUID),
+                   .modality = textOf(meta, DC::Modality),
+                   .kernel = textOf(meta, DC::ConvolutionKernel),
+                   .image_type = textOf(meta, DC::ImageType)};
+  file.acquisition = textOf(meta, DC::AcquisitionNumber);
+  file.instance = textOf(meta, DC::SOPInstanceUID);
+  file.modality = modalityFrom(textOf(meta, DC::Modality));
+  file.labels = {shownText(meta, DC::PatientName), shownText(meta, DC::StudyDescription),
+                 shownText(meta, DC::SeriesDescription)};
+  file.series_number = meta->Get(DC::SeriesNumber).AsInt();
+  file.plane.rows = meta->Get(DC::Rows).AsInt();
+  file.plane.columns = meta->Get(DC::Columns).AsInt();
+  file.bits_allocated = meta->Get(DC::BitsAllocated).AsInt();
+  file.bits_stored =
+      meta->Has(DC::BitsStored) ? meta->Get(DC::BitsStored).AsInt() : file.bits_allocated;
+  file.high_bit = meta->Has(DC::HighBit) ? meta->Get(DC::HighBit).AsInt() : file.bits_stored - 1;
+  file.inverted = textOf(meta, DC::PhotometricInterpretation) == "MONOCHROME1";
+  file.is_signed = meta->Get(DC::PixelRepresentation).AsInt() == 1;
+
+  file.syntax = textOf(meta, DC::TransferSyntaxUID);
+  const bool understood = !file.series.empty() || !file.modality.empty() || file.plane.rows != 0;
+  // it only began like a data set
+  if (bare && !understood) return {};
+  if (structure.fault) {
+    file.fault = structure.fault;
+    placeSlice(meta, file);  // to know what it is a copy of
+    return {.frames = {file}};
+  }
+  if (!header->isSound()) {
+    file.fault =
+        fault(malformed("truncated", "The header of " + quoted(path) +
+                                         " is damaged or cut off; copy or fetch it again."));
+    placeSlice(meta, file);  // likewise
+    return {.frames = {file}};
+  }
+  if (!understood) {
+    file.fault = fault(malformed(
+        "bad-header", "The header of " + quoted(path) + " cannot be understood; export it again."));
+    return {.frames = {file}};
+  }
+  file.fault = readFrameCount(meta, file);
+  if (!file.fault) file.fault = bitsFault(file, meta);
+  if (auto pixels = pixelFault(file, meta, parser)) file.fault = std::move(pixels);
+  if (file.fault) {
+    placeSlice(meta, file);  // to know what it is a copy of
+    return {.frames = {file}};
+  }
+  DicomHeader all;
+  for (file.frame = 0; file.frame < file.frame_count; ++file.frame) {
+    all.frames.push_back(file);
+    readFrame(meta, all.frames.back());
+    // what one frame lacks, all others may: a small file must not make many entries
+    if (all.frames.back().fault) return {.frames = {all.frames.back()}};
+  }
+  return all;
+}
+
+}  // namespace datasets

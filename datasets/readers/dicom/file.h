@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "datasets/readers/dicom/stack.h"
+#include "datasets/readers/files/beginning.h"
+#include "datasets/readers/scan.h"
+#include "haptics/core/error.h"
+
+namespace datasets {
+
+/// What slices of one stack have in common, beside their series. Compared, never shown.
+struct SliceIdentity {
+  std::string patient, study, frame_of_reference, modality, kernel, image_type;
+
+  auto operator<=>(const SliceIdentity&) const = default;
+  bool operator==(const SliceIdentity&) const = default;
+};
+
+/// What one DICOM file says of a slice: of the only one, or of a frame of an enhanced object.
+/// Identifiers serve to group files and are never shown.
+struct DicomFile {
+  std::filesystem::path path;
+  bool rewritten = false;         ///< read by way of a RewrittenFile
+  std::string syntax;             ///< TransferSyntaxUID; empty where it is not stated
+  std::int64_t pixels_begin = 0;  ///< bytes of the file before its pixels
+  int frame = 0;                  ///< which of the file's
+  int frame_count = 1;            ///< in the file
+  std::string series;             ///< SeriesInstanceUID
+  std::string instance;           ///< SOPInstanceUID
+  SliceIdentity identity;
+  std::string acquisition;  ///< AcquisitionNumber, as it stands
+  int series_number = 0;
+  std::string modality;
+  Labels labels;
+  SlicePlane plane;
+  bool placed = false;  ///< the plane is the file's; else unknown
+  int bits_allocated = 0;
+  int bits_stored = 0;
+  int high_bit = 0;  ///< the highest of the stored bits; above and below there may be anything
+  bool is_signed = false;
+  bool inverted = false;  ///< MONOCHROME1: small values are meant to be shown bright
+  bool rescaled = false;  ///< slope and intercept are stated
+  double slope = 1.0;
+  double intercept = 0.0;
+  bool hounsfield = false;  ///< CT, rescaled, and the file says or implies HU
+  /// The first and last of the stored values that mean "nothing was measured here".
+  std::optional<std::array<double, 2>> padding;
+  /// Why this file cannot be a slice, if it cannot.
+  std::optional<haptics::Error> fault;
+};
+
+/// Whether a file begins like DICOM: the mark after a preamble, or a first element that fits.
+bool looksLikeDicom(const Beginning& file);
+
+/// What the header of one file says.
+struct DicomHeader {
+  bool is_folder_index = false;  ///< a sound DICOMDIR
+  /// An entry for each frame, or a single one with a fault. Empty for what is no image and no part
+  /// of a series: a folder's index, or what only begins like DICOM.
+  std::vector<DicomFile> frames;
+};
+
+/// Parses one header.
+DicomHeader readDicomHeader(const Beginning& beginning);
+
+}  // namespace datasets

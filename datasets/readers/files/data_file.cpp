@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/files/data_file.h"
+
+#include <algorithm>
+
+#include "datasets/readers/files/refusal.h"
+
+namespace datasets {
+
+namespace fs = std::filesystem;
+using haptics::Expected;
+
+namespace {
+
+tl::unexpected<haptics::Error> outside(const fs::path& path) {
+  return unsupported("outside-folder",
+                     "The header " + quoted(path) +
+                         " names a data file outside its own folder; put both into "
+                         "one folder and name it without a path.");
+}
+
+}  // namespace
+
+Expected<fs::path> dataFileOf(const fs::path& header, const std::string& name) {
+  const fs::path relative(name);
+  if (relative.is_absolute() || name == "-") return outside(header);
+  for (const fs::path& part : relative)
+    if (part == "..") return outside(header);
+  const fs::path folder = header.has_parent_path() ? header.parent_path() : fs::path(".");
+  std::error_code error;
+  const fs::path real_folder = fs::canonical(folder, error);
+  const fs::path real = error ? fs::path() : fs::canonical(folder / relative, error);
+  if (error)
+    return malformed("truncated", "The data file that " + quoted(header) +
+                                      " names is missing; copy it beside the header.");
+  const auto [end, unused] =
+      std::mismatch(real_folder.begin(), real_folder.end(), real.begin(), real.end());
+  if (end != real_folder.end() || !fs::is_regular_file(real, error)) return outside(header);
+  return real;
+}
+
+}  // namespace datasets

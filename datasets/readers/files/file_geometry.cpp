@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/files/file_geometry.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "datasets/readers/files/refusal.h"
+
+namespace datasets {
+
+using haptics::Mat3;
+using haptics::Vec3;
+
+namespace {
+
+constexpr double kMetresPerMillimetre = 1e-3;
+constexpr double kLeastStep_mm = 1e-6;
+constexpr double kMostStep_mm = 1e3;    // no voxel of a scan is as large as a step
+constexpr double kFarthest_mm = 1e5;    // beyond, positions have no room for their micrometres
+constexpr double kSquareEnough = 8e-5;  // cosine between two axes: 0.005 degrees
+constexpr double kRounding = 1e-12;     // cosine below which axes are left as they are
+
+/// The signs that turn a file's world into LPS.
+Vec3 signsOf(FileSpace space) {
+  switch (space) {
+    case FileSpace::RightAnteriorSuperior:
+      return {-1.0, -1.0, 1.0};
+    case FileSpace::LeftAnteriorSuperior:
+      return {1.0, -1.0, 1.0};
+    case FileSpace::LeftPosteriorSuperior:
+    case FileSpace::Unknown:
+      break;
+  }
+  return Vec3::Ones();
+}
+
+}  // namespace
+
+haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file) {
+  if (std::ranges::any_of(file.dims, [](std::int64_t n) { return n < 1; }))
+    return malformed("bad-header", "The volume has an axis without voxels; its header is broken.");
+  if (!file.steps_mm.allFinite() || !file.origin_mm.allFinite())
+    return malformed("bad-header",
+                     "The volume's spacing, orientation or origin is not a number; export it again "
+                     "with its geometry.");
+  const Vec3 spacing_mm = file.steps_mm.colwise().norm().transpose();
+  if (spacing_mm.minCoeff() < kLeastStep_mm || spacing_mm.maxCoeff() > kMostStep_mm)
+    return malformed("bad-header", "The volume's voxel spacing of " + brief(spacing_mm.x()) +
+                                       " x " + brief(spacing_mm.y()) + " x " +
+                                       brief(spacing_mm.z()) +
+                                       " mm cannot be right; export it again with its geometry.");
+  if (file.origin_mm.cwiseAbs().maxCoeff() > kFarthest_mm)
+    return malformed("bad-header", "The volume is said to lie " +
+                                       brief(1e-3 * file.origin_mm.cwiseAbs().maxCoeff()) +
+                                       " m away from the origin of its space, which cannot be "
+                                       "right; export it again with its geometry.");
+
+  Mat3 direction = signsOf(file.space).asDiagonal() * file.steps_mm;
+  for (int axis = 0; axis < 3; ++axis) direction.col(axis) /= spacing_mm[axis];
+
+  // axes at right angles, up to rounding
+  const Mat3 gram = direction.transpose() * direction;
+  const double cosine =
+      std::max({std::abs(gram(0, 1)), std::abs(gram(0, 2)), std::abs(gram(1, 2))});
+  if (cosine > kSquareEnough) {
+    const double angle_deg = std::asin(std::min(cosine, 1.0)) * 180.0 / std::numbers::pi;
+    return unsupported("sheared", "The volume's axes are " + brief(angle_deg) +
+                                      " degrees off their right angles; resample it onto a "
+                                      "right-angled grid first.");
+  }
+  if (cosine > kRounding) {
+    const Eigen::JacobiSVD<Mat3> svd(direction, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    direction = svd.matrixU() * svd.matrixV().transpose();
+  }
+
+  haptics::Grid grid;
+  grid.dims = file.dims;
+  grid.spacing = spacing_mm * kMetresPerMillimetre;
+  grid.origin = signsOf(file.space).cwiseProduct(file.origin_mm) * kMetresPerMillimetre;
+  grid.direction = direction;
+  return grid;
+}
+
+}  // namespace datasets

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/files/header_words.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "datasets/readers/files/refusal.h"
+
+namespace datasets {
+
+namespace {
+
+template <class Number>
+std::optional<Number> wholeWord(std::string_view word) {
+  Number number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size()) return {};
+  return number;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t\r");
+  if (begin == text.npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+std::string modalityFrom(std::string_view stated) {
+  constexpr std::size_t kLongest = 8;
+  const bool code = stated.size() <= kLongest && std::ranges::all_of(stated, [](char c) {
+                      return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+                    });
+  return code ? std::string(stated) : std::string();
+}
+
+std::string lowered(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const auto end = std::min(text.find_first_of(" \t"), text.size());
+    words.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return words;
+}
+
+std::optional<std::int64_t> integerOf(std::string_view word) {
+  return wholeWord<std::int64_t>(word);
+}
+
+std::optional<double> numberOf(std::string_view word) { return wholeWord<double>(word); }
+
+tl::unexpected<haptics::Error> badHeader(const std::filesystem::path& path,
+                                         const std::string& why) {
+  return malformed("bad-header",
+                   "The header of " + quoted(path) + " " + why + "; export it again.");
+}
+
+}  // namespace datasets

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "datasets/readers/files/refusal.h"
+#include "datasets/readers/files/stored_voxels.h"
+
+namespace datasets {
+
+namespace fs = std::filesystem;
+using haptics::Expected;
+
+namespace {
+
+constexpr double kMappedFrom = 1024.0 * 1024.0 * 1024.0;  // bytes
+
+/// Bytes of the file before this volume; the volume must be in one piece.
+std::int64_t beginOf(const StoredVoxels& stored, int number) {
+  const auto [i, j, k] = stored.layout.dims();
+  return stored.offset + stored.skip + number * i * j * k * stored.layout.bytesPerVoxel();
+}
+
+tl::unexpected<haptics::Error> notMapped(const fs::path& file) {
+  return unsupported("too-large", quoted(file) +
+                                      " cannot be opened without loading it whole; copy it to a "
+                                      "disk of this machine, or read a part of it.");
+}
+
+}  // namespace
+
+bool isMapped(const StoredVoxels& stored, int number, const Window& window) {
+  const VoxelLayout& layout = stored.layout;
+  if (stored.deflated || stored.skip < 0 || layout.doubles || layout.swapped ||
+      layout.volume_axis != 3 || window.step != 1 || window.count != layout.dims())
+    return false;
+  if (beginOf(stored, number) % layout.bytesPerVoxel() != 0) return false;
+  const auto [i, j, k] = layout.dims();
+  const double bytes = static_cast<double>(i * j * k * layout.bytesPerVoxel());
+  return bytes >= std::min(kMappedFrom, 0.5 * freeMemory());
+}
+
+Expected<std::shared_ptr<void>> mapVoxels(const StoredVoxels& stored, int number) {
+  const auto [i, j, k] = stored.layout.dims();
+  const std::int64_t begin = beginOf(stored, number);
+  const std::int64_t bytes = i * j * k * stored.layout.bytesPerVoxel();
+  const std::int64_t page = sysconf(_SC_PAGESIZE);
+  const std::int64_t before = begin % page;  // of the file's first page
+  const auto mapped = static_cast<std::size_t>(before + bytes);
+  const std::size_t reserved = mapped + static_cast<std::size_t>(page) + haptics::kVoxelPadding;
+
+  std::error_code error;
+  const auto length = static_cast<std::int64_t>(fs::file_size(stored.file, error));
+  if (error || length < begin + bytes)
+    return malformed("truncated",
+                     quoted(stored.file) + " is too short for its voxels; copy or fetch it again.");
+  // the pages behind the file's last are memory: what reads a little too far finds zeros
+  void* base =
+      mmap(nullptr, reserved, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (base == MAP_FAILED) return notMapped(stored.file);
+  std::shared_ptr<char> pages(static_cast<char*>(base),
+                              [reserved](char* p) { munmap(p, reserved); });
+  const int file = open(stored.file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return notFound(stored.file);
+  // writable, and nothing of it in the file: voxels that are no numbers are replaced
+  const void* at = mmap(base, mapped, PROT_READ | PROT_WRITE,
+                        MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, file, begin - before);
+  close(file);
+  if (at == MAP_FAILED) return notMapped(stored.file);
+  return std::shared_ptr<void>(pages, pages.get() + before);
+}
+
+}  // namespace datasets

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/files/stored_voxels.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "datasets/readers/files/refusal.h"
+
+namespace datasets {
+
+namespace fs = std::filesystem;
+using haptics::Expected;
+
+namespace {
+
+constexpr std::int64_t kChunk = 8192;  // voxels converted at a time
+
+/// From the window's place to that in a block of volumes.
+struct Pick {
+  std::array<std::int64_t, 4> first{}, count{1, 1, 1, 1}, step{1, 1, 1, 1};
+
+  Pick(const VoxelLayout& layout, int number, const Window& window) {
+    std::size_t a = 0;
+    for (std::size_t axis = 0; axis < 4; ++axis) {
+      if (static_cast<int>(axis) == layout.volume_axis) {
+        first[axis] = number;
+        continue;
+      }
+      first[axis] = window.first[a];
+      count[axis] = window.count[a];
+      step[axis] = window.step;
+      ++a;
+    }
+  }
+  std::int64_t voxelCount() const { return count[0] * count[1] * count[2] * count[3]; }
+  std::int64_t last(std::size_t axis) const { return first[axis] + (count[axis] - 1) * step[axis]; }
+};
+
+void swapBytes(char* voxels, std::int64_t count, std::int64_t size) {
+  for (std::int64_t i = 0; i < count; ++i) std::reverse(voxels + i * size, voxels + (i + 1) * size);
+}
+
+/// Takes stored voxels and leaves them as memory is to hold them.
+class Filler {
+ public:
+  Filler(const VoxelLayout& layout, void* out)
+      : layout_(layout),
+        bytes_(layout.bytesPerVoxel()),
+        chunk_(static_cast<std::size_t>(kChunk * bytes_)),
+        out_(static_cast<char*>(out)) {}
+
+  /// Of the stream's next `count` voxels each; at most the room that is left.
+  bool take(ByteStream& from, std::int64_t count) {
+    if (!from.read(chunk_.data() + filled_ * bytes_, count * bytes_)) return false;
+    filled_ += count;
+    if (filled_ == kChunk) flush();
+    return true;
+  }
+  std::int64_t room() const { return kChunk - filled_; }
+
+  void flush() {
+    if (layout_.swapped) swapBytes(chunk_.data(), filled_, bytes_);
+    if (layout_.doubles) {
+      for (std::int64_t i = 0; i < filled_; ++i) {
+        double stored;
+        std::memcpy(&stored, chunk_.data() + i * bytes_, sizeof stored);
+        const auto narrow = static_cast<float>(stored);
+        std::memcpy(out_ + i * std::int64_t{sizeof narrow}, &narrow, sizeof narrow);
+      }
+      out_ += filled_ * std::int64_t{sizeof(float)};
+    } else {
+      std::memcpy(out_, chunk_.data(), static_cast<std::size_t>(filled_ * bytes_));
+      out_ += filled_ * bytes_;
+    }
+    filled_ = 0;
+  }
+
+ private:
+  const VoxelLayout& layout_;
+  std::int64_t bytes_;
+  std::vector<char> chunk_;
+  char* out_;
+  std::int64_t filled_ = 0;
+};
+
+/// One row of the window, which begins at voxel `row` of the block.
+bool takeRow(ByteStream& from, std::int64_t begin, std::int64_t row, std::int64_t bytes,
+             const Pick& pick, Filler& filler) {
+  const std::int64_t run = pick.step[0] == 1 ? pick.count[0] : 1;  // voxels side by side
+  for (std::int64_t i = 0; i < pick.count[0];) {
+    const std::int64_t at = row + pick.first[0] + i * pick.step[0];
+    const std::int64_t count = std::min({run, pick.count[0] - i, filler.room()});
+    if (!from.advanceTo(begin + at * bytes) || !filler.take(from, count)) return false;
+    i += count;
+  }
+  return true;
+}
+
+tl::unexpected<haptics::Error> endsEarly(const fs::path& file) {
+  return malformed("truncated", "The voxels of " + quoted(file) +
+                                    " end early or are damaged; copy or fetch the file again.");
+}
+
+}  // namespace
+
+std::array<std::int64_t, 3> VoxelLayout::dims() const {
+  std::array<std::int64_t, 3> dims{};
+  std::size_t a = 0;
+  for (std::size_t axis = 0; axis < 4; ++axis)
+    if (static_cast<int>(axis) != volume_axis) dims[a++] = sizes[axis];
+  return dims;
+}
+
+Expected<std::shared_ptr<void>> pickVoxels(ByteStream& from, std::int64_t begin,
+                                           const VoxelLayout& layout, int number,
+                                           const Window& window, const fs::path& file,
+                                           const ReadProgress& progress) {
+  const Pick pick(layout, number, window);
+  const std::int64_t bytes = layout.bytesPerVoxel();
+  if (auto room = checkRoom(pick.voxelCount(),
+                            static_cast<std::int64_t>(haptics::sizeOf(layout.type)), kSaveRaw);
+      !room)
+    return tl::unexpected(std::move(room.error()));
+  auto voxels = haptics::allocateVoxels(pick.voxelCount(), layout.type);
+  if (!voxels) return voxels;
+  const auto& s = layout.sizes;
+  const auto rowAt = [&](std::int64_t a3, std::int64_t a2, std::int64_t a1) {
+    return ((a3 * s[2] + a2) * s[1] + a1) * s[0];
+  };
+  from.watch(progress,
+             begin + (rowAt(pick.last(3), pick.last(2), pick.last(1)) + pick.last(0) + 1) * bytes);
+  Filler filler(layout, voxels->get());
+  bool whole = true;
+  for (std::int64_t a3 = pick.first[3]; whole && a3 <= pick.last(3); a3 += pick.step[3])
+    for (std::int64_t a2 = pick.first[2]; whole && a2 <= pick.last(2); a2 += pick.step[2])
+      for (std::int64_t a1 = pick.first[1]; whole && a1 <= pick.last(1); a1 += pick.step[1])
+        whole = takeRow(from, begin, rowAt(a3, a2, a1), bytes, pick, filler);
+  // a damaged file may inflate to something else
+  whole = whole && from.endsWell();
+  if (progress.isCancelled()) return cancelled();
+  if (!whole) return endsEarly(file);
+  filler.flush();
+  progress.advanced(1.0);
+  return voxels;
+}
+
+Expected<std::shared_ptr<void>> readVoxels(const StoredVoxels& stored, int number,
+                                           const Window& window, const ReadProgress& progress) {
+  std::int64_t begin = stored.skip;
+  if (begin < 0) {
+    // where the last bytes begin is known once all have been seen
+    const ReadProgress silent{[](double) {}, progress.cancel};
+    const auto all = openBytes(stored.file, stored.offset, stored.deflated);
+    all->watch(silent, 1);
+    begin = all->length() - stored.layout.voxelCount() * stored.layout.bytesPerVoxel();
+    if (progress.isCancelled()) return cancelled();
+    if (begin < 0) return endsEarly(stored.file);
+  }
+  const auto bytes = openBytes(stored.file, stored.offset, stored.deflated);
+  return pickVoxels(*bytes, begin, stored.layout, number, window, stored.file, progress);
+}
+
+}  // namespace datasets

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/nrrd/header.h"
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string_view>
+
+#include "datasets/readers/files/data_file.h"
+#include "datasets/readers/files/refusal.h"
+#include "datasets/readers/files/stored_volumes.h"
+#include "datasets/readers/nrrd/text.h"
+
+namespace datasets {
+
+namespace fs = std::filesystem;
+using haptics::Expected;
+
+namespace {
+
+struct TypeName {
+  std::string_view name;
+  const char* teem;
+  int bytes;
+};
+
+constexpr TypeName kNrrdTypes[] = {{"signed char", "signed char", 1},
+                                   {"int8", "signed char", 1},
+                                   {"int8_t", "signed char", 1},
+                                   {"uchar", "unsigned char", 1},
+                                   {"unsigned char", "unsigned char", 1},
+                                   {"uint8", "unsigned char", 1},
+                                   {"uint8_t", "unsigned char", 1},
+                                   {"short", "short", 2},
+                                   {"short int", "short", 2},
+                                   {"signed short", "short", 2},
+                                   {"signed short int", "short", 2},
+                                   {"int16", "short", 2},
+                                   {"int16_t", "short", 2},
+                                   {"ushort", "unsigned short", 2},
+                                   {"unsigned short", "unsigned short", 2},
+                                   {"unsigned short int", "unsigned short", 2},
+                                   {"uint16", "unsigned short", 2},
+                                   {"uint16_t", "unsigned short", 2},
+                                   {"int", "int", 4},
+                                   {"signed int", "int", 4},
+                                   {"int32", "int", 4},
+                                   {"int32_t", "int", 4},
+                                   {"uint", "unsigned int", 4},
+                                   {"unsigned int", "unsigned int", 4},
+                                   {"uint32", "unsigned int", 4},
+                                   {"uint32_t", "unsigned int", 4},
+                                   {"float", "float", 4},
+                                   {"double", "double", 8}};
+
+Expected<void> readNrrdType(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::string* type = text.find("type");
+  if (type == nullptr) return badHeader(path, "states no type");
+  const std::string name = lowered(*type);
+  for (const TypeName& known : kNrrdTypes)
+    if (name == known.name) {
+      header.type = known.teem;
+      header.bytes_per_voxel = known.bytes;
+      return {};
+    }
+  if (name.find("long") != name.npos || name.find("int64") != name.npos)
+    return unsupported(
+        "unsupported-type",
+        "The voxels of " + quoted(path) +
+            " are 64-bit integers, which cannot be shown or touched exactly; convert "
+            "them to 32-bit integers or float.");
+  if (name == "block")
+    return unsupported("not-scalar",
+                       "The voxels of " + quoted(path) +
+                           " are blocks of bytes and no numbers; export a scalar volume.");
+  return badHeader(path, "states an unknown type");
+}
+
+/// Per axis whether it has a direction in space; empty where directions are not stated.
+std::vector<bool> directedAxes(const NrrdText& text) {
+  const std::string* field = text.find("space directions");
+  std::vector<bool> directed;
+  if (field == nullptr) return directed;
+  for (std::string_view rest = *field; !rest.empty();) {
+    const bool vector = rest.front() == '(';
+    const bool blank = rest.front() == ' ' || rest.front() == '\t';
+    if (!blank) directed.push_back(vector);
+    const auto end = vector ? rest.find(')') : blank ? 0 : rest.find_first_of(" \t(") - 1;
+    rest.remove_prefix(std::min(end, rest.size() - 1) + 1);
+  }
+  return directed;
+}
+
+tl::unexpected<haptics::Error> notAPlace(const fs::path& path, std::size_t axis,
+                                         const std::string& kind) {
+  return unsupported("not-scalar", "Axis " + std::to_string(axis) + " of " + quoted(path) +
+                                       ", counted from 0, is of kind " + kind +
+                                       " and holds no places; export a volume of three axes and "
+                                       "one value per voxel.");
+}
+
+/// Which axes are i, j and k, and which counts the volumes.
+Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::vector<std::int64_t>& sizes = header.sizes;
+  std::vector<std::string> kinds(sizes.size());
+  if (const std::string* field = text.find("kinds"); field != nullptr) {
+    const auto words = wordsOf(*field);
+    if (words.size() != sizes.size()) return badHeader(path, "does not state a kind of each axis");
+    std::ranges::transform(words, kinds.begin(), lowered);
+  }
+  const std::vector<bool> directed = directedAxes(text);
+  std::vector<std::size_t> places, others;
+  for (std::size_t a = 0; a < sizes.size(); ++a) {
+    const std::string& kind = kinds[a];
+    const bool space = kind == "domain" || kind == "space";
+    const bool counts = kind == "list" || kind == "time";
+    const bool unstated = kind.empty() || kind == "none" || kind == "???";
+    const bool single = sizes[a] == 1 && (kind == "stub" || kind == "scalar");
+    if (!space && !unstated && !single && !(counts && sizes.size() == 4))
+      return notAPlace(path, a, kind);
+    const bool place = sizes.size() == 3 || (directed.size() == sizes.size() ? directed[a] : space);
+    (place ? places : others).push_back(a);
+  }
+  if (places.size() != 3)
+    return unsupported(
+        "not-scalar", "The header of " + quoted(path) + " calls " + std::to_string(places.size()) +
+                          " of its four axes places, by direction or by kind; export it with three "
+                          "of them and one that counts volumes.");
+  for (std::size_t a = 0; a < 3; ++a) {
+    header.axes[a] = static_cast<unsigned>(places[a]);
+    header.dims[a] = sizes[places[a]];
+  }
+  if (others.empty()) return {};
+  header.volume_axis = static_cast<int>(others.front());
+  header.volumes = sizes[others.front()];
+  if (header.volumes > kMostVolumes)
+    return unsupported("too-large", quoted(path) + " holds " + std::to_string(header.volumes) +
+                                        " volumes; export fewer than " +
+                                        std::to_string(kMostVolumes) + " into one file.");
+  return {};
+}
+
+Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::string* dimension = text.find("dimension");
+  const auto axes = dimension ? integerOf(*dimension) : std::nullopt;
+  if (!axes) return badHeader(path, "states no dimension");
+  if (*axes != 3 && *axes != 4)
+    return unsupported("not-scalar",
+                       "The dimension of " + quoted(path) + " is " + std::to_string(*axes) +
+                           "; only volumes of three axes and one value per voxel can "
+                           "be loaded, one or several in a file, so export one such volume.");
+  const std::string* sizes = text.find("sizes");
+  if (sizes == nullptr) return badHeader(path, "states no sizes");
+  const auto words = wordsOf(*sizes);
+  if (static_cast<std::int64_t>(words.size()) != *axes)
+    return badHeader(path, "does not state a size of each axis");
+  std::int64_t room = std::numeric_limits<std::int64_t>::max() / 64;
+  for (const std::string_view word : words) {
+    const auto size = integerOf(word);
+    if (!size || *size < 1) return badHeader(path, "states a size that is no positive number");
+    if (*size > std::min<std::int64_t>(room, std::numeric_limits<std::int32_t>::max()))
+      return unsupported("too-large",
+                         "The header of " + quoted(path) +
+                             " states more voxels than any memory holds; export it again.");
+    room /= *size;
+    header.sizes.push_back(*size);
+  }
+  return readAxes(path, text, header);
+}
+
+Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::string* encoding = text.find("encoding");
+  if (encoding == nullptr) return badHeader(path, "states no encoding");
+  const std::string name = lowered(*encoding);
+  if (name == "raw")
+    header.encoding = NrrdEncoding::Raw;
+  else if (name == "txt" || name == "text" || name == "ascii")
+    header.encoding = NrrdEncoding::Ascii;
+  else if (name == "hex")
+    header.encoding = NrrdEncoding::Hex;
+  else if (name == "gz" || name == "gzip")
+    header.encoding = NrrdEncoding::Gzip;
+  else if (name == "bz2" || name == "bzip2")
+    header.encoding = NrrdEncoding::Bzip2;
+  else
+    return unsupported("unsupported-syntax", "The voxels of " + quoted(path) +
+                                                 " are in an encoding that is unknown here; save "
+                                                 "them as raw or gzip.");
+  const std::string* endian = text.find("endian");
+  header.big_endian = endian != nullptr && lowered(*endian) == "big";
+  if (header.encoding != NrrdEncoding::Ascii && header.bytes_per_voxel > 1 && endian == nullptr)
+    return badHeader(path, "does not state the byte order");
+  const auto skip = [&](const char* name_of_field, const char* other, std::int64_t least,
+                        std::int64_t& count) {
+    const std::string* field = text.find(name_of_field, other);
+    if (field == nullptr) return true;
+    header.skip_stated = true;
+    const auto number = integerOf(*field);
+    count = number.value_or(least - 1);
+    return count >= least;
+  };
+  if (!skip("line skip", "lineskip", 0, header.line_skip) ||
+      !skip("byte skip", "byteskip", -1, header.byte_skip))
+    return badHeader(path, "skips a number of lines or bytes that makes no sense");
+  return {};
+}
+
+/// "slices/slice_%03d.raw 0 41 1": the names that teem would print; empty if it is no such form.
+std::vector<std::string> expanded(std::string_view pattern) {
+  const auto words = wordsOf(pattern);
+  if (words.size() < 4 || words.size() > 5) return {};
+  const std::string_view name = words[0];
+  const auto percent = name.find('%');
+  const auto conversion = name.find('d', percent);
+  if (percent == name.npos || conversion == name.npos || name.rfind('%') != percent) return {};
+  const std::string_view width_text = name.substr(percent + 1, conversion - percent - 1);
+  const auto width = width_text.empty() ? std::optional<std::int64_t>(0) : integerOf(width_text);
+  const auto first = integerOf(words[1]), last = integerOf(words[2]), step = integerOf(words[3]);
+  if (!width || *width < 0 || *width > 9 || !first || !last || !step || *step == 0) return {};
+  if (!width_text.empty() && width_text.front() != '0') return {};
+  if ((*last - *first) / *step < 0 ||
+      (*last - *first) / *step >= static_cast<std::int64_t>(kMostDataFiles) || *first < 0 ||
+      *last < 0)
+    return {};
+  std::vector<std::string> names;
+  for (std::int64_t i = *first; *step > 0 ? i <= *last : i >= *last; i += *step) {
+    std::string number = std::to_string(i);
+    if (static_cast<std::int64_t>(number.size()) < *width)
+      number.insert(0, static_cast<std::size_t>(*width) - number.size(), '0');
+    names.push_back(std::string(name.substr(0, percent)) + number +
+                    std::string(name.substr(conversion + 1)));
+  }
+  return names;
+}
+
+Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const std::string* field = text.find("data file", "datafile");
+  if (field == nullptr) {
+    if (text.bytes == 0)
+      return malformed("truncated", quoted(path) + " ends with its header; fetch it again whole.");
+    return {};
+  }
+  std::vector<std::string> names;
+  if (field->starts_with("LIST"))
+    names = text.listed_files;
+  else if (field->find('%') != field->npos)
+    names = expanded(*field);
+  else
+    names = {*field};
+  if (names.empty())
+    return badHeader(path, "names its data files in a way that cannot be followed");
+  for (const std::string& name : names) {
+    auto file = dataFileOf(path, name);
+    if (!file) return tl::unexpected(std::move(file.error()));
+    header.data_files.push_back(std::move(*file));
+  }
+  return {};
+}
+
+/// How many voxel bytes one stored byte can stand for at most.
+double expansion(NrrdEncoding encoding, int bytes_per_voxel) {
+  switch (encoding) {
+    case NrrdEncoding::Raw:
+      return 1.0;
+    case NrrdEncoding::Ascii:
+      return bytes_per_voxel / 2.0;  // a digit and a blank
+    case NrrdEncoding::Hex:
+      return 0.5;
+    case NrrdEncoding::Gzip:
+      return 1032.0;  // the most that deflate can do
+    case NrrdEncoding::Bzip2:
+      break;
+  }
+  return 1.2e6;  // 45 MB of one value in a block of some forty bytes
+}
+
+/// The unpacked length of a gzip file of one member, as its last four bytes state it.
+std::int64_t gzipLength(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  unsigned char bytes[4] = {};
+  in.seekg(-4, std::ios::end);
+  if (!in.read(reinterpret_cast<char*>(bytes), 4)) return 0;
+  return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | std::int64_t{bytes[3]} << 24;
+}
+
+/// A foreign header before the voxels would shift them all: a data file must not be longer than
+/// they are, unless the header says what to skip.
+Expected<void> checkNothingElse(const fs::path& path, const NrrdHeader& header,
+                                std::int64_t needed) {
+  if (header.data_files.size() != 1 || header.skip_stated) return {};
+  std::error_code error;
+  std::int64_t length = 0;
+  if (header.encoding == NrrdEncoding::Raw)
+    length = static_cast<std::int64_t>(fs::file_size(header.data_files.front(), error));
+  if (header.encoding == NrrdEncoding::Gzip) length = gzipLength(header.data_files.front());
+  if (error || length <= needed) return {};
+  return malformed("bad-header", "The data file of " + quoted(path) + " holds " +
+                                     std::to_string(length - needed) +
+                                     " bytes more than its voxels need and the header does not say "
+                                     "which; add a byte skip to the header.");
+}
+
+/// "512 x 512 x 300".
+std::string inWords(const std::vector<std::int64_t>& sizes) {
+  std::string words;
+  for (const std::int64_t size : sizes)
+    words += (words.empty() ? "" : " x ") + std::to_string(size);
+  return words;
+}
+
+Expected<void> checkCapacity(const fs::path& path, const NrrdHeader& header) {
+  const std::vector<fs::path> files =
+      header.data_files.empty() ? std::vector{path} : header.data_files;
+  const std::int64_t voxels = header.voxelCount();
+  const std::int64_t needed =
+      voxels * header.bytes_per_voxel / static_cast<std::int64_t>(files.size());
+  for (const fs::path& file : files) {
+    std::error_code error;
+    auto stored = static_cast<std::int64_t>(fs::file_size(file, error));
+    if (error) return notFound(file);
+    if (header.data_files.empty()) stored -= header.header_bytes;
+    if (header.encoding == NrrdEncoding::Raw) stored -= header.line_skip;
+    if (header.encoding == NrrdEncoding::Raw) stored -= std::max<std::int64_t>(header.byte_skip, 0);
+    const double most =
+        expansion(header.encoding, header.bytes_per_voxel) * static_cast<double>(stored + 1);
+    const bool holds = header.encoding == NrrdEncoding::Raw ? stored >= needed
+                                                            : most >= static_cast<double>(needed);
+    if (!holds)
+      return malformed("truncated", quoted(file) + " is too short for the " +
+                                        inWords(header.sizes) +
+                                        " voxels that its header states; copy or fetch it again.");
+  }
+  return checkNothingElse(path, header, needed);
+}
+
+}  // namespace
+
+std::int64_t NrrdHeader::voxelCount() const {
+  return std::accumulate(sizes.begin(), sizes.end(), std::int64_t{1}, std::multiplies<>());
+}
+
+bool looksLikeNrrd(const Beginning& file) { return file.bytes.starts_with("NRRD"); }
+
+Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
+  const auto text = readNrrdText(path);
+  if (!text) return tl::unexpected(text.error());
+  NrrdHeader header;
+  header.header_bytes = text->bytes;
+  header.text = text->lines;
+  for (const auto step : {readNrrdType, readNrrdSizes, readEncoding, readDataFiles})
+    if (auto done = step(path, *text, header); !done)
+      return tl::unexpected(std::move(done.error()));
+  if (auto fits = checkCapacity(path, header); !fits)
+    return tl::unexpected(std::move(fits.error()));
+  return header;
+}
+
+}  // namespace datasets

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "datasets/readers/files/beginning.h"
+#include "haptics/core/error.h"
+
+namespace datasets {
+
+enum class NrrdEncoding { Raw, Ascii, Hex, Gzip, Bzip2 };
+
+/// What must be known of an NRRD before the reference implementation may see it.
+struct NrrdHeader {
+  std::string type;                    ///< one of teem's own names: "short", "unsigned char", …
+  int bytes_per_voxel = 0;             ///< in the file
+  std::vector<std::int64_t> sizes;     ///< of the file's axes: three or four
+  std::array<unsigned, 3> axes{};      ///< which of them are i, j, k
+  std::array<std::int64_t, 3> dims{};  ///< of these: one volume's
+  int volume_axis = -1;                ///< which counts volumes; -1: none
+  std::int64_t volumes = 1;
+  NrrdEncoding encoding = NrrdEncoding::Raw;
+  bool big_endian = false;
+  std::int64_t header_bytes = 0;  ///< text and the empty line after it
+  bool skip_stated = false;       ///< the header says how much of a data file is no voxels
+  std::int64_t line_skip = 0;
+  std::int64_t byte_skip = 0;                     ///< -1: the voxels are the last bytes of the file
+  std::vector<std::filesystem::path> data_files;  ///< empty: the voxels follow the header
+  std::string text;  ///< the header's lines without the one that names data files
+
+  std::int64_t voxelCount() const;  ///< of all volumes
+};
+
+/// Whether a file begins as an NRRD does.
+bool looksLikeNrrd(const Beginning& file);
+
+/// Reads the header's text and checks it against the files: three axes of places, or a fourth that
+/// counts volumes, one value per voxel and a type that can be shown ("not-scalar",
+/// "unsupported-type"); no data file outside the header's folder ("outside-folder"); no more
+/// voxels than the files can hold ("truncated"), so that no broken header can ask for memory; no
+/// data file that is longer than its voxels without a word about what to skip ("bad-header").
+haptics::Expected<NrrdHeader> readNrrdHeader(const std::filesystem::path& path);
+
+}  // namespace datasets

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/nrrd/text.h"
+
+#include <fstream>
+
+#include "datasets/readers/files/refusal.h"
+
+namespace datasets {
+
+namespace fs = std::filesystem;
+using haptics::Expected;
+
+namespace {
+
+constexpr std::size_t kLongestField = 400;  // characters; numbers need some hundred
+
+}  // namespace
+
+Expected<NrrdText> readNrrdText(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return notFound(path);
+  const auto nextLine = [&](std::string& line) {
+    line.clear();
+    for (int c = in.get(); c != std::ifstream::traits_type::eof(); c = in.get()) {
+      if (c == '\n') return true;
+      line.push_back(static_cast<char>(c));
+      if (static_cast<std::int64_t>(line.size()) > kLongestHeader) return false;
+    }
+    return !line.empty();
+  };
+
+  NrrdText text;
+  std::string line;
+  nextLine(line);
+  const std::string_view magic = trimmed(line);
+  if (!magic.starts_with("NRRD000") || magic.size() != 8 || magic[7] < '1' || magic[7] > '5')
+    return badHeader(path, "does not begin with NRRD0001 to NRRD0005");
+  text.lines = std::string(magic) + "\n";
+  bool listing = false, closed = false;
+  while (nextLine(line)) {
+    if (static_cast<std::int64_t>(in.tellg()) > kLongestHeader)
+      return badHeader(path, "is longer than 1 MB");
+    const std::string_view content = trimmed(line);
+    if (listing) {
+      if (!content.empty()) text.listed_files.emplace_back(content);
+      if (text.listed_files.size() > kMostDataFiles) return badHeader(path, "lists too many files");
+      continue;
+    }
+    if (content.empty()) {
+      closed = true;
+      break;
+    }
+    const auto colon = content.find(':');
+    const std::string field = lowered(trimmed(content.substr(0, std::min(colon, content.size()))));
+    const bool names_data = field == "data file" || field == "datafile";
+    if (!names_data) text.lines.append(content).append("\n");
+    if (content.front() == '#') continue;
+    const bool named = colon != content.npos;
+    if (named && content.substr(colon + 1).starts_with('=')) continue;  // key and value
+    // teem writes what it cannot parse into a message of fixed size, with words around it
+    if (content.size() > kLongestField && field != "content")
+      return badHeader(path, "has a field that is too long");
+    if (!named) continue;
+    const std::string_view value = trimmed(content.substr(colon + 1));
+    if (!text.fields.emplace(field, value).second) return badHeader(path, "states a field twice");
+    listing = names_data && value.starts_with("LIST");
+  }
+  if (!closed) in.clear();
+  text.bytes = closed ? static_cast<std::int64_t>(in.tellg()) : 0;
+  return text;
+}
+
+const std::string* NrrdText::find(const char* name, const char* other) const {
+  auto it = fields.find(name);
+  if (it == fields.end() && other != nullptr) it = fields.find(other);
+  return it == fields.end() ? nullptr : &it->second;
+}
+
+}  // namespace datasets

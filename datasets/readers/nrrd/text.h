@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "datasets/readers/files/header_words.h"
+#include "haptics/core/error.h"
+
+namespace datasets {
+
+inline constexpr std::size_t kMostDataFiles = 100'000;  ///< that one header may name
+
+/// The text before the voxels, taken apart and not yet understood.
+struct NrrdText {
+  std::map<std::string, std::string> fields;  ///< by lower-case name
+  std::vector<std::string> listed_files;      ///< the names after "data file: LIST"
+  std::string lines;                          ///< all but the one that names data files
+  std::int64_t bytes = 0;  ///< up to the voxels; 0 where the file ends with its header
+
+  /// The value of a field under either of its names; null where it is not stated.
+  const std::string* find(const char* name, const char* other = nullptr) const;
+};
+
+/// Reads at most 1 MB of header. Refuses ("bad-header") another beginning than NRRD0001 to
+/// NRRD0005 and a field stated twice.
+haptics::Expected<NrrdText> readNrrdText(const std::filesystem::path& path);
+
+}  // namespace datasets

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/readers/nrrd/voxels.h"
+
+#include <teem/air.h>
+#include <teem/biff.h>
+#include <teem/nrrd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "datasets/readers/files/c_locale.h"
+#include "datasets/readers/files/file_geometry.h"
+#include "datasets/readers/files/header_words.h"
+#include "datasets/readers/files/refusal.h"
+#include "datasets/readers/nrrd/header.h"
+#include "datasets/readers/nrrd/quiet_terminal.h"
+#include "datasets/readers/nrrd/stream.h"
+
+namespace datasets {
+
+using haptics::Expected;
+using haptics::ScalarType;
+using haptics::Vec3;
+
+namespace {
+
+// teem keeps its error messages in one global list
+std::mutex& teem() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+constexpr double kDecoding = 0.9;  // of the progress; the rest is for the range of the voxels
+
+using NrrdPtr = std::unique_ptr<Nrrd, decltype(&nrrdNuke)>;
+using NrrdIoPtr = std::unique_ptr<NrrdIoState, decltype(&nrrdIoStateNix)>;
+
+/// teem's view of the file; null where it refuses. The lock must be held.
+NrrdPtr load(const std::filesystem::path& path, const NrrdHeader& header, bool with_voxels,
+             const ReadProgress& progress) {
+  const CLocale numbers_with_points;
+  const QuietTerminal while_reading;
+  NrrdPtr nrrd(nrrdNew(), nrrdNuke);
+  const NrrdIoPtr io(nrrdIoStateNew(), nrrdIoStateNix);
+  io->skipData = with_voxels ? 0 : 1;
+  int failed = 1;
+  if (header.data_files.size() > 1) {
+    failed = nrrdLoad(nrrd.get(), path.c_str(), io.get());
+  } else {
+    const bool detached = header.data_files.size() == 1;
+    const NrrdStream stream(detached ? header.text + "\n" : std::string(),
+                            detached ? header.data_files.front() : path, progress);
+    if (stream.stream() != nullptr) failed = nrrdRead(nrrd.get(), stream.stream(), io.get());
+  }
+  if (failed != 0) {
+    biffDone(NRRD);
+    nrrd.reset();
+  }
+  return nrrd;
+}
+
+/// Millimetres in one unit of length; empty for what is no length.
+std::optional<double> millimetresIn(const char* unit) {
+  if (unit == nullptr || *unit == '\0') return 1.0;
+  const std::string_view u(unit);
+  if (u == "mm" || u == "millimeter" || u == "millimeters" || u == "millimetre") return 1.0;
+  if (u == "cm" || u == "centimeter" || u == "centimetre") return 10.0;
+  if (u == "m" || u == "meter" || u == "metre") return 1000.0;
+  if (u == "um" || u == "µm" || u == "μm" || u == "micron" || u == "microns" || u == "micrometer")
+    return 1e-3;
+  return {};
+}
+
+FileSpace spaceOf(int space) {
+  switch (space) {
+    case nrrdSpaceLeftPosteriorSuperior:
+      return FileSpace::LeftPosteriorSuperior;
+    case nrrdSpaceRightAnteriorSuperior:
+      return FileSpace::RightAnteriorSuperior;
+    case nrrdSpaceLeftAnteriorSuperior:
+      return FileSpace::LeftAnteriorSuperior;
+    default:
+      return FileSpace::Unknown;
+  }
+}
+
+tl::unexpected<haptics::Error> badUnit(const std::filesystem::path& path) {
+  return unsupported("bad-header", "The header of " + quoted(path) +
+                                       " measures its axes in a unit that is no length known here; "
+                                       "export it in millimetres.");
+}
+
+tl::unexpected<haptics::Error> mixedUnits(const std::filesystem::path& path) {
+  return unsupported("bad-header", "The header of " + quoted(path) +
+                                       " measures its axes in different units; export it in "
+                                       "millimetres.");
+}
+
+bool isSameUnit(const char* a, const char* b) {
+  return std::string_view(a != nullptr ? a : "") == std::string_view(b != nullptr ? b : "");
+}
+
+/// Axes with directions in a space.
+Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const NrrdHeader& header,
+                                        const Nrrd& nrrd) {
+  FileGeometry geometry;
+  geometry.space = spaceOf(nrrd.space);
+  Vec3 scale = Vec3::Ones();  // mm per unit of each coordinate of the space
+  for (unsigned int c = 0; c < 3; ++c) {
+    const auto millimetres = millimetresIn(nrrd.spaceUnits[c]);
+    if (!millimetres) return badUnit(path);
+    if (!isSameUnit(nrrd.spaceUnits[c], nrrd.spaceUnits[0])) return mixedUnits(path);
+    scale[c] = *millimetres;
+  }
+  for (unsigned int a = 0; a < 3; ++a)
+    for (unsigned int c = 0; c < 3; ++c)
+      geometry.steps_mm(c, a) = nrrd.axis[header.axes[a]].spaceDirection[c] * scale[c];
+  if (!geometry.steps_mm.allFinite())
+    return malformed("bad-header", "An axis of " + quoted(path) +
+                                       " has no direction in space; export it again with its "
+                                       "geometry.");
+  for (unsigned int c = 0; c < 3; ++c) {
+    const double origin = nrrd.spaceOrigin[c];
+    geometry.origin_mm[c] = std::isnan(origin) ? 0.0 : origin * scale[c];
+  }
+  return geometry;
+}
+
+/// As stated, or from the ends of the axis: of its outer voxels' centres, or of their far sides, as
+/// the format has it where nothing is said. NaN where none of it is known.
+double spacingOf(const NrrdAxisInfo& axis) {
+  if (!std::isnan(axis.spacing)) return axis.spacing;
+  const double intervals =
+      static_cast<double>(axis.size) - (axis.center == nrrdCenterNode ? 1.0 : 0.0);
+  return (axis.max - axis.min) / intervals;
+}
+
+/// Axes with spacings only, or with nothing. `stated` tells which.
+Expected<FileGeometry> plainGeometry(const std::filesystem::path& path, const NrrdHeader& header,
+                                     const Nrrd& nrrd, bool& stated) {
+  FileGeometry geometry;
+  geometry.space = FileSpace::Unknown;
+  int known = 0;
+  for (unsigned int a = 0; a < 3; ++a) {
+    const NrrdAxisInfo& axis = nrrd.axis[header.axes[a]];
+    const auto millimetres = millimetresIn(axis.units);
+    if (!millimetres) return badUnit(path);
+    if (!isSameUnit(axis.units, nrrd.axis[header.axes[0]].units)) return mixedUnits(path);
+    const double spacing = spacingOf(axis);
+    if (std::isnan(spacing)) continue;
+    ++known;
+    geometry.steps_mm(a, a) = spacing * *millimetres;
+    if (std::isnan(axis.min)) continue;
+    const double centre = axis.min + (axis.center == nrrdCenterNode ? 0.0 : 0.5 * spacing);
+    geometry.origin_mm[a] = centre * *millimetres;
+    const double end =
+        centre +
+        (static_cast<double>(axis.size) - (axis.center == nrrdCenterNode ? 1.0 : 0.5)) * spacing;
+    if (!std::isnan(axis.max) && std::abs(axis.max - end) > 0.01 * std::abs(spacing))
+      return malformed("bad-header", "The header of " + quoted(path) +
+                                         " states spacings that do not lead from its axis mins to "
+                                         "its axis maxs; export it again with its geometry.");
+  }
+  stated = known > 0;
+  if (known != 0 && known != 3)
+    return malformed("bad-header", "The header of " + quoted(path) +
+                                       " does not state the spacing of every axis; export it again "
+                                       "with its geometry.");
+  return geometry;
+}
+
+std::string valueOf(const Nrrd& nrrd, const char* key) {
+  char* value = nrrdKeyValueGet(&nrrd, key);
+  std::string text = value != nullptr ? value : "";
+  airFree(value);
+  return text;
+}
+
+/// "HU" where the file says so: our own key, the format's field, or the end of its description.
+std::string unitOf(const Nrrd& nrrd) {
+  const std::string key = valueOf(nrrd, "unit");
+  const std::string_view units = nrrd.sampleUnits != nullptr ? nrrd.sampleUnits : "";
+  const std::string_view content = nrrd.content != nullptr ? nrrd.content : "";
+  if (!key.empty()) return key == "HU" ? "HU" : "";
+  return units == "HU" || units == "hu" || content.ends_with(", HU") ? "HU" : "";
+}
+
+tl::unexpected<haptics::Error> headerRefused(const std::filesystem::path& path) {
+  return malformed("bad-header", "The header of " + quoted(path) +
+                                     " cannot be understood; export the volume again.");
+}
+
+std::optional<ScalarType> typeOfTeem(int teem_type) {
+  switch (teem_type) {
+    case nrrdTypeChar:
+      return ScalarType::Int8;
+    case nrrdTypeUChar:
+      return ScalarType::UInt8;
+    case nrrdTypeShort:
+      return ScalarType::Int16;
+    case nrrdTypeUShort:
+      return ScalarType::UInt16;
+    case nrrdTypeInt:
+      return ScalarType::Int32;
+    case nrrdTypeUInt:
+      return ScalarType::UInt32;
+    case nrrdTypeFloat:
+      return ScalarType::Float32;
+    default:
+      return {};
+  }
+}
+
+/// How the voxels lie; where they are in one file that needs no decoder of teem's, also where.
+Expected<StoredVoxels> voxelsOf(const std::filesystem::path& path, const NrrdHeader& header,
+                                const Nrrd& nrrd) {
+  StoredVoxels stored;
+  VoxelLayout& layout = stored.layout;
+  layout.doubles = nrrd.type == nrrdTypeDouble;
+  const auto type = layout.doubles ? ScalarType::Float32 : typeOfTeem(nrrd.type);
+  if (!type || nrrd.dim != header.sizes.size()) return headerRefused(path);
+  layout.type = *type;
+  layout.swapped = header.big_endian && header.bytes_per_voxel > 1;
+  std::ranges::copy(header.sizes, layout.sizes.begin());
+  layout.volume_axis = header.volume_axis < 0 ? 3 : header.volume_axis;
+  stored.deflated = header.encoding == NrrdEncoding::Gzip;
+  stored.file = header.data_files.empty() ? path : header.data_files.front();
+  stored.offset = header.data_files.empty() ? header.header_bytes : 0;
+  stored.skip = header.byte_skip;
+  return stored;
+}
+
+bool isReadHere(const NrrdHeader& header) {
+  return header.data_files.size() < 2 &&
+         (header.encoding == NrrdEncoding::Raw || header.encoding == NrrdEncoding::Gzip);
+}
+
+/// Puts lines that are to be skipped behind us, and of plain voxels also what precedes the last.
+Expected<void> findVoxels(const NrrdHeader& header, StoredVoxels& stored) {
+  std::ifstream in(stored.file, std::ios::binary);
+  in.seekg(stored.offset);
+  for (std::int64_t line = 0; line < header.line_skip && in; ++line)
+    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  if (header.line_skip > 0) stored.offset = in ? static_cast<std::int64_t>(in.tellg()) : -1;
+  if (stored.offset >= 0 && stored.skip < 0 && !stored.deflated) {
+    std::error_code error;
+    const auto length = static_cast<std::int64_t>(std::filesystem::file_size(stored.file, error));
+    stored.offset =
+        error ? -1 : length - stored.layout.voxelCount() * stored.layout.bytesPerVoxel();
+    stored.skip = 0;
+  }
+  if (stored.offset < 0)
+    return malformed("truncated", quoted(stored.file) +
+                                      " ends within what its header says to skip; copy or fetch "
+                                      "it again.");
+  return {};
+}
+
+Expected<StoredVolumes> describe(const std::filesystem::path& path, const NrrdHeader& header,
+                                 const Nrrd& nrrd) {
+  const bool oriented = nrrd.spaceDim == 3;
+  StoredVolumes description;
+  auto voxels = voxelsOf(path, header, nrrd);
+  if (!voxels) return tl::unexpected(std::move(voxels.error()));
+  description.voxels = std::move(*voxels);
+  auto geometry = oriented ? orientedGeometry(path, header, nrrd)
+                           : plainGeometry(path, header, nrrd, description.spacing_stated);
+  if (!geometry) return tl::unexpected(std::move(geometry.error()));
+  geometry->dims = header.dims;
+  auto grid = gridOf(*geometry);
+  if (!grid) return tl::unexpected(std::move(grid.error()));
+  description.grid = *grid;
+  description.facts.unit = unitOf(nrrd);
+  description.facts.modality = modalityFrom(valueOf(nrrd, "modality"));
+  description.facts.orientation_known = geometry->space != FileSpace::Unknown;
+  return description;
+}
+
+/// Takes teem's voxels over without copying them, grown by the padding.
+Expected<std::shared_ptr<void>> adopted(Nrrd& nrrd, std::int64_t bytes) {
+  const auto size = static_cast<std::size_t>(bytes);
+  void* grown = std::realloc(nrrd.data, size + haptics::kVoxelPadding);
+  if (grown == nullptr)
+    return unsupported("too-large",
+                       "The memory of this machine does not hold the volume; close "
+                       "other programs.");
+  nrrd.data = nullptr;
+  std::memset(static_cast<char*>(grown) + size, 0, haptics::kVoxelPadding);
+  return std::shared_ptr<void>(grown, [](void* p) { std::free(p); });
+}
+
+Expected<std::shared_ptr<void>> narrowed(const Nrrd& nrrd, std::int64_t count) {
+  auto voxels = haptics::allocateVoxels(count, ScalarType::Float32);
+  if (!voxels) return voxels;
+  const auto* from = static_cast<const double*>(nrrd.data);
+  auto* to = static_cast<float*>(voxels->get());
+  for (std::int64_t i = 0; i < count; ++i) to[i] = static_cast<float>(from[i]);
+  return voxels;
+}
+
+/// Whether a word is a value of this type as a whole: teem takes "300" for 44 where a byte is
+/// meant, and "1,5" for 1.
+bool isValueOf(std::string_view word, ScalarType type) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  if (type == ScalarType::Float32) return numberOf(word).has_value();
+  const auto value = integerOf(word);
+  return value && haptics::visitVoxels(type, nullptr, [&](auto* v) {
+           using T = std::remove_const_t<std::remove_pointer_t<decltype(v)>>;
+           if constexpr (std::is_integral_v<T>) return std::in_range<T>(*value);
+           return true;
+         });
+}
+
+/// Voxels as text: every word is a value of their type.
+Expected<void> checkText(const std::filesystem::path& path, const NrrdHeader& header,
+                         ScalarType type) {
+  std::vector<std::filesystem::path> files = header.data_files;
+  if (files.empty()) files.push_back(path);
+  const std::int64_t count = header.voxelCount();
+  std::int64_t read = 0;
+  for (const std::filesystem::path& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    if (header.data_files.empty()) in.seekg(header.header_bytes);
+    for (std::int64_t line = 0; line < header.line_skip && in; ++line)
+      in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    if (header.byte_skip > 0) in.ignore(header.byte_skip);
+    for (std::string word; read < count && in >> word;) {
+      if (word.back() == ',') word.pop_back();  // which teem takes as well
+      if (word.empty()) continue;
+      ++read;
+      if (!isValueOf(word, type))
+        return malformed("bad-header", "Voxel " + std::to_string(read) + " of " + quoted(path) +
+                                           " is written as something that is no value of its type; "
+                                           "export it again as raw.");
+    }
+  }
+  return {};
+}
+
+/// The whole file's voxels, as teem decodes them. The lock must be held.
+Expected<NrrdPtr> decodedByTeem(const std::filesystem::path& path, const NrrdHeader& header,
+                                ScalarType type, const ReadProgress& progress) {
+  const std::int64_t count = header.voxelCount();
+  if (auto room = checkRoom(count, header.bytes_per_voxel, kSaveRaw); !room)
+    return tl::unexpected(std::move(room.error()));
+  if (header.encoding == NrrdEncoding::Ascii)
+    if (auto text = checkText(path, header, type); !text)
+      return tl::unexpected(std::move(text.error()));
+  NrrdPtr nrrd = load(path, header, true, progress);
+  if (progress.isCancelled()) return cancelled();
+  if (!nrrd || nrrd->data == nullptr)
+    return malformed("truncated", "The voxels of " + quoted(path) +
+                                      " end early or are damaged; copy or fetch the file again.");
+  if (nrrdElementNumber(nrrd.get()) != static_cast<std::size_t>(count)) return headerRefused(path);
+  return nrrd;
+}
+
+/// The only volume of a file, whole.
+Expected<std::shared_ptr<void>> wholeByTeem(const std::filesystem::path& path,
+                                            const NrrdHeader& header, const VoxelLayout& layout,
+                                            const ReadProgress& progress) {
+  const auto nrrd = decodedByTeem(path, header, layout.type, progress);
+  if (!nrrd) return tl::unexpected(nrrd.error());
+  if (layout.doubles) return narrowed(**nrrd, layout.voxelCount());
+  return adopted(**nrrd, layout.voxelCount() * layout.bytesPerVoxel());
+}
+
+/// A window of a file that only teem can decode.
+Expected<std::shared_ptr<void>> windowByTeem(const std::filesystem::path& path,
+                                             const NrrdHeader& header, VoxelLayout layout,
+                                             int number, const Window& window,
+                                             const ReadProgress& progress) {
+  const auto nrrd = decodedByTeem(path, header, layout.type, progress);
+  if (!nrrd) return tl::unexpected(nrrd.error());
+  layout.swapped = false;  // teem has done it
+  const auto bytes = bytesOf((*nrrd)->data, layout.voxelCount() * layout.bytesPerVoxel());
+  return pickVoxels(*bytes, 0, layout, number, window, path, progress);
+}
+
+}  // namespace
+
+Expected<ParsedNrrd> parseNrrd(const std::filesystem::path& path) {
+  auto header = readNrrdHeader(path);
+  if (!header) return tl::unexpected(std::move(header.error()));
+  const std::scoped_lock lock(teem());
+  const NrrdPtr nrrd = load(path, *header, false, {});
+  if (!nrrd) return headerRefused(path);
+  auto stored = describe(path, *header, *nrrd);
+  if (!stored) return tl::unexpected(std::move(stored.error()));
+  return ParsedNrrd{path, std::move(*header), std::move(*stored)};
+}
+
+Expected<haptics::Volume> decodeNrrd(const ParsedNrrd& nrrd, int number, const Part& part,
+                                     const ReadProgress& progress) {
+  const auto& [path, header, parsed] = nrrd;
+  const auto window = windowOf(part, parsed.grid.dims);
+  if (!window) return tl::unexpected(window.error());
+  if (progress.isCancelled()) return cancelled();
+  StoredVolumes stored = parsed;
+  const VoxelLayout& layout = stored.voxels.layout;
+  if (isReadHere(header)) {
+    if (auto found = findVoxels(header, stored.voxels); !found)
+      return tl::unexpected(std::move(found.error()));
+    const bool alone = header.volumes == 1 && part.isWhole();
+    if (!alone || isMapped(stored.voxels, number, *window))
+      return readVolume(stored, number, part, progress);
+  }
+  const ReadProgress decoding = progress.part(0.0, kDecoding);
+  auto voxels = [&] {
+    const std::scoped_lock lock(teem());
+    return header.volumes == 1 && part.isWhole()
+               ? wholeByTeem(path, header, layout, decoding)
+               : windowByTeem(path, header, layout, number, *window, decoding);
+  }();
+  if (!voxels) return tl::unexpected(std::move(voxels.error()));
+  return finished(stored, *window, layout.type, std::move(*voxels), progress.part(kDecoding, 1.0));
+}
+
+}  // namespace datasets

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+#include "datasets/readers/scan.h"
+#include "haptics/core/error.h"
+#include "haptics/core/volume.h"
+
+namespace datasets {
+
+/// Writes an NRRD (raw, attached, space left-posterior-superior, unit and modality as
+/// key/values): geometry and voxels, nothing of the patient. It is there whole or not at all.
+haptics::Expected<void> writeNrrd(const haptics::Volume& volume, const std::filesystem::path& out,
+                                  const ReadProgress& progress = {});
+
+}  // namespace datasets

@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compressed DICOM: what a codestream must agree with, and what becomes of one that does not
+// decode.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <array>
+#include <atomic>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/study/made/made.h"
+#include "datasets/decode/service.h"
+#include "datasets/readers/dicom/codestream.h"
+#include "datasets/readers/dicom/decoder.h"
+#include "datasets/readers/volume_reader.h"
+#include "tests/support/codestreams.h"
+#include "tests/support/dicom_bytes.h"
+#include "tests/unit/datasets/scans.h"
+
+namespace datasets {
+namespace {
+
+using support::Raster;
+using testing::DicomSlice;
+using testing::edited;
+using testing::encapsulated;
+using testing::number;
+using testing::reasonFor;
+using testing::voxelAt;
+using testing::Workshop;
+
+constexpr int kColumns = 24, kRows = 16;
+
+/// A disc with noise, of unsigned values of so many bits.
+std::vector<std::uint16_t> pictureOf(int columns, int rows, int bits, int components = 1) {
+  std::mt19937 random(3);
+  std::vector<std::uint16_t> values;
+  const unsigned top = (1U << bits) - 1;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns * components; ++i) {
+      const bool inside = std::hypot(i / components - columns / 2, j - rows / 2) < rows / 3.0;
+      values.push_back(
+          static_cast<std::uint16_t>((inside ? top * 2 / 3 : top / 8) + random() % (top / 20 + 1)));
+    }
+  return values;
+}
+
+struct Way {
+  const char* name;
+  const char* syntax;
+  std::function<std::string(const Raster&)> encode;
+};
+
+const std::vector<Way>& ways() {
+  static const std::vector<Way> all{
+      {"JPEG lossless", "1.2.840.10008.1.2.4.70", support::asLosslessJpeg},
+      {"JPEG-LS", "1.2.840.10008.1.2.4.80", [](const Raster& r) { return support::asJpegLs(r); }},
+      {"JPEG 2000", "1.2.840.10008.1.2.4.90",
+       [](const Raster& r) { return support::asJpeg2000(r); }},
+      {"RLE", "1.2.840.10008.1.2.5", support::asRle}};
+  return all;
+}
+
+std::span<const std::byte> asBytes(const std::string& text) {
+  return std::as_bytes(std::span{text.data(), text.size()});
+}
+
+CodedImage imageOf(const Way& way) {
+  return {.syntax = way.syntax,
+          .columns = kColumns,
+          .rows = kRows,
+          .bits_allocated = 16,
+          .bits_stored = 16};
+}
+
+/// A slice of unsigned 16-bit pixels; not compressed.
+std::string plainSlice(const std::vector<std::uint16_t>& values, int columns = kColumns,
+                       int rows = kRows) {
+  DicomSlice slice;
+  slice.columns = columns;
+  slice.rows = rows;
+  slice.pixels.assign(values.begin(), values.end());
+  return edited(bytesOf(slice), {{0x28, 0x103, "US", number(0, 2)}});
+}
+
+std::string messageFor(const std::filesystem::path& path) {
+  const auto volume = readVolume(path);
+  return volume ? "" : volume.error().what;
+}
+
+TEST(Codestream, AgreesWithItsHeaderOrSaysWhatDiffers) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  for (const Way& way : ways()) {
+    SCOPED_TRACE(way.name);
+    const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
+    const CodedImage right = imageOf(way);
+    Codestream parsed;
+    const auto fault = parseCodestream(asBytes(coded), right, parsed);
+    ASSERT_FALSE(fault) << fault->why;
+    EXPECT_EQ(parsed.precision, 16);
+    const auto differs = [&](const CodedImage& wrong) {
+      const auto found = parseCodestream(asBytes(coded), wrong, parsed);
+      return found && found->disagrees && found->why.size() > 20;
+    };
+    CodedImage wrong = right;
+    wrong.bits_allocated = wrong.bits_stored = 8;
+    EXPECT_TRUE(differs(wrong));
+    if (*codingOf(way.syntax) == Coding::Rle) continue;  // it states nothing else
+    for (auto CodedImage::*side : {&CodedImage::columns, &CodedImage::rows}) {
+      wrong = right;
+      wrong.*side += 1;
+      EXPECT_TRUE(differs(wrong));
+    }
+    wrong = right;
+    wrong.bits_allocated = wrong.bits_stored = 32;
+    EXPECT_TRUE(differs(wrong));
+    wrong = right;
+    wrong.is_signed = true;
+    EXPECT_EQ(differs(wrong), *codingOf(way.syntax) == Coding::Jpeg2000);
+  }
+}
+
+TEST(Codestream, OfColourIsNoSlice) {
+  const auto values = pictureOf(kColumns, kRows, 8, 3);
+  const Raster colour{kColumns, kRows, 8, 3, values};
+  Codestream parsed;
+  for (const auto& [syntax, coded] :
+       {std::pair{"1.2.840.10008.1.2.4.80", support::asJpegLs(colour)},
+        std::pair{"1.2.840.10008.1.2.4.90", support::asJpeg2000(colour)}}) {
+    const CodedImage grey{syntax, kColumns, kRows, 8, 8, false};
+    const auto fault = parseCodestream(asBytes(coded), grey, parsed);
+    ASSERT_TRUE(fault);
+    EXPECT_NE(fault->why.find("3 components"), std::string::npos) << fault->why;
+  }
+}
+
+TEST(Codestream, WithLossIsNotWhatALosslessSyntaxNames) {
+  const auto values = pictureOf(kColumns, kRows, 12);
+  const std::string coded = support::asJpegLs({kColumns, kRows, 12, 1, values}, 2);
+  Codestream parsed;
+  CodedImage image{"1.2.840.10008.1.2.4.80", kColumns, kRows, 16, 12, false};
+  const auto fault = parseCodestream(asBytes(coded), image, parsed);
+  EXPECT_TRUE(fault && fault->disagrees);
+  image.syntax = "1.2.840.10008.1.2.4.81";
+  EXPECT_FALSE(parseCodestream(asBytes(coded), image, parsed));
+  // and no JPEG-LS is JPEG
+  image.syntax = "1.2.840.10008.1.2.4.70";
+  EXPECT_TRUE(parseCodestream(asBytes(coded), image, parsed)->disagrees);
+}
+
+TEST(Codestream, ThatIsCutAnywhereIsRefused) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  for (const Way& way : ways()) {
+    if (*codingOf(way.syntax) == Coding::Rle) continue;  // only its decoder can tell
+    const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
+    Codestream parsed;
+    ASSERT_FALSE(parseCodestream(asBytes(coded), imageOf(way), parsed));
+    for (std::size_t size = 0; size < parsed.size; ++size)
+      ASSERT_TRUE(parseCodestream(asBytes(coded).first(size), imageOf(way), parsed))
+          << way.name << " of " << size;
+    EXPECT_FALSE(parseCodestream(asBytes(coded + std::string(3, '\0')), imageOf(way), parsed));
+    EXPECT_TRUE(parseCodestream(asBytes(coded + "more"), imageOf(way), parsed));
+  }
+}
+
+TEST(Codestream, OfRleHasATableThatFits) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  const std::string coded = support::asRle({kColumns, kRows, 16, 1, values});
+  const Way& rle = ways().back();
+  Codestream parsed;
+  const auto refused = [&](std::size_t at, std::size_t value) {
+    return parseCodestream(asBytes(std::string(coded).replace(at, 4, number(value, 4))),
+                           imageOf(rle), parsed)
+        .has_value();
+  };
+  for (const std::size_t segments : {0, 1, 3, 15, 16, 1 << 30}) EXPECT_TRUE(refused(0, segments));
+  for (const std::size_t first : {0, 63, 65, 1 << 30}) EXPECT_TRUE(refused(4, first));
+  for (const std::size_t second : {0, 64, 1 << 30}) EXPECT_TRUE(refused(8, second));
+  EXPECT_TRUE(refused(12, 70));
+  EXPECT_FALSE(refused(0, 2));
+}
+
+TEST(Codestream, OfASmallFileAsksForNoLargeImage) {
+  // 8,000 x 8,000 pixels of nothing
+  const auto values = pictureOf(kColumns, kRows, 16);
+  std::string coded = support::asLosslessJpeg({kColumns, kRows, 16, 1, values});
+  const auto frame = coded.find("\xff\xc3");
+  ASSERT_NE(frame, std::string::npos);
+  coded.replace(frame + 5, 4, "\x1f\x40\x1f\x40");
+  CodedImage image = imageOf(ways().front());
+  image.columns = image.rows = 8'000;
+  Codestream parsed;
+  const auto fault = parseCodestream(asBytes(coded), image, parsed);
+  ASSERT_TRUE(fault);
+  EXPECT_NE(fault->why.find("too few"), std::string::npos) << fault->why;
+  image.columns = image.rows = 65'500;
+  EXPECT_NE(parseCodestream(asBytes(coded), image, parsed)->why.find("any slice"),
+            std::string::npos);
+}
+
+TEST(Codestream, OfAnyBytesIsReadWithinThem) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  std::mt19937 random(8);
+  for (const Way& way : ways()) {
+    const std::string whole = way.encode({kColumns, kRows, 16, 1, values});
+    for (int n = 0; n < made::trials(20'000); ++n) {
+      std::string changed =
+          whole.substr(0, random() % 4 == 0 ? random() % whole.size() : whole.size());
+      for (std::size_t k = random() % 4; k > 0 && !changed.empty(); --k)
+        changed[random() % std::min<std::size_t>(changed.size(), 120)] = char(random());
+      // a copy of its own size, so that a sanitizer sees what is read beyond it
+      const std::vector<char> exact(changed.begin(), changed.end());
+      Codestream parsed;
+      parseCodestream(std::as_bytes(std::span{exact}), imageOf(way), parsed);
+    }
+  }
+}
+
+TEST(CompressedSlice, IsThePlainOneToTheVoxel) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  Workshop workshop;
+  const std::string plain = plainSlice(values);
+  const auto expected = readVolume(workshop.write("plain/0", plain));
+  ASSERT_TRUE(expected) << expected.error().what;
+  for (const Way& way : ways()) {
+    const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
+    const auto v = readVolume(
+        workshop.write(std::string(way.name) + "/0", encapsulated(plain, way.syntax, {coded})));
+    ASSERT_TRUE(v) << way.name << ": " << v.error().what;
+    for (int j = 0; j < kRows; ++j)
+      for (int i = 0; i < kColumns; ++i)
+        ASSERT_EQ(voxelAt(*v, i, j, 0), voxelAt(*expected, i, j, 0)) << way.name;
+  }
+}
+
+TEST(CompressedSlice, WithSignIsThePlainOneToTheVoxel) {
+  std::vector<std::uint16_t> values;
+  for (int n = 0; n < kColumns * kRows; ++n)
+    values.push_back(static_cast<std::uint16_t>(-1000 + 13 * n % 2047));
+  Workshop workshop;
+  const std::string plain = edited(plainSlice(values), {{0x28, 0x103, "US", number(1, 2)}});
+  for (const Way& way : ways()) {
+    const Raster raster{kColumns, kRows, 16, 1, values};
+    const std::string coded = *codingOf(way.syntax) == Coding::Jpeg2000
+                                  ? support::asJpeg2000(raster, true)
+                                  : way.encode(raster);
+    const auto v = readVolume(
+        workshop.write(std::string(way.name) + "/0", encapsulated(plain, way.syntax, {coded})));
+    ASSERT_TRUE(v) << way.name << ": " << v.error().what;
+    for (int n = 0; n < kColumns * kRows; ++n)
+      ASSERT_EQ(voxelAt(*v, n % kColumns, n / kColumns, 0),
+                static_cast<std::int16_t>(values[static_cast<std::size_t>(n)]))
+          << way.name;
+  }
+}
+
+// the sizes that a heap was overrun with, before they were compared
+TEST(CompressedSlice, OfAnotherShapeIsRefusedByName) {
+  Workshop workshop;
+  const std::string plain = plainSlice(pictureOf(kColumns, kRows, 16));
+  for (const Way& way : ways())
+    for (const auto& [columns, rows] : {std::pair{48, 32}, std::pair{480, 320}, std::pair{12, 8},
+                                        std::pair{16, 24}, std::pair{1, 1}}) {
+      const bool known = *codingOf(way.syntax) != Coding::Rle;
+      if (!known && columns * rows == kColumns * kRows) continue;
+      const std::string coded = way.encode({columns, rows, 16, 1, pictureOf(columns, rows, 16)});
+      const auto path = workshop.write(std::string(way.name) + "/" + std::to_string(columns),
+                                       encapsulated(plain, way.syntax, {coded}));
+      const std::string said = messageFor(path);
+      EXPECT_NE(said.find('"' + path.filename().string() + '"'), std::string::npos)
+          << way.name << " " << columns << ": " << said;
+      if (known) {
+        EXPECT_NE(said.find(std::to_string(columns) + " x " + std::to_string(rows)),
+                  std::string::npos)
+            << said;
+      }
+    }
+}
+
+TEST(CompressedSlice, ThatDoesNotDecodeIsRefused) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  Workshop workshop;
+  const std::string plain = plainSlice(values);
+  // the coded data of the first three have ends that are looked for; RLE has lengths
+  for (const Way& way : ways()) {
+    const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
+    std::string shorter = coded;
+    if (*codingOf(way.syntax) == Coding::Rle)
+      shorter.resize(shorter.size() - 20);
+    else if (*codingOf(way.syntax) != Coding::Jpeg2000)
+      shorter.erase(shorter.size() / 2, 40);  // the end still stands, and comes too early
+    else
+      shorter.erase(shorter.size() - 42, 40);
+    const auto path =
+        workshop.write(std::string(way.name) + "/0", encapsulated(plain, way.syntax, {shorter}));
+    EXPECT_EQ(reasonFor(path), "truncated") << way.name;
+  }
+}
+
+TEST(CompressedSlice, IsPutTogetherOfItsFragments) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  Workshop workshop;
+  const std::string plain = plainSlice(values);
+  const std::string coded = support::asJpegLs({kColumns, kRows, 16, 1, values});
+  const std::vector<std::string> parts{coded.substr(0, 40), coded.substr(40, 60),
+                                       coded.substr(100)};
+  const std::string syntax = "1.2.840.10008.1.2.4.80";
+  EXPECT_EQ(reasonFor(workshop.write("bare/0", encapsulated(plain, syntax, parts))), "");
+  EXPECT_EQ(reasonFor(workshop.write("table/0", encapsulated(plain, syntax, parts, {0}))), "");
+  // a single frame has all fragments, whatever the table says
+  EXPECT_EQ(reasonFor(workshop.write("wrong/0", encapsulated(plain, syntax, parts, {48, 2}))), "");
+  EXPECT_EQ(reasonFor(workshop.write("none/0", encapsulated(plain, syntax, {}))), "truncated");
+  // a syntax of plain pixels with fragments, and one of compressed pixels without
+  EXPECT_NE(reasonFor(workshop.write("plain/0", encapsulated(plain, "1.2.840.10008.1.2.1", parts))),
+            "");
+  std::string mislabelled = plain;
+  mislabelled.replace(mislabelled.find("1.2.840.10008.1.2.1"), 19, "1.2.840.10008.1.2.5");
+  EXPECT_NE(reasonFor(workshop.write("label/0", mislabelled)), "");
+}
+
+// planted: without its clearing, what the memory held would be shown
+TEST(Decoding, LeavesNothingOfWhatItsMemoryHeld) {
+  const std::string nothing(64, '\0');
+  std::vector<std::byte> pixels(2 * kColumns * kRows, std::byte{0xab});
+  const decode::Request request{nothing.size(), Coding::Rle, kColumns, kRows, 2, 16, 0};
+  EXPECT_EQ(decode::answer(request, asBytes(nothing), pixels), decode::Answer::Refused);
+  for (const std::byte b : pixels) ASSERT_EQ(b, std::byte{0});
+}
+
+TEST(Decoding, AnswersNoRequestBeyondItsMemory) {
+  const decode::Room room{1000, 2 * kColumns * kRows};
+  const decode::Request sound{1000, Coding::JpegLs, kColumns, kRows, 2, 16, 0};
+  EXPECT_TRUE(isSound(sound, room));
+  const auto refuses = [&](auto change) {
+    decode::Request request = sound;
+    change(request);
+    return !isSound(request, room);
+  };
+  EXPECT_TRUE(refuses([](auto& r) { r.codestream_bytes = 1001; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.codestream_bytes = 0; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.columns += 1; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.columns = r.rows = 0xffffffffU; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.rows = 0; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.bytes_per_pixel = 3; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.bytes_per_pixel = 4; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.precision = 17; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.is_signed = 2; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.coding = Coding{9}; }));
+}
+
+/// The processes that this one has started and that run palpate-decode.
+std::vector<pid_t> decodersRunning() {
+  std::vector<pid_t> all;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    std::ifstream file(entry.path() / "stat");
+    std::string stat{std::istreambuf_iterator<char>(file), {}};
+    const auto end = stat.rfind(')');
+    if (end == std::string::npos || stat.find("(palpate-decode)") == std::string::npos) continue;
+    if (std::stoi(stat.substr(end + 4)) == getpid()) all.push_back(std::stoi(name));
+  }
+  return all;
+}
+
+std::string statusOf(pid_t process, const std::string& key) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/status");
+  std::string line;
+  while (std::getline(file, line))
+    if (line.starts_with(key + ":")) return line.substr(key.size() + 2);
+  return "";
+}
+
+TEST(Decoder, IsAProcessOfItsOwnThatMayNothingElse) {
+  auto decoder = Decoder::start(4096, 4096);
+  ASSERT_TRUE(decoder) << decoder.error().what;
+  const auto running = decodersRunning();
+  ASSERT_EQ(running.size(), 1u);
+  if (!made::kSanitized) {
+    EXPECT_EQ(statusOf(running.front(), "Seccomp"), "2");  // filtered
+    EXPECT_EQ(statusOf(running.front(), "NoNewPrivs"), "1");
+  }
+  int open = 0;
+  for ([[maybe_unused]] const auto& fd :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(running.front()) + "/fd"))
+    ++open;
+  EXPECT_EQ(open, 3);  // input, output, and nowhere for errors
+  decoder = tl::unexpected(haptics::Error{});
+  EXPECT_TRUE(decodersRunning().empty());
+}
+
+TEST(Decoder, ThatDiesOrHangsIsNoneOfOurs) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  const Way& way = ways()[1];
+  const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
+  const CodedImage image = imageOf(way);
+  Codestream parsed;
+  ASSERT_FALSE(parseCodestream(asBytes(coded), image, parsed));
+  const auto start = [&] { return Decoder::start(coded.size(), image.byteCount()).value(); };
+  using enum Decoder::Outcome;
+  {
+    Decoder decoder = start();
+    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {}), Decoded);
+    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {}), Decoded);
+    kill(decodersRunning().front(), SIGKILL);
+    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {}), Died);
+    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {}), Died);
+  }
+  {
+    Decoder decoder = start();
+    Codestream nonsense = parsed;
+    nonsense.precision = 40;  // it ends rather than answer
+    EXPECT_EQ(decoder.decode(nonsense, asBytes(coded), image, {}), Died);
+  }
+  {
+    Decoder decoder = start();
+    kill(decodersRunning().front(), SIGSTOP);
+    std::atomic<bool> cancel = false;
+    std::jthread later([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      cancel = true;
+    });
+    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {.cancel = &cancel}), Cancelled);
+  }
+  EXPECT_TRUE(decodersRunning().empty());
+}
+
+}  // namespace
+}  // namespace datasets
