@@ -54,7 +54,7 @@ class Relay {
   /// What to send now: zero if stop() had returned when this call began. A stop() during this call
   /// takes effect in the next call.
   Wrench due() noexcept {
-    // in this order: whoever sees the resume() sees that it took back what was written before
+    // in this order: a call that sees the resume() also sees that it discarded earlier wrenches
     const bool stop_said = stopped_.load();
     wanted_.take(newest_);
     const bool zero = stop_said || lost_.load(std::memory_order_relaxed) ||
