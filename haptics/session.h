@@ -16,10 +16,10 @@ namespace haptics {
 class Device;
 class StepRing;
 
-/// Which hand holds the device.
+/// The hand that holds the device.
 enum class HandKind {
   Mouse,  ///< follows Session::pull through a spring of its own
-  Tap,    ///< the simulated hand, in one of its motions, over and over
+  Tap,    ///< the simulated hand, which repeats one of its motions
   Slide,
   Wedge,
   Pry,
@@ -28,11 +28,10 @@ enum class HandKind {
   Twist
 };
 
-/// A device, a servo thread and what passes between them and the window.
+/// A device, its servo thread, and the exchange with the window.
 ///
-/// All calls come from one thread, the GUI's; none of them waits for the servo thread except
-/// close() and the destructor. There is a tick only while a hand is open; it touches something
-/// only once a scene was adopted.
+/// All calls come from the GUI thread. Only close() and the destructor wait for the servo thread.
+/// There are ticks only while a hand is open, and contacts only after a scene was adopted.
 class Session {
  public:
   Session();
@@ -40,13 +39,13 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Opens the device that this hand holds and starts the servo loop in place of an open one. The
-  /// simulated hands aim at the current scene. Refused without a scene, where a hand finds no
-  /// surface, and where the tool has no room; an open hand then goes on.
+  /// Opens the device of this hand and starts the servo loop, instead of an open one. The simulated
+  /// hands aim at the current scene. Refused without a scene, if the hand finds no surface, and if
+  /// there is no legal pose; an open hand then goes on.
   Expected<void> open(HandKind hand);
-  /// Opens a real device in place of what is open: no force until arm(); watched by a watchdog, its
-  /// motion guarded, and mapped by `handle`. Refused as above; what was open then goes on, and the
-  /// device is closed.
+  /// Opens a real device instead of an open one. There is no force until arm(). A watchdog and a
+  /// motion guard watch the device, and `handle` maps its motion. Refused as above; an open hand
+  /// then goes on, and the device is closed.
   Expected<void> open(std::unique_ptr<Device> device);
   /// Stops the loop with the force at zero.
   void close();
@@ -58,27 +57,27 @@ class Session {
   void collectGarbage();
 
   void set(const Settings& settings);
-  /// What they came to under what is allowed to the real device that is open (allowedStiffness),
-  /// and for any other hand to the grip that holds it: stiffness at the hand no more than that,
-  /// force_scale taken into it. The servo's and the recording's settings.
+  /// The settings that the servo thread uses and a recording stores: those of set(), with the
+  /// stiffness at the hand, force_scale included, lowered to allowedStiffness of the open device
+  /// or, for other hands, of their grip.
   Settings inForce() const;
-  /// Lets a real device have all that its maker rates it for, though the loop may shake; until it
-  /// is closed, or another is opened.
+  /// Allows a real device the whole stiffness of its rating, although the loop may shake, until the
+  /// device is closed or another is opened.
   void liftStiffness(bool lifted);
-  /// How a real device is held from the next tick on.
+  /// Sets how a real device is held, from the next tick on.
   void handle(const Handling& handling);
-  /// Where the mouse wants the tool to be, W.
+  /// Sets the pose to which the mouse pulls the tool, W.
   void pull(const Pose& X_WH);
 
-  /// Zero force from the next tick on, through every hand and scene, until arm(). A fault does the
-  /// same by itself.
+  /// Zero force from the next tick on, for every hand and scene, until arm(). A fault has the same
+  /// effect.
   void forceOff();
   void arm();
 
-  /// Every tick goes into this ring from the next one on, through every hand and scene; null: no
-  /// more. Scenes must have been described to the ring's recorder before they are adopted.
+  /// Puts every tick into this ring, from the next one on and for every hand and scene; null ends
+  /// that. Every scene must be described to the ring's recorder before it is adopted.
   void record(std::shared_ptr<StepRing> ring);
-  /// Whether the servo thread has left the ring that was taken away last: two ticks later.
+  /// Whether the servo thread no longer uses the previous ring: true two ticks after record().
   bool hasLeftRing() const;
 
   /// Replaces `snapshot` and returns true if there is a newer one.

@@ -26,14 +26,14 @@ inline constexpr int kButtons = 2 * kButtonsEach;
 /// Session::set, adopted at the next tick; never needs a new Scene.
 struct Settings {
   double isovalue = 0.0;  ///< in the volume's own unit; above the background
-  /// N on the hand, were force_scale 1, for each m in the volume; kStiffnessRange. At the hand that
-  /// is stiffness · force_scale · position_scale, which a device's rating may cap.
+  /// N on the hand for each m in the volume, at a force_scale of 1; kStiffnessRange. At the hand
+  /// the stiffness is stiffness · force_scale · position_scale, which the device's rating may cap.
   double stiffness = 1000.0;
-  /// N·m/rad at the hand, kAngularStiffnessRange; 0 takes stiffness times the tool's mean inertia
+  /// N·m/rad at the hand, kAngularStiffnessRange; 0 means stiffness times the tool's mean inertia
   /// (the paper's scalar k).
   double angular_stiffness = 0.0;
   double friction = 0.0;        ///< Coulomb's coefficient between tool and surface; kFrictionRange
-  double force_scale = 1.0;     ///< of what the hand feels to what the tool exerts; kScaleRange
+  double force_scale = 1.0;     ///< force at the hand over force in the volume; kScaleRange
   double position_scale = 1.0;  ///< m that the tool moves for each m of the hand; kScaleRange
 };
 
@@ -42,7 +42,7 @@ struct Handling {
   /// Where the base's axes point in W, as columns: x right, y up, z towards the user; a rotation.
   Mat3 R_WB = Mat3::Identity();
   int clutch_button = -1;    ///< while it is down the tool stays and the hand moves; -1: none
-  int hold_button = -1;      ///< hold-to-run by it; -1: none
+  int hold_button = -1;      ///< for hold-to-run; -1: none
   bool hold_to_run = false;  ///< no force unless the button or the key is held
   bool clutch = false;       ///< the clutch's key is down
   /// The key of hold-to-run is down. Expires after 0.25 s, so that a window that hangs holds

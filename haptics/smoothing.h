@@ -5,15 +5,15 @@
 
 namespace haptics {
 
-/// What the cubic spline field makes of the solid at an isovalue, as shares of the trilinear
-/// solid's volume: thin walls are erased, narrow gaps close.
+/// The change of the solid at an isovalue by the cubic spline field, as shares of the trilinear
+/// solid's volume: it erases thin walls and closes narrow gaps.
 struct SmoothingEffect {
   double erased = 0.0;
   double gained = 0.0;
 };
 
-/// Judged at the voxels, of a large volume at some 200,000 of them, evenly spread and always the
-/// same. Takes some 20 ms; any thread.
+/// Compares both fields at the voxels; in a large volume at some 200,000 evenly spread, fixed ones.
+/// Takes some 20 ms. Any thread.
 SmoothingEffect smoothingEffect(const Volume& volume, double isovalue);
 
 }  // namespace haptics

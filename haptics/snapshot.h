@@ -8,13 +8,13 @@
 
 namespace haptics {
 
-/// How the servo thread was allowed to run.
+/// The scheduling policy that the servo thread got.
 enum class SchedulingPolicy : std::uint8_t { NotStarted, Ordinary, RealTime };
 
-/// What stands between the computed wrench and the motors: coupling/safety.h draws how one leads
-/// to another.
+/// State of the gate between the computed wrench and the motors; coupling/safety.h draws the
+/// transitions.
 enum class ForceState : std::uint8_t {
-  Off,      ///< the device gives no poses, or there is nothing to touch
+  Off,      ///< the device gives no poses, or there is no scene
   Ready,    ///< zero force until the user arms it
   Armed,    ///< the user wants force and something withholds it: fading out, or zero
   Ramping,  ///< rising to full over a second
@@ -25,17 +25,17 @@ enum class ForceState : std::uint8_t {
 /// Why the force is in its state.
 enum class ForceReason : std::uint8_t {
   None,
-  User,       ///< who armed it, or stopped it
+  User,       ///< the user armed or stopped it
   NoReading,  ///< Off: the device gives no poses yet
-  NotHomed,   ///< Off: its poses mean nothing yet
-  Scene,      ///< Off: nothing to touch. Armed: another scene
-  Inside,     ///< Armed: the isovalue left the proxy inside; it is brought outside meanwhile
-  Clutched,   ///< Armed: the hand is taken off the tool
-  NotHeld,    ///< Armed: hold-to-run, and nobody holds
+  NotHomed,   ///< Off: its poses are not valid before homing
+  Scene,      ///< Off: no scene. Armed: another scene was adopted
+  Inside,     ///< Armed: the new isovalue left the proxy inside, and recovery is under way
+  Clutched,   ///< Armed: the clutch is down
+  NotHeld,    ///< Armed: hold-to-run, and neither button nor key is held
   Gap,        ///< Armed: no tick for 5 ms
-  TooFast,    ///< Armed: the device moves faster than it may under force
+  TooFast,    ///< Armed: the device moves faster than the limit under force
   NotFinite,  ///< Armed: a number was not finite
-  Stale,      ///< Armed: the device told nothing new for three ticks
+  Stale,      ///< Armed: no new reading for three ticks
   Lost,       ///< Fault: the device is gone, or three polls failed
   Jump,       ///< Fault: it moved faster than a hand can, so an encoder is wrong
   Stalled     ///< Fault: three gaps within ten seconds, while armed
@@ -48,23 +48,24 @@ struct ForceTransition {
   ForceReason reason = ForceReason::None;
 };
 
-/// What the picture may know of one tick. Published by the servo thread, taken by the GUI's.
+/// The state after one tick, for the picture. Published by the servo thread, taken by the GUI
+/// thread.
 struct Snapshot {
   std::uint64_t tick = 0;        ///< ticks since the loop started
   double time = 0.0;             ///< s since the loop started
   Pose X_WD = Pose::Identity();  ///< device
   Pose X_WP = Pose::Identity();  ///< proxy
-  Wrench felt_W;                 ///< what was sent to the device: force at, torque about D
-  Wrench coupling_W;             ///< the same before limits, ramp and Escape
-  double isovalue = 0.0;         ///< in force in this tick
-  std::uint64_t scene = 0;       ///< Scene::id in force, 0 for none
+  Wrench felt_W;                 ///< sent to the device: force at D's origin, torque about it
+  Wrench coupling_W;             ///< the same before limits, ramp and stop
+  double isovalue = 0.0;         ///< used in this tick
+  std::uint64_t scene = 0;       ///< Scene::id, 0 for none
   int contacts = 0;              ///< contacts that bear force
   ForceState force_state = ForceState::Off;
   ForceReason reason = ForceReason::None;
   std::uint32_t buttons = 0;        ///< of the device, bit n for button n
-  Trouble trouble = Trouble::None;  ///< of the device: what the user is to see to
-  bool clutched = false;            ///< the tool stays while the hand moves
-  double stiffness_share = 1.0;     ///< of the set stiffness that the passivity guard has left
+  Trouble trouble = Trouble::None;  ///< of the device: what the user must do
+  bool clutched = false;            ///< the clutch is down: the tool stays while the hand moves
+  double stiffness_share = 1.0;     ///< of the set stiffness, after the passivity guard
   SchedulingPolicy policy = SchedulingPolicy::NotStarted;
   double servo_rate = 0.0;         ///< Hz over the last second
   double tick_p99 = 0.0;           ///< s of CPU, over the last second or so

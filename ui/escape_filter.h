@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// Sees Escape in every window of the application, dialogs too, before anything else may swallow
-/// it; and lets it pass on.
+/// Reacts to Escape in every window of the application, dialogs included, before any other
+/// receiver, and passes it on.
 class EscapeFilter : public QObject {
   Q_OBJECT
  public:

@@ -17,17 +17,17 @@ namespace ui {
 
 class NumberBox;
 
-/// A format of tables, in words.
+/// Title and description of an export format.
 struct ExportFormat {
   QString title, about;
 };
 
-/// What a recording is to be exported as. Times are the recording's own, s.
+/// Format and options of an export. Times are the recording's own, s.
 struct ExportWish {
   struct Film {
     enum class Camera {
       AsRecorded,
-      Fixed  ///< where it is now
+      Fixed  ///< the camera of the view, as it is now
     };
     Camera camera = Camera::AsRecorded;
     int width = 1280, height = 720;  ///< pixels
@@ -77,7 +77,7 @@ class ExportDialog : public QDialog {
   QPushButton* export_ = nullptr;
 };
 
-/// Asks until the user agrees or cancels; none: nothing is to be exported.
+/// Asks until the user agrees or cancels. Empty if the user cancels.
 std::optional<ExportWish> askForExport(QWidget* parent, double begin, double end,
                                        std::vector<ExportFormat> formats);
 

@@ -38,27 +38,28 @@ struct Place {
   bool exists = true;
 };
 
-/// The window: views, panels, menus. It shows what it is given and says what the user wishes.
+/// The window: views, panels, menus. It shows what it is given and emits what the user asks for.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
   explicit MainWindow(QWidget* parent = nullptr);
 
-  /// Another volume takes the place of the one shown.
+  /// Shows another volume instead of the present one.
   void show(const Picture& picture, double isovalue, const QString& title);
   void show(const haptics::TriangleMesh& tool);
   using QMainWindow::show;
-  /// The state of the touch, at display rate. Pictures follow at once, words ten times a second.
+  /// The state of the touch, at display rate. Pictures are updated at once, texts ten times a
+  /// second.
   void display(const haptics::Snapshot& snapshot);
-  /// Only what becomes of the force: its poses are not of what is on view.
+  /// Shows only the state of the force, because the poses belong to another volume.
   void displayForce(const haptics::Snapshot& snapshot);
   /// What was appended is shown no more.
   void clearForces();
   void appendForces(std::span<const haptics::ForceSample> points);
   void setPhantoms(const QStringList& names);
-  /// What File > Open recent holds, the newest first, and whether more is to be remembered.
+  /// The entries of File > Open recent, newest first, and whether new ones are remembered.
   void setRecentPlaces(const QList<Place>& places, bool remembered);
-  /// Whether there is a list of series to come back to.
+  /// Whether there is a list of series to which the user can return.
   void setSeriesKnown(bool known);
 
   /// One sentence for the user, until closed or until clearMessage().
@@ -69,7 +70,7 @@ class MainWindow : public QMainWindow {
   void showLoading(const QString& what);
   void showProgress(double fraction);
   void endLoading();
-  /// Asks whether to go on, with Cancel as what Enter does; true if the user agrees.
+  /// Asks whether to go on. Enter means Cancel. True if the user agrees.
   bool askWhether(const QString& what, const QString& consequence, const QString& yes);
   void showNotice();
   void showHandInUse(const QString& id, const QString& label);
@@ -92,7 +93,7 @@ class MainWindow : public QMainWindow {
   void dropped(const QStringList& paths);
   /// The last list of series is to be shown again.
   void seriesWanted();
-  /// The menu of recent places is about to be seen.
+  /// The menu of recent places is about to open.
   void recentPlacesSought();
   void rememberPlacesChanged(bool remember);
   void forgetPlacesWanted();
@@ -151,7 +152,7 @@ class MainWindow : public QMainWindow {
   QAction* series_ = nullptr;
 };
 
-/// What every user must have read once.
+/// The safety notice that every user must read once.
 QString noticeText();
 
 }  // namespace ui

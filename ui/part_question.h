@@ -13,14 +13,14 @@ namespace ui {
 
 class NumberBox;
 
-/// How much more memory is wanted than the voxels fill: the picture and the touch need some too.
+/// Memory required over memory of the voxels: the picture and the touch need some too.
 inline constexpr double kMemoryPerVoxel = 1.25;
 
-/// A volume that the memory may not hold.
+/// A volume that may be larger than the memory.
 struct LargeVolume {
   std::array<std::int64_t, 3> dims{};  ///< voxels, each at least 1
   std::int64_t bytes = 0;              ///< of all voxels
-  double free_bytes = 0.0;             ///< what may be filled
+  double free_bytes = 0.0;             ///< memory that may be used
 
   /// Bytes of so many voxels of it.
   double bytesOf(const std::array<std::int64_t, 3>& count) const;
@@ -29,7 +29,7 @@ struct LargeVolume {
   }
 };
 
-/// Which voxels to take: a box of them, or every so manieth along each axis.
+/// Which voxels to read: a box, or every n-th along each axis.
 struct VoxelChoice {
   struct Box {
     std::array<std::int64_t, 3> first{}, end{};  ///< each axis from its first to beyond its last
@@ -41,14 +41,14 @@ struct VoxelChoice {
 /// Voxels along each axis when every `step`th is taken, from the first.
 std::array<std::int64_t, 3> everyNth(const std::array<std::int64_t, 3>& dims, int step);
 
-/// The smallest step from 2 to 20 with which the volume fits; none if none does.
+/// The smallest step from 2 to 20 with which the volume fits; empty if none does.
 std::optional<int> stepThatFits(const LargeVolume& volume);
 
 /// "2nd", "3rd", "4th", … of a step from 2 to 20, in the user's language.
 QString ordinal(int step);
 
 /// Asks for a box of voxels, counted from 1, and shows the memory it takes. At first it is the
-/// middle half along each axis. What does not fit cannot be chosen.
+/// middle half along each axis. A box that does not fit cannot be chosen.
 class BoxDialog : public QDialog {
   Q_OBJECT
  public:
@@ -65,8 +65,8 @@ class BoxDialog : public QDialog {
   QPushButton* read_ = nullptr;
 };
 
-/// Asks, with Cancel as what Enter does, which part to read of what the memory does not hold;
-/// `sentence` says so. None: nothing is to be read.
+/// Asks which part of a volume to read that is larger than the memory; `sentence` says so. Enter
+/// means Cancel. Empty if the user cancels.
 std::optional<VoxelChoice> askForPart(QWidget* parent, const QString& sentence,
                                       const LargeVolume& volume);
 

@@ -23,32 +23,34 @@ enum class Verdict {
   Refused
 };
 
-/// One line of the browser. Texts are empty where nothing is stated.
+/// One line of the browser. A text is empty if the file does not state it.
 struct SeriesRow {
   QString patient, study, series, modality;
   std::array<std::int64_t, 3> dims{};  ///< voxels, of the part if it is one; zeros: not known
-  std::int64_t slices_there = 0;       ///< of InPart: dims[2] are these many's largest part
-  std::array<double, 3> spacing_mm{};  ///< not shown of what is refused
+  std::int64_t slices_there =
+      0;  ///< of InPart: the number of slices of which dims[2] are the largest part
+  std::array<double, 3> spacing_mm{};  ///< not shown for a refused series
   Verdict verdict = Verdict::Refused;
-  QString sentence;         ///< what is to be said of the verdict
+  QString sentence;         ///< the message for the verdict
   QStringList faults = {};  ///< a sentence for each file that cannot be used
   std::int64_t bytes = 0;   ///< in memory; 0: not known
 };
 
-/// Lists what lies in a folder, an archive or a file of several volumes, and lets one be chosen.
-/// Patients' names are out of the list until they are asked for, each time anew.
+/// Lists the series in a folder, an archive or a file of several volumes, and lets the user choose
+/// one. Patients' names are hidden until the user asks for them; they are hidden again in each
+/// list.
 class SeriesBrowser : public QDialog {
   Q_OBJECT
  public:
   SeriesBrowser(const QString& place, const QList<SeriesRow>& rows, QWidget* parent = nullptr);
 
-  /// The middle slice of a row; a null image where there is none to be had.
+  /// The middle slice of a row; a null image if there is none.
   void showThumbnail(int row, const QImage& picture);
 
   static constexpr int kThumbnail = 72;  ///< pixels to a side, before the screen's own scale
 
  signals:
-  /// Never of a refused row.
+  /// Never emitted for a refused row.
   void loadWanted(int row);
 
  private:

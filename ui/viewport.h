@@ -10,7 +10,7 @@
 
 namespace ui {
 
-/// What the graphics driver says of itself.
+/// Properties that the graphics driver reports.
 struct Graphics {
   int major = 0;  ///< OpenGL version
   int minor = 0;

@@ -23,9 +23,9 @@ class HeldPass;
 ///
 /// Left drag turns the camera, or with the mouse as hand moves the hand in the view plane (Shift
 /// turns it, the wheel pushes it away); right drag always turns the camera, middle drag shifts
-/// it, Ctrl and wheel (without a mouse hand the wheel alone) come nearer. Space wishes the force
-/// off, R shows everything again, T the same from the tool's side. While C is down the clutch is
-/// held, while H is down the force is; both are let go with the focus.
+/// it, Ctrl and wheel (without a mouse hand the wheel alone) zoom. Space asks for force off, R
+/// shows everything, T the same from the tool's side. C held down is the clutch, H held down is
+/// hold-to-run; both are released when the view loses the focus.
 class VolumeView : public Viewport {
   Q_OBJECT
  public:
@@ -41,7 +41,7 @@ class VolumeView : public Viewport {
   /// The answer to fineMeshWanted.
   void showFine(vtkPolyData* mesh, double isovalue);
   void resetCamera();
-  /// Everything, from the side on which the device is.
+  /// Shows everything, from the device's side.
   void lookFromTool();
 
   /// Where a point of W is drawn, in widget coordinates.
@@ -55,7 +55,7 @@ class VolumeView : public Viewport {
   void forceOffWanted();
   void clutchHeld(bool held);
   void forceHeld(bool held);
-  /// Where the hand wants the tool, W.
+  /// The pose to which the mouse pulls the tool, W.
   void handPulled(const haptics::Pose& X_WH);
   void surfaceChosen(const ui::SurfaceChoice& choice);
   /// Nothing has moved for a while: the picture may become finer.

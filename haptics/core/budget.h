@@ -9,32 +9,32 @@
 
 namespace haptics {
 
-/// What a tick did, counted for those who measure it: nothing is decided by it.
+/// Counts of what a tick did, for studies and benchmarks. The tick itself does not use them.
 struct Counts {
   std::int64_t samples = 0;    ///< look-ups of F: of a value, or of a cell and the bounds in it
-  std::int64_t gradients = 0;  ///< of whatever kind; six look-ups more if by central differences
+  std::int64_t gradients = 0;  ///< of any kind; one by central differences adds six samples
   std::int64_t pivots = 0;     ///< rows that entered or left an active set
   std::int64_t sub_steps = 0;  ///< motions tried
 };
 
-/// What a tick may spend. One unit of work is some 10 ns: a point looked at among sixteen, or a
-/// quarter of a cell fetched alone. Two clocks, one interface: counted work, which repeats exactly,
-/// and the thread's CPU time for the live loop. To ask is work too, so that no two questions are
-/// asked at the same count: a tick that was cut live is cut at the same place by the count at
-/// which it was.
+/// What a tick may spend. One unit of work takes about 10 ns: one of sixteen points looked at
+/// together, or a quarter of a cell fetched alone. The interface has two clocks: counted work,
+/// which repeats exactly, and the thread's CPU time for the live loop. Each call of left() costs
+/// one unit, so no two calls have the same count, and a replay cuts a tick at the count at which
+/// the live loop cut it.
 class Budget {
  public:
-  /// As much work as this, whatever the time.
+  /// Ends after `work` units, however long they take.
   static Budget counted(std::int64_t work) { return Budget{work, 0}; }
-  /// CPU time of the calling thread from now on [ns]; starts the clock.
+  /// Ends after this CPU time of the calling thread [ns], from now on.
   static Budget timed(std::int64_t nanoseconds) HAPTICS_RT {
     return Budget{std::numeric_limits<std::int64_t>::max(), threadTime() + nanoseconds};
   }
 
   void spend(std::int64_t work = 1) HAPTICS_RT { spent_ += work; }
-  /// What was done meanwhile: kept by hand where it is done, beside spend().
+  /// What was done. The code that does the work updates it beside spend().
   Counts counts;
-  /// False once the budget is used up, and from then on.
+  /// Whether there is budget left. Costs one unit. Once false, it stays false.
   bool left() HAPTICS_RT {
     if (cut_) return false;
     ++spent_;
@@ -52,8 +52,8 @@ class Budget {
   std::int64_t spent() const HAPTICS_RT { return spent_; }
   /// Whether it was used up.
   bool cut() const HAPTICS_RT { return cut_; }
-  /// The count at which it was found to be, 0 if it was not: as much counted work is cut at the
-  /// same place. What is under way then is finished, so spent() may be more.
+  /// The count at which left() first returned false, or 0. counted(cutAt()) is cut at the same
+  /// place. Work under way is finished after a cut, so spent() may be larger.
   std::int64_t cutAt() const HAPTICS_RT { return cut_at_; }
 
   /// CPU time of the calling thread [ns].

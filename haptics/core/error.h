@@ -13,11 +13,11 @@ struct Error {
     Unsupported,
     Malformed,
     Cancelled,
-    Correctable  ///< not as it stands, but in a way that the user can agree to
+    Correctable  ///< can be used after a correction to which the user agrees
   };
   Kind kind = Kind::Malformed;
   std::string what;         ///< One sentence for the user: names the thing, and what to try.
-  std::string reason = {};  ///< A code for programs, `contract` style: "truncated", "sheared", …
+  std::string reason = {};  ///< A word for programs: "truncated", "sheared", …
 };
 
 template <class T>

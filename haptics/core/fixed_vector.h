@@ -9,8 +9,8 @@
 
 namespace haptics {
 
-/// A vector that never allocates: at most N elements, in place. Adding to a full one is refused,
-/// and the caller decides what that means.
+/// A vector that never allocates: at most N elements, in place. push() on a full one
+/// returns false, and the caller handles it.
 template <class T, std::size_t N>
 class FixedVector {
  public:

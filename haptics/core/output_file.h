@@ -12,33 +12,33 @@
 
 namespace haptics {
 
-/// A file that appears whole or not at all: it is written under another name beside its own.
-/// Whoever fills it does so at part(); unless finish() gives it its own name, it goes with the
-/// object. Not for the servo thread: it waits for the disk.
+/// A file that appears whole or not at all. It is written at part(), a name beside its own, and
+/// finish() renames it. Without finish() the destructor deletes it. Not for the servo thread: it
+/// waits for the disk.
 class Output {
  public:
-  /// Makes it, empty. Refused, reason "unwritable", also where something stands that is no regular
-  /// file, such as a folder or a device. Links are followed.
+  /// Makes an empty file. Refused with the reason "unwritable", also if `path` is not a regular
+  /// file, for example a folder or a device. Links are followed.
   static Expected<Output> at(const std::filesystem::path& path);
   Output(Output&& other) noexcept;
   Output& operator=(Output&&) = delete;
   ~Output();
 
   const std::filesystem::path& part() const { return part_; }
-  /// Sees that it is on the disk and gives it its name; what had that name is replaced. Returns its
-  /// bytes.
+  /// Syncs it to the disk and renames it; an older file of that name is replaced. Returns its size
+  /// in bytes.
   Expected<std::int64_t> finish();
-  /// That it cannot be written, and why [an errno].
+  /// The error that it cannot be written; `why` is an errno.
   Error unwritable(int why) const;
 
  private:
   Output(std::filesystem::path named, std::filesystem::path target);
   std::filesystem::path named_, target_, part_;
-  bool pending_ = false;  ///< there is a part, and it is ours
+  bool pending_ = false;  ///< part_ exists and belongs to this object
 };
 
-/// The same, filled from front to back. What can only be written as it is, such as a pipe or
-/// /dev/stdout, is: then what was written stays, whatever happens.
+/// The same, written from front to back. A pipe or a device such as /dev/stdout is written
+/// directly; what was written to it stays.
 class OutputFile {
  public:
   static Expected<OutputFile> open(const std::filesystem::path& path);
@@ -46,7 +46,7 @@ class OutputFile {
   OutputFile& operator=(OutputFile&&) = delete;
   ~OutputFile();
 
-  /// False once something could not be written; close() tells why.
+  /// False after a failed write; close() returns the reason.
   bool write(std::string_view bytes);
   std::uint64_t size() const { return size_; }
   Expected<void> close();
@@ -57,17 +57,17 @@ class OutputFile {
   OutputFile(std::filesystem::path named, std::optional<Output> output, std::FILE* file)
       : named_{std::move(named)}, output_{std::move(output)}, file_{file} {}
   std::filesystem::path named_;
-  std::optional<Output> output_;  ///< none: written as it is
+  std::optional<Output> output_;  ///< empty: written directly
   std::FILE* file_;
   std::uint64_t size_ = 0;
   int failure_ = 0;
 };
 
-/// A text as a file, whole or not at all.
+/// Writes a text as a file, whole or not at all.
 Expected<void> writeFile(const std::filesystem::path& path, std::string_view text);
 
-/// Removes all that is not finished, for a program that ends here and now: whoever would begin,
-/// finish or give up a file after this waits for the end. Any thread.
+/// Deletes all unfinished files, for a program that is about to end. After this call, any thread
+/// that begins, finishes or discards a file blocks. Any thread.
 void discardOutputs();
 
 }  // namespace haptics

@@ -10,17 +10,17 @@ namespace haptics {
 enum class Trouble : std::uint8_t {
   None,
   NotPluggedIn,
-  NoPermission,      ///< the system lets this user not open it: a udev rule is missing
-  NoLibrary,         ///< the maker's library, or what it must have, is not installed
+  NoPermission,      ///< this user may not open it: a udev rule is missing
+  NoLibrary,         ///< the maker's library, or one that it needs, is not installed
   NoService,         ///< the maker's service does not answer
   InUse,             ///< another program, or this one, has it
   NoFirmware,        ///< it needs its maker's firmware, which the user has to name
   NotHomed,          ///< the user has to move it to its stops
   NeedsCalibration,  ///< the user has to put it in its cradle, or start the maker's tool
-  NotStarted,        ///< it has no power, or has not come up
-  MotorsHot,         ///< it cools down by itself
-  ForceOff,          ///< it has switched its force off: its button, its speed limit, its watchdog
-  Refused,           ///< it answers in a way that this driver does not know
+  NotStarted,        ///< it has no power, or has not started
+  MotorsHot,         ///< they cool down without action by the user
+  ForceOff,          ///< it switched its force off by its button, speed limit or watchdog
+  Refused,           ///< this driver does not know its answers
   Lost               ///< unplugged, or silent
 };
 

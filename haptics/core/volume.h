@@ -26,8 +26,8 @@ struct Grid {
   std::array<std::int64_t, 3> dims{};  ///< voxels along i (fastest), j, k; each at least 1
   Vec3 spacing = Vec3::Ones();         ///< m, positive
   Vec3 origin = Vec3::Zero();          ///< m, W (patient LPS): the centre of voxel (0, 0, 0)
-  /// Columns are the unit directions of i, j, k in W: orthogonal, but as left- or right-handed
-  /// as the file's.
+  /// Columns are the unit directions of i, j, k in W: orthogonal, left- or right-handed as in the
+  /// file.
   Mat3 direction = Mat3::Identity();
 
   std::int64_t voxelCount() const { return dims[0] * dims[1] * dims[2]; }
@@ -48,12 +48,12 @@ struct Volume {
   double greatest = 0.0;          ///< greatest finite voxel
   std::string unit = {};          ///< "HU" or empty
   std::string modality = {};      ///< "CT", "MR", … or empty
-  bool orientation_known = true;  ///< false: no left and right may be shown
+  bool orientation_known = true;  ///< false: left and right must not be shown
   std::int64_t replaced = 0;      ///< non-finite voxels that became background
-  std::int64_t padded = 0;        ///< stored as padding, where nothing was measured; air now
+  std::int64_t padded = 0;        ///< voxels stored as padding, where nothing was measured; now air
   bool resampled = false;         ///< from slices that were tilted or unevenly spaced
-  /// Of a series that lacks slices, of which this is the largest part without a gap: how many that
-  /// are there are not in it.
+  /// The slices that exist but are not in this volume, which is the largest part without a gap of
+  /// a series that lacks slices.
   std::int64_t slices_left_out = 0;
 };
 
@@ -62,7 +62,7 @@ inline constexpr std::size_t kVoxelPadding = 64;  ///< bytes
 /// Room for `voxel_count` voxels and the padding (zeroed), or an error naming the size.
 Expected<std::shared_ptr<void>> allocateVoxels(std::int64_t voxel_count, ScalarType type);
 
-/// What a reader or a phantom knows beside the voxels.
+/// What a reader or a phantom knows in addition to the voxels.
 struct VolumeFacts {
   std::string unit = {};
   std::string modality = {};
@@ -74,8 +74,8 @@ struct VolumeFacts {
 /// Finishes a volume: checks the grid (dims, finite positive spacing, right angles to 1e-4),
 /// makes non-finite voxels background and counts them, and finds the range. Refuses a volume
 /// without a finite voxel. `voxels` must be followed by the padding, as allocateVoxels makes it,
-/// and not be written afterwards. `goes_on` is told the fraction that is done, every few
-/// milliseconds, and ends it with Error::Kind::Cancelled where it says false.
+/// and not be written afterwards. `goes_on` gets the fraction that is done, every few
+/// milliseconds; if it returns false, the result is Error::Kind::Cancelled.
 Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<void> voxels,
                             VolumeFacts facts = {},
                             const std::function<bool(double)>& goes_on = {});

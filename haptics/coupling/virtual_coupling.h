@@ -14,7 +14,7 @@ struct VirtualCoupling {
 
   /// The wrench on the hand, W: it pulls the device towards the proxy. `turn` is the unwrapped
   /// rotation from device to proxy [rad], `inertia_W` the tool's mean inertia in W [m²]. Beyond
-  /// 150 degrees the torque grows no further, and never flips.
+  /// 150 degrees the torque stays constant and does not change its direction.
   Wrench pull(const Pose& X_WP, const Pose& X_WD, const Vec3& turn,
               const Mat3& inertia_W) const HAPTICS_RT;
 };

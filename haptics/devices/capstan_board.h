@@ -16,12 +16,12 @@
 
 namespace haptics {
 
-// What Polhem and WoodenHaptics share: arms with three motors on capstans and up to six encoders,
-// behind a board that speaks raw HID. The protocol is that which its makers published
-// (haptikfabrikenapi, programs and firmware). Which arm is behind a board, the board does not say:
-// the user does.
-// Not verified on hardware: all signs, the zero procedure, and whether a newer board lets go by
-// itself when nothing is sent to it. The published firmware of the older one does, after half a
+// The common part of Polhem and WoodenHaptics: arms with three motors on capstans and up to six
+// encoders, behind a board with a raw HID protocol. Its makers published the protocol
+// (haptikfabrikenapi, programs and firmware). The board does not report which arm it drives; the
+// user chooses.
+// Not verified on hardware: all signs, the zero procedure, and whether a newer board switches its
+// motors off if nothing is sent. The published firmware of the older board does, after half a
 // second.
 
 /// The boards: a Teensy, and before it an mbed LPC1768. Other projects on such boards have the same
@@ -35,32 +35,33 @@ inline constexpr BoardIds kMbedBoard{0x1234, 0x0006, 14};
 
 using BoardCounts = std::array<std::int16_t, 6>;
 
-/// What a board says. Encoders a, b, c are on the motors; d, e, f in the gimbal, if there is one.
+/// An input report of a board. Encoders a, b, c are on the motors; d, e, f in the gimbal, if there
+/// is one.
 struct BoardReport {
   BoardCounts counts{};  ///< a to f
   bool button = false;   ///< the stylus' button
-  bool asks = false;     ///< its zero button was pressed: it wants its encoders set
+  bool asks = false;     ///< its zero button was pressed: its encoders must be set
 };
 
-/// Reads an input report, of which seven little-endian words count. Nothing for a length that no
-/// board has. The button is folded into encoder d, 10000 more where it is down.
+/// Reads an input report of seven little-endian words. Nothing for a length that no board has. The
+/// button is part of encoder d, which is 10000 larger while the button is down.
 std::optional<BoardReport> decodeBoard(std::span<const std::uint8_t> report) noexcept;
 
 /// An output report: its id, which is 0, and seven little-endian words; a board takes as much of it
 /// as its reports are long.
 using BoardCommand = std::array<std::uint8_t, 65>;
 
-/// The most that a motor is given, A: what its amplifier stands.
+/// The largest current of a motor, A, which its amplifier can deliver.
 inline constexpr double kBoardMostCurrent = 2.0;
 
-/// Currents of the motors a, b, c in A, all shortened alike to kBoardMostCurrent. Zero for all if
-/// one of them is not finite; this is also what wakes a board up.
+/// The report with the currents of the motors a, b, c in A, scaled by one factor to
+/// kBoardMostCurrent. All are zero if one is not finite. A report of zeros also wakes a board up.
 BoardCommand boardCurrents(const Vec3& currents) noexcept;
 
-/// Tells the board what its encoders count now; its motors are without current meanwhile.
+/// The report that sets the board's encoder counts. Its motors have no current meanwhile.
 BoardCommand boardSets(const BoardCounts& counts) noexcept;
 
-/// Where an arm has its handle, and how that follows its bodies.
+/// The pose of an arm's handle and its Jacobian.
 struct ArmState {
   Pose X_BD;  ///< B's origin is the middle of the workspace
   Mat3 J_B;   ///< dp/d(a, b, c), m/rad, p the origin of D in B
@@ -69,15 +70,15 @@ struct ArmState {
 /// From the makers' axes H (towards the user, right, up) to those of B.
 Mat3 makersAxes() noexcept;
 
-/// An arm as its board sees it.
+/// The parameters of an arm behind a board.
 struct CapstanArm {
   std::string_view driver;                ///< also the id of its rating
-  std::span<const BoardIds> boards;       ///< that it may stand behind
+  std::span<const BoardIds> boards;       ///< boards that may drive it
   BoardCounts rest;                       ///< the counts in its rest pose
   std::array<double, 3> ratio;            ///< a body's turn over its motor's
   std::array<double, 3> torque_constant;  ///< of its motors, N·m/A
-  /// Nothing where these counts make no such arm, or one at its dead points, where forces on the
-  /// handle would ask for any torque.
+  /// The pose for these counts. Nothing if the arm cannot have them, or is near a dead point, where
+  /// a force on the handle would need unbounded torque.
   std::optional<ArmState> (*state)(const BoardCounts& counts) noexcept;
 };
 

@@ -14,53 +14,54 @@
 
 namespace haptics {
 
-/// A device as it stands now: known, and perhaps here.
+/// A known device and its state now.
 struct DeviceEntry {
-  /// To open it by, whatever else is plugged in: the driver's name, and after a colon which one;
-  /// the name alone where none is here, or the first that can be opened is meant.
+  /// Identifies the device for opening: the driver's name, a colon and which one. The name alone
+  /// means the first that can be opened, and stands for a device that is not present.
   std::string id;
   std::string name;              ///< for people: "Novint Falcon"
   int sensed = 0, actuated = 0;  ///< degrees of freedom
   bool present = false;          ///< plugged in, or its service knows it
-  /// Why it cannot be used now. None: it can be opened, or where it is not known to be present,
-  /// opening tells. What the user sees to at the device (NotHomed to ForceOff) keeps it from
-  /// nothing but force.
+  /// Why it cannot be used now. None: it can be opened, or, if it is not known to be present, only
+  /// opening shows that. What the user can settle at the device (NotHomed to ForceOff) withholds
+  /// only its force.
   Trouble trouble = Trouble::None;
   std::string why = {};  ///< one sentence for the user: what is wrong, and what to try; or empty
 };
 
-/// What opening may need beside the id.
+/// The id, and what else opening may need.
 struct OpenRequest {
   std::string id;
   std::filesystem::path firmware = {};  ///< Falcon: its maker's firmware, if it has none yet
 };
 
-/// One driver: what it may drive, how to look for it and how to open it.
+/// One driver: its name, how to find its devices and how to open one.
 ///
-/// Both calls may take seconds, never come from the servo or GUI thread, and open no device for
-/// longer than looking takes: what another program or this one has open is not disturbed.
+/// Both calls may take seconds and must not come from the servo or GUI thread. A survey opens a
+/// device only while it looks, and does not disturb one that a program has open.
 struct Driver {
-  std::string_view name;  ///< "falcon"; ids of its devices are this, or this and ":which"
-  /// At least one entry, also where nothing is plugged in: then it says what is missing.
+  std::string_view name;  ///< "falcon"; the ids of its devices are "falcon" or "falcon:which"
+  /// At least one entry. If nothing is plugged in, it says what is missing.
   std::vector<DeviceEntry> (*survey)();
-  /// The device, motors off. Refused with Trouble's word as the reason and what to try.
+  /// The device, with motors off. A refusal has the word of Trouble as its reason, and says what to
+  /// try.
   Expected<std::unique_ptr<Device>> (*open)(const OpenRequest& request);
 };
 
 /// All drivers of real devices, in the order in which they are shown.
 std::span<const Driver> drivers();
 
-/// What all drivers know and see.
+/// The entries of all drivers.
 std::vector<DeviceEntry> surveyDevices();
 
-/// The rating of an entry's model, or null: found by its id, what stands behind its colon, its
-/// name, or its driver, in this order.
+/// The rating of an entry's model, or null. Searched by its id, the part of the id behind the
+/// colon, its name, and its driver, in this order.
 const DeviceRating* ratingOf(const DeviceEntry& entry);
 
 /// Opens a device by the id of its entry.
 Expected<std::unique_ptr<Device>> openDevice(const OpenRequest& request);
 
-/// A refusal as drivers give it: `reason` is wordOf(trouble).
+/// A refusal of a driver: `reason` is wordOf(trouble).
 Error refusal(Trouble trouble, std::string what);
 
 }  // namespace haptics

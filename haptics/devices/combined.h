@@ -9,8 +9,9 @@ namespace haptics {
 
 /// Two devices as one, for a device that knows no rotation: a Falcon, and a SpaceMouse in the other
 /// hand. Position, buttons and force are the first's; rotation is the second's, and its buttons
-/// follow from number kButtonsEach on (haptics/settings.h). Its rating is the first's, with six sensed degrees and no torque. Force
-/// goes to the first alone, torque nowhere; stop() and resume() go to both.
+/// follow from number kButtonsEach on (haptics/settings.h). Its rating is the first's, with six
+/// sensed degrees and no torque. Force goes to the first alone, torque nowhere; stop() and resume()
+/// go to both.
 ///
 /// A read waits as long as both, a write as long as the first's.
 ///

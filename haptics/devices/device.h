@@ -10,21 +10,21 @@
 
 namespace haptics {
 
-/// What came of a read or a write.
+/// Result of a read or a write.
 enum class DeviceStatus : std::uint8_t {
   Ok,
-  Stale,     ///< nothing new came in time: the last reading stands
-  NotReady,  ///< open and answering, but its poses mean nothing yet: not homed, not calibrated
-  Lost       ///< gone, or three polls failed in a row: it stays so until it is opened again
+  Stale,     ///< nothing new came in time: the last reading is kept
+  NotReady,  ///< open and answering, but its poses are not valid: not homed, not calibrated
+  Lost       ///< gone, or three polls failed in a row; remains until it is opened again
 };
 
-/// The device's base B: x to the user's right, y up, z towards the user. Every driver turns the
-/// axes of its maker into these.
+/// The device's base B: x to the user's right, y up, z towards the user. Every driver converts
+/// its maker's axes to these.
 struct DeviceReading {
   Pose X_BD = Pose::Identity();     ///< the handle in the base
   std::uint32_t buttons = 0;        ///< bit n: button n is down
-  std::int64_t time_ns = 0;         ///< monotonic: when the pose was measured; 0: not told
-  Trouble trouble = Trouble::None;  ///< what the user is to see to: NotHomed, MotorsHot, …
+  std::int64_t time_ns = 0;         ///< monotonic time of the measurement; 0: unknown
+  Trouble trouble = Trouble::None;  ///< what the user must do: NotHomed, MotorsHot, …
 };
 
 /// A force-feedback device that is open. Opening is the driver's `open…()` function; closing is
@@ -37,14 +37,14 @@ class Device {
   // last reading. After `Lost` there is no force until the device is opened again.
   virtual DeviceStatus read(DeviceReading& reading) noexcept = 0;
   virtual DeviceStatus write(const Wrench& wrench_B) noexcept = 0;
-  /// Any thread, a watchdog's too while the servo thread hangs in read or write: zero goes to the
-  /// motors at once and is the last word, whatever is written, until resume(). Waits for nothing.
+  /// Any thread, also the watchdog's while the servo thread hangs in read or write. Sends zero to
+  /// the motors at once. Later writes have no effect until resume(). Does not wait.
   virtual void stop() noexcept = 0;
-  /// Servo thread only: what is written counts again.
+  /// Servo thread only: writes have an effect again.
   virtual void resume() noexcept = 0;
 };
 
-/// Counts polls that failed in a row, for a driver to say what came of a read.
+/// Counts polls that failed in a row, to give a driver the status of a read.
 class FailedPolls {
  public:
   static constexpr int kMost = 3;

@@ -23,14 +23,14 @@ using Motors = std::array<std::int16_t, 3>;
 
 inline constexpr int kMostMotor = 4096;  ///< of either sign; what the field could carry is more
 
-/// What the device is to do.
+/// A command to the device.
 struct Command {
   Motors motors{};      ///< of the three legs
   bool homing = false;  ///< look for the stops
   bool red = false, green = false, blue = false;
 };
 
-/// What the device says.
+/// A reply of the device.
 struct Reply {
   std::array<std::int16_t, 3> encoders{};  ///< counts, of the three legs
   std::uint8_t buttons = 0;                ///< bit 0 right (plus), 1 forward, 2 centre, 3 left
@@ -44,13 +44,13 @@ Motors motorsFor(const Vec3& torques) noexcept;
 
 Packet encoded(const Command& command) noexcept;
 
-/// The reply, or nothing where a letter is none.
+/// The reply, or nothing if a letter is invalid.
 std::optional<Reply> decoded(const Packet& packet) noexcept;
 
 inline constexpr std::size_t kUsbPacket = 64;  ///< bytes, the longest
 
-/// Takes apart what the USB chip hands over. Packets come in pieces, joined, or with garbage
-/// between; what is not whole is dropped.
+/// Splits what the USB chip delivers into replies. Packets come in pieces, joined, or with garbage
+/// between; incomplete ones are dropped.
 class ReplyStream {
  public:
   /// One transfer as it came: the two bytes of the chip's status that lead every 64 are passed

@@ -13,11 +13,11 @@
 
 namespace haptics::falcon {
 
-/// What came of handing bytes to the bus.
+/// Result of handing bytes to the bus.
 enum class Sent : std::uint8_t {
   Taken,
-  Busy,  ///< the bytes before are still under way: these were not taken
-  Gone   ///< unplugged, or the bus failed: it stays so
+  Busy,  ///< the previous bytes are still under way: these were not taken
+  Gone   ///< unplugged, or the bus failed; this does not change
 };
 
 /// The USB chip (FTDI) of a Falcon that is open and claimed. One thread at a time. Destroyed, it

@@ -34,7 +34,7 @@ struct HidPlace {
   int interface = -1;
 };
 
-/// What is plugged in, of one vendor. Not the GUI's or servo thread's.
+/// The plugged-in devices of one vendor. Not for the GUI or servo thread.
 std::vector<HidPlace> findHid(std::uint16_t vendor);
 
 /// Why a place cannot be opened, and what to try; Trouble::None: it can.
@@ -43,11 +43,12 @@ struct HidObstacle {
   std::string why = {};
 };
 
-/// What the system would say if it were opened, without opening it. Not: whether it is in use.
+/// Whether the system would allow to open it, without opening it. It does not show whether it is in
+/// use.
 HidObstacle hidObstacle(const HidPlace& place, const std::string& name);
 
-/// Opens it, for one port at a time of all that are opened here, in this program or another
-/// Palpate: the system would let any number of programs have it, and does not tell of others'.
+/// Opens it. Only one port at a time can have a device, in all running Palpates; the system itself
+/// would allow any number of programs, and does not report other makers' programs.
 /// Refused as Trouble::NoPermission, InUse or NotPluggedIn, in words with `name`.
 Expected<std::unique_ptr<HidPort>> openHid(const HidPlace& place, const std::string& name);
 

@@ -43,7 +43,7 @@ struct Inverse3Address {
   std::chrono::milliseconds answer = Transport::kLongestWait;  ///< tests wait longer
 };
 
-/// One Inverse3, as a message tells of it.
+/// One Inverse3 in a message.
 struct Inverse3State {
   std::string id;                   ///< letters, digits, '-' and '_', 32 at most
   Vec3 p_BD = Vec3::Zero();         ///< m, the cursor
@@ -53,25 +53,25 @@ struct Inverse3State {
   bool axes_are_ours = true;        ///< its basis is "XYZ", or not told
 };
 
-/// What a message of the service says: an inventory or a state.
+/// The content of a message of the service: an inventory or a state.
 struct Inverse3Message {
   std::vector<Inverse3State> devices;
   std::optional<Mat3> R_BD;   ///< of the first grip that tells its orientation
   std::uint32_t buttons = 0;  ///< of that grip: a, b, c, or its one
 };
 
-/// The largest message that is looked at [bytes].
+/// The largest message that is read [bytes].
 inline constexpr std::size_t kInverse3LongestMessage = 65'536;
 
-/// Reads any bytes as a message. Nothing: it is none, or not of the protocol that is known here;
-/// numbers that are not finite, or further than 10 m away, are no part of it.
+/// Reads a message from any bytes. Nothing if it is not a message of the known protocol. Numbers
+/// that are not finite, or positions further than 10 m away, are left out.
 std::optional<Inverse3Message> readInverse3(std::string_view text);
 
 /// The command for a force [N, in B]; what is not finite is zero. `id` as in Inverse3State.
 std::string inverse3Command(std::string_view id, const Vec3& force_B);
 
-/// Connects for 300 ms at most, reads the inventory, and sends nothing: what others do with the
-/// device goes on.
+/// Connects for 300 ms at most, reads the inventory, and sends nothing, so other programs are not
+/// disturbed.
 std::vector<DeviceEntry> surveyInverse3(const Inverse3Address& address);
 std::vector<DeviceEntry> surveyInverse3();
 

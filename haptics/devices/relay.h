@@ -11,14 +11,14 @@
 
 namespace haptics {
 
-/// What passes between the servo thread and the one thread that talks to a device, in both
-/// directions and without waiting. It decides what may be sent. A wrench is zero once it was not
-/// confirmed by a write for 5 ms, if a number in it is not finite, while the device is stopped or
-/// not Ok, and once it is lost. What was written before resume() is never due after it.
+/// Passes readings and wrenches between the servo thread and the one thread that talks to a device,
+/// without waiting, and decides what may be sent. The wrench to send is zero if no write renewed it
+/// for 5 ms, if a number in it is not finite, while the device is stopped or not Ok, and after it
+/// is lost. A wrench written before resume() is never sent after it.
 class Relay {
  public:
-  /// `fresh`: older than this a reading is Stale; `silent`: when nothing has come for so long a
-  /// read makes the device Lost, whatever comes later. 0: whatever the age.
+  /// `fresh`: an older reading is Stale. `silent`: if nothing came for so long, a read makes the
+  /// device Lost for good. 0: no limit.
   Relay(std::chrono::milliseconds fresh, std::chrono::milliseconds silent)
       : fresh_ns_{fresh.count() * 1'000'000}, silent_ns_{silent.count() * 1'000'000} {
     last_.at_ns = monotonicNs();
@@ -51,10 +51,10 @@ class Relay {
   }
 
   // The device's thread.
-  /// What is to be sent now: zero if stop() had returned when it began. A stop() that falls while
-  /// it looks counts from the next time on.
+  /// What to send now: zero if stop() had returned when this call began. A stop() during this call
+  /// takes effect in the next call.
   Wrench due() noexcept {
-    // in this order: whoever sees the resume() sees that it took back what was written before
+    // in this order: a call that sees the resume() also sees that it discarded earlier wrenches
     const bool stop_said = stopped_.load();
     wanted_.take(newest_);
     const bool zero = stop_said || lost_.load(std::memory_order_relaxed) ||
@@ -66,8 +66,8 @@ class Relay {
   }
   /// Whether the last due() was unlike zero, or was zero only because the device is not Ok.
   bool asked() const noexcept { return asked_; }
-  /// What came of a round, and the reading, which counts unless it is Stale. The third Stale in a
-  /// row is Lost; after Lost nothing counts any more. False: what came says that it is lost.
+  /// The status of a round, and its reading, which is used unless the status is Stale. The third
+  /// Stale in a row is Lost; after Lost nothing is used. Returns false if the device is lost.
   bool came(DeviceStatus status, const DeviceReading& reading) noexcept {
     if (coming_.status == DeviceStatus::Lost) return false;
     if (status == DeviceStatus::Stale) {

@@ -9,11 +9,11 @@
 
 namespace haptics {
 
-/// A maker's library, opened at run time if it is installed; nothing of it is built in. Not the
-/// GUI's or servo thread's.
+/// A maker's library, opened at run time if it is installed; nothing of it is built in. Not for the
+/// GUI or servo thread.
 ///
-/// Its code stays in memory until the program ends, whatever happens to this: such a library may
-/// leave a thread behind that must not lose the ground under it.
+/// Its code stays in memory until the program ends, also after this object is destroyed, because
+/// such a library may leave a running thread behind.
 class SharedLibrary {
  public:
   /// The first of `names` that the system's loader finds and can load; a name with a slash is a
@@ -30,13 +30,13 @@ class SharedLibrary {
   void find(F*& function, const char* symbol) const {
     function = reinterpret_cast<F*>(address(symbol));
   }
-  /// The same for one that cannot be done without: the first that is not there is kept.
+  /// The same for a required function. The name of the first missing one is kept.
   template <class F>
   void need(F*& function, const char* symbol) {
     find(function, symbol);
     if (function == nullptr && lacks_.empty()) lacks_ = symbol;
   }
-  /// The first function that was needed and is not there; empty if all are.
+  /// The name of the first required function that is missing; empty if there is none.
   const std::string& lacks() const { return lacks_; }
 
  private:

@@ -26,11 +26,11 @@ struct SpaceMouseModel {
   std::string_view name;
 };
 
-/// All of them: a product of the same vendors that is not here (CadMouse, keyboards, number pads)
-/// is left alone.
+/// All models. The driver ignores other products of the same vendors (CadMouse, keyboards, number
+/// pads).
 std::span<const SpaceMouseModel> spaceMouseModels();
 
-/// The cap as its reports tell it.
+/// The state of the cap by its reports.
 struct CapState {
   /// Deflection in counts, -350 to 350 by the descriptor: right, towards the user, down; and turns
   /// about these, right-handed.
@@ -38,7 +38,7 @@ struct CapState {
   std::uint32_t buttons = 0;  ///< bit n: button n, the maker's numbers less one
 };
 
-/// What a report told of the cap.
+/// The content of a report.
 enum class CapReport : std::uint8_t { Unknown, Shift, Turn, Both, Buttons };
 
 /// Reads one input report, its id first, into what it is about; the rest of `cap` stays. Id 1:
@@ -50,17 +50,17 @@ CapReport decodeCap(std::span<const std::uint8_t> report, CapState& cap) noexcep
 /// Counts of the cap's three axes along those of the base B: x right, y up, z towards the user.
 Vec3 capInBase(const std::array<std::int16_t, 3>& counts) noexcept;
 
-/// Makes a pose of deflections: how far the cap is out is how fast the pose moves.
+/// Integrates deflections to a pose: the deflection of the cap is the velocity of the pose.
 ///
 /// Shift and turn each have a round dead band of 25 counts, which a released cap stays within and
 /// in which turning does not shift. Beyond it the speed grows with the square of what is left, so
 /// that it begins at zero with slope zero; at 350 counts, and beyond, it is 0.1 m/s or 1 rad/s in
 /// the direction of the deflection.
 ///
-/// A shift or turn that no report has repeated for 200 ms counts as none, until the next report: a
-/// cap whose cable is pulled or whose receiver sleeps while it is held does not drift on. A device
-/// repeats every 8 ms while it is held. What was missed in a gap between two steps is not caught
-/// up: 20 ms of motion at most.
+/// A shift or turn that no report has repeated for 200 ms becomes zero until the next report. So
+/// the pose does not drift if the cable is pulled or the receiver sleeps while the cap is held. A
+/// device repeats its reports every 8 ms while the cap is held. After a gap between two steps, at
+/// most 20 ms of motion are made up for.
 class RateControl {
  public:
   static constexpr double kDeadBand = 25.0, kFullDeflection = 350.0;  // counts
@@ -73,7 +73,7 @@ class RateControl {
   void turn(const Vec3& counts_B, std::int64_t now_ns) noexcept;
   /// No deflection.
   void rest() noexcept;
-  /// Moves on to now; the first call moves nothing. The pose starts as the identity.
+  /// Integrates up to now; the first call does not move. The pose starts as the identity.
   Pose step(std::int64_t now_ns) noexcept;
 
  private:
@@ -88,8 +88,8 @@ class RateControl {
   bool started_ = false;
 };
 
-/// The device at these ports, which are interfaces of one device: whichever reports moves it. Its
-/// light is on until it is closed.
+/// The device at these ports, which are interfaces of one device; reports of any of them move it.
+/// Its light is on until it is closed.
 ///
 /// `read` waits for nothing: it takes what reports are there, sixteen a port at most, and moves the
 /// pose to now. Ok until the last port is gone, then Lost, the pose at rest and no button down.

@@ -33,7 +33,7 @@ class SpacenavStream {
   std::size_t have_ = 0;
 };
 
-/// What became of an event.
+/// Result of an event.
 enum class SpacenavStep : std::uint8_t {
   Taken,
   PassedOver,  ///< of the service's, and not about the cap; or a button beyond 31
@@ -52,7 +52,7 @@ std::string spacenavPlace();
 /// The device through a service at this place. Refused as Trouble::NoService or NoPermission.
 ///
 /// `read` waits for nothing and takes at most 128 events; else as spaceMouseAt. Lost when the
-/// service ends or sends what it does not know. Its light is the service's business.
+/// service ends or sends an unknown event. The service controls the light.
 ///
 /// RateControl's silence applies: the kernel passes on only axes that change, so a cap held
 /// without the least tremor, as at its stop, halts after 200 ms unless spacenavd is told to repeat

@@ -8,17 +8,17 @@
 
 namespace haptics {
 
-/// A link to a device that is slower than the servo thread can wait for. It lives on a thread of
-/// its own, which alone calls it, opening and closing aside.
+/// A link to a device that is too slow for the servo thread. Apart from opening and closing, only
+/// one thread of its own calls it.
 class Transport {
  public:
   /// The longest that an exchange may wait.
   static constexpr std::chrono::milliseconds kLongestWait{5};
 
   virtual ~Transport() = default;  ///< leaves the motors off
-  /// One round: sends the wrench, waits kLongestWait at most for what comes back. Stale: nothing
-  /// came that should have, and the reading stands; a device that reports changes only and has
-  /// none to report is Ok. What is not finite is never sent. A device without motors ignores the
+  /// One round: sends the wrench and waits at most kLongestWait for the answer. Stale: an expected
+  /// answer did not come, and the reading is kept. A device that reports only changes is Ok without
+  /// an answer. A number that is not finite is never sent. A device without motors ignores the
   /// wrench.
   virtual DeviceStatus exchange(const Wrench& wrench_B, DeviceReading& reading) noexcept = 0;
 };
@@ -27,7 +27,7 @@ class Transport {
 /// than once in 250 us, always with the newest wrench. Reading and writing take no time, so `read`
 /// gives what came last, Stale once that is older than `fresh`; three exchanges in a row that
 /// failed make it Lost, as does an exchange that hangs, noticed by a read when nothing has come
-/// for two seconds. What may be sent the Relay decides: an exchange that begins later than 5 ms
+/// for two seconds. The Relay decides what may be sent: an exchange that begins later than 5 ms
 /// after the last write sends zero, and so does every one while the device is NotReady or Lost.
 ///
 /// stop(): every exchange that begins after it sends zero. The one that had begun, or was about to,
@@ -36,10 +36,10 @@ class Transport {
 ///
 /// The last exchange before the transport is destroyed, on its thread, sends zero. Where an
 /// exchange hangs, the destructor waits two seconds and leaves thread and transport behind; they
-/// end, with a zero, when the exchange does. What a hung exchange had sent no one can take back
-/// here: a transport that can hang needs a device that lets go by itself.
+/// end, with a zero, when the exchange does. What a hung exchange had sent cannot
+/// be taken back here. So a transport that can hang needs a device that ends its force by itself.
 ///
-/// `fresh`: how old a reading may be; 0: as old as it likes (a device that reports changes only).
+/// `fresh`: the greatest age of a reading; 0: no limit (for a device that reports only changes).
 std::unique_ptr<Device> threaded(std::unique_ptr<Transport> transport, const DeviceRating& rating,
                                  std::chrono::milliseconds fresh);
 

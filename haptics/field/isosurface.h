@@ -15,10 +15,10 @@ struct Isosurface {
   const ScalarField& field;
   double isovalue;
 
-  /// A pose is legal when every point stays below this: the isovalue less what rounding may do,
-  /// so that whoever evaluates F another way agrees.
+  /// A pose is legal if F is below this at every point: the isovalue less a rounding margin, so
+  /// that another evaluator of F agrees.
   double ceiling() const HAPTICS_RT { return isovalue - field.roundingMargin(); }
-  /// What is known about the surroundings of `n` places in index coordinates; no edge is left.
+  /// The surroundings of `n` places in index coordinates. Places at the grid's edge are included.
   void survey(const lanes::Places& u, int n, lanes::Survey& found) const HAPTICS_RT;
   bool inside(const Vec3& p_W) const HAPTICS_RT {
     return field.value(field.indexOf(p_W)) >= ceiling();

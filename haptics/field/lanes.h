@@ -7,7 +7,7 @@
 #include "haptics/core/realtime.h"
 #include "haptics/core/volume.h"
 
-/// The trilinear field at sixteen places at a time, by whatever vectors the machine has (Highway,
+/// The trilinear field at sixteen places at a time, with the vectors that the machine has (Highway,
 /// chosen at run time). All arithmetic is in double, in the order of the scalar code in Cell, and
 /// is never contracted: every target gives the same answer as the scalar code, to the bit.
 namespace haptics::lanes {
@@ -31,17 +31,17 @@ struct BlockBound {
   float greatest, lipschitz;
 };
 
-/// What the lanes must know of a volume and its pyramid. Borrowed, not owned.
+/// A volume and its pyramid, for the lanes. Borrowed, not owned.
 struct Lattice {
   const void* voxels = nullptr;
   ScalarType type = ScalarType::Int16;
   double dims[3] = {};                 ///< voxels along i, j, k
   const BlockBound* blocks = nullptr;  ///< finest level
   double block_counts[3] = {};
-  double finest_radius = 0.0;  ///< m: how far a finest block's statement reaches
+  double finest_radius = 0.0;  ///< m: radius for which a finest block's bound holds
 };
 
-/// Where points are: u = A p + b, by rows.
+/// An affine map u = A p + b, by rows.
 struct Affine {
   double A[3][3] = {};
   double b[3] = {};
@@ -50,28 +50,29 @@ struct Affine {
 void place(const Affine& map, const double* px, const double* py, const double* pz, int n,
            Places& u) HAPTICS_RT;
 
-/// What is known about the surroundings of each place.
+/// The field and its bounds at each place.
 struct Survey {
-  Numbers value;            ///< F; of no meaning in an empty lane
-  Numbers lipschitz;        ///< per metre, over `free`; of no meaning in an empty lane
-  Numbers free;             ///< m the place may be left in any direction with F < ceiling: proven
-  std::uint32_t edge = 0;   ///< lanes whose cell reaches beyond the grid: nothing is said of them
+  Numbers value;      ///< F; undefined in an empty lane
+  Numbers lipschitz;  ///< per metre, over `free`; undefined in an empty lane
+  Numbers free;       ///< m: radius within which F < ceiling is proven
+  std::uint32_t edge =
+      0;  ///< lanes whose cell reaches beyond the grid; their numbers are undefined
   std::uint32_t empty = 0;  ///< lanes in a finest block that is proven below the ceiling
-  /// At how many of n places F was looked up: nobody asks in an empty block.
+  /// The number of the n places at which F was looked up: those that are not in an empty block.
   int lookedUp(int n) const HAPTICS_RT { return n - std::popcount(empty & ((1U << n) - 1U)); }
 };
 void survey(const Lattice& lattice, const Places& u, int n, double ceiling,
             Survey& found) HAPTICS_RT;
 
-/// Chords from `a` to `b` in index coordinates, to be looked at from the fraction `from` on.
+/// Chords from `a` to `b` in index coordinates, examined from the fraction `from` on.
 struct Chords {
   Places a, b;
   Numbers from;
   Numbers level;
 };
-/// How far each chord is certainly below its level: the fraction at which the first cell begins
-/// whose Bernstein hull reaches it (or that touches the grid's edge), or 2. Adds the cells looked
-/// at to `cells`.
+/// The fraction up to which each chord is proven below its level: where the first cell begins
+/// whose Bernstein hull reaches the level (or that touches the grid's edge), or 2. Adds the number
+/// of examined cells to `cells`.
 void clear(const Lattice& lattice, const Chords& chords, int n, Numbers& until,
            std::int64_t& cells) HAPTICS_RT;
 
@@ -80,7 +81,7 @@ void clear(const Lattice& lattice, const Chords& chords, int n, Numbers& until,
 struct Slopes {
   Numbers value;
   Places exact, central;
-  std::uint32_t edge = 0;  ///< lanes near the grid's edge: nothing is said of them
+  std::uint32_t edge = 0;  ///< lanes near the grid's edge; their numbers are undefined
 };
 void slopes(const Lattice& lattice, const Places& u, int n, bool central, Slopes& found) HAPTICS_RT;
 

@@ -14,8 +14,8 @@
 
 namespace haptics {
 
-/// What is certain about a volume's field near a place, whatever the isovalue: how high it may get,
-/// and how fast. Built once; moving the isovalue rebuilds nothing.
+/// Bounds of a volume's field near a place: its greatest value and its Lipschitz constant. They
+/// hold for every isovalue, so moving the isovalue rebuilds nothing.
 ///
 /// Blocks of 4^3 cells (then 8^3, … 64^3) hold the greatest voxel of themselves and their 26
 /// neighbours, so that a block below the isovalue proves a ball of one block side empty. The
@@ -25,13 +25,13 @@ namespace haptics {
 /// one more voxel on every side.
 class MaxPyramid {
  public:
-  /// What is made is of no use once `cancel`, if there is one, has become true on the way.
+  /// If `cancel` becomes true meanwhile, the result is incomplete and must not be used.
   explicit MaxPyramid(const Volume& volume, FieldKind kind = FieldKind::Trilinear,
                       const std::atomic<bool>* cancel = nullptr);
 
-  /// What is known about a ball around a place.
+  /// A bound over a ball around a place.
   struct Bound {
-    double radius;     ///< m: how far the statement reaches
+    double radius;     ///< m: radius of the ball
     double lipschitz;  ///< per metre, over that ball; 0 where the ball is proven below s
   };
   /// At index coordinates u: a radius within which F < s if lipschitz is 0; else the radius

@@ -14,7 +14,7 @@
 
 namespace haptics {
 
-/// The eight corner values of one cell, and where it lies. Inside it the field is trilinear.
+/// The eight corner values of one cell, and its index. Inside it the field is trilinear.
 struct Cell {
   std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the fall outside
   std::array<double, 8> corner{};    ///< bit 0 set: i + 1, bit 1: j + 1, bit 2: k + 1
@@ -30,14 +30,14 @@ struct FieldSample {
 };
 
 /// The field over the unmodified voxels: trilinear ([Chan 2011], 2.2), or the cubic B-spline
-/// that has them as coefficients (README, "Fields"). Beyond the grid it falls to the background
-/// (the least voxel) within one voxel, so that cut faces are solid.
+/// that has them as coefficients (haptics/README.md, "Fields"). Beyond the grid it falls to the
+/// background (the least voxel) within one voxel, so that cut faces are solid.
 ///
 /// u are index coordinates: voxel (i, j, k) has its centre at u = (i, j, k).
 class ScalarField {
  public:
   explicit ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind = FieldKind::Trilinear);
-  /// With bounds that were made before: those of the volume and kind.
+  /// With an existing pyramid of this volume and kind.
   ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind, MaxPyramid pyramid);
 
   FieldKind kind() const HAPTICS_RT { return kind_; }
@@ -65,17 +65,18 @@ class ScalarField {
   Cell cellAround(const Vec3& u) const HAPTICS_RT;
 
   /// Central differences over one voxel, divided by 2 delta on each axis [per metre, W]:
-  /// [Chan 2011], (1), with the division it leaves out (contract: Inside).
+  /// [Chan 2011], (1), with the division that the paper leaves out.
   Vec3 centralGradient(const Vec3& u) const HAPTICS_RT;
   /// Gradient of the cubic B-spline with the voxels as coefficients, whatever the kind
-  /// [per metre, W]: 64 voxels, so noise and facets weigh little.
+  /// [per metre, W]. It averages 64 voxels, so noise and facets have little weight.
   Vec3 splineGradient(const Vec3& u) const HAPTICS_RT;
 
-  // Sixteen places at a time; what the lanes leave out (README, "Lanes") is filled in.
+  // Sixteen places at a time; the scalar code does what the lanes leave out (haptics/MEASURED.md,
+  // "Lanes").
 
   /// Points of a tool at this pose, from the tool frame to index coordinates.
   lanes::Affine affine(const Pose& X_WP) const HAPTICS_RT;
-  /// As lanes::clear; a spline's chords are left to firstReach() from their beginning.
+  /// As lanes::clear. Chords of a spline are not examined here: use firstReach() from the start.
   void clear(const lanes::Chords& chords, int n, lanes::Numbers& until,
              std::int64_t& cells) const HAPTICS_RT;
   /// F, its own gradient, and if asked for central differences, per metre in W.
@@ -85,8 +86,8 @@ class ScalarField {
   const MaxPyramid& pyramid() const HAPTICS_RT { return pyramid_; }
   const Volume& volume() const HAPTICS_RT { return *volume_; }
   double voxel() const HAPTICS_RT { return voxel_; }  ///< m: the smallest voxel side
-  /// What rounding may do to a value: legality keeps this much away from the isovalue. Index
-  /// coordinates err by some 1e-13; a billionth of the usual range is far beyond what that does.
+  /// The margin that legality keeps from the isovalue: a billionth of the usual range. The rounding
+  /// of index coordinates (some 1e-13) changes a value by far less.
   double roundingMargin() const HAPTICS_RT { return rounding_margin_; }
 
  private:
@@ -103,7 +104,7 @@ class ScalarField {
   double rounding_margin_;
 
  protected:
-  Mat3 A_VW_t_;  ///< turns gradients into W; a test derives a field in which it is wrong
+  Mat3 A_VW_t_;  ///< maps gradients to W; a test derives a field in which it is wrong
 };
 
 }  // namespace haptics

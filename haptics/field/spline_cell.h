@@ -15,8 +15,8 @@ namespace haptics {
 ///
 /// Voxels are mirrored at the faces of the grid. Beyond a face the value of the face falls to the
 /// background within one voxel, linearly, as the trilinear field does. Every value is a mean of
-/// the 4^3 voxels and the background with weights that are not negative, so their greatest bounds
-/// it, and their differences bound its slope.
+/// the 4^3 voxels and the background with non-negative weights. So the greatest of them bounds the
+/// value, and their differences bound its slope.
 struct SplineCell {
   /// A polynomial of degree 9 on [0, 1] by its Bernstein coefficients; their hull contains it.
   using Along = std::array<double, 10>;
@@ -25,7 +25,7 @@ struct SplineCell {
   std::array<double, 64> voxel;      ///< from at - 1 to at + 2 on each axis, i fastest
   std::array<int, 3> face{};         ///< -1, 1: outside beyond the low, high face of the axis
   double background = 0.0;
-  bool beyond = false;  ///< nothing but background
+  bool beyond = false;  ///< only background
 
   double greatest() const HAPTICS_RT;            ///< no value of the cell is above this
   double value(const Vec3& u) const HAPTICS_RT;  ///< at index coordinates u within the cell

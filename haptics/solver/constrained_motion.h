@@ -10,26 +10,27 @@
 
 namespace haptics {
 
-/// One contact's claim on the motion: n·(v + w x r) >= -room.
+/// One contact's constraint on the motion: n·(v + w x r) >= -room.
 struct MotionRow {
   Vec3 n_W;     ///< unit normal, out of the solid
   Vec3 r_W;     ///< the point about the tool's origin [m]
-  double room;  ///< m it may still approach; negative: it must leave by that much
+  double room;  ///< m that it may still approach; negative: it must move away by that much
 };
 
 struct ConstrainedMotion {
   enum class Status {
-    Exact,    ///< the nearest allowed motion
-    Relaxed,  ///< the rows contradicted each other; none was asked to leave, none may approach more
+    Exact,      ///< the nearest allowed motion
+    Relaxed,    ///< the rows contradict each other; with negative rooms set to zero
     Infeasible  ///< no motion was found; the twist is zero
   };
   Twist twist;
   Vector6 whitened = Vector6::Zero();  ///< the twist in the metric's coordinates [m]
   Status status = Status::Exact;
-  int active = 0;                ///< rows that bear on the result: at most six
-  std::array<int, 6> bearing{};  ///< which: the first `active` are valid
+  int active = 0;                ///< active rows: at most six
+  std::array<int, 6> bearing{};  ///< indices of the active rows; the first `active` are valid
   int pivots = 0;                ///< rows that entered or left the active set on the way
-  /// How hard each pushes: M (V - V_free) = sum of reaction · (n, r x n) [m, metric of mass 1].
+  /// Reaction of each active row: M (V - V_free) = sum of reaction · (n, r x n) [m, metric of mass
+  /// 1].
   std::array<double, 6> reaction{};
 };
 

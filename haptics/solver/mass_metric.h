@@ -8,8 +8,8 @@ namespace haptics {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// How far apart two poses of a tool are: M = diag(m 1, R I0 R^T) with m = 1 and I0 the shell's
-/// mean inertia [m²]. Whitened coordinates y = (v, L^T R^T w), I0 = L L^T, are metres all six, and
+/// The distance between two poses of a tool: M = diag(m 1, R I0 R^T) with m = 1 and I0 the shell's
+/// mean inertia [m²]. Whitened coordinates y = (v, L^T R^T w), I0 = L L^T, are all in metres, and
 /// y·y is twice the energy.
 class MassMetric {
  public:

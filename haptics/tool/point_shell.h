@@ -10,19 +10,19 @@
 
 namespace haptics {
 
-/// The tool as the haptics know it: points on its surface, about their centroid.
+/// The tool for collision: points on its surface, relative to their centroid.
 ///
 /// The tool frame has its origin at the centroid of the points and the axes of the mesh.
 struct PointShell {
   std::vector<Vec3> points;  ///< m, in the tool frame
   double radius = 0.0;       ///< m, of the farthest point
-  /// m², mean inertia about the centroid, regularised; of a single point, whose extent is that of
-  /// whatever it touches, the identity until a Scene takes the voxel for it.
+  /// m², mean inertia about the centroid, regularised. For a single point it is the identity, until
+  /// a Scene replaces it by one from the voxel's size.
   Mat3 inertia = Mat3::Identity();
   double spacing = 0.0;  ///< m, median distance to the nearest other point
 };
 
-/// A tool: what is drawn, and what is felt, in the same frame.
+/// A tool: the mesh that is drawn and the shell that is felt, in the same frame.
 struct Tool {
   std::string name;
   TriangleMesh mesh;  ///< in the tool frame; empty for a tool that is only points

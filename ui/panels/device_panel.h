@@ -13,14 +13,13 @@ namespace ui {
 
 class NumberBox;
 
-/// Something to choose: what the program calls it, and what the user reads.
+/// A choice: its name in the program, and its text for the user.
 struct Choice {
   QString id;
   QString label;
 };
 
-/// Who holds the device, what tool it carries, how stiff and rough the touch is, and over which
-/// field.
+/// Hand, tool, stiffness, friction and field.
 class DevicePanel : public QWidget {
   Q_OBJECT
  public:
@@ -33,7 +32,7 @@ class DevicePanel : public QWidget {
   void showHand(const QString& id, const QString& label);
   void showTool(const QString& id, const QString& label);
   void showStiffness(double newton_per_metre);
-  /// `effect`: what the field does to the solid, in a sentence; or empty.
+  /// `effect`: a sentence on how the field changes the solid, or empty.
   void showField(const QString& id, const QString& effect);
 
  signals:

@@ -10,7 +10,7 @@ class QLabel;
 
 namespace ui {
 
-/// What the hand feels: now, in large figures, and over the last seconds.
+/// The force on the hand: now, in large figures, and over the last seconds as a plot.
 class ForcePanel : public QWidget {
   Q_OBJECT
  public:

@@ -13,8 +13,8 @@
 namespace ui {
 
 /// Force and torque over the last ten seconds. Every tick is kept; a pixel shows the least and
-/// the greatest of the ticks that fall on it, so that a spike of one tick is seen. It is painted
-/// twenty times a second at most, and not at all once all that is on view is level.
+/// the greatest of its ticks, so a spike of one tick is visible. The plot is painted at most twenty
+/// times a second, and not while all visible curves are flat.
 class ForcePlot : public QWidget {
   Q_OBJECT
  public:

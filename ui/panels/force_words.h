@@ -10,10 +10,10 @@ namespace ui {
 
 /// The state of the force in a word or two.
 QString nameOf(haptics::ForceState state);
-/// What it means and what to do now: a sentence, or empty where there is nothing to say.
+/// A sentence on its meaning and what to do, or empty.
 QString sentenceFor(haptics::ForceState state, haptics::ForceReason reason,
                     haptics::Trouble trouble);
-/// White text on this says the state by colour too; never red, which takes the force away.
+/// The background colour of the state, for white text. Never red: red is the stop button's.
 QString colourOf(haptics::ForceState state);
 
 }  // namespace ui

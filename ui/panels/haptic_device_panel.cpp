@@ -319,7 +319,8 @@ void HapticDevicePanel::show(const QList<DeviceLine>& devices) {
   const DeviceLine* before = selected();
   const QString kept = before != nullptr ? before->id : connected_;
   surveyed_ = devices_ = devices;
-  std::ranges::stable_partition(devices_, &DeviceLine::present);
+  std::stable_partition(devices_.begin(), devices_.end(),
+                        [](const DeviceLine& line) { return line.present; });
   bool refused_is_here = false;
   for (DeviceLine& device : devices_) {
     if (device.id != without_firmware_ || !device.present) continue;

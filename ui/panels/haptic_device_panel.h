@@ -23,7 +23,7 @@ namespace ui {
 
 class NumberBox;
 
-/// A haptic device, as the list shows it.
+/// A haptic device in the list.
 struct DeviceLine {
   QString id;
   QString name;
@@ -37,7 +37,7 @@ struct DeviceLine {
   bool operator==(const DeviceLine&) const = default;
 };
 
-/// What the user wants connected.
+/// The connection that the user asks for.
 struct DeviceWish {
   QString id;
   QString firmware = {};  ///< its maker's firmware: a path, or empty
@@ -59,40 +59,41 @@ struct Mapping {
   bool operator==(const Mapping&) const = default;
 };
 
-/// Which haptic device is connected, how its motion is taken to the volume, and what stands between
-/// the computed force and its motors.
+/// The connected haptic device, the mapping of its motion to the volume, and the gate between the
+/// computed force and its motors.
 class HapticDevicePanel : public QWidget {
   Q_OBJECT
  public:
   explicit HapticDevicePanel(QWidget* parent = nullptr);
 
-  /// All devices, in this order, those that are here first; what was selected stays so. Of several
-  /// with one name the place is shown, which is what stands behind the colon of the id.
+  /// All devices, in this order but those that are present first; the selection is kept. Devices of
+  /// the same name also show their place, which is the part of the id behind the colon.
   void show(const QList<DeviceLine>& devices);
   using QWidget::show;
-  /// What is being connected, is connected, or is no longer: `why` is a sentence, or empty.
+  /// A device is being connected, is connected, or no longer is. `why` is a sentence, or empty.
   void showConnecting(const QString& name);
   void showConnected(const QString& id);
   void showDisconnected(const QString& why);
-  /// It could not be connected. What only opening tells is shown of it until it is tried again or
-  /// goes: that it wants its maker's firmware.
+  /// It could not be connected. If it lacks its maker's firmware, which only opening shows, the
+  /// panel says so until the device is tried again or removed.
   void showRefused(const QString& id, haptics::Trouble trouble, const QString& why);
   void show(const Mapping& mapping);
-  /// What was set, and what it came to under what is allowed to the device that is connected.
+  /// The settings, and the settings in force under the allowed stiffness of the connected device.
   void showStiffness(const haptics::Settings& wished,
                      const std::optional<haptics::Settings>& in_force);
-  /// The state of the force, at display rate. Nobody's but a connected device's is shown.
+  /// The state of the force, at display rate. Shown only for a connected device.
   void display(const haptics::Snapshot& snapshot);
 
  signals:
-  /// It became visible, or is so no more.
+  /// The panel became visible or hidden.
   void seen(bool visible);
   void surveyWanted();
   void connectWanted(const ui::DeviceWish& wish);
-  /// Also: what is being connected is to be given up.
+  /// Also cancels a connection under way.
   void disconnectWanted();
   void mappingChanged(const ui::Mapping& mapping);
-  /// The device may have all that it is rated for, though it may shake. Off at each connection.
+  /// Allows the device the whole stiffness of its rating, although it may shake. Off at each
+  /// connection.
   void stiffnessLifted(bool lifted);
   void armWanted();
 

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// A slider that stands on a histogram: drag, wheel, arrow keys. What it selects is the solid
-/// side, drawn bright. Counts are drawn by their logarithm, or air would hide all else.
+/// A slider on a histogram, moved by drag, wheel and arrow keys. The solid side of the value is
+/// bright. Counts are logarithmic, because air has most of the voxels.
 class HistogramSlider : public QAbstractSlider {
   Q_OBJECT
  public:

@@ -15,8 +15,8 @@ class NumberBox;
 /// and with no more decimals than the panel shows. Any thread.
 double allowedIsovalue(const haptics::Volume& volume, double isovalue);
 
-/// Where the surface is: a slider on the histogram, a typed value, and presets where the
-/// intensities are Hounsfield units.
+/// The isovalue: a slider on the histogram, a number field, and presets if the intensities are
+/// Hounsfield units.
 class IsosurfacePanel : public QWidget {
   Q_OBJECT
  public:
@@ -25,12 +25,12 @@ class IsosurfacePanel : public QWidget {
 
   explicit IsosurfacePanel(QWidget* parent = nullptr);
 
-  /// Shows another volume, at an isovalue that it can have; emits nothing.
+  /// Shows another volume, at an isovalue within its range; emits nothing.
   void show(const Picture& picture, double isovalue);
 
  signals:
   void isovalueChanged(double isovalue);
-  /// One sentence: the value asked for cannot be had.
+  /// A sentence: the isovalue that the user entered is not possible.
   void refused(const QString& sentence);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace ui {
 
-/// What ticks cost with so many points. Times are s of CPU.
+/// The time of ticks with this number of points. CPU time, s.
 struct TickTimes {
   int points = 0;
   double median = 0.0, p99 = 0.0, longest = 0.0;

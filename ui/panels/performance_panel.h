@@ -12,28 +12,28 @@ class QPushButton;
 
 namespace ui {
 
-/// Something that the touch need not do in the present scene, and why.
+/// An omission in the plan of the present scene, and its reason.
 struct LeftOut {
   QString what;
   QString why;
 };
 
-/// What this machine carries: measured on a click, in words and as a diagram; and what the present
-/// scene leaves out.
+/// How many points this machine carries, measured on a click, in words and as a diagram; and what
+/// the present scene leaves out.
 class PerformancePanel : public QWidget {
   Q_OBJECT
  public:
   explicit PerformancePanel(QWidget* parent = nullptr);
 
-  /// Whether there is something to measure with.
+  /// Whether there is a scene to measure.
   void setReady(bool ready);
-  /// A measurement has begun: the button cancels it.
+  /// A measurement has begun; the button now cancels it.
   void showMeasuring();
   void showProgress(double fraction);
-  /// It has ended. With a result;
+  /// The measurement has ended with a result;
   void show(const Performance& performance);
   using QWidget::show;
-  /// or without one, and with a sentence on why.
+  /// or without a result; the sentence gives the reason.
   void showNothing(const QString& why);
   /// Of the present scene; what is empty is not mentioned.
   void showLeftOut(const QList<LeftOut>& left_out);

@@ -10,7 +10,7 @@
 
 namespace ui {
 
-/// What measuring this machine came to. Lengths in metres, times in s.
+/// The result of a measurement of this machine. Lengths in m, times in s.
 struct Performance {
   QString conditions = {};  ///< what was touched, with what and how, in sentences
 
@@ -35,14 +35,14 @@ struct Performance {
 
 /// The answer in one sentence.
 QString headlineOf(const Performance& performance);
-/// How it was found, and what the live loop did beside it.
+/// How it was measured, and what the live loop did meanwhile.
 QString detailsOf(const Performance& performance);
-/// How many points to give the tool, and why; empty where there is nothing to say.
+/// How many points to give the tool, and why; or empty.
 QString suggestionOf(const Performance& performance);
 
 /// 2,126
 QString counted(std::int64_t number);
-/// 0.21, and 0.004 where two digits would say nothing
+/// Two decimals, as 0.21, or more for small numbers, as 0.004.
 QString milliseconds(double seconds);
 
 }  // namespace ui

@@ -14,28 +14,28 @@ class QTableWidget;
 
 namespace ui {
 
-/// How the recording of the present session comes along.
+/// The progress of the recording of the present session.
 struct RecordingStatus {
   enum class State {
     Off,
     Recording,
-    Finishing,  ///< the last of it is being written
-    Stopped     ///< by itself: `failure` says why
+    Finishing,  ///< the last steps are being written
+    Stopped     ///< ended without the user: `failure` gives the reason
   };
   State state = State::Off;
   double elapsed = 0.0;  ///< s since it began
   qint64 samples = 0;    ///< in the file
-  qint64 gaps = 0;       ///< samples that were lost: 0, or the recording is not whole
+  qint64 gaps = 0;       ///< lost samples; above 0 the recording is not complete
   qint64 bytes = 0;
   std::optional<double> room = {};  ///< s of recording that the disk has room for
   QString failure = {};             ///< a sentence
 };
 
-/// A recording made before.
+/// An earlier recording.
 struct PastRecording {
   QString id;
   QString name;
-  double duration = 0.0;  ///< s; of an unfinished one nobody knows
+  double duration = 0.0;  ///< s; unknown for an unfinished one
   QString tool = {};
   qint64 bytes = 0;
   bool finished = true;
@@ -51,7 +51,7 @@ class RecordingPanel : public QWidget {
   /// Whether there is a session to record.
   void setReady(bool ready);
   void show(const RecordingStatus& status);
-  /// The list, in this order; what was selected stays so.
+  /// The list, in this order; the selection is kept.
   void show(const QList<PastRecording>& recordings);
   using QWidget::show;
 
@@ -64,7 +64,7 @@ class RecordingPanel : public QWidget {
   void markWanted(const QString& note);
   void openWanted(const QString& id);
   void exportWanted(const QString& id);
-  /// The user was asked, and agreed.
+  /// Emitted after the user agreed to delete.
   void deleteWanted(const QString& id);
   void recoverWanted(const QString& id);
 

@@ -11,20 +11,20 @@ class QToolButton;
 
 namespace ui {
 
-/// What an open recording is gone through with: timeline, play and pause, single ticks, speed.
-/// Space, Left and Right work while the focus is in it, and nowhere else.
+/// The controls of a replay: timeline, play and pause, single ticks, speed. Space, Left and Right
+/// work only while the bar has the focus.
 class ReplayBar : public QFrame {
   Q_OBJECT
  public:
   explicit ReplayBar(QWidget* parent = nullptr);
 
-  /// Another recording, at its begin; it does not play, and there is no warning.
+  /// Shows another recording, at its beginning, paused and without a warning.
   void show(ReplayTrack track);
   using QWidget::show;
   /// The time that is shown in the views, s, the recording's own.
   void setTime(double time);
   void setPlaying(bool playing);
-  /// One sentence on what is not as it was recorded; empty: all is.
+  /// A sentence on what differs from the recorded session, or empty.
   void showWarning(const QString& sentence);
 
   ReplayTimeline& timeline() { return *timeline_; }

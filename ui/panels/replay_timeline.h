@@ -26,10 +26,10 @@ struct ReplayTrack {
   std::vector<float> force_least = {}, force_most = {};
 };
 
-/// The whole of a recording from left to right: the force as a curve, what happened as ticks that
-/// differ in colour and shape, the time that is shown as a line. Click or drag wishes another time;
-/// while the mouse is down the line is where the mouse is. Left and Right wish one tick more or
-/// less, Home and End the ends, Space play or pause.
+/// The whole recording from left to right: the force as a curve, events as symbols that differ in
+/// colour and shape, the present time as a line. A click or drag asks for another time; while the
+/// mouse is down the line follows it. Left and Right ask for one tick less or more, Home and End
+/// for the ends, Space for play or pause.
 class ReplayTimeline : public QWidget {
   Q_OBJECT
  public:
@@ -43,8 +43,7 @@ class ReplayTimeline : public QWidget {
   /// Where a time is drawn, in pixels from the left; what is outside the track, at its end.
   double xOf(double time) const;
   double timeAt(double x) const;
-  /// What there is to say about the ticks at `x`: a line each, plain text; empty where there is
-  /// none.
+  /// The texts of the events at `x`: a line each, plain text; empty if there is none.
   QString wordsAt(double x) const;
 
   QSize sizeHint() const override { return {600, 68}; }

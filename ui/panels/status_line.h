@@ -9,8 +9,8 @@
 
 namespace ui {
 
-/// The one line that says how the touch and the picture are doing. What the servo loop's figures
-/// jitter by is no news: they change where they differ noticeably, every five seconds at most.
+/// One line on the state of the touch and the picture. The servo loop's figures are updated at most
+/// every five seconds, and only if they differ noticeably.
 class StatusLine : public QLabel {
   Q_OBJECT
  public:

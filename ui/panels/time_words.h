@@ -5,7 +5,8 @@
 
 namespace ui {
 
-/// A time [s] as minutes and seconds, "83:05.2" with one decimal; a dash for what is no number.
+/// A time [s] as minutes and seconds, "83:05.2" with one decimal; a dash for a value that is not a
+/// number.
 QString clockTime(double seconds, int decimals);
 
 }  // namespace ui

@@ -26,7 +26,7 @@ struct Histogram {
   std::vector<double> counts = {};
 };
 
-/// A volume as the window needs it. Made away from the GUI thread, then handed over whole.
+/// A volume prepared for the window. Made on another thread, then handed over whole.
 ///
 /// Images are in the grid's own frame L: voxel (0, 0, 0) at the origin, axes along i, j, k,
 /// millimetres. X_WL_mm takes L to W and may mirror, because a file's axes may be left-handed.
@@ -40,7 +40,7 @@ struct Picture {
   bool mirrored() const { return X_WL_mm.linear().determinant() < 0.0; }
 };
 
-/// What is made is of no use once `cancel`, if there is one, has become true on the way.
+/// If `cancel` becomes true meanwhile, the result is incomplete and must not be used.
 Picture pictureOf(std::shared_ptr<const haptics::Volume> volume,
                   const std::atomic<bool>* cancel = nullptr);
 
@@ -56,8 +56,8 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
 /// From at most a few million voxels, evenly taken.
 Histogram histogramOf(const haptics::Volume& volume, int bins);
 
-/// The isosurface of an image of L as triangles with normals, in L. Any thread. Where X_WL
-/// mirrors, triangles are turned about so that they face outwards in W.
+/// The isosurface of an image of L as triangles with normals, in L. Any thread. If X_WL
+/// mirrors, the triangles are reversed so that they face outwards in W.
 vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue, bool mirrored);
 
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const Eigen::Affine3d& X);

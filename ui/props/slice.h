@@ -20,7 +20,7 @@ enum class Plane { Axial, Coronal, Sagittal };
 struct PlaneAxes {
   Eigen::Vector3d right;   ///< towards the right edge of the picture
   Eigen::Vector3d up;      ///< towards its upper edge
-  Eigen::Vector3d normal;  ///< the way the wheel goes: towards S, P or L
+  Eigen::Vector3d normal;  ///< direction of the wheel: towards S, P or L
 };
 PlaneAxes axesOf(Plane plane);
 

@@ -24,7 +24,7 @@ class ToolProp {
 
   /// In the tool frame, metres. A mesh without triangles shows its vertices as points.
   void show(const haptics::TriangleMesh& mesh);
-  /// True if it has moved by more than the eye can see.
+  /// True if the tool has moved visibly.
   bool move(const haptics::Pose& X_WP, const haptics::Pose& X_WD);
 
   vtkActor* proxy() const { return proxy_; }

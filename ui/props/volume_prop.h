@@ -24,13 +24,13 @@ struct SurfaceChoice {
   QString reason;
 };
 
-/// The ray caster where the graphics can: OpenGL 3.2, not drawn by the processor, textures as
-/// large as the volume. The mesh elsewhere. A wish overrides what is a matter of speed.
+/// The ray caster, if the GPU has OpenGL 3.2 and textures as large as the volume; otherwise the
+/// mesh. A choice by the user overrides what only affects the speed.
 SurfaceChoice chooseSurface(std::optional<SurfaceMode> wish, const Graphics& graphics,
                             const haptics::Grid& grid);
 
-/// The volume's isosurface, by one of two means: cast on the GPU from the voxels themselves, or
-/// as a mesh, reduced while something moves and fine when still.
+/// The volume's isosurface: ray-cast on the GPU from the voxels, or drawn as a mesh, which is
+/// reduced while something moves and fine at rest.
 class VolumeProp {
  public:
   VolumeProp();
@@ -42,13 +42,13 @@ class VolumeProp {
   void setIsovalue(double isovalue);
   /// Hides the fine mesh behind the reduced one.
   void setMoving(bool moving);
-  /// A mesh of L in full detail; ignored if the isovalue is another by now.
+  /// A mesh of L in full detail; ignored if the isovalue has changed since.
   void showFine(vtkPolyData* mesh, double isovalue);
   /// Finds the ray's hit by bisection between samples (on) or takes the sample after it (off).
   void setHitRefinement(bool on);
-  /// The box of W that the surface fills, mm; the volume's where there is no surface.
+  /// The box of W that the surface fills, mm; the volume's if there is no surface.
   Eigen::AlignedBox3d bounds_mm();
-  /// Brings what is drawn up to date; before each drawing.
+  /// Updates what is drawn; must be called before each drawing.
   void update();
 
   vtkVolume* rayCast() const { return volume_; }
