@@ -78,7 +78,7 @@ void Application::wireHands() {
   connect(&hand_, &HandController::changed, this, [this](const QString& id) {
     measurement_.end(tr("The measurement was cancelled: another hand took the device."));
     // which of several is nobody's business: a device's own name may tell whose it is
-    recording_.note("hand", id.section(':', 0, 0));
+    noteHand(id);
   });
   connect(&hand_, &HandController::lookWanted, &picture_, &PictureController::look);
   connect(&hand_, &HandController::replayEndWanted, &replay_, &ReplayController::close);
@@ -92,13 +92,18 @@ void Application::wireHands() {
   connect(&picture_, &PictureController::refreshing, &device_, &DeviceController::refresh);
 }
 
+void Application::noteHand(const QString& id) {
+  // what follows tells one device from others of its kind, and is nobody's business
+  recording_.note("hand", id.section(':', 0, 0));
+}
+
 void Application::wireRecordings() {
   connect(&opening_, &OpeningController::recordingWanted, &replay_, &ReplayController::open);
   connect(&recording_, &RecordingController::openWanted, &replay_, &ReplayController::open);
   connect(&recording_, &RecordingController::deleting, &replay_, &ReplayController::closeFile);
   connect(&recording_, &RecordingController::starting, &replay_, &ReplayController::close);
   connect(&recording_, &RecordingController::started, this,
-          [this] { recording_.note("hand", QString::fromStdString(hand_.name())); });
+          [this] { noteHand(QString::fromStdString(hand_.name())); });
   connect(&replay_, &ReplayController::opened, this, [this] {
     recording_.recording().stop();
     measurement_.end(tr("The measurement was cancelled: a recording is being replayed."));

@@ -65,6 +65,7 @@ class Application : public QObject {
   void wireOpening();
   void wireHands();
   void wireRecordings();
+  void noteHand(const QString& id);
   /// Ends whatever touches, records or measures.
   void close();
 

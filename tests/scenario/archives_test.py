@@ -10,6 +10,7 @@ import io
 import json
 import os
 import pathlib
+import resource
 import shutil
 import signal
 import subprocess
@@ -20,15 +21,21 @@ import time
 import zipfile
 
 SERIES = "philips_head_phantom/bone_1mm"
-MOST_S = 20.0
+MOST_S = 20.0  # of CPU
+
+
+def cpu_seconds():
+    """Of the processes that have ended: a busy machine does not count."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def info(cli, path, temporary):
-    began = time.monotonic()
+    began = cpu_seconds()
     done = subprocess.run([cli, "info", str(path), "--json"], capture_output=True, timeout=120,
                           env={**os.environ, "TMPDIR": str(temporary)})
     said = json.loads(done.stdout)
-    return said, done.returncode, time.monotonic() - began
+    return said, done.returncode, cpu_seconds() - began
 
 
 def without_names(said):
