@@ -31,7 +31,7 @@ rule(FOLDERS "resources" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|haptics/)"
      PERMITS "^haptics/core/" WHY "resources are read by all")
 rule(FOLDERS "app" EXCEPT "app/(study|cli)"
      FORBIDS "^haptics/(field|collision|solver|coupling|servo|devices)/"
-     PERMITS "^haptics/(devices/(catalogue|combined)|servo/emergency)[.]h$"
+     PERMITS "^haptics/(devices/(catalogue|combined)|servo/emergency|field/lanes)[.]h$"
      WHY "the application uses haptics through its root headers")
 rule(FOLDERS "(haptics|ui|datasets|resources|app)" FORBIDS "^[.][.]/"
      WHY "an include names its path from the root, so that these rules can read it")
