@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "datasets/readers/files/refusal.h"
 #include "datasets/readers/files/thumbnail.h"
@@ -72,8 +73,8 @@ class Relay : public vtkCommand {
   const ReadProgress* progress = nullptr;
 };
 
-Expected<haptics::Volume> readNrrd(const VolumeInFile& chosen, const Part& part,
-                                   const ReadProgress& progress) {
+Expected<haptics::Volume> readNrrd(std::shared_ptr<const ParsedNrrd> nrrd, int number,
+                                   const Part& part, const ReadProgress& progress) {
   vtkNew<VtkNrrdReader> reader;
   vtkNew<Relay> relay;
   vtkNew<VtkErrors> errors;
@@ -81,48 +82,81 @@ Expected<haptics::Volume> readNrrd(const VolumeInFile& chosen, const Part& part,
   reader->AddObserver(vtkCommand::ProgressEvent, relay);
   errors->watch(reader);
   errors->watch(reader->GetExecutive());
-  reader->setPath(chosen.path);
-  reader->setChoice(chosen.number, part);
+  reader->setParsed(std::move(nrrd));
+  reader->setChoice(number, part);
   reader->Update();
   return reader->volume();
 }
 
-enum class Format { None, Nrrd, MetaImage, Nifti };
+using HeaderPtr = std::shared_ptr<const VolumeHeader>;
 
-Format formatOf(const fs::path& path) {
-  const fs::path extension = path.extension();
-  if (looksLikeNrrd(path) || extension == ".nrrd" || extension == ".nhdr") return Format::Nrrd;
-  if (looksLikeMetaImage(path)) return Format::MetaImage;
-  return looksLikeNifti(path) ? Format::Nifti : Format::None;
+HeaderPtr withStamps(FileStamp of_header, const std::vector<fs::path>& data_files,
+                     VolumeHeader header) {
+  header.files.push_back(std::move(of_header));
+  for (const fs::path& file : data_files) header.files.push_back(stampOf(file));
+  return std::make_shared<const VolumeHeader>(std::move(header));
 }
 
-Expected<StoredVolumes> describe(const fs::path& path) {
-  switch (formatOf(path)) {
-    case Format::MetaImage:
-      return describeMetaImage(path);
-    case Format::Nifti:
-      return describeNifti(path);
-    case Format::Nrrd:
-    case Format::None:
-      break;
+Expected<HeaderPtr> headerOf(const fs::path& path, VolumeFormat format) {
+  FileStamp stamp = stampOf(path);  // before the parse, so that a change during it is seen
+  if (format == VolumeFormat::Nrrd || format == VolumeFormat::None) {
+    auto nrrd = parseNrrd(path);
+    if (!nrrd) return tl::unexpected(std::move(nrrd.error()));
+    auto parsed = std::make_shared<const ParsedNrrd>(std::move(*nrrd));
+    return withStamps(std::move(stamp), parsed->header.data_files, {parsed, {}});
   }
-  return describeNrrd(path);
+  auto stored = format == VolumeFormat::MetaImage ? describeMetaImage(path) : describeNifti(path);
+  if (!stored) return tl::unexpected(std::move(stored.error()));
+  const std::vector<fs::path> data_files{stored->voxels.file};
+  return withStamps(std::move(stamp), data_files, {std::move(*stored), {}});
+}
+
+/// As the survey parsed it, or anew.
+Expected<HeaderPtr> headerOf(const VolumeInFile& chosen) {
+  if (chosen.header && chosen.header->isUpToDate()) return chosen.header;
+  return headerOf(chosen.path, formatOf(Beginning(chosen.path)));
+}
+
+Expected<haptics::Volume> readVolume(const VolumeHeader& header, int number, const Part& part,
+                                     const ReadProgress& progress) {
+  if (const auto* nrrd = std::get_if<std::shared_ptr<const ParsedNrrd>>(&header.parsed))
+    return readNrrd(*nrrd, number, part, progress);
+  return readVolume(header.stored(), number, part, progress);
 }
 
 }  // namespace
 
-bool isVolumeFile(const fs::path& path) { return formatOf(path) != Format::None; }
+VolumeFormat formatOf(const Beginning& file) {
+  const fs::path extension = file.path.extension();
+  if (looksLikeNrrd(file) || extension == ".nrrd" || extension == ".nhdr")
+    return VolumeFormat::Nrrd;
+  if (looksLikeMetaImage(file)) return VolumeFormat::MetaImage;
+  return looksLikeNifti(file) ? VolumeFormat::Nifti : VolumeFormat::None;
+}
 
-std::vector<SeriesVerdict> verdictsOf(const fs::path& path) {
-  const auto stored = describe(path);
-  const std::int64_t count = stored ? stored->count() : 1;
+bool isVolumeFile(const fs::path& path) { return formatOf(Beginning(path)) != VolumeFormat::None; }
+
+const StoredVolumes& VolumeHeader::stored() const {
+  if (const auto* nrrd = std::get_if<std::shared_ptr<const ParsedNrrd>>(&parsed))
+    return (*nrrd)->stored;
+  return std::get<StoredVolumes>(parsed);
+}
+
+bool VolumeHeader::isUpToDate() const {
+  return std::ranges::all_of(files, [](const FileStamp& f) { return stampOf(f.path) == f; });
+}
+
+std::vector<SeriesVerdict> verdictsOf(const fs::path& path, VolumeFormat format) {
+  const auto header = headerOf(path, format);
+  const std::int64_t count = header ? (*header)->stored().count() : 1;
   std::vector<SeriesVerdict> verdicts;
   for (std::int64_t number = 0; number < count; ++number) {
-    SeriesVerdict verdict = stored ? verdictOf(*stored) : refusalOf(stored.error());
+    SeriesVerdict verdict = header ? verdictOf((*header)->stored()) : refusalOf(header.error());
     if (count > 1)
       verdict.message = "Volume " + std::to_string(number) + " of " + std::to_string(count) +
                         ", counted from 0. " + verdict.message;
-    verdict.found = std::make_shared<Found>(Found{VolumeInFile{path, static_cast<int>(number)}});
+    verdict.found = std::make_shared<Found>(
+        Found{VolumeInFile{path, static_cast<int>(number), header ? *header : nullptr}});
     verdicts.push_back(std::move(verdict));
   }
   return verdicts;
@@ -130,29 +164,28 @@ std::vector<SeriesVerdict> verdictsOf(const fs::path& path) {
 
 std::vector<fs::path> filesReadFor(const VolumeInFile& chosen) {
   std::vector<fs::path> files{chosen.path};
-  if (formatOf(chosen.path) == Format::Nrrd) {
-    if (const auto header = readNrrdHeader(chosen.path))
-      std::ranges::copy(header->data_files, std::back_inserter(files));
-  } else if (const auto stored = describe(chosen.path)) {
-    files.push_back(stored->voxels.file);
+  if (chosen.header) {
+    for (const FileStamp& file : chosen.header->files) files.push_back(file.path);
+  } else if (const auto header = readNrrdHeader(chosen.path)) {
+    // teem refused what follows the names of the data files
+    std::ranges::copy(header->data_files, std::back_inserter(files));
   }
   return files;
 }
 
 Expected<haptics::Volume> readVolume(const VolumeInFile& chosen, const Part& part,
                                      const ReadProgress& progress) {
-  if (formatOf(chosen.path) == Format::Nrrd) return readNrrd(chosen, part, progress);
-  const auto stored = describe(chosen.path);
-  if (!stored) return tl::unexpected(stored.error());
-  return readVolume(*stored, chosen.number, part, progress);
+  const auto header = headerOf(chosen);
+  if (!header) return tl::unexpected(header.error());
+  return readVolume(**header, chosen.number, part, progress);
 }
 
 Expected<Thumbnail> thumbnailOf(const VolumeInFile& chosen, int longest) {
-  const auto stored = describe(chosen.path);
-  if (!stored) return tl::unexpected(stored.error());
-  const auto& dims = stored->grid.dims;
+  const auto header = headerOf(chosen);
+  if (!header) return tl::unexpected(header.error());
+  const auto& dims = (*header)->stored().grid.dims;
   const Part middle{.box = Part::Box{{0, 0, dims[2] / 2}, {dims[0], dims[1], dims[2] / 2 + 1}}};
-  const auto slice = readVolume(chosen, middle, {});
+  const auto slice = readVolume(**header, chosen.number, middle, {});
   if (!slice) return tl::unexpected(slice.error());
   return thumbnailOf({.type = slice->type,
                       .pixels = slice->voxels.get(),

@@ -2,24 +2,46 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <variant>
 #include <vector>
 
+#include "datasets/readers/files/beginning.h"
+#include "datasets/readers/files/file_stamp.h"
+#include "datasets/readers/files/stored_volumes.h"
 #include "datasets/readers/found.h"
+#include "datasets/readers/nrrd/voxels.h"
 #include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
 
 namespace datasets {
 
-/// Whether a file is in a format that holds whole volumes: NRRD, MetaImage, NIfTI.
+/// A format that holds whole volumes.
+enum class VolumeFormat : char { None, Nrrd, MetaImage, Nifti };
+VolumeFormat formatOf(const Beginning& file);
+
+/// Whether a file is in such a format.
 bool isVolumeFile(const std::filesystem::path& path);
 
-/// A verdict for each volume of the file; a single refusal where nothing of it can be read.
-std::vector<SeriesVerdict> verdictsOf(const std::filesystem::path& path);
+/// What the header of a file of whole volumes says, parsed once for its verdicts and its voxels.
+struct VolumeHeader {
+  std::variant<StoredVolumes, std::shared_ptr<const ParsedNrrd>> parsed;
+  std::vector<FileStamp> files;  ///< the header's, then those that hold the voxels
+
+  const StoredVolumes& stored() const;
+  /// Whether all files are as they were.
+  bool isUpToDate() const;
+};
+
+/// A verdict for each volume of a file in such a format; a single refusal where nothing of it can
+/// be read.
+std::vector<SeriesVerdict> verdictsOf(const std::filesystem::path& path, VolumeFormat format);
 
 /// The file, and those beside it that hold its voxels.
 std::vector<std::filesystem::path> filesReadFor(const VolumeInFile& chosen);
 
+/// The header is parsed again where a file has changed since the survey.
 haptics::Expected<haptics::Volume> readVolume(const VolumeInFile& chosen, const Part& part,
                                               const ReadProgress& progress);
 

@@ -101,7 +101,6 @@ SeriesVerdict verdictWith(DicomSeries series) {
   return verdict;
 }
 
-constexpr double kSorted = 0.3;               // of the progress: what is a slice, what a volume
 constexpr std::size_t kMostVolumes = 20'000;  // in the files of a folder
 
 /// Adds the volumes of one file, or says that there are too many to list.
@@ -167,36 +166,44 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
   const auto paths = filesBelow(folder, progress);
   if (!paths) return tl::unexpected(paths.error());
   Survey survey{true, {}};
-  std::vector<fs::path> slices;
+  std::vector<DicomFile> frames;
   std::vector<SeriesVerdict> volumes;
   std::map<fs::path, Closed> closed;  // by folder
-  enum class Kind : char { Slice, Volume, Empty, Forbidden };
-  std::vector<Kind> kinds(paths->size(), Kind::Slice);
-  const bool done = onAllCores(paths->size(), progress.part(0.0, kSorted), [&](std::size_t i) {
+  enum class Kind : char { Readable, Empty, Forbidden };
+  struct File {
+    Kind kind = Kind::Readable;
+    VolumeFormat format = VolumeFormat::None;
+    std::vector<DicomFile> frames;
+  };
+  std::vector<File> files(paths->size());
+  const bool done = onAllCores(paths->size(), progress, [&](std::size_t i) {
     std::error_code error;
+    File& file = files[i];
     if (fs::file_size((*paths)[i], error) == 0)
-      kinds[i] = Kind::Empty;
+      file.kind = Kind::Empty;
     else if (isForbidden((*paths)[i]))
-      kinds[i] = Kind::Forbidden;
-    else if (isVolumeFile((*paths)[i]))
-      kinds[i] = Kind::Volume;
+      file.kind = Kind::Forbidden;
+    if (file.kind != Kind::Readable) return true;
+    const Beginning beginning((*paths)[i]);
+    file.format = formatOf(beginning);
+    if (file.format == VolumeFormat::None && looksLikeDicom(beginning))
+      file.frames = readDicomHeader(beginning).frames;
     return true;
   });
   if (!done) return cancelled();
   for (std::size_t i = 0; i < paths->size(); ++i) {
     if (progress.isCancelled()) return cancelled();
     const fs::path& path = (*paths)[i];
-    if (kinds[i] == Kind::Empty) ++closed[path.parent_path()].empty;
-    if (kinds[i] == Kind::Forbidden) ++closed[path.parent_path()].forbidden;
-    if (kinds[i] == Kind::Volume) add(verdictsOf(path), volumes);
-    if (kinds[i] == Kind::Slice) slices.push_back(path);
+    if (files[i].kind == Kind::Empty) ++closed[path.parent_path()].empty;
+    if (files[i].kind == Kind::Forbidden) ++closed[path.parent_path()].forbidden;
+    if (files[i].format != VolumeFormat::None) add(verdictsOf(path, files[i].format), volumes);
+    std::ranges::move(files[i].frames, std::back_inserter(frames));
   }
-  auto all = seriesAmong(slices, progress.part(kSorted, 1.0));
-  if (!all) return tl::unexpected(std::move(all.error()));
-  for (const DicomSeries& series : *all)
+  std::vector<DicomSeries> all = seriesAmong(std::move(frames));
+  for (const DicomSeries& series : all)
     for (const DicomFile& file : series.files)
       if (file.fault && file.series.empty()) ++closed[file.path.parent_path()].damaged;
-  for (DicomSeries& series : *all) {
+  for (DicomSeries& series : all) {
     const DicomFile& first = series.files.front();
     const auto beside = closed.find(first.path.parent_path());
     const bool lacks =
@@ -223,8 +230,11 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
                                          quoted(path) + " may not be read by this user; change its "
                                                         "permissions or copy it.",
                                          "unreadable"});
-  const bool is_index =
-      fs::is_regular_file(path, error) && looksLikeDicom(path) && isFolderIndex(path);
+  const Beginning beginning = fs::is_regular_file(path, error) ? Beginning(path) : Beginning();
+  const bool is_dicom = beginning.is_open && looksLikeDicom(beginning);
+  DicomHeader header = is_dicom ? readDicomHeader(beginning) : DicomHeader();
+  const bool is_index = header.is_folder_index;
+  const VolumeFormat format = formatOf(beginning);
   if (is_index || fs::is_directory(path, error)) {
     const fs::path folder = is_index ? folderOf(path) : path;
     auto found = surveyOf(folder, progress);
@@ -233,11 +243,11 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     survey = std::move(*found);
   } else if (!fs::is_regular_file(path, error)) {
     return notFound(path);
-  } else if (isVolumeFile(path)) {
-    survey.series = verdictsOf(path);
+  } else if (format != VolumeFormat::None) {
+    survey.series = verdictsOf(path, format);
     survey.several = survey.series.size() > 1;
-  } else if (looksLikeDicom(path)) {
-    auto one = seriesOf(path, progress);
+  } else if (is_dicom) {
+    auto one = seriesOf(path, std::move(header), progress);
     if (!one) return tl::unexpected(std::move(one.error()));
     Closed beside = closedBeside(folderOf(path));
     beside.damaged = one->damaged_beside;
@@ -316,8 +326,10 @@ Expected<haptics::Volume> readVolume(const fs::path& path, const Reading& readin
 std::vector<fs::path> filesReadFor(const fs::path& path, const ReadProgress& progress) {
   std::vector<fs::path> files{path};
   std::error_code error;
-  if (fs::is_regular_file(path, error) && !isVolumeFile(path) && !looksLikeDicom(path))
-    return files;
+  if (fs::is_regular_file(path, error)) {
+    const Beginning beginning(path);
+    if (formatOf(beginning) == VolumeFormat::None && !looksLikeDicom(beginning)) return files;
+  }
   const auto found = survey(path, progress);
   if (!found) return files;
   for (const SeriesVerdict& series : found->series)

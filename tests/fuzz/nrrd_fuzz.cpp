@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "datasets/readers/nrrd/header.h"
 #include "datasets/readers/nrrd/voxels.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scratch_folder.h"
@@ -29,18 +28,16 @@ const support::ScratchFolder& folder() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto path =
       folder().write("volume.nhdr", std::string_view(reinterpret_cast<const char*>(bytes), size));
-  const auto header = datasets::readNrrdHeader(path);
-  const auto description = datasets::describeNrrd(path);
-  fuzz::require(header || !description, "what is described has a header");
-  if (!description) {
-    fuzz::require(!description.error().what.empty() && !description.error().reason.empty(),
+  const auto nrrd = datasets::parseNrrd(path);
+  if (!nrrd) {
+    fuzz::require(!nrrd.error().what.empty() && !nrrd.error().reason.empty(),
                   "a refusal has a sentence and a reason");
     return 0;
   }
-  fuzz::require(description->grid.dims == header->dims, "the sizes are those of the header");
-  fuzz::require(description->grid.spacing.allFinite() && description->grid.spacing.minCoeff() > 0.0,
+  const haptics::Grid& grid = nrrd->stored.grid;
+  fuzz::require(grid.dims == nrrd->header.dims, "the sizes are those of the header");
+  fuzz::require(grid.spacing.allFinite() && grid.spacing.minCoeff() > 0.0,
                 "the spacing is positive");
-  fuzz::require(description->grid.origin.allFinite() && description->grid.direction.allFinite(),
-                "the volume lies somewhere");
+  fuzz::require(grid.origin.allFinite() && grid.direction.allFinite(), "the volume lies somewhere");
   return 0;
 }

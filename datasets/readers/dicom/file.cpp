@@ -398,28 +398,27 @@ struct Header {
 
 }  // namespace
 
-bool looksLikeDicom(const std::filesystem::path& path) {
-  return vtkDICOMUtilities::IsDICOMFile(path.c_str()) || bareDataSetOf(path).has_value();
+bool looksLikeDicom(const Beginning& file) {
+  // what vtk-dicom looks for, without opening the file once more
+  constexpr std::int64_t kLeast = 256;  // bytes
+  const bool marked = file.file_size >= kLeast && file.bytes.size() >= 136 &&
+                      file.bytes.compare(128, 8, std::string("DICM\2\0\0\0", 8)) == 0;
+  return marked || vtkDICOMUtilities::IsDICOMFile(file.path.c_str()) ||
+         bareDataSetOf(file.bytes).has_value();
 }
 
-bool isFolderIndex(const std::filesystem::path& path) {
-  // its syntax is always explicit little endian
-  if (structureOf(path, path).fault) return false;
-  const auto header = std::make_unique<Header>(path.string());
-  return textOf(header->meta, DC::MediaStorageSOPClassUID) == kFolderIndex;
-}
-
-std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
+DicomHeader readDicomHeader(const Beginning& beginning) {
   const CLocale numbers_with_points;
+  const std::filesystem::path& path = beginning.path;
   const auto unreadable = [&](const haptics::Error& why) {
     DicomFile file;
     file.path = path;
     file.fault = why;
-    return std::vector{file};
+    return DicomHeader{.frames = {file}};
   };
   DicomStructure structure = structureOf(path, path);
-  const auto bare = bareDataSetOf(path);
-  std::optional<RewrittenFile> rewritten, beginning;
+  const auto bare = bareDataSetOf(beginning.bytes);
+  std::optional<RewrittenFile> rewritten, sound_part;
   if ((bare && bare->needsRewriting()) ||
       (!structure.fault && structure.syntax == kDeflatedSyntax)) {
     auto copy = RewrittenFile::of(path);
@@ -431,14 +430,15 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   if (structure.fault) {
     auto copy = RewrittenFile::beginningOf(parsed, structure.sound_bytes);
     if (!copy) return unreadable(*structure.fault);
-    beginning.emplace(std::move(*copy));
-    parsed = beginning->path();
+    sound_part.emplace(std::move(*copy));
+    parsed = sound_part->path();
   }
   const auto header = std::make_unique<Header>(parsed);
   vtkDICOMMetaData* meta = header->meta;
   vtkDICOMParser* parser = header->parser;
 
-  if (textOf(meta, DC::MediaStorageSOPClassUID) == kFolderIndex) return {};
+  if (textOf(meta, DC::MediaStorageSOPClassUID) == kFolderIndex)
+    return {.is_folder_index = !structure.fault, .frames = {}};
   DicomFile file;
   file.path = path;
   file.rewritten = rewritten.has_value();
@@ -472,35 +472,35 @@ std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path) {
   if (structure.fault) {
     file.fault = structure.fault;
     placeSlice(meta, file);  // to know what it is a copy of
-    return {file};
+    return {.frames = {file}};
   }
   if (!header->isSound()) {
     file.fault =
         fault(malformed("truncated", "The header of " + quoted(path) +
                                          " is damaged or cut off; copy or fetch it again."));
     placeSlice(meta, file);  // likewise
-    return {file};
+    return {.frames = {file}};
   }
   if (!understood) {
     file.fault = fault(malformed(
         "bad-header", "The header of " + quoted(path) + " cannot be understood; export it again."));
-    return {file};
+    return {.frames = {file}};
   }
   file.fault = readFrameCount(meta, file);
   if (!file.fault) file.fault = bitsFault(file, meta);
   if (auto pixels = pixelFault(file, meta, parser)) file.fault = std::move(pixels);
   if (file.fault) {
     placeSlice(meta, file);  // to know what it is a copy of
-    return {file};
+    return {.frames = {file}};
   }
-  std::vector<DicomFile> frames;
+  DicomHeader all;
   for (file.frame = 0; file.frame < file.frame_count; ++file.frame) {
-    frames.push_back(file);
-    readFrame(meta, frames.back());
+    all.frames.push_back(file);
+    readFrame(meta, all.frames.back());
     // what one frame lacks, all others may: a small file must not make many entries
-    if (frames.back().fault) return {frames.back()};
+    if (all.frames.back().fault) return {.frames = {all.frames.back()}};
   }
-  return frames;
+  return all;
 }
 
 }  // namespace datasets

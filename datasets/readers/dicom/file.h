@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "datasets/readers/dicom/stack.h"
+#include "datasets/readers/files/beginning.h"
 #include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 
@@ -56,13 +57,17 @@ struct DicomFile {
 };
 
 /// Whether a file begins like DICOM: the mark after a preamble, or a first element that fits.
-bool looksLikeDicom(const std::filesystem::path& path);
+bool looksLikeDicom(const Beginning& file);
 
-/// Whether a file is the index of a folder (DICOMDIR).
-bool isFolderIndex(const std::filesystem::path& path);
+/// What the header of one file says.
+struct DicomHeader {
+  bool is_folder_index = false;  ///< a sound DICOMDIR
+  /// An entry for each frame, or a single one with a fault. Empty for what is no image and no part
+  /// of a series: a folder's index, or what only begins like DICOM.
+  std::vector<DicomFile> frames;
+};
 
-/// Reads one header: an entry for each frame, or a single one with a fault. Empty for what is no
-/// image and no part of a series: a folder's index, or what only begins like DICOM.
-std::vector<DicomFile> readDicomHeader(const std::filesystem::path& path);
+/// Parses one header.
+DicomHeader readDicomHeader(const Beginning& beginning);
 
 }  // namespace datasets

@@ -124,12 +124,19 @@ Expected<std::vector<fs::path>> filesOf(const fs::path& folder) {
   return paths;
 }
 
-/// Headers of the DICOM files among these, in their order, read by all cores.
-Expected<std::vector<DicomFile>> headersOf(const std::vector<fs::path>& paths,
-                                           const ReadProgress& progress) {
+/// Frames of the DICOM files among these, in their order, read by all cores; of the one file whose
+/// frames are `known`, those.
+Expected<std::vector<DicomFile>> framesOf(const std::vector<fs::path>& paths,
+                                          const std::vector<DicomFile>& known,
+                                          const ReadProgress& progress) {
   std::vector<std::vector<DicomFile>> of_each(paths.size());
   const bool done = onAllCores(paths.size(), progress, [&](std::size_t i) {
-    if (looksLikeDicom(paths[i])) of_each[i] = readDicomHeader(paths[i]);
+    if (!known.empty() && paths[i] == known.front().path) {
+      of_each[i] = known;
+      return true;
+    }
+    const Beginning beginning(paths[i]);
+    if (looksLikeDicom(beginning)) of_each[i] = readDicomHeader(beginning).frames;
     return true;
   });
   if (!done) return cancelled();
@@ -304,14 +311,17 @@ std::int64_t voxelBytesOf(const DicomSeries& series) {
   return pixels * slices * each;
 }
 
+tl::unexpected<haptics::Error> noSeries(const fs::path& path) {
+  return malformed("unreadable", quoted(path) +
+                                     " is no DICOM file, or not any more; open the folder of one "
+                                     "series.");
+}
+
 }  // namespace
 
-Expected<std::vector<DicomSeries>> seriesAmong(const std::vector<fs::path>& paths,
-                                               const ReadProgress& progress) {
-  auto headers = headersOf(paths, progress);
-  if (!headers) return tl::unexpected(std::move(headers.error()));
+std::vector<DicomSeries> seriesAmong(std::vector<DicomFile> frames) {
   std::vector<DicomSeries> all;
-  for (std::vector<DicomFile>& files : separated(std::move(*headers)))
+  for (std::vector<DicomFile>& files : separated(std::move(frames)))
     for (DicomSeries& series : judged(std::move(files))) all.push_back(std::move(series));
   std::ranges::sort(all, {}, [](const DicomSeries& s) {
     return std::pair(s.files.front().series_number, s.files.front().path);
@@ -319,8 +329,22 @@ Expected<std::vector<DicomSeries>> seriesAmong(const std::vector<fs::path>& path
   return all;
 }
 
+Expected<std::vector<DicomSeries>> seriesAmong(const std::vector<fs::path>& paths,
+                                               const ReadProgress& progress) {
+  auto frames = framesOf(paths, {}, progress);
+  if (!frames) return tl::unexpected(std::move(frames.error()));
+  return seriesAmong(std::move(*frames));
+}
+
 Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progress) {
-  const std::vector<DicomFile> frames = readDicomHeader(path);
+  const Beginning beginning(path);
+  if (!looksLikeDicom(beginning)) return noSeries(path);
+  return seriesOf(path, readDicomHeader(beginning), progress);
+}
+
+Expected<DicomSeries> seriesOf(const fs::path& path, DicomHeader header,
+                               const ReadProgress& progress) {
+  std::vector<DicomFile>& frames = header.frames;
   if (frames.empty())
     return unsupported("no-pixels", quoted(path) +
                                         " holds no image: it is the index of a folder, or no "
@@ -328,7 +352,9 @@ Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progres
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const auto paths = filesOf(folder);
   if (!paths) return tl::unexpected(paths.error());
-  auto headers = headersOf(*paths, progress);
+  // as the folder names it
+  for (DicomFile& frame : frames) frame.path = folder / path.filename();
+  auto headers = framesOf(*paths, frames, progress);
   if (!headers) return tl::unexpected(std::move(headers.error()));
   const DicomFile& named = frames.front();
   const auto isNamed = [&](const DicomFile& file) {
@@ -358,9 +384,7 @@ Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progres
       return std::move(series);
     }
   }
-  return malformed("unreadable", quoted(path) +
-                                     " is no DICOM file, or not any more; open the folder of one "
-                                     "series.");
+  return noSeries(path);
 }
 
 SeriesVerdict verdictOf(const DicomSeries& series) {

@@ -23,9 +23,10 @@ struct DicomSeries {
   int damaged_beside = 0;
 };
 
-/// The series among files, by series number; what is no DICOM is passed over. Of files with the
-/// same image one is kept.
-/// `advanced` runs from 0 to 1.
+/// The series among frames, by series number. Of files with the same image one is kept.
+std::vector<DicomSeries> seriesAmong(std::vector<DicomFile> frames);
+
+/// The same of the frames of files; what is no DICOM is passed over. `advanced` runs from 0 to 1.
 haptics::Expected<std::vector<DicomSeries>> seriesAmong(
     const std::vector<std::filesystem::path>& paths, const ReadProgress& progress = {});
 
@@ -33,6 +34,9 @@ haptics::Expected<std::vector<DicomSeries>> seriesAmong(
 /// of the named one (in other encodings, say) the named one is taken.
 haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file,
                                         const ReadProgress& progress = {});
+/// The same of a file whose header has been parsed.
+haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file, DicomHeader header,
+                                        const ReadProgress& progress);
 
 /// Without an index and without what was found.
 SeriesVerdict verdictOf(const DicomSeries& series);

@@ -103,16 +103,13 @@ Inflated inflateTo(MemoryFile& file, std::string& bytes, std::size_t data, std::
 
 }  // namespace
 
-std::optional<BareDataSet> bareDataSetOf(const std::filesystem::path& path) {
-  std::string b(kMeta + 8, '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(b.data(), static_cast<std::streamsize>(b.size()));
-  b.resize(static_cast<std::size_t>(in.gcount()));
+std::optional<BareDataSet> bareDataSetOf(std::string_view beginning) {
+  const std::string_view b = beginning.substr(0, kMeta + 8);
   BareDataSet set;
   if (b.size() == kMeta + 8 && b.compare(kMeta - 4, 4, "DICM") == 0) set.begin = kMeta;
   if (b.size() < set.begin + 8) return {};
   // an element of the group 8, among the first of the standard
-  const std::string_view head{b.data() + set.begin, 8};
+  const std::string_view head = b.substr(set.begin, 8);
   const auto isLetter = [](char c) { return c >= 'A' && c <= 'Z'; };
   const bool is_explicit = isLetter(head[4]) && isLetter(head[5]);
   if (is_explicit && head.substr(0, 3) == std::string_view{"\0\x08\0", 3})
@@ -141,7 +138,7 @@ Expected<RewrittenFile> RewrittenFile::of(const std::filesystem::path& path) {
   if (error || size > static_cast<std::uintmax_t>(kMost)) return tooLarge();
   std::ifstream in(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  const auto bare = bareDataSetOf(path);
+  const auto bare = bareDataSetOf(bytes);
   const auto [meta, data] =
       bare ? std::pair{syntaxElement(bare->syntax), bare->begin} : inflatedMetaOf(bytes);
   if (meta.empty())

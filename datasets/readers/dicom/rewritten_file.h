@@ -21,7 +21,8 @@ struct BareDataSet {
   /// vtk-dicom reads little endian without a word about it, and takes big endian for little.
   bool needsRewriting() const;
 };
-std::optional<BareDataSet> bareDataSetOf(const std::filesystem::path& path);
+/// From the file's first bytes, 140 of them or all.
+std::optional<BareDataSet> bareDataSetOf(std::string_view beginning);
 
 /// A DICOM file that vtk-dicom cannot read as it stands, written anew in memory.
 class RewrittenFile {

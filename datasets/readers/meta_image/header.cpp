@@ -238,12 +238,9 @@ Expected<void> readMetaPlace(const fs::path& path, const MetaText& text, StoredV
 
 }  // namespace
 
-bool looksLikeMetaImage(const fs::path& path) {
-  const std::string extension = lowered(path.extension().string());
-  if (extension == ".mhd" || extension == ".mha") return true;
-  char magic[10] = {};
-  std::ifstream in(path, std::ios::binary);
-  return in.read(magic, sizeof magic) && std::string_view(magic, sizeof magic) == "ObjectType";
+bool looksLikeMetaImage(const Beginning& file) {
+  const std::string extension = lowered(file.path.extension().string());
+  return extension == ".mhd" || extension == ".mha" || file.bytes.starts_with("ObjectType");
 }
 
 Expected<StoredVolumes> describeMetaImage(const fs::path& path) {

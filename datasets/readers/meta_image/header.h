@@ -3,13 +3,14 @@
 
 #include <filesystem>
 
+#include "datasets/readers/files/beginning.h"
 #include "datasets/readers/files/stored_volumes.h"
 #include "haptics/core/error.h"
 
 namespace datasets {
 
 /// Whether a file is named or begins as a MetaImage: .mhd, .mha.
-bool looksLikeMetaImage(const std::filesystem::path& path);
+bool looksLikeMetaImage(const Beginning& file);
 
 /// Reads and checks the header of a MetaImage, whose world is LPS in millimetres. The rows of
 /// TransformMatrix are the directions of the axes. Left and right are unknown where there is no

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -40,6 +39,7 @@ struct Fields {
   std::array<double, 3> quaternion{}, offset{};
   std::array<double, 12> matrix{};  ///< by rows
   bool swapped = false;
+  bool deflated = false;          ///< the file is a gzip file
   std::int64_t least_offset = 0;  ///< bytes
 };
 
@@ -119,19 +119,15 @@ std::optional<Fields> fieldsOf(const std::array<char, kHeader2>& bytes) {
   return {};
 }
 
-bool isGzip(const fs::path& path) {
-  char magic[2] = {};
-  std::ifstream in(path, std::ios::binary);
-  return in.read(magic, 2) && magic[0] == '\x1f' && magic[1] == '\x8b';
-}
-
 std::optional<Fields> readFields(const fs::path& path, bool deflated) {
   const auto stream = openBytes(path, 0, deflated);
   std::array<char, kHeader2> bytes{};
   // the shorter header may be all there is
   if (!stream->read(bytes.data(), kHeader1)) return {};
   static_cast<void>(stream->read(bytes.data() + kHeader1, kHeader2 - kHeader1));
-  return fieldsOf(bytes);
+  auto fields = fieldsOf(bytes);
+  if (fields) fields->deflated = deflated;
+  return fields;
 }
 
 struct DataType {
@@ -192,7 +188,7 @@ Expected<void> readNiftiPlace(const fs::path& path, const Fields& fields, Stored
       std::floor(first) != first)
     return badHeader(path, "places the voxels where none can be");
   stored.voxels.file = path;
-  stored.voxels.deflated = isGzip(path);
+  stored.voxels.deflated = fields.deflated;
   (stored.voxels.deflated ? stored.voxels.skip : stored.voxels.offset) =
       static_cast<std::int64_t>(first);
   return checkStored(stored.voxels, path);
@@ -303,21 +299,19 @@ Expected<void> readNiftiValues(const fs::path& path, const Fields& fields, Store
 
 }  // namespace
 
-bool looksLikeNifti(const fs::path& path) {
-  const std::string name = lowered(path.filename().string());
+bool looksLikeNifti(const Beginning& file) {
+  const std::string name = lowered(file.path.filename().string());
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return true;
-  // the marks of both versions, and no more of a file that may be a slice on a slow disk
-  std::string head(348, '\0');
-  std::ifstream in(path, std::ios::binary);
-  if (!in.read(head.data(), static_cast<std::streamsize>(head.size()))) return false;
-  return head.compare(344, 4, std::string("n+1\0", 4)) == 0 ||
-         head.compare(4, 4, std::string("n+2\0", 4)) == 0;
+  // the marks of both versions
+  return file.bytes.size() >= std::size_t{kHeader1} &&
+         (file.bytes.compare(344, 4, std::string("n+1\0", 4)) == 0 ||
+          file.bytes.compare(4, 4, std::string("n+2\0", 4)) == 0);
 }
 
 Expected<StoredVolumes> describeNifti(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return notFound(path);
-  const auto fields = readFields(path, isGzip(path));
+  const Beginning beginning(path);
+  if (!beginning.is_open) return notFound(path);
+  const auto fields = readFields(path, beginning.bytes.starts_with("\x1f\x8b"));
   if (!fields) return badHeader(path, "does not begin as that of a NIfTI file in one piece");
   StoredVolumes stored;
   for (const auto step :

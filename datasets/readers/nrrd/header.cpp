@@ -342,11 +342,7 @@ std::int64_t NrrdHeader::voxelCount() const {
   return std::accumulate(sizes.begin(), sizes.end(), std::int64_t{1}, std::multiplies<>());
 }
 
-bool looksLikeNrrd(const fs::path& path) {
-  char magic[4] = {};
-  std::ifstream in(path, std::ios::binary);
-  return in.read(magic, 4) && std::string_view(magic, 4) == "NRRD";
-}
+bool looksLikeNrrd(const Beginning& file) { return file.bytes.starts_with("NRRD"); }
 
 Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
   const auto text = readNrrdText(path);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/readers/files/beginning.h"
 #include "haptics/core/error.h"
 
 namespace datasets {
@@ -35,7 +36,7 @@ struct NrrdHeader {
 };
 
 /// Whether a file begins as an NRRD does.
-bool looksLikeNrrd(const std::filesystem::path& path);
+bool looksLikeNrrd(const Beginning& file);
 
 /// Reads the header's text and checks it against the files: three axes of places, or a fourth that
 /// counts volumes, one value per voxel and a type that can be shown ("not-scalar",

@@ -391,42 +391,41 @@ Expected<std::shared_ptr<void>> windowByTeem(const std::filesystem::path& path,
 
 }  // namespace
 
-Expected<StoredVolumes> describeNrrd(const std::filesystem::path& path) {
-  const auto header = readNrrdHeader(path);
-  if (!header) return tl::unexpected(header.error());
+Expected<ParsedNrrd> parseNrrd(const std::filesystem::path& path) {
+  auto header = readNrrdHeader(path);
+  if (!header) return tl::unexpected(std::move(header.error()));
   const std::scoped_lock lock(teem());
   const NrrdPtr nrrd = load(path, *header, false, {});
   if (!nrrd) return headerRefused(path);
-  return describe(path, *header, *nrrd);
+  auto stored = describe(path, *header, *nrrd);
+  if (!stored) return tl::unexpected(std::move(stored.error()));
+  return ParsedNrrd{path, std::move(*header), std::move(*stored)};
 }
 
-Expected<haptics::Volume> decodeNrrd(const std::filesystem::path& path, int number,
-                                     const Part& part, const ReadProgress& progress) {
-  // geometry first: a volume that will be refused is not worth decoding
-  auto stored = describeNrrd(path);
-  if (!stored) return tl::unexpected(std::move(stored.error()));
-  const auto header = readNrrdHeader(path);
-  if (!header) return tl::unexpected(header.error());
-  const auto window = windowOf(part, stored->grid.dims);
+Expected<haptics::Volume> decodeNrrd(const ParsedNrrd& nrrd, int number, const Part& part,
+                                     const ReadProgress& progress) {
+  const auto& [path, header, parsed] = nrrd;
+  const auto window = windowOf(part, parsed.grid.dims);
   if (!window) return tl::unexpected(window.error());
   if (progress.isCancelled()) return cancelled();
-  const VoxelLayout& layout = stored->voxels.layout;
-  if (isReadHere(*header)) {
-    if (auto found = findVoxels(*header, stored->voxels); !found)
+  StoredVolumes stored = parsed;
+  const VoxelLayout& layout = stored.voxels.layout;
+  if (isReadHere(header)) {
+    if (auto found = findVoxels(header, stored.voxels); !found)
       return tl::unexpected(std::move(found.error()));
-    const bool alone = header->volumes == 1 && part.isWhole();
-    if (!alone || isMapped(stored->voxels, number, *window))
-      return readVolume(*stored, number, part, progress);
+    const bool alone = header.volumes == 1 && part.isWhole();
+    if (!alone || isMapped(stored.voxels, number, *window))
+      return readVolume(stored, number, part, progress);
   }
   const ReadProgress decoding = progress.part(0.0, kDecoding);
   auto voxels = [&] {
     const std::scoped_lock lock(teem());
-    return header->volumes == 1 && part.isWhole()
-               ? wholeByTeem(path, *header, layout, decoding)
-               : windowByTeem(path, *header, layout, number, *window, decoding);
+    return header.volumes == 1 && part.isWhole()
+               ? wholeByTeem(path, header, layout, decoding)
+               : windowByTeem(path, header, layout, number, *window, decoding);
   }();
   if (!voxels) return tl::unexpected(std::move(voxels.error()));
-  return finished(*stored, *window, layout.type, std::move(*voxels), progress.part(kDecoding, 1.0));
+  return finished(stored, *window, layout.type, std::move(*voxels), progress.part(kDecoding, 1.0));
 }
 
 }  // namespace datasets

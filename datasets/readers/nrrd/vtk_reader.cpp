@@ -12,10 +12,10 @@
 
 #include <array>
 #include <atomic>
+#include <utility>
 
 #include "datasets/readers/files/part.h"
 #include "datasets/readers/files/refusal.h"
-#include "datasets/readers/nrrd/voxels.h"
 
 namespace datasets {
 
@@ -72,6 +72,12 @@ VtkNrrdReader::VtkNrrdReader()
 
 void VtkNrrdReader::setPath(const std::filesystem::path& path) {
   path_ = path;
+  given_.reset();
+  Modified();
+}
+
+void VtkNrrdReader::setParsed(std::shared_ptr<const ParsedNrrd> nrrd) {
+  given_ = std::move(nrrd);
   Modified();
 }
 
@@ -83,24 +89,29 @@ void VtkNrrdReader::setChoice(int number, const Part& part) {
 
 int VtkNrrdReader::RequestInformation(vtkInformation*, vtkInformationVector**,
                                       vtkInformationVector* out) {
-  const auto description = describeNrrd(path_);
-  if (!description) {
-    volume_ = tl::unexpected(description.error());
-    return 0;
+  nrrd_ = given_;
+  if (!nrrd_) {
+    auto parsed = parseNrrd(path_);
+    if (!parsed) {
+      volume_ = tl::unexpected(std::move(parsed.error()));
+      return 0;
+    }
+    nrrd_ = std::make_shared<const ParsedNrrd>(std::move(*parsed));
   }
-  const auto window = windowOf(part_, description->grid.dims);
+  const haptics::Grid& grid = nrrd_->stored.grid;
+  const auto window = windowOf(part_, grid.dims);
   if (!window) {
     volume_ = tl::unexpected(window.error());
     return 0;
   }
   out->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
-                                    extentOf(gridOf(description->grid, *window)).data(), 6);
+                                    extentOf(gridOf(grid, *window)).data(), 6);
   return 1;
 }
 
 int VtkNrrdReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* out) {
   std::atomic<bool> stop = false;
-  volume_ = decodeNrrd(path_, number_, part_,
+  volume_ = decodeNrrd(*nrrd_, number_, part_,
                        {.advanced =
                             [&](double fraction) {
                               UpdateProgress(fraction);

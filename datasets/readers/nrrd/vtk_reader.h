@@ -4,8 +4,9 @@
 #include <vtkImageAlgorithm.h>
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 
+#include "datasets/readers/nrrd/voxels.h"
 #include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
@@ -21,7 +22,10 @@ class VtkNrrdReader : public vtkImageAlgorithm {
   static VtkNrrdReader* New();
   vtkTypeMacro(VtkNrrdReader, vtkImageAlgorithm)
 
+      /// Update() parses the header of this file, and reads its voxels.
       void setPath(const std::filesystem::path& path);
+  /// Update() reads the voxels of a file whose header has been parsed.
+  void setParsed(std::shared_ptr<const ParsedNrrd> nrrd);
   /// Which of the file's volumes, from 0, and which of its voxels.
   void setChoice(int number, const Part& part);
   /// What the last Update() came to.
@@ -34,6 +38,8 @@ class VtkNrrdReader : public vtkImageAlgorithm {
 
  private:
   std::filesystem::path path_;
+  std::shared_ptr<const ParsedNrrd> given_;  ///< null: the file at path_ is parsed
+  std::shared_ptr<const ParsedNrrd> nrrd_;   ///< what RequestData() reads
   int number_ = 0;
   Part part_;
   haptics::Expected<haptics::Volume> volume_;

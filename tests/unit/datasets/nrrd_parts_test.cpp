@@ -236,9 +236,9 @@ TEST(NrrdVolumes, AxesOfOtherKindsAreRefusedByName) {
 }
 
 StoredVolumes describedWith(const fs::path& path) {
-  auto stored = describeNrrd(path);
-  EXPECT_TRUE(stored) << stored.error().what;
-  return std::move(*stored);
+  auto nrrd = parseNrrd(path);
+  EXPECT_TRUE(nrrd) << nrrd.error().what;
+  return std::move(nrrd->stored);
 }
 
 TEST(MappedVoxels, AreThoseOfTheFile) {

@@ -306,6 +306,23 @@ TEST(NrrdReader, HeadersThatLieAreRefusedBeforeMemoryIsAsked) {
           "NRRD0004\ntype: short\ndimension: 3\nsizes: 5 4 3\nspacings: 1 1 1\nencoding: raw\n\n" +
           rampBytes()),
       "bad-header");
+  // a header that was true when it was surveyed, and files that have changed since
+  workshop.write("later.raw", rampBytes());
+  const auto laterHeader = [&](const std::string& step) {
+    return workshop.write("later.nhdr",
+                          header("spacings: " + step + " 1 1\ndata file: later.raw\n"));
+  };
+  const auto found = survey(laterHeader("1"));
+  ASSERT_TRUE(found) << found.error().what;
+  const SeriesVerdict& before = found->series.front();
+  EXPECT_TRUE(readVolume(before));
+  workshop.write("later.raw", rampBytes().substr(2));
+  EXPECT_EQ(readVolume(before).error().reason, "truncated");
+  workshop.write("later.raw", rampBytes());
+  laterHeader("2.5");
+  const auto after = readVolume(before);
+  ASSERT_TRUE(after) << after.error().what;
+  EXPECT_NEAR(after->grid.spacing.x(), 2.5e-3, 1e-12);  // m
 }
 
 TEST(NrrdReader, DataFilesStayInTheHeadersFolder) {
