@@ -16,8 +16,7 @@ bool looksLikeNifti(const Beginning& file);
 /// a quaternion and a matrix place the voxels, their steps must be the same and their axes lie
 /// within 20 degrees, or neither can be trusted ("ambiguous-orientation"). Where neither does, left
 /// and right are unknown. Refuses colours, vectors and complex numbers ("not-scalar"), 64-bit
-/// integers
-/// ("unsupported-type"), and what the file cannot hold ("truncated").
+/// integers ("unsupported-type"), and what the file cannot hold ("truncated").
 haptics::Expected<StoredVolumes> describeNifti(const std::filesystem::path& path);
 
 }  // namespace datasets
