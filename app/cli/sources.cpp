@@ -76,7 +76,7 @@ void addReading(CLI::App& command, VolumeChoice& choice) {
                    "Resample slices that are tilted or unevenly spaced");
   command.add_flag("--largest-part", choice.largest_part,
                    "Of a series that lacks slices, read the largest part without a gap");
-  command.add_option("--every", choice.every, "Read every so manieth voxel along each axis")
+  command.add_option("--every", choice.every, "Read only every Nth voxel along each axis")
       ->check(wholeNumber(1, 1000));
   command
       .add_option("--box", choice.box,

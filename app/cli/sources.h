@@ -24,7 +24,7 @@ struct VolumeChoice {
   std::optional<int> series = {};
   bool correct = false;                ///< resample what is tilted or unevenly spaced
   bool largest_part = false;           ///< of what lacks slices
-  int every = 1;                       ///< every so manieth voxel
+  int every = 1;                       ///< read only every Nth voxel along each axis
   std::vector<std::int64_t> box = {};  ///< first and end along i, j, k; empty: all
 };
 /// Adds --series, --correct, --largest-part, --every and --box.

@@ -119,13 +119,16 @@ QComboBox* buttonBox(const char* name, const QString& none) {
   auto* box = new QComboBox;
   box->setObjectName(name);
   box->addItem(none, -1);
-  for (int n = 0; n < haptics::kButtons; ++n)
+  // a long name must not make the panel wider
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(10);
+  for (int n = 0; n < haptics::kButtons; ++n) {
+    const int own = n % haptics::kButtonsEach + 1;
     box->addItem(n < haptics::kButtonsEach
-                     ? HapticDevicePanel::tr("button %1").arg(n + 1)
-                     : HapticDevicePanel::tr("button %1 (%2 of a second device)")
-                           .arg(n + 1)
-                           .arg(n + 1 - haptics::kButtonsEach),
+                     ? HapticDevicePanel::tr("button %1").arg(own)
+                     : HapticDevicePanel::tr("second device, button %1").arg(own),
                  n);
+  }
   return box;
 }
 

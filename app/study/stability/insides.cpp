@@ -7,7 +7,7 @@ namespace {
 
 using haptics::ScalarType;
 
-/// What the contract gives a proxy that an isovalue left inside.
+/// How long a proxy may take to get out when a new isovalue leaves it inside.
 constexpr double kTicksToLeave = 20.0;
 
 /// Steps until the proxy is outside; the ticks it took, 50 at most.
