@@ -404,11 +404,12 @@ Expected<ParsedNrrd> parseNrrd(const std::filesystem::path& path) {
 
 Expected<haptics::Volume> decodeNrrd(const ParsedNrrd& nrrd, int number, const Part& part,
                                      const ReadProgress& progress) {
-  const auto& [path, header, parsed] = nrrd;
-  const auto window = windowOf(part, parsed.grid.dims);
+  const std::filesystem::path& path = nrrd.path;
+  const NrrdHeader& header = nrrd.header;
+  const auto window = windowOf(part, nrrd.stored.grid.dims);
   if (!window) return tl::unexpected(window.error());
   if (progress.isCancelled()) return cancelled();
-  StoredVolumes stored = parsed;
+  StoredVolumes stored = nrrd.stored;
   const VoxelLayout& layout = stored.voxels.layout;
   if (isReadHere(header)) {
     if (auto found = findVoxels(header, stored.voxels); !found)
