@@ -11,8 +11,7 @@
 namespace app {
 namespace {
 
-/// Null where there is none. A virtual display begins anew when its last window has gone and
-/// answers nobody meanwhile, so it is asked again for up to a second.
+/// Null where there is none. Asked again for up to a second.
 Display* opened() {
   if (std::getenv("DISPLAY") == nullptr) return nullptr;
   Display* display = XOpenDisplay(nullptr);
@@ -29,20 +28,15 @@ HeldDisplay::HeldDisplay() : display_{opened()} {}
 HeldDisplay::~HeldDisplay() {
   if (display_ != nullptr) XCloseDisplay(static_cast<Display*>(display_));
 }
+bool HeldDisplay::showsWindows() const {
+  const char* platform = std::getenv("QT_QPA_PLATFORM");
+  return display_ != nullptr &&
+         (platform == nullptr || std::string_view{platform}.starts_with("xcb"));
+}
 bool HeldDisplay::draws() const {
   int opcode = 0, event = 0, error = 0;
   return display_ != nullptr &&
          XQueryExtension(static_cast<Display*>(display_), "GLX", &opcode, &event, &error) == True;
 }
-
-bool displayReachable() {
-  const char* platform = std::getenv("QT_QPA_PLATFORM");
-  if (platform != nullptr && !std::string_view{platform}.starts_with("xcb")) return false;
-  Display* display = opened();
-  if (display != nullptr) XCloseDisplay(display);
-  return display != nullptr;
-}
-
-bool displayDraws() { return HeldDisplay{}.draws(); }
 
 }  // namespace app

@@ -3,23 +3,19 @@
 
 namespace app {
 
-/// Whether there is an X display to open a window on. Waits up to a second for one that is named
-/// and does not answer, as displayDraws does. Asked before anything of Qt or VTK begins,
-/// because both end the process where there is none.
-bool displayReachable();
-
-/// Whether VTK can draw without a window of Qt's: an X display that knows GLX.
-bool displayDraws();
-
-/// An open X display. A virtual one begins anew when its last client has gone, and VTK ends the
-/// process where it is asked meanwhile: so it is held from the check until VTK is done.
+/// An open X display. Qt and VTK both end the process where there is none, so this is asked before
+/// either begins. A virtual display begins anew when its last client has gone and answers nobody
+/// meanwhile: so it is held from the check until whoever draws has opened it too.
 class HeldDisplay {
  public:
-  HeldDisplay();  ///< waits as displayDraws does
+  HeldDisplay();  ///< waits up to a second for a display that is named and does not answer
   ~HeldDisplay();
   HeldDisplay(const HeldDisplay&) = delete;
   HeldDisplay& operator=(const HeldDisplay&) = delete;
-  /// As displayDraws.
+
+  /// Whether Qt can open a window on it: false too where QT_QPA_PLATFORM names another platform.
+  bool showsWindows() const;
+  /// Whether VTK can draw on it without a window of Qt's: it knows GLX.
   bool draws() const;
 
  private:

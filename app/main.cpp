@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 
 #include "app/application.h"
 #include "app/display.h"
@@ -78,7 +79,8 @@ int main(int argc, char** argv) {
     arguments.surface = surface == "mesh" ? ui::SurfaceMode::Mesh : ui::SurfaceMode::RayCast;
   arguments.notice = !no_notice && arguments.screenshot.empty();
 
-  if (!app::displayReachable()) {
+  std::optional<app::HeldDisplay> display{std::in_place};
+  if (!display->showsWindows()) {
     std::fprintf(stderr,
                  "There is no X display to open a window on; set DISPLAY, or use "
                  "palpate-cli, which needs none.\n");
@@ -91,6 +93,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationVersion(PALPATE_VERSION);
   int qt_argc = 1;  // the arguments are ours
   QApplication qt(qt_argc, argv);
+  display.reset();  // Qt holds its own
   datasets::sweepTemporaryFolders();
   // a file that may not grow further is an error like any other
   std::signal(SIGXFSZ, SIG_IGN);

@@ -94,7 +94,8 @@ Outcome& operator+=(Outcome& outcome, const Outcome& more) {
 }  // namespace
 
 Outcome drawScene(const std::string& scene, Depth depth) {
-  if (!app::displayDraws())
+  const app::HeldDisplay display;  // outlives the windows
+  if (!display.draws())
     return notDrawn(scene, "Not measured: there was no X display with GLX to draw on (DISPLAY).");
   const Effort effort = effortOf(scene, depth);
   const bool sphere = scene == "sphere";

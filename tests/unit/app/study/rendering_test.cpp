@@ -32,7 +32,8 @@ class SphereDrawn : public testing::Test {
  protected:
   static constexpr int kSide = 200;
   static void SetUpTestSuite() {
-    if (!app::displayDraws()) return;
+    display_ = new app::HeldDisplay;
+    if (!display_->draws()) return;
     const datasets::Ramp ramp;
     auto volume = datasets::sampled<std::int16_t>(
         datasets::centredGrid(48, 48, 48, 0.001), ramp, [](const haptics::Vec3& p) {
@@ -40,7 +41,10 @@ class SphereDrawn : public testing::Test {
         });
     drawing_ = new study::Drawing({std::move(volume.value()), ramp.isovalue, ""}, kSide);
   }
-  static void TearDownTestSuite() { delete drawing_; }
+  static void TearDownTestSuite() {
+    delete drawing_;
+    delete display_;
+  }
   void SetUp() override { ASSERT_NE(drawing_, nullptr) << "there is no X display with GLX"; }
 
   Drawn drawn(BackEnd back_end, const Camera& camera) const {
@@ -54,6 +58,7 @@ class SphereDrawn : public testing::Test {
   static constexpr double kFar_mm = 2600.0;  // at one degree: 45 mm from edge to edge
   inline static const study::Sphere kSphere{{3.0, -2.0, 4.0}, 15.0};
   inline static const Camera kCamera{{0, -kFar_mm, 0}, {0, 0, 0}, {0, 0, 1}, 1.0};
+  inline static app::HeldDisplay* display_ = nullptr;  // outlives what draws on it
   inline static study::Drawing* drawing_ = nullptr;
 };
 
@@ -193,7 +198,7 @@ TEST(Rendering, WithoutADisplayIsAnOmissionAndNoCase) {
 }
 
 TEST(Rendering, QuicklyDrawsEveryScene) {
-  ASSERT_TRUE(app::displayDraws());
+  ASSERT_TRUE(app::HeldDisplay{}.draws());
   for (const study::Job& job : study::renderingJobs(study::Depth::Quick)) {
     SCOPED_TRACE(job.name);
     const Outcome outcome = job.run(1);
