@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/study/made/made.h"
+#include "app/study/stability/energy_balance.h"
 #include "app/study/stability/failures.h"
 #include "app/study/stability/limits.h"
 #include "app/study/stability/plane_limit.h"
@@ -23,6 +24,44 @@ using study::Job;
 using study::Outcome;
 using study::Study;
 using study::Wall;
+
+/// A handle that swings in a sampled spring of `share` of its limit, and a proxy that steps
+/// `carried` [m] away from it before each way back, so that it is pulled harder than it pulled.
+study::EnergyBalance swung(double share, double carried = 0.0) {
+  const haptics::Grip grip;
+  const double T = 1e-3, K = share * 2.0 * grip.damping / T;
+  study::EnergyBalance balance{K, grip, T};
+  haptics::Vector6 stretch = haptics::Vector6::Zero();
+  double x = 0.0, given = 0.0;
+  haptics::Wrench held;
+  for (int n = 1; n <= 2000; ++n) {
+    const double before = x;
+    x = 2e-3 * std::sin(0.3 * n);
+    given += held.force.z() * (x - before);
+    const bool way_back = std::abs(x) < std::abs(before);
+    stretch[2] = x + (way_back ? std::copysign(carried, x) : 0.0);
+    balance.add(given, held, {{0, 0, x - before}, haptics::Vec3::Zero()}, stretch);
+    held.force.z() = -K * stretch[2];
+  }
+  return balance;
+}
+
+// up to the limit damping takes what sampling gives; beyond it no longer, at any amplitude
+TEST(EnergyBalance, TellsALoopThatShakesFromOneThatGivesALittleAtEachStroke) {
+  const study::EnergyBalance calm = swung(0.45), shaking = swung(1.2);
+  EXPECT_GT(calm.mostGiven(), 1e-3);
+  EXPECT_LT(calm.mostLeft(), 1e-3);
+  EXPECT_GT(shaking.mostLeft(), 1e-3);
+  // both are a sampled spring, and nothing but that
+  EXPECT_LT(calm.mostOwn(), 1e-9);
+  EXPECT_LT(shaking.mostOwn(), 1e-9);
+}
+
+TEST(EnergyBalance, SeesAProxyThatPaysTheHand) {
+  EXPECT_GT(swung(0.1, 1e-4).mostOwn(), 1e-3);
+  // damping hides it from the other figure
+  EXPECT_LT(swung(0.1, 1e-4).mostLeft(), 1e-3);
+}
 
 TEST(Wall, TheMeasuredLimitOfAWellDampedDeviceIsThatOfTheory) {
   for (const char* name : {"falcon", "sigma.7", "touch", "delta.3"})
