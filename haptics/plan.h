@@ -8,10 +8,11 @@ namespace haptics {
 
 /// What the ticks of a scene leave out. True: left out.
 ///
-/// Switched off (SceneOptions::plan; studies and tests do), the work is done beside the rest and
-/// what it finds counts: a point that is inside stops the tool wherever it was thought to be. So
-/// poses and forces are the same to the bit, unless something was left out that was needed. That
-/// takes as long as it takes: only where the budget does not cut are they to be compared.
+/// Switched off (SceneOptions::plan; studies and tests do), the work is done after all: of
+/// free_space, central_differences and still_rows by the tick itself, of the other three by the
+/// SecondLook that the study attaches to the proxy. What it finds counts: a point that is inside
+/// stops the tool. So poses and forces are the same to the bit, unless something was left out that
+/// was needed. They are to be compared only where the budget does not cut.
 struct Plan {
   /// Collision detection and rows, in a tick in which every point of the tool is proven to have
   /// more room than the hand moved. Rests on the next two: off with either.

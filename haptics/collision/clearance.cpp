@@ -15,17 +15,14 @@ struct Clearance::Batch {
   double x[lanes::kLanes], y[lanes::kLanes], z[lanes::kLanes];
 };
 
-Clearance::Clearance(const ShellTree& tree, const Plan& plan)
+Clearance::Clearance(const ShellTree& tree)
     : until_(static_cast<std::size_t>(tree.size()), 0.0),
       node_until_(tree.nodes.size(), 0.0),
       node_epoch_(tree.nodes.size(), 0),
       near_(static_cast<std::size_t>(tree.size())),
       found_in_(static_cast<std::size_t>(tree.size()), 0),
       patch_size_{(tree.size() + kPatches - 1) / kPatches},
-      opened_(tree.nodes.size(), 0),
-      plan_{plan},
-      again_(plan.looksAgain() ? until_.size() : 0),
-      again_in_(again_.size(), 0) {
+      opened_(tree.nodes.size(), 0) {
   nearest_.fill(-1);
 }
 
@@ -38,12 +35,9 @@ void Clearance::restart() HAPTICS_RT {
   complete_ = goal_ = -1.0;
   cursor_ = 0;
   opened_count_ = 0;
-  again_complete_ = -1.0;
-  again_count_ = 0;
   // a number of its own for each search; after 2^32 of them a stale mark could look fresh
   if (++search_ == 0) {
     std::fill(found_in_.begin(), found_in_.end(), 0);
-    std::fill(again_in_.begin(), again_in_.end(), 0);
     search_ = 1;
   }
 }
@@ -126,13 +120,6 @@ bool Clearance::close(const ShellTree& tree, Budget& budget) HAPTICS_RT {
 
 Clearance::Verdict Clearance::collect(const Isosurface& solid, const ShellTree& tree,
                                       const Pose& X_WP, double reach, Budget& budget) HAPTICS_RT {
-  const Verdict verdict = find(solid, tree, X_WP, reach, budget);
-  if (verdict != Verdict::Legal || !looksAgain()) return verdict;
-  return lookAgain(solid, tree, X_WP, reach, budget) ? Verdict::Legal : Verdict::Inside;
-}
-
-Clearance::Verdict Clearance::find(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
-                                   double reach, Budget& budget) HAPTICS_RT {
   Batch batch;
   batch.map = solid.field.affine(X_WP);
   while (complete_ < reach) {

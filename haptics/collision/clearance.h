@@ -11,7 +11,6 @@
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
 #include "haptics/field/isosurface.h"
-#include "haptics/plan.h"
 #include "haptics/tool/shell_tree.h"
 
 namespace haptics {
@@ -31,7 +30,7 @@ struct NearPoint {
 /// A search that the budget cuts goes on where it stopped, as long as the tool has not moved.
 class Clearance {
  public:
-  explicit Clearance(const ShellTree& tree, const Plan& plan = {});
+  explicit Clearance(const ShellTree& tree);
 
   /// Nothing is known any more: the isovalue or the pose changed by other means than motion.
   void forget() HAPTICS_RT;
@@ -72,30 +71,11 @@ class Clearance {
           nearest_[static_cast<std::size_t>(used_[static_cast<std::size_t>(i)])])]);
   }
 
-  /// Calls f with the place of every point that is not in near().
-  template <class F>
-  void eachOther(F&& f) const HAPTICS_RT {
-    for (std::size_t i = 0; i < found_in_.size(); ++i)
-      if (found_in_[i] != search_) f(i);
-  }
-
-  // What the plan would leave out, where it is switched off.
-
-  bool looksAgain() const HAPTICS_RT { return plan_.looksAgain(); }
-  /// Calls f with the place of every point that must be looked at along a motion beside those in
-  /// near(), or along all of it though it is.
-  template <class F>
-  void eachAgain(F&& f) const HAPTICS_RT {
-    const std::size_t count = plan_.empty_space ? again_count_ : until_.size();
-    for (std::size_t i = 0; i < count; ++i) f(plan_.empty_space ? again_[i] : i);
-  }
+  /// Whether near() holds the point at this place of the shell's tree.
+  bool holds(std::size_t place) const HAPTICS_RT { return found_in_[place] == search_; }
 
  private:
   struct Batch;
-  Verdict find(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP, double reach,
-               Budget& budget) HAPTICS_RT;
-  bool lookAgain(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP, double reach,
-                 Budget& budget) HAPTICS_RT;
   void restart() HAPTICS_RT;
   bool look(const Isosurface& solid, const ShellTree& tree, Batch& batch,
             Budget& budget) HAPTICS_RT;
@@ -126,13 +106,14 @@ class Clearance {
   int cursor_ = 0;           ///< node at which to go on
   std::vector<int> opened_;  ///< inner nodes whose children were looked at, in order
   std::size_t opened_count_ = 0;
+};
 
-  // where the plan is switched off
-  Plan plan_;
-  double again_complete_ = -1.0;         ///< m: as complete_, of what was looked at again
-  std::vector<std::size_t> again_;       ///< places with less room, of what is not in near()
-  std::vector<std::uint32_t> again_in_;  ///< the search in which a point was found so
-  std::size_t again_count_ = 0;
+/// The tool at a pose, and its points near the surface there.
+struct NearTool {
+  const Isosurface& solid;
+  const ShellTree& tree;
+  const Pose& X_WP;
+  const Clearance& near;
 };
 
 }  // namespace haptics

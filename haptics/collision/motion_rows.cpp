@@ -26,11 +26,6 @@ struct Candidate {
   Vec3 exact_W, wide_W;  // gradients, per metre
 };
 
-/// Whether the surface is beyond all doubt no further than `way` from index coordinates u.
-bool reached(const Isosurface& solid, const Vec3& u, const Vec3& way_W) HAPTICS_RT {
-  return solid.field.value(u + solid.field.indexStepOf(way_W)) >= solid.isovalue;
-}
-
 /// The row of a near point. A wide gradient smooths the facets of the field; where it
 /// vanishes, or points elsewhere than the cell's own gradient, that is taken (thin plates).
 MotionRow rowOf(const Isosurface& solid, const Candidate& point,
@@ -47,9 +42,11 @@ MotionRow rowOf(const Isosurface& solid, const Candidate& point,
 
 }  // namespace
 
-void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
-                const Clearance& near, const Tolerances& lengths, NormalKind normal,
-                SurfaceRows& surface, Budget& budget, const Plan& plan) HAPTICS_RT {
+void gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind normal,
+                const Plan& plan, SurfaceRows& surface, Budget& budget) HAPTICS_RT {
+  const Isosurface& solid = tool.solid;
+  const ShellTree& tree = tool.tree;
+  const Clearance& near = tool.near;
   const bool still = surface.search == near.search();
   if (still && plan.still_rows) return;
   if (!still) surface.near = near.size();
@@ -61,8 +58,7 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
   std::size_t within_count = 0;
   lanes::Numbers x{}, y{}, z{};
   int count = 0;
-  bool far = false;
-  const lanes::Affine map = solid.field.affine(X_WP);
+  const lanes::Affine map = solid.field.affine(tool.X_WP);
   const auto look = [&]() HAPTICS_RT {
     // alone a sample, and for the central difference six values
     const bool together = solid.field.kind() == FieldKind::Trilinear;
@@ -83,11 +79,8 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
       const double gap = slope > 0.0 ? (solid.ceiling() - found.value[l]) / slope
                                      : std::numeric_limits<double>::infinity();
       if (gap > lengths.band || within_count == within.size()) continue;
-      // proven to be beyond the band: the gap may promise a surface that never comes
-      budget.counts.samples += far;
-      if (far && !reached(solid, {u.x[l], u.y[l], u.z[l]}, exact / slope * lengths.band)) continue;
       const Vec3 wide{found.central.x[l], found.central.y[l], found.central.z[l]};
-      within[within_count++] = {X_WP.linear() * Vec3{x[l], y[l], z[l]},
+      within[within_count++] = {tool.X_WP.linear() * Vec3{x[l], y[l], z[l]},
                                 Vec3{u.x[l], u.y[l], u.z[l]},
                                 gap,
                                 found.value[l],
@@ -96,23 +89,15 @@ void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP
     }
     count = 0;
   };
-  const auto add = [&](std::size_t place) HAPTICS_RT {
+  near.eachNearest(surface.near, [&](const NearPoint& point) HAPTICS_RT {
+    if (point.free > lengths.band) return;
+    const auto place = static_cast<std::size_t>(point.place);
     x[count] = tree.x[place];
     y[count] = tree.y[place];
     z[count] = tree.z[place];
     if (++count == lanes::kLanes) look();
-  };
-  const auto addNear = [&](const NearPoint& point) HAPTICS_RT {
-    if ((point.free > lengths.band) == far) add(static_cast<std::size_t>(point.place));
-  };
-  near.eachNearest(surface.near, addNear);
+  });
   if (count > 0) look();
-  if (!plan.far_gradients) {
-    far = true;
-    near.eachNearest(surface.near, addNear);
-    near.eachOther(add);
-    if (count > 0) look();
-  }
 
   // of too many, those with the least gaps and the outermost
   FixedVector<int, kMostSurfaceRows> chosen;

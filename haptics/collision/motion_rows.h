@@ -6,6 +6,7 @@
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/contact.h"
 #include "haptics/core/fixed_vector.h"
+#include "haptics/plan.h"
 #include "haptics/solver/constrained_motion.h"
 
 namespace haptics {
@@ -24,9 +25,8 @@ using MotionRows = FixedVector<MotionRow, kMostSurfaceRows + Contacts::capacity(
 /// The rows of the points nearest to the surface (their normal of this kind), at most 48 of them:
 /// those with the least gaps, and the outermost in 26 directions. Kept while the tool has not
 /// moved.
-void gatherRows(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
-                const Clearance& near, const Tolerances& lengths, NormalKind normal,
-                SurfaceRows& surface, Budget& budget, const Plan& plan = {}) HAPTICS_RT;
+void gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind normal,
+                const Plan& plan, SurfaceRows& surface, Budget& budget) HAPTICS_RT;
 
 /// All rows of step 3: one for every contact that stands in the way (exact normal of its cell),
 /// and those of the surface.

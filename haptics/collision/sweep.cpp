@@ -33,20 +33,20 @@ bool Sweep::advance(const Isosurface& solid, const ShellTree& tree, const Cleara
                     solid.field.affine(moved(X_, motion_, std::min(1.0, slab_ + duration_)))};
     while (cursor_ < near.size()) {
       if (!budget.left()) return false;
-      int points[lanes::kLanes], count = 0;
+      Group group;
       const std::size_t stop = std::min(near.size(), cursor_ + kStride);
-      for (; cursor_ < stop && count < lanes::kLanes; ++cursor_) {
+      for (; cursor_ < stop && group.count < lanes::kLanes; ++cursor_) {
         const NearPoint& point = near.near(cursor_);
         double& clear = clear_until_[cursor_];
         if (slab_ == 0.0) {
           const double speed = speed_ + turn_ * tree.arm[static_cast<std::size_t>(point.place)];
           clear = speed > 0.0 ? point.free / speed : 2.0;
         }
-        if (clear < std::min(slab.end, time_)) points[count++] = static_cast<int>(cursor_);
+        if (clear < std::min(slab.end, time_))
+          group.points[group.count++] = static_cast<int>(cursor_);
       }
-      if (count > 0) look(solid, tree, near, slab, points, count, lengths, budget);
+      if (group.count > 0) look(solid, tree, near, slab, group, lengths, budget);
     }
-    if (near.looksAgain()) lookAgain(solid, tree, near, slab, lengths, budget);
     cursor_ = 0;
     slab_ = slab.end;
     if (slab_ >= 1.0) break;
@@ -55,9 +55,11 @@ bool Sweep::advance(const Isosurface& solid, const ShellTree& tree, const Cleara
 }
 
 void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
-                 const Slab& slab, const int* points, int count, const Tolerances& lengths,
+                 const Slab& slab, const Group& group, const Tolerances& lengths,
                  Budget& budget) HAPTICS_RT {
   const ScalarField& field = solid.field;
+  const int count = group.count;
+  const int* points = group.points;
   const double ceiling = solid.ceiling(), h = field.voxel(), dt = slab.end - slab.begin;
   budget.spend(count);
 

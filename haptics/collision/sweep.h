@@ -36,6 +36,12 @@ class Sweep {
   /// Goes on; false if the budget ran out before the impact was known.
   bool advance(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
                const Tolerances& lengths, Budget& budget) HAPTICS_RT;
+  double time() const HAPTICS_RT { return time_; }  ///< of the earliest impact so far; 1: none
+  /// Takes an impact at `time`, before the one known, that was found by other means.
+  void meet(double time, std::size_t place) HAPTICS_RT {
+    time_ = time;
+    met_ = static_cast<int>(place);
+  }
   /// Once advance() is through. The contact has the exact normal of the cell *behind* the
   /// crossing. The budget counts the look and is not asked.
   Impact impact(const Isosurface& solid, const ShellTree& tree, const Tolerances& lengths,
@@ -47,10 +53,13 @@ class Sweep {
     double begin, end;
     lanes::Affine at_begin, at_end;  // tool frame to index coordinates
   };
+  /// Near points that are looked at together.
+  struct Group {
+    int count = 0;
+    int points[lanes::kLanes];  // into near()
+  };
   void look(const Isosurface& solid, const ShellTree& tree, const Clearance& near, const Slab& slab,
-            const int* points, int count, const Tolerances& lengths, Budget& budget) HAPTICS_RT;
-  void lookAgain(const Isosurface& solid, const ShellTree& tree, const Clearance& near,
-                 const Slab& slab, const Tolerances& lengths, Budget& budget) HAPTICS_RT;
+            const Group& group, const Tolerances& lengths, Budget& budget) HAPTICS_RT;
 
   Pose X_ = Pose::Identity();
   Twist motion_;

@@ -18,126 +18,132 @@ float roundedUp(double x) {
   return double{f} < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
 
-/// Greatest voxel and greatest edge difference of each finest block, for block layers
-/// [first, last) along k.
+/// Voxels, and the finest blocks over them.
 template <class T>
-void scanBlocks(const T* voxels, const BlockCounts& dims, double background, const Vec3& spacing,
-                const BlockCounts& blocks, std::int64_t first, std::int64_t last,
-                lanes::BlockBound* out) {
+struct Blocked {
+  const T* voxels;
+  const BlockCounts& dims;
+  double background;
+  const Vec3& spacing;
+  const BlockCounts& blocks;
+};
+
+/// Greatest voxel and greatest edge difference of each finest block of the layer `bk`.
+template <class T>
+void scanBlocks(const Blocked<T>& volume, std::int64_t bk, lanes::BlockBound* out) {
+  const auto& [voxels, dims, background, spacing, blocks] = volume;
   constexpr int n = 5;  // voxels along a side of a block of four cells
   // differences of 32-bit integers need more than 32 bits
   using Wide = double;
   const std::int64_t row = dims[0], slice = dims[0] * dims[1];
-  for (std::int64_t bk = first; bk < last; ++bk)
-    for (std::int64_t bj = 0; bj < blocks[1]; ++bj)
-      for (std::int64_t bi = 0; bi < blocks[0]; ++bi) {
-        const std::int64_t i0 = 4 * bi - 1, j0 = 4 * bj - 1, k0 = 4 * bk - 1;
-        const bool interior = i0 >= 0 && j0 >= 0 && k0 >= 0 && i0 + n <= dims[0] &&
-                              j0 + n <= dims[1] && k0 + n <= dims[2];
-        T v[n][n][n];
-        bool same = true;
-        if (interior) {
-          const T* corner = voxels + k0 * slice + j0 * row + i0;
-          for (int k = 0; k < n; ++k)
-            for (int j = 0; j < n; ++j)
-              for (int i = 0; i < n; ++i) v[k][j][i] = corner[k * slice + j * row + i];
-        } else {
-          for (int k = 0; k < n; ++k)
-            for (int j = 0; j < n; ++j)
-              for (int i = 0; i < n; ++i) {
-                const std::int64_t x = i0 + i, y = j0 + j, z = k0 + k;
-                const bool within =
-                    x >= 0 && y >= 0 && z >= 0 && x < dims[0] && y < dims[1] && z < dims[2];
-                v[k][j][i] = within ? voxels[z * slice + y * row + x] : static_cast<T>(background);
-              }
-        }
-        T top = v[0][0][0];
+  for (std::int64_t bj = 0; bj < blocks[1]; ++bj)
+    for (std::int64_t bi = 0; bi < blocks[0]; ++bi) {
+      const std::int64_t i0 = 4 * bi - 1, j0 = 4 * bj - 1, k0 = 4 * bk - 1;
+      const bool interior = i0 >= 0 && j0 >= 0 && k0 >= 0 && i0 + n <= dims[0] &&
+                            j0 + n <= dims[1] && k0 + n <= dims[2];
+      T v[n][n][n];
+      bool same = true;
+      if (interior) {
+        const T* corner = voxels + k0 * slice + j0 * row + i0;
+        for (int k = 0; k < n; ++k)
+          for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) v[k][j][i] = corner[k * slice + j * row + i];
+      } else {
         for (int k = 0; k < n; ++k)
           for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) {
-              top = std::max(top, v[k][j][i]);
-              same = same && v[k][j][i] == v[0][0][0];
+              const std::int64_t x = i0 + i, y = j0 + j, z = k0 + k;
+              const bool within =
+                  x >= 0 && y >= 0 && z >= 0 && x < dims[0] && y < dims[1] && z < dims[2];
+              v[k][j][i] = within ? voxels[z * slice + y * row + x] : static_cast<T>(background);
             }
-        Wide dx = 0, dy = 0, dz = 0;
-        if (!same) {
-          for (int k = 0; k < n; ++k)
-            for (int j = 0; j < n; ++j)
-              for (int i = 0; i + 1 < n; ++i) {
-                dx = std::max(dx, std::abs(Wide(v[k][j][i + 1]) - Wide(v[k][j][i])));
-                dy = std::max(dy, std::abs(Wide(v[k][i + 1][j]) - Wide(v[k][i][j])));
-                dz = std::max(dz, std::abs(Wide(v[i + 1][k][j]) - Wide(v[i][k][j])));
-              }
-        }
-        const std::int64_t at = (bk * blocks[1] + bj) * blocks[0] + bi;
-        out[at] = {roundedUp(double(top)),
-                   roundedUp(Vec3{dx, dy, dz}.cwiseQuotient(spacing).norm())};
       }
+      T top = v[0][0][0];
+      for (int k = 0; k < n; ++k)
+        for (int j = 0; j < n; ++j)
+          for (int i = 0; i < n; ++i) {
+            top = std::max(top, v[k][j][i]);
+            same = same && v[k][j][i] == v[0][0][0];
+          }
+      Wide dx = 0, dy = 0, dz = 0;
+      if (!same) {
+        for (int k = 0; k < n; ++k)
+          for (int j = 0; j < n; ++j)
+            for (int i = 0; i + 1 < n; ++i) {
+              dx = std::max(dx, std::abs(Wide(v[k][j][i + 1]) - Wide(v[k][j][i])));
+              dy = std::max(dy, std::abs(Wide(v[k][i + 1][j]) - Wide(v[k][i][j])));
+              dz = std::max(dz, std::abs(Wide(v[i + 1][k][j]) - Wide(v[i][k][j])));
+            }
+      }
+      const std::int64_t at = (bk * blocks[1] + bj) * blocks[0] + bi;
+      out[at] = {roundedUp(double(top)), roundedUp(Vec3{dx, dy, dz}.cwiseQuotient(spacing).norm())};
+    }
 }
 
 /// The same for the cubic spline: of the voxels that its cells are means of. In the ring the face
 /// falls to the background, and the face is a mean of voxels too.
 template <class T>
-void scanSplineBlocks(const T* voxels, const BlockCounts& dims, double background,
-                      const Vec3& spacing, const BlockCounts& blocks, std::int64_t first,
-                      std::int64_t last, lanes::BlockBound* out) {
+void scanSplineBlocks(const Blocked<T>& volume, std::int64_t bk, lanes::BlockBound* out) {
+  const T* const voxels = volume.voxels;
+  const BlockCounts& dims = volume.dims;
+  const double background = volume.background;
   const std::int64_t stride[3] = {1, dims[0], dims[0] * dims[1]};
-  for (std::int64_t bk = first; bk < last; ++bk)
-    for (std::int64_t bj = 0; bj < blocks[1]; ++bj)
-      for (std::int64_t bi = 0; bi < blocks[0]; ++bi) {
-        const std::int64_t b[3] = {bi, bj, bk};
-        std::int64_t from[3], to[3];  // voxels in the grid, both inclusive
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          from[axis] = std::max<std::int64_t>(0, 4 * b[axis] - 2);
-          to[axis] = std::min(dims[axis] - 1, 4 * b[axis] + 4);
-        }
-        const T origin = voxels[from[2] * stride[2] + from[1] * stride[1] + from[0]];
-        T least = origin, top = origin;
-        for (std::int64_t k = from[2]; k <= to[2]; ++k)
-          for (std::int64_t j = from[1]; j <= to[1]; ++j) {
-            const T* row = voxels + k * stride[2] + j * stride[1];
-            for (std::int64_t i = from[0]; i <= to[0]; ++i) {
-              least = std::min(least, row[i]);
-              top = std::max(top, row[i]);
-            }
-          }
-        Vec3 rise = Vec3::Zero();
-        if (least != top)
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            std::int64_t end[3] = {to[0], to[1], to[2]};
-            --end[axis];
-            double& steepest = rise[static_cast<int>(axis)];
-            for (std::int64_t k = from[2]; k <= end[2]; ++k)
-              for (std::int64_t j = from[1]; j <= end[1]; ++j) {
-                const T* row = voxels + k * stride[2] + j * stride[1];
-                for (std::int64_t i = from[0]; i <= end[0]; ++i)
-                  steepest =
-                      std::max(steepest, std::abs(double(row[i + stride[axis]]) - double(row[i])));
-              }
-          }
-        // in the ring a face falls to the background: of the voxels that a face is a mean of
-        const auto fallFrom = [&](std::size_t axis, std::int64_t layer) {
-          std::int64_t begin[3] = {from[0], from[1], from[2]}, end[3] = {to[0], to[1], to[2]};
-          begin[axis] = std::max(from[axis], layer);
-          end[axis] = std::min(to[axis], layer + 1);
-          T highest = origin;
-          bool any = false;
-          for (std::int64_t k = begin[2]; k <= end[2]; ++k)
-            for (std::int64_t j = begin[1]; j <= end[1]; ++j)
-              for (std::int64_t i = begin[0]; i <= end[0]; ++i) {
-                const T v = voxels[k * stride[2] + j * stride[1] + i];
-                highest = any ? std::max(highest, v) : v;
-                any = true;
-              }
-          double& steepest = rise[static_cast<int>(axis)];
-          steepest = std::max(steepest, double(highest) - background);
-        };
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          if (b[axis] == 0) fallFrom(axis, 0);
-          if (4 * b[axis] + 2 >= dims[axis] - 1) fallFrom(axis, dims[axis] - 2);
-        }
-        const std::int64_t at = (bk * blocks[1] + bj) * blocks[0] + bi;
-        out[at] = {roundedUp(double(top)), roundedUp(rise.cwiseQuotient(spacing).norm())};
+  for (std::int64_t bj = 0; bj < volume.blocks[1]; ++bj)
+    for (std::int64_t bi = 0; bi < volume.blocks[0]; ++bi) {
+      const std::int64_t b[3] = {bi, bj, bk};
+      std::int64_t from[3], to[3];  // voxels in the grid, both inclusive
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        from[axis] = std::max<std::int64_t>(0, 4 * b[axis] - 2);
+        to[axis] = std::min(dims[axis] - 1, 4 * b[axis] + 4);
       }
+      const T origin = voxels[from[2] * stride[2] + from[1] * stride[1] + from[0]];
+      T least = origin, top = origin;
+      for (std::int64_t k = from[2]; k <= to[2]; ++k)
+        for (std::int64_t j = from[1]; j <= to[1]; ++j) {
+          const T* row = voxels + k * stride[2] + j * stride[1];
+          for (std::int64_t i = from[0]; i <= to[0]; ++i) {
+            least = std::min(least, row[i]);
+            top = std::max(top, row[i]);
+          }
+        }
+      Vec3 rise = Vec3::Zero();
+      if (least != top)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          std::int64_t end[3] = {to[0], to[1], to[2]};
+          --end[axis];
+          double& steepest = rise[static_cast<int>(axis)];
+          for (std::int64_t k = from[2]; k <= end[2]; ++k)
+            for (std::int64_t j = from[1]; j <= end[1]; ++j) {
+              const T* row = voxels + k * stride[2] + j * stride[1];
+              for (std::int64_t i = from[0]; i <= end[0]; ++i)
+                steepest =
+                    std::max(steepest, std::abs(double(row[i + stride[axis]]) - double(row[i])));
+            }
+        }
+      // in the ring a face falls to the background: of the voxels that a face is a mean of
+      const auto fallFrom = [&](std::size_t axis, std::int64_t layer) {
+        std::int64_t begin[3] = {from[0], from[1], from[2]}, end[3] = {to[0], to[1], to[2]};
+        begin[axis] = std::max(from[axis], layer);
+        end[axis] = std::min(to[axis], layer + 1);
+        T highest = origin;
+        bool any = false;
+        for (std::int64_t k = begin[2]; k <= end[2]; ++k)
+          for (std::int64_t j = begin[1]; j <= end[1]; ++j)
+            for (std::int64_t i = begin[0]; i <= end[0]; ++i) {
+              const T v = voxels[k * stride[2] + j * stride[1] + i];
+              highest = any ? std::max(highest, v) : v;
+              any = true;
+            }
+        double& steepest = rise[static_cast<int>(axis)];
+        steepest = std::max(steepest, double(highest) - background);
+      };
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (b[axis] == 0) fallFrom(axis, 0);
+        if (4 * b[axis] + 2 >= dims[axis] - 1) fallFrom(axis, dims[axis] - 2);
+      }
+      const std::int64_t at = (bk * volume.blocks[1] + bj) * volume.blocks[0] + bi;
+      out[at] = {roundedUp(double(top)), roundedUp(rise.cwiseQuotient(volume.spacing).norm())};
+    }
 }
 
 float greater(float a, float b) { return std::max(a, b); }
@@ -184,8 +190,7 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<b
         const auto scan = [&](auto&& scanned) {
           for (std::int64_t k = blocks[2] * w / workers; k < blocks[2] * (w + 1) / workers; ++k) {
             if (isCancelled()) return;
-            scanned(voxels, dims_, volume.least, volume.grid.spacing, blocks, k, k + 1,
-                    finest_.data());
+            scanned({voxels, dims_, volume.least, volume.grid.spacing, blocks}, k, finest_.data());
           }
         };
         using T = std::remove_cvref_t<decltype(*voxels)>;

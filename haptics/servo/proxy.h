@@ -8,6 +8,7 @@
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/contact.h"
 #include "haptics/collision/motion_rows.h"
+#include "haptics/collision/second_look.h"
 #include "haptics/collision/sweep.h"
 #include "haptics/core/geometry.h"
 #include "haptics/scene/scene.h"
@@ -80,7 +81,7 @@ using Bearing = FixedVector<BearingContact, 6>;
 /// The proxy and what it remembers from tick to tick. Everything is allocated when it is made.
 struct Proxy {
   Proxy(const Scene& scene, const Pose& X_start)
-      : X_WP{X_start}, clearance{scene.tree, scene.plan}, sweep{scene.tool.shell.points.size()} {}
+      : X_WP{X_start}, clearance{scene.tree}, sweep{scene.tool.shell.points.size()} {}
 
   Pose X_WP;
   Vec3 turn = Vec3::Zero();  ///< unwrapped rotation from proxy to device [rad]
@@ -98,6 +99,8 @@ struct Proxy {
   bool held = false;
   Twist behind;  ///< while held: the motion to the device after the last tick in which it followed
   int ticks_behind = 0;  ///< since then
+  /// Looks at what this proxy's ticks leave out; null but in studies and tests.
+  SecondLook* second_look = nullptr;
 
   /// Keeps where it is and how it is turned, and nothing else: as if it were made there.
   void forget() HAPTICS_RT {

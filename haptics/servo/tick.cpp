@@ -84,6 +84,8 @@ class Tick {
 
  private:
   const Tolerances& lengths() const HAPTICS_RT { return scene_.lengths; }
+  /// The tool at the pose that the sub-steps have got to.
+  NearTool tool() const HAPTICS_RT { return {solid_, scene_.tree, at_.X, proxy_.clearance}; }
 
   double distanceFrom(const Pose& X, Vec3 turn) const HAPTICS_RT {
     return scene_.metric.whitened(unconstrainedMotion(X, X_WD_, turn), X.linear()).norm();
@@ -158,7 +160,7 @@ class Tick {
     // 2  which of its contacts still stand in that way, and which points are near the surface
     if (at_.fresh)
       prune(solid_, scene_.tool.shell, at_.X, free, lengths(), proxy_.contacts, budget_);
-    switch (proxy_.clearance.collect(solid_, scene_.tree, at_.X, lengths().band, budget_)) {
+    switch (collect(lengths().band)) {
       case Clearance::Verdict::Cut:
         return false;
       case Clearance::Verdict::Inside:
@@ -170,8 +172,9 @@ class Tick {
       case Clearance::Verdict::Legal:
         break;
     }
-    gatherRows(solid_, scene_.tree, at_.X, proxy_.clearance, lengths(), scene_.normal,
-               proxy_.surface, budget_, scene_.plan);
+    gatherRows(tool(), lengths(), scene_.normal, scene_.plan, proxy_.surface, budget_);
+    if (proxy_.second_look != nullptr)
+      proxy_.second_look->gathered(tool(), lengths(), proxy_.surface, budget_);
     joinRows(proxy_.contacts, proxy_.surface, lengths(), rows_);
 
     // 3  the nearest motion that leaves every contact its room
@@ -243,10 +246,10 @@ class Tick {
   bool reach() HAPTICS_RT {
     const double slab = Sweep::kSlab * lengths().voxel;
     const double close = std::max(std::min(at_.length, 2.0 * slab), lengths().band);
-    if (!collected(close)) return false;
+    if (collect(close) != Clearance::Verdict::Legal) return false;
     const auto many = double(proxy_.clearance.size());
     if (at_.length > close && many <= kMany) {
-      if (!collected(at_.length)) return false;
+      if (collect(at_.length) != Clearance::Verdict::Legal) return false;
     } else {
       const double slabs = std::max(1.0, (kProofWork / std::max(1.0, many) - 1.0) / 3.0);
       shorten(std::min(close, slabs * slab));
@@ -255,9 +258,13 @@ class Tick {
     at_.stage = Search::Stage::Sweep;
     return true;
   }
-  bool collected(double reach) HAPTICS_RT {
-    return proxy_.clearance.collect(solid_, scene_.tree, at_.X, reach, budget_) ==
-           Clearance::Verdict::Legal;
+  Clearance::Verdict collect(double reach) HAPTICS_RT {
+    const Clearance::Verdict verdict =
+        proxy_.clearance.collect(solid_, scene_.tree, at_.X, reach, budget_);
+    if (verdict == Clearance::Verdict::Legal && proxy_.second_look != nullptr &&
+        !proxy_.second_look->collected(tool(), reach, budget_))
+      return Clearance::Verdict::Inside;
+    return verdict;
   }
   void shorten(double length) HAPTICS_RT {
     if (length >= at_.length) return;
@@ -271,6 +278,8 @@ class Tick {
   bool go() HAPTICS_RT {
     if (!proxy_.sweep.advance(solid_, scene_.tree, proxy_.clearance, lengths(), budget_))
       return false;
+    if (proxy_.second_look != nullptr)
+      proxy_.second_look->swept(tool(), at_.motion, lengths(), proxy_.sweep, budget_);
     const Impact impact = proxy_.sweep.impact(solid_, scene_.tree, lengths(), budget_);
     const double length = at_.length;
     double advance = impact.time;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/study/plan/left_out_work.h"
 #include "app/study/quantile.h"
 #include "haptics/scene/legal_pose.h"
 #include "haptics/servo/tick.h"
@@ -18,7 +19,8 @@ using haptics::Budget;
 /// One of the two, on its way.
 struct Side {
   Side(const haptics::Scene& in, const Course& course, const haptics::Pose& X_start)
-      : scene{in}, proxy{in, X_start} {
+      : scene{in}, proxy{in, X_start}, left_out{in.plan, in.tree} {
+    proxy.second_look = &left_out;
     grip.gyration = std::sqrt(in.tool.shell.inertia.trace() / 3.0);
     grip.X_WD = course.hand.at(course.begin);
   }
@@ -38,6 +40,7 @@ struct Side {
 
   const haptics::Scene& scene;
   haptics::Proxy proxy;
+  LeftOutWork left_out;
   haptics::Grip grip;
   haptics::Wrench felt;
   std::int64_t spent = 0;  ///< ns

@@ -76,7 +76,8 @@ double offTruth(const Scene& scene, NormalKind kind, const Pose& X_WP, Normal&& 
   EXPECT_EQ(clearance.collect(solid, scene.tree, X_WP, scene.lengths.band, budget),
             haptics::Clearance::Verdict::Legal);
   haptics::SurfaceRows surface;
-  haptics::gatherRows(solid, scene.tree, X_WP, clearance, scene.lengths, kind, surface, budget);
+  haptics::gatherRows({solid, scene.tree, X_WP, clearance}, scene.lengths, kind, {}, surface,
+                      budget);
   double sum = 0.0;
   for (const MotionRow& row : surface.rows) {
     const Vec3 n = normal(X_WP.translation() + row.r_W);

@@ -290,8 +290,8 @@ TEST(Counts, OfOnePointAreExact) {
   EXPECT_EQ(budget.counts.gradients, 0);
   // its own sample and gradient, and six look-ups for a central difference
   haptics::SurfaceRows surface;
-  haptics::gatherRows(solid, scene->tree, X, clearance, scene->lengths,
-                      haptics::NormalKind::Central, surface, budget, {});
+  haptics::gatherRows({solid, scene->tree, X, clearance}, scene->lengths,
+                      haptics::NormalKind::Central, {}, surface, budget);
   ASSERT_EQ(surface.rows.size(), 1u);
   EXPECT_EQ(budget.counts.samples, 8);
   EXPECT_EQ(budget.counts.gradients, 2);
