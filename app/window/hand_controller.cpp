@@ -37,11 +37,6 @@ const Hand* handOf(const std::string& name) {
 
 }  // namespace
 
-std::optional<HandKind> handNamed(const std::string& name) {
-  const Hand* hand = handOf(name);
-  return hand == nullptr ? std::nullopt : std::optional{hand->kind};
-}
-
 HandController::HandController(ui::MainWindow& window, SharedState& shared, std::string hand,
                                double stiffness)
     : window_(window), shared_(shared), hand_(std::move(hand)) {
@@ -136,7 +131,7 @@ void HandController::reopen() {
 
 void HandController::resume() {
   if (shared_.replaying || shared_.session.isOpen()) return;
-  if (!open(hand_) && handNamed(hand_) != HandKind::Mouse) open("mouse");
+  if (!open(hand_) && hand_ != "mouse") open("mouse");
 }
 
 }  // namespace app

@@ -11,9 +11,6 @@
 
 namespace app {
 
-/// The names of the hands, as the command line knows them.
-std::optional<haptics::HandKind> handNamed(const std::string& name);
-
 /// Lets the user choose which hand holds the device, how stiff it is held, and whether there is a
 /// force. A real device counts as a hand while it is connected.
 class HandController : public QObject {

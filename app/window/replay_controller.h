@@ -41,7 +41,6 @@ class ReplayController : public QObject {
  private:
   void connectBar();
   void show(double time);
-  void showStep(double time);
   void compareVolumes();
 
   ui::MainWindow& window_;

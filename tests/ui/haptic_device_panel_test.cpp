@@ -285,7 +285,7 @@ TEST(HapticDevicePanel, TheMappingIsSaidInWordsAndEachChangeIsToldOnce) {
                                                                         .hold_button = 15}));
   EXPECT_EQ(clutch->count(), 17);
   EXPECT_EQ(hold->itemText(8), "button 8");
-  EXPECT_EQ(hold->currentText(), "second device, button 8");
+  EXPECT_EQ(hold->currentText(), "button 16 (second device: 8)");
 }
 
 TEST(HapticDevicePanel, TheStiffnessIsShownAtBothEndsAndWhetherItIsCapped) {

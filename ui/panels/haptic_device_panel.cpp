@@ -123,10 +123,11 @@ QComboBox* buttonBox(const char* name, const QString& none) {
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(10);
   for (int n = 0; n < haptics::kButtons; ++n) {
-    const int own = n % haptics::kButtonsEach + 1;
-    box->addItem(n < haptics::kButtonsEach
-                     ? HapticDevicePanel::tr("button %1").arg(own)
-                     : HapticDevicePanel::tr("second device, button %1").arg(own),
+    // one device alone may have as many; two share them
+    const int second = n - haptics::kButtonsEach + 1;
+    box->addItem(second < 1
+                     ? HapticDevicePanel::tr("button %1").arg(n + 1)
+                     : HapticDevicePanel::tr("button %1 (second device: %2)").arg(n + 1).arg(second),
                  n);
   }
   return box;

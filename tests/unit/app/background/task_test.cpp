@@ -102,6 +102,21 @@ TEST_F(BackgroundTask, CancelInMidWorkIsAnsweredByTheWork) {
   EXPECT_EQ(answer->error().kind, haptics::Error::Kind::Cancelled);
 }
 
+// a file that is written after all must be told of, and not taken for one that is not there
+TEST_F(BackgroundTask, WorkThatSucceedsThoughItWasCancelledHasSucceeded) {
+  std::optional<Expected<int>> answer;
+  Task<int> task;
+  task.start(
+      [](const Watch& watch) -> Expected<int> {
+        (void)untilCancelled(watch);
+        return 7;
+      },
+      [&](Expected<int> result) { answer = std::move(result); });
+  task.cancel();
+  ASSERT_TRUE(waitFor([&] { return answer.has_value(); }));
+  EXPECT_EQ(*answer, 7);
+}
+
 TEST_F(BackgroundTask, TheTokenSaysWhatTheFlagSays) {
   bool asked = false;
   Task<int> task;
@@ -205,14 +220,19 @@ TEST_F(BackgroundTask, TheResultMayStartItAgain) {
 }
 
 TEST_F(BackgroundTask, WhatTheWorkHoldsIsGoneBeforeTheResultArrives) {
-  auto held = std::make_shared<int>(7);
-  const std::weak_ptr<int> watched = held;
-  std::optional<bool> gone;
+  std::atomic<bool> gone = false;
+  // slow to go, as a file that is closed
+  std::shared_ptr<int> held{new int{7}, [&](const int* number) {
+                              std::this_thread::sleep_for(std::chrono::milliseconds{50});
+                              delete number;
+                              gone = true;
+                            }};
+  std::optional<bool> gone_by_then;
   Task<int> task;
   task.start([held = std::move(held)](const Watch&) -> Expected<int> { return *held; },
-             [&](const Expected<int>&) { gone = watched.expired(); });
-  ASSERT_TRUE(waitFor([&] { return gone.has_value(); }));
-  EXPECT_TRUE(*gone);
+             [&](const Expected<int>&) { gone_by_then = gone.load(); });
+  ASSERT_TRUE(waitFor([&] { return gone_by_then.has_value(); }));
+  EXPECT_TRUE(*gone_by_then);
 }
 
 }  // namespace
