@@ -125,10 +125,10 @@ QComboBox* buttonBox(const char* name, const QString& none) {
   for (int n = 0; n < haptics::kButtons; ++n) {
     // one device alone may have as many; two share them
     const int second = n - haptics::kButtonsEach + 1;
-    box->addItem(second < 1
-                     ? HapticDevicePanel::tr("button %1").arg(n + 1)
-                     : HapticDevicePanel::tr("button %1 (second device: %2)").arg(n + 1).arg(second),
-                 n);
+    box->addItem(
+        second < 1 ? HapticDevicePanel::tr("button %1").arg(n + 1)
+                   : HapticDevicePanel::tr("button %1 (second device: %2)").arg(n + 1).arg(second),
+        n);
   }
   return box;
 }
