@@ -13,11 +13,8 @@ Application::Application(Arguments arguments)
       preferences_(window_, arguments_.screenshot.empty()),
       opening_(window_, shared_, preferences_, arguments_.free_memory,
                arguments_.screenshot.empty()),
-      tool_(window_, shared_),
       hand_(window_, shared_, arguments_.hand, preferences_.present().stiffness),
       device_(window_, shared_, preferences_, arguments_.devices),
-      picture_(window_, shared_),
-      measurement_(window_, shared_),
       recording_(window_, shared_, recordings_, identity_),
       replay_(window_, shared_, identity_),
       export_(window_, shared_, recordings_, identity_),
@@ -100,6 +97,8 @@ void Application::noteHand(const QString& id) {
 void Application::wireRecordings() {
   connect(&opening_, &OpeningController::recordingWanted, &replay_, &ReplayController::open);
   connect(&recording_, &RecordingController::openWanted, &replay_, &ReplayController::open);
+  connect(&recording_, &RecordingController::exportWanted, &export_,
+          &ExportController::exportRecording);
   connect(&recording_, &RecordingController::deleting, &replay_, &ReplayController::closeFile);
   connect(&recording_, &RecordingController::starting, &replay_, &ReplayController::close);
   connect(&recording_, &RecordingController::started, this,

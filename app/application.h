@@ -76,11 +76,11 @@ class Application : public QObject {
   VolumeIdentity identity_;
   PreferencesController preferences_;
   OpeningController opening_;
-  ToolController tool_;
+  ToolController tool_{window_, shared_};
   HandController hand_;
   DeviceController device_;
-  PictureController picture_;
-  MeasurementController measurement_;
+  PictureController picture_{window_, shared_};
+  MeasurementController measurement_{window_, shared_};
   RecordingController recording_;
   ReplayController replay_;
   ExportController export_;

@@ -26,8 +26,6 @@
 #include "ui/panels/force_words.h"
 #include "ui/panels/haptic_device_panel.h"
 #include "ui/panels/isosurface_panel.h"
-#include "ui/panels/performance_panel.h"
-#include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/status_line.h"
 #include "ui/volume_view.h"
@@ -46,8 +44,6 @@ MainWindow::MainWindow(QWidget* parent)
       device_(new DevicePanel),
       haptic_device_(new HapticDevicePanel),
       force_(new ForcePanel),
-      performance_(new PerformancePanel),
-      recording_(new RecordingPanel),
       replay_(new ReplayBar),
       status_(new StatusLine),
       fault_bar_(new QFrame),
@@ -154,30 +150,36 @@ void MainWindow::buildViews() {
   connect(view_, &VolumeView::surfaceChosen, status_, &StatusLine::setSurface);
 }
 
+QDockWidget* MainWindow::dock(const QString& title, const char* name, QWidget* panel) {
+  auto* frame = new QDockWidget(title);
+  frame->setObjectName(name);
+  frame->setWidget(panel);
+  frame->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  addDockWidget(Qt::LeftDockWidgetArea, frame);
+  return frame;
+}
+
+void MainWindow::addPanel(QWidget* panel, const QString& title, const QString& entry,
+                          const char* name) {
+  QDockWidget* frame = dock(title, name, panel);
+  // behind the force: it is looked at now and then
+  tabifyDockWidget(force_dock_, frame);
+  force_dock_->raise();
+  view_menu_->addAction(entry, panel, [frame, panel] {
+    frame->raise();
+    panel->setFocus();
+  });
+}
+
 void MainWindow::buildDocks() {
-  const auto dock = [this](const QString& title, const char* name, QWidget* panel) {
-    auto* frame = new QDockWidget(title);
-    frame->setObjectName(name);
-    frame->setWidget(panel);
-    frame->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-    addDockWidget(Qt::LeftDockWidgetArea, frame);
-    return frame;
-  };
   QDockWidget* isosurface = dock(tr("Isosurface"), "isosurfaceDock", isosurface_);
   QDockWidget* device = dock(tr("Hand and tool"), "deviceDock", device_);
-  QDockWidget* force = dock(tr("Force"), "forceDock", force_);
-  // behind the force: they are looked at now and then
-  performance_dock_ = dock(tr("Performance"), "performanceDock", performance_);
-  recording_dock_ = dock(tr("Recording"), "recordingDock", recording_);
-  tabifyDockWidget(force, performance_dock_);
-  tabifyDockWidget(performance_dock_, recording_dock_);
-  force->raise();
+  force_dock_ = dock(tr("Force"), "forceDock", force_);
   haptic_device_dock_ = dock(tr("Haptic device"), "hapticDeviceDock", haptic_device_);
   tabifyDockWidget(device, haptic_device_dock_);
   device->raise();
-  resizeDocks({isosurface, device, force}, {165, 275, 340}, Qt::Vertical);
+  resizeDocks({isosurface, device, force_dock_}, {165, 275, 340}, Qt::Vertical);
   connect(haptic_device_, &HapticDevicePanel::armWanted, this, &MainWindow::forceOnWanted);
-  addAction(recording_->markAction());  // of the window: the panel may be out of sight
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, view_, &VolumeView::setIsovalue);
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, this, &MainWindow::isovalueChanged);
   connect(isosurface_, &IsosurfacePanel::refused, this,
@@ -226,6 +228,7 @@ void MainWindow::buildFileMenu() {
 void MainWindow::buildMenus() {
   buildFileMenu();
   QMenu* look = menuBar()->addMenu(tr("&View"));
+  view_menu_ = look;
   look->addAction(tr("Show &everything"), view_, &VolumeView::resetCamera);
   look->addAction(tr("From the &tool's side"), view_, &VolumeView::lookFromTool);
   QMenu* surface = look->addMenu(tr("&Surface"));
@@ -236,14 +239,6 @@ void MainWindow::buildMenus() {
   look->addAction(tr("&Haptic device"), this, [this] {
     haptic_device_dock_->raise();
     haptic_device_->setFocus();
-  });
-  look->addAction(tr("&Performance"), this, [this] {
-    performance_dock_->raise();
-    performance_->setFocus();
-  });
-  look->addAction(tr("Recor&ding"), this, [this] {
-    recording_dock_->raise();
-    recording_->setFocus();
   });
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));

@@ -26,8 +26,6 @@ namespace ui {
 class ForcePanel;
 class HapticDevicePanel;
 class IsosurfacePanel;
-class PerformancePanel;
-class RecordingPanel;
 class ReplayBar;
 class StatusLine;
 class VolumeView;
@@ -57,6 +55,9 @@ class MainWindow : public QMainWindow {
   void clearForces();
   void appendForces(std::span<const haptics::ForceSample> points);
   void setPhantoms(const QStringList& names);
+  /// Takes a panel, behind the force plot, with an entry in the View menu. `name` is that of its
+  /// dock: the layout is remembered by it.
+  void addPanel(QWidget* panel, const QString& title, const QString& entry, const char* name);
   /// The entries of File > Open recent, newest first, and whether new ones are remembered.
   void setRecentPlaces(const QList<Place>& places, bool remembered);
   /// Whether there is a list of series to which the user can return.
@@ -79,8 +80,6 @@ class MainWindow : public QMainWindow {
   DevicePanel& devicePanel() { return *device_; }
   HapticDevicePanel& hapticDevicePanel() { return *haptic_device_; }
   IsosurfacePanel& isosurfacePanel() { return *isosurface_; }
-  PerformancePanel& performancePanel() { return *performance_; }
-  RecordingPanel& recordingPanel() { return *recording_; }
   /// Below the views; hidden until it is given a recording.
   ReplayBar& replayBar() { return *replay_; }
   SliceView& slice(Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
@@ -113,6 +112,7 @@ class MainWindow : public QMainWindow {
   void buildViews();
   void buildBar(QFrame* bar, QLabel* words, const char* name, const char* style);
   void buildDocks();
+  QDockWidget* dock(const QString& title, const char* name, QWidget* panel);
   void buildForceBar();
   void buildMenus();
   void buildFileMenu();
@@ -129,12 +129,10 @@ class MainWindow : public QMainWindow {
   DevicePanel* device_;
   HapticDevicePanel* haptic_device_;
   ForcePanel* force_;
-  PerformancePanel* performance_;
-  RecordingPanel* recording_;
   ReplayBar* replay_;
   QDockWidget* haptic_device_dock_ = nullptr;
-  QDockWidget* performance_dock_ = nullptr;
-  QDockWidget* recording_dock_ = nullptr;
+  QDockWidget* force_dock_ = nullptr;
+  QMenu* view_menu_ = nullptr;
   StatusLine* status_;
   QFrame* fault_bar_;
   QLabel* fault_;

@@ -6,7 +6,7 @@
 #include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
-#include "app/export/formats.h"
+#include "app/export/export.h"
 #ifdef PALPATE_FILM
 #include "app/cli/film_export.h"
 #endif
@@ -24,7 +24,7 @@ struct ExportCommand {
 
 std::vector<std::string> formatNames() {
   std::vector<std::string> names;
-  for (const exporting::Format& format : exporting::formats()) names.emplace_back(format.name);
+  for (const exporting::Format& format : exporting::kFormats) names.emplace_back(format.name);
 #ifdef PALPATE_FILM
   names.emplace_back("video");
 #endif
@@ -43,7 +43,7 @@ Outcome run(ExportCommand command) {
   }
 #endif
   const exporting::Format& format = *std::ranges::find_if(
-      exporting::formats(), [&](const auto& one) { return one.name == command.format; });
+      exporting::kFormats, [&](const auto& one) { return one.name == command.format; });
   if (!command.out.ends_with(format.ending))
     return usage("\"" + command.out + "\" must end in " + format.ending + ".");
   std::vector<Target> targets;

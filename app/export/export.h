@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,23 +42,44 @@ struct Exported {
 // Refusals beside those of the recording: "unwritable"; "empty", no step between from and to;
 // "cancelled".
 
-/// How the names of what exportCsv writes end, after the prefix.
+using Export = haptics::Expected<Exported>(haptics::Recording& recording,
+                                           const std::filesystem::path& out,
+                                           const ExportOptions& options);
+
+/// Tab-separated values in the shape of Motion-BIDS. `out` begins the names of the files:
+/// out_motion.tsv, out_channels.tsv and so on.
+Export exportCsv;
+/// One HDF5 file.
+Export exportHdf5;
+/// One MCAP file of JSON messages.
+Export exportMcap;
+
+/// How the names of what exportCsv writes end.
 inline constexpr const char* kCsvEndings[] = {"_motion.tsv",   "_contacts.tsv",  "_events.tsv",
                                               "_channels.tsv", "_channels.json", "_motion.json",
                                               "_events.json"};
 
-/// Tab-separated values in the shape of Motion-BIDS. `prefix` begins the names of the files:
-/// prefix_motion.tsv, prefix_channels.tsv and so on.
-haptics::Expected<Exported> exportCsv(haptics::Recording& recording,
-                                      const std::filesystem::path& prefix,
-                                      const ExportOptions& options);
-/// One HDF5 file.
-haptics::Expected<Exported> exportHdf5(haptics::Recording& recording,
-                                       const std::filesystem::path& out,
-                                       const ExportOptions& options);
-/// One MCAP file of JSON messages.
-haptics::Expected<Exported> exportMcap(haptics::Recording& recording,
-                                       const std::filesystem::path& out,
-                                       const ExportOptions& options);
+/// A format that a recording is exported to.
+struct Format {
+  const char* name;    ///< of `palpate-cli export --format`
+  const char* ending;  ///< of the file; "": the files' names begin with what the user gives
+  // In the window, translated in the context "app::exporting".
+  const char* title;   ///< in the list of formats
+  const char* about;   ///< a sentence about it
+  const char* filter;  ///< what the file dialog says is chosen
+  Export* write;
+  /// Where `ending` is empty: how the files' names end, the largest file first.
+  std::span<const char* const> files = {};
+};
+
+/// All of them. Command line and window read this table; to add a format, add its row.
+inline constexpr Format kFormats[] = {
+    {"csv", "", "CSV (Motion-BIDS)", "Tables as text, laid out as Motion-BIDS asks.",
+     "Motion-BIDS: the beginning of the names", exportCsv, kCsvEndings},
+    {"hdf5", ".h5", "HDF5", "One file of arrays, for programs that compute.", "HDF5 (*.h5)",
+     exportHdf5},
+    {"mcap", ".mcap", "MCAP", "One file of messages over time, for viewers of robots' logs.",
+     "MCAP (*.mcap)", exportMcap},
+};
 
 }  // namespace app::exporting

@@ -4,11 +4,10 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 
-#include "app/export/formats.h"
+#include "app/export/export.h"
 #include "app/film/face.h"
 #include "app/window/view_camera.h"
 #include "ui/export_question.h"
-#include "ui/panels/recording_panel.h"
 #include "ui/volume_view.h"
 
 namespace app {
@@ -21,7 +20,7 @@ QString translated(const char* words) {
 
 std::vector<ui::ExportFormat> tables() {
   std::vector<ui::ExportFormat> tables;
-  for (const exporting::Format& format : exporting::formats())
+  for (const exporting::Format& format : exporting::kFormats)
     tables.push_back({translated(format.title), translated(format.about)});
   return tables;
 }
@@ -31,8 +30,6 @@ std::vector<ui::ExportFormat> tables() {
 ExportController::ExportController(ui::MainWindow& window, SharedState& shared,
                                    const Recordings& recordings, const VolumeIdentity& identity)
     : window_(window), shared_(shared), recordings_(recordings), identity_(identity) {
-  connect(&window.recordingPanel(), &ui::RecordingPanel::exportWanted, this,
-          &ExportController::exportRecording);
   connect(&window, &ui::MainWindow::cancelWanted, &task_, &ExportTask::cancel);
   connect(&task_, &ExportTask::progressed, &window, &ui::MainWindow::showProgress);
   connect(&task_, &ExportTask::finished, this, [this](bool, const QString& what) {
@@ -49,7 +46,7 @@ void ExportController::exportRecording(const QString& id) {
   if (!wish) return;
   ExportRequest request{.recording = path, .out = {}, .wish = *wish};
   const exporting::Format* const table =
-      wish->table ? &exporting::formats()[*wish->table] : nullptr;
+      wish->table ? &exporting::kFormats[*wish->table] : nullptr;
   if (table == nullptr) {
     request.volume = shared_.shown ? shared_.shown->picture.volume : nullptr;
     if (request.volume) request.hash = identity_.of(request.volume);

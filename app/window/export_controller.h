@@ -19,13 +19,13 @@ class ExportController : public QObject {
   ExportController(ui::MainWindow& window, SharedState& shared, const Recordings& recordings,
                    const VolumeIdentity& identity);
 
+  /// Asks what the recording with this name is to become.
+  void exportRecording(const QString& id);
   /// As the user does who has answered every question.
   void exportTo(ExportRequest request);
   ExportTask& task() { return task_; }
 
  private:
-  void exportRecording(const QString& id);
-
   ui::MainWindow& window_;
   SharedState& shared_;
   const Recordings& recordings_;

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/export/formats.h"
+#include "app/export/export.h"
 #include "app/film/film.h"
 
 namespace app {
@@ -46,7 +46,7 @@ haptics::Expected<QString> table(haptics::Recording& recording, const ExportRequ
   options.rate = wish.rate.value_or(0.0);
   options.contacts = wish.contacts;
   options.goes_on = std::move(goes_on);
-  const auto made = exporting::formats()[*wish.table].write(recording, request.out, options);
+  const auto made = exporting::kFormats[*wish.table].write(recording, request.out, options);
   if (!made) return tl::unexpected(made.error());
   return QString::fromStdString(request.out.filename().string());
 }

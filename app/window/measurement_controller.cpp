@@ -1,39 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/measurement_controller.h"
 
-#include "ui/panels/performance_panel.h"
-
 namespace app {
 
 MeasurementController::MeasurementController(ui::MainWindow& window, SharedState& shared)
-    : window_(window), shared_(shared) {
-  ui::PerformancePanel& panel = window.performancePanel();
-  connect(&panel, &ui::PerformancePanel::measureWanted, this, &MeasurementController::measure);
-  connect(&panel, &ui::PerformancePanel::cancelWanted, this,
+    : shared_(shared), panel_(new ui::PerformancePanel) {
+  window.addPanel(panel_, tr("Performance"), tr("&Performance"), "performanceDock");
+  connect(panel_, &ui::PerformancePanel::measureWanted, this, &MeasurementController::measure);
+  connect(panel_, &ui::PerformancePanel::cancelWanted, this,
           [this] { end(tr("The measurement was cancelled.")); });
-  connect(&measurement_, &Measurement::progressed, &panel, &ui::PerformancePanel::showProgress);
+  connect(&measurement_, &Measurement::progressed, panel_, &ui::PerformancePanel::showProgress);
   connect(&measurement_, &Measurement::measured, this, &MeasurementController::showMeasured);
-  connect(&measurement_, &Measurement::failed, &panel, &ui::PerformancePanel::showNothing);
+  connect(&measurement_, &Measurement::failed, panel_, &ui::PerformancePanel::showNothing);
 }
 
 void MeasurementController::pause() {
   end(tr("The measurement was cancelled: something else is being loaded."));
-  window_.performancePanel().setReady(false);
+  panel_->setReady(false);
 }
 
 void MeasurementController::resume() {
-  if (shared_.shown) window_.performancePanel().setReady(true);
+  if (shared_.shown) panel_->setReady(true);
 }
 
 void MeasurementController::showScene() {
-  ui::PerformancePanel& panel = window_.performancePanel();
-  panel.showNothing({});  // what was measured was another scene
+  panel_->showNothing({});  // what was measured was another scene
   QList<ui::LeftOut> left_out;
   for (const haptics::PlanLine& line : shared_.shown->scene->planned)
     if (line.left_out)
       left_out.push_back({QString::fromStdString(line.what), QString::fromStdString(line.why)});
-  panel.showLeftOut(left_out);
-  panel.setReady(true);
+  panel_->showLeftOut(left_out);
+  panel_->setReady(true);
 }
 
 void MeasurementController::measure() {
@@ -51,7 +48,7 @@ void MeasurementController::measure() {
           .arg(settings.stiffness, 0, 'f', 0)
           .arg(study::kMostLag);
   before_ = shared_.snapshot;
-  window_.performancePanel().showMeasuring();
+  panel_->showMeasuring();
   measurement_.start(
       {.scene = shown.scene,
        .isovalue = settings.isovalue,
@@ -59,7 +56,7 @@ void MeasurementController::measure() {
 }
 
 void MeasurementController::end(const QString& why) {
-  if (measurement_.cancel()) window_.performancePanel().showNothing(why);
+  if (measurement_.cancel()) panel_->showNothing(why);
 }
 
 void MeasurementController::showMeasured(const study::Here& here) {
@@ -84,7 +81,7 @@ void MeasurementController::showMeasured(const study::Here& here) {
                         .live_late = now.late_ticks - before_.late_ticks,
                         .live_missed = now.missed_ticks - before_.missed_ticks};
   for (const study::Load& load : here.tried) shown.tried.push_back(timesOf(load));
-  window_.performancePanel().show(shown);
+  panel_->show(shown);
 }
 
 }  // namespace app

@@ -7,6 +7,7 @@
 #include "app/window/measurement.h"
 #include "app/window/shared_state.h"
 #include "ui/main_window.h"
+#include "ui/panels/performance_panel.h"
 
 namespace app {
 
@@ -29,8 +30,8 @@ class MeasurementController : public QObject {
   void measure();
   void showMeasured(const study::Here& here);
 
-  ui::MainWindow& window_;
   SharedState& shared_;
+  ui::PerformancePanel* panel_;  ///< the window's
   Measurement measurement_;
   haptics::Snapshot before_;
   QString conditions_;  ///< with what and how the measurement under way is made

@@ -4,7 +4,6 @@
 #include <system_error>
 
 #include "app/window/view_camera.h"
-#include "ui/panels/recording_panel.h"
 
 namespace app {
 namespace {
@@ -21,18 +20,21 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
     : window_(window),
       shared_(shared),
       recordings_(recordings),
+      panel_(new ui::RecordingPanel),
       recording_(shared.session, recordings, identity) {
-  ui::RecordingPanel& panel = window.recordingPanel();
-  connect(&panel, &ui::RecordingPanel::recordWanted, this, &RecordingController::record);
-  connect(&panel, &ui::RecordingPanel::markWanted, this,
+  window.addPanel(panel_, tr("Recording"), tr("Recor&ding"), "recordingDock");
+  window.addAction(panel_->markAction());  // of the window: the panel may be out of sight
+  connect(panel_, &ui::RecordingPanel::recordWanted, this, &RecordingController::record);
+  connect(panel_, &ui::RecordingPanel::markWanted, this,
           [this](const QString& note) { recording_.note("mark", note); });
-  connect(&panel, &ui::RecordingPanel::openWanted, this,
+  connect(panel_, &ui::RecordingPanel::openWanted, this,
           [this](const QString& id) { emit openWanted(recordings_.pathOf(id)); });
-  connect(&panel, &ui::RecordingPanel::recoverWanted, this, &RecordingController::recover);
-  connect(&panel, &ui::RecordingPanel::deleteWanted, this, &RecordingController::deleteRecording);
+  connect(panel_, &ui::RecordingPanel::recoverWanted, this, &RecordingController::recover);
+  connect(panel_, &ui::RecordingPanel::deleteWanted, this, &RecordingController::deleteRecording);
+  connect(panel_, &ui::RecordingPanel::exportWanted, this, &RecordingController::exportWanted);
   connect(&window, &ui::MainWindow::recordingWanted, this,
           [this](const QString& path) { emit openWanted(path.toStdString()); });
-  connect(&recording_, &SessionRecording::statusChanged, &panel,
+  connect(&recording_, &SessionRecording::statusChanged, panel_,
           qOverload<const ui::RecordingStatus&>(&ui::RecordingPanel::show));
   connect(&recording_, &SessionRecording::finished, this, [this](bool well, const QString& what) {
     showRecordings();
@@ -45,7 +47,7 @@ void RecordingController::describeScene() {
   recording_.describe(shared_.shown->scene, recordedName(shared_.shown->tool));
 }
 
-void RecordingController::setReady(bool ready) { window_.recordingPanel().setReady(ready); }
+void RecordingController::setReady(bool ready) { panel_->setReady(ready); }
 
 void RecordingController::refresh() {
   recording_.refresh();
@@ -54,7 +56,7 @@ void RecordingController::refresh() {
 
 void RecordingController::showRecordings() {
   const QList<ui::PastRecording> recordings = recordings_.list(recording_.present());
-  window_.recordingPanel().show(recordings);
+  panel_->show(recordings);
 }
 
 void RecordingController::offerRecovery() {
@@ -72,7 +74,7 @@ void RecordingController::record(bool record) {
   emit starting();
   const auto begun = recording_.start(shared_.shown->scene, recordedName(shared_.shown->tool));
   if (!begun) {
-    window_.recordingPanel().show(ui::RecordingStatus{});
+    panel_->show(ui::RecordingStatus{});
     return window_.showMessage(QString::fromStdString(begun.error().what));
   }
   emit started();

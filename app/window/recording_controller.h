@@ -13,6 +13,7 @@
 #include "app/window/shared_state.h"
 #include "app/window/volume_identity.h"
 #include "ui/main_window.h"
+#include "ui/panels/recording_panel.h"
 
 namespace app {
 
@@ -39,6 +40,7 @@ class RecordingController : public QObject {
   void starting();
   void started();
   void openWanted(const std::filesystem::path& path);
+  void exportWanted(const QString& id);
   /// The file is about to be deleted: what reads it stops.
   void deleting(const std::filesystem::path& path);
 
@@ -52,6 +54,7 @@ class RecordingController : public QObject {
   ui::MainWindow& window_;
   SharedState& shared_;
   const Recordings& recordings_;
+  ui::RecordingPanel* panel_;  ///< the window's
   SessionRecording recording_;
   background::Task<std::filesystem::path> recoverer_;
   std::string camera_noted_;    ///< the last that was recorded

@@ -85,8 +85,8 @@ TEST(Controllers, AMeasurementIsMadeAndEndedWithAReason) {
   ui::MainWindow window;
   app::SharedState shared;
   app::MeasurementController controller(window, shared);
-  auto* button = window.performancePanel().findChild<QPushButton*>("measure");
-  auto* details = window.performancePanel().findChild<QLabel*>("performanceDetails");
+  auto* button = window.findChild<QPushButton*>("measure");
+  auto* details = window.findChild<QLabel*>("performanceDetails");
   EXPECT_FALSE(button->isEnabled());
   controller.resume();
   EXPECT_FALSE(button->isEnabled());  // there is nothing to measure

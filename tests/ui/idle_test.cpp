@@ -128,7 +128,7 @@ TEST(Idle, OfAMovingHandOnlyWhatChangedIsPainted) {
   EXPECT_LE(moving.plot, 4 * 20 + 2) << moving.words;
   EXPECT_LE(moving.status, 4 * 10 + 2) << moving.words;
 
-  ui::RecordingPanel& panel = application.window().recordingPanel();
+  ui::RecordingPanel& panel = *application.window().findChild<ui::RecordingPanel*>();
   auto* record = panel.findChild<QPushButton*>("record");
   application.window().findChild<QDockWidget*>("recordingDock")->raise();
   QTest::mouseClick(record, Qt::LeftButton);

@@ -178,7 +178,7 @@ TEST(Performance, ThePlotIsDrawnInTheColoursOfADarkWindowToo) {
 /// The application with the sphere in hand, and the panel's parts.
 struct Running {
   app::Application application;
-  ui::PerformancePanel& panel{application.window().performancePanel()};
+  ui::PerformancePanel& panel{*application.window().findChild<ui::PerformancePanel*>()};
   QPushButton* button = panel.findChild<QPushButton*>("measure");
   QLabel* headline = panel.findChild<QLabel*>("performanceHeadline");
   QLabel* details = panel.findChild<QLabel*>("performanceDetails");

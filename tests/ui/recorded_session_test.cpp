@@ -51,7 +51,7 @@ std::vector<fs::path> filesIn(const QTemporaryDir& folder) {
 
 /// Touches, records until at least so many steps are in the file, with a mark, and stops.
 void recordSome(app::Application& application, const QTemporaryDir& folder, qint64 steps) {
-  ui::RecordingPanel& panel = application.window().recordingPanel();
+  ui::RecordingPanel& panel = *application.window().findChild<ui::RecordingPanel*>();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 60.0));
   QTest::mouseClick(child<QPushButton>(panel, "record"), Qt::LeftButton);
   ASSERT_TRUE(application.recording().isRecording());
@@ -132,7 +132,7 @@ QString askedBeforeAFilm(app::Application& application) {
     }
   });
   answers.start(50);
-  ui::RecordingPanel& panel = application.window().recordingPanel();
+  ui::RecordingPanel& panel = *application.window().findChild<ui::RecordingPanel*>();
   child<QTableWidget>(panel, "recordings")->selectRow(0);
   QTest::mouseClick(child<QPushButton>(panel, "exportRecording"), Qt::LeftButton);
   return asked;
@@ -173,10 +173,11 @@ TEST(RecordedSession, IsGoneThroughInTheWindow) {
   recordSome(application, folder, 1500);
   if (HasFatalFailure()) return;
   ui::MainWindow& window = application.window();
-  auto* list = child<QTableWidget>(window.recordingPanel(), "recordings");
+  auto* list = child<QTableWidget>(*window.findChild<ui::RecordingPanel*>(), "recordings");
   ASSERT_EQ(list->rowCount(), 1);
   list->selectRow(0);
-  QTest::mouseClick(child<QPushButton>(window.recordingPanel(), "openRecording"), Qt::LeftButton);
+  QTest::mouseClick(child<QPushButton>(*window.findChild<ui::RecordingPanel*>(), "openRecording"),
+                    Qt::LeftButton);
   ASSERT_NE(application.replay(), nullptr);
   EXPECT_TRUE(window.replayBar().isVisible());
   EXPECT_FALSE(application.session().isOpen());
@@ -314,10 +315,11 @@ TEST(RecordedSession, ThatWasNeverFinishedIsOfferedAtTheNextStart) {
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   ui::MainWindow& window = application.window();
   EXPECT_TRUE(child<QLabel>(window, "message")->text().contains("session-0001"));
-  auto* list = child<QTableWidget>(window.recordingPanel(), "recordings");
+  auto* list = child<QTableWidget>(*window.findChild<ui::RecordingPanel*>(), "recordings");
   ASSERT_EQ(list->rowCount(), 1);
   list->selectRow(0);
-  QTest::mouseClick(child<QPushButton>(window.recordingPanel(), "openRecording"), Qt::LeftButton);
+  QTest::mouseClick(child<QPushButton>(*window.findChild<ui::RecordingPanel*>(), "openRecording"),
+                    Qt::LeftButton);
   EXPECT_TRUE(waitFor(
       [&] { return fs::exists(fs::path(folder.path().toStdString()) / "session-0001.palpate"); },
       10.0));
@@ -329,7 +331,7 @@ TEST(RecordedSession, EndsWholeWhenTheWindowCloses) {
     app::Application application(recordedSphere(folder));
     application.start();
     ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
-    emit application.window().recordingPanel().recordWanted(true);
+    emit application.window().findChild<ui::RecordingPanel*>()->recordWanted(true);
     QTest::qWait(700);
     application.window().close();
   }
@@ -345,7 +347,7 @@ TEST(RecordedSession, GoesOnThroughAnotherToolVolumeAndHand) {
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 60.0));
   ui::MainWindow& window = application.window();
-  emit window.recordingPanel().recordWanted(true);
+  emit window.findChild<ui::RecordingPanel*>()->recordWanted(true);
   QTest::qWait(500);
   emit window.devicePanel().toolChosen("drill");
   ASSERT_TRUE(waitFor([&] { return application.shown()->tool.name == "drill"; }, 60.0));

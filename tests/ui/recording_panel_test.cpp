@@ -271,9 +271,12 @@ TEST(RecordingPanel, TheListOpensExportsRecoversAndAsksBeforeItDeletes) {
 /// The main window with its panel and bar.
 struct Whole {
   ui::MainWindow window;
-  ui::RecordingPanel& panel = window.recordingPanel();
+  ui::RecordingPanel& panel = *new ui::RecordingPanel;  // the window's
 
   Whole() {
+    // as RecordingController does
+    window.addPanel(&panel, "Recording", "Recor&ding", "recordingDock");
+    window.addAction(panel.markAction());
     window::showAndWait(window, {1280, 900});
     window.activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
@@ -370,7 +373,8 @@ TEST(RecordingPanel, EscapeInItAndInTheBarCutsTheForceAndSpaceInTheViewToo) {
 TEST(RecordingPanel, StandsInTheWindowBehindTheForceAndNothingIsCutOff) {
   Whole w;
   auto* dock = w.window.findChild<QDockWidget*>("recordingDock");
-  EXPECT_EQ(w.window.tabifiedDockWidgets(dock).size(), 2);
+  ASSERT_EQ(w.window.tabifiedDockWidgets(dock).size(), 1);
+  EXPECT_EQ(w.window.tabifiedDockWidgets(dock)[0]->objectName(), "forceDock");
   EXPECT_FALSE(w.window.replayBar().isVisible());
   w.panel.setReady(true);
   w.panel.show(running());
