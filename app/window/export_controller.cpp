@@ -45,8 +45,7 @@ void ExportController::exportRecording(const QString& id) {
   const auto wish = ui::askForExport(&window_, recording->begin(), recording->end(), tables());
   if (!wish) return;
   ExportRequest request{.recording = path, .out = {}, .wish = *wish};
-  const exporting::Format* const table =
-      wish->table ? &exporting::kFormats[*wish->table] : nullptr;
+  const exporting::Format* const table = wish->table ? &exporting::kFormats[*wish->table] : nullptr;
   if (table == nullptr) {
     request.volume = shared_.shown ? shared_.shown->picture.volume : nullptr;
     if (request.volume) request.hash = identity_.of(request.volume);
