@@ -18,13 +18,8 @@ namespace {
 constexpr double kDepth = 0.004;  // m that a simulated hand brings the device beyond the surface
 constexpr std::uint64_t kSeed = 1;
 
-Error nothingToTouch() {
-  return {Error::Kind::NotFound, "There is nothing to touch yet; open a volume."};
-}
-Error noRoom() {
-  return {Error::Kind::Unsupported,
-          "The tool would start inside the solid, with no room within 50 mm; raise the isovalue."};
-}
+Error nothingToTouch() { return {Error::Kind::NotFound, {"session-nothing-to-touch", {}}}; }
+Error noRoom() { return {Error::Kind::Unsupported, {"session-no-room", {}}}; }
 
 /// What Settings allows; a number that is not finite stays what it was.
 Settings withinRange(Settings settings, const Settings& before) {

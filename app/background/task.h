@@ -17,7 +17,7 @@
 
 namespace app::background {
 
-/// Reasons of errors that stand for an exception. `what` is a sentence for kNoMemory, and the
+/// Reasons of errors that stand for an exception. The message is a sentence for kNoMemory, and the
 /// exception's own words for kThrew; the caller may say it better.
 inline constexpr const char* kNoMemory = "no-memory";
 inline constexpr const char* kThrew = "exception";

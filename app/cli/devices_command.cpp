@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "haptics/devices/catalogue.h"
+#include "resources/messages/messages.h"
 
 namespace app::cli {
 namespace {
@@ -25,10 +26,13 @@ ordered_json asJson(const haptics::DeviceRating& rating) {
 }
 
 ordered_json asJson(const haptics::DeviceEntry& entry) {
-  ordered_json json{{"id", entry.id},           {"name", entry.name},
-                    {"sensed", entry.sensed},   {"actuated", entry.actuated},
-                    {"present", entry.present}, {"trouble", haptics::wordOf(entry.trouble)},
-                    {"why", entry.why}};
+  ordered_json json{{"id", entry.id},
+                    {"name", entry.name},
+                    {"sensed", entry.sensed},
+                    {"actuated", entry.actuated},
+                    {"present", entry.present},
+                    {"trouble", haptics::wordOf(entry.trouble)},
+                    {"why", resources::sentence(entry.why)}};
   const haptics::DeviceRating* rating = haptics::ratingOf(entry);
   json["rating"] = rating != nullptr ? asJson(*rating) : ordered_json{};
   return json;
@@ -61,7 +65,8 @@ std::string asTable(const std::vector<haptics::DeviceEntry>& entries) {
       if (c + 1 < rows[r].size()) text.append(widths[c] - rows[r][c].size() + 2, ' ');
     }
     text += '\n';
-    if (r > 0 && !entries[r - 1].why.empty()) text += "    " + entries[r - 1].why + '\n';
+    if (r > 0 && !entries[r - 1].why.empty())
+      text += "    " + resources::sentence(entries[r - 1].why) + '\n';
   }
   // a device names itself: what would steer the terminal is not printed
   for (char& c : text)

@@ -72,10 +72,8 @@ Outcome exportFilm(const FilmChoice& choice) {
     for (const haptics::RecordedScene& scene : recording->scenes())
       recorded = recorded || wasTouched(scene);
     if (!recorded)
-      return refused({haptics::Error::Kind::Unsupported,
-                      "The volume is not the one that was recorded: its voxels are others, or "
-                      "lie elsewhere; give the one that was touched, or none.",
-                      "another-volume"});
+      return refused(
+          {haptics::Error::Kind::Unsupported, {"film-other-volume", {}}, "another-volume"});
     face = choice.volume.phantom.empty() && mayShowAFace(*volume, leastIsovalue(*recording));
   }
   if (face)

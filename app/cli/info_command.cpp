@@ -6,6 +6,7 @@
 #include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
 #include "datasets/readers/volume_reader.h"
+#include "resources/messages/messages.h"
 
 namespace app::cli {
 namespace {
@@ -39,7 +40,7 @@ ordered_json listed(const datasets::SeriesVerdict& series) {
   json["spacing_mm"] = asJson(series.spacing_mm);
   json["verdict"] = verdictOf(series);
   json["reasons"] = series.reasons;
-  json["message"] = series.message;
+  json["message"] = resources::sentence(series.message);
   if (const auto& part = series.unbroken_part)
     json["largest_part"] = {{"slices", part->slices},
                             {"of", part->of},
@@ -66,7 +67,7 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
   std::vector<std::string> reasons =
       series != nullptr ? series->reasons : std::vector<std::string>{};
   json["reasons"] = reasons;
-  std::string message = series != nullptr ? series->message : "";
+  std::string message = series != nullptr ? resources::sentence(series->message) : "";
   if (volume.replaced > 0)
     message += " " + std::to_string(volume.replaced) +
                " voxels that are not numbers were made background.";
@@ -109,8 +110,8 @@ Outcome info(const VolumeChoice& options) {
     if (shown == nullptr && !survey->series.empty()) shown = &survey->series.front();
     json["verdict"] = shown != nullptr ? verdictOf(*shown) : "refused";
     json["reasons"] = shown != nullptr ? shown->reasons : std::vector<std::string>{"no-pixels"};
-    std::string sentence =
-        shown != nullptr ? shown->message : "\"" + options.path + "\" holds no series.";
+    std::string sentence = shown != nullptr ? resources::sentence(shown->message)
+                                            : "\"" + options.path + "\" holds no series.";
     if (shown != nullptr && shown->verdict == datasets::Verdict::Correctable)
       sentence += " Add --correct for that.";
     if (shown != nullptr && shown->unbroken_part)
@@ -121,7 +122,7 @@ Outcome info(const VolumeChoice& options) {
   if (!options.series && loading > 1) return {Exit::Done, json, {}, {}};
   auto volume = datasets::readVolume(*only, readingOf(options), progress);
   if (!volume) {
-    json["message"] = volume.error().what;
+    json["message"] = resources::sentence(volume.error());
     return refused(volume.error(), json);
   }
   describe(*volume, only, json);

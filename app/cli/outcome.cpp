@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "app/cli/terminal.h"
+#include "resources/messages/messages.h"
 
 namespace app::cli {
 namespace {
@@ -31,7 +32,7 @@ std::string asLines(const nlohmann::ordered_json& json) {
 
 Outcome refused(const haptics::Error& error, nlohmann::ordered_json known) {
   if (error.reason == "cancelled") return stopped();
-  Outcome outcome{Exit::Refused, std::move(known), {}, error.what};
+  Outcome outcome{Exit::Refused, std::move(known), {}, resources::sentence(error)};
   if (error.kind == haptics::Error::Kind::Correctable) outcome.error += " Add --correct for that.";
   // what cannot be written is not the input's fault
   if (error.reason == "unwritable") outcome.code = Exit::Failed;

@@ -12,6 +12,7 @@
 #include "app/recording/facts.h"
 #ifdef PALPATE_READERS
 #include "app/recording/volume_hash.h"
+#include "resources/messages/messages.h"
 #endif
 
 namespace app::cli {
@@ -22,7 +23,7 @@ std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume) {
 #ifdef PALPATE_READERS
   const auto key = installationKey();
   if (!key) {
-    tell(key.error().what);
+    tell(resources::sentence(key.error()));
     return {};
   }
   return hashOf(volume, *key, interruption());
@@ -40,9 +41,7 @@ Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& pat
   const fs::path target = fs::weakly_canonical(path, error);
   if (error || (fs::exists(target, error) && !fs::is_regular_file(target, error)))
     return tl::unexpected(haptics::Error{
-        haptics::Error::Kind::Unsupported,
-        "\"" + path + "\" is no regular file, and a recording needs one; name a file.",
-        "unwritable"});
+        haptics::Error::Kind::Unsupported, {"recording-no-regular-file", {path}}, "unwritable"});
   auto recorder = haptics::Recorder::create(target, recordingFacts());
   if (!recorder) return tl::unexpected(recorder.error());
   const auto id = static_cast<std::uint32_t>(loop.scene->id);

@@ -19,6 +19,7 @@
 #include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/penetration.h"
 #include "haptics/smoothing.h"
+#include "resources/messages/messages.h"
 #include "resources/named_tools.h"
 
 namespace app::cli {
@@ -135,9 +136,7 @@ haptics::Expected<haptics::Hand> handFor(const RunOptions& options, const haptic
       std::string names;
       for (const auto& [name, motion] : motions()) names += (names.empty() ? "" : ", ") + name;
       return tl::unexpected(
-          haptics::Error{haptics::Error::Kind::NotFound, "There is no hand \"" + options.hand +
-                                                             "\"; choose one of " + names +
-                                                             ", or a CSV of poses."});
+          haptics::Error{haptics::Error::Kind::NotFound, {"hand-unknown", {options.hand, names}}});
     }
     return readHand(options.hand);
   }
@@ -201,16 +200,15 @@ Outcome run(const RunOptions& options) {
     return usage(*wrong);
   auto loaded = loadTool(options.tool);
   if (!loaded) return refused(loaded.error());
-  for (const std::string& warning : loaded->warnings) tell(warning);
+  for (const haptics::Message& warning : loaded->warnings) tell(resources::sentence(warning));
   auto volume = loadVolume(options.volume);
   if (!volume) return refused(volume.error());
   if (options.isovalue <= (*volume)->least)
-    return refused({haptics::Error::Kind::Unsupported,
-                    "The isovalue " + nlohmann::json(options.isovalue).dump() +
-                        " is at or below the background " +
-                        nlohmann::json((*volume)->least).dump() +
-                        ", where everything would be solid; choose a higher one.",
-                    "isovalue"});
+    return refused(
+        {haptics::Error::Kind::Unsupported,
+         {"isovalue-below-background",
+          {nlohmann::json(options.isovalue).dump(), nlohmann::json((*volume)->least).dump()}},
+         "isovalue"});
   auto scene = haptics::makeScene(*volume, std::move(loaded->tool),
                                   {fields().at(options.field), normals().at(options.normal)});
   if (!scene) return refused(scene.error());
@@ -237,13 +235,13 @@ Outcome run(const RunOptions& options) {
   std::unique_ptr<TraceWriter> trace;
   if (!options.trace.empty()) {
     auto opened = TraceWriter::open(options.trace);
-    if (!opened) return failed(opened.error().what);
+    if (!opened) return failed(resources::sentence(opened.error()));
     trace = std::make_unique<TraceWriter>(std::move(*opened));
   }
   std::unique_ptr<RecordedRun> recorded;
   if (!options.record.empty()) {
     auto begun = RecordedRun::begin(options.record, loop, nameOf(options.tool));
-    if (!begun) return failed(begun.error().what);
+    if (!begun) return failed(resources::sentence(begun.error()));
     recorded = std::move(*begun);
   }
   Tally tally;
@@ -272,10 +270,10 @@ Outcome run(const RunOptions& options) {
   const auto traced = trace ? trace->finish() : haptics::Expected<void>{};
   if (recorded) {
     const auto finished = recorded->finish();
-    if (!finished) return {Exit::Failed, outcome.json, {}, finished.error().what};
+    if (!finished) return {Exit::Failed, outcome.json, {}, resources::sentence(finished.error())};
     outcome.json["recording"] = *finished;
   }
-  if (!traced) return {Exit::Failed, outcome.json, {}, traced.error().what};
+  if (!traced) return {Exit::Failed, outcome.json, {}, resources::sentence(traced.error())};
   if (stopped) {
     outcome.code = Exit::Interrupted;
     outcome.error = "Stopped; what was run until then is reported.";

@@ -22,8 +22,8 @@ namespace {
 
 using haptics::Error;
 
-tl::unexpected<Error> malformed(std::string what) {
-  return tl::unexpected(Error{Error::Kind::Malformed, std::move(what)});
+tl::unexpected<Error> malformed(haptics::Message message) {
+  return tl::unexpected(Error{Error::Kind::Malformed, std::move(message)});
 }
 
 constexpr std::uint64_t kMostIndex = 1'000'000'000;
@@ -62,8 +62,8 @@ haptics::Expected<LoadedTool> toolFromPoints(const ToolChoice& choice) {
   LoadedTool loaded{{"points", {}, std::move(*shell)}, {}};
   const double length = 2.0 * loaded.tool.shell.radius;
   if (length > kLongest)
-    loaded.warnings.push_back("The tool is up to " + std::to_string(std::lround(length * 1e3)) +
-                              " mm long, which is unusual; the points are taken to be in metres.");
+    loaded.warnings.push_back(
+        {"tool-points-length-unusual", {std::to_string(std::lround(length * 1e3))}});
   return loaded;
 }
 
@@ -108,9 +108,7 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const Volum
   if (!volume) return tl::unexpected(volume.error());
   return std::make_shared<const haptics::Volume>(std::move(*volume));
 #else
-  return tl::unexpected(Error{Error::Kind::Unsupported,
-                              "This palpate-cli was built without readers and opens no files; use "
-                              "--phantom, or the desktop build."});
+  return tl::unexpected(Error{Error::Kind::Unsupported, {"build-without-readers", {}}});
 #endif
 }
 
@@ -128,25 +126,20 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
       !std::filesystem::exists(choice.name)) {
     std::string names;
     for (const std::string& name : named) names += (names.empty() ? "" : ", ") + name;
-    return tl::unexpected(Error{
-        Error::Kind::NotFound,
-        "There is no tool \"" + choice.name + "\"; choose one of " + names + ", or a mesh file."});
+    return tl::unexpected(
+        Error{Error::Kind::NotFound, {"tool-unknown-or-no-mesh", {choice.name, names}}});
   }
 #ifdef PALPATE_READERS
   const std::string named_unit = choice.unit.value_or("mm");
   const auto unit = datasets::meshUnitNamed(named_unit);
-  if (!unit)
-    return tl::unexpected(Error{Error::Kind::Unsupported, "There is no unit \"" + named_unit +
-                                                              "\"; choose one of m, mm, cm, in."});
+  if (!unit) return tl::unexpected(Error{Error::Kind::Unsupported, {"unit-unknown", {named_unit}}});
   auto read = datasets::readToolMesh(choice.name, *unit);
   if (!read) return tl::unexpected(read.error());
   auto tool = haptics::makeTool("file", std::move(read->mesh), choice.points);
   if (!tool) return tl::unexpected(tool.error());
   return LoadedTool{std::move(*tool), std::move(read->warnings)};
 #else
-  return tl::unexpected(Error{Error::Kind::Unsupported,
-                              "This palpate-cli was built without readers and opens no mesh files; "
-                              "use a named tool or a CSV of points."});
+  return tl::unexpected(Error{Error::Kind::Unsupported, {"build-without-mesh-readers", {}}});
 #endif
 }
 
@@ -199,29 +192,26 @@ haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::strin
   std::ifstream file;
   if (regular) file.open(path);
   if (!regular || !file)
-    return tl::unexpected(
-        Error{Error::Kind::NotFound, "\"" + path + "\" cannot be opened; check the path."});
+    return tl::unexpected(Error{Error::Kind::NotFound, {"table-unreadable", {path}}});
   std::string line;
-  if (!std::getline(file, line)) return malformed("\"" + path + "\" is empty.");
+  if (!std::getline(file, line)) return malformed({"table-empty", {path}});
   const auto withoutReturn = [&] {
     if (!line.empty() && line.back() == '\r') line.pop_back();
   };
   withoutReturn();
   if (const auto numbers = numbersIn(line); numbers && !numbers->empty())
-    return malformed("The first line of \"" + path +
-                     "\" holds numbers, where the columns' names belong, and would be lost; write "
-                     "a line of names above it.");
+    return malformed({"table-no-names", {path}});
   std::vector<std::vector<double>> rows;
   for (std::size_t number = 2; std::getline(file, line); ++number) {
     withoutReturn();
     if (line.empty()) continue;
     auto row = numbersIn(line);
     if (!row || row->size() < columns)
-      return malformed("\"" + path + "\" needs " + std::to_string(columns) +
-                       " numbers, separated by commas, in line " + std::to_string(number) + ".");
+      return malformed(
+          {"table-row-short", {path, std::to_string(columns), std::to_string(number)}});
     rows.push_back(std::move(*row));
   }
-  if (rows.empty()) return malformed("\"" + path + "\" holds a header and no rows.");
+  if (rows.empty()) return malformed({"table-no-rows", {path}});
   return rows;
 }
 

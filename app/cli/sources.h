@@ -46,7 +46,7 @@ std::optional<std::string> contradictionIn(const ToolChoice& choice);
 
 struct LoadedTool {
   haptics::Tool tool;
-  std::vector<std::string> warnings;
+  std::vector<haptics::Message> warnings;
 };
 haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice);
 

@@ -8,6 +8,7 @@
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
 #include "haptics/core/output_file.h"
+#include "resources/messages/messages.h"
 
 namespace app::cli {
 namespace {
@@ -41,7 +42,9 @@ Outcome writeShell(const ToolOptions& options) {
   outcome.json["triangles"] = loaded->tool.mesh.triangles.size();
   outcome.json["radius_mm"] = shell.radius * 1e3;
   outcome.json["spacing_mm"] = shell.spacing * 1e3;
-  outcome.json["warnings"] = loaded->warnings;
+  auto& warnings = outcome.json["warnings"] = nlohmann::ordered_json::array();
+  for (const haptics::Message& warning : loaded->warnings)
+    warnings.push_back(resources::sentence(warning));
   outcome.aside = isStandardOutput(options.out);
   return outcome;
 }

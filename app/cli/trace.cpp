@@ -55,15 +55,11 @@ haptics::Expected<haptics::Hand> readHand(const std::string& path) {
   for (const std::vector<double>& row : *rows) {
     const haptics::Quat q{row[4], row[5], row[6], row[7]};
     if (!(q.norm() > 0.5 && q.norm() < 2.0))
-      return tl::unexpected(Error{Error::Kind::Malformed,
-                                  "\"" + path + "\" has a rotation that is no unit quaternion."});
+      return tl::unexpected(Error{Error::Kind::Malformed, {"poses-no-rotation", {path}}});
     constexpr double kFarthest = 100.0;  // m
     for (std::size_t c = 1; c < 4; ++c)
       if (!(std::abs(row[c]) <= kFarthest))
-        return tl::unexpected(Error{Error::Kind::Malformed,
-                                    "\"" + path +
-                                        "\" leads the hand further away than 100 m, which no hand "
-                                        "goes; its positions are in metres."});
+        return tl::unexpected(Error{Error::Kind::Malformed, {"poses-too-far", {path}}});
     times.push_back(row[0]);
     poses.push_back(haptics::poseOf({row[1], row[2], row[3]}, q));
   }

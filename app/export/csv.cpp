@@ -267,11 +267,9 @@ haptics::Expected<Exported> exportCsv(haptics::Recording& recording,
                                       const std::filesystem::path& prefix,
                                       const ExportOptions& options) {
   if (!prefix.has_filename())
-    return tl::unexpected(haptics::Error{
-        haptics::Error::Kind::Unsupported,
-        "\"" + prefix.string() +
-            "\" names a folder; add how the files' names begin, such as sub-01_task-touch.",
-        "unwritable"});
+    return tl::unexpected(haptics::Error{haptics::Error::Kind::Unsupported,
+                                         {"export-names-folder", {prefix.string()}},
+                                         "unwritable"});
   Exported exported;
   std::vector<OutputFile> files;
   files.reserve(7);

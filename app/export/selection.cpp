@@ -10,6 +10,7 @@
 namespace app::exporting {
 
 using haptics::Error;
+using haptics::Message;
 using haptics::RecordedEvent;
 using haptics::RecordedStep;
 
@@ -38,12 +39,15 @@ std::int64_t dueAt(std::int64_t time_ns, double rate) {
 
 tl::unexpected<Error> nothingChosen(const haptics::Recording& recording,
                                     const ExportOptions& options) {
-  std::string what = "The recording goes from " + numberOf(recording.begin()) + " s to " +
-                     numberOf(recording.end()) + " s and holds no step";
-  if (std::isfinite(options.from)) what += " from " + numberOf(options.from) + " s";
-  if (std::isfinite(options.to)) what += " to " + numberOf(options.to) + " s";
-  if (options.rate > 0.0) what += " at " + numberOf(options.rate) + " Hz";
-  return tl::unexpected(Error{Error::Kind::NotFound, what + "; choose others.", "empty"});
+  Message from, to, rate;
+  if (std::isfinite(options.from)) from = {"export-from", {numberOf(options.from)}};
+  if (std::isfinite(options.to)) to = {"export-to", {numberOf(options.to)}};
+  if (options.rate > 0.0) rate = {"export-at-rate", {numberOf(options.rate)}};
+  return tl::unexpected(Error{Error::Kind::NotFound,
+                              {"export-no-step",
+                               {numberOf(recording.begin()), numberOf(recording.end()),
+                                std::move(from), std::move(to), std::move(rate)}},
+                              "empty"});
 }
 
 }  // namespace
@@ -85,12 +89,10 @@ haptics::Expected<void> forEachChosen(haptics::Recording& recording, const Expor
       });
   if (!done) return done;
   if (damaged)
-    return tl::unexpected(Error{Error::Kind::Malformed,
-                                "The recording is damaged: its time goes backwards; use a copy.",
-                                "damaged"});
-  if (cancelled)
     return tl::unexpected(
-        Error{Error::Kind::Cancelled, "Stopped; nothing was exported.", "cancelled"});
+        Error{Error::Kind::Malformed, {"recording-time-backwards", {}}, "damaged"});
+  if (cancelled)
+    return tl::unexpected(Error{Error::Kind::Cancelled, {"export-cancelled", {}}, "cancelled"});
   if (wanted && pending && dueAt(pending->step.time_ns, options.rate) <= last_due) take(*pending);
   if (chosen == 0) return nothingChosen(recording, options);
   return {};

@@ -32,7 +32,7 @@ void shut(int& descriptor) {
 }
 
 tl::unexpected<Error> cancelled() {
-  return tl::unexpected(Error{Error::Kind::Cancelled, "The film was cancelled.", "cancelled"});
+  return tl::unexpected(Error{Error::Kind::Cancelled, {"film-cancelled", {}}, "cancelled"});
 }
 
 std::vector<std::string> argumentsFor(const std::string& program, const std::filesystem::path& file,
@@ -176,9 +176,8 @@ Error FfmpegFile::failure() {
   std::string quoted = said_.substr(0, said_.find('\n'));
   if (quoted.size() > kMostQuoted) quoted = quoted.substr(0, kMostQuoted) + "…";
   return {Error::Kind::Unsupported,
-          "ffmpeg ended before the film was whole" +
-              (quoted.empty() ? std::string{} : " (" + quoted + ")") +
-              "; check the room on the disk, and that ffmpeg has libx264.",
+          quoted.empty() ? haptics::Message{"ffmpeg-ended", {}}
+                         : haptics::Message{"ffmpeg-ended-saying", {quoted}},
           "encoder"};
 }
 

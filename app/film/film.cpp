@@ -28,18 +28,15 @@ using haptics::Vec3;
 
 constexpr std::int64_t kMostFrames = 1'000'000;
 
-tl::unexpected<Error> refused(const char* what, const char* reason) {
-  return tl::unexpected(Error{Error::Kind::Unsupported, what, reason});
+tl::unexpected<Error> refused(haptics::Message message, const char* reason) {
+  return tl::unexpected(Error{Error::Kind::Unsupported, std::move(message), reason});
 }
 tl::unexpected<Error> filmCancelled() {
-  return tl::unexpected(Error{Error::Kind::Cancelled, "The film was cancelled.", "cancelled"});
+  return tl::unexpected(Error{Error::Kind::Cancelled, {"film-cancelled", {}}, "cancelled"});
 }
 tl::unexpected<Error> unwritable(const fs::path& file) {
-  return tl::unexpected(Error{Error::Kind::Unsupported,
-                              "\"" + file.string() +
-                                  "\" cannot be written; check that its folder exists, may be "
-                                  "written to and has room.",
-                              "unwritable"});
+  return tl::unexpected(
+      Error{Error::Kind::Unsupported, {"film-unwritable", {file.string()}}, "unwritable"});
 }
 
 /// Which step each frame shows.
@@ -48,17 +45,11 @@ class Timing {
   static Expected<Timing> of(const haptics::Recording& recording, const FilmOptions& options) {
     const double from = std::max(options.from, recording.begin());
     const double to = std::min(options.to, recording.end());
-    if (!(from <= to))
-      return refused("The recording has no step in that stretch of time; choose another.",
-                     "nothing");
+    if (!(from <= to)) return refused({"film-no-step", {}}, "nothing");
     const double step = options.speed / options.frames_per_second;
     // a thousandth of a frame: what rounding may take from the last
     const double frames = std::floor((to - from) / step + 1e-3) + 1.0;
-    if (!(frames <= double(kMostFrames)))
-      return refused(
-          "The film would have more than a million frames; take a shorter stretch, "
-          "or a greater speed.",
-          "options");
+    if (!(frames <= double(kMostFrames))) return refused({"film-too-long", {}}, "options");
     return Timing{from, step, std::int64_t(frames)};
   }
   std::int64_t count() const { return count_; }
@@ -233,12 +224,11 @@ class Drawing {
 
 Expected<void> check(const FilmOptions& options) {
   const auto size = [](int pixels) { return pixels >= 64 && pixels <= 7680 && pixels % 2 == 0; };
-  if (!size(options.width) || !size(options.height))
-    return refused("A film's width and height are even numbers of 64 to 7680 pixels.", "options");
+  if (!size(options.width) || !size(options.height)) return refused({"film-size", {}}, "options");
   if (options.frames_per_second < 1 || options.frames_per_second > 240)
-    return refused("A film has 1 to 240 frames a second.", "options");
+    return refused({"film-rate", {}}, "options");
   if (!(options.speed >= 0.001 && options.speed <= 1000.0))
-    return refused("A film's speed is 0.001 to 1000 times that of the session.", "options");
+    return refused({"film-speed", {}}, "options");
   return {};
 }
 

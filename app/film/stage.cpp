@@ -90,11 +90,7 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   auto layers = std::make_unique<Layers>();
   Layers& s = *layers;
   if (!s.display.draws())
-    return tl::unexpected(
-        Error{Error::Kind::Unsupported,
-              "There is no X display to draw a film on; set DISPLAY, or where there is no screen "
-              "put \"xvfb-run -a\" before the command.",
-              "no-display"});
+    return tl::unexpected(Error{Error::Kind::Unsupported, {"film-no-display", {}}, "no-display"});
   s.wish = wish;
   s.frame.width = width;
   s.frame.height = height;
@@ -131,10 +127,7 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   s.window->Render();
   if (s.window->IsCurrent()) s.graphics = graphicsNow();
   if (s.graphics.major * 10 + s.graphics.minor < 32)
-    return tl::unexpected(Error{Error::Kind::Unsupported,
-                                "This display has no OpenGL 3.2, which a film is drawn with; use "
-                                "another, or put \"xvfb-run -a\" before the command.",
-                                "no-graphics"});
+    return tl::unexpected(Error{Error::Kind::Unsupported, {"film-no-opengl", {}}, "no-graphics"});
   return std::unique_ptr<FilmStage>(new FilmStage(std::move(layers)));
 }
 

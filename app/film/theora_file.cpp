@@ -21,9 +21,7 @@ constexpr int kQuality = 56;  // of 63
 constexpr int kStream = 1;    // its number in the file, where it is alone
 
 tl::unexpected<Error> failure() {
-  return tl::unexpected(Error{Error::Kind::Unsupported,
-                              "The film could not be written; check the room on the disk.",
-                              "encoder"});
+  return tl::unexpected(Error{Error::Kind::Unsupported, {"film-not-written", {}}, "encoder"});
 }
 
 unsigned wholeBlocks(int pixels) { return (static_cast<unsigned>(pixels) + 15U) & ~15U; }

@@ -44,9 +44,7 @@ void add(QMessageAuthenticationCode& code, const haptics::Grid& grid) {
 
 tl::unexpected<Error> unusable(const std::string& path, int why) {
   return tl::unexpected(Error{why == ENOENT ? Error::Kind::NotFound : Error::Kind::Unsupported,
-                              "The key of this installation, \"" + path + "\", cannot be used (" +
-                                  std::generic_category().message(why) +
-                                  "); volumes of recordings are not recognised until it can.",
+                              {"volume-key-unusable", {path, std::generic_category().message(why)}},
                               "no-key"});
 }
 
@@ -59,12 +57,7 @@ Expected<QByteArray> keptKey(const std::string& path) {
   ::close(file);
   if (bytes == kKeyBytes) return key.first(kKeyBytes);
   // a new one in its place would know nothing of what was recorded under it
-  return tl::unexpected(
-      Error{Error::Kind::Malformed,
-            "The key of this installation, \"" + path +
-                "\", is damaged; put it back from a copy. Or remove it, for a new one: then no "
-                "volume of an earlier recording is recognised any more.",
-            "no-key"});
+  return tl::unexpected(Error{Error::Kind::Malformed, {"volume-key-damaged", {path}}, "no-key"});
 }
 
 }  // namespace

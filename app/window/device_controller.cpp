@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "app/window/sentence.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/force_words.h"
 #include "ui/volume_view.h"
@@ -113,7 +114,7 @@ void DeviceController::take(const ui::DeviceWish& wish, const DeviceWatch::Opene
   const auto opened = shared_.session.open(std::move(*device));
   if (!opened) {
     restoreStiffness();
-    const QString why = QString::fromStdString(opened.error().what);
+    const QString why = sentenceOf(opened.error());
     window_.hapticDevicePanel().showDisconnected(why);
     return window_.showMessage(why);
   }

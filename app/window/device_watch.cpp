@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/window/sentence.h"
 #include "haptics/devices/combined.h"
 
 namespace app {
@@ -32,7 +33,7 @@ ui::DeviceLine lineOf(const haptics::DeviceEntry& entry) {
           .actuated = entry.actuated,
           .present = entry.present,
           .trouble = entry.trouble,
-          .why = QString::fromStdString(entry.why).simplified(),
+          .why = sentenceOf(entry.why).simplified(),
           .force = rating != nullptr ? rating->force : 0.0,
           .stiffness = rating != nullptr ? rating->stiffness : 0.0};
 }
@@ -173,8 +174,7 @@ void DeviceWatch::work(const std::shared_ptr<Shared>& shared) {
       else
         report([watch, shared, number, wish, error = std::move(result.error())] {
           if (number == shared->wishes)
-            emit watch->refused(wish, troubleNamed(error.reason),
-                                QString::fromStdString(error.what));
+            emit watch->refused(wish, troubleNamed(error.reason), sentenceOf(error));
         });
       continue;
     }

@@ -6,6 +6,7 @@
 
 #include "app/export/export.h"
 #include "app/film/face.h"
+#include "app/window/sentence.h"
 #include "app/window/view_camera.h"
 #include "ui/export_question.h"
 #include "ui/volume_view.h"
@@ -41,7 +42,7 @@ ExportController::ExportController(ui::MainWindow& window, SharedState& shared,
 void ExportController::exportRecording(const QString& id) {
   const std::filesystem::path path = recordings_.pathOf(id);
   const auto recording = haptics::Recording::open(path);
-  if (!recording) return window_.showMessage(QString::fromStdString(recording.error().what));
+  if (!recording) return window_.showMessage(sentenceOf(recording.error()));
   const auto wish = ui::askForExport(&window_, recording->begin(), recording->end(), tables());
   if (!wish) return;
   ExportRequest request{.recording = path, .out = {}, .wish = *wish};

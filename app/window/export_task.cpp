@@ -5,6 +5,7 @@
 
 #include "app/export/export.h"
 #include "app/film/film.h"
+#include "app/window/sentence.h"
 
 namespace app {
 namespace {
@@ -74,7 +75,7 @@ bool ExportTask::start(ExportRequest request) {
               [this](const haptics::Expected<QString>& made) {
                 if (made) return emit finished(true, tr("\"%1\" was exported.").arg(*made));
                 const haptics::Error& error = made.error();
-                QString why = QString::fromStdString(error.what);
+                QString why = sentenceOf(error);
                 if (error.reason == background::kNoMemory || error.reason == background::kThrew)
                   why = tr("There is not enough memory for this export; choose a shorter time.");
                 emit finished(false, error.reason == "cancelled" ? QString{} : why);

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "app/window/sentence.h"
 #include "haptics/scene/legal_pose.h"
 #include "ui/panels/device_panel.h"
 #include "ui/volume_view.h"
@@ -73,7 +74,7 @@ bool HandController::open(std::string name) {
   if (hand == nullptr) return false;
   const auto opened = shared_.session.open(hand->kind);
   if (!opened) {
-    window_.showMessage(QString::fromStdString(opened.error().what));
+    window_.showMessage(sentenceOf(opened.error()));
     window_.devicePanel().showHand(QString::fromStdString(hand_), label_);
     return false;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "app/window/sentence.h"
 #include "app/window/start_pose.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/found.h"
@@ -241,7 +242,7 @@ Expected<haptics::Tool> readTool(const ToolSource& source, QString& note) {
                    "unit");
   auto file = datasets::readToolMesh(*source.file, *unit);
   if (!file) return tl::unexpected(file.error());
-  for (const std::string& warning : file->warnings) addTo(note, QString::fromStdString(warning));
+  for (const haptics::Message& warning : file->warnings) addTo(note, sentenceOf(warning));
   return haptics::makeTool(source.file->stem().string(), std::move(file->mesh));
 }
 
@@ -301,14 +302,12 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
 /// The error as the user reads it: exceptions know nothing of loading.
 Error inWords(Error error) {
   if (error.reason == background::kNoMemory)
-    error.what = Loader::tr(
-                     "There is not enough memory for this volume and tool; close other "
-                     "programs or take a smaller one.")
-                     .toStdString();
+    error.message = Loader::tr(
+                        "There is not enough memory for this volume and tool; close other "
+                        "programs or take a smaller one.")
+                        .toStdString();
   else if (error.reason == background::kThrew)
-    error.what = Loader::tr("It could not be loaded: %1")
-                     .arg(QString::fromStdString(error.what))
-                     .toStdString();
+    error.message = Loader::tr("It could not be loaded: %1").arg(sentenceOf(error)).toStdString();
   return error;
 }
 

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "app/window/sentence.h"
+
 namespace app {
 
 Measurement::Measurement(QObject* parent)
@@ -45,9 +47,9 @@ void Measurement::end(const haptics::Expected<study::Here>& result) {
     emit failed(
         tr("There is not enough memory for tools of so many points; close other programs."));
   else if (error.reason == background::kThrew)
-    emit failed(tr("It could not be measured: %1").arg(QString::fromStdString(error.what)));
+    emit failed(tr("It could not be measured: %1").arg(sentenceOf(error)));
   else
-    emit failed(QString::fromStdString(error.what));
+    emit failed(sentenceOf(error));
 }
 
 }  // namespace app

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/window/recent_places.h"
+#include "app/window/sentence.h"
 #include "datasets/phantoms/phantoms.h"
 
 namespace app {
@@ -79,8 +80,7 @@ void OpeningController::refuse(const LoadRequest& request, const haptics::Error&
   if (shared_.shown) shared_.options.field = shared_.shown->scene->field.kind();
   emit failed(error);
   if (asks_ && choice_.ask(request, error)) return;
-  if (error.kind != haptics::Error::Kind::Cancelled)
-    window_.showMessage(QString::fromStdString(error.what));
+  if (error.kind != haptics::Error::Kind::Cancelled) window_.showMessage(sentenceOf(error));
 }
 
 void OpeningController::openDropped(const QStringList& paths) {

@@ -3,6 +3,7 @@
 
 #include <system_error>
 
+#include "app/window/sentence.h"
 #include "app/window/view_camera.h"
 
 namespace app {
@@ -75,7 +76,7 @@ void RecordingController::record(bool record) {
   const auto begun = recording_.start(shared_.shown->scene, recordedName(shared_.shown->tool));
   if (!begun) {
     panel_->show(ui::RecordingStatus{});
-    return window_.showMessage(QString::fromStdString(begun.error().what));
+    return window_.showMessage(sentenceOf(begun.error()));
   }
   emit started();
   camera_noted_.clear();
@@ -119,7 +120,7 @@ void RecordingController::recover(const QString& id) {
         if (recovered)
           window_.clearMessage();
         else
-          window_.showMessage(QString::fromStdString(recovered.error().what));
+          window_.showMessage(sentenceOf(recovered.error()));
         showRecordings();
       });
 }

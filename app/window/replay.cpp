@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "app/window/sentence.h"
+
 namespace app {
 namespace {
 
@@ -76,7 +78,7 @@ bool Replay::load(std::size_t block) {
   auto steps = recording_.block(block);
   if (!steps) {
     play(false);
-    emit failed(QString::fromStdString(steps.error().what));
+    emit failed(sentenceOf(steps.error()));
     return false;
   }
   block_ = block;

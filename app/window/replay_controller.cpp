@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/replay_controller.h"
 
+#include "app/window/sentence.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/replay_bar.h"
@@ -54,7 +55,7 @@ void ReplayController::connectBar() {
 
 void ReplayController::open(const std::filesystem::path& path) {
   auto read = Replay::open(path);
-  if (!read) return window_.showMessage(QString::fromStdString(read.error().what));
+  if (!read) return window_.showMessage(sentenceOf(read.error()));
   emit opened();
   replay_ = std::move(*read);
   shared_.replaying = true;

@@ -10,6 +10,7 @@
 
 #include "app/film/face.h"
 #include "haptics/core/output_file.h"
+#include "resources/messages/messages.h"
 
 namespace app {
 
@@ -24,7 +25,7 @@ void ScreenshotController::prepare(bool new_volume) {
 
 void ScreenshotController::fail(const haptics::Error& error) {
   if (!isWanted()) return;
-  std::fprintf(stderr, "%s\n", error.what.c_str());
+  std::fprintf(stderr, "%s\n", resources::sentence(error).c_str());
   emit finished(3);
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "app/window/sentence.h"
 #include "ui/part_question.h"
 #include "ui/series_browser.h"
 
@@ -38,7 +39,7 @@ ui::SeriesRow rowOf(const datasets::SeriesVerdict& series) {
       .dims = series.dims,
       .spacing_mm = {series.spacing_mm.x(), series.spacing_mm.y(), series.spacing_mm.z()},
       .verdict = verdictOf(series),
-      .sentence = QString::fromStdString(series.message),
+      .sentence = sentenceOf(series.message),
       .bytes = series.bytes};
   if (const auto& part = series.unbroken_part) {
     row.dims[2] = part->slices;
@@ -46,7 +47,7 @@ ui::SeriesRow rowOf(const datasets::SeriesVerdict& series) {
     row.spacing_mm = {part->spacing_mm.x(), part->spacing_mm.y(), part->spacing_mm.z()};
     row.bytes = row.bytes / part->of * part->slices;
   }
-  for (const std::string& fault : series.faults) row.faults << QString::fromStdString(fault);
+  for (const haptics::Message& fault : series.faults) row.faults << sentenceOf(fault);
   return row;
 }
 
@@ -74,7 +75,7 @@ void SeriesChoice::take(const Surveyed& surveyed) {
 }
 
 bool SeriesChoice::ask(const LoadRequest& request, const haptics::Error& error) {
-  const QString why = QString::fromStdString(error.what);
+  const QString why = sentenceOf(error);
   if (error.reason == kWhichSeries) {
     browse();
     return true;
@@ -115,7 +116,7 @@ void SeriesChoice::loadChosen(int row) {
                                              .among_others = surveyed_->survey.series.size() > 1,
                                              .place = surveyed_->place}};
   if (series.verdict == datasets::Verdict::Correctable)
-    return offerCorrection(std::move(request), QString::fromStdString(series.message));
+    return offerCorrection(std::move(request), sentenceOf(series.message));
   if (series.unbroken_part) return void(offerLargestPart(std::move(request)));
   emit wanted(request);
 }
@@ -123,7 +124,7 @@ void SeriesChoice::loadChosen(int row) {
 bool SeriesChoice::offerLargestPart(LoadRequest request) {
   if (!request.chosen || !request.chosen->series.unbroken_part) return false;
   // the sentence of the survey says which part that is
-  const QString why = QString::fromStdString(request.chosen->series.message);
+  const QString why = sentenceOf(request.chosen->series.message);
   if (window_.askWhether(why,
                          tr("Only these slices are then seen and felt, as they are; of what lies "
                             "beyond the gaps nothing is shown. The files stay as they are."),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/recording/facts.h"
+#include "app/window/sentence.h"
 
 namespace app {
 
@@ -104,7 +105,7 @@ void SessionRecording::showStatus(ui::RecordingStatus::State state) {
       .samples = status.steps,
       .gaps = status.lost,
       .bytes = status.bytes,
-      .failure = QString::fromStdString(status.failure)};
+      .failure = sentenceOf(status.failure)};
   // before there is anything to go by, what a step may take at most
   constexpr double kMostBytes = 300.0 * 1000.0;  // a second
   const double rate = status.duration > 1.0 ? double(status.bytes) / status.duration : kMostBytes;
@@ -126,7 +127,7 @@ void SessionRecording::finish() {
                       error.reason == background::kNoMemory || error.reason == background::kThrew
                           ? tr("The recording could not be finished: there is no "
                                "memory left. It can be recovered.")
-                          : QString::fromStdString(error.what));
+                          : sentenceOf(error));
       });
   recorder_.reset();
   scenes_.clear();

@@ -33,10 +33,9 @@ haptics::Expected<Phantom> makePhantom(const std::string& name) {
     if (name == entry.name) return entry.make();
     known += (known.empty() ? "" : ", ") + std::string{entry.name};
   }
-  return tl::unexpected(haptics::Error{
-      .kind = haptics::Error::Kind::NotFound,
-      .what = "There is no phantom named '" + name + "'; known phantoms are " + known + ".",
-      .reason = "unknown_phantom"});
+  return tl::unexpected(haptics::Error{.kind = haptics::Error::Kind::NotFound,
+                                       .message = {"phantom-unknown", {name, known}},
+                                       .reason = "unknown_phantom"});
 }
 
 }  // namespace datasets

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/core/error.h"
 #include "haptics/core/geometry.h"
 
 namespace datasets {
@@ -73,14 +74,14 @@ struct SeriesVerdict {
   haptics::Vec3 spacing_mm = haptics::Vec3::Zero();
   Verdict verdict = Verdict::Refused;
   std::vector<std::string> reasons;  ///< codes: "gantry-tilt", "not-scalar", "truncated", …
-  std::string message;               ///< one sentence for the user
+  haptics::Message message;          ///< for the user
   /// Of a series that is refused because slices are missing: what can be loaded of it, if the user
   /// agrees; or none.
   std::optional<UnbrokenPart> unbroken_part = {};
   Labels labels;
   int file_count = 0;
-  std::int64_t bytes = 0;           ///< of the voxels in memory, estimated; 0: not known
-  std::vector<std::string> faults;  ///< a sentence for each file that cannot be used
+  std::int64_t bytes = 0;                ///< of the voxels in memory, estimated; 0: not known
+  std::vector<haptics::Message> faults;  ///< a sentence for each file that cannot be used
   std::shared_ptr<const Found> found;
   std::shared_ptr<const void> place;  ///< what its files lie in, if that is to vanish later
 };

@@ -37,18 +37,16 @@ SeriesVerdict verdictOf(const StoredVolumes& stored) {
                   static_cast<std::int64_t>(haptics::sizeOf(stored.voxels.layout.type));
   verdict.modality = stored.facts.modality;
   verdict.spacing_mm = stored.grid.spacing * 1e3;
-  verdict.message = "One evenly spaced stack.";
+  verdict.message = {"volume-evenly-spaced", {}};
   if (!stored.facts.orientation_known) {
     verdict.reasons.push_back("orientation-unknown");
     verdict.message = stored.spacing_stated
-                          ? "The file does not state its orientation: left and right are unknown, "
-                            "and its spacing is taken to be in millimetres."
-                          : "The file states neither orientation nor spacing: left and right are "
-                            "unknown, and voxels of 1 mm are assumed.";
+                          ? haptics::Message{"volume-orientation-unknown", {}}
+                          : haptics::Message{"volume-orientation-and-spacing-unknown", {}};
   }
   if (stored.facts.orientation_known && !stored.spacing_stated) {
     verdict.reasons.push_back("spacing-unknown");
-    verdict.message += " The file states no spacing: voxels of 1 mm are assumed.";
+    verdict.message = bothOf(std::move(verdict.message), {"volume-spacing-unknown", {}});
   }
   return verdict;
 }
@@ -57,7 +55,7 @@ SeriesVerdict refusalOf(const haptics::Error& error) {
   SeriesVerdict verdict;
   verdict.file_count = 1;
   verdict.reasons.push_back(error.reason);
-  verdict.message = error.what;
+  verdict.message = error.message;
   return verdict;
 }
 
@@ -153,8 +151,8 @@ std::vector<SeriesVerdict> verdictsOf(const fs::path& path, VolumeFormat format)
   for (std::int64_t number = 0; number < count; ++number) {
     SeriesVerdict verdict = header ? verdictOf((*header)->stored()) : refusalOf(header.error());
     if (count > 1)
-      verdict.message = "Volume " + std::to_string(number) + " of " + std::to_string(count) +
-                        ", counted from 0. " + verdict.message;
+      verdict.message = {"volume-numbered",
+                         {std::to_string(number), std::to_string(count), verdict.message}};
     verdict.found = std::make_shared<Found>(
         Found{VolumeInFile{path, static_cast<int>(number), header ? *header : nullptr}});
     verdicts.push_back(std::move(verdict));

@@ -26,6 +26,7 @@ namespace datasets {
 
 namespace fs = std::filesystem;
 using haptics::Expected;
+using haptics::Message;
 
 namespace {
 
@@ -35,28 +36,37 @@ Expected<T> guarded(const fs::path& path, F&& read) {
   try {
     return read();
   } catch (const std::bad_alloc&) {
-    return unsupported("too-large", "The memory of this machine does not hold " + quoted(path) +
-                                        "; close other programs or try a smaller series.");
+    return unsupported("too-large", {"memory-too-small-for-series", {quoted(path)}});
   } catch (const std::exception&) {
-    return malformed("unreadable", quoted(path) +
-                                       " cannot be read; copy it to another folder and "
-                                       "try again.");
+    return malformed("unreadable", {"path-not-read", {quoted(path)}});
   }
 }
 
-std::string listOf(const std::vector<SeriesVerdict>& all) {
+Message listed(const SeriesVerdict& v) {
+  const std::string number = std::to_string(v.index);
+  const Message modality =
+      v.modality.empty() ? Message{"series-no-modality", {}} : Message{v.modality};
+  const std::string dims = std::to_string(v.dims[0]) + " x " + std::to_string(v.dims[1]) + " x " +
+                           std::to_string(v.dims[2]);
+  const std::string spacing_mm =
+      brief(v.spacing_mm.x()) + " x " + brief(v.spacing_mm.y()) + " x " + brief(v.spacing_mm.z());
+  switch (v.verdict) {
+    case Verdict::Sound:
+      return {"series-listed", {number, modality, dims, spacing_mm}};
+    case Verdict::Correctable:
+      return {"series-listed-correctable", {number, modality, dims, spacing_mm, v.reasons.front()}};
+    case Verdict::Refused:
+      break;
+  }
+  return {"series-listed-refused", {number, modality, dims, v.reasons.front()}};
+}
+
+Message listOf(const std::vector<SeriesVerdict>& all) {
   constexpr int kMost = 20;
-  std::string list;
+  Message list;
   for (const SeriesVerdict& v : all) {
-    if (v.index == kMost) return list + "; and " + std::to_string(all.size() - kMost) + " more";
-    list +=
-        (list.empty() ? "" : "; ") + std::to_string(v.index) + " is " +
-        (v.modality.empty() ? "of no modality" : v.modality) + ", " + std::to_string(v.dims[0]) +
-        " x " + std::to_string(v.dims[1]) + " x " + std::to_string(v.dims[2]) + ", " +
-        (v.verdict != Verdict::Refused ? brief(v.spacing_mm.x()) + " x " + brief(v.spacing_mm.y()) +
-                                             " x " + brief(v.spacing_mm.z()) + " mm"
-                                       : "refused (" + v.reasons.front() + ")") +
-        (v.verdict == Verdict::Correctable ? ", correctable (" + v.reasons.front() + ")" : "");
+    if (v.index == kMost) return {"series-and-more", {list, std::to_string(all.size() - kMost)}};
+    list = list.empty() ? listed(v) : Message{"series-and-next", {std::move(list), listed(v)}};
   }
   return list;
 }
@@ -65,11 +75,10 @@ Expected<SeriesVerdict> chosenOf(const fs::path& path, const std::vector<SeriesV
                                  const Reading& reading) {
   if (reading.series) {
     if (*reading.series < 0 || *reading.series >= static_cast<int>(all.size()))
-      return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
-                                           quoted(path) + " has no series " +
-                                               std::to_string(*reading.series) + ": " +
-                                               listOf(all) + ".",
-                                           "no-such-series"});
+      return tl::unexpected(haptics::Error{
+          haptics::Error::Kind::NotFound,
+          {"series-unknown", {quoted(path), std::to_string(*reading.series), listOf(all)}},
+          "no-such-series"});
     return all[static_cast<std::size_t>(*reading.series)];
   }
   const auto any = [](const SeriesVerdict& s) { return s.verdict != Verdict::Refused; };
@@ -80,16 +89,15 @@ Expected<SeriesVerdict> chosenOf(const fs::path& path, const std::vector<SeriesV
   };
   const auto loadable = std::ranges::count_if(all, sound);
   if (loadable > 1)
-    return unsupported("which-series", quoted(path) + " holds " + std::to_string(loadable) +
-                                           " series that can be loaded; name one: " + listOf(all) +
-                                           ".");
+    return unsupported("which-series",
+                       {"series-several", {quoted(path), std::to_string(loadable), listOf(all)}});
   if (loadable == 1) return *std::ranges::find_if(all, sound);
   // what could be corrected says so itself
   if (const auto one = std::ranges::find_if(all, any); one != all.end()) return *one;
   if (all.size() > 1)
-    return unsupported(all.front().reasons.front(),
-                       "None of the " + std::to_string(all.size()) + " series in " + quoted(path) +
-                           " can be loaded; the first: " + all.front().message);
+    return unsupported(
+        all.front().reasons.front(),
+        {"series-none-loadable", {std::to_string(all.size()), quoted(path), all.front().message}});
   return all.front();
 }
 
@@ -109,8 +117,7 @@ void add(std::vector<SeriesVerdict> found, std::vector<SeriesVerdict>& volumes) 
     found.resize(1);
     found.front().verdict = Verdict::Refused;
     found.front().reasons = {"too-large"};
-    found.front().message =
-        "The folder holds more volumes than can be listed; open this file by itself.";
+    found.front().message = {"folder-too-many-volumes", {}};
   }
   std::ranges::move(found, std::back_inserter(volumes));
 }
@@ -125,19 +132,18 @@ struct Closed {
 /// A copy that broke off leaves files without a byte, one by another user files that are forbidden,
 /// and a stack may lack its last slices.
 void sayClosed(SeriesVerdict& series, const Closed& closed) {
-  const auto say = [&](int count, const char* one, const char* more, const char* advice) {
+  const auto say = [&](int count, const Message& one, const Message& more) {
     if (count == 0) return;
-    const std::string sentence = std::to_string(count) + (count == 1 ? one : more) + advice;
-    series.message += " " + sentence;
+    const Message& sentence = count == 1 ? one : more;
+    series.message = bothOf(std::move(series.message), sentence);
     series.faults.push_back(sentence);
   };
-  say(closed.empty, " empty file lies", " empty files lie",
-      " beside the slices; if the series lacks some, copy it again.");
-  say(closed.damaged, " damaged DICOM file lies", " damaged DICOM files lie",
-      " beside the slices and may be one of them; copy the folder again.");
-  say(closed.forbidden, " file beside the slices may not be read",
-      " files beside the slices may not be read",
-      "; if the series lacks some, change their permissions.");
+  say(closed.empty, {"folder-empty-file", {}},
+      {"folder-empty-files", {std::to_string(closed.empty)}});
+  say(closed.damaged, {"folder-damaged-file", {}},
+      {"folder-damaged-files", {std::to_string(closed.damaged)}});
+  say(closed.forbidden, {"folder-forbidden-file", {}},
+      {"folder-forbidden-files", {std::to_string(closed.forbidden)}});
 }
 
 bool isForbidden(const fs::path& path) {
@@ -215,21 +221,12 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
   return survey;
 }
 
-tl::unexpected<haptics::Error> noScan(const std::string& what, const fs::path& path) {
-  return unsupported("unreadable",
-                     what + quoted(path) +
-                         " holds no scan that is known here (DICOM, NRRD, MetaImage or "
-                         "NIfTI); open the folder of a series.");
-}
-
 Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
   std::error_code error;
   Survey survey;
   if (isForbidden(path))
-    return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
-                                         quoted(path) + " may not be read by this user; change its "
-                                                        "permissions or copy it.",
-                                         "unreadable"});
+    return tl::unexpected(haptics::Error{
+        haptics::Error::Kind::NotFound, {"path-forbidden", {quoted(path)}}, "unreadable"});
   const Beginning beginning = fs::is_regular_file(path, error) ? Beginning(path) : Beginning();
   const bool is_dicom = beginning.is_open && looksLikeDicom(beginning);
   DicomHeader header = is_dicom ? readDicomHeader(beginning) : DicomHeader();
@@ -239,7 +236,8 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     const fs::path folder = is_index ? folderOf(path) : path;
     auto found = surveyOf(folder, progress);
     if (!found) return found;
-    if (found->series.empty()) return noScan("The folder ", folder);
+    if (found->series.empty())
+      return unsupported("unreadable", {"folder-no-scan", {quoted(folder)}});
     survey = std::move(*found);
   } else if (!fs::is_regular_file(path, error)) {
     return notFound(path);
@@ -258,15 +256,12 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     if (!folder) return tl::unexpected(folder.error());
     auto found = surveyOf((*folder)->path(), progress.part(0.5, 1.0));
     if (!found) return found;
-    if (found->series.empty()) return noScan("The archive ", path);
+    if (found->series.empty())
+      return unsupported("unreadable", {"archive-no-scan", {quoted(path)}});
     survey = std::move(*found);
     for (SeriesVerdict& series : survey.series) series.place = *folder;
   } else {
-    return unsupported("unreadable",
-                       quoted(path) +
-                           " is no DICOM, NRRD, MetaImage or NIfTI file; open the folder of a "
-                           "DICOM series, one of its files, or an .nrrd, .nhdr, .mhd, .mha, .nii "
-                           "or .nii.gz file.");
+    return unsupported("unreadable", {"file-no-scan", {quoted(path)}});
   }
   for (std::size_t i = 0; i < survey.series.size(); ++i)
     survey.series[i].index = static_cast<int>(i);

@@ -3,8 +3,26 @@
 
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
+#include <vector>
 
 namespace haptics {
+
+/// A sentence for the user before it is put into words: a row of the catalogue (resources/messages)
+/// and what stands in its places. Without a row it is plain text that is put in as it is: a name, a
+/// number, words of the operating system.
+struct Message {
+  std::string id;                  ///< of the row: "nrrd-data-cut-off"; empty: plain text
+  std::vector<Message> arguments;  ///< for %1, %2, …
+  std::string text;                ///< the plain text, without a row
+
+  Message() = default;
+  Message(const char* plain) : text(plain) {}
+  Message(std::string plain) : text(std::move(plain)) {}
+  Message(const char* row, std::vector<Message> with) : id(row), arguments(std::move(with)) {}
+
+  bool empty() const { return id.empty() && text.empty(); }
+};
 
 /// Why something could not be set up. Never crosses the servo thread.
 struct Error {
@@ -16,7 +34,7 @@ struct Error {
     Correctable  ///< can be used after a correction to which the user agrees
   };
   Kind kind = Kind::Malformed;
-  std::string what;         ///< One sentence for the user: names the thing, and what to try.
+  Message message;          ///< One sentence for the user: names the thing, and what to try.
   std::string reason = {};  ///< A word for programs: "truncated", "sheared", …
 };
 

@@ -32,12 +32,9 @@ Pending& pending() {
 void forget(const fs::path& part) { std::erase(pending().parts, part); }
 
 Error cannotWrite(const fs::path& named, int why) {
-  const std::string reason =
-      why == ENOSPC || why == EDQUOT ? "the disk is full" : std::generic_category().message(why);
-  return {Error::Kind::Unsupported,
-          "\"" + named.string() + "\" cannot be written (" + reason +
-              "); choose a folder that can be written and has room.",
-          "unwritable"};
+  const Message reason = why == ENOSPC || why == EDQUOT ? Message{"disk-full", {}}
+                                                        : std::generic_category().message(why);
+  return {Error::Kind::Unsupported, {"output-unwritable", {named.string(), reason}}, "unwritable"};
 }
 
 /// 0, or an errno.
@@ -93,9 +90,7 @@ Expected<Output> Output::at(const fs::path& path) {
   if (!output.target_.has_filename() ||
       (fs::exists(output.target_, error) && !fs::is_regular_file(output.target_, error)))
     return tl::unexpected(
-        Error{Error::Kind::Unsupported,
-              "\"" + path.string() + "\" is no regular file, and is not written over; name a file.",
-              "unwritable"});
+        Error{Error::Kind::Unsupported, {"output-no-regular-file", {path.string()}}, "unwritable"});
   // two may write at once, and what an earlier one left is not ours
   std::random_device lot;
   const std::scoped_lock lock(pending().mutex);

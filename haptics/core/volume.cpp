@@ -43,10 +43,7 @@ Expected<std::shared_ptr<void>> allocateVoxels(std::int64_t voxel_count, ScalarT
     memory = std::calloc(static_cast<std::size_t>(voxel_count * size) + kVoxelPadding, 1);
   if (memory == nullptr)
     return tl::unexpected(Error{Error::Kind::Unsupported,
-                                "The volume needs " +
-                                    std::to_string(voxel_count / 1'000'000 * size) +
-                                    " MB of memory, which this machine does not give; try a "
-                                    "smaller series or close other programs.",
+                                {"volume-memory", {std::to_string(voxel_count / 1'000'000 * size)}},
                                 "too-large"});
   return std::shared_ptr<void>(memory, [](void* p) { std::free(p); });
 }
@@ -96,8 +93,8 @@ std::optional<Range> rangeOf(const T* voxels, std::int64_t count,
   return range;
 }
 
-Error malformed(std::string what, std::string reason) {
-  return {Error::Kind::Malformed, std::move(what), std::move(reason)};
+Error malformed(Message message, std::string reason) {
+  return {Error::Kind::Malformed, std::move(message), std::move(reason)};
 }
 
 }  // namespace
@@ -105,21 +102,14 @@ Error malformed(std::string what, std::string reason) {
 Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<void> voxels,
                             VolumeFacts facts, const std::function<bool(double)>& goes_on) {
   for (const std::int64_t n : grid.dims)
-    if (n < 1)
-      return tl::unexpected(malformed("The volume has an axis without voxels.", "bad-header"));
+    if (n < 1) return tl::unexpected(malformed({"volume-axis-empty", {}}, "bad-header"));
   if (!grid.spacing.allFinite() || grid.spacing.minCoeff() <= 0.0)
-    return tl::unexpected(
-        malformed("The volume's voxel spacing is not a positive number; its header cannot be used.",
-                  "bad-header"));
+    return tl::unexpected(malformed({"volume-spacing", {}}, "bad-header"));
   if (!grid.origin.allFinite() || !grid.direction.allFinite())
-    return tl::unexpected(malformed(
-        "The volume's position or orientation is not a number; its header cannot be used.",
-        "bad-header"));
+    return tl::unexpected(malformed({"volume-place-not-finite", {}}, "bad-header"));
   const Mat3 gram = grid.direction.transpose() * grid.direction;
   if ((gram - Mat3::Identity()).cwiseAbs().maxCoeff() > 1e-4)
-    return tl::unexpected(malformed(
-        "The volume's axes are not at right angles; only right-angled stacks can be loaded.",
-        "sheared"));
+    return tl::unexpected(malformed({"volume-axes-not-right-angled", {}}, "sheared"));
 
   Volume volume;
   volume.grid = grid;
@@ -128,12 +118,10 @@ Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<v
   const auto found = visitVoxels(type, static_cast<const void*>(voxels.get()),
                                  [&](const auto* v) { return rangeOf(v, count, goes_on); });
   if (!found)
-    return tl::unexpected(
-        Error{Error::Kind::Cancelled, "Making the volume was cancelled.", "cancelled"});
+    return tl::unexpected(Error{Error::Kind::Cancelled, {"volume-cancelled", {}}, "cancelled"});
   const Range range = *found;
   if (range.non_finite == count)
-    return tl::unexpected(malformed(
-        "The volume holds no finite voxel; there is nothing to see or touch.", "no-pixels"));
+    return tl::unexpected(malformed({"volume-no-finite-voxel", {}}, "no-pixels"));
   volume.least = range.least;
   volume.greatest = range.greatest;
   volume.replaced = range.non_finite;

@@ -27,10 +27,6 @@ constexpr int kStill = 20;           // counts
 constexpr int kLastRounds = 10;      // of 5 ms
 constexpr std::int64_t kHoldNs = 1'000'000'000, kLongestWakeUpNs = 500'000'000;
 
-constexpr const char* kWhichArm =
-    "Polhem and WoodenHaptics have the same boards: connect the arm that it is, or it is pushed in "
-    "wrong directions.";
-
 // one more than the longest report: what is too long shows
 using Buffer = std::array<std::uint8_t, kTeensyBoard.report + 1>;
 
@@ -222,9 +218,7 @@ std::string idOf(const CapstanArm& arm, const HidPlace& place) {
 }
 
 Error notThere(const CapstanArm& arm) {
-  return refusal(Trouble::NotPluggedIn, "No " + nameOf(arm) +
-                                            " is plugged in; switch its power on and plug its "
-                                            "USB cable in.");
+  return refusal(Trouble::NotPluggedIn, {"capstan-not-plugged-in", {nameOf(arm)}});
 }
 
 }  // namespace
@@ -288,7 +282,7 @@ std::vector<DeviceEntry> armsAmong(const CapstanArm& arm, std::span<const HidPla
   std::vector<DeviceEntry> entries;
   for (const auto& [place, report] : found) {
     auto [trouble, why] = hidObstacle(place, name);
-    if (trouble == Trouble::None) why = kWhichArm;
+    if (trouble == Trouble::None) why = {"capstan-which-arm", {}};
     entries.push_back({idOf(arm, place), name, rating.sensed, rating.actuated, true, trouble, why});
   }
   return entries;
@@ -305,9 +299,7 @@ Expected<std::unique_ptr<Device>> armAt(const CapstanArm& arm, std::unique_ptr<H
   while (clock() - begun < kLongestWakeUpNs) {
     const bool sent = port->write(std::span{zero}.first(1 + report));
     const auto length = port->read(bytes, Transport::kLongestWait);
-    if (!length)
-      return tl::unexpected(
-          refusal(Trouble::Lost, "The " + name + " went away; plug it in again."));
+    if (!length) return tl::unexpected(refusal(Trouble::Lost, {"capstan-lost", {name}}));
     old = old || *length == kOldReport;
     if (sent && *length == report) {
       // an answer may be 20 ms old: a round waits 5, and three that fail end it
@@ -315,16 +307,8 @@ Expected<std::unique_ptr<Device>> armAt(const CapstanArm& arm, std::unique_ptr<H
                       std::chrono::milliseconds{20});
     }
   }
-  if (old)
-    return tl::unexpected(
-        refusal(Trouble::Refused,
-                "The board of the " + name +
-                    " has firmware of before October 2019, which is not supported; load a newer "
-                    "one of its makers."));
-  return tl::unexpected(refusal(
-      Trouble::Refused, "What is plugged in does not answer as a " + name +
-                            " does; switch its power on, or unplug the other device that has its "
-                            "USB ids."));
+  if (old) return tl::unexpected(refusal(Trouble::Refused, {"capstan-firmware-old", {name}}));
+  return tl::unexpected(refusal(Trouble::Refused, {"capstan-no-answer", {name}}));
 }
 
 std::vector<DeviceEntry> surveyArms(const CapstanArm& arm) {
@@ -332,7 +316,7 @@ std::vector<DeviceEntry> surveyArms(const CapstanArm& arm) {
   const DeviceRating& rating = *findRating(arm.driver);
   if (entries.empty())
     entries.push_back({std::string{arm.driver}, nameOf(arm), rating.sensed, rating.actuated, false,
-                       Trouble::NotPluggedIn, notThere(arm).what});
+                       Trouble::NotPluggedIn, notThere(arm).message});
   return entries;
 }
 

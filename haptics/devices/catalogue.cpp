@@ -59,15 +59,13 @@ Expected<std::unique_ptr<Device>> openDevice(const OpenRequest& request) {
   const std::string_view name = std::string_view{request.id}.substr(0, request.id.find(':'));
   for (const Driver& driver : drivers())
     if (driver.name == name) return driver.open(request);
-  return tl::unexpected(Error{
-      Error::Kind::NotFound,
-      "There is no device '" + request.id + "'; `palpate-cli devices` lists those that are known.",
-      "unknown-device"});
+  return tl::unexpected(
+      Error{Error::Kind::NotFound, {"device-unknown", {request.id}}, "unknown-device"});
 }
 
-Error refusal(Trouble trouble, std::string what) {
+Error refusal(Trouble trouble, Message message) {
   return {trouble == Trouble::NotPluggedIn ? Error::Kind::NotFound : Error::Kind::Unsupported,
-          std::move(what), std::string{wordOf(trouble)}};
+          std::move(message), std::string{wordOf(trouble)}};
 }
 
 }  // namespace haptics

@@ -26,7 +26,7 @@ struct DeviceEntry {
   /// opening shows that. What the user can settle at the device (NotHomed to ForceOff) withholds
   /// only its force.
   Trouble trouble = Trouble::None;
-  std::string why = {};  ///< one sentence for the user: what is wrong, and what to try; or empty
+  Message why = {};  ///< one sentence for the user: what is wrong, and what to try; or empty
 };
 
 /// The id, and what else opening may need.
@@ -62,6 +62,6 @@ const DeviceRating* ratingOf(const DeviceEntry& entry);
 Expected<std::unique_ptr<Device>> openDevice(const OpenRequest& request);
 
 /// A refusal of a driver: `reason` is wordOf(trouble).
-Error refusal(Trouble trouble, std::string what);
+Error refusal(Trouble trouble, Message message);
 
 }  // namespace haptics

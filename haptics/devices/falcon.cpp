@@ -274,11 +274,7 @@ class Link final : public Transport {
   bool trusted_ = false;  ///< the last exchange brought a reading: the next may carry force
 };
 
-Error lostWhileOpening() {
-  return refusal(Trouble::Lost,
-                 "The Novint Falcon was lost while it was opened; plug it in again, best into the "
-                 "computer itself, and open it again.");
-}
+Error lostWhileOpening() { return refusal(Trouble::Lost, {"falcon-lost-while-opened", {}}); }
 
 }  // namespace
 
@@ -288,9 +284,7 @@ std::vector<DeviceEntry> entriesOf(std::span<const FalconPlace> places) {
                            .sensed = 3,
                            .actuated = 3,
                            .trouble = Trouble::NotPluggedIn,
-                           .why =
-                               "No Novint Falcon is plugged in; plug in its USB cable and its "
-                               "power supply."};
+                           .why = {"falcon-not-plugged-in", {}}};
   if (places.empty()) return {absent};
   std::vector<DeviceEntry> entries;
   for (const FalconPlace& place : places) {
@@ -298,15 +292,13 @@ std::vector<DeviceEntry> entriesOf(std::span<const FalconPlace> places) {
     entry.id += ":" + place.where;
     entry.present = true;
     entry.trouble = Trouble::None;
-    entry.why.clear();
+    entry.why = {};
     if (!place.permitted) {
       entry.trouble = Trouble::NoPermission;
-      entry.why =
-          "The system does not let you use the Novint Falcon; install packaging/70-palpate.rules "
-          "in /etc/udev/rules.d and plug it in again.";
+      entry.why = {"falcon-not-permitted", {}};
     } else if (place.claimed) {
       entry.trouble = Trouble::InUse;
-      entry.why = "The Novint Falcon is in use; close the program that has it.";
+      entry.why = {"falcon-in-use", {}};
     }
     entries.push_back(std::move(entry));
   }
@@ -314,22 +306,20 @@ std::vector<DeviceEntry> entriesOf(std::span<const FalconPlace> places) {
 }
 
 Expected<std::vector<std::uint8_t>> readFirmware(const std::filesystem::path& file) {
-  const auto refused = [&](const std::string& why) {
-    return tl::unexpected(refusal(
-        Trouble::NoFirmware, "The Novint Falcon's firmware file '" + file.string() + "' " + why +
-                                 "; choose the one that came with the Falcon's own software."));
+  const auto refused = [](Message why) {
+    return tl::unexpected(refusal(Trouble::NoFirmware, std::move(why)));
   };
   std::error_code absent;
   std::ifstream stream;
   // what is not a file, a pipe say, could keep the reader waiting
   if (std::filesystem::is_regular_file(file, absent)) stream.open(file, std::ios::binary);
-  if (!stream.is_open()) return refused("cannot be read");
+  if (!stream.is_open()) return refused({"falcon-firmware-unreadable", {file.string()}});
   std::vector<std::uint8_t> bytes(kMostFirmware + 1);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (stream.bad()) return refused("cannot be read");
+  if (stream.bad()) return refused({"falcon-firmware-unreadable", {file.string()}});
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  if (bytes.empty()) return refused("is empty");
-  if (bytes.size() > kMostFirmware) return refused("is larger than the Falcon's memory");
+  if (bytes.empty()) return refused({"falcon-firmware-empty", {file.string()}});
+  if (bytes.size() > kMostFirmware) return refused({"falcon-firmware-too-large", {file.string()}});
   return bytes;
 }
 
@@ -339,10 +329,7 @@ Expected<std::unique_ptr<Transport>> linkTo(std::unique_ptr<FalconPort> port,
   if (running == Step::Gone) return tl::unexpected(lostWhileOpening());
   if (running == Step::Failed) {
     if (firmware.empty())
-      return tl::unexpected(refusal(
-          Trouble::NoFirmware,
-          "The Novint Falcon has had no firmware since it was switched on; choose the firmware "
-          "file that came with the Falcon's own software."));
+      return tl::unexpected(refusal(Trouble::NoFirmware, {"falcon-no-firmware", {}}));
     const auto bytes = readFirmware(firmware);
     if (!bytes) return tl::unexpected(bytes.error());
     Load loaded = Load::NoHandshake;
@@ -350,22 +337,14 @@ Expected<std::unique_ptr<Transport>> linkTo(std::unique_ptr<FalconPort> port,
       loaded = load(*port, *bytes);
     if (loaded == Load::Gone) return tl::unexpected(lostWhileOpening());
     if (loaded == Load::NoHandshake)
-      return tl::unexpected(refusal(
-          Trouble::Refused,
-          "The Novint Falcon does not answer; see that its power supply is plugged in, switch it "
-          "off and on, and open it again."));
+      return tl::unexpected(refusal(Trouble::Refused, {"falcon-no-answer", {}}));
     if (loaded == Load::WrongEcho)
-      return tl::unexpected(refusal(
-          Trouble::Refused,
-          "The Novint Falcon did not take its firmware whole; plug it into a port of the computer "
-          "itself, or into a hub with a power supply, and open it again."));
+      return tl::unexpected(refusal(Trouble::Refused, {"falcon-firmware-not-taken", {}}));
     running = probe(*port);
     if (running == Step::Gone) return tl::unexpected(lostWhileOpening());
     if (running == Step::Failed)
-      return tl::unexpected(refusal(
-          Trouble::NoFirmware, "The Novint Falcon took '" + firmware.string() +
-                                   "', but does not run it; switch it off and on, and choose the "
-                                   "firmware file that came with the Falcon's own software."));
+      return tl::unexpected(
+          refusal(Trouble::NoFirmware, {"falcon-firmware-not-running", {firmware.string()}}));
   }
   return std::make_unique<Link>(std::move(port));
 }

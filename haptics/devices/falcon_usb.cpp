@@ -212,21 +212,14 @@ void forEachFalcon(libusb_context* context, Visit visit) {
 Error refusalOf(int code) {
   switch (code) {
     case LIBUSB_ERROR_ACCESS:
-      return refusal(Trouble::NoPermission,
-                     "The system does not let you use the Novint Falcon; install "
-                     "packaging/70-palpate.rules in /etc/udev/rules.d and plug it in again.");
+      return refusal(Trouble::NoPermission, {"falcon-not-permitted", {}});
     case LIBUSB_ERROR_BUSY:
-      return refusal(Trouble::InUse,
-                     "Another program uses the Novint Falcon; close that program first.");
+      return refusal(Trouble::InUse, {"falcon-in-use-elsewhere", {}});
     case LIBUSB_ERROR_NO_DEVICE:
     case LIBUSB_ERROR_NOT_FOUND:
-      return refusal(Trouble::NotPluggedIn,
-                     "The Novint Falcon is not plugged in, or not where it was; plug in its USB "
-                     "cable and its power supply.");
+      return refusal(Trouble::NotPluggedIn, {"falcon-gone", {}});
     default:
-      return refusal(Trouble::Refused, std::string{"The Novint Falcon could not be opened ("} +
-                                           libusb_error_name(code) +
-                                           "); unplug it and plug it in again.");
+      return refusal(Trouble::Refused, {"falcon-not-opened", {libusb_error_name(code)}});
   }
 }
 

@@ -20,8 +20,6 @@ namespace {
 constexpr std::string_view kDriver = "force-dimension";
 constexpr const char* kName = "Force Dimension device";
 constexpr const char* kProduct = "The Force Dimension SDK";
-constexpr const char* kAdvice =
-    "install it from its maker's site, where the system looks for libraries.";
 
 constexpr std::tuple kOldest{3, 3, 2};           // with the watchdog
 constexpr int kNewestMajor = 3;                  // another one may have other functions
@@ -108,7 +106,7 @@ Mat3 axes() {
 }
 
 Expected<Dhd> load(std::span<const std::string> libraries) {
-  auto library = SharedLibrary::open(libraries, kProduct, kAdvice);
+  auto library = SharedLibrary::open(libraries, kProduct, {"force-dimension-install-library", {}});
   if (!library) return tl::unexpected(library.error());
   Dhd dhd{std::move(*library)};
   SharedLibrary& of = dhd.library;
@@ -134,17 +132,15 @@ Expected<Dhd> load(std::span<const std::string> libraries) {
   of.need(dhd.close, robotics ? "drdClose" : "dhdClose");
 
   if (!of.lacks().empty())
-    return tl::unexpected(refusal(
-        Trouble::NoLibrary, std::string{kProduct} + " is too old (" + of.name() + " lacks " +
-                                of.lacks() + "); install a newer one from its maker's site."));
+    return tl::unexpected(
+        refusal(Trouble::NoLibrary, {"force-dimension-library-old", {of.name(), of.lacks()}}));
   int major = 0, minor = 0, release = 0, revision = 0;
   dhd.version(&major, &minor, &release, &revision);
   if (std::tuple{major, minor, release} < kOldest || major > kNewestMajor)
-    return tl::unexpected(refusal(
-        Trouble::NoLibrary, std::string{kProduct} + " is of version " + std::to_string(major) +
-                                "." + std::to_string(minor) + "." + std::to_string(release) +
-                                ", and Palpate knows 3.3.2 to 3.x; install one of these from its "
-                                "maker's site."));
+    return tl::unexpected(
+        refusal(Trouble::NoLibrary,
+                {"force-dimension-library-version",
+                 {std::to_string(major), std::to_string(minor), std::to_string(release)}}));
   return dhd;
 }
 
@@ -172,18 +168,12 @@ class ForceDimension final : public Transport {
                                     [number](const Model& m) { return m.number == number; });
     if (model == kModels.end())
       return tl::unexpected(
-          refusal(Trouble::Refused, "The Force Dimension device is of model number " +
-                                        std::to_string(number) +
-                                        ", which Palpate does not know; tell its "
-                                        "makers the number."));
+          refusal(Trouble::Refused, {"force-dimension-model-unknown", {std::to_string(number)}}));
     const std::string name{model->name};
 
     // without the watchdog a killed program would leave the last force on
     if (dhd_.enableExpertMode() < 0 || dhd_.setWatchdog(kWatchdog, id_) < 0)
-      return tl::unexpected(
-          refusal(Trouble::Refused, "The " + name +
-                                        " does not take a watchdog, without which its force would "
-                                        "stay on when a program dies; update its firmware."));
+      return tl::unexpected(refusal(Trouble::Refused, {"force-dimension-no-watchdog", {name}}));
     dhd_.bearWeight(1, id_);  // where it fails the hand bears it
 
     DeviceRating rating = *findRating(model->row);
@@ -304,23 +294,15 @@ Error notOpened(int error) {
   switch (error) {
     case kErrorInUse:
     case kErrorBusy:
-      return refusal(Trouble::InUse,
-                     "Another program uses the Force Dimension device; close that program first.");
+      return refusal(Trouble::InUse, {"force-dimension-in-use", {}});
     case kErrorNoDriver:
-      return refusal(Trouble::NoPermission,
-                     "The system does not let you use the Force Dimension device; install "
-                     "packaging/70-palpate.rules in /etc/udev/rules.d and plug it in again.");
+      return refusal(Trouble::NoPermission, {"force-dimension-not-permitted", {}});
     case kErrorNoDevice:
-      return refusal(Trouble::NotPluggedIn,
-                     "The Force Dimension device is gone; plug it in and switch it on.");
+      return refusal(Trouble::NotPluggedIn, {"force-dimension-gone", {}});
     case kErrorCommunication:
-      return refusal(Trouble::NoPermission,
-                     "The Force Dimension device does not answer; switch it on, and see that "
-                     "packaging/70-palpate.rules is installed in /etc/udev/rules.d.");
+      return refusal(Trouble::NoPermission, {"force-dimension-no-answer", {}});
     default:
-      return refusal(Trouble::Refused, "The Force Dimension device could not be opened (error " +
-                                           std::to_string(error) +
-                                           "); switch it off and on again.");
+      return refusal(Trouble::Refused, {"force-dimension-not-opened", {std::to_string(error)}});
   }
 }
 
@@ -340,8 +322,7 @@ Expected<std::unique_ptr<Device>> openUnit(int unit, std::span<const std::string
   auto dhd = load(libraries);
   if (!dhd) return tl::unexpected(dhd.error());
   if (dhd->count() <= unit)
-    return tl::unexpected(refusal(
-        Trouble::NotPluggedIn, "No Force Dimension device is found; plug it in and switch it on."));
+    return tl::unexpected(refusal(Trouble::NotPluggedIn, {"force-dimension-not-found", {}}));
   if (dhd->open(static_cast<char>(unit)) < 0) return tl::unexpected(notOpened(dhd->lastError()));
 
   auto transport = std::make_unique<ForceDimension>(std::move(*dhd), unit);
@@ -365,24 +346,24 @@ std::vector<DeviceEntry> surveyForceDimension(std::span<const std::string> libra
   if (taken.load()) {
     entry.present = true;
     entry.trouble = Trouble::InUse;
-    entry.why = "Palpate has a Force Dimension device open.";
+    entry.why = {"force-dimension-open", {}};
     return {entry};
   }
   const auto dhd = load(libraries);
   if (!dhd) {
     entry.trouble = Trouble::NoLibrary;
-    entry.why = dhd.error().what;
+    entry.why = dhd.error().message;
     return {entry};
   }
   const int count = std::clamp(dhd->count(), 0, kMostUnits);
   if (count == 0) {
     entry.trouble = Trouble::NotPluggedIn;
-    entry.why = "No Force Dimension device is found; plug it in and switch it on.";
+    entry.why = {"force-dimension-not-found", {}};
     return {entry};
   }
   std::vector<DeviceEntry> entries;
   entry.present = true;
-  entry.why = "Opening it tells which model it is.";
+  entry.why = {"force-dimension-model-told-later", {}};
   for (int unit = 0; unit < count; ++unit) {
     entry.id = std::string{kDriver} + ":" + std::to_string(unit);
     entry.name = kName + (count > 1 ? " " + std::to_string(unit + 1) : std::string{});
@@ -395,13 +376,10 @@ Expected<std::unique_ptr<Device>> openForceDimension(const OpenRequest& request,
                                                      std::span<const std::string> libraries) {
   const std::optional<int> unit = unitOf(request.id);
   if (!unit)
-    return tl::unexpected(Error{Error::Kind::NotFound,
-                                "There is no device '" + request.id +
-                                    "'; `palpate-cli devices` lists those that are known.",
-                                "unknown-device"});
+    return tl::unexpected(
+        Error{Error::Kind::NotFound, {"device-unknown", {request.id}}, "unknown-device"});
   if (taken.exchange(true))
-    return tl::unexpected(refusal(
-        Trouble::InUse, "Palpate has a Force Dimension device open; close that one first."));
+    return tl::unexpected(refusal(Trouble::InUse, {"force-dimension-open-already", {}}));
   auto device = openUnit(*unit, libraries);
   if (!device) taken.store(false);
   return device;

@@ -43,13 +43,9 @@ class OpenHid final : public HidPort {
 /// What the system's word means for the user.
 HidObstacle obstacleFor(int error, const std::string& name) {
   if (error == EACCES || error == EPERM)
-    return {Trouble::NoPermission,
-            "The system does not let you use the " + name +
-                "; install packaging/70-palpate.rules in /etc/udev/rules.d and plug it in again."};
-  if (error == EBUSY || error == EWOULDBLOCK)
-    return {Trouble::InUse, "Another program, or another part of Palpate, uses the " + name +
-                                "; close that one first."};
-  return {Trouble::NotPluggedIn, "The " + name + " is gone; plug it in again."};
+    return {Trouble::NoPermission, {"hid-not-permitted", {name}}};
+  if (error == EBUSY || error == EWOULDBLOCK) return {Trouble::InUse, {"hid-in-use", {name}}};
+  return {Trouble::NotPluggedIn, {"hid-gone", {name}}};
 }
 
 }  // namespace
@@ -81,8 +77,7 @@ Expected<std::unique_ptr<HidPort>> openHid(const HidPlace& place, const std::str
   if (hid_device* const device = hid_open_path(place.path.c_str()))
     return std::make_unique<OpenHid>(device, lock);
   ::close(lock);
-  return tl::unexpected(refusal(
-      Trouble::Refused, "The " + name + " could not be opened; unplug it and plug it in again."));
+  return tl::unexpected(refusal(Trouble::Refused, {"hid-not-opened", {name}}));
 }
 
 }  // namespace haptics

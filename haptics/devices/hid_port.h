@@ -40,7 +40,7 @@ std::vector<HidPlace> findHid(std::uint16_t vendor);
 /// Why a place cannot be opened, and what to try; Trouble::None: it can.
 struct HidObstacle {
   Trouble trouble = Trouble::None;
-  std::string why = {};
+  Message why = {};
 };
 
 /// Whether the system would allow to open it, without opening it. It does not show whether it is in

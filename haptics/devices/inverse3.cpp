@@ -71,18 +71,13 @@ bool readStatus(const json& status, Inverse3State& state) {
   struct Flag {
     const char* key;
     Trouble trouble;
-    const char* why;
+    Message why;
   };
-  constexpr std::array kFlags{
-      Flag{"power_supply", Trouble::NotStarted,
-           "The Haply Inverse3 has no power; plug in its power supply."},
-      Flag{"started", Trouble::NotStarted,
-           "The Haply Inverse3 is not started; switch it off and on, and wait."},
-      Flag{"ready", Trouble::NotStarted,
-           "The Haply Inverse3 is not ready; wait, or switch it off and on."},
-      Flag{"calibrated", Trouble::NeedsCalibration,
-           "The Haply Inverse3 is not calibrated; put its handle in the inkwell until its light "
-           "says that it is."}};
+  static const std::array kFlags{
+      Flag{"power_supply", Trouble::NotStarted, {"inverse3-no-power", {}}},
+      Flag{"started", Trouble::NotStarted, {"inverse3-not-started", {}}},
+      Flag{"ready", Trouble::NotStarted, {"inverse3-not-ready", {}}},
+      Flag{"calibrated", Trouble::NeedsCalibration, {"inverse3-not-calibrated", {}}}};
   for (const Flag& flag : kFlags) {
     const json* const value = member(status, flag.key);
     if (value == nullptr) continue;
@@ -349,17 +344,9 @@ class Inverse3 final : public Transport {
   bool answered_ = false;  ///< the last exchange, understood or not
 };
 
-Error noService() {
-  return refusal(Trouble::NoService,
-                 "The service of the " + kName +
-                     " does not answer; install and start its maker's haply-inverse-service.");
-}
+Error noService() { return refusal(Trouble::NoService, {"inverse3-no-service", {}}); }
 
-Error notUnderstood() {
-  return refusal(Trouble::Refused, "The service of the " + kName +
-                                       " speaks in a way that Palpate does not know; install "
-                                       "version 3.5 of haply-inverse-service.");
-}
+Error notUnderstood() { return refusal(Trouble::Refused, {"inverse3-service-unknown", {}}); }
 
 struct Greeted {
   std::unique_ptr<Link> link;
@@ -378,16 +365,10 @@ Expected<Greeted> greet(std::uint16_t port, Clock::time_point end) {
   return Greeted{std::move(link), std::move(*inventory)};
 }
 
-Error notPluggedIn() {
-  return refusal(Trouble::NotPluggedIn, "No " + kName +
-                                            " is connected; plug in its cable and its power "
-                                            "supply, and look for it in Haply Hub.");
-}
+Error notPluggedIn() { return refusal(Trouble::NotPluggedIn, {"inverse3-not-plugged-in", {}}); }
 
 Error otherAxes(const Inverse3State& device) {
-  return refusal(Trouble::Refused, "The " + kName + " " + device.id +
-                                       " is set to other axes than its maker's; set its basis "
-                                       "to XYZ in Haply Hub.");
+  return refusal(Trouble::Refused, {"inverse3-other-axes", {device.id}});
 }
 
 DeviceEntry entryOf(const Inverse3State& device, bool grip) {
@@ -401,7 +382,7 @@ DeviceEntry entryOf(const Inverse3State& device, bool grip) {
                     .why = device.why};
   if (!device.axes_are_ours) {
     entry.trouble = Trouble::Refused;
-    entry.why = otherAxes(device).what;
+    entry.why = otherAxes(device).message;
   }
   return entry;
 }
@@ -451,12 +432,12 @@ std::vector<DeviceEntry> surveyInverse3(const Inverse3Address& address) {
   if (!greeted) {
     const Error& error = greeted.error();
     none.trouble = error.reason == wordOf(Trouble::Refused) ? Trouble::Refused : Trouble::NoService;
-    none.why = error.what;
+    none.why = error.message;
     return {none};
   }
   if (greeted->inventory.devices.empty()) {
     none.trouble = Trouble::NotPluggedIn;
-    none.why = notPluggedIn().what;
+    none.why = notPluggedIn().message;
     return {none};
   }
   std::vector<DeviceEntry> entries;

@@ -49,7 +49,7 @@ struct Inverse3State {
   Vec3 p_BD = Vec3::Zero();         ///< m, the cursor
   bool tells_status = false;        ///< the message has a status; otherwise the last one stands
   Trouble trouble = Trouble::None;  ///< by its status
-  std::string why = {};             ///< a sentence for the user, with `trouble`
+  Message why = {};                 ///< a sentence for the user, with `trouble`
   bool axes_are_ours = true;        ///< its basis is "XYZ", or not told
 };
 

@@ -20,9 +20,6 @@ using namespace std::chrono_literals;
 constexpr std::string_view kDriver = "openhaptics";
 constexpr const char* kName = "Touch or PHANTOM (OpenHaptics)";
 constexpr const char* kProduct = "OpenHaptics";
-constexpr const char* kAdvice =
-    "install it and the device's driver from 3D Systems' site, where the system looks for "
-    "libraries.";
 
 constexpr std::chrono::milliseconds kFresh = 15ms, kSilent = 500ms;
 constexpr std::chrono::milliseconds kLastCall = 100ms;  // that closing waits for zero to be sent
@@ -85,7 +82,7 @@ struct Hd {
 std::atomic<bool> taken{false};
 
 Expected<Hd> load(std::span<const std::string> libraries) {
-  auto library = SharedLibrary::open(libraries, kProduct, kAdvice);
+  auto library = SharedLibrary::open(libraries, kProduct, {"openhaptics-install-library", {}});
   if (!library) return tl::unexpected(library.error());
   Hd hd{std::move(*library)};
   SharedLibrary& of = hd.library;
@@ -108,9 +105,8 @@ Expected<Hd> load(std::span<const std::string> libraries) {
   of.need(hd.start, "hdStartScheduler");
   of.need(hd.stop, "hdStopScheduler");
   if (!of.lacks().empty())
-    return tl::unexpected(refusal(
-        Trouble::NoLibrary, std::string{kProduct} + " is too old (" + of.name() + " lacks " +
-                                of.lacks() + "); install a newer one from 3D Systems' site."));
+    return tl::unexpected(
+        refusal(Trouble::NoLibrary, {"openhaptics-library-old", {of.name(), of.lacks()}}));
   return hd;
 }
 
@@ -347,27 +343,14 @@ class Unit {
 };
 
 Error notOpened(unsigned error) {
-  if (error == kAlreadyOpen)
-    return refusal(Trouble::InUse,
-                   "Another program uses the Touch or PHANTOM; close that program first.");
-  if (error == kLicence)
-    return refusal(Trouble::Refused,
-                   "OpenHaptics finds no valid licence; run its licence tool, or install the "
-                   "developer edition from 3D Systems' site.");
+  if (error == kAlreadyOpen) return refusal(Trouble::InUse, {"openhaptics-in-use", {}});
+  if (error == kLicence) return refusal(Trouble::Refused, {"openhaptics-no-licence", {}});
   if (isFault(error))
-    return refusal(
-        Trouble::NotPluggedIn,
-        error == kLink
-            ? "The Touch or PHANTOM does not answer; see that it is plugged in and "
-              "switched on, that packaging/70-palpate.rules is installed in /etc/udev/rules.d, and "
-              "pair it in the maker's setup tool."
-            : "OpenHaptics finds no Touch or PHANTOM; plug it in, switch it on, and set it "
-              "up with the maker's setup tool.");
+    return refusal(Trouble::NotPluggedIn, error == kLink ? Message{"openhaptics-no-answer", {}}
+                                                         : Message{"openhaptics-not-found", {}});
   std::array<char, 16> code{};
   std::snprintf(code.data(), code.size(), "0x%04x", error);
-  return refusal(Trouble::Refused, "OpenHaptics could not open the Touch or PHANTOM (error " +
-                                       std::string{code.data()} +
-                                       "); try the maker's diagnostic tool.");
+  return refusal(Trouble::Refused, {"openhaptics-not-opened", {std::string{code.data()}}});
 }
 
 tl::unexpected<Error> Unit::refused(unsigned error) const {
@@ -428,12 +411,12 @@ std::vector<DeviceEntry> surveyOpenHaptics(std::span<const std::string> librarie
   if (taken.load()) {
     entry.present = true;
     entry.trouble = Trouble::InUse;
-    entry.why = "Palpate has a Touch or PHANTOM open.";
+    entry.why = {"openhaptics-open", {}};
   } else if (const auto hd = load(libraries); !hd) {
     entry.trouble = Trouble::NoLibrary;
-    entry.why = hd.error().what;
+    entry.why = hd.error().message;
   } else {
-    entry.why = "OpenHaptics is installed; opening tells whether a device is there.";
+    entry.why = {"openhaptics-installed", {}};
   }
   return {entry};
 }
@@ -442,8 +425,7 @@ Expected<std::unique_ptr<Device>> openOpenHaptics(const OpenRequest& request,
                                                   std::span<const std::string> libraries) {
   const std::size_t colon = request.id.find(':');
   if (taken.exchange(true))
-    return tl::unexpected(
-        refusal(Trouble::InUse, "Palpate has a Touch or PHANTOM open; close that one first."));
+    return tl::unexpected(refusal(Trouble::InUse, {"openhaptics-open-already", {}}));
   auto device = openUnit(colon == std::string::npos ? "" : request.id.substr(colon + 1), libraries);
   if (!device) taken.store(false);
   return device;

@@ -3,6 +3,8 @@
 
 #include <dlfcn.h>
 
+#include <optional>
+
 #include "haptics/devices/catalogue.h"
 
 namespace haptics {
@@ -12,8 +14,9 @@ void SharedLibrary::Close::operator()(void* handle) const { dlclose(handle); }
 void* SharedLibrary::address(const char* symbol) const { return dlsym(handle_.get(), symbol); }
 
 Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names,
-                                            const std::string& product, const std::string& advice) {
-  std::string looked_for, fault;
+                                            const std::string& product, const Message& advice) {
+  std::string looked_for;
+  std::optional<Message> fault;
   for (const std::string& name : names) {
     if (void* const handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE))
       return SharedLibrary{handle, name};
@@ -23,12 +26,11 @@ Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names,
     const char* const said = dlerror();
     const std::string why = said != nullptr ? said : "";
     const bool absent = why.starts_with(name + ": cannot open shared object file: No such file");
-    if (!absent && fault.empty()) fault = name + " cannot be loaded (" + why + "); ";
+    if (!absent && !fault) fault = Message{"library-not-loadable", {product, name, why, advice}};
   }
-  if (!fault.empty())
-    return tl::unexpected(refusal(Trouble::NoLibrary, product + ": " + fault + advice));
-  return tl::unexpected(refusal(Trouble::NoLibrary, product + " is not installed (looked for " +
-                                                        looked_for + "); " + advice));
+  if (fault) return tl::unexpected(refusal(Trouble::NoLibrary, *fault));
+  return tl::unexpected(
+      refusal(Trouble::NoLibrary, {"library-not-installed", {product, looked_for, advice}}));
 }
 
 }  // namespace haptics

@@ -188,9 +188,7 @@ std::vector<HidPlace> allPlaces() {
   return places;
 }
 
-Error notThere() {
-  return refusal(Trouble::NotPluggedIn, "No SpaceMouse is plugged in; plug it or its receiver in.");
-}
+Error notThere() { return refusal(Trouble::NotPluggedIn, {"space-mouse-not-plugged-in", {}}); }
 
 }  // namespace
 
@@ -282,7 +280,7 @@ std::vector<DeviceEntry> surveySpaceMice() {
   std::vector<DeviceEntry> entries = spaceMiceAmong(allPlaces());
   if (entries.empty())
     entries.push_back({std::string{kDriver}, std::string{findRating(kDriver)->name}, 6, 0, false,
-                       Trouble::NotPluggedIn, notThere().what});
+                       Trouble::NotPluggedIn, notThere().message});
   return entries;
 }
 

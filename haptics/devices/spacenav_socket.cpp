@@ -100,19 +100,14 @@ class Spacenav final : public Device {
 Expected<Socket> connected(const std::string& place) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  const Error silent =
-      refusal(Trouble::NoService, "The service spacenavd does not answer at '" + place +
-                                      "'; start it, or use the SpaceMouse "
-                                      "without it.");
+  const Error silent = refusal(Trouble::NoService, {"spacenav-no-answer", {place}});
   if (place.size() >= sizeof(address.sun_path)) return tl::unexpected(silent);
   std::memcpy(address.sun_path, place.data(), place.size());
   Socket socket{::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
   if (::connect(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0)
     return socket;
   if (errno == EACCES || errno == EPERM)
-    return tl::unexpected(refusal(Trouble::NoPermission,
-                                  "The system does not let you use the service spacenavd at '" +
-                                      place + "'; let your user read and write that socket."));
+    return tl::unexpected(refusal(Trouble::NoPermission, {"spacenav-not-permitted", {place}}));
   return tl::unexpected(silent);
 }
 
@@ -167,7 +162,7 @@ std::vector<DeviceEntry> surveySpacenav() {
     // refused by permission alone, the service is there
     entry.present = socket.error().reason == wordOf(Trouble::NoPermission);
     entry.trouble = entry.present ? Trouble::NoPermission : Trouble::NoService;
-    entry.why = socket.error().what;
+    entry.why = socket.error().message;
   }
   return {std::move(entry)};
 }

@@ -88,8 +88,7 @@ Pose poseFrom(const PoseNumbers& n) {
 }
 
 tl::unexpected<Error> damagedBlock() {
-  return tl::unexpected(Error{Error::Kind::Malformed,
-                              "A part of the recording is damaged and cannot be read.", "damaged"});
+  return tl::unexpected(Error{Error::Kind::Malformed, {"recording-part-damaged", {}}, "damaged"});
 }
 
 }  // namespace

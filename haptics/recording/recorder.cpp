@@ -31,7 +31,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kPageBytes = 16384;  // a block fits into a few
-constexpr const char* kNoRoom = "the disk is full";
+Message complaintOf(const Database& database) {
+  return database.isFull() ? Message{"disk-full", {}} : Message{database.complaint()};
+}
 
 std::int64_t bytesOf(const fs::path& path) {
   std::error_code error;
@@ -51,22 +53,19 @@ void syncFolderOf(const fs::path& path) {
 /// Brings the log into the file, checks it, closes it and gives it its name.
 Expected<fs::path> completed(std::optional<Database>& database, const fs::path& part,
                              const fs::path& target) {
-  const auto failed = [&](const std::string& why, const char* what_next) {
+  const auto failed = [&](Message why) {
     if (database) database->keepLog();
     database.reset();
-    return tl::unexpected(Error{Error::Kind::Unsupported,
-                                "The recording could not be finished: " + why + ". It stays \"" +
-                                    part.filename().string() + "\"" + what_next,
-                                "unfinished"});
+    return tl::unexpected(Error{Error::Kind::Unsupported, std::move(why), "unfinished"});
   };
-  constexpr const char* kLater = " and can be recovered once there is room.";
+  const std::string name = part.filename().string();
   if (!database->run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE;"))
-    return failed(database->complaint(), kLater);
-  if (!database->isSound()) return failed("the file is damaged", "; look at the disk.");
+    return failed({"recording-unfinished-disk", {database->complaint(), name}});
+  if (!database->isSound()) return failed({"recording-unfinished-damaged", {name}});
   database.reset();
   std::error_code error;
   fs::rename(part, target, error);
-  if (error) return failed(error.message(), kLater);
+  if (error) return failed({"recording-unfinished-disk", {error.message(), name}});
   syncFolderOf(target);
   return target;
 }
@@ -137,12 +136,11 @@ class Recorder::Writer {
 
   Expected<fs::path> finish() {
     end();
-    if (const std::string why = status().failure; !why.empty())
+    if (const Message why = status().failure; !why.empty())
       return tl::unexpected(Error{Error::Kind::Unsupported, why, "unfinished"});
     if (written_ == 0) {
       discard();
-      return tl::unexpected(
-          Error{Error::Kind::NotFound, "Nothing was recorded: no tick came meanwhile.", "empty"});
+      return tl::unexpected(Error{Error::Kind::NotFound, {"recording-empty-no-tick", {}}, "empty"});
     }
     return completed(database_, partOf(target_), target_);
   }
@@ -158,7 +156,8 @@ class Recorder::Writer {
   bool writeEvent(Statement& insert, const Event& event);
   void noteChanges(const Step& step);
   std::uint64_t sequenceAt(std::int64_t time_ns) const;
-  void fail(const std::string& why);
+  void fail();
+  void fail(const Message& why, bool full);
 
   fs::path target_;
   std::optional<Database> database_;
@@ -200,15 +199,15 @@ void Recorder::Writer::run() {
     try {
       // at the end nothing may stay in the ring
       do {
-        if (!commit()) return fail(database_->isFull() ? kNoRoom : database_->complaint());
+        if (!commit()) return fail();
       } while (ended && !ring.empty());
       if (ended) {
         countLostAtTheEnd();
-        if (!commit()) return fail(database_->isFull() ? kNoRoom : database_->complaint());
+        if (!commit()) return fail();
       }
     } catch (const std::exception&) {
       // libraries may throw where memory ends
-      return fail("there is no memory left");
+      return fail({"memory-exhausted", {}}, false);
     }
     const std::int64_t now = monotonicNs();
     const std::int64_t bytes =
@@ -241,18 +240,19 @@ void Recorder::Writer::discard() {
   fs::remove(partOf(target_).string() + "-wal", ignored);
 }
 
-void Recorder::Writer::fail(const std::string& why) {
-  const bool full = why == kNoRoom;
+void Recorder::Writer::fail() { fail(complaintOf(*database_), database_->isFull()); }
+
+void Recorder::Writer::fail(const Message& why, bool full) {
   database_->run("ROLLBACK");
   database_->keepLog();
   const std::scoped_lock lock(mutex_);
-  status_.failure = "The recording stopped, and touch goes on: " + why + ". ";
+  const std::string name = partOf(target_).filename().string();
   if (written_ == 0)
-    status_.failure += "Nothing was recorded until then.";
+    status_.failure = {"recording-stopped-empty", {why}};
+  else if (full)
+    status_.failure = {"recording-stopped-disk-full", {why, name}};
   else
-    status_.failure += "What was recorded until then is in \"" +
-                       partOf(target_).filename().string() + "\" and can be recovered" +
-                       (full ? " once there is room." : ".");
+    status_.failure = {"recording-stopped", {why, name}};
 }
 
 /// Everything that came since the last time, in one transaction.
@@ -431,11 +431,9 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
                                                      const RecordingFacts& facts,
                                                      const Options& options) {
   const fs::path part = partOf(target);
-  const auto unwritable = [&](const std::string& why) {
-    return tl::unexpected(Error{Error::Kind::Unsupported,
-                                "\"" + target.string() + "\" cannot be recorded to (" + why +
-                                    "); choose a folder that can be written and has room.",
-                                "unwritable"});
+  const auto unwritable = [&](const Message& why) {
+    return tl::unexpected(Error{
+        Error::Kind::Unsupported, {"recording-unwritable", {target.string(), why}}, "unwritable"});
   };
   // made here, or not at all: what is there is somebody's
   const int made = options.vfs != nullptr
@@ -445,13 +443,10 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
   if (options.vfs == nullptr && made < 0 && errno != EEXIST)
     return unwritable(std::generic_category().message(errno));
   if (options.vfs == nullptr && made < 0)
-    return tl::unexpected(Error{Error::Kind::Unsupported,
-                                "\"" + part.string() +
-                                    "\" is what an earlier recording left; recover it with "
-                                    "palpate-cli recover, or remove it.",
-                                "unfinished"});
+    return tl::unexpected(
+        Error{Error::Kind::Unsupported, {"recording-left-over", {part.string()}}, "unfinished"});
   auto opened = Database::open(part, Database::Mode::Create, options.vfs);
-  if (!opened) return unwritable(opened.error().what);
+  if (!opened) return unwritable(opened.error().message);
   std::optional<Database> database{std::move(*opened)};
   const std::string setup =
       "PRAGMA page_size = " + std::to_string(kPageBytes) +
@@ -468,7 +463,7 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
       !say("build", facts.build) || !say("machine", facts.machine) ||
       !say("vectors", lanes::targetName()) || !say("step_layout", stepLayout()) ||
       !say("contact_layout", contactLayout()) || !database->run("COMMIT")) {
-    const std::string why = database->isFull() ? kNoRoom : database->complaint();
+    const Message why = complaintOf(*database);
     database.reset();
     std::error_code error;
     fs::remove(part, error);
@@ -503,24 +498,25 @@ bool isInUse(const fs::path& part) {
 }
 
 Expected<fs::path> recover(const fs::path& part) {
-  const auto refused = [&](const std::string& why, const char* reason) {
-    return tl::unexpected(Error{Error::Kind::Malformed,
-                                "\"" + part.string() + "\" cannot be recovered: " + why + ".",
-                                reason});
+  const auto refused = [](Message why, const char* reason) {
+    return tl::unexpected(Error{Error::Kind::Malformed, std::move(why), reason});
   };
-  if (part.extension() != ".part") return refused("its name does not end in .part", "no-part");
+  if (part.extension() != ".part") return refused({"recovery-name", {part.string()}}, "no-part");
   std::error_code error;
-  if (!fs::is_regular_file(part, error)) return refused("there is no such file", "not-found");
+  if (!fs::is_regular_file(part, error))
+    return refused({"recovery-no-file", {part.string()}}, "not-found");
   auto opened = Database::open(part, Database::Mode::Recover);
-  if (!opened) return refused(opened.error().what, "unreadable");
+  if (!opened)
+    return refused({"recovery-failed", {part.string(), opened.error().message}}, "unreadable");
   std::optional<Database> database{std::move(*opened)};
   if (!database->run("BEGIN IMMEDIATE; COMMIT;"))
-    return database->isBusy() ? refused("it is being written", "in-use")
-                              : refused(database->complaint(), "damaged");
+    return database->isBusy()
+               ? refused({"recovery-in-use", {part.string()}}, "in-use")
+               : refused({"recovery-failed", {part.string(), database->complaint()}}, "damaged");
   if (database->integer("PRAGMA application_id") != kApplicationId)
-    return refused("it is no recording", "no-recording");
+    return refused({"recovery-no-recording", {part.string()}}, "no-recording");
   if (database->integer("SELECT count(*) FROM step") == 0)
-    return refused("nothing was recorded yet; remove it", "empty");
+    return refused({"recovery-empty", {part.string()}}, "empty");
   const fs::path stem = fs::path(part).replace_extension();
   fs::path target = stem;
   for (int n = 2; fs::exists(target, error); ++n)

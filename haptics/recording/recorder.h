@@ -28,7 +28,7 @@ struct RecorderStatus {
   double duration = 0.0;      ///< s, to the last step in the file
   std::int64_t bytes = 0;     ///< of the file and its log
   double longest_wait = 0.0;  ///< s between two commits
-  std::string failure = {};   ///< why it stopped by itself, a sentence; empty: it goes on
+  Message failure = {};       ///< why it stopped by itself, a sentence; empty: it goes on
 };
 
 /// Writes what comes through its ring into one SQLite file, from a thread of its own, every

@@ -17,38 +17,33 @@ constexpr std::int64_t kMostBlocks = 10'000'000;
 constexpr std::size_t kMostEvents = 10'000'000;
 
 tl::unexpected<Error> damagedRecording() {
-  return tl::unexpected(Error{Error::Kind::Malformed,
-                              "The recording is damaged and cannot be read; use a copy of it.",
-                              "damaged"});
+  return tl::unexpected(Error{Error::Kind::Malformed, {"recording-damaged", {}}, "damaged"});
 }
 
 tl::unexpected<Error> empty(const fs::path& path) {
-  return tl::unexpected(Error{Error::Kind::Malformed,
-                              "\"" + path.string() + "\" holds no step; nothing was recorded.",
-                              "empty"});
+  return tl::unexpected(
+      Error{Error::Kind::Malformed, {"recording-no-step", {path.string()}}, "empty"});
 }
 
 /// A finished recording that this Palpate can read.
 Expected<Database> opened(const fs::path& path) {
-  const auto refused = [&](Error::Kind kind, const std::string& what, const char* reason) {
-    return tl::unexpected(Error{kind, "\"" + path.string() + "\" " + what, reason});
+  const auto refused = [](Error::Kind kind, Message message, const char* reason) {
+    return tl::unexpected(Error{kind, std::move(message), reason});
   };
   std::error_code error;
   if (!fs::is_regular_file(path, error))
-    return refused(Error::Kind::NotFound, "is no file that can be read; check the path.",
-                   "not-found");
+    return refused(Error::Kind::NotFound, {"recording-unreadable", {path.string()}}, "not-found");
   if (path.extension() == ".part" || fs::exists(path.string() + "-wal", error))
-    return refused(Error::Kind::Unsupported,
-                   "was never finished; palpate-cli recover brings back what is in it.",
+    return refused(Error::Kind::Unsupported, {"recording-unfinished", {path.string()}},
                    "unfinished");
   auto database = Database::open(path, Database::Mode::Read);
   if (!database)
-    return refused(Error::Kind::NotFound, "cannot be opened; check its permissions.", "not-found");
+    return refused(Error::Kind::NotFound, {"recording-not-opened", {path.string()}}, "not-found");
   if (database->integer("PRAGMA application_id") != kApplicationId)
-    return refused(Error::Kind::Unsupported,
-                   "is no recording of Palpate's; recordings end in .palpate.", "no-recording");
+    return refused(Error::Kind::Unsupported, {"recording-of-another-program", {path.string()}},
+                   "no-recording");
   if (database->integer("PRAGMA user_version") > kFormat)
-    return refused(Error::Kind::Unsupported, "was recorded by a later Palpate; use that one.",
+    return refused(Error::Kind::Unsupported, {"recording-of-later-palpate", {path.string()}},
                    "newer");
   return database;
 }

@@ -99,7 +99,7 @@ Expected<ReplayDifference> replay(
   if (auto read = recording.forEach(-everything, everything, each); !read)
     return tl::unexpected(read.error());
   if (cancelled)
-    return tl::unexpected(Error{Error::Kind::Cancelled, "The replay was cancelled.", "cancelled"});
+    return tl::unexpected(Error{Error::Kind::Cancelled, {"replay-cancelled", {}}, "cancelled"});
   return difference;
 }
 

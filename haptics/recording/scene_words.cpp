@@ -102,11 +102,8 @@ std::vector<T> unpacked(const std::vector<std::uint8_t>& bytes, std::size_t coun
 }
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
-tl::unexpected<Error> damagedWords(const char* what) {
-  return tl::unexpected(Error{
-      Error::Kind::Malformed,
-      std::string("What the recording says of ") + what + " is damaged; nothing can be replayed.",
-      "damaged"});
+tl::unexpected<Error> damagedWords(Message message) {
+  return tl::unexpected(Error{Error::Kind::Malformed, std::move(message), "damaged"});
 }
 
 json settingsOf(const Scene& scene) {
@@ -212,7 +209,7 @@ Expected<RecordedScene> sceneFrom(const SceneWords& words) {
     takeSettings(json::parse(words.settings), words, scene);
     takeVolume(json::parse(words.volume), scene.volume);
   } catch (const json::exception&) {
-    return damagedWords("its scene");
+    return damagedWords({"recording-scene-damaged", {}});
   }
   return scene;
 }
@@ -282,7 +279,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     constexpr int kReasons = static_cast<int>(ForceReason::Stalled);
     if (state < 0 || state > static_cast<int>(ForceState::Fault) || reason < 0 ||
         reason > kReasons || withheld < 0 || withheld > kReasons)
-      return damagedWords("a start");
+      return damagedWords({"recording-start-damaged", {}});
     safety.state = static_cast<ForceState>(state);
     safety.reason = static_cast<ForceReason>(reason);
     safety.withheld = static_cast<ForceReason>(withheld);
@@ -310,7 +307,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     guard.since = passivity.at("since").get<double>();
     guard.share = passivity.at("share").get<double>();
   } catch (const json::exception&) {
-    return damagedWords("a start");
+    return damagedWords({"recording-start-damaged", {}});
   }
   return start;
 }

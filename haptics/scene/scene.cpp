@@ -12,10 +12,9 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
                                                  const Scene* previous) {
   static std::atomic<std::uint64_t> last_id{0};
   if (!volume || !volume->voxels)
-    return tl::unexpected(Error{Error::Kind::NotFound, "There is no volume to touch; open one."});
+    return tl::unexpected(Error{Error::Kind::NotFound, {"scene-no-volume", {}}});
   if (tool.shell.points.empty())
-    return tl::unexpected(
-        Error{Error::Kind::Malformed, "The tool has no points; a tool needs at least one."});
+    return tl::unexpected(Error{Error::Kind::Malformed, {"tool-no-points", {}}});
   using Clock = std::chrono::steady_clock;
   const auto secondsSince = [](Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
@@ -33,8 +32,7 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
     build_time = secondsSince(begun);
   }
   if (options.cancel != nullptr && *options.cancel)
-    return tl::unexpected(
-        Error{Error::Kind::Cancelled, "Making the scene was cancelled.", "cancelled"});
+    return tl::unexpected(Error{Error::Kind::Cancelled, {"scene-cancelled", {}}, "cancelled"});
   const Tolerances lengths{field->voxel(), options.fineness.epsilon};
   // a tool that is one point has no length of its own: the voxel's stands in
   if (tool.shell.radius == 0.0)

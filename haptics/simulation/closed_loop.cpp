@@ -44,10 +44,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   device.X_WD = link.handleAt(hand.at(0.0));
   Pose X_WD = link.read(device.X_WD);
   const std::optional<Pose> start = legalPoseNear(*scene, settings.isovalue, X_WD);
-  if (!start)
-    return tl::unexpected(Error{Error::Kind::Unsupported,
-                                "The tool starts inside the solid and there is no room for it "
-                                "within 50 mm; start the hand outside or raise the isovalue."});
+  if (!start) return tl::unexpected(Error{Error::Kind::Unsupported, {"hand-starts-inside", {}}});
   if (on_start) on_start(*start);
   Proxy proxy{*scene, *start};
   Safety safety{limits};

@@ -134,16 +134,14 @@ Pose Hand::at(double t) const HAPTICS_RT {
 
 Expected<Hand> Hand::along(std::vector<double> times, std::vector<Pose> poses) {
   if (times.empty() || times.size() != poses.size())
-    return tl::unexpected(Error{Error::Kind::Malformed, "The hand has no poses."});
+    return tl::unexpected(Error{Error::Kind::Malformed, {"hand-no-poses", {}}});
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || !poses[i].matrix().allFinite())
-      return tl::unexpected(Error{
-          Error::Kind::Malformed,
-          "The hand's row " + std::to_string(i + 1) + " holds something that is not a number."});
+      return tl::unexpected(
+          Error{Error::Kind::Malformed, {"hand-row-no-number", {std::to_string(i + 1)}}});
     if (i > 0 && times[i] <= times[i - 1])
       return tl::unexpected(
-          Error{Error::Kind::Malformed,
-                "The hand's time does not increase at row " + std::to_string(i + 1) + "."});
+          Error{Error::Kind::Malformed, {"hand-time-not-increasing", {std::to_string(i + 1)}}});
   }
   Hand hand;
   hand.times_ = std::move(times);
@@ -157,9 +155,7 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
   const std::optional<Vec3> middle = middleOfSolid(scene, isovalue);
   if (!middle)
     return tl::unexpected(Error{
-        Error::Kind::NotFound,
-        "Nothing in the volume reaches the isovalue " + plain(isovalue) + "; choose a lower one.",
-        "nothing-inside"});
+        Error::Kind::NotFound, {"hand-isovalue-not-reached", {plain(isovalue)}}, "nothing-inside"});
   const Grid& grid = scene.volume->grid;
   const Vec3 extent{double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1)};
   const double diagonal = extent.cwiseProduct(grid.spacing).norm();
@@ -205,10 +201,8 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
     if (merit > best.merit) best = {X, way, *touch, merit};
   }
   if (best.merit == -INFINITY)
-    return tl::unexpected(Error{
-        Error::Kind::NotFound,
-        "The tool finds no surface at the isovalue " + plain(isovalue) + "; choose a lower one.",
-        "nothing-inside"});
+    return tl::unexpected(
+        Error{Error::Kind::NotFound, {"hand-no-surface", {plain(isovalue)}}, "nothing-inside"});
   Hand hand;
   hand.motion_ = motion;
   hand.X_WA_ = best.X_touch;

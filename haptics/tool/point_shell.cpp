@@ -62,22 +62,16 @@ std::vector<Vec3> sampleByArea(const TriangleMesh& mesh, int count) {
 }  // namespace
 
 Expected<PointShell> makeShell(std::vector<Vec3> points) {
-  if (points.empty())
-    return tl::unexpected(
-        Error{Error::Kind::Malformed, "The tool has no points; a tool needs at least one."});
+  if (points.empty()) return tl::unexpected(Error{Error::Kind::Malformed, {"tool-no-points", {}}});
   for (const Vec3& p : points)
     if (!p.allFinite())
-      return tl::unexpected(Error{Error::Kind::Malformed,
-                                  "The tool has a point that is not a number; mend the file."});
+      return tl::unexpected(Error{Error::Kind::Malformed, {"tool-point-no-number", {}}});
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : points) centroid += p;
   centroid /= double(points.size());
   for (const Vec3& p : points)
     if (!((p - centroid).cwiseAbs().maxCoeff() <= kFarthest))
-      return tl::unexpected(
-          Error{Error::Kind::Malformed,
-                "The tool has a point more than 10 m from its middle, and no hand "
-                "holds that; check its unit."});
+      return tl::unexpected(Error{Error::Kind::Malformed, {"tool-point-too-far", {}}});
 
   PointShell shell;
   shell.points = std::move(points);
@@ -104,12 +98,9 @@ Expected<Tool> makeTool(std::string name, TriangleMesh mesh, int point_count) {
   for (const auto& triangle : mesh.triangles)
     for (const std::uint32_t v : triangle)
       if (v >= mesh.vertices.size())
-        return tl::unexpected(Error{Error::Kind::Malformed,
-                                    "The tool \"" + name + "\" has a triangle without vertices."});
+        return tl::unexpected(Error{Error::Kind::Malformed, {"tool-triangle-no-vertices", {name}}});
   if (point_count > 0 && mesh.triangles.empty())
-    return tl::unexpected(
-        Error{Error::Kind::Malformed,
-              "The tool \"" + name + "\" has no triangle to spread points over."});
+    return tl::unexpected(Error{Error::Kind::Malformed, {"tool-no-triangle", {name}}});
   std::vector<Vec3> points = point_count > 0 ? sampleByArea(mesh, point_count) : mesh.vertices;
   Vec3 centroid = Vec3::Zero();
   for (const Vec3& p : points) centroid += p;

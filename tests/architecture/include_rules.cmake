@@ -21,10 +21,10 @@ rule(FOLDERS "haptics/core" FORBIDS "^haptics/" PERMITS "^haptics/core/"
 rule(FOLDERS "haptics/devices" FORBIDS "^haptics/"
      PERMITS "^haptics/((core|devices)/|settings[.]h$)"
      WHY "a driver sees its interface and the common words")
-rule(FOLDERS "ui" FORBIDS "^(haptics/|datasets/|app/)"
+rule(FOLDERS "ui" FORBIDS "^(haptics/|datasets/|app/|resources/messages/)"
      PERMITS "^haptics/(snapshot[.]h|settings[.]h|core/)"
      WHY "the window is told; it opens nothing")
-rule(FOLDERS "datasets" FORBIDS "^(Q[A-Za-z]|ui/|app/|haptics/)" PERMITS "^haptics/core/"
+rule(FOLDERS "datasets" FORBIDS "^(Q[A-Za-z]|ui/|app/|haptics/|resources/)" PERMITS "^haptics/core/"
      WHY "datasets make volumes, and know of haptics only the words")
 rule(FOLDERS "datasets/phantoms" FORBIDS "^vtk" WHY "phantoms build without VTK")
 rule(FOLDERS "resources" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|haptics/)"

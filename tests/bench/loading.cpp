@@ -32,6 +32,7 @@
 #include "haptics/simulation/simulated.h"
 #include "resources/named_tools.h"
 #include "tests/support/dicom_bytes.h"
+#include "tests/support/sentence.h"
 #include "ui/props/picture.h"
 
 namespace bench {
@@ -246,7 +247,7 @@ Json measureDisturbance(const fs::path& path, double seconds) {
   touch.set(settings);
   touch.adopt(scene, haptics::Pose::Identity());
   if (const auto opened = touch.open(haptics::HandKind::Slide); !opened)
-    return {{"failed", opened.error().what}};
+    return {{"failed", sentence(opened.error())}};
   haptics::LatestValue<haptics::Pose> nowhere;
   haptics::ServoLoop empty{haptics::openMouse(nowhere, {}, haptics::ServoLoop::kPeriod), settings};
   empty.start();

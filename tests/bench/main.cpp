@@ -11,6 +11,7 @@
 
 #include "haptics/servo/tick.h"
 #include "tests/bench/report.h"
+#include "tests/support/sentence.h"
 
 namespace bench {
 namespace {
@@ -134,7 +135,7 @@ int run(const Options& options) {
     const auto begun = std::chrono::steady_clock::now();
     const auto scene = caseOf(name, options);
     if (!scene) {
-      std::fprintf(stderr, "%s is left out: %s\n", name.c_str(), scene.error().what.c_str());
+      std::fprintf(stderr, "%s is left out: %s\n", name.c_str(), sentence(scene.error()).c_str());
       continue;
     }
     const double made = secondsSince(begun);
@@ -143,7 +144,7 @@ int run(const Options& options) {
     if (!wanted(name)) continue;
     auto report = measured(*scene, options);
     if (!report) {
-      std::fprintf(stderr, "%s: %s\n", name.c_str(), report.error().what.c_str());
+      std::fprintf(stderr, "%s: %s\n", name.c_str(), sentence(report.error()).c_str());
       return 4;
     }
     tell(*report);

@@ -17,6 +17,7 @@
 #include "haptics/session.h"
 #include "haptics/simulation/closed_loop.h"
 #include "resources/named_tools.h"
+#include "tests/support/sentence.h"
 
 namespace bench {
 namespace {
@@ -80,7 +81,7 @@ struct Sliding {
 
 Json fileReport(const fs::path& path) {
   auto recording = haptics::Recording::open(path);
-  if (!recording) return {{"failed", recording.error().what}};
+  if (!recording) return {{"failed", sentence(recording.error())}};
   const auto bytes = fs::file_size(path);
   return {{"steps", recording->stepCount()},
           {"gaps", recording->lostCount()},
@@ -92,7 +93,7 @@ Json fileReport(const fs::path& path) {
 Json measureLive(const Touched& touched, const Options& options) {
   const fs::path path = fs::path(options.folder) / "live.palpate";
   auto made = haptics::Recorder::create(path, app::recordingFacts());
-  if (!made) return {{"failed", made.error().what}};
+  if (!made) return {{"failed", sentence(made.error())}};
   const std::shared_ptr<haptics::Recorder> recorder = std::move(*made);
   recorder->describe(touched.scene, touched.tool);
   Sliding with{touched}, without{touched};
@@ -109,7 +110,7 @@ Json measureLive(const Touched& touched, const Options& options) {
   without.session.close();
   const double longest = recorder->status().longest_wait;
   if (const auto finished = recorder->finish(); !finished)
-    return {{"failed", finished.error().what}};
+    return {{"failed", sentence(finished.error())}};
   return {{"seconds", options.live},
           {"recorded", with.report()},
           {"beside_it", without.report()},
@@ -121,7 +122,7 @@ Json measureLive(const Touched& touched, const Options& options) {
 Json measureFast(const Touched& touched, const Options& options) {
   const fs::path path = fs::path(options.folder) / "fast.palpate";
   auto recorder = haptics::Recorder::create(path, app::recordingFacts());
-  if (!recorder) return {{"failed", recorder.error().what}};
+  if (!recorder) return {{"failed", sentence(recorder.error())}};
   haptics::StepRing& ring = (*recorder)->ring();
   (*recorder)->describe(touched.scene, touched.tool);
   haptics::ClosedLoop loop{touched.scene, {.isovalue = touched.isovalue}, {}, {}};
@@ -132,7 +133,7 @@ Json measureFast(const Touched& touched, const Options& options) {
   };
   const auto hand =
       haptics::Hand::aimed(haptics::HandMotion::Slide, *touched.scene, touched.isovalue, 0.012, 1);
-  if (!hand) return {{"failed", hand.error().what}};
+  if (!hand) return {{"failed", sentence(hand.error())}};
   const Clock::time_point begun = Clock::now();
   std::int64_t n = 0;
   const auto run = loop.run(*hand, static_cast<std::int64_t>(options.fast * 1000.0),
@@ -155,9 +156,9 @@ Json measureFast(const Touched& touched, const Options& options) {
                               step.contacts = row.bearing;
                               return ring.push(step);
                             });
-  if (!run) return {{"failed", run.error().what}};
+  if (!run) return {{"failed", sentence(run.error())}};
   if (const auto finished = (*recorder)->finish(); !finished)
-    return {{"failed", finished.error().what}};
+    return {{"failed", sentence(finished.error())}};
   const double taken = std::chrono::duration<double>(Clock::now() - begun).count();
   return {{"seconds", options.fast},
           {"times_real_time", options.fast / taken},

@@ -8,6 +8,7 @@
 #include "tests/bus/arm_board.h"
 #include "tests/bus/child.h"
 #include "tests/bus/felt_sphere.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -30,7 +31,7 @@ const Vec3 kPressed{0.0, 0.0, FeltSphere::kTouch - 0.003};
 std::unique_ptr<haptics::Device> openedArm(ArmBoardEmulator& arm) {
   auto device = haptics::openDevice({"woodenhaptics"});
   if (!device) {
-    ADD_FAILURE() << device.error().what;
+    ADD_FAILURE() << sentence(device.error());
     return nullptr;
   }
   DeviceReading reading;

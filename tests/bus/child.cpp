@@ -16,6 +16,7 @@
 
 #include "haptics/devices/catalogue.h"
 #include "tests/bus/felt_sphere.h"
+#include "tests/support/sentence.h"
 
 namespace bus {
 
@@ -72,12 +73,13 @@ std::string Child::said() {
 int childMain(const std::string& what, const std::string& id) {
   if (what == "survey") {
     for (const haptics::DeviceEntry& entry : haptics::surveyDevices())
-      std::cout << entry.id << ' ' << haptics::wordOf(entry.trouble) << ' ' << entry.why << '\n';
+      std::cout << entry.id << ' ' << haptics::wordOf(entry.trouble) << ' ' << sentence(entry.why)
+                << '\n';
     return 0;
   }
   auto device = haptics::openDevice({id});
   if (!device) {
-    std::cout << device.error().reason << ' ' << device.error().what << '\n';
+    std::cout << device.error().reason << ' ' << sentence(device.error()) << '\n';
     return 0;
   }
   if (what == "open") {

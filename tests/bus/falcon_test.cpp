@@ -19,6 +19,7 @@
 #include "tests/bus/child.h"
 #include "tests/bus/falcon_emulator.h"
 #include "tests/bus/felt_sphere.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -90,7 +91,7 @@ bool readsUntil(Device& device, Heard& heard, Condition condition, const Wrench&
 std::unique_ptr<Device> opened(PluggedFalcon& plugged) {
   auto device = haptics::openDevice({"falcon"});
   if (!device) {
-    ADD_FAILURE() << device.error().what;
+    ADD_FAILURE() << sentence(device.error());
     return nullptr;
   }
   Heard heard;
@@ -239,13 +240,13 @@ TEST(Falcon, TakesItsFirmwareByteByByteAndKeepsItForTheNextProgram) {
   PluggedFalcon plugged{false};
   const auto without = haptics::openDevice({"falcon"});
   ASSERT_FALSE(without);
-  EXPECT_EQ(without.error().reason, "no-firmware") << without.error().what;
+  EXPECT_EQ(without.error().reason, "no-firmware") << sentence(without.error());
 
   Bytes bytes;
   const std::filesystem::path path = fakeFirmware(bytes);
   {
     const auto with = haptics::openDevice({"falcon", path});
-    ASSERT_TRUE(with) << with.error().what;
+    ASSERT_TRUE(with) << sentence(with.error());
     EXPECT_EQ(plugged.falcon.seen().firmware, bytes);
   }
   EXPECT_TRUE(haptics::openDevice({"falcon"}));
@@ -258,14 +259,14 @@ TEST(Falcon, AWrongEchoOfItsFirmwareIsRefusedWithoutACommand) {
   Bytes bytes;
   const auto refused = haptics::openDevice({"falcon", fakeFirmware(bytes)});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().reason, "refused") << refused.error().what;
+  EXPECT_EQ(refused.error().reason, "refused") << sentence(refused.error());
   EXPECT_EQ(plugged.falcon.seen().commands, 0u);
 }
 
 TEST(Falcon, GetsNoForceBeforeItIsHomedWhateverIsWritten) {
   PluggedFalcon plugged;
   auto device = haptics::openDevice({"falcon"});
-  ASSERT_TRUE(device) << device.error().what;
+  ASSERT_TRUE(device) << sentence(device.error());
   Heard heard;
   EXPECT_TRUE(readsUntil(**device, heard,
                          [&] {
@@ -472,7 +473,7 @@ TEST(Falcon, PulledOutUnderForceItIsLostAndReplugGivesForceOnlyOnceArmed) {
   const auto refused = haptics::openDevice({"falcon"});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().reason, "not-plugged-in");
-  EXPECT_FALSE(refused.error().what.empty());
+  EXPECT_FALSE(sentence(refused.error()).empty());
 
   plugged.plug();
   const std::uint64_t forced = plugged.falcon.seen().forced;

@@ -12,6 +12,7 @@
 #include "tests/bus/child.h"
 #include "tests/bus/felt_sphere.h"
 #include "tests/bus/space_mice.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -51,7 +52,7 @@ TEST(SpaceMouse, AUserWithoutTheRuleIsToldOfItAndWithItOpensTheDevice) {
 TEST(SpaceMouse, WhatOnePalpateHasOpenAnotherDoesNotOpen) {
   const bus::UhidSpaceMouse mouse;
   auto device = haptics::openDevice({"spacemouse"});
-  ASSERT_TRUE(device) << device.error().what;
+  ASSERT_TRUE(device) << sentence(device.error());
   const std::string refused = Child{As::Root, {"open", "spacemouse"}}.said();
   EXPECT_TRUE(refused.starts_with("in-use ")) << refused;
   const auto twice = haptics::openDevice({"spacemouse"});
@@ -93,7 +94,7 @@ void movesThePose(Mouse& mouse, FeltSphere& sphere, const CapAxes& axes, const V
 template <class Mouse>
 void isFelt(Mouse& mouse) {
   auto device = haptics::openDevice({"spacemouse"});
-  ASSERT_TRUE(device) << device.error().what;
+  ASSERT_TRUE(device) << sentence(device.error());
   EXPECT_TRUE(comesTrue([&] { return mouse.lit() == 1; }));
   FeltSphere sphere{std::move(*device), Vec3::Zero()};
   sphere.arm();
@@ -124,7 +125,7 @@ TEST(SpaceMouse, ASpaceNavigatorMovesThePoseOfTheServoLoop) {
 TEST(SpaceMouse, ButtonsArriveAndBytesThatAreNoReportDoNothing) {
   bus::UhidSpaceMouse mouse;
   auto device = haptics::openDevice({"spacemouse"});
-  ASSERT_TRUE(device) << device.error().what;
+  ASSERT_TRUE(device) << sentence(device.error());
   haptics::DeviceReading reading;
   const auto reads = [&](auto condition) {
     return comesTrue([&] { return (*device)->read(reading), condition(); });
@@ -143,7 +144,7 @@ TEST(SpaceMouse, ButtonsArriveAndBytesThatAreNoReportDoNothing) {
 TEST(SpaceMouse, PulledOutItIsLostAndUsedAgainOnceReplugged) {
   std::optional<bus::UhidSpaceMouse> mouse{std::in_place};
   auto device = haptics::openDevice({"spacemouse"});
-  ASSERT_TRUE(device) << device.error().what;
+  ASSERT_TRUE(device) << sentence(device.error());
   auto sphere = std::make_unique<FeltSphere>(std::move(*device), Vec3::Zero());
   sphere->arm();
   ASSERT_TRUE(sphere->runs(50));

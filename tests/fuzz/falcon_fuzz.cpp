@@ -117,7 +117,7 @@ void load(Bytes input) {
   static const auto firmware = scratch.write("firmware", std::string(150, 'f'));
   const auto link = haptics::falcon::linkTo(std::make_unique<Scripted>(input, false), firmware);
   if (!link)
-    fuzz::require(!link.error().what.empty() && !link.error().reason.empty(),
+    fuzz::require(!link.error().message.empty() && !link.error().reason.empty(),
                   "a refusal has a sentence and a reason");
 }
 

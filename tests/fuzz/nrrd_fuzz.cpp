@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       folder().write("volume.nhdr", std::string_view(reinterpret_cast<const char*>(bytes), size));
   const auto nrrd = datasets::parseNrrd(path);
   if (!nrrd) {
-    fuzz::require(!nrrd.error().what.empty() && !nrrd.error().reason.empty(),
+    fuzz::require(!nrrd.error().message.empty() && !nrrd.error().reason.empty(),
                   "a refusal has a sentence and a reason");
     return 0;
   }

@@ -24,7 +24,7 @@ const support::ScratchFolder& folder() {
 }
 
 void requireWords(const Error& error) {
-  fuzz::require(!error.what.empty() && !error.reason.empty(),
+  fuzz::require(!error.message.empty() && !error.reason.empty(),
                 "a refusal has a sentence and a reason");
 }
 

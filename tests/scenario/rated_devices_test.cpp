@@ -10,6 +10,7 @@
 #include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/penetration.h"
 #include "tests/scenario/trial.h"
+#include "tests/support/sentence.h"
 
 // Every device of the table at its rated stiffness, in a hand's grip, in closed loop.
 
@@ -51,7 +52,7 @@ Felt feel(const DeviceModel& device, HandMotion motion, double stiffness, bool g
   const auto hand =
       haptics::Hand::aimed(motion, *stage.scene, stage.isovalue,
                            haptics::Hand::reachFor(depth, stiffness, loop.grip.stiffness), 1);
-  if (!hand) throw std::runtime_error{hand.error().what};
+  if (!hand) throw std::runtime_error{sentence(hand.error())};
   Vec3 slow = Vec3::Zero(), last = hand->at(0.0).translation();
   int ticks[2] = {0, 0};
   const auto ran = loop.run(*hand, 5000, [&](const TraceRow& row) {
@@ -71,7 +72,7 @@ Felt feel(const DeviceModel& device, HandMotion motion, double stiffness, bool g
     felt.energy = row.energy;
     return true;
   });
-  if (!ran) throw std::runtime_error{ran.error().what};
+  if (!ran) throw std::runtime_error{sentence(ran.error())};
   for (int half = 0; half < 2; ++half)
     felt.shaking[half] = std::sqrt(felt.shaking[half] / std::max(1, ticks[half]));
   felt.contact = ticks[0] + ticks[1];

@@ -16,6 +16,7 @@
 #include "haptics/simulation/hand.h"
 #include "haptics/simulation/simulated.h"
 #include "resources/named_tools.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -71,7 +72,7 @@ void record(const Session& session, const std::filesystem::path& target) {
   loop.recording.store(nullptr);
   loop.step(1e-3 * kTicks);
   const auto finished = recorder->finish();
-  if (!finished) throw std::runtime_error{finished.error().what};
+  if (!finished) throw std::runtime_error{sentence(finished.error())};
   std::printf("%s: %lld steps\n", finished->c_str(),
               static_cast<long long>(recorder->status().steps));
 }

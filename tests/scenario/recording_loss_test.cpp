@@ -23,6 +23,7 @@
 #include "haptics/recording/recording.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentence.h"
 
 extern char** environ;
 
@@ -50,7 +51,7 @@ Step stepNumbered(std::uint64_t n) {
 /// How many steps are in it; fails if one is not what it was, or there is a hole.
 std::int64_t intactSteps(const fs::path& path) {
   auto recording = Recording::open(path);
-  EXPECT_TRUE(recording) << recording.error().what;
+  EXPECT_TRUE(recording) << sentence(recording.error());
   if (!recording) return -1;
   EXPECT_EQ(recording->lostCount(), 0);
   const auto read = recording->forEach(-1e9, 1e9, [](const RecordedStep& recorded) {
@@ -150,7 +151,7 @@ TEST(RecordingLoss, OfAHundredKilledProcessesIsAtMostWhatWasNotYetCommitted) {
       if (recovered)
         steps = intactSteps(*recovered);
       else
-        ASSERT_EQ(recovered.error().reason, "empty") << recovered.error().what;
+        ASSERT_EQ(recovered.error().reason, "empty") << sentence(recovered.error());
       EXPECT_GE(static_cast<std::uint64_t>(steps), child.told->committed.load());
       losses.push_back(child.told->produced - static_cast<std::uint64_t>(steps));
       munmap(child.told, sizeof(Told));
@@ -175,7 +176,7 @@ std::int64_t committedOn(const support::FailingDisk& disk, int rounds, std::stri
   options.vfs = disk.name();
   auto recorder = Recorder::create("r.palpate", {"test", "", ""}, options);
   if (!recorder) {
-    *failure = recorder.error().what;
+    *failure = sentence(recorder.error());
     return 0;
   }
   StepRing& ring = (*recorder)->ring();
@@ -193,7 +194,7 @@ std::int64_t committedOn(const support::FailingDisk& disk, int rounds, std::stri
       std::this_thread::yield();
       committed = (*recorder)->status().steps;
     }
-    *failure = (*recorder)->status().failure;
+    *failure = sentence((*recorder)->status().failure);
     if (!failure->empty()) break;
   }
   return committed;
@@ -214,7 +215,7 @@ TEST(RecordingLoss, OfPowerIsNothingThatWasCommitted) {
     if (committed == 0) continue;
     ++with_steps;
     const auto recovered = recover(scratch.folder() / "r.palpate.part");
-    ASSERT_TRUE(recovered) << recovered.error().what << " after " << n;
+    ASSERT_TRUE(recovered) << sentence(recovered.error()) << " after " << n;
     ASSERT_GE(intactSteps(*recovered), committed);
     if (HasFailure()) return;
   }
@@ -233,7 +234,7 @@ TEST(RecordingLoss, OfAFullDiskIsToldAndWhatWasCommittedStays) {
     EXPECT_GT(committed, 0);
     disk.save(scratch.folder());
     const auto recovered = recover(scratch.folder() / "r.palpate.part");
-    ASSERT_TRUE(recovered) << recovered.error().what;
+    ASSERT_TRUE(recovered) << sentence(recovered.error());
     EXPECT_GE(intactSteps(*recovered), committed);
   }
 }
@@ -242,7 +243,7 @@ TEST(RecordingLoss, OfAFileSystemThatCannotBeWrittenIsToldAtOnce) {
   const auto recorder = Recorder::create("/proc/r.palpate", {"test", "", ""});
   ASSERT_FALSE(recorder);
   EXPECT_EQ(recorder.error().reason, "unwritable");
-  EXPECT_NE(recorder.error().what.find("choose a folder"), std::string::npos);
+  EXPECT_NE(sentence(recorder.error()).find("choose a folder"), std::string::npos);
 }
 
 }  // namespace

@@ -24,6 +24,7 @@
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/dicom_bytes.h"
+#include "tests/support/sentence.h"
 #include "ui/slice_view.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
@@ -104,7 +105,7 @@ class Folder {
 
 std::shared_ptr<const haptics::Volume> read(const fs::path& path) {
   auto volume = datasets::readVolume(path);
-  EXPECT_TRUE(volume) << volume.error().what;
+  EXPECT_TRUE(volume) << sentence(volume.error());
   if (!volume) return nullptr;
   return std::make_shared<const haptics::Volume>(std::move(*volume));
 }

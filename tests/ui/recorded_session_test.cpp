@@ -22,6 +22,7 @@
 #include "datasets/readers/volume_reader.h"
 #include "haptics/recording/replay.h"
 #include "sphere_in_hand.h"
+#include "tests/support/sentence.h"
 #include "ui/export_question.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
@@ -88,7 +89,7 @@ TEST(RecordedSession, IsRecordedMarkedAndReplayedToTheBit) {
   // the hand was not disturbed
   EXPECT_TRUE(application.session().isOpen());
   auto recording = haptics::Recording::open(filesIn(folder).front());
-  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_TRUE(recording) << sentence(recording.error());
   EXPECT_GT(recording->stepCount(), 2000);
   EXPECT_EQ(recording->lostCount(), 0);
   ASSERT_EQ(recording->scenes().size(), 1U);
@@ -337,7 +338,7 @@ TEST(RecordedSession, EndsWholeWhenTheWindowCloses) {
   }
   ASSERT_EQ(filesIn(folder).size(), 1U);
   const auto recording = haptics::Recording::open(filesIn(folder).front());
-  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_TRUE(recording) << sentence(recording.error());
   EXPECT_GT(recording->stepCount(), 300);
 }
 
@@ -360,7 +361,7 @@ TEST(RecordedSession, GoesOnThroughAnotherToolVolumeAndHand) {
   window.close();
   ASSERT_EQ(filesIn(folder).size(), 1U);
   const auto recording = haptics::Recording::open(filesIn(folder).front());
-  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_TRUE(recording) << sentence(recording.error());
   ASSERT_GE(recording->scenes().size(), 3U);
   EXPECT_EQ(recording->scenes()[1].tool.name, "drill");
   EXPECT_NE(recording->scenes().back().volume.grid.dims, haptics::Grid{}.dims);

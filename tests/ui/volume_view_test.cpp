@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/sentence.h"
 #include "window_support.h"
 
 namespace {
@@ -273,7 +274,7 @@ std::shared_ptr<const haptics::Volume> head() {
     if (entry.path().extension() != ".nrrd" && entry.path().extension() != ".nhdr") continue;
     auto volume = datasets::readVolume(entry.path());
     if (volume) return std::make_shared<const haptics::Volume>(std::move(*volume));
-    ADD_FAILURE() << volume.error().what;
+    ADD_FAILURE() << sentence(volume.error());
   }
   return nullptr;
 }

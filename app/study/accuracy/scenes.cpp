@@ -8,6 +8,7 @@
 #include "app/study/comparison/holds.h"
 #include "app/study/comparison/measures.h"
 #include "app/study/comparison/sweep.h"
+#include "resources/messages/messages.h"
 
 namespace study {
 namespace {
@@ -99,7 +100,7 @@ Table tableOneWith(const std::string& name, const Led& led,
 Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
   Outcome outcome;
   const Place place{name, effort.seconds};
-  if (!place.courses) return nothingFound(name, place.courses.error().what);
+  if (!place.courses) return nothingFound(name, resources::sentence(place.courses.error()));
   const std::vector<Course>& courses = *place.courses;
   Led all = led(contendersIn(place.scene, place.built, effort.every_setting), courses, effort.runs);
   const auto sums = place.summariesOf(all, effort.every_setting ? 5 : 20);
@@ -166,7 +167,7 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
 Outcome finenessStudy(const std::string& name, const SceneEffort& effort) {
   const std::string what = name + ", epsilon and sub-steps of ours";
   const Place place{name, effort.seconds};
-  if (!place.courses) return nothingFound(what, place.courses.error().what);
+  if (!place.courses) return nothingFound(what, resources::sentence(place.courses.error()));
   const FinenessSweep sweep =
       effort.every_setting ? FinenessSweep{} : FinenessSweep{{0.0125, 0.05}, {1, 8}};
   const Led all =

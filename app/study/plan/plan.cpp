@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "app/study/plan/courses.h"
+#include "resources/messages/messages.h"
 
 namespace study {
 
@@ -34,7 +35,8 @@ Study planStudy(Depth depth) {
                             Outcome refused;
                             refused.cases.push_back({planned.name + ": made",
                                                      std::numeric_limits<double>::quiet_NaN(), 0.0,
-                                                     "", Case::Sense::AtMost, course.error().what});
+                                                     "", Case::Sense::AtMost,
+                                                     resources::sentence(course.error())});
                             return refused;
                           }});
   }

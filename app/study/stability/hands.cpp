@@ -13,6 +13,7 @@
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/coupling/passivity.h"
 #include "haptics/simulation/allowed_stiffness.h"
+#include "resources/messages/messages.h"
 
 namespace study {
 namespace {
@@ -133,7 +134,7 @@ Outcome handsOn(const comparison::Case& touched, double seconds, std::uint64_t s
            run ? "at " + shortly(allowed) + " N/m, which is allowed; the guard left " +
                      shortly(share) + " of it; largest step of force in a tick " + shortly(step) +
                      " N; given in all at most " + shortly(mJ(balance.mostGiven())) + " mJ"
-               : run.error().what});
+               : resources::sentence(run.error())});
       outcome.cases.push_back(
           {title + "/energy given beyond what sampling gives, most", mJ(balance.mostOwn()), 1.0,
            "mJ", Case::Sense::AtMost,

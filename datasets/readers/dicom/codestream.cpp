@@ -22,10 +22,10 @@ constexpr std::array<std::pair<std::string_view, Coding>, 9> kSyntaxes{{
     {"1.2.840.10008.1.2.5", Coding::Rle},
 }};
 
-Fault broken(std::string why) { return CodestreamFault{false, std::move(why)}; }
-Fault disagreeing(std::string why) { return CodestreamFault{true, std::move(why)}; }
+Fault broken(haptics::Message why) { return CodestreamFault{false, std::move(why)}; }
+Fault disagreeing(haptics::Message why) { return CodestreamFault{true, std::move(why)}; }
 
-Fault cutShort() { return broken("it is cut off"); }
+Fault cutShort() { return broken({"codestream-cut-off", {}}); }
 
 std::string sizeText(std::int64_t columns, std::int64_t rows) {
   return std::to_string(columns) + " x " + std::to_string(rows);
@@ -77,33 +77,32 @@ bool isFilling(std::byte b) { return b == std::byte{0} || b == std::byte{0xff}; 
 /// What stands after a codestream's end may only fill up its fragment.
 Fault checkRest(std::span<const std::byte> rest) {
   if (std::ranges::all_of(rest, isFilling)) return {};
-  return broken("more data follows its end");
+  return broken({"codestream-continues-after-end", {}});
 }
 
 /// Of the frame header: one component of the size and depth that the DICOM header states.
 Fault checkShape(const CodedImage& image, const char* what, std::int64_t columns, std::int64_t rows,
                  std::int64_t components) {
   if (components != 1)
-    return disagreeing(std::string("its ") + what + " has " + std::to_string(components) +
-                       " components, not one");
+    return disagreeing({"codestream-components", {what, std::to_string(components)}});
   if (columns != image.columns || rows != image.rows)
-    return disagreeing(std::string("its ") + what + " has " + sizeText(columns, rows) +
-                       " pixels and the header says " + sizeText(image.columns, image.rows));
+    return disagreeing({"codestream-size-differs",
+                        {what, sizeText(columns, rows), sizeText(image.columns, image.rows)}});
   return {};
 }
 
 Fault checkPrecision(const CodedImage& image, const char* what, int precision) {
   if (precision == image.bits_stored || precision == image.bits_allocated) return {};
-  return disagreeing(std::string("its ") + what + " has values of " + std::to_string(precision) +
-                     " bits and the header says " + std::to_string(image.bits_stored) + " of " +
-                     std::to_string(image.bits_allocated));
+  return disagreeing({"codestream-depth-differs",
+                      {what, std::to_string(precision), std::to_string(image.bits_stored),
+                       std::to_string(image.bits_allocated)}});
 }
 
 /// No coding makes more of a byte than this; a small file must not ask for much memory.
 Fault checkExpansion(std::size_t size, const CodedImage& image, std::int64_t pixels_of_a_byte) {
   if (image.columns * image.rows <= static_cast<std::int64_t>(size) * pixels_of_a_byte) return {};
-  return broken("its " + std::to_string(size) + " bytes are too few for " +
-                sizeText(image.columns, image.rows) + " pixels");
+  return broken(
+      {"codestream-too-few-bytes", {std::to_string(size), sizeText(image.columns, image.rows)}});
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -157,15 +156,14 @@ Fault checkHuffman(Cursor segment) {
     segment.skip(count);
     if (segment.isOver()) return cutShort();
     if ((which & 0xf) > 3 || which >> 4 > 1 || count > 256 || !fits)
-      return broken("its Huffman tables are no code");
+      return broken({"codestream-huffman-table", {}});
   }
   return {};
 }
 
 /// The preset parameters of JPEG-LS, the one kind of LSE that a single-component image needs.
 Fault checkPreset(Cursor segment, int precision) {
-  if (segment.u8() != 1)
-    return broken("it maps its values through a table or states its size twice");
+  if (segment.u8() != 1) return broken({"codestream-value-table", {}});
   const std::uint32_t most = segment.u16(), t1 = segment.u16(), t2 = segment.u16(),
                       t3 = segment.u16(), reset = segment.u16();
   if (segment.isOver() || segment.left() > 0) return cutShort();
@@ -173,7 +171,7 @@ Fault checkPreset(Cursor segment, int precision) {
   // 0 stands for the usual value
   if (most > greatest || t1 > greatest || t2 > greatest || t3 > greatest ||
       (reset != 0 && (reset < 3 || reset > std::max(255U, greatest))))
-    return broken("its coding parameters contradict each other");
+    return broken({"codestream-parameters-contradict", {}});
   return {};
 }
 
@@ -190,8 +188,7 @@ Fault parseFrame(Cursor segment, std::uint32_t process, const CodedImage& image,
   header.precision = static_cast<int>(segment.u8());
   const std::int64_t rows = segment.u16(), columns = segment.u16(), components = segment.u8();
   if (segment.isOver()) return cutShort();
-  if (!allowsProcess(image.syntax, process))
-    return disagreeing("it is coded by another JPEG process than its transfer syntax names");
+  if (!allowsProcess(image.syntax, process)) return disagreeing({"codestream-other-process", {}});
   if (const Fault fault = checkShape(image, what, columns, rows, components)) return fault;
   // the extended process knows depths of 8 and 12 bits alone
   const bool rounded_up =
@@ -199,29 +196,29 @@ Fault parseFrame(Cursor segment, std::uint32_t process, const CodedImage& image,
   if (!rounded_up)
     if (const Fault fault = checkPrecision(image, what, header.precision)) return fault;
   if (header.precision < 2 || header.precision > 16)
-    return broken("its values have a depth that JPEG does not know");
+    return broken({"codestream-depth-unknown", {}});
   header.component = segment.u8();
   const std::uint32_t sampling = segment.u8();
   const std::uint32_t table = segment.u8();
   if (segment.isOver() || segment.left() > 0) return cutShort();
   const bool sampled =
       sampling >> 4 >= 1 && sampling >> 4 <= 4 && (sampling & 0xf) >= 1 && (sampling & 0xf) <= 4;
-  if (!sampled || table > 3) return broken("its frame header is senseless");
+  if (!sampled || table > 3) return broken({"codestream-frame-header", {}});
   return {};
 }
 
 Fault parseScan(Cursor segment, const CodedImage& image, const JpegHeader& header) {
-  if (header.process == 0) return broken("its coded data come before its size");
+  if (header.process == 0) return broken({"codestream-data-before-size", {}});
   const std::uint32_t components = segment.u8(), component = segment.u8(), tables = segment.u8(),
                       start = segment.u8(), end = segment.u8(), approximation = segment.u8();
   if (segment.isOver() || segment.left() > 0 || components != 1 || component != header.component)
-    return broken("its scan header is senseless");
+    return broken({"codestream-scan-header", {}});
   if (header.process == marker::kLsFrame) {
     // start is NEAR, end the interleaving
     if (end != 0 || tables != 0 || approximation > 15)
-      return broken("its scan header is senseless");
+      return broken({"codestream-scan-header", {}});
     if (image.syntax.ends_with(".80") && start != 0)
-      return disagreeing("it is coded with loss and its transfer syntax is lossless");
+      return disagreeing({"codestream-loss-undeclared", {}});
     return {};
   }
   const bool lossless = header.process == 0xc3;
@@ -229,7 +226,7 @@ Fault parseScan(Cursor segment, const CodedImage& image, const JpegHeader& heade
                                     static_cast<int>(approximation) < header.precision
                               : start == 0 && end == 63 && approximation == 0;
   if (!sound || (tables >> 4) > 3 || (tables & 0xf) > 3)
-    return broken("its scan header is senseless");
+    return broken({"codestream-scan-header", {}});
   return {};
 }
 
@@ -256,7 +253,7 @@ bool skipScan(std::span<const std::byte> bytes, std::size_t& at, bool is_ls) {
 
 Fault parseJpeg(std::span<const std::byte> bytes, const CodedImage& image, Codestream& parsed) {
   Cursor cursor{bytes};
-  if (cursor.u16() != 0xffd8) return broken("it does not begin like JPEG");
+  if (cursor.u16() != 0xffd8) return broken({"codestream-no-jpeg", {}});
   JpegHeader header;
   std::optional<Cursor> preset;
   for (bool in_scan = false; !in_scan;) {
@@ -267,7 +264,7 @@ Fault parseJpeg(std::span<const std::byte> bytes, const CodedImage& image, Codes
     if (cursor.isOver()) return cutShort();
     Fault fault;
     if (isFrame(m)) {
-      if (header.process != 0) return broken("it states its size twice");
+      if (header.process != 0) return broken({"codestream-size-twice", {}});
       fault = parseFrame(segment, m, image, header);
     } else if (m == marker::kScan) {
       fault = parseScan(segment, image, header);
@@ -278,19 +275,19 @@ Fault parseJpeg(std::span<const std::byte> bytes, const CodedImage& image, Codes
       preset = segment;  // it may stand before the frame header
     } else if (m != marker::kQuantisation && m != marker::kComment &&
                m != marker::kRestartInterval && (m < marker::kFirstApp || m > marker::kLastApp)) {
-      return broken("a marker stands in its header that has no place there");
+      return broken({"codestream-marker-out-of-place", {}});
     }
     if (fault) return fault;
   }
   const bool is_ls = header.process == marker::kLsFrame;
-  if (preset && !is_ls) return broken("a marker stands in its header that has no place there");
+  if (preset && !is_ls) return broken({"codestream-marker-out-of-place", {}});
   if (preset)
     if (const Fault fault = checkPreset(*preset, header.precision)) return fault;
   std::size_t at = cursor.at();
   const std::size_t scan = at;
   if (!skipScan(bytes, at, is_ls)) return cutShort();
   if (std::to_integer<std::uint32_t>(bytes[at + 1]) != marker::kEnd)
-    return broken("its coded data are broken off by another marker");
+    return broken({"codestream-broken-off", {}});
   parsed.precision = header.precision;
   parsed.size = at + 2;
   // a bit a pixel at least; two a block of 64; of JPEG-LS, one a row
@@ -328,18 +325,15 @@ Fault parseSize(Cursor segment, const CodedImage& image, TileGrid& tiles, Codest
   if (segment.isOver() || segment.left() > 0) return cutShort();
   parsed.precision = static_cast<int>(depth & 0x7f) + 1;
   if (const Fault fault = checkPrecision(image, "JPEG 2000 image", parsed.precision)) return fault;
-  if ((depth >> 7 == 1) != image.is_signed)
-    return disagreeing("its JPEG 2000 image and the header differ on whether values have a sign");
+  if ((depth >> 7 == 1) != image.is_signed) return disagreeing({"codestream-sign-differs", {}});
   constexpr std::uint32_t kHighThroughput = 0x4000;
-  if ((capabilities & kHighThroughput) != 0)
-    return broken("it is coded as High-Throughput JPEG 2000");
+  if ((capabilities & kHighThroughput) != 0) return broken({"codestream-high-throughput", {}});
   const bool placed =
       x0 == 0 && y0 == 0 && tile_x0 == 0 && tile_y0 == 0 && tile_w > 0 && tile_h > 0;
-  if (!placed || step_x != 1 || step_y != 1)
-    return broken("its pixels lie on another grid than an image's");
+  if (!placed || step_x != 1 || step_y != 1) return broken({"codestream-grid", {}});
   tiles.count = ((x1 + tile_w - 1) / tile_w) * ((y1 + tile_h - 1) / tile_h);
   constexpr std::int64_t kMostTiles = 65'535;
-  if (tiles.count > kMostTiles) return broken("it has more tiles than JPEG 2000 knows");
+  if (tiles.count > kMostTiles) return broken({"codestream-too-many-tiles", {}});
   return {};
 }
 
@@ -352,9 +346,9 @@ Fault parseCodingStyle(Cursor segment, const CodedImage& image) {
   const bool sound = style < 8 && order <= 4 && layers >= 1 && colours <= 1 && levels <= 32 &&
                      width <= 8 && height <= 8 && width + height <= 8 && passes < 64 &&
                      transform <= 1;
-  if (!sound) return broken("its coding style is senseless");
+  if (!sound) return broken({"codestream-coding-style", {}});
   if (image.syntax.ends_with(".90") && transform != 1)
-    return disagreeing("it is coded with loss and its transfer syntax is lossless");
+    return disagreeing({"codestream-loss-undeclared", {}});
   return {};
 }
 
@@ -380,7 +374,7 @@ Fault parseTileParts(std::span<const std::byte> bytes, std::size_t begin, const 
     cursor.skip(2);
     if (cursor.isOver()) return cutShort();
     if (m != j2k::kTilePart || length != 10 || tile >= seen.size())
-      return broken("its tiles do not follow each other");
+      return broken({"codestream-tiles-out-of-order", {}});
     // the last may leave its length open: then it reaches to the end
     if (size == 0) {
       std::size_t end = bytes.size();
@@ -390,7 +384,7 @@ Fault parseTileParts(std::span<const std::byte> bytes, std::size_t begin, const 
       size = end - 2 - at;
     }
     constexpr std::size_t kLeast = 14;  // the tile-part's header and the mark of its data
-    if (size < kLeast) return broken("its tiles do not follow each other");
+    if (size < kLeast) return broken({"codestream-tiles-out-of-order", {}});
     if (size > bytes.size() - at) return cutShort();
     seen[tile] = true;
     at += size;
@@ -403,14 +397,14 @@ Fault parseTileParts(std::span<const std::byte> bytes, std::size_t begin, const 
 Fault parseJpeg2000(std::span<const std::byte> bytes, const CodedImage& image, Codestream& parsed) {
   Cursor cursor{bytes};
   if (cursor.u16() != j2k::kStart || cursor.u16() != j2k::kSize)
-    return broken("it does not begin like a JPEG 2000 codestream");
+    return broken({"codestream-no-jpeg-2000", {}});
   TileGrid tiles;
   bool styled = false, quantised = false;
   for (std::uint32_t m = j2k::kSize;; m = cursor.u16()) {
     const std::size_t before = cursor.at() - 2;
     if (cursor.isOver()) return cutShort();
     if (m == j2k::kTilePart) {
-      if (!styled || !quantised) return broken("its main header is incomplete");
+      if (!styled || !quantised) return broken({"codestream-main-header-incomplete", {}});
       // what is all one value takes next to nothing; beyond that, a bit a block of 64 x 64
       constexpr std::int64_t kUnasked = std::int64_t{1} << 24, kMostExpansion = 8 * 64 * 64;
       if (image.columns * image.rows > kUnasked)
@@ -423,13 +417,13 @@ Fault parseJpeg2000(std::span<const std::byte> bytes, const CodedImage& image, C
     if (cursor.isOver()) return cutShort();
     Fault fault;
     if (m == j2k::kSize) {
-      if (tiles.count > 0) return broken("it states its size twice");
+      if (tiles.count > 0) return broken({"codestream-size-twice", {}});
       fault = parseSize(segment, image, tiles, parsed);
     } else if (m == j2k::kCoding) {
       fault = parseCodingStyle(segment, image);
       styled = true;
     } else if (!belongsInMainHeader(m)) {
-      return broken("a marker stands in its header that has no place there");
+      return broken({"codestream-marker-out-of-place", {}});
     }
     quantised = quantised || m == j2k::kQuantisation;
     if (fault) return fault;
@@ -452,17 +446,17 @@ Fault parseRle(std::span<const std::byte> bytes, const CodedImage& image, Codest
   const std::size_t segments = littleAt(bytes, 0);
   const auto expected = static_cast<std::size_t>(image.bits_allocated / 8);
   if (segments != expected)
-    return disagreeing("its RLE table has " + std::to_string(segments) + " segments where " +
-                       std::to_string(image.bits_allocated) + " bits need " +
-                       std::to_string(expected));
+    return disagreeing({"codestream-rle-segments",
+                        {std::to_string(segments), std::to_string(image.bits_allocated),
+                         std::to_string(expected)}});
   std::size_t before = 0;
   for (std::size_t n = 0; n < kMostSegments; ++n) {
     const std::size_t offset = littleAt(bytes, 4 + 4 * n);
     if (n >= segments) {
-      if (offset != 0) return broken("its RLE table is senseless");
+      if (offset != 0) return broken({"codestream-rle-table", {}});
       continue;
     }
-    if (n == 0 ? offset != kTable : offset <= before) return broken("its RLE table is senseless");
+    if (n == 0 ? offset != kTable : offset <= before) return broken({"codestream-rle-table", {}});
     if (offset >= bytes.size()) return cutShort();
     before = offset;
   }
@@ -497,13 +491,12 @@ bool beginsCodestream(Coding coding, std::span<const std::byte> bytes) {
 std::optional<CodestreamFault> parseCodestream(std::span<const std::byte> bytes,
                                                const CodedImage& image, Codestream& parsed) {
   const auto coding = codingOf(image.syntax);
-  if (!coding) return broken("its transfer syntax is not known here");
+  if (!coding) return broken({"codestream-syntax-unknown", {}});
   parsed = {*coding};
   // what a decoder takes for a frame must fit any machine; mammograms have a third of it
   constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
   if (image.columns * image.rows > kMostPixels)
-    return broken("it has " + sizeText(image.columns, image.rows) +
-                  " pixels, more than any slice does");
+    return broken({"codestream-too-many-pixels", {sizeText(image.columns, image.rows)}});
   switch (*coding) {
     case Coding::Jpeg:
     case Coding::JpegLs:

@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
+
+#include "haptics/core/error.h"
 
 namespace datasets {
 
@@ -40,8 +41,8 @@ struct Codestream {
 /// Why a frame must not reach its decoder.
 struct CodestreamFault {
   bool disagrees =
-      false;        ///< with the DICOM header; else it is damaged, or in a form not read here
-  std::string why;  ///< a clause: "its JPEG frame has 64 x 32 pixels, not 512 x 512"
+      false;             ///< with the DICOM header; else it is damaged, or in a form not read here
+  haptics::Message why;  ///< a clause: "its JPEG frame has 64 x 32 pixels, not 512 x 512"
 };
 
 /// Parses a compressed frame from its first byte to its last, but for what only a decoder

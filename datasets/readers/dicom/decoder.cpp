@@ -50,11 +50,8 @@ class Descriptor {
   int descriptor_;
 };
 
-tl::unexpected<haptics::Error> notStarted(const std::string& why) {
-  return unsupported("no-decoder", "Compressed images are decoded by the program " +
-                                       std::string(kProgram) + ", which " + why +
-                                       "; install Palpate again, or export the images as explicit "
-                                       "little endian.");
+tl::unexpected<haptics::Error> notStarted(haptics::Message why) {
+  return unsupported("no-decoder", std::move(why));
 }
 
 /// Beside the running program.
@@ -138,7 +135,7 @@ pid_t spawn(const std::filesystem::path& program, int socket, int memory) {
 
 Expected<Decoder> Decoder::start(std::size_t codestream_bytes, std::size_t pixel_bytes) {
   const std::filesystem::path program = programPath();
-  if (access(program.c_str(), X_OK) != 0) return notStarted("is not beside this one");
+  if (access(program.c_str(), X_OK) != 0) return notStarted({"decoder-missing", {kProgram}});
   Decoder decoder;
   // the pixels begin where a number of any width may
   decoder.codestream_bytes_ = (codestream_bytes + 63) / 64 * 64;
@@ -147,26 +144,26 @@ Expected<Decoder> Decoder::start(std::size_t codestream_bytes, std::size_t pixel
   const Descriptor memory{memfd_create("frame", MFD_CLOEXEC | MFD_ALLOW_SEALING)};
   if (memory.get() < 0 || ftruncate(memory.get(), static_cast<off_t>(all)) != 0 ||
       fcntl(memory.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW) != 0)
-    return notStarted("could not be given memory");
+    return notStarted({"decoder-no-memory", {kProgram}});
   void* mapped = mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
-  if (mapped == MAP_FAILED) return notStarted("could not be given memory");
+  if (mapped == MAP_FAILED) return notStarted({"decoder-no-memory", {kProgram}});
   decoder.memory_ = static_cast<std::byte*>(mapped);
   std::array<int, 2> ends{-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-    return notStarted("could not be connected");
+    return notStarted({"decoder-not-connected", {kProgram}});
   decoder.socket_ = ends[0];
   {
     // closed here at once, so that its end is seen
     const Descriptor theirs{ends[1]};
     decoder.process_ = spawn(program, theirs.get(), memory.get());
   }
-  if (decoder.process_ < 0) return notStarted("could not be started");
+  if (decoder.process_ < 0) return notStarted({"decoder-not-started", {kProgram}});
   const decode::Room room{decoder.codestream_bytes_, decoder.pixel_bytes_};
   std::byte said{};
   if (!sendWhole(decoder.socket_, &room, sizeof room) ||
       decoder.listen(said, kStartTime, {}) != Outcome::Decoded ||
       said != std::byte{static_cast<std::uint8_t>(decode::Answer::Ready)})
-    return notStarted("could not be confined to its work on this system");
+    return notStarted({"decoder-not-confined", {kProgram}});
   return decoder;
 }
 

@@ -78,10 +78,8 @@ const vtkDICOMValue& ofFrame(vtkDICOMMetaData* meta, int frame, vtkDICOMTag grou
 haptics::Error fault(tl::unexpected<haptics::Error> error) { return std::move(error.value()); }
 
 haptics::Error senseless(const DicomFile& file, const char* attribute) {
-  return fault(malformed("bad-header", "The file " + quoted(file.path) + " states a " + attribute +
-                                           " that is not written as DICOM writes numbers (\"1.5\", "
-                                           "with a point and without a unit), or too many or too "
-                                           "few of them; export it again."));
+  return fault(
+      malformed("bad-header", {"dicom-number-unreadable", {quoted(file.path), attribute}}));
 }
 
 /// As many numbers as asked for, where the element is there.
@@ -106,10 +104,9 @@ bool decodable(const std::string& syntax) {
 
 haptics::Error syntaxFault(const std::string& syntax) {
   const char* name = vtkDICOMUtilities::GetUIDName(syntax.c_str());
-  const std::string known = name != nullptr && *name != '\0' ? name : "that is not known here";
-  return fault(unsupported("unsupported-syntax",
-                           "The images are stored in a transfer syntax (" + known +
-                               ") that cannot be decoded; export them as explicit little endian."));
+  if (name == nullptr || *name == '\0')
+    return fault(unsupported("unsupported-syntax", {"dicom-syntax-unnamed", {}}));
+  return fault(unsupported("unsupported-syntax", {"dicom-syntax-unknown", {name}}));
 }
 
 /// Whether the items of compressed pixel data end before the file does.
@@ -152,20 +149,14 @@ std::optional<haptics::Error> checkBehindPixels(const DicomFile& file, std::int6
                                                 std::int64_t end, std::int64_t size) {
   if (file.rewritten || size <= end) return {};
   if (isTextModeCopy(file.path, begin, size - end))
-    return fault(malformed("truncated",
-                           "The file " + quoted(file.path) +
-                               " was copied as if it were text, which put bytes among its pixels; "
-                               "copy it again in binary mode."));
+    return fault(malformed("truncated", {"dicom-copied-as-text", {quoted(file.path)}}));
   constexpr std::int64_t kElementHead = 8;
   if (size - end >= kElementHead) return {};  // its elements have been looked at
   std::ifstream in(file.path, std::ios::binary);
   in.seekg(end);
   for (char c = 0; in.get(c);)
     if (c != '\0')
-      return fault(malformed("truncated",
-                             "The file " + quoted(file.path) +
-                                 " goes on after its pixels with something that is no DICOM; copy "
-                                 "or fetch it again."));
+      return fault(malformed("truncated", {"dicom-continues-after-pixels", {quoted(file.path)}}));
   return {};
 }
 
@@ -177,61 +168,44 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
   const auto begin = static_cast<std::int64_t>(parser->GetFileOffset());
   if (!parser->GetPixelDataFound()) {
     if (file.plane.rows > 0 && file.plane.columns > 0)
-      return fault(malformed("no-pixels",
-                             "A file of the series describes an image and ends without its pixels; "
-                             "fetch it again."));
-    return fault(
-        unsupported("no-pixels", "The series holds no image (modality " +
-                                     (file.modality.empty() ? "not stated" : file.modality) +
-                                     "); choose the series of the scan."));
+      return fault(malformed("no-pixels", {"dicom-pixels-missing", {}}));
+    return fault(unsupported(
+        "no-pixels", file.modality.empty() ? haptics::Message{"dicom-no-image-or-modality", {}}
+                                           : haptics::Message{"dicom-no-image", {file.modality}}));
   }
   if (samples > 1 || meaning == "RGB" || meaning == "PALETTE COLOR")
-    return fault(unsupported("not-scalar",
-                             "The series holds colour pictures, which have no isosurface; choose "
-                             "the series of the scan."));
+    return fault(unsupported("not-scalar", {"dicom-colour", {}}));
   const auto cutOff = [&] {
-    return fault(malformed("truncated", "The file " + quoted(file.path) +
-                                            " ends before its pixels do; copy or fetch it again."));
+    return fault(malformed("truncated", {"dicom-pixels-cut-off", {quoted(file.path)}}));
   };
   if (file.frame_count > size) return cutOff();
   if (file.frame_count > kMostFrames)
-    return fault(unsupported("too-large", "The file " + quoted(file.path) + " states " +
-                                              std::to_string(file.frame_count) +
-                                              " frames, more than any scan has; export it again."));
+    return fault(unsupported("too-large", {"dicom-too-many-frames",
+                                           {quoted(file.path), std::to_string(file.frame_count)}}));
   constexpr std::int64_t kMostSide = 65'535;
   if (file.plane.rows > kMostSide || file.plane.columns > kMostSide || file.bits_allocated > 64 ||
       file.plane.rows < 0 || file.plane.columns < 0 || file.bits_allocated < 0)
-    return fault(malformed("bad-header", "The file " + quoted(file.path) +
-                                             " states a number of pixels or bits that no image "
-                                             "has; export it again."));
+    return fault(malformed("bad-header", {"dicom-pixel-count-impossible", {quoted(file.path)}}));
   const std::int64_t slice = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
   const std::int64_t needed = slice * file.frame_count;
   const bool compressed = parser->GetPixelDataVL() == kUndefinedLength;
   // some files misstate their frames: then the pixels tell
   if (!compressed && needed > 0 && parser->GetPixelDataVL() >= needed + slice)
-    return fault(malformed("bad-header",
-                           "A file of the series holds more pixels than the slices it states; "
-                           "export it again, as one file per slice."));
+    return fault(malformed("bad-header", {"dicom-more-pixels-than-slices", {}}));
   const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 2
                                ? meta->Get(DC::ImageType).GetString(2)
                                : std::string();
-  if (kind == "LOCALIZER")
-    return fault(unsupported("localizer",
-                             "The series is a scout view for planning and no stack of slices; "
-                             "choose the series of the scan."));
+  if (kind == "LOCALIZER") return fault(unsupported("localizer", {"dicom-scout", {}}));
   if (!decodable(file.syntax)) return syntaxFault(file.syntax);
   // pixels without a length are compressed, and the other way round
   if (compressed != codingOf(file.syntax).has_value())
-    return fault(malformed("bad-header", "The pixels of " + quoted(file.path) +
-                                             " are stored in another way than its transfer syntax "
-                                             "says; export it again."));
+    return fault(malformed("bad-header", {"dicom-pixels-stored-otherwise", {quoted(file.path)}}));
   if (file.plane.rows < 1 || file.plane.columns < 1 ||
       (file.bits_allocated != 8 && file.bits_allocated != 16 && file.bits_allocated != 32))
-    return fault(unsupported("bad-header", "A file of the series states " +
-                                               std::to_string(file.plane.columns) + " x " +
-                                               std::to_string(file.plane.rows) + " pixels of " +
-                                               std::to_string(file.bits_allocated) +
-                                               " bits, which is not an image that can be read."));
+    return fault(unsupported("bad-header",
+                             {"dicom-pixel-format",
+                              {std::to_string(file.plane.columns), std::to_string(file.plane.rows),
+                               std::to_string(file.bits_allocated)}}));
   // a frame takes a fragment at least, whose head has 8 bytes
   const bool whole = compressed ? encapsulationCloses(file.path, begin, size) &&
                                       file.frame_count <= (size - begin) / 8
@@ -241,11 +215,7 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
   return checkBehindPixels(file, begin, begin + parser->GetPixelDataVL(), size);
 }
 
-haptics::Error unplaced() {
-  return fault(unsupported("bad-header",
-                           "The series does not say where its slices lie (position, orientation or "
-                           "pixel spacing is missing); export it again with its geometry."));
-}
+haptics::Error unplaced() { return fault(unsupported("bad-header", {"dicom-place-missing", {}})); }
 
 /// Fills in where the slice lies, or says why that is not known.
 std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file) {
@@ -286,10 +256,7 @@ std::optional<haptics::Error> readRescale(vtkDICOMMetaData* meta, DicomFile& fil
     return ofFrame(meta, file.frame, DC::PixelValueTransformationSequence, tag);
   };
   if (itemOf(transformation(DC::ModalityLUTSequence), 0) != nullptr)
-    return fault(unsupported("unsupported-type",
-                             "The file " + quoted(file.path) +
-                                 " maps its stored values through a table (Modality LUT), which is "
-                                 "not done here; export it with a rescale slope and intercept."));
+    return fault(unsupported("unsupported-type", {"dicom-value-table", {quoted(file.path)}}));
   std::optional<std::array<double, 1>> slope, intercept;
   if (auto bad = readNumbers(file, "rescale slope", transformation(DC::RescaleSlope), slope))
     return bad;
@@ -297,16 +264,13 @@ std::optional<haptics::Error> readRescale(vtkDICOMMetaData* meta, DicomFile& fil
           readNumbers(file, "rescale intercept", transformation(DC::RescaleIntercept), intercept))
     return bad;
   if (slope.has_value() != intercept.has_value())
-    return fault(malformed("bad-header", "The file " + quoted(file.path) +
-                                             " states one of rescale slope and intercept without "
-                                             "the other; export it again."));
+    return fault(malformed("bad-header", {"dicom-rescale-incomplete", {quoted(file.path)}}));
   if (!slope) return {};
   file.rescaled = true;
   file.slope = slope->front();
   file.intercept = intercept->front();
   if (file.slope == 0.0)
-    return fault(malformed("bad-header", "The file " + quoted(file.path) +
-                                             " states a rescale slope of 0; export it again."));
+    return fault(malformed("bad-header", {"dicom-rescale-slope-zero", {quoted(file.path)}}));
   const std::string type = trimmedValue(transformation(DC::RescaleType));
   const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 0
                                ? meta->Get(DC::ImageType).GetString(0)
@@ -365,18 +329,15 @@ std::optional<haptics::Error> readFrameCount(vtkDICOMMetaData* meta, DicomFile& 
 std::optional<haptics::Error> bitsFault(const DicomFile& file, vtkDICOMMetaData* meta) {
   const auto sign = numbersIn(meta->Get(DC::PixelRepresentation));
   if (!sign || sign->size() != 1 || (sign->front() != 0.0 && sign->front() != 1.0))
-    return fault(malformed("bad-header", "The file " + quoted(file.path) +
-                                             " does not say whether its pixels have a sign (Pixel "
-                                             "Representation); export it again."));
+    return fault(malformed("bad-header", {"dicom-sign-missing", {quoted(file.path)}}));
   const bool fits = file.bits_stored >= 1 && file.bits_stored <= file.bits_allocated &&
                     file.high_bit >= file.bits_stored - 1 && file.high_bit < file.bits_allocated;
   const bool moved = file.high_bit != file.bits_stored - 1;
   if (fits && !(moved && codingOf(file.syntax))) return {};
-  return fault(malformed("bad-header", "The file " + quoted(file.path) + " states " +
-                                           std::to_string(file.bits_stored) + " stored of " +
-                                           std::to_string(file.bits_allocated) +
-                                           " bits, up to bit " + std::to_string(file.high_bit) +
-                                           ", which cannot be; export it again."));
+  return fault(malformed("bad-header",
+                         {"dicom-bits-impossible",
+                          {quoted(file.path), std::to_string(file.bits_stored),
+                           std::to_string(file.bits_allocated), std::to_string(file.high_bit)}}));
 }
 
 /// A parsed header.
@@ -475,15 +436,12 @@ DicomHeader readDicomHeader(const Beginning& beginning) {
     return {.frames = {file}};
   }
   if (!header->isSound()) {
-    file.fault =
-        fault(malformed("truncated", "The header of " + quoted(path) +
-                                         " is damaged or cut off; copy or fetch it again."));
+    file.fault = fault(malformed("truncated", {"dicom-header-cut-off", {quoted(path)}}));
     placeSlice(meta, file);  // likewise
     return {.frames = {file}};
   }
   if (!understood) {
-    file.fault = fault(malformed(
-        "bad-header", "The header of " + quoted(path) + " cannot be understood; export it again."));
+    file.fault = fault(malformed("bad-header", {"dicom-header-unreadable", {quoted(path)}}));
     return {.frames = {file}};
   }
   file.fault = readFrameCount(meta, file);

@@ -30,11 +30,9 @@ Expected<Stack> judge(const std::vector<DicomFile>& files) {
     haptics::Error error = *faulty->fault;
     const auto alike = std::ranges::count_if(
         files, [&](const DicomFile& f) { return f.fault && f.fault->reason == error.reason; });
-    if (files.size() > 1 && error.what.ends_with('.')) {
-      error.what.pop_back();
-      error.what +=
-          " (" + std::to_string(alike) + " of " + std::to_string(files.size()) + " files).";
-    }
+    if (files.size() > 1)
+      error.message = {"dicom-fault-shared",
+                       {error.message, std::to_string(alike), std::to_string(files.size())}};
     return tl::unexpected(std::move(error));
   }
   std::vector<SlicePlane> planes;
@@ -42,8 +40,7 @@ Expected<Stack> judge(const std::vector<DicomFile>& files) {
   for (const DicomFile& file : files) {
     if (file.bits_allocated != files.front().bits_allocated ||
         file.is_signed != files.front().is_signed)
-      return unsupported("mixed-size",
-                         "The series mixes voxel types; put them into folders of their own.");
+      return unsupported("mixed-size", {"dicom-voxel-types-mixed", {}});
     planes.push_back(file.plane);
   }
   auto stack = stackOf(planes);
@@ -260,10 +257,7 @@ std::vector<DicomSeries> judged(std::vector<DicomFile> files) {
   DicomSeries together = judgedTogether(std::move(files));
   together.unbroken.reset();  // it may hold slices of several
   if (together.stack)
-    together.stack = unsupported(
-        "mixed-acquisitions",
-        "The series holds several acquisitions whose slices lie between each other's, and it "
-        "cannot be told which belong together; put each acquisition into a folder of its own.");
+    together.stack = unsupported("mixed-acquisitions", {"dicom-acquisitions-interleaved", {}});
   return {std::move(together)};
 }
 
@@ -312,9 +306,7 @@ std::int64_t voxelBytesOf(const DicomSeries& series) {
 }
 
 tl::unexpected<haptics::Error> noSeries(const fs::path& path) {
-  return malformed("unreadable", quoted(path) +
-                                     " is no DICOM file, or not any more; open the folder of one "
-                                     "series.");
+  return malformed("unreadable", {"dicom-no-series", {quoted(path)}});
 }
 
 }  // namespace
@@ -345,10 +337,7 @@ Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progres
 Expected<DicomSeries> seriesOf(const fs::path& path, DicomHeader header,
                                const ReadProgress& progress) {
   std::vector<DicomFile>& frames = header.frames;
-  if (frames.empty())
-    return unsupported("no-pixels", quoted(path) +
-                                        " holds no image: it is the index of a folder, or no "
-                                        "DICOM after all; open the folder of one series.");
+  if (frames.empty()) return unsupported("no-pixels", {"dicom-index-or-no-image", {quoted(path)}});
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const auto paths = filesOf(folder);
   if (!paths) return tl::unexpected(paths.error());
@@ -394,7 +383,8 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
   verdict.file_count = fileCount(series);
   verdict.bytes = voxelBytesOf(series);
   for (const DicomFile& file : series.files)
-    if (file.fault) verdict.faults.push_back(quoted(file.path) + ": " + file.fault->what);
+    if (file.fault)
+      verdict.faults.push_back({"file-fault", {quoted(file.path), file.fault->message}});
   verdict.modality = first.modality;
   verdict.dims = {first.plane.columns, first.plane.rows,
                   static_cast<std::int64_t>(series.files.size())};
@@ -402,13 +392,13 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
                         first.plane.thickness_mm};
   if (!series.stack) {
     verdict.reasons.push_back(series.stack.error().reason);
-    verdict.message = series.stack.error().what;
+    verdict.message = series.stack.error().message;
     if (series.unbroken) {
       const UnbrokenPart part = partOf(series);
-      verdict.message += " The largest part without a gap has " + std::to_string(part.slices) +
-                         " of the " + std::to_string(part.of) + " slices that are there, from " +
-                         tenths(part.from_mm) + " to " + tenths(part.to_mm) +
-                         " mm along the stack.";
+      verdict.message =
+          bothOf(std::move(verdict.message), {"dicom-largest-part",
+                                              {std::to_string(part.slices), std::to_string(part.of),
+                                               tenths(part.from_mm), tenths(part.to_mm)}});
       verdict.unbroken_part = part;
     }
     return verdict;
@@ -416,23 +406,22 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
   verdict.verdict = series.stack->crooked ? Verdict::Correctable : Verdict::Sound;
   verdict.dims = series.stack->geometry.dims;
   verdict.spacing_mm = series.stack->geometry.steps_mm.colwise().norm().transpose();
-  verdict.message = "One evenly spaced stack of " + std::to_string(series.files.size()) +
-                    (series.files.size() == 1 ? " slice." : " slices.");
+  verdict.message = {"dicom-one-stack", {std::to_string(series.files.size())}};
   if (series.files.size() == 1)
     verdict.message = first.plane.thickness_mm > 0.0
-                          ? "A single slice, taken to be as thick as it states."
-                          : "A single slice of unstated thickness, taken to be 1 mm thick.";
+                          ? haptics::Message{"dicom-single-slice", {}}
+                          : haptics::Message{"dicom-single-slice-unstated", {}};
   if (series.stack->crooked) {
     verdict.reasons.push_back(series.stack->crooked->why.reason);
-    verdict.message = series.stack->crooked->why.what;
+    verdict.message = series.stack->crooked->why.message;
   }
   if (series.copies_left_out > 0) {
     verdict.reasons.push_back("duplicate");
-    verdict.message.pop_back();
-    verdict.message += "; " + std::to_string(series.copies_left_out) +
-                       (series.copies_left_out == 1 ? " other copy of a slice in the folder is"
-                                                    : " other copies of slices in the folder are") +
-                       " left out.";
+    verdict.message =
+        series.copies_left_out == 1
+            ? haptics::Message{"dicom-copy-left-out", {verdict.message}}
+            : haptics::Message{"dicom-copies-left-out",
+                               {verdict.message, std::to_string(series.copies_left_out)}};
   }
   return verdict;
 }

@@ -34,11 +34,7 @@ using haptics::ScalarType;
 namespace {
 
 haptics::Error undecodable(const DicomFile& file) {
-  return malformed("truncated", "The pixels of " + quoted(file.path) +
-                                    " cannot be decoded: they are cut off, damaged or in a form "
-                                    "unknown here; fetch the file again or export it as explicit "
-                                    "little endian.")
-      .value();
+  return malformed("truncated", {"dicom-pixels-undecodable", {quoted(file.path)}}).value();
 }
 
 /// The pixels of one file, frame by frame, in its own row order.
@@ -119,9 +115,7 @@ class CompressedFrames : public FileFrames {
     Codestream codestream;
     if (const auto fault = parseCodestream(*bytes, image, codestream))
       return malformed(fault->disagrees ? "bad-header" : "truncated",
-                       "The compressed image in " + quoted(frame.path) +
-                           " cannot be shown: " + fault->why +
-                           "; fetch the file again or export it as explicit little endian.");
+                       {"dicom-frame-refused", {quoted(frame.path), fault->why}});
     if (!decoder_) {
       auto taken = decoders_.take();
       if (!taken) return tl::unexpected(std::move(taken.error()));
@@ -140,9 +134,7 @@ class CompressedFrames : public FileFrames {
         break;
     }
     decoder_.reset();
-    return malformed("truncated", "The compressed image in " + quoted(frame.path) +
-                                      " is damaged in a way that its decoder does not bear; fetch "
-                                      "the file again or export it as explicit little endian.");
+    return malformed("truncated", {"dicom-frame-ends-decoder", {quoted(frame.path)}});
   }
 
  private:
@@ -302,9 +294,7 @@ Expected<haptics::Volume> readSeries(const DicomSeries& series, Geometry geometr
   const Stack& stack = *series.stack;
   if (stack.crooked && geometry == Geometry::AsStored) return tl::unexpected(stack.crooked->why);
   if (stack.crooked && !part.isWhole())
-    return unsupported("too-large",
-                       "A series that is to be resampled is read whole or not at all; free memory "
-                       "by closing other programs.");
+    return unsupported("too-large", {"dicom-resampled-whole-only", {}});
   const auto whole = gridOf(stack.geometry);
   if (!whole) return tl::unexpected(whole.error());
   const auto taken = takenOf(series, part);
@@ -341,8 +331,7 @@ Expected<haptics::Volume> readSeries(const DicomSeries& series, Geometry geometr
                                 .resampled = stack.crooked.has_value()},
                                [&](double) { return !progress.isCancelled(); });
   }
-  return unsupported("bad-header",
-                     "The series' rescaled values fit no voxel type; export it again.");
+  return unsupported("bad-header", {"dicom-rescaled-range", {}});
 }
 
 Expected<Thumbnail> thumbnailOf(const DicomSeries& series, int longest) {

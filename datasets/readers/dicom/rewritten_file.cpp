@@ -129,9 +129,7 @@ bool BareDataSet::needsRewriting() const { return begin > 0 || syntax == kExplic
 
 Expected<RewrittenFile> RewrittenFile::of(const std::filesystem::path& path) {
   const auto tooLarge = [&] {
-    return unsupported("too-large", quoted(path) +
-                                        " is or inflates to more than a scan's file should; export "
-                                        "it uncompressed.");
+    return unsupported("too-large", {"dicom-file-too-large", {quoted(path)}});
   };
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
@@ -141,9 +139,7 @@ Expected<RewrittenFile> RewrittenFile::of(const std::filesystem::path& path) {
   const auto bare = bareDataSetOf(bytes);
   const auto [meta, data] =
       bare ? std::pair{syntaxElement(bare->syntax), bare->begin} : inflatedMetaOf(bytes);
-  if (meta.empty())
-    return malformed("bad-header",
-                     "The header of " + quoted(path) + " cannot be understood; export it again.");
+  if (meta.empty()) return malformed("bad-header", {"dicom-header-unreadable", {quoted(path)}});
   RewrittenFile file;
   std::string head = std::string(kMeta - 4, '\0') + "DICM" + std::string{"\x02\0\0\0UL\x04\0", 8};
   for (int n = 0; n < 4; ++n) head += static_cast<char>(meta.size() >> (8 * n) & 0xff);
@@ -159,16 +155,14 @@ Expected<RewrittenFile> RewrittenFile::of(const std::filesystem::path& path) {
     if (outcome == Inflated::TooLarge) return tooLarge();
     sound = sound && outcome == Inflated::Whole;
   }
-  if (!sound)
-    return malformed("truncated", "The compressed data of " + quoted(path) +
-                                      " end early or are damaged; copy or fetch it again.");
+  if (!sound) return malformed("truncated", {"dicom-deflated-damaged", {quoted(path)}});
   return file;
 }
 
 Expected<RewrittenFile> RewrittenFile::beginningOf(const std::filesystem::path& file,
                                                    std::int64_t count) {
   const auto unreadable = [&] {
-    return malformed("unreadable", quoted(file) + " cannot be read; copy or fetch it again.");
+    return malformed("unreadable", {"file-unreadable", {quoted(file)}});
   };
   if (count > kRewrittenAnyway) return unreadable();
   std::string bytes(static_cast<std::size_t>(count), '\0');

@@ -35,16 +35,12 @@ double angleBetween(const Vec3& a, const Vec3& b) {
 Expected<void> checkPlane(const SlicePlane& s) {
   if (!s.position_mm.allFinite() || !std::isfinite(s.column_step_mm) ||
       !std::isfinite(s.row_step_mm) || s.column_step_mm <= 0.0 || s.row_step_mm <= 0.0)
-    return malformed("bad-header",
-                     "A slice of the series has a position or pixel spacing that is no positive "
-                     "number; export the series again.");
+    return malformed("bad-header", {"dicom-position-or-spacing", {}});
   const bool unit = std::abs(s.along_row.norm() - 1.0) < kUnitError &&
                     std::abs(s.along_column.norm() - 1.0) < kUnitError;
   if (!s.along_row.allFinite() || !s.along_column.allFinite() || !unit ||
       std::abs(s.along_row.dot(s.along_column)) > kUnitError)
-    return malformed("bad-header",
-                     "A slice of the series has an orientation that is not two perpendicular "
-                     "directions; export the series again.");
+    return malformed("bad-header", {"dicom-orientation", {}});
   return {};
 }
 
@@ -53,26 +49,20 @@ Expected<void> checkAlike(const std::vector<SlicePlane>& slices) {
   double widest = 0.0;
   for (const SlicePlane& s : slices) {
     if (s.columns != first.columns || s.rows != first.rows)
-      return unsupported("mixed-size",
-                         "The series mixes slices of " + std::to_string(first.columns) + " x " +
-                             std::to_string(first.rows) + " and " + std::to_string(s.columns) +
-                             " x " + std::to_string(s.rows) +
-                             " pixels; put them into folders of their own.");
+      return unsupported("mixed-size", {"dicom-sizes-mixed",
+                                        {std::to_string(first.columns), std::to_string(first.rows),
+                                         std::to_string(s.columns), std::to_string(s.rows)}});
     widest = std::max({widest, angleBetween(s.along_row, first.along_row),
                        angleBetween(s.along_column, first.along_column)});
   }
   if (widest > kParallel)
     return unsupported("mixed-orientation",
-                       "The series mixes slices that are turned against each other by up to " +
-                           brief(widest / kDegree) +
-                           " degrees; put each orientation into a folder of its own.");
+                       {"dicom-orientations-mixed", {brief(widest / kDegree)}});
   for (const SlicePlane& s : slices)
     if (std::abs(s.column_step_mm / first.column_step_mm - 1.0) > kEqualPixelSpacing ||
         std::abs(s.row_step_mm / first.row_step_mm - 1.0) > kEqualPixelSpacing)
-      return unsupported("mixed-size", "The series mixes pixel spacings of " +
-                                           brief(first.column_step_mm) + " and " +
-                                           brief(s.column_step_mm) +
-                                           " mm; put them into folders of their own.");
+      return unsupported("mixed-size", {"dicom-spacings-mixed",
+                                        {brief(first.column_step_mm), brief(s.column_step_mm)}});
   return {};
 }
 
@@ -108,14 +98,10 @@ Expected<Advance> advanceOf(const std::vector<SlicePlane>& ordered, const Vec3& 
     advance.heights_mm.push_back(height_mm);
   }
   if (repeated > 0)
-    return unsupported("duplicate", std::to_string(repeated) + " of " +
-                                        std::to_string(ordered.size()) +
-                                        " slices lie at the position of another one; keep one "
-                                        "image of each position in the folder.");
+    return unsupported("duplicate", {"dicom-positions-repeated",
+                                     {std::to_string(repeated), std::to_string(ordered.size())}});
   if (advance.tilt() > kMostTilt)
-    return unsupported("sheared", "The slices advance " + brief(advance.tilt() / kDegree) +
-                                      " degrees off the direction that they face, which no gantry "
-                                      "does; export the series again.");
+    return unsupported("sheared", {"dicom-tilt-too-large", {brief(advance.tilt() / kDegree)}});
   // within half a pixel's tenth, and what counts as straight
   const double pixel_mm = std::min(first.row_step_mm, first.column_step_mm);
   for (std::size_t k = 0; k < ordered.size(); ++k) {
@@ -123,9 +109,7 @@ Expected<Advance> advanceOf(const std::vector<SlicePlane>& ordered, const Vec3& 
     const Vec3 on_line_mm = height_mm / advance.extent_mm * advance.way_mm;
     const double aside_mm = (ordered[k].position_mm - first.position_mm - on_line_mm).norm();
     if (aside_mm > 0.05 * pixel_mm + std::tan(kParallel) * height_mm)
-      return unsupported("sheared", "A slice of the series lies " + brief(aside_mm) +
-                                        " mm beside the others; ask for a reconstruction as one "
-                                        "straight stack.");
+      return unsupported("sheared", {"dicom-slice-aside", {brief(aside_mm)}});
   }
   return advance;
 }
@@ -168,18 +152,17 @@ Expected<std::optional<haptics::Error>> checkSteps(const std::vector<double>& st
       missing += static_cast<int>(times) - 1;
   }
   if (odd == 0) return std::nullopt;
-  const std::string gaps =
-      std::to_string(odd) + " of " + std::to_string(steps_mm.size()) + " steps";
+  const std::string gaps = std::to_string(odd), steps = std::to_string(steps_mm.size());
+  if (multiples && missing == 1)
+    return unsupported("missing-slices", {"dicom-slice-missing", {gaps, steps, brief(median_mm)}});
   if (multiples)
-    return unsupported("missing-slices",
-                       std::to_string(missing) + (missing == 1 ? " slice is" : " slices are") +
-                           " missing from the series (" + gaps + " are a multiple of " +
-                           brief(median_mm) + " mm); fetch the series again.");
-  return haptics::Error{haptics::Error::Kind::Correctable,
-                        "The slices are unevenly spaced: " + gaps + " differ from " +
-                            brief(median_mm) + " mm, from " + brief(least) + " to " +
-                            brief(greatest) + " mm",
-                        "uneven-spacing"};
+    return unsupported(
+        "missing-slices",
+        {"dicom-slices-missing", {std::to_string(missing), gaps, steps, brief(median_mm)}});
+  return haptics::Error{
+      haptics::Error::Kind::Correctable,
+      {"dicom-uneven", {gaps, steps, brief(median_mm), brief(least), brief(greatest)}},
+      "uneven-spacing"};
 }
 
 /// The box that tilted or uneven slices fill once they are resampled: planes at the median step,
@@ -192,21 +175,18 @@ Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered
   Crooked crooked{{}, {}, first.columns, first.rows};
   const bool tilted = advance.tilt() > kParallel;
   if (tilted) {
+    const std::string angle_deg = brief(advance.tilt() / kDegree);
     crooked.why = {haptics::Error::Kind::Correctable,
-                   "The slices are tilted by " + brief(advance.tilt() / kDegree) +
-                       " degrees against the direction in which they advance",
+                   uneven ? haptics::Message{"dicom-tilted-and-uneven", {angle_deg}}
+                          : haptics::Message{"dicom-tilted", {angle_deg}},
                    "gantry-tilt"};
-    if (uneven) crooked.why.what += ", and unevenly spaced";
   } else {
     crooked.why = *uneven;
   }
   if (uneven) {
     const double planes = 1.0 + std::round(advance.extent_mm / median_mm);
     if (!(planes >= 2.0 && planes <= kMostPlanes * static_cast<double>(ordered.size())))
-      return unsupported("uneven-spacing",
-                         crooked.why.what +
-                             "; there are too few of them to fill the gaps, so ask "
-                             "for a reconstruction with even spacing.");
+      return unsupported("uneven-spacing", {"dicom-too-few-for-gaps", {crooked.why.message}});
     box.dims[2] = std::lround(planes);
   }
   const double step_mm = advance.extent_mm / static_cast<double>(box.dims[2] - 1);
@@ -223,14 +203,13 @@ Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered
   const Vec3 more = greatest.array().ceil() - corner.array();
   // a header may state anything, and a small file must not ask for all memory
   if (!(more.head<2>().maxCoeff() <= kMostAside * static_cast<double>(first.columns + first.rows)))
-    return unsupported("sheared",
-                       crooked.why.what + ", and lie " + brief(more.head<2>().maxCoeff()) +
-                           " pixels beside each other, which no scan does; export it again.");
+    return unsupported(
+        "sheared", {"dicom-slices-aside", {crooked.why.message, brief(more.head<2>().maxCoeff())}});
   for (Vec3& place : crooked.places) place -= corner;
   for (const int axis : {0, 1}) box.dims[static_cast<std::size_t>(axis)] += std::lround(more[axis]);
   box.steps_mm.col(2) = advance.normal * step_mm;
   box.origin_mm += box.steps_mm * corner;
-  crooked.why.what += "; they can be resampled onto a right-angled grid of even steps.";
+  crooked.why.message = {"dicom-can-be-resampled", {crooked.why.message}};
   stack.crooked = std::move(crooked);
   return stack;
 }
@@ -238,7 +217,7 @@ Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered
 }  // namespace
 
 Expected<Stack> stackOf(const std::vector<SlicePlane>& slices) {
-  if (slices.empty()) return malformed("no-pixels", "The series holds no slice.");
+  if (slices.empty()) return malformed("no-pixels", {"dicom-no-slice", {}});
   for (const SlicePlane& s : slices)
     if (const auto sound = checkPlane(s); !sound) return tl::unexpected(sound.error());
   if (const auto alike = checkAlike(slices); !alike) return tl::unexpected(alike.error());

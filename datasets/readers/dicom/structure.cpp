@@ -142,17 +142,11 @@ struct Level {
 };
 
 haptics::Error cutOff(const std::filesystem::path& path) {
-  return malformed("truncated", "The header of " + quoted(path) +
-                                    " is damaged or cut off; copy or fetch it again.")
-      .value();
+  return malformed("truncated", {"dicom-header-cut-off", {quoted(path)}}).value();
 }
 
 haptics::Error senseless(const std::filesystem::path& path) {
-  return malformed("bad-header",
-                   "The header of " + quoted(path) +
-                       " nests more sequences, or has more elements out of order, than any "
-                       "scan's, or cannot be understood; export it again.")
-      .value();
+  return malformed("bad-header", {"dicom-header-too-deep", {quoted(path)}}).value();
 }
 
 /// The level that an element opens: none where it is only a value, unexpected where it has no

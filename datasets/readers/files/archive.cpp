@@ -79,15 +79,11 @@ void sweepTemporaryFolders() {
 namespace {
 
 tl::unexpected<haptics::Error> tooLarge(const fs::path& path) {
-  return unsupported("too-large", "The archive " + quoted(path) +
-                                      " holds more than a study, or more than the disk for "
-                                      "temporary files has room for; unpack it yourself and open "
-                                      "the folder of one series.");
+  return unsupported("too-large", {"archive-too-large", {quoted(path)}});
 }
 
 tl::unexpected<haptics::Error> damaged(const fs::path& path) {
-  return malformed("truncated", "The archive " + quoted(path) +
-                                    " is cut off or damaged; copy or fetch it again.");
+  return malformed("truncated", {"archive-damaged", {quoted(path)}});
 }
 
 struct CloseArchive {
@@ -162,9 +158,7 @@ Expected<void> extractAll(archive* a, const fs::path& folder, const fs::path& pa
     if (progress.isCancelled()) return cancelled();
     progress.advanced(std::min(1.0, static_cast<double>(archive_filter_bytes(a, -1)) / size));
     if (archive_entry_is_encrypted(entry) == 1)
-      return unsupported("unreadable", "The archive " + quoted(path) +
-                                           " is locked with a password; unpack it yourself and "
-                                           "open the folder.");
+      return unsupported("unreadable", {"archive-locked", {quoted(path)}});
     if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr)
       continue;
     ++tally.files;
@@ -172,10 +166,7 @@ Expected<void> extractAll(archive* a, const fs::path& folder, const fs::path& pa
     if (name == nullptr) name = archive_entry_pathname(entry);
     // a name that cannot be told says nothing of a slice either
     const auto place = placeOf(name != nullptr ? name : std::to_string(tally.files));
-    if (!place)
-      return unsupported("outside-folder", "The archive " + quoted(path) +
-                                               " holds a name that leads out of it or too deep "
-                                               "into it; unpack it yourself and open the folder.");
+    if (!place) return unsupported("outside-folder", {"archive-name-outside", {quoted(path)}});
     if (tally.files > kMostFiles) return tooLarge(path);
     if (auto done = extract(a, folder / *place, path, tally, progress); !done) return done;
   }
@@ -219,9 +210,7 @@ Expected<std::shared_ptr<const TemporaryFolder>> unpacked(const fs::path& path,
     folder = std::make_shared<TemporaryFolder>();
   } catch (const fs::filesystem_error& failed) {
     return unsupported("no-temporary-folder",
-                       "The folder for temporary files, \"" + failed.path1().string() +
-                           "\", cannot be written, and an archive is unpacked there; set TMPDIR to "
-                           "one that can be, or unpack the archive yourself.");
+                       {"temporary-folder-unwritable", {failed.path1().string()}});
   }
   std::error_code error;
   const fs::space_info space = fs::space(folder->path(), error);

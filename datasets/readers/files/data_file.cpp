@@ -13,10 +13,7 @@ using haptics::Expected;
 namespace {
 
 tl::unexpected<haptics::Error> outside(const fs::path& path) {
-  return unsupported("outside-folder",
-                     "The header " + quoted(path) +
-                         " names a data file outside its own folder; put both into "
-                         "one folder and name it without a path.");
+  return unsupported("outside-folder", {"data-file-outside-folder", {quoted(path)}});
 }
 
 }  // namespace
@@ -30,9 +27,7 @@ Expected<fs::path> dataFileOf(const fs::path& header, const std::string& name) {
   std::error_code error;
   const fs::path real_folder = fs::canonical(folder, error);
   const fs::path real = error ? fs::path() : fs::canonical(folder / relative, error);
-  if (error)
-    return malformed("truncated", "The data file that " + quoted(header) +
-                                      " names is missing; copy it beside the header.");
+  if (error) return malformed("truncated", {"data-file-missing", {quoted(header)}});
   const auto [end, unused] =
       std::mismatch(real_folder.begin(), real_folder.end(), real.begin(), real.end());
   if (end != real_folder.end() || !fs::is_regular_file(real, error)) return outside(header);

@@ -40,22 +40,17 @@ Vec3 signsOf(FileSpace space) {
 
 haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file) {
   if (std::ranges::any_of(file.dims, [](std::int64_t n) { return n < 1; }))
-    return malformed("bad-header", "The volume has an axis without voxels; its header is broken.");
+    return malformed("bad-header", {"geometry-axis-empty", {}});
   if (!file.steps_mm.allFinite() || !file.origin_mm.allFinite())
-    return malformed("bad-header",
-                     "The volume's spacing, orientation or origin is not a number; export it again "
-                     "with its geometry.");
+    return malformed("bad-header", {"geometry-not-finite", {}});
   const Vec3 spacing_mm = file.steps_mm.colwise().norm().transpose();
   if (spacing_mm.minCoeff() < kLeastStep_mm || spacing_mm.maxCoeff() > kMostStep_mm)
-    return malformed("bad-header", "The volume's voxel spacing of " + brief(spacing_mm.x()) +
-                                       " x " + brief(spacing_mm.y()) + " x " +
-                                       brief(spacing_mm.z()) +
-                                       " mm cannot be right; export it again with its geometry.");
+    return malformed("bad-header",
+                     {"geometry-spacing",
+                      {brief(spacing_mm.x()), brief(spacing_mm.y()), brief(spacing_mm.z())}});
   if (file.origin_mm.cwiseAbs().maxCoeff() > kFarthest_mm)
-    return malformed("bad-header", "The volume is said to lie " +
-                                       brief(1e-3 * file.origin_mm.cwiseAbs().maxCoeff()) +
-                                       " m away from the origin of its space, which cannot be "
-                                       "right; export it again with its geometry.");
+    return malformed("bad-header",
+                     {"geometry-too-far", {brief(1e-3 * file.origin_mm.cwiseAbs().maxCoeff())}});
 
   Mat3 direction = signsOf(file.space).asDiagonal() * file.steps_mm;
   for (int axis = 0; axis < 3; ++axis) direction.col(axis) /= spacing_mm[axis];
@@ -66,9 +61,7 @@ haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file) {
       std::max({std::abs(gram(0, 1)), std::abs(gram(0, 2)), std::abs(gram(1, 2))});
   if (cosine > kSquareEnough) {
     const double angle_deg = std::asin(std::min(cosine, 1.0)) * 180.0 / std::numbers::pi;
-    return unsupported("sheared", "The volume's axes are " + brief(angle_deg) +
-                                      " degrees off their right angles; resample it onto a "
-                                      "right-angled grid first.");
+    return unsupported("sheared", {"geometry-sheared", {brief(angle_deg)}});
   }
   if (cosine > kRounding) {
     const Eigen::JacobiSVD<Mat3> svd(direction, Eigen::ComputeFullU | Eigen::ComputeFullV);

@@ -27,9 +27,8 @@ haptics::Expected<std::vector<fs::path>> filesBelow(const fs::path& folder,
     if (it->is_regular_file(ignored)) paths.push_back(it->path());
     if (it.depth() >= kDeepestFolder) it.disable_recursion_pending();
     if (paths.size() > kMostInFolder)
-      return unsupported("too-large", "The folder " + quoted(folder) + " holds more than " +
-                                          std::to_string(kMostInFolder) +
-                                          " files; open the folder of one study.");
+      return unsupported(
+          "too-large", {"folder-too-many-files", {quoted(folder), std::to_string(kMostInFolder)}});
   }
   if (error) return notFound(folder);
   std::ranges::sort(paths);

@@ -57,10 +57,4 @@ std::optional<std::int64_t> integerOf(std::string_view word) {
 
 std::optional<double> numberOf(std::string_view word) { return wholeWord<double>(word); }
 
-tl::unexpected<haptics::Error> badHeader(const std::filesystem::path& path,
-                                         const std::string& why) {
-  return malformed("bad-header",
-                   "The header of " + quoted(path) + " " + why + "; export it again.");
-}
-
 }  // namespace datasets

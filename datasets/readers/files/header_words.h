@@ -14,9 +14,6 @@ namespace datasets {
 
 inline constexpr std::int64_t kLongestHeader = 1 << 20;  ///< bytes of text, lists of files included
 
-/// "The header of "x.nrrd" ‹why›; export it again."
-tl::unexpected<haptics::Error> badHeader(const std::filesystem::path& path, const std::string& why);
-
 /// The modality that a file states if it is a code such as "CT", else nothing: never free text.
 std::string modalityFrom(std::string_view stated);
 

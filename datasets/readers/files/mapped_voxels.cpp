@@ -24,9 +24,7 @@ std::int64_t beginOf(const StoredVoxels& stored, int number) {
 }
 
 tl::unexpected<haptics::Error> notMapped(const fs::path& file) {
-  return unsupported("too-large", quoted(file) +
-                                      " cannot be opened without loading it whole; copy it to a "
-                                      "disk of this machine, or read a part of it.");
+  return unsupported("too-large", {"voxels-not-mappable", {quoted(file)}});
 }
 
 }  // namespace
@@ -54,8 +52,7 @@ Expected<std::shared_ptr<void>> mapVoxels(const StoredVoxels& stored, int number
   std::error_code error;
   const auto length = static_cast<std::int64_t>(fs::file_size(stored.file, error));
   if (error || length < begin + bytes)
-    return malformed("truncated",
-                     quoted(stored.file) + " is too short for its voxels; copy or fetch it again.");
+    return malformed("truncated", {"voxels-too-short", {quoted(stored.file)}});
   // the pages behind the file's last are memory: what reads a little too far finds zeros
   void* base =
       mmap(nullptr, reserved, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

@@ -8,9 +8,7 @@
 namespace datasets {
 
 haptics::Expected<Window> windowOf(const Part& part, const std::array<std::int64_t, 3>& dims) {
-  if (part.step < 1)
-    return unsupported("no-voxels", "Every " + std::to_string(part.step) +
-                                        "th voxel is none; take every second, say.");
+  if (part.step < 1) return unsupported("no-voxels", {"part-step", {std::to_string(part.step)}});
   Window window{.count = dims, .step = part.step};
   for (std::size_t a = 0; a < 3; ++a) {
     std::int64_t end = dims[a];
@@ -19,9 +17,9 @@ haptics::Expected<Window> windowOf(const Part& part, const std::array<std::int64
       end = part.box->end[a];
     }
     if (window.first[a] < 0 || end > dims[a] || end <= window.first[a])
-      return unsupported("no-voxels", "The box from " + std::to_string(window.first[a]) + " to " +
-                                          std::to_string(end) + " lies outside an axis of " +
-                                          std::to_string(dims[a]) + " voxels; choose one inside.");
+      return unsupported("no-voxels", {"part-outside",
+                                       {std::to_string(window.first[a]), std::to_string(end),
+                                        std::to_string(dims[a])}});
     window.count[a] = (end - window.first[a] + part.step - 1) / part.step;
   }
   return window;

@@ -9,24 +9,27 @@
 namespace datasets {
 
 using haptics::Error;
+using haptics::Message;
 
-tl::unexpected<Error> malformed(std::string reason, std::string what) {
-  return tl::unexpected(Error{Error::Kind::Malformed, std::move(what), std::move(reason)});
+tl::unexpected<Error> malformed(std::string reason, Message message) {
+  return tl::unexpected(Error{Error::Kind::Malformed, std::move(message), std::move(reason)});
 }
 
-tl::unexpected<Error> unsupported(std::string reason, std::string what) {
-  return tl::unexpected(Error{Error::Kind::Unsupported, std::move(what), std::move(reason)});
+tl::unexpected<Error> unsupported(std::string reason, Message message) {
+  return tl::unexpected(Error{Error::Kind::Unsupported, std::move(message), std::move(reason)});
 }
 
 tl::unexpected<Error> notFound(const std::filesystem::path& path) {
-  return tl::unexpected(Error{Error::Kind::NotFound,
-                              "There is no file or folder " + quoted(path) +
-                                  " that can be read; check its name and its permissions.",
-                              "unreadable"});
+  return tl::unexpected(
+      Error{Error::Kind::NotFound, {"path-unreadable", {quoted(path)}}, "unreadable"});
 }
 
 tl::unexpected<Error> cancelled() {
-  return tl::unexpected(Error{Error::Kind::Cancelled, "Loading was cancelled.", "cancelled"});
+  return tl::unexpected(Error{Error::Kind::Cancelled, {"loading-cancelled", {}}, "cancelled"});
+}
+
+Message bothOf(Message first, Message second) {
+  return {"both-sentences", {std::move(first), std::move(second)}};
 }
 
 std::string quoted(const std::filesystem::path& path) {
@@ -56,14 +59,12 @@ double freeMemory() {
 }
 
 haptics::Expected<void> checkRoom(std::int64_t voxels, std::int64_t bytes_per_voxel,
-                                  const char* advice) {
+                                  Message advice) {
   const double needed = static_cast<double>(voxels) * static_cast<double>(bytes_per_voxel);
   const double there = freeMemory();
   if (needed <= there) return {};
-  return unsupported("too-large", "The volume needs " + brief(needed / 1e9) + " GB of memory and " +
-                                      brief(there / 1e9) +
-                                      " GB are free; read every second voxel or a box of it, or " +
-                                      advice + ".");
+  return unsupported("too-large", {"memory-too-small-for-volume",
+                                   {brief(needed / 1e9), brief(there / 1e9), std::move(advice)}});
 }
 
 }  // namespace datasets

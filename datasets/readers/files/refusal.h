@@ -11,11 +11,14 @@
 namespace datasets {
 
 /// A file that is not what it should be.
-tl::unexpected<haptics::Error> malformed(std::string reason, std::string what);
+tl::unexpected<haptics::Error> malformed(std::string reason, haptics::Message message);
 /// A file that is sound and yet not for us.
-tl::unexpected<haptics::Error> unsupported(std::string reason, std::string what);
+tl::unexpected<haptics::Error> unsupported(std::string reason, haptics::Message message);
 tl::unexpected<haptics::Error> notFound(const std::filesystem::path& path);
 tl::unexpected<haptics::Error> cancelled();
+
+/// One sentence behind another.
+haptics::Message bothOf(haptics::Message first, haptics::Message second);
 
 /// The path's last part in quotes, for sentences shown to the person who typed it.
 std::string quoted(const std::filesystem::path& path);
@@ -30,6 +33,6 @@ double freeMemory();
 /// Refuses ("too-large") what the free memory cannot hold, before it is asked for. `advice` is what
 /// to try beside reading less.
 haptics::Expected<void> checkRoom(std::int64_t voxels, std::int64_t bytes_per_voxel,
-                                  const char* advice = "close other programs");
+                                  haptics::Message advice = {"advice-close-programs", {}});
 
 }  // namespace datasets

@@ -121,7 +121,7 @@ Expected<void> checkReplaced(const StoredVolumes& stored, const void* voxels, st
         pages += 2;  // the page may begin between two of the file
   });
   if (!seen) return cancelled();
-  return checkRoom(pages * page, sizeof(float), "save it with numbers in every voxel");
+  return checkRoom(pages * page, sizeof(float), {"advice-save-with-numbers", {}});
 }
 
 }  // namespace
@@ -130,17 +130,15 @@ Expected<void> checkStored(const StoredVoxels& voxels, const std::filesystem::pa
   const VoxelLayout& layout = voxels.layout;
   std::int64_t room = std::numeric_limits<std::int64_t>::max() / 64;
   for (const std::int64_t size : layout.sizes) {
-    if (size < 1) return badHeader(header, "states a size that is no positive number");
+    if (size < 1) return malformed("bad-header", {"header-size-not-positive", {quoted(header)}});
     if (size > std::min<std::int64_t>(room, std::numeric_limits<std::int32_t>::max()))
-      return unsupported("too-large",
-                         "The header of " + quoted(header) +
-                             " states more voxels than any memory holds; export it again.");
+      return unsupported("too-large", {"header-too-many-voxels", {quoted(header)}});
     room /= size;
   }
   if (layout.sizes[3] > kMostVolumes)
-    return unsupported("too-large", quoted(header) + " holds " + std::to_string(layout.sizes[3]) +
-                                        " volumes; export fewer than " +
-                                        std::to_string(kMostVolumes) + " into one file.");
+    return unsupported("too-large", {"file-too-many-volumes",
+                                     {quoted(header), std::to_string(layout.sizes[3]),
+                                      std::to_string(kMostVolumes)}});
   std::error_code error;
   const auto length = static_cast<double>(std::filesystem::file_size(voxels.file, error));
   if (error) return notFound(voxels.file);
@@ -148,9 +146,7 @@ Expected<void> checkStored(const StoredVoxels& voxels, const std::filesystem::pa
   const double needed = static_cast<double>(std::max<std::int64_t>(voxels.skip, 0)) +
                         static_cast<double>(layout.voxelCount() * layout.bytesPerVoxel());
   if (stored < 0.0 || (voxels.deflated ? kMostInflation * (stored + 1.0) : stored) < needed)
-    return malformed("truncated", quoted(voxels.file) +
-                                      " is too short for the voxels that its header states; copy "
-                                      "or fetch it again.");
+    return malformed("truncated", {"file-shorter-than-header", {quoted(voxels.file)}});
   return {};
 }
 

@@ -100,8 +100,7 @@ bool takeRow(ByteStream& from, std::int64_t begin, std::int64_t row, std::int64_
 }
 
 tl::unexpected<haptics::Error> endsEarly(const fs::path& file) {
-  return malformed("truncated", "The voxels of " + quoted(file) +
-                                    " end early or are damaged; copy or fetch the file again.");
+  return malformed("truncated", {"voxels-damaged", {quoted(file)}});
 }
 
 }  // namespace
@@ -120,8 +119,9 @@ Expected<std::shared_ptr<void>> pickVoxels(ByteStream& from, std::int64_t begin,
                                            const ReadProgress& progress) {
   const Pick pick(layout, number, window);
   const std::int64_t bytes = layout.bytesPerVoxel();
-  if (auto room = checkRoom(pick.voxelCount(),
-                            static_cast<std::int64_t>(haptics::sizeOf(layout.type)), kSaveRaw);
+  if (auto room =
+          checkRoom(pick.voxelCount(), static_cast<std::int64_t>(haptics::sizeOf(layout.type)),
+                    adviceToSaveRaw());
       !room)
     return tl::unexpected(std::move(room.error()));
   auto voxels = haptics::allocateVoxels(pick.voxelCount(), layout.type);

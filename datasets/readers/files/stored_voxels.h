@@ -15,7 +15,8 @@
 namespace datasets {
 
 /// What to try where a file that could be mapped, were it plain, does not fit into memory.
-inline constexpr const char* kSaveRaw = "save it raw with a detached header";
+/// For checkRoom().
+inline haptics::Message adviceToSaveRaw() { return {"advice-save-raw", {}}; }
 
 /// How the voxels of one volume, or of several in one block, follow each other.
 struct VoxelLayout {

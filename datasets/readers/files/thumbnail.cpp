@@ -13,7 +13,7 @@ haptics::Expected<Thumbnail> thumbnailOf(const SlicePixels& slice, int longest) 
   const double width = static_cast<double>(slice.columns) * slice.column_step;
   const double height = static_cast<double>(slice.rows) * slice.row_step;
   const double scale = longest / std::max(width, height);
-  if (!std::isfinite(scale)) return unsupported("bad-header", "The slice has no size.");
+  if (!std::isfinite(scale)) return unsupported("bad-header", {"thumbnail-no-size", {}});
   Thumbnail small{std::max(1, static_cast<int>(std::lround(scale * width))),
                   std::max(1, static_cast<int>(std::lround(scale * height))),
                   {}};

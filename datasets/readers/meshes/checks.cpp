@@ -39,10 +39,8 @@ Corner cornerOf(std::string_view& words) {
 
 tl::unexpected<haptics::Error> badCorner(const fs::path& path, Corner corner) {
   if (corner == Corner::NonFinite)
-    return malformed("non-finite", "A vertex of " + quoted(path) +
-                                       " is not a finite number; export the mesh again.");
-  return malformed("truncated",
-                   "A vertex of " + quoted(path) + " is not three numbers; export the mesh again.");
+    return malformed("non-finite", {"mesh-vertex-not-finite", {quoted(path)}});
+  return malformed("truncated", {"mesh-vertex-incomplete", {quoted(path)}});
 }
 
 Expected<std::int64_t> checkAsciiStl(const fs::path& path, std::string_view text) {
@@ -57,9 +55,7 @@ Expected<std::int64_t> checkAsciiStl(const fs::path& path, std::string_view text
     } else if (word == "endsolid") {
       closed = !inside;
     } else if (word == "facet") {
-      if (inside)
-        return malformed("bad-header",
-                         quoted(path) + " begins a facet inside a facet; export it again.");
+      if (inside) return malformed("bad-header", {"stl-facet-in-facet", {quoted(path)}});
       inside = true;
       vertices = 0;
     } else if (word == "vertex") {
@@ -68,16 +64,13 @@ Expected<std::int64_t> checkAsciiStl(const fs::path& path, std::string_view text
         return badCorner(path, corner);
     } else if (word == "endfacet") {
       if (!inside || vertices != 3)
-        return malformed("bad-header", "A facet of " + quoted(path) + " has " +
-                                           std::to_string(vertices) +
-                                           " vertices and not three; export the mesh again as "
-                                           "triangles.");
+        return malformed("bad-header",
+                         {"stl-facet-vertices", {quoted(path), std::to_string(vertices)}});
       inside = false;
       ++facets;
     }
   }
-  if (inside || !closed)
-    return malformed("truncated", quoted(path) + " ends before its solid does; copy it again.");
+  if (inside || !closed) return malformed("truncated", {"stl-cut-off", {quoted(path)}});
   return facets;
 }
 
@@ -149,12 +142,10 @@ Expected<std::int64_t> checkStl(const fs::path& path, std::string_view bytes) {
   std::string_view start = bytes;
   if (lowered(takeWord(start)) == "solid" && bytes.find('\0') == bytes.npos)
     return checkAsciiStl(path, bytes);
-  if (bytes.size() < kHead)
-    return malformed("truncated", quoted(path) + " ends within its header; copy it again.");
-  return malformed("truncated", quoted(path) + " states " + std::to_string(count) +
-                                    " triangles and has room for " +
-                                    std::to_string((bytes.size() - kHead) / kFacet) +
-                                    "; copy or export it again.");
+  if (bytes.size() < kHead) return malformed("truncated", {"stl-header-cut-off", {quoted(path)}});
+  return malformed("truncated", {"stl-too-few-triangles",
+                                 {quoted(path), std::to_string(count),
+                                  std::to_string((bytes.size() - kHead) / kFacet)}});
 }
 
 std::string placesOfObj(std::string_view bytes) {
@@ -203,10 +194,7 @@ Expected<std::int64_t> checkObj(const fs::path& path, std::string_view bytes) {
     return corners >= 3;
   });
   if (!fits)
-    return malformed("bad-index",
-                     "Face " + std::to_string(faces) + " of " + quoted(path) +
-                         " has fewer than three corners or names a vertex that the file "
-                         "does not have; export the mesh again.");
+    return malformed("bad-index", {"obj-face-index", {std::to_string(faces), quoted(path)}});
   return faces;
 }
 

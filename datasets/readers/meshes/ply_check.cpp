@@ -181,9 +181,7 @@ Fault walk(const PlyElement& element, Numbers& numbers, std::int64_t vertices) {
 Expected<std::int64_t> checkPly(const fs::path& path, std::string_view bytes) {
   std::string_view rest = bytes;
   const auto header = plyHeaderOf(rest);
-  if (!header)
-    return malformed("bad-header", "The header of " + quoted(path) +
-                                       " is not one of a PLY file; export the mesh again.");
+  if (!header) return malformed("bad-header", {"ply-header", {quoted(path)}});
   const auto countOf = [&](std::string_view name) {
     const auto it = std::ranges::find(header->elements, name, &PlyElement::name);
     return it == header->elements.end() ? std::int64_t{0} : it->count;
@@ -196,14 +194,10 @@ Expected<std::int64_t> checkPly(const fs::path& path, std::string_view bytes) {
       case Fault::None:
         break;
       case Fault::Truncated:
-        return malformed("truncated", quoted(path) + " ends before its " +
-                                          std::to_string(element.count) +
-                                          " rows of an element do; copy or export it again.");
+        return malformed("truncated",
+                         {"ply-cut-off", {quoted(path), std::to_string(element.count)}});
       case Fault::BadIndex:
-        return malformed("bad-index",
-                         "A face of " + quoted(path) +
-                             " has fewer than three corners or names a vertex that the "
-                             "file does not have; export the mesh again.");
+        return malformed("bad-index", {"ply-face-index", {quoted(path)}});
     }
   }
   return countOf("face");

@@ -63,9 +63,7 @@ Expected<MeshFormat> meshFormatOf(const fs::path& path) {
   if (extension == ".stl") return MeshFormat::Stl;
   if (extension == ".obj") return MeshFormat::Obj;
   if (extension == ".ply") return MeshFormat::Ply;
-  return unsupported("unreadable", quoted(path) +
-                                       " is not a mesh that can be read; save the tool as "
-                                       "STL, OBJ or PLY.");
+  return unsupported("unreadable", {"mesh-format-unknown", {quoted(path)}});
 }
 
 Expected<std::string> bytesIn(const fs::path& path) {
@@ -73,8 +71,7 @@ Expected<std::string> bytesIn(const fs::path& path) {
   if (!fs::is_regular_file(path, error)) return notFound(path);
   const std::uintmax_t size = fs::file_size(path, error);
   if (error) return notFound(path);
-  if (size > kLargest)
-    return unsupported("too-large", quoted(path) + " is larger than 1 GB; reduce the mesh first.");
+  if (size > kLargest) return unsupported("too-large", {"mesh-too-large", {quoted(path)}});
   std::string bytes(static_cast<std::size_t>(size), '\0');
   std::ifstream in(path, std::ios::binary);
   if (!in.read(bytes.data(), static_cast<std::streamsize>(size)) && size > 0) return notFound(path);
@@ -120,16 +117,13 @@ Expected<vtkSmartPointer<vtkPolyData>> triangulated(MeshFormat format, const fs:
   errors->watch(reader);
   MemoryFile places;
   if (format == MeshFormat::Obj && !places.append(placesOfObj(bytes)))
-    return unsupported("too-large", "The memory of this machine does not hold " + quoted(path) +
-                                        "; reduce the mesh first.");
+    return unsupported("too-large", {"mesh-memory", {quoted(path)}});
   reader->SetFileName(format == MeshFormat::Obj ? places.path().c_str() : path.c_str());
   reader->Update();
   vtkPolyData* read = reader->GetOutput();
   if (errors->errors() > 0 || reader->GetErrorCode() != 0 || read == nullptr ||
       read->GetNumberOfPolys() != polygons)
-    return malformed("unreadable", quoted(path) +
-                                       " cannot be read as a mesh; export it again as "
-                                       "binary STL.");
+    return malformed("unreadable", {"mesh-unreadable", {quoted(path)}});
   vtkNew<vtkTriangleFilter> triangles;
   errors->watch(triangles);
   triangles->PassLinesOff();
@@ -154,8 +148,7 @@ Expected<TriangleMesh> meshOf(const fs::path& path, vtkPolyData* poly, double me
       std::array<double, 3> p{};
       poly->GetPoint(corners->GetId(i), p.data());
       if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-        return malformed("non-finite", "A vertex of " + quoted(path) +
-                                           " is not a finite number; export the mesh again.");
+        return malformed("non-finite", {"mesh-vertex-not-finite", {quoted(path)}});
       for (double& x : p) x += 0.0;  // one zero, without a sign
       const auto [it, is_new] =
           index_of.try_emplace(p, static_cast<std::uint32_t>(mesh.vertices.size()));
@@ -165,14 +158,11 @@ Expected<TriangleMesh> meshOf(const fs::path& path, vtkPolyData* poly, double me
     if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
       mesh.triangles.push_back(triangle);
   }
-  if (mesh.triangles.empty())
-    return malformed("no-triangle", quoted(path) +
-                                        " holds no triangle; a tool needs a surface, so "
-                                        "export one.");
+  if (mesh.triangles.empty()) return malformed("no-triangle", {"mesh-no-triangle", {quoted(path)}});
   return mesh;
 }
 
-std::vector<std::string> warningsOf(const TriangleMesh& mesh) {
+std::vector<haptics::Message> warningsOf(const TriangleMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) ++uses[std::minmax(t[i], t[(i + 1) % 3])];
@@ -187,17 +177,11 @@ std::vector<std::string> warningsOf(const TriangleMesh& mesh) {
   }
   const double length = (high - low).maxCoeff();
 
-  std::vector<std::string> warnings;
-  if (open > 0)
-    warnings.push_back("The mesh is open (" + std::to_string(open) +
-                       " edges have one triangle); it is touched with its vertices all the same.");
-  if (crowded > 0)
-    warnings.push_back("The mesh is not manifold (" + std::to_string(crowded) +
-                       " edges have more than two triangles); it is touched with its vertices all "
-                       "the same.");
+  std::vector<haptics::Message> warnings;
+  if (open > 0) warnings.push_back({"mesh-open", {std::to_string(open)}});
+  if (crowded > 0) warnings.push_back({"mesh-not-manifold", {std::to_string(crowded)}});
   if (length > kLongest || length < kShortest)
-    warnings.push_back("The tool is " + brief(length * 1e3) +
-                       " mm long, which is unusual; check the unit of the mesh.");
+    warnings.push_back({"mesh-length-unusual", {brief(length * 1e3)}});
   return warnings;
 }
 
@@ -208,10 +192,7 @@ Expected<ToolMesh> read(const fs::path& path, MeshUnit unit) {
   if (!bytes) return tl::unexpected(bytes.error());
   const auto polygons = countedPolygons(*format, path, *bytes);
   if (!polygons) return tl::unexpected(polygons.error());
-  if (*polygons == 0)
-    return malformed("no-triangle", quoted(path) +
-                                        " holds no triangle; a tool needs a surface, so "
-                                        "export one.");
+  if (*polygons == 0) return malformed("no-triangle", {"mesh-no-triangle", {quoted(path)}});
   const auto poly = triangulated(*format, path, *bytes, *polygons);
   if (!poly) return tl::unexpected(poly.error());
   auto mesh = meshOf(path, *poly, metresIn(unit));
@@ -235,9 +216,7 @@ Expected<ToolMesh> readToolMesh(const fs::path& path, MeshUnit unit) {
   try {
     return read(path, unit);
   } catch (const std::exception&) {
-    return malformed("unreadable", quoted(path) +
-                                       " cannot be read as a mesh; export it again as "
-                                       "binary STL.");
+    return malformed("unreadable", {"mesh-unreadable", {quoted(path)}});
   }
 }
 

@@ -18,8 +18,8 @@ enum class MeshUnit { Metre, Millimetre, Centimetre, Inch };
 std::optional<MeshUnit> meshUnitNamed(std::string_view name);
 
 struct ToolMesh {
-  haptics::TriangleMesh mesh;         ///< metres; coincident vertices merged
-  std::vector<std::string> warnings;  ///< open, non-manifold, suspiciously long or short
+  haptics::TriangleMesh mesh;              ///< metres; coincident vertices merged
+  std::vector<haptics::Message> warnings;  ///< open, non-manifold, suspiciously long or short
 };
 
 /// Reads STL, OBJ or PLY through VTK. Refuses a mesh without a triangle, with a non-finite

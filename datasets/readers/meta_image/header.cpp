@@ -48,7 +48,8 @@ Expected<MetaText> readText(const fs::path& path) {
   MetaText text;
   std::string line;
   for (char c = 0; in.get(c);) {
-    if (++text.bytes > kLongestHeader) return badHeader(path, "is longer than 1 MB");
+    if (++text.bytes > kLongestHeader)
+      return malformed("bad-header", {"header-too-long", {quoted(path)}});
     if (c != '\n') {
       line.push_back(c);
       if (in.peek() != std::ifstream::traits_type::eof()) continue;
@@ -56,15 +57,16 @@ Expected<MetaText> readText(const fs::path& path) {
     const std::string_view content = trimmed(line);
     const auto equals = content.find('=');
     if (!content.empty()) {
-      if (equals == content.npos) return badHeader(path, "has a line that is no key and value");
+      if (equals == content.npos)
+        return malformed("bad-header", {"meta-image-line", {quoted(path)}});
       const std::string key(trimmed(content.substr(0, equals)));
       if (!text.fields.emplace(key, trimmed(content.substr(equals + 1))).second)
-        return badHeader(path, "states a field twice");
+        return malformed("bad-header", {"header-field-twice", {quoted(path)}});
       if (key == "ElementDataFile") return text;
     }
     line.clear();
   }
-  return badHeader(path, "names no data file");
+  return malformed("bad-header", {"meta-image-no-data-file", {quoted(path)}});
 }
 
 struct ElementType {
@@ -84,11 +86,9 @@ constexpr ElementType kMetaTypes[] = {
 Expected<void> readMetaType(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   const std::string* channels = text.find({"ElementNumberOfChannels"});
   const std::string* type = text.find({"ElementType"});
-  if (type == nullptr) return badHeader(path, "states no ElementType");
+  if (type == nullptr) return malformed("bad-header", {"meta-image-no-type", {quoted(path)}});
   if ((channels != nullptr && *channels != "1") || type->ends_with("_ARRAY"))
-    return unsupported("not-scalar", "The voxels of " + quoted(path) +
-                                         " are colours or vectors; export a volume of one value "
-                                         "per voxel.");
+    return unsupported("not-scalar", {"volume-colours-or-vectors", {quoted(path)}});
   for (const ElementType& known : kMetaTypes)
     if (*type == known.name) {
       stored.voxels.layout.type = known.type;
@@ -96,24 +96,20 @@ Expected<void> readMetaType(const fs::path& path, const MetaText& text, StoredVo
       return {};
     }
   if (type->find("LONG") != type->npos)
-    return unsupported("unsupported-type",
-                       "The voxels of " + quoted(path) +
-                           " are 64-bit integers, which cannot be shown or touched exactly; "
-                           "convert them to 32-bit integers or float.");
-  return badHeader(path, "states an unknown ElementType");
+    return unsupported("unsupported-type", {"volume-64-bit-integers", {quoted(path)}});
+  return malformed("bad-header", {"meta-image-type-unknown", {quoted(path)}});
 }
 
 Expected<void> readMetaSizes(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   const std::string* dims = text.find({"NDims"});
   const auto axes = dims != nullptr ? integerOf(*dims) : std::nullopt;
-  if (!axes) return badHeader(path, "states no NDims");
+  if (!axes) return malformed("bad-header", {"meta-image-no-dimensions", {quoted(path)}});
   if (*axes != 3 && *axes != 4)
-    return unsupported("not-scalar", quoted(path) + " has " + std::to_string(*axes) +
-                                         " axes; export a volume of three.");
+    return unsupported("not-scalar", {"volume-axis-count", {quoted(path), std::to_string(*axes)}});
   const std::string* sizes = text.find({"DimSize"});
   const auto words = sizes != nullptr ? wordsOf(*sizes) : std::vector<std::string_view>();
   if (static_cast<std::int64_t>(words.size()) != *axes)
-    return badHeader(path, "does not state a size of each axis");
+    return malformed("bad-header", {"header-no-sizes", {quoted(path)}});
   for (std::size_t a = 0; a < words.size(); ++a)
     stored.voxels.layout.sizes[a] = integerOf(words[a]).value_or(0);
   return {};
@@ -130,8 +126,8 @@ Expected<std::vector<double>> numbersOf(const fs::path& path, const MetaText& te
     numbers.push_back(numberOf(word).value_or(std::nan("")));
   if (numbers.size() != count ||
       !std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }))
-    return badHeader(path, std::string("does not state ") + std::to_string(count) +
-                               " numbers as its " + *names.begin());
+    return malformed("bad-header",
+                     {"meta-image-numbers", {quoted(path), std::to_string(count), *names.begin()}});
   return numbers;
 }
 
@@ -151,7 +147,7 @@ Expected<void> readMetaGeometry(const fs::path& path, const MetaText& text, Stor
   for (const auto* numbers : {&spacing, &origin, &matrix})
     if (!*numbers) return tl::unexpected(numbers->error());
   const auto unit = millimetresIn(text.find({"DistanceUnits"}));
-  if (!unit) return badHeader(path, "measures in a unit that is no length known here");
+  if (!unit) return malformed("bad-header", {"header-unit-unknown", {quoted(path)}});
   const std::string* letters = text.find({"AnatomicalOrientation"});
   const bool doubted = letters != nullptr && letters->find('?') != letters->npos;
 
@@ -160,12 +156,13 @@ Expected<void> readMetaGeometry(const fs::path& path, const MetaText& text, Stor
   for (int a = 0; a < 3; ++a) {
     const auto axis = static_cast<std::size_t>(a);
     const double step = spacing->empty() ? 1.0 : *unit * (*spacing)[axis];
-    if (step <= 0.0) return badHeader(path, "states a spacing that is not positive");
+    if (step <= 0.0)
+      return malformed("bad-header", {"header-spacing-not-positive", {quoted(path)}});
     for (int c = 0; c < 3 && !matrix->empty(); ++c)
       geometry.steps_mm(c, a) = (*matrix)[axis * axes + static_cast<std::size_t>(c)];
     // the matrix turns, and does not stretch
     if (std::abs(geometry.steps_mm.col(a).norm() - 1.0) > 1e-3)
-      return badHeader(path, "states directions that are no unit vectors");
+      return malformed("bad-header", {"meta-image-directions", {quoted(path)}});
     geometry.steps_mm.col(a) *= step / geometry.steps_mm.col(a).norm();
     if (!origin->empty()) geometry.origin_mm[a] = *unit * (*origin)[axis];
   }
@@ -184,7 +181,7 @@ Expected<void> readMetaValues(const fs::path& path, const MetaText& text, Stored
     if (!*numbers) return tl::unexpected(numbers->error());
   if (!slope->empty()) stored.slope = slope->front();
   if (stored.slope == 0.0 || !std::isfinite(stored.slope))
-    return badHeader(path, "rescales its voxels by a slope that makes no sense");
+    return malformed("bad-header", {"meta-image-slope", {quoted(path)}});
   if (!offset->empty()) stored.intercept = offset->front();
   const std::string* modality = text.find({"Modality"});
   for (const char* code : {"CT", "MR", "NM", "US"})
@@ -196,18 +193,14 @@ Expected<void> readMetaValues(const fs::path& path, const MetaText& text, Stored
 Expected<void> readMetaPlace(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   StoredVoxels& voxels = stored.voxels;
   if (text.find({"BinaryData"}) != nullptr && !text.isTrue({"BinaryData"}))
-    return unsupported("unsupported-syntax", "The voxels of " + quoted(path) +
-                                                 " are text and no bytes; save them as binary "
-                                                 "data.");
+    return unsupported("unsupported-syntax", {"meta-image-text", {quoted(path)}});
   voxels.deflated = text.isTrue({"CompressedData"});
   voxels.layout.swapped = voxels.layout.bytesPerVoxel() > 1 &&
                           text.isTrue({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
   const std::string& name = *text.find({"ElementDataFile"});
   const bool local = lowered(name) == "local";
   if (name.starts_with("LIST") || name.find('%') != name.npos)
-    return unsupported("unsupported-syntax", "The voxels of " + quoted(path) +
-                                                 " are spread over several files; save them as "
-                                                 "one.");
+    return unsupported("unsupported-syntax", {"meta-image-several-files", {quoted(path)}});
   if (local) {
     voxels.file = path;
     voxels.offset = text.bytes;
@@ -219,9 +212,9 @@ Expected<void> readMetaPlace(const fs::path& path, const MetaText& text, StoredV
   const std::string* field = text.find({"HeaderSize"});
   const auto header = field != nullptr ? integerOf(*field) : std::optional<std::int64_t>(0);
   if (!header || *header < -1 || (*header == -1 && voxels.deflated))
-    return badHeader(path, "states a HeaderSize that makes no sense");
+    return malformed("bad-header", {"meta-image-header-size", {quoted(path)}});
   if (local && *header > 0 && *header < text.bytes)
-    return badHeader(path, "states a HeaderSize that ends within it");
+    return malformed("bad-header", {"meta-image-header-size-too-small", {quoted(path)}});
   // from the beginning of the file, also where that is the header's
   if (*header > 0) voxels.offset = *header;
   if (auto holds = checkStored(voxels, path); !holds) return holds;
@@ -231,8 +224,8 @@ Expected<void> readMetaPlace(const fs::path& path, const MetaText& text, StoredV
   if (*header == -1) voxels.offset = length - needed;
   // a foreign header before the voxels would shift them all
   if (field == nullptr && !local && !voxels.deflated && length > needed)
-    return badHeader(path, "says nothing of the " + std::to_string(length - needed) +
-                               " bytes that its data file holds beside the voxels");
+    return malformed("bad-header", {"meta-image-bytes-unexplained",
+                                    {quoted(path), std::to_string(length - needed)}});
   return {};
 }
 

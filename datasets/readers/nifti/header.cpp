@@ -147,7 +147,7 @@ Expected<void> readNiftiType(const fs::path& path, const Fields& fields, StoredV
     if (fields.datatype == known.code) {
       // some writers leave it at 0
       if (fields.bits != 0 && fields.bits != known.bits)
-        return badHeader(path, "states a size of its voxels that is not that of their type");
+        return malformed("bad-header", {"nifti-voxel-size-contradicts", {quoted(path)}});
       stored.voxels.layout.type = known.type;
       stored.voxels.layout.doubles = known.is_double;
       stored.voxels.layout.swapped = fields.swapped && known.bits > 8;
@@ -155,26 +155,18 @@ Expected<void> readNiftiType(const fs::path& path, const Fields& fields, StoredV
     }
   const bool composed = fields.datatype == 32 || fields.datatype == 128 ||
                         fields.datatype == 1792 || fields.datatype == 2304;
-  if (composed)
-    return unsupported("not-scalar", "The voxels of " + quoted(path) +
-                                         " are colours or complex numbers; export a volume of one "
-                                         "value per voxel.");
-  return unsupported("unsupported-type", "The voxels of " + quoted(path) +
-                                             " are of a type that cannot be shown or touched "
-                                             "exactly; convert them to 32-bit integers or float.");
+  if (composed) return unsupported("not-scalar", {"nifti-colours-or-complex", {quoted(path)}});
+  return unsupported("unsupported-type", {"nifti-type", {quoted(path)}});
 }
 
 Expected<void> readNiftiSizes(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
   const std::int64_t axes = fields.dim[0];
-  if (axes < 1 || axes > 7) return badHeader(path, "states a number of axes that makes no sense");
+  if (axes < 1 || axes > 7) return malformed("bad-header", {"nifti-axis-count", {quoted(path)}});
   if (axes < 3)
-    return unsupported("not-scalar", quoted(path) + " has " + std::to_string(axes) +
-                                         " axes; export a volume of three.");
+    return unsupported("not-scalar", {"volume-axis-count", {quoted(path), std::to_string(axes)}});
   for (std::size_t a = 4; a < static_cast<std::size_t>(axes); ++a)
     if (fields.dim[a + 1] != 1)
-      return unsupported("not-scalar", "Axis " + std::to_string(a + 1) + " of " + quoted(path) +
-                                           ", counted from 1, holds the components of vectors and "
-                                           "no places; export a volume of one value per voxel.");
+      return unsupported("not-scalar", {"nifti-vectors", {std::to_string(a + 1), quoted(path)}});
   for (std::size_t a = 0; a < static_cast<std::size_t>(std::min<std::int64_t>(axes, 4)); ++a)
     stored.voxels.layout.sizes[a] = fields.dim[a + 1];
   return {};
@@ -186,7 +178,7 @@ Expected<void> readNiftiPlace(const fs::path& path, const Fields& fields, Stored
       fields.first_voxel == 0.0 ? static_cast<double>(fields.least_offset) : fields.first_voxel;
   if (!(first >= static_cast<double>(fields.least_offset)) || first > 1e15 ||
       std::floor(first) != first)
-    return badHeader(path, "places the voxels where none can be");
+    return malformed("bad-header", {"nifti-voxels-placed", {quoted(path)}});
   stored.voxels.file = path;
   stored.voxels.deflated = fields.deflated;
   (stored.voxels.deflated ? stored.voxels.skip : stored.voxels.offset) =
@@ -248,12 +240,10 @@ Expected<Affine> affineOf(const fs::path& path, const Fields& fields) {
   const auto turned = byQuaternion(fields);
   const Affine placed = byMatrix(fields);
   const bool by_quaternion = fields.quaternion_code > 0, by_matrix = fields.matrix_code > 0;
-  if (by_quaternion && !turned) return badHeader(path, "states an orientation that is no rotation");
+  if (by_quaternion && !turned)
+    return malformed("bad-header", {"nifti-no-rotation", {quoted(path)}});
   if (by_quaternion && by_matrix && !agree(*turned, placed))
-    return unsupported("ambiguous-orientation",
-                       "The header of " + quoted(path) +
-                           " places the voxels twice, by its qform and by its sform, and not "
-                           "alike; export it with one of them.");
+    return unsupported("ambiguous-orientation", {"nifti-orientation-ambiguous", {quoted(path)}});
   if (by_matrix) return placed;
   if (by_quaternion) return *turned;
   Affine plain{Mat3::Zero(), Vec3::Zero()};
@@ -267,7 +257,7 @@ Expected<Affine> affineOf(const fs::path& path, const Fields& fields) {
 Expected<void> readNiftiGeometry(const fs::path& path, const Fields& fields,
                                  StoredVolumes& stored) {
   const auto unit = millimetresIn(fields.units);
-  if (!unit) return badHeader(path, "measures in a unit that is no length known here");
+  if (!unit) return malformed("bad-header", {"header-unit-unknown", {quoted(path)}});
   FileGeometry geometry;
   geometry.dims = stored.voxels.layout.dims();
   const auto affine = affineOf(path, fields);
@@ -275,7 +265,7 @@ Expected<void> readNiftiGeometry(const fs::path& path, const Fields& fields,
   const bool placed = fields.quaternion_code > 0 || fields.matrix_code > 0;
   const auto steps = std::span(fields.pixdim).subspan(1, 3);
   if (fields.matrix_code <= 0 && std::ranges::any_of(steps, [](double p) { return p < 0.0; }))
-    return badHeader(path, "states a spacing that is not positive");
+    return malformed("bad-header", {"header-spacing-not-positive", {quoted(path)}});
   stored.spacing_stated = placed || std::ranges::none_of(steps, [](double p) { return p == 0.0; });
   geometry.steps_mm = *unit * affine->steps;
   geometry.origin_mm = *unit * affine->origin;
@@ -291,7 +281,7 @@ Expected<void> readNiftiValues(const fs::path& path, const Fields& fields, Store
   // a slope of 0, or of none, says that nothing is to be rescaled
   if (!std::isfinite(fields.slope) || fields.slope == 0.0) return {};
   if (!std::isfinite(fields.intercept))
-    return badHeader(path, "rescales its voxels by what is no number");
+    return malformed("bad-header", {"nifti-rescale", {quoted(path)}});
   stored.slope = fields.slope;
   stored.intercept = fields.intercept;
   return {};
@@ -312,7 +302,7 @@ Expected<StoredVolumes> describeNifti(const fs::path& path) {
   const Beginning beginning(path);
   if (!beginning.is_open) return notFound(path);
   const auto fields = readFields(path, beginning.bytes.starts_with("\x1f\x8b"));
-  if (!fields) return badHeader(path, "does not begin as that of a NIfTI file in one piece");
+  if (!fields) return malformed("bad-header", {"nifti-no-beginning", {quoted(path)}});
   StoredVolumes stored;
   for (const auto step :
        {readNiftiType, readNiftiSizes, readNiftiPlace, readNiftiGeometry, readNiftiValues})

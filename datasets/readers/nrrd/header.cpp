@@ -58,7 +58,7 @@ constexpr TypeName kNrrdTypes[] = {{"signed char", "signed char", 1},
 
 Expected<void> readNrrdType(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* type = text.find("type");
-  if (type == nullptr) return badHeader(path, "states no type");
+  if (type == nullptr) return malformed("bad-header", {"nrrd-no-type", {quoted(path)}});
   const std::string name = lowered(*type);
   for (const TypeName& known : kNrrdTypes)
     if (name == known.name) {
@@ -67,16 +67,9 @@ Expected<void> readNrrdType(const fs::path& path, const NrrdText& text, NrrdHead
       return {};
     }
   if (name.find("long") != name.npos || name.find("int64") != name.npos)
-    return unsupported(
-        "unsupported-type",
-        "The voxels of " + quoted(path) +
-            " are 64-bit integers, which cannot be shown or touched exactly; convert "
-            "them to 32-bit integers or float.");
-  if (name == "block")
-    return unsupported("not-scalar",
-                       "The voxels of " + quoted(path) +
-                           " are blocks of bytes and no numbers; export a scalar volume.");
-  return badHeader(path, "states an unknown type");
+    return unsupported("unsupported-type", {"volume-64-bit-integers", {quoted(path)}});
+  if (name == "block") return unsupported("not-scalar", {"nrrd-blocks", {quoted(path)}});
+  return malformed("bad-header", {"nrrd-type-unknown", {quoted(path)}});
 }
 
 /// Per axis whether it has a direction in space; empty where directions are not stated.
@@ -96,10 +89,7 @@ std::vector<bool> directedAxes(const NrrdText& text) {
 
 tl::unexpected<haptics::Error> notAPlace(const fs::path& path, std::size_t axis,
                                          const std::string& kind) {
-  return unsupported("not-scalar", "Axis " + std::to_string(axis) + " of " + quoted(path) +
-                                       ", counted from 0, is of kind " + kind +
-                                       " and holds no places; export a volume of three axes and "
-                                       "one value per voxel.");
+  return unsupported("not-scalar", {"nrrd-axis-kind", {std::to_string(axis), quoted(path), kind}});
 }
 
 /// Which axes are i, j and k, and which counts the volumes.
@@ -108,7 +98,8 @@ Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& 
   std::vector<std::string> kinds(sizes.size());
   if (const std::string* field = text.find("kinds"); field != nullptr) {
     const auto words = wordsOf(*field);
-    if (words.size() != sizes.size()) return badHeader(path, "does not state a kind of each axis");
+    if (words.size() != sizes.size())
+      return malformed("bad-header", {"nrrd-no-kinds", {quoted(path)}});
     std::ranges::transform(words, kinds.begin(), lowered);
   }
   const std::vector<bool> directed = directedAxes(text);
@@ -125,10 +116,8 @@ Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& 
     (place ? places : others).push_back(a);
   }
   if (places.size() != 3)
-    return unsupported(
-        "not-scalar", "The header of " + quoted(path) + " calls " + std::to_string(places.size()) +
-                          " of its four axes places, by direction or by kind; export it with three "
-                          "of them and one that counts volumes.");
+    return unsupported("not-scalar",
+                       {"nrrd-four-places", {quoted(path), std::to_string(places.size())}});
   for (std::size_t a = 0; a < 3; ++a) {
     header.axes[a] = static_cast<unsigned>(places[a]);
     header.dims[a] = sizes[places[a]];
@@ -137,34 +126,30 @@ Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& 
   header.volume_axis = static_cast<int>(others.front());
   header.volumes = sizes[others.front()];
   if (header.volumes > kMostVolumes)
-    return unsupported("too-large", quoted(path) + " holds " + std::to_string(header.volumes) +
-                                        " volumes; export fewer than " +
-                                        std::to_string(kMostVolumes) + " into one file.");
+    return unsupported("too-large", {"file-too-many-volumes",
+                                     {quoted(path), std::to_string(header.volumes),
+                                      std::to_string(kMostVolumes)}});
   return {};
 }
 
 Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* dimension = text.find("dimension");
   const auto axes = dimension ? integerOf(*dimension) : std::nullopt;
-  if (!axes) return badHeader(path, "states no dimension");
+  if (!axes) return malformed("bad-header", {"nrrd-no-dimension", {quoted(path)}});
   if (*axes != 3 && *axes != 4)
-    return unsupported("not-scalar",
-                       "The dimension of " + quoted(path) + " is " + std::to_string(*axes) +
-                           "; only volumes of three axes and one value per voxel can "
-                           "be loaded, one or several in a file, so export one such volume.");
+    return unsupported("not-scalar", {"nrrd-dimension", {quoted(path), std::to_string(*axes)}});
   const std::string* sizes = text.find("sizes");
-  if (sizes == nullptr) return badHeader(path, "states no sizes");
+  if (sizes == nullptr) return malformed("bad-header", {"nrrd-no-sizes", {quoted(path)}});
   const auto words = wordsOf(*sizes);
   if (static_cast<std::int64_t>(words.size()) != *axes)
-    return badHeader(path, "does not state a size of each axis");
+    return malformed("bad-header", {"header-no-sizes", {quoted(path)}});
   std::int64_t room = std::numeric_limits<std::int64_t>::max() / 64;
   for (const std::string_view word : words) {
     const auto size = integerOf(word);
-    if (!size || *size < 1) return badHeader(path, "states a size that is no positive number");
+    if (!size || *size < 1)
+      return malformed("bad-header", {"header-size-not-positive", {quoted(path)}});
     if (*size > std::min<std::int64_t>(room, std::numeric_limits<std::int32_t>::max()))
-      return unsupported("too-large",
-                         "The header of " + quoted(path) +
-                             " states more voxels than any memory holds; export it again.");
+      return unsupported("too-large", {"header-too-many-voxels", {quoted(path)}});
     room /= *size;
     header.sizes.push_back(*size);
   }
@@ -173,7 +158,7 @@ Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHea
 
 Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* encoding = text.find("encoding");
-  if (encoding == nullptr) return badHeader(path, "states no encoding");
+  if (encoding == nullptr) return malformed("bad-header", {"nrrd-no-encoding", {quoted(path)}});
   const std::string name = lowered(*encoding);
   if (name == "raw")
     header.encoding = NrrdEncoding::Raw;
@@ -186,13 +171,11 @@ Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHead
   else if (name == "bz2" || name == "bzip2")
     header.encoding = NrrdEncoding::Bzip2;
   else
-    return unsupported("unsupported-syntax", "The voxels of " + quoted(path) +
-                                                 " are in an encoding that is unknown here; save "
-                                                 "them as raw or gzip.");
+    return unsupported("unsupported-syntax", {"nrrd-encoding-unknown", {quoted(path)}});
   const std::string* endian = text.find("endian");
   header.big_endian = endian != nullptr && lowered(*endian) == "big";
   if (header.encoding != NrrdEncoding::Ascii && header.bytes_per_voxel > 1 && endian == nullptr)
-    return badHeader(path, "does not state the byte order");
+    return malformed("bad-header", {"nrrd-no-byte-order", {quoted(path)}});
   const auto skip = [&](const char* name_of_field, const char* other, std::int64_t least,
                         std::int64_t& count) {
     const std::string* field = text.find(name_of_field, other);
@@ -204,7 +187,7 @@ Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHead
   };
   if (!skip("line skip", "lineskip", 0, header.line_skip) ||
       !skip("byte skip", "byteskip", -1, header.byte_skip))
-    return badHeader(path, "skips a number of lines or bytes that makes no sense");
+    return malformed("bad-header", {"nrrd-skips", {quoted(path)}});
   return {};
 }
 
@@ -239,8 +222,7 @@ std::vector<std::string> expanded(std::string_view pattern) {
 Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* field = text.find("data file", "datafile");
   if (field == nullptr) {
-    if (text.bytes == 0)
-      return malformed("truncated", quoted(path) + " ends with its header; fetch it again whole.");
+    if (text.bytes == 0) return malformed("truncated", {"nrrd-ends-with-header", {quoted(path)}});
     return {};
   }
   std::vector<std::string> names;
@@ -250,8 +232,7 @@ Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHea
     names = expanded(*field);
   else
     names = {*field};
-  if (names.empty())
-    return badHeader(path, "names its data files in a way that cannot be followed");
+  if (names.empty()) return malformed("bad-header", {"nrrd-data-file-names", {quoted(path)}});
   for (const std::string& name : names) {
     auto file = dataFileOf(path, name);
     if (!file) return tl::unexpected(std::move(file.error()));
@@ -297,10 +278,8 @@ Expected<void> checkNothingElse(const fs::path& path, const NrrdHeader& header,
     length = static_cast<std::int64_t>(fs::file_size(header.data_files.front(), error));
   if (header.encoding == NrrdEncoding::Gzip) length = gzipLength(header.data_files.front());
   if (error || length <= needed) return {};
-  return malformed("bad-header", "The data file of " + quoted(path) + " holds " +
-                                     std::to_string(length - needed) +
-                                     " bytes more than its voxels need and the header does not say "
-                                     "which; add a byte skip to the header.");
+  return malformed("bad-header",
+                   {"nrrd-bytes-unexplained", {quoted(path), std::to_string(length - needed)}});
 }
 
 /// "512 x 512 x 300".
@@ -329,9 +308,7 @@ Expected<void> checkCapacity(const fs::path& path, const NrrdHeader& header) {
     const bool holds = header.encoding == NrrdEncoding::Raw ? stored >= needed
                                                             : most >= static_cast<double>(needed);
     if (!holds)
-      return malformed("truncated", quoted(file) + " is too short for the " +
-                                        inWords(header.sizes) +
-                                        " voxels that its header states; copy or fetch it again.");
+      return malformed("truncated", {"nrrd-data-cut-off", {quoted(file), inWords(header.sizes)}});
   }
   return checkNothingElse(path, header, needed);
 }

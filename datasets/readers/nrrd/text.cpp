@@ -34,16 +34,17 @@ Expected<NrrdText> readNrrdText(const fs::path& path) {
   nextLine(line);
   const std::string_view magic = trimmed(line);
   if (!magic.starts_with("NRRD000") || magic.size() != 8 || magic[7] < '1' || magic[7] > '5')
-    return badHeader(path, "does not begin with NRRD0001 to NRRD0005");
+    return malformed("bad-header", {"nrrd-no-magic", {quoted(path)}});
   text.lines = std::string(magic) + "\n";
   bool listing = false, closed = false;
   while (nextLine(line)) {
     if (static_cast<std::int64_t>(in.tellg()) > kLongestHeader)
-      return badHeader(path, "is longer than 1 MB");
+      return malformed("bad-header", {"header-too-long", {quoted(path)}});
     const std::string_view content = trimmed(line);
     if (listing) {
       if (!content.empty()) text.listed_files.emplace_back(content);
-      if (text.listed_files.size() > kMostDataFiles) return badHeader(path, "lists too many files");
+      if (text.listed_files.size() > kMostDataFiles)
+        return malformed("bad-header", {"nrrd-too-many-files", {quoted(path)}});
       continue;
     }
     if (content.empty()) {
@@ -59,10 +60,11 @@ Expected<NrrdText> readNrrdText(const fs::path& path) {
     if (named && content.substr(colon + 1).starts_with('=')) continue;  // key and value
     // teem writes what it cannot parse into a message of fixed size, with words around it
     if (content.size() > kLongestField && field != "content")
-      return badHeader(path, "has a field that is too long");
+      return malformed("bad-header", {"nrrd-field-too-long", {quoted(path)}});
     if (!named) continue;
     const std::string_view value = trimmed(content.substr(colon + 1));
-    if (!text.fields.emplace(field, value).second) return badHeader(path, "states a field twice");
+    if (!text.fields.emplace(field, value).second)
+      return malformed("bad-header", {"header-field-twice", {quoted(path)}});
     listing = names_data && value.starts_with("LIST");
   }
   if (!closed) in.clear();

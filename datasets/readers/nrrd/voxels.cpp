@@ -97,15 +97,11 @@ FileSpace spaceOf(int space) {
 }
 
 tl::unexpected<haptics::Error> badUnit(const std::filesystem::path& path) {
-  return unsupported("bad-header", "The header of " + quoted(path) +
-                                       " measures its axes in a unit that is no length known here; "
-                                       "export it in millimetres.");
+  return unsupported("bad-header", {"nrrd-unit-unknown", {quoted(path)}});
 }
 
 tl::unexpected<haptics::Error> mixedUnits(const std::filesystem::path& path) {
-  return unsupported("bad-header", "The header of " + quoted(path) +
-                                       " measures its axes in different units; export it in "
-                                       "millimetres.");
+  return unsupported("bad-header", {"nrrd-units-differ", {quoted(path)}});
 }
 
 bool isSameUnit(const char* a, const char* b) {
@@ -128,9 +124,7 @@ Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const
     for (unsigned int c = 0; c < 3; ++c)
       geometry.steps_mm(c, a) = nrrd.axis[header.axes[a]].spaceDirection[c] * scale[c];
   if (!geometry.steps_mm.allFinite())
-    return malformed("bad-header", "An axis of " + quoted(path) +
-                                       " has no direction in space; export it again with its "
-                                       "geometry.");
+    return malformed("bad-header", {"nrrd-axis-no-direction", {quoted(path)}});
   for (unsigned int c = 0; c < 3; ++c) {
     const double origin = nrrd.spaceOrigin[c];
     geometry.origin_mm[c] = std::isnan(origin) ? 0.0 : origin * scale[c];
@@ -169,15 +163,11 @@ Expected<FileGeometry> plainGeometry(const std::filesystem::path& path, const Nr
         centre +
         (static_cast<double>(axis.size) - (axis.center == nrrdCenterNode ? 1.0 : 0.5)) * spacing;
     if (!std::isnan(axis.max) && std::abs(axis.max - end) > 0.01 * std::abs(spacing))
-      return malformed("bad-header", "The header of " + quoted(path) +
-                                         " states spacings that do not lead from its axis mins to "
-                                         "its axis maxs; export it again with its geometry.");
+      return malformed("bad-header", {"nrrd-spacing-contradicts-axis", {quoted(path)}});
   }
   stated = known > 0;
   if (known != 0 && known != 3)
-    return malformed("bad-header", "The header of " + quoted(path) +
-                                       " does not state the spacing of every axis; export it again "
-                                       "with its geometry.");
+    return malformed("bad-header", {"nrrd-spacing-missing", {quoted(path)}});
   return geometry;
 }
 
@@ -198,8 +188,7 @@ std::string unitOf(const Nrrd& nrrd) {
 }
 
 tl::unexpected<haptics::Error> headerRefused(const std::filesystem::path& path) {
-  return malformed("bad-header", "The header of " + quoted(path) +
-                                     " cannot be understood; export the volume again.");
+  return malformed("bad-header", {"nrrd-header-unreadable", {quoted(path)}});
 }
 
 std::optional<ScalarType> typeOfTeem(int teem_type) {
@@ -262,9 +251,7 @@ Expected<void> findVoxels(const NrrdHeader& header, StoredVoxels& stored) {
     stored.skip = 0;
   }
   if (stored.offset < 0)
-    return malformed("truncated", quoted(stored.file) +
-                                      " ends within what its header says to skip; copy or fetch "
-                                      "it again.");
+    return malformed("truncated", {"nrrd-ends-within-skip", {quoted(stored.file)}});
   return {};
 }
 
@@ -292,10 +279,7 @@ Expected<StoredVolumes> describe(const std::filesystem::path& path, const NrrdHe
 Expected<std::shared_ptr<void>> adopted(Nrrd& nrrd, std::int64_t bytes) {
   const auto size = static_cast<std::size_t>(bytes);
   void* grown = std::realloc(nrrd.data, size + haptics::kVoxelPadding);
-  if (grown == nullptr)
-    return unsupported("too-large",
-                       "The memory of this machine does not hold the volume; close "
-                       "other programs.");
+  if (grown == nullptr) return unsupported("too-large", {"memory-too-small-for-voxels", {}});
   nrrd.data = nullptr;
   std::memset(static_cast<char*>(grown) + size, 0, haptics::kVoxelPadding);
   return std::shared_ptr<void>(grown, [](void* p) { std::free(p); });
@@ -341,9 +325,8 @@ Expected<void> checkText(const std::filesystem::path& path, const NrrdHeader& he
       if (word.empty()) continue;
       ++read;
       if (!isValueOf(word, type))
-        return malformed("bad-header", "Voxel " + std::to_string(read) + " of " + quoted(path) +
-                                           " is written as something that is no value of its type; "
-                                           "export it again as raw.");
+        return malformed("bad-header",
+                         {"nrrd-value-unreadable", {std::to_string(read), quoted(path)}});
     }
   }
   return {};
@@ -353,7 +336,7 @@ Expected<void> checkText(const std::filesystem::path& path, const NrrdHeader& he
 Expected<NrrdPtr> decodedByTeem(const std::filesystem::path& path, const NrrdHeader& header,
                                 ScalarType type, const ReadProgress& progress) {
   const std::int64_t count = header.voxelCount();
-  if (auto room = checkRoom(count, header.bytes_per_voxel, kSaveRaw); !room)
+  if (auto room = checkRoom(count, header.bytes_per_voxel, adviceToSaveRaw()); !room)
     return tl::unexpected(std::move(room.error()));
   if (header.encoding == NrrdEncoding::Ascii)
     if (auto text = checkText(path, header, type); !text)
@@ -361,8 +344,7 @@ Expected<NrrdPtr> decodedByTeem(const std::filesystem::path& path, const NrrdHea
   NrrdPtr nrrd = load(path, header, true, progress);
   if (progress.isCancelled()) return cancelled();
   if (!nrrd || nrrd->data == nullptr)
-    return malformed("truncated", "The voxels of " + quoted(path) +
-                                      " end early or are damaged; copy or fetch the file again.");
+    return malformed("truncated", {"voxels-damaged", {quoted(path)}});
   if (nrrdElementNumber(nrrd.get()) != static_cast<std::size_t>(count)) return headerRefused(path);
   return nrrd;
 }

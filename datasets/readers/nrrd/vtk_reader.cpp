@@ -65,8 +65,7 @@ void lend(const haptics::Volume& volume, vtkImageData& image) {
 
 }  // namespace
 
-VtkNrrdReader::VtkNrrdReader()
-    : volume_(malformed("unreadable", "No NRRD file has been read yet.")) {
+VtkNrrdReader::VtkNrrdReader() : volume_(malformed("unreadable", {"nrrd-nothing-read", {}})) {
   SetNumberOfInputPorts(0);
 }
 

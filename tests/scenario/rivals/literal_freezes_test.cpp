@@ -12,6 +12,7 @@
 #include "datasets/readers/volume_reader.h"
 #include "haptics/simulation/closed_loop.h"
 #include "resources/named_tools.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -32,7 +33,7 @@ TEST_P(Rivals, LiteralFreezesWhereOursMovesAndAcceptInsideEnters) {
   const std::filesystem::path path = std::filesystem::path(PALPATE_SCANS) / scan.path;
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no scan at " << path;
   auto read = datasets::readVolume(path);
-  ASSERT_TRUE(read) << read.error().what;
+  ASSERT_TRUE(read) << sentence(read.error());
   const auto volume = std::make_shared<const haptics::Volume>(std::move(*read));
   auto tool = haptics::makeTool(scan.tool, *resources::namedToolMesh(scan.tool));
   ASSERT_TRUE(tool);
@@ -42,7 +43,7 @@ TEST_P(Rivals, LiteralFreezesWhereOursMovesAndAcceptInsideEnters) {
   // ours, with the hand in its grip; the rivals are given the device's path as it came out
   haptics::ClosedLoop loop{*scene, {.isovalue = scan.isovalue}, {}, {}, false, 1e-3};
   auto hand = haptics::Hand::aimed(scan.motion, **scene, scan.isovalue, 0.018, 1);
-  ASSERT_TRUE(hand) << hand.error().what;
+  ASSERT_TRUE(hand) << sentence(hand.error());
   std::vector<haptics::Pose> device;
   std::vector<reference::Record> ours;
   ASSERT_TRUE(loop.run(*hand, 2500, [&](const haptics::TraceRow& row) {

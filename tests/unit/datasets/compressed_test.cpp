@@ -20,6 +20,7 @@
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/codestreams.h"
 #include "tests/support/dicom_bytes.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -90,7 +91,7 @@ std::string plainSlice(const std::vector<std::uint16_t>& values, int columns = k
 
 std::string messageFor(const std::filesystem::path& path) {
   const auto volume = readVolume(path);
-  return volume ? "" : volume.error().what;
+  return volume ? "" : sentence(volume.error());
 }
 
 TEST(Codestream, AgreesWithItsHeaderOrSaysWhatDiffers) {
@@ -101,11 +102,11 @@ TEST(Codestream, AgreesWithItsHeaderOrSaysWhatDiffers) {
     const CodedImage right = imageOf(way);
     Codestream parsed;
     const auto fault = parseCodestream(asBytes(coded), right, parsed);
-    ASSERT_FALSE(fault) << fault->why;
+    ASSERT_FALSE(fault) << sentence(fault->why);
     EXPECT_EQ(parsed.precision, 16);
     const auto differs = [&](const CodedImage& wrong) {
       const auto found = parseCodestream(asBytes(coded), wrong, parsed);
-      return found && found->disagrees && found->why.size() > 20;
+      return found && found->disagrees && sentence(found->why).size() > 20;
     };
     CodedImage wrong = right;
     wrong.bits_allocated = wrong.bits_stored = 8;
@@ -135,7 +136,7 @@ TEST(Codestream, OfColourIsNoSlice) {
     const CodedImage grey{syntax, kColumns, kRows, 8, 8, false};
     const auto fault = parseCodestream(asBytes(coded), grey, parsed);
     ASSERT_TRUE(fault);
-    EXPECT_NE(fault->why.find("3 components"), std::string::npos) << fault->why;
+    EXPECT_NE(sentence(fault->why).find("3 components"), std::string::npos) << sentence(fault->why);
   }
 }
 
@@ -197,9 +198,9 @@ TEST(Codestream, OfASmallFileAsksForNoLargeImage) {
   Codestream parsed;
   const auto fault = parseCodestream(asBytes(coded), image, parsed);
   ASSERT_TRUE(fault);
-  EXPECT_NE(fault->why.find("too few"), std::string::npos) << fault->why;
+  EXPECT_NE(sentence(fault->why).find("too few"), std::string::npos) << sentence(fault->why);
   image.columns = image.rows = 65'500;
-  EXPECT_NE(parseCodestream(asBytes(coded), image, parsed)->why.find("any slice"),
+  EXPECT_NE(sentence(parseCodestream(asBytes(coded), image, parsed)->why).find("any slice"),
             std::string::npos);
 }
 
@@ -226,12 +227,12 @@ TEST(CompressedSlice, IsThePlainOneToTheVoxel) {
   Workshop workshop;
   const std::string plain = plainSlice(values);
   const auto expected = readVolume(workshop.write("plain/0", plain));
-  ASSERT_TRUE(expected) << expected.error().what;
+  ASSERT_TRUE(expected) << sentence(expected.error());
   for (const Way& way : ways()) {
     const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
     const auto v = readVolume(
         workshop.write(std::string(way.name) + "/0", encapsulated(plain, way.syntax, {coded})));
-    ASSERT_TRUE(v) << way.name << ": " << v.error().what;
+    ASSERT_TRUE(v) << way.name << ": " << sentence(v.error());
     for (int j = 0; j < kRows; ++j)
       for (int i = 0; i < kColumns; ++i)
         ASSERT_EQ(voxelAt(*v, i, j, 0), voxelAt(*expected, i, j, 0)) << way.name;
@@ -251,7 +252,7 @@ TEST(CompressedSlice, WithSignIsThePlainOneToTheVoxel) {
                                   : way.encode(raster);
     const auto v = readVolume(
         workshop.write(std::string(way.name) + "/0", encapsulated(plain, way.syntax, {coded})));
-    ASSERT_TRUE(v) << way.name << ": " << v.error().what;
+    ASSERT_TRUE(v) << way.name << ": " << sentence(v.error());
     for (int n = 0; n < kColumns * kRows; ++n)
       ASSERT_EQ(voxelAt(*v, n % kColumns, n / kColumns, 0),
                 static_cast<std::int16_t>(values[static_cast<std::size_t>(n)]))
@@ -378,7 +379,7 @@ std::string statusOf(pid_t process, const std::string& key) {
 
 TEST(Decoder, IsAProcessOfItsOwnThatMayNothingElse) {
   auto decoder = Decoder::start(4096, 4096);
-  ASSERT_TRUE(decoder) << decoder.error().what;
+  ASSERT_TRUE(decoder) << sentence(decoder.error());
   const auto running = decodersRunning();
   ASSERT_EQ(running.size(), 1u);
   if (!made::kSanitized) {

@@ -8,6 +8,7 @@
 #include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/dicom_bytes.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -39,14 +40,14 @@ TEST(DicomReader, ACopyOfASliceIsLeftOutAndSaid) {
   writeSlices(workshop, {0, 1, 2, 3});
   fs::copy_file(workshop.folder() / "2", workshop.folder() / "copy");
   const auto v = readVolume(workshop.folder());
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->grid.dims[2], 4);
   for (int k = 0; k < 4; ++k) EXPECT_EQ(voxelAt(*v, 0, 0, k), k);
   const auto said = survey(workshop.folder());
   ASSERT_TRUE(said);
   EXPECT_EQ(said->series.at(0).verdict, Verdict::Sound);
   EXPECT_EQ(said->series.at(0).reasons, std::vector<std::string>{"duplicate"});
-  EXPECT_NE(said->series.at(0).message.find("1 other copy"), std::string::npos);
+  EXPECT_NE(sentence(said->series.at(0).message).find("1 other copy"), std::string::npos);
   // of a copy that is cut off the other is taken, whichever comes first
   fs::resize_file(workshop.folder() / "2", fs::file_size(workshop.folder() / "2") - 1);
   EXPECT_EQ(reasonFor(workshop.folder()), "");
@@ -65,13 +66,13 @@ TEST(DicomReader, OfASeriesThatLacksSlicesTheLargestPartIsReadIfTheUserAgrees) {
   EXPECT_EQ(series.unbroken_part->of, 9);
   EXPECT_NEAR(series.unbroken_part->from_mm, 14.0, 1e-9);
   EXPECT_NEAR(series.unbroken_part->to_mm, 17.004, 1e-9);
-  EXPECT_NE(series.message.find("4 of the 9 slices that are there, from 14.0 to 17.0 mm"),
+  EXPECT_NE(sentence(series.message).find("4 of the 9 slices that are there, from 14.0 to 17.0 mm"),
             std::string::npos)
-      << series.message;
+      << sentence(series.message);
   // never without being told to
   EXPECT_FALSE(readVolume(series));
   const auto v = readVolume(series, {.largest_part = true});
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->slices_left_out, 5);
   EXPECT_EQ(v->grid.dims[2], 4);
   // its own positions, and nothing made up
@@ -80,7 +81,7 @@ TEST(DicomReader, OfASeriesThatLacksSlicesTheLargestPartIsReadIfTheUserAgrees) {
   EXPECT_FALSE(v->resampled);
   for (int k = 0; k < 4; ++k) EXPECT_EQ(voxelAt(*v, 0, 0, k), 3 + k);
   const auto by_path = readVolume(workshop.folder(), {.largest_part = true});
-  ASSERT_TRUE(by_path) << by_path.error().what;
+  ASSERT_TRUE(by_path) << sentence(by_path.error());
   EXPECT_EQ(by_path->grid.dims[2], 4);
 }
 
@@ -91,7 +92,7 @@ TEST(DicomReader, OfASoundSeriesTheLargestPartIsAllOfIt) {
   ASSERT_TRUE(said);
   EXPECT_FALSE(said->series.at(0).unbroken_part);
   const auto v = readVolume(workshop.folder(), {.largest_part = true});
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->grid.dims[2], 3);
   EXPECT_EQ(v->slices_left_out, 0);
 }
@@ -119,7 +120,7 @@ TEST(DicomReader, TwoImagesAtOnePlaceAreNoStack) {
   EXPECT_EQ(reasonFor(workshop.folder()), "duplicate");
   // but a file that is named stands for itself
   const auto v = readVolume(workshop.folder() / "2");
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(voxelAt(*v, 0, 0, 1), 2.0);
 }
 
@@ -139,7 +140,7 @@ TEST(DicomReader, PaddingCountsAsAir) {
     workshop.write(std::to_string(k), bytesOf(slice));
   }
   const auto v = readVolume(workshop.folder());
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->padded, 3);
   EXPECT_EQ(v->unit, "HU");
   // -2001 is no padding: what is left is the least, and so the air
@@ -159,7 +160,7 @@ TEST(DicomReader, PaddingThatTheVoxelsCannotHoldIsNoVoxel) {
   slice.pixels = {-10, 32757};
   slice.padding = {32760};  // beyond int16 once it is rescaled, and its end is a voxel
   const auto v = readVolume(workshop.write("a", bytesOf(slice)));
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->padded, 0);
   EXPECT_EQ(voxelAt(*v, 1, 0, 0), 32767.0);
   // where all is padding nothing is known to be air
@@ -167,7 +168,7 @@ TEST(DicomReader, PaddingThatTheVoxelsCannotHoldIsNoVoxel) {
   slice.pixels = {7, 7};
   slice.padding = {7};
   const auto all = readVolume(workshop.write("b", bytesOf(slice)));
-  ASSERT_TRUE(all) << all.error().what;
+  ASSERT_TRUE(all) << sentence(all.error());
   EXPECT_EQ(all->padded, 0);
   EXPECT_EQ(voxelAt(*all, 1, 0, 0), 17.0);
 }
@@ -191,7 +192,7 @@ TEST(DicomReader, FilesWithoutPreambleOrMetaHeaderAreRead) {
     Workshop workshop;
     for (const fs::path& path : {workshop.write("slice", bytes), workshop.folder()}) {
       const auto v = readVolume(path);
-      ASSERT_TRUE(v) << v.error().what;
+      ASSERT_TRUE(v) << sentence(v.error());
       EXPECT_EQ(voxelAt(*v, 0, 0, 0), -5.0);
       EXPECT_EQ(voxelAt(*v, 1, 0, 0), 700.0);
       EXPECT_NEAR(v->grid.origin.z(), 3e-3, 1e-12);
@@ -234,11 +235,11 @@ TEST(DicomReader, WhatIsMeantToBeShownInvertedKeepsItsValues) {
   Workshop workshop;
   const fs::path path = workshop.write("slice", bytes);
   const auto v = readVolume(path);
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(voxelAt(*v, 0, 0, 0), -5.0);
   EXPECT_EQ(voxelAt(*v, 1, 0, 0), 700.0);
   const auto picture = thumbnailOf(survey(path)->series.at(0), 2);
-  ASSERT_TRUE(picture) << picture.error().what;
+  ASSERT_TRUE(picture) << sentence(picture.error());
   EXPECT_EQ(picture->grey, (std::vector<std::uint8_t>{255, 0}));
 }
 
@@ -258,19 +259,19 @@ TEST(DicomReader, AFolderIsSearchedWithAllFoldersInIt) {
   fs::create_directory_symlink(workshop.folder() / "elsewhere", disk / "link");
   workshop.write("disk/readme.txt", "no scan");
   const auto v = readVolume(disk);
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   ASSERT_EQ(v->grid.dims[2], 4);
   for (int k = 0; k < 4; ++k) EXPECT_EQ(voxelAt(*v, 0, 0, k), k);
   // an NRRD beside it is another thing to load, and comes after the series
   ASSERT_TRUE(writeNrrd(*v, disk / "a/volume.nrrd"));
   EXPECT_EQ(reasonFor(disk), "which-series");
   const auto said = survey(disk);
-  ASSERT_TRUE(said) << said.error().what;
+  ASSERT_TRUE(said) << sentence(said.error());
   ASSERT_EQ(said->series.size(), 2u);
   EXPECT_EQ(said->series[0].file_count, 4);
   EXPECT_EQ(said->series[0].bytes, 4 * 2);
   const auto nrrd = readVolume(said->series[1]);
-  ASSERT_TRUE(nrrd) << nrrd.error().what;
+  ASSERT_TRUE(nrrd) << sentence(nrrd.error());
   EXPECT_EQ(nrrd->grid.dims, v->grid.dims);
 }
 
@@ -299,7 +300,7 @@ TEST(DicomReader, FilesWithoutASeriesBelongToTheirFolder) {
     workshop.write((k < 3 ? "a/" : "b/") + std::to_string(k), bytesOf(slice));
   }
   const auto said = survey(workshop.folder());
-  ASSERT_TRUE(said) << said.error().what;
+  ASSERT_TRUE(said) << sentence(said.error());
   ASSERT_EQ(said->series.size(), 2u);
   for (const SeriesVerdict& series : said->series) EXPECT_EQ(series.dims[2], 3);
 }
@@ -309,8 +310,8 @@ TEST(DicomReader, EmptyFilesBesideTheSlicesAreSaid) {
   writeSlices(workshop, {0, 1, 2, 3});
   workshop.write("4", "");
   const auto said = survey(workshop.folder());
-  ASSERT_TRUE(said) << said.error().what;
-  EXPECT_NE(said->series.at(0).message.find("1 empty file lies"), std::string::npos);
+  ASSERT_TRUE(said) << sentence(said.error());
+  EXPECT_NE(sentence(said->series.at(0).message).find("1 empty file lies"), std::string::npos);
 }
 
 TEST(DicomReader, APartIsTheSameVoxelsAtTheSamePlaces) {
@@ -329,13 +330,13 @@ TEST(DicomReader, APartIsTheSameVoxelsAtTheSamePlaces) {
     workshop.write(std::to_string(k), bytesOf(slice));
   }
   const auto whole = readVolume(workshop.folder());
-  ASSERT_TRUE(whole) << whole.error().what;
+  ASSERT_TRUE(whole) << sentence(whole.error());
   const Part::Box box{{1, 0, 2}, {7, 4, 6}};
   // the last has padding and, of its slice, not the least value that becomes of it
   for (const Part& part :
        {Part{2, {}}, Part{1, box}, Part{3, box}, Part{1, Part::Box{{3, 0, 0}, {7, 1, 1}}}}) {
     const auto v = readVolume(workshop.folder(), {.part = part});
-    ASSERT_TRUE(v) << v.error().what;
+    ASSERT_TRUE(v) << sentence(v.error());
     const auto from = part.box ? part.box->first : std::array<std::int64_t, 3>{};
     const auto to = part.box ? part.box->end : whole->grid.dims;
     for (std::size_t a = 0; a < 3; ++a)
@@ -369,8 +370,8 @@ TEST(DicomReader, WhatIsWrongWithSingleFilesIsListed) {
   const SeriesVerdict& series = said->series.at(0);
   EXPECT_EQ(series.verdict, Verdict::Refused);
   ASSERT_EQ(series.faults.size(), 2u);
-  EXPECT_TRUE(series.faults[0].starts_with("\"1\": ")) << series.faults[0];
-  EXPECT_TRUE(series.faults[1].starts_with("\"3\": ")) << series.faults[1];
+  EXPECT_TRUE(sentence(series.faults[0]).starts_with("\"1\": ")) << sentence(series.faults[0]);
+  EXPECT_TRUE(sentence(series.faults[1]).starts_with("\"3\": ")) << sentence(series.faults[1]);
 }
 
 /// Sequences in each other, each with one item, written between a slice's other elements.

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -38,9 +39,9 @@ TEST(DicomReader, HeadSlabIsTheSameRegionOfTheHead) {
   NEEDS_SCAN(slab_path);
   NEEDS_SCAN(head_path);
   const auto slab = readVolume(slab_path);
-  ASSERT_TRUE(slab) << slab.error().what;
+  ASSERT_TRUE(slab) << sentence(slab.error());
   const auto head = readVolume(head_path);
-  ASSERT_TRUE(head) << head.error().what;
+  ASSERT_TRUE(head) << sentence(head.error());
 
   EXPECT_EQ(slab->grid.dims, (std::array<std::int64_t, 3>{512, 512, 32}));
   EXPECT_EQ(slab->type, ScalarType::Int16);
@@ -89,7 +90,7 @@ TEST(DicomReader, PhantomOfOneMillimetre) {
   const fs::path path = scan("philips_head_phantom/bone_1mm");
   NEEDS_SCAN(path);
   const auto v = readVolume(path);
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->grid.dims, (std::array<std::int64_t, 3>{512, 512, 48}));
   EXPECT_LT((1e3 * v->grid.spacing - Vec3(0.451171875, 0.451171875, 1)).norm(), 1e-12);
   EXPECT_LT((1e3 * v->grid.origin - Vec3(-115.5, -1.85, 694.21)).norm(), 1e-9);
@@ -108,7 +109,7 @@ TEST(DicomReader, UnequalPixelsAndFractionalRescale) {
   const fs::path path = scan("dicom_oddities/series_non_isotropic_slope");
   NEEDS_SCAN(path);
   const auto v = readVolume(path);
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->grid.dims, (std::array<std::int64_t, 3>{64, 28, 4}));
   EXPECT_NEAR(1e3 * v->grid.spacing.x(), 6.4, 1e-3);
   EXPECT_NEAR(1e3 * v->grid.spacing.y(), 4.0, 1e-3);
@@ -166,13 +167,13 @@ TEST(DicomReader, ATiltedSeriesIsStraightenedIfTheUserAgrees) {
   ASSERT_EQ(said->series.size(), 1u);
   EXPECT_EQ(said->series[0].verdict, Verdict::Correctable);
   EXPECT_EQ(said->series[0].reasons, std::vector<std::string>{"gantry-tilt"});
-  EXPECT_NE(said->series[0].message.find("16.5 degrees"), std::string::npos);
+  EXPECT_NE(sentence(said->series[0].message).find("16.5 degrees"), std::string::npos);
   const auto as_stored = readVolume(path);
   ASSERT_FALSE(as_stored);
   EXPECT_EQ(as_stored.error().kind, haptics::Error::Kind::Correctable);
 
   const auto corrected = readVolume(path, {.geometry = Geometry::Corrected});
-  ASSERT_TRUE(corrected) << corrected.error().what;
+  ASSERT_TRUE(corrected) << sentence(corrected.error());
   EXPECT_TRUE(corrected->resampled);
   const haptics::Grid& grid = corrected->grid;
   EXPECT_EQ(grid.dims[0], 512);
@@ -185,7 +186,7 @@ TEST(DicomReader, ATiltedSeriesIsStraightenedIfTheUserAgrees) {
   for (const fs::path& file : filesIn(path)) {
     Workshop workshop;
     auto slice = readVolume(workshop.copy(file));
-    ASSERT_TRUE(slice) << slice.error().what;
+    ASSERT_TRUE(slice) << sentence(slice.error());
     slices.push_back(std::move(*slice));
   }
   std::sort(slices.begin(), slices.end(), [&](const auto& a, const auto& b) {
@@ -241,7 +242,7 @@ TEST(DicomReader, EnhancedFramesLieWhereTheirGroupsSay) {
     const fs::path path = scan("dicom_oddities/multiframe") / said.name;
     NEEDS_SCAN(path);
     const auto v = readVolume(path);
-    ASSERT_TRUE(v) << said.name << ": " << v.error().what;
+    ASSERT_TRUE(v) << said.name << ": " << sentence(v.error());
     const auto frames = std::int64_t(said.positions_mm.size());
     EXPECT_EQ(v->grid.dims[2], frames);
     EXPECT_LT((1e3 * v->grid.spacing - said.spacing_mm).norm(), 2e-3) << said.name;
@@ -299,7 +300,7 @@ TEST(DicomReader, LosslessSyntaxesGiveEqualVoxels) {
       ASSERT_FALSE(v) << fragment;
       EXPECT_EQ(v.error().reason, "unsupported-syntax") << fragment;
     } else {
-      ASSERT_TRUE(v) << fragment << ": " << v.error().what;
+      ASSERT_TRUE(v) << fragment << ": " << sentence(v.error());
       EXPECT_EQ(differing(*plain, *v, tolerance), 0) << fragment;
     }
   }
@@ -309,7 +310,7 @@ TEST(DicomReader, MixedFolderListsItsSeries) {
   const fs::path folder = scan("philips_head_phantom/mixed_series_one_folder");
   NEEDS_SCAN(folder);
   const auto said = survey(folder);
-  ASSERT_TRUE(said) << said.error().what;
+  ASSERT_TRUE(said) << sentence(said.error());
   std::map<std::string, int> verdicts;
   int stacks = 0;
   for (const SeriesVerdict& s : said->series) {
@@ -356,7 +357,8 @@ TEST(DicomReader, AMissingSliceIsSeen) {
   const auto v = readVolume(workshop.folder());
   ASSERT_FALSE(v);
   EXPECT_EQ(v.error().reason, "missing-slices");
-  EXPECT_NE(v.error().what.find("1 slice is missing"), std::string::npos) << v.error().what;
+  EXPECT_NE(sentence(v.error()).find("1 slice is missing"), std::string::npos)
+      << sentence(v.error());
 }
 
 TEST(DicomReader, SentencesHoldNoIdentifiers) {
@@ -366,7 +368,7 @@ TEST(DicomReader, SentencesHoldNoIdentifiers) {
     const auto said = survey(scan(name));
     ASSERT_TRUE(said) << name;
     for (const SeriesVerdict& s : said->series)
-      EXPECT_EQ(s.message.find("1.2."), std::string::npos) << s.message;
+      EXPECT_EQ(sentence(s.message).find("1.2."), std::string::npos) << sentence(s.message);
   }
 }
 

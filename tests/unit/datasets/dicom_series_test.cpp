@@ -12,6 +12,7 @@
 #include <string>
 
 #include "datasets/readers/dicom/straighten.h"
+#include "tests/support/sentence.h"
 
 namespace datasets {
 namespace {
@@ -55,7 +56,7 @@ TEST(DicomSeries, ShuffledSlicesAreOrderedAlongTheNormal) {
   auto slices = stack({0, 1.25, 2.5, 3.75, 5, 6.25});
   std::shuffle(slices.begin(), slices.end(), std::mt19937(3));
   const auto verdict = stackOf(slices);
-  ASSERT_TRUE(verdict) << verdict.error().what;
+  ASSERT_TRUE(verdict) << sentence(verdict.error());
   for (std::size_t k = 0; k < slices.size(); ++k) {
     const auto grid = gridOf(verdict->geometry);
     ASSERT_TRUE(grid);
@@ -136,8 +137,8 @@ TEST(DicomSeries, TiltedAndUnevenStacksCanBeStraightened) {
   EXPECT_EQ(crookedFor(stack({0, 1, 2, 3.5}, -20.0)), "gantry-tilt");
   const auto verdict = stackOf(stack({0, 1, 2, 3}, 12.0));
   ASSERT_TRUE(verdict);
-  const std::string& sentence = verdict->crooked->why.what;
-  EXPECT_NE(sentence.find("12 degrees"), std::string::npos) << sentence;
+  const std::string why = sentence(verdict->crooked->why);
+  EXPECT_NE(why.find("12 degrees"), std::string::npos) << why;
 }
 
 // linear interpolation keeps what is linear: wherever slices reach, the straightened box has the

@@ -15,6 +15,7 @@
 #include "datasets/readers/dicom/values.h"
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/dicom_bytes.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -76,7 +77,8 @@ TEST(DicomStrict, NumbersInAnotherNotationAreRefused) {
     Workshop workshop;
     writeStack(workshop, "s", 2, 0.0, {{group, tag, "DS", text}});
     const auto v = readVolume(workshop.folder());
-    return !v && v.error().reason == "bad-header" && v.error().what.find('"') != std::string::npos;
+    return !v && v.error().reason == "bad-header" &&
+           sentence(v.error()).find('"') != std::string::npos;
   };
   for (const char* spacing : {"1,5\\1,5", "1.5", "1.5\\", "1.5\\1.5\\1.5", "nan\\1", "1 .5\\1.5"})
     EXPECT_TRUE(refused(0x28, 0x30, spacing)) << spacing;
@@ -168,7 +170,7 @@ TEST(DicomStrict, PaddingThatIsEmptyIsNone) {
   Workshop workshop;
   writeStack(workshop, "s", 2, 0.0, {{0x28, 0x120, "SS", ""}, {0x28, 0x103, "US", number(1, 2)}});
   const auto v = readVolume(workshop.folder());
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->padded, 0);
   EXPECT_EQ(voxelAt(*v, 1, 1, 0), 0.0);
   // nor does an empty sign mean none
@@ -200,7 +202,7 @@ TEST(DicomStrict, OneIdentifierForAllImagesLosesNone) {
   writeStack(workshop, "s", 3, 0.0, {{8, 0x18, "UI", "1.2.3.4.5"}});
   for (const fs::path& path : {workshop.folder(), workshop.folder() / "s1"}) {
     const auto v = readVolume(path);
-    ASSERT_TRUE(v) << v.error().what;
+    ASSERT_TRUE(v) << sentence(v.error());
     EXPECT_EQ(v->grid.dims[2], 3);
   }
   // nor is one that is damaged a copy of another
@@ -232,7 +234,7 @@ TEST(DicomStrict, SlicesOfTwoAreNoStackOfOne) {
       EXPECT_EQ(reasonFor(workshop.folder()), "which-series") << kind;
       if (!blank_series) {
         const auto v = readVolume(workshop.folder() / "b0");
-        ASSERT_TRUE(v) << v.error().what;
+        ASSERT_TRUE(v) << sentence(v.error());
         EXPECT_EQ(v->grid.dims[2], 4) << kind;
       }
     }
@@ -291,7 +293,8 @@ TEST(DicomStrict, ACopyInTextModeIsRefused) {
   }
   const auto v = readVolume(workshop.write("text/s", copy));
   ASSERT_FALSE(v);
-  EXPECT_NE(v.error().what.find("as if it were text"), std::string::npos) << v.error().what;
+  EXPECT_NE(sentence(v.error()).find("as if it were text"), std::string::npos)
+      << sentence(v.error());
   EXPECT_EQ(reasonFor(workshop.write("more/s", bytes + "junk")), "truncated");
   EXPECT_EQ(reasonFor(workshop.write("zeros/s", bytes + std::string(2, '\0'))), "");
 }
@@ -303,20 +306,21 @@ TEST(DicomStrict, ADamagedFileBesideASeriesIsToldFromThatSeries) {
   // a header that breaks off before it names its series
   workshop.write("torn", damaged.substr(0, damaged.rfind("1.2.840.10008.5.1.4.1.1.2") + 12));
   const auto counts = [](const SeriesVerdict& series) {
-    return series.message.find("1 damaged DICOM file lies beside the slices") != std::string::npos;
+    return sentence(series.message).find("1 damaged DICOM file lies beside the slices") !=
+           std::string::npos;
   };
   const auto all = survey(workshop.folder());
-  ASSERT_TRUE(all) << all.error().what;
+  ASSERT_TRUE(all) << sentence(all.error());
   ASSERT_EQ(all->series.size(), 2u);
   int sound = 0;
   for (const SeriesVerdict& series : all->series) {
     sound += series.verdict == Verdict::Sound ? 1 : 0;
-    EXPECT_EQ(counts(series), series.verdict == Verdict::Sound) << series.message;
+    EXPECT_EQ(counts(series), series.verdict == Verdict::Sound) << sentence(series.message);
   }
   EXPECT_EQ(sound, 1);
   const auto named = survey(workshop.folder() / "s1");
-  ASSERT_TRUE(named) << named.error().what;
-  EXPECT_TRUE(counts(named->series.front())) << named->series.front().message;
+  ASSERT_TRUE(named) << sentence(named.error());
+  EXPECT_TRUE(counts(named->series.front())) << sentence(named->series.front().message);
 }
 
 TEST(DicomStrict, AnIndexStandsForItsFolder) {
@@ -327,7 +331,7 @@ TEST(DicomStrict, AnIndexStandsForItsFolder) {
                 std::string("1.2.840.10008.1.3.10") + std::string(5, '\0'));
   workshop.write("DICOMDIR", index);
   const auto v = readVolume(workshop.folder() / "DICOMDIR");
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->grid.dims[2], 3);
 }
 
@@ -346,10 +350,11 @@ TEST(DicomStrict, AFileThatMayNotBeReadIsSaidToBeThat) {
     if (geteuid() == 0 && setuid(kNobody) != 0) _exit(9);
     const auto one = readVolume(workshop.folder() / "s2");
     const auto all = survey(workshop.folder());
-    const bool said = !one && one.error().what.find("may not be read") != std::string::npos;
-    const bool warned = all && all->series.size() == 1 &&
-                        all->series.front().message.find(
-                            "1 file beside the slices may not be read") != std::string::npos;
+    const bool said = !one && sentence(one.error()).find("may not be read") != std::string::npos;
+    const bool warned =
+        all && all->series.size() == 1 &&
+        sentence(all->series.front().message).find("1 file beside the slices may not be read") !=
+            std::string::npos;
     _exit((said ? 0 : 1) + (warned ? 0 : 2));
   }
   int status = 0;

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/packed.h"
 #include "tests/unit/datasets/scans.h"
 
@@ -77,14 +78,14 @@ TEST(MetaImage, IsReadInEveryForm) {
   for (const auto& [name, bytes] : files) {
     const fs::path path = workshop.write(name, bytes);
     const auto v = readVolume(path);
-    ASSERT_TRUE(v) << name << ": " << v.error().what;
+    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
     EXPECT_EQ(v->type, ScalarType::Int16);
     EXPECT_TRUE(v->orientation_known) << name;
     for (int n = 0; n < 60; ++n) ASSERT_EQ(voxelAt(*v, n % 5, n / 5 % 4, n / 20), n) << name;
     // i along y, j along z, k along -x
     EXPECT_LT((v->grid.worldOf({4, 2, 1}) - Vec3(0.006, 0.028, 0.036)).norm(), 1e-12) << name;
     const auto part = readVolume(path, {.part = {.step = 2}});
-    ASSERT_TRUE(part) << name << ": " << part.error().what;
+    ASSERT_TRUE(part) << name << ": " << sentence(part.error());
     EXPECT_EQ(voxelAt(*part, 2, 1, 1), 4 + 5 * (2 + 4 * 2)) << name;
 
     vtkNew<vtkMetaImageReader> reader;
@@ -115,7 +116,7 @@ TEST(MetaImage, WhatVtkWritesIsReadWithoutASide) {
     writer->SetCompression(compressed);
     writer->Write();
     const auto v = readVolume(path);
-    ASSERT_TRUE(v) << v.error().what;
+    ASSERT_TRUE(v) << sentence(v.error());
     for (int n = 0; n < 60; ++n) ASSERT_EQ(voxelAt(*v, n % 5, n / 5 % 4, n / 20), 0.5 * n);
     EXPECT_LT((1e3 * v->grid.spacing - Vec3(0.5, 0.25, 2.0)).norm(), 1e-12);
     EXPECT_LT((1e3 * v->grid.origin - Vec3(1, 2, 3)).norm(), 1e-12);
@@ -130,7 +131,8 @@ TEST(MetaImage, OrientationIsKnownFromAMatrixOnly) {
     const auto found = survey(workshop.write(
         "v.mha",
         metaHeader(fields + "ElementSpacing = 1 1 1\nElementDataFile = LOCAL\n") + ramp()));
-    EXPECT_EQ(found->series.front().verdict, Verdict::Sound) << found->series.front().message;
+    EXPECT_EQ(found->series.front().verdict, Verdict::Sound)
+        << sentence(found->series.front().message);
     return found->series.front().reasons.empty();
   };
   const std::string matrix = "TransformMatrix = 1 0 0 0 1 0 0 0 1\n";
@@ -149,7 +151,7 @@ TEST(MetaImage, ASpacingThatIsAssumedIsSaid) {
   ASSERT_TRUE(found);
   const SeriesVerdict& verdict = found->series.front();
   EXPECT_EQ(verdict.reasons, std::vector<std::string>{"spacing-unknown"});
-  EXPECT_NE(verdict.message.find("1 mm"), std::string::npos) << verdict.message;
+  EXPECT_NE(sentence(verdict.message).find("1 mm"), std::string::npos) << sentence(verdict.message);
 }
 
 TEST(MetaImage, TypesUnitsAndValues) {
@@ -169,7 +171,7 @@ TEST(MetaImage, TypesUnitsAndValues) {
                    "ElementDataFile = LOCAL\n",
                    name) +
             type.second));
-    ASSERT_TRUE(v) << name << ": " << v.error().what;
+    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
     EXPECT_EQ(v->type, type.first) << name;
     EXPECT_EQ(voxelAt(*v, 4, 3, 2), 59) << name;
     EXPECT_EQ(v->modality, "CT");

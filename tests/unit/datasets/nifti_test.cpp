@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/nifti_bytes.h"
 #include "tests/unit/datasets/packed.h"
 #include "tests/unit/datasets/scans.h"
@@ -54,14 +55,14 @@ TEST(NiftiFile, IsReadInBothVersionsAndByteOrdersPackedOrNot) {
         const std::string bytes = packed ? deflated(bytesOf(n)) : bytesOf(n);
         const fs::path path = workshop.write(packed ? "v.nii.gz" : "v.nii", bytes);
         const auto v = readVolume(path);
-        ASSERT_TRUE(v) << version << big << packed << ": " << v.error().what;
+        ASSERT_TRUE(v) << version << big << packed << ": " << sentence(v.error());
         EXPECT_TRUE(v->orientation_known);
         EXPECT_EQ(v->type, ScalarType::Int16);
         for (int i = 0; i < 60; ++i) ASSERT_EQ(voxelAt(*v, i % 5, i / 5 % 4, i / 20), i);
         // R and A become L and P
         EXPECT_LT((v->grid.worldOf({4, 2, 1}) - Vec3(-0.006, -0.028, 0.036)).norm(), 1e-9);
         const auto part = readVolume(path, {.part = {.step = 2}});
-        ASSERT_TRUE(part) << part.error().what;
+        ASSERT_TRUE(part) << sentence(part.error());
         EXPECT_EQ(voxelAt(*part, 2, 1, 1), 4 + 5 * (2 + 4 * 2));
       }
 }
@@ -78,7 +79,7 @@ TEST(NiftiFile, AQuaternionPlacesAsItsMatrixDoes) {
     n.pixdim[0] = mirror;
     const fs::path path = workshop.write("v.nii", bytesOf(n));
     const auto v = readVolume(path);
-    ASSERT_TRUE(v) << v.error().what;
+    ASSERT_TRUE(v) << sentence(v.error());
     EXPECT_LT((v->grid.worldOf({4, 2, 1}) - 1e-3 * Vec3(-10 - 4 * mirror, -20 - 8, 30 + 6)).norm(),
               1e-8);
     EXPECT_EQ(voxelAt(*v, 4, 2, 1), 4 + 5 * (2 + 4 * 1));  // no slice is turned about
@@ -121,7 +122,7 @@ TEST(NiftiFile, WhatVtkWritesIsPlacedAsItWas) {
     writer->SetFileName(path.c_str());
     writer->Write();
     const auto v = readVolume(path);
-    ASSERT_TRUE(v) << name << ": " << v.error().what;
+    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
     for (int n = 0; n < 60; ++n) ASSERT_EQ(voxelAt(*v, n % 5, n / 5 % 4, n / 20), n);
     const Vec3 ras(10 + 0.6 * 0.5 * 4 - 0.8 * 0.25 * 2, 20 + 0.8 * 0.5 * 4 + 0.6 * 0.25 * 2, 32);
     EXPECT_LT((v->grid.worldOf({4, 2, 1}) - 1e-3 * Vec3(-ras.x(), -ras.y(), ras.z())).norm(), 1e-8);
@@ -167,7 +168,7 @@ TEST(NiftiFile, OffersItsVolumes) {
         workshop.write(name, fs::path(name).extension() == ".gz" ? deflated(bytes) : bytes);
     EXPECT_EQ(readVolume(path).error().reason, "which-series");
     const auto v = readVolume(path, {.series = 1});
-    ASSERT_TRUE(v) << v.error().what;
+    ASSERT_TRUE(v) << sentence(v.error());
     EXPECT_EQ(voxelAt(*v, 4, 3, 2), 159);
   }
 }
@@ -179,7 +180,7 @@ TEST(NiftiFile, RescalesAndKeepsWholeNumbersWhole) {
     n.slope = slope;
     n.intercept = intercept;
     auto v = readVolume(workshop.write("v.nii", bytesOf(n)));
-    EXPECT_TRUE(v) << v.error().what;
+    EXPECT_TRUE(v) << sentence(v.error());
     return std::move(*v);
   };
   EXPECT_EQ(voxelAt(with(0.0, 77.0), 4, 3, 2), 59);  // no slope: nothing is rescaled

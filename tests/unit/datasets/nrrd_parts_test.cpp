@@ -11,6 +11,7 @@
 #include "datasets/readers/nrrd/voxels.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/packed.h"
 #include "tests/unit/datasets/scans.h"
 
@@ -109,7 +110,7 @@ TEST(NrrdParts, AreTakenOfEveryEncoding) {
     const fs::path path = workshop.write(name, bytes);
     for (const Part& part : parts) {
       const auto v = readVolume(path, {.part = part});
-      ASSERT_TRUE(v) << name << ": " << v.error().what;
+      ASSERT_TRUE(v) << name << ": " << sentence(v.error());
       EXPECT_EQ(v->type, name == "double.nrrd" || name == "float.nrrd" ? ScalarType::Float32
                                                                        : ScalarType::Int16);
       expectPart(*v, part, name);
@@ -165,13 +166,13 @@ TEST(NrrdVolumes, OfAFourthAxisAreOffered) {
     const fs::path path = workshop.write(name + ".nrrd", bytes);
     const auto found = survey(path);
     ASSERT_TRUE(found) << name;
-    ASSERT_EQ(found->series.size(), 3U) << name << ": " << found->series.front().message;
+    ASSERT_EQ(found->series.size(), 3U) << name << ": " << sentence(found->series.front().message);
     EXPECT_TRUE(found->several);
     EXPECT_EQ(readVolume(path).error().reason, "which-series");
     for (int volume = 0; volume < 3; ++volume) {
       EXPECT_EQ(found->series[std::size_t(volume)].verdict, Verdict::Sound);
       const auto v = readVolume(path, {.series = volume});
-      ASSERT_TRUE(v) << name << ": " << v.error().what;
+      ASSERT_TRUE(v) << name << ": " << sentence(v.error());
       ASSERT_EQ(v->grid.dims, kPartDims) << name;
       EXPECT_LT((v->grid.worldOf({1, 1, 1}) - Vec3(0.014, 0.022, 0.033)).norm(), 1e-12) << name;
       for (std::int64_t n = 0; n < 11 * 7 * 5; ++n)
@@ -199,15 +200,15 @@ TEST(NrrdVolumes, AxesOfOtherKindsAreRefusedByName) {
     EXPECT_EQ(v.error().reason, "not-scalar") << kind;
     std::string lower = kind;
     for (char& c : lower) c = static_cast<char>(std::tolower(c));
-    EXPECT_NE(v.error().what.find("Axis 0 "), std::string::npos) << v.error().what;
-    EXPECT_NE(v.error().what.find(lower), std::string::npos) << v.error().what;
+    EXPECT_NE(sentence(v.error()).find("Axis 0 "), std::string::npos) << sentence(v.error());
+    EXPECT_NE(sentence(v.error()).find(lower), std::string::npos) << sentence(v.error());
   }
   // a list of flat pictures is no volume
   const auto flat = readVolume(workshop.write(
       "v.nrrd", headerInParts("kinds: domain domain list\nendian: little\nencoding: raw\n\n") +
                     voxels<std::int16_t>()));
   ASSERT_FALSE(flat);
-  EXPECT_NE(flat.error().what.find("Axis 2 "), std::string::npos) << flat.error().what;
+  EXPECT_NE(sentence(flat.error()).find("Axis 2 "), std::string::npos) << sentence(flat.error());
   // nothing says which axis is no place
   EXPECT_EQ(readVolume(workshop.write("v.nrrd",
                                       "NRRD0005\ntype: short\ndimension: 4\nsizes: 11 7 5 "
@@ -222,9 +223,9 @@ TEST(NrrdVolumes, AxesOfOtherKindsAreRefusedByName) {
                     voxels<std::int16_t>()));
   ASSERT_TRUE(one);
   EXPECT_FALSE(one->several);
-  ASSERT_EQ(one->series.front().verdict, Verdict::Sound) << one->series.front().message;
+  ASSERT_EQ(one->series.front().verdict, Verdict::Sound) << sentence(one->series.front().message);
   const auto v = readVolume(one->series.front());
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   EXPECT_EQ(v->grid.dims, kPartDims);
   EXPECT_EQ(voxelAt(*v, 10, 6, 4), valueAt(10, 6, 4));
   // more than anybody could look through
@@ -237,7 +238,7 @@ TEST(NrrdVolumes, AxesOfOtherKindsAreRefusedByName) {
 
 StoredVolumes describedWith(const fs::path& path) {
   auto nrrd = parseNrrd(path);
-  EXPECT_TRUE(nrrd) << nrrd.error().what;
+  EXPECT_TRUE(nrrd) << sentence(nrrd.error());
   return std::move(nrrd->stored);
 }
 
@@ -252,10 +253,10 @@ TEST(MappedVoxels, AreThoseOfTheFile) {
       "NRRD0005\ntype: float\ndimension: 3\nsizes: 64 64 64\nspacings: 1 1 1\nendian: "
       "little\nencoding: raw\nbyte skip: 4100\ndata file: v.raw\n");
   const auto read = readVolume(path);
-  ASSERT_TRUE(read) << read.error().what;
+  ASSERT_TRUE(read) << sentence(read.error());
   const StoredVolumes stored = describedWith(path);
   const auto mapped = mapVoxels(stored.voxels, 0);
-  ASSERT_TRUE(mapped) << mapped.error().what;
+  ASSERT_TRUE(mapped) << sentence(mapped.error());
   auto* v = static_cast<float*>(mapped->get());
   EXPECT_TRUE(std::equal(v, v + 64 * 64 * 64, static_cast<const float*>(read->voxels.get())));
   // what lies behind can be read, what is written stays in memory
@@ -294,7 +295,7 @@ TEST(NrrdThumbnail, IsTheMiddleSlice) {
       "v.nrrd", headerInParts("endian: little\nencoding: raw\n\n") + voxels<std::int16_t>()));
   ASSERT_TRUE(found);
   const auto small = thumbnailOf(found->series.front(), 22);
-  ASSERT_TRUE(small) << small.error().what;
+  ASSERT_TRUE(small) << sentence(small.error());
   // 11 x 2 mm by 7 x 3 mm
   EXPECT_EQ(small->width, 22);
   EXPECT_EQ(small->height, 21);

@@ -10,6 +10,7 @@
 
 #include "datasets/readers/nrrd/vtk_reader.h"
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
 /// teem 1.12 does not free its gzip state where the file ends early or the stream stops.
@@ -76,7 +77,7 @@ TEST(NrrdReader, ScansAreWhatTheirListSays) {
   for (const Said& said : expected) {
     NEEDS_SCAN(scan(said.name));
     const auto v = readVolume(scan(said.name));
-    ASSERT_TRUE(v) << said.name << ": " << v.error().what;
+    ASSERT_TRUE(v) << said.name << ": " << sentence(v.error());
     EXPECT_EQ(v->grid.dims, said.dims) << said.name;
     EXPECT_LT((1e3 * v->grid.spacing - said.spacing_mm).norm(), 1e-12) << said.name;
     EXPECT_EQ(v->type, said.type) << said.name;
@@ -103,7 +104,7 @@ TEST(NrrdReader, OneRampInThreeSpacesLiesAtOnePlace) {
   for (const auto& [name, fields] : spaces) {
     const auto v =
         readVolume(workshop.write(name + ".nrrd", header(fields + units) + "\n" + rampBytes()));
-    ASSERT_TRUE(v) << name << ": " << v.error().what;
+    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
     EXPECT_TRUE(v->orientation_known);
     EXPECT_LT((v->grid.worldOf({4, 2, 1}) - Vec3(0.018, 0.026, 0.034)).norm(), 1e-12) << name;
     EXPECT_EQ(voxelAt(*v, 4, 2, 1), 4 + 5 * (2 + 4 * 1)) << name;
@@ -129,7 +130,7 @@ TEST(NrrdReader, AxesMayBePlacedByTheirEnds) {
   Workshop workshop;
   const auto spacingOf = [&](const std::string& fields) {
     const auto v = readVolume(workshop.write("v.nrrd", header(fields) + "\n" + rampBytes()));
-    EXPECT_TRUE(v) << v.error().what;
+    EXPECT_TRUE(v) << sentence(v.error());
     return v ? haptics::Vec3(v->grid.spacing * 1e3) : haptics::Vec3::Zero();
   };
   const auto whole = readVolume(workshop.write("w.nrrd", header("") + "\n" + rampBytes()));
@@ -147,10 +148,10 @@ TEST(NrrdReader, EqualPlacementGivesEqualValuesInTheWorld) {
   const fs::path folder = scan("nrrd_oddities/derived_from_tooth");
   NEEDS_SCAN(folder);
   const auto lps = readVolume(folder / "space_lps.nrrd");
-  ASSERT_TRUE(lps) << lps.error().what;
+  ASSERT_TRUE(lps) << sentence(lps.error());
   for (const char* name : {"space_ras.nrrd", "space_las_flipped_axes.nrrd"}) {
     const auto other = readVolume(folder / name);
-    ASSERT_TRUE(other) << name << ": " << other.error().what;
+    ASSERT_TRUE(other) << name << ": " << sentence(other.error());
     std::int64_t unequal = 0;
     for (std::int64_t k = 0; k < 40; ++k)
       for (std::int64_t j = 0; j < 40; ++j)
@@ -175,7 +176,7 @@ TEST(NrrdReader, EachDirectionBelongsToItsAxis) {
       workshop.write("v.nrrd", header("space: LPS\nspace directions: (0,2,0) (0,0,3) (4,0,0)\n"
                                       "space origin: (1,2,3)\n") +
                                    "\n" + rampBytes()));
-  ASSERT_TRUE(v) << v.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
   // 4 steps along y, 2 along z, 1 along x
   EXPECT_LT((v->grid.worldOf({4, 2, 1}) - Vec3(0.005, 0.010, 0.009)).norm(), 1e-12);
 }
@@ -193,12 +194,12 @@ TEST(NrrdReader, EveryEncodingGivesTheSameVoxels) {
   const fs::path folder = scan("nrrd_oddities/derived_from_tooth");
   NEEDS_SCAN(folder);
   const auto plain = readVolume(folder / "raw_le.nrrd");
-  ASSERT_TRUE(plain) << plain.error().what;
+  ASSERT_TRUE(plain) << sentence(plain.error());
   for (const char* name : {"raw_be.nrrd", "bzip2.nrrd", "crlf_header.nrrd", "detached_gzip.nhdr",
                            "no_spacing.nrrd", "old_magic_NRRD0001.nrrd", "space_lps.nrrd",
                            "keyvalue_and_minmax.nrrd", "oblique_orthonormal.nrrd"}) {
     const auto v = readVolume(folder / name);
-    ASSERT_TRUE(v) << name << ": " << v.error().what;
+    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
     EXPECT_EQ(differing(*plain, *v), 0) << name;
   }
   const auto ascii = readVolume(folder / "ascii.nrrd"), hex = readVolume(folder / "hex_be.nrrd");
@@ -225,7 +226,7 @@ TEST(NrrdReader, EveryEncodingGivesTheSameVoxels) {
         "BallBinary30x30x30_byteskip_minus_one_nifti.nhdr",
         "BallBinary30x30x30_gz_lineskip.nrrd"}) {
     const auto v = readVolume(balls / name);
-    ASSERT_TRUE(v) << name << ": " << v.error().what;
+    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
     EXPECT_EQ(differing(*ball, *v), 0) << name;
   }
 }
@@ -265,7 +266,7 @@ TEST(NrrdReader, RefusesByName) {
     const auto v = readVolume(scan("nrrd_oddities/" + name));
     ASSERT_FALSE(v) << name;
     EXPECT_EQ(v.error().reason, reason) << name;
-    EXPECT_TRUE(v.error().what.ends_with('.')) << v.error().what;
+    EXPECT_TRUE(sentence(v.error()).ends_with('.')) << sentence(v.error());
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(200)) << name;
   }
 }
@@ -313,7 +314,7 @@ TEST(NrrdReader, HeadersThatLieAreRefusedBeforeMemoryIsAsked) {
                           header("spacings: " + step + " 1 1\ndata file: later.raw\n"));
   };
   const auto found = survey(laterHeader("1"));
-  ASSERT_TRUE(found) << found.error().what;
+  ASSERT_TRUE(found) << sentence(found.error());
   const SeriesVerdict& before = found->series.front();
   EXPECT_TRUE(readVolume(before));
   workshop.write("later.raw", rampBytes().substr(2));
@@ -321,7 +322,7 @@ TEST(NrrdReader, HeadersThatLieAreRefusedBeforeMemoryIsAsked) {
   workshop.write("later.raw", rampBytes());
   laterHeader("2.5");
   const auto after = readVolume(before);
-  ASSERT_TRUE(after) << after.error().what;
+  ASSERT_TRUE(after) << sentence(after.error());
   EXPECT_NEAR(after->grid.spacing.x(), 2.5e-3, 1e-12);  // m
 }
 
@@ -358,7 +359,7 @@ TEST(NrrdReader, UnitsOfLength) {
                                                    "(0,0,1)\nspace origin: (7,0,0)\nspace units: " +
                                                    quoted + " " + quoted + " " + quoted + "\n") +
                                                 "\n" + rampBytes()));
-    ASSERT_TRUE(v) << unit << ": " << v.error().what;
+    ASSERT_TRUE(v) << unit << ": " << sentence(v.error());
     EXPECT_NEAR(v->grid.spacing.z() / metres, 1.0, 1e-12) << unit;
     EXPECT_NEAR(v->grid.origin.x() / metres, 7.0, 1e-11) << unit;
   }
@@ -382,10 +383,10 @@ TEST(NrrdReader, AxisMinsArePlaces) {
     return readVolume(workshop.write("m.nrrd", header(fields) + "\n" + rampBytes()));
   };
   const auto cells = read("spacings: 2 2 2\naxis mins: 10 20 30\n");
-  ASSERT_TRUE(cells) << cells.error().what;
+  ASSERT_TRUE(cells) << sentence(cells.error());
   EXPECT_LT((1e3 * cells->grid.origin - Vec3(11, 21, 31)).norm(), 1e-9);
   const auto nodes = read("spacings: 2 2 2\naxis mins: 10 20 30\ncenterings: node node node\n");
-  ASSERT_TRUE(nodes) << nodes.error().what;
+  ASSERT_TRUE(nodes) << sentence(nodes.error());
   EXPECT_LT((1e3 * nodes->grid.origin - Vec3(10, 20, 30)).norm(), 1e-9);
   const auto wrong = read("spacings: 2 2 2\naxis mins: 0 0 0\naxis maxs: 99 99 99\n");
   ASSERT_FALSE(wrong);
@@ -432,8 +433,8 @@ TEST(NrrdReader, NumbersAreReadAlikeInEveryLanguage) {
       "f.nrrd",
       "NRRD0005\ntype: float\ndimension: 3\nsizes: 2 1 1\nencoding: ascii\n\n0.5 1.75\n"));
   std::setlocale(LC_ALL, "C");
-  ASSERT_TRUE(v) << v.error().what;
-  ASSERT_TRUE(floats) << floats.error().what;
+  ASSERT_TRUE(v) << sentence(v.error());
+  ASSERT_TRUE(floats) << sentence(floats.error());
   EXPECT_EQ(voxelAt(*floats, 1, 0, 0), 1.75);
   EXPECT_LT((1e3 * v->grid.spacing - Vec3(0.5, 0.25, 1.5)).norm(), 1e-12);
 }
@@ -463,7 +464,7 @@ TEST(NrrdReader, TheVtkImageLooksAtTheVolumesVoxels) {
       header("space: LPS\nspace directions: (0,2,0) (3,0,0) (0,0,4)\nspace origin: (1,2,3)\n") +
           "\n" + rampBytes()));
   reader->Update();
-  ASSERT_TRUE(reader->volume()) << reader->volume().error().what;
+  ASSERT_TRUE(reader->volume()) << sentence(reader->volume().error());
   vtkImageData* image = reader->GetOutput();
   EXPECT_EQ(image->GetScalarPointer(), reader->volume()->voxels.get());
   EXPECT_EQ(image->GetScalarComponentAsDouble(4, 2, 1, 0), 34);

@@ -6,6 +6,7 @@
 
 #include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -39,11 +40,11 @@ TEST(NrrdWriter, WhatIsWrittenIsReadAlike) {
     const auto v =
         haptics::makeVolume(grid, ScalarType::Int16, *voxels,
                             {.unit = "HU", .modality = "CT", .orientation_known = known});
-    ASSERT_TRUE(v) << v.error().what;
+    ASSERT_TRUE(v) << sentence(v.error());
     const fs::path path = workshop.folder() / "out.nrrd";
     ASSERT_TRUE(writeNrrd(*v, path));
     const auto back = readVolume(path);
-    ASSERT_TRUE(back) << back.error().what;
+    ASSERT_TRUE(back) << sentence(back.error());
     EXPECT_EQ(differing(*v, *back), 0);
     EXPECT_EQ(back->type, v->type);
     EXPECT_EQ(back->unit, "HU");

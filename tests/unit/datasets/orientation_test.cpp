@@ -10,6 +10,7 @@
 
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/dicom_bytes.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/nifti_bytes.h"
 #include "tests/unit/datasets/scans.h"
 
@@ -93,7 +94,7 @@ TEST(Orientation, OfEveryDicomSeriesIsThePatients) {
       workshop.write(std::to_string((k * 3) % kOrientedDims[2]), bytesOf(slice));
     }
     const auto v = readVolume(workshop.folder());
-    ASSERT_TRUE(v) << v.error().what;
+    ASSERT_TRUE(v) << sentence(v.error());
     EXPECT_EQ(v->grid.direction, axes);
     std::ostringstream what;
     what << "DICOM " << axes;
@@ -125,7 +126,7 @@ TEST(Orientation, OfEveryNrrdIsThePatients) {
       bytes += voxelsAlong(axes);
       Workshop workshop;
       const auto v = readVolume(workshop.write("phantom.nrrd", bytes));
-      ASSERT_TRUE(v) << v.error().what;
+      ASSERT_TRUE(v) << sentence(v.error());
       std::ostringstream what;
       what << space << " " << axes;
       expectThePhantom(*v, what.str());
@@ -144,7 +145,7 @@ TEST(Orientation, OfEveryMetaImageIsThePatients) {
            << "ElementDataFile = LOCAL\n";
     Workshop workshop;
     const auto v = readVolume(workshop.write("phantom.mha", header.str() + voxelsAlong(axes)));
-    ASSERT_TRUE(v) << v.error().what;
+    ASSERT_TRUE(v) << sentence(v.error());
     std::ostringstream what;
     what << "MetaImage " << axes;
     expectThePhantom(*v, what.str());
@@ -181,7 +182,7 @@ TEST(Orientation, OfEveryNiftiFileIsThePatients) {
       n.voxels = voxelsAlong(axes);
       Workshop workshop;
       const auto v = readVolume(workshop.write("phantom.nii", bytesOf(n)));
-      ASSERT_TRUE(v) << v.error().what;
+      ASSERT_TRUE(v) << sentence(v.error());
       std::ostringstream what;
       what << "NIfTI " << by_matrix << " " << axes;
       expectThePhantom(*v, what.str());

@@ -10,6 +10,7 @@
 
 #include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -84,7 +85,7 @@ TEST(RoundTrip, EveryScanComesBackFromItsNrrdAlike) {
       }
       ASSERT_TRUE(writeNrrd(*volume, out));
       const auto back = readVolume(out);
-      ASSERT_TRUE(back) << back.error().what;
+      ASSERT_TRUE(back) << sentence(back.error());
       expectAlike(*volume, *back);
       types.insert(volume->type);
       ++volumes;

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 
+#include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -71,10 +72,10 @@ TEST(ToolMesh, OneTetrahedronInFourFiles) {
        {workshop.write("b.stl", binaryStl()), workshop.write("a.stl", asciiStl()),
         workshop.write("t.OBJ", obj), workshop.write("t.ply", ply)}) {
     const auto tool = readToolMesh(path, MeshUnit::Millimetre);
-    ASSERT_TRUE(tool) << path << ": " << tool.error().what;
+    ASSERT_TRUE(tool) << path << ": " << sentence(tool.error());
     EXPECT_EQ(tool->mesh.vertices.size(), 4u) << path;
     EXPECT_EQ(tool->mesh.triangles.size(), 4u) << path;
-    EXPECT_TRUE(tool->warnings.empty()) << path << ": " << tool->warnings.front();
+    EXPECT_TRUE(tool->warnings.empty()) << path << ": " << sentence(tool->warnings.front());
     // the volume, signed by the order of the corners: 20 x 30 x 40 / 6 mm^3
     double volume = 0.0;
     for (const auto& t : tool->mesh.triangles)
@@ -109,7 +110,7 @@ TEST(ToolMesh, NumbersAreReadAlikeInEveryLanguage) {
     GTEST_SKIP() << "NOT CHECKED: no locale with a decimal comma is installed";
   const auto tool = readToolMesh(path, MeshUnit::Metre);
   std::setlocale(LC_ALL, "C");
-  ASSERT_TRUE(tool) << tool.error().what;
+  ASSERT_TRUE(tool) << sentence(tool.error());
   EXPECT_EQ(tool->mesh.vertices[1].x(), 10.5);
 }
 
@@ -118,10 +119,11 @@ TEST(ToolMesh, PolygonsBecomeTriangles) {
   const auto tool =
       readToolMesh(workshop.write("q.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nf 1 2 3 4\n"),
                    MeshUnit::Millimetre);
-  ASSERT_TRUE(tool) << tool.error().what;
+  ASSERT_TRUE(tool) << sentence(tool.error());
   EXPECT_EQ(tool->mesh.triangles.size(), 2u);
   ASSERT_EQ(tool->warnings.size(), 1u);
-  EXPECT_NE(tool->warnings[0].find("4 edges"), std::string::npos) << tool->warnings[0];
+  EXPECT_NE(sentence(tool->warnings[0]).find("4 edges"), std::string::npos)
+      << sentence(tool->warnings[0]);
 }
 
 TEST(ToolMesh, BrokenFilesAreRefusedByName) {
@@ -168,7 +170,7 @@ TEST(ToolMesh, FacesMayStateTextureAndNormalAtSomeCornersOnly) {
   const auto tool = readToolMesh(
       workshop.write("m.obj", lists + "f 1 3/1 2//1\nf 1/2/1 2 4\nf -4//1 -1 -2\nf 2 3 4/1\n"),
       MeshUnit::Millimetre);
-  ASSERT_TRUE(tool) << tool.error().what;
+  ASSERT_TRUE(tool) << sentence(tool.error());
   EXPECT_EQ(tool->mesh.triangles.size(), 4u);
   EXPECT_EQ(tool->mesh.vertices.size(), 4u);
 }
@@ -186,7 +188,7 @@ TEST(ToolMesh, RealTools) {
   for (const Tool& said : expected) {
     NEEDS_SCAN(scan(said.name));
     const auto tool = readToolMesh(scan(said.name), MeshUnit::Millimetre);
-    ASSERT_TRUE(tool) << said.name << ": " << tool.error().what;
+    ASSERT_TRUE(tool) << said.name << ": " << sentence(tool.error());
     EXPECT_EQ(tool->mesh.triangles.size(), said.triangles) << said.name;
     Vec3 low = tool->mesh.vertices.front(), high = low;
     for (const Vec3& v : tool->mesh.vertices) {

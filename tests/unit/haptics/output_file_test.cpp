@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -97,7 +98,8 @@ TEST(OutputFile, WhatCannotBeWrittenIsRefusedByName) {
     const auto written = haptics::writeFile(path, "text");
     ASSERT_FALSE(written) << path;
     EXPECT_EQ(written.error().reason, "unwritable");
-    EXPECT_NE(written.error().what.find(path.string()), std::string::npos) << written.error().what;
+    EXPECT_NE(sentence(written.error()).find(path.string()), std::string::npos)
+        << sentence(written.error());
   }
   EXPECT_FALSE(Output::at("/dev/null"));  // has no name to give
 }

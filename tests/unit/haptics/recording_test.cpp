@@ -19,6 +19,7 @@
 #include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/simulated.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentence.h"
 
 namespace haptics {
 namespace {
@@ -74,7 +75,7 @@ Step stepOf(const TraceRow& row, const ClosedLoop& loop, std::int64_t n) {
 std::vector<TraceRow> recorded(const fs::path& path, HandMotion motion, std::int64_t ticks,
                                double friction = 0.0) {
   auto recorder = Recorder::create(path, {"test", "a build", "a machine"});
-  EXPECT_TRUE(recorder) << recorder.error().what;
+  EXPECT_TRUE(recorder) << sentence(recorder.error());
   StepRing& ring = (*recorder)->ring();
   ClosedLoop loop{scene(), {.friction = friction}, {}, {}};
   loop.grip.gyration = std::sqrt(loop.scene->tool.shell.inertia.trace() / 3.0);
@@ -101,7 +102,7 @@ std::vector<TraceRow> recorded(const fs::path& path, HandMotion motion, std::int
   });
   EXPECT_TRUE(done);
   const auto finished = (*recorder)->finish();
-  EXPECT_TRUE(finished) << finished.error().what;
+  EXPECT_TRUE(finished) << sentence(finished.error());
   return rows;
 }
 
@@ -111,7 +112,7 @@ std::vector<RecordedStep> stepsIn(Recording& recording) {
     steps.push_back(step);
     return true;
   });
-  EXPECT_TRUE(read) << read.error().what;
+  EXPECT_TRUE(read) << sentence(read.error());
   return steps;
 }
 
@@ -124,7 +125,7 @@ ReplayDifference replayed(Recording& recording, std::shared_ptr<const Volume> vo
         return then == nullptr ? nullptr : *makeScene(volume, then->tool, then->options);
       },
       [](double) { return true; });
-  EXPECT_TRUE(difference) << difference.error().what;
+  EXPECT_TRUE(difference) << sentence(difference.error());
   return difference.value_or(ReplayDifference{});
 }
 
@@ -136,7 +137,7 @@ TEST(Recording, HoldsEveryTickToTheBit) {
   const ScratchFolder scratch;
   const auto rows = recorded(scratch / "r.palpate", HandMotion::Slide, 3000);
   auto recording = Recording::open(scratch / "r.palpate");
-  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_TRUE(recording) << sentence(recording.error());
   EXPECT_EQ(recording->version(), "test");
   EXPECT_EQ(recording->machine(), "a machine");
   EXPECT_EQ(recording->lostCount(), 0);
@@ -215,7 +216,7 @@ TEST(Recording, IsReplayedToTheBit) {
 struct Bench {
   explicit Bench(const fs::path& target) : path{target} {
     auto made = Recorder::create(target, {"test", "a build", "a machine"});
-    EXPECT_TRUE(made) << made.error().what;
+    EXPECT_TRUE(made) << sentence(made.error());
     recorder = std::move(*made);
     first = scene();
     recorder->describe(first, "egg");
@@ -271,7 +272,7 @@ TEST(Recording, OfALiveLoopIsReplayedToTheBitThroughAllThatTheUserDoes) {
   ASSERT_TRUE(bench.recorder->finish());
 
   auto recording = Recording::open(bench.path);
-  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_TRUE(recording) << sentence(recording.error());
   ASSERT_EQ(recording->scenes().size(), 2U);
   const auto difference = replay(
       *recording,
@@ -386,7 +387,7 @@ TEST(Recording, AFullRingLosesStepsCountsThemAndGoesOnExactly) {
   ASSERT_TRUE((*recorder)->finish());
 
   auto recording = Recording::open(scratch / "r.palpate");
-  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_TRUE(recording) << sentence(recording.error());
   EXPECT_GT(recording->lostCount(), 0);
   EXPECT_EQ(recording->stepCount() + recording->lostCount(), kTicks + 500);
   double gap = 0.0;
@@ -420,10 +421,10 @@ TEST(Recording, WhatAProcessLeftIsRecoveredOnce) {
   EXPECT_EQ(over.error().reason, "unfinished");
   std::ofstream(path) << "in the way";
   const auto recovered = recover(partOf(path));
-  ASSERT_TRUE(recovered) << recovered.error().what;
+  ASSERT_TRUE(recovered) << sentence(recovered.error());
   EXPECT_EQ(recovered->filename(), "r-2.palpate");
   auto recording = Recording::open(*recovered);
-  ASSERT_TRUE(recording) << recording.error().what;
+  ASSERT_TRUE(recording) << sentence(recording.error());
   EXPECT_EQ(recording->stepCount(), 700);
   EXPECT_FALSE(fs::exists(partOf(path)));
   EXPECT_FALSE(recover(partOf(path)));
@@ -490,7 +491,7 @@ TEST(Recording, KnowsHowManySlicesItsVolumeLacks) {
   auto part = std::make_shared<Volume>(*whole->volume);
   part->slices_left_out = 7;
   const auto read = sceneFrom(wordsOf(**makeScene(part, whole->tool)));
-  ASSERT_TRUE(read) << read.error().what;
+  ASSERT_TRUE(read) << sentence(read.error());
   EXPECT_EQ(read->volume.slices_left_out, 7);
 }
 
@@ -560,7 +561,7 @@ TEST(Recording, DamageIsRefusedAndNeverBelieved) {
     std::ofstream(scratch / "d.palpate", std::ios::binary | std::ios::trunc) << bytes;
     auto recording = Recording::open(scratch / "d.palpate");
     if (!recording) {
-      EXPECT_FALSE(recording.error().what.empty());
+      EXPECT_FALSE(sentence(recording.error()).empty());
       ++refused;
       continue;
     }

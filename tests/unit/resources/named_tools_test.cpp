@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "tests/support/sentence.h"
+
 namespace resources {
 namespace {
 
@@ -32,7 +34,7 @@ TEST(NamedTools, AnUnknownNameIsToldTheKnownOnes) {
   const auto mesh = namedToolMesh("spoon");
   ASSERT_FALSE(mesh.has_value());
   for (const std::string& name : namedTools())
-    EXPECT_NE(mesh.error().what.find(name), std::string::npos) << name;
+    EXPECT_NE(sentence(mesh.error()).find(name), std::string::npos) << name;
 }
 
 TEST(NamedTools, AreClosedManifoldsTurnedOutwards) {

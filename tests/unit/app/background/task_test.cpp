@@ -16,6 +16,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/sentence.h"
+
 namespace {
 
 using app::background::Task;
@@ -179,11 +181,11 @@ TEST_F(BackgroundTask, WhatTheWorkThrowsArrivesAsAnError) {
   };
   const auto memory = errorOf([](const Watch&) -> Expected<int> { throw std::bad_alloc{}; });
   EXPECT_EQ(memory.reason, app::background::kNoMemory);
-  EXPECT_NE(memory.what.find("memory"), std::string::npos);
+  EXPECT_NE(sentence(memory).find("memory"), std::string::npos);
   const auto other =
       errorOf([](const Watch&) -> Expected<int> { throw std::runtime_error{"the words"}; });
   EXPECT_EQ(other.reason, app::background::kThrew);
-  EXPECT_EQ(other.what, "the words");
+  EXPECT_EQ(sentence(other), "the words");
   const auto odd = errorOf([](const Watch&) -> Expected<int> { throw 7; });
   EXPECT_EQ(odd.reason, app::background::kThrew);
 }

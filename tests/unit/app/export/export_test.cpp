@@ -17,6 +17,7 @@
 
 #include "haptics/recording/recorder.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentence.h"
 
 namespace app::exporting {
 namespace {
@@ -35,7 +36,7 @@ Step at(std::int64_t time_ns) {
 
 Recording recorded(const fs::path& path, std::vector<Step> steps) {
   auto recorder = haptics::Recorder::create(path, {"test", "build", "machine"});
-  EXPECT_TRUE(recorder) << recorder.error().what;
+  EXPECT_TRUE(recorder) << sentence(recorder.error());
   haptics::StepRing& ring = (*recorder)->ring();
   ring.start({});
   for (Step& step : steps) {
@@ -43,9 +44,9 @@ Recording recorded(const fs::path& path, std::vector<Step> steps) {
     EXPECT_TRUE(ring.push(step));
   }
   const auto finished = (*recorder)->finish();
-  EXPECT_TRUE(finished) << finished.error().what;
+  EXPECT_TRUE(finished) << sentence(finished.error());
   auto recording = Recording::open(path);
-  EXPECT_TRUE(recording) << recording.error().what;
+  EXPECT_TRUE(recording) << sentence(recording.error());
   return std::move(*recording);
 }
 
@@ -78,7 +79,7 @@ std::vector<int> chosen(const std::vector<std::int64_t>& times_ms, const ExportO
   Recording recording = recorded(scratch / "r.palpate", steps);
   const auto exported = exportCsv(recording, scratch / "x", options);
   if (!exported) {
-    EXPECT_EQ(exported.error().reason, "empty") << exported.error().what;
+    EXPECT_EQ(exported.error().reason, "empty") << sentence(exported.error());
     EXPECT_EQ(scratch.names().size(), 1U);
     return {};
   }
@@ -231,19 +232,19 @@ TEST(Export, LeavesNothingWhereThereIsNoRoomAndWorksAgainOnceThereIs) {
   Recording recording = recorded(scratch / "r.palpate", steps);
   for (const auto& write : {exportHdf5, exportMcap, exportCsv}) {
     const auto whole = write(recording, scratch / "x.out", {});
-    ASSERT_TRUE(whole) << whole.error().what;
+    ASSERT_TRUE(whole) << sentence(whole.error());
     for (const std::string& file : whole->files) fs::remove(file);
     for (const rlim_t bytes : {0, 3000, 50'000, 200'000}) {
       const NoRoom no_room{bytes};
       const auto exported = write(recording, scratch / "x.out", {});
       ASSERT_FALSE(exported) << bytes;
       EXPECT_EQ(exported.error().reason, "unwritable");
-      EXPECT_NE(exported.error().what.find("File too large"), std::string::npos)
-          << exported.error().what;
+      EXPECT_NE(sentence(exported.error()).find("File too large"), std::string::npos)
+          << sentence(exported.error());
       EXPECT_EQ(scratch.names().size(), 1U) << bytes;
     }
     const auto again = write(recording, scratch / "x.out", {});
-    ASSERT_TRUE(again) << again.error().what;
+    ASSERT_TRUE(again) << sentence(again.error());
     EXPECT_EQ(again->bytes, whole->bytes);
     for (const std::string& file : again->files) EXPECT_TRUE(fs::remove(file));
   }

@@ -12,6 +12,7 @@
 
 #include "app/film/film.h"
 #include "recorded_film.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -43,7 +44,7 @@ TEST_F(Film, WithoutFfmpegIsOggTheora) {
     FilmOptions chosen = options();
     chosen.ffmpeg = program;
     const auto film = app::makeFilm(recording, none, scratch / "f.mp4", chosen);
-    ASSERT_TRUE(film) << film.error().what;
+    ASSERT_TRUE(film) << sentence(film.error());
     EXPECT_EQ(film->film, scratch / "f.ogv");
     EXPECT_EQ(film->codec, "theora");
     EXPECT_EQ(scratch.names(), (std::vector<std::string>{"f.frames.csv", "f.ogv", "r.palpate"}));
@@ -79,7 +80,7 @@ TEST_F(Film, NothingIsSaidAgainstIt) {
       chosen.width = width;
       chosen.frames_per_second = rate;
       const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
-      ASSERT_TRUE(film) << film.error().what;
+      ASSERT_TRUE(film) << sentence(film.error());
       const std::string named = " -i '" + film->film.string() + "'";
       EXPECT_EQ(saidBy("ffmpeg -nostdin -v warning" + named + " -f null -"), "") << film->film;
       EXPECT_EQ(saidBy("ffprobe -v warning -show_frames" + named + " > /dev/null"), "");
@@ -124,15 +125,15 @@ TEST_F(Film, AnEncoderThatFailsIsOneSentence) {
     const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
     ASSERT_FALSE(film);
     EXPECT_EQ(film.error().reason, "encoder");
-    EXPECT_LT(film.error().what.size(), 400U);
-    EXPECT_EQ(film.error().what.find('\n'), std::string::npos);
+    EXPECT_LT(sentence(film.error()).size(), 400U);
+    EXPECT_EQ(sentence(film.error()).find('\n'), std::string::npos);
     EXPECT_TRUE(childless());
     EXPECT_EQ(scratch.names().size(), 1U + programs.size());
   }
   FilmOptions chosen = options();
   chosen.ffmpeg = programs[0];
   const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
-  EXPECT_NE(film.error().what.find("no such thing as libx264"), std::string::npos);
+  EXPECT_NE(sentence(film.error()).find("no such thing as libx264"), std::string::npos);
   // one that neither reads nor ends can be left
   chosen.ffmpeg = script("hangs", "exec sleep 1000\n");
   int asked = 0;
@@ -153,7 +154,7 @@ TEST_F(Film, AFullDiskLeavesNothing) {
     FilmOptions chosen = options();
     chosen.ffmpeg = program;
     const auto whole = app::makeFilm(recording, none, scratch / "f", chosen);
-    ASSERT_TRUE(whole) << whole.error().what;
+    ASSERT_TRUE(whole) << sentence(whole.error());
     const rlim_t size = fs::file_size(whole->film);
     fs::remove(whole->film);
     fs::remove(whole->times);

@@ -10,6 +10,7 @@
 
 #include "app/film/stage.h"
 #include "recorded_film.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -18,7 +19,7 @@ using namespace film;
 TEST_F(Film, ShowsToolAndDeviceWhereEachStepHadThem) {
   auto recording = recorded(scratch, {});
   const auto film = app::makeFilm(recording, none, scratch / "f.mp4", options());
-  ASSERT_TRUE(film) << film.error().what;
+  ASSERT_TRUE(film) << sentence(film.error());
   EXPECT_EQ(film->film, scratch / "f.mp4");
   EXPECT_EQ(film->codec, "h264");
   EXPECT_EQ(film->frames, 30);
@@ -68,7 +69,7 @@ TEST_F(Film, ShowsTheLastStepAtOrBeforeTheTimeOfEachFrame) {
   chosen.to = 1.5;
   chosen.speed = 0.37;
   const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
-  ASSERT_TRUE(film) << film.error().what;
+  ASSERT_TRUE(film) << sentence(film.error());
   EXPECT_EQ(film->film, scratch / "f.mp4");
   const auto rows = rowsOf(film->times);
   ASSERT_EQ(rows.size(), 33U);  // 0.6 s at 0.37 / 20
@@ -87,7 +88,7 @@ TEST_F(Film, ShowsTheLastStepAtOrBeforeTheTimeOfEachFrame) {
   chosen.from = -5.0;
   chosen.to = 0.75;
   const auto early = app::makeFilm(recording, none, scratch / "g", chosen);
-  ASSERT_TRUE(early) << early.error().what;
+  ASSERT_TRUE(early) << sentence(early.error());
   EXPECT_EQ(rowsOf(early->times).front().sequence, 0);
 }
 
@@ -108,7 +109,7 @@ TEST_F(Film, DrawsTheSurfaceAtTheIsovalueOfEachStep) {
     chosen.frames_per_second = 10;
     const auto film = app::makeFilm(
         recording, [&](std::uint32_t) { return session.scene->volume; }, scratch / "f", chosen);
-    ASSERT_TRUE(film) << film.error().what;
+    ASSERT_TRUE(film) << sentence(film.error());
     EXPECT_EQ(film->surface, mode);
     const Decoded pictures = decoded(film->film);
     ASSERT_EQ(pictures.frames.size(), 15U);
@@ -134,7 +135,7 @@ TEST_F(Film, GoesFromCameraToCamera) {
   auto recording = recorded(scratch, session);
   const auto film = app::makeFilm(
       recording, [&](std::uint32_t) { return session.scene->volume; }, scratch / "f", options());
-  ASSERT_TRUE(film) << film.error().what;
+  ASSERT_TRUE(film) << sentence(film.error());
   const Decoded pictures = decoded(film->film);
   ASSERT_EQ(pictures.frames.size(), 30U);
   for (std::size_t i = 0; i < 30; ++i) {
@@ -157,7 +158,7 @@ TEST_F(Film, GoesFromCameraToCamera) {
   FilmOptions chosen = options();
   chosen.recorded_camera = false;
   const auto own = app::makeFilm(recording, none, scratch / "g", chosen);
-  ASSERT_TRUE(own) << own.error().what;
+  ASSERT_TRUE(own) << sentence(own.error());
   const auto proxy = projected(front(), stepAt(1400).X_WP.translation());
   const auto seen = decoded(own->film).centroid(28, proxyColoured);
   EXPECT_NEAR(seen[0], proxy[0], 1.5);
@@ -173,7 +174,7 @@ TEST_F(Film, WithoutACameraSeesSurfaceAndToolWhole) {
     const auto film = app::makeFilm(
         recording, [&](std::uint32_t) { return surface ? session.scene->volume : nullptr; },
         scratch / "f", chosen);
-    ASSERT_TRUE(film) << film.error().what;
+    ASSERT_TRUE(film) << sentence(film.error());
     const Decoded pictures = decoded(film->film);
     for (std::size_t i = 0; i < pictures.frames.size(); ++i) {
       EXPECT_GT(pictures.count(i, deviceColoured), 20) << i;
@@ -220,7 +221,7 @@ TEST_F(Film, BurnsTimeAndForceIntoItsCornerAlone) {
 
 TEST_F(Film, TextTouchesNoPixelOutsideItsCorner) {
   auto stage = app::FilmStage::open(kWidth, kHeight, {});
-  ASSERT_TRUE(stage) << stage.error().what;
+  ASSERT_TRUE(stage) << sentence(stage.error());
   const haptics::Tool tool = octahedron();
   (*stage)->show(&tool);
   (*stage)->show(ball());
@@ -249,7 +250,7 @@ TEST_F(Film, WhatIsKeptOfTheSurfaceIsNeverOutOfDate) {
   const auto volume = ball();
   const auto opened = [&] {
     auto stage = app::FilmStage::open(kWidth, kHeight, ui::SurfaceMode::Mesh);
-    EXPECT_TRUE(stage) << stage.error().what;
+    EXPECT_TRUE(stage) << sentence(stage.error());
     (*stage)->show(&tool);
     (*stage)->show(volume);
     return std::move(*stage);
@@ -313,7 +314,7 @@ TEST_F(Film, OfAToolThatIsOnlyPointsShowsThem) {
   session.scene = scene(points);
   auto recording = recorded(scratch, session);
   const auto film = app::makeFilm(recording, none, scratch / "f", options());
-  ASSERT_TRUE(film) << film.error().what;
+  ASSERT_TRUE(film) << sentence(film.error());
   const auto proxy = projected(front(), stepAt(0).X_WP.translation());
   const Decoded pictures = decoded(film->film);
   const auto seen = pictures.centroid(0, proxyColoured);
@@ -328,7 +329,7 @@ TEST_F(Film, MayBeLargerThanTheScreen) {
   chosen.height = 1080;
   chosen.to = 0.1;
   const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
-  ASSERT_TRUE(film) << film.error().what;
+  ASSERT_TRUE(film) << sentence(film.error());
   const Decoded pictures = decoded(film->film, 1920, 1080);
   ASSERT_EQ(pictures.frames.size(), 3U);
   const auto proxy = projected(front(), stepAt(0).X_WP.translation());

@@ -25,6 +25,7 @@
 #include "app/film/film.h"
 #include "haptics/recording/recorder.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentence.h"
 
 /// A recorded session about a ball, and the film that was made of it, as numbers.
 namespace film {
@@ -104,7 +105,7 @@ struct Session {
 inline haptics::Recording recorded(const ScratchFolder& scratch, const Session& session) {
   const fs::path path = scratch / "r.palpate";
   auto recorder = haptics::Recorder::create(path, {"test", "a build", "a machine"});
-  EXPECT_TRUE(recorder) << recorder.error().what;
+  EXPECT_TRUE(recorder) << sentence(recorder.error());
   (*recorder)->describe(session.scene, "");
   (*recorder)->ring().start({});
   for (std::int64_t n = 0; n < session.steps; ++n) {
@@ -113,7 +114,7 @@ inline haptics::Recording recorded(const ScratchFolder& scratch, const Session& 
     EXPECT_TRUE((*recorder)->ring().push(step));
   }
   const auto finished = (*recorder)->finish();
-  EXPECT_TRUE(finished) << finished.error().what;
+  EXPECT_TRUE(finished) << sentence(finished.error());
   {
     auto database = haptics::Database::open(path, haptics::Database::Mode::Recover);
     EXPECT_TRUE(database);
@@ -125,7 +126,7 @@ inline haptics::Recording recorded(const ScratchFolder& scratch, const Session& 
     EXPECT_TRUE(database->run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE;"));
   }
   auto recording = haptics::Recording::open(path);
-  EXPECT_TRUE(recording) << recording.error().what;
+  EXPECT_TRUE(recording) << sentence(recording.error());
   return std::move(*recording);
 }
 

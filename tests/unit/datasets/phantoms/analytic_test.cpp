@@ -7,6 +7,7 @@
 #include "app/study/reference/evaluator.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/phantoms/shapes.h"
+#include "tests/support/sentence.h"
 
 namespace datasets {
 namespace {
@@ -66,7 +67,7 @@ template <class Shape>
 void expectSurface(const char* name, const Shape& shape, double bound_voxels, double slope) {
   SCOPED_TRACE(name);
   const auto phantom = makePhantom(name);
-  ASSERT_TRUE(phantom.has_value()) << phantom.error().what;
+  ASSERT_TRUE(phantom.has_value()) << sentence(phantom.error());
   const Errors errors = errorsOf(*phantom, shape, slope);
   EXPECT_GT(errors.points, 500);  // the sample must reach the surface
   EXPECT_LT(errors.worst, bound_voxels);

@@ -7,6 +7,7 @@
 #include "datasets/phantoms/noise.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/phantoms/sampling.h"
+#include "tests/support/sentence.h"
 
 namespace datasets {
 namespace {
@@ -15,9 +16,9 @@ TEST(Phantoms, AnUnknownNameIsToldTheKnownOnes) {
   const auto phantom = makePhantom("sphare");
   ASSERT_FALSE(phantom.has_value());
   EXPECT_EQ(phantom.error().kind, haptics::Error::Kind::NotFound);
-  EXPECT_NE(phantom.error().what.find("sphare"), std::string::npos);
+  EXPECT_NE(sentence(phantom.error()).find("sphare"), std::string::npos);
   for (const std::string& name : phantomNames())
-    EXPECT_NE(phantom.error().what.find(name), std::string::npos) << name;
+    EXPECT_NE(sentence(phantom.error()).find(name), std::string::npos) << name;
 }
 
 TEST(Phantoms, EveryOneIsMadeTheSameTwiceAndIsFitToTouch) {

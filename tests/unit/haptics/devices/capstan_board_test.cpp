@@ -14,6 +14,7 @@
 
 #include "haptics/devices/polhem.h"
 #include "haptics/devices/wooden_haptics.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/haptics/devices/fake_port.h"
 
 namespace {
@@ -433,7 +434,7 @@ TEST(ArmsAmong, WhichArmIsBehindABoardTheUserSays) {
   const auto polhems = haptics::armsAmong(haptics::polhem(), all);
   ASSERT_EQ(polhems.size(), 1u);
   EXPECT_EQ(polhems[0].name, "Polhem");
-  EXPECT_NE(polhems[0].why.find("wrong directions"), std::string::npos);
+  EXPECT_NE(sentence(polhems[0].why).find("wrong directions"), std::string::npos);
   const auto wooden = haptics::armsAmong(haptics::woodenHaptics(), all);
   ASSERT_EQ(wooden.size(), 2u);
   EXPECT_EQ(wooden[0].id, "woodenhaptics:/dev/null");
@@ -451,7 +452,7 @@ TEST(ArmDriver, IsKnownWhereNoneIsPluggedIn) {
     const auto device = haptics::openDevice({std::string{arm->driver}});
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "not-plugged-in");
-    EXPECT_NE(device.error().what.find(entries[0].name), std::string::npos);
+    EXPECT_NE(sentence(device.error()).find(entries[0].name), std::string::npos);
   }
 }
 
@@ -479,8 +480,9 @@ TEST(Arm, FirmwareWithShorterReportsIsRefusedByName) {
                                      haptics::kMbedBoard.report, boardClock);
   ASSERT_FALSE(device);
   EXPECT_EQ(device.error().reason, "refused");
-  EXPECT_NE(device.error().what.find("WoodenHaptics has firmware of before"), std::string::npos)
-      << device.error().what;
+  EXPECT_NE(sentence(device.error()).find("WoodenHaptics has firmware of before"),
+            std::string::npos)
+      << sentence(device.error());
   for (const Bytes& command : hid->written) EXPECT_EQ(command, Bytes(15));
 }
 

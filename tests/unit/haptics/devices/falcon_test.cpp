@@ -21,6 +21,7 @@
 #include "haptics/devices/falcon_kinematics.h"
 #include "haptics/devices/falcon_packets.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -191,7 +192,7 @@ class FakePort final : public FalconPort {
 
 std::unique_ptr<Transport> linked(FakeFalcon& falcon) {
   auto link = linkTo(std::make_unique<FakePort>(falcon), {});
-  EXPECT_TRUE(link) << (link ? "" : link.error().what);
+  EXPECT_TRUE(link) << (link ? "" : sentence(link.error()));
   falcon.motors.clear();
   falcon.controls.clear();
   return link ? std::move(*link) : nullptr;
@@ -609,7 +610,7 @@ TEST(FalconOpening, LoadsFirmwareAsTheBootProgramWantsIt) {
   FakeFalcon falcon;
   falcon.firmware_runs = false;
   auto link = linkTo(std::make_unique<FakePort>(falcon), fileOf("firmware", someFirmware()));
-  ASSERT_TRUE(link) << link.error().what;
+  ASSERT_TRUE(link) << sentence(link.error());
   EXPECT_EQ(falcon.loaded, someFirmware());
   EXPECT_EQ(falcon.chunks, 40);
   const std::vector<std::pair<int, int>> expected{
@@ -658,7 +659,7 @@ TEST(FalconOpening, AWrongEchoOfAnyChunkLoadsAnew) {
     const auto link = linkTo(std::make_unique<FakePort>(never), fileOf("firmware", someFirmware()));
     ASSERT_FALSE(link);
     EXPECT_EQ(link.error().reason, "refused");
-    EXPECT_NE(link.error().what.find("firmware whole"), std::string::npos);
+    EXPECT_NE(sentence(link.error()).find("firmware whole"), std::string::npos);
     EXPECT_EQ(never.loads, 3);
     EXPECT_EQ(never.chunks, chunk + 1);  // nothing after the wrong one
     EXPECT_TRUE(never.motors.empty());
@@ -688,7 +689,7 @@ TEST(FalconOpening, SaysWhatIsWrongWithTheFirmware) {
     EXPECT_EQ(falcon.handshakes, 0);  // the device was not started anew for that
     if (link) return std::string{};
     EXPECT_EQ(link.error().reason, "no-firmware");
-    return link.error().what;
+    return sentence(link.error());
   };
   const auto says = [](const std::string& what, const std::string& part) {
     return what.find(part) != std::string::npos;
@@ -707,7 +708,7 @@ TEST(FalconOpening, SaysWhatIsWrongWithTheFirmware) {
   const auto link = linkTo(std::make_unique<FakePort>(falcon), fileOf("other", someFirmware()));
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().reason, "no-firmware");
-  EXPECT_TRUE(says(link.error().what, "does not run it"));
+  EXPECT_TRUE(says(sentence(link.error()), "does not run it"));
 }
 
 TEST(FalconOpening, UnpluggedMeanwhileIsLost) {
@@ -742,7 +743,7 @@ TEST(FalconSurvey, SaysWhatIsMissing) {
   ASSERT_EQ(entries.size(), 2u);
   EXPECT_EQ(entries[0].id, "falcon:1-2");
   EXPECT_EQ(entries[0].trouble, Trouble::NoPermission);
-  EXPECT_NE(entries[0].why.find("70-palpate.rules"), std::string::npos);
+  EXPECT_NE(sentence(entries[0].why).find("70-palpate.rules"), std::string::npos);
   EXPECT_EQ(entries[1].id, "falcon:3-1.4");
   EXPECT_EQ(entries[1].trouble, Trouble::InUse);
   for (const auto& entry : entries) EXPECT_TRUE(entry.present && entry.actuated == 3);

@@ -17,6 +17,7 @@
 #include "haptics/devices/catalogue.h"
 #include "haptics/devices/falcon_packets.h"
 #include "haptics/devices/falcon_port.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -112,7 +113,7 @@ class FalconUsb : public testing::Test {
   }
   static std::unique_ptr<FalconPort> open(const std::string& where = "1-2") {
     auto port = openFalconPort(where);
-    EXPECT_TRUE(port) << (port ? "" : port.error().what);
+    EXPECT_TRUE(port) << (port ? "" : sentence(port.error()));
     return port ? std::move(*port) : nullptr;
   }
   /// What is received, as text; "-" where nothing came, "gone" where nothing will.
@@ -364,7 +365,7 @@ TEST_F(FalconUsb, ADeviceOfTheCatalogueReadsAndEndsWithZeros) {
       self.to_read.emplace_back(half.begin(), half.end());
   };
   auto device = haptics::openDevice({.id = "falcon:3-1.4"});
-  ASSERT_TRUE(device) << device.error().what;
+  ASSERT_TRUE(device) << sentence(device.error());
   EXPECT_EQ((*device)->rating().id, "falcon");
   haptics::DeviceReading reading;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{30};

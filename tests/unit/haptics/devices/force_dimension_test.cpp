@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "tests/support/sentence.h"
 #include "tests/unit/haptics/devices/stub_dhd.h"
 #include "tests/unit/haptics/devices/stub_library.h"
 
@@ -57,7 +58,7 @@ class ForceDimension : public testing::Test {
   }
   std::unique_ptr<Device> open() {
     auto device = tryToOpen();
-    EXPECT_TRUE(device) << device.error().what;
+    EXPECT_TRUE(device) << sentence(device.error());
     if (!device) return nullptr;
     EXPECT_TRUE(reads(**device, DeviceStatus::Ok));
     return std::move(*device);
@@ -103,13 +104,13 @@ TEST_F(ForceDimension, SaysWhatIsMissingWhereTheLibraryIsNot) {
   const auto device = haptics::openForceDimension({.id = "force-dimension"}, absent);
   ASSERT_FALSE(device);
   EXPECT_EQ(device.error().reason, "no-library");
-  EXPECT_NE(device.error().what.find("libpalpate-absent.so"), std::string::npos);
-  EXPECT_NE(device.error().what.find("Force Dimension SDK"), std::string::npos);
+  EXPECT_NE(sentence(device.error()).find("libpalpate-absent.so"), std::string::npos);
+  EXPECT_NE(sentence(device.error()).find("Force Dimension SDK"), std::string::npos);
   const auto entries = haptics::surveyForceDimension(absent);
   ASSERT_EQ(entries.size(), 1u);
   EXPECT_FALSE(entries[0].present);
   EXPECT_EQ(entries[0].trouble, Trouble::NoLibrary);
-  EXPECT_EQ(entries[0].why, device.error().what);
+  EXPECT_EQ(sentence(entries[0].why), sentence(device.error()));
 }
 
 TEST_F(ForceDimension, SaysWhichFunctionTheLibraryLacks) {
@@ -123,8 +124,8 @@ TEST_F(ForceDimension, SaysWhichFunctionTheLibraryLacks) {
     const auto device = haptics::openForceDimension({.id = "force-dimension"}, lacking);
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "no-library");
-    EXPECT_NE(device.error().what.find(" lacks " + name + ")"), std::string::npos)
-        << device.error().what;
+    EXPECT_NE(sentence(device.error()).find(" lacks " + name + ")"), std::string::npos)
+        << sentence(device.error());
     EXPECT_EQ(haptics::surveyForceDimension(lacking)[0].trouble, Trouble::NoLibrary);
     std::filesystem::remove(lacking[0]);
   }
@@ -137,7 +138,7 @@ TEST_F(ForceDimension, WorksWithoutTheRoboticsLibrary) {
   other.initialised = false;  // nobody asks
   {
     const auto device = haptics::openForceDimension({.id = "force-dimension"}, plain);
-    ASSERT_TRUE(device) << device.error().what;
+    ASSERT_TRUE(device) << sentence(device.error());
     EXPECT_TRUE(reads(**device, DeviceStatus::Ok));
     EXPECT_EQ(other.opened_by_robotics, 0);
   }
@@ -150,8 +151,9 @@ TEST_F(ForceDimension, RefusesVersionsThatItDoesNotKnow) {
     stub.major = major, stub.minor = minor, stub.release = release;
     const auto device = tryToOpen();
     return !device && device.error().reason == "no-library" &&
-           device.error().what.find(std::to_string(major) + "." + std::to_string(minor) + "." +
-                                    std::to_string(release)) != std::string::npos;
+           sentence(device.error())
+                   .find(std::to_string(major) + "." + std::to_string(minor) + "." +
+                         std::to_string(release)) != std::string::npos;
   };
   EXPECT_TRUE(refuses(2, 99, 9));
   EXPECT_TRUE(refuses(3, 3, 1));
@@ -215,14 +217,14 @@ TEST_F(ForceDimension, RefusesAUnitWithoutWatchdogAndAModelThatItDoesNotKnowAndC
     const auto device = tryToOpen();
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "refused");
-    EXPECT_NE(device.error().what.find("watchdog"), std::string::npos);
+    EXPECT_NE(sentence(device.error()).find("watchdog"), std::string::npos);
     EXPECT_EQ(stub.closes, 1);
     *result = 0;
   }
   stub.model = 60;
   const auto device = tryToOpen();
   ASSERT_FALSE(device);
-  EXPECT_NE(device.error().what.find("60"), std::string::npos);
+  EXPECT_NE(sentence(device.error()).find("60"), std::string::npos);
   EXPECT_EQ(stub.enables, 0);
   EXPECT_EQ(stub.closes, 1);
 }
@@ -434,7 +436,7 @@ TEST_F(ForceDimension, HasNoForceUntilItIsInitialised) {
     stub.initialised = by_state;
     stub.force = stub.enables = 0;
     const auto device = tryToOpen();
-    ASSERT_TRUE(device) << device.error().what;
+    ASSERT_TRUE(device) << sentence(device.error());
     EXPECT_TRUE(comes(
         [&] { return (*device)->read(reading) == DeviceStatus::NotReady && stub.rounds > 100; }));
     EXPECT_EQ(reading.trouble, Trouble::NeedsCalibration);

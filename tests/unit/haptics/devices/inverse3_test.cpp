@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "tests/support/inverse3_service.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -227,7 +228,7 @@ struct Inverse3 : testing::Test {
 
   void open(const Inverse3Address& address, const std::string& id = "inverse3") {
     auto opened = haptics::openInverse3({.id = id}, address);
-    ASSERT_TRUE(opened) << opened.error().what;
+    ASSERT_TRUE(opened) << sentence(opened.error());
     device_here = std::move(*opened);
   }
   /// Refused, for this reason and with a sentence.
@@ -235,8 +236,8 @@ struct Inverse3 : testing::Test {
     const auto opened = haptics::openInverse3({.id = id}, patient());
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().reason, wordOf(trouble));
-    EXPECT_NE(opened.error().what.find("Haply Inverse3"), std::string::npos);
-    EXPECT_EQ(opened.error().what.back(), '.');
+    EXPECT_NE(sentence(opened.error()).find("Haply Inverse3"), std::string::npos);
+    EXPECT_EQ(sentence(opened.error()).back(), '.');
   }
   /// A servo loop that pushes, until this holds or never will; a minute is for ever.
   bool pushUntil(const std::function<bool(DeviceStatus)>& holds) {
@@ -277,7 +278,7 @@ TEST_F(Inverse3, ASurveySaysWhatIsThereAndSendsNothing) {
   EXPECT_EQ(entries[0].trouble, Trouble::None);
   EXPECT_EQ(entries[0].sensed, 6);
   EXPECT_EQ(entries[0].actuated, 3);
-  EXPECT_EQ(entries[0].why, "");
+  EXPECT_EQ(sentence(entries[0].why), "");
   EXPECT_EQ(service.connections(), 1);
   EXPECT_TRUE(service.commands().empty());
 }
@@ -321,7 +322,7 @@ TEST_F(Inverse3, WithoutAServiceItSaysToInstallIt) {
   const auto entries = haptics::surveyInverse3(nowhere);
   ASSERT_EQ(entries.size(), 1u);
   EXPECT_EQ(entries[0].trouble, Trouble::NoService);
-  EXPECT_NE(entries[0].why.find("haply-inverse-service"), std::string::npos);
+  EXPECT_NE(sentence(entries[0].why).find("haply-inverse-service"), std::string::npos);
   const auto opened = haptics::openInverse3({.id = "inverse3"}, nowhere);
   ASSERT_FALSE(opened);
   EXPECT_EQ(opened.error().reason, wordOf(Trouble::NoService));

@@ -4,6 +4,7 @@
 #include "haptics/devices/force_dimension.h"
 #include "haptics/devices/open_haptics.h"
 #include "tests/support/no_allocation.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/haptics/devices/stub_dhd.h"
 #include "tests/unit/haptics/devices/stub_hd.h"
 #include "tests/unit/haptics/devices/stub_library.h"
@@ -32,7 +33,7 @@ TEST(DriversOverLibraries, NeitherAllocateNorWaitOnTheServoThread) {
   const auto force_dimension = haptics::openForceDimension({.id = "force-dimension"}, dhd_names);
   const auto open_haptics = haptics::openOpenHaptics({.id = "openhaptics"}, hd_names);
   for (const auto* device : {&force_dimension, &open_haptics}) {
-    ASSERT_TRUE(*device) << device->error().what;
+    ASSERT_TRUE(*device) << sentence(device->error());
     haptics::DeviceReading reading;
     ASSERT_TRUE(
         stubs::comes([&] { return (**device)->read(reading) == haptics::DeviceStatus::Ok; }));

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <limits>
 
+#include "tests/support/sentence.h"
 #include "tests/unit/haptics/devices/stub_hd.h"
 #include "tests/unit/haptics/devices/stub_library.h"
 
@@ -69,7 +70,7 @@ class OpenHaptics : public testing::Test {
   }
   std::unique_ptr<Device> open() {
     auto device = tryToOpen();
-    EXPECT_TRUE(device) << device.error().what;
+    EXPECT_TRUE(device) << sentence(device.error());
     if (!device) return nullptr;
     EXPECT_TRUE(reads(**device, DeviceStatus::Ok));
     return std::move(*device);
@@ -111,12 +112,12 @@ TEST_F(OpenHaptics, SaysWhatIsMissingWhereTheLibraryIsNot) {
   const auto device = haptics::openOpenHaptics({.id = "openhaptics"}, absent);
   ASSERT_FALSE(device);
   EXPECT_EQ(device.error().reason, "no-library");
-  EXPECT_NE(device.error().what.find("libpalpate-absent.so"), std::string::npos);
-  EXPECT_NE(device.error().what.find("3D Systems"), std::string::npos);
+  EXPECT_NE(sentence(device.error()).find("libpalpate-absent.so"), std::string::npos);
+  EXPECT_NE(sentence(device.error()).find("3D Systems"), std::string::npos);
   const auto entries = haptics::surveyOpenHaptics(absent);
   ASSERT_EQ(entries.size(), 1u);
   EXPECT_EQ(entries[0].trouble, Trouble::NoLibrary);
-  EXPECT_EQ(entries[0].why, device.error().what);
+  EXPECT_EQ(sentence(entries[0].why), sentence(device.error()));
 }
 
 TEST_F(OpenHaptics, SaysWhichFunctionTheLibraryLacks) {
@@ -130,8 +131,8 @@ TEST_F(OpenHaptics, SaysWhichFunctionTheLibraryLacks) {
     const auto device = haptics::openOpenHaptics({.id = "openhaptics"}, lacking);
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "no-library");
-    EXPECT_NE(device.error().what.find(" lacks " + name + ")"), std::string::npos)
-        << device.error().what;
+    EXPECT_NE(sentence(device.error()).find(" lacks " + name + ")"), std::string::npos)
+        << sentence(device.error());
     EXPECT_EQ(haptics::surveyOpenHaptics(lacking)[0].trouble, Trouble::NoLibrary);
     std::filesystem::remove(lacking[0]);
   }
@@ -143,7 +144,7 @@ TEST_F(OpenHaptics, SurveysWithoutOpening) {
   EXPECT_EQ(entries[0].id, "openhaptics");
   EXPECT_FALSE(entries[0].present);
   EXPECT_EQ(entries[0].trouble, Trouble::None);
-  EXPECT_NE(entries[0].why.find("opening tells"), std::string::npos);
+  EXPECT_NE(sentence(entries[0].why).find("opening tells"), std::string::npos);
   EXPECT_TRUE(stub.story().empty());
 }
 
@@ -175,7 +176,7 @@ TEST_F(OpenHaptics, ClosesAUnitThatCannotBeStarted) {
     const auto device = tryToOpen();
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "refused");
-    EXPECT_NE(device.error().what.find("0x0501"), std::string::npos);
+    EXPECT_NE(sentence(device.error()).find("0x0501"), std::string::npos);
     EXPECT_EQ(stub.story().back(), "close");
     EXPECT_FALSE(stub.force_on);
     EXPECT_EQ(stub.wrench(), kNoTorque);

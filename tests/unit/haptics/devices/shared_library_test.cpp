@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentence.h"
 #include "tests/unit/haptics/devices/stub_library.h"
 
 namespace {
@@ -13,7 +14,7 @@ using haptics::SharedLibrary;
 TEST(SharedLibrary, TakesTheFirstNameThatIsThere) {
   const std::vector<std::string> names{"libpalpate-absent.so", PALPATE_STUB_DHD};
   auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
-  ASSERT_TRUE(library) << library.error().what;
+  ASSERT_TRUE(library) << sentence(library.error());
   EXPECT_EQ(library->name(), PALPATE_STUB_DHD);
 }
 
@@ -22,7 +23,7 @@ TEST(SharedLibrary, NamesAllThatItLookedFor) {
   const auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
   ASSERT_FALSE(library);
   EXPECT_EQ(library.error().reason, "no-library");
-  EXPECT_EQ(library.error().what,
+  EXPECT_EQ(sentence(library.error()),
             "Its product is not installed (looked for libpalpate-absent.so.3, "
             "libpalpate-absent.so); look "
             "elsewhere.");
@@ -34,8 +35,8 @@ TEST(SharedLibrary, SaysOfOneThatIsThereWhyItCannotBeLoaded) {
   const std::vector<std::string> names{"libpalpate-absent.so", broken};
   const auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
   ASSERT_FALSE(library);
-  EXPECT_EQ(library.error().what.find("Its product: " + broken + " cannot be loaded ("), 0u)
-      << library.error().what;
+  EXPECT_EQ(sentence(library.error()).find("Its product: " + broken + " cannot be loaded ("), 0u)
+      << sentence(library.error());
 }
 
 TEST(SharedLibrary, KeepsTheFirstFunctionThatIsNotThere) {

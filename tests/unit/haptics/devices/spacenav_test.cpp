@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "haptics/devices/spacenav_socket.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -248,7 +249,7 @@ TEST(Spacenav, WithoutAServiceItSaysWhereItLooked) {
     const auto device = haptics::spacenavAt(place);
     ASSERT_FALSE(device) << place;
     EXPECT_EQ(device.error().reason, "no-service");
-    EXPECT_NE(device.error().what.find("'" + place + "'"), std::string::npos);
+    EXPECT_NE(sentence(device.error()).find("'" + place + "'"), std::string::npos);
   }
   std::filesystem::remove(plain);
 }
@@ -266,7 +267,7 @@ TEST(SpacenavDriver, LooksWhereItIsTold) {
   ASSERT_EQ(entries.size(), 1u);
   EXPECT_FALSE(entries[0].present);
   EXPECT_EQ(entries[0].trouble, Trouble::NoService);
-  EXPECT_NE(entries[0].why.find("/nowhere/spnav.sock"), std::string::npos);
+  EXPECT_NE(sentence(entries[0].why).find("/nowhere/spnav.sock"), std::string::npos);
   ::unsetenv("SPNAV_SOCKET");
   EXPECT_EQ(haptics::spacenavPlace(), "/var/run/spnav.sock");
 }

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "resources/messages/messages.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <vector>
+
+#include "resources/messages/app.h"
+#include "resources/messages/drivers.h"
+#include "resources/messages/exports.h"
+#include "resources/messages/readers.h"
+#include "resources/messages/recordings.h"
+#include "resources/messages/scenes.h"
+
+namespace resources {
+namespace {
+
+std::vector<Row> together() {
+  std::vector<Row> all;
+  for (const std::span<const Row> table : std::initializer_list<std::span<const Row>>{
+           kReaders, kDrivers, kRecordings, kScenes, kExports, kApp})
+    all.insert(all.end(), table.begin(), table.end());
+  return all;
+}
+
+bool isDigit(char c) { return c >= '1' && c <= '9'; }
+
+/// In one pass: a "%1" in an argument, which may be the name of a file, stays as it is.
+std::string filled(std::string_view english, const std::vector<haptics::Message>& arguments) {
+  std::string words;
+  for (std::size_t at = 0; at < english.size();) {
+    const std::string_view rest = english.substr(at);
+    const bool plain = rest.size() > 1 && rest[0] == '%' && isDigit(rest[1]);
+    const bool unstopped =
+        rest.size() > 3 && rest.starts_with("%(") && isDigit(rest[2]) && rest[3] == ')';
+    const std::size_t which =
+        plain || unstopped ? static_cast<std::size_t>(rest[plain ? 1 : 2] - '1') : arguments.size();
+    if (which >= arguments.size()) {
+      words += rest[0];
+      ++at;
+      continue;
+    }
+    words += sentence(arguments[which]);
+    if (unstopped && words.ends_with('.')) words.pop_back();
+    at += plain ? 2 : 4;
+  }
+  return words;
+}
+
+}  // namespace
+
+std::span<const Row> rows() {
+  static const std::vector<Row> all = together();
+  return all;
+}
+
+std::string sentence(const haptics::Message& message) {
+  if (message.id.empty()) return message.text;
+  const std::span<const Row> all = rows();
+  const auto row = std::ranges::find(all, message.id, &Row::id);
+  if (row != all.end()) return filled(row->english, message.arguments);
+  std::string words = message.id;
+  for (std::size_t i = 0; i < message.arguments.size(); ++i)
+    words += (i == 0 ? ": " : ", ") + sentence(message.arguments[i]);
+  return words;
+}
+
+std::string sentence(const haptics::Error& error) { return sentence(error.message); }
+
+}  // namespace resources

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sentences of volumes, tools, hands and scenes, in the order of the source.
+#pragma once
+
+#include "resources/messages/row.h"
+
+namespace resources {
+
+inline constexpr Row kScenes[] = {
+    {"phantom-unknown", "There is no phantom named '%1'; known phantoms are %2."},
+    {"volume-memory",
+     "The volume needs %1 MB of memory, which this machine does not give; try a smaller series or "
+     "close other programs."},
+    {"volume-axis-empty", "The volume has an axis without voxels."},
+    {"volume-spacing",
+     "The volume's voxel spacing is not a positive number; its header cannot be used."},
+    {"volume-place-not-finite",
+     "The volume's position or orientation is not a number; its header cannot be used."},
+    {"volume-axes-not-right-angled",
+     "The volume's axes are not at right angles; only right-angled stacks can be loaded."},
+    {"volume-cancelled", "Making the volume was cancelled."},
+    {"volume-no-finite-voxel",
+     "The volume holds no finite voxel; there is nothing to see or touch."},
+    {"scene-no-volume", "There is no volume to touch; open one."},
+    {"tool-no-points", "The tool has no points; a tool needs at least one."},
+    {"scene-cancelled", "Making the scene was cancelled."},
+    {"session-nothing-to-touch", "There is nothing to touch yet; open a volume."},
+    {"session-no-room",
+     "The tool would start inside the solid, with no room within 50 mm; raise the isovalue."},
+    {"hand-starts-inside",
+     "The tool starts inside the solid and there is no room for it within 50 mm; start the hand "
+     "outside or raise the isovalue."},
+    {"hand-no-poses", "The hand has no poses."},
+    {"hand-row-no-number", "The hand's row %1 holds something that is not a number."},
+    {"hand-time-not-increasing", "The hand's time does not increase at row %1."},
+    {"hand-isovalue-not-reached",
+     "Nothing in the volume reaches the isovalue %1; choose a lower one."},
+    {"hand-no-surface", "The tool finds no surface at the isovalue %1; choose a lower one."},
+    {"tool-point-no-number", "The tool has a point that is not a number; mend the file."},
+    {"tool-point-too-far",
+     "The tool has a point more than 10 m from its middle, and no hand holds that; check its "
+     "unit."},
+    {"tool-triangle-no-vertices", "The tool \"%1\" has a triangle without vertices."},
+    {"tool-no-triangle", "The tool \"%1\" has no triangle to spread points over."},
+    {"tool-unknown", "There is no tool named '%1'; known tools are %2."},
+};
+
+}  // namespace resources
