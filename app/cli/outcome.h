@@ -18,8 +18,8 @@ struct Outcome {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   std::string text = {};  ///< for people; empty: made from the JSON
   std::string error = {};
-  bool aside =
-      false;  ///< standard output is used for the requested data; the report goes to standard error
+  /// Standard output is used for the requested data; the report goes to standard error.
+  bool aside = false;
 };
 
 /// A refusal, with further known facts.

@@ -19,8 +19,8 @@ namespace app {
 struct ExportRequest {
   std::filesystem::path recording, out;
   ui::ExportWish wish;
-  std::shared_ptr<const haptics::Volume> volume =
-      {};  ///< volume for a film; null: the film shows only the tool
+  /// Volume for a film; null: the film shows only the tool.
+  std::shared_ptr<const haptics::Volume> volume = {};
   std::optional<haptics::VolumeHash> hash = {};  ///< hash of the volume, if it is known
   std::optional<FilmCamera> camera = {};         ///< camera of a film with a fixed view
 };

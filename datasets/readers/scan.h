@@ -87,8 +87,8 @@ struct SeriesVerdict {
 
 /// Everything that `info` reports about a path.
 struct Survey {
-  bool several =
-      false;  ///< the path is a folder, an archive or a file of several volumes; one must be chosen
+  /// The path is a folder, an archive or a file of several volumes; one must be chosen.
+  bool several = false;
   std::vector<SeriesVerdict> series;
 };
 

@@ -20,8 +20,8 @@ struct NearPoint {
   int place = 0;       ///< index in the order of the shell's tree
   double value = 0.0;  ///< F at the point
   double free = 0.0;   ///< m that it may move in any direction, proven
-  double lipschitz =
-      0.0;  ///< Lipschitz bound of F per metre, within four voxels; 0 if they are proven empty
+  /// Lipschitz bound of F per metre, within four voxels; 0 if they are proven empty.
+  double lipschitz = 0.0;
 };
 
 /// The distance that each shell point can move before it could meet the surface. The pyramid's

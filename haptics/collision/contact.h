@@ -18,11 +18,11 @@ enum class NormalKind {
 struct Contact {
   int point = 0;            ///< index into the shell
   Vec3 r_W = Vec3::Zero();  ///< vector from the tool's origin to the point, in W [m]
-  Vec3 n_W =
-      Vec3::Zero();  ///< unit normal of the cell in which the point met the surface, outwards
+  /// Unit normal of the cell in which the point met the surface, outwards.
+  Vec3 n_W = Vec3::Zero();
   double gap = 0.0;  ///< m, distance to the surface along n, to first order; negative inside
-  Vec3 met_W =
-      Vec3::Zero();      ///< position of the point at the start of the motion that met the surface
+  /// Position of the point at the start of the motion that met the surface.
+  Vec3 met_W = Vec3::Zero();
   double met_gap = 0.0;  ///< the gap at met_W
 };
 

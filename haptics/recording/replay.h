@@ -15,8 +15,8 @@ namespace haptics {
 /// Differences between the recording and the present algorithm on the recorded device path.
 struct ReplayDifference {
   std::int64_t steps = 0;  ///< steps compared
-  std::int64_t skipped =
-      0;  ///< steps without a scene, with a scene that is not available, or without a start
+  /// Steps without a scene, with a scene that is not available, or without a start.
+  std::int64_t skipped = 0;
   std::int64_t differing = 0;          ///< steps in which a bit of any number differs
   std::optional<std::uint64_t> first;  ///< sequence of the first differing step
   double distance = 0.0;               ///< m: greatest distance between proxy and recorded proxy

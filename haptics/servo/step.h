@@ -18,11 +18,11 @@ struct StepFlags {
   static constexpr std::uint16_t kArmed = 4;         ///< armed by the user
   static constexpr std::uint16_t kLost = 8;          ///< the device gave no reading
   static constexpr std::uint16_t kStale = 16;        ///< the device gave its last reading again
-  static constexpr std::uint16_t kSilent =
-      32;  ///< the last reading for at least the third time in a row
+  /// The last reading for at least the third time in a row.
+  static constexpr std::uint16_t kSilent = 32;
   static constexpr std::uint16_t kNotReady = 64;  ///< the device is not homed
-  static constexpr std::uint16_t kClutched =
-      128;  ///< the clutch is held: the hand moves, the tool does not
+  /// The clutch is held: the hand moves, the tool does not.
+  static constexpr std::uint16_t kClutched = 128;
   static constexpr std::uint16_t kLetGo = 256;     ///< hold-to-run is on, and its key is released
   static constexpr std::uint16_t kGap = 512;       ///< no tick for 5 ms before this one
   static constexpr std::uint16_t kTooFast = 1024;  ///< the device moves too fast for force

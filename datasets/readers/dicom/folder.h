@@ -15,8 +15,8 @@ namespace datasets {
 /// Files of one series, in the order of their names, and their geometry.
 struct DicomSeries {
   std::vector<DicomFile> files;
-  haptics::Expected<Stack> stack =
-      Stack{};  ///< geometry and order, or the reason why there is none
+  /// Geometry and order, or the reason why there is none.
+  haptics::Expected<Stack> stack = Stack{};
   /// For a series that lacks slices: its largest part without a gap, if that is a sound stack;
   /// otherwise null.
   std::shared_ptr<const DicomSeries> unbroken;

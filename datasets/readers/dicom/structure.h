@@ -17,8 +17,8 @@ struct DicomStructure {
   /// Why the walk stopped: a value exceeds the file ("truncated"), or an item has too many elements
   /// or sequences are nested too deep ("bad-header").
   std::optional<haptics::Error> fault;
-  std::int64_t sound_bytes =
-      0;  ///< with a fault: position of the outermost element that contains it
+  /// With a fault: position of the outermost element that contains it.
+  std::int64_t sound_bytes = 0;
 };
 
 /// Walks from the first element to the last that can be found. In a deflated file it reads only the
