@@ -24,20 +24,20 @@
 
 namespace app {
 
-/// What the command line asks for.
+/// The options of the command line.
 struct Arguments {
-  LoadRequest load = {};  ///< nothing to load: the demo phantom
+  LoadRequest load = {};  ///< default: the demo phantom
   std::string hand = "mouse";
   std::optional<ui::SurfaceMode> surface = {};
-  std::string screenshot = {};    ///< a PNG to write, then quit; or empty
-  double screenshot_after = 3.0;  ///< s of running with a scene
+  std::string screenshot = {};    ///< PNG to write before quitting; empty: none
+  double screenshot_after = 3.0;  ///< s to wait after a scene is shown
   bool notice = true;
   std::function<double()> free_memory = datasets::freeMemory;  ///< bytes; any thread
   DeviceCatalogue devices = builtInCatalogue();
-  std::filesystem::path recordings = {};  ///< where sessions are kept; empty: the user's folder
+  std::filesystem::path recordings = {};  ///< folder of recordings; empty: the user's folder
 };
 
-/// Makes the window and its controllers, and connects them. What happens is in the controllers.
+/// Makes the window and its controllers, and connects them. The controllers do the work.
 class Application : public QObject {
   Q_OBJECT
  public:
@@ -48,17 +48,17 @@ class Application : public QObject {
   ui::MainWindow& window() { return window_; }
   haptics::Session& session() { return shared_.session; }
   const haptics::Snapshot& snapshot() const { return shared_.snapshot; }
-  /// What is seen and touched; none before the first volume.
+  /// The volume and scene on view; none before the first volume.
   const std::optional<Loaded>& shown() const { return shared_.shown; }
   SessionRecording& recording() { return recording_.recording(); }
   ExportController& exporting() { return export_; }
-  /// The recording that is being replayed; null: the hand is at work.
+  /// The recording that is being replayed; null: none.
   Replay* replay() { return replay_.replay(); }
 
  signals:
-  /// The screenshot was written, or could not be.
+  /// The screenshot was written, or writing it failed.
   void finished(int exit_code);
-  /// A scene is being touched.
+  /// The session has adopted a scene.
   void adopted();
 
  private:
@@ -66,7 +66,7 @@ class Application : public QObject {
   void wireHands();
   void wireRecordings();
   void noteHand(const QString& id);
-  /// Ends whatever touches, records or measures.
+  /// Ends touch, recording and measurement.
   void close();
 
   Arguments arguments_;

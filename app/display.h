@@ -3,19 +3,20 @@
 
 namespace app {
 
-/// An open X display. Qt and VTK both end the process where there is none, so this is asked before
-/// either begins. A virtual display begins anew when its last client has gone and answers nobody
-/// meanwhile: so it is held from the check until whoever draws has opened it too.
+/// Checks for an X display before Qt or VTK starts, because both end the process without one. A
+/// virtual X server resets when its last client disconnects, and does not answer meanwhile. So the
+/// connection stays open until Qt or VTK has opened its own.
 class HeldDisplay {
  public:
-  HeldDisplay();  ///< waits up to a second for a display that is named and does not answer
+  HeldDisplay();  ///< waits up to a second if DISPLAY is set and the server does not answer
   ~HeldDisplay();
   HeldDisplay(const HeldDisplay&) = delete;
   HeldDisplay& operator=(const HeldDisplay&) = delete;
 
-  /// Whether Qt can open a window on it: false too where QT_QPA_PLATFORM names another platform.
+  /// Whether Qt can open a window on the display. Also false if QT_QPA_PLATFORM names another
+  /// platform.
   bool showsWindows() const;
-  /// Whether VTK can draw on it without a window of Qt's: it knows GLX.
+  /// Whether VTK can draw on the display without a Qt window: whether it has GLX.
   bool draws() const;
 
  private:

@@ -43,15 +43,16 @@ int main(int argc, char** argv) {
   auto* phantom_given = cli.add_option("--phantom", phantom, "A volume made by formula")
                             ->check(oneOf(datasets::phantomNames()));
   path_given->excludes(phantom_given);
-  auto* isovalue_given = cli.add_option("--isovalue", isovalue, "Where the surface is");
+  auto* isovalue_given =
+      cli.add_option("--isovalue", isovalue, "Intensity of the surface, in the volume's unit");
   auto* tool_given = cli.add_option("--tool", tool, "A named tool, or an STL, OBJ or PLY file");
-  cli.add_option("--tool-unit", tool_unit, "Of a tool file")
+  cli.add_option("--tool-unit", tool_unit, "Unit of a tool file")
       ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
-  cli.add_option("--hand", arguments.hand, "Who holds the device")
+  cli.add_option("--hand", arguments.hand, "The hand that holds the device")
       ->check(CLI::IsMember({"mouse", "tap", "slide", "wedge", "pry", "hook", "jerk", "twist"}));
   auto* surface_given = cli.add_option("--surface", surface, "How the surface is drawn")
                             ->check(CLI::IsMember({"raycast", "mesh"}));
-  auto* series_given = cli.add_option("--series", series, "Which of a folder's series");
+  auto* series_given = cli.add_option("--series", series, "Number of a series of a folder");
   cli.add_flag("--correct", correct, "Resample slices that are tilted or unevenly spaced");
   auto* screenshot_given =
       cli.add_option("--screenshot", arguments.screenshot, "Write the window as a PNG and quit");

@@ -7,18 +7,19 @@
 
 namespace app {
 
-/// Keeps SIGINT, SIGTERM, SIGHUP and SIGQUIT from this thread and all that it starts. Called before
-/// there is any other thread, so that none but EndingSignals' gets them. What a terminal may stop
-/// the process by, and SIGPIPE, is ignored: the motors would keep their force.
+/// Blocks SIGINT, SIGTERM, SIGHUP and SIGQUIT in this thread and in all threads that it starts.
+/// Call it before any other thread exists, so that only the thread of EndingSignals receives them.
+/// It also ignores SIGPIPE and the signals by which a terminal stops a process, because the motors
+/// of a stopped process would keep their force.
 void blockEndingSignals();
 
-/// Waits for SIGINT, SIGTERM, SIGHUP and SIGQUIT on a thread of its own. At the first the motors
-/// stop at once and `end` is called, on that thread; the next one ends the process as if nobody had
-/// waited, with the motors stopped again.
+/// Waits for SIGINT, SIGTERM, SIGHUP and SIGQUIT on a thread of its own. The first signal stops the
+/// motors at once and calls `end` on that thread. The second stops the motors again and ends the
+/// process by the signal's default action.
 class EndingSignals {
  public:
   explicit EndingSignals(std::function<void()> end);
-  ~EndingSignals();  ///< what comes later stays blocked
+  ~EndingSignals();  ///< later signals stay blocked
   EndingSignals(const EndingSignals&) = delete;
   EndingSignals& operator=(const EndingSignals&) = delete;
 

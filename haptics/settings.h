@@ -5,20 +5,20 @@
 
 namespace haptics {
 
-/// What a setting may be, both ends included.
+/// The range of a setting, both ends included.
 struct Range {
   double least, most;
   constexpr bool holds(double value) const { return value >= least && value <= most; }
 };
 
-/// The ranges of Settings, for all who ask for a number or keep one.
+/// The ranges of Settings, for code that reads or stores these numbers.
 inline constexpr Range kStiffnessRange{0.0, 20'000.0};
 inline constexpr Range kAngularStiffnessRange{0.0, 1000.0};
 inline constexpr Range kFrictionRange{0.0, 1.5};
 inline constexpr Range kScaleRange{0.1, 10.0};  ///< of force and of position
 
-/// Buttons that a Handling may name: those of the device that moves the tool are numbered from 0,
-/// those of a second one in the other hand from kButtonsEach.
+/// Numbers of buttons in Handling: buttons of the device that moves the tool count from 0, those of
+/// a second device in the other hand from kButtonsEach.
 inline constexpr int kButtonsEach = 8;
 inline constexpr int kButtons = 2 * kButtonsEach;
 
@@ -39,14 +39,15 @@ struct Settings {
 
 /// How a real device is held. Set by the GUI thread through Session::handle.
 struct Handling {
-  /// Where the base's axes point in W, as columns: x right, y up, z towards the user; a rotation.
+  /// A rotation. Its columns are the directions in W of the base's axes: x right, y up, z towards
+  /// the user.
   Mat3 R_WB = Mat3::Identity();
   int clutch_button = -1;    ///< while it is down the tool stays and the hand moves; -1: none
-  int hold_button = -1;      ///< for hold-to-run; -1: none
+  int hold_button = -1;      ///< button of hold-to-run; -1: none
   bool hold_to_run = false;  ///< no force unless the button or the key is held
   bool clutch = false;       ///< the clutch's key is down
-  /// The key of hold-to-run is down. Expires after 0.25 s, so that a window that hangs holds
-  /// nothing; the GUI must resend it.
+  /// The key of hold-to-run is down. It expires after 0.25 s, so that a window that hangs does not
+  /// keep the force on; the GUI must resend it.
   bool held = false;
 };
 

@@ -16,7 +16,7 @@ enum class SchedulingPolicy : std::uint8_t { NotStarted, Ordinary, RealTime };
 enum class ForceState : std::uint8_t {
   Off,      ///< the device gives no poses, or there is no scene
   Ready,    ///< zero force until the user arms it
-  Armed,    ///< the user wants force and something withholds it: fading out, or zero
+  Armed,    ///< the user wants force, but it is withheld: fading out, or zero
   Ramping,  ///< rising to full over a second
   On,       ///< full, within the device's limits
   Fault     ///< zero force, latched: until the user arms it again
@@ -37,11 +37,11 @@ enum class ForceReason : std::uint8_t {
   NotFinite,  ///< Armed: a number was not finite
   Stale,      ///< Armed: no new reading for three ticks
   Lost,       ///< Fault: the device is gone, or three polls failed
-  Jump,       ///< Fault: it moved faster than a hand can, so an encoder is wrong
+  Jump,       ///< Fault: the device moved faster than a hand can, so an encoder is wrong
   Stalled     ///< Fault: three gaps within ten seconds, while armed
 };
 
-/// A step of the force from one state to another.
+/// A transition of the force from one state to another.
 struct ForceTransition {
   double time = 0.0;  ///< s since the loop started
   ForceState from = ForceState::Off, to = ForceState::Off;
@@ -62,14 +62,14 @@ struct Snapshot {
   int contacts = 0;              ///< contacts that bear force
   ForceState force_state = ForceState::Off;
   ForceReason reason = ForceReason::None;
-  std::uint32_t buttons = 0;        ///< of the device, bit n for button n
-  Trouble trouble = Trouble::None;  ///< of the device: what the user must do
+  std::uint32_t buttons = 0;        ///< buttons of the device, bit n for button n
+  Trouble trouble = Trouble::None;  ///< trouble of the device, which the user must solve
   bool clutched = false;            ///< the clutch is down: the tool stays while the hand moves
-  double stiffness_share = 1.0;     ///< of the set stiffness, after the passivity guard
+  double stiffness_share = 1.0;     ///< share of the set stiffness after the passivity guard
   SchedulingPolicy policy = SchedulingPolicy::NotStarted;
   double servo_rate = 0.0;         ///< Hz over the last second
   double tick_p99 = 0.0;           ///< s of CPU, over the last second or so
-  std::uint64_t late_ticks = 0;    ///< began over 100 us after their time
+  std::uint64_t late_ticks = 0;    ///< ticks that began over 100 us late
   std::uint64_t missed_ticks = 0;  ///< periods in which no tick began
 };
 

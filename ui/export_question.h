@@ -34,18 +34,20 @@ struct ExportWish {
     int frames_per_second = 30;
     bool figures = true;  ///< force and time are written into the picture
   };
-  std::optional<std::size_t> table = 0;  ///< its place among the formats; none: a film
+  std::optional<std::size_t> table = 0;  ///< index of the format; none: a film
   double from = 0.0, to = 0.0;
-  std::optional<double> rate = {};  ///< Hz; none: every step. Not of a film
-  bool contacts = true;             ///< not of a film
+  std::optional<double> rate = {};  ///< Hz; none: every step. Not used for a film
+  bool contacts = true;             ///< not used for a film
   Film film = {};
 };
 
-/// Asks what to export, all of the recording at first. An empty range cannot be chosen.
+/// Asks for the options of an export. The initial range is the whole recording. An empty range
+/// cannot be chosen.
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
-  /// A recording from `begin` to `end`, s; as one of `formats`, at least one, or as a film.
+  /// For a recording from `begin` to `end` [s]. The choices are `formats` (at least one) and a
+  /// film.
   ExportDialog(double begin, double end, std::vector<ExportFormat> formats,
                QWidget* parent = nullptr);
   ExportWish wish() const;
@@ -59,7 +61,7 @@ class ExportDialog : public QDialog {
 
   double begin_, end_;
   std::vector<ExportFormat> tables_;
-  QComboBox* formats_;  ///< the tables, and a film
+  QComboBox* formats_;  ///< the table formats, and a film
   QLabel* about_;
   NumberBox* from_;
   NumberBox* to_;

@@ -51,22 +51,22 @@ class MainWindow : public QMainWindow {
   void display(const haptics::Snapshot& snapshot);
   /// Shows only the state of the force, because the poses belong to another volume.
   void displayForce(const haptics::Snapshot& snapshot);
-  /// What was appended is shown no more.
+  /// Clears the plot of the force.
   void clearForces();
   void appendForces(std::span<const haptics::ForceSample> points);
   void setPhantoms(const QStringList& names);
-  /// Takes a panel, behind the force plot, with an entry in the View menu. `name` is that of its
-  /// dock: the layout is remembered by it.
+  /// Adds a panel as a tab behind the force plot, with an entry in the View menu. `name` is the
+  /// name of its dock, under which the layout is stored.
   void addPanel(QWidget* panel, const QString& title, const QString& entry, const char* name);
   /// The entries of File > Open recent, newest first, and whether new ones are remembered.
   void setRecentPlaces(const QList<Place>& places, bool remembered);
   /// Whether there is a list of series to which the user can return.
   void setSeriesKnown(bool known);
 
-  /// One sentence for the user, until closed or until clearMessage().
+  /// Shows a sentence until the user closes it, or until clearMessage().
   void showMessage(const QString& sentence);
   void clearMessage();
-  /// The same in a bar of its own, which only the user closes.
+  /// Shows a sentence in a separate bar, which only the user closes.
   void showFault(const QString& sentence);
   void showLoading(const QString& what);
   void showProgress(double fraction);
@@ -86,11 +86,11 @@ class MainWindow : public QMainWindow {
 
  signals:
   void openWanted(const QString& path);
-  /// A recording is to be opened.
+  /// The user wants to open a recording.
   void recordingWanted(const QString& path);
   /// Files and folders were dropped on the window: one or more.
   void dropped(const QStringList& paths);
-  /// The last list of series is to be shown again.
+  /// The user wants to see the last list of series again.
   void seriesWanted();
   /// The menu of recent places is about to open.
   void recentPlacesSought();
@@ -140,8 +140,8 @@ class MainWindow : public QMainWindow {
   QLabel* message_;
   QLabel* force_state_;
   std::optional<haptics::ForceState> shown_force_state_;
-  std::optional<haptics::Snapshot> unsaid_;  ///< came while words_ ran
-  QTimer words_;                             ///< since the words changed
+  std::optional<haptics::Snapshot> unsaid_;  ///< snapshot that arrived while words_ ran
+  QTimer words_;                             ///< runs after the texts changed
   QFrame* loading_;
   QLabel* loading_what_;
   QProgressBar* progress_;

@@ -26,14 +26,14 @@ enum class Verdict {
 /// One line of the browser. A text is empty if the file does not state it.
 struct SeriesRow {
   QString patient, study, series, modality;
-  std::array<std::int64_t, 3> dims{};  ///< voxels, of the part if it is one; zeros: not known
+  std::array<std::int64_t, 3> dims{};  ///< voxels of the series, or of its part; zeros: unknown
   std::int64_t slices_there =
-      0;  ///< of InPart: the number of slices of which dims[2] are the largest part
+      0;  ///< for InPart: slices in the series; its largest part has dims[2]
   std::array<double, 3> spacing_mm{};  ///< not shown for a refused series
   Verdict verdict = Verdict::Refused;
   QString sentence;         ///< the message for the verdict
   QStringList faults = {};  ///< a sentence for each file that cannot be used
-  std::int64_t bytes = 0;   ///< in memory; 0: not known
+  std::int64_t bytes = 0;   ///< size in memory; 0: unknown
 };
 
 /// Lists the series in a folder, an archive or a file of several volumes, and lets the user choose

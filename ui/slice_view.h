@@ -9,8 +9,9 @@
 
 namespace ui {
 
-/// One slice through the crosshair, with the crosshair, the proxy's foot and the letters of the
-/// edges. Left button moves the crosshair, right drag the grey window, the wheel the slice.
+/// One slice through the crosshair, with the crosshair, the proxy's projection and the letters of
+/// the edges. The left button moves the crosshair, right drag changes the grey window, the wheel
+/// changes the slice.
 class SliceView : public QWidget {
   Q_OBJECT
  public:
@@ -19,7 +20,7 @@ class SliceView : public QWidget {
   void show(const Picture& picture);
   void setCross(const Eigen::Vector3d& cross_W_mm);
   void setGrey(const GreyWindow& grey);
-  /// Where the proxy is drawn; solid when it lies in this slice.
+  /// Sets the proxy's position. Its mark is solid if it lies in this slice.
   void setProxy(const Eigen::Vector3d& proxy_W_mm);
 
   Plane plane() const { return plane_; }

@@ -16,17 +16,17 @@ struct Graphics {
   int minor = 0;
   QString renderer;        ///< GL_RENDERER
   int max_3d_texture = 0;  ///< voxels along an axis
-  bool software() const;   ///< drawn by the processor: llvmpipe, softpipe, swrast
+  bool software() const;   ///< a software renderer: llvmpipe, softpipe, swrast
 };
 
 /// A VTK render window inside a Qt 6 OpenGL widget.
 ///
-/// VTK draws into its own framebuffer, and only when redraw() asked for it; Qt may repaint the
-/// widget at any time from what was drawn last. Renderers are added to renderWindow().
+/// VTK draws into its own framebuffer, and only after redraw(). Qt may repaint the widget at any
+/// time from the last drawing. Renderers are added to renderWindow().
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
  public:
-  /// Sets the surface format that VTK needs. Before the QApplication is made.
+  /// Sets the surface format that VTK needs. Call it before the QApplication is made.
   static void prepareApplication();
 
   explicit Viewport(QWidget* parent = nullptr);

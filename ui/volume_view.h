@@ -22,9 +22,9 @@ class HeldPass;
 /// The 3-D view: isosurface, proxy, device and orientation letters, in W, millimetres.
 ///
 /// Left drag turns the camera, or with the mouse as hand moves the hand in the view plane (Shift
-/// turns it, the wheel pushes it away); right drag always turns the camera, middle drag shifts
-/// it, Ctrl and wheel (without a mouse hand the wheel alone) zoom. Space asks for force off, R
-/// shows everything, T the same from the tool's side. C held down is the clutch, H held down is
+/// turns it, the wheel pushes it away); right drag always turns the camera, middle drag shifts it,
+/// Ctrl and wheel (without a mouse hand the wheel alone) zoom. Space requests force off, R shows
+/// everything, T shows everything from the tool's side. C held down is the clutch, H held down is
 /// hold-to-run; both are released when the view loses the focus.
 class VolumeView : public Viewport {
   Q_OBJECT
@@ -38,13 +38,13 @@ class VolumeView : public Viewport {
   void setSurfaceWish(std::optional<SurfaceMode> wish);
   void display(const haptics::Snapshot& snapshot);
   void setMouseHand(bool on);
-  /// The answer to fineMeshWanted.
+  /// Shows the mesh requested by fineMeshWanted.
   void showFine(vtkPolyData* mesh, double isovalue);
   void resetCamera();
   /// Shows everything, from the device's side.
   void lookFromTool();
 
-  /// Where a point of W is drawn, in widget coordinates.
+  /// Widget coordinates of a point of W [m].
   QPointF projected(const haptics::Vec3& p_W) const;
   Eigen::Vector3d letterPosition_mm(char letter) const { return letters_->positionOf(letter); }
   Eigen::Matrix3d viewAxes() const;  ///< columns: right, up, towards the viewer; in W
@@ -58,7 +58,7 @@ class VolumeView : public Viewport {
   /// The pose to which the mouse pulls the tool, W.
   void handPulled(const haptics::Pose& X_WH);
   void surfaceChosen(const ui::SurfaceChoice& choice);
-  /// Nothing has moved for a while: the picture may become finer.
+  /// Nothing has moved for a while; a finer mesh may be shown.
   void fineMeshWanted(double isovalue);
 
  protected:

@@ -17,25 +17,25 @@
 
 namespace app::background {
 
-/// Reasons of errors that stand for an exception. The message is a sentence for kNoMemory, and the
-/// exception's own words for kThrew; the caller may say it better.
+/// Reasons of errors made from an exception. The message is a sentence for kNoMemory, and the
+/// exception's own text for kThrew; the caller may replace it by a better one.
 inline constexpr const char* kNoMemory = "no-memory";
 inline constexpr const char* kThrew = "exception";
 
 class Threads;
 
-/// How the work sees whoever waits for it. Valid while the work runs, on its thread.
+/// The connection from the work to its owner. Valid while the work runs, on its thread.
 class Watch {
  public:
-  /// Whether the work is to stop. The atomic and the token say the same.
+  /// Whether the work should stop. `cancel` and `stop` give the same answer.
   bool cancelled() const { return cancel; }
   const std::atomic<bool>& cancel;
   std::stop_token stop;
 
-  /// Reports how much of the work is done, 0 to 1. Steps below 0.002 are left out.
+  /// Reports the completed fraction, 0 to 1. Steps below 0.002 are not reported.
   void advanced(double fraction) const;
-  /// Has `action` called on the owner's thread, in order, before the result. Dropped once the task
-  /// was abandoned, started again or destroyed.
+  /// Calls `action` on the owner's thread, in order, before the result is delivered. Dropped if the
+  /// task was abandoned, started again or destroyed.
   void tell(std::function<void()> action) const;
 
  private:
@@ -49,59 +49,60 @@ class Watch {
   mutable double told_ = 0.0;
 };
 
-/// What Task does whatever its result is. All calls come from the thread that made it, which needs
-/// an event loop.
+/// The part of Task that does not depend on the type of the result. All calls must come from the
+/// thread that made it, which needs an event loop.
 class Threads {
  public:
   Threads(const Threads&) = delete;
   Threads& operator=(const Threads&) = delete;
 
-  /// Asks the work to stop. Its result still comes: a file that was finished all the same is told
-  /// of.
+  /// Asks the work to stop. Its result still arrives, for example if a file was finished
+  /// nevertheless.
   void cancel();
-  /// Asks the work to stop, and drops whatever it still reports.
+  /// Asks the work to stop, and drops its later reports and its result.
   void abandon();
-  /// Whether a result is still to come.
+  /// Whether a result is still expected.
   bool isRunning() const { return running_; }
-  /// Waits until no thread works any more. The result comes afterwards, as an event.
+  /// Waits until all threads have ended. The result arrives afterwards, as an event.
   void wait();
 
  protected:
   explicit Threads(std::function<void(double)> progressed) : progressed_{std::move(progressed)} {}
-  /// Cancels and waits; what was not delivered is dropped.
+  /// Cancels and waits. Undelivered reports and results are dropped.
   ~Threads();
-  /// Runs `work` on a new thread and `done` on this one, later, even if there is no thread to be
-  /// had.
+  /// Runs `work` on a new thread, and later `done` on this thread, also if no thread could be
+  /// started.
   void begin(std::function<void(const Watch&)> work, std::function<void()> done);
 
  private:
   friend class Watch;
   struct Job {
     std::atomic<bool> cancel{false};
-    std::atomic<bool> ended{false};  ///< its thread has nothing left to do
+    std::atomic<bool> ended{false};  ///< its thread has finished its work
     std::jthread thread;
   };
   void post(std::uint64_t number, std::function<void()> action);
   void postDone(std::uint64_t number, std::function<void()> done);
 
   std::function<void(double)> progressed_;
-  std::uint64_t number_ = 0;  ///< of the newest work; reports of another are dropped
+  std::uint64_t number_ = 0;  ///< number of the newest work; reports of other works are dropped
   bool running_ = false;
-  QObject context_;      ///< on the owner's thread: events that wait for it go with it
-  std::list<Job> jobs_;  ///< the newest last; the others were cancelled, and are kept until ended
+  QObject context_;  ///< lives on the owner's thread; its pending events are dropped with it
+  std::list<Job>
+      jobs_;  ///< the newest last; the others are cancelled, and kept until they have ended
 };
 
-/// No thread could be had.
+/// The error if no thread could be started.
 haptics::Error noThread();
-/// The error that stands for std::bad_alloc.
+/// The error for std::bad_alloc.
 haptics::Error noMemory();
-/// The error that stands for any other exception, in its own words.
+/// The error for any other exception, with the exception's text.
 haptics::Error threw(const char* words);
 
-/// Work on a thread of its own, whose result comes back to the thread that started it.
+/// Runs work on its own thread. The result arrives on the thread that started it.
 ///
-/// One task has one work at a time: starting again cancels the work before and drops its result,
-/// without waiting for it; its thread ends beside the new one. `done` is called exactly once for a
+/// A task has one work at a time. A second start() cancels the previous work and drops its result,
+/// without waiting; the old thread ends beside the new one. `done` is called exactly once for a
 /// work that is not dropped. An exception that leaves the work arrives as an Error. Only wait() and
 /// the destructor wait for a thread.
 template <class T>
@@ -109,12 +110,12 @@ class Task : public Threads {
  public:
   using Result = haptics::Expected<T>;
 
-  /// `progressed` is called on the owner's thread with the fraction of the work that is done.
+  /// `progressed` is called on the owner's thread with the completed fraction.
   explicit Task(std::function<void(double fraction)> progressed = {})
       : Threads{std::move(progressed)} {}
 
-  /// `work` is called on the new thread and destroyed there; `done` on the owner's. `done` may
-  /// start the task again; it may not destroy it.
+  /// `work` is called and destroyed on the new thread, `done` on the owner's thread. `done` may
+  /// start the task again, but must not destroy it.
   void start(std::function<Result(const Watch&)> work, std::function<void(Result)> done) {
     const auto result = std::make_shared<Result>(tl::unexpected(noThread()));
     begin([work = std::move(work), result](const Watch& watch) { *result = resultOf(work, watch); },

@@ -6,14 +6,14 @@
 
 namespace app {
 
-/// What a program runs on, as far as figures depend on it; nothing that tells whose it is.
+/// The machine, as far as figures depend on it; no name of a user or host.
 nlohmann::ordered_json machineHere();
 
 /// Palpate's version.
 std::string versionHere();
 
-/// What this very program was built from and how, as one word: the linker's build identity. Two
-/// programs with the same one give the same results.
+/// The linker's build identity, one word. Two programs with the same identity give the same
+/// results.
 std::string buildHere();
 
 }  // namespace app

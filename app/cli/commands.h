@@ -9,7 +9,8 @@
 
 namespace app::cli {
 
-/// Each adds its subcommand to the program; `chosen` becomes what to do when it was named.
+/// Each function adds its subcommand to the program. If the user names the subcommand, it sets
+/// `chosen` to the function to run.
 using Chosen = std::function<Outcome()>;
 void addTool(CLI::App& program, Chosen& chosen);
 void addRun(CLI::App& program, Chosen& chosen);

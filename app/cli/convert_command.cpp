@@ -49,12 +49,12 @@ Outcome convert(ConvertOptions options) {
 
 void addConvert(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = program.add_subcommand("convert", "Write what was read as NRRD");
+  CLI::App* command = program.add_subcommand("convert", "Write a scan or a phantom as NRRD");
   command->add_option("paths", options->paths, "PATH OUT.nrrd, or with --phantom OUT.nrrd")
       ->required()
       ->expected(1, 2)
       ->check(notEmpty());
-  command->add_option("--phantom", options->volume.phantom, "A named phantom in place of PATH")
+  command->add_option("--phantom", options->volume.phantom, "A named phantom instead of PATH")
       ->check(notEmpty());
   addReading(*command, options->volume);
   command->callback([options, &chosen] { chosen = [options] { return convert(*options); }; });

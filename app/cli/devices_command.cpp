@@ -91,7 +91,7 @@ Outcome listDevices() {
 }  // namespace
 
 void addDevices(CLI::App& program, Chosen& chosen) {
-  program.add_subcommand("devices", "Which haptic devices are known, which are here, and why not")
+  program.add_subcommand("devices", "List haptic devices: whether present, and why unusable")
       ->callback([&chosen] { chosen = listDevices; });
 }
 

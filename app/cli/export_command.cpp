@@ -78,18 +78,18 @@ void addExport(CLI::App& program, Chosen& chosen) {
       ->required()
       ->check(CLI::IsMember(formatNames()));
   command
-      ->add_option("--out", options->out,
-                   "File to write; for csv how the files' names begin: OUT_motion.tsv and so on; "
-                   "a video is an .mp4, without ffmpeg an .ogv")
+      ->add_option(
+          "--out", options->out,
+          "File to write; for csv the beginning of the files' names: OUT_motion.tsv and so on; "
+          "a video is an .mp4, or without ffmpeg an .ogv")
       ->required()
       ->check(notEmpty());
-  command->add_option("--from", options->options.from, "Leave out what was before [s]")
+  command->add_option("--from", options->options.from, "Leave out everything before this time [s]")
       ->check(finiteNumber());
-  command->add_option("--to", options->options.to, "Leave out what came after [s]")
+  command->add_option("--to", options->options.to, "Leave out everything after this time [s]")
       ->check(finiteNumber());
   command
-      ->add_option("--rate", options->options.rate,
-                   "Only so many steps a second [Hz]; without it all")
+      ->add_option("--rate", options->options.rate, "Steps per second [Hz]; by default all steps")
       ->check(finiteNumber() & CLI::Range(0.001, 1e6));
   command->add_flag_callback(
       "--no-contacts", [options] { options->options.contacts = false; }, "Leave out the contacts");

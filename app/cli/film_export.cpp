@@ -103,7 +103,7 @@ Outcome exportFilm(const FilmChoice& choice) {
 
 void addFilmOptions(CLI::App& command, FilmChoice& choice) {
   auto* path = command.add_option("--volume", choice.volume.path,
-                                  "The scan that was touched; none: the tool alone");
+                                  "The scan that was touched; without it only the tool");
   path->check(notEmpty());
   command.add_option("--phantom", choice.volume.phantom, "The phantom that was touched")
       ->excludes(path)
@@ -118,12 +118,12 @@ void addFilmOptions(CLI::App& command, FilmChoice& choice) {
                                                                  "1280x720";
                              },
                              "SIZE"});
-  command.add_option("--fps", choice.frames_per_second, "Frames a second")
+  command.add_option("--fps", choice.frames_per_second, "Frames per second")
       ->check(wholeNumber(1, 240));
-  command.add_option("--speed", choice.speed, "Seconds of the session in a second of the film")
+  command.add_option("--speed", choice.speed, "Session time in one second of film [s]")
       ->check(finiteNumber() & CLI::Range(0.001, 1000.0));
   command.add_flag("--burn-in", choice.burn_in, "Write time and force into the picture");
-  command.add_option("--camera", choice.camera, "recorded, or fixed: surface and tool whole")
+  command.add_option("--camera", choice.camera, "recorded, or fixed: a view of surface and tool")
       ->check(CLI::IsMember({"recorded", "fixed"}));
   command.add_option("--surface", choice.surface, "How the surface is drawn")
       ->check(CLI::IsMember({"raycast", "mesh"}));

@@ -8,25 +8,25 @@
 
 namespace app::cli {
 
-/// A film of a recording, as it is asked for.
+/// The options of a film of a recording.
 struct FilmChoice {
   std::string recording;
   std::string out;
-  VolumeChoice volume;  ///< neither path nor phantom: the tool alone
+  VolumeChoice volume;  ///< neither path nor phantom: the film shows only the tool
   std::string size = "1280x720";
   int frames_per_second = 30;
   double speed = 1.0;
   double from = 0.0, to = 0.0;  ///< s of the session
   bool burn_in = false;
-  std::string camera = "recorded";  ///< or "fixed": one that sees surface and tool
-  std::string surface = {};         ///< "raycast", "mesh"; empty: what the graphics suggest
+  std::string camera = "recorded";  ///< or "fixed": a view of surface and tool
+  std::string surface = {};         ///< "raycast" or "mesh"; empty: chosen by the graphics
 };
 
-/// Draws and writes it, until it is whole or the user interrupts.
+/// Draws and writes the film, until it is complete or the user interrupts.
 Outcome exportFilm(const FilmChoice& choice);
 
-/// Adds --volume, --phantom and how they are read, --size, --fps, --speed, --burn-in, --camera and
-/// --surface.
+/// Adds --volume, --phantom, the options of reading, --size, --fps, --speed, --burn-in, --camera
+/// and --surface.
 void addFilmOptions(CLI::App& command, FilmChoice& choice);
 
 }  // namespace app::cli

@@ -134,7 +134,7 @@ Outcome info(const VolumeChoice& options) {
 void addInfo(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<VolumeChoice>();
   CLI::App* command =
-      program.add_subcommand("info", "What a scan is, and whether it can be trusted");
+      program.add_subcommand("info", "Describe a scan, and whether its geometry can be trusted");
   command
       ->add_option("path", options->path,
                    "Folder, archive, or file (DICOM, NRRD, MetaImage, NIfTI)")

@@ -6,18 +6,17 @@
 
 namespace app::cli {
 
-/// True once the user asked to stop.
+/// True after the user asked to stop.
 const std::atomic<bool>& interruption();
 inline bool interrupted() { return interruption(); }
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP (unless nohup wards it off) are waited for on a
-/// thread of its own, and interruption() tells of the first. What does not look there, such as a
-/// library deep in its work, is ended half a second later: nothing half written stays, exit code
-/// 130. A signal after that ends the program in any case. One at a time, before there is another
-/// thread.
+/// While it lives, its own thread waits for SIGINT, SIGTERM and SIGHUP (unless nohup ignores it).
+/// The first signal sets interruption(). A command that does not check it, such as a call into a
+/// library, is ended half a second later: no partial file remains, and the exit code is 130. The
+/// next signal ends the program in any case. Make only one at a time, before another thread exists.
 class Interrupts {
  public:
-  /// `json`: how the end is told.
+  /// `json`: report the end as JSON.
   explicit Interrupts(bool json);
   ~Interrupts();
   Interrupts(const Interrupts&) = delete;
@@ -30,8 +29,8 @@ class Interrupts {
   std::thread thread_;
 };
 
-/// While it lives, what was begun is brought to its own end, however long that takes: a recording
-/// is closed, a report written. It looks at interruption().
+/// While it lives, the command is not ended after half a second, so that it can close a recording
+/// or write a report. The command must check interruption().
 class Closing {
  public:
   Closing();

@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   bool json = asksForJson(argc, argv);
   const Interrupts interrupts{json};
   CLI::App program{
-      "Palpate without a window: what a scan is, what a tool is, and how one feels the other.\n"
+      "Palpate without a window: describe scans and tools, and touch scans with tools.\n"
       "Not a medical device, not for diagnosis.",
       "palpate-cli"};
   program.require_subcommand(1);

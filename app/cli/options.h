@@ -6,14 +6,14 @@
 
 namespace app::cli {
 
-// Checks of options. What the command line's library takes is wider than what a user means: numbers
-// in octal, what is no finite number, and -1 as the greatest of the naturals.
+// Checks of options. CLI11 accepts more than a user means: octal numbers, values that are not
+// finite, and -1 as the greatest unsigned number.
 
-/// A number that is finite, as 0.5, -3 or 1e-6.
+/// A finite number, such as 0.5, -3 or 1e-6.
 CLI::Validator finiteNumber();
-/// Decimal digits without leading zeros, within bounds.
+/// Decimal digits without leading zeros, from `least` to `greatest`.
 CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t greatest);
-/// Some text.
+/// A text that is not empty.
 CLI::Validator notEmpty();
 
 }  // namespace app::cli

@@ -11,28 +11,29 @@ namespace app::cli {
 /// Exit codes of palpate-cli.
 enum class Exit : int { Done = 0, Usage = 2, Refused = 3, Failed = 4, Interrupted = 130 };
 
-/// What a command came to: one object for --json, lines for people, and the exit code. On
-/// anything but Done, `error` is the sentence for standard error.
+/// Result of a command: one object for --json, text for people, and the exit code. If the code is
+/// not Done, `error` is the sentence for standard error.
 struct Outcome {
   Exit code = Exit::Done;
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   std::string text = {};  ///< for people; empty: made from the JSON
   std::string error = {};
-  bool aside = false;  ///< standard output holds what was asked for: the report goes beside it
+  /// Standard output is used for the requested data; the report goes to standard error.
+  bool aside = false;
 };
 
-/// A refusal with what is known beside the sentence.
+/// A refusal, with further known facts.
 Outcome refused(const haptics::Error& error, nlohmann::ordered_json known = {});
 Outcome usage(std::string what);
 
 Outcome failed(std::string what);
-/// The user asked to stop, and nothing is told of a part.
+/// The user asked to stop; partial results are not reported.
 Outcome stopped();
 
-/// Prints the outcome and returns its exit code: Failed where it was Done and cannot be told. Once
-/// in a program; where another thread is at it, waits for the end.
+/// Prints the outcome and returns its exit code, or Failed if it was Done and cannot be printed.
+/// Prints once in a program. If another thread is printing, waits for the end of the process.
 int print(const Outcome& outcome, bool json);
-/// The same, unless another thread is at it.
+/// The same, but returns if another thread prints or has printed.
 void printUnlessPrinted(const Outcome& outcome, bool json);
 
 }  // namespace app::cli

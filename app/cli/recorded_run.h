@@ -12,18 +12,19 @@
 
 namespace app::cli {
 
-/// The keyed hash of a volume; none where there is no key, as in a build without Qt.
+/// The keyed hash of a volume; none without a key, as in a build without Qt.
 std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume);
 
-/// Records a closed loop as a session is recorded. Whoever runs the loop can wait: nothing is lost.
+/// Records a closed loop in the same way as a session. The loop waits if the ring is full, so no
+/// step is lost.
 class RecordedRun {
  public:
-  /// `tool` names one of ours, or is empty. The loop must outlive the run.
+  /// `tool`: the name of a named tool, or empty. The loop must outlive the run.
   static haptics::Expected<std::unique_ptr<RecordedRun>> begin(const std::string& path,
                                                                haptics::ClosedLoop& loop,
                                                                std::string tool);
   void write(const haptics::TraceRow& row);
-  /// Names the file when it is whole; tells what is in it.
+  /// Finishes the file and gives it its name. Returns a summary of its content.
   haptics::Expected<nlohmann::ordered_json> finish();
 
  private:

@@ -108,11 +108,11 @@ Outcome recover(const std::string& file) {
 void addReplay(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = program.add_subcommand(
-      "replay", "Drive today's algorithm along a recorded path, and compare");
+      "replay", "Run the present algorithm along a recorded path, and compare");
   command->add_option("file", options->file, "A recording")->required()->check(notEmpty());
-  auto* path =
-      command->add_option("--volume", options->volume.path,
-                          "What was touched: DICOM folder or file, NRRD, MetaImage, NIfTI");
+  auto* path = command->add_option(
+      "--volume", options->volume.path,
+      "The scan that was touched: DICOM folder or file, NRRD, MetaImage, NIfTI");
   path->check(notEmpty());
   command->add_option("--phantom", options->volume.phantom, "A named phantom")
       ->excludes(path)
@@ -123,8 +123,7 @@ void addReplay(CLI::App& program, Chosen& chosen) {
 
 void addRecover(CLI::App& program, Chosen& chosen) {
   auto file = std::make_shared<std::string>();
-  CLI::App* command =
-      program.add_subcommand("recover", "Bring back what an unfinished recording holds");
+  CLI::App* command = program.add_subcommand("recover", "Make a recording of an unfinished one");
   command->add_option("file", *file, "NAME.palpate.part")->required()->check(notEmpty());
   command->callback([file, &chosen] { chosen = [file] { return recover(*file); }; });
 }

@@ -298,13 +298,15 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->excludes(path)
       ->check(notEmpty());
   addReading(*command, options->volume);
-  command->add_option("--isovalue", options->isovalue, "Where the surface is")
+  command
+      ->add_option("--isovalue", options->isovalue,
+                   "Intensity of the surface, in the volume's unit")
       ->required()
       ->check(finiteNumber());
   command->add_option("--tool", options->tool.name, "A named tool, or a mesh or CSV file")
       ->required()
       ->check(notEmpty());
-  command->add_option("--points", options->tool.points, "So many points, spread evenly by area")
+  command->add_option("--points", options->tool.points, "Number of points, spread evenly by area")
       ->check(wholeNumber(1, 10'000'000));
   command->add_option("--tool-unit", options->tool.unit, "Unit of a mesh file")
       ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
@@ -313,17 +315,19 @@ void addRun(CLI::App& program, Chosen& chosen) {
                    "tap, slide, wedge, pry, hook, jerk, twist, or a CSV of poses")
       ->required()
       ->check(notEmpty());
-  command->add_option("--seconds", options->seconds, "How long")
+  command->add_option("--seconds", options->seconds, "Length of the run [s]")
       ->required()
       ->check(finiteNumber() & CLI::Range(0.001, 86'400.0));
-  command->add_option("--stiffness", options->stiffness, "Of the virtual coupling [N/m]")
+  command->add_option("--stiffness", options->stiffness, "Stiffness of the virtual coupling [N/m]")
       ->required()
       ->check(finiteNumber() & within(haptics::kStiffnessRange));
   command
       ->add_option("--angular-stiffness", options->angular_stiffness,
-                   "In place of the tool's own [N·m/rad]")
+                   "Instead of stiffness times the tool's inertia [N·m/rad]")
       ->check(finiteNumber() & within(haptics::kAngularStiffnessRange));
-  command->add_option("--friction", options->friction, "Coulomb's coefficient")
+  command
+      ->add_option("--friction", options->friction,
+                   "Coulomb's coefficient between tool and surface")
       ->check(finiteNumber() & within(haptics::kFrictionRange));
   command->add_option("--field", options->field, "How voxels become a field: trilinear, spline")
       ->check(CLI::IsMember(namesIn(fields())));
@@ -333,12 +337,13 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->check(CLI::IsMember(namesIn(normals())));
   command
       ->add_option("--device", options->device,
-                   "Take the limits of this model of a device (a name that is none lists them)")
+                   "Apply the limits of this device model (an unknown name lists all)")
       ->check(notEmpty());
-  command->add_option("--trace", options->trace, "CSV to write, one row a tick")->check(notEmpty());
+  command->add_option("--trace", options->trace, "CSV to write, one row per tick")
+      ->check(notEmpty());
   command->add_option("--record", options->record, "Recording to write, NAME.palpate")
       ->check(notEmpty());
-  command->add_option("--seed", options->seed, "Of the hand's aim")
+  command->add_option("--seed", options->seed, "Seed of the hand's aim")
       ->check(wholeNumber(0, std::numeric_limits<std::uint64_t>::max()));
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -70,17 +70,19 @@ haptics::Expected<LoadedTool> toolFromPoints(const ToolChoice& choice) {
 }  // namespace
 
 void addReading(CLI::App& command, VolumeChoice& choice) {
-  command.add_option("--series", choice.series, "Which series of a folder, or volume of a file")
+  command
+      .add_option("--series", choice.series,
+                  "Number of a series of a folder, or of a volume of a file")
       ->check(wholeNumber(0, kMostIndex));
   command.add_flag("--correct", choice.correct,
                    "Resample slices that are tilted or unevenly spaced");
   command.add_flag("--largest-part", choice.largest_part,
-                   "Of a series that lacks slices, read the largest part without a gap");
-  command.add_option("--every", choice.every, "Read only every Nth voxel along each axis")
+                   "If slices are missing, read the largest part without a gap");
+  command.add_option("--every", choice.every, "Read only every N-th voxel along each axis")
       ->check(wholeNumber(1, 1000));
   command
       .add_option("--box", choice.box,
-                  "Read a box of voxels: first and end (the one after the last) along i, j and k")
+                  "Read a box of voxels: first index and the one after the last, along i, j and k")
       ->expected(6)
       ->check(wholeNumber(0, kMostIndex));
 }

@@ -17,13 +17,13 @@
 
 namespace app::cli {
 
-/// Which volume a command works on: a path, or a named phantom.
+/// The volume of a command: a path, or a named phantom.
 struct VolumeChoice {
   std::string path = {};
   std::string phantom = {};
   std::optional<int> series = {};
-  bool correct = false;                ///< resample what is tilted or unevenly spaced
-  bool largest_part = false;           ///< of what lacks slices
+  bool correct = false;                ///< resample tilted or unevenly spaced slices
+  bool largest_part = false;           ///< read the largest part of a series that lacks slices
   int every = 1;                       ///< read only every Nth voxel along each axis
   std::vector<std::int64_t> box = {};  ///< first and end along i, j, k; empty: all
 };
@@ -38,10 +38,10 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const Volum
 struct ToolChoice {
   std::string name = {};
   int points = 0;                        ///< 0: the mesh's vertices
-  std::optional<std::string> unit = {};  ///< of a mesh file: m, mm, cm, in; mm where not said
+  std::optional<std::string> unit = {};  ///< unit of a mesh file: m, mm, cm, in; default mm
 };
-/// What of a choice has no meaning, if anything: points are spread over meshes, and only their
-/// files have units.
+/// A sentence if options contradict each other: points can be spread only over meshes, and only
+/// mesh files have units.
 std::optional<std::string> contradictionIn(const ToolChoice& choice);
 
 struct LoadedTool {
@@ -50,18 +50,19 @@ struct LoadedTool {
 };
 haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice);
 
-/// Something that a command writes: the option that named it, and where.
+/// A file that a command writes: its option and its path.
 struct Target {
   std::string option;
   std::string path;
 };
-/// A sentence where a target is a file that is read, by whatever name or link, or two are the same.
+/// A sentence if a target is a file that the command reads, also through a link or another name, or
+/// if two targets are the same.
 std::optional<std::string> overwritten(const std::vector<Target>& targets,
                                        const VolumeChoice& volume,
                                        const std::vector<std::string>& inputs);
 
-/// Rows of numbers under one header line, which names the columns; every row has at least
-/// `columns` of them. A first line of numbers is refused, since it would be lost.
+/// Reads rows of numbers after one header line. Every row must have at least `columns` numbers. A
+/// first line of numbers is refused, since it would be lost.
 haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,
                                                                 std::size_t columns);
 

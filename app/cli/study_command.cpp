@@ -99,10 +99,11 @@ void addStudy(CLI::App& program, Chosen& chosen) {
     auto options = std::make_shared<StudyOptions>();
     CLI::App* one =
         command->add_subcommand(name, study::makeStudy(name, study::Depth::Quick)->title);
-    one->add_flag("--quick", options->quick, "A minute or so in place of half an hour");
-    one->add_option("--seed", options->seed, "Of all that is random")
+    one->add_flag("--quick", options->quick,
+                  "About a minute; the full form takes 2 (plan) to 29 minutes (stability)");
+    one->add_option("--seed", options->seed, "Seed of all random numbers")
         ->check(wholeNumber(0, std::numeric_limits<std::uint64_t>::max()));
-    one->add_option("--shard", options->shard, "i/n: only the i-th of n equal parts")
+    one->add_option("--shard", options->shard, "i/n: run only the i-th of n equal parts")
         ->check(notEmpty());
     one->add_option("--out", options->out, "Folder for report.html, results.json and results.csv")
         ->required()
@@ -112,11 +113,11 @@ void addStudy(CLI::App& program, Chosen& chosen) {
   }
   auto folders = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
-  CLI::App* merging = command->add_subcommand("merge", "Put the shards of a study together");
-  merging->add_option("folders", *folders, "What --out was given for each shard")
+  CLI::App* merging = command->add_subcommand("merge", "Merge the shards of a study");
+  merging->add_option("folders", *folders, "The --out folder of each shard")
       ->required()
       ->check(CLI::ExistingDirectory);
-  merging->add_option("--out", *out, "Folder for the whole")->required()->check(notEmpty());
+  merging->add_option("--out", *out, "Folder for the merged study")->required()->check(notEmpty());
   merging->callback(
       [folders, out, &chosen] { chosen = [folders, out] { return merge(*folders, *out); }; });
 }

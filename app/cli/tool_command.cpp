@@ -57,7 +57,7 @@ void addTool(CLI::App& program, Chosen& chosen) {
   command->add_option("tool", options->tool.name, "A named tool, or a mesh or CSV file")
       ->required()
       ->check(notEmpty());
-  command->add_option("--points", options->tool.points, "So many points, spread evenly by area")
+  command->add_option("--points", options->tool.points, "Number of points, spread evenly by area")
       ->check(wholeNumber(1, 10'000'000));
   command->add_option("--tool-unit", options->tool.unit, "Unit of a mesh file")
       ->check(CLI::IsMember({"m", "mm", "cm", "in"}));

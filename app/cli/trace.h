@@ -10,8 +10,8 @@
 
 namespace app::cli {
 
-/// Writes a trace: one header line and 22 columns a tick, each number printed so that reading it
-/// gives the same double. It is there whole or not at all.
+/// Writes a trace: one header line, then 22 columns per tick. Numbers have the shortest digits that
+/// round-trip to the same double. The file is written completely or not at all.
 class TraceWriter {
  public:
   static haptics::Expected<TraceWriter> open(const std::string& path);
@@ -24,7 +24,7 @@ class TraceWriter {
   haptics::OutputFile file_;
 };
 
-/// The first eight columns of a trace as a hand.
+/// Reads a hand from the first eight columns of a trace.
 haptics::Expected<haptics::Hand> readHand(const std::string& path);
 
 }  // namespace app::cli

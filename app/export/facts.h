@@ -7,10 +7,10 @@
 
 namespace app::exporting {
 
-/// What a recording says of itself: words, and numbers.
+/// Metadata of a recording: texts and numbers.
 nlohmann::ordered_json factsOf(const haptics::Recording& recording);
-/// What it says of a scene: words, truths, numbers, and lists of numbers, which may be a matrix's
-/// rows.
+/// Metadata of a scene: texts, booleans, numbers, and lists of numbers, also as the rows of a
+/// matrix.
 nlohmann::ordered_json factsOf(const haptics::RecordedScene& scene);
 
 }  // namespace app::exporting

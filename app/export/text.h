@@ -9,10 +9,10 @@
 
 namespace app::exporting {
 
-/// The column of this name, which there is.
+/// The column with this name, which must exist.
 const haptics::StepColumn& columnNamed(std::string_view name);
 
-/// The fewest digits that read as the same number.
+/// Appends the shortest digits that round-trip to the same number.
 template <class Number>
 void appendNumber(std::string& text, Number number) {
   char digits[32];
@@ -25,8 +25,8 @@ std::string numberOf(Number number) {
   return text;
 }
 
-/// One line of sound UTF-8: what controls a terminal or ends a field becomes a space, what is no
-/// character a replacement.
+/// Makes one line of valid UTF-8. Terminal control characters and field separators become spaces;
+/// invalid bytes become the replacement character.
 std::string plain(std::string text);
 
 }  // namespace app::exporting

@@ -6,14 +6,14 @@
 
 namespace app {
 
-/// Whether a picture of the isosurface could be a person's face, of which the user is to be warned
-/// before it leaves the program. Of HU: below 200, where skin is drawn. Of any other unit: always,
-/// because skin is bright here and dark there. Never of a volume in which no face has room: two
-/// edges of 60 mm and a third of 20. Says nothing of where in a body the scan was taken, which no
-/// volume tells; of a phantom nobody need ask.
+/// Whether a picture of the isosurface could show a person's face. If so, warn the user before the
+/// picture leaves the program. True for HU if `isovalue` is below 200, where skin is drawn. True
+/// for every isovalue in other units, since their scale is unknown. False if the volume is too
+/// small for a face: two edges of at least 60 mm and a third of at least 20 mm are needed. The part
+/// of the body is unknown. Do not call it for phantoms.
 bool mayShowAFace(const haptics::Volume& volume, double isovalue);
 
-/// The least isovalue of a recording, for mayShowAFace; infinity where it has none.
+/// The least isovalue of a recording, for mayShowAFace; infinity if it has none.
 double leastIsovalue(const haptics::Recording& recording);
 
 }  // namespace app

@@ -13,23 +13,24 @@
 
 namespace app {
 
-/// An MP4 (H.264) that a process of ffmpeg writes. It is given the frames as they are drawn and is
-/// never ahead of them by more than a frame. Ends with the object.
+/// An MP4 (H.264) written by an ffmpeg process. write() passes each frame when it is drawn. The
+/// destructor ends the process.
 class FfmpegFile {
  public:
-  /// None where there is no such program, or it cannot be started. A name without a slash is looked
-  /// for in PATH.
+  /// Nullopt if the program does not exist or cannot be started. A name without a slash is searched
+  /// in PATH.
   static std::optional<FfmpegFile> start(const std::string& program,
                                          const std::filesystem::path& file,
                                          const FilmFormat& format);
-  /// Unless finished, the process is killed and waited for; the file stays as it is.
+  /// If finish() was not called, kills the process and waits for it; the file stays as it is.
   ~FfmpegFile();
   FfmpegFile(FfmpegFile&& other) noexcept;
   FfmpegFile& operator=(FfmpegFile&&) = delete;
 
-  /// Refusals: "encoder" (the process ended; the sentence has its first words), "cancelled".
+  /// Refusals: "encoder" (the process ended; the message has the first line of its stderr),
+  /// "cancelled".
   haptics::Expected<void> write(const FilmFrame& frame, const StillWanted& wanted);
-  /// After the last frame: waits until the file is whole.
+  /// Call after the last frame: waits until the file is complete.
   haptics::Expected<void> finish(const StillWanted& wanted);
 
  private:
@@ -43,7 +44,7 @@ class FfmpegFile {
   pid_t process_ = -1;
   int frames_ = -1;        ///< a socket to its standard input
   int words_ = -1;         ///< its standard error
-  std::string said_ = {};  ///< the beginning of that
+  std::string said_ = {};  ///< the beginning of its stderr
 };
 
 }  // namespace app

@@ -14,13 +14,13 @@ struct FilmFrame {
   std::vector<std::uint8_t> rgb;
 };
 
-/// How the frames of a film follow each other.
+/// Size and rate of the frames of a film.
 struct FilmFormat {
   int width = 0, height = 0;  ///< pixels, even
   int frames_per_second = 0;
 };
 
-/// Asked while an encoder is waited for: false ends it.
+/// Called while an encoder is waited for. Returning false ends the waiting.
 using StillWanted = std::function<bool()>;
 
 }  // namespace app

@@ -13,11 +13,11 @@
 
 namespace app {
 
-/// Where the frames of a film are drawn: the layers of the 3-D view, in a window that nobody sees.
-/// One thread, with a graphics context of its own.
+/// Draws the frames of a film: the layers of the 3-D view, in an invisible window. Use it in one
+/// thread; it has its own graphics context.
 class FilmStage {
  public:
-  /// The ray caster where a graphics card draws, the mesh elsewhere; `wish` as in chooseSurface.
+  /// Uses the ray caster if a graphics card draws, otherwise the mesh; `wish` as in chooseSurface.
   /// Refusals: "no-display", "no-graphics" (no OpenGL 3.2).
   static haptics::Expected<std::unique_ptr<FilmStage>> open(int width, int height,
                                                             std::optional<ui::SurfaceMode> wish);
@@ -25,18 +25,19 @@ class FilmStage {
   FilmStage(const FilmStage&) = delete;
   FilmStage& operator=(const FilmStage&) = delete;
 
-  /// Its mesh, or its points where it has none; null: no tool.
+  /// Shows the tool's mesh, or its points if it has no mesh; null: no tool.
   void show(const haptics::Tool* tool);
-  /// Null: no surface.
+  /// Shows the volume's surface; null: no surface.
   void show(const std::shared_ptr<const haptics::Volume>& volume);
-  /// Above the picture's lower left corner; empty: none.
+  /// Shows a text in the lower left corner; empty: none.
   void write(const std::string& text);
   void look(const FilmCamera& camera);
   const FilmCamera& camera() const;
-  /// The box of W that the surface fills at an isovalue; empty where there is none.
+  /// Bounding box of the surface at an isovalue, in W [mm]; empty if there is no surface.
   Eigen::AlignedBox3d surfaceBox_mm(double isovalue);
 
-  /// Tool and device where they were in a step, the surface at its isovalue. Valid until the next.
+  /// Draws tool and device at the poses of a step, and the surface at its isovalue. The frame is
+  /// valid until the next call.
   const FilmFrame& draw(const haptics::Step& step);
 
   ui::SurfaceMode surfaceMode() const;

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// An Ogg file (Theora), written where there is no ffmpeg. The same frames give the same bytes.
+/// An Ogg file (Theora), for films without ffmpeg. The same frames give the same bytes.
 class TheoraFile {
  public:
   TheoraFile(const std::filesystem::path& file, const FilmFormat& format);
@@ -19,7 +19,7 @@ class TheoraFile {
 
   /// Refusal: "encoder".
   haptics::Expected<void> write(const FilmFrame& frame);
-  /// After the last frame; sees that all of it is written.
+  /// Call after the last frame: writes the rest, and checks that all was written.
   haptics::Expected<void> finish();
 
  private:

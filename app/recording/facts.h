@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// What a recording made here says of its maker: version, build and machine, as far as numbers
-/// depend on them; nothing that tells whose it is.
+/// Version, build and machine for a recording made by this program: only facts on which its numbers
+/// depend, and no name of a user or host.
 haptics::RecordingFacts recordingFacts();
 
 }  // namespace app

@@ -11,19 +11,19 @@
 
 namespace app {
 
-/// Palpate's names towards Qt: where it keeps settings and files. Folders that the environment
-/// names (XDG_DATA_HOME and so on) and that are not absolute are ignored. Once, before anything is
-/// kept and before there is another thread.
+/// Sets the application's names for Qt, which determine the folders of settings and files. Folders
+/// in the environment (XDG_DATA_HOME and so on) that are not absolute are ignored. Call it once,
+/// before any file is written and before another thread exists.
 void nameApplication();
 
-/// The secret of this installation, made at its first use and kept in the user's own folder, for
-/// his eyes only: what is hashed with it cannot be recognised elsewhere. Of several processes that
-/// would make it, all have the same. Refused, reason "no-key", where it can be neither read nor
-/// kept, or is damaged: it is never replaced.
+/// The secret key of this installation. It is made at its first use and kept in the user's own
+/// folder, readable only by the user. Hashes made with it cannot be recognised by others. If
+/// several processes make it at once, all get the same key. Refuses, reason "no-key", if the key
+/// can be neither read nor written, or is damaged; a damaged key is never replaced.
 haptics::Expected<QByteArray> installationKey();
 
-/// HMAC-SHA256 over geometry and voxels. Takes seconds for a large volume. None without a key, or
-/// once `cancel` is true.
+/// HMAC-SHA256 over geometry and voxels. Takes seconds for a large volume. Nullopt if `key` is
+/// empty, or once `cancel` is true.
 std::optional<haptics::VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,
                                           const std::atomic<bool>& cancel);
 

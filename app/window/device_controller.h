@@ -13,28 +13,28 @@
 
 namespace app {
 
-/// Connects a haptic device, maps its hand to the scan, and tells of what becomes of its force.
+/// Connects a haptic device, maps its motion to the scan, and reports the state of its force.
 class DeviceController : public QObject {
   Q_OBJECT
  public:
   DeviceController(ui::MainWindow& window, SharedState& shared, PreferencesController& preferences,
                    DeviceCatalogue catalogue);
 
-  /// Disconnects a device that is connected; the session has closed it already. The stiffness that
-  /// was set before it comes back, and the panel says why.
+  /// Shows the device as disconnected; the session has closed it already. Restores the stiffness of
+  /// before the connection. The panel shows `why`.
   void forget(const QString& why);
   /// Called at display rate.
   void refresh();
 
  signals:
-  /// A device is about to be opened: a recording on view makes room for it.
+  /// A device is about to be opened; a recording on view is closed.
   void taking();
   void taken(const QString& id, const QString& name);
-  /// It was disconnected.
+  /// The device was disconnected.
   void forgotten();
-  /// The user disconnected it: another hand may have the tool.
+  /// The user disconnected the device; another hand may take the tool.
   void released();
-  /// A transition of the force, in the words of recordings.
+  /// A transition of the force, as the text of a recording's event.
   void forceChanged(const QString& transition);
 
  private:
@@ -56,7 +56,7 @@ class DeviceController : public QObject {
   bool seen_ = false;                        ///< the panel is in view
   std::optional<ui::DeviceWish> connected_;  ///< the device that is open
   QString connected_name_;
-  std::optional<double> own_stiffness_;  ///< N/m, as it was before a device was connected
+  std::optional<double> own_stiffness_;  ///< N/m, stiffness before a device was connected
   ui::Mapping mapping_;
   haptics::Handling handling_;
 };

@@ -11,43 +11,45 @@
 
 namespace app {
 
-/// How devices are looked for and opened. Called on DeviceWatch's thread, one call at a time.
+/// The functions that find and open devices. DeviceWatch calls them on its thread, one call at a
+/// time.
 struct DeviceCatalogue {
   std::function<std::vector<haptics::DeviceEntry>()> survey;
   std::function<haptics::Expected<std::unique_ptr<haptics::Device>>(const haptics::OpenRequest&)>
       open;
-  /// Makes one of a device that is moved and one that turns it.
+  /// Joins a device that senses translation and one that senses rotation.
   std::function<std::unique_ptr<haptics::Device>(std::unique_ptr<haptics::Device> moved,
                                                  std::unique_ptr<haptics::Device> turning)>
       join;
 };
 
-/// All drivers that were built in; or none.
+/// All built-in drivers; may be empty.
 DeviceCatalogue builtInCatalogue();
 
-/// Looks for devices and opens them on a thread of its own. All calls come from the GUI thread and
-/// wait for nothing, whatever a driver does meanwhile; only the destructor waits, 2 s at most, and
-/// leaves a driver that hangs behind with nobody to report to.
+/// Finds and opens devices on its own thread. All calls come from the GUI thread and never wait for
+/// a driver. Only the destructor waits, for at most 2 s; then it abandons the thread of a driver
+/// that hangs.
 class DeviceWatch : public QObject {
   Q_OBJECT
  public:
-  /// Passed by signal, so that it can be copied: who takes the device leaves null.
+  /// Copyable, since it is passed by signal. The receiver takes the device and leaves null.
   using Opened = std::shared_ptr<std::unique_ptr<haptics::Device>>;
 
   explicit DeviceWatch(DeviceCatalogue catalogue = builtInCatalogue(), QObject* parent = nullptr);
   ~DeviceWatch() override;
 
-  /// Whether it looks again a second after it last did, on and on; at once when switched on.
+  /// Switches the survey on or off. While on, devices are surveyed at once and then a second after
+  /// each survey.
   void watch(bool on);
   void surveyNow();
-  /// Takes the place of what was wished before: that is not opened any more, or closed where it
-  /// was just being opened, and not reported.
+  /// Replaces an earlier wish: its device is not opened, or is closed if it was being opened, and
+  /// is not reported.
   void open(const ui::DeviceWish& wish);
-  /// Gives up what is being opened.
+  /// Cancels the opening.
   void cancel();
 
  signals:
-  /// Only when something changed, or the first time.
+  /// Emitted at the first survey, and when something has changed.
   void surveyed(const QList<ui::DeviceLine>& devices);
   void opened(const ui::DeviceWish& wish, const app::DeviceWatch::Opened& device);
   void refused(const ui::DeviceWish& wish, haptics::Trouble trouble, const QString& sentence);

@@ -12,16 +12,16 @@
 
 namespace app {
 
-/// Asks what a recording is to become, and exports it.
+/// Asks for format and range of an export, and exports a recording.
 class ExportController : public QObject {
   Q_OBJECT
  public:
   ExportController(ui::MainWindow& window, SharedState& shared, const Recordings& recordings,
                    const VolumeIdentity& identity);
 
-  /// Asks what the recording with this name is to become.
+  /// Asks for the options, and exports the recording with this name.
   void exportRecording(const QString& id);
-  /// As the user does who has answered every question.
+  /// Exports without a question.
   void exportTo(ExportRequest request);
   ExportTask& task() { return task_; }
 

@@ -15,32 +15,33 @@
 
 namespace app {
 
-/// What is to be exported, and where to.
+/// The recording to export, its options and its target.
 struct ExportRequest {
   std::filesystem::path recording, out;
   ui::ExportWish wish;
-  std::shared_ptr<const haptics::Volume> volume = {};  ///< of a film; null: the tool alone
-  std::optional<haptics::VolumeHash> hash = {};        ///< of the volume, if it is known
-  std::optional<FilmCamera> camera = {};               ///< of a film whose camera is fixed
+  /// Volume for a film; null: the film shows only the tool.
+  std::shared_ptr<const haptics::Volume> volume = {};
+  std::optional<haptics::VolumeHash> hash = {};  ///< hash of the volume, if it is known
+  std::optional<FilmCamera> camera = {};         ///< camera of a film with a fixed view
 };
 
-/// Exports on a thread of its own, one at a time. No call waits for it, except the destructor.
+/// Exports on its own thread, one export at a time. Only the destructor waits for it.
 class ExportTask : public QObject {
   Q_OBJECT
  public:
   explicit ExportTask(QObject* parent = nullptr);
 
-  /// False, and nothing done, while another is under way.
+  /// Returns false and does nothing while another export runs.
   bool start(ExportRequest request);
   void cancel() { task_.cancel(); }
 
  signals:
   void progressed(double fraction);
-  /// It ended; a sentence for the user, empty where he cancelled it.
+  /// The export ended. `what`: a sentence for the user, empty if the user cancelled.
   void finished(bool well, const QString& what);
 
  private:
-  background::Task<QString> task_;  ///< the name of what was written
+  background::Task<QString> task_;  ///< the name of the written file
 };
 
 }  // namespace app

@@ -11,39 +11,38 @@
 
 namespace app {
 
-/// Lets the user choose which hand holds the device, how stiff it is held, and whether there is a
+/// Lets the user choose the hand that holds the device, the stiffness, and whether there is a
 /// force. A real device counts as a hand while it is connected.
 class HandController : public QObject {
   Q_OBJECT
  public:
-  /// `hand`: the one that begins. `stiffness` [N/m]: what it begins with.
+  /// `hand`: the first hand. `stiffness` [N/m]: its initial stiffness.
   HandController(ui::MainWindow& window, SharedState& shared, std::string hand, double stiffness);
 
-  /// One of ours, or a device's id.
+  /// The mouse or a simulated hand, or a device's id.
   const std::string& name() const { return hand_; }
   /// A real device was opened and holds the tool.
   void takeDevice(const QString& id, const QString& label);
-  /// The real device is gone: the mouse is next.
+  /// The real device is gone; the mouse becomes the hand.
   void forgetDevice();
   /// Hands the scene on view to the session. Arguments as of OpeningController::loaded().
   void adopt(bool new_volume, bool placed);
-  /// Opens the hand where nothing holds the device: with a scene, and unless a recording is on
-  /// view.
+  /// Opens the hand if none is open, there is a scene, and no recording is on view.
   void reopen();
-  /// The same for a new scene: where a simulated hand finds nothing to aim at, the mouse may.
+  /// The same for a new scene. If a simulated hand finds no target, opens the mouse instead.
   void resume();
 
  signals:
-  /// Another hand of ours was opened in place of whatever held the device.
+  /// The mouse or a simulated hand was opened in place of the previous hand or device.
   void opened();
   /// The user chose a hand while a recording is on view.
   void replayEndWanted();
   void changed(const QString& id);
-  /// The view is to be turned to the tool.
+  /// Asks to turn the view: to the tool if `at_tool`.
   void lookWanted(bool at_tool);
 
  private:
-  /// False, with the reason in the window, if the hand that was open goes on.
+  /// Returns false and shows the reason if it failed; the previous hand then goes on.
   bool open(std::string name);
   void choose(const QString& id);
   void show(const std::string& id, const QString& label, bool is_mouse);

@@ -17,59 +17,59 @@
 
 namespace app {
 
-/// Which tool: one of ours, or a file.
+/// A tool: a named one, or a file.
 struct ToolSource {
-  std::string name = "probe";  ///< of a named tool
+  std::string name = "probe";  ///< name of a named tool
   std::optional<std::filesystem::path> file = {};
-  std::string unit = "mm";  ///< of the file: m, mm, cm, in
+  std::string unit = "mm";  ///< unit of the file: m, mm, cm, in
 };
 
-/// What the user reads for a tool: its name, or its file's.
+/// The label of a tool for the user: its name, or its file's name.
 QString labelOf(const ToolSource& tool);
 
-/// An entry of a survey, which need not be made again to load it.
+/// An entry of a survey. It can be loaded without another survey.
 struct ChosenSeries {
   datasets::SeriesVerdict series;
-  bool among_others = false;         ///< the survey has more entries: the title says which this is
+  bool among_others = false;         ///< the survey has more entries, so the title names this one
   std::filesystem::path place = {};  ///< as in Surveyed
 };
 
-/// A volume that stays on view, and where it comes from.
+/// A volume that stays on view, with its place.
 struct Kept {
   ui::Picture picture;
   QString title;
   std::filesystem::path place = {};  ///< as in Loaded
 };
 
-/// What to load. Of path, phantom and keep, the first that is set counts.
+/// A request to load. Of path, phantom and keep, the first that is set is used.
 struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
-  std::optional<int> series = {};  ///< which entry of the path's survey
-  /// The entry itself; none: the path is surveyed, and the only sound one taken, unless another is
-  /// larger or could be corrected.
+  std::optional<int> series = {};  ///< index of the entry in the path's survey
+  /// The entry itself. If not set, the path is surveyed and the only sound entry is taken, unless
+  /// another is larger or correctable.
   std::optional<ChosenSeries> chosen = {};
   datasets::Geometry geometry = datasets::Geometry::AsStored;
   bool largest_part = false;  ///< as in datasets::Reading
   datasets::Part part = {};
   std::optional<std::string> phantom = {};
   std::optional<Kept> keep = {};        ///< the volume already shown, with another tool or field
-  std::optional<ToolSource> tool = {};  ///< none: the one that fits a phantom, else `probe`
+  std::optional<ToolSource> tool = {};  ///< none: the tool that fits the phantom, otherwise `probe`
   std::optional<double> isovalue = {};
   haptics::SceneOptions options = {};
-  /// The scene whose field is taken over where volume and kind are the same; or none.
+  /// The scene whose field is reused if volume and kind are the same; may be null.
   std::shared_ptr<const haptics::Scene> previous = {};
 };
 
-/// What was found at a path.
+/// The series found at a path.
 struct Surveyed {
   std::filesystem::path path;
-  /// What to remember of it: the path itself if it is a folder, an archive or a volume, and the
-  /// folder of a slice.
+  /// The place to remember: the path itself if it is a folder, an archive or a volume; for a slice,
+  /// its folder.
   std::filesystem::path place;
   datasets::Survey survey;
 };
 
-/// A volume and a tool, ready to be seen and touched.
+/// A volume and a tool, ready for view and touch.
 struct Loaded {
   ui::Picture picture;
   std::shared_ptr<const haptics::Scene> scene;
@@ -77,23 +77,23 @@ struct Loaded {
   double isovalue = 0.0;
   haptics::Pose start = haptics::Pose::Identity();  ///< a legal pose in front of the surface, W
   QString title;
-  QString note;  ///< a sentence worth saying although it was loaded, or empty
-  /// Where it was read; empty: made by formula, so that it is nobody's.
+  QString note;  ///< a sentence for the user although loading succeeded; or empty
+  /// The path from which it was read; empty for a phantom, which shows no person.
   std::filesystem::path place = {};
 };
 
-/// Reasons of Loader::failed that ask for an answer of the user's.
+/// Reasons of Loader::failed that need an answer of the user.
 inline constexpr const char* kWhichSeries = "which-series";
 inline constexpr const char* kTooLarge = "too-large";
 inline constexpr const char* kMissingSlices = "missing-slices";
 
-/// Reads and prepares on a thread of its own for each request; a new one cancels the last.
-/// Signals arrive on the thread that owns the loader, and only for the newest request. No call
-/// waits for a thread, except the destructor.
+/// Loads each request on its own thread. A new request cancels the one before. Signals arrive on
+/// the thread that owns the loader, and only for the newest request. Only the destructor waits for
+/// a thread.
 class Loader : public QObject {
   Q_OBJECT
  public:
-  /// `free_memory` tells the bytes that may be filled; any thread.
+  /// `free_memory` returns the free memory in bytes; called on any thread.
   explicit Loader(std::function<double()> free_memory, QObject* parent = nullptr);
 
   void start(LoadRequest request);
@@ -101,12 +101,12 @@ class Loader : public QObject {
 
  signals:
   void progressed(double fraction);
-  /// A path without a chosen entry was surveyed; it is then loaded, or it fails.
+  /// A path without a chosen entry was surveyed. loaded() or failed() follows.
   void surveyed(const app::Surveyed& surveyed);
   void loaded(const app::Loaded& loaded);
-  /// The request holds the chosen entry, if the survey came as far as that. The reason is
-  /// kWhichSeries where one must be chosen, kTooLarge where the memory does not hold it,
-  /// kMissingSlices where a part may be had without a gap.
+  /// `request` has the chosen entry, if the survey found one. The reason is kWhichSeries if an
+  /// entry must be chosen, kTooLarge if it exceeds the memory, kMissingSlices if a part without a
+  /// gap can be loaded.
   void failed(const app::LoadRequest& request, const haptics::Error& error);
 
  private:

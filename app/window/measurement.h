@@ -10,19 +10,19 @@
 
 namespace app {
 
-/// Measures what this machine carries, on a thread of its own. Signals arrive on the thread that
-/// owns it, and only for the measurement that was started last and not cancelled. No call waits
-/// for the thread, which looks up every few milliseconds, save while a tool of very many points is
-/// made: one that is started meanwhile begins when the cancelled one has ended. The destructor
-/// waits.
+/// Measures how many points this machine carries, on its own thread. Signals arrive on the thread
+/// that owns it, and only for the newest measurement, unless it was cancelled. Only the destructor
+/// waits for the thread. The thread checks for cancellation every few milliseconds, except while it
+/// makes a tool with very many points. A measurement that is started meanwhile begins when the
+/// cancelled one has ended.
 class Measurement : public QObject {
   Q_OBJECT
  public:
   explicit Measurement(QObject* parent = nullptr);
 
-  /// In place of what is under way.
+  /// Starts a measurement and cancels the present one.
   void start(study::HereRequest request);
-  /// Nothing more is heard of it. False if there was none under way.
+  /// Cancels the measurement; no signal follows. Returns false if none was running.
   bool cancel();
 
  signals:
@@ -35,8 +35,8 @@ class Measurement : public QObject {
   void begin(study::HereRequest request);
   void end(const haptics::Expected<study::Here>& result);
 
-  bool under_way_ = false;                  ///< and not cancelled
-  std::optional<study::HereRequest> next_;  ///< begins when the one that was cancelled has ended
+  bool under_way_ = false;                  ///< a measurement runs and is not cancelled
+  std::optional<study::HereRequest> next_;  ///< begins when the cancelled measurement has ended
   background::Task<study::Here> task_;
 };
 

@@ -11,19 +11,20 @@
 
 namespace app {
 
-/// Runs the panel "Performance": what this machine carries, and what the scene leaves out.
+/// Runs the panel "Performance": how many points this machine carries, and what the scene leaves
+/// out.
 class MeasurementController : public QObject {
   Q_OBJECT
  public:
   MeasurementController(ui::MainWindow& window, SharedState& shared);
 
-  /// Something is being loaded: that would disturb a measurement.
+  /// Disables measuring while a volume is being loaded.
   void pause();
-  /// What was loaded, or else what is still shown, may be measured.
+  /// Enables measuring of the scene on view, after loading or a failure.
   void resume();
   /// Another scene is shown.
   void showScene();
-  /// Ends a measurement that is under way; the panel says why.
+  /// Ends a running measurement. The panel shows `why`.
   void end(const QString& why);
 
  private:
@@ -34,7 +35,7 @@ class MeasurementController : public QObject {
   ui::PerformancePanel* panel_;  ///< the window's
   Measurement measurement_;
   haptics::Snapshot before_;
-  QString conditions_;  ///< with what and how the measurement under way is made
+  QString conditions_;  ///< tool, hand and settings of the running measurement
 };
 
 }  // namespace app

@@ -14,17 +14,17 @@
 
 namespace app {
 
-/// Opens what the user chooses or drops, asks what must be asked, shows what was loaded, and
-/// remembers where it was.
+/// Opens the paths that the user chooses or drops, asks the necessary questions, shows the loaded
+/// volume, and remembers its place.
 class OpeningController : public QObject {
   Q_OBJECT
  public:
-  /// Not `asks`: what needs an answer is refused. `free_memory`: bytes that may be filled; any
-  /// thread.
+  /// If not `asks`, a request that needs an answer is refused. `free_memory`: returns the free
+  /// memory in bytes; called on any thread.
   OpeningController(ui::MainWindow& window, SharedState& shared, PreferencesController& preferences,
                     std::function<double()> free_memory, bool asks);
 
-  /// In place of what is being loaded. `what`: the word for it beside the progress.
+  /// Loads a request and cancels the present one. `what`: the text beside the progress.
   void load(LoadRequest request, const QString& what);
   /// A path of volumes or of a recording.
   void open(const QString& path);
@@ -32,13 +32,13 @@ class OpeningController : public QObject {
  signals:
   void recordingWanted(const std::filesystem::path& path);
   void loading();
-  /// `shared.shown` is the new scene, which is not yet touched nor on view. `new_volume`: its
-  /// isovalue is new as well; `placed`: the newest snapshot is of the scene before, in the same
-  /// volume.
+  /// `shared.shown` has the new scene, which is not yet on view or in the session. `new_volume`:
+  /// the volume and its isovalue are new. `placed`: the newest snapshot is of the previous scene in
+  /// the same volume.
   void loaded(bool new_volume, bool placed);
-  /// It is on view now.
+  /// The new scene is on view.
   void shown(bool new_volume);
-  /// What was shown before stays.
+  /// Loading failed; the previous volume stays on view.
   void failed(const haptics::Error& error);
 
  private:

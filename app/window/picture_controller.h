@@ -16,7 +16,7 @@
 namespace app {
 
 /// Keeps the picture up to date: the newest snapshot and forces at display rate, the isovalue, and
-/// the fine mesh of the surface where there is no usable GPU.
+/// without a usable GPU the fine mesh of the surface.
 class PictureController : public QObject {
   Q_OBJECT
  public:
@@ -28,7 +28,7 @@ class PictureController : public QObject {
   void look(bool at_tool) { look_ = at_tool; }
 
  signals:
-  /// A picture is about to be drawn: sixty times a second.
+  /// A picture is about to be drawn; emitted sixty times a second.
   void refreshing();
 
  private:
@@ -42,7 +42,7 @@ class PictureController : public QObject {
   std::vector<haptics::ForceSample> samples_;
   bool look_ = false;
   background::Task<vtkSmartPointer<vtkPolyData>> mesher_;
-  std::optional<double> mesh_next_;  ///< the isovalue asked for while another was being meshed
+  std::optional<double> mesh_next_;  ///< isovalue of the next mesh, while another is being made
 };
 
 }  // namespace app

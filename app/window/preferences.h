@@ -8,15 +8,15 @@
 
 namespace app {
 
-/// What is remembered between runs. Of paths only the recent places, for their menu and nothing
-/// else, and none where the user does not want it; nothing that was read from a scan.
+/// The values that are stored between runs. The only paths are the recent places, which are used
+/// only for their menu, and which the user can switch off. No value from a scan is stored.
 struct Preferences {
-  QByteArray geometry = {};  ///< of the window, as Qt writes it
-  QByteArray layout = {};    ///< of its docks
+  QByteArray geometry = {};  ///< geometry of the window, as Qt writes it
+  QByteArray layout = {};    ///< layout of the docks, as Qt writes it
   bool notice_seen = false;
   double stiffness = 1000.0;  ///< N/m
-  ui::Mapping mapping = {};   ///< of haptic devices
-  QStringList places = {};    ///< what File > Open recent offers, the newest first
+  ui::Mapping mapping = {};   ///< mapping of haptic devices
+  QStringList places = {};    ///< entries of File > Open recent, the newest first
   bool places_remembered = true;
 };
 

@@ -8,22 +8,23 @@
 
 namespace app {
 
-/// Reads the preferences at the start and writes them when something is to be remembered.
+/// Reads the preferences at the start and writes them after changes.
 class PreferencesController : public QObject {
   Q_OBJECT
  public:
-  /// Not `kept`: nothing is written.
+  /// If not `kept`, nothing is written.
   PreferencesController(ui::MainWindow& window, bool kept);
 
   Preferences& present() { return preferences_; }
-  /// Gives the window the place and the docks that it had.
+  /// Restores the window's geometry and docks.
   void restoreWindow();
   /// Shows the notice, unless the user has read it.
   void showNotice();
   void save();
 
  signals:
-  /// They are about to be written: a controller adds what it has to remember, at once.
+  /// The preferences are about to be written. A receiver adds its values to `preferences` in the
+  /// call.
   void saving(app::Preferences& preferences);
 
  private:

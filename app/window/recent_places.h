@@ -8,12 +8,11 @@ namespace app {
 
 inline constexpr qsizetype kMostPlaces = 8;
 
-/// The places, newest first, once `place` was opened: it comes to the front. A temporary one is
-/// not added.
+/// Puts `place` at the front of the places (newest first). A temporary place is not added.
 QStringList withPlace(QStringList places, const QString& place);
 
-/// Whether a path is below a folder that is emptied sooner or later: for temporary files, caches
-/// and what belongs to a session, where other programs unpack what they hand over.
+/// Whether a path is below a folder for temporary files, caches or session files, where other
+/// programs unpack files.
 bool isTemporary(const QString& path);
 
 }  // namespace app

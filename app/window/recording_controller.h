@@ -25,23 +25,23 @@ class RecordingController : public QObject {
                       VolumeIdentity& identity);
 
   SessionRecording& recording() { return recording_; }
-  /// Another scene, before the session adopts it.
+  /// Describes a new scene to the recording, before the session adopts it.
   void describeScene();
   void note(const char* kind, const QString& text) { recording_.note(kind, text); }
-  /// Whether one may begin now.
+  /// Sets whether a recording may begin.
   void setReady(bool ready);
   /// Called at display rate.
   void refresh();
-  /// Names a recording that an ended process left unfinished.
+  /// Offers to recover a recording that an ended process left unfinished.
   void offerRecovery();
 
  signals:
-  /// One is about to begin: a recording on view makes room for it.
+  /// A recording is about to begin; a recording on view is closed.
   void starting();
   void started();
   void openWanted(const std::filesystem::path& path);
   void exportWanted(const QString& id);
-  /// The file is about to be deleted: what reads it stops.
+  /// The file is about to be deleted; readers must close it.
   void deleting(const std::filesystem::path& path);
 
  private:
@@ -57,8 +57,8 @@ class RecordingController : public QObject {
   ui::RecordingPanel* panel_;  ///< the window's
   SessionRecording recording_;
   background::Task<std::filesystem::path> recoverer_;
-  std::string camera_noted_;    ///< the last that was recorded
-  QElapsedTimer since_camera_;  ///< and when
+  std::string camera_noted_;    ///< text of the last recorded camera
+  QElapsedTimer since_camera_;  ///< time since the last recorded camera
 };
 
 }  // namespace app

@@ -9,20 +9,19 @@
 
 namespace app {
 
-/// The folder in which sessions are kept, and what is in it. Names are numbers: neither who nor
-/// when. GUI thread.
+/// The folder of recordings and its content. Names have numbers, and no person or date. GUI thread.
 class Recordings {
  public:
   /// An empty path: the user's own folder for Palpate's files.
   explicit Recordings(std::filesystem::path folder);
 
   const std::filesystem::path& folder() const { return folder_; }
-  /// A file that is not there yet; makes the folder.
+  /// A path that does not exist yet; makes the folder.
   std::filesystem::path next() const;
-  /// The newest first; all but `present`, which is being written.
+  /// All recordings except `present`, which is being written; the newest first.
   QList<ui::PastRecording> list(const std::filesystem::path& present) const;
   std::filesystem::path pathOf(const QString& id) const { return folder_ / id.toStdString(); }
-  /// Bytes that the disk has room for.
+  /// Free space of the disk, bytes.
   double room() const;
 
  private:

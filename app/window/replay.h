@@ -16,8 +16,8 @@
 
 namespace app {
 
-/// An open recording, and where in it one is. GUI thread; the curve of the force is read on a
-/// thread of its own.
+/// An open recording with a present position. GUI thread; another thread reads the curve of the
+/// force.
 class Replay : public QObject {
   Q_OBJECT
  public:
@@ -27,28 +27,29 @@ class Replay : public QObject {
   const std::filesystem::path& path() const { return path_; }
   /// Length and events; the force's curve comes with trackRead().
   const ui::ReplayTrack& track() const { return track_; }
-  /// The last step at or before the time one is at.
+  /// The last step at or before the present time.
   const haptics::RecordedStep& step() const { return steps_[at_]; }
-  /// What was felt after `from` and until `to` [s]: a point a tick, the newest ten seconds.
+  /// The forces after `from` and until `to` [s], one point per tick, at most the newest ten
+  /// seconds.
   std::vector<haptics::ForceSample> forces(double from, double to);
 
   void play(bool play);
   void setSpeed(double factor);
-  /// Goes to a time of the recording's own [s].
+  /// Goes to a time of the recording [s].
   void seek(double time);
-  /// Goes so many ticks on, or back.
+  /// Goes forward by `ticks`, or back if negative.
   void stepBy(int ticks);
 
  signals:
-  /// Another step is the present one; `time` [s] lies at it or, while it plays, a little after.
+  /// The present step has changed. `time` [s] is its time or, while playing, a little later.
   void moved(double time);
   void playing(bool plays);
   void trackRead();
-  /// A part of the file cannot be read: a sentence. It does not play on.
+  /// A part of the file cannot be read; playing stops. `why`: a sentence.
   void failed(const QString& why);
 
  private:
-  /// Of the force [N], in equal steps of the time.
+  /// Least and greatest force [N] in equal intervals of time.
   struct Curve {
     std::vector<float> least, most;
   };
@@ -63,8 +64,8 @@ class Replay : public QObject {
   std::filesystem::path path_;
   ui::ReplayTrack track_;
   std::size_t block_ = 0;
-  std::vector<haptics::RecordedStep> steps_;  ///< of that block
-  std::size_t at_ = 0;                        ///< in it
+  std::vector<haptics::RecordedStep> steps_;  ///< steps of that block
+  std::size_t at_ = 0;                        ///< index of the present step in steps_
   double time_ = 0.0, speed_ = 1.0;
   QTimer timer_;
   QElapsedTimer since_;

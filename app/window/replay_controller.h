@@ -14,28 +14,28 @@
 
 namespace app {
 
-/// Opens a recording and shows it over the volume on view, as the bar below the views wants it.
+/// Opens a recording and shows it over the volume on view, controlled by the bar below the views.
 class ReplayController : public QObject {
   Q_OBJECT
  public:
   ReplayController(ui::MainWindow& window, SharedState& shared, VolumeIdentity& identity);
 
   void open(const std::filesystem::path& path);
-  /// Shows what was on view before it was opened.
+  /// Closes the recording and shows the live scene again.
   void close();
   /// The same if this file is open.
   void closeFile(const std::filesystem::path& path);
-  /// Lets go of it, as the window closes: nothing is shown any more.
+  /// Closes the recording without showing the live scene, as the window closes.
   void drop();
-  /// Another scene is on view.
+  /// Call it when another scene is on view.
   void showScene();
   /// The recording that is on view; null: none.
   Replay* replay() { return replay_.get(); }
 
  signals:
-  /// One is about to be shown: whatever holds the device lets go.
+  /// A recording is about to be shown; the hand or device must be closed.
   void opened();
-  /// It was closed, and a hand may hold the device again.
+  /// The recording was closed; a hand may hold the device again.
   void closed();
 
  private:
@@ -47,10 +47,10 @@ class ReplayController : public QObject {
   SharedState& shared_;
   VolumeIdentity& identity_;
   std::unique_ptr<Replay> replay_;
-  std::optional<std::uint32_t> scene_;  ///< whose tool is on view
-  std::optional<double> isovalue_;      ///< that is on view
-  double shown_to_ = 0.0;               ///< s: what the plot of the force shows
-  bool same_volume_ = false;            ///< on view is what was touched, as far as can be told
+  std::optional<std::uint32_t> scene_;  ///< scene of the recording whose tool is on view
+  std::optional<double> isovalue_;      ///< isovalue on view
+  double shown_to_ = 0.0;               ///< s: end of the plotted force
+  bool same_volume_ = false;            ///< the volume on view is the recorded one, as far as known
 };
 
 }  // namespace app

@@ -9,12 +9,13 @@
 
 namespace app {
 
-/// Writes a picture of the window some time after a volume was shown, for --screenshot. What goes
-/// wrong is told on stderr.
+/// Writes a picture of the window some time after a volume was shown, for --screenshot. Errors are
+/// reported on stderr.
 class ScreenshotController : public QObject {
   Q_OBJECT
  public:
-  /// `path`: of a PNG, or of another kind by its ending; empty: none is wanted. `after` [s].
+  /// `path`: the picture's file, PNG or another format by its ending; empty: none. `after`: delay
+  /// [s].
   ScreenshotController(ui::MainWindow& window, SharedState& shared, std::string path, double after);
 
   bool isWanted() const { return !path_.empty(); }

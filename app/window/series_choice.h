@@ -21,14 +21,15 @@ namespace app {
 class SeriesChoice : public QObject {
   Q_OBJECT
  public:
-  /// `free_memory`: bytes that may be filled.
+  /// `free_memory`: returns the free memory in bytes.
   SeriesChoice(ui::MainWindow& window, std::function<double()> free_memory);
 
-  /// What the list shows from now on.
+  /// Sets the survey that the list shows.
   void take(const Surveyed& surveyed);
   void browse();
   void close();
-  /// Asks what a request that failed needs to succeed. False if nothing would help.
+  /// After a failed request, asks the question whose answer would make it succeed. Returns false if
+  /// there is none.
   bool ask(const LoadRequest& request, const haptics::Error& error);
 
  signals:
@@ -37,15 +38,15 @@ class SeriesChoice : public QObject {
  private:
   void loadChosen(int row);
   void offerCorrection(LoadRequest request, const QString& why);
-  /// False if no part of it is without a gap.
+  /// Returns false if there is no part without a gap.
   bool offerLargestPart(LoadRequest request);
-  /// False if no part of it can be read either.
+  /// Returns false if no part can be read either.
   bool offerPart(LoadRequest request, const QString& why);
 
   ui::MainWindow& window_;
   std::function<double()> free_memory_;
   Thumbnails thumbnails_;
-  std::optional<Surveyed> surveyed_;  ///< what was last found where there was something to find
+  std::optional<Surveyed> surveyed_;  ///< the last survey with a choice
   QPointer<ui::SeriesBrowser> browser_;
 };
 

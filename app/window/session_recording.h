@@ -16,8 +16,8 @@
 
 namespace app {
 
-/// Records the session that is under way: between start() and stop() every tick, and what is told
-/// here. GUI thread; only start() waits for the disk, for a moment, and end().
+/// Records the session: every tick between start() and stop(), and the events passed to note(). GUI
+/// thread. Only start(), for a moment, and end() wait for the disk.
 class SessionRecording : public QObject {
   Q_OBJECT
  public:
@@ -25,27 +25,28 @@ class SessionRecording : public QObject {
                    VolumeIdentity& identity, QObject* parent = nullptr);
   ~SessionRecording() override;
 
-  /// Begins a file and has it filled; the scene is the one being touched.
+  /// Begins a recording. `scene` is the session's scene.
   haptics::Expected<void> start(std::shared_ptr<const haptics::Scene> scene,
                                 const std::string& tool);
-  /// No more ticks; the file is finished behind the window.
+  /// Ends the recording of ticks. Another thread finishes the file.
   void stop();
-  /// The same, waiting until it is whole: the session must have been closed.
+  /// Ends the recording and waits until the file is complete. The session must have been closed.
   void end();
 
   bool isRecording() const { return recorder_ != nullptr && !stopping_; }
-  /// The file that is being written, under the name it has meanwhile; empty: none.
+  /// Path of the file that is being written (NAME.part); empty: none.
   std::filesystem::path present() const;
 
-  /// Another scene, before the session adopts it. `tool`: its name, empty for a file's.
+  /// Describes a new scene, before the session adopts it. `tool`: its name, empty for a tool from a
+  /// file.
   void describe(std::shared_ptr<const haptics::Scene> scene, const std::string& tool);
   void note(const char* kind, const QString& text);
-  /// Called at display rate: looks after what is under way.
+  /// Called at display rate: updates the status, and finishes a stopped recording.
   void refresh();
 
  signals:
   void statusChanged(const ui::RecordingStatus& status);
-  /// A file was finished, or could not be; `what` is a sentence.
+  /// A file was finished, or finishing failed. `what`: a sentence.
   void finished(bool well, const QString& what);
 
  private:
@@ -58,11 +59,12 @@ class SessionRecording : public QObject {
   VolumeIdentity& identity_;
   std::shared_ptr<haptics::Recorder> recorder_;
   std::filesystem::path target_;
-  std::vector<std::shared_ptr<const haptics::Scene>> scenes_;  ///< whose hash is not known yet
-  bool stopping_ = false;  ///< the servo thread may yet be in the ring
+  std::vector<std::shared_ptr<const haptics::Scene>>
+      scenes_;             ///< scenes whose volume hash is not known yet
+  bool stopping_ = false;  ///< stop() was called; the servo thread may still use the ring
   QElapsedTimer clock_, shown_;
-  double elapsed_ = 0.0;                              ///< s, when it was stopped
-  background::Task<std::filesystem::path> finisher_;  ///< brings a file to its end
+  double elapsed_ = 0.0;                              ///< s, length when it was stopped
+  background::Task<std::filesystem::path> finisher_;  ///< finishes a file
 };
 
 }  // namespace app

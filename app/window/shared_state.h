@@ -8,14 +8,14 @@
 
 namespace app {
 
-/// What the window's controllers share: the touch, and what is touched. GUI thread.
+/// State that the window's controllers share: session, settings and volume. GUI thread.
 struct SharedState {
   haptics::Session session;
-  haptics::Settings settings;     ///< as the user set them; the session has them after apply()
-  haptics::Snapshot snapshot;     ///< the newest of the session
-  haptics::SceneOptions options;  ///< of the next scene
-  std::optional<Loaded> shown;    ///< what is seen and touched; none before the first volume
-  bool replaying = false;         ///< a recording is on view, and no hand is at work
+  haptics::Settings settings;     ///< settings of the user; apply() passes them to the session
+  haptics::Snapshot snapshot;     ///< newest snapshot of the session
+  haptics::SceneOptions options;  ///< options of the next scene
+  std::optional<Loaded> shown;    ///< volume and scene on view; none before the first volume
+  bool replaying = false;         ///< a recording is on view, and no hand is open
 
   void apply() { session.set(settings); }
 };

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// Where the tool waits for the hand: in front of the patient, a little off the first surface
-/// that the line towards the middle of the volume meets. None if no legal pose is near.
+/// The pose of the tool before a hand moves it: in front of the patient, a little off the first
+/// surface on the line towards the middle of the volume. None if no legal pose is near.
 std::optional<haptics::Pose> startPose(const haptics::Scene& scene, double isovalue);
 
 }  // namespace app

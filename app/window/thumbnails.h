@@ -11,19 +11,19 @@
 namespace app {
 
 /// Draws the middle slices of a survey, one after another, on a thread of low priority. Signals
-/// arrive on the thread that owns it, and only for the survey that was started last and not
-/// stopped. Starting and stopping do not wait for the slice under way; the destructor does.
+/// arrive on the thread that owns it, and only for the newest survey, unless stopped. start() and
+/// stop() do not wait for the present slice; the destructor does.
 class Thumbnails : public QObject {
   Q_OBJECT
  public:
   explicit Thumbnails(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Pictures of at most `longest` pixels to a side.
+  /// Draws pictures of at most `longest` pixels per side.
   void start(std::vector<datasets::SeriesVerdict> series, int longest);
   void stop() { task_.abandon(); }
 
  signals:
-  /// A null image where none can be drawn.
+  /// `picture` is a null image if none can be drawn.
   void ready(int series, const QImage& picture);
 
  private:

@@ -10,29 +10,30 @@
 
 namespace app {
 
-/// Lets the user choose the tool that touches, and the field that is touched.
+/// Lets the user choose the tool and the kind of field.
 class ToolController : public QObject {
   Q_OBJECT
  public:
   ToolController(ui::MainWindow& window, SharedState& shared);
 
-  /// Tool and field of what is shown.
+  /// Shows tool and field of the scene on view.
   void show();
 
  signals:
-  /// The volume on view is to be touched with these. `what`: the words beside the progress.
+  /// Asks to load the volume on view with another tool or field. `what`: the text beside the
+  /// progress.
   void wanted(const app::LoadRequest& request, const QString& what);
 
  private:
   void changeTool(const ToolSource& tool);
   void changeField(const QString& id);
   void showField();
-  /// Of the volume on view, with this tool.
+  /// A request for the volume on view with this tool.
   LoadRequest requestWith(const ToolSource& tool) const;
 
   ui::MainWindow& window_;
   SharedState& shared_;
-  QTimer rest_;  ///< since the isovalue last moved
+  QTimer rest_;  ///< fires when the isovalue has rested
 };
 
 }  // namespace app

@@ -9,7 +9,7 @@ class VolumeView;
 
 namespace app {
 
-/// Where the user looks from now.
+/// The present camera of the 3-D view.
 FilmCamera cameraOf(ui::VolumeView& view);
 
 }  // namespace app

@@ -11,16 +11,16 @@
 
 namespace app {
 
-/// Hashes volumes on a thread of its own, each once while it is in use. No call waits, except the
-/// destructor.
+/// Hashes volumes on its own thread, each volume once while it is in use. Only the destructor
+/// waits.
 class VolumeIdentity : public QObject {
   Q_OBJECT
  public:
   explicit VolumeIdentity(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// sought() follows, soon if it is known already.
+  /// Starts hashing. sought() follows later, without new work if the hash is known.
   void seek(const std::shared_ptr<const haptics::Volume>& volume);
-  /// None: it was not sought yet, or cannot be had.
+  /// The hash; none if it is not known yet or cannot be made.
   std::optional<haptics::VolumeHash> of(const std::shared_ptr<const haptics::Volume>& volume) const;
 
  signals:

@@ -8,9 +8,9 @@
 
 namespace datasets::decode {
 
-/// Decodes a codestream that parseCodestream let pass into exactly rows x columns pixels. False
-/// where the decoder reports an error or a warning, wants more data than there are, or makes
-/// another image than was asked for; the pixels are then of no use. Throws what the codecs throw.
+/// Decodes a codestream that parseCodestream accepted, into exactly rows x columns pixels. Returns
+/// false if the decoder reports an error or a warning, needs more data than there are, or makes an
+/// image of another size; the pixels are then invalid. Throws the exceptions of the codecs.
 bool decodeFrame(const Request& request, std::span<const std::byte> codestream,
                  std::span<std::byte> pixels);
 

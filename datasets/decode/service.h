@@ -8,7 +8,7 @@
 
 namespace datasets::decode {
 
-/// What a request may ask of a memory divided like this: frames of at least one pixel that fit.
+/// Whether a request has at least one pixel and fits `room`.
 bool isSound(const Request& request, const Room& room);
 
 /// Answers one sound request: clears its pixels, then decodes into them. Nothing is thrown.

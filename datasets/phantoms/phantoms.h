@@ -9,7 +9,7 @@
 
 namespace datasets {
 
-/// An analytic volume and the isovalue at which its surface is the one its formula describes.
+/// An analytic volume and the isovalue of its surface.
 struct Phantom {
   haptics::Volume volume;
   double isovalue = 0.0;

@@ -8,8 +8,8 @@
 #include "haptics/core/geometry.h"
 
 /// The solids of the analytic phantoms in closed form, in W, in metres. `distance` is signed,
-/// positive outside; `normal` is its unit gradient, pointing out of the solid. What is exact is
-/// said at each shape; where it is not, it is at least exact to first order at the surface.
+/// positive outside; `normal` is its unit gradient, pointing out of the solid. Each shape states
+/// where its distance is exact. Elsewhere the distance is correct to first order at the surface.
 namespace datasets::shapes {
 
 using haptics::Vec3;

@@ -7,10 +7,10 @@ namespace datasets {
 
 /// A head in a CT scanner, made of formulas: HU, 1 mm, noise of 16 HU. Bone at 300, skin at -300.
 ///
-/// Worth touching: a cranial vault of two cortical tables with spongy bone between, sutures, a
-/// burr hole on the patient's left, orbits with floors one to two voxels thin, nose, sinuses,
-/// cheek arches, ear canals, mastoid air cells, a jaw, teeth (a lower left molar is missing).
-/// A likeness, not an atlas.
+/// To touch: a cranial vault of two cortical tables with spongy bone between, sutures, a burr hole
+/// on the patient's left, orbits with floors one to two voxels thin, nose, sinuses, cheek arches,
+/// ear canals, mastoid air cells, a jaw, teeth (a lower left molar is missing). It resembles a
+/// head; it is not anatomically exact.
 haptics::Expected<Phantom> skullPhantom();
 
 }  // namespace datasets

@@ -12,7 +12,7 @@ namespace datasets::skull {
 
 using Vec3f = Eigen::Vector3f;
 
-/// A solid of few parameters. Its box and blend tell where it can matter.
+/// A solid with few parameters. Its box and blend bound the region that it can affect.
 struct Primitive {
   enum class Kind : std::uint8_t { Ellipsoid, Cone, Arch };
   Kind kind = Kind::Ellipsoid;
@@ -32,10 +32,10 @@ struct Primitive {
 using Solid = std::vector<Primitive>;
 float distanceTo(const Solid& solid, const Vec3f& p);
 
-/// Those that can come within `margin` of a box.
+/// Primitives within `margin` of a box.
 Solid near(const Solid& solid, const Vec3f& middle, const Vec3f& half, float margin);
 
-/// What the head is made of. Bone is `bone` and `teeth` less the hollows.
+/// The parts of the head. Bone is `bone` and `teeth` minus the hollows.
 struct Anatomy {
   Solid bone, teeth;
   Solid septa;  ///< thin bone that stands within the hollows

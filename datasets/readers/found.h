@@ -11,15 +11,15 @@ namespace datasets {
 
 struct VolumeHeader;  // volume_file.h
 
-/// One of the volumes that a file of whole volumes holds.
+/// One volume of a file of whole volumes.
 struct VolumeInFile {
   std::filesystem::path path;
   int number = 0;  ///< from 0
-  /// What the file's header says; null where it cannot be read.
+  /// The file's header; null if it cannot be read.
   std::shared_ptr<const VolumeHeader> header = {};
 };
 
-/// What stands behind an entry of a survey.
+/// What `readVolume` needs of an entry of a survey.
 struct Found {
   std::variant<DicomSeries, VolumeInFile> source;
 };

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// The words that all readers share: verdict, survey, part, progress.
+// SPDX-License-Identifier: BSD-3-Clause Types that all readers share: verdict, survey, reading,
+// part, progress, labels, thumbnail.
 #pragma once
 
 #include <array>
@@ -18,22 +18,22 @@ namespace datasets {
 
 /// Whether a series' geometry can be trusted.
 enum class Verdict {
-  Sound,        ///< as it stands
-  Correctable,  ///< once it is resampled onto an even, right-angled grid, if the user agrees
+  Sound,        ///< can be read as stored
+  Correctable,  ///< can be read after resampling onto an even, right-angled grid, if the user
+                ///< agrees
   Refused
 };
 
 /// What to do with a correctable series.
 enum class Geometry { AsStored, Corrected };
 
-/// Which of the voxels that are stored to take: a smaller volume of a scan that memory does not
-/// hold.
+/// Which of the stored voxels to read: a smaller volume of a scan that exceeds the memory.
 struct Part {
-  /// Voxels of a whole volume, each axis from its first to beyond its last.
+  /// Voxels of a whole volume, from `first` to before `end` on each axis.
   struct Box {
     std::array<std::int64_t, 3> first{}, end{};
   };
-  int step = 1;  ///< every so manieth voxel along each axis, counted from the box's first
+  int step = 1;                 ///< every n-th voxel along each axis, counted from the box's first
   std::optional<Box> box = {};  ///< none: all
 
   bool isWhole() const { return step == 1 && !box; }
@@ -43,30 +43,30 @@ struct Part {
 struct Reading {
   std::optional<int> series = {};  ///< which entry of the survey; none: the only one
   Geometry geometry = Geometry::AsStored;
-  bool largest_part = false;  ///< of a series that lacks slices take UnbrokenPart
+  bool largest_part = false;  ///< if a series lacks slices, read its UnbrokenPart
   Part part = {};
 };
 
-/// What a file calls its content, in UTF-8: for the screen of the person who opened it, and nowhere
-/// else. Empty where it is not stated.
+/// The names in a file, in UTF-8. They may be shown only on the screen of the person who opened the
+/// file. A name that is not stated is empty.
 struct Labels {
   std::string patient, study, series;
 };
 
-/// The largest run of slices without a gap, of a series that lacks some. Its slices are taken as
-/// they are, with their own positions.
+/// The largest run of slices without a gap, in a series that lacks slices. The slices keep their
+/// own positions.
 struct UnbrokenPart {
   std::int64_t slices = 0;
-  std::int64_t of = 0;  ///< slices that are there
-  /// Where its first and its last slice lie along the normal (row x column), in patient LPS: for
-  /// axial slices their z.
+  std::int64_t of = 0;  ///< slices in the series
+  /// Positions of its first and last slice along the normal (row x column), in patient LPS. For
+  /// axial slices this is z.
   double from_mm = 0.0, to_mm = 0.0;
   haptics::Vec3 spacing_mm = haptics::Vec3::Zero();
 };
 
 struct Found;
 
-/// What can be said of a series, or of one volume of a file, before its voxels are read.
+/// A series, or one volume of a file, as known before its voxels are read.
 struct SeriesVerdict {
   int index = 0;
   std::string modality;
@@ -74,38 +74,40 @@ struct SeriesVerdict {
   haptics::Vec3 spacing_mm = haptics::Vec3::Zero();
   Verdict verdict = Verdict::Refused;
   std::vector<std::string> reasons;  ///< codes: "gantry-tilt", "not-scalar", "truncated", …
-  haptics::Message message;          ///< for the user
-  /// Of a series that is refused because slices are missing: what can be loaded of it, if the user
-  /// agrees; or none.
+  haptics::Message message;          ///< one sentence for the user
+  /// For a series that is refused because slices are missing: the part that can be loaded if the
+  /// user agrees; or none.
   std::optional<UnbrokenPart> unbroken_part = {};
   Labels labels;
   int file_count = 0;
-  std::int64_t bytes = 0;                ///< of the voxels in memory, estimated; 0: not known
+  std::int64_t bytes = 0;                ///< estimated size of the voxels in memory; 0: unknown
   std::vector<haptics::Message> faults;  ///< a sentence for each file that cannot be used
   std::shared_ptr<const Found> found;
-  std::shared_ptr<const void> place;  ///< what its files lie in, if that is to vanish later
+  std::shared_ptr<const void> place;  ///< keeps the temporary folder of an archive
 };
 
-/// Everything `info` says of a path.
+/// Everything that `info` reports about a path.
 struct Survey {
-  bool several = false;  ///< a folder, an archive or a file of several volumes: one is to be chosen
+  /// The path is a folder, an archive or a file of several volumes; one must be chosen.
+  bool several = false;
   std::vector<SeriesVerdict> series;
 };
 
-/// Watches a read from another thread. Both calls come from the reading thread.
+/// Lets another thread watch and cancel a read. The reading thread calls `advanced` and reads
+/// `cancel`.
 struct ReadProgress {
   std::function<void(double fraction)> advanced = [](double) {};
   const std::atomic<bool>* cancel = nullptr;  ///< true ends the read with Error::Kind::Cancelled
 
   bool isCancelled() const { return cancel != nullptr && *cancel; }
-  /// Of a step that is a part of the whole; not to outlive it.
+  /// Progress of one step. The whole must outlive it.
   ReadProgress part(double from, double to) const {
     return {[this, from, to](double f) { advanced(from + (to - from) * f); }, cancel};
   }
 };
 
-/// A small picture of the middle slice as the file stores it, the range of its values as 0 to 255;
-/// at most `longest` pixels to a side.
+/// A small picture of the middle slice in the orientation of the file. The 2nd to the 98th
+/// percentile of its values become 0 to 255. At most `longest` pixels per side.
 struct Thumbnail {
   int width = 0, height = 0;  ///< pixels, square ones
   std::vector<std::uint8_t> grey;

@@ -9,13 +9,14 @@
 
 namespace haptics {
 
-/// The share of a motion, from its start, along which the pyramid proves every point of the tool
-/// free, however long the motion is and however far it turns: conservative advancement [Mirtich
-/// 1996] with the spheres of the tool's tree. Where a sphere is proven to have room, the tool moves
-/// on by that much at once; where it is not, its children are asked, then its points.
+/// The fraction of a motion, from its start, along which the pyramid proves every point of the tool
+/// free, for any length and rotation of the motion. The method is conservative advancement [Mirtich
+/// 1996] with the spheres of the tool's tree. If a sphere is proven to have room, the tool moves on
+/// by that room at once. Otherwise the children of the sphere are checked, then its points.
 ///
-/// Ends where the next stretch would be shorter than `least` [m] for the farthest point: from there
-/// on Sweep is cheaper, which reads the field. Ends at what is proven so far where the budget does.
+/// It ends where the next stretch would be shorter than `least` [m] for the farthest point, since
+/// Sweep, which reads the field, is cheaper from there on. If the budget runs out, it returns the
+/// fraction proven so far.
 double freeShareOf(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
                    const Twist& motion, double least, Budget& budget) HAPTICS_RT;
 

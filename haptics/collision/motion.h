@@ -12,7 +12,7 @@ namespace haptics {
 /// p(t) = c + v t + R(w t) r.
 class PointPath {
  public:
-  /// c: the tool's origin at the start; r_W: the point about it, written in W.
+  /// c_W: the tool's origin at the start; r_W: vector from it to the point, in W.
   PointPath(const Vec3& c_W, const Vec3& r_W, const Twist& motion) HAPTICS_RT
       : v_{motion.linear},
         angle_{motion.angular.norm()} {
@@ -42,8 +42,9 @@ class PointPath {
   double angle_, arm_, speed_;
 };
 
-/// Bound on how far a point at a distance `arm` [m] from the tool's origin leaves its chord while
-/// the tool turns by `angle` [rad]: the sagitta of the arc, and no translation adds to it.
+/// Bound [m] on the distance from its chord of a point at a distance `arm` [m] from the tool's
+/// origin, while the tool turns by `angle` [rad]. It is the sagitta of the arc; translation does
+/// not increase it.
 inline double sagitta(double arm, double angle) HAPTICS_RT { return arm * angle * angle / 8.0; }
 
 /// The pose after a fraction t of the motion.
@@ -51,7 +52,7 @@ inline Pose moved(const Pose& X_WP, const Twist& motion, double t) HAPTICS_RT {
   const double angle = motion.angular.norm();
   Quat q{X_WP.linear()};
   if (angle > 0.0) q = Quat{Eigen::AngleAxisd{angle * t, Vec3{motion.angular / angle}}} * q;
-  // orthonormal again at every step: the quaternion is the state, the matrix its picture
+  // the matrix is made from the quaternion, so it is orthonormal after every step
   q.normalize();
   Pose X = Pose::Identity();
   X.linear() = q.toRotationMatrix();

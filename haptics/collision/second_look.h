@@ -10,21 +10,20 @@
 
 namespace haptics {
 
-/// Does what collision detection leaves out, beside it. Studies and tests attach one to a Proxy;
-/// the program attaches none. What it finds counts, so a motion differs where something was left
-/// out that was needed, and is the same to the bit where nothing was. The budget counts its work
-/// and never cuts it.
+/// Does the checks that collision detection leaves out. Studies and tests attach one to a Proxy;
+/// the program attaches none. Its results are used: the motion differs if a needed check was left
+/// out, and is otherwise the same to the bit. The budget counts its work and never cuts it.
 class SecondLook {
  public:
   virtual ~SecondLook() = default;
-  /// `near` is said to hold all points with less than `reach` [m] of clearance, and none to be
-  /// inside. False if one is inside.
+  /// Called when `tool.near` should hold all points with less than `reach` [m] of clearance, and no
+  /// point should be inside. Returns false if a point is inside.
   virtual bool collected(const NearTool& tool, double reach, Budget& budget) HAPTICS_RT = 0;
-  /// `surface` is said to hold the rows of all points within the band. Adds those it lacks.
+  /// Called when `surface` should hold the rows of all points within the band. Adds missing rows.
   virtual void gathered(const NearTool& tool, const Tolerances& lengths, SurfaceRows& surface,
                         Budget& budget) HAPTICS_RT = 0;
-  /// The way from the tool's pose along `motion` is said to be free until the sweep's impact.
-  /// Tells the sweep of an earlier one.
+  /// Called when the way from the tool's pose along `motion` should be free until the sweep's
+  /// impact. Passes an earlier impact to the sweep.
   virtual void swept(const NearTool& tool, const Twist& motion, const Tolerances& lengths,
                      Sweep& sweep, Budget& budget) HAPTICS_RT = 0;
 };

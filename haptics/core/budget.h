@@ -14,10 +14,10 @@ struct Counts {
   std::int64_t samples = 0;    ///< look-ups of F: of a value, or of a cell and the bounds in it
   std::int64_t gradients = 0;  ///< of any kind; one by central differences adds six samples
   std::int64_t pivots = 0;     ///< rows that entered or left an active set
-  std::int64_t sub_steps = 0;  ///< motions tried
+  std::int64_t sub_steps = 0;  ///< passes of steps 1 to 5 that searched a motion for collisions
 };
 
-/// What a tick may spend. One unit of work takes about 10 ns: one of sixteen points looked at
+/// What a tick may spend. One unit of work takes about 10 ns: one of sixteen points processed
 /// together, or a quarter of a cell fetched alone. The interface has two clocks: counted work,
 /// which repeats exactly, and the thread's CPU time for the live loop. Each call of left() costs
 /// one unit, so no two calls have the same count, and a replay cuts a tick at the count at which
@@ -32,14 +32,14 @@ class Budget {
   }
 
   void spend(std::int64_t work = 1) HAPTICS_RT { spent_ += work; }
-  /// What was done. The code that does the work updates it beside spend().
+  /// Counts of the work done. The code that does the work updates them beside spend().
   Counts counts;
   /// Whether there is budget left. Costs one unit. Once false, it stays false.
   bool left() HAPTICS_RT {
     if (cut_) return false;
     ++spent_;
     bool used_up = spent_ >= work_;
-    // the clock costs as much as thirty units of work: look at it only now and then
+    // reading the clock costs as much as thirty units of work, so it is read only now and then
     if (deadline_ != 0 && spent_ >= next_look_) {
       next_look_ = spent_ + 400;
       used_up = used_up || threadTime() >= deadline_;
@@ -50,10 +50,10 @@ class Budget {
     return false;
   }
   std::int64_t spent() const HAPTICS_RT { return spent_; }
-  /// Whether it was used up.
+  /// Whether the budget was used up.
   bool cut() const HAPTICS_RT { return cut_; }
-  /// The count at which left() first returned false, or 0. counted(cutAt()) is cut at the same
-  /// place. Work under way is finished after a cut, so spent() may be larger.
+  /// The count at which left() first returned false, or 0. A budget counted(cutAt()) is cut at the
+  /// same place. Work under way is finished after a cut, so spent() may be larger.
   std::int64_t cutAt() const HAPTICS_RT { return cut_at_; }
 
   /// CPU time of the calling thread [ns].

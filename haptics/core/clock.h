@@ -15,7 +15,7 @@ inline std::int64_t monotonicNs() HAPTICS_RT {
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
-/// Returns ns: monotonicNs, or a clock of a test.
+/// A function that returns ns: monotonicNs, or the clock of a test.
 using MonotonicClock = std::int64_t (*)() noexcept;
 
 }  // namespace haptics

@@ -25,10 +25,10 @@ class Output {
   ~Output();
 
   const std::filesystem::path& part() const { return part_; }
-  /// Syncs it to the disk and renames it; an older file of that name is replaced. Returns its size
-  /// in bytes.
+  /// Syncs the file to the disk and renames it; an older file of that name is replaced. Returns the
+  /// size in bytes.
   Expected<std::int64_t> finish();
-  /// The error that it cannot be written; `why` is an errno.
+  /// The error for a file that cannot be written; `why` is an errno.
   Error unwritable(int why) const;
 
  private:
@@ -50,7 +50,7 @@ class OutputFile {
   bool write(std::string_view bytes);
   std::uint64_t size() const { return size_; }
   Expected<void> close();
-  /// After close(). Returns its bytes.
+  /// Call after close(). Returns the size in bytes.
   Expected<std::int64_t> finish();
 
  private:

@@ -13,14 +13,14 @@ enum class Trouble : std::uint8_t {
   NoPermission,      ///< this user may not open it: a udev rule is missing
   NoLibrary,         ///< the maker's library, or one that it needs, is not installed
   NoService,         ///< the maker's service does not answer
-  InUse,             ///< another program, or this one, has it
+  InUse,             ///< another program, or this one, has opened it
   NoFirmware,        ///< it needs its maker's firmware, which the user has to name
   NotHomed,          ///< the user has to move it to its stops
   NeedsCalibration,  ///< the user has to put it in its cradle, or start the maker's tool
   NotStarted,        ///< it has no power, or has not started
-  MotorsHot,         ///< they cool down without action by the user
-  ForceOff,          ///< it switched its force off by its button, speed limit or watchdog
-  Refused,           ///< this driver does not know its answers
+  MotorsHot,         ///< the motors are too hot; they cool down without action by the user
+  ForceOff,          ///< the device switched its force off by its button, speed limit or watchdog
+  Refused,           ///< this driver does not understand the device's answers
   Lost               ///< unplugged, or silent
 };
 

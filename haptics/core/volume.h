@@ -52,8 +52,8 @@ struct Volume {
   std::int64_t replaced = 0;      ///< non-finite voxels that became background
   std::int64_t padded = 0;        ///< voxels stored as padding, where nothing was measured; now air
   bool resampled = false;         ///< from slices that were tilted or unevenly spaced
-  /// The slices that exist but are not in this volume, which is the largest part without a gap of
-  /// a series that lacks slices.
+  /// Number of slices of the series that are not in this volume. It is above 0 if the series lacks
+  /// slices and this is its largest part without a gap.
   std::int64_t slices_left_out = 0;
 };
 

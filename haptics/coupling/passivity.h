@@ -67,23 +67,23 @@ class PassivityController {
 class PassivityGuard {
  public:
   struct Memory {
-    Pose X_WD = Pose::Identity();  ///< at the last tick
+    Pose X_WD = Pose::Identity();  ///< in the last tick
     bool begun = false;
-    double waited = 0.0;        ///< s since it last moved
-    Twist slow_motion;          ///< of the hand in a tick, below 20 Hz
+    double waited = 0.0;        ///< s since the device last moved
+    Twist slow_motion;          ///< motion of the hand in a tick, below 20 Hz
     Wrench slow_wrench;         ///< below 20 Hz
     double made = 0.0;          ///< J, of the last 0.1 s
-    double turns = 0.0;         ///< likewise
+    double turns = 0.0;         ///< reversals in the last 0.1 s
     double power = 0.0;         ///< J a tick of alternating work, over the last 0.05 s
     double power_before = 0.0;  ///< the same over the last 0.2 s
     double direction = 0.0;     ///< -1 or 1: against or with the wrench
     double since = 0.0;         ///< s since the stiffness was lowered
-    double share = 1.0;         ///< of the set stiffness, that is used
+    double share = 1.0;         ///< share of the set stiffness that is used
   };
 
   explicit PassivityGuard(const Memory& memory) : at_{memory} {}
   /// `held`: the wrench on the hand since the last tick; X_WD: the device now; `scale`: m in W for
-  /// each m of the hand. What is not finite is not counted.
+  /// each m of the hand. Numbers that are not finite are not counted.
   void add(const Wrench& held, const Pose& X_WD, double scale, double period) HAPTICS_RT;
   const Memory& memory() const HAPTICS_RT { return at_; }
 

@@ -5,8 +5,9 @@ namespace haptics {
 
 /// How the voxels become a field.
 enum class FieldKind {
-  Trilinear,   ///< through the voxels, as in [Chan 2011], 2.2
-  CubicSpline  ///< the voxels as coefficients of a cubic B-spline: smoother, near them only
+  Trilinear,   ///< interpolates the voxels, as in [Chan 2011], 2.2
+  CubicSpline  ///< the voxels are the coefficients of a cubic B-spline: smoother, and only
+               ///< approximates them
 };
 
 }  // namespace haptics

@@ -7,14 +7,14 @@
 #include "haptics/core/realtime.h"
 #include "haptics/core/volume.h"
 
-/// The trilinear field at sixteen places at a time, with the vectors that the machine has (Highway,
-/// chosen at run time). All arithmetic is in double, in the order of the scalar code in Cell, and
-/// is never contracted: every target gives the same answer as the scalar code, to the bit.
+/// The trilinear field at sixteen places at a time, with the machine's vector instructions
+/// (Highway, chosen at run time). All arithmetic is in double, in the order of the scalar code in
+/// Cell, without contraction. So every target gives the results of the scalar code, to the bit.
 namespace haptics::lanes {
 
 inline constexpr int kLanes = 16;
 
-/// One number for each lane.
+/// A number for each lane.
 struct alignas(64) Numbers {
   double lane[kLanes];
   double& operator[](int i) HAPTICS_RT { return lane[i]; }
@@ -85,7 +85,7 @@ struct Slopes {
 };
 void slopes(const Lattice& lattice, const Places& u, int n, bool central, Slopes& found) HAPTICS_RT;
 
-/// The vectors in use: "AVX3", "AVX2", "SSE4", …, "EMU128" for none.
+/// The vector instructions in use: "AVX3", "AVX2", "SSE4", …; "EMU128" if there are none.
 const char* targetName();
 
 }  // namespace haptics::lanes

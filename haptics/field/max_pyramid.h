@@ -18,11 +18,11 @@ namespace haptics {
 /// hold for every isovalue, so moving the isovalue rebuilds nothing.
 ///
 /// Blocks of 4^3 cells (then 8^3, … 64^3) hold the greatest voxel of themselves and their 26
-/// neighbours, so that a block below the isovalue proves a ball of one block side empty. The
-/// finest level also holds a Lipschitz constant over the same neighbourhood. Cells run from -1 to
-/// dims - 1 on each axis: the outermost ring is the fall to the background. A spline's value is a
-/// mean of the voxels about its cell, and its slope one of their differences: its blocks take in
-/// one more voxel on every side.
+/// neighbours, so that a block below the isovalue proves a ball of one block side empty. The finest
+/// level also holds a Lipschitz constant over the same neighbourhood. Cells run from -1 to dims - 1
+/// on each axis: in the outermost ring F falls to the background. A spline's value is a mean of the
+/// voxels about its cell, and its slope a mean of their differences, so its blocks include one more
+/// voxel on every side.
 class MaxPyramid {
  public:
   /// If `cancel` becomes true meanwhile, the result is incomplete and must not be used.
@@ -54,7 +54,8 @@ class MaxPyramid {
 
   struct Level {
     std::array<std::int64_t, 3> blocks{};
-    std::vector<float> greatest;  ///< dilated by one block; the finest level's is in finest_
+    std::vector<float>
+        greatest;  ///< dilated by one block; the values of the finest level are in finest_
     std::int64_t at(const std::array<std::int64_t, 3>& b) const {
       return (b[2] * blocks[1] + b[1]) * blocks[0] + b[0];
     }

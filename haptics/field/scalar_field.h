@@ -16,7 +16,8 @@ namespace haptics {
 
 /// The eight corner values of one cell, and its index. Inside it the field is trilinear.
 struct Cell {
-  std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the fall outside
+  std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the ring outside the
+                                     ///< grid, where F falls to the background
   std::array<double, 8> corner{};    ///< bit 0 set: i + 1, bit 1: j + 1, bit 2: k + 1
 
   double value(const Vec3& u) const HAPTICS_RT;   ///< at index coordinates u within the cell
@@ -26,7 +27,7 @@ struct Cell {
 /// A field at a place.
 struct FieldSample {
   double value = 0.0;
-  Vec3 gradient_W = Vec3::Zero();  ///< of the field itself, per metre
+  Vec3 gradient_W = Vec3::Zero();  ///< gradient of the field itself, per metre
 };
 
 /// The field over the unmodified voxels: trilinear ([Chan 2011], 2.2), or the cubic B-spline
@@ -50,13 +51,13 @@ class ScalarField {
 
   double value(const Vec3& u) const HAPTICS_RT;
   FieldSample sample(const Vec3& u) const HAPTICS_RT;
-  /// The fraction of the segment a→b (index coordinates) at which the field first reaches
-  /// `level`: never later than it does, and earlier by `tolerance` at most; 2 if it stays below.
+  /// The fraction of the segment a→b (index coordinates) at which the field first reaches `level`;
+  /// 2 if it stays below. The result is never too late, and too early by at most `tolerance`.
   /// Exact: along a segment within a cell the field is a polynomial (cubic, or of degree 9), whose
   /// first root is isolated in Bernstein form.
   double firstReach(const Vec3& a, const Vec3& b, double level, double tolerance,
                     Budget& budget) const HAPTICS_RT;
-  static constexpr int kSplineWork = 12;  ///< of 64 voxels, their weights and sum
+  static constexpr int kSplineWork = 12;  ///< work of 64 voxels, their weights and sum
   /// Units of work of one value or sample (core/budget.h).
   int work() const HAPTICS_RT { return kind_ == FieldKind::Trilinear ? kCellWork : kSplineWork; }
 
@@ -71,8 +72,8 @@ class ScalarField {
   /// [per metre, W]. It averages 64 voxels, so noise and facets have little weight.
   Vec3 splineGradient(const Vec3& u) const HAPTICS_RT;
 
-  // Sixteen places at a time; the scalar code does what the lanes leave out (haptics/MEASURED.md,
-  // "Lanes").
+  // Sixteen places at a time. The scalar code processes the lanes that these functions leave out
+  // (haptics/MEASURED.md, "Lanes").
 
   /// Points of a tool at this pose, from the tool frame to index coordinates.
   lanes::Affine affine(const Pose& X_WP) const HAPTICS_RT;
@@ -91,8 +92,8 @@ class ScalarField {
   double roundingMargin() const HAPTICS_RT { return rounding_margin_; }
 
  private:
-  static constexpr int kCellWork = 4;            ///< of 8 voxels, fetched alone
-  static constexpr int kSplineSegmentWork = 36;  ///< of the polynomial along a segment
+  static constexpr int kCellWork = 4;            ///< work of 8 voxels, fetched alone
+  static constexpr int kSplineSegmentWork = 36;  ///< work of the polynomial along a segment
 
   std::shared_ptr<const Volume> volume_;
   FieldKind kind_;
@@ -104,7 +105,7 @@ class ScalarField {
   double rounding_margin_;
 
  protected:
-  Mat3 A_VW_t_;  ///< maps gradients to W; a test derives a field in which it is wrong
+  Mat3 A_VW_t_;  ///< maps gradients to W; a test derives a field with a wrong one
 };
 
 }  // namespace haptics

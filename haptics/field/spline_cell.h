@@ -21,11 +21,12 @@ struct SplineCell {
   /// A polynomial of degree 9 on [0, 1] by its Bernstein coefficients; their hull contains it.
   using Along = std::array<double, 10>;
 
-  std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the fall outside
+  std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the ring outside the
+                                     ///< grid, where F falls to the background
   std::array<double, 64> voxel;      ///< from at - 1 to at + 2 on each axis, i fastest
   std::array<int, 3> face{};         ///< -1, 1: outside beyond the low, high face of the axis
   double background = 0.0;
-  bool beyond = false;  ///< only background
+  bool beyond = false;  ///< the whole cell is background
 
   double greatest() const HAPTICS_RT;            ///< no value of the cell is above this
   double value(const Vec3& u) const HAPTICS_RT;  ///< at index coordinates u within the cell

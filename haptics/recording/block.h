@@ -11,8 +11,9 @@
 
 namespace haptics {
 
-/// Steps whose numbers follow each other, compressed. Columns, each the values of all steps, little
-/// endian, all their lowest bytes first, then all the next: so what changes little lies together.
+/// Compressed steps with consecutive sequence numbers. Each column has the values of all steps,
+/// little endian: the lowest bytes of all values, then the next bytes, and so on. So bytes that
+/// hardly change are adjacent.
 struct Block {
   std::uint64_t first = 0;  ///< sequence of the first step
   std::int64_t count = 0;
@@ -26,11 +27,11 @@ inline constexpr std::int64_t kMostStepsInBlock = 1024;
 
 /// At least one and at most kMostStepsInBlock steps, their sequences without a gap.
 Block encoded(std::span<const Step> steps);
-/// Refuses what is not such a block, reason "damaged".
+/// Refuses an invalid block, reason "damaged".
 Expected<std::vector<RecordedStep>> decoded(const Block& block);
 
-/// The columns of both parts in order, as JSON: [name, type, unit] each. Written into every
-/// recording, so that it can be read without this program.
+/// The columns of both parts in order, as JSON: [name, type, unit] each. It is written into every
+/// recording, so that a recording can be read without Palpate.
 std::string stepLayout();
 std::string contactLayout();
 

@@ -145,8 +145,7 @@ const StepColumn kColumns[] = {
         "Coulomb's coefficient between tool and surface",
         [](auto& row) -> auto& { return row.step.settings.friction; }),
     column(
-        "force_scale", "1", "settings/force_scale", kSteady,
-        "of what the hand feels to what the tool exerts",
+        "force_scale", "1", "settings/force_scale", kSteady, "hand force divided by tool force",
         [](auto& row) -> auto& { return row.step.settings.force_scale; }),
     column(
         "position_scale", "1", "settings/position_scale", kSteady,
@@ -178,11 +177,11 @@ const StepColumn kColumns[] = {
      }},
     column(
         "flags", "", "tick/flags", kChanging,
-        "sum of 1 another scene, 2 a setting moved, 4 the user lets forces be, 8 the device "
-        "gave no reading, 16 it gave its last reading again, 32 for the third time in a row, 64 "
-        "it is not homed, 128 the clutch is held, 256 hold-to-run is not, 512 no tick for 5 ms "
-        "before this one, 1024 the device is too fast for force, 2048 faster than a hand, 4096 "
-        "the third gap in ten seconds, 8192 of the settings the stiffness moved",
+        "sum of 1 another scene, 2 a setting changed, 4 armed by the user, 8 no reading from the "
+        "device, 16 the last reading again, 32 the last reading for at least the third time in a "
+        "row, 64 device not homed, 128 clutch held, 256 hold-to-run key released, 512 no tick for "
+        "5 ms before this one, 1024 device too fast for force, 2048 device faster than a hand, "
+        "4096 third gap in ten seconds, 8192 stiffness changed",
         [](auto& row) -> auto& { return row.step.flags; }),
     {"contacts", ColumnType::Uint8, "", "tick/contacts", kChanging,
      "contacts that bear on the tool",

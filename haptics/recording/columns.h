@@ -12,15 +12,15 @@
 
 namespace haptics {
 
-/// A pose as it is written for people: x, y, z [m], then the unit quaternion w, x, y, z.
+/// A pose as numbers: x, y, z [m], then the unit quaternion w, x, y, z.
 using PoseNumbers = std::array<double, 7>;
 PoseNumbers numbersOf(const Pose& X);
 
-/// A step as it is read from a recording.
+/// A step read from a recording.
 struct RecordedStep {
-  Step step;             ///< X_WD to the bit; X_WP and the contacts as in the contact layout
+  Step step;  ///< X_WD exact to the bit; X_WP and contacts with the precision of their columns
   PoseNumbers device{};  ///< numbersOf X_WD
-  PoseNumbers proxy{};   ///< numbersOf X_WP when it was recorded
+  PoseNumbers proxy{};   ///< numbersOf X_WP as recorded
 };
 
 enum class ColumnType : std::uint8_t {
@@ -34,31 +34,31 @@ enum class ColumnType : std::uint8_t {
 const char* nameOf(ColumnType type);  ///< "int64", as in a recording's layout
 std::size_t bytesOf(ColumnType type);
 
-/// A step while it is read, with what its columns tell beside the step.
+/// A step that is being read, with the columns that are not part of Step.
 struct PartlyRead {
   RecordedStep row;
   std::array<std::uint64_t, 9> device_bits{};
   std::uint8_t contacts = 0;
 };
 
-/// One number of a recorded step. What a recording holds of a step, every export of it, and the
-/// list in README.md follow from the table of these.
+/// One number of a recorded step. The recording, every export and the list in README.md follow from
+/// the table of these columns.
 struct StepColumn {
   const char* name;  ///< in a recording and in CSV
   ColumnType type;
-  const char* unit;  ///< "1": has none, being a ratio; "": a count, a code, or the scan's own
-  /// Group and name in HDF5, topic and key in MCAP; none: exports write it with others, as a vector
-  /// or as time, or leave it out.
+  const char* unit;  ///< "1": a ratio; "": a count, a code, or the scan's own unit
+  /// Group and name in HDF5, topic and key in MCAP. Null: exports write the column as part of a
+  /// vector or as time, or leave it out.
   const char* path;
-  bool steady;          ///< changes seldom: MCAP tells it when it does
+  bool steady;          ///< changes seldom; MCAP writes it only when it changes
   const char* meaning;  ///< a clause
   /// The value's bits, lowest first.
   std::uint64_t (*bits)(const RecordedStep&);
-  /// False: a step cannot have this value.
+  /// Sets the value. Returns false if a step cannot have it.
   bool (*set)(PartlyRead&, std::uint64_t bits);
 };
 
-/// In the order in which a recording holds them. To add one, add its row and raise kFormat
+/// The columns, in the order of a recording. To add a column, add its row and increase kFormat
 /// (schema.h).
 std::span<const StepColumn> stepColumns();
 

@@ -15,7 +15,7 @@ struct sqlite3_stmt;
 
 namespace haptics {
 
-/// One prepared statement. Values are bound from 1, columns read from 0, as SQLite has it.
+/// One prepared statement. As in SQLite, parameters count from 1 and columns from 0.
 class Statement {
  public:
   Statement(sqlite3* database, std::string_view sql);
@@ -32,7 +32,7 @@ class Statement {
   enum class Step { Row, Done, Failed };
   Step step();
   void reset();
-  /// Runs it to its end and resets it; false if that failed.
+  /// Runs the statement to its end and resets it. Returns false on failure.
   bool run();
 
   bool isNull(int column) const;
@@ -49,11 +49,11 @@ class Statement {
 class Database {
  public:
   enum class Mode {
-    Create,   ///< must not exist; nobody else opens it meanwhile
-    Recover,  ///< may be changed; nobody else opens it meanwhile
-    Read      ///< finished, and nobody writes it
+    Create,   ///< the file must not exist; locked against other processes
+    Recover,  ///< the file may be changed; locked against other processes
+    Read      ///< the file is finished, and no process writes it
   };
-  /// `vfs` names another file system than the operating system's; for tests.
+  /// `vfs` names an SQLite file system to use instead of the operating system's; for tests.
   static Expected<Database> open(const std::filesystem::path& path, Mode mode,
                                  const char* vfs = nullptr);
   ~Database();
@@ -66,11 +66,11 @@ class Database {
   std::int64_t integer(std::string_view sql);
   bool isSound();  ///< the whole file is consistent
 
-  /// Whether the last failure was for want of room, or of leave to write.
+  /// Whether the last failure was a full disk, or a missing permission to write.
   bool isFull() const;
   bool isBusy() const;
-  std::string complaint() const;  ///< SQLite's own words for the last failure
-  /// Leaves the log beside the file when it is closed: there may be no room to bring it in.
+  std::string complaint() const;  ///< SQLite's message for the last failure
+  /// On closing, leaves the log beside the file, because there may be no room to merge it.
   void keepLog();
 
  private:

@@ -14,25 +14,25 @@
 
 namespace haptics {
 
-/// What a recording says of the program and machine that made it. No host, user or date.
+/// The program and machine that made a recording. No host, user or date.
 struct RecordingFacts {
   std::string version;  ///< of Palpate
-  std::string build;    ///< one word: programs with the same give the same numbers
+  std::string build;    ///< one word; programs with the same build give the same numbers
   std::string machine;  ///< processor, cores, memory
 };
 
-/// How a recording comes along.
+/// Progress of a recording.
 struct RecorderStatus {
   std::int64_t steps = 0;     ///< in the file
-  std::int64_t lost = 0;      ///< for which the ring had no room
-  double duration = 0.0;      ///< s, to the last step in the file
+  std::int64_t lost = 0;      ///< steps lost because the ring was full
+  double duration = 0.0;      ///< s, until the last step in the file
   std::int64_t bytes = 0;     ///< of the file and its log
   double longest_wait = 0.0;  ///< s between two commits
-  Message failure = {};       ///< why it stopped by itself, a sentence; empty: it goes on
+  Message failure = {};       ///< why the recording ended by itself, a sentence; empty: it goes on
 };
 
-/// Writes what comes through its ring into one SQLite file, from a thread of its own, every
-/// quarter of a second: so little is lost with the process, the machine or the disk. The file is
+/// Writes the steps from its ring into one SQLite file. Its own thread commits every quarter of a
+/// second, so a crash of the process or the machine, or a full disk, loses few steps. The file is
 /// called `NAME.part` until finish().
 class Recorder {
  public:
@@ -40,8 +40,8 @@ class Recorder {
     std::chrono::milliseconds commit_every{250};
     const char* vfs = nullptr;  ///< as in Database::open
   };
-  /// Refused where the file cannot be made, and where `NAME.part` is there: it holds what another
-  /// recording left, reason "unfinished".
+  /// Refuses if the file cannot be made. If `NAME.part` exists, which is the unfinished file of
+  /// another recording, refuses with reason "unfinished".
   static Expected<std::unique_ptr<Recorder>> create(const std::filesystem::path& target,
                                                     const RecordingFacts& facts,
                                                     const Options& options);
@@ -49,29 +49,30 @@ class Recorder {
                                                     const RecordingFacts& facts) {
     return create(target, facts, Options{});
   }
-  /// Unless finished, what came until now is written, and stays `NAME.part`; without a step it
-  /// goes.
+  /// If finish() was not called, writes the steps received so far and keeps `NAME.part`. A file
+  /// without a step is deleted.
   ~Recorder();
 
-  /// Where the servo thread puts its steps.
+  /// The ring for the servo thread's steps.
   StepRing& ring();
 
-  // Any thread but the servo's; none waits for the disk.
+  // For any thread except the servo thread; none of these calls waits for the disk.
 
-  /// A scene that steps will name, before the first of them does. `tool` is a named tool's name,
-  /// or empty: a file's name is nobody's business.
+  /// Describes a scene. Call it before the first step of that scene. `tool`: the name of a named
+  /// tool; empty for a tool from a file, since a recording contains no file name.
   void describe(std::shared_ptr<const Scene> scene, std::string tool);
-  /// The hash of the volume of a scene that was described, once it is known.
+  /// Adds the hash of the volume of a described scene, once it is known.
   void identify(std::uint64_t scene, const VolumeHash& hash);
-  /// Something that happened now: "mark" with a note, "camera", "device".
+  /// Records an event of this moment: "mark" with a note, "camera", "device".
   void note(std::string kind, std::string text);
   RecorderStatus status() const;
-  /// The ring is full and its thread can wait: write now. Not for a servo thread.
+  /// Writes at once. For a thread that fills the ring and can wait when it is full; not for a servo
+  /// thread.
   void hurry();
 
-  /// Writes what is left, checks the whole and gives the file its name; returns it. The servo
-  /// thread must have left the ring. Waits for the disk. On failure all that was committed stays in
-  /// `NAME.part`; where nothing was, reason "empty", nothing is left.
+  /// Writes the remaining steps, checks the file, gives it its name and returns the name. The servo
+  /// thread must have left the ring. Waits for the disk. On failure the committed steps stay in
+  /// `NAME.part`. If there are none (reason "empty"), no file remains.
   Expected<std::filesystem::path> finish();
 
  private:
@@ -80,15 +81,15 @@ class Recorder {
   std::unique_ptr<Writer> writer_;
 };
 
-/// The name of a recording while it is written.
+/// The name of a recording while it is being written: NAME.part.
 std::filesystem::path partOf(const std::filesystem::path& target);
 
-/// Whether somebody is writing `NAME.part`, or recovering it.
+/// Whether a process is writing `NAME.part` or recovering it.
 bool isInUse(const std::filesystem::path& part);
 
-/// What is in an unfinished recording becomes a finished one: `NAME.part` is checked and gets its
-/// name, or NAME-2 where that is taken. Refuses one that is being written, reason "in-use", and
-/// what holds no step, reason "empty".
+/// Makes a finished recording of an unfinished one: checks `NAME.part` and renames it to NAME, or
+/// NAME-2 if NAME exists. Refuses a file that is being written, reason "in-use", and a file without
+/// a step, reason "empty".
 Expected<std::filesystem::path> recover(const std::filesystem::path& part);
 
 }  // namespace haptics

@@ -17,42 +17,44 @@ namespace haptics {
 
 /// Something that happened in a session.
 struct RecordedEvent {
-  std::uint64_t sequence = 0;  ///< of the step at or before which it happened
+  std::uint64_t sequence = 0;  ///< sequence of the step at or before the event
   std::int64_t time_ns = 0;
-  std::string kind;  ///< "isovalue", "stiffness", "mark", "gap", …: README.md has all
+  std::string kind;  ///< "isovalue", "stiffness", "mark", "gap", … (README.md lists all)
   std::optional<double> value = {};
   std::string text = {};
 };
 
-/// A finished recording, open to be read. Steps are read block by block; what describes them is
-/// read when it is opened. One thread at a time. Nothing in the file is trusted.
+/// A finished recording, open for reading. Steps are read block by block; events, starts and scenes
+/// are read when the file is opened. One thread at a time. All contents of the file are checked.
 class Recording {
  public:
-  /// Refusals: "not-found", "no-recording", "unfinished" (recover() it), "newer" (by a later
+  /// Refusals: "not-found", "no-recording", "unfinished" (use recover()), "newer" (made by a later
   /// Palpate), "damaged", "empty".
   static Expected<Recording> open(const std::filesystem::path& path);
 
-  /// What made it: Palpate's version and build, the machine, the vectors that it used.
+  /// The program that recorded: Palpate's version and build, the machine, and its SIMD target.
   const std::string& version() const { return version_; }
   const std::string& build() const { return build_; }
   const std::string& machine() const { return machine_; }
   const std::string& vectors() const { return vectors_; }
 
   std::int64_t stepCount() const { return step_count_; }
-  std::int64_t lostCount() const { return lost_; }  ///< steps that there was no room for
+  std::int64_t lostCount() const { return lost_; }  ///< steps lost because the ring was full
   double begin() const;                             ///< s: time of the first step
-  double end() const;                               ///< s: of the last
+  double end() const;                               ///< s: time of the last step
   const std::vector<RecordedEvent>& events() const { return events_; }
   const std::vector<ProxyStart>& starts() const { return starts_; }  ///< by sequence
   const std::vector<RecordedScene>& scenes() const { return scenes_; }
-  const RecordedScene* scene(std::uint32_t id) const;  ///< null: none of that number
+  const RecordedScene* scene(
+      std::uint32_t id) const;  ///< null if there is no scene with this number
 
   std::size_t blockCount() const { return blocks_.size(); }
-  /// The block that holds the last step at or before a time [s]; the first for earlier ones.
+  /// The block with the last step at or before a time [s]; the first block for earlier times.
   std::size_t blockAt(double time) const;
   Expected<std::vector<RecordedStep>> block(std::size_t index);
 
-  /// Calls `each` with every step from `from` to `to` [s], in order, until it returns false.
+  /// Calls `each` with every step from `from` to `to` [s], both included, in order, until `each`
+  /// returns false.
   Expected<void> forEach(double from, double to,
                          const std::function<bool(const RecordedStep&)>& each);
 
@@ -74,18 +76,18 @@ class Recording {
   std::vector<RecordedScene> scenes_;
 };
 
-/// What a list of recordings tells of one.
+/// A recording as a line in a list of recordings.
 struct RecordingSummary {
   std::int64_t steps = 0;
   double duration = 0.0;  ///< s
-  std::string tool;       ///< of the first scene; empty: a file's
+  std::string tool;       ///< tool of the first scene; empty: a tool from a file
   std::int64_t bytes = 0;
 };
 
-/// Without reading the steps; refuses as Recording::open does.
+/// Does not read the steps. Refuses like Recording::open.
 Expected<RecordingSummary> summaryOf(const std::filesystem::path& path);
 
-/// Whether two volumes have as many voxels, of the same type, in the same places.
+/// Whether two volumes have the same number, type and positions of voxels.
 bool liesLike(const Volume& one, const Volume& other);
 
 }  // namespace haptics

@@ -6,7 +6,7 @@ namespace haptics {
 inline constexpr int kApplicationId = 0x50414c50;  ///< "PALP"
 inline constexpr int kFormat = 2;                  ///< user_version
 
-/// The tables of a recording; README.md of this folder tells what is in them.
+/// The tables of a recording; README.md of this folder documents them.
 inline constexpr const char* kSchema = R"(
 CREATE TABLE meta (key TEXT PRIMARY KEY, value ANY NOT NULL) STRICT, WITHOUT ROWID;
 CREATE TABLE step (first INTEGER PRIMARY KEY, count INTEGER NOT NULL, from_ns INTEGER NOT NULL,

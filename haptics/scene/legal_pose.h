@@ -8,17 +8,17 @@
 
 namespace haptics {
 
-/// Whether every shell point is outside at a pose; false, too, if the budget ends before that is
-/// certain.
+/// Whether every shell point is outside at a pose. Also false if the budget runs out before that is
+/// proven.
 bool legal(const Isosurface& solid, const PointShell& shell, const Pose& X_WT,
            Budget& budget) HAPTICS_RT;
 
-/// The n-th place to look for room around a pose: 26 directions, at distances that grow from a
-/// voxel by a quarter each round. Returns its distance [m].
+/// Sets `place` to the n-th pose of a search around X_WT: 26 directions, at distances that begin at
+/// one voxel and grow by a quarter each round. Returns the distance [m].
 double placeAround(const Pose& X_WT, double voxel, int n, Pose& place) HAPTICS_RT;
 
-/// The pose itself if every shell point is outside, else a legal pose near it, at most 50 mm
-/// away; none if there is none to be found.
+/// The pose itself if every shell point is outside, otherwise a legal pose at most 50 mm away; none
+/// if the search finds none.
 std::optional<Pose> legalPoseNear(const Scene& scene, double isovalue, const Pose& X_WT);
 
 }  // namespace haptics

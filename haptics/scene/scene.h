@@ -19,48 +19,48 @@
 
 namespace haptics {
 
-/// How finely a tick works. For studies, which show what other values come to; everybody else
-/// takes these.
+/// Accuracy of a tick. Studies vary these values; all other code uses the defaults.
 struct Fineness {
-  /// Voxels, above 0 and below 1: how near counts as contact; what a contact keeps is half of it.
+  /// Distance that counts as contact, in voxels, above 0 and below 1. The rest gap is half of it.
   double epsilon = 0.05;
-  /// At least 1: motions in one tick that contacts shape or stop; three times as many where the
+  /// Most motions in one tick that contacts shape or stop, at least 1. Three times as many if the
   /// proxy was held and stops short.
   int sub_steps = 8;
 };
 
-/// What the user may choose of a scene beside volume and tool.
+/// Options of a scene, apart from volume and tool.
 struct SceneOptions {
   FieldKind field = FieldKind::Trilinear;
   NormalKind normal = NormalKind::Central;
-  Plan plan = {};  ///< what may be left out
+  Plan plan = {};  ///< work that may be left out
   Fineness fineness = {};
-  /// True, from another thread, ends the making with Error::Kind::Cancelled; or none.
+  /// If another thread sets it to true, makeScene() ends with Error::Kind::Cancelled. May be null.
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// Something built for a scene: what it takes in memory, and took in time.
+/// A structure built for a scene: its memory and its build time.
 struct Structure {
   std::string name;
   std::size_t bytes = 0;
-  double build_time = 0.0;  ///< s, by the clock on the wall; 0 where it was there already
+  double build_time = 0.0;  ///< s of wall-clock time; 0 if it was taken over from an earlier scene
 };
 
-/// What is touched, and with what: volume, tool, and what was built from them once. Immutable;
-/// built beside the old one and handed over whole. The isovalue is not part of it.
+/// Volume, tool, and the structures built from them. Immutable. A new scene is built while the old
+/// one is in use, and then replaces it. The isovalue is not part of the scene.
 struct Scene {
   std::uint64_t id = 0;  ///< unique in the process, from 1
   std::shared_ptr<const Volume> volume;
   Tool tool;
-  ShellTree tree;                                   ///< over the tool's shell
-  std::shared_ptr<const ScalarField> shared_field;  ///< scenes of one volume and kind share it
-  const ScalarField& field;  ///< that field: reads `volume`, holds the pyramid over it
-  MassMetric metric;         ///< of the tool
-  Tolerances lengths;        ///< from the voxel
+  ShellTree tree;  ///< over the tool's shell
+  std::shared_ptr<const ScalarField>
+      shared_field;          ///< shared by scenes of the same volume and kind
+  const ScalarField& field;  ///< the same field: reads `volume`, has the pyramid over it
+  MassMetric metric;         ///< mass metric of the tool
+  Tolerances lengths;        ///< lengths that follow from the voxel
   NormalKind normal = NormalKind::Central;
   std::vector<Structure> structures = {};
-  Plan plan = {};          ///< what its ticks leave out
-  PlanLines planned = {};  ///< the same in words
+  Plan plan = {};          ///< work that its ticks leave out
+  PlanLines planned = {};  ///< the plan in words
   Fineness fineness = {};
 };
 
@@ -68,8 +68,8 @@ struct Scene {
 PlanLines linesOf(const Plan& plan, const SceneOptions& options, const Volume& volume,
                   const ShellTree& tree);
 
-/// Builds a scene; takes tens to hundreds of milliseconds, so not on the GUI or servo thread. The
-/// field of `previous` is taken over where volume and kind are the same.
+/// Builds a scene. It takes tens to hundreds of milliseconds, so do not call it on the GUI or servo
+/// thread. The field of `previous` is reused if volume and kind are the same.
 Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,
                                                  const SceneOptions& options = {},
                                                  const Scene* previous = nullptr);

@@ -10,29 +10,30 @@
 
 namespace haptics {
 
-/// Which of the poses that a tick visits the proxy may take: a filter over two measures of a pose,
-/// its distance to the device (mass metric) and the length of the step that would still be made
-/// from it. A pose is taken when no earlier one at this device position was as good in both. A
-/// dozen poses may be taken that are not nearer the device (detours); after that only nearer ones.
-/// The memory clears when the device moves, however little, since what it holds are distances to
-/// it.
+/// A filter that decides which of the poses that a tick visits the proxy takes. It has two measures
+/// of a pose: the distance to the device (mass metric), and the length of the remaining step. A
+/// pose is taken unless an earlier one at this device position was at least as good in both. Twelve
+/// of the poses taken may be no nearer to the device than the nearest before (detours); after that
+/// only nearer ones are taken. The memory holds distances to the device, so it clears whenever the
+/// device moves.
 ///
-/// A detour raises the energy of the coupling's spring, which the hand then gets. It is taken only
-/// if the moves before it let go of as much, but for half a tolerance of way against the spring's
-/// pull: a point that came to lie too close is lifted to the rest gap before it slides on. So what
-/// the proxy gives in all has a bound. A detour also rises by no more than a tolerance of way.
+/// A detour raises the energy of the coupling's spring, and the hand receives this energy. A detour
+/// is taken only if earlier moves released as much, except for pull x tolerance / 2: a point that
+/// lies too close is lifted to the rest gap before it slides on. So the total energy that the proxy
+/// gives is bounded. A single detour raises the energy by no more than pull x tolerance.
 ///
-/// The dozen is given anew for each half of a tolerance that the device travels. Travel is counted
-/// behind a play: an anchor is dragged along once the device is kPlay away from it. So a slide has
-/// as many detours as it needs, and a handle that wanders about one place has a dozen in all.
-/// Otherwise detours would move the handle, and its motion would give the next detours.
+/// The proxy gets twelve new detours for each half of a tolerance that the device travels. Travel
+/// is measured with play: the device drags an anchor once it is kPlay away from it. So a slide has
+/// as many detours as it needs, and a handle that wanders about one place has twelve in all.
+/// Without the play, detours would move the handle, and this motion would give new detours.
 ///
 /// Taking only the nearest pose sticks and slips on real surfaces, since the direction of a step
 /// (a smooth normal) and the distance (the facets of the field) disagree by microns; taking every
 /// pose shakes at rest. The filter does neither.
 class Acceptance {
  public:
-  /// A tick begins. `radius` [m]: what a turn of the device counts by. `tolerance` [m]: of contact.
+  /// Begins a tick. `radius` [m] converts a turn of the device [rad] to a length. `tolerance` [m]
+  /// is that of contact, epsilon.
   void begin(const Pose& X_WD, double radius, double tolerance) HAPTICS_RT {
     tolerance_ = tolerance;
     if (fresh_) {
@@ -50,10 +51,10 @@ class Acceptance {
     detours_ = 0;
     travel_ = 0.0;
   }
-  /// Whether a pose this far [m] from the device, with a step of this length [m] left to do, may
-  /// be taken.
+  /// Whether to take a pose at `distance` [m] from the device (mass metric) with a remaining step
+  /// of length `step` [m].
   bool take(double distance, double step) HAPTICS_RT {
-    // arrived: there is nothing better
+    // the proxy has arrived
     if (distance == 0.0) {
       nearest_ = last_ = saved_ = 0.0;
       return true;
@@ -74,7 +75,7 @@ class Acceptance {
     visited_.push({distance, step});
     return true;
   }
-  /// The pose that the tick starts from: taken already, by the last one.
+  /// Records the pose at which the tick starts. The tick before has taken it.
   void start(double distance, double step) HAPTICS_RT {
     if (!visited_.empty()) return;
     visited_.push({distance, step});
@@ -87,12 +88,12 @@ class Acceptance {
   };
   static constexpr int kDetours = 12;
   // in tolerances:
-  static constexpr double kResolution = 0.002;  // what is nearer by less is not nearer
+  static constexpr double kResolution = 0.002;  // smallest difference of distances that counts
   static constexpr double kPlay = 4.0;          // with less than 3, handles wander on noise of 10 %
   static constexpr double kRenewal = 0.5;       // of travel
-  // of way against the pull: work of long ago pays for nothing now
+  // most released energy that is kept, over the pull
   static constexpr double kMostSaved = 4.0;
-  static constexpr double kLent = 0.5;  // of way against the pull
+  static constexpr double kLent = 0.5;  // energy a detour may add beyond that, over the pull
 
   void clear() HAPTICS_RT {
     visited_.clear();
@@ -117,10 +118,10 @@ class Acceptance {
   Pose X_WA_ = Pose::Identity();  ///< the anchor
   Pose X_WD_ = Pose::Identity();  ///< in the last tick
   double tolerance_ = 0.0;        ///< m
-  double travel_ = 0.0;           ///< m, of the anchor, since the dozen was given
+  double travel_ = 0.0;           ///< m, travel of the anchor since the last new detours
   double nearest_ = INFINITY;     ///< m
-  double last_ = 0.0;             ///< m: of the pose taken last
-  double saved_ = 0.0;            ///< m^2: spring energy that moves let go of, over the stiffness
+  double last_ = 0.0;             ///< m: distance of the pose taken last
+  double saved_ = 0.0;            ///< m^2: spring energy that moves released, over the stiffness
   int detours_ = 0;
   bool fresh_ = true;
 };

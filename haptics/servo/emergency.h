@@ -3,20 +3,20 @@
 
 namespace haptics {
 
-/// Zero to every motor, for good: every watchdog of the process stops its device within a
-/// millisecond, and none lets it go on; a device with a thread of its own has sent it some 6 ms
-/// later. Any thread, and any signal handler.
+/// Sets every motor to zero force permanently. Every watchdog of the process stops its device
+/// within a millisecond, and none releases it. A device with a thread of its own has sent the zero
+/// some 6 ms later. Callable from any thread and any signal handler.
 void stopAllMotors() noexcept;
 bool motorsAreStopped() noexcept;
 
-/// For the first line of main(): a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) stops all
-/// motors, waits 20 ms for that, and then goes its ordinary way. So does the stack's end of the
-/// thread that calls this; of others it does not. A crash of the very thread that a device is
-/// written on ends with what was written last.
+/// Call it in the first line of main(). From then on a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL,
+/// SIGABRT) stops all motors, waits 20 ms for that, and then ends the process as usual. A stack
+/// overflow does so only in the thread that called this function. If the thread that writes to a
+/// device crashes, the device keeps the last force written.
 void installCrashStop() noexcept;
 
-/// The same for exit(), whoever calls it. Before all that was registered or made static earlier, so
-/// each watchdog says it as it starts.
+/// Stops all motors in exit(), whoever calls it, before exit handlers and static destructors that
+/// were registered earlier. So each watchdog calls this when it starts.
 void stopAtExit() noexcept;
 
 }  // namespace haptics

@@ -11,8 +11,8 @@
 
 namespace haptics {
 
-/// A scene and the proxy that moves in it. Made and destroyed on the GUI's side, used on the
-/// servo's.
+/// A scene and the proxy that moves in it. The setting thread makes and destroys it; the servo
+/// thread uses it.
 struct Engagement {
   Engagement(std::shared_ptr<const Scene> adopted, const Pose& X_start)
       : scene{std::move(adopted)}, proxy{*scene, X_start} {}
@@ -20,9 +20,9 @@ struct Engagement {
   Proxy proxy;
 };
 
-/// Hands engagements over whole, and back when the servo has left them. One setting thread, one
-/// servo thread; neither waits. The servo keeps what it has while the last one it left has not
-/// been collected.
+/// Hands engagements to the servo thread, and back after use. There is one setting thread and one
+/// servo thread; neither waits. The servo thread adopts no new engagement until the setting thread
+/// has collected the previous one.
 class SceneHandOver {
  public:
   ~SceneHandOver() {
@@ -30,17 +30,19 @@ class SceneHandOver {
     delete left_.load();
     delete current_;
   }
-  /// Setting thread: the next one to adopt; one that was never adopted is destroyed.
+  /// Setting thread: offers the next engagement. An earlier offer that was not adopted is
+  /// destroyed.
   void offer(std::unique_ptr<Engagement> engagement) {
     collect();
     std::unique_ptr<Engagement> never_adopted{
         next_.exchange(engagement.release(), std::memory_order_acq_rel)};
   }
-  /// Setting thread: destroys what the servo has left.
+  /// Setting thread: destroys the engagement that the servo thread has left.
   void collect() {
     std::unique_ptr<Engagement> left{left_.exchange(nullptr, std::memory_order_acq_rel)};
   }
-  /// Servo thread, at a tick boundary: true if there is a new one.
+  /// Servo thread, at a tick boundary: adopts a new engagement if there is one. Returns whether it
+  /// did.
   bool adopt() HAPTICS_RT {
     if (next_.load(std::memory_order_relaxed) == nullptr) return false;
     if (current_ != nullptr && left_.load(std::memory_order_acquire) != nullptr) return false;
@@ -50,7 +52,7 @@ class SceneHandOver {
     current_ = next;
     return true;
   }
-  /// Servo thread: the one in force, or null.
+  /// Servo thread: the present engagement, or null.
   Engagement* current() HAPTICS_RT { return current_; }
 
  private:

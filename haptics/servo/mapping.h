@@ -6,39 +6,40 @@
 
 namespace haptics {
 
-/// From the device's base B to the world and back. Whatever is changed, the tool stays where it is:
+/// Maps the device's base B to the world W and back. A change of the mapping does not move the
+/// tool:
 ///
 ///   p_WD = p_W0 + scale R_WB (p_BD - p_B0),   R_WD = R_WB R_BD R_0
 ///
-/// where p_B0, p_W0 and R_0 are taken anew, so that X_WD is the same before and after. The rotation
-/// of the base follows what was set at kTurn, for what the hand feels turns with it. Servo
-/// thread only.
+/// Each change sets p_B0, p_W0 and R_0 so that X_WD is the same before and after. R_WB turns to the
+/// value set by at most kTurn per tick, because the force on the hand turns with it. Servo thread
+/// only.
 class Mapping {
  public:
-  static constexpr double kTurn = 0.002;  ///< rad in a tick: 2 rad/s
+  static constexpr double kTurn = 0.002;  ///< rad per tick: 2 rad/s
 
   /// The first pose of the device becomes X_WD.
   explicit Mapping(const Pose& X_WD) : X_WD_{X_WD} {}
 
-  /// The tool in W, for the handle in B. While clutched it is where it was.
+  /// The pose of the tool in W, for the handle in B. While clutched, the tool does not move.
   Pose toWorld(const Pose& X_BD) HAPTICS_RT;
   /// The wrench on the hand, its axes turned from W into B.
   Wrench toBase(const Wrench& wrench_W) const HAPTICS_RT;
 
-  /// R_WB: a rotation; `scale`: m in W for each m in B, above 0. What is not is not taken.
+  /// R_WB: a rotation; `scale`: m in W per m in B, above 0. Other values are ignored.
   void set(const Mat3& R_WB, double scale) HAPTICS_RT;
   void clutch(bool clutched) HAPTICS_RT;
   bool clutched() const HAPTICS_RT { return clutched_; }
-  /// The tool is put elsewhere; the hand stays.
+  /// Puts the tool at another pose; the hand stays.
   void place(const Pose& X_WD) HAPTICS_RT;
-  /// The next pose may be anywhere: the tool stays.
+  /// Call it if the next device pose may be anywhere: the tool does not follow that jump.
   void lift() HAPTICS_RT { anchored_ = false; }
 
  private:
   void anchor(const Pose& X_BD) HAPTICS_RT;
 
   Pose X_WD_;
-  Pose X_BD_ = Pose::Identity();         ///< at the last tick
+  Pose X_BD_ = Pose::Identity();         ///< in the last tick
   Mat3 R_WB_ = Mat3::Identity();         ///< now
   Mat3 R_WB_wanted_ = Mat3::Identity();  ///< as it was set
   double scale_ = 1.0;

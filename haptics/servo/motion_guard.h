@@ -9,10 +9,10 @@
 
 namespace haptics {
 
-/// Judges how the handle moved between two readings, in the base. A hand under force moves at most
-/// some tenths of a m/s: above kFastest the device is running away and is let go of, until it has
-/// been slower than half of that for kCalm. No hand moves it as fast as kJump or turns it as
-/// fast as kSpin: then a reading is wrong.
+/// Judges the motion of the handle between two readings, in B. A hand under force moves at most
+/// some tenths of a m/s. Above kFastest the device is running away; the force is zero until it has
+/// been slower than half of kFastest for kCalm. No hand is as fast as kJump or kSpin; such a
+/// reading is wrong.
 class MotionGuard {
  public:
   static constexpr double kFastest = 1.5;  ///< m/s
@@ -20,14 +20,14 @@ class MotionGuard {
   static constexpr double kSpin = 150.0;   ///< rad/s
   static constexpr double kCalm = 0.05;    ///< s
 
-  /// None, TooFast or Jump. `time_ns`: when it was measured; a time that was judged already gives
-  /// the same answer again, but for Jump.
+  /// Returns None, TooFast or Jump. `time_ns`: time of the measurement. The same time again gives
+  /// the same answer, except that Jump is returned once.
   ForceReason judge(const Pose& X_BD, std::int64_t time_ns) HAPTICS_RT;
 
  private:
   Pose X_BD_ = Pose::Identity();
   std::int64_t time_ns_ = 0;
-  std::int64_t fast_ns_ = 0;  ///< when it was last too fast
+  std::int64_t fast_ns_ = 0;  ///< when the handle was last too fast
   bool begun_ = false;
   bool fast_ = false;
 };

@@ -16,46 +16,46 @@
 
 namespace haptics {
 
-/// How the proxy is brought outside after the isovalue left it inside: the proxy stays where it is
-/// while a trial pose, invisible, looks for a way out; only a legal pose is taken. So what is seen
-/// and felt of it never gets deeper.
+/// State of the search for a legal pose, after a moved isovalue left the proxy inside the solid.
+/// The proxy does not move while the search moves an invisible trial pose. The proxy takes only a
+/// legal pose, so it never goes deeper.
 struct Recovery {
   bool active = false;
   int ticks = 0;                 ///< since the proxy was found inside
-  int candidate = 0;             ///< of the search around
+  int candidate = 0;             ///< next pose of the search around the proxy
   Pose X_WT = Pose::Identity();  ///< the trial pose
 };
 
-/// A sub-step under way. When the budget cuts a tick in the middle of one, it goes on in the next:
-/// what has been proven about a motion is not thrown away, so that a tool with very many points in
-/// contact gets on, if not in every tick. The proxy stays at the last pose that was taken.
+/// A sub-step under way. If the budget ends a tick in the middle of a sub-step, the next tick
+/// continues it. The proofs about its motion are kept, so a tool with very many points in contact
+/// moves too, though not in every tick. The proxy stays at the last accepted pose.
 struct Search {
   enum class Stage : std::uint8_t {
-    Done,   ///< none under way
-    Look,   ///< at a pose reached: what is near it, and where to go
-    Reach,  ///< what could the motion bring to the surface
-    Sweep   ///< how far along the motion the tool gets
+    Done,   ///< no sub-step under way
+    Look,   ///< finds the points near the surface at X, and the next motion
+    Reach,  ///< finds the points that the motion could bring to the surface
+    Sweep   ///< finds how far the tool can go along the motion
   };
   Stage stage = Stage::Done;
-  Pose X = Pose::Identity();  ///< where the sub-steps have got to; proven along the way there
-  bool fresh = true;          ///< X has not been judged yet
+  Pose X = Pose::Identity();  ///< pose reached by the sub-steps; the way to it is proven free
+  bool fresh = true;          ///< X has not been checked yet
 
-  Twist motion;         ///< of the sub-step, in unit time
-  double length = 0.0;  ///< m: of its farthest point
-  bool whole = false;   ///< it leads to X_goal without a bend
-  bool bears = false;   ///< contacts shaped it
+  Twist motion;         ///< motion of the sub-step, in unit time
+  double length = 0.0;  ///< m: way of the farthest point
+  bool whole = false;   ///< the motion ends at X_goal
+  bool bears = false;   ///< contacts shaped the motion
   Pose X_goal = Pose::Identity();
 
-  // the step that led to X, to be halved if X is inside after all
+  // the step that led to X, which is halved if X is inside
   Pose X_before = Pose::Identity();
   double advance = 0.0;
   int halvings = 0;
 
-  double trust = INFINITY;  ///< m: the longest step worth trying in this search
+  double trust = INFINITY;  ///< m: longest step to try in this search
 
-  // since the pose that was taken last
+  // since the last accepted pose
   double way = 0.0, turned = 0.0;  ///< m, rad
-  Contacts contacts_taken;         ///< the contacts when it was taken
+  Contacts contacts_taken;         ///< the contacts at that pose
   bool atTaken() const HAPTICS_RT { return way == 0.0 && turned == 0.0; }
 
   template <class P>
@@ -70,39 +70,40 @@ struct Search {
   }
 };
 
-/// A row that bears on the tool: a contact as the hand feels it.
+/// A contact that bears force on the tool.
 struct BearingContact {
   Vec3 r_W = Vec3::Zero();  ///< the point about the tool's origin, in W [m]
   Vec3 n_W = Vec3::Zero();  ///< unit normal, out of the solid
-  double push = 0.0;        ///< N, along the normal, by the coupling's stiffness
+  double push = 0.0;        ///< N, force along the normal, from the coupling's stiffness
 };
 using Bearing = FixedVector<BearingContact, 6>;
 
-/// The proxy and what it remembers from tick to tick. Everything is allocated when it is made.
+/// The proxy and its memory between ticks. The constructor allocates all memory.
 struct Proxy {
   Proxy(const Scene& scene, const Pose& X_start)
       : X_WP{X_start}, clearance{scene.tree}, sweep{scene.tool.shell.points.size()} {}
 
   Pose X_WP;
   Vec3 turn = Vec3::Zero();  ///< unwrapped rotation from proxy to device [rad]
-  Contacts contacts;         ///< met by sweep; constrain the next motion
-  Bearing bearing;           ///< rows that bear on it at X_WP
+  Contacts contacts;         ///< found by Sweep; they constrain the next motion
+  Bearing bearing;           ///< contacts that bear force on it at X_WP
   Clearance clearance;
-  SurfaceRows surface;  ///< of the points near the surface
+  SurfaceRows surface;  ///< rows of the points near the surface
   Sweep sweep;
   Search search;
   Acceptance acceptance;
   Recovery recovery;
-  double isovalue = std::numeric_limits<double>::quiet_NaN();  ///< of the last tick
-  /// The surface bore on it since it was last at the device: until it is there again, it follows
-  /// no faster than tick() lets it.
+  double isovalue = std::numeric_limits<double>::quiet_NaN();  ///< isovalue of the last tick
+  /// True from contact until the proxy is at the device again. While true, tick() limits the speed
+  /// at which the proxy approaches the device.
   bool held = false;
-  Twist behind;  ///< while held: the motion to the device after the last tick in which it followed
-  int ticks_behind = 0;  ///< since then
-  /// Looks at what this proxy's ticks leave out; null but in studies and tests.
+  Twist behind;          ///< while held: motion from proxy to device after the last tick with
+                         ///< TickResult::followed
+  int ticks_behind = 0;  ///< ticks since then
+  /// Does the work that ticks leave out; null except in studies and tests.
   SecondLook* second_look = nullptr;
 
-  /// Keeps where it is and how it is turned, and nothing else: as if it were made there.
+  /// Keeps the pose and the unwrapped turn, and resets the rest to the state of a new proxy.
   void forget() HAPTICS_RT {
     contacts.clear();
     bearing.clear();

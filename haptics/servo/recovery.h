@@ -6,9 +6,10 @@
 
 namespace haptics {
 
-/// One tick of bringing the proxy outside. First the trial pose is pushed along the gradients of
-/// its inside points, then the places around are tried, and on the eighteenth tick the proxy is
-/// set outside the volume, where it is legal for certain. Returns true once the proxy is outside.
+/// One tick of the search for a legal pose. In the first 6 ticks the trial pose is pushed along the
+/// gradients at its inside points. In the next 11 ticks poses around the proxy are tried. In the
+/// 18th tick the proxy is put outside the grid, where it is always legal. Returns true once the
+/// proxy is outside.
 bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, Budget& budget) HAPTICS_RT;
 
 }  // namespace haptics

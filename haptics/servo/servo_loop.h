@@ -22,27 +22,27 @@
 
 namespace haptics {
 
-/// The servo thread: read the device, tick, write the device, a thousand times a second at
-/// absolute times. Takes real-time priority where it is granted and says which it got. A period
-/// that was missed is counted and not made up for.
+/// The servo thread reads the device, runs a tick and writes the device, a thousand times a second
+/// at absolute times. It asks for real-time priority and reports the one it got. Missed periods are
+/// counted, not repeated.
 class ServoLoop {
  public:
   static constexpr double kPeriod = 1e-3;               ///< s
-  static constexpr std::int64_t kTickBudget = 200'000;  ///< ns of CPU for the proxy
+  static constexpr std::int64_t kTickBudget = 200'000;  ///< ns of CPU time for the proxy
 
-  /// A device without motors that can hurt: its base is the world, and nothing watches it.
+  /// For a device without motors: its base B is W, and it has no watchdog and no guard.
   ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bool arm = true);
-  /// A real one, not armed: watched, guarded, and mapped so that its first pose is X_WD. `heat`:
-  /// its motors', as an earlier loop left them.
+  /// For a real device, not armed: with watchdog, guard, and a mapping that takes its first pose to
+  /// X_WD. `heat`: heat() of the device's previous loop.
   ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD,
             double heat = 0.0);
-  ~ServoLoop();  ///< as end()
-  /// Ends the thread, with the force at zero.
+  ~ServoLoop();  ///< calls end()
+  /// Sets the force to zero and ends the thread.
   void end();
-  /// Of the motors: 1 is what they stand for ever. Once it has ended.
+  /// Heat of the motors; they stand 1 for ever. Call after end().
   double heat() const { return safety_.memory().heat; }
 
-  // The other thread's side; none of these waits.
+  // For the setting thread; none of these calls waits.
   LatestValue<Settings> settings;
   LatestValue<Handling> handling;
   LatestValue<Snapshot> snapshots;
@@ -50,38 +50,38 @@ class ServoLoop {
   moodycamel::ReaderWriterQueue<ForceTransition> transitions{1024};
   SceneHandOver scenes;
   std::atomic<bool> armed;  ///< false: zero force from the next tick on
-  /// Where steps go from the next tick on; null: nowhere. The ring outlives its use: it is left
-  /// once `boundary` has grown by two since another was set, or the loop has ended.
+  /// Ring that receives the steps from the next tick on; null: no recording. The ring must live
+  /// until `boundary` has grown by two after another value was set, or until the loop has ended.
   std::atomic<StepRing*> recording{nullptr};
-  std::atomic<std::uint64_t> boundary{0};  ///< ticks that are over
+  std::atomic<std::uint64_t> boundary{0};  ///< completed ticks
 
   /// Starts the thread.
   void start();
 
-  /// One period's work, of the tick that was due at `time` [s] since the start, at `now` of the
-  /// watchdog's clock [ns]. Public for tests.
+  /// The work of one period. `time` [s]: when the tick was due, since the start. `now` [ns]: time
+  /// of the watchdog's clock. Public for tests.
   void step(double time, std::int64_t now) HAPTICS_RT;
-  /// The same, with a clock that keeps time with the ticks.
+  /// The same, with a watchdog's clock that advances with `time`.
   void step(double time) HAPTICS_RT { step(time, 1 + std::int64_t(time * 1e9)); }
 
  private:
-  /// What guards a real device's hand.
+  /// Protects the hand at a real device.
   struct Guard {
     Guard(Device& device, const Pose& X_WD) : watchdog{device}, mapping{X_WD} {}
     Watchdog watchdog;
     MotionGuard motion;
     Mapping mapping;
     Handling handling;
-    int silent = 0;               ///< readings in a row that told nothing new
-    std::int64_t handled_ns = 0;  ///< when `handling` came
+    int silent = 0;               ///< readings in a row without a new measurement
+    std::int64_t handled_ns = 0;  ///< when `handling` was received
   };
 
-  /// One period, from the wishes it began with to what it came to.
+  /// The data of one period.
   struct Period {
     std::uint16_t flags = 0;        ///< StepFlags
-    Engagement* engaged = nullptr;  ///< what is touched; null: nothing, or the device is lost
+    Engagement* engaged = nullptr;  ///< scene and proxy; null: no scene, or the device is lost
     StepRing* ring = nullptr;       ///< null: not recorded
-    std::int64_t read_at = 0;       ///< ns, monotonic; only where recorded
+    std::int64_t read_at = 0;       ///< ns, monotonic; set only if recorded
     std::int64_t cpu_ns = 0;
 
     bool has(std::uint16_t flag) const HAPTICS_RT { return (flags & flag) != 0; }
@@ -91,7 +91,7 @@ class ServoLoop {
   };
 
   void run();
-  /// What others want of the servo thread since the last period, and what the watchdog saw.
+  /// Takes new settings, handling and scene, and the watchdog's beat.
   Period takeWishes(std::int64_t now) HAPTICS_RT;
   void readDevice(Period& period, std::int64_t now) HAPTICS_RT;
   ServoResult feel(Period& period, Budget& budget) HAPTICS_RT;
@@ -107,7 +107,7 @@ class ServoLoop {
   TickStats stats_;
   Snapshot snapshot_;
   DeviceReading reading_;
-  bool lost_ = false;  ///< the device is gone for good
+  bool lost_ = false;  ///< the device is lost permanently
   Pose X_WD_ = Pose::Identity();
   std::unique_ptr<Guard> guard_;  ///< null: not a real device
   Step step_;

@@ -11,37 +11,38 @@
 
 namespace haptics {
 
-/// Stands between the coupling's wrench and the gate, where a study tries what is not shipped.
+/// Changes the wrench between coupling and gate. Studies use it for methods that are not shipped.
 /// Servo thread.
 class WrenchHook {
  public:
   virtual ~WrenchHook() = default;
-  /// What to ask the gate for in place of `wanted`, with the device at X_WD. `period` [s].
+  /// Returns the wrench to pass to the gate instead of `wanted`, with the device at X_WD. `period`
+  /// [s].
   virtual Wrench shaped(const Wrench& wanted, const Pose& X_WD, double period) HAPTICS_RT = 0;
-  /// What the gate made of it.
+  /// Called with the wrench that the gate sent.
   virtual void sent(const Wrench& sent_W) HAPTICS_RT = 0;
 };
 
-/// What a tick of the servo loop goes by beside the scene.
+/// Input of a tick, apart from the scene.
 struct ServoInput {
-  const Pose& X_WD;  ///< as read
+  const Pose& X_WD;  ///< as read from the device
   const Settings& settings;
   std::uint16_t flags = 0;     ///< StepFlags
-  WrenchHook* hook = nullptr;  ///< none in the live loop and in a replay
+  WrenchHook* hook = nullptr;  ///< null in the live loop and in a replay
 };
 
-/// What a device's motors may be asked for in the live loop: its rating, a ramp of a second, 20 ms
-/// from zero to the rating after a moved isovalue, 2 ms at any time.
+/// Limits of a device's force in the live loop: its rating, a ramp of one second, and the shortest
+/// times from zero to the rating: 20 ms after the isovalue moved, 2 ms at any other time.
 ForceLimits limitsOf(const DeviceRating& rating);
 
-/// What it came to.
+/// Result of servoTick().
 struct ServoResult {
   TickResult tick;
-  Wrench sent_W;  ///< for the device
+  Wrench sent_W;  ///< wrench sent to the device
 };
 
-/// A tick and the gate behind it, the same for the live loop, for the replay of what it recorded,
-/// and for the closed loop of studies. `scene` and `proxy` are null while nothing is touched.
+/// A tick and the gate after it. The live loop, the replay and the closed loop all use it. `scene`
+/// and `proxy` are null if there is no scene.
 ServoResult servoTick(const ServoInput& input, const Scene* scene, Proxy* proxy, Safety& safety,
                       double period, Budget& budget) HAPTICS_RT;
 

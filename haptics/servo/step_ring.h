@@ -11,16 +11,16 @@
 
 namespace haptics {
 
-/// What carries steps from the servo thread to the one that writes them. Everything is allocated
-/// when it is made. One thread puts in, one takes out, neither waits: where there is no room a step
-/// is lost, and the numbers of those that are not show it.
+/// Carries steps from the servo thread to the thread that writes them. The constructor allocates
+/// all memory. One thread pushes and one takes; neither waits. If the ring is full, a step is lost,
+/// and a gap in the sequence numbers shows it.
 class StepRing {
  public:
   static constexpr std::size_t kCapacity = 8192;  ///< steps: eight seconds
 
   /// `begun_ns`: CLOCK_MONOTONIC when the recording began.
   explicit StepRing(std::int64_t begun_ns) : begun_ns_{begun_ns} {
-    // every page is touched here, so that none is fetched in a tick
+    // touches every page, so that no tick causes a page fault
     while (steps_.try_enqueue({})) {
     }
     while (steps_.pop()) {
@@ -31,10 +31,10 @@ class StepRing {
     }
   }
 
-  // The servo thread's side.
+  // For the servo thread.
 
-  /// Whether a ProxyStart is due before the next step: at the beginning, and once there is room
-  /// again after steps were lost.
+  /// Whether a ProxyStart must be recorded before the next step: at the beginning, and once there
+  /// is room again after a loss.
   bool startIsDue() const HAPTICS_RT {
     return next_ == 0 || (lost_ && steps_.size_approx() < kCapacity / 2);
   }
@@ -44,8 +44,8 @@ class StepRing {
     lost_ = false;
     return true;
   }
-  /// Numbers the step and puts it in; false if it was lost. After a loss every step is, until
-  /// start().
+  /// Numbers the step and pushes it; returns false if it was lost. After a loss, every step is lost
+  /// until start().
   bool push(Step& step) HAPTICS_RT {
     step.sequence = next_++;
     if (!lost_ && steps_.try_enqueue(step)) return true;
@@ -55,12 +55,12 @@ class StepRing {
   bool full() const HAPTICS_RT { return steps_.size_approx() >= kCapacity; }
   std::int64_t begun() const HAPTICS_RT { return begun_ns_; }
 
-  // The other thread's side.
+  // For the writing thread.
 
   bool take(Step& step) { return steps_.try_dequeue(step); }
   bool take(ProxyStart& start) { return starts_.try_dequeue(start); }
   bool empty() const { return steps_.size_approx() == 0; }
-  /// Steps that were given a number, the lost ones too; once the servo thread has left.
+  /// Number of steps, lost ones included. Call after the servo thread has left the ring.
   std::uint64_t numbered() const { return next_; }
 
  private:

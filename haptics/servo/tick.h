@@ -16,35 +16,37 @@ namespace haptics {
 /// Units of work in a tick's default budget: about 200 us.
 inline constexpr std::int64_t kTickWork = 20'000;
 
-/// m/s: how fast a proxy that the surface held comes nearer to the device once it is let go, by the
-/// coupling's stiffness [N/m]. From 3000 N/m on the force falls by 90 N a second (README,
+/// Largest speed [m/s] at which a released proxy approaches the device, for the coupling's
+/// stiffness [N/m]. From 3000 N/m on, the force falls by 90 N per second (haptics/MEASURED.md,
 /// "Release").
 inline double releaseSpeed(double stiffness) HAPTICS_RT {
   constexpr double kStiff = 3000.0, kFall = 90.0;  // N/m, N/s
   const double softer = std::max(1.0, kStiff / stiffness);
   return kFall / stiffness * softer * softer;
 }
-/// N: what is pulled with more than this comes nearer at once, for no device renders it.
+/// N: a proxy pulled by a larger force approaches at once until this is left, because no device
+/// renders more.
 inline constexpr double kMostReleased = 50.0;
 
-/// What one tick came to.
+/// Result of one tick.
 struct TickResult {
-  Wrench wrench_W;   ///< of the virtual coupling, before any limit
-  int contacts = 0;  ///< rows that bear on the proxy at its pose
-  /// False in every tick in which the proxy was found inside, after the isovalue moved, and had to
-  /// be brought out.
+  Wrench wrench_W;   ///< wrench of the virtual coupling, before any limit
+  int contacts = 0;  ///< rows that bear force on the proxy at its pose
+  /// False in every tick that finds the proxy inside after the isovalue moved, and searches a legal
+  /// pose.
   bool outside = true;
-  /// The budget ended the tick; what was under way goes on in the next, and nothing wrong is done.
+  /// The budget ended the tick. The proxy keeps the last accepted pose, and the next tick continues
+  /// the search.
   bool cut = false;
-  /// The proxy got as far as contacts, and what follows a release, let it; not: its way was too
-  /// long for a tick.
+  /// True if the proxy went as far as contacts and the limited speed of a release allow. False if
+  /// the tick was too short for its way.
   bool followed = true;
 };
 
-/// One period of the servo loop: the six steps of [Chan 2011], 2.1, refined as the README tells.
-/// The proxy moves from where it is towards the device as far as the solid lets it. One that the
-/// solid held, and that has not been at the device since, follows the device's motion and comes
-/// nearer by no more than releaseSpeed() in a `period` [s].
+/// One period of the servo loop: the six steps of [Chan 2011], 2.1, with changes
+/// (haptics/README.md, "One tick, in order"). The proxy moves towards the device as far as the
+/// solid allows. A proxy that was in contact and has not been at the device since follows the
+/// device's motion, and approaches the device by at most releaseSpeed() times `period` [s].
 TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling,
                 const Pose& X_WD, Proxy& proxy, Budget& budget, double period = 1e-3) HAPTICS_RT;
 

@@ -9,11 +9,11 @@
 
 namespace haptics {
 
-/// How the last second of ticks went, without allocating or sorting: times fall into bins 5 %
-/// apart.
+/// Statistics of the ticks of the last second. It neither allocates nor sorts: times are counted in
+/// bins 5 % apart.
 class TickStats {
  public:
-  /// A tick began at `now` [s] and took `cpu` [s].
+  /// Adds a tick that began at `now` [s] and took `cpu` [s].
   void add(double now, double cpu) HAPTICS_RT {
     const double bin = std::log(std::fmax(cpu, kLeast) / kLeast) / kStep;
     ++bins_[bin < double(kBins - 1) ? static_cast<std::size_t>(bin) : kBins - 1];

@@ -22,36 +22,36 @@ struct TraceRow {
   double time = 0.0;  ///< s
   Pose X_WD, X_WP;
   Wrench sent_W;
-  Wrench coupling_W;  ///< before the limits; not part of the trace
+  Wrench coupling_W;  ///< wrench before the limits; not part of the trace
   int contacts = 0;
   std::int64_t cpu_ns = 0;  ///< thread CPU time of the tick; not part of the trace
-  Pose X_WH;                ///< where the handle really is; not part of the trace
+  Pose X_WH;                ///< true pose of the handle; not part of the trace
   double energy = 0.0;      ///< J given to the hand since the start; not part of the trace
   std::int64_t cut_at = 0;  ///< Budget::cutAt; not part of the trace
-  Bearing bearing = {};     ///< what pushes; not part of the trace
+  Bearing bearing = {};     ///< contacts that bear force; not part of the trace
   ForceState force_state = ForceState::Off;  ///< not part of the trace
   double stiffness_share = 1.0;              ///< Safety::stiffnessShare; not part of the trace
 };
 
-/// Hand, grip and servoTick in one loop, armed, without threads or clocks: the same rows every
-/// time.
+/// Hand, grip and servoTick in one loop, armed, without threads or clocks. Two runs give the same
+/// rows.
 struct ClosedLoop {
   std::shared_ptr<const Scene> scene;
   Settings settings;
   ForceLimits limits;
   Grip grip;
-  /// A recorded device path is the device itself: its poses are read as they are, ungripped.
+  /// True for a recorded device path: its poses are read as the device's, without a grip.
   bool hand_is_device = false;
   double period = 1e-3;  ///< s
   Linkage linkage = {};
-  double damping = 0.0;  ///< N·s/m, virtual, while something is felt
-  /// N·s/m that a passivity controller may use; 0: there is none.
+  double damping = 0.0;  ///< N·s/m of virtual damping during contact
+  /// Damping that a passivity controller may use, N·s/m; 0: no controller.
   double passivity_damping = 0.0;
-  /// Told once, before the first tick, where the proxy begins; or none.
+  /// Called once, before the first tick, with the pose at which the proxy begins; may be empty.
   std::function<void(const Pose&)> on_start = {};
 
-  /// Runs `ticks` ticks and hands over each row, until `each` returns false. Refuses a start with
-  /// no legal pose near.
+  /// Runs `ticks` ticks and calls `each` with each row, until it returns false. Refuses a start
+  /// without a legal pose nearby.
   Expected<void> run(const Hand& hand, std::int64_t ticks,
                      const std::function<bool(const TraceRow&)>& each);
 };

@@ -14,24 +14,26 @@
 
 namespace haptics {
 
-/// What lies between the handle, which the hand holds, and the program: encoders, motors, a delay,
-/// and the arm from the handle's pivot to the tool. As it is made here it is none of that.
+/// The parts between the handle and the program: encoders, motors, a delay, and the arm from the
+/// handle's pivot to the tool. The defaults are an ideal linkage: exact encoders, all motors, no
+/// delay, no arm.
 struct Linkage {
   static constexpr int kLongestDelay = 7;  ///< ticks
 
-  double encoder = 0.0;        ///< m: positions are read in whole steps of it
-  double angle_encoder = 0.0;  ///< rad: rotation vectors are
-  int delay = 0;               ///< ticks that a wrench comes late; 0 to kLongestDelay
-  bool torque = true;          ///< torque motors. Without: six sensed, three actuated
+  double encoder = 0.0;        ///< m: step of the positions read; 0: exact
+  double angle_encoder = 0.0;  ///< rad: step of the rotation vectors read; 0: exact
+  int delay = 0;               ///< delay of a wrench in ticks, 0 to kLongestDelay
+  bool torque = true;          ///< has torque motors; false: six degrees sensed, three actuated
   Vec3 arm = Vec3::Zero();     ///< m, from the handle's pivot to the tool's origin, tool frame
 
-  /// What the program reads with the handle at X_WH: the pose of the tool.
+  /// The pose of the tool that the program reads with the handle at X_WH.
   Pose read(const Pose& X_WH) const HAPTICS_RT;
-  /// Where the handle is with the tool at X_WD, all encoders fine.
+  /// The pose of the handle with the tool at X_WD, with exact encoders.
   Pose handleAt(const Pose& X_WD) const HAPTICS_RT;
-  /// Takes what the program sends, about the tool's origin, with the handle at X_WH, and says what
-  /// acts on the handle, about its pivot, until the next tick: what was sent `delay` ticks ago. A
-  /// torque that no motor makes is lost, that of the force about the pivot too.
+  /// Takes the wrench that the program sends, about the tool's origin, with the handle at X_WH.
+  /// Returns the wrench that acts on the handle, about its pivot, until the next tick: the one sent
+  /// `delay` ticks ago. Without torque motors the torque is lost, and so is the torque of the force
+  /// about the pivot.
   Wrench carry(const Wrench& sent_W, const Pose& X_WH) HAPTICS_RT;
 
  private:
@@ -39,7 +41,7 @@ struct Linkage {
   int next_ = 0;
 };
 
-/// The human hand: a spring and a damper to where it wants to be, and what of it moves along.
+/// The human hand: a spring and a damper to the pose that it wants, and the mass that moves along.
 struct HumanHand {
   double mass = 0.05;        ///< kg
   double damping = 4.0;      ///< N·s/m
@@ -48,26 +50,26 @@ struct HumanHand {
 
 /// A device of the table of ratings as a mass with damping.
 ///
-/// Force, torque and stiffness are the makers' ratings. So are the encoder steps of omega (at
-/// most 0.01 mm), Touch and Omni (0.055), Desktop (0.023), by what is public and unverified; those
-/// of Falcon (0.0364 degrees at an arm of 60 mm) and Polhem (4096 counts on a capstan of 28.8 mm
-/// that drives a sector of 175 mm, which moves the handle at 0.13 m: 0.033 mm) and WoodenHaptics
-/// (2000 counts on one of 10 mm, a sector of 120 mm, a forearm of 245 mm: 0.06 mm) follow from
-/// their geometry. Where nothing is known it is 0.01 mm, and half a milliradian in rotation.
+/// Force, torque and stiffness are the makers' ratings. The encoder steps of omega (at most 0.01
+/// mm), Touch and Omni (0.055) and Desktop (0.023) are public figures and not verified. Those of
+/// Falcon (0.0364 degrees at an arm of 60 mm) and Polhem (4096 counts on a capstan of 28.8 mm that
+/// drives a sector of 175 mm, which moves the handle at 0.13 m: 0.033 mm) and WoodenHaptics (2000
+/// counts on one of 10 mm, a sector of 120 mm, a forearm of 245 mm: 0.06 mm) follow from their
+/// geometry. An unknown step is 0.01 mm, and half a milliradian in rotation.
 ///
-/// No public table has moving masses, damping and dry friction of all. Mass: 0.1 kg up to a force
-/// of 5 N, 0.2 up to 15, 0.3 above. Damping: 1 N·s/m. Both from the range in which the loop was
-/// tried first (0.1 to 0.3 kg, 1 to 2 N·s/m): defaults, not measurements. Dry friction: none,
-/// since it only helps.
+/// No public table has moving masses, damping and dry friction of all devices. Mass: 0.1 kg up to a
+/// force of 5 N, 0.2 up to 15, 0.3 above. Damping: 1 N·s/m. Both are defaults from the range of the
+/// first trials (0.1 to 0.3 kg, 1 to 2 N·s/m), not measurements. Dry friction: none, since friction
+/// only makes the loop more stable.
 struct DeviceModel {
   std::string name;
   DeviceRating rating;
-  double mass = 0.2;     ///< kg, of what moves, at the handle
+  double mass = 0.2;     ///< kg, moving mass at the handle
   double damping = 1.0;  ///< N·s/m
   double coulomb = 0.0;  ///< N
   Linkage linkage = {};
 
-  /// It and the hand as one body.
+  /// Device and hand as one body.
   Grip heldBy(const HumanHand& hand, double gyration) const;
 };
 

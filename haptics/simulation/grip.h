@@ -6,14 +6,14 @@
 
 namespace haptics {
 
-/// A device in a soft grip: a mass on a spring and a damper whose other end is where the hand
-/// wants to be. In rotation the same, about a gyration radius.
+/// A device in a soft grip: a mass on a spring and a damper, whose other end is at the pose that
+/// the hand wants. Rotation has the same model, with a radius of gyration.
 ///
-/// Free, it follows with about 15 ms of lag. Against a held force it is stable up to
-/// 2 damping / period = 16 kN/m at 1 kHz, the limit of a sampled spring.
+/// In free space it follows with a lag of about 15 ms. Against a held force it is stable up to 2
+/// damping / period = 16 kN/m at 1 kHz, the limit of a sampled spring.
 struct Grip {
-  double mass = 0.1;         ///< kg: device and hand
-  double damping = 8.0;      ///< N·s/m: device and hand
+  double mass = 0.1;         ///< kg, of device and hand together
+  double damping = 8.0;      ///< N·s/m, of device and hand together
   double stiffness = 500.0;  ///< N/m: hand
   double gyration = 0.03;    ///< m: rotation has mass, damping and stiffness times its square
   double coulomb = 0.0;      ///< N: dry friction of the device; times `gyration` in rotation

@@ -12,28 +12,28 @@
 
 namespace haptics {
 
-/// What a simulated hand does once it has found the surface.
+/// The motion of a simulated hand after it has found the surface.
 enum class HandMotion { Tap, Slide, Wedge, Pry, Hook, Jerk, Twist };
 
-/// Where a hand wants the tool to be over time, as a pure function of it.
+/// The pose that a hand wants for the tool, as a pure function of time.
 class Hand {
  public:
-  /// At time t [s], t >= 0.
+  /// The pose at time t [s], t >= 0.
   Pose at(double t) const HAPTICS_RT;
 
-  /// A recorded path: poses at times that increase; held before and after, linear and slerp
-  /// between.
+  /// A recorded path: poses at increasing times [s]. Constant before the first and after the last;
+  /// linear interpolation and slerp between.
   static Expected<Hand> along(std::vector<double> times, std::vector<Pose> poses);
 
   /// Aims a motion from outside the volume at the surface: the tool's tip (-z) leads along one of
-  /// the directions around the solid's middle, and the nearest surface that can be pressed on
-  /// rather than slipped off is chosen. `reach` [m] is how far beyond the surface the hand goes;
-  /// deterministic for a seed.
+  /// the directions around the solid's middle. The nearest surface on which a press does not slip
+  /// off is chosen. `reach` [m] is the way of the hand beyond the surface. Deterministic for a
+  /// seed.
   static Expected<Hand> aimed(HandMotion motion, const Scene& scene, double isovalue, double reach,
                               std::uint64_t seed);
 
-  /// How far a hand must aim beyond the surface [m] for the device to end up `depth` beyond it
-  /// when coupling and grip are springs in series.
+  /// The reach [m] that brings the device `depth` [m] beyond the surface, with coupling and grip as
+  /// springs in series.
   static double reachFor(double depth, double coupling_stiffness, double grip_stiffness) {
     return depth * (1.0 + coupling_stiffness / grip_stiffness);
   }
@@ -49,7 +49,7 @@ class Hand {
   HandMotion motion_ = HandMotion::Tap;
   Pose X_WA_ = Pose::Identity();  ///< first touch
   Vec3 in_ = -Vec3::UnitZ();      ///< into the surface
-  Vec3 side_ = Vec3::UnitX();     ///< along it
+  Vec3 side_ = Vec3::UnitX();     ///< unit, along the surface
   Vec3 other_ = Vec3::UnitY();
   double reach_ = 0.0;     ///< m
   double approach_ = 0.0;  ///< m: from outside the volume to the first touch

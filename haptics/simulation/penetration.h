@@ -6,9 +6,9 @@
 
 namespace haptics {
 
-/// How deep the deepest shell point is at a pose [m]: 0 where F < isovalue, else
-/// (F - isovalue) / |grad F| of its trilinear cell; where that vanishes, the distance to the
-/// nearest voxel below the isovalue. For reports; not for the tick.
+/// Penetration of the deepest shell point at a pose [m]: 0 if F < isovalue, otherwise (F -
+/// isovalue) / |grad F| of its trilinear cell. If the gradient vanishes, the distance to the
+/// nearest voxel below the isovalue. For reports, not for the tick.
 double penetration(const Scene& scene, double isovalue, const Pose& X_WP);
 
 }  // namespace haptics

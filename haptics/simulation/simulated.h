@@ -10,12 +10,12 @@
 
 namespace haptics {
 
-/// The simulated hand: a device in a soft grip that follows a hand's path, one period a read. Its
-/// base is the world. Its rating is that of a sigma.7.
+/// The simulated hand: a device in a soft grip that follows a hand's path, one period per read. Its
+/// base B is W. It has the rating of a sigma.7.
 std::unique_ptr<Device> openSimulated(Hand hand, Grip grip, double period);
 
-/// The mouse: a device in a soft grip that is pulled to where the mouse points. Its base is the
-/// world. `target` outlives it; poses are published by the GUI thread.
+/// The mouse: a device in a soft grip that is pulled to the pose at which the mouse points. Its
+/// base B is W. The GUI thread publishes poses in `target`, which must outlive the device.
 std::unique_ptr<Device> openMouse(LatestValue<Pose>& target, Grip grip, double period);
 
 }  // namespace haptics

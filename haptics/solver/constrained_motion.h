@@ -13,7 +13,7 @@ namespace haptics {
 /// One contact's constraint on the motion: n·(v + w x r) >= -room.
 struct MotionRow {
   Vec3 n_W;     ///< unit normal, out of the solid
-  Vec3 r_W;     ///< the point about the tool's origin [m]
+  Vec3 r_W;     ///< vector from the tool's origin to the point [m]
   double room;  ///< m that it may still approach; negative: it must move away by that much
 };
 
@@ -28,7 +28,7 @@ struct ConstrainedMotion {
   Status status = Status::Exact;
   int active = 0;                ///< active rows: at most six
   std::array<int, 6> bearing{};  ///< indices of the active rows; the first `active` are valid
-  int pivots = 0;                ///< rows that entered or left the active set on the way
+  int pivots = 0;                ///< rows that entered or left the active set
   /// Reaction of each active row: M (V - V_free) = sum of reaction · (n, r x n) [m, metric of mass
   /// 1].
   std::array<double, 6> reaction{};
@@ -41,8 +41,8 @@ struct ConstrainedMotion {
 ///   such that n_i · (v + w x r_i) >= -room_i         for every row i
 ///
 /// With zero rooms this is the projection onto the paper's cone, [Chan 2011], (3) and (4), which
-/// freezes on noisy scans (haptics/README.md). Dual active set after [Goldfarb 1983], whitened by
-/// M: exact, at most six active rows.
+/// freezes on noisy scans (haptics/README.md, "How it differs from the paper"). Dual active set
+/// after [Goldfarb 1983], whitened by M: exact, at most six active rows.
 ConstrainedMotion constrainedMotion(const Twist& free, std::span<const MotionRow> rows,
                                     const MassMetric& metric, const Mat3& R_WP) HAPTICS_RT;
 

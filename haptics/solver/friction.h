@@ -25,8 +25,8 @@ namespace haptics {
 /// The method is block Gauss-Seidel over the active rows, each with its exact circular cone, from
 /// the exact normal reactions. Then the normal problem is solved exactly, so no row is violated. If
 /// friction tips the tool onto another row, both are repeated with that row. Friction adds no
-/// energy: where the sweeps end before that holds, the points that friction would drive rest. If
-/// the rows do not allow that, the tool does not move.
+/// energy. If the sweeps end before this holds, the points that friction would drive are held at
+/// rest. If the rows do not allow that, the tool does not move.
 ConstrainedMotion withFriction(const Twist& free, std::span<const MotionRow> rows,
                                const MassMetric& metric, const Mat3& R_WP, double mu,
                                const ConstrainedMotion& frictionless, Budget& budget) HAPTICS_RT;

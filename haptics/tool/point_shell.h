@@ -15,9 +15,9 @@ namespace haptics {
 /// The tool frame has its origin at the centroid of the points and the axes of the mesh.
 struct PointShell {
   std::vector<Vec3> points;  ///< m, in the tool frame
-  double radius = 0.0;       ///< m, of the farthest point
+  double radius = 0.0;       ///< m, distance of the farthest point from the origin
   /// m², mean inertia about the centroid, regularised. For a single point it is the identity, until
-  /// a Scene replaces it by one from the voxel's size.
+  /// a Scene replaces it by an inertia from the voxel's size.
   Mat3 inertia = Mat3::Identity();
   double spacing = 0.0;  ///< m, median distance to the nearest other point
 };
@@ -33,7 +33,7 @@ struct Tool {
 /// Refuses no point, a non-finite one, and one more than 10 m from the centroid.
 Expected<PointShell> makeShell(std::vector<Vec3> points);
 
-/// The greatest of its principal inertias, m²; of a symmetric matrix.
+/// The greatest principal inertia of a symmetric matrix, m².
 double largestInertia(const Mat3& inertia);
 
 /// The mesh's vertices as the shell ([Chan 2011], 2.2), or with `point_count` > 0 that many

@@ -14,14 +14,14 @@ class ShellTree {
  public:
   static constexpr int kLeaf = 16;
 
-  /// A sphere around some of the points. Nodes stand in preorder: the first child of a node
-  /// follows it, and `next` is the node after all of its own.
+  /// A sphere around some of the points. Nodes are in preorder: the first child of a node follows
+  /// it, and `next` is the node after the subtree.
   struct Node {
     Vec3 centre = Vec3::Zero();
     double radius = 0.0;
-    double arm = 0.0;  ///< the farthest of its points from the tool's origin
+    double arm = 0.0;  ///< distance of the farthest of its points from the tool's origin
     int next = 0;
-    int first = 0;  ///< its points, in tree order
+    int first = 0;  ///< first of its points, in tree order
     int count = 0;
     bool leaf = false;
   };
@@ -32,8 +32,8 @@ class ShellTree {
   std::size_t bytes() const;
 
   std::vector<Node> nodes;
-  std::vector<int> index;       ///< of the shell, for each place in tree order
-  std::vector<double> x, y, z;  ///< in tree order, and a leaf's worth of zeros
+  std::vector<int> index;       ///< index into the shell's points, for each place in tree order
+  std::vector<double> x, y, z;  ///< coordinates in tree order, followed by kLeaf zeros
   std::vector<double> arm;      ///< distance from the tool's origin
 };
 

@@ -17,6 +17,11 @@ file(WRITE ${SCRATCH}/app/planted.cpp "#include \"haptics/collision/sweep.h\"\n"
 file(WRITE ${SCRATCH}/app/driven.cpp
      "#include \"haptics/devices/catalogue.h\"\n#include \"haptics/devices/threaded.h\"\n")
 file(WRITE ${SCRATCH}/app/cli/fine.cpp "#include \"haptics/collision/sweep.h\"\n")
+file(WRITE ${SCRATCH}/app/cli/planted.cpp "#include \"ui/main_window.h\"\n")
+file(WRITE ${SCRATCH}/app/study/plan/planted.h "#pragma once\n#include <vtkImageData.h>\n")
+file(WRITE ${SCRATCH}/app/study/rendering/fine.cpp
+     "#include <vtkImageData.h>\n#include \"ui/props/slice.h\"\n")
+file(WRITE ${SCRATCH}/app/study/rendering/planted.cpp "#include \"ui/viewport.h\"\n")
 file(WRITE ${SCRATCH}/resources/planted.cpp "#include \"app/application.h\"\n")
 file(WRITE ${SCRATCH}/haptics/tool/planted.cpp "#include \"../core/error.h\"\n")
 
@@ -27,7 +32,8 @@ set(expected
   "haptics/field/planted.cpp:3:" "haptics/solver/planted.h:2:" "haptics/devices/planted.cpp:2:"
   "ui/planted.h:2:" "datasets/phantoms/planted.cpp:1:"
   "datasets/readers/planted.cpp:1:" "ui/worded.cpp:1:" "app/planted.cpp:1:" "app/driven.cpp:2:"
-  "resources/planted.cpp:1:" "haptics/tool/planted.cpp:1:" "11 includes point")
+  "resources/planted.cpp:1:" "haptics/tool/planted.cpp:1:" "app/cli/planted.cpp:1:"
+  "app/study/plan/planted.h:2:" "app/study/rendering/planted.cpp:1:" "14 includes point")
 foreach(violation IN LISTS expected)
   string(FIND "${said}" "${violation}" at)
   if(at EQUAL -1)

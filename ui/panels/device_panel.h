@@ -28,7 +28,7 @@ class DevicePanel : public QWidget {
   void setHands(const QList<Choice>& hands);
   void setTools(const QList<Choice>& tools);
   void setFields(const QList<Choice>& fields);
-  /// Shows what is in use; these emit nothing.
+  /// Shows the present choice. These functions emit no signal.
   void showHand(const QString& id, const QString& label);
   void showTool(const QString& id, const QString& label);
   void showStiffness(double newton_per_metre);

@@ -10,7 +10,7 @@ class QLabel;
 
 namespace ui {
 
-/// The force on the hand: now, in large figures, and over the last seconds as a plot.
+/// The force on the hand: the present value in large figures, and a plot of the last seconds.
 class ForcePanel : public QWidget {
   Q_OBJECT
  public:

@@ -23,7 +23,7 @@ class ForcePlot : public QWidget {
   explicit ForcePlot(QWidget* parent = nullptr);
   void append(std::span<const haptics::ForceSample> points);
   void clear();
-  float greatestForce() const { return greatest_force_; }  ///< N, on view
+  float greatestForce() const { return greatest_force_; }  ///< N, greatest force in the plot
   QSize sizeHint() const override { return {260, 150}; }
   QSize minimumSizeHint() const override { return {160, 90}; }
 
@@ -35,7 +35,7 @@ class ForcePlot : public QWidget {
     float least_force, greatest_force, least_torque, greatest_torque;
     bool any;
   };
-  /// Since when both curves are level, to half a pixel.
+  /// The time since which both curves have been flat, to half a pixel.
   struct Level {
     double since = 0.0;  ///< s
     float least_force = 0.0F, greatest_force = 0.0F, least_torque = 0.0F, greatest_torque = 0.0F;
@@ -49,10 +49,10 @@ class ForcePlot : public QWidget {
   double newest_ = 0.0;
   float greatest_force_ = 0.0F;
   float greatest_torque_ = 0.0F;
-  double force_top_ = 1.0, torque_top_ = 0.01;  ///< N and N·m at the upper edge
+  double force_top_ = 1.0, torque_top_ = 0.01;  ///< N and N·m, values at the upper edge
   std::optional<Level> level_;
-  double painted_ = 0.0;  ///< s: the newest point when it was last painted
-  QTimer pause_;          ///< between two paints
+  double painted_ = 0.0;  ///< s: time of the newest point in the last painting
+  QTimer pause_;          ///< runs between two paintings
 };
 
 }  // namespace ui

@@ -31,8 +31,8 @@ struct DeviceLine {
   bool present = false;
   haptics::Trouble trouble = haptics::Trouble::None;  ///< None: it can be connected
   QString why = {};                                   ///< a sentence; or empty
-  double force = 0.0;      ///< N, the most that its maker rates it at; 0: not known, or no motors
-  double stiffness = 0.0;  ///< N/m, likewise
+  double force = 0.0;      ///< N, the maker's rating; 0: unknown, or no motors
+  double stiffness = 0.0;  ///< N/m, the maker's rating; 0: unknown, or no motors
 
   bool operator==(const DeviceLine&) const = default;
 };
@@ -40,9 +40,9 @@ struct DeviceLine {
 /// The connection that the user asks for.
 struct DeviceWish {
   QString id;
-  QString firmware = {};  ///< its maker's firmware: a path, or empty
+  QString firmware = {};  ///< path of the maker's firmware, or empty
   QString turned_by =
-      {};  ///< id of the device that turns the tool; empty: its own rotation, or none
+      {};  ///< id of the device that turns the tool; empty: the device's own rotation, or none
 
   bool operator==(const DeviceWish&) const = default;
 };
@@ -51,8 +51,8 @@ struct DeviceWish {
 struct Mapping {
   double position_scale = 1.0;  ///< m in the volume per m of the hand
   double force_scale = 1.0;     ///< N at the hand per N in the volume
-  bool follow_camera = true;    ///< the hand's right, up and near are the picture's
-  int clutch_button = -1;       ///< while it is down the tool stays
+  bool follow_camera = true;    ///< right, up and near of the hand follow the picture
+  int clutch_button = -1;       ///< while this button is down the tool stays
   bool hold_to_run = false;     ///< force only while hold_button or the key H is down
   int hold_button = -1;
 
@@ -66,16 +66,16 @@ class HapticDevicePanel : public QWidget {
  public:
   explicit HapticDevicePanel(QWidget* parent = nullptr);
 
-  /// All devices, in this order but those that are present first; the selection is kept. Devices of
-  /// the same name also show their place, which is the part of the id behind the colon.
+  /// Shows all devices in this order, present ones first. The selection is kept. Devices of the
+  /// same name also show their place, which is the part of the id after the colon.
   void show(const QList<DeviceLine>& devices);
   using QWidget::show;
   /// A device is being connected, is connected, or no longer is. `why` is a sentence, or empty.
   void showConnecting(const QString& name);
   void showConnected(const QString& id);
   void showDisconnected(const QString& why);
-  /// It could not be connected. If it lacks its maker's firmware, which only opening shows, the
-  /// panel says so until the device is tried again or removed.
+  /// The device could not be connected. If it lacks its maker's firmware, which only opening shows,
+  /// the panel says so until the device is tried again or removed.
   void showRefused(const QString& id, haptics::Trouble trouble, const QString& why);
   void show(const Mapping& mapping);
   /// The settings, and the settings in force under the allowed stiffness of the connected device.
@@ -92,8 +92,8 @@ class HapticDevicePanel : public QWidget {
   /// Also cancels a connection under way.
   void disconnectWanted();
   void mappingChanged(const ui::Mapping& mapping);
-  /// Allows the device the whole stiffness of its rating, although it may shake. Off at each
-  /// connection.
+  /// Allows the device the whole stiffness of its rating, although it may shake. Each connection
+  /// begins with false.
   void stiffnessLifted(bool lifted);
   void armWanted();
 
@@ -138,15 +138,15 @@ class HapticDevicePanel : public QWidget {
   QLabel* capped_;
   QCheckBox* lift_;
   QLabel* lifted_words_;
-  QList<DeviceLine> surveyed_;  ///< as it was told
-  QList<DeviceLine> devices_;   ///< as the list has them
+  QList<DeviceLine> surveyed_;  ///< as passed to show()
+  QList<DeviceLine> devices_;   ///< in the order of the list
   Link link_ = Link::None;
   QString connected_;         ///< id
-  bool motors_ = true;        ///< the connected device has some
-  bool lost_ = false;         ///< it is gone, though connected
-  QString without_firmware_;  ///< id of the one that was refused for want of it
-  QString firmware_words_;    ///< and what was said
-  QTimer* patience_;          ///< with what is being connected
+  bool motors_ = true;        ///< the connected device has motors
+  bool lost_ = false;         ///< the connected device is lost
+  QString without_firmware_;  ///< id of the device that was refused because it lacks firmware
+  QString firmware_words_;    ///< the message of that refusal
+  QTimer* patience_;          ///< time limit of a connection in progress
   Mapping mapping_;
 };
 

@@ -31,7 +31,7 @@ class HistogramSlider : public QAbstractSlider {
  private:
   void follow(double x);
   Histogram histogram_;
-  double tallest_ = 1.0;  ///< of the logarithms
+  double tallest_ = 1.0;  ///< greatest logarithm of the counts
 };
 
 }  // namespace ui

@@ -10,18 +10,18 @@ namespace ui {
 struct TickTimes {
   int points = 0;
   double median = 0.0, p99 = 0.0, longest = 0.0;
-  bool carried = false;  ///< fast enough
+  bool carried = false;  ///< carried by this machine
 };
 
-/// Tick time over the number of points, both logarithmic, below the budget or not: a mark at the
-/// 99th percentile, a bar from the median to the longest.
+/// Tick time over the number of points, both logarithmic, with a line at the budget. Each number of
+/// points has a mark at the 99th percentile and a bar from the median to the longest.
 class LoadPlot : public QWidget {
   Q_OBJECT
  public:
   explicit LoadPlot(QWidget* parent = nullptr);
 
-  /// `present` is the tool as it is, `tried` others of its shape, fewest points first; `budget` in
-  /// s.
+  /// `present` is the present tool; `tried` are tools of its shape with other numbers of points,
+  /// fewest first; `budget` in s.
   void show(const TickTimes& present, std::vector<TickTimes> tried, double budget);
   using QWidget::show;
 

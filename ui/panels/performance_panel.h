@@ -18,8 +18,8 @@ struct LeftOut {
   QString why;
 };
 
-/// How many points this machine carries, measured on a click, in words and as a diagram; and what
-/// the present scene leaves out.
+/// Shows how many points this machine carries, as text and as a diagram, after a measurement that a
+/// button starts. Also shows what the present scene leaves out.
 class PerformancePanel : public QWidget {
   Q_OBJECT
  public:
@@ -30,12 +30,12 @@ class PerformancePanel : public QWidget {
   /// A measurement has begun; the button now cancels it.
   void showMeasuring();
   void showProgress(double fraction);
-  /// The measurement has ended with a result;
+  /// The measurement has ended with a result.
   void show(const Performance& performance);
   using QWidget::show;
-  /// or without a result; the sentence gives the reason.
+  /// The measurement has ended without a result; `why` is the reason, a sentence.
   void showNothing(const QString& why);
-  /// Of the present scene; what is empty is not mentioned.
+  /// Shows the omissions of the present scene. An empty list is not mentioned.
   void showLeftOut(const QList<LeftOut>& left_out);
 
   bool isMeasuring() const { return measuring_; }

@@ -12,32 +12,33 @@ namespace ui {
 
 /// The result of a measurement of this machine. Lengths in m, times in s.
 struct Performance {
-  QString conditions = {};  ///< what was touched, with what and how, in sentences
+  QString conditions = {};  ///< volume, tool and settings of the measurement, in sentences
 
-  TickTimes present = {};   ///< of the tool as it is
-  std::int64_t ticks = 0;   ///< that were measured of it
-  std::int64_t cut = 0;     ///< of those, ended by the budget
-  std::int64_t missed = 0;  ///< longer than the period
-  double lag = 0.0;         ///< farther from the hand than without the budget, mean
+  TickTimes present = {};   ///< times of the present tool
+  std::int64_t ticks = 0;   ///< measured ticks of the present tool
+  std::int64_t cut = 0;     ///< ticks that the budget cut
+  std::int64_t missed = 0;  ///< ticks longer than the period
+  double lag = 0.0;         ///< mean extra distance to the hand, compared with no budget
   double budget = 0.0;
 
-  std::vector<TickTimes> tried = {};  ///< its shape with other numbers of points, fewest first
-  int most = 0;                       ///< carried; 0 if none was
-  std::optional<int> too_many = {};   ///< the fewest not carried
-  int dense = 0;                      ///< points as near to each other as voxels
+  /// The tool's shape with other numbers of points, fewest first.
+  std::vector<TickTimes> tried = {};
+  int most = 0;                      ///< most points carried; 0: none
+  std::optional<int> too_many = {};  ///< fewest points not carried
+  int dense = 0;  ///< number of points at which they are as near to each other as voxels
   int suggested = 0;
   double suggested_spacing = 0.0;
   double voxel = 0.0;
 
-  /// The live loop meanwhile, by the clock on the wall.
+  /// Counts of the live loop during the measurement, in wall-clock time.
   std::uint64_t live_ticks = 0, live_late = 0, live_missed = 0;
 };
 
-/// The answer in one sentence.
+/// The result in one sentence.
 QString headlineOf(const Performance& performance);
-/// How it was measured, and what the live loop did meanwhile.
+/// The conditions of the measurement, and the live loop's counts meanwhile.
 QString detailsOf(const Performance& performance);
-/// How many points to give the tool, and why; or empty.
+/// The suggested number of points, and the reason; or empty.
 QString suggestionOf(const Performance& performance);
 
 /// 2,126

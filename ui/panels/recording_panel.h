@@ -23,11 +23,11 @@ struct RecordingStatus {
     Stopped     ///< ended without the user: `failure` gives the reason
   };
   State state = State::Off;
-  double elapsed = 0.0;  ///< s since it began
-  qint64 samples = 0;    ///< in the file
+  double elapsed = 0.0;  ///< s since the recording began
+  qint64 samples = 0;    ///< samples in the file
   qint64 gaps = 0;       ///< lost samples; above 0 the recording is not complete
   qint64 bytes = 0;
-  std::optional<double> room = {};  ///< s of recording that the disk has room for
+  std::optional<double> room = {};  ///< s of recording for which the disk has room
   QString failure = {};             ///< a sentence
 };
 
@@ -41,8 +41,9 @@ struct PastRecording {
   bool finished = true;
 };
 
-/// Records the session and sets marks in it; lists what was recorded before. A mark is set with
-/// the button, with Enter in its note, or with markAction(); all but while it records are refused.
+/// Records the session and sets marks in it, and lists earlier recordings. A mark is set with the
+/// button, with Enter in its note, or with markAction(); all are disabled while nothing is
+/// recorded.
 class RecordingPanel : public QWidget {
   Q_OBJECT
  public:
@@ -51,16 +52,17 @@ class RecordingPanel : public QWidget {
   /// Whether there is a session to record.
   void setReady(bool ready);
   void show(const RecordingStatus& status);
-  /// The list, in this order; the selection is kept.
+  /// Shows the list in this order. The selection is kept.
   void show(const QList<PastRecording>& recordings);
   using QWidget::show;
 
-  /// Sets a mark, by the key M in whatever window it is added to; enabled while it records.
+  /// Sets a mark. Its key is M, in the window to which the action is added. Enabled during a
+  /// recording.
   QAction* markAction() { return mark_action_; }
 
  signals:
   void recordWanted(bool record);
-  /// A mark now; the note may be empty.
+  /// Asks for a mark at the present time; the note may be empty.
   void markWanted(const QString& note);
   void openWanted(const QString& id);
   void exportWanted(const QString& id);
@@ -94,7 +96,7 @@ class RecordingPanel : public QWidget {
   QPushButton* open_;
   QPushButton* export_;
   QPushButton* delete_;
-  QTimer confirmation_;  ///< while it runs the last mark is shown
+  QTimer confirmation_;  ///< the last mark is shown while this timer runs
   RecordingStatus status_;
   QList<PastRecording> recordings_;
   bool ready_ = false;

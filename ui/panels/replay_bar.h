@@ -21,14 +21,14 @@ class ReplayBar : public QFrame {
   /// Shows another recording, at its beginning, paused and without a warning.
   void show(ReplayTrack track);
   using QWidget::show;
-  /// The time that is shown in the views, s, the recording's own.
+  /// Sets the time that the views show, in s of the recording.
   void setTime(double time);
   void setPlaying(bool playing);
   /// A sentence on what differs from the recorded session, or empty.
   void showWarning(const QString& sentence);
 
   ReplayTimeline& timeline() { return *timeline_; }
-  double speed() const;  ///< as chosen; 1 at first
+  double speed() const;  ///< chosen speed; 1 at first
 
  signals:
   void playWanted(bool play);

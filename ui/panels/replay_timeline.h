@@ -9,10 +9,10 @@
 
 namespace ui {
 
-/// Something that happened in a recorded session.
+/// An event of a recorded session.
 struct ReplayMark {
-  double time = 0.0;  ///< s, as the track's
-  QString kind;       ///< as the recording has it: "mark", "isovalue", "gap", …
+  double time = 0.0;  ///< s, on the track's time axis
+  QString kind;       ///< as in the recording: "mark", "isovalue", "gap", …
   std::optional<double> value = {};
   QString note = {};
 };
@@ -21,15 +21,15 @@ struct ReplayMark {
 struct ReplayTrack {
   double begin = 0.0, end = 0.0;
   QList<ReplayMark> marks = {};
-  /// Norm of the force, N: least and greatest in each of so many equal parts of the time; what is
-  /// not finite is left out.
+  /// Norm of the force, N: least and greatest in equal intervals of the time. Values that are not
+  /// finite are left out.
   std::vector<float> force_least = {}, force_most = {};
 };
 
 /// The whole recording from left to right: the force as a curve, events as symbols that differ in
-/// colour and shape, the present time as a line. A click or drag asks for another time; while the
-/// mouse is down the line follows it. Left and Right ask for one tick less or more, Home and End
-/// for the ends, Space for play or pause.
+/// colour and shape, the present time as a line. A click or drag requests another time; while the
+/// mouse button is down the line follows the mouse. Left and Right request the tick before or
+/// after, Home and End the ends, Space play or pause.
 class ReplayTimeline : public QWidget {
   Q_OBJECT
  public:
@@ -40,7 +40,8 @@ class ReplayTimeline : public QWidget {
   void setTime(double time);
 
   const ReplayTrack& track() const { return track_; }
-  /// Where a time is drawn, in pixels from the left; what is outside the track, at its end.
+  /// Position of a time in pixels from the left. A time outside the track has the position of the
+  /// nearer end.
   double xOf(double time) const;
   double timeAt(double x) const;
   /// The texts of the events at `x`: a line each, plain text; empty if there is none.
@@ -72,8 +73,8 @@ class ReplayTimeline : public QWidget {
 
   ReplayTrack track_;
   double time_ = 0.0;
-  std::optional<double> held_;  ///< where the mouse holds the line, s
-  QPixmap ground_;              ///< everything but the line; null: to be drawn
+  std::optional<double> held_;  ///< s, time at which the mouse holds the line
+  QPixmap ground_;              ///< the picture without the line; null: must be drawn
 };
 
 }  // namespace ui

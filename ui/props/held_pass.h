@@ -9,7 +9,7 @@ class vtkOpenGLFramebufferObject;
 namespace ui {
 
 /// Draws a renderer once and keeps colour and depth, so that a tool can move in front of, behind
-/// and inside a surface that is costly to draw. Draws it again after forget() or a resize.
+/// and inside a surface that is slow to draw. It draws again after forget() or a resize.
 class HeldPass : public vtkRenderPass {
  public:
   static HeldPass* New();

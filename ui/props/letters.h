@@ -17,12 +17,12 @@ class Letters {
   explicit Letters(vtkRenderer* renderer);
   ~Letters();
 
-  /// Around a box of W, mm.
+  /// Places the letters around a box in W, mm.
   void place(const Eigen::AlignedBox3d& box_mm);
   void setVisible(bool visible) { visible_ = visible; }
   /// Shows the letters beside the volume, and hides those in front of it or behind it.
   void face(const Eigen::Vector3d& view_direction);
-  /// Where a letter stands, W, mm.
+  /// Position of a letter in W, mm.
   Eigen::Vector3d positionOf(char letter) const;
 
  private:

@@ -19,14 +19,14 @@ namespace ui {
 
 inline constexpr double kMmPerM = 1000.0;
 
-/// How often each intensity occurs.
+/// Counts of intensities.
 struct Histogram {
   double least = 0.0;     ///< lower edge of the first bin, in the volume's unit
   double greatest = 0.0;  ///< upper edge of the last bin
   std::vector<double> counts = {};
 };
 
-/// A volume prepared for the window. Made on another thread, then handed over whole.
+/// A volume prepared for the window. It is made on another thread and not changed afterwards.
 ///
 /// Images are in the grid's own frame L: voxel (0, 0, 0) at the origin, axes along i, j, k,
 /// millimetres. X_WL_mm takes L to W and may mirror, because a file's axes may be left-handed.
@@ -48,12 +48,13 @@ Picture pictureOf(std::shared_ptr<const haptics::Volume> volume,
 vtkSmartPointer<vtkImageData> imageOf(const haptics::Volume& volume);
 
 /// The volume averaged over the smallest cubes of voxels that leave at most `most_voxels`, with a
-/// rim of background so that cut faces are closed; not to its end once `cancel` is true.
+/// rim of background so that cut faces are closed. If `cancel` becomes true meanwhile, the result
+/// is incomplete.
 vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
                                              std::int64_t most_voxels,
                                              const std::atomic<bool>* cancel = nullptr);
 
-/// From at most a few million voxels, evenly taken.
+/// Made from at most a few million evenly spaced voxels.
 Histogram histogramOf(const haptics::Volume& volume, int bins);
 
 /// The isosurface of an image of L as triangles with normals, in L. Any thread. If X_WL
@@ -61,7 +62,7 @@ Histogram histogramOf(const haptics::Volume& volume, int bins);
 vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue, bool mirrored);
 
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const Eigen::Affine3d& X);
-/// From metres to millimetres.
+/// The pose as a matrix, with its translation converted from metres to millimetres.
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const haptics::Pose& X);
 
 /// The box of W that the volume's voxel centres fill, mm.

@@ -15,7 +15,7 @@ namespace ui {
 
 enum class Plane { Axial, Coronal, Sagittal };
 
-/// Which way a slice's picture lies in W (patient LPS), by the radiological convention: the
+/// Directions of a slice's picture in W (patient LPS), by the radiological convention: the
 /// patient's right is on the left of axial and coronal pictures, the front on the left of sagittal.
 struct PlaneAxes {
   Eigen::Vector3d right;   ///< towards the right edge of the picture
@@ -33,7 +33,7 @@ struct GreyWindow {
   double width = 1.0;
 };
 
-/// Cuts planar pictures out of a volume, at the resolution asked for; no copy of the volume.
+/// Cuts planar pictures out of a volume at a requested resolution, without copying the volume.
 class Slice {
  public:
   Slice();

@@ -11,9 +11,9 @@
 
 namespace ui {
 
-/// The tool twice: the proxy solid, where the surface stops it, and the device as a wireframe,
-/// where the hand is. The wireframe belongs in a layer above the surface, so that it is seen
-/// inside it.
+/// Draws the tool twice: solid at the pose of the proxy, and as a wireframe at the pose of the
+/// device. Put the wireframe in a layer above the surface, so that it is visible inside the
+/// surface.
 class ToolProp {
  public:
   static constexpr std::array<double, 3> kProxyColour{0.10, 0.65, 1.00};   ///< sky blue
@@ -22,9 +22,9 @@ class ToolProp {
   ToolProp();
   ~ToolProp();
 
-  /// In the tool frame, metres. A mesh without triangles shows its vertices as points.
+  /// Shows a mesh, in the tool frame, metres. A mesh without triangles is shown as points.
   void show(const haptics::TriangleMesh& mesh);
-  /// True if the tool has moved visibly.
+  /// Sets the poses. Returns true if the tool has moved visibly.
   bool move(const haptics::Pose& X_WP, const haptics::Pose& X_WD);
 
   vtkActor* proxy() const { return proxy_; }

@@ -24,8 +24,8 @@ struct SurfaceChoice {
   QString reason;
 };
 
-/// The ray caster, if the GPU has OpenGL 3.2 and textures as large as the volume; otherwise the
-/// mesh. A choice by the user overrides what only affects the speed.
+/// Chooses the ray caster if the GPU has OpenGL 3.2 and textures as large as the volume, otherwise
+/// the mesh. `wish` overrides reasons that only affect the speed.
 SurfaceChoice chooseSurface(std::optional<SurfaceMode> wish, const Graphics& graphics,
                             const haptics::Grid& grid);
 
@@ -42,7 +42,7 @@ class VolumeProp {
   void setIsovalue(double isovalue);
   /// Hides the fine mesh behind the reduced one.
   void setMoving(bool moving);
-  /// A mesh of L in full detail; ignored if the isovalue has changed since.
+  /// Shows a mesh of L in full detail. Ignored if the isovalue has changed meanwhile.
   void showFine(vtkPolyData* mesh, double isovalue);
   /// Finds the ray's hit by bisection between samples (on) or takes the sample after it (off).
   void setHitRefinement(bool on);

@@ -14,7 +14,7 @@ namespace datasets {
 /// How the pixels of a frame are compressed.
 enum class Coding : std::uint32_t { Jpeg = 1, JpegLs, Jpeg2000, Rle };
 
-/// What the DICOM header says that a compressed frame holds: one component, one value a pixel.
+/// A compressed frame as the DICOM header describes it: one component, one value per pixel.
 struct CodedImage {
   std::string_view syntax;  ///< TransferSyntaxUID
   std::int64_t columns = 0;
@@ -28,29 +28,28 @@ struct CodedImage {
   }
 };
 
-/// Empty for a syntax whose pixels are not compressed, or that is not read here.
+/// Nullopt for a syntax whose pixels are not compressed, or that is not supported.
 std::optional<Coding> codingOf(std::string_view syntax);
 
-/// What a frame's own header says, where it agrees with the DICOM header.
+/// The frame's own header, if it agrees with the DICOM header.
 struct Codestream {
   Coding coding = Coding::Jpeg;
   int precision = 0;     ///< bits of a value as it was coded
-  std::size_t size = 0;  ///< bytes, without what only fills up the last of its fragments
+  std::size_t size = 0;  ///< bytes, without the padding of the last fragment
 };
 
 /// Why a frame must not reach its decoder.
 struct CodestreamFault {
   bool disagrees =
-      false;             ///< with the DICOM header; else it is damaged, or in a form not read here
+      false;  ///< with the DICOM header; false: it is damaged, or in a form that is not supported
   haptics::Message why;  ///< a clause: "its JPEG frame has 64 x 32 pixels, not 512 x 512"
 };
 
-/// Parses a compressed frame from its first byte to its last, but for what only a decoder
-/// understands: the frame header of every JPEG process with its segments (T.81), JPEG-LS with its
-/// preset parameters (T.87), the main and tile-part headers of JPEG 2000 (T.800), the segment table
-/// of RLE (PS3.5 Annex G). What passes has the size, depth and single component that the DICOM
-/// header states, coded by the process that its transfer syntax names, ends where it says, and is
-/// no smaller than so many pixels can be.
+/// Parses all of a compressed frame except the coded data: the frame header of every JPEG process
+/// with its segments (T.81), JPEG-LS with its preset parameters (T.87), the main and tile-part
+/// headers of JPEG 2000 (T.800), the segment table of RLE (PS3.5 Annex G). An accepted frame has
+/// the stated size, depth and single component, uses the stated process, ends at its end marker,
+/// and is large enough for its pixels.
 std::optional<CodestreamFault> parseCodestream(std::span<const std::byte> bytes,
                                                const CodedImage& image, Codestream& parsed);
 

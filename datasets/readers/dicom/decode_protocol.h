@@ -7,11 +7,12 @@
 
 namespace datasets::decode {
 
-// Between the readers and one palpate-decode. Both ends run on one machine, from one build; numbers
-// are as they lie in memory. The socket is the program's standard input and output, the shared
-// memory its third descriptor. The readers send a Room, once; then, for each frame, they put its
-// bytes at the beginning of the memory and send a Request; the program clears the pixels' place,
-// decodes into it, and answers with one byte. At the end of the input it ends.
+// The protocol between the readers and one palpate-decode. Both ends run on one machine and come
+// from one build, so numbers have their layout in memory. The socket is the program's standard
+// input and output, the shared memory its third descriptor. The readers send a Room, once; then,
+// for each frame, they put its bytes at the beginning of the memory and send a Request; the program
+// clears the memory for the pixels, decodes into it, and answers with one byte. At the end of the
+// input the program ends.
 
 inline constexpr int kMemoryDescriptor = 3;
 inline constexpr std::uint64_t kMostBytes = std::uint64_t{1}
@@ -23,8 +24,8 @@ struct Room {
   std::uint64_t pixel_bytes = 0;
 };
 
-/// A frame to decode. Pixels come in rows without gaps, in this machine's byte order, as bits: what
-/// the coding has beyond its precision is 0, or the sign where it codes one.
+/// A frame to decode. Pixels come in rows without gaps, in this machine's byte order, as bits. Bits
+/// above the precision are 0, or the sign if the coding is signed.
 struct Request {
   std::uint64_t codestream_bytes = 0;
   Coding coding = Coding::Jpeg;

@@ -15,34 +15,35 @@
 
 namespace datasets {
 
-/// One running palpate-decode: see datasets/decode/README.md. Ends it when it goes.
+/// One running palpate-decode (datasets/decode/README.md). The destructor ends the process.
 class Decoder {
  public:
   enum class Outcome {
     Decoded,
     Refused,    ///< the codec says that the frame is damaged
-    Died,       ///< it crashed, asked for what it may not have, or answered nonsense
-    TooLong,    ///< and was ended
-    Cancelled,  ///< and was ended
+    Died,       ///< it crashed, made a forbidden system call, or gave an invalid answer
+    TooLong,    ///< it took too long and was ended
+    Cancelled,  ///< the user cancelled and it was ended
   };
 
-  /// Starts the program that lies beside the running one, with room for frames of so many bytes,
-  /// coded and decoded. Thread-safe; starts by exec alone.
+  /// Starts the palpate-decode beside the running program, with room for frames of these sizes,
+  /// coded and decoded. Thread-safe; runs no code between fork and exec.
   static haptics::Expected<Decoder> start(std::size_t codestream_bytes, std::size_t pixel_bytes);
   ~Decoder();
   Decoder(Decoder&& other) noexcept;
   Decoder& operator=(Decoder&&) = delete;
 
-  /// Decodes a frame that parseCodestream let pass. After anything but Decoded and Refused the
-  /// program is gone.
+  /// Decodes a frame that parseCodestream accepted. After any outcome except Decoded and Refused
+  /// the process has ended.
   Outcome decode(const Codestream& codestream, std::span<const std::byte> bytes,
                  const CodedImage& image, const ReadProgress& progress);
-  /// Those of the last frame that was decoded, until the next one: whole rows, values as bits.
+  /// Pixels of the last decoded frame, valid until the next one: whole rows, values as bits.
   const std::byte* pixels() const { return memory_ + codestream_bytes_; }
 
  private:
   Decoder() = default;
-  /// The next byte that the program says; none where it ended or the time was up.
+  /// Receives the next byte of the program into `said` (Decoded). Died if the program ended,
+  /// TooLong after `seconds`, Cancelled on Cancel.
   Outcome listen(std::byte& said, double seconds, const ReadProgress& progress);
   void end();
 
@@ -52,16 +53,16 @@ class Decoder {
   std::size_t codestream_bytes_ = 0, pixel_bytes_ = 0;
 };
 
-/// Decoders for the threads that read a series: one for each that decodes at a time.
+/// Decoders for the threads that read a series: one for each thread that is decoding.
 class Decoders {
  public:
-  /// Of frames no larger than so many bytes.
+  /// For frames no larger than these sizes.
   Decoders(std::size_t codestream_bytes, std::size_t pixel_bytes)
       : codestream_bytes_{codestream_bytes}, pixel_bytes_{pixel_bytes} {}
 
-  /// One that is free, or a new one.
+  /// Returns a free decoder, or starts a new one.
   haptics::Expected<std::unique_ptr<Decoder>> take();
-  /// For the next thread. One that is gone must not come back.
+  /// Returns a decoder to the pool. Its process must still run.
   void give(std::unique_ptr<Decoder> decoder);
 
  private:

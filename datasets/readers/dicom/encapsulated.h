@@ -14,14 +14,14 @@ namespace datasets {
 /// Where compressed frames lie in their file.
 class EncapsulatedFrames {
  public:
-  /// Of a file whose pixel data begin, with their offset table, after so many bytes. Fragments are
-  /// put to frames by the offset table; without one, where there are as many as frames, or where
-  /// as many begin like a codestream. Anything else is refused.
+  /// Finds the frames. `pixels_begin` is the position of the offset table, in bytes. Without an
+  /// offset table, the number of fragments, or of those that begin like a codestream, must equal
+  /// the number of frames. Anything else is refused.
   static haptics::Expected<EncapsulatedFrames> of(const std::filesystem::path& file,
                                                   std::int64_t pixels_begin, int frame_count,
                                                   Coding coding);
 
-  /// Of the largest frame.
+  /// Size of the largest frame.
   std::size_t mostBytes() const;
   /// The bytes of one frame, its fragments put together.
   haptics::Expected<std::vector<std::byte>> bytesOf(int frame) const;

@@ -12,33 +12,36 @@
 
 namespace datasets {
 
-/// Files that share a series, in the order of their names, and what can be made of them.
+/// Files of one series, in the order of their names, and their geometry.
 struct DicomSeries {
   std::vector<DicomFile> files;
-  haptics::Expected<Stack> stack = Stack{};  ///< geometry and order, or why there is none
-  /// Of a series that lacks slices: its largest part without a gap, a sound stack; or none.
+  /// Geometry and order, or the reason why there is none.
+  haptics::Expected<Stack> stack = Stack{};
+  /// For a series that lacks slices: its largest part without a gap, if that is a sound stack;
+  /// otherwise null.
   std::shared_ptr<const DicomSeries> unbroken;
-  int copies_left_out = 0;  ///< other files with the image of one that is kept
-  /// Of one file's series: damaged files beside it that do not say to which series they belong.
+  int copies_left_out = 0;  ///< files left out because another file has the same image
+  /// In the series of one file: damaged files beside it that do not state their series.
   int damaged_beside = 0;
 };
 
-/// The series among frames, by series number. Of files with the same image one is kept.
+/// The series among frames, by series number. Of several files with the same image, one is kept.
 std::vector<DicomSeries> seriesAmong(std::vector<DicomFile> frames);
 
-/// The same of the frames of files; what is no DICOM is passed over. `advanced` runs from 0 to 1.
+/// The same for the frames of files. Files that are not DICOM are ignored. `advanced` runs from 0
+/// to 1.
 haptics::Expected<std::vector<DicomSeries>> seriesAmong(
     const std::vector<std::filesystem::path>& paths, const ReadProgress& progress = {});
 
-/// The series that one file stands for, from the file's own folder. Of several images at the place
-/// of the named one (in other encodings, say) the named one is taken.
+/// Reads the series of one file from that file's folder. If several images lie at its place (for
+/// example in other encodings), the named file is used.
 haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file,
                                         const ReadProgress& progress = {});
-/// The same of a file whose header has been parsed.
+/// The same for a file whose header has been parsed.
 haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file, DicomHeader header,
                                         const ReadProgress& progress);
 
-/// Without an index and without what was found.
+/// Leaves `index` and `found` unset.
 SeriesVerdict verdictOf(const DicomSeries& series);
 
 }  // namespace datasets

@@ -18,24 +18,26 @@ struct BareDataSet {
   std::string_view syntax;
   std::size_t begin = 0;  ///< bytes of preamble and mark before it
 
-  /// vtk-dicom reads little endian without a word about it, and takes big endian for little.
+  /// True for big endian: vtk-dicom reads little endian without a stated syntax, and takes big
+  /// endian for little.
   bool needsRewriting() const;
 };
 /// From the file's first bytes, 140 of them or all.
 std::optional<BareDataSet> bareDataSetOf(std::string_view beginning);
 
-/// A DICOM file that vtk-dicom cannot read as it stands, written anew in memory.
+/// A DICOM file that vtk-dicom cannot read, rewritten in memory.
 class RewrittenFile {
  public:
-  /// Of one whose data set is deflated, or bare and in need of it. Refuses what is cut off
-  /// ("truncated"), does not begin as such a file does ("bad-header"), or is or inflates to more
-  /// than 1 GiB, or 32 times itself where that is over 64 MiB ("too-large").
+  /// Rewrites a file whose data set is deflated, or is bare and needs rewriting. Refuses a file
+  /// that is cut off ("truncated"), does not begin like such a file ("bad-header"), or is larger
+  /// than 1 GiB, or inflates to more than 1 GiB or to more than 32 times its size (if that is over
+  /// 64 MiB) ("too-large").
   static haptics::Expected<RewrittenFile> of(const std::filesystem::path& path);
-  /// The first bytes of a file, as one of this kind: what of it is sound.
+  /// Copies the first `count` bytes of a file, the part without a fault.
   static haptics::Expected<RewrittenFile> beginningOf(const std::filesystem::path& file,
                                                       std::int64_t count);
 
-  /// To open it by, while it lives.
+  /// Path to open it by, valid while the object lives.
   std::string path() const { return file_.path(); }
 
  private:

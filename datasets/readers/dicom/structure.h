@@ -10,19 +10,19 @@
 
 namespace datasets {
 
-/// What a walk along the elements of a DICOM file finds before vtk-dicom may parse it, which takes
-/// a length at its word, and whose stack and time bear neither sequences in sequences nor items
-/// without end.
+/// Result of a walk along a DICOM file's elements before vtk-dicom parses it. vtk-dicom trusts
+/// every length; deep nesting overflows its stack and many elements take too long.
 struct DicomStructure {
-  std::string syntax;  ///< TransferSyntaxUID; empty where it is not stated
-  /// A value that is longer than the file ("truncated"), or more sequences in each other or
-  /// elements in an item than any scan has ("bad-header").
+  std::string syntax;  ///< TransferSyntaxUID; empty if it is not stated
+  /// Why the walk stopped: a value exceeds the file ("truncated"), or an item has too many elements
+  /// or sequences are nested too deep ("bad-header").
   std::optional<haptics::Error> fault;
-  std::int64_t sound_bytes = 0;  ///< with a fault: where the outermost element that has it begins
+  /// With a fault: position of the outermost element that contains it.
+  std::int64_t sound_bytes = 0;
 };
 
-/// Reads from the first element to the last, as far as they can be told apart. Of a deflated file
-/// it reads the file's own group only. Sentences call the file `named`.
+/// Walks from the first element to the last that can be found. In a deflated file it reads only the
+/// group before the data set. Messages call the file `named`.
 DicomStructure structureOf(const std::filesystem::path& path, const std::filesystem::path& named);
 
 }  // namespace datasets

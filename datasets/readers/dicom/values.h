@@ -25,8 +25,8 @@ haptics::ScalarType storedTypeOf(const DicomFile& file);
 /// fit.
 std::vector<haptics::ScalarType> voxelTypesFor(const DicomSeries& series);
 
-/// The stored values of one slice: of what its words hold, the stored bits, with their sign. A word
-/// that is padding as a whole stays. In `room` where anything may differ.
+/// Extracts the stored bits of each word of one slice, with sign. Words that equal the padding stay
+/// unchanged. Changed pixels are written to `room`.
 Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byte>& room);
 
 /// The chosen pixels of one slice, with its slope and intercept; false if a value does not fit an
@@ -34,10 +34,10 @@ Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byt
 bool rescale(const Pixels& pixels, const DicomFile& file, const Window& window,
              haptics::ScalarType type, void* to);
 
-/// The least of a slice's values that are no padding, rescaled; infinity where all are.
+/// The least rescaled value of a slice, without padding; infinity if all values are padding.
 double leastOf(const Pixels& pixels, const DicomFile& file);
 
-/// Makes `air` of the voxels of a slice that are its padding, once they are rescaled. How many.
+/// Sets the padding voxels of a slice to `air`, after the slice was rescaled. Returns their number.
 std::int64_t makeAir(const DicomFile& file, haptics::ScalarType type, double air,
                      std::int64_t count, void* slice);
 

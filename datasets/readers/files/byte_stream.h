@@ -10,29 +10,31 @@
 
 namespace datasets {
 
-/// Bytes that are read forwards, in blocks: before each block the reader may report and stop.
+/// Bytes that are read forwards, in blocks. Before each block the stream reports progress and
+/// checks for Cancel.
 class ByteStream {
  public:
   virtual ~ByteStream() = default;
   ByteStream(const ByteStream&) = delete;
   ByteStream& operator=(const ByteStream&) = delete;
 
-  /// Goes on to a byte, at or after the present one. False at the end, on damage and on Cancel.
+  /// Skips to byte `at`, which is not before the present one. Returns false at the end, on damage
+  /// and on Cancel.
   bool advanceTo(std::int64_t at);
   /// The next `count` bytes; false as above.
   bool read(void* to, std::int64_t count);
-  /// From here on, `advanced` runs from 0 to 1 at byte `end`. Not to outlive the progress.
+  /// From now on `advanced` runs from 0 to 1 at byte `end`. The progress must outlive the stream.
   void watch(const ReadProgress& progress, std::int64_t end);
-  /// Reads to the end: how many bytes there are in all.
+  /// Reads to the end. Returns the number of bytes of the whole stream.
   std::int64_t length();
-  /// Whether what is left is whole, where that can be told: a checksum stands at the end.
+  /// Whether the rest is undamaged. Only a stream with a checksum at its end can tell.
   virtual bool endsWell() { return true; }
 
  protected:
   ByteStream();
-  /// Up to `size` bytes; 0 at the end and on damage.
+  /// Reads up to `size` bytes. Returns their number; 0 at the end and on damage.
   virtual std::int64_t fill(char* block, std::int64_t size) = 0;
-  /// Passes over so many bytes without reading them; how many it could.
+  /// Skips up to this many bytes without reading them. Returns the number skipped.
   virtual std::int64_t leap(std::int64_t) { return 0; }
 
  private:
@@ -44,10 +46,11 @@ class ByteStream {
   std::int64_t last_ = 1;
 };
 
-/// The bytes of a file from `offset` on; inflated, where they are a gzip or zlib stream.
+/// The bytes of a file from `offset` on; with `deflated`, the content of the gzip or zlib stream
+/// there.
 std::unique_ptr<ByteStream> openBytes(const std::filesystem::path& file, std::int64_t offset,
                                       bool deflated);
-/// Bytes that lie in memory, and stay there.
+/// Bytes in memory, which must outlive the stream.
 std::unique_ptr<ByteStream> bytesOf(const void* memory, std::int64_t size);
 
 }  // namespace datasets

@@ -6,8 +6,9 @@
 
 namespace datasets {
 
-/// While it lives, this thread reads "0.5" as a half whatever language the desktop speaks:
-/// teem and VTK parse numbers with the C library, and a window toolkit sets its locale.
+/// While it lives, this thread parses "0.5" with a point, whatever the desktop's language. It is
+/// needed because teem and VTK parse numbers with the C library, and a window toolkit sets the
+/// locale of that library.
 class CLocale {
  public:
   CLocale() : plain_(newlocale(LC_ALL_MASK, "C", nullptr)), before_(uselocale(plain_)) {}

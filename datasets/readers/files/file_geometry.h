@@ -9,7 +9,8 @@
 
 namespace datasets {
 
-/// What the axes of a file's world point at. Unknown is taken as it stands, without letters.
+/// Directions of the axes of a file's world. If Unknown, axes stay as stored and no letters are
+/// shown.
 enum class FileSpace {
   LeftPosteriorSuperior,
   RightAnteriorSuperior,
@@ -26,10 +27,10 @@ struct FileGeometry {
   FileSpace space = FileSpace::LeftPosteriorSuperior;
 };
 
-/// The one place where millimetres of a file become metres in patient LPS. Axes keep their
-/// handedness and order. Refuses steps that are zero, not finite or beyond 1 m and origins
-/// beyond 100 m ("bad-header"), and axes more than 0.005 degrees off their right angles
-/// ("sheared"); smaller errors of rounding are removed.
+/// Converts a file's millimetres to metres in patient LPS; no other function does. Axes keep their
+/// handedness and order. Refuses steps that are zero, not finite or beyond 1 m and origins beyond
+/// 100 m ("bad-header"), and axes more than 0.005 degrees off their right angles ("sheared");
+/// smaller errors of rounding are removed.
 haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file);
 
 }  // namespace datasets

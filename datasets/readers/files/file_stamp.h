@@ -6,18 +6,19 @@
 
 namespace datasets {
 
-/// Tells whether a file is still the one that was parsed: a file that was written to, or replaced
-/// by another of the same name, has another stamp.
+/// Shows whether a file has changed since it was parsed. A file that was written to, or replaced by
+/// another of the same name, has a different stamp.
 struct FileStamp {
   std::filesystem::path path;
   std::uint64_t device = 0, number = 0;
   std::int64_t size = 0;                         ///< bytes
-  std::int64_t modified_ns = 0, changed_ns = 0;  ///< since 1970: content, and content or owner
+  std::int64_t modified_ns = 0, changed_ns = 0;  ///< ns since 1970: last change of content; last
+                                                 ///< change of content or attributes
 
   bool operator==(const FileStamp&) const = default;
 };
 
-/// All zero but the path where there is no such file.
+/// If the file does not exist, only the path is set.
 FileStamp stampOf(const std::filesystem::path& path);
 
 }  // namespace datasets

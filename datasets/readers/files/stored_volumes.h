@@ -6,33 +6,34 @@
 
 namespace datasets {
 
-inline constexpr std::int64_t kMostVolumes = 10'000;  ///< that one file may offer
+inline constexpr std::int64_t kMostVolumes = 10'000;  ///< in one file
 
-/// What the header of a file of whole volumes says, checked, without its voxels.
+/// The checked header of a file of whole volumes, without its voxels.
 struct StoredVolumes {
   haptics::Grid grid;  ///< of each volume
   haptics::VolumeFacts facts;
   bool spacing_stated = true;  ///< false: 1 mm is assumed
   StoredVoxels voxels;
-  double slope = 1.0, intercept = 0.0;  ///< from what is stored to what is meant
+  double slope = 1.0, intercept = 0.0;  ///< value = slope * stored + intercept
 
   std::int64_t count() const {
     return voxels.layout.sizes[static_cast<std::size_t>(voxels.layout.volume_axis)];
   }
 };
 
-/// Refuses sizes that no memory holds and more volumes than are offered ("too-large"), sizes below
-/// one ("bad-header"), and voxels that the file cannot hold ("truncated"), before any is asked for.
+/// Refuses sizes that exceed any memory and more than kMostVolumes volumes ("too-large"), sizes
+/// below one ("bad-header"), and more voxels than the file can hold ("truncated"), before memory is
+/// allocated.
 haptics::Expected<void> checkStored(const StoredVoxels& voxels,
                                     const std::filesystem::path& header);
 
-/// Reads a part of one of the volumes, by mapping where that is the way to open it. Whole numbers
-/// stay whole where slope and intercept are: in the stored type, or in the narrowest of int16,
-/// uint16, int32 and uint32 that holds every voxel; all else becomes float32.
+/// Reads a part of one of the volumes, or maps it if isMapped() says so. Whole numbers stay whole
+/// if slope and intercept are whole: in the stored type, or in the narrowest of int16, uint16,
+/// int32 and uint32 that holds every voxel. All other values become float32.
 haptics::Expected<haptics::Volume> readVolume(const StoredVolumes& stored, int number,
                                               const Part& part, const ReadProgress& progress);
 
-/// Finishes a volume of which a part was read.
+/// Makes the Volume from voxels that have been read.
 haptics::Expected<haptics::Volume> finished(const StoredVolumes& stored, const Window& window,
                                             haptics::ScalarType type, std::shared_ptr<void> voxels,
                                             const ReadProgress& progress);

@@ -14,16 +14,16 @@
 
 namespace datasets {
 
-/// What to try where a file that could be mapped, were it plain, does not fit into memory.
-/// For checkRoom().
+/// Advice, for checkRoom(), on a file that does not fit into memory and could be mapped if it were
+/// stored plain.
 inline haptics::Message adviceToSaveRaw() { return {"advice-save-raw", {}}; }
 
-/// How the voxels of one volume, or of several in one block, follow each other.
+/// Layout of the voxels of one volume, or of several volumes in one block.
 struct VoxelLayout {
   std::array<std::int64_t, 4> sizes{1, 1, 1, 1};  ///< voxels along each axis, the fastest first
   int volume_axis = 3;                            ///< the axis that counts the volumes
   haptics::ScalarType type = haptics::ScalarType::Int16;  ///< in memory
-  bool doubles = false;  ///< stored as double, of which float32 is made
+  bool doubles = false;  ///< stored as double, converted to float32
   bool swapped = false;  ///< not in this machine's byte order
 
   std::int64_t voxelCount() const { return sizes[0] * sizes[1] * sizes[2] * sizes[3]; }
@@ -36,15 +36,15 @@ struct VoxelLayout {
 /// Voxels in one file, plain or deflated.
 struct StoredVoxels {
   std::filesystem::path file;
-  std::int64_t offset = 0;  ///< bytes of the file before the voxels, or before what is deflated
+  std::int64_t offset = 0;  ///< bytes of the file before the voxels or the deflated data
   bool deflated = false;
-  std::int64_t skip = 0;  ///< inflated bytes before the voxels; -1: the voxels are the last
+  std::int64_t skip = 0;  ///< inflated bytes before the voxels; -1: the voxels are the last bytes
   VoxelLayout layout;
 };
 
 /// The voxels of a window of one of the volumes, in the order of the file. Refuses a stream that
-/// ends before them ("truncated"; `file` is for the sentence) and what the free memory does not
-/// hold ("too-large").
+/// ends too early ("truncated"; `file` is named in the message) and a window that exceeds the free
+/// memory ("too-large").
 haptics::Expected<std::shared_ptr<void>> pickVoxels(ByteStream& from, std::int64_t begin,
                                                     const VoxelLayout& layout, int number,
                                                     const Window& window,
@@ -56,14 +56,14 @@ haptics::Expected<std::shared_ptr<void>> readVoxels(const StoredVoxels& stored, 
                                                     const Window& window,
                                                     const ReadProgress& progress);
 
-/// Whether a window is a whole volume that is best opened by mapping: plain voxels in the form that
-/// memory holds, at least 1 GiB, or half of the free memory where that is less. Below, they
-/// are read in a second or two, and then no tick of the touch ever waits for a disk; above, a copy
-/// would drive other programs out of memory, and the file's own pages can be given back at need.
+/// Whether to map: a whole volume, stored plain and as in memory, of at least 1 GiB or half the
+/// free memory, whichever is less. Smaller volumes are read in a second or two, so that no tick
+/// waits for a disk. A copy of a larger volume would displace other programs from memory, whereas
+/// the system can drop mapped pages.
 bool isMapped(const StoredVoxels& stored, int number, const Window& window);
 
-/// One whole volume as the file's own pages, privately: what is written to them stays in memory.
-/// The file must stay as it is while they live: pages that it loses end the process.
+/// Maps one whole volume privately; writes do not reach the file. The file must not change while it
+/// is mapped: if it is cut short, the process ends.
 haptics::Expected<std::shared_ptr<void>> mapVoxels(const StoredVoxels& stored, int number);
 
 }  // namespace datasets

@@ -14,19 +14,19 @@ namespace datasets {
 
 enum class NrrdEncoding { Raw, Ascii, Hex, Gzip, Bzip2 };
 
-/// What must be known of an NRRD before the reference implementation may see it.
+/// The checked header, before teem parses it.
 struct NrrdHeader {
   std::string type;                    ///< one of teem's own names: "short", "unsigned char", …
   int bytes_per_voxel = 0;             ///< in the file
   std::vector<std::int64_t> sizes;     ///< of the file's axes: three or four
   std::array<unsigned, 3> axes{};      ///< which of them are i, j, k
-  std::array<std::int64_t, 3> dims{};  ///< of these: one volume's
-  int volume_axis = -1;                ///< which counts volumes; -1: none
+  std::array<std::int64_t, 3> dims{};  ///< of these axes: the sizes of one volume
+  int volume_axis = -1;                ///< the axis that counts volumes; -1: none
   std::int64_t volumes = 1;
   NrrdEncoding encoding = NrrdEncoding::Raw;
   bool big_endian = false;
   std::int64_t header_bytes = 0;  ///< text and the empty line after it
-  bool skip_stated = false;       ///< the header says how much of a data file is no voxels
+  bool skip_stated = false;       ///< the header states how much to skip in a data file
   std::int64_t line_skip = 0;
   std::int64_t byte_skip = 0;                     ///< -1: the voxels are the last bytes of the file
   std::vector<std::filesystem::path> data_files;  ///< empty: the voxels follow the header
@@ -35,14 +35,15 @@ struct NrrdHeader {
   std::int64_t voxelCount() const;  ///< of all volumes
 };
 
-/// Whether a file begins as an NRRD does.
+/// Whether a file begins like an NRRD.
 bool looksLikeNrrd(const Beginning& file);
 
-/// Reads the header's text and checks it against the files: three axes of places, or a fourth that
-/// counts volumes, one value per voxel and a type that can be shown ("not-scalar",
-/// "unsupported-type"); no data file outside the header's folder ("outside-folder"); no more
-/// voxels than the files can hold ("truncated"), so that no broken header can ask for memory; no
-/// data file that is longer than its voxels without a word about what to skip ("bad-header").
+/// Reads the header's text and checks it against the files. The header must have three axes of
+/// space, or a fourth that counts volumes, one value per voxel and a type that can be shown
+/// ("not-scalar", "unsupported-type"). Each data file must be in the header's folder
+/// ("outside-folder"). The files must be large enough for the voxels ("truncated"), so that no
+/// broken header can make the reader allocate memory. A data file that is longer than its voxels
+/// needs a stated skip ("bad-header").
 haptics::Expected<NrrdHeader> readNrrdHeader(const std::filesystem::path& path);
 
 }  // namespace datasets

@@ -3,9 +3,8 @@
 
 namespace datasets {
 
-/// While it lives, what this thread prints to the C stream of errors is dropped: codecs complain
-/// there on their way to a decoded image, and naming what is wrong is the reader's part. Other
-/// threads go on printing.
+/// While it lives, this thread's output to stderr is dropped. Codecs print there even when they
+/// succeed, and the reader reports errors itself. Other threads go on printing.
 class QuietTerminal {
  public:
   QuietTerminal();

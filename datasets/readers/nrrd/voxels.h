@@ -11,7 +11,7 @@
 
 namespace datasets {
 
-/// An NRRD whose header has been parsed and checked, by us and by teem.
+/// An NRRD whose header has been parsed and checked, here and by teem.
 struct ParsedNrrd {
   std::filesystem::path path;
   NrrdHeader header;
@@ -19,11 +19,11 @@ struct ParsedNrrd {
 };
 haptics::Expected<ParsedNrrd> parseNrrd(const std::filesystem::path& path);
 
-/// Reads a part of one volume of an NRRD. A whole volume that is alone in its file is decoded by
-/// teem, the format's reference implementation; raw and gzip voxels are else read block by block,
-/// raw ones of a gibibyte mapped, and of the other encodings and of several data files the whole
-/// is decoded first. double becomes float32. Progress and Cancel reach into the decoding, except
-/// of voxels spread over several files.
+/// Reads a part of one volume of an NRRD. Teem, the format's reference implementation, decodes a
+/// volume that is whole and alone in its file. Other raw and gzip voxels are read in blocks. Raw
+/// volumes of 1 GiB, or of half the free memory, are mapped. Other encodings and several data files
+/// are decoded whole first. double becomes float32. Progress and Cancel work during decoding,
+/// except for voxels in several files.
 haptics::Expected<haptics::Volume> decodeNrrd(const ParsedNrrd& nrrd, int number, const Part& part,
                                               const ReadProgress& progress);
 

@@ -9,8 +9,8 @@
 
 namespace datasets {
 
-/// Writes an NRRD (raw, attached, space left-posterior-superior, unit and modality as
-/// key/values): geometry and voxels, nothing of the patient. It is there whole or not at all.
+/// Writes an NRRD (raw, attached, space left-posterior-superior, unit and modality as key/values):
+/// geometry and voxels, nothing of the patient. Writes the file completely or not at all.
 haptics::Expected<void> writeNrrd(const haptics::Volume& volume, const std::filesystem::path& out,
                                   const ReadProgress& progress = {});
 
