@@ -88,8 +88,8 @@ class Threads {
   std::uint64_t number_ = 0;  ///< number of the newest work; reports of other works are dropped
   bool running_ = false;
   QObject context_;  ///< lives on the owner's thread; its pending events are dropped with it
-  std::list<Job>
-      jobs_;  ///< the newest last; the others are cancelled, and kept until they have ended
+  /// The newest last; the others are cancelled, and kept until they have ended.
+  std::list<Job> jobs_;
 };
 
 /// The error if no thread could be started.

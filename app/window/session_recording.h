@@ -59,8 +59,8 @@ class SessionRecording : public QObject {
   VolumeIdentity& identity_;
   std::shared_ptr<haptics::Recorder> recorder_;
   std::filesystem::path target_;
-  std::vector<std::shared_ptr<const haptics::Scene>>
-      scenes_;             ///< scenes whose volume hash is not known yet
+  /// Scenes whose volume hash is not known yet.
+  std::vector<std::shared_ptr<const haptics::Scene>> scenes_;
   bool stopping_ = false;  ///< stop() was called; the servo thread may still use the ring
   QElapsedTimer clock_, shown_;
   double elapsed_ = 0.0;                              ///< s, length when it was stopped

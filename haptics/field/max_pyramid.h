@@ -54,8 +54,8 @@ class MaxPyramid {
 
   struct Level {
     std::array<std::int64_t, 3> blocks{};
-    std::vector<float>
-        greatest;  ///< dilated by one block; the values of the finest level are in finest_
+    /// Dilated by one block; the values of the finest level are in finest_.
+    std::vector<float> greatest;
     std::int64_t at(const std::array<std::int64_t, 3>& b) const {
       return (b[2] * blocks[1] + b[1]) * blocks[0] + b[0];
     }

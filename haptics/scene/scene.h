@@ -52,8 +52,8 @@ struct Scene {
   std::shared_ptr<const Volume> volume;
   Tool tool;
   ShellTree tree;  ///< over the tool's shell
-  std::shared_ptr<const ScalarField>
-      shared_field;          ///< shared by scenes of the same volume and kind
+  /// Shared by scenes of the same volume and kind.
+  std::shared_ptr<const ScalarField> shared_field;
   const ScalarField& field;  ///< the same field: reads `volume`, has the pyramid over it
   MassMetric metric;         ///< mass metric of the tool
   Tolerances lengths;        ///< lengths that follow from the voxel

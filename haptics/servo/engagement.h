@@ -22,7 +22,7 @@ struct Engagement {
 
 /// Hands engagements to the servo thread, and back after use. There is one setting thread and one
 /// servo thread; neither waits. The servo thread adopts no new engagement until the setting thread
-/// has collected the previous one.
+/// has collected the one that the servo thread left last.
 class SceneHandOver {
  public:
   ~SceneHandOver() {

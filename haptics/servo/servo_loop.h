@@ -39,7 +39,7 @@ class ServoLoop {
   ~ServoLoop();  ///< calls end()
   /// Sets the force to zero and ends the thread.
   void end();
-  /// Heat of the motors; they stand 1 for ever. Call after end().
+  /// Heat of the motors; 1 is the heat that they stand without a time limit. Call after end().
   double heat() const { return safety_.memory().heat; }
 
   // For the setting thread; none of these calls waits.

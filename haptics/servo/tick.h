@@ -32,8 +32,8 @@ inline constexpr double kMostReleased = 50.0;
 struct TickResult {
   Wrench wrench_W;   ///< wrench of the virtual coupling, before any limit
   int contacts = 0;  ///< rows that bear force on the proxy at its pose
-  /// False in every tick that finds the proxy inside after the isovalue moved, and searches a legal
-  /// pose.
+  /// False in every tick that finds the proxy inside after the isovalue moved, and searches for a
+  /// legal pose.
   bool outside = true;
   /// The budget ended the tick. The proxy keeps the last accepted pose, and the next tick continues
   /// the search.

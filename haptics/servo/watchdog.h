@@ -49,8 +49,8 @@ class Watchdog {
   std::atomic<std::int64_t> last_beat_{0};  ///< 0: no tick yet, so nothing to watch
   std::atomic<std::uint64_t> stops_{0};     ///< stops by the watchdog's thread
   std::uint64_t stops_seen_ = 0;            ///< stops that the servo thread has seen
-  std::array<std::int64_t, kMostGaps>
-      gaps_{};  ///< times of the last gaps; used by the servo thread
+  /// Times of the last gaps; used by the servo thread.
+  std::array<std::int64_t, kMostGaps> gaps_{};
   int next_gap_ = 0;
   std::atomic<bool> ending_{false};
   std::thread thread_;

@@ -44,7 +44,7 @@ struct ClosedLoop {
   bool hand_is_device = false;
   double period = 1e-3;  ///< s
   Linkage linkage = {};
-  double damping = 0.0;  ///< N·s/m of virtual damping during contact
+  double damping = 0.0;  ///< N·s/m, virtual damping while the wrench is not zero
   /// Damping that a passivity controller may use, N·s/m; 0: no controller.
   double passivity_damping = 0.0;
   /// Called once, before the first tick, with the pose at which the proxy begins; may be empty.
