@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "app/study/made/made.h"
 #include "app/study/reference/evaluator.h"
 #include "app/study/stability/trial.h"
+#include "datasets/phantoms/making.h"
 #include "datasets/phantoms/phantoms.h"
 #include "resources/named_tools.h"
+#include "tests/support/made.h"
 
 /// A trial whose judge is the evaluator.
 struct Trial : study::Trial {
@@ -42,5 +43,5 @@ inline Stage stageOf(const std::string& phantom, haptics::Tool tool) {
           made.isovalue};
 }
 inline haptics::Tool ballTool(int count, double radius) {
-  return made::tool(made::ballPoints(count, radius));
+  return made::tool(datasets::ballPoints(count, radius));
 }

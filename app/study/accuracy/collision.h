@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/study/made/arcs.h"
+#include "app/study/arcs/arcs.h"
 #include "app/study/report/outcome.h"
 
 namespace study {

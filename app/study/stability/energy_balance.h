@@ -6,6 +6,7 @@
 #include "app/study/report/outcome.h"
 #include "haptics/coupling/passivity.h"
 #include "haptics/simulation/grip.h"
+#include "haptics/solver/mass_metric.h"
 
 namespace study {
 

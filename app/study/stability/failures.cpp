@@ -9,18 +9,18 @@ namespace failures {
 std::shared_ptr<const haptics::Scene> noisySphere(double noise, unsigned seed, haptics::Tool tool) {
   std::mt19937 engine{seed};
   std::normal_distribution<double> grain{0.0, noise > 0.0 ? 600.0 * noise : 1.0};
-  return made::scene(datasets::sampledFloat(cube(48),
-                                            [&](const Vec3& p) {
-                                              return std::clamp(1e5 * (0.015 - p.norm()), -300.0,
-                                                                300.0) +
-                                                     (noise > 0.0 ? grain(engine) : 0.0);
-                                            }),
-                     std::move(tool));
+  return sceneOf(datasets::sampledFloat(cube(48),
+                                        [&](const Vec3& p) {
+                                          return std::clamp(1e5 * (0.015 - p.norm()), -300.0,
+                                                            300.0) +
+                                                 (noise > 0.0 ? grain(engine) : 0.0);
+                                        }),
+                 std::move(tool));
 }
 
 std::shared_ptr<const haptics::Scene> sphere(haptics::Tool tool) {
-  return made::scene(datasets::solid(cube(64), [](const Vec3& p) { return p.norm() - 0.02; }),
-                     std::move(tool));
+  return sceneOf(datasets::solid(cube(64), [](const Vec3& p) { return p.norm() - 0.02; }),
+                 std::move(tool));
 }
 
 void drag(Trial& trial, const Vec3& middle, double reach, unsigned seed, int moves) {

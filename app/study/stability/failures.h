@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/study/made/made.h"
 #include "app/study/report/outcome.h"
 #include "app/study/stability/trial.h"
 #include "datasets/phantoms/making.h"
@@ -37,10 +36,21 @@ std::vector<Job> insides(int tries);   ///< isovalues that move, plateaus, numbe
 std::vector<Job> motions(int tries);   ///< leaps, turns, long slides, grooves, rest
 std::vector<Job> shells(int tries);    ///< very many points, very few, very large, very far
 
-using made::at;
-inline haptics::Grid cube(std::int64_t n, double spacing = h) { return made::centred(n, spacing); }
+inline Pose at(const Vec3& p, const Quat& q = Quat::Identity()) { return haptics::poseOf(p, q); }
+inline Pose at(double x, double y, double z) { return at(Vec3{x, y, z}); }
+inline haptics::Tool toolOf(std::vector<Vec3> points) {
+  return {"", {}, haptics::makeShell(std::move(points)).value()};
+}
+inline std::shared_ptr<const haptics::Scene> sceneOf(haptics::Volume volume, haptics::Tool tool) {
+  return haptics::makeScene(std::make_shared<const haptics::Volume>(std::move(volume)),
+                            std::move(tool))
+      .value();
+}
+inline haptics::Grid cube(std::int64_t n, double spacing = h) {
+  return datasets::centredGrid(n, spacing);
+}
 inline haptics::Tool ball(int count, double radius) {
-  return made::tool(made::ballPoints(count, radius));
+  return toolOf(datasets::ballPoints(count, radius));
 }
 /// A ball of 15 mm whose surface is a ramp of six voxels, under noise: a share of the range.
 std::shared_ptr<const haptics::Scene> noisySphere(double noise, unsigned seed, haptics::Tool tool);

@@ -168,7 +168,7 @@ Turned turnHandle(DeviceModel device, double arm, bool torque, double stiffness,
   device.linkage.torque = torque;
   Stage stage = makeStage("ball", 0.0, 1);
   // a flat wall, and a ball at the end of the arm
-  stage.scene = made::scene(
+  stage.scene = failures::sceneOf(
       datasets::sampledFloat(failures::cube(48),
                              [](const Vec3& p) { return std::clamp(-1e5 * p.z(), -300.0, 300.0); }),
       failures::ball(100, 3e-3));

@@ -238,18 +238,20 @@ Stage makeStage(const std::string& name, double noise, unsigned seed) {
   double top = 0.0;
   Quat q = Quat::Identity();
   if (name == "plane") {
-    stage.scene = made::scene(ramp(noise, seed, [](const Vec3& p) { return p.z(); }),
-                              made::tool(datasets::platePoints(6, 0.02)));
+    stage.scene = failures::sceneOf(ramp(noise, seed, [](const Vec3& p) { return p.z(); }),
+                                    failures::toolOf(datasets::platePoints(6, 0.02)));
   } else if (name == "groove") {
     datasets::shapes::Wedge wedge;
     wedge.bottom = -0.008;
-    stage.scene = made::scene(ramp(noise, seed, [&](const Vec3& p) { return wedge.distance(p); }),
-                              made::tool(datasets::rodPoints(100, 0.016, 2e-3)));
+    stage.scene =
+        failures::sceneOf(ramp(noise, seed, [&](const Vec3& p) { return wedge.distance(p); }),
+                          failures::toolOf(datasets::rodPoints(100, 0.016, 2e-3)));
     q = Quat{Eigen::AngleAxisd{0.5 * std::numbers::pi, Vec3::UnitZ()}};
     top = wedge.bottom + 2e-3 / std::sin(wedge.half_angle);
   } else {
-    stage.scene = made::scene(ramp(noise, seed, [](const Vec3& p) { return p.norm() - 0.015; }),
-                              failures::ball(100, 3e-3));
+    stage.scene =
+        failures::sceneOf(ramp(noise, seed, [](const Vec3& p) { return p.norm() - 0.015; }),
+                          failures::ball(100, 3e-3));
     top = 0.018;
     stage.deepest = 0.5 * top;  // of the way to the middle of the ball
   }

@@ -14,16 +14,18 @@
 #include "app/study/accuracy/field_error.h"
 #include "app/study/accuracy/projection.h"
 #include "app/study/accuracy/work_precision.h"
-#include "app/study/made/made.h"
 #include "app/study/studies.h"
+#include "datasets/phantoms/making.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/phantoms/shapes.h"
 #include "haptics/collision/motion_rows.h"
+#include "tests/support/made.h"
 
 // That the references see an error that is there: each test plants one in what is judged.
 
 namespace {
 
+namespace arcs = study::arcs;
 using study::Case;
 using study::Outcome;
 
@@ -67,25 +69,25 @@ TEST(Collisions, SeeADroppedRoot) {
   EXPECT_TRUE(allPass(study::collisions({ours}, "noise", made::trials(1'000), 5)));
   // what only grazes is not seen: a root of the cubic that is taken back within a tenth of a voxel
   const study::Detector grazing{
-      "planted", "", [](const arcs::Target& target, double s, const made::Arc& arc) {
-        made::Crossing crossing = arcs::detected(target, s, arc);
+      "planted", "", [](const arcs::Target& target, double s, const arcs::Arc& arc) {
+        arcs::Crossing crossing = arcs::detected(target, s, arc);
         const double on = crossing.time + 1e-4 / arc.speed();
         if (crossing.met && on < 1.0 && target.field.value(target.field.indexOf(arc.at(on))) < s)
-          return made::Crossing{1.0, false};
+          return arcs::Crossing{1.0, false};
         return crossing;
       }};
   EXPECT_FALSE(allPass(study::collisions({grazing}, "noise", made::trials(1'000), 5)));
   // met, but a hundredth of a voxel late
   const study::Detector late{"planted", "",
-                             [](const arcs::Target& target, double s, const made::Arc& arc) {
-                               made::Crossing crossing = arcs::detected(target, s, arc);
+                             [](const arcs::Target& target, double s, const arcs::Arc& arc) {
+                               arcs::Crossing crossing = arcs::detected(target, s, arc);
                                if (crossing.met) crossing.time += 1e-5 / arc.speed();
                                return crossing;
                              }};
   EXPECT_FALSE(allPass(study::collisions({late}, "gyroid", made::trials(1'000), 5)));
   // one that never moves misses nothing
-  const study::Detector timid{"planted", "", [](const arcs::Target&, double, const made::Arc&) {
-                                return made::Crossing{0.0, true};
+  const study::Detector timid{"planted", "", [](const arcs::Target&, double, const arcs::Arc&) {
+                                return arcs::Crossing{0.0, true};
                               }};
   EXPECT_FALSE(allPass(study::collisions({timid}, "gyroid", made::trials(1'000), 5)));
 }
@@ -236,7 +238,7 @@ std::vector<comparison::Tick> pressed(comparison::Method& method) {
 struct Pressed {
   datasets::Phantom phantom = datasets::makePhantom("sphere").value();
   comparison::Case scene{"sphere", made::shared(phantom.volume), phantom.isovalue, "", 0};
-  haptics::Tool tool = made::tool(made::ballPoints(100, 3e-3));
+  haptics::Tool tool = made::tool(datasets::ballPoints(100, 3e-3));
   std::shared_ptr<const haptics::Scene> built = haptics::makeScene(scene.volume, tool).value();
 };
 

@@ -7,8 +7,10 @@
 #include <set>
 #include <utility>
 
-#include "app/study/made/made.h"
 #include "app/study/plan/courses.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
+#include "tests/support/made.h"
 
 namespace {
 
@@ -36,12 +38,12 @@ Hand downwards() {
 
 /// Solid between z = -2 mm and 0.
 Volume plate() {
-  return made::solid(made::centred(40, h),
-                     [](const Vec3& p) { return std::abs(p.z() + 0.001) - 0.001; });
+  return datasets::solid(datasets::centredGrid(40, h),
+                         [](const Vec3& p) { return std::abs(p.z() + 0.001) - 0.001; });
 }
 
 Course pressing(std::shared_ptr<const Scene> scene) {
-  return {"plate", std::move(scene), made::kIso, {}, downwards(), 400};
+  return {"plate", std::move(scene), datasets::kSolidIso, {}, downwards(), 400};
 }
 
 std::vector<std::string> failing(const Outcome& outcome) {
@@ -74,7 +76,7 @@ TEST(PlanStudy, FindsPosesAndForcesTheSameToTheBit) {
 
 // in a tick the hand goes several bands: the room must be that of the step, too
 TEST(PlanStudy, FindsNoDifferenceWhereTheHandStrikes) {
-  Course course = pressing(made::scene(plate(), made::tool(made::ballPoints(300, 4e-3))));
+  Course course = pressing(made::scene(plate(), made::tool(datasets::ballPoints(300, 4e-3))));
   std::vector<double> times;
   std::vector<Pose> poses;
   for (int n = 0; n < 40; ++n) {
@@ -89,7 +91,7 @@ TEST(PlanStudy, FindsNoDifferenceWhereTheHandStrikes) {
 
 // or the sides would be alike for want of a difference
 TEST(PlanStudy, DoesMoreWorkForWhatIsSwitchedOff) {
-  const auto scene = made::scene(plate(), made::tool(made::ballPoints(300, 4e-3)));
+  const auto scene = made::scene(plate(), made::tool(datasets::ballPoints(300, 4e-3)));
   const Course course = pressing(scene);
   for (bool Plan::*omission :
        {&Plan::empty_space, &Plan::unspent_room, &Plan::far_gradients, &Plan::still_rows}) {
@@ -123,8 +125,9 @@ TEST(PlanStudy, ShowsAPlanThatLeavesOutWhatWasNeeded) {
   for (const int points : {1, 300}) {
     SCOPED_TRACE(points);
     const auto sound = made::scene(
-        plate(), points == 1 ? made::point() : made::tool(made::ballPoints(points, 4e-3)));
-    const Volume empty = made::solid(made::centred(40, h), [](const Vec3&) { return 1.0; });
+        plate(), points == 1 ? made::point() : made::tool(datasets::ballPoints(points, 4e-3)));
+    const Volume empty =
+        datasets::solid(datasets::centredGrid(40, h), [](const Vec3&) { return 1.0; });
     const auto faulty = withBoundsOf(empty, *sound);
     EXPECT_EQ(failing(study::examined(pressing(sound), 1)), std::vector<std::string>{});
     const Outcome outcome = study::examined(pressing(faulty), 1);
@@ -142,8 +145,8 @@ TEST(PlanStudy, ShowsAPlanThatLeavesOutWhatWasNeeded) {
 
 // bounds that are right but for one side of the grid: found where the tool slides onto it
 TEST(PlanStudy, ShowsBoundsThatAreWrongInAPartOfTheVolume) {
-  const auto sound = made::scene(plate(), made::tool(made::ballPoints(100, 2e-3)));
-  const Volume half = made::solid(made::centred(40, h), [](const Vec3& p) {
+  const auto sound = made::scene(plate(), made::tool(datasets::ballPoints(100, 2e-3)));
+  const Volume half = datasets::solid(datasets::centredGrid(40, h), [](const Vec3& p) {
     return p.x() > 0.0 ? 1.0 : std::abs(p.z() + 0.001) - 0.001;
   });
   Course course = pressing(withBoundsOf(half, *sound));
@@ -169,8 +172,8 @@ TEST(PlanStudy, IsMadeOfJobsWithNamesOfTheirOwn) {
 TEST(PlanStudy, ProvesNothingWhereTheToolHasNoRoom) {
   // solid for 80 mm on every side
   const auto scene =
-      made::scene(made::filled(made::centred(80, 2e-3), haptics::ScalarType::UInt8,
-                               [](auto i, auto, auto) { return i == 0 ? 0.0 : 200.0; }),
+      made::scene(datasets::filled(datasets::centredGrid(80, 2e-3), haptics::ScalarType::UInt8,
+                                   [](auto i, auto, auto) { return i == 0 ? 0.0 : 200.0; }),
                   made::point());
   Course course{"solid", scene, 100.0, {}, downwards(), 10};
   EXPECT_EQ(study::compared(course, *scene, *study::withEverything(*scene), 1).ticks, 0);
