@@ -8,7 +8,7 @@
 #include "haptics/simulation/grip.h"
 #include "haptics/solver/mass_metric.h"
 
-namespace study {
+namespace study::stability {
 
 /// What a loop gives to the hand, against what is unavoidable and what is taken away, tick by tick.
 ///
@@ -52,4 +52,4 @@ class EnergyBalance {
   double most_given_ = 0.0, most_own_ = 0.0, most_left_ = 0.0;
 };
 
-}  // namespace study
+}  // namespace study::stability

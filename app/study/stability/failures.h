@@ -12,14 +12,11 @@
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
 
-namespace study {
+namespace study::stability {
 
 /// Situations in which the paper's method, or a plausible step beyond it, fails: each a case with
 /// its bound. A quick study makes a tenth of the tries.
 std::vector<Job> failureJobs(Depth depth);
-
-// what the groups of cases share
-namespace failures {
 
 using datasets::Random;
 using haptics::Pose;
@@ -60,7 +57,7 @@ std::shared_ptr<const haptics::Scene> sphere(haptics::Tool tool);
 void drag(Trial& trial, const Vec3& middle, double reach, unsigned seed, int moves);
 
 /// How far the proxies of some trials were from their devices, tick by tick.
-class Recorder {
+class DeviceDistances {
  public:
   void add(const Trial& trial);
   /// Mean, least and greatest of all trials over time.
@@ -78,7 +75,7 @@ class Recorder {
 struct Watch {
   int illegal = 0, non_finite = 0;
   std::int64_t most_work = 0;
-  Recorder recorder = {};
+  DeviceDistances recorder = {};
   void add(const Trial& trial) {
     recorder.add(trial);
     illegal += trial.illegal;
@@ -111,5 +108,4 @@ inline Plot overTime(std::string title, std::string description, std::string y) 
   return {std::move(title), std::move(description), {"time [s]"}, {std::move(y)}};
 }
 
-}  // namespace failures
-}  // namespace study
+}  // namespace study::stability

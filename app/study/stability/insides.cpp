@@ -2,7 +2,7 @@
 #include "app/study/stability/failures.h"
 #include "haptics/simulation/penetration.h"
 
-namespace study::failures {
+namespace study::stability {
 namespace {
 
 using haptics::ScalarType;
@@ -273,4 +273,4 @@ std::vector<Job> insides(int tries) {
           job("empty and all inside", 0.5 * tries, emptyAndAllInside)};
 }
 
-}  // namespace study::failures
+}  // namespace study::stability

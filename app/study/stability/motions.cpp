@@ -4,7 +4,7 @@
 #include "app/study/stability/failures.h"
 #include "datasets/phantoms/shapes.h"
 
-namespace study::failures {
+namespace study::stability {
 namespace {
 
 Outcome leaps(int tries, std::uint64_t seed) {
@@ -265,7 +265,7 @@ Outcome takenBack(int tries, std::uint64_t seed) {
   Random random{unsigned(211 + seed)};
   const auto scene = sceneOf(datasets::whiteNoise(cube(48), unsigned(212 + seed)),
                              toolOf(datasets::rodPoints(120, 0.016, 1e-3)));
-  Recorder recorder;
+  DeviceDistances recorder;
   int ticks = 0, differing = 0, contact = 0, illegal = 0;
   for (int n = 0; n < 2 * tries; ++n) {
     const Pose start = at(random.box(0.01) + Vec3{0, 0, 0.04}, random.rotation());
@@ -321,4 +321,4 @@ std::vector<Job> motions(int tries) {
           job("taken back", 0.7 * tries, takenBack)};
 }
 
-}  // namespace study::failures
+}  // namespace study::stability

@@ -5,7 +5,7 @@
 #include "haptics/coupling/safety.h"
 #include "haptics/solver/constrained_motion.h"
 
-namespace study::failures {
+namespace study::stability {
 namespace {
 
 using haptics::ScalarType;
@@ -311,4 +311,4 @@ std::vector<Job> shells(int tries) {
           job("saturation", 0.2, saturation)};
 }
 
-}  // namespace study::failures
+}  // namespace study::stability

@@ -2,7 +2,7 @@
 #include "app/study/arcs/arcs.h"
 #include "app/study/stability/failures.h"
 
-namespace study::failures {
+namespace study::stability {
 namespace {
 
 using haptics::Grid;
@@ -242,4 +242,4 @@ std::vector<Job> surfaces(int tries) {
           job("noise on a sphere", 3.0, noiseOnASphere), job("long voxels", 1.0, longVoxels)};
 }
 
-}  // namespace study::failures
+}  // namespace study::stability
