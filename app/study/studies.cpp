@@ -9,7 +9,7 @@ namespace study {
 namespace {
 
 constexpr std::pair<const char*, Study (*)(Depth)> kStudies[] = {
-    {"accuracy", accuracyStudy}, {"stability", stability::stabilityStudy}, {"plan", planStudy}};
+    {"accuracy", accuracyStudy}, {"stability", stability::stabilityStudy}, {"plan", plan::planStudy}};
 
 }  // namespace
 

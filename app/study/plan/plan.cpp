@@ -5,7 +5,7 @@
 
 #include "app/study/plan/courses.h"
 
-namespace study {
+namespace study::plan {
 
 Study planStudy(Depth depth) {
   const bool quick = depth == Depth::Quick;
@@ -41,4 +41,4 @@ Study planStudy(Depth depth) {
   return study;
 }
 
-}  // namespace study
+}  // namespace study::plan

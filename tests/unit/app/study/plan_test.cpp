@@ -25,8 +25,8 @@ using haptics::Vec3;
 using haptics::Volume;
 using made::at;
 using study::Case;
-using study::Course;
 using study::Outcome;
+using study::plan::Course;
 
 constexpr double h = 1e-3;  // m: the voxel
 
@@ -58,11 +58,11 @@ bool fails(const Outcome& outcome, const std::string& name) {
 }
 
 TEST(PlanStudy, FindsPosesAndForcesTheSameToTheBit) {
-  for (const study::Planned& planned : study::courses(study::Depth::Quick)) {
+  for (const study::plan::Planned& planned : study::plan::courses(study::Depth::Quick)) {
     if (planned.phantom == "demo" || planned.phantom == "hole" || planned.brief) continue;
     SCOPED_TRACE(planned.name);
-    const Course course = study::made(planned, 700, 1).value();
-    const Outcome outcome = study::examined(course, 1);
+    const Course course = study::plan::made(planned, 700, 1).value();
+    const Outcome outcome = study::plan::examined(course, 1);
     EXPECT_EQ(failing(outcome), std::vector<std::string>{});
     // three measures of each omission that is made, three of all, and whether it touched
     const auto lines = course.scene->planned;
@@ -86,7 +86,7 @@ TEST(PlanStudy, FindsNoDifferenceWhereTheHandStrikes) {
   }
   course.hand = Hand::along(times, poses).value();
   course.ticks = 2000;
-  EXPECT_EQ(failing(study::examined(course, 1)), std::vector<std::string>{});
+  EXPECT_EQ(failing(study::plan::examined(course, 1)), std::vector<std::string>{});
 }
 
 // or the sides would be alike for want of a difference
@@ -95,9 +95,9 @@ TEST(PlanStudy, DoesMoreWorkForWhatIsSwitchedOff) {
   const Course course = pressing(scene);
   for (bool Plan::*omission :
        {&Plan::empty_space, &Plan::unspent_room, &Plan::far_gradients, &Plan::still_rows}) {
-    const auto other = study::without(*scene, omission);
+    const auto other = study::plan::without(*scene, omission);
     EXPECT_FALSE(other->plan.*omission);
-    const study::Comparison found = study::compared(course, *scene, *other, 1);
+    const study::plan::Comparison found = study::plan::compared(course, *scene, *other, 1);
     EXPECT_GT(found.contact_ticks, 100);
     EXPECT_GT(found.second_work, found.first_work);
     EXPECT_EQ(found.pose, 0.0);
@@ -105,8 +105,8 @@ TEST(PlanStudy, DoesMoreWorkForWhatIsSwitchedOff) {
   const auto cell =
       haptics::makeScene(scene->volume, scene->tool, {FieldKind::Trilinear, NormalKind::Cell, {}})
           .value();
-  const study::Comparison found =
-      study::compared(pressing(cell), *cell, *study::without(*cell, &Plan::central_differences), 1);
+  const study::plan::Comparison found = study::plan::compared(
+      pressing(cell), *cell, *study::plan::without(*cell, &Plan::central_differences), 1);
   EXPECT_GT(found.second_work, found.first_work);
   EXPECT_EQ(found.pose, 0.0);
 }
@@ -129,8 +129,8 @@ TEST(PlanStudy, ShowsAPlanThatLeavesOutWhatWasNeeded) {
     const Volume empty =
         datasets::solid(datasets::centredGrid(40, h), [](const Vec3&) { return 1.0; });
     const auto faulty = withBoundsOf(empty, *sound);
-    EXPECT_EQ(failing(study::examined(pressing(sound), 1)), std::vector<std::string>{});
-    const Outcome outcome = study::examined(pressing(faulty), 1);
+    EXPECT_EQ(failing(study::plan::examined(pressing(sound), 1)), std::vector<std::string>{});
+    const Outcome outcome = study::plan::examined(pressing(faulty), 1);
     for (const char* measure : {"pose", "force"}) {
       EXPECT_TRUE(fails(outcome,
                         "plate: sampling where the pyramid's bounds prove the volume "
@@ -154,15 +154,15 @@ TEST(PlanStudy, ShowsBoundsThatAreWrongInAPartOfTheVolume) {
                             {at(-0.013, 0, 0.010), at(-0.013, 0, -0.001), at(0.013, 0, -0.001)})
                     .value();
   course.ticks = 600;
-  const Outcome outcome = study::examined(course, 1);
+  const Outcome outcome = study::plan::examined(course, 1);
   EXPECT_TRUE(
       fails(outcome, "plate: sampling where the pyramid's bounds prove the volume free: pose"));
   EXPECT_FALSE(fails(outcome, "plate: ticks in contact"));
 }
 
 TEST(PlanStudy, IsMadeOfJobsWithNamesOfTheirOwn) {
-  const study::Study quick = study::planStudy(study::Depth::Quick),
-                     full = study::planStudy(study::Depth::Full);
+  const study::Study quick = study::plan::planStudy(study::Depth::Quick),
+                     full = study::plan::planStudy(study::Depth::Full);
   EXPECT_GT(full.jobs.size(), quick.jobs.size());
   std::set<std::string> names;
   for (const study::Job& job : full.jobs) names.insert(job.name);
@@ -176,8 +176,9 @@ TEST(PlanStudy, ProvesNothingWhereTheToolHasNoRoom) {
                                    [](auto i, auto, auto) { return i == 0 ? 0.0 : 200.0; }),
                   made::point());
   Course course{"solid", scene, 100.0, {}, downwards(), 10};
-  EXPECT_EQ(study::compared(course, *scene, *study::withEverything(*scene), 1).ticks, 0);
-  const Outcome outcome = study::examined(course, 1);
+  EXPECT_EQ(study::plan::compared(course, *scene, *study::plan::withEverything(*scene), 1).ticks,
+            0);
+  const Outcome outcome = study::plan::examined(course, 1);
   EXPECT_FALSE(outcome.cases.empty());
   for (const Case& c : outcome.cases) EXPECT_FALSE(c.pass()) << c.name;
 }
