@@ -13,7 +13,7 @@
 #include "datasets/phantoms/shapes.h"
 #include "haptics/servo/tick.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 using comparison::Limit;
@@ -120,8 +120,8 @@ struct Diagrams {
               "Angle between the force and the closed form's, against time.",
               "mean CPU of a tick [us]", "error of direction [degrees]"} {}
   void addTo(Outcome& outcome) const {
-    study::addTo(outcome, position);
-    study::addTo(outcome, angle);
+    accuracy::addTo(outcome, position);
+    accuracy::addTo(outcome, angle);
   }
 };
 
@@ -277,4 +277,4 @@ Outcome closedForms(const std::string& solid, const HeldEffort& effort, unsigned
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

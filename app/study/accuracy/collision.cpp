@@ -7,7 +7,7 @@
 #include "app/study/reference/collision.h"
 #include "haptics/core/budget.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 /// [Chan 2011], 2.3, with pieces of `feature` [m].
@@ -104,4 +104,4 @@ Outcome collisions(const std::vector<Detector>& all, const std::string& name, lo
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -11,7 +11,7 @@
 #include "datasets/phantoms/sampling.h"
 #include "haptics/core/budget.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 using datasets::Random;
@@ -276,4 +276,4 @@ Outcome plateErrors(int plates, int places, unsigned seed) {
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

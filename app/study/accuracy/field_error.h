@@ -12,7 +12,7 @@
 
 /// How far each field is from what was scanned: solids whose edge is blurred over three voxels,
 /// with noise or without, and thin plates.
-namespace study {
+namespace study::accuracy {
 
 /// How voxels become a field.
 enum class Interpolation { Trilinear, SplineApproximating, SplineInterpolating };
@@ -52,4 +52,4 @@ Outcome fieldErrors(double noise, int places, unsigned seed, const FieldMade& ma
 /// What is left of thin plates.
 Outcome plateErrors(int plates, int places, unsigned seed);
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -9,7 +9,7 @@
 #include "datasets/phantoms/making.h"
 #include "haptics/core/budget.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 using datasets::Random;
@@ -189,4 +189,4 @@ Outcome projections(const std::vector<Solver>& all, int rows, bool coplanar, int
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

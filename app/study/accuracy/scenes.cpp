@@ -9,7 +9,7 @@
 #include "app/study/comparison/measures.h"
 #include "app/study/comparison/sweep.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 using comparison::Course;
@@ -216,4 +216,4 @@ Outcome pointStudy(bool flat, const std::vector<int>& points, const std::vector<
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy
