@@ -9,7 +9,9 @@ namespace study {
 namespace {
 
 constexpr std::pair<const char*, Study (*)(Depth)> kStudies[] = {
-    {"accuracy", accuracyStudy}, {"stability", stabilityStudy}, {"plan", planStudy}};
+    {"accuracy", accuracy::accuracyStudy},
+    {"stability", stability::stabilityStudy},
+    {"plan", plan::planStudy}};
 
 }  // namespace
 

@@ -22,6 +22,11 @@ inline haptics::Grid centredGrid(std::int64_t ni, std::int64_t nj, std::int64_t 
   return grid;
 }
 
+/// The same with `n` voxels along each axis.
+inline haptics::Grid centredGrid(std::int64_t n, double spacing) {
+  return centredGrid(n, n, n, spacing);
+}
+
 /// How a distance becomes a voxel: value = isovalue - slope · distance / spacing, held constant
 /// beyond `reach` voxels on either side. Within the reach the voxels are the distance, so the
 /// trilinear isosurface is the formula's surface: to the rounding of a voxel (1 / 2 slope of a

@@ -3,9 +3,12 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "app/study/made/arcs.h"
+#include "app/study/arcs/arcs.h"
+#include "datasets/phantoms/making.h"
 
 namespace {
+
+namespace arcs = study::arcs;
 
 void print(const std::string& name, const char* what, const arcs::Tally& tally) {
   std::printf("%-15s %-7s %9ld %9ld %7ld %7ld %10.2e %8ld\n", name.c_str(), what, tally.arcs,
@@ -30,7 +33,7 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  made::Random random{seed};
+  datasets::Random random{seed};
   std::printf("%-15s %-7s %9s %9s %7s %7s %10s %8s\n", "target", "of", "arcs", "met", "missed",
               "late", "latest/h", "early");
   arcs::Tally points, shells;

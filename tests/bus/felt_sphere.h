@@ -8,11 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/devices/device.h"
 #include "haptics/scene/scene.h"
 #include "haptics/servo/servo_loop.h"
+#include "tests/support/made.h"
 
 namespace bus {
 
@@ -40,7 +41,7 @@ class FeltSphere {
   explicit FeltSphere(std::unique_ptr<haptics::Device> device, const haptics::Vec3& p_BD = kAbove) {
     datasets::Phantom sphere = datasets::makePhantom("sphere").value();
     scene_ = haptics::makeScene(made::shared(std::move(sphere.volume)),
-                                made::tool(made::ballPoints(100, 3e-3)))
+                                made::tool(datasets::ballPoints(100, 3e-3)))
                  .value();
     settings_.isovalue = sphere.isovalue;
     haptics::Pose X_WD = poseNear(*device, p_BD);

@@ -25,7 +25,7 @@ constexpr Depth kDepth = Depth::Full;
 class Failures : public testing::TestWithParam<int> {};
 
 TEST_P(Failures, AreNot) {
-  const Job job = study::failureJobs(kDepth).at(std::size_t(GetParam()));
+  const Job job = study::stability::failureJobs(kDepth).at(std::size_t(GetParam()));
   const Outcome outcome = job.run(0);
   EXPECT_FALSE(outcome.cases.empty());
   for (const Case& each : outcome.cases)
@@ -33,9 +33,11 @@ TEST_P(Failures, AreNot) {
                              << each.bound << "; " << each.note;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Failures, testing::Range(0, int(study::failureJobs(kDepth).size())),
+INSTANTIATE_TEST_SUITE_P(All, Failures,
+                         testing::Range(0, int(study::stability::failureJobs(kDepth).size())),
                          [](const testing::TestParamInfo<int>& which) {
-                           const Job job = study::failureJobs(kDepth).at(std::size_t(which.param));
+                           const Job job =
+                               study::stability::failureJobs(kDepth).at(std::size_t(which.param));
                            std::string name;
                            for (const char c : job.name)
                              if (std::isalnum(static_cast<unsigned char>(c))) name += c;

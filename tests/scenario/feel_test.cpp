@@ -5,19 +5,21 @@
 #include <cmath>
 #include <iostream>
 
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/scene/legal_pose.h"
 #include "tests/scenario/trial.h"
 #include "tests/support/millimetre.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Mat3;
 using haptics::Pose;
 using haptics::Quat;
 using haptics::Vec3;
 using haptics::Wrench;
 using made::at;
-using made::Random;
 using millimetre::h;
 
 TEST(Feel, InFreeSpaceTheProxyIsTheDeviceAndTheWrenchIsNothingAtAnySpeed) {
@@ -91,12 +93,13 @@ TEST(Feel, NoWayThroughFreeSpaceIsTooLongForATick) {
 TEST(Feel, VoxelsOfAMicrometreDoNotHoldTheHandBack) {
   constexpr double kVoxel = 1e-6;  // m
   // a floor of which the hand stays a few voxels clear
-  const auto scene = made::scene(
-      made::sampled(made::centred(96, kVoxel),
-                    [&](const Vec3& p) { return 1000.0 - 500.0 / kVoxel * (p.z() + 20e-6); }),
-      made::tool({{0, 0, 0}, {2e-6, 0, 0}, {0, 3e-6, 1e-6}}));
+  const auto scene =
+      made::scene(datasets::sampledFloat(
+                      datasets::centredGrid(96, kVoxel),
+                      [&](const Vec3& p) { return 1000.0 - 500.0 / kVoxel * (p.z() + 20e-6); }),
+                  made::tool({{0, 0, 0}, {2e-6, 0, 0}, {0, 3e-6, 1e-6}}));
   Pose D = at(-0.02, 0, 0);
-  Trial trial{scene, made::kIso, D};
+  Trial trial{scene, datasets::kSolidIso, D};
   int over = 0;
   for (int n = 0; n < 60; ++n) {
     // 2 m/s: 2,000 voxels a tick, to and fro
@@ -116,11 +119,11 @@ TEST(Feel, VoxelsOfAMicrometreDoNotHoldTheHandBack) {
 TEST(Feel, WhatTheSurfaceHeldFollowsWithoutABlow) {
   // over the edge of a step
   const auto scene = made::scene(
-      made::sampled(made::centred(50, h),
-                    [](const Vec3& p) { return 1000.0 - 4e6 * std::max(p.x(), p.z()); }),
+      datasets::sampledFloat(datasets::centredGrid(50, h),
+                             [](const Vec3& p) { return 1000.0 - 4e6 * std::max(p.x(), p.z()); }),
       ballTool(200, 1e-3));
   for (const double friction : {0.0, 1.0}) {
-    Trial trial{scene, made::kIso, at(-8e-3, 0, 3e-3)};
+    Trial trial{scene, datasets::kSolidIso, at(-8e-3, 0, 3e-3)};
     trial.coupling = {.stiffness = 3000.0, .friction = friction};
     trial.carry(at(-8e-3, 0, 3e-3), at(-8e-3, 0, -3e-3), 100);
     constexpr double kStep = 2e-5;  // m: 20 mm/s
@@ -212,8 +215,8 @@ TEST(Feel, PressingIsPushedBackAlongTheNormal) {
 
 /// The half-space on the far side of the origin from n, as voxels: solid where n · p < 0.
 std::shared_ptr<const haptics::Volume> halfSpace(const Vec3& n) {
-  return made::shared(
-      made::sampled(made::centred(80, h), [&](const Vec3& p) { return 1000.0 - 4e6 * n.dot(p); }));
+  return made::shared(datasets::sampledFloat(
+      datasets::centredGrid(80, h), [&](const Vec3& p) { return 1000.0 - 4e6 * n.dot(p); }));
 }
 
 // a body about the origin and a tip aside of it, pressed onto a wall from each of six sides: the
@@ -225,7 +228,7 @@ TEST(Feel, ATipPressedSidewaysTurnsTheHandByItsArm) {
     for (int aside = 0; aside < 4; ++aside) {
       const Vec3 n = (side % 2 == 0 ? 1.0 : -1.0) * Vec3::Unit(side / 2);
       const Vec3 b = (aside % 2 == 0 ? 1.0 : -1.0) * Vec3::Unit((side / 2 + 1 + aside / 2) % 3);
-      std::vector<Vec3> points = made::ballPoints(60, 5e-3);
+      std::vector<Vec3> points = datasets::ballPoints(60, 5e-3);
       const Vec3 tip = -12e-3 * n + 15e-3 * b;
       points.push_back(tip);
       const haptics::Tool tool = made::tool(points);
@@ -274,17 +277,17 @@ TEST(Feel, AMirroredSceneMirrorsTheWrench) {
     return p.norm() - 0.016 -
            1.5e-3 * std::sin(400 * p.x() + 1) * std::sin(300 * p.y() + p.z() * 250);
   };
-  const auto grid = made::centred(50, h);
+  const auto grid = datasets::centredGrid(50, h);
   std::vector<Vec3> points, reflected;
   for (int n = 0; n < 40; ++n) {
     points.push_back(Vec3{0.5, 1, 2}.cwiseProduct(random.box(3e-3)));
     reflected.push_back(S * points.back());
   }
-  const auto left = made::scene(made::solid(grid, shape), made::tool(points));
-  const auto right = made::scene(made::solid(grid, [&](const Vec3& p) { return shape(S * p); }),
+  const auto left = made::scene(datasets::solid(grid, shape), made::tool(points));
+  const auto right = made::scene(datasets::solid(grid, [&](const Vec3& p) { return shape(S * p); }),
                                  made::tool(reflected));
   const Pose start = at(4e-3, -3e-3, 0.03);
-  Trial a{left, made::kIso, start}, b{right, made::kIso, mirrored(start)};
+  Trial a{left, datasets::kSolidIso, start}, b{right, datasets::kSolidIso, mirrored(start)};
   int contact = 0;
   double worst = 0.0, largest = 0.0;
   for (int n = 0; n < 600; ++n) {
@@ -339,8 +342,9 @@ TEST(Feel, TheTorqueNeverFlipsAsTheDeviceTurnsThroughPi) {
   for (int i = -20; i <= 20; ++i)
     for (const double y : {-1e-3, 1e-3}) bar.push_back({1e-3 * y / 1e-3, 0.5e-3 * i, 0.0});
   const auto slot = [](const Vec3& p) { return 2.5e-3 - std::abs(p.x()); };  // along y and z
-  const auto scene = made::scene(made::solid(made::centred(60, h), slot), made::tool(bar));
-  Trial trial{scene, made::kIso, Pose::Identity()};
+  const auto scene =
+      made::scene(datasets::solid(datasets::centredGrid(60, h), slot), made::tool(bar));
+  Trial trial{scene, datasets::kSolidIso, Pose::Identity()};
   trial.coupling.angular_stiffness = 1.0;  // N·m/rad
   int turned = 0;
   for (int n = 0; n <= 1080; ++n) {

@@ -7,12 +7,12 @@
 #include <string_view>
 #include <thread>
 
-#include "app/study/made/made.h"
 #include "haptics/servo/emergency.h"
 #include "haptics/session.h"
 #include "haptics/simulation/allowed_stiffness.h"
 #include "tests/scenario/fake_device.h"
 #include "tests/scenario/trial.h"
+#include "tests/support/made.h"
 
 // What may go wrong between a real device and a hand, each done on purpose with the hand pressed
 // on a ball at full force.

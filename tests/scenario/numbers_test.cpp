@@ -4,6 +4,8 @@
 #include <fstream>
 #include <iostream>
 
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "tests/scenario/trial.h"
 #include "tests/support/millimetre.h"
 
@@ -12,13 +14,13 @@
 
 namespace {
 
+using datasets::Random;
 using haptics::Grid;
 using haptics::Pose;
 using haptics::Quat;
 using haptics::ScalarType;
 using haptics::Vec3;
 using made::at;
-using made::Random;
 using millimetre::h;
 
 TEST(Numbers, EveryTypeOfVoxelIsFeltAtTheSamePlace) {
@@ -35,13 +37,13 @@ TEST(Numbers, EveryTypeOfVoxelIsFeltAtTheSamePlace) {
         Row{ScalarType::Float32, -3e30, 5e30}}) {
     SCOPED_TRACE(haptics::nameOf(type));
     const double middle = 0.5 * (low + high), slope = (high - low) / 5.0;
-    const Grid grid = made::centred(40, h);
+    const Grid grid = datasets::centredGrid(40, h);
     const auto scene = made::scene(
-        made::filled(grid, type,
-                     [&](auto i, auto j, auto k) {
-                       const Vec3 p = grid.worldOf(Vec3{double(i), double(j), double(k)});
-                       return std::clamp(middle + slope * (radius - p.norm()) / h, low, high);
-                     }),
+        datasets::filled(grid, type,
+                         [&](auto i, auto j, auto k) {
+                           const Vec3 p = grid.worldOf(Vec3{double(i), double(j), double(k)});
+                           return std::clamp(middle + slope * (radius - p.norm()) / h, low, high);
+                         }),
         ballTool(300, ball));
     const auto device = [&](int n) {
       const double a = 1e-3 * n, b = 0.7e-3 * n;
@@ -122,18 +124,19 @@ struct Happening {
   int contact = 0, recovered = 0;
 };
 Happening happen(double scale, const std::vector<Vec3>& points, const Vec3& origin, double noise) {
-  Grid grid = made::centred(40, h * scale);
+  Grid grid = datasets::centredGrid(40, h * scale);
   grid.origin += scale * origin;
   Random grain{222};
   std::vector<Vec3> scaled;
   for (const Vec3& p : points) scaled.push_back(scale * p);
-  const auto scene = made::scene(
-      made::filled(grid, ScalarType::Float32,
-                   [&](auto i, auto j, auto k) {
-                     const Vec3 u = Vec3{double(i), double(j), double(k)} - Vec3::Constant(19.5);
-                     return 1000.0 * (12.0 - u.norm()) + noise * grain.in(-1.0, 1.0);
-                   }),
-      made::tool(std::move(scaled)));
+  const auto scene =
+      made::scene(datasets::filled(
+                      grid, ScalarType::Float32,
+                      [&](auto i, auto j, auto k) {
+                        const Vec3 u = Vec3{double(i), double(j), double(k)} - Vec3::Constant(19.5);
+                        return 1000.0 * (12.0 - u.norm()) + noise * grain.in(-1.0, 1.0);
+                      }),
+                  made::tool(std::move(scaled)));
   Random random{223};
   const auto place = [&](const Vec3& p) -> Vec3 { return scale * (origin + p); };
   Pose from = at(place({0, 0, 0.022}));

@@ -3,6 +3,8 @@
 
 #include <iostream>
 
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/scene/legal_pose.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/servo/step.h"
@@ -12,6 +14,7 @@
 
 namespace {
 
+using datasets::Random;
 using haptics::ClosedLoop;
 using haptics::Hand;
 using haptics::HandMotion;
@@ -21,7 +24,6 @@ using haptics::TraceRow;
 using haptics::Vec3;
 using haptics::Wrench;
 using made::at;
-using made::Random;
 using millimetre::h;
 
 // penetration exactly 0 at every tick, by an evaluator that shares no code with the field
@@ -186,21 +188,22 @@ TEST(Outside, AMovedIsovalueNeverDeepensThePenetrationAndItIsGoneIn20Ticks) {
 
 // deep in a plateau there is no slope to follow out
 TEST(Outside, AnIsovalueThatBuriesTheToolInAPlateauIsLeftIn20Ticks) {
-  const auto scene =
-      made::scene(made::solid(made::centred(64, h), [](const Vec3& p) { return p.norm() - 0.008; }),
-                  ballTool(100, 1.5e-3));
+  const auto scene = made::scene(
+      datasets::solid(datasets::centredGrid(64, h), [](const Vec3& p) { return p.norm() - 0.008; }),
+      ballTool(100, 1.5e-3));
   const auto volume = scene->volume;
   // outside the small ball at 1000, and everything but the corners inside at -10,999
-  Trial trial{scene, made::kIso, at(0.016, 0, 0)};
+  Trial trial{scene, datasets::kSolidIso, at(0.016, 0, 0)};
   trial.hold(at(0.016, 0, 0), 5);
   int inside = 0;
   moveIsovalue(trial, at(0.016, 0, 0), volume->least + 1.0, inside);
   EXPECT_TRUE(trial.isLegal());
-  const auto buried = made::scene(made::filled(made::centred(64, h), haptics::ScalarType::UInt8,
-                                               [](auto i, auto, auto) {
-                                                 return i < 2 ? 0.0 : i < 32 ? 100.0 : 200.0;
-                                               }),
-                                  ballTool(100, 1.5e-3));
+  const auto buried = made::scene(
+      datasets::filled(datasets::centredGrid(64, h), haptics::ScalarType::UInt8,
+                       [](auto i, auto, auto) { return i < 2    ? 0.0
+                                                       : i < 32 ? 100.0
+                                                                : 200.0; }),
+      ballTool(100, 1.5e-3));
   Trial other{buried, 150.0, at(-0.016, 0, 0)};
   other.hold(at(-0.016, 0, 0), 5);
   ASSERT_TRUE(other.isLegal());
@@ -224,10 +227,10 @@ TEST(Outside, AStartInsideIsMovedToALegalPoseNearByOrRefused) {
   const Pose outside = at(0, 0, 0.04);
   EXPECT_EQ(haptics::legalPoseNear(*stage.scene, stage.isovalue, outside)->matrix(),
             outside.matrix());
-  const auto solid =
-      made::scene(made::filled(made::centred(128, 2e-3), haptics::ScalarType::Int16,
-                               [](auto i, auto j, auto k) { return i + j + k == 0 ? 0.0 : 500.0; }),
-                  made::point());
+  const auto solid = made::scene(
+      datasets::filled(datasets::centredGrid(128, 2e-3), haptics::ScalarType::Int16,
+                       [](auto i, auto j, auto k) { return i + j + k == 0 ? 0.0 : 500.0; }),
+      made::point());
   EXPECT_FALSE(haptics::legalPoseNear(*solid, 100.0, Pose::Identity()));
 }
 
@@ -256,7 +259,7 @@ TEST(Outside, HoldsForVoxelsTenTimesAsDeepAsWide) {
   grid.spacing = {3e-4, 3e-4, 3e-3};
   grid.origin = -grid.worldOf({39.5, 39.5, 5.5});
   const auto scene = made::scene(
-      made::sampled(
+      datasets::sampledFloat(
           grid,
           [](const Vec3& p) { return 1000.0 - 2e6 * std::clamp(p.norm() - 0.008, -4e-3, 4e-3); }),
       ballTool(150, 2e-3));

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/study/made/made.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/penetration.h"
 #include "tests/scenario/trial.h"
+#include "tests/support/made.h"
 #include "tests/support/sentence.h"
 
 // Every device of the table at its rated stiffness, in a hand's grip, in closed loop.

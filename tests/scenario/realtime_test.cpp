@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "datasets/phantoms/making.h"
 #include "haptics/scene/legal_pose.h"
 #include "haptics/simulation/simulated.h"
 #include "tests/scenario/fake_device.h"
@@ -226,7 +227,7 @@ TEST(EveryTick, NeitherAllocatesNorLocksForARealDevice) {
   haptics::StepRing ring{0};
   ServoLoop loop{std::move(made), settings, start};
   loop.recording = &ring;
-  made::Random random{7};
+  datasets::Random random{7};
   std::int64_t now = 1'000'000'000;
   std::array<long, 6> states{};
   for (int n = 0; n < 40'000; ++n) {
@@ -276,7 +277,7 @@ TEST(EveryTick, NeitherAllocatesNorLocksForARealDevice) {
 
 TEST(EveryTick, NeitherAllocatesNorLocksWhateverTheDeviceReads) {
   const Stage stage = stageOf("gyroid", namedTool("probe"));
-  made::Random random{131};
+  datasets::Random random{131};
   const Pose start = haptics::legalPoseNear(*stage.scene, stage.isovalue, at(0, 0, 0.2)).value();
   Trial trial{stage.scene, stage.isovalue, start};
   trial.judged = false;

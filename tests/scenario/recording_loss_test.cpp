@@ -18,10 +18,10 @@
 #include <thread>
 #include <vector>
 
-#include "app/study/made/made.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 #include "tests/support/failing_disk.h"
+#include "tests/support/made.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/sentence.h"
 

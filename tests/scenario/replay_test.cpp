@@ -4,29 +4,31 @@
 #include <iostream>
 #include <limits>
 
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "tests/scenario/trial.h"
 #include "tests/support/millimetre.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Budget;
 using haptics::Pose;
 using haptics::Quat;
 using haptics::Vec3;
 using made::at;
-using made::Random;
 using millimetre::h;
 
 // the clock cuts where it will; by the counts at which it did, another proxy goes the same way
 TEST(Replay, OfTicksThatTheClockCutIsTheSameToTheBit) {
   Random grain{231};
-  const auto scene =
-      made::scene(made::sampled(made::centred(48, h),
-                                [&](const Vec3& p) {
-                                  return std::clamp(1e5 * (0.015 - p.norm()), -300.0, 300.0) +
-                                         grain.in(-60.0, 60.0);
-                                }),
-                  ballTool(5000, 4e-3));
+  const auto scene = made::scene(
+      datasets::sampledFloat(datasets::centredGrid(48, h),
+                             [&](const Vec3& p) {
+                               return std::clamp(1e5 * (0.015 - p.norm()), -300.0, 300.0) +
+                                      grain.in(-60.0, 60.0);
+                             }),
+      ballTool(5000, 4e-3));
   const haptics::VirtualCoupling coupling{1000.0, 0.0};
   for (const double friction : {0.0, 0.4}) {
     haptics::VirtualCoupling felt = coupling;

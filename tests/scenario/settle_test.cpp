@@ -17,7 +17,7 @@ namespace {
 using haptics::Vec3;
 using made::at;
 using millimetre::h;
-using study::AnalyticHold;
+using study::accuracy::AnalyticHold;
 
 constexpr double kGap = 0.025 * h;
 constexpr double kBall = 3e-3;     // m, radius
@@ -58,7 +58,8 @@ void settleIn(const std::string& solid, const Bounds& bounds, const Bounds& corn
       for (const Vec3& p : stage.scene->tool.shell.points) reach = std::max(reach, -p.z());
     }
     Settled free, corner;
-    for (const AnalyticHold& hold : study::analyticHolds(solid, reach, made::trials(40), 101))
+    for (const AnalyticHold& hold :
+         study::accuracy::analyticHolds(solid, reach, made::trials(40), 101))
       settle(stage, hold, reach, hold.corner ? corner : free);
     std::cout << solid << (radius > 0.0 ? ", ball" : ", point") << ": at most " << free.position / h
               << " voxel, " << free.angle << " degrees; in a corner " << corner.position / h

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/simulation/hand.h"
 #include "tests/scenario/trial.h"
 #include "tests/support/millimetre.h"
@@ -13,11 +15,11 @@
 
 namespace {
 
+using datasets::Random;
 using haptics::Pose;
 using haptics::Quat;
 using haptics::Vec3;
 using made::at;
-using made::Random;
 using millimetre::h;
 
 /// What a tick may spend beyond its allowance before it looks at the budget again.
@@ -29,8 +31,8 @@ haptics::Tool plate(int count) {
 }
 
 TEST(Starving, ManyPointsAllInFlatContactKeepUp) {
-  const auto volume = made::shared(
-      made::sampled(made::centred(64, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }));
+  const auto volume = made::shared(datasets::sampledFloat(
+      datasets::centredGrid(64, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }));
   struct Row {
     int count;
     double lag;   // m: at most, in a slide at 20 mm/s
@@ -104,12 +106,12 @@ TEST(Starving, ADrillOfTwoHundredThousandPointsGoesWhereOneOfTwoThousandDoes) {
 // an isovalue among the specks of the background: nothing can be left out
 TEST(Starving, SpecksEverywhereDoNotHoldTheProxy) {
   Random random{205};
-  const auto scene = made::scene(made::sampled(made::centred(48, h),
-                                               [&](const Vec3& p) {
-                                                 return p.norm() < 0.012
-                                                            ? random.in(1999.0, 2040.0)
-                                                            : random.in(-1000.0, -950.0);
-                                               }),
+  const auto scene = made::scene(datasets::sampledFloat(datasets::centredGrid(48, h),
+                                                        [&](const Vec3& p) {
+                                                          return p.norm() < 0.012
+                                                                     ? random.in(1999.0, 2040.0)
+                                                                     : random.in(-1000.0, -950.0);
+                                                        }),
                                  ballTool(300, 2e-3));
   double lag[2] = {};
   for (const bool cut : {false, true}) {

@@ -7,20 +7,22 @@
 #include <string>
 #include <vector>
 
-#include "app/study/made/made.h"
 #include "app/study/reference/evaluator.h"
 #include "app/study/stability/trial.h"
+#include "datasets/phantoms/making.h"
 #include "datasets/phantoms/phantoms.h"
 #include "resources/named_tools.h"
+#include "tests/support/made.h"
 
 /// A trial whose judge is the evaluator.
-struct Trial : study::Trial {
+struct Trial : study::stability::Trial {
   Trial(std::shared_ptr<const haptics::Scene> in, double s, const haptics::Pose& X_start)
-      : study::Trial{std::move(in), s, X_start,
-                     [](const haptics::Volume& volume, double level,
-                        const std::vector<haptics::Vec3>& points, const haptics::Pose& X_WP) {
-                       return evaluator::isLegal(volume, level, points, X_WP);
-                     }} {}
+      : study::stability::Trial{
+            std::move(in), s, X_start,
+            [](const haptics::Volume& volume, double level,
+               const std::vector<haptics::Vec3>& points, const haptics::Pose& X_WP) {
+              return evaluator::isLegal(volume, level, points, X_WP);
+            }} {}
 
   double penetration_mm() const {
     return evaluator::penetration_mm(*scene->volume, isovalue, scene->tool.shell.points,
@@ -42,5 +44,5 @@ inline Stage stageOf(const std::string& phantom, haptics::Tool tool) {
           made.isovalue};
 }
 inline haptics::Tool ballTool(int count, double radius) {
-  return made::tool(made::ballPoints(count, radius));
+  return made::tool(datasets::ballPoints(count, radius));
 }

@@ -9,7 +9,7 @@
 #include "app/study/comparison/scenes.h"
 #include "app/study/rendering/rendering.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 unsigned narrow(std::uint64_t seed) { return static_cast<unsigned>(seed ^ (seed >> 32)); }
@@ -100,4 +100,4 @@ Study accuracyStudy(Depth depth) {
   return study;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -3,11 +3,11 @@
 
 #include "app/study/report/outcome.h"
 
-namespace study {
+namespace study::accuracy {
 
 /// Error against run time: pose and force against closed forms, collisions against dense sampling,
 /// projections against enumeration, fields against solids, the paper's scenes against its own
 /// algorithm, and what many points cost.
 Study accuracyStudy(Depth depth);
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -7,18 +7,17 @@
 #include "app/study/accuracy/contenders.h"
 #include "app/study/accuracy/work_precision.h"
 #include "app/study/comparison/measures.h"
-#include "app/study/made/made.h"
 #include "app/study/reference/evaluator.h"
+#include "datasets/phantoms/making.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/phantoms/shapes.h"
 #include "haptics/servo/tick.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 using comparison::Limit;
-using made::at;
-using made::Random;
+using datasets::Random;
 
 constexpr double kStiffness = 1000.0;   // N/m, of every method
 constexpr double kBall = 3e-3;          // m, radius
@@ -121,8 +120,8 @@ struct Diagrams {
               "Angle between the force and the closed form's, against time.",
               "mean CPU of a tick [us]", "error of direction [degrees]"} {}
   void addTo(Outcome& outcome) const {
-    study::addTo(outcome, position);
-    study::addTo(outcome, angle);
+    accuracy::addTo(outcome, position);
+    accuracy::addTo(outcome, angle);
   }
 };
 
@@ -218,11 +217,12 @@ HeldErrors heldErrors(comparison::Method& method, const std::vector<AnalyticHold
   HeldErrors errors;
   const std::size_t ticks = holds.size() * (kCarry + kHold);
   for (const AnalyticHold& hold : holds) {
-    method.start(at(hold.start));
+    method.start(haptics::poseOf(hold.start, haptics::Quat::Identity()));
     comparison::Tick last;
     for (int n = 1; n <= kCarry + kHold; ++n) {
       const double share = std::min(1.0, double(n) / kCarry);
-      const Pose X_WD = at(hold.start + share * (hold.device - hold.start));
+      const Pose X_WD = haptics::poseOf(hold.start + share * (hold.device - hold.start),
+                                        haptics::Quat::Identity());
       last = method.tick(X_WD);
       errors.tick_us.push_back(1e-3 * double(last.cpu_ns));
       errors.counts.add(last, ticks);
@@ -244,10 +244,12 @@ Outcome closedForms(const std::string& solid, const HeldEffort& effort, unsigned
   Outcome outcome;
   for (const bool ball : {false, true}) {
     datasets::Phantom phantom = datasets::makePhantom(solid).value();
-    const comparison::Case scene{solid, made::shared(std::move(phantom.volume)), phantom.isovalue,
-                                 "", 0};
-    const haptics::Tool tool =
-        ball ? made::tool(made::ballPoints(kBallPoints, kBall)) : made::point();
+    const comparison::Case scene{solid,
+                                 std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
+                                 phantom.isovalue, "", 0};
+    std::vector<Vec3> points{Vec3::Zero()};
+    if (ball) points = datasets::ballPoints(kBallPoints, kBall);
+    const haptics::Tool tool{"", {}, haptics::makeShell(std::move(points)).value()};
     double radius = ball ? kBall : 0.0;
     if (ball && solid == "halfspace") {
       // the lowest point of the ball's shell stands a little above the ball's own
@@ -275,4 +277,4 @@ Outcome closedForms(const std::string& solid, const HeldEffort& effort, unsigned
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -9,7 +9,7 @@
 #include "app/study/comparison/methods.h"
 #include "app/study/report/outcome.h"
 
-namespace study {
+namespace study::accuracy {
 
 using haptics::Pose;
 using haptics::Vec3;
@@ -61,4 +61,4 @@ using OursMade = std::function<std::unique_ptr<comparison::Method>(
 Outcome closedForms(const std::string& solid, const HeldEffort& effort, unsigned seed,
                     const OursMade& ours = {});
 
-}  // namespace study
+}  // namespace study::accuracy

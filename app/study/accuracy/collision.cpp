@@ -7,12 +7,12 @@
 #include "app/study/reference/collision.h"
 #include "haptics/core/budget.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 /// [Chan 2011], 2.3, with pieces of `feature` [m].
 arcs::Detect pieces(double feature) {
-  return [feature](const arcs::Target& target, double s, const made::Arc& arc) {
+  return [feature](const arcs::Target& target, double s, const arcs::Arc& arc) {
     reference::Choices choices =
         reference::choicesFor(target.volume->grid, reference::Variant::Literal);
     choices.feature = feature;
@@ -22,14 +22,14 @@ arcs::Detect pieces(double feature) {
     shell.points = {arc.r};
     shell.radius = arc.r.norm();
     const reference::FirstHit hit = reference::firstHit(solid, shell, arc.X, arc.motion);
-    made::Crossing crossing{hit.t, hit.met};
+    arcs::Crossing crossing{hit.t, hit.met};
     crossing.counts.samples = solid.samples();
     return crossing;
   };
 }
 
 arcs::Target targetOf(const std::string& name, unsigned seed) {
-  made::Random random{seed};
+  datasets::Random random{seed};
   if (name == "noise") return arcs::noise(seed);
   if (name == "slanted plate") return arcs::slantedPlate(random);
   if (name == "upright plates") return arcs::uprightPlates();
@@ -65,14 +65,14 @@ Outcome collisions(const std::vector<Detector>& all, const std::string& name, lo
       {"target", "method", "setting", "arcs", "meet", "missed", "late", "latest [voxel]", "early"},
       {}};
   for (const Detector& detector : all) {
-    made::Random random{seed};
+    datasets::Random random{seed};
     // look-ups alone: an arc is no tick
     WorkPoint point{
         detector.method, detector.setting, {}, {}, comparison::MeanCounts{0.0, NAN, NAN, NAN}};
     double samples = 0.0;
-    const arcs::Detect timed = [&](const arcs::Target& at, double s, const made::Arc& arc) {
+    const arcs::Detect timed = [&](const arcs::Target& at, double s, const arcs::Arc& arc) {
       const std::int64_t begun = haptics::Budget::threadTime();
-      const made::Crossing crossing = detector.detect(at, s, arc);
+      const arcs::Crossing crossing = detector.detect(at, s, arc);
       point.cost.push_back(1e-3 * double(haptics::Budget::threadTime() - begun));
       samples += double(crossing.counts.samples);
       return crossing;
@@ -104,4 +104,4 @@ Outcome collisions(const std::vector<Detector>& all, const std::string& name, lo
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

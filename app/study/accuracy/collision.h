@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/study/made/arcs.h"
+#include "app/study/arcs/arcs.h"
 #include "app/study/report/outcome.h"
 
-namespace study {
+namespace study::accuracy {
 
 /// A way to find where an arc first meets the surface.
 struct Detector {
@@ -25,4 +25,4 @@ const std::vector<std::string>& targetNames();
 Outcome collisions(const std::vector<Detector>& all, const std::string& target, long count,
                    unsigned seed);
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -9,7 +9,7 @@
 #include "app/study/page/plot.h"
 #include "haptics/servo/tick.h"
 
-namespace study {
+namespace study::accuracy {
 
 /// The readings of the paper, as the diagrams call them.
 struct Reading {
@@ -73,4 +73,4 @@ inline Contenders withFineness(const haptics::Scene& built, double isovalue,
   return all;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -8,16 +8,17 @@
 
 #include "app/study/accuracy/work_precision.h"
 #include "app/study/comparison/measures.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/core/budget.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
+using datasets::Random;
 using haptics::FieldKind;
 using haptics::ScalarField;
 using haptics::Vec3;
 using haptics::Volume;
-using made::Random;
 
 constexpr double h = 1e-3;       // m: the voxel
 constexpr double kTop = 1000.0;  // inside; 0 outside
@@ -56,7 +57,7 @@ double gyroid(const Vec3& p) {
 /// A plate of this thickness [voxels] through the middle, each voxel the share of it that the plate
 /// fills.
 Volume plate(const Vec3& n, double thickness) {
-  return made::sampled(made::centred(33, h), [&](const Vec3& p) {
+  return datasets::sampledFloat(datasets::centredGrid(33, h), [&](const Vec3& p) {
     constexpr int kParts = 8;
     int filled = 0;
     for (int i = 0; i < kParts * kParts * kParts; ++i) {
@@ -92,7 +93,7 @@ Volume prefiltered(const Volume& volume) {
       for (std::int64_t i = 0; i < n; ++i) line[i * s] *= 6.0;
     }
   }
-  return made::filled(volume.grid, haptics::ScalarType::Float32, [&](auto i, auto j, auto k) {
+  return datasets::filled(volume.grid, haptics::ScalarType::Float32, [&](auto i, auto j, auto k) {
     return c[static_cast<std::size_t>((k * dims[1] + j) * dims[0] + i)];
   });
 }
@@ -132,10 +133,10 @@ const char* nameOf(Interpolation kind) {
 }
 
 ScalarField fieldOf(Interpolation kind, const Volume& volume) {
-  if (kind == Interpolation::Trilinear) return ScalarField{made::shared(volume)};
-  return ScalarField{
-      made::shared(kind == Interpolation::SplineInterpolating ? prefiltered(volume) : volume),
-      FieldKind::CubicSpline};
+  if (kind == Interpolation::Trilinear) return ScalarField{std::make_shared<const Volume>(volume)};
+  return ScalarField{std::make_shared<const Volume>(
+                         kind == Interpolation::SplineInterpolating ? prefiltered(volume) : volume),
+                     FieldKind::CubicSpline};
 }
 
 const std::vector<Shape>& shapes() {
@@ -152,7 +153,7 @@ const std::vector<Shape>& shapes() {
 Volume blurred(const Shape& shape, double noise) {
   std::mt19937 engine{41};
   std::normal_distribution<double> grain{0.0, kTop * noise};
-  return made::sampled(made::centred(64, h), [&](const Vec3& p) {
+  return datasets::sampledFloat(datasets::centredGrid(64, h), [&](const Vec3& p) {
     const double edge = std::clamp(0.5 - shape.distance(p) / 3.0, 0.0, 1.0);
     return kTop * edge + (noise > 0.0 ? grain(engine) : 0.0);
   });
@@ -275,4 +276,4 @@ Outcome plateErrors(int plates, int places, unsigned seed) {
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

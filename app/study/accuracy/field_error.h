@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "app/study/made/made.h"
 #include "app/study/report/outcome.h"
+#include "datasets/phantoms/making.h"
 #include "haptics/field/scalar_field.h"
 
 /// How far each field is from what was scanned: solids whose edge is blurred over three voxels,
 /// with noise or without, and thin plates.
-namespace study {
+namespace study::accuracy {
 
 /// How voxels become a field.
 enum class Interpolation { Trilinear, SplineApproximating, SplineInterpolating };
@@ -38,11 +38,12 @@ struct SurfaceErrors {
   double cell_ns = 0.0, central_ns = 0.0, spline_ns = 0.0;  ///< of a gradient, F included
 };
 SurfaceErrors surfaceErrors(const haptics::ScalarField& field, const Shape& shape, int places,
-                            made::Random& random);
+                            datasets::Random& random);
 
 /// The share of a plate of this thickness [voxels] at which each field, in the order of
 /// Interpolation, still has a surface, over plates that lie at random, each with so many places.
-std::array<double, 3> keptOfPlates(double thickness, int plates, int places, made::Random& random);
+std::array<double, 3> keptOfPlates(double thickness, int plates, int places,
+                                   datasets::Random& random);
 
 /// Makes a field of voxels; a test may plant a wrong one.
 using FieldMade = std::function<haptics::ScalarField(Interpolation, const haptics::Volume&)>;
@@ -51,4 +52,4 @@ Outcome fieldErrors(double noise, int places, unsigned seed, const FieldMade& ma
 /// What is left of thin plates.
 Outcome plateErrors(int plates, int places, unsigned seed);
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -6,7 +6,7 @@
 
 #include "app/study/comparison/measures.h"
 
-namespace study {
+namespace study::accuracy {
 
 std::size_t Led::indexOf(const std::string& method, const std::string& setting) const {
   const auto found = std::ranges::find_if(field.names, [&](const Contenders::Name& name) {
@@ -79,4 +79,4 @@ void addLegal(Outcome& outcome, const std::string& what, const comparison::Summa
       {what + ": points through walls", double(summary.wall_passages), 0.0, "points"});
 }
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -7,7 +7,7 @@
 #include "app/study/accuracy/work_precision.h"
 #include "app/study/comparison/course.h"
 
-namespace study {
+namespace study::accuracy {
 
 /// Contenders that were all led along the same hands, several times. What they did is of the first
 /// run, what it cost is of all.
@@ -34,4 +34,4 @@ Table factsOf(const Led& led, const std::string& caption,
 /// Adds that a contender enters nothing and goes through nothing.
 void addLegal(Outcome& outcome, const std::string& what, const comparison::Summary& summary);
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -5,18 +5,18 @@
 #include <cmath>
 
 #include "app/study/accuracy/work_precision.h"
-#include "app/study/made/made.h"
 #include "app/study/reference/projection.h"
+#include "datasets/phantoms/making.h"
 #include "haptics/core/budget.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
+using datasets::Random;
 using haptics::Mat3;
 using haptics::MotionRow;
 using haptics::Twist;
 using haptics::Vec3;
-using made::Random;
 using Real = long double;
 using Vector = Eigen::Matrix<Real, 6, 1>;
 using Rows = Eigen::Matrix<Real, Eigen::Dynamic, 6>;
@@ -189,4 +189,4 @@ Outcome projections(const std::vector<Solver>& all, int rows, bool coplanar, int
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

@@ -9,7 +9,7 @@
 #include "app/study/report/outcome.h"
 #include "haptics/solver/constrained_motion.h"
 
-namespace study {
+namespace study::accuracy {
 
 /// The nearest motion that a few contacts allow.
 struct ProjectionProblem {
@@ -38,4 +38,4 @@ haptics::Twist byEnumeration(const ProjectionProblem& problem);
 Outcome projections(const std::vector<Solver>& all, int rows, bool coplanar, int count,
                     unsigned seed);
 
-}  // namespace study
+}  // namespace study::accuracy

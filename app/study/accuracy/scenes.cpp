@@ -10,7 +10,7 @@
 #include "app/study/comparison/sweep.h"
 #include "resources/messages/messages.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 using comparison::Course;
@@ -217,4 +217,4 @@ Outcome pointStudy(bool flat, const std::vector<int>& points, const std::vector<
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::accuracy

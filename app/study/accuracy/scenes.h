@@ -5,7 +5,7 @@
 
 #include "app/study/report/outcome.h"
 
-namespace study {
+namespace study::accuracy {
 
 /// How long and how often.
 struct SceneEffort {
@@ -28,4 +28,4 @@ Outcome finenessStudy(const std::string& scene, const SceneEffort& effort);
 /// Ours with 10^3 points and more, with budgets: what a budget costs in lag.
 Outcome pointStudy(bool flat, const std::vector<int>& points, const std::vector<int>& budgets_us);
 
-}  // namespace study
+}  // namespace study::accuracy

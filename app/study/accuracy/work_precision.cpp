@@ -6,7 +6,7 @@
 
 #include "app/study/comparison/measures.h"
 
-namespace study {
+namespace study::accuracy {
 namespace {
 
 /// "12.3, 15, 20, 31": median, 90 %, 99 % and greatest.
@@ -94,4 +94,4 @@ void addTo(Outcome& outcome, const WorkPrecision& work) {
   outcome.tables.push_back(std::move(table));
 }
 
-}  // namespace study
+}  // namespace study::accuracy

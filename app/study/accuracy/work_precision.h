@@ -8,7 +8,7 @@
 #include "app/study/comparison/methods.h"
 #include "app/study/report/outcome.h"
 
-namespace study {
+namespace study::accuracy {
 
 /// A method with one setting: what it cost, and how wrong it was, measured together.
 struct WorkPoint {
@@ -35,4 +35,4 @@ void addTo(Outcome& outcome, const WorkPrecision& work);
 /// Which of some points no other is at least as good as in both, and better in one.
 std::vector<bool> paretoFront(const std::vector<std::pair<double, double>>& points);
 
-}  // namespace study
+}  // namespace study::accuracy

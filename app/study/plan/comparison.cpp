@@ -11,7 +11,7 @@
 #include "haptics/servo/tick.h"
 #include "haptics/simulation/grip.h"
 
-namespace study {
+namespace study::plan {
 namespace {
 
 using haptics::Budget;
@@ -194,4 +194,4 @@ Outcome examined(const Course& course, int runs) {
   return outcome;
 }
 
-}  // namespace study
+}  // namespace study::plan

@@ -10,7 +10,7 @@
 #include "haptics/scene/scene.h"
 #include "haptics/simulation/hand.h"
 
-namespace study {
+namespace study::plan {
 
 /// What is done to a scene: a hand holds the tool, at 1 kHz.
 struct Course {
@@ -48,4 +48,4 @@ std::shared_ptr<const haptics::Scene> withEverything(const haptics::Scene& scene
 /// Every omission of the course's scene, off against on.
 Outcome examined(const Course& course, int runs);
 
-}  // namespace study
+}  // namespace study::plan

@@ -9,7 +9,7 @@
 #include "haptics/simulation/grip.h"
 #include "resources/named_tools.h"
 
-namespace study {
+namespace study::plan {
 namespace {
 
 using haptics::HandMotion;
@@ -177,4 +177,4 @@ haptics::Expected<Course> made(const Planned& planned, int ticks, std::uint64_t 
                 planned.way == Way::Aimed || planned.way == Way::Held};
 }
 
-}  // namespace study
+}  // namespace study::plan

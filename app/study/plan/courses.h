@@ -7,7 +7,7 @@
 #include "app/study/plan/comparison.h"
 #include "haptics/core/error.h"
 
-namespace study {
+namespace study::plan {
 
 /// How the hand of a course goes.
 enum class Way {
@@ -36,4 +36,4 @@ std::vector<Planned> courses(Depth depth);
 
 haptics::Expected<Course> made(const Planned& planned, int ticks, std::uint64_t seed);
 
-}  // namespace study
+}  // namespace study::plan

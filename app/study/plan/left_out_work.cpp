@@ -7,7 +7,7 @@
 
 #include "haptics/collision/motion.h"
 
-namespace study {
+namespace study::plan {
 namespace {
 
 using haptics::Budget;
@@ -213,4 +213,4 @@ void LeftOutWork::swept(const NearTool& tool, const Twist& motion, const Toleran
   }
 }
 
-}  // namespace study
+}  // namespace study::plan

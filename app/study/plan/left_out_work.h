@@ -7,7 +7,7 @@
 #include "haptics/collision/second_look.h"
 #include "haptics/plan.h"
 
-namespace study {
+namespace study::plan {
 
 /// Does what collision detection left out, where `plan` says that it is not to be left out:
 ///
@@ -37,4 +37,4 @@ class LeftOutWork final : public haptics::SecondLook {
   std::uint32_t gathered_ = 0;  ///< the search whose rows were looked at
 };
 
-}  // namespace study
+}  // namespace study::plan

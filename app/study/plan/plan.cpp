@@ -6,7 +6,7 @@
 #include "app/study/plan/courses.h"
 #include "resources/messages/messages.h"
 
-namespace study {
+namespace study::plan {
 
 Study planStudy(Depth depth) {
   const bool quick = depth == Depth::Quick;
@@ -43,4 +43,4 @@ Study planStudy(Depth depth) {
   return study;
 }
 
-}  // namespace study
+}  // namespace study::plan

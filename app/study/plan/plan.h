@@ -3,10 +3,10 @@
 
 #include "app/study/report/outcome.h"
 
-namespace study {
+namespace study::plan {
 
 /// What each scene leaves out, why, what it saves, and the proof that nothing changes: every
 /// omission of haptics/plan.h switched off against on, side by side in one process.
 Study planStudy(Depth depth);
 
-}  // namespace study
+}  // namespace study::plan

@@ -49,12 +49,13 @@ Outcome judged(const std::string& scene, const Reference& reference,
                const std::vector<Drawn>& drawn) {
   Outcome outcome;
   const std::string against = scene + " against " + reference.name;
-  WorkPrecision squares{against + ": root mean square error",
-                        "A point is a sample distance; its errors are those of the views, its "
-                        "times those of all their frames.",
-                        "frame time [ms]", "RMSE [grey levels]"};
-  WorkPrecision structure{against + ": structure", squares.description, squares.cost_label,
-                          "1 - SSIM"};
+  accuracy::WorkPrecision squares{
+      against + ": root mean square error",
+      "A point is a sample distance; its errors are those of the views, its "
+      "times those of all their frames.",
+      "frame time [ms]", "RMSE [grey levels]"};
+  accuracy::WorkPrecision structure{against + ": structure", squares.description,
+                                    squares.cost_label, "1 - SSIM"};
   for (const Drawn& d : drawn) {
     std::vector<double> times;
     for (const Shot& shot : d.views)
@@ -64,8 +65,8 @@ Outcome judged(const std::string& scene, const Reference& reference,
         {d.back_end, settingOf(d), times,
          errorsOf(d, reference, [](const Image& a, const Image& b) { return 1.0 - ssim(a, b); })});
   }
-  addTo(outcome, squares);
-  addTo(outcome, structure);
+  accuracy::addTo(outcome, squares);
+  accuracy::addTo(outcome, structure);
 
   for (const std::string& back_end : backEndsOf(drawn)) {
     double least_shown = INFINITY, greatest_rise = 0.0, before = INFINITY;

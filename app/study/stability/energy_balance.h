@@ -6,8 +6,9 @@
 #include "app/study/report/outcome.h"
 #include "haptics/coupling/passivity.h"
 #include "haptics/simulation/grip.h"
+#include "haptics/solver/mass_metric.h"
 
-namespace study {
+namespace study::stability {
 
 /// What a loop gives to the hand, against what is unavoidable and what is taken away, tick by tick.
 ///
@@ -51,4 +52,4 @@ class EnergyBalance {
   double most_given_ = 0.0, most_own_ = 0.0, most_left_ = 0.0;
 };
 
-}  // namespace study
+}  // namespace study::stability

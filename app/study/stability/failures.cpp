@@ -3,24 +3,22 @@
 
 #include <random>
 
-namespace study {
-namespace failures {
-
+namespace study::stability {
 std::shared_ptr<const haptics::Scene> noisySphere(double noise, unsigned seed, haptics::Tool tool) {
   std::mt19937 engine{seed};
   std::normal_distribution<double> grain{0.0, noise > 0.0 ? 600.0 * noise : 1.0};
-  return made::scene(datasets::sampledFloat(cube(48),
-                                            [&](const Vec3& p) {
-                                              return std::clamp(1e5 * (0.015 - p.norm()), -300.0,
-                                                                300.0) +
-                                                     (noise > 0.0 ? grain(engine) : 0.0);
-                                            }),
-                     std::move(tool));
+  return sceneOf(datasets::sampledFloat(cube(48),
+                                        [&](const Vec3& p) {
+                                          return std::clamp(1e5 * (0.015 - p.norm()), -300.0,
+                                                            300.0) +
+                                                 (noise > 0.0 ? grain(engine) : 0.0);
+                                        }),
+                 std::move(tool));
 }
 
 std::shared_ptr<const haptics::Scene> sphere(haptics::Tool tool) {
-  return made::scene(datasets::solid(cube(64), [](const Vec3& p) { return p.norm() - 0.02; }),
-                     std::move(tool));
+  return sceneOf(datasets::solid(cube(64), [](const Vec3& p) { return p.norm() - 0.02; }),
+                 std::move(tool));
 }
 
 void drag(Trial& trial, const Vec3& middle, double reach, unsigned seed, int moves) {
@@ -33,7 +31,7 @@ void drag(Trial& trial, const Vec3& middle, double reach, unsigned seed, int mov
   }
 }
 
-void Recorder::add(const Trial& trial) {
+void DeviceDistances::add(const Trial& trial) {
   if (ticks_.size() < trial.behind.size()) ticks_.resize(trial.behind.size());
   for (std::size_t n = 0; n < trial.behind.size(); ++n) {
     Tick& tick = ticks_[n];
@@ -44,7 +42,7 @@ void Recorder::add(const Trial& trial) {
   }
 }
 
-Plot Recorder::plot(const std::string& name) const {
+Plot DeviceDistances::plot(const std::string& name) const {
   constexpr std::size_t kPoints = 60;
   const std::size_t every = std::max<std::size_t>(1, (ticks_.size() + kPoints - 1) / kPoints);
   Series series{"all trials", {}};
@@ -68,14 +66,12 @@ Plot Recorder::plot(const std::string& name) const {
   return plot;
 }
 
-}  // namespace failures
-
 std::vector<Job> failureJobs(Depth depth) {
   const int tries = depth == Depth::Full ? 10 : 1;
   std::vector<Job> jobs;
-  for (auto group : {failures::surfaces, failures::insides, failures::motions, failures::shells})
+  for (auto group : {surfaces, insides, motions, shells})
     for (Job& job : group(tries)) jobs.push_back(std::move(job));
   return jobs;
 }
 
-}  // namespace study
+}  // namespace study::stability

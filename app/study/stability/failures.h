@@ -7,20 +7,16 @@
 #include <utility>
 #include <vector>
 
-#include "app/study/made/made.h"
 #include "app/study/report/outcome.h"
 #include "app/study/stability/trial.h"
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
 
-namespace study {
+namespace study::stability {
 
 /// Situations in which the paper's method, or a plausible step beyond it, fails: each a case with
 /// its bound. A quick study makes a tenth of the tries.
 std::vector<Job> failureJobs(Depth depth);
-
-// what the groups of cases share
-namespace failures {
 
 using datasets::Random;
 using haptics::Pose;
@@ -37,10 +33,21 @@ std::vector<Job> insides(int tries);   ///< isovalues that move, plateaus, numbe
 std::vector<Job> motions(int tries);   ///< leaps, turns, long slides, grooves, rest
 std::vector<Job> shells(int tries);    ///< very many points, very few, very large, very far
 
-using made::at;
-inline haptics::Grid cube(std::int64_t n, double spacing = h) { return made::centred(n, spacing); }
+inline Pose at(const Vec3& p, const Quat& q = Quat::Identity()) { return haptics::poseOf(p, q); }
+inline Pose at(double x, double y, double z) { return at(Vec3{x, y, z}); }
+inline haptics::Tool toolOf(std::vector<Vec3> points) {
+  return {"", {}, haptics::makeShell(std::move(points)).value()};
+}
+inline std::shared_ptr<const haptics::Scene> sceneOf(haptics::Volume volume, haptics::Tool tool) {
+  return haptics::makeScene(std::make_shared<const haptics::Volume>(std::move(volume)),
+                            std::move(tool))
+      .value();
+}
+inline haptics::Grid cube(std::int64_t n, double spacing = h) {
+  return datasets::centredGrid(n, spacing);
+}
 inline haptics::Tool ball(int count, double radius) {
-  return made::tool(made::ballPoints(count, radius));
+  return toolOf(datasets::ballPoints(count, radius));
 }
 /// A ball of 15 mm whose surface is a ramp of six voxels, under noise: a share of the range.
 std::shared_ptr<const haptics::Scene> noisySphere(double noise, unsigned seed, haptics::Tool tool);
@@ -50,7 +57,7 @@ std::shared_ptr<const haptics::Scene> sphere(haptics::Tool tool);
 void drag(Trial& trial, const Vec3& middle, double reach, unsigned seed, int moves);
 
 /// How far the proxies of some trials were from their devices, tick by tick.
-class Recorder {
+class DeviceDistances {
  public:
   void add(const Trial& trial);
   /// Mean, least and greatest of all trials over time.
@@ -68,7 +75,7 @@ class Recorder {
 struct Watch {
   int illegal = 0, non_finite = 0;
   std::int64_t most_work = 0;
-  Recorder recorder = {};
+  DeviceDistances recorder = {};
   void add(const Trial& trial) {
     recorder.add(trial);
     illegal += trial.illegal;
@@ -101,5 +108,4 @@ inline Plot overTime(std::string title, std::string description, std::string y) 
   return {std::move(title), std::move(description), {"time [s]"}, {std::move(y)}};
 }
 
-}  // namespace failures
-}  // namespace study
+}  // namespace study::stability

@@ -15,7 +15,7 @@
 #include "haptics/simulation/allowed_stiffness.h"
 #include "resources/messages/messages.h"
 
-namespace study {
+namespace study::stability {
 namespace {
 
 using haptics::ClosedLoop;
@@ -169,10 +169,10 @@ Turned turnHandle(DeviceModel device, double arm, bool torque, double stiffness,
   device.linkage.torque = torque;
   Stage stage = makeStage("ball", 0.0, 1);
   // a flat wall, and a ball at the end of the arm
-  stage.scene = made::scene(
-      datasets::sampledFloat(failures::cube(48),
-                             [](const Vec3& p) { return std::clamp(-1e5 * p.z(), -300.0, 300.0); }),
-      failures::ball(100, 3e-3));
+  stage.scene =
+      sceneOf(datasets::sampledFloat(
+                  cube(48), [](const Vec3& p) { return std::clamp(-1e5 * p.z(), -300.0, 300.0); }),
+              ball(100, 3e-3));
   ClosedLoop loop = loopOf({device}, stage.scene, 0.0, stiffness, shipped);
   if (torque) loop.limits.torque = INFINITY;
   // the handle's own extent, not that of the ball 200 mm away
@@ -187,8 +187,7 @@ Turned turnHandle(DeviceModel device, double arm, bool torque, double stiffness,
     const double t = 2e-3 * n, angle = -0.05 * std::sin(2.0 * std::numbers::pi * 2.0 * t);
     // a little beside, a quarter of a turn late, as a hand is that gives way
     const Vec3 aside{0.0, 0.0, 2e-3 * (1.0 - std::cos(2.0 * std::numbers::pi * 2.0 * t))};
-    const Pose X_WH =
-        failures::at(pivot + aside, Quat{Eigen::AngleAxisd{angle, Vec3::UnitX()}} * level);
+    const Pose X_WH = at(pivot + aside, Quat{Eigen::AngleAxisd{angle, Vec3::UnitX()}} * level);
     Pose X_WD = X_WH;
     X_WD.translation() += X_WH.linear() * device.linkage.arm;
     times.push_back(wait + t);
@@ -313,4 +312,4 @@ std::vector<Job> handJobs(Depth depth) {
   return jobs;
 }
 
-}  // namespace study
+}  // namespace study::stability

@@ -2,7 +2,7 @@
 #include "app/study/stability/failures.h"
 #include "haptics/simulation/penetration.h"
 
-namespace study::failures {
+namespace study::stability {
 namespace {
 
 using haptics::ScalarType;
@@ -25,10 +25,9 @@ int ticksToLeave(Trial& trial, const Pose& D, Trace* trace = nullptr) {
 
 Outcome twoMillimetresInside(int, std::uint64_t) {
   Outcome outcome;
-  const auto scene =
-      made::scene(datasets::solid(
-                      cube(64), [](const Vec3& p) { return p.norm() - 0.015; }, 10.0),
-                  ball(200, 3e-3));
+  const auto scene = sceneOf(datasets::solid(
+                                 cube(64), [](const Vec3& p) { return p.norm() - 0.015; }, 10.0),
+                             ball(200, 3e-3));
   const Pose D = at(0, 0, 0.0175), away = at(0, 0, 0.040);
   Trial trial{scene, datasets::kSolidIso, at(0, 0, 0.03)};
   trial.carry(at(0, 0, 0.03), D, 40);
@@ -60,11 +59,11 @@ Outcome twoMillimetresInside(int, std::uint64_t) {
 
 /// A block of one value, z < 0, in a medium of another.
 std::shared_ptr<const haptics::Scene> plateaus() {
-  return made::scene(datasets::filled(cube(48), ScalarType::Int16,
-                                      [](auto i, auto, auto k) {
-                                        return k < 24 ? 1000.0 : i < 8 ? 0.0 : 500.0;
-                                      }),
-                     ball(100, 2e-3));
+  return sceneOf(datasets::filled(cube(48), ScalarType::Int16,
+                                  [](auto i, auto, auto k) {
+                                    return k < 24 ? 1000.0 : i < 8 ? 0.0 : 500.0;
+                                  }),
+                 ball(100, 2e-3));
 }
 
 Outcome plateauBuries(int, std::uint64_t) {
@@ -115,7 +114,7 @@ Outcome voxelsThatAreNoNumbers(int, std::uint64_t seed) {
     Random random{unsigned(203 + seed)};
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
-    const auto scene = made::scene(
+    const auto scene = sceneOf(
         datasets::filled(cube(48), ScalarType::Float32,
                          [&](auto, auto, auto k) {
                            const double value = std::clamp(4000.0 * (24.0 - double(k)), -9e3, 9e3);
@@ -154,7 +153,7 @@ Outcome endsOfTheData(int, std::uint64_t seed) {
     return p.norm() < 0.012 ? random.in(1999.0, 2040.0) : random.in(-1000.0, -950.0);
   });
   const double least = volume.least, greatest = volume.greatest;
-  const auto scene = made::scene(std::move(volume), ball(300, 2e-3));
+  const auto scene = sceneOf(std::move(volume), ball(300, 2e-3));
   Watch watch;
   for (const double isovalue : {least, least + 0.01, -999.0, -950.0, 1999.0, 2039.0, greatest}) {
     Random hand{unsigned(206 + seed)};
@@ -175,10 +174,9 @@ Outcome endsOfTheData(int, std::uint64_t seed) {
 // the slider moved in every tick: a ball that breathes, faster than the tool is brought out of it
 Outcome sweptIsovalue(int tries, std::uint64_t) {
   Outcome outcome;
-  const auto scene =
-      made::scene(datasets::solid(
-                      cube(64), [](const Vec3& p) { return p.norm() - 0.015; }, 10.0),
-                  ball(200, 3e-3));
+  const auto scene = sceneOf(datasets::solid(
+                                 cube(64), [](const Vec3& p) { return p.norm() - 0.015; }, 10.0),
+                             ball(200, 3e-3));
   const Pose D = at(0, 0, 0.0175);
   Trial trial{scene, datasets::kSolidIso, at(0, 0, 0.03)};
   trial.carry(at(0, 0, 0.03), D, 40);
@@ -225,7 +223,7 @@ Outcome emptyAndAllInside(int tries, std::uint64_t seed) {
   {
     auto volume =
         datasets::filled(cube(24), ScalarType::Int16, [](auto, auto, auto) { return 7.0; });
-    Trial trial{made::scene(std::move(volume), ball(100, 2e-3)), 500.0, at(0, 0, 0.03)};
+    Trial trial{sceneOf(std::move(volume), ball(100, 2e-3)), 500.0, at(0, 0, 0.03)};
     int felt = 0;
     Random random{unsigned(223 + seed)};
     for (int n = 0; n < 200 * tries; ++n) {
@@ -241,7 +239,7 @@ Outcome emptyAndAllInside(int tries, std::uint64_t seed) {
     auto volume = datasets::filled(cube(24), ScalarType::Int16, [](auto i, auto j, auto k) {
       return i + j + k == 0 ? 0.0 : 1000.0;  // but for one voxel, so that there is a background
     });
-    Trial trial{made::scene(std::move(volume), ball(100, 2e-3)), 500.0, at(0, 0, 0.03)};
+    Trial trial{sceneOf(std::move(volume), ball(100, 2e-3)), 500.0, at(0, 0, 0.03)};
     drag(trial, Vec3::Zero(), 0.02, unsigned(124 + seed), 30 * tries);
     outcome.cases.push_back({"all-inside volume/ticks in contact", double(trial.contact), 1.0, "",
                              Case::Sense::AtLeast});
@@ -275,4 +273,4 @@ std::vector<Job> insides(int tries) {
           job("empty and all inside", 0.5 * tries, emptyAndAllInside)};
 }
 
-}  // namespace study::failures
+}  // namespace study::stability

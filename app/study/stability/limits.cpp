@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace study {
+namespace study::stability {
 namespace {
 
 using haptics::DeviceModel;
@@ -162,4 +162,4 @@ std::vector<Job> limitJobs(Depth depth) {
   return jobs;
 }
 
-}  // namespace study
+}  // namespace study::stability

@@ -8,7 +8,7 @@
 #include "app/study/stability/wall.h"
 #include "haptics/simulation/device_model.h"
 
-namespace study {
+namespace study::stability {
 
 /// "1 kHz".
 std::string rateOf(double period);
@@ -36,4 +36,4 @@ Case limitCase(const haptics::DeviceModel& device, double period, int lag);
 /// controller and dry friction, with no and one period of delay; in full two and four as well.
 std::vector<Job> limitJobs(Depth depth);
 
-}  // namespace study
+}  // namespace study::stability

@@ -4,7 +4,7 @@
 #include "app/study/stability/failures.h"
 #include "datasets/phantoms/shapes.h"
 
-namespace study::failures {
+namespace study::stability {
 namespace {
 
 Outcome leaps(int tries, std::uint64_t seed) {
@@ -53,7 +53,7 @@ Outcome leaps(int tries, std::uint64_t seed) {
 
 Outcome longTool(int, std::uint64_t) {
   Outcome outcome;
-  const auto scene = sphere(made::tool(datasets::rodPoints(2000, 0.3, 3e-3)));
+  const auto scene = sphere(toolOf(datasets::rodPoints(2000, 0.3, 3e-3)));
   Trial trial{scene, datasets::kSolidIso, at(0, 0, 0.04)};
   trial.carry(at(0, 0, 0.04), at(0, 0, 0.020), 60);
   double worst = 0.0;
@@ -98,9 +98,9 @@ Outcome halfTurn(int, std::uint64_t seed) {
   for (int k = 0; k < 4; ++k) {
     const Quat q = random.rotation();
     const Vec3 across = q * Vec3::UnitX(), axis = q * Vec3::UnitZ();
-    const auto scene = made::scene(
+    const auto scene = sceneOf(
         datasets::solid(cube(60), [&](const Vec3& p) { return 2.5e-3 - std::abs(across.dot(p)); }),
-        made::tool(bar));
+        toolOf(bar));
     Trial trial{scene, datasets::kSolidIso, at(Vec3::Zero(), q)};
     trial.coupling.angular_stiffness = 1.0;  // N·m/rad
     double torque = 0.0, largest = 0.0;
@@ -136,15 +136,15 @@ Outcome longSlide(int tries, std::uint64_t) {
   Outcome outcome;
   Watch watch;
   for (const bool bumpy : {false, true}) {
-    const auto scene = made::scene(
-        datasets::sampledFloat(cube(60),
-                               [&](const Vec3& p) {
-                                 const double height =
-                                     bumpy ? 1e-3 * std::sin(700 * p.x()) * std::sin(900 * p.y())
-                                           : 0.0;
-                                 return 1000.0 - 4e6 * (p.z() - height);
-                               }),
-        ball(100, 3e-3));
+    const auto scene = sceneOf(datasets::sampledFloat(cube(60),
+                                                      [&](const Vec3& p) {
+                                                        const double height =
+                                                            bumpy ? 1e-3 * std::sin(700 * p.x()) *
+                                                                        std::sin(900 * p.y())
+                                                                  : 0.0;
+                                                        return 1000.0 - 4e6 * (p.z() - height);
+                                                      }),
+                               ball(100, 3e-3));
     const auto device = [](int n) {
       return at(0.015 * std::sin(3e-3 * n), 0.015 * std::cos(1.7e-3 * n), 1e-3);
     };
@@ -176,10 +176,9 @@ Outcome groove(int tries, std::uint64_t seed) {
     datasets::shapes::Wedge wedge;
     wedge.half_angle = degrees * std::numbers::pi / 180.0;
     wedge.bottom = -0.012;
-    const auto scene =
-        made::scene(datasets::solid(
-                        cube(64), [&](const Vec3& p) { return wedge.distance(p); }, 8.0),
-                    ball(1000, size));
+    const auto scene = sceneOf(datasets::solid(
+                                   cube(64), [&](const Vec3& p) { return wedge.distance(p); }, 8.0),
+                               ball(1000, size));
     const double ideal =
         wedge.bottom + (size + scene->lengths.rest_gap) / std::sin(wedge.half_angle);
     Random random{unsigned(208 + seed)};
@@ -214,7 +213,7 @@ Outcome rest(int tries, std::uint64_t seed) {
   Watch watch;
   Random random{unsigned(209 + seed)};
   const auto scene =
-      noisySphere(0.05, unsigned(210 + seed), made::tool(datasets::rodPoints(300, 0.02, 1.5e-3)));
+      noisySphere(0.05, unsigned(210 + seed), toolOf(datasets::rodPoints(300, 0.02, 1.5e-3)));
   int held = 0, still = 0;
   std::vector<double> wander;
   const int holds = 4 + 8 * tries;
@@ -264,9 +263,9 @@ Outcome rest(int tries, std::uint64_t seed) {
 Outcome takenBack(int tries, std::uint64_t seed) {
   Outcome outcome;
   Random random{unsigned(211 + seed)};
-  const auto scene = made::scene(datasets::whiteNoise(cube(48), unsigned(212 + seed)),
-                                 made::tool(datasets::rodPoints(120, 0.016, 1e-3)));
-  Recorder recorder;
+  const auto scene = sceneOf(datasets::whiteNoise(cube(48), unsigned(212 + seed)),
+                             toolOf(datasets::rodPoints(120, 0.016, 1e-3)));
+  DeviceDistances recorder;
   int ticks = 0, differing = 0, contact = 0, illegal = 0;
   for (int n = 0; n < 2 * tries; ++n) {
     const Pose start = at(random.box(0.01) + Vec3{0, 0, 0.04}, random.rotation());
@@ -322,4 +321,4 @@ std::vector<Job> motions(int tries) {
           job("taken back", 0.7 * tries, takenBack)};
 }
 
-}  // namespace study::failures
+}  // namespace study::stability

@@ -7,7 +7,7 @@
 #include "app/study/stability/limits.h"
 #include "app/study/stability/presses.h"
 
-namespace study {
+namespace study::stability {
 namespace {
 
 using haptics::DeviceModel;
@@ -110,4 +110,4 @@ std::vector<Job> planeLimitJobs(Depth depth) {
   return jobs;
 }
 
-}  // namespace study
+}  // namespace study::stability

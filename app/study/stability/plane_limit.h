@@ -6,7 +6,7 @@
 #include "app/study/report/outcome.h"
 #include "app/study/stability/wall.h"
 
-namespace study {
+namespace study::stability {
 
 /// The press of wall.h with everything in the loop: the tick with a plate of points on a
 /// half-space, six degrees of freedom, the limits of the device. Same arrival, same verdict, by the
@@ -21,4 +21,4 @@ Limit planeLimit(const Wall& wall);
 /// Every device at 1 and 4 kHz; three of them at 1 kHz where it is quick.
 std::vector<Job> planeLimitJobs(Depth depth);
 
-}  // namespace study
+}  // namespace study::stability

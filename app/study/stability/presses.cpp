@@ -13,7 +13,7 @@
 #include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/allowed_stiffness.h"
 
-namespace study {
+namespace study::stability {
 namespace {
 
 using haptics::DeviceModel;
@@ -31,7 +31,7 @@ template <class Distance>
 haptics::Volume ramp(double noise, unsigned seed, Distance&& distance) {
   std::mt19937 engine{seed};
   std::normal_distribution<double> grain{0.0, 1.0};
-  return datasets::sampledFloat(failures::cube(48), [&](const Vec3& p) {
+  return datasets::sampledFloat(cube(48), [&](const Vec3& p) {
     return std::clamp(-1e5 * distance(p), -300.0, 300.0) +
            (noise > 0.0 ? 600.0 * noise * grain(engine) : 0.0);
   });
@@ -233,23 +233,22 @@ haptics::ClosedLoop loopOf(const Wall& wall, std::shared_ptr<const haptics::Scen
 }
 
 Stage makeStage(const std::string& name, double noise, unsigned seed) {
-  using failures::at;
   Stage stage{name, nullptr, 0.0, at(0, 0, 0), at(0, 0, 0)};
   double top = 0.0;
   Quat q = Quat::Identity();
   if (name == "plane") {
-    stage.scene = made::scene(ramp(noise, seed, [](const Vec3& p) { return p.z(); }),
-                              made::tool(datasets::platePoints(6, 0.02)));
+    stage.scene = sceneOf(ramp(noise, seed, [](const Vec3& p) { return p.z(); }),
+                          toolOf(datasets::platePoints(6, 0.02)));
   } else if (name == "groove") {
     datasets::shapes::Wedge wedge;
     wedge.bottom = -0.008;
-    stage.scene = made::scene(ramp(noise, seed, [&](const Vec3& p) { return wedge.distance(p); }),
-                              made::tool(datasets::rodPoints(100, 0.016, 2e-3)));
+    stage.scene = sceneOf(ramp(noise, seed, [&](const Vec3& p) { return wedge.distance(p); }),
+                          toolOf(datasets::rodPoints(100, 0.016, 2e-3)));
     q = Quat{Eigen::AngleAxisd{0.5 * std::numbers::pi, Vec3::UnitZ()}};
     top = wedge.bottom + 2e-3 / std::sin(wedge.half_angle);
   } else {
-    stage.scene = made::scene(ramp(noise, seed, [](const Vec3& p) { return p.norm() - 0.015; }),
-                              failures::ball(100, 3e-3));
+    stage.scene =
+        sceneOf(ramp(noise, seed, [](const Vec3& p) { return p.norm() - 0.015; }), ball(100, 3e-3));
     top = 0.018;
     stage.deepest = 0.5 * top;  // of the way to the middle of the ball
   }
@@ -379,4 +378,4 @@ std::vector<Job> pressJobs(Depth depth) {
   return jobs;
 }
 
-}  // namespace study
+}  // namespace study::stability

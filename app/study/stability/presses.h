@@ -10,7 +10,7 @@
 #include "app/study/stability/wall.h"
 #include "haptics/simulation/closed_loop.h"
 
-namespace study {
+namespace study::stability {
 
 /// The loop of a wall, touching a scene instead, as the program ships it: within the device's
 /// rating, with its ramp and the guard of passivity. Not `shipped`: within the rating, nothing
@@ -59,4 +59,4 @@ PressResult press(const Wall& wall, const Stage& stage, double stiffness, bool s
 /// some devices what the guard, virtual damping and the passivity controller each do.
 std::vector<Job> pressJobs(Depth depth);
 
-}  // namespace study
+}  // namespace study::stability

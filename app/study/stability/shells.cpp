@@ -5,7 +5,7 @@
 #include "haptics/coupling/safety.h"
 #include "haptics/solver/constrained_motion.h"
 
-namespace study::failures {
+namespace study::stability {
 namespace {
 
 using haptics::ScalarType;
@@ -33,7 +33,7 @@ Outcome coplanar(int tries, std::uint64_t) {
     const auto points = count == 2
                             ? std::vector<Vec3>{{-0.02, 0, 0}, {0.02, 0, 0}}
                             : datasets::platePoints(int(std::lround(std::sqrt(count))), 0.04);
-    const auto scene = haptics::makeScene(volume, made::tool(points)).value();
+    const auto scene = haptics::makeScene(volume, toolOf(points)).value();
     Trial trial{scene, 1000.0, at(-0.006, 0, 2e-3)};
     trial.carry(at(-0.006, 0, 2e-3), at(-0.006, 0, -1e-3), 30);
     double worst = 0.0;
@@ -69,7 +69,7 @@ Outcome manyPoints(int tries, std::uint64_t) {
   double coupling[2] = {};
   Watch watch;
   for (const bool is_many : {false, true}) {
-    const auto scene = sphere(made::tool(datasets::rodPoints(is_many ? count : 2000, 0.06, 2e-3)));
+    const auto scene = sphere(toolOf(datasets::rodPoints(is_many ? count : 2000, 0.06, 2e-3)));
     Trial trial{scene, datasets::kSolidIso, at(0, 0, 0.03)};
     trial.judged = !is_many;
     trial.carry(at(0, 0, 0.03), at(0, 0, 0.019), 60);
@@ -94,7 +94,7 @@ Outcome manyPoints(int tries, std::uint64_t) {
 // voxels near the top of 32 bits, where a float cannot tell neighbours apart
 Outcome beyondFloat(int tries, std::uint64_t) {
   Outcome outcome;
-  const auto scene = made::scene(
+  const auto scene = sceneOf(
       datasets::filled(cube(48), ScalarType::UInt32,
                        [](auto, auto, auto k) { return 4.0e9 - 100.0 * (double(k) - 24.0); }),
       ball(200, 3e-3));
@@ -127,7 +127,7 @@ Outcome fewPoints(int tries, std::uint64_t seed) {
   for (const auto& points :
        {std::vector<Vec3>{Vec3::Zero()}, std::vector<Vec3>{{0, 0, 0}, {0, 0, 5e-3}},
         std::vector<Vec3>{{0, 0, 0}, {0, 0, 5e-3}, {0, 0, 1e-2}}}) {
-    Trial trial{haptics::makeScene(volume, made::tool(points)).value(), datasets::kSolidIso,
+    Trial trial{haptics::makeScene(volume, toolOf(points)).value(), datasets::kSolidIso,
                 at(0, 0, 0.03)};
     drag(trial, Vec3::Zero(), 0.012, unsigned(125 + seed), 20 * tries);
     tellContact(
@@ -221,7 +221,7 @@ Outcome illConditioned(int tries, std::uint64_t seed) {
 Outcome largeAndFar(int tries, std::uint64_t seed) {
   Outcome outcome;
   {
-    const auto scene = made::scene(
+    const auto scene = sceneOf(
         datasets::solid(cube(24), [](const Vec3& p) { return p.norm() - 0.008; }), ball(400, 0.1));
     Trial trial{scene, datasets::kSolidIso, at(0.15, 0, 0)};
     drag(trial, Vec3::Zero(), 0.13, unsigned(123 + seed), 10 + 20 * tries);
@@ -232,13 +232,13 @@ Outcome largeAndFar(int tries, std::uint64_t seed) {
     const Vec3 far = k * Vec3{10.0, -10.0, 10.0};
     haptics::Grid grid = cube(40, 3e-4);
     grid.origin += far;
-    const auto scene = made::scene(
-        datasets::sampledFloat(grid,
-                               [&](const Vec3& p) {
-                                 return 1000.0 -
-                                        1e7 * std::clamp((p - far).norm() - 0.004, -1e-3, 1e-3);
-                               }),
-        ball(100, 1e-3));
+    const auto scene =
+        sceneOf(datasets::sampledFloat(grid,
+                                       [&](const Vec3& p) {
+                                         return 1000.0 - 1e7 * std::clamp((p - far).norm() - 0.004,
+                                                                          -1e-3, 1e-3);
+                                       }),
+                ball(100, 1e-3));
     const Pose from = at(far + Vec3{0, 0, 0.01}), D = at(far + Vec3{0, 0, 0.003});
     Trial trial{scene, 1000.0, from};
     drag(trial, far, 0.005, unsigned(127 + seed), 10 * tries);
@@ -311,4 +311,4 @@ std::vector<Job> shells(int tries) {
           job("saturation", 0.2, saturation)};
 }
 
-}  // namespace study::failures
+}  // namespace study::stability

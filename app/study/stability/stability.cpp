@@ -9,7 +9,7 @@
 #include "app/study/stability/plane_limit.h"
 #include "app/study/stability/presses.h"
 
-namespace study {
+namespace study::stability {
 namespace {
 
 /// What is coarser than the full product of everything with everything, so that nothing is skipped
@@ -79,4 +79,4 @@ Study stabilityStudy(Depth depth) {
   return study;
 }
 
-}  // namespace study
+}  // namespace study::stability

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/study/made/arcs.h"
+#include "app/study/arcs/arcs.h"
 #include "app/study/stability/failures.h"
 
-namespace study::failures {
+namespace study::stability {
 namespace {
 
 using haptics::Grid;
@@ -28,9 +28,9 @@ Outcome thinPlate(int tries, std::uint64_t seed) {
       const Quat q = random.rotation();
       const Vec3 n = q * Vec3::UnitZ();
       const auto scene =
-          made::scene(datasets::filled(turned(65, q), ScalarType::Int16,
-                                       [](auto, auto, auto z) { return z == 32 ? 1000.0 : 0.0; }),
-                      ball(20, 2e-3));
+          sceneOf(datasets::filled(turned(65, q), ScalarType::Int16,
+                                   [](auto, auto, auto z) { return z == 32 ? 1000.0 : 0.0; }),
+                  ball(20, 2e-3));
       for (int shot = 0; shot < 10 * tries; ++shot) {
         const Vec3 side = q * Vec3{random.in(-5e-3, 5e-3), random.in(-5e-3, 5e-3), 0.0};
         const Pose start = at(side + 8e-3 * n, random.rotation());
@@ -62,7 +62,7 @@ Outcome thinPlate(int tries, std::uint64_t seed) {
 // arcs of one point in white noise: a point-by-point test misses 7 to 47 % of the hits
 Outcome arcsInNoise(int tries, std::uint64_t seed) {
   Outcome outcome;
-  made::Random random{unsigned(221 + seed)};
+  datasets::Random random{unsigned(221 + seed)};
   const arcs::Target target = arcs::noise(unsigned(222 + seed));
   Plot plot{"F1b arcs in white noise: how late",
             "How far beyond the first place inside an arc was stopped at most, in voxels of path, "
@@ -98,14 +98,13 @@ Outcome plateWithNoise(int, std::uint64_t seed) {
     Random random{unsigned(202 + seed)};
     const Quat q = random.rotation();
     const Vec3 n = q * Vec3::UnitZ(), along = q * Vec3::UnitX();
-    const auto scene =
-        made::scene(datasets::filled(turned(41, q), ScalarType::Float32,
-                                     [&](auto, auto, auto z) {
-                                       // 2 % rms, never so much that the plate has holes
-                                       return (z == 20 ? 1000.0 : 0.0) +
-                                              20.0 * std::sqrt(3.0) * random.in(-1, 1);
-                                     }),
-                    made::tool({Vec3::Zero()}));
+    const auto scene = sceneOf(datasets::filled(turned(41, q), ScalarType::Float32,
+                                                [&](auto, auto, auto z) {
+                                                  // 2 % rms, never so much that the plate has holes
+                                                  return (z == 20 ? 1000.0 : 0.0) +
+                                                         20.0 * std::sqrt(3.0) * random.in(-1, 1);
+                                                }),
+                               toolOf({Vec3::Zero()}));
     const double face = h * (1.0 - isovalue / 1000.0);
     const auto device = [&](double share) {
       return at((24e-3 * share - 12e-3) * along - 1e-3 * n + face * n);
@@ -205,7 +204,7 @@ Outcome longVoxels(int tries, std::uint64_t seed) {
     std::mt19937 engine{unsigned(204 + seed)};
     std::normal_distribution<double> grain{0.0, 1.0};
     // the noise moves the surface by a seventh of a small voxel
-    const auto scene = made::scene(
+    const auto scene = sceneOf(
         datasets::sampledFloat(
             grid, [&](const Vec3& p) { return -1000.0 * n.dot(p) / fine + 150.0 * grain(engine); }),
         ball(200, 2e-3));
@@ -243,4 +242,4 @@ std::vector<Job> surfaces(int tries) {
           job("noise on a sphere", 3.0, noiseOnASphere), job("long voxels", 1.0, longVoxels)};
 }
 
-}  // namespace study::failures
+}  // namespace study::stability

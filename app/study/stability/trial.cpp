@@ -3,7 +3,7 @@
 
 #include "app/study/reference/solid.h"
 
-namespace study {
+namespace study::stability {
 
 bool isOutside(const haptics::Volume& volume, double isovalue,
                const std::vector<haptics::Vec3>& points, const haptics::Pose& X_WP) {
@@ -13,4 +13,4 @@ bool isOutside(const haptics::Volume& volume, double isovalue,
                       [&](const haptics::Vec3& p) { return solid.inside(X_WP * p); });
 }
 
-}  // namespace study
+}  // namespace study::stability

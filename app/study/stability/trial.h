@@ -9,12 +9,12 @@
 
 #include "haptics/servo/tick.h"
 
-namespace study {
+namespace study::stability {
 
 /// Whether every shell point is outside at a pose, by somebody who shares no code with the field.
-using Judge = bool (*)(const haptics::Volume&, double isovalue, const std::vector<haptics::Vec3>&,
-                       const haptics::Pose&);
-/// The judge of the studies: the paper's solid in `reference`, with F = s inside.
+using PoseCheck = bool (*)(const haptics::Volume&, double isovalue,
+                           const std::vector<haptics::Vec3>&, const haptics::Pose&);
+/// The check of the study: the paper's solid in `reference`, with F = s inside.
 bool isOutside(const haptics::Volume& volume, double isovalue,
                const std::vector<haptics::Vec3>& points, const haptics::Pose& X_WP);
 
@@ -22,12 +22,12 @@ bool isOutside(const haptics::Volume& volume, double isovalue,
 /// judged. All work is counted, so that every run is the same.
 struct Trial {
   Trial(std::shared_ptr<const haptics::Scene> in, double s, const haptics::Pose& X_start,
-        Judge by = isOutside)
+        PoseCheck by = isOutside)
       : scene{std::move(in)}, isovalue{s}, judge{by}, proxy{*scene, X_start} {}
 
   std::shared_ptr<const haptics::Scene> scene;
   double isovalue;
-  Judge judge;
+  PoseCheck judge;
   haptics::VirtualCoupling coupling{1000.0, 0.0};
   haptics::Proxy proxy;
   haptics::TickResult last = {};
@@ -82,4 +82,4 @@ struct Trial {
   }
 };
 
-}  // namespace study
+}  // namespace study::stability

@@ -8,7 +8,7 @@
 #include "app/study/page/plot.h"
 #include "haptics/coupling/passivity.h"
 
-namespace study {
+namespace study::stability {
 namespace {
 
 using haptics::Grip;
@@ -134,4 +134,4 @@ double linearLimit(const Wall& wall) {
       .stiffness;
 }
 
-}  // namespace study
+}  // namespace study::stability

@@ -8,7 +8,7 @@
 
 #include "haptics/simulation/device_model.h"
 
-namespace study {
+namespace study::stability {
 
 /// A device in a hand, pressed along z on a virtual wall z < 0: one degree of freedom and no
 /// proxy, to find what the sampled loop by itself can carry.
@@ -99,4 +99,4 @@ Limit measuredLimit(const Wall& wall);
 /// friction and controller, and with a wall that pulls as well. Another way to the same figure.
 double linearLimit(const Wall& wall);
 
-}  // namespace study
+}  // namespace study::stability

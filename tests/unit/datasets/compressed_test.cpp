@@ -13,13 +13,13 @@
 #include <thread>
 #include <vector>
 
-#include "app/study/made/made.h"
 #include "datasets/decode/service.h"
 #include "datasets/readers/dicom/codestream.h"
 #include "datasets/readers/dicom/decoder.h"
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/codestreams.h"
 #include "tests/support/dicom_bytes.h"
+#include "tests/support/made.h"
 #include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 

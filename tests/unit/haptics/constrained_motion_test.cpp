@@ -5,10 +5,12 @@
 
 #include <vector>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
+#include "tests/support/made.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::ConstrainedMotion;
 using haptics::constrainedMotion;
 using haptics::MassMetric;
@@ -18,7 +20,6 @@ using haptics::Quat;
 using haptics::Twist;
 using haptics::Vec3;
 using haptics::Vector6;
-using made::Random;
 
 constexpr double kReach = 0.03;  // m: size of the made tools
 

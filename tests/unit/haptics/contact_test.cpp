@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "app/study/made/made.h"
 #include "app/study/reference/evaluator.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/motion.h"
 #include "haptics/collision/prune.h"
 #include "haptics/solver/unconstrained_motion.h"
+#include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Budget;
 using haptics::Clearance;
 using haptics::Contact;
@@ -24,7 +27,6 @@ using haptics::Tolerances;
 using haptics::Twist;
 using haptics::Vec3;
 using made::at;
-using made::Random;
 using millimetre::h;
 using millimetre::unlimited;
 
@@ -101,8 +103,8 @@ TEST(UnwrappedTurn, FollowsTheDeviceThroughPiAndBeyond) {
 
 /// A half-space z <= 0 whose field falls by 4,000 a voxel.
 struct HalfSpace {
-  ScalarField field{made::shared(
-      made::sampled(made::centred(40, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }))};
+  ScalarField field{made::shared(datasets::sampledFloat(
+      datasets::centredGrid(40, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }))};
   Isosurface solid{field, 1000.0};
 };
 
@@ -166,10 +168,10 @@ TEST(Prune, LetsGoOfAContactThatCreepsAway) {
 
 TEST(Clearance, ProvesHowFarEveryPointItLeavesOutMayGo) {
   Random random{46};
-  const auto volume = made::shared(made::noise(made::centred(40, h), 47));
+  const auto volume = made::shared(datasets::whiteNoise(datasets::centredGrid(40, h), 47));
   const ScalarField field{volume};
   const Isosurface solid{field, 220.0};
-  const haptics::PointShell shell = haptics::makeShell(made::ballPoints(300, 9e-3)).value();
+  const haptics::PointShell shell = haptics::makeShell(datasets::ballPoints(300, 9e-3)).value();
   const haptics::ShellTree tree{shell.points};
   Clearance clearance{tree};
   Pose X = at(0.028, 0, 0);
@@ -222,7 +224,7 @@ TEST(Clearance, ProvesHowFarEveryPointItLeavesOutMayGo) {
 // above a plane the bounds are tight: what motion spends must be spent in full
 TEST(Clearance, SpendsAllOfAMotionOverAPlane) {
   const HalfSpace space;
-  const haptics::PointShell shell = haptics::makeShell(made::ballPoints(60, 4e-3)).value();
+  const haptics::PointShell shell = haptics::makeShell(datasets::ballPoints(60, 4e-3)).value();
   for (const bool turning : {false, true}) {
     Random random{48};
     const haptics::ShellTree tree{shell.points};
@@ -258,7 +260,7 @@ TEST(Clearance, SpendsAllOfAMotionOverAPlane) {
 
 TEST(Clearance, LooksAtNothingTwiceThatCannotHaveComeNear) {
   const HalfSpace space;
-  const haptics::PointShell shell = haptics::makeShell(made::ballPoints(100, 2e-3)).value();
+  const haptics::PointShell shell = haptics::makeShell(datasets::ballPoints(100, 2e-3)).value();
   const haptics::ShellTree tree{shell.points};
   Clearance clearance{tree};
   Budget first = unlimited(), second = unlimited();
@@ -271,7 +273,7 @@ TEST(Clearance, LooksAtNothingTwiceThatCannotHaveComeNear) {
 
 TEST(Clearance, SaysWhenTheBudgetRanOutAndGoesOnFromThere) {
   const HalfSpace space;
-  const haptics::PointShell shell = haptics::makeShell(made::ballPoints(100, 2e-3)).value();
+  const haptics::PointShell shell = haptics::makeShell(datasets::ballPoints(100, 2e-3)).value();
   const haptics::ShellTree tree{shell.points};
   Clearance clearance{tree};
   const Pose X = at(0, 0, 3e-3);  // within four voxels: nothing is proven by a block alone
@@ -287,10 +289,10 @@ TEST(Clearance, SaysWhenTheBudgetRanOutAndGoesOnFromThere) {
 // no slope there to go by, and yet as inside as can be
 TEST(Clearance, FindsAToolInsideAPlateauInside) {
   const auto volume =
-      made::shared(made::filled(made::centred(48, h), haptics::ScalarType::UInt8,
-                                [](auto, auto, auto k) { return k < 36 ? 255. : 0.; }));
+      made::shared(datasets::filled(datasets::centredGrid(48, h), haptics::ScalarType::UInt8,
+                                    [](auto, auto, auto k) { return k < 36 ? 255. : 0.; }));
   const ScalarField field{volume};
-  const haptics::PointShell shell = haptics::makeShell(made::ballPoints(50, 1e-3)).value();
+  const haptics::PointShell shell = haptics::makeShell(datasets::ballPoints(50, 1e-3)).value();
   const haptics::ShellTree tree{shell.points};
   Clearance clearance{tree};
   Budget budget = unlimited();

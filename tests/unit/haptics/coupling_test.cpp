@@ -3,12 +3,14 @@
 
 #include <limits>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/solver/unconstrained_motion.h"
+#include "tests/support/made.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Mat3;
 using haptics::Pose;
 using haptics::Quat;
@@ -17,7 +19,6 @@ using haptics::Vec3;
 using haptics::VirtualCoupling;
 using haptics::Wrench;
 using made::at;
-using made::Random;
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 

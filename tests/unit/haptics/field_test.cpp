@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "app/study/made/made.h"
 #include "app/study/reference/evaluator.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/field/scalar_field.h"
+#include "tests/support/made.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Cell;
 using haptics::Grid;
 using haptics::Mat3;
 using haptics::ScalarField;
 using haptics::ScalarType;
 using haptics::Vec3;
-using made::Random;
 
 // what legality keeps away from the isovalue must cover how far two evaluations differ
 TEST(ScalarField, IsTheTrilinearFieldOfItsVoxelsWhateverTheirTypeAndFrame) {
@@ -46,7 +48,7 @@ TEST(ScalarField, IsTheTrilinearFieldOfItsVoxelsWhateverTheirTypeAndFrame) {
 
 TEST(ScalarField, GivesAVoxelItsValueAndTheBackgroundBeyondTheGridToTheBit) {
   Random random{2};
-  const Grid grid = made::centred(6, 1e-3);
+  const Grid grid = datasets::centredGrid(6, 1e-3);
   const auto volume = made::shared(made::randomVolume(grid, ScalarType::Int16, random));
   const ScalarField field{volume};
   for (int k = -2; k < 8; ++k)
@@ -93,7 +95,7 @@ TEST(ScalarField, CentralGradientIsTheGradientOfALinearFieldInAnyFrame) {
     const Grid grid = made::oddGrid(k, {12, 12, 12}, random);
     const Vec3 slope_W = 1e5 * random.direction();  // per m
     const auto volume = made::shared(
-        made::sampled(grid, [&](const Vec3& p) { return slope_W.dot(p - grid.origin); }));
+        datasets::sampledFloat(grid, [&](const Vec3& p) { return slope_W.dot(p - grid.origin); }));
     const ScalarField field{volume};
     for (int n = 0; n < 50; ++n) {
       const Vec3 u{random.in(1.0, 10.0), random.in(1.0, 10.0), random.in(1.0, 10.0)};
@@ -105,7 +107,7 @@ TEST(ScalarField, CentralGradientIsTheGradientOfALinearFieldInAnyFrame) {
 
 TEST(ScalarField, IsTheSameTenMetresAway) {
   Random random{5};
-  Grid near = made::centred(8, 1.5e-4);
+  Grid near = datasets::centredGrid(8, 1.5e-4);
   Grid far = near;
   far.origin += Vec3{10.0, -10.0, 10.0};
   Random again{6}, same{6};

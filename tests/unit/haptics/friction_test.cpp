@@ -7,13 +7,16 @@
 #include <iostream>
 #include <vector>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/servo/tick.h"
 #include "haptics/simulation/penetration.h"
+#include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Budget;
 using haptics::ConstrainedMotion;
 using haptics::MassMetric;
@@ -27,7 +30,6 @@ using haptics::Twist;
 using haptics::Vec3;
 using haptics::Vector6;
 using made::at;
-using made::Random;
 using millimetre::h;
 using millimetre::unlimited;
 
@@ -164,8 +166,9 @@ struct Bench {
   TickResult to(const Vec3& p) {
     Budget budget = Budget::counted(haptics::kTickWork);
     const haptics::VirtualCoupling coupling{.stiffness = 1000.0, .friction = mu};
-    const TickResult result = haptics::tick(*scene, made::kIso, coupling, at(p), proxy, budget);
-    EXPECT_EQ(haptics::penetration(*scene, made::kIso, proxy.X_WP), 0.0);
+    const TickResult result =
+        haptics::tick(*scene, datasets::kSolidIso, coupling, at(p), proxy, budget);
+    EXPECT_EQ(haptics::penetration(*scene, datasets::kSolidIso, proxy.X_WP), 0.0);
     return result;
   }
   Vec3 place() const { return proxy.X_WP.translation(); }
@@ -176,11 +179,11 @@ struct Bench {
 std::shared_ptr<const Scene> halfSpace(const Vec3& n, double noise, haptics::Tool tool) {
   std::mt19937 engine{7};
   std::normal_distribution<double> grain{0.0, 4000.0 * noise};
-  return made::scene(made::sampled(made::centred(50, h),
-                                   [&](const Vec3& p) {
-                                     return 1000.0 - 4e6 * n.dot(p) +
-                                            (noise > 0.0 ? grain(engine) : 0.0);
-                                   }),
+  return made::scene(datasets::sampledFloat(datasets::centredGrid(50, h),
+                                            [&](const Vec3& p) {
+                                              return 1000.0 - 4e6 * n.dot(p) +
+                                                     (noise > 0.0 ? grain(engine) : 0.0);
+                                            }),
                      std::move(tool));
 }
 
@@ -273,10 +276,10 @@ TEST(Friction, HoldsStillBelowMuAndSlidesBackAndForth) {
 
 TEST(Friction, KeepsTheToolOutsideOnEverySurface) {
   Random random{57};
-  const auto volume = made::solid(made::centred(50, h), [](const Vec3& p) {
+  const auto volume = datasets::solid(datasets::centredGrid(50, h), [](const Vec3& p) {
     return p.norm() - 15e-3 + 1e-3 * std::sin(p.x() * 900.0) * std::sin(p.y() * 700.0);
   });
-  const auto scene = made::scene(volume, made::tool(made::ballPoints(200, 4e-3)));
+  const auto scene = made::scene(volume, made::tool(datasets::ballPoints(200, 4e-3)));
   for (const double mu : {0.2, 0.8, 1.5}) {
     Bench bench{scene, mu, at(0, 0, 23e-3)};
     int touched = 0;

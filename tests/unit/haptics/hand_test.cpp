@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/simulation/grip.h"
+#include "tests/support/made.h"
 
 namespace {
 
@@ -81,16 +83,16 @@ TEST(Hand, RefusesAPathThatIsNone) {
 }
 
 TEST(Hand, AimedStartsOutsideReachesTheSurfaceAndGoesAsFarBeyondAsAsked) {
-  const auto scene = made::scene(
-      made::solid(made::centred(48, 1e-3), [](const Vec3& p) { return p.norm() - 0.015; }),
-      made::tool(made::ballPoints(100, 3e-3)));
+  const auto scene = made::scene(datasets::solid(datasets::centredGrid(48, 1e-3),
+                                                 [](const Vec3& p) { return p.norm() - 0.015; }),
+                                 made::tool(datasets::ballPoints(100, 3e-3)));
   for (const HandMotion motion :
        {HandMotion::Tap, HandMotion::Slide, HandMotion::Wedge, HandMotion::Pry, HandMotion::Hook,
         HandMotion::Jerk, HandMotion::Twist}) {
     SCOPED_TRACE(int(motion));
     for (const std::uint64_t seed : {1, 2, 3}) {
-      const Hand hand = Hand::aimed(motion, *scene, made::kIso, 5e-3, seed).value();
-      const Hand again = Hand::aimed(motion, *scene, made::kIso, 5e-3, seed).value();
+      const Hand hand = Hand::aimed(motion, *scene, datasets::kSolidIso, 5e-3, seed).value();
+      const Hand again = Hand::aimed(motion, *scene, datasets::kSolidIso, 5e-3, seed).value();
       EXPECT_GT(hand.at(0.0).translation().norm(), 0.027);  // clear of the grid's faces, 24 mm
       double deepest = 0.0, jump = 0.0;
       for (int n = 0; n < 4000; ++n) {
@@ -108,9 +110,9 @@ TEST(Hand, AimedStartsOutsideReachesTheSurfaceAndGoesAsFarBeyondAsAsked) {
 }
 
 TEST(Hand, SaysWhenThereIsNothingToTouch) {
-  const auto scene = made::scene(
-      made::solid(made::centred(24, 1e-3), [](const Vec3& p) { return p.norm() - 0.005; }),
-      made::tool(made::ballPoints(10, 1e-3)));
+  const auto scene = made::scene(datasets::solid(datasets::centredGrid(24, 1e-3),
+                                                 [](const Vec3& p) { return p.norm() - 0.005; }),
+                                 made::tool(datasets::ballPoints(10, 1e-3)));
   const auto hand = Hand::aimed(HandMotion::Tap, *scene, 1e6, 5e-3, 1);
   ASSERT_FALSE(hand);
   EXPECT_EQ(hand.error().reason, "nothing-inside");

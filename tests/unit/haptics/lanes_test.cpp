@@ -7,18 +7,19 @@
 #include <iostream>
 #include <set>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
 #include "haptics/field/isosurface.h"
+#include "tests/support/made.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Cell;
 using haptics::FieldSample;
 using haptics::Isosurface;
 using haptics::Pose;
 using haptics::ScalarField;
 using haptics::Vec3;
-using made::Random;
 namespace lanes = haptics::lanes;
 
 /// Runs `f` once for every kind of vector this machine has, and none.

@@ -5,8 +5,10 @@
 
 #include <set>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/servo/tick.h"
+#include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 
 namespace {
@@ -23,9 +25,9 @@ using made::at;
 using millimetre::h;
 
 std::shared_ptr<const Scene> sceneOf(haptics::Tool tool, const SceneOptions& options = {}) {
-  return makeScene(
-             made::shared(made::solid(made::centred(40, h), [](const Vec3& p) { return p.z(); })),
-             std::move(tool), options)
+  return makeScene(made::shared(datasets::solid(datasets::centredGrid(40, h),
+                                                [](const Vec3& p) { return p.z(); })),
+                   std::move(tool), options)
       .value();
 }
 const PlanLine& lineOf(const Scene& scene, bool Plan::*omission) {
@@ -37,7 +39,7 @@ const PlanLine& lineOf(const Scene& scene, bool Plan::*omission) {
 TEST(Plan, HasALineWithAReasonForEachOmission) {
   for (const NormalKind normal : {NormalKind::Central, NormalKind::Cell, NormalKind::Spline}) {
     const auto scene =
-        sceneOf(made::tool(made::ballPoints(200, 3e-3)), {FieldKind::Trilinear, normal, {}});
+        sceneOf(made::tool(datasets::ballPoints(200, 3e-3)), {FieldKind::Trilinear, normal, {}});
     std::set<std::string> what;
     for (const PlanLine& line : scene->planned) {
       EXPECT_EQ(line.left_out, scene->plan.*line.omission) << line.what;
@@ -50,7 +52,7 @@ TEST(Plan, HasALineWithAReasonForEachOmission) {
 }
 
 TEST(Plan, GivesTheReasonsOfThisScene) {
-  const auto ball = sceneOf(made::tool(made::ballPoints(200, 3e-3))),
+  const auto ball = sceneOf(made::tool(datasets::ballPoints(200, 3e-3))),
              point = sceneOf(made::point());
   EXPECT_NE(lineOf(*ball, &Plan::empty_space).why.find("200 points in 13 leaves"),
             std::string::npos);
@@ -73,13 +75,13 @@ TEST(Plan, SwitchesOffWhatRestsOnWhatIsSwitchedOff) {
 
 // far from everything a tick asks for no work but the first proof, now and then
 TEST(Plan, LooksAtNothingInFreeSpace) {
-  const auto scene = sceneOf(made::tool(made::ballPoints(500, 3e-3)));
+  const auto scene = sceneOf(made::tool(datasets::ballPoints(500, 3e-3)));
   haptics::Proxy proxy{*scene, at(0, 0, 0.5)};
   std::int64_t work = 0;
   for (int n = 1; n <= 400; ++n) {
     haptics::Budget budget = haptics::Budget::counted(haptics::kTickWork);
     const haptics::Pose X_WD = at(2e-4 * n, 0, 0.5 - 1e-4 * n);
-    const auto result = haptics::tick(*scene, made::kIso, {}, X_WD, proxy, budget);
+    const auto result = haptics::tick(*scene, datasets::kSolidIso, {}, X_WD, proxy, budget);
     EXPECT_EQ((proxy.X_WP.matrix() - X_WD.matrix()).norm(), 0.0);
     EXPECT_EQ(result.wrench_W.force.norm(), 0.0);
     work += budget.spent();

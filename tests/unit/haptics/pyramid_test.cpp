@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "app/study/made/made.h"
 #include "app/study/reference/evaluator.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/field/max_pyramid.h"
 #include "haptics/field/scalar_field.h"
+#include "tests/support/made.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Grid;
 using haptics::MaxPyramid;
 using haptics::ScalarField;
 using haptics::ScalarType;
 using haptics::Vec3;
 using haptics::Volume;
-using made::Random;
 
 /// Constant blocks, far apart in value: plateaus with steep walls, and much of nothing.
 Volume plateaus(const Grid& grid, ScalarType type, Random& random) {
   std::vector<double> levels(64);
   for (double& level : levels) level = random.below(3) == 0 ? random.in(20.0, 120.0) : 0.0;
-  return made::filled(grid, type, [&](auto i, auto j, auto k) {
+  return datasets::filled(grid, type, [&](auto i, auto j, auto k) {
     return levels[static_cast<std::size_t>((i / 20) % 4 + 4 * ((j / 20) % 4) + 16 * (k / 20 % 4))];
   });
 }
@@ -95,8 +97,8 @@ TEST(MaxPyramid, StatesOnlyBoundsThatHoldOnPlateausOfEveryTypeAndFrame) {
 }
 
 TEST(MaxPyramid, ReachesAsFarAsTheFarthestLevelInEmptySpace) {
-  Grid grid = made::centred(200, 1e-3);
-  const Volume volume = made::filled(grid, ScalarType::UInt8, [](auto i, auto j, auto k) {
+  Grid grid = datasets::centredGrid(200, 1e-3);
+  const Volume volume = datasets::filled(grid, ScalarType::UInt8, [](auto i, auto j, auto k) {
     return i == 199 && j == 199 && k == 199 ? 200.0 : 0.0;
   });
   const MaxPyramid pyramid{volume};
@@ -108,8 +110,8 @@ TEST(MaxPyramid, ReachesAsFarAsTheFarthestLevelInEmptySpace) {
 }
 
 TEST(MaxPyramid, IsSmallBesideItsVolume) {
-  const Volume volume = made::filled(made::centred(128, 1e-3), ScalarType::Int16,
-                                     [](auto i, auto, auto) { return double(i); });
+  const Volume volume = datasets::filled(datasets::centredGrid(128, 1e-3), ScalarType::Int16,
+                                         [](auto i, auto, auto) { return double(i); });
   // 2 floats for 4^3 voxels of two bytes are 6 %, the coarser levels a seventh of one of them
   EXPECT_LT(MaxPyramid{volume}.bytes(), 0.10 * 2 * 128 * 128 * 128);
 }
@@ -120,7 +122,7 @@ TEST(MaxPyramid, HoldsForASingleVoxelAndForThinVolumes) {
        {std::array<std::int64_t, 3>{1, 1, 1}, {1, 40, 1}, {2, 2, 90}, {5, 4, 3}}) {
     Grid grid = made::oddGrid(1, dims, random);
     Seen seen;
-    check(ScalarField{made::shared(made::filled(
+    check(ScalarField{made::shared(datasets::filled(
               grid, ScalarType::Int16, [&](auto, auto, auto) { return random.in(-9.0, 900.0); }))},
           random, 300, seen);
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/study/made/made.h"
+#include "tests/support/made.h"
 
 // Every rule is broken here on purpose: what would hurt is asked for, and what comes out is zero,
 // or within its limit.

@@ -5,12 +5,15 @@
 
 #include <cmath>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/collision/motion_rows.h"
+#include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Budget;
 using haptics::FieldKind;
 using haptics::Isosurface;
@@ -21,16 +24,15 @@ using haptics::Pose;
 using haptics::Scene;
 using haptics::Vec3;
 using made::at;
-using made::Random;
 using millimetre::h;
 using millimetre::unlimited;
 
 TEST(Scene, SharesTheFieldOfTheOneBeforeWhereVolumeAndKindAreTheSame) {
-  const auto volume =
-      made::shared(made::solid(made::centred(24, h), [](const Vec3& p) { return p.z(); }));
+  const auto volume = made::shared(
+      datasets::solid(datasets::centredGrid(24, h), [](const Vec3& p) { return p.z(); }));
   const auto first = makeScene(volume, made::point()).value();
   const auto same =
-      makeScene(volume, made::tool(made::ballPoints(50, 3e-3)), {}, first.get()).value();
+      makeScene(volume, made::tool(datasets::ballPoints(50, 3e-3)), {}, first.get()).value();
   EXPECT_EQ(&same->field, &first->field);
   EXPECT_NE(same->id, first->id);
   const auto smooth =
@@ -44,18 +46,18 @@ TEST(Scene, SharesTheFieldOfTheOneBeforeWhereVolumeAndKindAreTheSame) {
 }
 
 TEST(Scene, OutlivesTheOneWhoseFieldItShares) {
-  const auto volume =
-      made::shared(made::solid(made::centred(24, h), [](const Vec3& p) { return p.z(); }));
+  const auto volume = made::shared(
+      datasets::solid(datasets::centredGrid(24, h), [](const Vec3& p) { return p.z(); }));
   auto first = makeScene(volume, made::point()).value();
   const auto second = makeScene(volume, made::point(), {}, first.get()).value();
   first.reset();
-  EXPECT_NEAR(second->field.value(second->field.indexOf(Vec3::Zero())), made::kIso, 1e-3);
+  EXPECT_NEAR(second->field.value(second->field.indexOf(Vec3::Zero())), datasets::kSolidIso, 1e-3);
 }
 
 TEST(Scene, TellsWhatWasBuiltForIt) {
-  const auto volume =
-      made::shared(made::solid(made::centred(40, h), [](const Vec3& p) { return p.z(); }));
-  const auto scene = makeScene(volume, made::tool(made::ballPoints(500, 3e-3))).value();
+  const auto volume = made::shared(
+      datasets::solid(datasets::centredGrid(40, h), [](const Vec3& p) { return p.z(); }));
+  const auto scene = makeScene(volume, made::tool(datasets::ballPoints(500, 3e-3))).value();
   ASSERT_GE(scene->structures.size(), 2u);
   EXPECT_EQ(scene->structures[0].name, "pyramid");
   EXPECT_EQ(scene->structures[0].bytes, scene->field.pyramid().bytes());
@@ -70,7 +72,7 @@ TEST(Scene, TellsWhatWasBuiltForIt) {
 template <class Normal>
 double offTruth(const Scene& scene, NormalKind kind, const Pose& X_WP, Normal&& normal,
                 int& count) {
-  const Isosurface solid{scene.field, made::kIso};
+  const Isosurface solid{scene.field, datasets::kSolidIso};
   haptics::Clearance clearance{scene.tree};
   Budget budget = unlimited();
   EXPECT_EQ(clearance.collect(solid, scene.tree, X_WP, scene.lengths.band, budget),
@@ -95,7 +97,7 @@ TEST(Normals, AreThoseOfALinearFieldWhateverTheKind) {
     const Vec3 n = random.direction();
     const Vec3 middle = grid.worldOf({9.5, 9.5, 9.5});
     const auto scene =
-        makeScene(made::shared(made::sampled(
+        makeScene(made::shared(datasets::sampledFloat(
                       grid, [&](const Vec3& p) { return 1000.0 - 4e6 * n.dot(p - middle); })),
                   made::point())
             .value();
@@ -116,17 +118,17 @@ TEST(Normals, OfWideGradientsAreNearerTheTruthInNoise) {
   std::normal_distribution<double> grain{0.0, 80.0};
   const double radius = 10.3e-3;
   const auto scene =
-      makeScene(made::shared(made::sampled(made::centred(40, h),
-                                           [&](const Vec3& p) {
-                                             const double d = (p.norm() - radius) / h;
-                                             return 1000.0 - 4000.0 * d + grain(engine);
-                                           })),
+      makeScene(made::shared(datasets::sampledFloat(datasets::centredGrid(40, h),
+                                                    [&](const Vec3& p) {
+                                                      const double d = (p.norm() - radius) / h;
+                                                      return 1000.0 - 4000.0 * d + grain(engine);
+                                                    })),
                 made::point())
           .value();
   Random random{63};
   double off[3] = {};
   int counts[3] = {};
-  const Isosurface solid{scene->field, made::kIso};
+  const Isosurface solid{scene->field, datasets::kSolidIso};
   for (int trial = 0; trial < 3000; ++trial) {
     const Vec3 p = (radius + 0.05 * h) * random.direction();
     if (solid.inside(p)) continue;

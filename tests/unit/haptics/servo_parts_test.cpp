@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
 #include "haptics/core/budget.h"
 #include "haptics/core/fixed_vector.h"
 #include "haptics/servo/acceptance.h"
 #include "haptics/servo/tick_stats.h"
+#include "tests/support/made.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::Acceptance;
 using haptics::Budget;
 using haptics::FixedVector;
@@ -16,7 +18,6 @@ using haptics::Pose;
 using haptics::Quat;
 using haptics::TickStats;
 using made::at;
-using made::Random;
 
 constexpr double kRadius = 0.01, kTolerance = 2e-3;  // m
 

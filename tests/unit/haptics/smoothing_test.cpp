@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
+#include "tests/support/made.h"
 
 namespace {
 
@@ -13,9 +15,9 @@ using haptics::SmoothingEffect;
 
 /// Slabs of `thick` voxels of 1000 every 12, across i.
 haptics::Volume slabs(int thick, std::int64_t n) {
-  return made::filled(made::centred(n, 1e-3), ScalarType::Int16, [&](auto i, auto, auto) {
-    return i % 12 >= 4 && i % 12 < 4 + thick ? 1000.0 : 0.0;
-  });
+  return datasets::filled(
+      datasets::centredGrid(n, 1e-3), ScalarType::Int16,
+      [&](auto i, auto, auto) { return i % 12 >= 4 && i % 12 < 4 + thick ? 1000.0 : 0.0; });
 }
 
 // a voxel alone keeps 4/6 of its height, and gives a neighbour 1/6

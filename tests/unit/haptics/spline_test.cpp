@@ -3,16 +3,21 @@
 
 #include <iostream>
 
-#include "app/study/made/made.h"
-#include "app/study/made/one_point.h"
+#include "app/study/arcs/one_point.h"
 #include "app/study/reference/evaluator.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/collision/sweep.h"
 #include "haptics/field/scalar_field.h"
+#include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 #include "tests/unit/haptics/spline_reference.h"
 
 namespace {
 
+namespace arcs = study::arcs;
+using arcs::Crossing;
+using datasets::Random;
 using haptics::Budget;
 using haptics::FieldKind;
 using haptics::FieldSample;
@@ -24,8 +29,6 @@ using haptics::ScalarType;
 using haptics::Tolerances;
 using haptics::Vec3;
 using haptics::Volume;
-using made::Crossing;
-using made::Random;
 using millimetre::h;
 using millimetre::unlimited;
 
@@ -107,7 +110,7 @@ TEST(SplineField, GradientOfALinearFieldIsItsSlopeInAnyFrameWhateverTheKind) {
     const Grid grid = made::oddGrid(k, {12, 12, 12}, random);
     const Vec3 slope_W = 1e5 * random.direction();  // per m
     const auto volume = made::shared(
-        made::sampled(grid, [&](const Vec3& p) { return slope_W.dot(p - grid.origin); }));
+        datasets::sampledFloat(grid, [&](const Vec3& p) { return slope_W.dot(p - grid.origin); }));
     for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::CubicSpline}) {
       const ScalarField field{volume, kind};
       for (int n = 0; n < 50; ++n) {
@@ -157,15 +160,15 @@ TEST(SplineField, PyramidStatesOnlyBoundsThatHold) {
     SCOPED_TRACE(haptics::nameOf(type));
     check(made::randomVolume(made::oddGrid(k, {17 + k, 9, 30 - k}, random), type, random));
     // single bright and dark voxels: what lies one voxel beyond a block matters
-    check(made::filled(made::oddGrid(k, {21, 18 + k, 26}, random), type, [&](auto, auto, auto) {
+    check(datasets::filled(made::oddGrid(k, {21, 18 + k, 26}, random), type, [&](auto, auto, auto) {
       return random.below(400) == 0 ? 120.0 : random.below(400) == 0 ? 10.0 : 20.0;
     }));
     ++k;
   }
   for (const std::array<std::int64_t, 3> dims :
        {std::array<std::int64_t, 3>{1, 1, 1}, {1, 40, 1}, {2, 2, 90}, {5, 4, 3}})
-    check(made::filled(made::oddGrid(1, dims, random), ScalarType::Int16,
-                       [&](auto, auto, auto) { return random.in(-9.0, 900.0); }));
+    check(datasets::filled(made::oddGrid(1, dims, random), ScalarType::Int16,
+                           [&](auto, auto, auto) { return random.in(-9.0, 900.0); }));
   EXPECT_GT(sloped, made::trials(5000));
   EXPECT_GT(empty, made::trials(2000));
 }
@@ -191,8 +194,8 @@ TEST(SplineField, PyramidSeesAVoxelThatReachesIntoABlockFromBeyondIt) {
   int far = 0;
   for (int axis = 0; axis < 3; ++axis)
     for (int bright = 12; bright < 20; ++bright) {
-      const auto volume = made::shared(
-          made::filled(made::centred(32, h), ScalarType::Int16, [&](auto i, auto j, auto k) {
+      const auto volume = made::shared(datasets::filled(
+          datasets::centredGrid(32, h), ScalarType::Int16, [&](auto i, auto j, auto k) {
             const std::int64_t at[3] = {i, j, k};
             const auto a = static_cast<std::size_t>(axis);
             return at[a] == bright && at[(a + 1) % 3] == 15 && at[(a + 2) % 3] == 15 ? 1000. : 0.;
@@ -211,8 +214,8 @@ TEST(SplineField, PyramidSeesAVoxelThatReachesIntoABlockFromBeyondIt) {
 // the fall to the background is a slope, though all voxels beside the face are alike
 TEST(SplineField, PyramidSeesTheFallAtAFace) {
   const auto volume = made::shared(
-      made::filled(made::centred(33, h), ScalarType::Int16,
-                   [](auto i, auto j, auto k) { return i + j + k == 48 ? 0.0 : 1000.0; }));
+      datasets::filled(datasets::centredGrid(33, h), ScalarType::Int16,
+                       [](auto i, auto j, auto k) { return i + j + k == 48 ? 0.0 : 1000.0; }));
   const ScalarField field{volume, FieldKind::CubicSpline};
   int far = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -227,7 +230,7 @@ TEST(SplineField, PyramidSeesTheFallAtAFace) {
 TEST(FirstReach, OfBothKindsIsTheFirstThatDenseSamplesSee) {
   Random random{5};
   for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::CubicSpline}) {
-    const auto volume = made::shared(made::noise(made::centred(16, h), 6));
+    const auto volume = made::shared(datasets::whiteNoise(datasets::centredGrid(16, h), 6));
     const ScalarField field{volume, kind};
     int met = 0, passed = 0;
     for (int n = 0; n < made::trials(4000); ++n) {
@@ -277,7 +280,7 @@ void shoot(const Volume& made_volume, const std::vector<double>& isovalues, doub
     const double s = isovalues[static_cast<std::size_t>(random.below(int(isovalues.size())))];
     const Isosurface solid{field, s};
     const Vec3 r = random.in(0.0, 0.02) * random.direction();
-    const made::Arc path{random.box(half) - r,
+    const arcs::Arc path{random.box(half) - r,
                          r,
                          {3e-3 * random.in(0.0, 1.0) * random.direction(),
                           0.35 * random.in(0.0, 1.0) * random.direction()}};
@@ -285,7 +288,7 @@ void shoot(const Volume& made_volume, const std::vector<double>& isovalues, doub
     if (start >= solid.ceiling()) continue;
     --arcs;
     ++tally.arcs;
-    const Crossing crossing = made::crossed(solid, path, Tolerances{h});
+    const Crossing crossing = arcs::crossed(solid, path, Tolerances{h});
     double first = 2.0;
     for (int n = 0; n <= samples && first > 1.0; ++n) {
       const double t = double(n) / samples;
@@ -310,8 +313,8 @@ TEST(FirstCrossing, OfASplineMissesNothingInWhiteNoise) {
   Random random{7};
   Tally tally;
   // a spline leaves noise of 100 some 33
-  shoot(made::noise(made::centred(40, h), 8), {15.0, 33.0, 50.0, 80.0}, 18 * h, made::trials(4'000),
-        500, random, tally);
+  shoot(datasets::whiteNoise(datasets::centredGrid(40, h), 8), {15.0, 33.0, 50.0, 80.0}, 18 * h,
+        made::trials(4'000), 500, random, tally);
   std::cout << tally.arcs << " arcs in noise, " << tally.met << " met, " << tally.early
             << " early, latest " << tally.latest << " voxel\n";
   EXPECT_GT(tally.met, tally.arcs / 10);
@@ -323,8 +326,9 @@ TEST(FirstCrossing, OfASplineMissesNothingInWhiteNoise) {
 TEST(FirstCrossing, OfASplineMissesNoThinPlate) {
   Random random{9};
   Tally tally;
-  const auto upright = made::filled(made::centred(40, h), ScalarType::Int16,
-                                    [&](auto i, auto, auto) { return i % 8 == 4 ? 1000. : 0.; });
+  const auto upright =
+      datasets::filled(datasets::centredGrid(40, h), ScalarType::Int16,
+                       [&](auto i, auto, auto) { return i % 8 == 4 ? 1000. : 0.; });
   const double peak = 1000.0 * 2.0 / 3.0;
   shoot(upright, {0.8 * peak, 0.95 * peak, 0.99 * peak, 0.9999 * peak}, 15 * h, made::trials(3'000),
         1000, random, tally);

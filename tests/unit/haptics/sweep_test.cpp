@@ -5,32 +5,35 @@
 
 #include <iostream>
 
-#include "app/study/made/arcs.h"
-#include "app/study/made/made.h"
-#include "app/study/made/one_point.h"
+#include "app/study/arcs/arcs.h"
+#include "app/study/arcs/one_point.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
+#include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 
 namespace {
 
+namespace arcs = study::arcs;
+using arcs::Arc;
+using arcs::Crossing;
+using datasets::Random;
 using haptics::Grid;
 using haptics::Isosurface;
 using haptics::ScalarField;
 using haptics::Tolerances;
 using haptics::Twist;
 using haptics::Vec3;
-using made::Arc;
-using made::Crossing;
-using made::Random;
 using millimetre::h;
 
 Crossing cross(const Isosurface& solid, const Arc& path) {
-  return made::crossed(solid, path, Tolerances{h});
+  return arcs::crossed(solid, path, Tolerances{h});
 }
 
 TEST(FirstCrossing, OfAPlaneIsWhereTheClosedFormSays) {
   // F falls by 4,000 a voxel with height: exact in trilinear samples
-  const auto volume = made::shared(
-      made::sampled(made::centred(60, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }));
+  const auto volume = made::shared(datasets::sampledFloat(
+      datasets::centredGrid(60, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }));
   const ScalarField field{volume};
   const Isosurface solid{field, 1000.0};
   Random random{31};
@@ -58,8 +61,8 @@ TEST(FirstCrossing, OfAPlaneIsWhereTheClosedFormSays) {
 
 // the point on a turning arm comes down on the plane: z0 + r sin(a t) = 0
 TEST(FirstCrossing, OfAnArcWithAPlaneIsWhereTheClosedFormSays) {
-  const auto volume = made::shared(
-      made::sampled(made::centred(80, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }));
+  const auto volume = made::shared(datasets::sampledFloat(
+      datasets::centredGrid(80, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }));
   const ScalarField field{volume};
   const Isosurface solid{field, 1000.0};
   Random random{32};
@@ -78,10 +81,10 @@ TEST(FirstCrossing, OfAnArcWithAPlaneIsWhereTheClosedFormSays) {
 
 TEST(FirstCrossing, OfASphereIsWhereTheClosedFormSays) {
   const double radius = 12e-3;
-  const auto volume = made::shared(
-      made::solid(made::centred(40, h), [&](const Vec3& p) { return p.norm() - radius; }));
+  const auto volume = made::shared(datasets::solid(
+      datasets::centredGrid(40, h), [&](const Vec3& p) { return p.norm() - radius; }));
   const ScalarField field{volume};
-  const Isosurface solid{field, made::kIso};
+  const Isosurface solid{field, datasets::kSolidIso};
   Random random{33};
   int met = 0, passed = 0;
   for (int n = 0; n < 2000; ++n) {
@@ -153,7 +156,7 @@ TEST(Sweep, OfAWholeShellMissesNothing) {
 
 TEST(FirstCrossing, ThatTheBudgetCutsIsFoundAllTheSame) {
   Random random{37};
-  const auto volume = made::noise(made::centred(30, h), 38);
+  const auto volume = datasets::whiteNoise(datasets::centredGrid(30, h), 38);
   const ScalarField field{made::shared(volume)};
   const Isosurface solid{field, 150.0};
   int cut = 0, met = 0;
@@ -161,7 +164,7 @@ TEST(FirstCrossing, ThatTheBudgetCutsIsFoundAllTheSame) {
     const Arc path{random.box(10e-3), random.box(5e-3), {random.box(8e-3), random.box(0.3)}};
     if (solid.inside(path.at(0.0))) continue;
     const Crossing whole = cross(solid, path);
-    const Crossing parts = made::crossed(solid, path, Tolerances{h}, 2 + random.below(12));
+    const Crossing parts = arcs::crossed(solid, path, Tolerances{h}, 2 + random.below(12));
     EXPECT_EQ(parts.time, whole.time);
     EXPECT_EQ(parts.met, whole.met);
     cut += parts.cuts > 0;

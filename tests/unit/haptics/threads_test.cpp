@@ -7,12 +7,14 @@
 #include <iostream>
 #include <thread>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/core/latest_value.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/step_ring.h"
 #include "haptics/servo/tick.h"
 #include "haptics/session.h"
+#include "tests/support/made.h"
 
 // To be run under the thread sanitizer too: what it says counts as a failure.
 
@@ -87,9 +89,9 @@ TEST(LatestValue, GivesTheNewestAndEachOnlyOnce) {
 }
 
 std::shared_ptr<const Scene> smallScene() {
-  return made::scene(
-      made::solid(made::centred(16, 1e-3), [](const auto& p) { return p.norm() - 5e-3; }),
-      made::tool(made::ballPoints(20, 1e-3)));
+  return made::scene(datasets::solid(datasets::centredGrid(16, 1e-3),
+                                     [](const auto& p) { return p.norm() - 5e-3; }),
+                     made::tool(datasets::ballPoints(20, 1e-3)));
 }
 
 TEST(SceneHandOver, UnderAHammerEverySceneIsWholeAndNoneIsLeftBehind) {
@@ -108,7 +110,8 @@ TEST(SceneHandOver, UnderAHammerEverySceneIsWholeAndNoneIsLeftBehind) {
         EXPECT_GE(touched->scene->id, last);  // never an older one
         last = touched->scene->id;
         haptics::Budget budget = haptics::Budget::counted(haptics::kTickWork);
-        haptics::tick(*touched->scene, made::kIso, {}, at(0, 0, 5e-3), touched->proxy, budget);
+        haptics::tick(*touched->scene, datasets::kSolidIso, {}, at(0, 0, 5e-3), touched->proxy,
+                      budget);
         ++ticks;
       }
     }};
@@ -159,14 +162,14 @@ TEST(SceneHandOver, KeepsTheSceneInForceWhileTheLastOneIsNotCollected) {
 
 // the window's calls against a servo thread that runs
 TEST(Session, OpensAdoptsSetsDropsTheForceAndClosesWhileTheLoopRuns) {
-  const auto sphere = made::scene(
-      made::solid(made::centred(48, 1e-3), [](const auto& p) { return p.norm() - 0.015; }),
-      made::tool(made::ballPoints(60, 3e-3)));
-  const auto other = made::scene(
-      made::solid(made::centred(48, 1e-3), [](const auto& p) { return p.norm() - 0.010; }),
-      made::tool(made::ballPoints(30, 2e-3)));
+  const auto sphere = made::scene(datasets::solid(datasets::centredGrid(48, 1e-3),
+                                                  [](const auto& p) { return p.norm() - 0.015; }),
+                                  made::tool(datasets::ballPoints(60, 3e-3)));
+  const auto other = made::scene(datasets::solid(datasets::centredGrid(48, 1e-3),
+                                                 [](const auto& p) { return p.norm() - 0.010; }),
+                                 made::tool(datasets::ballPoints(30, 2e-3)));
   Session session;
-  haptics::Settings settings{.isovalue = made::kIso};
+  haptics::Settings settings{.isovalue = datasets::kSolidIso};
   session.set(settings);
   EXPECT_FALSE(session.open(HandKind::Mouse));  // nothing to touch yet
   session.adopt(sphere, at(0, 0, 0.03));
@@ -201,7 +204,7 @@ TEST(Session, OpensAdoptsSetsDropsTheForceAndClosesWhileTheLoopRuns) {
       std::array<haptics::ForceSample, 64> forces;
       samples += session.forces(forces);
       session.pull(at(0.01 * std::sin(frame * 0.1), 0, 0.016));
-      settings.isovalue = made::kIso + 200.0 * std::sin(frame * 0.3);
+      settings.isovalue = datasets::kSolidIso + 200.0 * std::sin(frame * 0.3);
       session.set(settings);
       if (frame % 20 == 10) session.adopt(frame % 40 == 10 ? other : sphere, snapshot.X_WD);
       if (frame % 16 == 8) session.forceOff();
@@ -226,7 +229,7 @@ TEST(Session, OpensAdoptsSetsDropsTheForceAndClosesWhileTheLoopRuns) {
 TEST(Session, ForceOffHoldsThroughEveryHandAndSceneUntilArmed) {
   const auto scene = smallScene();
   Session session;
-  session.set({.isovalue = made::kIso});
+  session.set({.isovalue = datasets::kSolidIso});
   session.adopt(scene, at(0, 0, 0.012));
   const auto ticks = [&](std::uint64_t count, haptics::ForceState wanted) {
     Snapshot snapshot;
@@ -257,7 +260,7 @@ TEST(Session, ForceOffHoldsThroughEveryHandAndSceneUntilArmed) {
 
 TEST(Session, AHandThatCannotBeOpenedLeavesTheOldOne) {
   Session session;
-  session.set({.isovalue = made::kIso});
+  session.set({.isovalue = datasets::kSolidIso});
   session.adopt(smallScene(), at(0, 0, 0.012));
   ASSERT_TRUE(session.open(HandKind::Tap));
   session.set({.isovalue = 1e9});  // nothing reaches it: nothing to aim at
@@ -269,7 +272,7 @@ TEST(Session, MayBeDestroyedWhileItRuns) {
   const auto scene = smallScene();
   for (int n = 0; n < 20; ++n) {
     Session session;
-    session.set({.isovalue = made::kIso});
+    session.set({.isovalue = datasets::kSolidIso});
     session.adopt(scene, at(0, 0, 0.012));
     ASSERT_TRUE(session.open(HandKind::Tap));
     if (n % 2 == 0) std::this_thread::sleep_for(std::chrono::milliseconds{3});
@@ -278,11 +281,11 @@ TEST(Session, MayBeDestroyedWhileItRuns) {
 
 // steps go from a servo thread that runs to one that takes them, through hands that come and go
 TEST(Session, RecordsUntilItHasLeftTheRing) {
-  const auto sphere = made::scene(
-      made::solid(made::centred(48, 1e-3), [](const auto& p) { return p.norm() - 0.015; }),
-      made::tool(made::ballPoints(60, 3e-3)));
+  const auto sphere = made::scene(datasets::solid(datasets::centredGrid(48, 1e-3),
+                                                  [](const auto& p) { return p.norm() - 0.015; }),
+                                  made::tool(datasets::ballPoints(60, 3e-3)));
   Session session;
-  session.set({.isovalue = made::kIso});
+  session.set({.isovalue = datasets::kSolidIso});
   session.adopt(sphere, at(0, 0, 0.03));
   for (int round = 0; round < 4; ++round) {
     auto ring = std::make_shared<haptics::StepRing>(0);

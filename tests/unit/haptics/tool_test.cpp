@@ -3,19 +3,20 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
 #include "haptics/solver/mass_metric.h"
 #include "haptics/tool/point_shell.h"
+#include "tests/support/made.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::makeShell;
 using haptics::makeTool;
 using haptics::Mat3;
 using haptics::PointShell;
 using haptics::TriangleMesh;
 using haptics::Vec3;
-using made::Random;
 
 /// A box of two triangles a side.
 TriangleMesh box(const Vec3& half) {

@@ -5,16 +5,18 @@
 
 #include <cstring>
 
-#include "app/study/made/made.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
+#include "tests/support/made.h"
 
 namespace {
 
+using datasets::Random;
 using haptics::allocateVoxels;
 using haptics::Grid;
 using haptics::makeVolume;
 using haptics::ScalarType;
 using haptics::Vec3;
-using made::Random;
 
 std::string reasonOf(const Grid& grid) {
   auto voxels = allocateVoxels(27, ScalarType::UInt8).value();
@@ -23,7 +25,7 @@ std::string reasonOf(const Grid& grid) {
 }
 
 TEST(Volume, RefusesAGridThatIsNone) {
-  const Grid good = made::centred(3, 1e-3);
+  const Grid good = datasets::centredGrid(3, 1e-3);
   EXPECT_EQ(reasonOf(good), "");
   for (int axis = 0; axis < 3; ++axis) {
     for (const std::int64_t n : {0, -1}) {
@@ -56,7 +58,7 @@ TEST(Volume, RefusesAGridThatIsNone) {
 }
 
 TEST(Volume, MakesWhatIsNotFiniteBackgroundAndCountsIt) {
-  const Grid grid = made::centred(3, 1e-3);
+  const Grid grid = datasets::centredGrid(3, 1e-3);
   auto voxels = allocateVoxels(27, ScalarType::Float32).value();
   auto* v = static_cast<float*>(voxels.get());
   for (int n = 0; n < 27; ++n) v[n] = static_cast<float>(n - 5);
@@ -76,7 +78,7 @@ TEST(Volume, MakesWhatIsNotFiniteBackgroundAndCountsIt) {
 TEST(Volume, RefusesOneWithoutAFiniteVoxel) {
   auto voxels = allocateVoxels(27, ScalarType::Float32).value();
   for (int n = 0; n < 27; ++n) static_cast<float*>(voxels.get())[n] = NAN;
-  const auto volume = makeVolume(made::centred(3, 1e-3), ScalarType::Float32, voxels);
+  const auto volume = makeVolume(datasets::centredGrid(3, 1e-3), ScalarType::Float32, voxels);
   ASSERT_FALSE(volume);
   EXPECT_EQ(volume.error().reason, "no-pixels");
 }
@@ -85,7 +87,7 @@ TEST(Volume, FindsTheRangeOfEveryType) {
   Random random{81};
   for (const ScalarType type : made::kTypes) {
     SCOPED_TRACE(haptics::nameOf(type));
-    const auto volume = made::randomVolume(made::centred(7, 1e-3), type, random);
+    const auto volume = made::randomVolume(datasets::centredGrid(7, 1e-3), type, random);
     double least = INFINITY, greatest = -INFINITY;
     haptics::visitVoxels(type, volume.voxels.get(), [&](const auto* v) {
       for (int n = 0; n < 343; ++n) {

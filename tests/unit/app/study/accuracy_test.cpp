@@ -14,16 +14,18 @@
 #include "app/study/accuracy/field_error.h"
 #include "app/study/accuracy/projection.h"
 #include "app/study/accuracy/work_precision.h"
-#include "app/study/made/made.h"
 #include "app/study/studies.h"
+#include "datasets/phantoms/making.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/phantoms/shapes.h"
 #include "haptics/collision/motion_rows.h"
+#include "tests/support/made.h"
 
 // That the references see an error that is there: each test plants one in what is judged.
 
 namespace {
 
+namespace arcs = study::arcs;
 using study::Case;
 using study::Outcome;
 
@@ -32,19 +34,20 @@ bool allPass(const Outcome& outcome) {
 }
 
 TEST(ParetoFront, LeavesOutWhatAnotherOutdoes) {
-  EXPECT_EQ(study::paretoFront({{1, 5}, {2, 3}, {3, 4}, {4, 3}, {5, 1}, {1, 5}}),
+  EXPECT_EQ(study::accuracy::paretoFront({{1, 5}, {2, 3}, {3, 4}, {4, 3}, {5, 1}, {1, 5}}),
             (std::vector<bool>{true, true, false, false, true, true}));
 }
 
 TEST(WorkPrecision, ShowsMedianTailAndFront) {
   Outcome outcome;
-  study::addTo(outcome, {"T",
-                         "D.",
-                         "t",
-                         "e",
-                         {{"m", "a", {1, 3}, {4, 2, 6}, comparison::MeanCounts{1, 2, 3, 4, 5}},
-                          {"m", "b", {5, 7, 12}, {9}, {}, {5, 7, 12}},
-                          {"n", "", {1}, {0}}}});
+  study::accuracy::addTo(outcome,
+                         {"T",
+                          "D.",
+                          "t",
+                          "e",
+                          {{"m", "a", {1, 3}, {4, 2, 6}, comparison::MeanCounts{1, 2, 3, 4, 5}},
+                           {"m", "b", {5, 7, 12}, {9}, {}, {5, 7, 12}},
+                           {"n", "", {1}, {0}}}});
   ASSERT_EQ(outcome.plots.size(), 1u);
   const auto& series = outcome.plots[0].series;
   ASSERT_EQ(series.size(), 2u);
@@ -63,67 +66,71 @@ TEST(WorkPrecision, ShowsMedianTailAndFront) {
 }
 
 TEST(Collisions, SeeADroppedRoot) {
-  const auto ours = study::detectors().front();
-  EXPECT_TRUE(allPass(study::collisions({ours}, "noise", made::trials(1'000), 5)));
+  const auto ours = study::accuracy::detectors().front();
+  EXPECT_TRUE(allPass(study::accuracy::collisions({ours}, "noise", made::trials(1'000), 5)));
   // what only grazes is not seen: a root of the cubic that is taken back within a tenth of a voxel
-  const study::Detector grazing{
-      "planted", "", [](const arcs::Target& target, double s, const made::Arc& arc) {
-        made::Crossing crossing = arcs::detected(target, s, arc);
+  const study::accuracy::Detector grazing{
+      "planted", "", [](const arcs::Target& target, double s, const arcs::Arc& arc) {
+        arcs::Crossing crossing = arcs::detected(target, s, arc);
         const double on = crossing.time + 1e-4 / arc.speed();
         if (crossing.met && on < 1.0 && target.field.value(target.field.indexOf(arc.at(on))) < s)
-          return made::Crossing{1.0, false};
+          return arcs::Crossing{1.0, false};
         return crossing;
       }};
-  EXPECT_FALSE(allPass(study::collisions({grazing}, "noise", made::trials(1'000), 5)));
+  EXPECT_FALSE(allPass(study::accuracy::collisions({grazing}, "noise", made::trials(1'000), 5)));
   // met, but a hundredth of a voxel late
-  const study::Detector late{"planted", "",
-                             [](const arcs::Target& target, double s, const made::Arc& arc) {
-                               made::Crossing crossing = arcs::detected(target, s, arc);
-                               if (crossing.met) crossing.time += 1e-5 / arc.speed();
-                               return crossing;
-                             }};
-  EXPECT_FALSE(allPass(study::collisions({late}, "gyroid", made::trials(1'000), 5)));
+  const study::accuracy::Detector late{
+      "planted", "", [](const arcs::Target& target, double s, const arcs::Arc& arc) {
+        arcs::Crossing crossing = arcs::detected(target, s, arc);
+        if (crossing.met) crossing.time += 1e-5 / arc.speed();
+        return crossing;
+      }};
+  EXPECT_FALSE(allPass(study::accuracy::collisions({late}, "gyroid", made::trials(1'000), 5)));
   // one that never moves misses nothing
-  const study::Detector timid{"planted", "", [](const arcs::Target&, double, const made::Arc&) {
-                                return made::Crossing{0.0, true};
-                              }};
-  EXPECT_FALSE(allPass(study::collisions({timid}, "gyroid", made::trials(1'000), 5)));
+  const study::accuracy::Detector timid{"planted", "",
+                                        [](const arcs::Target&, double, const arcs::Arc&) {
+                                          return arcs::Crossing{0.0, true};
+                                        }};
+  EXPECT_FALSE(allPass(study::accuracy::collisions({timid}, "gyroid", made::trials(1'000), 5)));
 }
 
 TEST(Projections, SeeOneThatStopsEarly) {
-  const auto ours = study::solvers().front();
-  EXPECT_TRUE(allPass(study::projections({ours}, 6, false, 100, 7)));
+  const auto ours = study::accuracy::solvers().front();
+  EXPECT_TRUE(allPass(study::accuracy::projections({ours}, 6, false, 100, 7)));
   // stops after the rows that it met first: the last of them is left out
-  const study::Solver early{"planted", [&](const study::ProjectionProblem& problem, auto& pivots) {
-                              study::ProjectionProblem less = problem;
-                              less.rows.pop_back();
-                              return ours.solve(less, pivots);
-                            }};
-  EXPECT_FALSE(allPass(study::projections({early}, 6, false, 100, 7)));
+  const study::accuracy::Solver early{
+      "planted", [&](const study::accuracy::ProjectionProblem& problem, auto& pivots) {
+        study::accuracy::ProjectionProblem less = problem;
+        less.rows.pop_back();
+        return ours.solve(less, pivots);
+      }};
+  EXPECT_FALSE(allPass(study::accuracy::projections({early}, 6, false, 100, 7)));
   // a relaxation that ends a thousandth short
-  const study::Solver loose{"planted", [&](const study::ProjectionProblem& problem, auto& pivots) {
-                              haptics::Twist V = ours.solve(problem, pivots);
-                              V.linear += 1e-3 * (problem.free.linear - V.linear);
-                              return V;
-                            }};
-  EXPECT_FALSE(allPass(study::projections({loose}, 6, false, 100, 7)));
+  const study::accuracy::Solver loose{
+      "planted", [&](const study::accuracy::ProjectionProblem& problem, auto& pivots) {
+        haptics::Twist V = ours.solve(problem, pivots);
+        V.linear += 1e-3 * (problem.free.linear - V.linear);
+        return V;
+      }};
+  EXPECT_FALSE(allPass(study::accuracy::projections({loose}, 6, false, 100, 7)));
 }
 
 TEST(Projections, SeeANumberThatIsNone) {
   int calls = 0;
-  const study::Solver none{"planted", [&](const study::ProjectionProblem& problem, auto& pivots) {
-                             haptics::Twist V = study::solvers().front().solve(problem, pivots);
-                             if (++calls == 2) V.linear.x() = NAN;
-                             return V;
-                           }};
-  EXPECT_FALSE(allPass(study::projections({none}, 3, false, 20, 7)));
+  const study::accuracy::Solver none{
+      "planted", [&](const study::accuracy::ProjectionProblem& problem, auto& pivots) {
+        haptics::Twist V = study::accuracy::solvers().front().solve(problem, pivots);
+        if (++calls == 2) V.linear.x() = NAN;
+        return V;
+      }};
+  EXPECT_FALSE(allPass(study::accuracy::projections({none}, 3, false, 20, 7)));
 }
 
 TEST(Projections, EnumerationAndTheReferenceAgree) {
   // two references, neither of which shares code with the other
-  const auto all = study::solvers();
+  const auto all = study::accuracy::solvers();
   for (const bool coplanar : {false, true})
-    EXPECT_TRUE(allPass(study::projections({all[1]}, 6, coplanar, 100, 8)));
+    EXPECT_TRUE(allPass(study::accuracy::projections({all[1]}, 6, coplanar, 100, 8)));
 }
 
 /// Ours, with something wrong in what comes out.
@@ -148,24 +155,25 @@ class Planted final : public comparison::Method {
   haptics::Vec3 last_ = haptics::Vec3::Zero();
 };
 
-constexpr study::HeldEffort kFew{2, 1, false};
+constexpr study::accuracy::HeldEffort kFew{2, 1, false};
 
 std::unique_ptr<comparison::Method> oursIn(std::shared_ptr<const haptics::Scene> scene,
                                            double isovalue) {
-  return comparison::ours(std::move(scene), isovalue, study::kByCount);
+  return comparison::ours(std::move(scene), isovalue, study::accuracy::kByCount);
 }
 
-study::OursMade planted(Planted::Error error) {
+study::accuracy::OursMade planted(Planted::Error error) {
   return [error](std::shared_ptr<const haptics::Scene> scene, double isovalue) {
     return std::make_unique<Planted>(oursIn(std::move(scene), isovalue), error);
   };
 }
 
 TEST(ClosedForms, SeeASinkingProxyAndAForceThatLagsATick) {
-  EXPECT_TRUE(allPass(study::closedForms("sphere", kFew, 9)));
-  EXPECT_FALSE(allPass(study::closedForms("sphere", kFew, 9, planted(Planted::Error::Sinks))));
+  EXPECT_TRUE(allPass(study::accuracy::closedForms("sphere", kFew, 9)));
   EXPECT_FALSE(
-      allPass(study::closedForms("halfspace", kFew, 9, planted(Planted::Error::LaggingForce))));
+      allPass(study::accuracy::closedForms("sphere", kFew, 9, planted(Planted::Error::Sinks))));
+  EXPECT_FALSE(allPass(
+      study::accuracy::closedForms("halfspace", kFew, 9, planted(Planted::Error::LaggingForce))));
 }
 
 /// A field whose values are right and whose gradients, all of them, are turned about an axis.
@@ -188,36 +196,37 @@ std::shared_ptr<const haptics::Scene> turned(const haptics::Scene& scene, double
 
 TEST(ClosedForms, SeeATurnedNormal) {
   // the same detour without a turn is ours
-  const auto by = [](double degrees) -> study::OursMade {
+  const auto by = [](double degrees) -> study::accuracy::OursMade {
     return [degrees](std::shared_ptr<const haptics::Scene> scene, double isovalue) {
       return oursIn(turned(*scene, degrees), isovalue);
     };
   };
-  EXPECT_TRUE(allPass(study::closedForms("halfspace", kFew, 9, by(0.0))));
+  EXPECT_TRUE(allPass(study::accuracy::closedForms("halfspace", kFew, 9, by(0.0))));
   for (const char* solid : {"halfspace", "sphere"})
-    EXPECT_FALSE(allPass(study::closedForms(solid, kFew, 9, by(3.0)))) << solid;
+    EXPECT_FALSE(allPass(study::accuracy::closedForms(solid, kFew, 9, by(3.0)))) << solid;
 }
 
 TEST(Fields, SeeATurnedNormal) {
-  const auto by = [](double degrees) -> study::FieldMade {
-    return [degrees](study::Interpolation kind, const haptics::Volume& volume) {
+  const auto by = [](double degrees) -> study::accuracy::FieldMade {
+    return [degrees](study::accuracy::Interpolation kind, const haptics::Volume& volume) {
       return Turned{made::shared(volume),
-                    kind == study::Interpolation::Trilinear ? haptics::FieldKind::Trilinear
-                                                            : haptics::FieldKind::CubicSpline,
+                    kind == study::accuracy::Interpolation::Trilinear
+                        ? haptics::FieldKind::Trilinear
+                        : haptics::FieldKind::CubicSpline,
                     degrees};
     };
   };
   for (const double noise : {0.0, 0.02}) {
-    EXPECT_TRUE(allPass(study::fieldErrors(noise, 100, 3, by(0.0))));
-    EXPECT_FALSE(allPass(study::fieldErrors(noise, 100, 3, by(3.0))));
+    EXPECT_TRUE(allPass(study::accuracy::fieldErrors(noise, 100, 3, by(0.0))));
+    EXPECT_FALSE(allPass(study::accuracy::fieldErrors(noise, 100, 3, by(3.0))));
   }
-  EXPECT_FALSE(allPass(study::fieldErrors(0.0, 100, 3, by(0.5))));
+  EXPECT_FALSE(allPass(study::accuracy::fieldErrors(0.0, 100, 3, by(0.5))));
 }
 
 TEST(ClosedForms, TheirCasesRepeat) {
   // no clock decides: twice the same, to the bit, however often it was run
-  const Outcome one = study::closedForms("slot", {3, 1, false}, 4);
-  const Outcome two = study::closedForms("slot", {3, 2, false}, 4);
+  const Outcome one = study::accuracy::closedForms("slot", {3, 1, false}, 4);
+  const Outcome two = study::accuracy::closedForms("slot", {3, 2, false}, 4);
   ASSERT_EQ(one.cases.size(), two.cases.size());
   for (std::size_t n = 0; n < one.cases.size(); ++n)
     EXPECT_EQ(one.cases[n].value, two.cases[n].value) << one.cases[n].name;
@@ -236,14 +245,14 @@ std::vector<comparison::Tick> pressed(comparison::Method& method) {
 struct Pressed {
   datasets::Phantom phantom = datasets::makePhantom("sphere").value();
   comparison::Case scene{"sphere", made::shared(phantom.volume), phantom.isovalue, "", 0};
-  haptics::Tool tool = made::tool(made::ballPoints(100, 3e-3));
+  haptics::Tool tool = made::tool(datasets::ballPoints(100, 3e-3));
   std::shared_ptr<const haptics::Scene> built = haptics::makeScene(scene.volume, tool).value();
 };
 
 TEST(Fineness, TheConstantsThemselvesChangeNothing) {
   const Pressed p;
   const auto ours = pressed(*oursIn(p.built, p.scene.isovalue));
-  auto same = study::withFineness(*p.built, p.scene.isovalue, {{0.05}, {8}});
+  auto same = study::accuracy::withFineness(*p.built, p.scene.isovalue, {{0.05}, {8}});
   for (const auto& method : same.methods) {
     const auto ticks = pressed(*method);
     for (std::size_t n = 0; n < ours.size(); ++n) {
@@ -255,7 +264,7 @@ TEST(Fineness, TheConstantsThemselvesChangeNothing) {
 
 TEST(Fineness, OtherValuesAreFelt) {
   const Pressed p;
-  auto others = study::withFineness(*p.built, p.scene.isovalue, {{0.0125, 0.2}, {1, 8}});
+  auto others = study::accuracy::withFineness(*p.built, p.scene.isovalue, {{0.0125, 0.2}, {1, 8}});
   // half of epsilon stays between tool and surface
   const double R = datasets::shapes::Sphere{}.radius, voxel = p.built->lengths.voxel;
   std::vector<double> gaps;

@@ -18,13 +18,13 @@ void expectAll(const study::Outcome& outcome) {
 
 TEST(Fields, LieNearWhatWasScannedAsTheReadmeSays) {
   for (const double noise : {0.0, 0.02})
-    expectAll(study::fieldErrors(noise, made::trials(2000), 42));
+    expectAll(study::accuracy::fieldErrors(noise, made::trials(2000), 42));
 }
 
 TEST(Fields, KeepOfAThinPlateWhatTheReadmeSays) {
   // under a sanitizer one plate of each kind must do
   const int plates = std::max(1, made::trials(6));
-  const study::Outcome outcome = study::plateErrors(plates, made::trials(400), 43);
+  const study::Outcome outcome = study::accuracy::plateErrors(plates, made::trials(400), 43);
   expectAll(outcome);
   // what the smoothing spline loses is what the user is told of it
   const auto& series = outcome.plots.front().series;

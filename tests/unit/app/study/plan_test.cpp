@@ -7,8 +7,10 @@
 #include <set>
 #include <utility>
 
-#include "app/study/made/made.h"
 #include "app/study/plan/courses.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
+#include "tests/support/made.h"
 
 namespace {
 
@@ -23,8 +25,8 @@ using haptics::Vec3;
 using haptics::Volume;
 using made::at;
 using study::Case;
-using study::Course;
 using study::Outcome;
+using study::plan::Course;
 
 constexpr double h = 1e-3;  // m: the voxel
 
@@ -36,12 +38,12 @@ Hand downwards() {
 
 /// Solid between z = -2 mm and 0.
 Volume plate() {
-  return made::solid(made::centred(40, h),
-                     [](const Vec3& p) { return std::abs(p.z() + 0.001) - 0.001; });
+  return datasets::solid(datasets::centredGrid(40, h),
+                         [](const Vec3& p) { return std::abs(p.z() + 0.001) - 0.001; });
 }
 
 Course pressing(std::shared_ptr<const Scene> scene) {
-  return {"plate", std::move(scene), made::kIso, {}, downwards(), 400};
+  return {"plate", std::move(scene), datasets::kSolidIso, {}, downwards(), 400};
 }
 
 std::vector<std::string> failing(const Outcome& outcome) {
@@ -56,11 +58,11 @@ bool fails(const Outcome& outcome, const std::string& name) {
 }
 
 TEST(PlanStudy, FindsPosesAndForcesTheSameToTheBit) {
-  for (const study::Planned& planned : study::courses(study::Depth::Quick)) {
+  for (const study::plan::Planned& planned : study::plan::courses(study::Depth::Quick)) {
     if (planned.phantom == "demo" || planned.phantom == "hole" || planned.brief) continue;
     SCOPED_TRACE(planned.name);
-    const Course course = study::made(planned, 700, 1).value();
-    const Outcome outcome = study::examined(course, 1);
+    const Course course = study::plan::made(planned, 700, 1).value();
+    const Outcome outcome = study::plan::examined(course, 1);
     EXPECT_EQ(failing(outcome), std::vector<std::string>{});
     // three measures of each omission that is made, three of all, and whether it touched
     const auto lines = course.scene->planned;
@@ -74,7 +76,7 @@ TEST(PlanStudy, FindsPosesAndForcesTheSameToTheBit) {
 
 // in a tick the hand goes several bands: the room must be that of the step, too
 TEST(PlanStudy, FindsNoDifferenceWhereTheHandStrikes) {
-  Course course = pressing(made::scene(plate(), made::tool(made::ballPoints(300, 4e-3))));
+  Course course = pressing(made::scene(plate(), made::tool(datasets::ballPoints(300, 4e-3))));
   std::vector<double> times;
   std::vector<Pose> poses;
   for (int n = 0; n < 40; ++n) {
@@ -84,18 +86,18 @@ TEST(PlanStudy, FindsNoDifferenceWhereTheHandStrikes) {
   }
   course.hand = Hand::along(times, poses).value();
   course.ticks = 2000;
-  EXPECT_EQ(failing(study::examined(course, 1)), std::vector<std::string>{});
+  EXPECT_EQ(failing(study::plan::examined(course, 1)), std::vector<std::string>{});
 }
 
 // or the sides would be alike for want of a difference
 TEST(PlanStudy, DoesMoreWorkForWhatIsSwitchedOff) {
-  const auto scene = made::scene(plate(), made::tool(made::ballPoints(300, 4e-3)));
+  const auto scene = made::scene(plate(), made::tool(datasets::ballPoints(300, 4e-3)));
   const Course course = pressing(scene);
   for (bool Plan::*omission :
        {&Plan::empty_space, &Plan::unspent_room, &Plan::far_gradients, &Plan::still_rows}) {
-    const auto other = study::without(*scene, omission);
+    const auto other = study::plan::without(*scene, omission);
     EXPECT_FALSE(other->plan.*omission);
-    const study::Comparison found = study::compared(course, *scene, *other, 1);
+    const study::plan::Comparison found = study::plan::compared(course, *scene, *other, 1);
     EXPECT_GT(found.contact_ticks, 100);
     EXPECT_GT(found.second_work, found.first_work);
     EXPECT_EQ(found.pose, 0.0);
@@ -103,8 +105,8 @@ TEST(PlanStudy, DoesMoreWorkForWhatIsSwitchedOff) {
   const auto cell =
       haptics::makeScene(scene->volume, scene->tool, {FieldKind::Trilinear, NormalKind::Cell, {}})
           .value();
-  const study::Comparison found =
-      study::compared(pressing(cell), *cell, *study::without(*cell, &Plan::central_differences), 1);
+  const study::plan::Comparison found = study::plan::compared(
+      pressing(cell), *cell, *study::plan::without(*cell, &Plan::central_differences), 1);
   EXPECT_GT(found.second_work, found.first_work);
   EXPECT_EQ(found.pose, 0.0);
 }
@@ -123,11 +125,12 @@ TEST(PlanStudy, ShowsAPlanThatLeavesOutWhatWasNeeded) {
   for (const int points : {1, 300}) {
     SCOPED_TRACE(points);
     const auto sound = made::scene(
-        plate(), points == 1 ? made::point() : made::tool(made::ballPoints(points, 4e-3)));
-    const Volume empty = made::solid(made::centred(40, h), [](const Vec3&) { return 1.0; });
+        plate(), points == 1 ? made::point() : made::tool(datasets::ballPoints(points, 4e-3)));
+    const Volume empty =
+        datasets::solid(datasets::centredGrid(40, h), [](const Vec3&) { return 1.0; });
     const auto faulty = withBoundsOf(empty, *sound);
-    EXPECT_EQ(failing(study::examined(pressing(sound), 1)), std::vector<std::string>{});
-    const Outcome outcome = study::examined(pressing(faulty), 1);
+    EXPECT_EQ(failing(study::plan::examined(pressing(sound), 1)), std::vector<std::string>{});
+    const Outcome outcome = study::plan::examined(pressing(faulty), 1);
     for (const char* measure : {"pose", "force"}) {
       EXPECT_TRUE(fails(outcome,
                         "plate: sampling where the pyramid's bounds prove the volume "
@@ -142,8 +145,8 @@ TEST(PlanStudy, ShowsAPlanThatLeavesOutWhatWasNeeded) {
 
 // bounds that are right but for one side of the grid: found where the tool slides onto it
 TEST(PlanStudy, ShowsBoundsThatAreWrongInAPartOfTheVolume) {
-  const auto sound = made::scene(plate(), made::tool(made::ballPoints(100, 2e-3)));
-  const Volume half = made::solid(made::centred(40, h), [](const Vec3& p) {
+  const auto sound = made::scene(plate(), made::tool(datasets::ballPoints(100, 2e-3)));
+  const Volume half = datasets::solid(datasets::centredGrid(40, h), [](const Vec3& p) {
     return p.x() > 0.0 ? 1.0 : std::abs(p.z() + 0.001) - 0.001;
   });
   Course course = pressing(withBoundsOf(half, *sound));
@@ -151,15 +154,15 @@ TEST(PlanStudy, ShowsBoundsThatAreWrongInAPartOfTheVolume) {
                             {at(-0.013, 0, 0.010), at(-0.013, 0, -0.001), at(0.013, 0, -0.001)})
                     .value();
   course.ticks = 600;
-  const Outcome outcome = study::examined(course, 1);
+  const Outcome outcome = study::plan::examined(course, 1);
   EXPECT_TRUE(
       fails(outcome, "plate: sampling where the pyramid's bounds prove the volume free: pose"));
   EXPECT_FALSE(fails(outcome, "plate: ticks in contact"));
 }
 
 TEST(PlanStudy, IsMadeOfJobsWithNamesOfTheirOwn) {
-  const study::Study quick = study::planStudy(study::Depth::Quick),
-                     full = study::planStudy(study::Depth::Full);
+  const study::Study quick = study::plan::planStudy(study::Depth::Quick),
+                     full = study::plan::planStudy(study::Depth::Full);
   EXPECT_GT(full.jobs.size(), quick.jobs.size());
   std::set<std::string> names;
   for (const study::Job& job : full.jobs) names.insert(job.name);
@@ -169,12 +172,13 @@ TEST(PlanStudy, IsMadeOfJobsWithNamesOfTheirOwn) {
 TEST(PlanStudy, ProvesNothingWhereTheToolHasNoRoom) {
   // solid for 80 mm on every side
   const auto scene =
-      made::scene(made::filled(made::centred(80, 2e-3), haptics::ScalarType::UInt8,
-                               [](auto i, auto, auto) { return i == 0 ? 0.0 : 200.0; }),
+      made::scene(datasets::filled(datasets::centredGrid(80, 2e-3), haptics::ScalarType::UInt8,
+                                   [](auto i, auto, auto) { return i == 0 ? 0.0 : 200.0; }),
                   made::point());
   Course course{"solid", scene, 100.0, {}, downwards(), 10};
-  EXPECT_EQ(study::compared(course, *scene, *study::withEverything(*scene), 1).ticks, 0);
-  const Outcome outcome = study::examined(course, 1);
+  EXPECT_EQ(study::plan::compared(course, *scene, *study::plan::withEverything(*scene), 1).ticks,
+            0);
+  const Outcome outcome = study::plan::examined(course, 1);
   EXPECT_FALSE(outcome.cases.empty());
   for (const Case& c : outcome.cases) EXPECT_FALSE(c.pass()) << c.name;
 }

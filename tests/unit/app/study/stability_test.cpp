@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <set>
 
-#include "app/study/made/made.h"
 #include "app/study/stability/energy_balance.h"
 #include "app/study/stability/failures.h"
 #include "app/study/stability/limits.h"
 #include "app/study/stability/plane_limit.h"
 #include "app/study/stability/presses.h"
 #include "app/study/stability/wall.h"
+#include "tests/support/made.h"
 
 namespace {
 
@@ -23,14 +23,14 @@ using study::Depth;
 using study::Job;
 using study::Outcome;
 using study::Study;
-using study::Wall;
+using study::stability::Wall;
 
 /// A handle that swings in a sampled spring of `share` of its limit, and a proxy that steps
 /// `carried` [m] away from it before each way back, so that it is pulled harder than it pulled.
-study::EnergyBalance swung(double share, double carried = 0.0) {
+study::stability::EnergyBalance swung(double share, double carried = 0.0) {
   const haptics::Grip grip;
   const double T = 1e-3, K = share * 2.0 * grip.damping / T;
-  study::EnergyBalance balance{K, grip, T};
+  study::stability::EnergyBalance balance{K, grip, T};
   haptics::Vector6 stretch = haptics::Vector6::Zero();
   double x = 0.0, given = 0.0;
   haptics::Wrench held;
@@ -48,7 +48,7 @@ study::EnergyBalance swung(double share, double carried = 0.0) {
 
 // up to the limit damping takes what sampling gives; beyond it no longer, at any amplitude
 TEST(EnergyBalance, TellsALoopThatShakesFromOneThatGivesALittleAtEachStroke) {
-  const study::EnergyBalance calm = swung(0.45), shaking = swung(1.2);
+  const study::stability::EnergyBalance calm = swung(0.45), shaking = swung(1.2);
   EXPECT_GT(calm.mostGiven(), 1e-3);
   EXPECT_LT(calm.mostLeft(), 1e-3);
   EXPECT_GT(shaking.mostLeft(), 1e-3);
@@ -69,9 +69,9 @@ TEST(Wall, TheMeasuredLimitOfAWellDampedDeviceIsThatOfTheory) {
       const Wall wall{findDeviceModel(name).value(), {}, period};
       ASSERT_GE(wall.totalDamping(), 5.0);
       EXPECT_DOUBLE_EQ(wall.theory(), 2.0 * 5.0 / period);
-      const double measured = study::measuredLimit(wall).stiffness;
+      const double measured = study::stability::measuredLimit(wall).stiffness;
       EXPECT_NEAR(measured / wall.theory(), 1.0, 0.15) << name;
-      EXPECT_NEAR(measured / study::linearLimit(wall), 1.0, 0.15) << name;
+      EXPECT_NEAR(measured / study::stability::linearLimit(wall), 1.0, 0.15) << name;
     }
 }
 
@@ -83,7 +83,9 @@ TEST(Wall, DelayAndVirtualDampingMoveTheMeasuredLimitAsTheyMoveTheLinearOne) {
     for (const double damping : {0.0, 4.0}) {
       wall.device.linkage.delay = delay;
       wall.damping = damping;
-      EXPECT_NEAR(study::measuredLimit(wall).stiffness / study::linearLimit(wall), 1.0, 0.06)
+      EXPECT_NEAR(
+          study::stability::measuredLimit(wall).stiffness / study::stability::linearLimit(wall),
+          1.0, 0.06)
           << delay << " periods, " << damping << " N s/m";
     }
 }
@@ -93,32 +95,33 @@ TEST(Wall, WhatIsLightlyDampedRingsLongAndIsStable) {
   wall.device.damping = 0.3;
   wall.hand.damping = 0.2;
   // m / b is 0.7 s; a verdict by what still shakes at the end would be wrong
-  const auto pressed = study::pressOn(wall, 0.5 * wall.theory());
+  const auto pressed = study::stability::pressOn(wall, 0.5 * wall.theory());
   EXPECT_FALSE(pressed.fed);
   EXPECT_GT(pressed.amplitude, 4.0 * wall.device.linkage.encoder);
-  EXPECT_TRUE(study::pressOn(wall, 1.5 * wall.theory()).fed);
+  EXPECT_TRUE(study::stability::pressOn(wall, 1.5 * wall.theory()).fed);
 }
 
 TEST(Wall, DryFrictionAndTheControllerRaiseTheLimit) {
   Wall wall{findDeviceModel("sigma.7").value(), {}, 1e-3};
-  const double plain = study::measuredLimit(wall).stiffness;
+  const double plain = study::stability::measuredLimit(wall).stiffness;
   wall.controller = 30.0;
-  EXPECT_GT(study::measuredLimit(wall).stiffness, 1.2 * plain);
+  EXPECT_GT(study::stability::measuredLimit(wall).stiffness, 1.2 * plain);
   wall.controller = 0.0;
   wall.device.coulomb = 0.2;
-  EXPECT_GT(study::measuredLimit(wall).stiffness, 1.2 * plain);
+  EXPECT_GT(study::stability::measuredLimit(wall).stiffness, 1.2 * plain);
 }
 
 TEST(Wall, AboveItsLimitItGivesEnergyAndBelowHardlyAny) {
   const Wall wall{findDeviceModel("sigma.7").value(), {}, 1e-3};
-  EXPECT_GT(study::pressOn(wall, 1.3 * wall.theory()).energy, 20e-3);  // J
-  EXPECT_LT(study::pressOn(wall, 0.5 * wall.theory()).energy, 1e-3);
+  EXPECT_GT(study::stability::pressOn(wall, 1.3 * wall.theory()).energy, 20e-3);  // J
+  EXPECT_LT(study::stability::pressOn(wall, 0.5 * wall.theory()).energy, 1e-3);
 }
 
 TEST(PlantedError, AForceThatLagsATickFailsTheLimitOfEveryDevice) {
   for (const DeviceModel& device : haptics::deviceModels()) {
     if (!device.linkage.arm.isZero(0.0) || (made::kSanitized && device.name != "falcon")) continue;
-    const Case sound = study::limitCase(device, 1e-3, 0), lags = study::limitCase(device, 1e-3, 1);
+    const Case sound = study::stability::limitCase(device, 1e-3, 0),
+               lags = study::stability::limitCase(device, 1e-3, 1);
     EXPECT_TRUE(sound.pass()) << device.name << ": " << sound.value;
     EXPECT_FALSE(lags.pass()) << device.name << ": " << lags.value;
     EXPECT_LT(lags.value, 0.5) << device.name;
@@ -127,36 +130,40 @@ TEST(PlantedError, AForceThatLagsATickFailsTheLimitOfEveryDevice) {
 
 TEST(Plane, TheLimitThroughTheTickIsThatOfTheWall) {
   Wall wall{findDeviceModel("falcon").value(), {}, 1e-3};
-  EXPECT_NEAR(study::planeLimit(wall).stiffness / wall.theory(), 1.0, 0.15);
-  EXPECT_NEAR(study::planeLimit(wall).stiffness / study::measuredLimit(wall).stiffness, 1.0, 0.15);
+  EXPECT_NEAR(study::stability::planeLimit(wall).stiffness / wall.theory(), 1.0, 0.15);
+  EXPECT_NEAR(study::stability::planeLimit(wall).stiffness /
+                  study::stability::measuredLimit(wall).stiffness,
+              1.0, 0.15);
   wall.damping = 5.0;
-  EXPECT_NEAR(study::planeLimit(wall).stiffness / study::measuredLimit(wall).stiffness, 1.0, 0.15);
+  EXPECT_NEAR(study::stability::planeLimit(wall).stiffness /
+                  study::stability::measuredLimit(wall).stiffness,
+              1.0, 0.15);
 }
 
 TEST(PlantedError, AForceThatLagsATickLowersTheLimitThroughTheTick) {
   Wall wall{findDeviceModel("falcon").value(), {}, 1e-3};
   const double theory = wall.theory();
   wall.device.linkage.delay = 1;
-  EXPECT_LT(study::planeLimit(wall).stiffness / theory, 0.5);
+  EXPECT_LT(study::stability::planeLimit(wall).stiffness / theory, 0.5);
 }
 
 TEST(PlantedError, AControllerThatIsOffIsSeenThroughTheTick) {
   Wall wall{findDeviceModel("sigma.7").value(), {}, 1e-3};
   const double beyond = 1.5 * wall.theory();
-  EXPECT_TRUE(study::pressOnPlane(wall, beyond).fed);
+  EXPECT_TRUE(study::stability::pressOnPlane(wall, beyond).fed);
   wall.controller = wall.device.rating.damping;
-  const auto controlled = study::pressOnPlane(wall, beyond);
+  const auto controlled = study::stability::pressOnPlane(wall, beyond);
   EXPECT_FALSE(controlled.fed);
   EXPECT_LT(controlled.energy, 1e-3);  // J
 }
 
 TEST(PlantedError, AForceThatLagsATickGivesEnergyInAPress) {
   DeviceModel device = findDeviceModel("lambda.7").value();
-  const auto stage = study::makeStage("ball", 0.0, 1);
-  const double stiffness = study::allowedFor({device}, *stage.scene);
-  const auto sound = study::press({device}, stage, stiffness, false);
+  const auto stage = study::stability::makeStage("ball", 0.0, 1);
+  const double stiffness = study::stability::allowedFor({device}, *stage.scene);
+  const auto sound = study::stability::press({device}, stage, stiffness, false);
   device.linkage.delay = 1;
-  const auto lags = study::press({device}, stage, stiffness, false);
+  const auto lags = study::stability::press({device}, stage, stiffness, false);
   EXPECT_GT(sound.contact, 400);
   EXPECT_LT(sound.energy, 1e-3);  // J
   EXPECT_GT(lags.energy, 10e-3);
@@ -166,15 +173,15 @@ TEST(PlantedError, AForceThatLagsATickGivesEnergyInAPress) {
 // five times as stiff as is allowed: the guard is in the loop that cases are about
 TEST(Press, AsShippedIsGuarded) {
   const DeviceModel device = findDeviceModel("sigma.7").value();
-  const auto stage = study::makeStage("ball", 0.0, 1);
-  const double allowed = study::allowedFor({device}, *stage.scene);
-  EXPECT_EQ(study::press({device}, stage, allowed).share, 1.0);
-  EXPECT_LT(study::press({device}, stage, 5.0 * allowed).share, 0.7);
-  EXPECT_EQ(study::press({device}, stage, 5.0 * allowed, false).share, 1.0);
+  const auto stage = study::stability::makeStage("ball", 0.0, 1);
+  const double allowed = study::stability::allowedFor({device}, *stage.scene);
+  EXPECT_EQ(study::stability::press({device}, stage, allowed).share, 1.0);
+  EXPECT_LT(study::stability::press({device}, stage, 5.0 * allowed).share, 0.7);
+  EXPECT_EQ(study::stability::press({device}, stage, 5.0 * allowed, false).share, 1.0);
 }
 
 TEST(PressJobs, JudgeWhatIsAllowedAndShowTheRestAsRows) {
-  for (const Job& job : study::pressJobs(Depth::Quick)) {
+  for (const Job& job : study::stability::pressJobs(Depth::Quick)) {
     if (job.name != "press/touch/ball") continue;
     const Outcome outcome = job.run(1);
     ASSERT_EQ(outcome.tables.size(), 2u);
@@ -190,7 +197,7 @@ TEST(PressJobs, JudgeWhatIsAllowedAndShowTheRestAsRows) {
 
 TEST(StabilityStudy, HasEveryDeviceAndNamesEachJobOnce) {
   for (const Depth depth : {Depth::Quick, Depth::Full}) {
-    const Study study = study::stabilityStudy(depth);
+    const Study study = study::stability::stabilityStudy(depth);
     std::set<std::string> names;
     for (const Job& job : study.jobs) {
       EXPECT_TRUE(names.insert(job.name).second) << job.name;
@@ -219,12 +226,12 @@ TEST(StabilityStudy, HasEveryDeviceAndNamesEachJobOnce) {
 }
 
 // one trial lags by 1 and then 3 mm, the other by 2 mm for a tick
-TEST(Recorder, GivesMeanLeastAndGreatestOfItsTrials) {
-  const auto scene = study::makeStage("ball", 0.0, 1).scene;
-  study::Trial one{scene, 0.0, made::at(0, 0, 0.03)}, other = one;
+TEST(DeviceDistances, GivesMeanLeastAndGreatestOfItsTrials) {
+  const auto scene = study::stability::makeStage("ball", 0.0, 1).scene;
+  study::stability::Trial one{scene, 0.0, made::at(0, 0, 0.03)}, other = one;
   one.behind = {1e-3f, 3e-3f};
   other.behind = {2e-3f};
-  study::failures::Recorder recorder;
+  study::stability::DeviceDistances recorder;
   recorder.add(one);
   recorder.add(other);
   const auto plot = recorder.plot("some");
@@ -239,8 +246,9 @@ TEST(Recorder, GivesMeanLeastAndGreatestOfItsTrials) {
 }
 
 // a trial records what its proxy did
-TEST(Recorder, ATrialIsBehindWhereItsDeviceIsInside) {
-  study::Trial trial{study::makeStage("ball", 0.0, 1).scene, 0.0, made::at(0, 0, 0.03)};
+TEST(DeviceDistances, ATrialIsBehindWhereItsDeviceIsInside) {
+  study::stability::Trial trial{study::stability::makeStage("ball", 0.0, 1).scene, 0.0,
+                                made::at(0, 0, 0.03)};
   trial.carry(made::at(0, 0, 0.03), made::at(0, 0, 0.015), 50);
   ASSERT_EQ(trial.behind.size(), 50u);
   EXPECT_EQ(trial.behind.front(), 0.0f);
@@ -249,7 +257,7 @@ TEST(Recorder, ATrialIsBehindWhereItsDeviceIsInside) {
 
 // a short form of the study: one job of each kind, twice
 TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
-  const Study study = study::stabilityStudy(Depth::Quick);
+  const Study study = study::stability::stabilityStudy(Depth::Quick);
   std::set<std::string> names;
   int jobs = 0;
   for (const Job& job : study.jobs) {

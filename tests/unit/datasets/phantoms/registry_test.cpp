@@ -3,10 +3,10 @@
 
 #include <cstring>
 
-#include "app/study/made/made.h"
 #include "datasets/phantoms/noise.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/phantoms/sampling.h"
+#include "tests/support/made.h"
 #include "tests/support/sentence.h"
 
 namespace datasets {

@@ -9,7 +9,7 @@
 #include "haptics/collision/sweep.h"
 
 /// The collision detection of a whole tool, for a tool of one point.
-namespace made {
+namespace study::arcs {
 
 /// The path of one point, and the motion that it comes from.
 struct Arc : haptics::PointPath {
@@ -57,4 +57,4 @@ inline Crossing crossed(const haptics::Isosurface& solid, const Arc& arc,
   return crossing;
 }
 
-}  // namespace made
+}  // namespace study::arcs

@@ -11,15 +11,17 @@
 #include <string>
 #include <vector>
 
-#include "app/study/made/made.h"
-#include "app/study/made/one_point.h"
+#include "app/study/arcs/one_point.h"
 #include "app/study/reference/evaluator.h"
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/sweep.h"
+#include "haptics/tool/point_shell.h"
 
 /// Random arcs through volumes that are hard on collision detection, and what a dense sampling of
 /// the field in double says of each.
-namespace arcs {
+namespace study::arcs {
 
 using haptics::Vec3;
 
@@ -37,7 +39,7 @@ struct Target {
 
   Target(std::string called, haptics::Volume made, std::vector<double> at, double within, int dense)
       : name{std::move(called)},
-        volume{made::shared(std::move(made))},
+        volume{std::make_shared<const haptics::Volume>(std::move(made))},
         field{volume},
         isovalues{std::move(at)},
         half{within},
@@ -64,15 +66,15 @@ struct Target {
 /// White noise, from a third to two standard deviations.
 inline Target noise(unsigned seed) {
   return {"noise",
-          made::noise(made::centred(40, h), seed),
+          datasets::whiteNoise(datasets::centredGrid(40, h), seed),
           {33.0, 67.0, 100.0, 133.0, 200.0},
           18 * h,
           600};
 }
 /// A plate one voxel thick and slanting, seen near its peak: what is inside are flakes of it.
-inline Target slantedPlate(made::Random& random) {
+inline Target slantedPlate(datasets::Random& random) {
   const Vec3 n = random.direction();
-  auto volume = made::sampled(made::centred(40, h), [&](const Vec3& p) {
+  auto volume = datasets::sampledFloat(datasets::centredGrid(40, h), [&](const Vec3& p) {
     return 1000.0 * std::max(0.0, 1.0 - std::abs(n.dot(p)) / h);
   });
   const double peak = volume.greatest;
@@ -81,8 +83,8 @@ inline Target slantedPlate(made::Random& random) {
 /// Upright plates, 0.4, 0.1 and 0.02 voxel thick at these isovalues.
 inline Target uprightPlates() {
   return {"upright plates",
-          made::filled(made::centred(40, h), haptics::ScalarType::Int16,
-                       [](auto i, auto, auto) { return i % 8 == 4 ? 1000.0 : 0.0; }),
+          datasets::filled(datasets::centredGrid(40, h), haptics::ScalarType::Int16,
+                           [](auto i, auto, auto) { return i % 8 == 4 ? 1000.0 : 0.0; }),
           {800.0, 950.0, 990.0},
           15 * h,
           1200};
@@ -91,13 +93,13 @@ inline Target uprightPlates() {
 inline Target gyroid() {
   static constexpr double kWave = 2.0 * std::numbers::pi / (12.0 * h);
   return {"gyroid",
-          made::sampled(made::centred(40, h),
-                        [](const Vec3& p) {
-                          const Vec3 q = kWave * p;
-                          return 1000.0 * (std::sin(q.x()) * std::cos(q.y()) +
-                                           std::sin(q.y()) * std::cos(q.z()) +
-                                           std::sin(q.z()) * std::cos(q.x()));
-                        }),
+          datasets::sampledFloat(datasets::centredGrid(40, h),
+                                 [](const Vec3& p) {
+                                   const Vec3 q = kWave * p;
+                                   return 1000.0 * (std::sin(q.x()) * std::cos(q.y()) +
+                                                    std::sin(q.y()) * std::cos(q.z()) +
+                                                    std::sin(q.z()) * std::cos(q.x()));
+                                 }),
           {-500.0, 0.0, 500.0, 1200.0, 1400.0},
           18 * h,
           400};
@@ -176,20 +178,20 @@ inline void judge(const Target& target, double s, const std::optional<double>& f
 }
 
 /// Up to 3 mm along and 0.35 rad about.
-inline haptics::Twist anyMotion(made::Random& random) {
+inline haptics::Twist anyMotion(datasets::Random& random) {
   return {3e-3 * random.in(0.0, 1.0) * random.direction(),
           0.35 * random.in(0.0, 1.0) * random.direction()};
 }
 
 /// Where a method stops an arc of one point at an isovalue.
-using Detect = std::function<made::Crossing(const Target&, double s, const made::Arc&)>;
+using Detect = std::function<Crossing(const Target&, double s, const Arc&)>;
 /// As a tick does, for a tool of one point.
-inline made::Crossing detected(const Target& target, double s, const made::Arc& arc) {
-  return made::crossed({target.field, s}, arc, haptics::Tolerances{h});
+inline Crossing detected(const Target& target, double s, const Arc& arc) {
+  return crossed({target.field, s}, arc, haptics::Tolerances{h});
 }
 
 /// Arcs of one point, up to 20 mm from the tool's origin.
-inline Tally shootPoints(const Target& target, long count, made::Random& random,
+inline Tally shootPoints(const Target& target, long count, datasets::Random& random,
                          const Detect& detect = detected) {
   Tally tally;
   while (tally.arcs < count) {
@@ -197,10 +199,10 @@ inline Tally shootPoints(const Target& target, long count, made::Random& random,
         target.isovalues[static_cast<std::size_t>(random.below(int(target.isovalues.size())))];
     const haptics::Isosurface solid{target.field, s};
     const Vec3 r = random.in(0.0, 0.02) * random.direction();
-    const made::Arc path{random.box(target.half) - r, r, anyMotion(random)};
+    const Arc path{random.box(target.half) - r, r, anyMotion(random)};
     if (evaluator::fieldAt(*target.volume, path.at(0.0)) >= solid.ceiling()) continue;
     ++tally.arcs;
-    const made::Crossing crossing = detect(target, s, path);
+    const Crossing crossing = detect(target, s, path);
     judge(target, s, firstInside(target, s, path), path.speed(), path, crossing.time, crossing.met,
           tally);
   }
@@ -208,7 +210,7 @@ inline Tally shootPoints(const Target& target, long count, made::Random& random,
 }
 
 /// Arcs of a tool of 20 points within 8 mm, each with the collision detection of the whole shell.
-inline Tally shootShells(const Target& target, long count, made::Random& random) {
+inline Tally shootShells(const Target& target, long count, datasets::Random& random) {
   Tally tally;
   haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
   while (tally.arcs < count) {
@@ -220,7 +222,7 @@ inline Tally shootShells(const Target& target, long count, made::Random& random)
     std::vector<Vec3> points;
     for (int n = 0; n < 20; ++n) points.push_back(random.box(size));
     const haptics::PointShell shell = haptics::makeShell(std::move(points)).value();
-    const haptics::Pose X = made::at(random.box(target.half), random.rotation());
+    const haptics::Pose X = haptics::poseOf(random.box(target.half), random.rotation());
     const haptics::Twist motion = anyMotion(random);
     const double reach = motion.linear.norm() + motion.angular.norm() * shell.radius;
     const haptics::ShellTree tree{shell.points};
@@ -252,4 +254,4 @@ inline Tally shootShells(const Target& target, long count, made::Random& random)
   return tally;
 }
 
-}  // namespace arcs
+}  // namespace study::arcs

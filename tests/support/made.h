@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
+#include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
-#include <random>
 #include <utility>
 #include <vector>
 
 #include "datasets/phantoms/making.h"
-#include "datasets/phantoms/sampling.h"
 #include "haptics/core/volume.h"
 #include "haptics/scene/scene.h"
 #include "haptics/tool/point_shell.h"
@@ -37,27 +34,8 @@ inline constexpr bool kSanitized = false;
 /// How often a random test repeats: a tenth under a sanitizer.
 constexpr int trials(int n) { return kSanitized ? n / 10 : n; }
 
-using datasets::ballPoints;
-using datasets::filled;
-using datasets::Random;
-using datasets::solid;
-
 inline Pose at(const Vec3& p, const Quat& q = Quat::Identity()) { return haptics::poseOf(p, q); }
 inline Pose at(double x, double y, double z) { return at(Vec3{x, y, z}); }
-
-/// A grid of cubes of side `spacing` [m] whose middle is the origin of W.
-inline Grid centred(std::int64_t n, double spacing) {
-  return datasets::centredGrid(n, n, n, spacing);
-}
-
-/// A float volume from f(p_W).
-template <class F>
-Volume sampled(const Grid& grid, F&& f) {
-  return datasets::sampledFloat(grid, std::forward<F>(f));
-}
-inline constexpr double kIso = datasets::kSolidIso;
-/// White noise: mean 0, standard deviation 100.
-inline Volume noise(const Grid& grid, unsigned seed) { return datasets::whiteNoise(grid, seed); }
 
 inline std::shared_ptr<const Volume> shared(Volume volume) {
   return std::make_shared<const Volume>(std::move(volume));
@@ -73,7 +51,7 @@ inline std::shared_ptr<const haptics::Scene> scene(Volume volume, haptics::Tool 
 }
 
 /// A rotation, an anisotropy and a handedness for the k-th of some grids.
-inline Grid oddGrid(int k, std::array<std::int64_t, 3> dims, Random& random) {
+inline Grid oddGrid(int k, std::array<std::int64_t, 3> dims, datasets::Random& random) {
   Grid grid;
   grid.dims = dims;
   grid.spacing = k % 2 == 0 ? Vec3{4e-4, 7e-4, 2e-3} : Vec3{1e-3, 3e-4, 5e-4};
@@ -88,13 +66,13 @@ inline constexpr ScalarType kTypes[] = {ScalarType::UInt8,  ScalarType::Int8,   
                                         ScalarType::Float32};
 
 /// The full range of a type, at random.
-inline Volume randomVolume(const Grid& grid, ScalarType type, Random& random) {
+inline Volume randomVolume(const Grid& grid, ScalarType type, datasets::Random& random) {
   const double span[] = {255, 127, 65535, 32767, 4294967295.0, 2147483647.0, 3000.0};
   const double top = span[static_cast<int>(type)];
   const bool is_signed = type == ScalarType::Int8 || type == ScalarType::Int16 ||
                          type == ScalarType::Int32 || type == ScalarType::Float32;
-  return filled(grid, type,
-                [&](auto, auto, auto) { return random.in(is_signed ? -top - 1.0 : 0.0, top); });
+  return datasets::filled(
+      grid, type, [&](auto, auto, auto) { return random.in(is_signed ? -top - 1.0 : 0.0, top); });
 }
 
 }  // namespace made
