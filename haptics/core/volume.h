@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -37,6 +38,15 @@ struct Grid {
   }
 };
 
+/// A box of voxels: those with first <= index < end on each axis.
+struct VoxelBox {
+  std::array<std::int64_t, 3> first{}, end{};
+  bool operator==(const VoxelBox&) const = default;
+};
+
+class VoxelMemory;  // core/voxel_memory.h
+struct Edited;      // edit/edited.h
+
 /// A scan: one evenly spaced, right-angled, single-component stack of voxels. Immutable once
 /// made, shared by picture, slices and touch; there is one copy of the voxels.
 struct Volume {
@@ -55,6 +65,15 @@ struct Volume {
   /// Number of slices of the series that are not in this volume. It is above 0 if the series lacks
   /// slices and this is its largest part without a gap.
   std::int64_t slices_left_out = 0;
+  /// The voxels that exist, a box within the grid; none: all of them. Beyond it F falls to the
+  /// background within one voxel, as it does beyond the grid.
+  std::optional<VoxelBox> crop = {};
+  /// The memory object that `voxels` is a view of; null: they cannot be edited.
+  std::shared_ptr<const VoxelMemory> memory = {};
+  /// What was taken away from the scan; null: nothing.
+  std::shared_ptr<const Edited> edited = {};
+
+  VoxelBox bounds() const { return crop ? *crop : VoxelBox{{}, grid.dims}; }
 };
 
 inline constexpr std::size_t kVoxelPadding = 64;  ///< bytes

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "haptics/core/error.h"
+#include "haptics/core/geometry.h"
+#include "haptics/core/volume.h"
+
+namespace haptics {
+
+/// Keeps the voxels of a box and writes none.
+struct Crop {
+  VoxelBox kept;  ///< indices of the scan, within its grid; at least one voxel
+};
+
+/// Cuts away the half-space to which the normal points.
+struct PlaneCut {
+  Vec3 point_W = Vec3::Zero();    ///< m
+  Vec3 normal_W = Vec3::UnitZ();  ///< unit
+};
+
+/// Cuts along a closed outline drawn on a picture, through everything behind it (a scalpel).
+struct LassoCut {
+  /// Corners of the outline in the camera's axes, at least three: for a parallel camera x, y in m,
+  /// else x, y over the distance along the view (tangents). The last corner joins the first.
+  std::vector<std::array<double, 2>> outline;
+  Pose X_WC = Pose::Identity();  ///< camera: its eye, x right, y up, z towards the viewer
+  bool parallel = false;
+  double from = 0.0;   ///< m along the view from the eye: where the cut begins
+  double until = 1e3;  ///< m, where it ends: the depth limit
+  bool inside = true;  ///< what is inside the outline goes; false: what is outside
+};
+
+/// Takes away the connected part of the solid at a place.
+struct RemovePiece {
+  Vec3 seed_W = Vec3::Zero();  ///< m, in the solid or within two voxels of it
+  double isovalue = 0.0;
+};
+
+/// Takes away all parts of the solid but the one at a place.
+struct KeepPiece {
+  Vec3 seed_W = Vec3::Zero();
+  double isovalue = 0.0;
+};
+
+/// Takes away all connected parts that are smaller than this.
+struct RemoveSmallPieces {
+  double isovalue = 0.0;
+  double least_volume = 0.0;  ///< m^3
+};
+
+/// Takes away table and head holder: what is no part of the patient, by the rule in edit/README.md.
+struct RemoveHolder {
+  double isovalue = 0.0;
+};
+
+/// One thing that the user took away, as a command: applied to the same volume it gives the same
+/// voxels, to the bit. A session file and a recording store it as text.
+using Edit =
+    std::variant<Crop, PlaneCut, LassoCut, RemovePiece, KeepPiece, RemoveSmallPieces, RemoveHolder>;
+
+/// One line of JSON; numbers so that reading gives the same double.
+std::string textOf(const Edit& edit);
+/// Refuses text that textOf() did not write, and numbers out of range; reason "damaged".
+Expected<Edit> editFrom(std::string_view text);
+
+}  // namespace haptics
