@@ -278,6 +278,16 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
 
 void MainWindow::show(const haptics::TriangleMesh& tool) { view_->show(tool); }
 
+void MainWindow::setTouched(const TouchedSurface& touched) {
+  view_->setTouched(touched);
+  for (SliceView* slice : slices_) slice->setTouched(touched);
+}
+
+void MainWindow::addOverlay(Overlay& overlay) {
+  view_->addOverlay(overlay);
+  for (SliceView* slice : slices_) slice->addOverlay(overlay);
+}
+
 void MainWindow::display(const haptics::Snapshot& snapshot) {
   view_->display(snapshot);
   for (SliceView* slice : slices_) slice->setProxy(snapshot.X_WP.translation() * kMmPerM);

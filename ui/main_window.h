@@ -46,6 +46,10 @@ class MainWindow : public QMainWindow {
   void show(const Picture& picture, double isovalue, const QString& title);
   void show(const haptics::TriangleMesh& tool);
   using QMainWindow::show;
+  /// The surface that is touched, for all views; given with every scene.
+  void setTouched(const TouchedSurface& touched);
+  /// Draws this above all views, and asks it first for mouse and keys.
+  void addOverlay(Overlay& overlay);
   /// The state of the touch, at display rate. Pictures are updated at once, texts ten times a
   /// second.
   void display(const haptics::Snapshot& snapshot);

@@ -25,13 +25,54 @@ QString nameOf(Plane plane) {
 
 }  // namespace
 
+/// What overlays know of a slice.
+class SliceView::Geometry : public ViewGeometry {
+ public:
+  explicit Geometry(const SliceView& view) : view_(view) {}
+
+  bool isSlice() const override { return true; }
+  QPointF projected(const Eigen::Vector3d& p_W_mm) const override {
+    return view_.projected(p_W_mm);
+  }
+  Eigen::Matrix3d axes() const override {
+    Eigen::Matrix3d axes;
+    axes << view_.axes_.right, view_.axes_.up, view_.axes_.right.cross(view_.axes_.up);
+    return axes;
+  }
+  std::optional<Eigen::Vector3d> placeUnder(QPointF at) const override {
+    return view_.placeUnder(at);
+  }
+  Eigen::Vector3d placeBeside(QPointF at, const Eigen::Vector3d& p_W_mm) const override {
+    const Eigen::Vector3d p = view_.placeUnder(at);
+    return p + view_.axes_.normal * view_.axes_.normal.dot(p_W_mm - p);
+  }
+  void sight(QPointF at, Eigen::Vector3d& from_W_mm, Eigen::Vector3d& along_W) const override {
+    from_W_mm = view_.placeUnder(at);
+    along_W = view_.axes_.up.cross(view_.axes_.right);
+  }
+  double mmPerPixel(const Eigen::Vector3d&) const override { return view_.mmPerPixel(); }
+  double offset_mm(const Eigen::Vector3d& p_W_mm) const override {
+    return view_.axes_.right.cross(view_.axes_.up).dot(p_W_mm - view_.cross_mm_);
+  }
+  const QWidget& widget() const override { return view_; }
+
+ private:
+  const SliceView& view_;
+};
+
 SliceView::SliceView(Plane plane, QWidget* parent)
-    : QWidget(parent), plane_(plane), axes_(axesOf(plane)) {
+    : QWidget(parent),
+      plane_(plane),
+      axes_(axesOf(plane)),
+      geometry_(std::make_unique<Geometry>(*this)) {
+  setMouseTracking(true);
   setMinimumSize(120, 100);
   setFocusPolicy(Qt::ClickFocus);
   setAccessibleName(nameOf(plane));
   setAttribute(Qt::WA_OpaquePaintEvent);
 }
+
+SliceView::~SliceView() = default;
 
 void SliceView::show(const Picture& picture) {
   slice_.show(picture);
@@ -104,6 +145,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.drawEllipse(projected(*proxy_mm_), 4.0, 4.0);
   }
   drawLetters(painter);
+  overlays_.paint(painter, *geometry_);
 }
 
 void SliceView::drawLetters(QPainter& painter) const {
@@ -127,24 +169,29 @@ void SliceView::drawLetters(QPainter& painter) const {
 
 void SliceView::resizeEvent(QResizeEvent*) { stale_ = true; }
 
+Eigen::Vector3d SliceView::placeUnder(QPointF at) const {
+  const double scale = mmPerPixel();
+  const Eigen::Vector3d centre = box_mm_.isEmpty() ? cross_mm_ : Eigen::Vector3d{box_mm_.center()};
+  const Eigen::Vector3d p = centre + axes_.right * ((at.x() - 0.5 * width()) * scale) -
+                            axes_.up * ((at.y() - 0.5 * height()) * scale);
+  return p + axes_.normal * axes_.normal.dot(cross_mm_ - centre);
+}
+
 void SliceView::moveCrossTo(QPointF at) {
   if (slice_.empty()) return;
-  const double scale = mmPerPixel();
-  const Eigen::Vector3d centre = box_mm_.center();
-  Eigen::Vector3d p = centre + axes_.right * ((at.x() - 0.5 * width()) * scale) -
-                      axes_.up * ((at.y() - 0.5 * height()) * scale);
-  p += axes_.normal * axes_.normal.dot(cross_mm_ - centre);
-  emit crossMoved(p.cwiseMax(box_mm_.min()).cwiseMin(box_mm_.max()));
+  emit crossMoved(placeUnder(at).cwiseMax(box_mm_.min()).cwiseMin(box_mm_.max()));
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   last_mouse_ = event->position();
+  if (overlays_.press(*geometry_, *event)) return;
   if (event->button() == Qt::LeftButton) moveCrossTo(event->position());
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF by = event->position() - last_mouse_;
   last_mouse_ = event->position();
+  if (overlays_.move(*geometry_, *event)) return;
   if (event->buttons() & Qt::LeftButton) {
     moveCrossTo(event->position());
   } else if (event->buttons() & Qt::RightButton) {
@@ -154,6 +201,16 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     grey.level -= by.y() * 0.003 * grey.width;
     emit greyChanged(grey);
   }
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event) { overlays_.release(*geometry_, *event); }
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (!overlays_.doubleClick(*geometry_, *event)) mousePressEvent(event);
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+  if (!overlays_.key(*geometry_, *event)) QWidget::keyPressEvent(event);
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {

@@ -3,9 +3,12 @@
 
 #include <QImage>
 #include <QWidget>
+#include <memory>
 #include <optional>
 
+#include "ui/overlay_stack.h"
 #include "ui/props/slice.h"
+#include "ui/touched_surface.h"
 
 namespace ui {
 
@@ -16,12 +19,18 @@ class SliceView : public QWidget {
   Q_OBJECT
  public:
   explicit SliceView(Plane plane, QWidget* parent = nullptr);
+  ~SliceView() override;
 
   void show(const Picture& picture);
   void setCross(const Eigen::Vector3d& cross_W_mm);
   void setGrey(const GreyWindow& grey);
   /// Sets the proxy's position. Its mark is solid if it lies in this slice.
   void setProxy(const Eigen::Vector3d& proxy_W_mm);
+
+  /// The surface that is touched; given with every scene.
+  void setTouched(const TouchedSurface& touched) { touched_ = touched; }
+  /// Draws this above the slice, and asks it first for mouse and keys.
+  void addOverlay(Overlay& overlay) { overlays_.add(overlay); }
 
   Plane plane() const { return plane_; }
   /// Widget coordinates of a point of W, mm.
@@ -37,10 +46,17 @@ class SliceView : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
+  class Geometry;
+
   double mmPerPixel() const;
+  /// The place of W, mm, under a pixel, in the plane of the slice.
+  Eigen::Vector3d placeUnder(QPointF at) const;
   void moveCrossTo(QPointF at);
   void drawLetters(QPainter& painter) const;
 
@@ -57,6 +73,9 @@ class SliceView : public QWidget {
   std::optional<Eigen::Vector3d> proxy_mm_;
   GreyWindow grey_;
   QPointF last_mouse_;
+  TouchedSurface touched_;
+  std::unique_ptr<Geometry> geometry_;
+  OverlayStack overlays_{*this};
 };
 
 }  // namespace ui

@@ -11,6 +11,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -30,13 +31,68 @@ constexpr double kBeside_deg = 40.0;  // between the device and the eye, about t
 
 }  // namespace
 
+/// What overlays know of the 3-D view.
+class VolumeView::Geometry : public ViewGeometry {
+ public:
+  explicit Geometry(const VolumeView& view) : view_(view) {}
+
+  bool isSlice() const override { return false; }
+  QPointF projected(const Eigen::Vector3d& p_W_mm) const override {
+    return view_.projected(p_W_mm / kMmPerM);
+  }
+  Eigen::Matrix3d axes() const override { return view_.viewAxes(); }
+  std::optional<Eigen::Vector3d> placeUnder(QPointF at) const override {
+    if (!view_.touched_.firstMet || view_.box_mm_.isEmpty()) return {};
+    Eigen::Vector3d from_mm, along;
+    sight(at, from_mm, along);
+    const double far_mm =
+        (view_.box_mm_.center() - from_mm).norm() + view_.box_mm_.diagonal().norm();
+    const auto met = view_.touched_.firstMet(from_mm / kMmPerM,
+                                             (from_mm + far_mm * along) / kMmPerM, view_.isovalue_);
+    if (!met) return {};
+    return met->p_W * kMmPerM;
+  }
+  Eigen::Vector3d placeBeside(QPointF at, const Eigen::Vector3d& p_W_mm) const override {
+    Eigen::Vector3d from_mm, along;
+    sight(at, from_mm, along);
+    const Eigen::Vector3d towards = view_.viewAxes().col(2);
+    return from_mm + along * (towards.dot(p_W_mm - from_mm) / towards.dot(along));
+  }
+  void sight(QPointF at, Eigen::Vector3d& from_W_mm, Eigen::Vector3d& along_W) const override {
+    // where the pixel meets the plane through the focal point
+    const Eigen::Matrix3d axes = view_.viewAxes();
+    const Eigen::Vector3d focus{view_.camera_->GetFocalPoint()};
+    const double mm = view_.metresPerPixel(focus / kMmPerM) * kMmPerM;
+    const Eigen::Vector3d through = focus + axes.col(0) * ((at.x() - 0.5 * view_.width()) * mm) -
+                                    axes.col(1) * ((at.y() - 0.5 * view_.height()) * mm);
+    const Eigen::Vector3d eye{view_.camera_->GetPosition()};
+    if (view_.camera_->GetParallelProjection()) {
+      along_W = -axes.col(2);
+      from_W_mm = through + axes.col(2) * (eye - focus).norm();
+    } else {
+      from_W_mm = eye;
+      along_W = (through - eye).normalized();
+    }
+  }
+  double mmPerPixel(const Eigen::Vector3d& p_W_mm) const override {
+    return view_.metresPerPixel(p_W_mm / kMmPerM) * kMmPerM;
+  }
+  double offset_mm(const Eigen::Vector3d&) const override { return 0.0; }
+  const QWidget& widget() const override { return view_; }
+
+ private:
+  const VolumeView& view_;
+};
+
 VolumeView::VolumeView(QWidget* parent)
     : Viewport(parent),
       camera_(vtkSmartPointer<vtkCamera>::New()),
       surface_layer_(vtkSmartPointer<vtkRenderer>::New()),
       proxy_layer_(vtkSmartPointer<vtkRenderer>::New()),
       overlay_layer_(vtkSmartPointer<vtkRenderer>::New()),
-      held_(vtkSmartPointer<HeldPass>::New()) {
+      held_(vtkSmartPointer<HeldPass>::New()),
+      geometry_(std::make_unique<Geometry>(*this)) {
+  setMouseTracking(true);
   setAccessibleName(tr("3-D view"));
   camera_->SetViewAngle(kViewAngle_deg);
   camera_->SetViewUp(0.0, 0.0, 1.0);
@@ -236,6 +292,8 @@ Eigen::Matrix3d VolumeView::viewAxes() const {
 double VolumeView::metresPerPixel(const haptics::Vec3& p_W) const {
   const Eigen::Vector3d eye{camera_->GetPosition()};
   const double depth_mm = std::max(1.0, -viewAxes().col(2).dot(p_W * kMmPerM - eye));
+  if (camera_->GetParallelProjection())
+    return 2.0 * camera_->GetParallelScale() / std::max(1, height()) / kMmPerM;
   const double half = std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180.0);
   return 2.0 * depth_mm * half / std::max(1, height()) / kMmPerM;
 }
@@ -285,14 +343,29 @@ void VolumeView::moveHand(QPointF by, bool turn) {
   emit handPulled(X_WH);
 }
 
+void VolumeView::paintGL() {
+  Viewport::paintGL();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  overlays_.paint(painter, *geometry_);
+}
+
 void VolumeView::mousePressEvent(QMouseEvent* event) {
   last_mouse_ = event->position();
   event->accept();
+  overlays_.press(*geometry_, *event);
+}
+
+void VolumeView::mouseReleaseEvent(QMouseEvent* event) { overlays_.release(*geometry_, *event); }
+
+void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (!overlays_.doubleClick(*geometry_, *event)) mousePressEvent(event);
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF by = event->position() - last_mouse_;
   last_mouse_ = event->position();
+  if (overlays_.move(*geometry_, *event)) return;
   if (event->buttons() & Qt::LeftButton) {
     if (mouse_hand_ && displayed_)
       moveHand(by, event->modifiers() & Qt::ShiftModifier);
@@ -318,6 +391,7 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Space && overlays_.key(*geometry_, *event)) return;
   switch (event->key()) {
     case Qt::Key_Space:
       emit forceOffWanted();

@@ -8,9 +8,11 @@
 #include <optional>
 
 #include "haptics/snapshot.h"
+#include "ui/overlay_stack.h"
 #include "ui/props/letters.h"
 #include "ui/props/tool_prop.h"
 #include "ui/props/volume_prop.h"
+#include "ui/touched_surface.h"
 #include "ui/viewport.h"
 
 class vtkRenderer;
@@ -40,6 +42,10 @@ class VolumeView : public Viewport {
   void setMouseHand(bool on);
   /// Shows the mesh requested by fineMeshWanted.
   void showFine(vtkPolyData* mesh, double isovalue);
+  /// The surface that is touched; given with every scene.
+  void setTouched(const TouchedSurface& touched) { touched_ = touched; }
+  /// Draws this above the picture, and asks it first for mouse and keys.
+  void addOverlay(Overlay& overlay) { overlays_.add(overlay); }
   void resetCamera();
   /// Shows everything, from the device's side.
   void lookFromTool();
@@ -65,12 +71,17 @@ class VolumeView : public Viewport {
   void aboutToDraw() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void paintGL() override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  class Geometry;
+
   void chooseMode();
   void redrawSurface();
   void cameraMoved();
@@ -104,6 +115,9 @@ class VolumeView : public Viewport {
   std::optional<haptics::Pose> hand_target_;
   QPointF last_mouse_;
   QTimer still_;
+  TouchedSurface touched_;
+  std::unique_ptr<Geometry> geometry_;
+  OverlayStack overlays_{*this};
 };
 
 }  // namespace ui

@@ -8,6 +8,7 @@
 
 #include "app/window/recent_places.h"
 #include "app/window/sentence.h"
+#include "app/window/touched_surface.h"
 #include "datasets/phantoms/phantoms.h"
 
 namespace app {
@@ -72,6 +73,7 @@ void OpeningController::adopt(const Loaded& loaded) {
   emit this->loaded(new_volume, placed);
   if (new_volume) window_.show(loaded.picture, shared_.settings.isovalue, loaded.title);
   window_.show(loaded.scene->tool.mesh);
+  window_.setTouched(touchedSurfaceOf(loaded.scene));
   emit shown(new_volume);
 }
 

@@ -11,6 +11,7 @@
 #include <QSlider>
 #include <cmath>
 
+#include "haptics/settings.h"
 #include "ui/number_box.h"
 
 namespace ui {
