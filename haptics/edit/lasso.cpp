@@ -43,8 +43,9 @@ class LassoOperator final : public EditOperator {
   /// Edges that come near a block: a part of `edges`.
   struct NearEdges {
     std::uint32_t first, count;
-    Vec3 reference;  // the middle of the block
-    bool inside;     // whether that is
+    Vec3 middle;    // of the block
+    bool inside;    // whether that is
+    double inward;  // its distance to the wall, positive inside
   };
   struct Found {
     std::vector<std::pair<std::size_t, std::uint32_t>> blocks;  // block, kInside or one of `lists`
@@ -173,7 +174,7 @@ bool LassoOperator::isInside(const Vec3& u) const {
 
 bool LassoOperator::isInside(const Vec3& u, const NearEdges& near) const {
   // from the middle of its block: each edge that is crossed in between comes near the block
-  const Vec3 p = pictureOf(near.reference), q = pictureOf(u);
+  const Vec3 p = pictureOf(near.middle), q = pictureOf(u);
   if (!parallel_ && !(p.z() > 0.0 && q.z() > 0.0)) return isInside(u);
   const auto left = [](double ax, double ay, double bx, double by, double x, double y) {
     return (bx - ax) * (y - ay) - (by - ay) * (x - ax) > 0.0;
@@ -203,15 +204,23 @@ void LassoOperator::divide(const std::array<std::int64_t, 3>& first, std::int64_
   if (deep + depth_from_ < -away || deep + depth_until_ > away) return;
 
   std::vector<std::uint32_t> here;
-  for (const std::uint32_t n : near)
-    if (squaredDistance(parts_[n], middle) < away * away) here.push_back(n);
+  double nearest = away * away;
+  for (const std::uint32_t n : near) {
+    const double squared = squaredDistance(parts_[n], middle);
+    if (!(squared < away * away)) continue;
+    here.push_back(n);
+    nearest = std::min(nearest, squared);
+  }
   if (here.empty() || side == kBlock) {
     if (here.empty() && !isInside(middle)) return;
     std::uint32_t state = kInside;
     if (!here.empty()) {
       state = static_cast<std::uint32_t>(found.lists.size());
+      const bool inside = isInside(middle);
+      const double distance = std::sqrt(nearest);
       found.lists.push_back({static_cast<std::uint32_t>(found.edges.size()),
-                             static_cast<std::uint32_t>(here.size()), middle, isInside(middle)});
+                             static_cast<std::uint32_t>(here.size()), middle, inside,
+                             inside ? distance : -distance});
       found.edges.insert(found.edges.end(), here.begin(), here.end());
     }
     const std::int64_t n = side / kBlock;
@@ -255,10 +264,19 @@ bool LassoOperator::classify(const EditProgress& progress) {
 }
 
 double LassoOperator::inward(const Vec3& u, std::uint32_t list) const {
-  double least = std::numeric_limits<double>::infinity();
   const NearEdges& near = lists_[list];
-  for (std::uint32_t n = near.first; n < near.first + near.count; ++n)
-    least = std::min(least, squaredDistance(parts_[edges_[n]], u));
+  // what is farther from the wall than this is as good as infinitely far
+  const double far = std::max(WallProfile::kReach, wall_.back());
+  const double margin = std::abs(near.inward) - far;
+  if (margin > 0.0 && (u - near.middle).squaredNorm() < margin * margin)
+    return near.inside ? far : -far;
+  double least = far * far;
+  for (std::uint32_t n = near.first; n < near.first + near.count; ++n) {
+    const WallPart& part = parts_[edges_[n]];
+    // the plane of a part is never farther than the part
+    const double off = part.normal.dot(u - part.at);
+    if (off * off < least) least = std::min(least, squaredDistance(part, u));
+  }
   const double distance = std::sqrt(least);
   return isInside(u, near) ? distance : -distance;
 }
