@@ -34,9 +34,7 @@ class ClipPlane : public Overlay {
   bool drag(const ViewGeometry& view, const QMouseEvent& event) override;
   bool release(const ViewGeometry& view, const QMouseEvent& event) override;
   bool hover(const ViewGeometry& view, const QMouseEvent& event) override;
-  Qt::CursorShape cursor() const override {
-    return placed_ ? Qt::SizeAllCursor : Qt::CrossCursor;
-  }
+  Qt::CursorShape cursor() const override { return placed_ ? Qt::SizeAllCursor : Qt::CrossCursor; }
 
   /// The handles in a view, mm of W; none where the plane does not meet the slice.
   struct Handles {
@@ -64,7 +62,7 @@ class ClipPlane : public Overlay {
   std::vector<Click> clicks_;
   Eigen::Vector3d point_ = Eigen::Vector3d::Zero(), normal_ = Eigen::Vector3d::UnitZ();
   enum class Held { None, Shift, Turn } held_ = Held::None;
-  Handles taken_{};              ///< the handles when one was taken
+  Handles taken_{};  ///< the handles when one was taken
   Eigen::Vector3d point_taken_ = Eigen::Vector3d::Zero();
   double grip_mm_ = 0.0;
 };

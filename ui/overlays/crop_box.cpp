@@ -80,8 +80,7 @@ void CropBox::paint(QPainter& painter, const ViewGeometry& view) const {
         continue;
       }
       // each edge belongs to two faces; what looks away is fainter
-      const Eigen::Vector3d out =
-          grid_->direction.col(axis) * (far_side ? 1.0 : -1.0);
+      const Eigen::Vector3d out = grid_->direction.col(axis) * (far_side ? 1.0 : -1.0);
       Eigen::Vector3d from, along;
       view.sight(view.projected(face[0]), from, along);
       const bool front = out.dot(along) < 0.0;
@@ -105,8 +104,7 @@ void CropBox::paint(QPainter& painter, const ViewGeometry& view) const {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool far_side : {false, true})
       if (const auto handle = handleOf(view, axis, far_side))
-        drawHandle(painter, view.projected(*handle), kOutlineColour,
-                   held_ == Face{axis, far_side});
+        drawHandle(painter, view.projected(*handle), kOutlineColour, held_ == Face{axis, far_side});
 }
 
 std::optional<CropBox::Face> CropBox::faceAt(const ViewGeometry& view, QPointF at) const {
@@ -133,8 +131,7 @@ bool CropBox::press(const ViewGeometry& view, const QMouseEvent& event) {
   const auto face = faceAt(view, event.position());
   if (!face) return false;
   const auto handle = handleOf(view, face->axis, face->far_side);
-  const auto grip =
-      alongLine(view, event.position(), *handle, grid_->direction.col(face->axis));
+  const auto grip = alongLine(view, event.position(), *handle, grid_->direction.col(face->axis));
   if (!grip) return false;
   held_ = face;
   held_at_ = *handle;
@@ -150,11 +147,9 @@ bool CropBox::drag(const ViewGeometry& view, const QMouseEvent& event) {
   const auto at = alongLine(view, event.position(), held_at_, grid_->direction.col(axis));
   if (!at) return true;
   const auto a = static_cast<std::size_t>(axis);
-  const auto edge =
-      held_edge_ + std::llround((*at - grip_mm_) / (grid_->spacing[axis] * kMmPerM));
-  const std::int64_t kept = held_->far_side
-                                ? std::clamp(edge, box_.first[a] + 1, grid_->dims[a])
-                                : std::clamp<std::int64_t>(edge, 0, box_.end[a] - 1);
+  const auto edge = held_edge_ + std::llround((*at - grip_mm_) / (grid_->spacing[axis] * kMmPerM));
+  const std::int64_t kept = held_->far_side ? std::clamp(edge, box_.first[a] + 1, grid_->dims[a])
+                                            : std::clamp<std::int64_t>(edge, 0, box_.end[a] - 1);
   if (kept == edgeOf(*held_)) return true;
   edgeOf(*held_) = kept;
   emit changed();

@@ -17,6 +17,8 @@ class CropBox : public Overlay {
   void show(const haptics::Grid& grid, const haptics::VoxelBox& box);
   void hide();
   bool isShown() const { return grid_.has_value(); }
+  /// Whether a handle is being dragged.
+  bool isHeld() const { return held_.has_value(); }
   const haptics::VoxelBox& box() const { return box_; }
 
   void paint(QPainter& painter, const ViewGeometry& view) const override;
@@ -48,8 +50,8 @@ class CropBox : public Overlay {
   haptics::VoxelBox box_;
   std::optional<Face> held_;
   Eigen::Vector3d held_at_ = Eigen::Vector3d::Zero();  ///< the handle when it was taken
-  double grip_mm_ = 0.0;         ///< of the pointer beside it, along the axis
-  std::int64_t held_edge_ = 0;   ///< the edge when it was taken
+  double grip_mm_ = 0.0;                               ///< of the pointer beside it, along the axis
+  std::int64_t held_edge_ = 0;                         ///< the edge when it was taken
 };
 
 }  // namespace ui

@@ -14,9 +14,9 @@ namespace ui {
 /// The camera of a view as numbers, so that many places can be projected at little cost. mm, W.
 struct Projection {
   bool parallel = false;
-  Eigen::Vector3d eye = Eigen::Vector3d::Zero();  ///< of a slice: the middle of its picture
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();       ///< of a slice: the middle of its picture
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< right, up, towards the viewer
-  QPointF centre;      ///< the pixel straight ahead of the eye
+  QPointF centre;                                      ///< the pixel straight ahead of the eye
   double scale = 1.0;  ///< pixels per mm, or with perspective per tangent
 
   /// The distance of a place from the eye along the view.

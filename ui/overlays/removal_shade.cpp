@@ -49,7 +49,8 @@ void MarkedVoxels::add(std::int64_t i, std::int64_t j, std::int64_t k, std::int6
 void MarkedVoxels::finish() {
   const auto filled = [&](std::int64_t I, std::int64_t J, std::int64_t K) -> float {
     if (I < 0 || J < 0 || K < 0 || I >= cells_[0] || J >= cells_[1] || K >= cells_[2]) return 0.0F;
-    return static_cast<float>(filled_[static_cast<std::size_t>((K * cells_[1] + J) * cells_[0] + I)]);
+    return static_cast<float>(
+        filled_[static_cast<std::size_t>((K * cells_[1] + J) * cells_[0] + I)]);
   };
   const double middle = 0.5 * static_cast<double>(factor_ - 1);
   for (std::int64_t K = 0; K < cells_[2]; ++K)
