@@ -23,6 +23,7 @@ Application::Application(Arguments arguments)
   wireOpening();
   wireHands();
   wireRecordings();
+  wireEdits();
   connect(&window_, &ui::MainWindow::closing, this, [this] {
     close();
     preferences_.save();
@@ -60,6 +61,7 @@ void Application::wireOpening() {
   connect(&opening_, &Opening::shown, &recording_,
           [this] { recording_.setReady(!shared_.replaying); });
   connect(&opening_, &Opening::shown, &replay_, &ReplayController::showScene);
+  connect(&opening_, &Opening::shown, &edit_, &EditController::showScene);
   connect(&opening_, &Opening::shown, &hand_, &HandController::resume);
   connect(&opening_, &Opening::shown, &screenshot_, &ScreenshotController::prepare);
   connect(&opening_, &Opening::shown, this, &Application::adopted);
@@ -115,6 +117,15 @@ void Application::wireRecordings() {
     recording_.setReady(shared_.shown.has_value());
     hand_.reopen();
   });
+}
+
+void Application::wireEdits() {
+  connect(&edit_, &EditController::edited, &opening_, &OpeningController::replace);
+  connect(&edit_, &EditController::noted, &recording_,
+          [this](const QString& what) { recording_.note("edit", what); });
+  connect(&picture_, &PictureController::refreshing, &edit_, &EditController::refresh);
+  connect(&replay_, &ReplayController::opened, &edit_, [this] { edit_.setReplaying(true); });
+  connect(&replay_, &ReplayController::closed, &edit_, [this] { edit_.setReplaying(false); });
 }
 
 void Application::close() {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/window/device_controller.h"
+#include "app/window/edit_controller.h"
 #include "app/window/export_controller.h"
 #include "app/window/hand_controller.h"
 #include "app/window/measurement_controller.h"
@@ -52,6 +53,7 @@ class Application : public QObject {
   const std::optional<Loaded>& shown() const { return shared_.shown; }
   SessionRecording& recording() { return recording_.recording(); }
   ExportController& exporting() { return export_; }
+  EditController& editing() { return edit_; }
   /// The recording that is being replayed; null: none.
   Replay* replay() { return replay_.replay(); }
 
@@ -65,6 +67,7 @@ class Application : public QObject {
   void wireOpening();
   void wireHands();
   void wireRecordings();
+  void wireEdits();
   void noteHand(const QString& id);
   /// Ends touch, recording and measurement.
   void close();
@@ -83,6 +86,7 @@ class Application : public QObject {
   MeasurementController measurement_{window_, shared_};
   RecordingController recording_;
   ReplayController replay_;
+  EditController edit_{window_, shared_};
   ExportController export_;
   ScreenshotController screenshot_;
 };

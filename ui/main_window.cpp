@@ -222,11 +222,16 @@ void MainWindow::buildFileMenu() {
   series_->setObjectName("seriesOfThisFolder");
   setSeriesKnown(false);
   file->addSeparator();
+  save_edited_ = file->addAction(tr("Save &edited volume as…"), this, &MainWindow::askWhereToSave);
+  save_edited_->setObjectName("saveEdited");
+  save_edited_->setEnabled(false);
+  file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
 }
 
 void MainWindow::buildMenus() {
   buildFileMenu();
+  edit_menu_ = menuBar()->addMenu(tr("&Edit"));
   QMenu* look = menuBar()->addMenu(tr("&View"));
   view_menu_ = look;
   look->addAction(tr("Show &everything"), view_, &VolumeView::resetCamera);
@@ -273,7 +278,36 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
                               : GreyWindow{.level = 0.5 * (volume.least + volume.greatest),
                                            .width = volume.greatest - volume.least});
   moveCross(boxOf_mm(volume.grid).center());
+  title_ = title;
+  edited_ = false;
+  showTitle();
+}
+
+void MainWindow::replace(const Picture& picture) {
+  view_->replace(picture);
+  isosurface_->replace(picture);
+  for (SliceView* slice : slices_) slice->replace(picture);
+}
+
+void MainWindow::setEdited(bool edited) {
+  edited_ = edited;
+  save_edited_->setEnabled(edited);
+  showTitle();
+}
+
+void MainWindow::showTitle() {
+  const QString title = edited_ ? tr("%1 (edited)").arg(title_) : title_;
   setWindowTitle(title.isEmpty() ? QStringLiteral("Palpate") : tr("%1 — Palpate").arg(title));
+}
+
+void MainWindow::askWhereToSave() {
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  QFileDialog dialog(this, tr("Save edited volume as"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setNameFilter(tr("NRRD (*.nrrd)"));
+  dialog.setDefaultSuffix("nrrd");
+  if (dialog.exec() == QDialog::Accepted) emit saveEditedWanted(dialog.selectedFiles().value(0));
 }
 
 void MainWindow::show(const haptics::TriangleMesh& tool) { view_->show(tool); }

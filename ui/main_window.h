@@ -45,6 +45,12 @@ class MainWindow : public QMainWindow {
   /// Shows another volume instead of the present one.
   void show(const Picture& picture, double isovalue, const QString& title);
   void show(const haptics::TriangleMesh& tool);
+  /// Shows other voxels of the same grid; camera, crosshair and grey window stay.
+  void replace(const Picture& picture);
+  /// Whether something was taken away from the volume: the title says so, and it may be saved.
+  void setEdited(bool edited);
+  /// The menu "Edit", for what its controller puts there.
+  QMenu& editMenu() { return *edit_menu_; }
   using QMainWindow::show;
   /// The surface that is touched, for all views; given with every scene.
   void setTouched(const TouchedSurface& touched);
@@ -92,6 +98,8 @@ class MainWindow : public QMainWindow {
   void openWanted(const QString& path);
   /// The user wants to open a recording.
   void recordingWanted(const QString& path);
+  /// The user wants the edited volume in this file.
+  void saveEditedWanted(const QString& path);
   /// Files and folders were dropped on the window: one or more.
   void dropped(const QStringList& paths);
   /// The user wants to see the last list of series again.
@@ -124,6 +132,8 @@ class MainWindow : public QMainWindow {
   void displayWords();
   void moveCross(const Eigen::Vector3d& cross_W_mm);
   void setGrey(const GreyWindow& grey);
+  void showTitle();
+  void askWhereToSave();
   void showControls();
   void showAbout();
 
@@ -137,6 +147,10 @@ class MainWindow : public QMainWindow {
   QDockWidget* haptic_device_dock_ = nullptr;
   QDockWidget* force_dock_ = nullptr;
   QMenu* view_menu_ = nullptr;
+  QMenu* edit_menu_ = nullptr;
+  QAction* save_edited_ = nullptr;
+  QString title_;  ///< of the volume; empty: none
+  bool edited_ = false;
   StatusLine* status_;
   QFrame* fault_bar_;
   QLabel* fault_;

@@ -85,6 +85,12 @@ void SliceView::show(const Picture& picture) {
   update();
 }
 
+void SliceView::replace(const Picture& picture) {
+  slice_.show(picture);
+  stale_ = true;
+  update();
+}
+
 void SliceView::setCross(const Eigen::Vector3d& cross_W_mm) {
   // a move within the slice leaves its picture as it is
   stale_ = stale_ || std::abs(axes_.normal.dot(cross_W_mm - cross_mm_)) > 1e-6;

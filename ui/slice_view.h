@@ -22,6 +22,8 @@ class SliceView : public QWidget {
   ~SliceView() override;
 
   void show(const Picture& picture);
+  /// The same grid with other voxels; everything else stays.
+  void replace(const Picture& picture);
   void setCross(const Eigen::Vector3d& cross_W_mm);
   void setGrey(const GreyWindow& grey);
   /// Sets the proxy's position. Its mark is solid if it lies in this slice.
@@ -33,6 +35,7 @@ class SliceView : public QWidget {
   void addOverlay(Overlay& overlay) { overlays_.add(overlay); }
 
   Plane plane() const { return plane_; }
+  const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
   /// Widget coordinates of a point of W, mm.
   QPointF projected(const Eigen::Vector3d& p_W_mm) const;
   QSize sizeHint() const override { return {300, 260}; }

@@ -131,6 +131,13 @@ void VolumeView::show(const Picture& picture, double isovalue) {
   resetCamera();
 }
 
+void VolumeView::replace(const Picture& picture) {
+  surface_.show(picture);
+  surface_.setIsovalue(isovalue_);
+  still_.start();
+  redrawSurface();
+}
+
 void VolumeView::show(const haptics::TriangleMesh& tool) {
   tool_radius_ = 0.0;
   for (const haptics::Vec3& v : tool.vertices) tool_radius_ = std::max(tool_radius_, v.norm());
