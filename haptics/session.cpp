@@ -141,9 +141,8 @@ Expected<void> Session::open(HandKind hand, const std::optional<Pose>& from) {
   if (hand != HandKind::Mouse) {
     const double reach = Hand::reachFor(kDepth, settings.stiffness, grip.stiffness);
     const double isovalue = loop_->settings.isovalue;
-    auto aimed =
-        from ? Hand::from(*from, motionOf(hand), *loop_->scene, isovalue, reach, kSeed)
-             : Hand::aimed(motionOf(hand), *loop_->scene, isovalue, reach, kSeed);
+    auto aimed = from ? Hand::from(*from, motionOf(hand), *loop_->scene, isovalue, reach, kSeed)
+                      : Hand::aimed(motionOf(hand), *loop_->scene, isovalue, reach, kSeed);
     if (!aimed) return tl::unexpected(aimed.error());
     X_start = aimed->at(0.0);
     path = std::move(*aimed);

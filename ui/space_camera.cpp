@@ -126,6 +126,17 @@ void SpaceCamera::frame(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d
   camera_->OrthogonalizeViewUp();
 }
 
+void SpaceCamera::lookAt(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& from,
+                         const Eigen::Vector3d& up, double distance_mm,
+                         const Eigen::AlignedBox3d& box_mm) {
+  const bool parallel = isParallel();
+  camera_->SetParallelProjection(0);
+  set(p_mm + from * distance_mm, p_mm);
+  camera_->SetViewUp(up.x(), up.y(), up.z());
+  camera_->OrthogonalizeViewUp();
+  setParallel(parallel, box_mm);
+}
+
 double SpaceCamera::distance() const { return camera_->GetParallelScale() / kHalf; }
 
 void SpaceCamera::setParallel(bool parallel, const Eigen::AlignedBox3d& box_mm) {

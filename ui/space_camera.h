@@ -35,6 +35,9 @@ class SpaceCamera {
   /// Shows a box from a direction (unit, towards the viewer), with another one up.
   void frame(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& from,
              const Eigen::Vector3d& up);
+  /// Looks at a place from a distance in a direction (unit, towards the viewer).
+  void lookAt(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& from, const Eigen::Vector3d& up,
+              double distance_mm, const Eigen::AlignedBox3d& box_mm);
   /// Switches the perspective; what is at the focal point keeps its size. `box_mm`: what must not
   /// lie behind the viewer.
   void setParallel(bool parallel, const Eigen::AlignedBox3d& box_mm);
