@@ -10,6 +10,7 @@
 #include "app/window/device_controller.h"
 #include "app/window/export_controller.h"
 #include "app/window/hand_controller.h"
+#include "app/window/marks_controller.h"
 #include "app/window/measurement_controller.h"
 #include "app/window/opening_controller.h"
 #include "app/window/picture_controller.h"
@@ -19,6 +20,7 @@
 #include "app/window/screenshot_controller.h"
 #include "app/window/shared_state.h"
 #include "app/window/tool_controller.h"
+#include "app/window/view_file_controller.h"
 #include "datasets/readers/files/refusal.h"
 #include "ui/main_window.h"
 
@@ -52,6 +54,8 @@ class Application : public QObject {
   const std::optional<Loaded>& shown() const { return shared_.shown; }
   SessionRecording& recording() { return recording_.recording(); }
   ExportController& exporting() { return export_; }
+  MarksController& marks() { return marks_; }
+  ViewFileController& viewFile() { return view_file_; }
   /// The recording that is being replayed; null: none.
   Replay* replay() { return replay_.replay(); }
 
@@ -65,6 +69,7 @@ class Application : public QObject {
   void wireOpening();
   void wireHands();
   void wireRecordings();
+  void wireMarks();
   void noteHand(const QString& id);
   /// Ends touch, recording and measurement.
   void close();
@@ -81,6 +86,8 @@ class Application : public QObject {
   DeviceController device_;
   PictureController picture_{window_, shared_};
   MeasurementController measurement_{window_, shared_};
+  MarksController marks_{window_, shared_};
+  ViewFileController view_file_{window_, shared_, identity_, marks_};
   RecordingController recording_;
   ReplayController replay_;
   ExportController export_;

@@ -250,6 +250,23 @@ void VolumeView::lookFromTool() {
   frameSurface(from.normalized());
 }
 
+void VolumeView::tell(ViewLook& look) const {
+  look.eye_mm = Eigen::Vector3d{camera_->GetPosition()};
+  look.focus_mm = Eigen::Vector3d{camera_->GetFocalPoint()};
+  look.up = Eigen::Vector3d{camera_->GetViewUp()};
+  look.parallel = camera_->GetParallelProjection() != 0;
+  look.half_height_mm = camera_->GetParallelScale();
+}
+
+void VolumeView::look(const ViewLook& look) {
+  camera_->SetPosition(look.eye_mm.x(), look.eye_mm.y(), look.eye_mm.z());
+  camera_->SetFocalPoint(look.focus_mm.x(), look.focus_mm.y(), look.focus_mm.z());
+  camera_->SetViewUp(look.up.x(), look.up.y(), look.up.z());
+  camera_->SetParallelProjection(look.parallel);
+  camera_->SetParallelScale(look.half_height_mm);
+  cameraMoved();
+}
+
 void VolumeView::frameSurface(const Eigen::Vector3d& from) {
   if (box_mm_.isEmpty()) return;
   // the surface rather than the volume, which may be mostly air

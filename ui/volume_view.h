@@ -13,6 +13,7 @@
 #include "ui/props/tool_prop.h"
 #include "ui/props/volume_prop.h"
 #include "ui/touched_surface.h"
+#include "ui/view_look.h"
 #include "ui/viewport.h"
 
 class vtkRenderer;
@@ -49,6 +50,10 @@ class VolumeView : public Viewport {
   void resetCamera();
   /// Shows everything, from the device's side.
   void lookFromTool();
+  /// Writes the camera into `look`.
+  void tell(ViewLook& look) const;
+  /// Takes the camera of `look`.
+  void look(const ViewLook& look);
 
   /// Widget coordinates of a point of W [m].
   QPointF projected(const haptics::Vec3& p_W) const;

@@ -26,11 +26,12 @@ class OpeningController : public QObject {
 
   /// Loads a request and cancels the present one. `what`: the text beside the progress.
   void load(LoadRequest request, const QString& what);
-  /// A path of volumes or of a recording.
+  /// A path of volumes, of a recording or of a view.
   void open(const QString& path);
 
  signals:
   void recordingWanted(const std::filesystem::path& path);
+  void viewWanted(const std::filesystem::path& path);
   void loading();
   /// `shared.shown` has the new scene, which is not yet on view or in the session. `new_volume`:
   /// the volume and its isovalue are new. `placed`: the newest snapshot is of the previous scene in
