@@ -24,6 +24,7 @@ Application::Application(Arguments arguments)
   wireHands();
   wireRecordings();
   wireEdits();
+  wireMarks();
   connect(&window_, &ui::MainWindow::closing, this, [this] {
     close();
     preferences_.save();
@@ -42,8 +43,13 @@ void Application::start() {
   window_.show();
   picture_.start();
   LoadRequest request = arguments_.load;
+  std::filesystem::path view;
+  if (request.path && request.path->extension() == kViewEnding)
+    view = *std::exchange(request.path, std::nullopt);
   if (!request.path && !request.phantom) request.phantom = "demo";
   opening_.load(std::move(request), tr("Loading"));
+  // after it: a view may know its scan, which is then loaded instead
+  if (!view.empty()) view_file_.open(view);
   recording_.offerRecovery();
   if (arguments_.notice) preferences_.showNotice();
 }
@@ -127,6 +133,26 @@ void Application::wireEdits() {
   connect(&picture_, &PictureController::refreshing, &edit_, &EditController::refresh);
   connect(&replay_, &ReplayController::opened, &edit_, [this] { edit_.setReplaying(true); });
   connect(&replay_, &ReplayController::closed, &edit_, [this] { edit_.setReplaying(false); });
+}
+
+void Application::wireMarks() {
+  // in this order: the marks of a view come after those of the scan before are gone
+  connect(&opening_, &OpeningController::shown, &marks_, &MarksController::showScene);
+  connect(&opening_, &OpeningController::shown, &view_file_, &ViewFileController::showScene);
+  connect(&opening_, &OpeningController::failed, &view_file_, [this](const haptics::Error& error) {
+    // where the user has a choice, the scan may still come
+    for (const char* asked : {kWhichSeries, kTooLarge, kMissingSlices})
+      if (error.reason == asked) return;
+    view_file_.drop();
+  });
+  connect(&opening_, &OpeningController::viewWanted, &view_file_, &ViewFileController::open);
+  connect(&picture_, &PictureController::refreshing, &marks_, &MarksController::refresh);
+  connect(&view_file_, &ViewFileController::scanWanted, &opening_,
+          [this](const std::filesystem::path& path) {
+            opening_.open(QString::fromStdString(path.string()));
+          });
+  connect(&view_file_, &ViewFileController::toolWanted, &window_.devicePanel(),
+          &ui::DevicePanel::toolChosen);
 }
 
 void Application::close() {

@@ -11,6 +11,7 @@
 #include "app/window/edit_controller.h"
 #include "app/window/export_controller.h"
 #include "app/window/hand_controller.h"
+#include "app/window/marks_controller.h"
 #include "app/window/measurement_controller.h"
 #include "app/window/opening_controller.h"
 #include "app/window/picture_controller.h"
@@ -21,6 +22,7 @@
 #include "app/window/shared_state.h"
 #include "app/window/tool_controller.h"
 #include "app/window/view_controller.h"
+#include "app/window/view_file_controller.h"
 #include "datasets/readers/files/refusal.h"
 #include "ui/main_window.h"
 
@@ -55,6 +57,8 @@ class Application : public QObject {
   SessionRecording& recording() { return recording_.recording(); }
   ExportController& exporting() { return export_; }
   EditController& editing() { return edit_; }
+  MarksController& marks() { return marks_; }
+  ViewFileController& viewFile() { return view_file_; }
   /// The recording that is being replayed; null: none.
   Replay* replay() { return replay_.replay(); }
 
@@ -69,6 +73,7 @@ class Application : public QObject {
   void wireHands();
   void wireRecordings();
   void wireEdits();
+  void wireMarks();
   void noteHand(const QString& id);
   /// Ends touch, recording and measurement.
   void close();
@@ -86,6 +91,8 @@ class Application : public QObject {
   DeviceController device_;
   PictureController picture_{window_, shared_};
   MeasurementController measurement_{window_, shared_};
+  MarksController marks_{window_, shared_};
+  ViewFileController view_file_{window_, shared_, identity_, marks_};
   RecordingController recording_;
   ReplayController replay_;
   EditController edit_{window_, shared_};

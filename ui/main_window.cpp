@@ -223,6 +223,15 @@ void MainWindow::buildFileMenu() {
   });
   recording->setObjectName("openRecordingFile");
   file->addSeparator();
+  QAction* view = file->addAction(tr("Open &view…"), this, [ask] {
+    ask(QFileDialog::ExistingFile, tr("Open a view"), tr("Views (*.palpate-view)"),
+        &MainWindow::viewWanted);
+  });
+  view->setObjectName("openView");
+  QAction* save = file->addAction(tr("Save view &as…"), this, &MainWindow::viewSaveWanted);
+  save->setObjectName("saveView");
+  save->setShortcut(QKeySequence::Save);
+  file->addSeparator();
   series_ = file->addAction(tr("&Series of this folder…"), this, &MainWindow::seriesWanted);
   series_->setObjectName("seriesOfThisFolder");
   setSeriesKnown(false);
@@ -329,6 +338,27 @@ void MainWindow::setTouched(const TouchedSurface& touched) {
 void MainWindow::addOverlay(Overlay& overlay) {
   view_->addOverlay(overlay);
   for (SliceView* slice : slices_) slice->addOverlay(overlay);
+}
+
+void MainWindow::addViewAction(QAction& action) {
+  view_->addAction(&action);
+  for (SliceView* slice : slices_) slice->addAction(&action);
+}
+
+ViewLook MainWindow::look() const {
+  ViewLook look;
+  view_->tell(look);
+  const SliceView& slice = *slices_.front();
+  look.cross_mm = slice.cross_mm();
+  look.grey_level = slice.grey().level;
+  look.grey_width = slice.grey().width;
+  return look;
+}
+
+void MainWindow::setLook(const ViewLook& look) {
+  view_->look(look);
+  setGrey({.level = look.grey_level, .width = look.grey_width});
+  moveCross(look.cross_mm);
 }
 
 void MainWindow::display(const haptics::Snapshot& snapshot) {
@@ -451,6 +481,9 @@ void MainWindow::showControls() {
          "if it is to be held.</p>"
          "<p><b>Mouse</b>: it turns the picture until you take the tool (G, or the button), and "
          "then moves the tool. The tool itself can be dragged at any time.</p>"
+         "<p><b>Measures</b>: with a view in focus, D measures a distance, A an angle, P sets a "
+         "point with its value, N a note; click, or drag a distance. Handles can be dragged in "
+         "every view; Backspace takes the last place back, Delete deletes.</p>"
          "<p><b>Replay</b>: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, "
          "● force and device, × samples lost and ticks late.</p>") +
           controlsText());

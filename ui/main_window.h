@@ -13,6 +13,7 @@
 #include "ui/panels/force_plot.h"
 #include "ui/props/volume_prop.h"
 #include "ui/slice_view.h"
+#include "ui/view_look.h"
 
 class QAction;
 class QDockWidget;
@@ -60,6 +61,11 @@ class MainWindow : public QMainWindow {
   /// The linked crosshair of the slices.
   const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
   void setCross(const Eigen::Vector3d& cross_W_mm) { moveCross(cross_W_mm); }
+  /// Its key works while a view has the focus.
+  void addViewAction(QAction& action);
+  /// How the views look at the scan, and the same again.
+  ViewLook look() const;
+  void setLook(const ViewLook& look);
   /// The state of the touch, at display rate. Pictures are updated at once, texts ten times a
   /// second.
   void display(const haptics::Snapshot& snapshot);
@@ -104,6 +110,9 @@ class MainWindow : public QMainWindow {
   void recordingWanted(const QString& path);
   /// The user wants the edited volume in this file.
   void saveEditedWanted(const QString& path);
+  /// The user wants to open what was saved of a view, or to save it.
+  void viewWanted(const QString& path);
+  void viewSaveWanted();
   /// Files and folders were dropped on the window: one or more.
   void dropped(const QStringList& paths);
   /// The user wants to see the last list of series again.

@@ -36,6 +36,7 @@ class SliceView : public QWidget {
 
   Plane plane() const { return plane_; }
   const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
+  const GreyWindow& grey() const { return grey_; }
   /// Widget coordinates of a point of W, mm.
   QPointF projected(const Eigen::Vector3d& p_W_mm) const;
   QSize sizeHint() const override { return {300, 260}; }

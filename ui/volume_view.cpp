@@ -331,6 +331,25 @@ void VolumeView::setParallel(bool parallel) {
   emit parallelChanged(parallel);
 }
 
+void VolumeView::tell(ViewLook& look) const {
+  look.eye_mm = Eigen::Vector3d{camera()->GetPosition()};
+  look.focus_mm = Eigen::Vector3d{camera()->GetFocalPoint()};
+  look.up = Eigen::Vector3d{camera()->GetViewUp()};
+  look.parallel = camera_.isParallel();
+  look.half_height_mm = camera()->GetParallelScale();
+}
+
+void VolumeView::look(const ViewLook& look) {
+  camera()->SetPosition(look.eye_mm.x(), look.eye_mm.y(), look.eye_mm.z());
+  camera()->SetFocalPoint(look.focus_mm.x(), look.focus_mm.y(), look.focus_mm.z());
+  camera()->SetViewUp(look.up.x(), look.up.y(), look.up.z());
+  const bool turned = look.parallel != camera_.isParallel();
+  camera()->SetParallelProjection(look.parallel);
+  camera()->SetParallelScale(look.half_height_mm);
+  cameraMoved();
+  if (turned) emit parallelChanged(look.parallel);
+}
+
 void VolumeView::frameSurface(const Eigen::Vector3d& from, const Eigen::Vector3d& up) {
   if (box_mm_.isEmpty()) return;
   // the surface rather than the volume, which may be mostly air

@@ -15,6 +15,7 @@
 #include "ui/props/volume_prop.h"
 #include "ui/space_camera.h"
 #include "ui/touched_surface.h"
+#include "ui/view_look.h"
 #include "ui/viewport.h"
 
 class vtkRenderer;
@@ -71,6 +72,10 @@ class VolumeView : public Viewport {
   void lookAlongTool();
   void setParallel(bool parallel);
   bool isParallel() const { return camera_.isParallel(); }
+  /// Writes the camera into `look`.
+  void tell(ViewLook& look) const;
+  /// Takes the camera of `look`.
+  void look(const ViewLook& look);
 
   /// Widget coordinates of a point of W [m].
   QPointF projected(const haptics::Vec3& p_W) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/view_file/view_file.h"
 #include "app/window/edited_volume.h"
 #include "app/window/recent_places.h"
 #include "app/window/sentence.h"
@@ -59,6 +60,7 @@ void OpeningController::load(LoadRequest request, const QString& what) {
 
 void OpeningController::open(const QString& path) {
   if (path.endsWith(".palpate")) return emit recordingWanted(path.toStdString());
+  if (path.endsWith(kViewEnding)) return emit viewWanted(path.toStdString());
   load({.path = std::filesystem::path(path.toStdString())}, tr("Reading"));
 }
 

@@ -28,11 +28,12 @@ class OpeningController : public QObject {
   void load(LoadRequest request, const QString& what);
   /// Shows another volume and scene of the scan on view, after an edit.
   void replace(const app::Loaded& loaded);
-  /// A path of volumes or of a recording.
+  /// A path of volumes, of a recording or of a view.
   void open(const QString& path);
 
  signals:
   void recordingWanted(const std::filesystem::path& path);
+  void viewWanted(const std::filesystem::path& path);
   void loading();
   /// `shared.shown` has the new scene, which is not yet on view or in the session. `new_volume`:
   /// the volume and its isovalue are new. `placed`: the newest snapshot is of the previous scene in

@@ -32,6 +32,22 @@ inline constexpr Row kApp[] = {
     {"poses-too-far",
      "\"%1\" leads the hand further away than 100 m, which no hand goes; its positions are in "
      "metres."},
+    {"view-field-wrong",
+     "\"%1\" was not opened: its field \"%2\" has a value that no view has; use a copy of the "
+     "file."},
+    {"view-field-missing",
+     "\"%1\" was not opened: its field \"%2\" is missing; use a copy of the file."},
+    {"view-field-unknown",
+     "\"%1\" was not opened: it has a field that this version of views does not have; use a copy "
+     "of the file."},
+    {"view-of-another-program",
+     "\"%1\" is damaged, or is no view of Palpate's; views end in .palpate-view."},
+    {"view-of-later-palpate", "\"%1\" was saved by a later Palpate; use that one."},
+    {"view-too-large", "\"%1\" is larger than 1 MB, and no view is; choose another file."},
+    {"view-unreadable", "\"%1\" is no file that can be read; check the path."},
+    {"view-not-saved-too-large",
+     "\"%1\" was not saved: with so many notes and edits it would be larger than 1 MB; delete some "
+     "and save again."},
 };
 
 }  // namespace resources

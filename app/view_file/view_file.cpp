@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/view_file/view_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <initializer_list>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "haptics/core/output_file.h"
+
+namespace app {
+namespace {
+
+using haptics::Error;
+using haptics::Message;
+using nlohmann::json;
+
+constexpr double kMmPerMetre = 1000.0;
+constexpr int kVersion = 1;
+constexpr double kMostAway_m = 100.0;    // of a place of a scan
+constexpr double kMostFar_m = 10'000.0;  // of an eye
+constexpr double kMostIntensity = 1e38;
+constexpr std::int64_t kMostVoxelsOfAxis = 1'000'000;
+constexpr std::size_t kMostPathBytes = 4'000;
+constexpr std::size_t kMostTextBytes = 4 * ui::kLongestMeasureText;
+
+constexpr std::pair<ui::MeasureKind, const char*> kKinds[] = {
+    {ui::MeasureKind::Distance, "distance"},
+    {ui::MeasureKind::Angle, "angle"},
+    {ui::MeasureKind::Point, "point"},
+    {ui::MeasureKind::Note, "note"}};
+constexpr haptics::ScalarType kScalarTypes[] = {
+    haptics::ScalarType::UInt8,  haptics::ScalarType::Int8,   haptics::ScalarType::UInt16,
+    haptics::ScalarType::Int16,  haptics::ScalarType::UInt32, haptics::ScalarType::Int32,
+    haptics::ScalarType::Float32};
+
+/// Leaves the reader with a reason.
+struct Refused {
+  Message message;
+  const char* reason;
+};
+
+json listOfNumbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+json listOfMetres(const Eigen::Vector3d& v_mm) { return listOfNumbers(v_mm / kMmPerMetre); }
+
+std::string hexOf(const haptics::VolumeHash& hash) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string hex;
+  for (const std::uint8_t byte : hash) {
+    hex += kDigits[byte >> 4];
+    hex += kDigits[byte & 15];
+  }
+  return hex;
+}
+
+/// A value of the file, which knows where in the file it stands.
+class Field {
+ public:
+  Field(const std::string& file, std::string name, const json& value)
+      : file_(file), name_(std::move(name)), value_(value) {}
+
+  [[noreturn]] void refuse() const {
+    throw Refused{{"view-field-wrong", {file_, name_}}, "damaged"};
+  }
+
+  /// An object with all of these fields and no others but the optional ones.
+  void hasOnly(std::initializer_list<const char*> needed,
+               std::initializer_list<const char*> optional = {}) const {
+    if (!value_.is_object()) refuse();
+    for (const char* name : needed)
+      if (!value_.contains(name))
+        throw Refused{{"view-field-missing", {file_, inside(name)}}, "damaged"};
+    const auto isIn = [](std::initializer_list<const char*> names, const std::string& name) {
+      return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
+    };
+    for (const auto& [name, value] : value_.items())
+      if (!isIn(needed, name) && !isIn(optional, name))
+        throw Refused{{"view-field-unknown", {file_}}, "damaged"};
+  }
+  bool has(const char* name) const { return value_.contains(name); }
+  Field at(const char* name) const { return {file_, inside(name), value_.at(name)}; }
+
+  std::vector<Field> list(std::size_t least, std::size_t most) const {
+    if (!value_.is_array() || value_.size() < least || value_.size() > most) refuse();
+    std::vector<Field> items;
+    for (std::size_t i = 0; i < value_.size(); ++i)
+      items.emplace_back(file_, name_ + "[" + std::to_string(i) + "]", value_[i]);
+    return items;
+  }
+
+  double number(double least, double most) const {
+    if (!value_.is_number()) refuse();
+    const double number = value_.get<double>();
+    if (!(number >= least && number <= most)) refuse();
+    return number;
+  }
+  std::int64_t whole(std::int64_t least, std::int64_t most) const {
+    if (!value_.is_number_integer() ||
+        (value_.is_number_unsigned() && !std::in_range<std::int64_t>(value_.get<std::uint64_t>())))
+      refuse();
+    const auto number = value_.get<std::int64_t>();
+    if (number < least || number > most) refuse();
+    return number;
+  }
+  bool flag() const {
+    if (!value_.is_boolean()) refuse();
+    return value_.get<bool>();
+  }
+  /// One line without control characters, not empty.
+  std::string text(std::size_t most_bytes) const {
+    if (!value_.is_string()) refuse();
+    std::string text = value_.get<std::string>();
+    if (text.empty() || text.size() > most_bytes || hasControls(text)) refuse();
+    return text;
+  }
+  Eigen::Vector3d vector(double most) const {
+    Eigen::Vector3d v;
+    const std::vector<Field> numbers = list(3, 3);
+    for (int a = 0; a < 3; ++a) v[a] = numbers[std::size_t(a)].number(-most, most);
+    return v;
+  }
+  Eigen::Vector3d place_mm(double most_m) const { return vector(most_m) * kMmPerMetre; }
+
+ private:
+  std::string inside(const std::string& name) const {
+    return name_.empty() ? name : name_ + "." + name;
+  }
+  /// Control characters and the separators of lines and paragraphs, in valid UTF-8.
+  static bool hasControls(const std::string& text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const auto byte = [&](std::size_t at) {
+        return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
+      };
+      if (byte(i) < 0x20 || byte(i) == 0x7f) return true;
+      if (byte(i) == 0xc2 && byte(i + 1) < 0xa0) return true;
+      if (byte(i) == 0xe2 && byte(i + 1) == 0x80 && (byte(i + 2) == 0xa8 || byte(i + 2) == 0xa9))
+        return true;
+    }
+    return false;
+  }
+
+  const std::string& file_;
+  std::string name_;
+  const json& value_;
+};
+
+void takeScan(const Field& scan, ViewFile& view) {
+  scan.hasOnly({"dims", "spacing_m", "origin_m", "direction", "scalar", "hash"}, {"place"});
+  const std::vector<Field> dims = scan.at("dims").list(3, 3);
+  for (std::size_t a = 0; a < 3; ++a) view.grid.dims[a] = dims[a].whole(1, kMostVoxelsOfAxis);
+  view.grid.spacing = scan.at("spacing_m").vector(1.0);
+  if (!(view.grid.spacing.minCoeff() > 0.0)) scan.at("spacing_m").refuse();
+  view.grid.origin = scan.at("origin_m").vector(kMostAway_m);
+  const std::vector<Field> direction = scan.at("direction").list(9, 9);
+  for (std::size_t n = 0; n < 9; ++n)
+    view.grid.direction(int(n / 3), int(n % 3)) = direction[n].number(-1.001, 1.001);
+  const haptics::Mat3 square = view.grid.direction.transpose() * view.grid.direction;
+  if (!square.isIdentity(1e-3)) scan.at("direction").refuse();
+  const std::string scalar = scan.at("scalar").text(20);
+  const auto* type = std::find_if(std::begin(kScalarTypes), std::end(kScalarTypes),
+                                  [&](haptics::ScalarType t) { return scalar == nameOf(t); });
+  if (type == std::end(kScalarTypes)) scan.at("scalar").refuse();
+  view.type = *type;
+  if (scan.has("place")) {
+    view.place = scan.at("place").text(kMostPathBytes);
+    if (std::filesystem::path(view.place).is_absolute()) scan.at("place").refuse();
+  }
+}
+
+void takeHash(const Field& field, const json& value, ViewFile& view) {
+  if (value.is_null()) return;
+  const std::string hex = field.text(2 * std::tuple_size_v<haptics::VolumeHash>);
+  haptics::VolumeHash hash{};
+  if (hex.size() != 2 * hash.size()) field.refuse();
+  const auto digit = [&](char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c < 'a' || c > 'f') field.refuse();
+    return c - 'a' + 10;
+  };
+  for (std::size_t i = 0; i < hash.size(); ++i)
+    hash[i] = static_cast<std::uint8_t>(16 * digit(hex[2 * i]) + digit(hex[2 * i + 1]));
+  view.hash = hash;
+}
+
+ui::Measure markFrom(const Field& field) {
+  field.hasOnly({"kind", "text", "places_m"});
+  ui::Measure mark;
+  const std::string kind = field.at("kind").text(20);
+  const auto* known = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                   [&](const auto& named) { return kind == named.second; });
+  if (known == std::end(kKinds)) field.at("kind").refuse();
+  mark.kind = known->first;
+  mark.text = field.at("text").text(kMostTextBytes);
+  const std::size_t places = ui::placesOf(mark.kind);
+  for (const Field& place : field.at("places_m").list(places, places))
+    mark.places_mm.push_back(place.place_mm(kMostAway_m));
+  return mark;
+}
+
+ui::ViewLook lookFrom(const Field& field) {
+  field.hasOnly({"camera", "cross_m", "grey"});
+  ui::ViewLook look;
+  const Field camera = field.at("camera"), grey = field.at("grey");
+  camera.hasOnly({"eye_m", "focus_m", "up", "parallel", "half_height_m"});
+  look.eye_mm = camera.at("eye_m").place_mm(kMostFar_m);
+  look.focus_mm = camera.at("focus_m").place_mm(kMostFar_m);
+  look.up = camera.at("up").vector(1.001);
+  look.parallel = camera.at("parallel").flag();
+  look.half_height_mm = camera.at("half_height_m").number(1e-9, kMostFar_m) * kMmPerMetre;
+  // it looks somewhere, and has an up
+  const Eigen::Vector3d along = look.focus_mm - look.eye_mm;
+  if (!(along.norm() > 1e-6)) camera.at("focus_m").refuse();
+  if (!(look.up.cross(along.normalized()).norm() > 1e-6)) camera.at("up").refuse();
+  look.cross_mm = field.at("cross_m").place_mm(kMostAway_m);
+  grey.hasOnly({"level", "width"});
+  look.grey_level = grey.at("level").number(-kMostIntensity, kMostIntensity);
+  look.grey_width = grey.at("width").number(1e-38, kMostIntensity);
+  return look;
+}
+
+ViewFile viewFrom(const json& words, const std::string& file) {
+  const Field all(file, {}, words);
+  // the version first: what a later Palpate writes may be anything else
+  if (!words.is_object() || !words.contains("palpate_view"))
+    throw Refused{{"view-of-another-program", {file}}, "damaged"};
+  if (all.at("palpate_view").whole(1, std::numeric_limits<std::int64_t>::max()) != kVersion)
+    throw Refused{{"view-of-later-palpate", {file}}, "later"};
+  all.hasOnly({"palpate_view", "scan", "edits", "isovalue", "marks", "view"}, {"tool"});
+  ViewFile view;
+  takeScan(all.at("scan"), view);
+  takeHash(all.at("scan").at("hash"), words.at("scan").at("hash"), view);
+  for (const Field& edit : all.at("edits").list(0, kMostEdits))
+    view.edits.push_back(edit.text(kMostViewBytes));
+  view.isovalue = all.at("isovalue").number(-kMostIntensity, kMostIntensity);
+  if (all.has("tool")) view.tool = all.at("tool").text(20);
+  for (const Field& mark : all.at("marks").list(0, kMostMarks))
+    view.marks.push_back(markFrom(mark));
+  view.look = lookFrom(all.at("view"));
+  return view;
+}
+
+tl::unexpected<Error> refusedView(Message message, const char* reason) {
+  const Error::Kind kind =
+      std::string_view(reason) == "later" ? Error::Kind::Unsupported : Error::Kind::Malformed;
+  return tl::unexpected(Error{kind, std::move(message), reason});
+}
+
+}  // namespace
+
+std::string textOf(const ViewFile& view) {
+  json marks = json::array();
+  for (const ui::Measure& mark : view.marks) {
+    json places = json::array();
+    for (const Eigen::Vector3d& p_mm : mark.places_mm) places.push_back(listOfMetres(p_mm));
+    const auto* kind = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                    [&](const auto& named) { return named.first == mark.kind; });
+    marks.push_back({{"kind", kind->second}, {"text", mark.text}, {"places_m", places}});
+  }
+  json direction = json::array();
+  for (int n = 0; n < 9; ++n) direction.push_back(view.grid.direction(n / 3, n % 3));
+  json words = {{"palpate_view", kVersion},
+                {"scan",
+                 {{"dims", view.grid.dims},
+                  {"spacing_m", listOfNumbers(view.grid.spacing)},
+                  {"origin_m", listOfNumbers(view.grid.origin)},
+                  {"direction", direction},
+                  {"scalar", nameOf(view.type)},
+                  {"hash", view.hash ? json(hexOf(*view.hash)) : json()}}},
+                {"edits", view.edits},
+                {"isovalue", view.isovalue},
+                {"marks", marks},
+                {"view",
+                 {{"camera",
+                   {{"eye_m", listOfMetres(view.look.eye_mm)},
+                    {"focus_m", listOfMetres(view.look.focus_mm)},
+                    {"up", listOfNumbers(view.look.up)},
+                    {"parallel", view.look.parallel},
+                    {"half_height_m", view.look.half_height_mm / kMmPerMetre}}},
+                  {"cross_m", listOfMetres(view.look.cross_mm)},
+                  {"grey", {{"level", view.look.grey_level}, {"width", view.look.grey_width}}}}}};
+  if (!view.place.empty()) words["scan"]["place"] = view.place;
+  if (!view.tool.empty()) words["tool"] = view.tool;
+  // the name of a folder may be no text
+  return words.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+haptics::Expected<ViewFile> viewFileFrom(std::string_view text, const std::string& name) {
+  if (text.size() > kMostViewBytes) return refusedView({"view-too-large", {name}}, "too-large");
+  try {
+    return viewFrom(json::parse(text), name);
+  } catch (const Refused& refused) {
+    return refusedView(refused.message, refused.reason);
+  } catch (const json::exception&) {
+    return refusedView({"view-of-another-program", {name}}, "damaged");
+  }
+}
+
+haptics::Expected<ViewFile> readViewFile(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::error_code error;
+  std::ifstream in(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path, error) || !in)
+    return tl::unexpected(Error{Error::Kind::NotFound, {"view-unreadable", {name}}, "unreadable"});
+  std::string text(kMostViewBytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return viewFileFrom(text, name);
+}
+
+haptics::Expected<void> writeViewFile(const std::filesystem::path& path, const ViewFile& view) {
+  const std::string text = textOf(view);
+  if (text.size() > kMostViewBytes)
+    return refusedView({"view-not-saved-too-large", {path.string()}}, "too-large");
+  return haptics::writeFile(path, text);
+}
+
+}  // namespace app

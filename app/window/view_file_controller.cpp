@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/view_file_controller.h"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QMetaMethod>
+#include <QStatusBar>
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "app/window/scan_of.h"
+#include "app/window/sentence.h"
+#include "haptics/recording/recording.h"
+#include "resources/named_tools.h"
+#include "ui/panels/isosurface_panel.h"
+
+namespace app {
+namespace {
+
+constexpr int kSavedMs = 6000;
+
+QString inQuotes(const std::filesystem::path& path) {
+  return "\"" + QString::fromStdString(path.filename().string()) + "\"";
+}
+
+/// "64 x 64 x 64 voxels of 1 x 1 x 1 mm (int16)"
+QString geometryWords(const haptics::Grid& grid, haptics::ScalarType type) {
+  const auto mm = [&](int axis) {
+    return QLocale().toString(grid.spacing[axis] * ui::kMmPerM, 'g', 4);
+  };
+  return ViewFileController::tr("%1 x %2 x %3 voxels of %4 x %5 x %6 mm (%7)")
+      .arg(grid.dims[0])
+      .arg(grid.dims[1])
+      .arg(grid.dims[2])
+      .arg(mm(0), mm(1), mm(2), QString::fromLatin1(nameOf(type)));
+}
+
+bool isNamedTool(const std::string& name) {
+  const auto names = resources::namedTools();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+ViewFileController::ViewFileController(ui::MainWindow& window, SharedState& shared,
+                                       VolumeIdentity& identity, MarksController& marks)
+    : window_(window), shared_(shared), identity_(identity), marks_(marks) {
+  connect(&window, &ui::MainWindow::viewWanted, this,
+          [this](const QString& path) { open(path.toStdString()); });
+  connect(&window, &ui::MainWindow::viewSaveWanted, this, &ViewFileController::askAndSave);
+  connect(&identity, &VolumeIdentity::sought, this, &ViewFileController::takeHash);
+  connect(&window, &ui::MainWindow::cancelWanted, this, [this] {
+    if (step_ != Step::Hash && !saving_) return;
+    if (saving_) window_.showMessage(tr("The view was not saved: it was cancelled."));
+    step_ = Step::Nothing;
+    saving_.reset();
+    window_.endLoading();
+    emit finished(false);
+  });
+}
+
+bool ViewFileController::liesOnView() const {
+  if (!shared_.shown) return false;
+  haptics::Volume wanted;
+  wanted.grid = opening_.grid;
+  wanted.type = opening_.type;
+  return haptics::liesLike(wanted, *shared_.shown->picture.volume);
+}
+
+void ViewFileController::open(const std::filesystem::path& path) {
+  if (shared_.replaying) {
+    window_.showMessage(
+        tr("%1 was not opened: a recording is on view; close it first.").arg(inQuotes(path)));
+    return;
+  }
+  auto read = readViewFile(path);
+  if (!read) return refuse(sentenceOf(read.error()));
+  opening_ = std::move(*read);
+  opening_path_ = path;
+  scan_sought_ = false;
+  compare();
+}
+
+/// Over the scan on view, or else over the one that the file knows.
+void ViewFileController::compare() {
+  if (liesOnView()) {
+    step_ = Step::Hash;
+    window_.clearMessage();
+    window_.showLoading(tr("Comparing the scan"));
+    identity_.seek(scanOf(shared_.shown->picture.volume));
+    return;
+  }
+  if (!seekScan()) refuseGeometry();
+}
+
+bool ViewFileController::seekScan() {
+  if (opening_.place.empty() || scan_sought_) return false;
+  scan_sought_ = true;
+  const std::filesystem::path scan =
+      (opening_path_.parent_path() / opening_.place).lexically_normal();
+  std::error_code error;
+  if (!std::filesystem::exists(scan, error)) return false;
+  step_ = Step::Scan;
+  emit scanWanted(scan);
+  return true;
+}
+
+void ViewFileController::showScene(bool new_volume) {
+  if (!new_volume || !shared_.shown) return;
+  switch (step_) {
+    case Step::Nothing:
+      break;
+    case Step::Scan:
+      compare();
+      break;
+    case Step::Hash:
+      drop();  // another scan was opened meanwhile
+      break;
+    case Step::Edits:
+      restoreRest();
+      break;
+  }
+}
+
+void ViewFileController::drop() {
+  if (step_ == Step::Nothing) return;
+  if (step_ == Step::Hash) window_.endLoading();
+  step_ = Step::Nothing;
+  emit finished(false);
+}
+
+void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& scan) {
+  if (saving_ && scan == saved_scan_) write();
+  if (step_ != Step::Hash || !shared_.shown || scan != scanOf(shared_.shown->picture.volume))
+    return;
+  window_.endLoading();
+  switch (haptics::compared(opening_.hash, identity_.of(scan))) {
+    case haptics::SameVolume::Same:
+      return restore();
+    case haptics::SameVolume::Another:
+      if (seekScan()) return;
+      return refuse(
+          tr("%1 was not opened: it belongs to another scan. The one on view has the same "
+             "geometry, %2, but other voxels; open the other scan first.")
+              .arg(inQuotes(opening_path_), geometryWords(opening_.grid, opening_.type)));
+    case haptics::SameVolume::Unknown:
+      break;
+  }
+  const bool agreed = window_.askWhether(
+      tr("Is %1 a view of this scan?").arg(inQuotes(opening_path_)),
+      tr("It was saved by another installation, so its scan cannot be recognised. The geometry is "
+         "the same: %1. Marks of another scan would lie in wrong places.")
+          .arg(geometryWords(opening_.grid, opening_.type)),
+      tr("Open it over this scan"));
+  // the scan may have changed while the question was open
+  if (agreed && step_ == Step::Hash && liesOnView()) return restore();
+  drop();
+}
+
+void ViewFileController::restore() {
+  QStringList edits;
+  for (const std::string& edit : opening_.edits) edits.append(QString::fromStdString(edit));
+  if (edits == edits_) return restoreRest();
+  if (!isSignalConnected(QMetaMethod::fromSignal(&ViewFileController::editsWanted)))
+    return refuse(tr("%1 was not opened: it has edits of the scan, which this Palpate cannot make.")
+                      .arg(inQuotes(opening_path_)));
+  step_ = Step::Edits;
+  emit editsWanted(edits);
+}
+
+void ViewFileController::restoreRest() {
+  step_ = Step::Nothing;
+  const Loaded& shown = *shared_.shown;
+  const double isovalue = ui::allowedIsovalue(*shown.picture.volume, opening_.isovalue);
+  ui::IsosurfacePanel& panel = window_.isosurfacePanel();
+  panel.show(shown.picture, isovalue);
+  emit panel.isovalueChanged(isovalue);
+  marks_.measures().replace(opening_.marks);
+  window_.setLook(opening_.look);
+  if (std::abs(isovalue - opening_.isovalue) > 1e-6 * std::abs(opening_.isovalue) + 1e-9)
+    window_.showMessage(tr("The isovalue of %1, %2, is none of this scan; %3 is shown.")
+                            .arg(inQuotes(opening_path_))
+                            .arg(opening_.isovalue)
+                            .arg(isovalue));
+  const std::string& tool = opening_.tool;
+  if (!tool.empty() && !isNamedTool(tool))
+    window_.showMessage(tr("The tool of %1 is not known here; the present tool stays.")
+                            .arg(inQuotes(opening_path_)));
+  else if (!tool.empty() && (shown.tool.file || shown.tool.name != tool))
+    emit toolWanted(QString::fromStdString(tool));
+  emit finished(true);
+}
+
+void ViewFileController::refuse(const QString& sentence) {
+  step_ = Step::Nothing;
+  window_.showMessage(sentence);
+  emit finished(false);
+}
+
+void ViewFileController::refuseGeometry() {
+  QString here = tr("Nothing is on view");
+  if (shared_.shown) {
+    const haptics::Volume& volume = *shared_.shown->picture.volume;
+    here = tr("The one on view has %1").arg(geometryWords(volume.grid, volume.type));
+    if (volume.grid.dims == opening_.grid.dims && volume.type == opening_.type)
+      here = tr("The one on view lies elsewhere or is turned");
+  }
+  refuse(tr("%1 was not opened: it belongs to a scan of %2. %3; open the other scan first.")
+             .arg(inQuotes(opening_path_), geometryWords(opening_.grid, opening_.type), here));
+}
+
+void ViewFileController::askAndSave() {
+  if (!shared_.shown)
+    return window_.showMessage(tr("There is no view to save; open a scan first."));
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  QFileDialog dialog(&window_, tr("Save the view as"));
+  dialog.setObjectName("saveViewDialog");
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setNameFilter(tr("Views (*.palpate-view)"));
+  dialog.setDefaultSuffix(QString(kViewEnding).mid(1));
+  auto* words = new QLabel(tr("Notes are saved as you wrote them: do not name the patient."));
+  words->setObjectName("notesWarning");
+  words->setWordWrap(true);
+  auto* place = new QCheckBox(tr("Remember where the scan lies, relative to this file"));
+  place->setObjectName("rememberScan");
+  place->setEnabled(!shared_.shown->place.empty());
+  place->setToolTip(
+      tr("The names of its folders are then in the file. Without it, the scan must be "
+         "on view to open the file."));
+  if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout())) {
+    grid->addWidget(words, grid->rowCount(), 0, 1, -1);
+    grid->addWidget(place, grid->rowCount(), 0, 1, -1);
+  }
+  if (dialog.exec() != QDialog::Accepted) return;
+  save(dialog.selectedFiles().value(0).toStdString(), place->isChecked());
+}
+
+void ViewFileController::save(const std::filesystem::path& path, bool with_place) {
+  if (!shared_.shown || saving_) return;
+  const Loaded& shown = *shared_.shown;
+  saved_scan_ = scanOf(shown.picture.volume);
+  saving_path_ = path;
+  ViewFile view;
+  view.grid = saved_scan_->grid;
+  view.type = saved_scan_->type;
+  if (with_place && !shown.place.empty()) {
+    std::error_code error;
+    const auto folder = std::filesystem::absolute(path, error).parent_path();
+    view.place = std::filesystem::relative(shown.place, folder, error).generic_string();
+  }
+  for (const QString& edit : edits_) view.edits.push_back(edit.toStdString());
+  view.isovalue = shared_.settings.isovalue;
+  if (!shown.tool.file && isNamedTool(shown.tool.name)) view.tool = shown.tool.name;
+  view.marks = marks_.measures().all();
+  view.look = window_.look();
+  saving_ = std::move(view);
+  window_.showLoading(tr("Saving the view"));
+  identity_.seek(saved_scan_);
+}
+
+void ViewFileController::write() {
+  ViewFile view = std::move(*saving_);
+  saving_.reset();
+  view.hash = identity_.of(saved_scan_);
+  saved_scan_.reset();
+  window_.endLoading();
+  const auto written = writeViewFile(saving_path_, view);
+  if (!written)
+    window_.showMessage(sentenceOf(written.error()));
+  else
+    window_.statusBar()->showMessage(tr("Saved the view as %1.").arg(inQuotes(saving_path_)),
+                                     kSavedMs);
+  emit finished(written.has_value());
+}
+
+}  // namespace app

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/view_file/view_file.h"
+#include "app/window/marks_controller.h"
+#include "app/window/shared_state.h"
+#include "app/window/volume_identity.h"
+#include "ui/main_window.h"
+
+namespace app {
+
+/// Saves views and opens them again (view_file/). The hash of the scan is made in the background;
+/// saving and opening wait for it, and the user can cancel.
+///
+/// A view is opened over the same scan only. On the installation that saved it the keyed hash
+/// decides; on another one, or without a hash, the geometry must agree and the user is asked.
+class ViewFileController : public QObject {
+  Q_OBJECT
+ public:
+  ViewFileController(ui::MainWindow& window, SharedState& shared, VolumeIdentity& identity,
+                     MarksController& marks);
+
+  /// Opens a file of a view. If the scan on view is not the one and the file tells its place, the
+  /// scan is opened first.
+  void open(const std::filesystem::path& path);
+  /// Asks for a file and saves.
+  void askAndSave();
+  /// Saves to this file; `with_place`: with the scan's place relative to it.
+  void save(const std::filesystem::path& path, bool with_place);
+  /// Call it when a scene is on view.
+  void showScene(bool new_volume);
+  /// Call it when a scan could not be opened.
+  void drop();
+  /// The edits in force, as text; call it whenever they change.
+  void setEdits(const QStringList& edits) { edits_ = edits; }
+
+ signals:
+  /// The scan of a view that is being opened.
+  void scanWanted(const std::filesystem::path& path);
+  /// The edits of a view that is being opened, as text. The volume that results is shown as any
+  /// other, and the rest of the view follows.
+  void editsWanted(const QStringList& edits);
+  void toolWanted(const QString& name);
+  /// A view was opened whole, was saved, or could not be.
+  void finished(bool done);
+
+ private:
+  enum class Step { Nothing, Scan, Hash, Edits };
+
+  bool liesOnView() const;
+  void compare();
+  bool seekScan();
+  void restore();
+  void restoreRest();
+  void refuse(const QString& sentence);
+  void refuseGeometry();
+  void takeHash(const std::shared_ptr<const haptics::Volume>& scan);
+  void write();
+
+  ui::MainWindow& window_;
+  SharedState& shared_;
+  VolumeIdentity& identity_;
+  MarksController& marks_;
+  QStringList edits_;
+  Step step_ = Step::Nothing;  ///< what the view that is being opened waits for
+  ViewFile opening_;
+  std::filesystem::path opening_path_;
+  bool scan_sought_ = false;        ///< at the place that the file tells
+  std::optional<ViewFile> saving_;  ///< waits for its hash
+  std::filesystem::path saving_path_;
+  std::shared_ptr<const haptics::Volume> saved_scan_;
+};
+
+}  // namespace app

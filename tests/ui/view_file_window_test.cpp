@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Views saved and opened again: over the same scan, another one, and on another installation.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <filesystem>
+
+#include "app/application.h"
+#include "app/window/view_file_controller.h"
+#include "datasets/readers/nrrd/writer.h"
+#include "marked_scan.h"
+#include "sphere_in_hand.h"
+#include "ui/panels/isosurface_panel.h"
+
+namespace {
+
+using haptics::Vec3;
+using ui::MeasureKind;
+using window::waitFor;
+
+namespace fs = std::filesystem;
+
+/// The installation of somebody: a folder of its own for the key.
+class Installation {
+ public:
+  Installation() : before_(qgetenv("XDG_DATA_HOME")) { use(); }
+  ~Installation() {
+    if (before_.isEmpty())
+      qunsetenv("XDG_DATA_HOME");
+    else
+      qputenv("XDG_DATA_HOME", before_);
+  }
+  void use() const { qputenv("XDG_DATA_HOME", folder_.path().toLocal8Bit()); }
+
+ private:
+  QByteArray before_;
+  QTemporaryDir folder_;
+};
+
+/// A window that saves and opens views.
+struct Views : window::MarkedScan {
+  app::VolumeIdentity identity;
+  app::ViewFileController files{window, shared, identity, controller};
+
+  bool save(const fs::path& path, bool with_place = false) {
+    QSignalSpy finished(&files, &app::ViewFileController::finished);
+    files.save(path, with_place);
+    waitFor([&] { return finished.count() > 0; }, 20.0);
+    return finished.count() == 1 && finished[0][0].toBool();
+  }
+  bool open(const fs::path& path) {
+    QSignalSpy finished(&files, &app::ViewFileController::finished);
+    files.open(path);
+    waitFor([&] { return finished.count() > 0; }, 20.0);
+    return finished.count() == 1 && finished[0][0].toBool();
+  }
+  QString message() { return window.findChild<QLabel*>("message")->text(); }
+};
+
+std::shared_ptr<const haptics::Volume> ballAt(double x_mm, int n = 48, double top = 1.0) {
+  const auto ball = window::ball({x_mm * 1e-3, 0.0, 0.0}, 0.012);
+  return window::volumeOf(window::cubeGrid(n), haptics::ScalarType::Int16,
+                          [=](const Vec3& p) { return top * ball(p); });
+}
+
+std::vector<ui::Measure> someMarks() {
+  return {{MeasureKind::Distance, "Width", {{-5.25, 1, 2}, {10, 1, 2}}},
+          {MeasureKind::Note, "thin wall", {{3, -7, 5}}}};
+}
+
+/// Answers the next question, and tells what it said.
+struct Answer {
+  explicit Answer(const char* button) {
+    QObject::connect(&timer, &QTimer::timeout, [this, button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return;
+      said = box->text() + " " + box->informativeText();
+      for (QAbstractButton* choice : box->buttons())
+        if (choice->text().remove('&').startsWith(button)) return choice->click();
+    });
+    timer.start(20);
+  }
+  QTimer timer;
+  QString said;
+};
+
+TEST(ViewFiles, AViewComesBackOverTheSameScan) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("mine.palpate-view").toStdString();
+  Views views;
+  views.show(ballAt(0.0), 50.0);
+  window::showAndWait(views.window, {1240, 840});
+  views.measures().replace(someMarks());
+  views.window.setCross({4, 5, 6});
+  emit views.slice(ui::Plane::Axial).greyChanged({.level = 33.0, .width = 44.0});
+  emit views.window.isosurfacePanel().isovalueChanged(61.0);
+  views.shared.settings.isovalue = 61.0;
+  views.window.view().lookFromTool();
+  views.window.view().camera()->Azimuth(25.0);
+  const ui::ViewLook look = views.window.look();
+  ASSERT_TRUE(views.save(path)) << views.message().toStdString();
+
+  // another start of the program, with the same scan read again
+  Views later;
+  later.show(ballAt(0.0), 50.0);
+  window::showAndWait(later.window, {1240, 840});
+  later.measures().replace({{MeasureKind::Point, "mine", {{0, 0, 0}}}});
+  double isovalue = 0.0;
+  QObject::connect(&later.window, &ui::MainWindow::isovalueChanged,
+                   [&](double s) { isovalue = s; });
+  ASSERT_TRUE(later.open(path)) << later.message().toStdString();
+  ASSERT_EQ(later.measures().all().size(), 2U);
+  EXPECT_EQ(later.measures().all()[0].text, "Width");
+  EXPECT_EQ(later.measures().all()[1].kind, MeasureKind::Note);
+  EXPECT_LT((later.measures().all()[0].places_mm[0] - Eigen::Vector3d{-5.25, 1, 2}).norm(), 1e-9);
+  EXPECT_EQ(isovalue, 61.0);
+  const ui::ViewLook again = later.window.look();
+  EXPECT_LT((again.eye_mm - look.eye_mm).norm(), 1e-6);
+  EXPECT_LT((again.focus_mm - look.focus_mm).norm(), 1e-6);
+  EXPECT_LT((again.up - look.up).norm(), 1e-9);
+  EXPECT_LT((again.cross_mm - Eigen::Vector3d{4, 5, 6}).norm(), 1e-9);
+  EXPECT_EQ(again.grey_level, 33.0);
+  EXPECT_EQ(again.grey_width, 44.0);
+  // what was marked before is not lost
+  ASSERT_TRUE(later.measures().canRestore());
+  later.measures().restore();
+  EXPECT_EQ(later.measures().all().size(), 3U);
+  window::pictureAtRest(later.window.view());
+  window::keep(window::pictureOf(later.window), "view_opened");
+}
+
+TEST(ViewFiles, HoldNoPathAndNoNameUnlessThePlaceIsToBeRemembered) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("a.palpate-view").toStdString();
+  Views views;
+  QDir(folder.path()).mkdir("Somebody");
+  views.show(ballAt(0.0), 50.0, "Somebody^Jane",
+             fs::path(folder.path().toStdString()) / "Somebody/s.nrrd");
+  ASSERT_TRUE(views.save(path));
+  const auto text = [&] {
+    QFile file(QString::fromStdString(path.string()));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll();
+  };
+  EXPECT_FALSE(text().contains("Somebody"));
+  EXPECT_FALSE(text().contains(folder.path().toUtf8()));
+  ASSERT_TRUE(views.save(path, true));
+  EXPECT_TRUE(text().contains("\"Somebody/s.nrrd\""));
+  EXPECT_FALSE(text().contains(folder.path().toUtf8()));  // relative
+}
+
+TEST(ViewFiles, AnotherScanIsRefusedAndNothingChanges) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("a.palpate-view").toStdString();
+  Views views;
+  views.show(ballAt(0.0), 50.0);
+  window::showAndWait(views.window, {1240, 840});
+  views.measures().replace(someMarks());
+  ASSERT_TRUE(views.save(path));
+
+  // another geometry: the sentence says which one the file wants
+  Views small;
+  small.show(ballAt(0.0, 40), 50.0);
+  EXPECT_FALSE(small.open(path));
+  EXPECT_TRUE(small.message().contains("48 x 48 x 48 voxels of 1 x 1 x 1 mm (int16)"))
+      << small.message().toStdString();
+  EXPECT_TRUE(small.message().contains("40 x 40 x 40")) << small.message().toStdString();
+  EXPECT_TRUE(small.measures().all().empty());
+
+  // the same geometry, other voxels
+  Views moved;
+  moved.show(ballAt(3.0), 50.0);
+  moved.measures().replace({{MeasureKind::Point, "mine", {{0, 0, 0}}}});
+  EXPECT_FALSE(moved.open(path));
+  EXPECT_TRUE(moved.message().contains("another scan")) << moved.message().toStdString();
+  ASSERT_EQ(moved.measures().all().size(), 1U);
+  EXPECT_EQ(moved.measures().all()[0].text, "mine");
+  EXPECT_FALSE(moved.measures().canRestore());
+
+  // a damaged file
+  const fs::path damaged = folder.filePath("b.palpate-view").toStdString();
+  {
+    QFile file(QString::fromStdString(damaged.string()));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{\"palpate_view\": 1}");
+  }
+  EXPECT_FALSE(moved.open(damaged));
+  EXPECT_TRUE(moved.message().contains("\"edits\" is missing") ||
+              moved.message().contains("\"scan\" is missing"))
+      << moved.message().toStdString();
+  EXPECT_EQ(moved.measures().all().size(), 1U);
+}
+
+TEST(ViewFiles, OnAnotherInstallationTheUserIsAsked) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("a.palpate-view").toStdString();
+  {
+    Views views;
+    views.show(ballAt(0.0), 50.0);
+    views.measures().replace(someMarks());
+    ASSERT_TRUE(views.save(path));
+  }
+  const Installation elsewhere;
+  Views views;
+  views.show(ballAt(0.0), 50.0);
+  window::showAndWait(views.window, {1240, 840});
+  {
+    Answer answer("Cancel");
+    EXPECT_FALSE(views.open(path));
+    EXPECT_TRUE(answer.said.contains("another installation")) << answer.said.toStdString();
+    EXPECT_TRUE(answer.said.contains("48 x 48 x 48")) << answer.said.toStdString();
+  }
+  EXPECT_TRUE(views.measures().all().empty());
+  {
+    Answer answer("Open it");
+    EXPECT_TRUE(views.open(path));
+  }
+  EXPECT_EQ(views.measures().all().size(), 2U);
+  // another geometry is refused there without a question
+  views.show(ballAt(0.0, 40), 50.0);
+  Answer answer("Open it");
+  EXPECT_FALSE(views.open(path));
+  EXPECT_TRUE(answer.said.isEmpty());
+}
+
+TEST(ViewFiles, EditsAreAskedForAndTheRestFollowsTheEditedVolume) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("a.palpate-view").toStdString();
+  Views views;
+  const auto scan = ballAt(0.0);
+  views.show(scan, 50.0);
+  views.files.setEdits({"an edit"});
+  views.measures().replace(someMarks());
+  ASSERT_TRUE(views.save(path));
+  Views later;
+  later.show(scan, 50.0);
+  // a program that cannot edit refuses them
+  EXPECT_FALSE(later.open(path));
+  EXPECT_TRUE(later.message().contains("edits")) << later.message().toStdString();
+  QStringList wanted;
+  QObject::connect(&later.files, &app::ViewFileController::editsWanted,
+                   [&](const QStringList& edits) {
+                     wanted = edits;
+                     QTimer::singleShot(0, [&] { later.files.showScene(true); });
+                   });
+  EXPECT_TRUE(later.open(path));
+  EXPECT_EQ(wanted, QStringList{"an edit"});
+  EXPECT_EQ(later.measures().all().size(), 2U);
+}
+
+TEST(ViewFiles, TheDialogWarnsOfNamesAndOffersTheRelativePath) {
+  const Installation here;
+  const QTemporaryDir folder;
+  Views views;
+  views.show(ballAt(0.0), 50.0, "A scan", fs::path(folder.path().toStdString()) / "s.nrrd");
+  window::showAndWait(views.window, {1240, 840});
+  QString warning;
+  bool by_default = true;
+  QTimer::singleShot(300, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    window::keep(window::pictureOf(*dialog), "view_save_dialog");
+    warning = dialog->findChild<QLabel*>("notesWarning")->text();
+    auto* remember = dialog->findChild<QCheckBox*>("rememberScan");
+    by_default = remember->isChecked();
+    remember->click();
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    name->setText(folder.filePath("chosen"));
+    QTest::keyClick(name, Qt::Key_Return);
+  });
+  QSignalSpy finished(&views.files, &app::ViewFileController::finished);
+  views.files.askAndSave();
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }, 20.0));
+  EXPECT_TRUE(finished[0][0].toBool());
+  EXPECT_TRUE(warning.contains("do not name the patient")) << warning.toStdString();
+  EXPECT_FALSE(by_default);
+  const auto read = app::readViewFile(folder.filePath("chosen.palpate-view").toStdString());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->place, "s.nrrd");
+}
+
+TEST(ViewFiles, AFileThatKnowsItsScanOpensItFromTheCommandLineAndByDrop) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path root = folder.path().toStdString();
+  const auto ball = ballAt(0.0);
+  fs::create_directory(root / "scans");
+  ASSERT_TRUE(datasets::writeNrrd(*ball, root / "scans/ball.nrrd"));
+  const fs::path path = root / "ball.palpate-view";
+  {
+    app::Arguments arguments = window::sphereInHand("mouse");
+    arguments.load = {.path = root / "scans/ball.nrrd"};
+    app::Application application(arguments);
+    application.start();
+    ASSERT_TRUE(waitFor([&] { return application.shown().has_value(); }, 60.0));
+    application.marks().measures().replace(someMarks());
+    QSignalSpy finished(&application.viewFile(), &app::ViewFileController::finished);
+    application.viewFile().save(path, true);
+    ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }, 20.0));
+    ASSERT_TRUE(finished[0][0].toBool());
+  }
+  app::Arguments arguments = window::sphereInHand("mouse");
+  arguments.load = {.path = path};
+  app::Application application(arguments);
+  QSignalSpy finished(&application.viewFile(), &app::ViewFileController::finished);
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }, 60.0));
+  EXPECT_TRUE(finished[0][0].toBool());
+  ASSERT_TRUE(application.shown());
+  EXPECT_EQ(application.shown()->place.filename(), "ball.nrrd");
+  EXPECT_EQ(application.marks().measures().all().size(), 2U);
+
+  application.marks().measures().clear();
+  emit application.window().dropped({QString::fromStdString(path.string())});
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 1; }, 60.0));
+  EXPECT_TRUE(finished[1][0].toBool());
+  EXPECT_EQ(application.marks().measures().all().size(), 2U);
+  // the scan is gone: the sentence tells what the file wants
+  fs::remove(root / "scans/ball.nrrd");
+  emit application.window().phantomWanted("sphere");
+  ASSERT_TRUE(waitFor([&] { return application.shown()->place.empty(); }, 60.0));
+  emit application.window().dropped({QString::fromStdString(path.string())});
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 2; }, 60.0));
+  EXPECT_FALSE(finished[2][0].toBool());
+  EXPECT_TRUE(application.window().findChild<QLabel*>("message")->text().contains("48 x 48 x 48"));
+}
+
+}  // namespace

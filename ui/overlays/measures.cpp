@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/overlays/measures.h"
+
+#include <QFontMetricsF>
+#include <QKeyEvent>
+#include <QLineF>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/props/picture.h"
+
+namespace ui {
+namespace {
+
+constexpr double kHandle = 5.0;   // radius, pixels
+constexpr double kReach = 9.0;    // from the mouse to a handle, pixels
+constexpr double kGap = 10.0;     // from a place to its label, pixels
+constexpr double kDragged = 6.0;  // a press that moves further is a drag, pixels
+constexpr double kWidestLabel = 260.0;
+constexpr std::size_t kMostSights = 200;  // handles that are sought behind the surface
+constexpr std::size_t kMostRemoved = 100;
+
+// light on a dark rim: seen on bone and on air
+const QColor kInk{238, 150, 255};
+const QColor kChosenInk{255, 235, 255};
+const QColor kRim{0, 0, 0, 190};
+const QColor kGround{0, 0, 0, 175};
+
+void drawLine(QPainter& painter, const QPolygonF& line, const QColor& ink, double width,
+              bool dashed) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kRim, width + 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(line);
+  QPen pen(ink, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  if (dashed) pen.setDashPattern({4.0, 3.5});
+  painter.setPen(pen);
+  painter.drawPolyline(line);
+}
+
+void drawHandle(QPainter& painter, QPointF at, const QColor& ink, bool hollow) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kRim, 4.5));
+  painter.drawEllipse(at, kHandle, kHandle);
+  painter.setPen(QPen(ink, 2.0));
+  if (!hollow) painter.setBrush(ink);
+  painter.drawEllipse(at, kHandle, kHandle);
+  // the place itself, which a full disc would hide
+  if (hollow) return;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kRim);
+  painter.drawEllipse(at, 1.2, 1.2);
+}
+
+/// The share of a line's length that lies in a box.
+double shareInside(const QPolygonF& line, const QRectF& box) {
+  constexpr int kSteps = 24;
+  int inside = 0, all = 0;
+  for (int i = 1; i < line.size(); ++i)
+    for (int s = 0; s <= kSteps; ++s, ++all)
+      inside += box.contains(line[i - 1] + (line[i] - line[i - 1]) * (double(s) / kSteps));
+  return all == 0 ? 0.0 : double(inside) / all;
+}
+
+/// Where a label of this size goes: beside its anchor, on none of its own points, within the
+/// view, and clear of other labels and of its own line as far as there is room.
+QRectF labelPlace(QSizeF size, QPointF anchor, const QPolygonF& points, const QPolygonF& line,
+                  const QRectF& view, const std::vector<QRectF>& taken) {
+  const double w = size.width(), h = size.height();
+  QRectF all(anchor, QSizeF{});
+  for (const QPointF& p : points) all = all.united(QRectF(p, QSizeF{0.01, 0.01}));
+  const QPointF corners[] = {
+      anchor + QPointF{kGap, -kGap - h},
+      anchor + QPointF{kGap, kGap},
+      anchor + QPointF{-kGap - w, -kGap - h},
+      anchor + QPointF{-kGap - w, kGap},
+      anchor + QPointF{kGap, -0.5 * h},
+      anchor + QPointF{-kGap - w, -0.5 * h},
+      {all.right() + kGap, anchor.y() - 0.5 * h},
+      {all.left() - kGap - w, anchor.y() - 0.5 * h},
+      {anchor.x() - 0.5 * w, all.bottom() + kGap},
+      {anchor.x() - 0.5 * w, all.top() - kGap - h},
+      {std::clamp(anchor.x() - 0.5 * w, view.left(), std::max(view.left(), view.right() - w)),
+       all.bottom() + kGap},
+      {std::clamp(anchor.x() - 0.5 * w, view.left(), std::max(view.left(), view.right() - w)),
+       all.top() - kGap - h}};
+  QRectF best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const QPointF& corner : corners) {
+    const QRectF box(corner, size);
+    double cost = 0.0;
+    for (const QPointF& p : points)
+      if (box.adjusted(-kHandle, -kHandle, kHandle, kHandle).contains(p)) cost += 1000.0;
+    if (!view.contains(box)) cost += 100.0;
+    for (const QRectF& other : taken)
+      if (other.intersects(box)) cost += 10.0;
+    cost += shareInside(line, box);
+    if (cost < least) {
+      least = cost;
+      best = box;
+    }
+  }
+  return best;
+}
+
+void drawLabel(QPainter& painter, const QRectF& box, const QString& text) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kGround);
+  painter.drawRoundedRect(box, 3.0, 3.0);
+  painter.setPen(kChosenInk);
+  painter.drawText(box, Qt::AlignCenter | Qt::TextSingleLine, text);
+}
+
+QSizeF labelSize(const QPainter& painter, const QString& text) {
+  const QFontMetricsF metrics(painter.font(), painter.device());
+  return {metrics.horizontalAdvance(text) + 10.0, metrics.height() + 4.0};
+}
+
+/// The corner of an angle: places of W between its legs.
+std::vector<Eigen::Vector3d> arcOf(const Measure& measure) {
+  constexpr int kSteps = 16;
+  const Eigen::Vector3d corner = measure.places_mm[1];
+  const Eigen::Vector3d a = measure.places_mm[0] - corner, b = measure.places_mm[2] - corner;
+  const Eigen::Vector3d about = a.cross(b);
+  if (!(about.norm() > 1e-9)) return {};
+  const double radius = 0.3 * std::min(a.norm(), b.norm());
+  const double angle = std::atan2(about.norm(), a.dot(b));
+  std::vector<Eigen::Vector3d> arc;
+  for (int s = 0; s <= kSteps; ++s)
+    arc.push_back(corner + Eigen::AngleAxisd(angle * s / kSteps, about.normalized()) *
+                               (a.normalized() * radius));
+  return arc;
+}
+
+}  // namespace
+
+Measures::Measures(QObject* parent) : Overlay(parent) {}
+
+void Measures::setScan(const MeasuredScan& scan) {
+  scan_ = scan;
+  sights_.clear();
+  emit listChanged();
+  emit changed();
+}
+
+void Measures::surfaceChanged() {
+  sights_.clear();
+  if (!all_.empty()) emit changed();
+}
+
+void Measures::replace(std::vector<Measure> measures) {
+  Removed removed;
+  for (std::size_t i = 0; i < all_.size(); ++i)
+    removed.measures.emplace_back(static_cast<int>(i), std::move(all_[i]));
+  if (!removed.measures.empty()) removed_.push_back(std::move(removed));
+  all_ = std::move(measures);
+  setPlacing({});
+  select(-1);
+  emit listChanged();
+  emit changed();
+}
+
+void Measures::clear() {
+  setPlacing({});
+  select(-1);
+  all_.clear();
+  removed_.clear();
+  travel_.reset();
+  emit listChanged();
+  emit changed();
+}
+
+void Measures::rename(int index, const QString& text) {
+  if (index < 0 || index >= static_cast<int>(all_.size())) return;
+  const QString line = plainLine(text);
+  Measure& measure = all_[static_cast<std::size_t>(index)];
+  if (!line.isEmpty()) measure.text = line.toStdString();
+  emit listChanged();
+  emit changed();
+}
+
+void Measures::remove(int index) {
+  if (index < 0 || index >= static_cast<int>(all_.size())) return;
+  removed_.push_back({{{index, std::move(all_[static_cast<std::size_t>(index)])}}});
+  if (removed_.size() > kMostRemoved) removed_.erase(removed_.begin());
+  all_.erase(all_.begin() + index);
+  dragged_.reset();
+  over_ = false;
+  select(-1);
+  emit listChanged();
+  emit changed();
+}
+
+void Measures::restore() {
+  if (removed_.empty()) return;
+  int last = -1;
+  for (auto& [index, measure] : removed_.back().measures) {
+    if (all_.size() >= kMost) break;
+    last = std::min(index, static_cast<int>(all_.size()));
+    all_.insert(all_.begin() + last, std::move(measure));
+  }
+  removed_.pop_back();
+  emit listChanged();
+  select(last);
+  emit changed();
+}
+
+void Measures::select(int index) {
+  if (selected_ == index) return;
+  selected_ = index;
+  emit selectionChanged(index);
+  emit changed();
+}
+
+void Measures::setPlacing(std::optional<MeasureKind> kind) {
+  if (kind && (all_.size() >= kMost || scan_.grid.dims[0] == 0)) kind.reset();
+  const bool drawn = !begun_.places_mm.empty();
+  begun_ = {};
+  next_mm_.reset();
+  placing_ = kind;
+  if (kind) begun_.kind = *kind;
+  emit placingChanged(kind ? static_cast<int>(*kind) : -1);
+  if (drawn) emit changed();
+}
+
+void Measures::setTravel(const std::optional<Travel>& travel) {
+  if (!travel && !travel_) return;
+  travel_ = travel;
+  emit changed();
+}
+
+Eigen::Vector3d Measures::inScan(const Eigen::Vector3d& p_mm) const {
+  const haptics::Grid& grid = scan_.grid;
+  haptics::Vec3 index = grid.indexOf(p_mm / kMmPerM);
+  for (int a = 0; a < 3; ++a)
+    index[a] = std::clamp(index[a], 0.0, std::max(0.0, double(grid.dims[std::size_t(a)]) - 1.0));
+  return grid.worldOf(index) * kMmPerM;
+}
+
+Measures::Handle Measures::handleOf(const ViewGeometry& view, const Eigen::Vector3d& p_mm) const {
+  Handle handle{.at = view.projected(p_mm)};
+  const Eigen::Vector3d towards = view.axes().col(2);
+  if (view.isSlice()) {
+    const double off = std::abs(view.offset_mm(p_mm));
+    const haptics::Grid& grid = scan_.grid;
+    const double voxel_mm =
+        (grid.spacing.cwiseProduct(grid.direction.transpose() * towards)).norm() * kMmPerM;
+    handle.hollow = off > 0.5 * voxel_mm + 1e-6;
+    handle.shown = !handle.hollow || off <= kFaint_mm;
+    return handle;
+  }
+  Eigen::Vector3d from, along;
+  view.sight(handle.at, from, along);
+  // behind the eye nothing is seen, though it is projected
+  handle.shown =
+      towards.dot(p_mm - from) < 0.0 && view.widget().rect().contains(handle.at.toPoint());
+  handle.hollow = handle.shown && isBehindSurface(view, p_mm, handle.at);
+  return handle;
+}
+
+bool Measures::isBehindSurface(const ViewGeometry& view, const Eigen::Vector3d& p_mm,
+                               QPointF at) const {
+  Eigen::Vector3d from, along;
+  view.sight(at, from, along);
+  const auto known = std::find_if(sights_.begin(), sights_.end(),
+                                  [&](const Sight& sight) { return sight.p == p_mm; });
+  if (known != sights_.end() && known->from == from && known->along == along) return known->behind;
+  if (known == sights_.end() && sights_.size() >= kMostSights) return false;
+  const auto met = view.placeUnder(at);
+  const double room = scan_.grid.spacing.norm() * kMmPerM;
+  const bool behind = met && along.dot(p_mm - *met) > room;
+  if (known != sights_.end())
+    *known = {from, along, p_mm, behind};
+  else
+    sights_.push_back({from, along, p_mm, behind});
+  return behind;
+}
+
+QString Measures::labelOf(const Measure& measure) const {
+  const QString text = QString::fromStdString(measure.text);
+  const QString value = valueOf(measure, scan_);
+  if (value.isEmpty()) return text;
+  return text.isEmpty() ? value : tr("%1: %2").arg(text, value);
+}
+
+void Measures::paintMeasure(QPainter& painter, const ViewGeometry& view, const Measure& measure,
+                            bool chosen, bool whole, std::vector<QRectF>& taken) const {
+  std::vector<Handle> handles;
+  QPolygonF line, points;
+  bool any = false, dashed = false;
+  for (const Eigen::Vector3d& p : measure.places_mm) {
+    handles.push_back(handleOf(view, p));
+    const Handle& handle = handles.back();
+    any = any || handle.shown;
+    dashed = dashed || handle.hollow || !handle.shown;
+    line << handle.at;
+    if (handle.shown) points << handle.at;
+  }
+  if (!any) return;
+  const QColor ink = chosen ? kChosenInk : kInk;
+  if (!whole && next_mm_) line << view.projected(*next_mm_);
+  if (line.size() > 1) drawLine(painter, line, ink, chosen ? 2.2 : 1.6, dashed);
+  if (whole && measure.kind == MeasureKind::Angle) {
+    QPolygonF arc;
+    for (const Eigen::Vector3d& p : arcOf(measure)) arc << view.projected(p);
+    if (!arc.isEmpty()) drawLine(painter, arc, ink, 1.2, dashed);
+  }
+  for (const Handle& handle : handles)
+    if (handle.shown) drawHandle(painter, handle.at, ink, handle.hollow);
+  if (!whole) return;
+  const QFontMetricsF metrics(painter.font(), painter.device());
+  const QString text = metrics.elidedText(labelOf(measure), Qt::ElideRight, kWidestLabel);
+  QPointF anchor = line.first();
+  if (measure.kind == MeasureKind::Distance) anchor = 0.5 * (line[0] + line[1]);
+  if (measure.kind == MeasureKind::Angle) anchor = line[1];
+  const QRectF box = labelPlace(labelSize(painter, text), anchor, points, line,
+                                QRectF(view.widget().rect()), taken);
+  drawLabel(painter, box, text);
+  taken.push_back(box);
+}
+
+void Measures::paintTravel(QPainter& painter, const ViewGeometry& view,
+                           std::vector<QRectF>& taken) const {
+  const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
+  drawLine(painter, {from, to}, kInk, 1.4, true);
+  drawHandle(painter, from, kInk, true);
+  const QString text = tr("Travelled %1 mm").arg(QLocale().toString(travel_->length_mm, 'f', 1));
+  const QRectF box = labelPlace(labelSize(painter, text), from, {from, to}, {from, to},
+                                QRectF(view.widget().rect()), taken);
+  drawLabel(painter, box, text);
+  taken.push_back(box);
+}
+
+void Measures::paint(QPainter& painter, const ViewGeometry& view) const {
+  if (all_.empty() && begun_.places_mm.empty() && !travel_) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont font = view.widget().font();
+  painter.setFont(font);
+  std::vector<QRectF> taken;
+  // said wherever a measure can be, so in every picture of one
+  const QString warning = tr("Not for treatment");
+  const QSizeF size = labelSize(painter, warning);
+  const QRectF corner(QPointF{4.0, view.widget().height() - size.height() - 4.0}, size);
+  taken.push_back(corner);
+  for (std::size_t i = 0; i < all_.size(); ++i)
+    if (static_cast<int>(i) != selected_) paintMeasure(painter, view, all_[i], false, true, taken);
+  if (selected_ >= 0 && selected_ < static_cast<int>(all_.size()))
+    paintMeasure(painter, view, all_[static_cast<std::size_t>(selected_)], true, true, taken);
+  if (!begun_.places_mm.empty()) paintMeasure(painter, view, begun_, true, false, taken);
+  if (travel_) paintTravel(painter, view, taken);
+  drawLabel(painter, corner, warning);
+}
+
+std::optional<std::pair<int, int>> Measures::handleAt(const ViewGeometry& view, QPointF at) const {
+  std::optional<std::pair<int, int>> nearest;
+  double least = kReach;
+  const auto look = [&](int index) {
+    const Measure& measure = all_[static_cast<std::size_t>(index)];
+    for (std::size_t p = 0; p < measure.places_mm.size(); ++p) {
+      const double away = QLineF(view.projected(measure.places_mm[p]), at).length();
+      if (away >= least || !handleOf(view, measure.places_mm[p]).shown) continue;
+      least = away;
+      nearest = {index, static_cast<int>(p)};
+    }
+  };
+  // of two at one place the chosen one, then the newer, as they are drawn
+  if (selected_ >= 0 && selected_ < static_cast<int>(all_.size())) look(selected_);
+  for (int i = static_cast<int>(all_.size()) - 1; i >= 0; --i)
+    if (i != selected_) look(i);
+  return nearest;
+}
+
+bool Measures::press(const ViewGeometry& view, const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton) return false;
+  const QPointF at = event.position();
+  if (placing_) {
+    const auto p = view.placeUnder(at);
+    if (!p) return false;  // beside the surface the view does what it does
+    begun_.places_mm.push_back(inScan(*p));
+    next_mm_.reset();
+    pressed_ = at;
+    emit changed();
+    return true;
+  }
+  const auto handle = handleAt(view, at);
+  if (!handle) return false;
+  dragged_ = handle;
+  const Measure& measure = all_[static_cast<std::size_t>(handle->first)];
+  grab_ = view.projected(measure.places_mm[static_cast<std::size_t>(handle->second)]) - at;
+  select(handle->first);
+  return true;
+}
+
+bool Measures::drag(const ViewGeometry& view, const QMouseEvent& event) {
+  const QPointF at = event.position();
+  if (placing_ && !begun_.places_mm.empty()) {
+    const auto p = view.placeUnder(at);
+    if (!p) return true;
+    // a distance may be drawn in one go
+    const bool first = begun_.kind == MeasureKind::Distance && begun_.places_mm.size() == 1;
+    if (first && QLineF(pressed_, at).length() < kDragged) return true;
+    if (first)
+      begun_.places_mm.push_back(inScan(*p));
+    else
+      begun_.places_mm.back() = inScan(*p);
+    emit changed();
+    return true;
+  }
+  if (!dragged_) return true;
+  Measure& measure = all_[static_cast<std::size_t>(dragged_->first)];
+  Eigen::Vector3d& place = measure.places_mm[static_cast<std::size_t>(dragged_->second)];
+  if (view.isSlice())
+    place = inScan(view.placeBeside(at + grab_, place));
+  else if (const auto p = view.placeUnder(at + grab_))
+    place = inScan(*p);
+  emit listChanged();
+  emit changed();
+  return true;
+}
+
+bool Measures::release(const ViewGeometry&, const QMouseEvent&) {
+  dragged_.reset();
+  if (placing_ && begun_.places_mm.size() == placesOf(begun_.kind)) finish();
+  return true;
+}
+
+bool Measures::doubleClick(const ViewGeometry& view, const QMouseEvent& event) {
+  // two presses, of which the second has no drag
+  return press(view, event) && release(view, event);
+}
+
+bool Measures::hover(const ViewGeometry& view, const QMouseEvent& event) {
+  over_ = false;
+  if (placing_) {
+    const auto p = view.placeUnder(event.position());
+    if (p) next_mm_ = inScan(*p);
+    if (p && !begun_.places_mm.empty()) emit changed();
+    return p.has_value();
+  }
+  over_ = handleAt(view, event.position()).has_value();
+  return over_;
+}
+
+bool Measures::key(const ViewGeometry&, const QKeyEvent& event) {
+  const bool back = event.key() == Qt::Key_Backspace, del = event.key() == Qt::Key_Delete;
+  if (!back && !del) return false;
+  if (!begun_.places_mm.empty()) {
+    begun_.places_mm.pop_back();
+    emit changed();
+    return true;
+  }
+  if (!del || selected_ < 0) return false;
+  remove(selected_);
+  return true;
+}
+
+Qt::CursorShape Measures::cursor() const {
+  return placing_ ? Qt::CrossCursor : over_ ? Qt::SizeAllCursor : Qt::ArrowCursor;
+}
+
+QString Measures::freeName(MeasureKind kind) const {
+  for (std::size_t number = 1;; ++number) {
+    const QString name = tr("%1 %2").arg(nameOf(kind)).arg(number);
+    const std::string text = name.toStdString();
+    if (std::none_of(all_.begin(), all_.end(),
+                     [&](const Measure& measure) { return measure.text == text; }))
+      return name;
+  }
+}
+
+void Measures::finish() {
+  Measure made = std::move(begun_);
+  made.text = freeName(made.kind).toStdString();
+  setPlacing({});
+  all_.push_back(std::move(made));
+  const int index = static_cast<int>(all_.size()) - 1;
+  emit listChanged();
+  select(index);
+  emit placed(index);
+  emit changed();
+}
+
+}  // namespace ui

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/marks_panel.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/overlays/measure_words.h"
+
+namespace ui {
+namespace {
+
+enum MarkColumn { MarkText, MarkValue, kMarkColumns };
+
+constexpr Qt::Key kPlaceKeys[] = {Qt::Key_D, Qt::Key_A, Qt::Key_P, Qt::Key_N};
+constexpr const char* kPlaceNames[] = {"placeDistance", "placeAngle", "placePoint", "placeNote"};
+
+/// Sets a cell's words if they are others, as plain text.
+void setCell(QTableWidget& list, int row, int column, const QString& text, bool editable) {
+  QTableWidgetItem* item = list.item(row, column);
+  if (item == nullptr) {
+    item = new QTableWidgetItem;
+    item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled |
+                   (editable ? Qt::ItemIsEditable : Qt::NoItemFlags));
+    list.setItem(row, column, item);
+  }
+  if (item->text() == text) return;
+  item->setText(text);
+  item->setToolTip(QStringLiteral("<qt>%1</qt>").arg(text.toHtmlEscaped()));
+}
+
+}  // namespace
+
+MarksPanel::MarksPanel(QWidget* parent)
+    : QWidget(parent),
+      list_(new QTableWidget),
+      go_(new QPushButton(tr("&Go to"))),
+      rename_(new QPushButton(tr("&Rename"))),
+      remove_(new QPushButton(tr("De&lete"))),
+      restore_(new QPushButton(tr("&Undo delete"))),
+      travel_start_(new QPushButton),
+      travel_end_(new QPushButton(tr("End"))),
+      travel_(new QLabel) {
+  auto* inside = new QWidget;
+  auto* column = new QVBoxLayout(inside);
+  column->addWidget(buildTools());
+  buildList();
+  column->addWidget(list_, 1);
+  auto* row = new QHBoxLayout;
+  for (QPushButton* button : {go_, rename_, remove_, restore_}) row->addWidget(button);
+  column->addLayout(row);
+  column->addWidget(buildTravel());
+  auto* warning = new QLabel(
+      tr("<b>Not for treatment.</b> The figure behind ± is what the voxels allow: half a voxel "
+         "diagonal for each place. It does not include what the scanner or the choice of the "
+         "places adds."));
+  warning->setObjectName("marksWarning");
+  warning->setWordWrap(true);
+  column->addWidget(warning);
+  // the dock may be lower than all this
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(inside);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(scroll);
+  setFocusProxy(list_);
+  setReady(false);
+  setCanRestore(false);
+  showTravel({});
+  showChosen();
+}
+
+QWidget* MarksPanel::buildTools() {
+  const QString tips[] = {
+      tr("Press at the two ends, or drag from one to the other"),
+      tr("Press at the end of one leg, at the corner, and at the end of the other leg"),
+      tr("Press where the value is to be read"), tr("Press where the note belongs, then type it")};
+  auto* tools = new QWidget;
+  auto* row = new QHBoxLayout(tools);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (const MeasureKind kind : kMeasureKinds) {
+    const auto i = static_cast<std::size_t>(kind);
+    auto* action = new QAction(nameOf(kind), this);
+    actions_[i] = action;
+    action->setObjectName(kPlaceNames[i]);
+    action->setCheckable(true);
+    action->setShortcut(kPlaceKeys[i]);
+    // only while a view has the focus: in a field a letter is a letter
+    action->setShortcutContext(Qt::WidgetShortcut);
+    action->setAutoRepeat(false);
+    action->setToolTip(
+        tr("%1 (key %2 in a view)").arg(tips[i], QKeySequence(kPlaceKeys[i]).toString()));
+    connect(action, &QAction::triggered, this,
+            [this, i](bool on) { emit placingWanted(on ? static_cast<int>(i) : -1); });
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setObjectName(QString(kPlaceNames[i]) + "Button");
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    row->addWidget(button);
+  }
+  return tools;
+}
+
+void MarksPanel::buildList() {
+  list_->setObjectName("marks");
+  list_->setAccessibleName(tr("Measures, marks and notes"));
+  list_->setColumnCount(kMarkColumns);
+  list_->setHorizontalHeaderLabels({tr("Name or note"), tr("Value")});
+  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  list_->setSelectionMode(QAbstractItemView::SingleSelection);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list_->setTabKeyNavigation(false);
+  list_->setShowGrid(false);
+  list_->setWordWrap(false);
+  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  list_->setMinimumHeight(110);
+  list_->verticalHeader()->hide();
+  list_->verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() + 6);
+  list_->horizontalHeader()->setHighlightSections(false);
+  list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list_->horizontalHeader()->setSectionResizeMode(MarkText, QHeaderView::Stretch);
+  list_->installEventFilter(this);
+  list_->setToolTip(tr("Enter goes to the place, F2 renames, Delete deletes"));
+  go_->setObjectName("goToMark");
+  go_->setToolTip(tr("Moves the crosshair to the place; again, to its next place"));
+  rename_->setObjectName("renameMark");
+  remove_->setObjectName("removeMark");
+  restore_->setObjectName("restoreMark");
+  connect(list_, &QTableWidget::itemSelectionChanged, this, [this] {
+    showChosen();
+    emit selected(chosen());
+  });
+  connect(list_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
+    if (item->column() == MarkText) emit renamed(item->row(), item->text());
+  });
+  connect(list_, &QTableWidget::cellDoubleClicked, this, [this](int row) { emit goToWanted(row); });
+  connect(go_, &QPushButton::clicked, this, [this] { emit goToWanted(chosen()); });
+  connect(rename_, &QPushButton::clicked, this, [this] { edit(chosen()); });
+  connect(remove_, &QPushButton::clicked, this, [this] { emit removeWanted(chosen()); });
+  connect(restore_, &QPushButton::clicked, this, &MarksPanel::restoreWanted);
+}
+
+QWidget* MarksPanel::buildTravel() {
+  travel_start_->setObjectName("travelStart");
+  travel_start_->setToolTip(tr("Measures the way of the tool from where it is now"));
+  travel_end_->setObjectName("travelEnd");
+  travel_->setObjectName("travelled");
+  travel_->setTextFormat(Qt::PlainText);
+  travel_->setWordWrap(true);
+  connect(travel_start_, &QPushButton::clicked, this, [this] { emit travelWanted(true); });
+  connect(travel_end_, &QPushButton::clicked, this, [this] { emit travelWanted(false); });
+  auto* part = new QWidget;
+  auto* grid = new QGridLayout(part);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->addWidget(travel_, 0, 0, 1, 2);
+  grid->addWidget(travel_start_, 1, 0);
+  grid->addWidget(travel_end_, 1, 1);
+  return part;
+}
+
+bool MarksPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != list_ || event->type() != QEvent::KeyPress) return false;
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (chosen() < 0) return false;
+  if (key == Qt::Key_Delete)
+    emit removeWanted(chosen());
+  else if (key == Qt::Key_Return || key == Qt::Key_Enter)
+    emit goToWanted(chosen());
+  else if (key == Qt::Key_F2)
+    edit(chosen());  // whatever cell is the current one
+  else
+    return false;
+  return true;
+}
+
+void MarksPanel::setReady(bool ready) {
+  for (QAction* action : actions_) action->setEnabled(ready);
+  travel_start_->setEnabled(ready);
+}
+
+void MarksPanel::show(const QList<MarkRow>& rows) {
+  const QSignalBlocker quiet(list_);
+  if (list_->rowCount() != rows.size()) list_->setRowCount(static_cast<int>(rows.size()));
+  for (int row = 0; row < list_->rowCount(); ++row) {
+    setCell(*list_, row, MarkText, rows[row].text, true);
+    setCell(*list_, row, MarkValue, rows[row].value, false);
+  }
+  showChosen();
+}
+
+void MarksPanel::setCanRestore(bool can) { restore_->setEnabled(can); }
+
+void MarksPanel::select(int index) {
+  if (index == chosen()) return;
+  const QSignalBlocker quiet(list_);
+  list_->clearSelection();
+  if (index >= 0) {
+    list_->setCurrentCell(index, MarkText);
+    list_->selectRow(index);
+  }
+  showChosen();
+}
+
+void MarksPanel::edit(int index) {
+  QTableWidgetItem* item = list_->item(index, MarkText);
+  if (item == nullptr) return;
+  list_->setFocus();
+  list_->setCurrentItem(item);
+  list_->editItem(item);
+}
+
+void MarksPanel::showPlacing(int kind) {
+  for (std::size_t i = 0; i < actions_.size(); ++i)
+    actions_[i]->setChecked(static_cast<int>(i) == kind);
+}
+
+void MarksPanel::showTravel(const std::optional<QString>& words) {
+  const QString text = words.value_or(tr("The tool's way is not measured."));
+  if (travel_->text() != text) travel_->setText(text);
+  const QString start = words ? tr("Start again") : tr("Start at the tool");
+  if (travel_start_->text() != start) travel_start_->setText(start);
+  travel_end_->setEnabled(words.has_value());
+}
+
+int MarksPanel::chosen() const {
+  const QList<QTableWidgetSelectionRange> ranges = list_->selectedRanges();
+  return ranges.isEmpty() ? -1 : ranges.first().topRow();
+}
+
+void MarksPanel::showChosen() {
+  const bool any = chosen() >= 0;
+  for (QPushButton* button : {go_, rename_, remove_}) button->setEnabled(any);
+}
+
+}  // namespace ui
