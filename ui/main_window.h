@@ -28,6 +28,7 @@ class HapticDevicePanel;
 class IsosurfacePanel;
 class ReplayBar;
 class StatusLine;
+class ViewActions;
 class VolumeView;
 
 /// A file or folder that was opened before.
@@ -56,6 +57,9 @@ class MainWindow : public QMainWindow {
   void setTouched(const TouchedSurface& touched);
   /// Draws this above all views, and asks it first for mouse and keys.
   void addOverlay(Overlay& overlay);
+  /// The linked crosshair of the slices.
+  const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
+  void setCross(const Eigen::Vector3d& cross_W_mm) { moveCross(cross_W_mm); }
   /// The state of the touch, at display rate. Pictures are updated at once, texts ten times a
   /// second.
   void display(const haptics::Snapshot& snapshot);
@@ -111,6 +115,14 @@ class MainWindow : public QMainWindow {
   void phantomWanted(const QString& name);
   void cancelWanted();
   void isovalueChanged(double isovalue);
+  /// The tool is to come to a place [m]. `normal_W`: unit, out of the solid there; zero if it is
+  /// not known, as in a slice.
+  void toolWanted(const haptics::Vec3& p_W, const haptics::Vec3& normal_W);
+  void toolToCrossWanted();
+  void crossToToolWanted();
+  /// The user wants a picture in a file, or in the clipboard.
+  void pictureWanted();
+  void pictureCopyWanted();
   void forceOffWanted();
   void forceOnWanted();
   void closing();
@@ -151,6 +163,8 @@ class MainWindow : public QMainWindow {
   QAction* save_edited_ = nullptr;
   QString title_;  ///< of the volume; empty: none
   bool edited_ = false;
+  ViewActions* view_actions_ = nullptr;
+  Eigen::Vector3d cross_mm_ = Eigen::Vector3d::Zero();
   StatusLine* status_;
   QFrame* fault_bar_;
   QLabel* fault_;

@@ -29,6 +29,8 @@ class IsosurfacePanel : public QWidget {
   void show(const Picture& picture, double isovalue);
   /// Other voxels of the same scan; range and isovalue stay.
   void replace(const Picture& picture);
+  /// As if the user had chosen it.
+  void choose(double isovalue);
 
  signals:
   void isovalueChanged(double isovalue);
@@ -36,7 +38,6 @@ class IsosurfacePanel : public QWidget {
   void refused(const QString& sentence);
 
  private:
-  void choose(double isovalue);
   void showValue(double isovalue);
 
   HistogramSlider* slider_;
