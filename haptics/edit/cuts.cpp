@@ -13,7 +13,8 @@ namespace {
 /// The half-space to which a plane's normal points, in index coordinates.
 class PlaneOperator final : public EditOperator {
  public:
-  PlaneOperator(const Volume& volume, const PlaneCut& cut) : wall_{volume.least, cut.isovalue} {
+  PlaneOperator(const Volume& volume, const PlaneCut& cut)
+      : wall_{volume.least, volume.greatest, cut.isovalue} {
     box = volume.bounds();
     const Grid& grid = volume.grid;
     const Vec3 normal_V = grid.spacing.cwiseProduct(grid.direction.transpose() * cut.normal_W);

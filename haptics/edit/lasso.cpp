@@ -21,9 +21,8 @@ struct WallPart {
   Vec3 one = Vec3::Zero();  // the ray through the first corner; for a strip unused
   Vec3 two = Vec3::Zero();  // the ray through the second corner; of a strip the edge
   Vec3 dual_one = Vec3::Zero(), dual_two = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();  // unit
-
-  double squaredDistance(const Vec3& u, const Vec3& along) const;
+  Vec3 normal = Vec3::Zero();             // unit
+  std::array<double, 2> from{}, until{};  // the edge in the picture
 };
 
 double squaredToRay(const Vec3& q, const Vec3& ray) {
@@ -44,6 +43,9 @@ class LassoOperator final : public EditOperator {
   /// Edges that come near a block: a part of `edges`.
   struct NearEdges {
     std::uint32_t first, count;
+    Vec3 middle;    // of the block
+    bool inside;    // whether that is
+    double inward;  // its distance to the wall, positive inside
   };
   struct Found {
     std::vector<std::pair<std::size_t, std::uint32_t>> blocks;  // block, kInside or one of `lists`
@@ -52,7 +54,10 @@ class LassoOperator final : public EditOperator {
   };
 
   double squaredDistance(const WallPart& part, const Vec3& u) const;
+  /// In the picture: x, y and the depth.
+  Vec3 pictureOf(const Vec3& u) const;
   bool isInside(const Vec3& u) const;
+  bool isInside(const Vec3& u, const NearEdges& near) const;
   void divide(const std::array<std::int64_t, 3>& first, std::int64_t side,
               std::span<const std::uint32_t> near, Found& found) const;
   std::size_t blockAt(std::int64_t i, std::int64_t j, std::int64_t k) const {
@@ -64,7 +69,8 @@ class LassoOperator final : public EditOperator {
   WallProfile wall_;
   bool parallel_, inside_;
   Grid grid_;
-  Pose X_CW_;
+  Mat3 A_CV_;  // from index coordinates to the camera
+  Vec3 b_C_;
   std::vector<std::array<double, 2>> outline_;
   std::vector<WallPart> parts_;
   // depth in voxels behind the beginning of the cut and before its end: linear in index coordinates
@@ -77,11 +83,12 @@ class LassoOperator final : public EditOperator {
 };
 
 LassoOperator::LassoOperator(const Volume& volume, const LassoCut& cut)
-    : wall_{volume.least, cut.isovalue},
+    : wall_{volume.least, volume.greatest, cut.isovalue},
       parallel_{cut.parallel},
       inside_{cut.inside},
       grid_{volume.grid},
-      X_CW_{cut.X_WC.inverse()} {
+      A_CV_{cut.X_WC.linear().transpose() * grid_.direction * grid_.spacing.asDiagonal()},
+      b_C_{cut.X_WC.linear().transpose() * (grid_.origin - cut.X_WC.translation())} {
   box = volume.bounds();
   // a corner that is drawn twice makes no edge
   for (const auto& corner : cut.outline)
@@ -98,6 +105,8 @@ LassoOperator::LassoOperator(const Volume& volume, const LassoCut& cut)
     const auto& a = outline_[n];
     const auto& b = outline_[(n + 1) % outline_.size()];
     WallPart part;
+    part.from = a;
+    part.until = b;
     if (parallel_) {
       part.at = eye + indexStep(R_WC * Vec3{a[0], a[1], 0.0});
       part.two = indexStep(R_WC * Vec3{b[0] - a[0], b[1] - a[1], 0.0});
@@ -141,15 +150,17 @@ double LassoOperator::squaredDistance(const WallPart& part, const Vec3& u) const
   return std::min(squaredToRay(q, part.one), squaredToRay(q, part.two));
 }
 
+Vec3 LassoOperator::pictureOf(const Vec3& u) const {
+  const Vec3 p_C = A_CV_ * u + b_C_;
+  const double depth = -p_C.z();
+  if (parallel_ || !(depth > 0.0)) return {p_C.x(), p_C.y(), depth};
+  return {p_C.x() / depth, p_C.y() / depth, depth};
+}
+
 bool LassoOperator::isInside(const Vec3& u) const {
-  const Vec3 p_C = X_CW_ * grid_.worldOf(u);
-  double x = p_C.x(), y = p_C.y();
-  if (!parallel_) {
-    const double depth = -p_C.z();
-    if (!(depth > 0.0)) return false;
-    x /= depth;
-    y /= depth;
-  }
+  const Vec3 at = pictureOf(u);
+  if (!parallel_ && !(at.z() > 0.0)) return false;
+  const double x = at.x(), y = at.y();
   // even and odd: a loop within a loop is outside
   bool inside = false;
   for (std::size_t n = 0, before = outline_.size() - 1; n < outline_.size(); before = n++) {
@@ -157,6 +168,24 @@ bool LassoOperator::isInside(const Vec3& u) const {
     const auto& b = outline_[n];
     if ((a[1] > y) == (b[1] > y)) continue;
     if (x < a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1])) inside = !inside;
+  }
+  return inside;
+}
+
+bool LassoOperator::isInside(const Vec3& u, const NearEdges& near) const {
+  // from the middle of its block: each edge that is crossed in between comes near the block
+  const Vec3 p = pictureOf(near.middle), q = pictureOf(u);
+  if (!parallel_ && !(p.z() > 0.0 && q.z() > 0.0)) return isInside(u);
+  const auto left = [](double ax, double ay, double bx, double by, double x, double y) {
+    return (bx - ax) * (y - ay) - (by - ay) * (x - ax) > 0.0;
+  };
+  bool inside = near.inside;
+  for (std::uint32_t n = near.first; n < near.first + near.count; ++n) {
+    const WallPart& part = parts_[edges_[n]];
+    const double ax = part.from[0], ay = part.from[1], bx = part.until[0], by = part.until[1];
+    if (left(p.x(), p.y(), q.x(), q.y(), ax, ay) != left(p.x(), p.y(), q.x(), q.y(), bx, by) &&
+        left(ax, ay, bx, by, p.x(), p.y()) != left(ax, ay, bx, by, q.x(), q.y()))
+      inside = !inside;
   }
   return inside;
 }
@@ -170,20 +199,28 @@ void LassoOperator::divide(const std::array<std::int64_t, 3>& first, std::int64_
                     static_cast<double>(first[2]) + half};
   // blocks beyond the depth limits stay as they are
   const double ball = half * std::sqrt(3.0);
-  const double away = ball + WallProfile::kReach;
+  const double away = ball + std::max(WallProfile::kReach, wall_.back());
   const double deep = depth_V_.dot(middle);
   if (deep + depth_from_ < -away || deep + depth_until_ > away) return;
 
   std::vector<std::uint32_t> here;
-  for (const std::uint32_t n : near)
-    if (squaredDistance(parts_[n], middle) < away * away) here.push_back(n);
+  double nearest = away * away;
+  for (const std::uint32_t n : near) {
+    const double squared = squaredDistance(parts_[n], middle);
+    if (!(squared < away * away)) continue;
+    here.push_back(n);
+    nearest = std::min(nearest, squared);
+  }
   if (here.empty() || side == kBlock) {
     if (here.empty() && !isInside(middle)) return;
     std::uint32_t state = kInside;
     if (!here.empty()) {
       state = static_cast<std::uint32_t>(found.lists.size());
+      const bool inside = isInside(middle);
+      const double distance = std::sqrt(nearest);
       found.lists.push_back({static_cast<std::uint32_t>(found.edges.size()),
-                             static_cast<std::uint32_t>(here.size())});
+                             static_cast<std::uint32_t>(here.size()), middle, inside,
+                             inside ? distance : -distance});
       found.edges.insert(found.edges.end(), here.begin(), here.end());
     }
     const std::int64_t n = side / kBlock;
@@ -217,19 +254,31 @@ bool LassoOperator::classify(const EditProgress& progress) {
     const auto edge = static_cast<std::uint32_t>(edges_.size());
     for (const auto& [block, state] : part.blocks)
       state_[block] = state == kInside ? kInside : state + list;
-    for (const NearEdges& near : part.lists) lists_.push_back({near.first + edge, near.count});
+    for (const NearEdges& near : part.lists) {
+      lists_.push_back(near);
+      lists_.back().first += edge;
+    }
     edges_.insert(edges_.end(), part.edges.begin(), part.edges.end());
   }
   return true;
 }
 
 double LassoOperator::inward(const Vec3& u, std::uint32_t list) const {
-  double least = std::numeric_limits<double>::infinity();
-  const NearEdges near = lists_[list];
-  for (std::uint32_t n = near.first; n < near.first + near.count; ++n)
-    least = std::min(least, squaredDistance(parts_[edges_[n]], u));
+  const NearEdges& near = lists_[list];
+  // what is farther from the wall than this is as good as infinitely far
+  const double far = std::max(WallProfile::kReach, wall_.back());
+  const double margin = std::abs(near.inward) - far;
+  if (margin > 0.0 && (u - near.middle).squaredNorm() < margin * margin)
+    return near.inside ? far : -far;
+  double least = far * far;
+  for (std::uint32_t n = near.first; n < near.first + near.count; ++n) {
+    const WallPart& part = parts_[edges_[n]];
+    // the plane of a part is never farther than the part
+    const double off = part.normal.dot(u - part.at);
+    if (off * off < least) least = std::min(least, squaredDistance(part, u));
+  }
   const double distance = std::sqrt(least);
-  return isInside(u) ? distance : -distance;
+  return isInside(u, near) ? distance : -distance;
 }
 
 void LassoOperator::cutRow(std::int64_t j, std::int64_t k, RowCut& cut) const {
@@ -255,7 +304,7 @@ void LassoOperator::cutRow(std::int64_t j, std::int64_t k, RowCut& cut) const {
     if (uniform && (state == kInside) != inside_) continue;
     // depth is a least of linear functions: over the block least at its ends
     const double within = std::min(depthWithin(first), depthWithin(end - 1));
-    if (uniform && within >= WallProfile::kHalfWidth) {
+    if (uniform && within >= wall_.back()) {
       add(first, end, true);
       continue;
     }
@@ -266,7 +315,7 @@ void LassoOperator::cutRow(std::int64_t j, std::int64_t k, RowCut& cut) const {
         taken = std::min(taken, inside_ ? inward_here : -inward_here);
       }
       if (taken <= -WallProfile::kReach) continue;
-      const bool background = taken >= WallProfile::kHalfWidth;
+      const bool background = taken >= wall_.back();
       if (!background) cut.ceiling[static_cast<std::size_t>(i)] = wall_.ceiling(-taken);
       add(i, i + 1, background);
     }

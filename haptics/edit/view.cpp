@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstring>
 
+#include "haptics/core/voxel_memory.h"
+
 namespace haptics {
 
 TouchedBlocks::TouchedBlocks(const Volume& volume)
@@ -25,10 +27,11 @@ std::size_t TouchedBlocks::touched() const {
 
 Expected<std::shared_ptr<void>> viewOf(const Volume& scan, const void* present,
                                        const TouchedBlocks& touched) {
-  auto view = allocateVoxels(scan.grid.voxelCount(), scan.type);
+  if (!scan.memory)
+    return tl::unexpected(
+        Error{Error::Kind::Unsupported, {"edit-not-editable", {}}, "not-editable"});
+  auto view = scan.memory->privateView();
   if (!view) return view;
-  std::memcpy(view->get(), scan.voxels.get(),
-              static_cast<std::size_t>(scan.grid.voxelCount()) * sizeOf(scan.type));
   for (std::size_t block = 0; block < touched.blocks(); ++block)
     if (touched.has(block))
       std::memcpy(static_cast<std::byte*>(view->get()) + touched.begin(block),
