@@ -36,8 +36,6 @@ class VolumeView : public Viewport {
   ~VolumeView() override;
 
   void show(const Picture& picture, double isovalue);
-  /// The same grid with other voxels; camera and tool stay.
-  void replace(const Picture& picture);
   void show(const haptics::TriangleMesh& tool);
   void setIsovalue(double isovalue);
   void setSurfaceWish(std::optional<SurfaceMode> wish);

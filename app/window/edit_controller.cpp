@@ -340,7 +340,8 @@ haptics::Expected<EditController::Made> EditController::worked(
       break;
   }
   if (!volume) return tl::unexpected(volume.error());
-  Made made{.history = history};
+  Made made;
+  made.history = history;
   if (auto ready = built(made, shown, options, isovalue, watch); !ready) {
     rollBack(*history, job.step);
     return tl::unexpected(ready.error());
@@ -389,7 +390,8 @@ void EditController::deliver(haptics::Expected<Made> made) {
 void EditController::adopt() {
   if (held_->base != shared_.shown->scene) {
     // another tool or field came meanwhile: the same volume with it
-    Made again{.history = held_->history};
+    Made again;
+    again.history = held_->history;
     held_.reset();
     task_.start(
         [again, step = running_->step, shown = *shared_.shown, options = shared_.options,
@@ -544,8 +546,8 @@ void EditController::cropToView() {
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     box.first[a] = std::clamp<std::int64_t>(std::llround(first[axis] + 0.5), 0, grid.dims[a] - 1);
-    box.end[a] = std::clamp(std::llround(last[axis] + 0.5) + std::int64_t{0}, box.first[a] + 1,
-                            grid.dims[a]);
+    const std::int64_t end = std::llround(last[axis] + 0.5);
+    box.end[a] = std::clamp(end, box.first[a] + 1, grid.dims[a]);
   }
   crop_.show(grid, box);
   showCrop();

@@ -147,7 +147,8 @@ bool CropBox::drag(const ViewGeometry& view, const QMouseEvent& event) {
   const auto at = alongLine(view, event.position(), held_at_, grid_->direction.col(axis));
   if (!at) return true;
   const auto a = static_cast<std::size_t>(axis);
-  const auto edge = held_edge_ + std::llround((*at - grip_mm_) / (grid_->spacing[axis] * kMmPerM));
+  const std::int64_t edge =
+      held_edge_ + std::llround((*at - grip_mm_) / (grid_->spacing[axis] * kMmPerM));
   const std::int64_t kept = held_->far_side ? std::clamp(edge, box_.first[a] + 1, grid_->dims[a])
                                             : std::clamp<std::int64_t>(edge, 0, box_.end[a] - 1);
   if (kept == edgeOf(*held_)) return true;

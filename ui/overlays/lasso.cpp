@@ -62,7 +62,9 @@ bool Lasso::release(const ViewGeometry& view, const QMouseEvent& event) {
   on_ = nullptr;
   emit changed();
   if (line.size() < 3 || areaOf(line) < kLeastArea) return true;
-  DrawnOutline outline{.camera = projectionOf(view), .in_slice = view.isSlice()};
+  DrawnOutline outline;
+  outline.camera = projectionOf(view);
+  outline.in_slice = view.isSlice();
   for (const QPointF& at : line) outline.corners.push_back(outline.camera.acrossOf(at));
   if (!outline.in_slice) {
     const QRectF box = line.boundingRect();
