@@ -8,6 +8,7 @@
 #include "app/cli/sources.h"
 #include "app/recording/facts.h"
 #include "haptics/recording/replay.h"
+#include "resources/messages/messages.h"
 
 namespace app::cli {
 namespace {
@@ -47,7 +48,12 @@ Outcome replay(const ReplayOptions& options) {
   const auto sceneOf = [&](std::uint32_t id) -> std::shared_ptr<const haptics::Scene> {
     const haptics::RecordedScene* then = recording->scene(id);
     if (then == nullptr || !haptics::liesLike(then->volume, **volume)) return nullptr;
-    auto made = haptics::makeScene(*volume, then->tool, then->options, last.get());
+    const auto touched = haptics::editedAsRecorded(*volume, *then);
+    if (!touched) {
+      failed = touched.error();
+      return nullptr;
+    }
+    auto made = haptics::makeScene(*touched, then->tool, then->options, last.get());
     if (!made) {
       failed = made.error();
       return nullptr;
@@ -57,6 +63,11 @@ Outcome replay(const ReplayOptions& options) {
   const auto difference =
       haptics::replay(*recording, sceneOf, [](double) { return !interrupted(); });
   if (!difference) return refused(difference.error());
+  if (failed && failed->reason == "other-edits") {
+    Outcome outcome = app::cli::failed(resources::sentence(*failed));
+    outcome.json["reasons"] = {failed->reason};
+    return outcome;
+  }
   if (failed) return refused(*failed);
 
   const haptics::RecordingFacts here = recordingFacts();

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "haptics/core/voxel_memory.h"
 
 namespace haptics {
 
@@ -37,15 +40,13 @@ std::size_t sizeOf(ScalarType type) {
 Expected<std::shared_ptr<void>> allocateVoxels(std::int64_t voxel_count, ScalarType type) {
   const auto size = static_cast<std::int64_t>(sizeOf(type));
   const std::int64_t most = std::numeric_limits<std::int64_t>::max() / size - 1024;
-  void* memory = nullptr;
-  // calloc leaves untouched pages to the system, so a large volume costs what is written to it
-  if (voxel_count > 0 && voxel_count <= most)
-    memory = std::calloc(static_cast<std::size_t>(voxel_count * size) + kVoxelPadding, 1);
-  if (memory == nullptr)
+  if (voxel_count <= 0 || voxel_count > most)
     return tl::unexpected(Error{Error::Kind::Unsupported,
                                 {"volume-memory", {std::to_string(voxel_count / 1'000'000 * size)}},
                                 "too-large"});
-  return std::shared_ptr<void>(memory, [](void* p) { std::free(p); });
+  const auto memory = VoxelMemory::allocate(static_cast<std::size_t>(voxel_count * size));
+  if (!memory) return tl::unexpected(memory.error());
+  return (*memory)->sharedView();
 }
 
 namespace {
@@ -93,6 +94,24 @@ std::optional<Range> rangeOf(const T* voxels, std::int64_t count,
   return range;
 }
 
+/// Makes voxels that are no numbers background. Those of a file stay as they are in the file, so
+/// its object is told where they are.
+void replaceNonFinite(float* voxels, std::int64_t count, float background, VoxelMemory* memory) {
+  const bool of_file = memory != nullptr && memory->isOfFile();
+  std::vector<VoxelMemory::Floats> places;
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (std::isfinite(voxels[i])) continue;
+    voxels[i] = background;
+    if (!of_file) continue;
+    const auto at = static_cast<std::size_t>(i);
+    if (!places.empty() && places.back().first + places.back().count == at)
+      ++places.back().count;
+    else
+      places.push_back({at, 1});
+  }
+  if (of_file) memory->replaceInViews(std::move(places), background);
+}
+
 Error malformed(Message message, std::string reason) {
   return {Error::Kind::Malformed, std::move(message), std::move(reason)};
 }
@@ -125,12 +144,11 @@ Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<v
   volume.least = range.least;
   volume.greatest = range.greatest;
   volume.replaced = range.non_finite;
-  if (range.non_finite > 0) {
-    auto* v = static_cast<float*>(voxels.get());
-    const auto background = static_cast<float>(range.least);
-    for (std::int64_t i = 0; i < count; ++i)
-      if (!std::isfinite(v[i])) v[i] = background;
-  }
+  const std::shared_ptr<VoxelMemory> memory = VoxelMemory::of(voxels);
+  if (range.non_finite > 0)
+    replaceNonFinite(static_cast<float*>(voxels.get()), count, static_cast<float>(range.least),
+                     memory.get());
+  volume.memory = memory;
   volume.voxels = std::move(voxels);
   volume.unit = std::move(facts.unit);
   volume.modality = std::move(facts.modality);

@@ -78,7 +78,8 @@ struct Volume {
 
 inline constexpr std::size_t kVoxelPadding = 64;  ///< bytes
 
-/// Room for `voxel_count` voxels and the padding (zeroed), or an error naming the size.
+/// Room for `voxel_count` voxels and the padding (zeroed), in a memory object of its own, or an
+/// error naming the size.
 Expected<std::shared_ptr<void>> allocateVoxels(std::int64_t voxel_count, ScalarType type);
 
 /// What a reader or a phantom knows in addition to the voxels.
@@ -93,8 +94,9 @@ struct VolumeFacts {
 /// Finishes a volume: checks the grid (dims, finite positive spacing, right angles to 1e-4),
 /// makes non-finite voxels background and counts them, and finds the range. Refuses a volume
 /// without a finite voxel. `voxels` must be followed by the padding, as allocateVoxels makes it,
-/// and not be written afterwards. `goes_on` gets the fraction that is done, every few
-/// milliseconds; if it returns false, the result is Error::Kind::Cancelled.
+/// and not be written afterwards. Their memory object, if they have one, becomes the volume's.
+/// `goes_on` gets the fraction that is done, every few milliseconds; if it returns false, the
+/// result is Error::Kind::Cancelled.
 Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<void> voxels,
                             VolumeFacts facts = {},
                             const std::function<bool(double)>& goes_on = {});

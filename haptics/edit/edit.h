@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -12,7 +14,8 @@
 
 namespace haptics {
 
-/// Keeps the voxels of a box and writes none.
+/// Keeps the voxels of a box and writes none. It takes the place of the crop before it, so a box
+/// can be made larger again.
 struct Crop {
   VoxelBox kept;  ///< indices of the scan, within its grid; at least one voxel
 };
@@ -21,6 +24,7 @@ struct Crop {
 struct PlaneCut {
   Vec3 point_W = Vec3::Zero();    ///< m
   Vec3 normal_W = Vec3::UnitZ();  ///< unit
+  double isovalue = 0.0;          ///< the present one: at it the wall lies in the plane
 };
 
 /// Cuts along a closed outline drawn on a picture, through everything behind it (a scalpel).
@@ -30,10 +34,13 @@ struct LassoCut {
   std::vector<std::array<double, 2>> outline;
   Pose X_WC = Pose::Identity();  ///< camera: its eye, x right, y up, z towards the viewer
   bool parallel = false;
-  double from = 0.0;   ///< m along the view from the eye: where the cut begins
-  double until = 1e3;  ///< m, where it ends: the depth limit
-  bool inside = true;  ///< what is inside the outline goes; false: what is outside
+  double from = 0.0;      ///< m along the view from the eye: where the cut begins
+  double until = 1e3;     ///< m, where it ends: the depth limit
+  bool inside = true;     ///< what is inside the outline goes; false: what is outside
+  double isovalue = 0.0;  ///< the present one: at it the wall lies on the outline
 };
+
+inline constexpr std::size_t kMostCorners = 4096;  ///< of a lasso's outline
 
 /// Takes away the connected part of the solid at a place.
 struct RemovePiece {

@@ -294,6 +294,10 @@ bool Recorder::Writer::writeScenes(const std::vector<Described>& scenes) {
       "INSERT OR REPLACE INTO scene (id, tool, settings, volume, volume_hash, points, vertices, "
       "triangles) VALUES (?, ?, ?, ?, NULL, ?, ?, ?)");
   for (const auto& [scene, tool] : scenes) {
+    // who knows no edits would replay over the scan
+    if (scene->volume->edited &&
+        !database_->run(("PRAGMA user_version = " + std::to_string(kFormat)).c_str()))
+      return false;
     const SceneWords words = wordsOf(*scene);
     if (!insert.bind(1, static_cast<std::int64_t>(scene->id))
              .bind(2, tool)
@@ -451,8 +455,8 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
   const std::string setup =
       "PRAGMA page_size = " + std::to_string(kPageBytes) +
       "; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA application_id = " +
-      std::to_string(kApplicationId) + "; PRAGMA user_version = " + std::to_string(kFormat) +
-      "; BEGIN;" + kSchema;
+      std::to_string(kApplicationId) +
+      "; PRAGMA user_version = " + std::to_string(kFormatWithoutEdits) + "; BEGIN;" + kSchema;
   const auto say = [&](const char* key, std::string_view value) {
     return database->prepare("INSERT INTO meta (key, value) VALUES (?, ?)")
         .bind(1, std::string_view{key})

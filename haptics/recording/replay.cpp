@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "haptics/edit/edited.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/servo_loop.h"
 #include "haptics/servo/servo_tick.h"
@@ -40,6 +41,16 @@ void compare(const RecordedStep& recorded, const Pose& X_WP, const Wrench& sent_
 }
 
 }  // namespace
+
+Expected<std::shared_ptr<const Volume>> editedAsRecorded(std::shared_ptr<const Volume> scan,
+                                                         const RecordedScene& scene,
+                                                         const EditWatch& watch) {
+  auto volume = edited(std::move(scan), scene.edits, watch);
+  if (volume && !scene.edits.empty() && (*volume)->edited->digest != scene.edits_digest)
+    return tl::unexpected(
+        Error{Error::Kind::Unsupported, {"replay-other-edits", {}}, "other-edits"});
+  return volume;
+}
 
 Expected<ReplayDifference> replay(
     Recording& recording, const std::function<std::shared_ptr<const Scene>(std::uint32_t)>& scene,

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "haptics/core/error.h"
+#include "haptics/edit/edit_history.h"
 #include "haptics/recording/recording.h"
 #include "haptics/scene/scene.h"
 
@@ -24,6 +25,12 @@ struct ReplayDifference {
   double force = 0.0;                  ///< N
   double torque = 0.0;                 ///< N·m
 };
+
+/// The volume of a recorded scene: the scan after the scene's edits. Refuses edits that do not fit
+/// the scan, and a volume whose digest is not the recorded one, reason "other-edits".
+Expected<std::shared_ptr<const Volume>> editedAsRecorded(std::shared_ptr<const Volume> scan,
+                                                         const RecordedScene& scene,
+                                                         const EditWatch& watch = {});
 
 /// Runs the algorithm with the recorded device path, settings and cuts. `scene` returns the scene
 /// with a number, or null if it is not available; it is called once for each scene. `goes_on` is

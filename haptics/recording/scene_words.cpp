@@ -4,11 +4,15 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "haptics/edit/edit_history.h"
+#include "haptics/edit/edited.h"
 
 namespace haptics {
 namespace {
@@ -123,7 +127,7 @@ json settingsOf(const Scene& scene) {
           {"shell_spacing_m", shell.spacing}};
 }
 
-json volumeOf(const Volume& volume) {
+json volumeWords(const Volume& volume) {
   return {{"dims", volume.grid.dims},
           {"spacing_m", listOf(volume.grid.spacing)},
           {"origin_m", listOf(volume.grid.origin)},
@@ -136,6 +140,41 @@ json volumeOf(const Volume& volume) {
           {"orientation_known", volume.orientation_known},
           {"resampled", volume.resampled},
           {"slices_left_out", volume.slices_left_out}};
+}
+
+// JSON's numbers are doubles to many who read it
+std::string digestWord(std::uint64_t digest) {
+  std::array<char, 16> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), digest, 16).ptr;
+  return {digits.data(), end};
+}
+
+/// The geometry, and what was taken away from the scan.
+json describedVolume(const Volume& volume) {
+  json words = volumeWords(volume);
+  if (!volume.edited) return words;
+  json edits = json::array();
+  for (const Edit& edit : volume.edited->edits) edits.push_back(json::parse(textOf(edit)));
+  words["edits"] = std::move(edits);
+  words["edits_digest"] = digestWord(volume.edited->digest);
+  return words;
+}
+
+void takeEdits(const json& words, RecordedScene& scene) {
+  if (!words.contains("edits")) return;
+  const json& edits = words.at("edits");
+  if (!edits.is_array() || edits.empty() || edits.size() > EditHistory::kMostSteps)
+    throw json::other_error::create(501, "no edits", nullptr);
+  for (const json& words_of_one : edits) {
+    auto edit = editFrom(words_of_one.dump());
+    if (!edit) throw json::other_error::create(501, "no edit", nullptr);
+    scene.edits.push_back(std::move(*edit));
+  }
+  const std::string digest = words.at("edits_digest").get<std::string>();
+  const auto [end, error] =
+      std::from_chars(digest.data(), digest.data() + digest.size(), scene.edits_digest, 16);
+  if (error != std::errc{} || end != digest.data() + digest.size())
+    throw json::other_error::create(501, "no digest", nullptr);
 }
 
 void takeSettings(const json& words, const SceneWords& stored, RecordedScene& scene) {
@@ -199,15 +238,18 @@ SceneWords wordsOf(const Scene& scene) {
   const auto text = [](const json& words) {
     return words.dump(-1, ' ', false, json::error_handler_t::replace);
   };
-  return {text(settingsOf(scene)), text(volumeOf(*scene.volume)), packed(scene.tool.shell.points),
-          packed(scene.tool.mesh.vertices), packed(scene.tool.mesh.triangles)};
+  return {text(settingsOf(scene)), text(describedVolume(*scene.volume)),
+          packed(scene.tool.shell.points), packed(scene.tool.mesh.vertices),
+          packed(scene.tool.mesh.triangles)};
 }
 
 Expected<RecordedScene> sceneFrom(const SceneWords& words) {
   RecordedScene scene;
   try {
     takeSettings(json::parse(words.settings), words, scene);
-    takeVolume(json::parse(words.volume), scene.volume);
+    const json volume = json::parse(words.volume);
+    takeVolume(volume, scene.volume);
+    takeEdits(volume, scene);
   } catch (const json::exception&) {
     return damagedWords({"recording-scene-damaged", {}});
   }

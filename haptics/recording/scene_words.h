@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "haptics/core/error.h"
+#include "haptics/edit/edit.h"
 #include "haptics/scene/scene.h"
 #include "haptics/servo/step.h"
 
@@ -25,10 +26,12 @@ SameVolume compared(const std::optional<VolumeHash>& one, const std::optional<Vo
 /// A scene as a recording stores it: without voxels.
 struct RecordedScene {
   std::uint32_t id = 0;
-  Tool tool;             ///< has a name only if it is one of the named tools
-  SceneOptions options;  ///< field, normals, plan and fineness
-  Volume volume;         ///< without voxels
-  std::optional<VolumeHash> hash = {};
+  Tool tool;                            ///< has a name only if it is one of the named tools
+  SceneOptions options;                 ///< field, normals, plan and fineness
+  Volume volume;                        ///< of the scan, without voxels
+  std::optional<VolumeHash> hash = {};  ///< of the scan
+  std::vector<Edit> edits = {};         ///< of the scan that were in force
+  std::uint64_t edits_digest = 0;       ///< Edited::digest; 0 without edits
 };
 
 /// RecordedScene in its stored form: JSON, and compressed numbers.

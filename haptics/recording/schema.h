@@ -4,7 +4,9 @@
 namespace haptics {
 
 inline constexpr int kApplicationId = 0x50414c50;  ///< "PALP"
-inline constexpr int kFormat = 2;                  ///< user_version
+inline constexpr int kFormat = 3;                  ///< user_version: the highest that is read
+/// user_version until a scene with an edited volume is written. Who knows no edits can read it.
+inline constexpr int kFormatWithoutEdits = 2;
 
 /// The tables of a recording; README.md of this folder documents them.
 inline constexpr const char* kSchema = R"(

@@ -395,8 +395,6 @@ inline constexpr Row kReaders[] = {
     {"nrrd-header-unreadable", "The header of %1 cannot be understood; export the volume again."},
     {"nrrd-ends-within-skip",
      "%1 ends within what its header says to skip; copy or fetch it again."},
-    {"memory-too-small-for-voxels",
-     "The memory of this machine does not hold the volume; close other programs."},
     {"nrrd-value-unreadable",
      "Voxel %1 of %2 is written as something that is no value of its type; export it again as "
      "raw."},

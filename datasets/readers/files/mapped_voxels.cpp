@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 
 #include "datasets/readers/files/refusal.h"
 #include "datasets/readers/files/stored_voxels.h"
+#include "haptics/core/voxel_memory.h"
 
 namespace datasets {
 
@@ -44,29 +44,21 @@ Expected<std::shared_ptr<void>> mapVoxels(const StoredVoxels& stored, int number
   const auto [i, j, k] = stored.layout.dims();
   const std::int64_t begin = beginOf(stored, number);
   const std::int64_t bytes = i * j * k * stored.layout.bytesPerVoxel();
-  const std::int64_t page = sysconf(_SC_PAGESIZE);
-  const std::int64_t before = begin % page;  // of the file's first page
-  const auto mapped = static_cast<std::size_t>(before + bytes);
-  const std::size_t reserved = mapped + static_cast<std::size_t>(page) + haptics::kVoxelPadding;
 
   std::error_code error;
   const auto length = static_cast<std::int64_t>(fs::file_size(stored.file, error));
   if (error || length < begin + bytes)
     return malformed("truncated", {"voxels-too-short", {quoted(stored.file)}});
-  // the pages behind the file's last are memory: what reads a little too far finds zeros
-  void* base =
-      mmap(nullptr, reserved, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (base == MAP_FAILED) return notMapped(stored.file);
-  std::shared_ptr<char> pages(static_cast<char*>(base),
-                              [reserved](char* p) { munmap(p, reserved); });
   const int file = open(stored.file.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return notFound(stored.file);
-  // writable, and nothing of it in the file: voxels that are no numbers are replaced
-  const void* at = mmap(base, mapped, PROT_READ | PROT_WRITE,
-                        MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, file, begin - before);
+  const auto memory = haptics::VoxelMemory::ofFile(file, static_cast<std::size_t>(begin),
+                                                   static_cast<std::size_t>(bytes));
   close(file);
-  if (at == MAP_FAILED) return notMapped(stored.file);
-  return std::shared_ptr<void>(pages, pages.get() + before);
+  if (!memory) return notMapped(stored.file);
+  // writable, and nothing of it in the file: voxels that are no numbers are replaced
+  auto voxels = (*memory)->privateView();
+  if (!voxels) return notMapped(stored.file);
+  return voxels;
 }
 
 }  // namespace datasets

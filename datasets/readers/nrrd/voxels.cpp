@@ -275,14 +275,22 @@ Expected<StoredVolumes> describe(const std::filesystem::path& path, const NrrdHe
   return description;
 }
 
-/// Takes teem's voxels over without copying them, grown by the padding.
-Expected<std::shared_ptr<void>> adopted(Nrrd& nrrd, std::int64_t bytes) {
-  const auto size = static_cast<std::size_t>(bytes);
-  void* grown = std::realloc(nrrd.data, size + haptics::kVoxelPadding);
-  if (grown == nullptr) return unsupported("too-large", {"memory-too-small-for-voxels", {}});
-  nrrd.data = nullptr;
-  std::memset(static_cast<char*>(grown) + size, 0, haptics::kVoxelPadding);
-  return std::shared_ptr<void>(grown, [](void* p) { std::free(p); });
+/// Takes teem's voxels over into a memory object. From the end, and what was taken is given back at
+/// once, so that they do not lie in memory twice.
+Expected<std::shared_ptr<void>> adopted(Nrrd& nrrd, std::int64_t count, ScalarType type) {
+  constexpr std::size_t kAtOnce = std::size_t{64} << 20;  // bytes
+  auto voxels = haptics::allocateVoxels(count, type);
+  if (!voxels) return voxels;
+  std::size_t left = static_cast<std::size_t>(count) * haptics::sizeOf(type);
+  while (left > 0) {
+    const std::size_t piece = std::min(kAtOnce, left);
+    left -= piece;
+    std::memcpy(static_cast<char*>(voxels->get()) + left,
+                static_cast<const char*>(nrrd.data) + left, piece);
+    if (left == 0) break;
+    if (void* shrunk = std::realloc(nrrd.data, left)) nrrd.data = shrunk;
+  }
+  return voxels;
 }
 
 Expected<std::shared_ptr<void>> narrowed(const Nrrd& nrrd, std::int64_t count) {
@@ -356,7 +364,7 @@ Expected<std::shared_ptr<void>> wholeByTeem(const std::filesystem::path& path,
   const auto nrrd = decodedByTeem(path, header, layout.type, progress);
   if (!nrrd) return tl::unexpected(nrrd.error());
   if (layout.doubles) return narrowed(**nrrd, layout.voxelCount());
-  return adopted(**nrrd, layout.voxelCount() * layout.bytesPerVoxel());
+  return adopted(**nrrd, layout.voxelCount(), layout.type);
 }
 
 /// A window of a file that only teem can decode.

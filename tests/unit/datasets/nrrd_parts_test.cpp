@@ -11,6 +11,7 @@
 #include "datasets/readers/nrrd/voxels.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/core/voxel_memory.h"
 #include "tests/support/sentence.h"
 #include "tests/unit/datasets/packed.h"
 #include "tests/unit/datasets/scans.h"
@@ -264,6 +265,12 @@ TEST(MappedVoxels, AreThoseOfTheFile) {
   EXPECT_TRUE(std::all_of(behind, behind + haptics::kVoxelPadding, [](char c) { return c == 0; }));
   v[7] = -1.0F;
   EXPECT_EQ(differing(*read, *readVolume(path)), 0);
+  // so can those of another view, which begins with the file's
+  const auto memory = haptics::VoxelMemory::of(*mapped);
+  ASSERT_TRUE(memory);
+  const auto view = memory->privateView().value();
+  const auto* w = static_cast<const float*>(view.get());
+  EXPECT_TRUE(std::equal(w, w + 64 * 64 * 64, static_cast<const float*>(read->voxels.get())));
 
   fs::resize_file(data, 4100 + 64 * 64 * 64 * 4 - 1);
   EXPECT_EQ(mapVoxels(stored.voxels, 0).error().reason, "truncated");

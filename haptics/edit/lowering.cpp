@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/edit/lowering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace haptics {
+namespace {
+
+constexpr std::int64_t kSlab = 2;    // slices that one thread does at a time
+constexpr std::int64_t kChunk = 32;  // voxels of a row that are looked at together
+
+/// The greatest value of the type that is at most `ceiling`, to the nearest.
+template <class T>
+T valueAtMost(double ceiling) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return static_cast<T>(ceiling);
+  } else {
+    const double least = static_cast<double>(std::numeric_limits<T>::lowest());
+    const double most = static_cast<double>(std::numeric_limits<T>::max());
+    if (!(ceiling > least)) return std::numeric_limits<T>::lowest();
+    if (!(ceiling < most)) return std::numeric_limits<T>::max();
+    return static_cast<T>(std::floor(ceiling + 0.5));
+  }
+}
+
+/// One slab's part: rows one after the other.
+template <class T>
+class RowLowering {
+ public:
+  RowLowering(const Volume& volume, const EditOperator& edit, T* written, Lowered& lowered)
+      : grid_{volume.grid},
+        edit_{edit},
+        values_{static_cast<const T*>(volume.voxels.get())},
+        written_{written},
+        lowered_{lowered},
+        background_{valueAtMost<T>(volume.least)},
+        isovalue_{edit.isovalue} {
+    cut_.ceiling.resize(static_cast<std::size_t>(grid_.dims[0]));
+  }
+
+  void row(std::int64_t j, std::int64_t k) {
+    cut_.spans.clear();
+    edit_.cutRow(j, k, cut_);
+    j_ = static_cast<std::int32_t>(j);
+    k_ = static_cast<std::int32_t>(k);
+    const std::int64_t at = (k * grid_.dims[1] + j) * grid_.dims[0];
+    const T* values = values_ + at;
+    T* written = written_ == nullptr ? nullptr : written_ + at;
+    for (const RowCut::Span& span : cut_.spans)
+      if (span.background)
+        toBackground(values, written, span);
+      else
+        toCeiling(values, written, span);
+    close();
+  }
+
+ private:
+  void toBackground(const T* values, T* written, const RowCut::Span& span) {
+    for (std::int32_t i = span.first; i < span.end; i += kChunk) {
+      const std::int32_t end = std::min<std::int32_t>(i + kChunk, span.end);
+      unsigned higher = 0, solid = 0;
+      for (std::int32_t n = i; n < end; ++n) {
+        higher += values[n] > background_;
+        solid += static_cast<double>(values[n]) >= isovalue_;
+      }
+      if (higher == 0) continue;
+      std::int32_t a = i, b = end;
+      while (!(values[a] > background_)) ++a;
+      while (!(values[b - 1] > background_)) --b;
+      if (static_cast<double>(background_) < isovalue_) lowered_.solid += solid;
+      if (written != nullptr) std::fill(written + a, written + b, background_);
+      add(a, b);
+    }
+  }
+  void toCeiling(const T* values, T* written, const RowCut::Span& span) {
+    for (std::int32_t i = span.first; i < span.end; ++i) {
+      const T before = values[i];
+      const T most = valueAtMost<T>(cut_.ceiling[static_cast<std::size_t>(i)]);
+      if (!(most < before)) continue;
+      lowered_.solid +=
+          static_cast<double>(before) >= isovalue_ && static_cast<double>(most) < isovalue_;
+      if (written != nullptr) written[i] = most;
+      add(i, i + 1);
+    }
+  }
+  void add(std::int32_t first, std::int32_t end) {
+    if (open_ && first - open_end_ < kChunk) {
+      open_end_ = end;
+      return;
+    }
+    close();
+    open_ = true;
+    open_first_ = first;
+    open_end_ = end;
+  }
+  void close() {
+    if (open_) lowered_.runs.push_back({open_first_, j_, k_, open_end_ - open_first_});
+    open_ = false;
+  }
+
+  const Grid& grid_;
+  const EditOperator& edit_;
+  const T* values_;
+  T* written_;
+  Lowered& lowered_;
+  T background_;
+  double isovalue_;
+  RowCut cut_;
+  bool open_ = false;
+  std::int32_t open_first_ = 0, open_end_ = 0, j_ = 0, k_ = 0;
+};
+
+}  // namespace
+
+Expected<Lowered> lower(const Volume& volume, const EditOperator& edit, void* written,
+                        const EditProgress& progress) {
+  const VoxelBox& box = edit.box;
+  const std::int64_t slices = std::max<std::int64_t>(0, box.end[2] - box.first[2]);
+  const std::int64_t slabs = (slices + kSlab - 1) / kSlab;
+  std::vector<Lowered> parts(static_cast<std::size_t>(slabs));
+  const bool done = progress.each(slabs, [&](std::int64_t n) {
+    visitVoxels(volume.type, volume.voxels.get(), [&](const auto* typed) {
+      using T = std::remove_cvref_t<decltype(*typed)>;
+      RowLowering<T> rows{volume, edit, static_cast<T*>(written),
+                          parts[static_cast<std::size_t>(n)]};
+      const std::int64_t first = box.first[2] + n * kSlab;
+      for (std::int64_t k = first; k < std::min(first + kSlab, box.end[2]); ++k)
+        for (std::int64_t j = box.first[1]; j < box.end[1]; ++j) rows.row(j, k);
+    });
+  });
+  if (!done) return tl::unexpected(editCancelled());
+  Lowered all;
+  std::size_t count = 0;
+  for (const Lowered& part : parts) count += part.runs.size();
+  all.runs.reserve(count);
+  for (const Lowered& part : parts) {
+    all.runs.insert(all.runs.end(), part.runs.begin(), part.runs.end());
+    all.solid += part.solid;
+  }
+  return all;
+}
+
+}  // namespace haptics
