@@ -83,6 +83,7 @@ void Application::wireHands() {
     // which of several is nobody's business: a device's own name may tell whose it is
     noteHand(id);
   });
+  connect(&view_, &ViewController::toolPlaced, &hand_, &HandController::bring);
   connect(&hand_, &HandController::lookWanted, &picture_, &PictureController::look);
   connect(&hand_, &HandController::replayEndWanted, &replay_, &ReplayController::close);
   connect(&device_, &DeviceController::taking, &replay_, &ReplayController::close);

@@ -20,6 +20,7 @@
 #include "app/window/screenshot_controller.h"
 #include "app/window/shared_state.h"
 #include "app/window/tool_controller.h"
+#include "app/window/view_controller.h"
 #include "app/window/view_file_controller.h"
 #include "datasets/readers/files/refusal.h"
 #include "ui/main_window.h"
@@ -82,6 +83,7 @@ class Application : public QObject {
   PreferencesController preferences_;
   OpeningController opening_;
   ToolController tool_{window_, shared_};
+  ViewController view_{window_, shared_};
   HandController hand_;
   DeviceController device_;
   PictureController picture_{window_, shared_};

@@ -131,16 +131,18 @@ class Session::Loop {
 Session::Session() : loop_{std::make_unique<Loop>()} {}
 Session::~Session() = default;
 
-Expected<void> Session::open(HandKind hand) {
+Expected<void> Session::open(HandKind hand, const std::optional<Pose>& from) {
   if (!loop_->scene) return tl::unexpected(nothingToTouch());
   const Settings settings = underGrip(loop_->settings, loop_->scene.get());
   Grip grip;
   grip.gyration = std::sqrt(loop_->scene->tool.shell.inertia.trace() / 3.0);
-  Pose X_start = loop_->X_start;
+  Pose X_start = from.value_or(loop_->X_start);
   std::optional<Hand> path;
   if (hand != HandKind::Mouse) {
     const double reach = Hand::reachFor(kDepth, settings.stiffness, grip.stiffness);
-    auto aimed = Hand::aimed(motionOf(hand), *loop_->scene, loop_->settings.isovalue, reach, kSeed);
+    const double isovalue = loop_->settings.isovalue;
+    auto aimed = from ? Hand::from(*from, motionOf(hand), *loop_->scene, isovalue, reach, kSeed)
+                      : Hand::aimed(motionOf(hand), *loop_->scene, isovalue, reach, kSeed);
     if (!aimed) return tl::unexpected(aimed.error());
     X_start = aimed->at(0.0);
     path = std::move(*aimed);
@@ -198,6 +200,14 @@ void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W) {
       legalPoseNear(*loop_->scene, loop_->settings.isovalue, start_W).value_or(start_W);
   loop_->servo->settings.publish(inForce());  // the tool's inertia may have changed
   loop_->servo->scenes.offer(std::make_unique<Engagement>(loop_->scene, X_legal));
+}
+
+void Session::bring(const Pose& X_WT) {
+  loop_->X_start = X_WT;
+  if (!loop_->servo || !loop_->scene) return;
+  auto engagement = std::make_unique<Engagement>(loop_->scene, X_WT);
+  engagement->brings_hand = true;
+  loop_->servo->scenes.offer(std::move(engagement));
 }
 
 void Session::collectGarbage() {

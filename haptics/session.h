@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -42,7 +43,9 @@ class Session {
   /// Opens the device of this hand and starts the servo loop, instead of an open one. The simulated
   /// hands aim at the current scene. Refused without a scene, if the hand finds no surface, and if
   /// there is no legal pose; an open hand then goes on.
-  Expected<void> open(HandKind hand);
+  /// `from`: the simulated hand aims from this pose along the tool's tip instead of choosing a
+  /// place itself; the mouse starts there.
+  Expected<void> open(HandKind hand, const std::optional<Pose>& from = {});
   /// Opens a real device instead of an open one. There is no force until arm(). A watchdog and a
   /// motion guard watch the device, and `handle` maps its motion. Refused as above; an open hand
   /// then goes on, and the device is closed.
@@ -55,6 +58,10 @@ class Session {
   /// from zero. The old one is destroyed here, by collectGarbage(), once the servo has left it.
   void adopt(std::shared_ptr<const Scene> scene, const Pose& start_W);
   void collectGarbage();
+  /// Brings the tool to a pose in the present scene, with the force ramping from zero. The mouse
+  /// comes along; a real device stays where it is, and its mapping moves. The tool must be legal
+  /// there. Without an open hand, the next one starts there.
+  void bring(const Pose& X_WT);
 
   void set(const Settings& settings);
   /// The settings that the servo thread uses and a recording stores: those of set(), with the

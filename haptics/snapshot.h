@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "haptics/core/geometry.h"
@@ -48,6 +49,12 @@ struct ForceTransition {
   ForceReason reason = ForceReason::None;
 };
 
+/// A place where the proxy bears on the surface.
+struct ContactPlace {
+  std::array<float, 3> p_W{};  ///< m
+  float push = 0.0F;           ///< N along the surface's normal
+};
+
 /// The state after one tick, for the picture. Published by the servo thread, taken by the GUI
 /// thread.
 struct Snapshot {
@@ -60,6 +67,7 @@ struct Snapshot {
   double isovalue = 0.0;         ///< used in this tick
   std::uint64_t scene = 0;       ///< Scene::id, 0 for none
   int contacts = 0;              ///< contacts that bear force
+  std::array<ContactPlace, 8> places = {};  ///< where they are; the first `contacts` of them
   ForceState force_state = ForceState::Off;
   ForceReason reason = ForceReason::None;
   std::uint32_t buttons = 0;        ///< buttons of the device, bit n for button n

@@ -21,6 +21,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/bindings.h"
 #include "ui/escape_filter.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/force_words.h"
@@ -28,6 +29,7 @@
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/status_line.h"
+#include "ui/view_actions.h"
 #include "ui/volume_view.h"
 
 namespace ui {
@@ -147,6 +149,9 @@ void MainWindow::buildViews() {
 
   view_->setObjectName("view");
   connect(view_, &VolumeView::forceOffWanted, this, &MainWindow::forceOffWanted);
+  connect(view_, &VolumeView::toolWanted, this, &MainWindow::toolWanted);
+  connect(view_, &VolumeView::toolToCrossWanted, this, &MainWindow::toolToCrossWanted);
+  connect(view_, &VolumeView::crossToToolWanted, this, &MainWindow::crossToToolWanted);
   connect(view_, &VolumeView::surfaceChosen, status_, &StatusLine::setSurface);
 }
 
@@ -238,8 +243,11 @@ void MainWindow::buildMenus() {
   buildFileMenu();
   QMenu* look = menuBar()->addMenu(tr("&View"));
   view_menu_ = look;
-  look->addAction(tr("Show &everything"), view_, &VolumeView::resetCamera);
-  look->addAction(tr("From the &tool's side"), view_, &VolumeView::lookFromTool);
+  view_actions_ = new ViewActions(*look, *findChild<QToolBar*>("forceBar"), *view_);
+  view_actions_->setParent(this);
+  connect(view_actions_, &ViewActions::isovalueWanted, isosurface_, &IsosurfacePanel::choose);
+  connect(view_actions_, &ViewActions::pictureWanted, this, &MainWindow::pictureWanted);
+  connect(view_actions_, &ViewActions::pictureCopyWanted, this, &MainWindow::pictureCopyWanted);
   QMenu* surface = look->addMenu(tr("&Surface"));
   surface->addAction(tr("Automatic"), this, [this] { view_->setSurfaceWish(std::nullopt); });
   surface->addAction(tr("Ray casting"), this,
@@ -274,6 +282,7 @@ void MainWindow::buildStatusBar() {
 
 void MainWindow::show(const Picture& picture, double isovalue, const QString& title) {
   view_->show(picture, isovalue);
+  view_actions_->show(picture);
   isosurface_->show(picture, isovalue);
   for (SliceView* slice : slices_) slice->show(picture);
   const haptics::Volume& volume = *picture.volume;
@@ -421,6 +430,7 @@ void MainWindow::showHandInUse(const QString& id, const QString& label) {
 }
 
 void MainWindow::moveCross(const Eigen::Vector3d& cross_W_mm) {
+  cross_mm_ = cross_W_mm;
   for (SliceView* slice : slices_) slice->setCross(cross_W_mm);
 }
 
@@ -435,22 +445,13 @@ void MainWindow::showControls() {
          "<p><b>Haptic device</b> (View > Haptic device): Connect, then Arm. While C is held in "
          "the 3-D view the tool stays and the hand moves freely; while H is held the force is on "
          "if it is to be held.</p>"
-         "<p><b>3-D view</b>: left drag turns the picture. With the mouse as hand, left drag "
-         "moves the tool in the plane of the screen, Shift and left drag turns it, and the wheel "
-         "moves it in depth; right drag turns the picture. Middle drag shifts the picture, Ctrl "
-         "and wheel (without a mouse hand the wheel alone) come nearer, R shows everything, T from "
-         "the tool's side.</p>"
-         "<p><b>Slices</b>: click moves the crosshair, the wheel goes through the slices, right "
-         "drag changes brightness (up and down) and contrast (left and right).</p>"
-         "<p><b>Measures</b>: with a view in focus, D measures a distance, A an angle, P sets a "
-         "point with its value, N a note; click, or drag a distance. Handles can be dragged in "
-         "every view; Backspace takes the last place back, Delete deletes.</p>"
-         "<p><b>Isovalue</b>: drag on the histogram, arrow keys, or type.</p>"
-         "<p><b>Recording</b>: while it records, M sets a mark.</p>"
-         "<p><b>Replay</b>: click or drag on the bar below the views moves through the time. While "
-         "the bar has the focus, Space plays and pauses, Left and Right go one tick, Home and End "
-         "to the ends. On it, ▼ are marks, ◆ settings, ■ scene and camera, "
-         "● force and device, × samples lost and ticks late.</p>"));
+         "<p><b>Mouse</b>: it turns the picture until you take the tool (G, or the button), and "
+         "then moves the tool. The tool itself can be dragged at any time.</p>"
+         "<p><b>Measures</b>: click where the places are, or drag a distance. Handles can be dragged "
+         "in every view.</p>"
+         "<p><b>Replay</b>: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, "
+         "● force and device, × samples lost and ticks late.</p>") +
+          controlsText());
 }
 
 QString noticeText() {

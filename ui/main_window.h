@@ -29,6 +29,7 @@ class HapticDevicePanel;
 class IsosurfacePanel;
 class ReplayBar;
 class StatusLine;
+class ViewActions;
 class VolumeView;
 
 /// A file or folder that was opened before.
@@ -53,11 +54,12 @@ class MainWindow : public QMainWindow {
   void addOverlay(Overlay& overlay);
   /// Its key works while a view has the focus.
   void addViewAction(QAction& action);
-  /// Moves the crosshair of all slices.
-  void setCross(const Eigen::Vector3d& cross_W_mm) { moveCross(cross_W_mm); }
   /// How the views look at the scan, and the same again.
   ViewLook look() const;
   void setLook(const ViewLook& look);
+  /// The linked crosshair of the slices.
+  const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
+  void setCross(const Eigen::Vector3d& cross_W_mm) { moveCross(cross_W_mm); }
   /// The state of the touch, at display rate. Pictures are updated at once, texts ten times a
   /// second.
   void display(const haptics::Snapshot& snapshot);
@@ -114,6 +116,14 @@ class MainWindow : public QMainWindow {
   void phantomWanted(const QString& name);
   void cancelWanted();
   void isovalueChanged(double isovalue);
+  /// The tool is to come to a place [m]. `normal_W`: unit, out of the solid there; zero if it is
+  /// not known, as in a slice.
+  void toolWanted(const haptics::Vec3& p_W, const haptics::Vec3& normal_W);
+  void toolToCrossWanted();
+  void crossToToolWanted();
+  /// The user wants a picture in a file, or in the clipboard.
+  void pictureWanted();
+  void pictureCopyWanted();
   void forceOffWanted();
   void forceOnWanted();
   void closing();
@@ -148,6 +158,8 @@ class MainWindow : public QMainWindow {
   QDockWidget* haptic_device_dock_ = nullptr;
   QDockWidget* force_dock_ = nullptr;
   QMenu* view_menu_ = nullptr;
+  ViewActions* view_actions_ = nullptr;
+  Eigen::Vector3d cross_mm_ = Eigen::Vector3d::Zero();
   StatusLine* status_;
   QFrame* fault_bar_;
   QLabel* fault_;

@@ -8,6 +8,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
+#include <algorithm>
 
 namespace ui {
 
@@ -107,6 +108,40 @@ void Viewport::paintGL() {
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->Pop();
+}
+
+QImage Viewport::drawnAt(QSize pixels) {
+  if (!graphics_ || context() == nullptr) return {};
+  makeCurrent();
+  GLint most = 0;
+  context()->functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+  if (pixels.isEmpty() || std::max(pixels.width(), pixels.height()) > most) {
+    doneCurrent();
+    return {};
+  }
+  const int w = window_->GetSize()[0], h = window_->GetSize()[1];
+  vtkOpenGLState* state = window_->GetState();
+  state->Reset();
+  state->Push();
+  state->vtkglDepthFunc(GL_LEQUAL);
+  window_->SetSize(pixels.width(), pixels.height());
+  aboutToDraw();
+  window_->Render();
+  QImage image(pixels, QImage::Format_RGBA8888);
+  vtkOpenGLFramebufferObject* drawn = window_->GetDisplayFramebuffer();
+  state->PushFramebufferBindings();
+  drawn->Bind(GL_READ_FRAMEBUFFER);
+  drawn->ActivateReadBuffer(0);
+  context()->functions()->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  context()->functions()->glReadPixels(0, 0, pixels.width(), pixels.height(), GL_RGBA,
+                                       GL_UNSIGNED_BYTE, image.bits());
+  state->PopFramebufferBindings();
+  window_->SetSize(w, h);
+  state->Pop();
+  doneCurrent();
+  redraw();
+  // OpenGL's rows go up, and its alpha is nobody's business
+  return image.mirrored().convertToFormat(QImage::Format_RGB32);
 }
 
 void Viewport::onVtkEvent(vtkObject*, unsigned long event, void* call_data) {

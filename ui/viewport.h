@@ -4,6 +4,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkSmartPointer.h>
 
+#include <QImage>
 #include <QOpenGLWidget>
 #include <QString>
 #include <optional>
@@ -37,6 +38,9 @@ class Viewport : public QOpenGLWidget {
   const std::optional<Graphics>& graphics() const { return graphics_; }
   /// Draws the scene again at the next paint.
   void redraw();
+  /// Draws the scene once at another size, in pixels of the picture, and gives the picture back;
+  /// null if the graphics cannot.
+  QImage drawnAt(QSize pixels);
   /// Pictures drawn so far.
   int frames() const { return frames_; }
   QSize sizeHint() const override { return {640, 480}; }

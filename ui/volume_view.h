@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkCamera.h>
-
+#include <QImage>
 #include <QTimer>
 #include <memory>
 #include <optional>
 
+#include "haptics/core/triangle_mesh.h"
 #include "haptics/snapshot.h"
+#include "ui/bindings.h"
 #include "ui/overlay_stack.h"
-#include "ui/props/letters.h"
+#include "ui/props/orientation.h"
 #include "ui/props/tool_prop.h"
 #include "ui/props/volume_prop.h"
+#include "ui/space_camera.h"
 #include "ui/touched_surface.h"
 #include "ui/view_look.h"
 #include "ui/viewport.h"
@@ -21,14 +23,12 @@ class vtkRenderer;
 namespace ui {
 
 class HeldPass;
+class VeilPass;
 
-/// The 3-D view: isosurface, proxy, device and orientation letters, in W, millimetres.
-///
-/// Left drag turns the camera, or with the mouse as hand moves the hand in the view plane (Shift
-/// turns it, the wheel pushes it away); right drag always turns the camera, middle drag shifts it,
-/// Ctrl and wheel (without a mouse hand the wheel alone) zoom. Space requests force off, R shows
-/// everything, T shows everything from the tool's side. C held down is the clutch, H held down is
-/// hold-to-run; both are released when the view loses the focus.
+/// The 3-D view: isosurface, a second surface as a veil, proxy, device, contacts and orientation,
+/// in W, millimetres. What keys and mouse do here is in ui/bindings.h. The mouse is a hand in a
+/// mode of its own, and wherever it takes hold of the tool that is drawn. C and H are released when
+/// the view loses the focus.
 class VolumeView : public Viewport {
   Q_OBJECT
  public:
@@ -39,31 +39,63 @@ class VolumeView : public Viewport {
   void show(const haptics::TriangleMesh& tool);
   void setIsovalue(double isovalue);
   void setSurfaceWish(std::optional<SurfaceMode> wish);
+  /// Shows other voxels of the same grid; camera, mode and isovalues stay.
+  void replace(const Picture& picture);
   void display(const haptics::Snapshot& snapshot);
+  /// Whether the mouse can hold the tool; a hand that was held before is let go.
   void setMouseHand(bool on);
+  /// The hand is at this pose from now on.
+  void placeHand(const haptics::Pose& X_WH);
+  /// Takes the tool with the mouse, or lets it go. Without the mouse as the hand nothing is taken.
+  void setMouseMode(MouseMode mode);
+  MouseMode mouseMode() const { return mode_; }
+  bool mouseHand() const { return mouse_hand_; }
+  void setColouring(const Colouring& colouring);
+  /// A second surface, which is seen through and not felt; none: no second.
+  void setSecondSurface(std::optional<double> isovalue);
+  /// Shows where the tool is touched and the force on it.
+  void showContacts(bool on);
   /// Shows the mesh requested by fineMeshWanted.
   void showFine(vtkPolyData* mesh, double isovalue);
   /// The surface that is touched; given with every scene.
   void setTouched(const TouchedSurface& touched) { touched_ = touched; }
   /// Draws this above the picture, and asks it first for mouse and keys.
   void addOverlay(Overlay& overlay) { overlays_.add(overlay); }
-  void resetCamera();
+  void resetCamera() { lookFrom(Side::Anterior); }
+  /// Shows everything, from a side of the patient.
+  void lookFrom(Side side);
   /// Shows everything, from the device's side.
   void lookFromTool();
   /// Writes the camera into `look`.
   void tell(ViewLook& look) const;
   /// Takes the camera of `look`.
   void look(const ViewLook& look);
+  /// Looks at the tip from behind the tool.
+  void lookAlongTool();
+  void setParallel(bool parallel);
+  bool isParallel() const { return camera_.isParallel(); }
 
   /// Widget coordinates of a point of W [m].
   QPointF projected(const haptics::Vec3& p_W) const;
-  Eigen::Vector3d letterPosition_mm(char letter) const { return letters_->positionOf(letter); }
-  Eigen::Matrix3d viewAxes() const;  ///< columns: right, up, towards the viewer; in W
+  Eigen::Matrix3d viewAxes() const { return camera_.axes(); }  ///< right, up, towards the viewer
   VolumeProp& surface() { return surface_; }
-  vtkCamera* camera() const { return camera_; }
+  const ToolProp& tool() const { return tool_; }
+  vtkCamera* camera() const { return camera_.vtk(); }
+  /// Whether the mouse would take hold of the tool there.
+  bool isOnTool(QPointF at) const;
+  /// The view's picture, `scale` times as large as its widget: with letters and overlays, without
+  /// the hint. Null if the graphics cannot draw it.
+  QImage picture(double scale);
 
  signals:
   void forceOffWanted();
+  /// The tool is to come to this place of the surface [m], with its normal (unit, out of the
+  /// solid).
+  void toolWanted(const haptics::Vec3& p_W, const haptics::Vec3& normal_W);
+  void toolToCrossWanted();
+  void crossToToolWanted();
+  void mouseModeChanged(ui::MouseMode mode);
+  void parallelChanged(bool parallel);
   void clutchHeld(bool held);
   void forceHeld(bool held);
   /// The pose to which the mouse pulls the tool, W.
@@ -86,39 +118,58 @@ class VolumeView : public Viewport {
 
  private:
   class Geometry;
+  /// What a drag does until its button is released.
+  struct Grasp {
+    Action action;
+    Eigen::Vector3d zoom_at_mm;
+  };
 
   void chooseMode();
   void redrawSurface();
   void cameraMoved();
   void settle();
-  void frameSurface(const Eigen::Vector3d& from);
-  void rotateCamera(QPointF by);
-  void panCamera(QPointF by);
-  void zoomCamera(double factor);
+  void frameSurface(const Eigen::Vector3d& from, const Eigen::Vector3d& up);
+  void zoom(double factor, QPointF at);
+  /// What the sight through a pixel is about: the surface, or the plane of the focal point.
+  Eigen::Vector3d aimUnder(QPointF at) const;
+  std::optional<SurfacePlace> surfaceUnder(QPointF at) const;
+  bool perform(Action action);
+  void dragBy(QPointF by, Qt::KeyboardModifiers modifiers);
+  void bringTool(QPointF at);
   haptics::Pose& handTarget();
   void moveHand(QPointF by, bool turn);
-  /// Metres across one widget pixel at a point of W.
-  double metresPerPixel(const haptics::Vec3& p_W) const;
+  void pushHand(double notches);
+  void chooseCursor(QPointF at);
   void fitClippingRange();
+  void paintOver(QPainter& painter, const QSizeF& size) const;
+  void paintContacts(QPainter& painter) const;
+  void paintHint(QPainter& painter) const;
 
-  vtkSmartPointer<vtkCamera> camera_;
+  SpaceCamera camera_{*this};
   vtkSmartPointer<vtkRenderer> surface_layer_;
   vtkSmartPointer<vtkRenderer> proxy_layer_;
+  vtkSmartPointer<vtkRenderer> veil_layer_;
   vtkSmartPointer<vtkRenderer> overlay_layer_;
   vtkSmartPointer<HeldPass> held_;
+  vtkSmartPointer<VeilPass> veil_;
   VolumeProp surface_;
   ToolProp tool_;
-  std::unique_ptr<Letters> letters_;
+  haptics::TriangleMesh tool_mesh_;
   Eigen::AlignedBox3d box_mm_;
   haptics::Grid grid_;
+  bool orientation_known_ = false;
   std::optional<SurfaceMode> wish_;
   double isovalue_ = 0.0;
   double tool_radius_ = 0.0;  ///< m
   haptics::Snapshot last_;
   bool displayed_ = false;
+  bool contacts_shown_ = false;
   bool mouse_hand_ = false;
+  bool tool_taken_ = false;  ///< once; then the hint is not needed any more
+  MouseMode mode_ = MouseMode::Look;
+  std::optional<Grasp> grasp_;
   std::optional<haptics::Pose> hand_target_;
-  QPointF last_mouse_;
+  QPointF last_mouse_, press_;
   QTimer still_;
   TouchedSurface touched_;
   std::unique_ptr<Geometry> geometry_;

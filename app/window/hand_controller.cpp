@@ -69,10 +69,10 @@ void HandController::choose(const QString& id) {
   emit replayEndWanted();
 }
 
-bool HandController::open(std::string name) {
+bool HandController::open(std::string name, const std::optional<haptics::Pose>& from) {
   const Hand* hand = handOf(name);
   if (hand == nullptr) return false;
-  const auto opened = shared_.session.open(hand->kind);
+  const auto opened = shared_.session.open(hand->kind, from);
   if (!opened) {
     window_.showMessage(sentenceOf(opened.error()));
     window_.devicePanel().showHand(QString::fromStdString(hand_), label_);
@@ -81,7 +81,7 @@ bool HandController::open(std::string name) {
   emit this->opened();
   show(name, tr(hand->label), hand->kind == HandKind::Mouse);
   // a simulated hand aims where it likes: show where
-  emit lookWanted(hand->kind != HandKind::Mouse);
+  emit lookWanted(hand->kind != HandKind::Mouse && !from);
   return true;
 }
 
@@ -124,6 +124,14 @@ void HandController::adopt(bool new_volume, bool placed) {
   session.adopt(shown.scene, start.value_or(shown.start));
   // not before the scene: in the old volume this isovalue may make everything solid
   shared_.apply();
+}
+
+void HandController::bring(const haptics::Pose& X_WT) {
+  if (!shared_.shown || shared_.replaying) return;
+  const Hand* hand = handOf(hand_);
+  if (hand != nullptr && hand->kind != HandKind::Mouse) return void(open(hand_, X_WT));
+  shared_.session.bring(X_WT);
+  window_.view().placeHand(X_WT);
 }
 
 void HandController::reopen() {

@@ -27,6 +27,9 @@ class HandController : public QObject {
   void forgetDevice();
   /// Hands the scene on view to the session. Arguments as of OpeningController::loaded().
   void adopt(bool new_volume, bool placed);
+  /// Brings the tool to a legal pose, with the force ramping from zero. A simulated hand begins its
+  /// motion anew from there; the hand at a real device stays where it is.
+  void bring(const haptics::Pose& X_WT);
   /// Opens the hand if none is open, there is a scene, and no recording is on view.
   void reopen();
   /// The same for a new scene. If a simulated hand finds no target, opens the mouse instead.
@@ -43,7 +46,7 @@ class HandController : public QObject {
 
  private:
   /// Returns false and shows the reason if it failed; the previous hand then goes on.
-  bool open(std::string name);
+  bool open(std::string name, const std::optional<haptics::Pose>& from = {});
   void choose(const QString& id);
   void show(const std::string& id, const QString& label, bool is_mouse);
 

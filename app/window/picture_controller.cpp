@@ -60,7 +60,8 @@ void PictureController::makeFineMesh(double isovalue) {
       [isovalue, volume = shared_.shown->picture.volume,
        mirrored = shared_.shown->picture.mirrored()](
           const background::Watch&) -> haptics::Expected<vtkSmartPointer<vtkPolyData>> {
-        const auto image = volume->grid.voxelCount() <= kFineVoxels
+        // with a crop: closed at its faces, as the reduced mesh is
+        const auto image = volume->grid.voxelCount() <= kFineVoxels && !volume->crop
                                ? ui::imageOf(*volume)
                                : ui::reducedImageOf(*volume, kFineVoxels);
         return ui::isosurfaceMesh(image, isovalue, mirrored);

@@ -21,6 +21,11 @@ haptics::Snapshot snapshotOf(const haptics::Step& step, std::uint32_t scene) {
   snapshot.isovalue = step.settings.isovalue;
   snapshot.scene = scene;
   snapshot.contacts = static_cast<int>(step.contacts.size());
+  for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+    const haptics::Vec3 p_W = step.X_WP.translation() + step.contacts[i].r_W;
+    snapshot.places[i] = {{float(p_W.x()), float(p_W.y()), float(p_W.z())},
+                          float(step.contacts[i].push)};
+  }
   snapshot.force_state = step.force_state;
   snapshot.late_ticks = step.late_ticks;
   snapshot.missed_ticks = step.missed_ticks;

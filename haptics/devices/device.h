@@ -42,6 +42,9 @@ class Device {
   virtual void stop() noexcept = 0;
   /// Servo thread only: writes have an effect again.
   virtual void resume() noexcept = 0;
+  /// Servo thread only: puts the handle at rest at a pose, where the device is one that can be put
+  /// somewhere: the mouse.
+  virtual void place(const Pose& X_BD) noexcept { static_cast<void>(X_BD); }
 };
 
 /// Counts polls that failed in a row, to give a driver the status of a read.

@@ -18,6 +18,8 @@ struct Engagement {
       : scene{std::move(adopted)}, proxy{*scene, X_start} {}
   std::shared_ptr<const Scene> scene;
   Proxy proxy;
+  /// The mouse's grip comes along to the proxy's pose. A real device never does: its mapping moves.
+  bool brings_hand = false;
 };
 
 /// Hands engagements to the servo thread, and back after use. There is one setting thread and one

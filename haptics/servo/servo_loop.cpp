@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <tuple>
 
 #include "haptics/core/clock.h"
 #include "haptics/servo/servo_tick.h"
@@ -77,6 +78,8 @@ void ServoLoop::run() {
 }
 
 void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {
+  if (period.has(StepFlags::kAdopted) && period.engaged->brings_hand)
+    device_->place(period.engaged->proxy.X_WP);
   const DeviceStatus read = lost_ ? DeviceStatus::Lost : device_->read(reading_);
   period.raise(StepFlags::kLost, read == DeviceStatus::Lost);
   period.raise(StepFlags::kNotReady, read == DeviceStatus::NotReady);
@@ -194,6 +197,7 @@ void ServoLoop::publish(const Period& period, const ServoResult& result, double 
   snapshot_.coupling_W = result.tick.wrench_W;
   snapshot_.isovalue = in_force_.isovalue;
   snapshot_.contacts = result.tick.contacts;
+  if (engaged != nullptr) notePlaces(engaged->proxy);
   snapshot_.force_state = safety_.state();
   snapshot_.reason = safety_.reason();
   snapshot_.buttons = reading_.buttons;
@@ -206,6 +210,18 @@ void ServoLoop::publish(const Period& period, const ServoResult& result, double 
   // a full queue drops the newest: the plot is not worth waiting for
   forces.try_enqueue({time, static_cast<float>(result.sent_W.force.norm()),
                       static_cast<float>(result.sent_W.torque.norm())});
+}
+
+void ServoLoop::notePlaces(const Proxy& proxy) HAPTICS_RT {
+  static_assert(Bearing::capacity() <= std::tuple_size_v<decltype(Snapshot::places)>);
+  const Vec3 p_WP = proxy.X_WP.translation();
+  for (std::size_t i = 0; i < proxy.bearing.size(); ++i) {
+    const BearingContact& contact = proxy.bearing[i];
+    ContactPlace& place = snapshot_.places[i];
+    for (Eigen::Index a = 0; a < 3; ++a)
+      place.p_W[static_cast<std::size_t>(a)] = static_cast<float>(p_WP[a] + contact.r_W[a]);
+    place.push = static_cast<float>(contact.push);
+  }
 }
 
 void ServoLoop::startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT {

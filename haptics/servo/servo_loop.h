@@ -98,6 +98,8 @@ class ServoLoop {
   void push(const Wrench& sent_W, const Period& period) HAPTICS_RT;
   void noteTransitions(double time) HAPTICS_RT;
   void publish(const Period& period, const ServoResult& result, double time) HAPTICS_RT;
+  /// Puts the places of the contacts into the snapshot.
+  void notePlaces(const Proxy& proxy) HAPTICS_RT;
   void startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT;
   void record(const Period& period, const Budget& budget) HAPTICS_RT;
 

@@ -220,6 +220,28 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
   return hand;
 }
 
+Expected<Hand> Hand::from(const Pose& X_WT, HandMotion motion, const Scene& scene, double isovalue,
+                          double reach, std::uint64_t seed) {
+  constexpr double kFarthest = 0.100;  // m
+  const Isosurface solid{scene.field, isovalue};
+  const Vec3 way = -X_WT.linear().col(2);
+  const std::optional<double> touch = firstTouch(scene, solid, X_WT, way, kFarthest);
+  if (!touch)
+    return tl::unexpected(
+        Error{Error::Kind::NotFound, {"hand-no-surface", {plain(isovalue)}}, "nothing-inside"});
+  Hand hand;
+  hand.motion_ = motion;
+  hand.X_WA_ = X_WT;
+  hand.X_WA_.translation() += *touch * way;
+  hand.in_ = way;
+  hand.side_ = way.unitOrthogonal();
+  hand.other_ = way.cross(hand.side_);
+  hand.reach_ = reach;
+  hand.approach_ = *touch;
+  hand.seed_ = seed;
+  return hand;
+}
+
 Pose Hand::scripted(double t) const HAPTICS_RT {
   Pose X = X_WA_;
   if (t < kLeadIn) {

@@ -32,6 +32,10 @@ class Hand {
   static Expected<Hand> aimed(HandMotion motion, const Scene& scene, double isovalue, double reach,
                               std::uint64_t seed);
 
+  /// The same motion at the surface that the tool meets first from X_WT along its tip (-z).
+  static Expected<Hand> from(const Pose& X_WT, HandMotion motion, const Scene& scene,
+                             double isovalue, double reach, std::uint64_t seed);
+
   /// The reach [m] that brings the device `depth` [m] beyond the surface, with coupling and grip as
   /// springs in series.
   static double reachFor(double depth, double coupling_stiffness, double grip_stiffness) {

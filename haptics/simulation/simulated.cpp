@@ -24,6 +24,13 @@ class Gripped : public Device {
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
   void resume() noexcept override { stopped_.store(false, std::memory_order_relaxed); }
 
+ protected:
+  void rest(const Pose& X_BD) noexcept {
+    grip_.X_WD = X_BD;
+    grip_.velocity = {};
+    felt_ = {};
+  }
+
  private:
   virtual Pose target() noexcept = 0;
 
@@ -51,6 +58,11 @@ class Mouse final : public Gripped {
  public:
   Mouse(LatestValue<Pose>& target, Grip grip, double period)
       : Gripped{grip, period}, targets_{target}, X_WH_{grip.X_WD} {}
+  void place(const Pose& X_BD) noexcept override {
+    targets_.take(X_WH_);  // the hand is not where it pointed before
+    X_WH_ = X_BD;
+    rest(X_BD);
+  }
 
  private:
   Pose target() noexcept override {

@@ -231,7 +231,7 @@ TEST(Marks, APointReadsTheValueOfItsVoxel) {
   ui::SliceView& slice = scan.slice(Plane::Axial);
   click(slice, slice.projected(p));
   scan.window.setCross(p);
-  QTest::keyClick(&slice, Qt::Key_P);
+  QTest::keyClick(&slice, Qt::Key_V);
   click(slice, slice.projected(p));
   const double value = scan.value(0).section(QChar(QChar::Nbsp), 0, 0).toDouble();
   EXPECT_NEAR(value, intensity(grid.worldOf(index)), 20.0 * 0.3 + 3.0 * 0.3);
@@ -381,7 +381,7 @@ TEST(Marks, KeysPlaceOnlyWhileAViewHasTheFocus) {
   scan.window.activateWindow();
   const std::pair<Qt::Key, MeasureKind> keys[] = {{Qt::Key_D, MeasureKind::Distance},
                                                   {Qt::Key_A, MeasureKind::Angle},
-                                                  {Qt::Key_P, MeasureKind::Point},
+                                                  {Qt::Key_V, MeasureKind::Point},
                                                   {Qt::Key_N, MeasureKind::Note}};
   for (QWidget* view : {static_cast<QWidget*>(&scan.window.view()),
                         static_cast<QWidget*>(&scan.slice(Plane::Axial)),
@@ -407,7 +407,7 @@ TEST(Marks, BackspaceTakesAPlaceBackDeleteDeletesAndUndoBringsBack) {
   ui::SliceView& axial = scan.slice(Plane::Axial);
   axial.setFocus();
   const auto placePoint = [&](double x) {
-    QTest::keyClick(&axial, Qt::Key_P);
+    QTest::keyClick(&axial, Qt::Key_V);
     click(axial, axial.projected({x, -20.0, 0.0}));
   };
   QTest::keyClick(&axial, Qt::Key_D);

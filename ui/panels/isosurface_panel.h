@@ -27,6 +27,8 @@ class IsosurfacePanel : public QWidget {
 
   /// Shows another volume, at an isovalue within its range; emits nothing.
   void show(const Picture& picture, double isovalue);
+  /// As if the user had chosen it.
+  void choose(double isovalue);
 
  signals:
   void isovalueChanged(double isovalue);
@@ -34,7 +36,6 @@ class IsosurfacePanel : public QWidget {
   void refused(const QString& sentence);
 
  private:
-  void choose(double isovalue);
   void showValue(double isovalue);
 
   HistogramSlider* slider_;

@@ -53,10 +53,13 @@ vtkSmartPointer<vtkDataArray> emptyArray(haptics::ScalarType type) {
 
 void destroyShare(void* share) { delete static_cast<std::shared_ptr<const void>*>(share); }
 
+/// Averages cubes of `factor` voxels, from voxel `first` on.
 template <class T>
-void averageBlocks(const T* voxels, const std::array<std::int64_t, 3>& dims, std::int64_t factor,
+void averageBlocks(const T* all, const std::array<std::int64_t, 3>& dims,
+                   const std::array<std::int64_t, 3>& first, std::int64_t factor,
                    const std::array<std::int64_t, 3>& blocks, float background, float* out,
                    const std::atomic<bool>* cancel) {
+  const T* voxels = all + (first[2] * dims[1] + first[1]) * dims[0] + first[0];
   const std::int64_t row = blocks[0] + 2;
   const std::int64_t slab = row * (blocks[1] + 2);
   std::fill(out, out + slab * (blocks[2] + 2), background);
@@ -72,6 +75,18 @@ void averageBlocks(const T* voxels, const std::array<std::int64_t, 3>& dims, std
         out[(K + 1) * slab + (J + 1) * row + I + 1] =
             static_cast<float>(sum / static_cast<double>(factor * factor * factor));
       }
+}
+
+Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid, const haptics::VoxelBox& voxels) {
+  Eigen::AlignedBox3d box;
+  for (int corner = 0; corner < 8; ++corner) {
+    haptics::Vec3 index;
+    for (std::size_t a = 0; a < 3; ++a)
+      index[static_cast<Eigen::Index>(a)] =
+          static_cast<double>((corner >> a) & 1 ? voxels.end[a] - 1 : voxels.first[a]);
+    box.extend(Eigen::Vector3d{grid.worldOf(index) * kMmPerM});
+  }
+  return box;
 }
 
 }  // namespace
@@ -100,8 +115,11 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
                                              std::int64_t most_voxels,
                                              const std::atomic<bool>* cancel) {
   const haptics::Grid& grid = volume.grid;
-  const std::int64_t thinnest = *std::min_element(grid.dims.begin(), grid.dims.end());
-  const auto count = static_cast<double>(grid.voxelCount());
+  const haptics::VoxelBox box = volume.bounds();
+  std::array<std::int64_t, 3> size{};
+  for (std::size_t a = 0; a < 3; ++a) size[a] = box.end[a] - box.first[a];
+  const std::int64_t thinnest = *std::min_element(size.begin(), size.end());
+  const auto count = static_cast<double>(size[0] * size[1] * size[2]);
   auto factor = static_cast<std::int64_t>(
       std::ceil(std::cbrt(count / static_cast<double>(most_voxels)) - 1e-9));
   factor = std::clamp<std::int64_t>(factor, 1, thinnest);
@@ -109,11 +127,12 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
   std::array<std::int64_t, 3> blocks{};
   double origin_mm[3], spacing_mm[3];
   for (int a = 0; a < 3; ++a) {
-    blocks[a] = grid.dims[a] / factor;
+    blocks[a] = size[a] / factor;
     spacing_mm[a] = grid.spacing[a] * kMmPerM * static_cast<double>(factor);
     // a block's centre, and one block further out for the rim
-    origin_mm[a] =
-        0.5 * static_cast<double>(factor - 1) * grid.spacing[a] * kMmPerM - spacing_mm[a];
+    origin_mm[a] = (static_cast<double>(box.first[a]) + 0.5 * static_cast<double>(factor - 1)) *
+                       grid.spacing[a] * kMmPerM -
+                   spacing_mm[a];
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(static_cast<int>(blocks[0] + 2), static_cast<int>(blocks[1] + 2),
@@ -123,7 +142,8 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* out = static_cast<float*>(image->GetScalarPointer());
   haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
-    averageBlocks(voxels, grid.dims, factor, blocks, static_cast<float>(volume.least), out, cancel);
+    averageBlocks(voxels, grid.dims, box.first, factor, blocks, static_cast<float>(volume.least),
+                  out, cancel);
   });
   return image;
 }
@@ -133,12 +153,19 @@ Histogram histogramOf(const haptics::Volume& volume, int bins) {
   histogram.counts.assign(static_cast<std::size_t>(bins), 0.0);
   const double width = (volume.greatest - volume.least) / bins;
   if (!(width > 0.0)) return histogram;
-  const std::int64_t count = volume.grid.voxelCount();
+  const haptics::VoxelBox box = volume.bounds();
+  const auto& dims = volume.grid.dims;
+  const std::int64_t row = box.end[0] - box.first[0], rows = box.end[1] - box.first[1];
+  const std::int64_t count = row * rows * (box.end[2] - box.first[2]);
   // an odd stride does not fall in step with rows
   const std::int64_t step = (count / kHistogramVoxels) | 1;
   haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
-    for (std::int64_t i = 0; i < count; i += step) {
-      const auto bin = static_cast<int>((static_cast<double>(voxels[i]) - volume.least) / width);
+    for (std::int64_t n = 0; n < count; n += step) {
+      const std::int64_t line = n / row;
+      const std::int64_t j = box.first[1] + line % rows, k = box.first[2] + line / rows;
+      const std::int64_t voxel = (k * dims[1] + j) * dims[0] + box.first[0] + n % row;
+      const auto bin =
+          static_cast<int>((static_cast<double>(voxels[voxel]) - volume.least) / width);
       histogram.counts[static_cast<std::size_t>(std::clamp(bin, 0, bins - 1))] += 1.0;
     }
   });
@@ -188,15 +215,10 @@ vtkSmartPointer<vtkMatrix4x4> matrixOf(const haptics::Pose& X) {
   return matrixOf(X_mm);
 }
 
-Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid) {
-  Eigen::AlignedBox3d box;
-  for (int corner = 0; corner < 8; ++corner) {
-    haptics::Vec3 index;
-    for (int a = 0; a < 3; ++a)
-      index[a] = (corner >> a) & 1 ? static_cast<double>(grid.dims[a] - 1) : 0.0;
-    box.extend(Eigen::Vector3d{grid.worldOf(index) * kMmPerM});
-  }
-  return box;
+Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid) { return boxOf_mm(grid, {{}, grid.dims}); }
+
+Eigen::AlignedBox3d boxOf_mm(const haptics::Volume& volume) {
+  return boxOf_mm(volume.grid, volume.bounds());
 }
 
 }  // namespace ui

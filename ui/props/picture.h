@@ -32,7 +32,9 @@ struct Histogram {
 /// millimetres. X_WL_mm takes L to W and may mirror, because a file's axes may be left-handed.
 struct Picture {
   std::shared_ptr<const haptics::Volume> volume;
-  vtkSmartPointer<vtkImageData> image;    ///< the volume's own voxels, not a copy
+  /// The volume's own voxels, not a copy: also those beyond its crop, which do not exist. Who draws
+  /// it must leave them out (Volume::bounds).
+  vtkSmartPointer<vtkImageData> image;
   vtkSmartPointer<vtkImageData> reduced;  ///< averaged over blocks, with a rim of background
   Eigen::Affine3d X_WL_mm = Eigen::Affine3d::Identity();
   Histogram histogram;
@@ -44,17 +46,18 @@ struct Picture {
 Picture pictureOf(std::shared_ptr<const haptics::Volume> volume,
                   const std::atomic<bool>* cancel = nullptr);
 
-/// The volume's voxels as an image of L; the image keeps them alive.
+/// All of the volume's voxels as an image of L, without a copy; the image keeps them alive. A crop
+/// is not applied, since rows of a box do not follow one another.
 vtkSmartPointer<vtkImageData> imageOf(const haptics::Volume& volume);
 
-/// The volume averaged over the smallest cubes of voxels that leave at most `most_voxels`, with a
-/// rim of background so that cut faces are closed. If `cancel` becomes true meanwhile, the result
-/// is incomplete.
+/// The voxels that exist (Volume::bounds), averaged over the smallest cubes that leave at most
+/// `most_voxels`, with a rim of background so that cut faces are closed. If `cancel` becomes true
+/// meanwhile, the result is incomplete.
 vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
                                              std::int64_t most_voxels,
                                              const std::atomic<bool>* cancel = nullptr);
 
-/// Made from at most a few million evenly spaced voxels.
+/// Made from at most a few million evenly spaced voxels of those that exist.
 Histogram histogramOf(const haptics::Volume& volume, int bins);
 
 /// The isosurface of an image of L as triangles with normals, in L. Any thread. If X_WL
@@ -65,7 +68,9 @@ vtkSmartPointer<vtkMatrix4x4> matrixOf(const Eigen::Affine3d& X);
 /// The pose as a matrix, with its translation converted from metres to millimetres.
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const haptics::Pose& X);
 
-/// The box of W that the volume's voxel centres fill, mm.
+/// The box of W that the grid's voxel centres fill, mm.
 Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid);
+/// The same of the voxels that exist.
+Eigen::AlignedBox3d boxOf_mm(const haptics::Volume& volume);
 
 }  // namespace ui

@@ -13,6 +13,7 @@
 #include <vtkQuadricDecimation.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/props/picture.h"
 
@@ -20,6 +21,7 @@ namespace ui {
 namespace {
 
 constexpr double kWireTriangles = 90.0;
+constexpr double kApart = 3e-4;  // m
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const haptics::TriangleMesh& mesh) {
   vtkNew<vtkPoints> points;
@@ -51,9 +53,13 @@ bool visiblyApart(const haptics::Pose& a, const haptics::Pose& b) {
 ToolProp::ToolProp()
     : proxy_(vtkSmartPointer<vtkActor>::New()), device_(vtkSmartPointer<vtkActor>::New()) {
   vtkProperty* solid = proxy_->GetProperty();
+  // steel, bluish against bone: what faces the viewer shines, what does not is still not black
   solid->SetColor(kProxyColour[0], kProxyColour[1], kProxyColour[2]);
-  solid->SetAmbient(0.5);  // flat: its colour is found again whichever way it faces
-  solid->SetDiffuse(0.5);
+  solid->SetAmbient(0.30);
+  solid->SetDiffuse(0.70);
+  solid->SetSpecular(0.55);
+  solid->SetSpecularPower(28.0);
+  solid->SetSpecularColor(1.0, 1.0, 1.0);
   solid->SetPointSize(4.0F);
   vtkProperty* wire = device_->GetProperty();
   wire->SetColor(kDeviceColour[0], kDeviceColour[1], kDeviceColour[2]);
@@ -91,8 +97,20 @@ void ToolProp::show(const haptics::TriangleMesh& mesh) {
     wire->SetInputData(data);
   wire->ScalarVisibilityOff();
   device_->SetMapper(wire);
+  radius_ = 0.0;
+  for (const haptics::Vec3& v : mesh.vertices) radius_ = std::max(radius_, v.norm());
+  shown_ = true;
   proxy_->VisibilityOn();
-  device_->VisibilityOn();
+  showDevice();
+}
+
+void ToolProp::showDevice() {
+  const double turned = Eigen::AngleAxisd{X_WP_.linear().transpose() * X_WD_.linear()}.angle();
+  const double apart =
+      (X_WP_.translation() - X_WD_.translation()).norm() + std::abs(turned) * radius_;
+  // it does not come and go at the limit
+  const double limit = device_->GetVisibility() != 0 ? 0.8 * kApart : kApart;
+  device_->SetVisibility(shown_ && (!only_apart_ || apart > limit));
 }
 
 bool ToolProp::move(const haptics::Pose& X_WP, const haptics::Pose& X_WD) {
@@ -101,6 +119,7 @@ bool ToolProp::move(const haptics::Pose& X_WP, const haptics::Pose& X_WD) {
   X_WD_ = X_WD;
   proxy_->SetUserMatrix(matrixOf(X_WP));
   device_->SetUserMatrix(matrixOf(X_WD));
+  showDevice();
   return true;
 }
 

@@ -16,7 +16,7 @@ namespace ui {
 /// surface.
 class ToolProp {
  public:
-  static constexpr std::array<double, 3> kProxyColour{0.10, 0.65, 1.00};   ///< sky blue
+  static constexpr std::array<double, 3> kProxyColour{0.33, 0.52, 0.78};   ///< blue steel
   static constexpr std::array<double, 3> kDeviceColour{1.00, 0.35, 0.10};  ///< orange
 
   ToolProp();
@@ -24,6 +24,10 @@ class ToolProp {
 
   /// Shows a mesh, in the tool frame, metres. A mesh without triangles is shown as points.
   void show(const haptics::TriangleMesh& mesh);
+  /// Shows the wireframe only where device and proxy differ by more than a little: 0.3 mm for some
+  /// point of the tool.
+  void showDeviceOnlyApart() { only_apart_ = true; }
+  bool deviceShown() const { return device_->GetVisibility() != 0; }
   /// Sets the poses. Returns true if the tool has moved visibly.
   bool move(const haptics::Pose& X_WP, const haptics::Pose& X_WD);
 
@@ -31,8 +35,13 @@ class ToolProp {
   vtkActor* device() const { return device_; }
 
  private:
+  void showDevice();
+
   vtkSmartPointer<vtkActor> proxy_;
   vtkSmartPointer<vtkActor> device_;
+  bool shown_ = false;
+  bool only_apart_ = false;
+  double radius_ = 0.0;  ///< m, of the tool about its origin
   haptics::Pose X_WP_ = haptics::Pose::Identity();
   haptics::Pose X_WD_ = haptics::Pose::Identity();
 };

@@ -13,6 +13,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -24,12 +25,22 @@ namespace {
 
 // as a texture, 2 to 4 GB: beyond that drivers fail in ways that they do not report
 constexpr std::int64_t kMostTexels = std::int64_t{1} << 30;
-constexpr std::array<double, 3> kSurfaceColour{0.93, 0.88, 0.78};  // ivory; the shader below too
+constexpr float kOcclusion = 0.75F;         // share of the light that a deep place loses
+constexpr float kOcclusionReach_mm = 5.0F;  // how far what takes the light may be
+constexpr double kAmbient = 0.15, kDiffuse = 0.8, kSpecular = 0.15, kSpecularPower = 20.0;
 
-// VTK 9.1 shades the first sample beyond the crossing, which draws terraces. Both replacements
-// lean on the text of its shader; tests/ui holds them to it.
+// VTK 9.1 shades the first sample beyond the crossing, which draws terraces. The replacements lean
+// on the text of its shader; tests/ui holds them to it. cropLeast and cropGreatest are the corners
+// of the box of voxels that exist, as texture coordinates.
 constexpr const char* kShadeHere = "vec4 vs = vec4(s);";
-constexpr const char* kRefineHit = R"(vec3 before = g_dataPos - g_dirStep;
+constexpr const char* kRefineHit = R"(bool beside = any(lessThan(g_dataPos, cropLeast))
+                   || any(greaterThan(g_dataPos, cropGreatest));
+        vec3 back = (g_dataPos - mix(cropGreatest, cropLeast, greaterThan(g_dirStep, vec3(0.0))))
+                  / (abs(g_dirStep) + vec3(1e-12)) * sign(g_dirStep)
+                  + vec3(equal(g_dirStep, vec3(0.0)));
+        // the step before, but not before the box
+        float way = clamp(min(back.x, min(back.y, back.z)), 0.0, 1.0);
+        vec3 before = g_dataPos - (beside ? 1.0 : way) * g_dirStep;
         vec3 beyond = g_dataPos;
         bool rising = scalar[maxComp] > s;
         // a ray that begins inside the solid meets the cut face where it enters
@@ -50,15 +61,57 @@ constexpr const char* kPremultiply = "g_srcColor.rgb *= g_srcColor.a;";
 constexpr const char* kLightCutFace = R"(if (cut)
         {
           vec3 ray = abs(normalize(g_dirStep / in_cellStep[0] * in_cellSpacing[0]));
-          vec3 edge = min(abs(g_dataPos - in_texMin[0]), abs(in_texMax[0] - g_dataPos));
+          vec3 edge = min(abs(g_dataPos - cropLeast), abs(cropGreatest - g_dataPos))
+                    / in_cellStep[0];
           float facing = edge.x < edge.y ? (edge.x < edge.z ? ray.x : ray.z)
                                          : (edge.y < edge.z ? ray.y : ray.z);
-          g_srcColor.rgb = vec3(0.93, 0.88, 0.78) * (0.15 + 0.8 * facing);
+          g_srcColor.rgb = surfaceColour * (0.15 + 0.8 * facing);
         }
+        else if (occlusion > 0.0)
+        {
+          // the light that comes from all sides: what lies above the surface takes its share
+          vec3 one = in_cellStep[0];
+          vec3 rise = vec3(
+            texture3D(in_volume[0], g_dataPos + vec3(one.x, 0.0, 0.0)).r
+              - texture3D(in_volume[0], g_dataPos - vec3(one.x, 0.0, 0.0)).r,
+            texture3D(in_volume[0], g_dataPos + vec3(0.0, one.y, 0.0)).r
+              - texture3D(in_volume[0], g_dataPos - vec3(0.0, one.y, 0.0)).r,
+            texture3D(in_volume[0], g_dataPos + vec3(0.0, 0.0, one.z)).r
+              - texture3D(in_volume[0], g_dataPos - vec3(0.0, 0.0, one.z)).r) / in_cellSpacing[0];
+          vec3 outwards = -rise / max(length(rise), 1e-12);
+          float lost = 0.0, most = 0.0;
+          for (int ring = 0; ring < 4; ++ring)
+          {
+            float reach = occlusionReach * (0.25 + 0.25 * float(ring));
+            for (int side = 0; side < 4; ++side)
+            {
+              float turn = 1.5708 * float(side) + 0.7854 * float(ring);
+              vec3 aside = normalize(cross(outwards, abs(outwards.z) < 0.8 ? vec3(0.0, 0.0, 1.0)
+                                                                         : vec3(1.0, 0.0, 0.0)));
+              vec3 other = cross(outwards, aside);
+              vec3 along = normalize(outwards + 0.9 * (cos(turn) * aside + sin(turn) * other));
+              vec3 there = g_dataPos + reach * along / in_cellSpacing[0] * one;
+              bool within = all(greaterThan(there, cropLeast)) && all(lessThan(there, cropGreatest));
+              float value = texture3D(in_volume[0], there).r * in_volume_scale[0].r
+                          + in_volume_bias[0].r;
+              float share = 1.0 - 0.2 * float(ring);
+              lost += within && value > s ? share : 0.0;
+              most += share;
+            }
+          }
+          g_srcColor.rgb *= 1.0 - occlusion * lost / most;
+        }
+        if (beside) g_srcColor = vec4(0.0);
         g_srcColor.rgb *= g_srcColor.a;)";
 constexpr const char* kStartIndex =
     "l_initialIndex = findIsoSurfaceIndex(scalar[maxComp], l_normValues);";
-constexpr const char* kStartOutside = "l_initialIndex = 0;";
+// a ray begins outside the solid; what lies before the box of voxels that exist is left out
+constexpr const char* kStartOutside = R"(l_initialIndex = 0;
+      vec3 enter = (mix(cropGreatest, cropLeast, greaterThan(g_dirStep, vec3(0.0))) - g_dataPos)
+                 / (abs(g_dirStep) + vec3(1e-12)) * sign(g_dirStep);
+      float skipped = floor(max(0.0, max(enter.x, max(enter.y, enter.z))));
+      g_dataPos += skipped * g_dirStep;
+      g_currentT += skipped;)";
 
 QString words(const char* text) { return QCoreApplication::translate("ui::VolumeProp", text); }
 
@@ -82,7 +135,9 @@ VolumeProp::VolumeProp()
     : volume_(vtkSmartPointer<vtkVolume>::New()),
       caster_(vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New()),
       mesh_(vtkSmartPointer<vtkActor>::New()),
-      mesh_mapper_(vtkSmartPointer<vtkPolyDataMapper>::New()) {
+      mesh_mapper_(vtkSmartPointer<vtkPolyDataMapper>::New()),
+      second_(vtkSmartPointer<vtkActor>::New()),
+      second_mapper_(vtkSmartPointer<vtkPolyDataMapper>::New()) {
   caster_->SetBlendModeToIsoSurface();
   caster_->SetAutoAdjustSampleDistances(0);
   caster_->SetImageSampleDistance(1.0F);  // more, and meshes beside it lose their edges
@@ -90,13 +145,10 @@ VolumeProp::VolumeProp()
   vtkVolumeProperty* look = volume_->GetProperty();
   look->ShadeOn();
   look->SetInterpolationTypeToLinear();
-  look->SetAmbient(0.15);
-  look->SetDiffuse(0.8);
-  look->SetSpecular(0.15);
-  look->SetSpecularPower(20.0);
-  vtkNew<vtkColorTransferFunction> colour;
-  colour->AddRGBPoint(0.0, kSurfaceColour[0], kSurfaceColour[1], kSurfaceColour[2]);
-  look->SetColor(colour);
+  look->SetAmbient(kAmbient);
+  look->SetDiffuse(kDiffuse);
+  look->SetSpecular(kSpecular);
+  look->SetSpecularPower(kSpecularPower);
   vtkNew<vtkPiecewiseFunction> opaque;
   opaque->AddPoint(0.0, 1.0);
   look->SetScalarOpacity(opaque);
@@ -106,12 +158,17 @@ VolumeProp::VolumeProp()
 
   mesh_mapper_->ScalarVisibilityOff();
   mesh_->SetMapper(mesh_mapper_);
-  mesh_->GetProperty()->SetColor(kSurfaceColour[0], kSurfaceColour[1], kSurfaceColour[2]);
-  mesh_->GetProperty()->SetAmbient(0.15);
-  mesh_->GetProperty()->SetDiffuse(0.8);
-  mesh_->GetProperty()->SetSpecular(0.15);
-  mesh_->GetProperty()->SetSpecularPower(20.0);
-  mesh_->VisibilityOff();
+  second_->SetMapper(second_mapper_);
+  second_mapper_->ScalarVisibilityOff();
+  for (vtkActor* actor : {mesh_.Get(), second_.Get()}) {
+    actor->GetProperty()->SetAmbient(kAmbient);
+    actor->GetProperty()->SetDiffuse(kDiffuse);
+    actor->GetProperty()->SetSpecular(kSpecular);
+    actor->GetProperty()->SetSpecularPower(kSpecularPower);
+    actor->VisibilityOff();
+  }
+  setOcclusion(false);
+  colourAll();
 }
 
 VolumeProp::~VolumeProp() = default;
@@ -120,13 +177,74 @@ void VolumeProp::show(const Picture& picture) {
   picture_ = picture;
   reduced_mesh_ = nullptr;
   fine_mesh_ = nullptr;
+  second_mesh_ = nullptr;
+  second_value_.reset();
   caster_->SetInputData(picture.image);
   const double finest_mm = picture.volume->grid.spacing.minCoeff() * kMmPerM;
   caster_->SetSampleDistance(static_cast<float>(finest_mm));
   const auto X_WL = matrixOf(picture.X_WL_mm);
   volume_->SetUserMatrix(X_WL);
   mesh_->SetUserMatrix(X_WL);
+  second_->SetUserMatrix(X_WL);
+  crop();
+  colourAll();
   setMode(mode_);
+}
+
+void VolumeProp::replace(const Picture& picture) {
+  picture_ = picture;
+  reduced_mesh_ = nullptr;
+  fine_mesh_ = nullptr;
+  second_mesh_ = nullptr;
+  caster_->SetInputData(picture.image);
+  crop();
+}
+
+void VolumeProp::crop() {
+  const haptics::VoxelBox box = picture_.volume->bounds();
+  const auto& dims = picture_.volume->grid.dims;
+  std::array<float, 3> least{}, greatest{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    // the centre of voxel i is at (i + 1/2) / n
+    least[a] = static_cast<float>((double(box.first[a]) + 0.5) / double(dims[a]));
+    greatest[a] = static_cast<float>((double(box.end[a]) - 0.5) / double(dims[a]));
+  }
+  vtkUniforms* uniforms = volume_->GetShaderProperty()->GetFragmentCustomUniforms();
+  uniforms->SetUniform3f("cropLeast", least.data());
+  uniforms->SetUniform3f("cropGreatest", greatest.data());
+}
+
+void VolumeProp::setColouring(const Colouring& colouring) {
+  colouring_ = colouring;
+  colourAll();
+}
+
+void VolumeProp::colourAll() {
+  const Rgb colour = colouring_.at(isovalue_);
+  vtkNew<vtkColorTransferFunction> everywhere;
+  everywhere->AddRGBPoint(0.0, colour[0], colour[1], colour[2]);
+  volume_->GetProperty()->SetColor(everywhere);
+  const std::array<float, 3> cut{static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                                 static_cast<float>(colour[2])};
+  volume_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniform3f("surfaceColour",
+                                                                          cut.data());
+  mesh_->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  if (!second_value_) return;
+  const Rgb veil = colouring_.at(*second_value_);
+  second_->GetProperty()->SetColor(veil[0], veil[1], veil[2]);
+}
+
+void VolumeProp::setOcclusion(bool on) {
+  vtkUniforms* uniforms = volume_->GetShaderProperty()->GetFragmentCustomUniforms();
+  uniforms->SetUniformf("occlusion", on ? kOcclusion : 0.0F);
+  uniforms->SetUniformf("occlusionReach", kOcclusionReach_mm);
+}
+
+void VolumeProp::setSecond(std::optional<double> isovalue) {
+  if (isovalue == second_value_) return;
+  second_value_ = isovalue;
+  second_mesh_ = nullptr;
+  colourAll();
 }
 
 void VolumeProp::setMode(SurfaceMode mode) {
@@ -140,6 +258,7 @@ void VolumeProp::setIsovalue(double isovalue) {
   if (isovalue == isovalue_ && volume_->GetProperty()->GetIsoSurfaceValues()->GetNumberOfContours())
     return;
   isovalue_ = isovalue;
+  colourAll();
   volume_->GetProperty()->GetIsoSurfaceValues()->SetValue(0, isovalue);
   reduced_mesh_ = nullptr;
   fine_mesh_ = nullptr;
@@ -161,6 +280,8 @@ void VolumeProp::setHitRefinement(bool on) {
 }
 
 void VolumeProp::update() {
+  second_->SetVisibility(picture_.volume != nullptr && second_value_.has_value());
+  if (second_->GetVisibility()) secondReduced();
   if (mode_ != SurfaceMode::Mesh || picture_.volume == nullptr) return;
   if (fine_mesh_ != nullptr && !moving_) {
     mesh_mapper_->SetInputData(fine_mesh_);
@@ -175,10 +296,28 @@ vtkPolyData* VolumeProp::reducedMesh() {
   return reduced_mesh_;
 }
 
+vtkPolyData* VolumeProp::secondReduced() {
+  if (second_mesh_ == nullptr) {
+    second_mesh_ = isosurfaceMesh(picture_.reduced, *second_value_, picture_.mirrored());
+    second_mapper_->SetInputData(second_mesh_);
+  }
+  return second_mesh_;
+}
+
 Eigen::AlignedBox3d VolumeProp::bounds_mm() {
   if (picture_.volume == nullptr) return {};
   vtkPolyData* mesh = reducedMesh();
-  if (mesh->GetNumberOfPoints() == 0) return boxOf_mm(picture_.volume->grid);
+  if (mesh->GetNumberOfPoints() == 0) return boxOf_mm(*picture_.volume);
+  return boundsOf_mm(mesh);
+}
+
+Eigen::AlignedBox3d VolumeProp::secondBounds_mm() {
+  if (picture_.volume == nullptr || !second_value_) return {};
+  vtkPolyData* mesh = secondReduced();
+  return mesh->GetNumberOfPoints() == 0 ? Eigen::AlignedBox3d{} : boundsOf_mm(mesh);
+}
+
+Eigen::AlignedBox3d VolumeProp::boundsOf_mm(vtkPolyData* mesh) const {
   const double* b = mesh->GetBounds();
   Eigen::AlignedBox3d box;
   for (int corner = 0; corner < 8; ++corner)

@@ -8,6 +8,7 @@
 #include <QString>
 #include <optional>
 
+#include "ui/props/colouring.h"
 #include "ui/props/picture.h"
 #include "ui/viewport.h"
 
@@ -37,9 +38,22 @@ class VolumeProp {
   ~VolumeProp();
 
   void show(const Picture& picture);
+  /// Shows other voxels of the same grid; isovalue, mode and colours stay.
+  void replace(const Picture& picture);
   void setMode(SurfaceMode mode);
   SurfaceMode mode() const { return mode_; }
   void setIsovalue(double isovalue);
+  double isovalue() const { return isovalue_; }
+  /// The colour of the surface follows from its isovalue.
+  void setColouring(const Colouring& colouring);
+  Rgb colour() const { return colouring_.at(isovalue_); }
+  /// Darkens what lies deep among other parts of the surface; ray-cast only, and costs 16 samples a
+  /// pixel: for graphics cards.
+  void setOcclusion(bool on);
+  /// Shows a second surface, which is seen and not felt: a reduced mesh, for a veil; none: no
+  /// second.
+  void setSecond(std::optional<double> isovalue);
+  std::optional<double> second() const { return second_value_; }
   /// Hides the fine mesh behind the reduced one.
   void setMoving(bool moving);
   /// Shows a mesh of L in full detail. Ignored if the isovalue has changed meanwhile.
@@ -48,20 +62,32 @@ class VolumeProp {
   void setHitRefinement(bool on);
   /// The box of W that the surface fills, mm; the volume's if there is no surface.
   Eigen::AlignedBox3d bounds_mm();
+  /// The same of the second surface; empty without one.
+  Eigen::AlignedBox3d secondBounds_mm();
   /// Updates what is drawn; must be called before each drawing.
   void update();
 
   vtkVolume* rayCast() const { return volume_; }
   vtkActor* mesh() const { return mesh_; }
+  vtkActor* secondMesh() const { return second_; }
 
  private:
   vtkPolyData* reducedMesh();
+  vtkPolyData* secondReduced();
+  Eigen::AlignedBox3d boundsOf_mm(vtkPolyData* mesh) const;
+  void crop();
+  void colourAll();
   vtkSmartPointer<vtkVolume> volume_;
   vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper> caster_;
   vtkSmartPointer<vtkActor> mesh_;
   vtkSmartPointer<vtkPolyDataMapper> mesh_mapper_;
   vtkSmartPointer<vtkPolyData> reduced_mesh_;
   vtkSmartPointer<vtkPolyData> fine_mesh_;
+  vtkSmartPointer<vtkActor> second_;
+  vtkSmartPointer<vtkPolyDataMapper> second_mapper_;
+  vtkSmartPointer<vtkPolyData> second_mesh_;
+  std::optional<double> second_value_;
+  Colouring colouring_;
   Picture picture_;
   SurfaceMode mode_ = SurfaceMode::Mesh;
   double isovalue_ = 0.0;

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/view_controller.h"
+
+#include <QBuffer>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QMouseEvent>
+#include <QStatusBar>
+#include <algorithm>
+#include <limits>
+
+#include "app/film/face.h"
+#include "app/window/tool_place.h"
+#include "haptics/core/budget.h"
+#include "haptics/core/output_file.h"
+#include "haptics/scene/legal_pose.h"
+#include "ui/volume_view.h"
+
+namespace app {
+namespace {
+
+constexpr int kSaidMs = 6000;
+
+}  // namespace
+
+bool ViewController::SliceClick::doubleClick(const ui::ViewGeometry& view,
+                                             const QMouseEvent& event) {
+  if (!view.isSlice() || event.button() != Qt::LeftButton) return false;
+  const auto place_mm = view.placeUnder(event.position());
+  if (!place_mm) return false;
+  emit window_.toolWanted(*place_mm / ui::kMmPerM, haptics::Vec3::Zero());
+  return true;
+}
+
+ViewController::ViewController(ui::MainWindow& window, SharedState& shared)
+    : window_(window), shared_(shared), slice_click_(window) {
+  window.addOverlay(slice_click_);
+  connect(&window, &ui::MainWindow::toolWanted, this, &ViewController::bringTool);
+  connect(&window, &ui::MainWindow::toolToCrossWanted, this, &ViewController::bringToCross);
+  connect(&window, &ui::MainWindow::crossToToolWanted, this, &ViewController::moveCrossToTool);
+  connect(&window, &ui::MainWindow::pictureWanted, this, &ViewController::savePicture);
+  connect(&window, &ui::MainWindow::pictureCopyWanted, this, &ViewController::copyPicture);
+}
+
+bool ViewController::mayBring() {
+  if (!shared_.shown) return false;
+  if (!shared_.replaying) return true;
+  window_.statusBar()->showMessage(tr("The tool shows a recording; close the replay to move it."),
+                                   kSaidMs);
+  return false;
+}
+
+void ViewController::bringTool(const haptics::Vec3& p_W, const haptics::Vec3& normal_W) {
+  if (!mayBring()) return;
+  const haptics::Scene& scene = *shared_.shown->scene;
+  const double isovalue = shared_.settings.isovalue;
+  std::optional<ui::SurfacePlace> place = ui::SurfacePlace{p_W, normal_W};
+  if (normal_W.isZero()) place = nearestSurface(scene, isovalue, p_W);
+  if (!place)
+    return window_.statusBar()->showMessage(
+        tr("There is no surface within 30 mm of this place; lower the isovalue, or choose another "
+           "place."),
+        kSaidMs);
+  const auto X_WT = poseAt(scene, isovalue, *place, shared_.snapshot.X_WP);
+  if (!X_WT)
+    return window_.statusBar()->showMessage(
+        tr("The tool does not fit there: it stays where it is. Choose a smaller tool, or a place "
+           "with more room."),
+        kSaidMs);
+  emit toolPlaced(*X_WT);
+}
+
+void ViewController::bringToCross() {
+  if (!mayBring()) return;
+  const haptics::Scene& scene = *shared_.shown->scene;
+  const double isovalue = shared_.settings.isovalue;
+  const haptics::Vec3 cross_W = window_.cross_mm() / ui::kMmPerM;
+  // in the open the tip goes to the very place, and the tool keeps its direction
+  haptics::Pose X_WT = shared_.snapshot.X_WP;
+  X_WT.translation() = cross_W - X_WT.linear() * tipOf(scene.tool);
+  const haptics::Isosurface solid{scene.field, isovalue};
+  haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
+  if (haptics::legal(solid, scene.tool.shell, X_WT, unlimited)) return emit toolPlaced(X_WT);
+  bringTool(cross_W, haptics::Vec3::Zero());
+}
+
+void ViewController::moveCrossToTool() {
+  if (!shared_.shown || shared_.snapshot.scene != shared_.shown->scene->id) return;
+  const haptics::Vec3 tip_W = shared_.snapshot.X_WP * tipOf(shared_.shown->scene->tool);
+  window_.setCross(tip_W * ui::kMmPerM);
+}
+
+bool ViewController::mayLeave() {
+  const std::optional<Loaded>& shown = shared_.shown;
+  if (!shown || shown->place.empty()) return true;
+  const double isovalue = shared_.settings.isovalue;
+  const double least = std::min(isovalue, window_.view().surface().second().value_or(isovalue));
+  return !mayShowAFace(*shown->picture.volume, least) ||
+         window_.askWhether(
+             tr("This picture may show a face."),
+             tr("At this isovalue the skin is drawn, and skin can be a face that somebody knows. "
+                "Raise the isovalue to bone, or give the picture only to those who may see it."),
+             tr("Take the picture"));
+}
+
+void ViewController::savePicture() {
+  const auto wish = ui::askForScreenshot(&window_, window_.view(), window_);
+  if (!wish || !mayLeave()) return;
+  // before the next dialog lies over the window
+  const QImage picture = ui::screenshotOf(window_, window_.view(), *wish);
+  if (picture.isNull())
+    return window_.showMessage(
+        tr("The graphics cannot draw a picture of this size; choose a smaller one."));
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  QFileDialog dialog(&window_, tr("Save picture as"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setNameFilter(tr("Picture (*.png)"));
+  dialog.setDefaultSuffix("png");
+  dialog.selectFile("palpate.png");
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString path = dialog.selectedFiles().value(0);
+  // pixels alone: nothing that names anybody is put beside them
+  QBuffer bytes;
+  const bool drawn = picture.save(&bytes, "PNG");
+  if (!drawn || !haptics::writeFile(path.toStdString(),
+                                    {bytes.data().constData(), std::size_t(bytes.data().size())}))
+    return window_.showMessage(
+        tr("'%1' was not written; choose a folder with room that you may write to.").arg(path));
+  window_.statusBar()->showMessage(tr("The picture was saved as '%1'.").arg(path), kSaidMs);
+}
+
+void ViewController::copyPicture() {
+  if (!mayLeave()) return;
+  const QImage picture = ui::screenshotOf(window_, window_.view(), {});
+  if (picture.isNull()) return;
+  QGuiApplication::clipboard()->setImage(picture);
+  window_.statusBar()->showMessage(tr("The picture of the 3-D view was copied."), kSaidMs);
+}
+
+}  // namespace app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+
+#include "app/window/shared_state.h"
+#include "ui/main_window.h"
+#include "ui/overlay.h"
+#include "ui/screenshot.h"
+
+namespace app {
+
+/// Brings the tool to a place that the user points at, and to the crosshair and back; saves and
+/// copies pictures.
+class ViewController : public QObject {
+  Q_OBJECT
+ public:
+  ViewController(ui::MainWindow& window, SharedState& shared);
+
+  /// Brings the tool to a place of the surface [m]. Without a normal (zero), to the surface nearest
+  /// to the place.
+  void bringTool(const haptics::Vec3& p_W, const haptics::Vec3& normal_W);
+  void bringToCross();
+  void moveCrossToTool();
+  /// Asks what to take a picture of and where to, and writes it.
+  void savePicture();
+  void copyPicture();
+
+ signals:
+  /// The tool is to be at this legal pose.
+  void toolPlaced(const haptics::Pose& X_WT);
+
+ private:
+  /// A double click in a slice.
+  class SliceClick : public ui::Overlay {
+   public:
+    explicit SliceClick(ui::MainWindow& window) : window_(window) {}
+    bool doubleClick(const ui::ViewGeometry& view, const QMouseEvent& event) override;
+
+   private:
+    ui::MainWindow& window_;
+  };
+
+  /// Whether a tool can be brought anywhere now; if not, says why.
+  bool mayBring();
+  /// Whether the picture may leave the program: the user is asked if it may show a face.
+  bool mayLeave();
+
+  ui::MainWindow& window_;
+  SharedState& shared_;
+  SliceClick slice_click_;
+};
+
+}  // namespace app

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "ui/props/picture.h"
+
+namespace ui {
+
+using Rgb = std::array<double, 3>;  ///< 0 to 1
+
+/// What a preset shows.
+enum class Tissue { Bone, Skin, Airway, Vessels, Teeth };
+inline constexpr std::array kTissues{Tissue::Bone, Tissue::Skin, Tissue::Airway, Tissue::Vessels,
+                                     Tissue::Teeth};
+QString nameOf(Tissue tissue);
+
+/// A starting point for an isovalue, not a threshold for diagnosis. In HU where the volume is, else
+/// a quantile of the histogram.
+double isovalueOf(Tissue tissue, const Picture& picture);
+
+/// Intensity to colour of the surface.
+class Colouring {
+ public:
+  static constexpr Rgb kIvory{0.93, 0.88, 0.78};
+
+  /// One colour: ivory.
+  Colouring() = default;
+  /// Airway, skin, soft tissue, bone and teeth, by their HU or by quantiles of the histogram.
+  static Colouring byTissue(const Picture& picture);
+  /// The same, with what lies about the isovalue of vessels with contrast in red.
+  static Colouring withVessels(const Picture& picture);
+
+  Rgb at(double intensity) const;
+
+ private:
+  struct Stop {
+    double intensity;
+    Rgb colour;
+  };
+  explicit Colouring(std::vector<Stop> stops) : stops_(std::move(stops)) {}
+  std::vector<Stop> stops_ = {{0.0, kIvory}};  ///< by intensity
+};
+
+}  // namespace ui

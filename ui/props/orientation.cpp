@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/props/orientation.h"
+
+#include <QApplication>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ui {
+namespace {
+
+constexpr double kLeastShare = 0.30;   // of a direction, for its letter to be written
+constexpr double kCubeEdge = 0.46;     // of the square that the cube fills
+constexpr double kCubeDistance = 5.0;  // half edges, from its middle to the eye
+constexpr double kCubeMargin = 10.0;   // px
+constexpr double kEdgeMargin = 8.0;    // px
+const QColor kLetterColour(255, 217, 51);
+const QColor kCubeLetter(230, 233, 238), kCubeLine(152, 162, 179);
+const QColor kCubeDark(31, 35, 43), kCubeLight(67, 75, 90);
+
+void outlined(QPainter& painter, QPointF baseline, const QFont& font, const QString& text) {
+  QPainterPath path;
+  path.addText(baseline, font, text);
+  // a dark rim: readable on bone and on the ground
+  painter.strokePath(
+      path, QPen(QColor(12, 13, 17, 200), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.fillPath(path, kLetterColour);
+}
+
+}  // namespace
+
+Eigen::Vector3d directionOf(Side side) {
+  switch (side) {
+    case Side::Anterior:
+      return -Eigen::Vector3d::UnitY();
+    case Side::Posterior:
+      return Eigen::Vector3d::UnitY();
+    case Side::Left:
+      return Eigen::Vector3d::UnitX();
+    case Side::Right:
+      return -Eigen::Vector3d::UnitX();
+    case Side::Superior:
+      return Eigen::Vector3d::UnitZ();
+    case Side::Inferior:
+      break;
+  }
+  return -Eigen::Vector3d::UnitZ();
+}
+
+Eigen::Vector3d upOf(Side side) {
+  const bool along_the_head = side == Side::Superior || side == Side::Inferior;
+  return along_the_head ? directionOf(Side::Anterior) : Eigen::Vector3d::UnitZ();
+}
+
+QString letterOf(Side side) {
+  constexpr char kLetters[] = "APLRSI";
+  return QString(QLatin1Char(kLetters[static_cast<int>(side)]));
+}
+
+QString lettersTowards(const Eigen::Vector3d& direction_W) {
+  std::vector<std::pair<double, Side>> shares;
+  for (const Side side : kSides) {
+    const double share = directionOf(side).dot(direction_W.normalized());
+    if (share > kLeastShare) shares.emplace_back(share, side);
+  }
+  std::ranges::sort(shares, [](const auto& a, const auto& b) { return a.first > b.first; });
+  QString letters;
+  for (const auto& [share, side] : shares) letters += letterOf(side);
+  return letters;
+}
+
+std::array<QString, 4> edgeLettersOf(const Eigen::Matrix3d& axes) {
+  return {lettersTowards(-axes.col(0)), lettersTowards(axes.col(0)), lettersTowards(axes.col(1)),
+          lettersTowards(-axes.col(1))};
+}
+
+void paintEdgeLetters(QPainter& painter, const QRectF& area, const Eigen::Matrix3d& axes) {
+  QFont font = QApplication::font();
+  font.setBold(true);
+  font.setPixelSize(15);
+  const QFontMetricsF metrics(font);
+  const std::array<QString, 4> letters = edgeLettersOf(axes);
+  const double high = metrics.capHeight();
+  const auto wide = [&](const QString& text) { return metrics.horizontalAdvance(text); };
+  const QPointF middle = area.center();
+  outlined(painter, {area.left() + kEdgeMargin, middle.y() + 0.5 * high}, font, letters[0]);
+  outlined(painter, {area.right() - kEdgeMargin - wide(letters[1]), middle.y() + 0.5 * high}, font,
+           letters[1]);
+  outlined(painter, {middle.x() - 0.5 * wide(letters[2]), area.top() + kEdgeMargin + high}, font,
+           letters[2]);
+  outlined(painter, {middle.x() - 0.5 * wide(letters[3]), area.bottom() - kEdgeMargin}, font,
+           letters[3]);
+}
+
+QRectF OrientationCube::placeIn(const QSizeF& view) {
+  return {view.width() - kCubeMargin - kSize, kCubeMargin, kSize, kSize};
+}
+
+std::vector<OrientationCube::Face> OrientationCube::facesTowardsViewer(
+    const QRectF& place, const Eigen::Matrix3d& axes) {
+  std::vector<Face> faces;
+  const double half = 0.5 * kCubeEdge * place.width();
+  // in half edges: x right, y up, z towards the viewer
+  const auto seen = [&](const Eigen::Vector3d& p_W) {
+    const Eigen::Vector3d p = axes.transpose() * p_W;
+    const double scale = half * kCubeDistance / (kCubeDistance - p.z());
+    return QPointF{place.center().x() + p.x() * scale, place.center().y() - p.y() * scale};
+  };
+  for (const Side side : kSides) {
+    const Eigen::Vector3d out = directionOf(side), up = upOf(side), right = up.cross(out);
+    const Eigen::Vector3d to_eye = (kCubeDistance * axes.col(2) - out).normalized();
+    const double facing = out.dot(to_eye);
+    if (facing <= 0.0) continue;
+    Face face{.side = side, .outline = {}, .facing = facing};
+    for (const auto& [across, along] :
+         {std::pair{-1.0, 1.0}, std::pair{1.0, 1.0}, std::pair{1.0, -1.0}, std::pair{-1.0, -1.0}})
+      face.outline << seen(out + across * right + along * up);
+    faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+void OrientationCube::paint(QPainter& painter, const QRectF& place, const Eigen::Matrix3d& axes,
+                            bool known) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont font = QApplication::font();
+  font.setBold(true);
+  font.setPixelSize(64);
+  for (const Face& face : facesTowardsViewer(place, axes)) {
+    const auto mixed = [&](int dark, int light) {
+      return dark + static_cast<int>((light - dark) * face.facing);
+    };
+    painter.setPen(QPen(kCubeLine, 1.0));
+    painter.setBrush(QColor(mixed(kCubeDark.red(), kCubeLight.red()),
+                            mixed(kCubeDark.green(), kCubeLight.green()),
+                            mixed(kCubeDark.blue(), kCubeLight.blue())));
+    painter.drawPolygon(face.outline);
+    // the letter lies on the face, so it is never mirrored and turns with the patient
+    constexpr double kPage = 100.0;
+    const QPolygonF page({{0.0, 0.0}, {kPage, 0.0}, {kPage, kPage}, {0.0, kPage}});
+    QTransform onto;
+    if (!QTransform::quadToQuad(page, face.outline, onto)) continue;
+    painter.save();
+    painter.setTransform(onto, true);
+    QPainterPath path;
+    const QString letter = known ? letterOf(face.side) : QStringLiteral("?");
+    const QFontMetricsF metrics(font);
+    path.addText(
+        {0.5 * (kPage - metrics.horizontalAdvance(letter)), 0.5 * (kPage + metrics.capHeight())},
+        font, letter);
+    painter.fillPath(path, kCubeLetter);
+    painter.restore();
+  }
+  painter.restore();
+}
+
+std::optional<Side> OrientationCube::sideAt(QPointF at, const QRectF& place,
+                                            const Eigen::Matrix3d& axes) {
+  for (const Face& face : facesTowardsViewer(place, axes))
+    if (face.outline.containsPoint(at, Qt::OddEvenFill)) return face.side;
+  return {};
+}
+
+}  // namespace ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/screenshot.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include "ui/volume_view.h"
+
+namespace ui {
+
+std::optional<ScreenshotWish> askForScreenshot(QWidget* parent, const VolumeView& view,
+                                               const QWidget& window) {
+  QDialog dialog(parent);
+  dialog.setWindowTitle(QObject::tr("Save picture"));
+  auto* what = new QComboBox;
+  what->setObjectName("pictureOf");
+  what->addItem(QObject::tr("3-D view"));
+  what->addItem(QObject::tr("Whole window"));
+  auto* scale = new QComboBox;
+  scale->setObjectName("pictureScale");
+  const auto sizes = [&] {
+    const QSize size = what->currentIndex() == 1 ? window.size() : view.size();
+    const int chosen = std::max(0, scale->currentIndex());
+    scale->clear();
+    for (int n = 1; n <= 4; ++n)
+      scale->addItem(
+          QObject::tr("%1x, %2 by %3 pixels").arg(n).arg(size.width() * n).arg(size.height() * n));
+    scale->setCurrentIndex(chosen);
+  };
+  sizes();
+  QObject::connect(what, &QComboBox::currentIndexChanged, &dialog, sizes);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  auto* form = new QFormLayout;
+  form->addRow(QObject::tr("Picture of"), what);
+  form->addRow(QObject::tr("Size"), scale);
+  auto* column = new QVBoxLayout(&dialog);
+  column->addLayout(form);
+  column->addWidget(buttons);
+  if (dialog.exec() != QDialog::Accepted) return {};
+  return ScreenshotWish{what->currentIndex() == 1, scale->currentIndex() + 1};
+}
+
+QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wish) {
+  const QImage seen = view.picture(wish.scale);
+  if (seen.isNull() || !wish.whole_window) return seen;
+  QImage image(window.size() * wish.scale, QImage::Format_RGB32);
+  image.setDevicePixelRatio(wish.scale);
+  image.fill(window.palette().window().color());
+  window.render(&image);
+  QPainter painter(&image);
+  painter.drawImage(QRectF(view.mapTo(&window, QPointF{}), QSizeF(view.size())), seen);
+  painter.end();
+  image.setDevicePixelRatio(1.0);
+  return image;
+}
+
+}  // namespace ui

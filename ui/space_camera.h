@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkCamera.h>
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Geometry>
+#include <QPointF>
+
+class QWidget;
+
+namespace ui {
+
+/// The camera of the 3-D view: how the mouse turns, shifts and zooms it, and where W is on the
+/// screen, with and without perspective. Millimetres of W, and pixels of the widget.
+class SpaceCamera {
+ public:
+  explicit SpaceCamera(const QWidget& view);
+
+  vtkCamera* vtk() const { return camera_; }
+  bool isParallel() const { return camera_->GetParallelProjection() != 0; }
+
+  QPointF projected(const Eigen::Vector3d& p_mm) const;
+  Eigen::Matrix3d axes() const;  ///< columns: right, up, towards the viewer; in W
+  double mmPerPixel(const Eigen::Vector3d& p_mm) const;
+  /// The line of sight through a pixel: a place on it, and its unit direction away from the viewer.
+  void sight(QPointF at, Eigen::Vector3d& from_mm, Eigen::Vector3d& along) const;
+  /// The place under a pixel in the plane through `p_mm` that is parallel to the picture.
+  Eigen::Vector3d placeBeside(QPointF at, const Eigen::Vector3d& p_mm) const;
+
+  void rotate(QPointF by);
+  void pan(QPointF by);
+  /// Comes nearer by this factor; the place keeps its pixel.
+  void zoom(double factor, const Eigen::Vector3d& at_mm);
+  /// Shows a box from a direction (unit, towards the viewer), with another one up.
+  void frame(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& from,
+             const Eigen::Vector3d& up);
+  /// Looks at a place from a distance in a direction (unit, towards the viewer).
+  void lookAt(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& from, const Eigen::Vector3d& up,
+              double distance_mm, const Eigen::AlignedBox3d& box_mm);
+  /// Switches the perspective; what is at the focal point keeps its size. `box_mm`: what must not
+  /// lie behind the viewer.
+  void setParallel(bool parallel, const Eigen::AlignedBox3d& box_mm);
+
+ private:
+  /// The distance at which perspective shows what parallel projection does.
+  double distance() const;
+  void set(const Eigen::Vector3d& eye_mm, const Eigen::Vector3d& focus_mm);
+
+  const QWidget& view_;
+  vtkSmartPointer<vtkCamera> camera_;
+};
+
+}  // namespace ui

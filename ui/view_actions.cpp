@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/view_actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QToolBar>
+#include <array>
+#include <utility>
+
+#include "ui/bindings.h"
+#include "ui/volume_view.h"
+
+namespace ui {
+namespace {
+
+/// The entry's text with the key that the view knows, as menus show it.
+QString withKey(const QString& text, Action action) { return text + '\t' + keyOf(action); }
+
+}  // namespace
+
+ViewActions::ViewActions(QMenu& menu, QToolBar& bar, VolumeView& view) : view_(view) {
+  buildSides(menu);
+  buildColours(menu);
+  buildTool(menu, bar);
+  menu.addSeparator();
+  QAction* picture = menu.addAction(tr("Save &picture…"), this, &ViewActions::pictureWanted);
+  picture->setObjectName("savePicture");
+  picture->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+  QAction* copy = menu.addAction(tr("Cop&y picture"), this, &ViewActions::pictureCopyWanted);
+  copy->setObjectName("copyPicture");
+  copy->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+  menu.addSeparator();
+}
+
+void ViewActions::buildSides(QMenu& menu) {
+  menu.addAction(withKey(tr("Show &everything"), Action::ShowEverything), &view_,
+                 &VolumeView::resetCamera);
+  QMenu* sides = menu.addMenu(tr("From a &side"));
+  sides->setObjectName("sides");
+  const std::array<std::pair<QString, Action>, 6> names{
+      {{tr("Anterior (from the front)"), Action::ViewAnterior},
+       {tr("Posterior (from behind)"), Action::ViewPosterior},
+       {tr("Left"), Action::ViewLeft},
+       {tr("Right"), Action::ViewRight},
+       {tr("Superior (from above)"), Action::ViewSuperior},
+       {tr("Inferior (from below)"), Action::ViewInferior}}};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    sides->addAction(withKey(names[i].first, names[i].second), &view_,
+                     [this, side = kSides[i]] { view_.lookFrom(side); });
+  menu.addAction(withKey(tr("From the &tool's side"), Action::LookFromTool), &view_,
+                 &VolumeView::lookFromTool);
+  menu.addAction(withKey(tr("&Along the tool"), Action::LookAlongTool), &view_,
+                 &VolumeView::lookAlongTool);
+  QAction* parallel =
+      menu.addAction(withKey(tr("&Parallel projection"), Action::ParallelProjection));
+  parallel->setObjectName("parallel");
+  parallel->setCheckable(true);
+  connect(parallel, &QAction::toggled, &view_, &VolumeView::setParallel);
+  connect(&view_, &VolumeView::parallelChanged, parallel, &QAction::setChecked);
+  menu.addSeparator();
+}
+
+void ViewActions::buildColours(QMenu& menu) {
+  presets_ = menu.addMenu(tr("P&resets"));
+  presets_->setObjectName("tissuePresets");
+  presets_->setToolTipsVisible(true);
+  for (const Tissue tissue : kTissues) {
+    QAction* preset = presets_->addAction(nameOf(tissue), this, [this, tissue] { choose(tissue); });
+    preset->setToolTip(tr("A starting point, not a threshold for diagnosis"));
+  }
+  colours_ = menu.addMenu(tr("&Colour"));
+  colours_->setObjectName("colours");
+  auto* group = new QActionGroup(this);
+  by_value_ = colours_->addAction(tr("By tissue"));
+  by_value_->setObjectName("colourByTissue");
+  ivory_ = colours_->addAction(tr("Ivory"));
+  ivory_->setObjectName("colourIvory");
+  for (QAction* action : {by_value_, ivory_}) {
+    action->setCheckable(true);
+    group->addAction(action);
+  }
+  connect(by_value_, &QAction::triggered, this, [this] {
+    if (picture_) view_.setColouring(Colouring::byTissue(*picture_));
+  });
+  connect(ivory_, &QAction::triggered, this, [this] { view_.setColouring({}); });
+
+  second_ = menu.addMenu(tr("Second s&urface (seen, not felt)"));
+  second_->setObjectName("secondSurface");
+  auto* seconds = new QActionGroup(this);
+  const auto entry = [&](const QString& text, auto isovalue) {
+    QAction* action = second_->addAction(text, this, [this, isovalue] {
+      if (picture_) view_.setSecondSurface(isovalue());
+    });
+    action->setCheckable(true);
+    seconds->addAction(action);
+    return action;
+  };
+  no_second_ = entry(tr("None"), [] { return std::optional<double>{}; });
+  for (const Tissue tissue : kTissues)
+    entry(nameOf(tissue), [this, tissue] { return std::optional{isovalueOf(tissue, *picture_)}; });
+  entry(tr("The present isovalue, held"),
+        [this] { return std::optional{view_.surface().isovalue()}; });
+  no_second_->setChecked(true);
+  for (QMenu* part : {presets_, colours_, second_}) part->setEnabled(false);
+  menu.addSeparator();
+}
+
+void ViewActions::buildTool(QMenu& menu, QToolBar& bar) {
+  QAction* take = menu.addAction(withKey(tr("Ta&ke the tool with the mouse"), Action::TakeTool));
+  take->setObjectName("takeTool");
+  take->setIconText(tr("Take tool"));
+  take->setToolTip(tr("The mouse holds the tool (%1 in the 3-D view). The tool itself can be "
+                      "dragged at any time.")
+                       .arg(keyOf(Action::TakeTool)));
+  take->setCheckable(true);
+  connect(take, &QAction::triggered, &view_, [this, take](bool on) {
+    view_.setMouseMode(on ? MouseMode::Hand : MouseMode::Look);
+    take->setChecked(view_.mouseMode() == MouseMode::Hand);
+    view_.setFocus();
+  });
+  connect(&view_, &VolumeView::mouseModeChanged, take,
+          [take](MouseMode mode) { take->setChecked(mode == MouseMode::Hand); });
+  bar.addSeparator();
+  bar.addAction(take);
+  menu.addAction(withKey(tr("Tool to cross&hair"), Action::ToolToCross), &view_,
+                 &VolumeView::toolToCrossWanted)
+      ->setObjectName("toolToCross");
+  menu.addAction(withKey(tr("Crosshair to too&l"), Action::CrossToTool), &view_,
+                 &VolumeView::crossToToolWanted)
+      ->setObjectName("crossToTool");
+  QAction* contacts = menu.addAction(tr("Co&ntacts and force"));
+  contacts->setObjectName("showContacts");
+  contacts->setCheckable(true);
+  connect(contacts, &QAction::toggled, &view_, &VolumeView::showContacts);
+}
+
+void ViewActions::show(const Picture& picture) {
+  picture_ = picture;
+  for (QMenu* part : {presets_, colours_, second_}) part->setEnabled(true);
+  no_second_->setChecked(true);
+  // without a unit no intensity is a tissue until the user says so
+  const bool known = picture.volume->unit == "HU";
+  (known ? by_value_ : ivory_)->setChecked(true);
+  view_.setColouring(known ? Colouring::byTissue(picture) : Colouring{});
+}
+
+void ViewActions::choose(Tissue tissue) {
+  if (!picture_) return;
+  by_value_->setChecked(true);
+  view_.setColouring(tissue == Tissue::Vessels ? Colouring::withVessels(*picture_)
+                                               : Colouring::byTissue(*picture_));
+  emit isovalueWanted(isovalueOf(tissue, *picture_));
+}
+
+}  // namespace ui
