@@ -481,9 +481,8 @@ void MainWindow::showControls() {
          "if it is to be held.</p>"
          "<p><b>Mouse</b>: it turns the picture until you take the tool (G, or the button), and "
          "then moves the tool. The tool itself can be dragged at any time.</p>"
-         "<p><b>Measures</b>: with a view in focus, D measures a distance, A an angle, P sets a "
-         "point with its value, N a note; click, or drag a distance. Handles can be dragged in "
-         "every view; Backspace takes the last place back, Delete deletes.</p>"
+         "<p><b>Measures</b>: click where the places are, or drag a distance. Handles can be dragged "
+         "in every view.</p>"
          "<p><b>Replay</b>: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, "
          "● force and device, × samples lost and ticks late.</p>") +
           controlsText());

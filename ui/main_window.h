@@ -58,14 +58,14 @@ class MainWindow : public QMainWindow {
   void setTouched(const TouchedSurface& touched);
   /// Draws this above all views, and asks it first for mouse and keys.
   void addOverlay(Overlay& overlay);
-  /// The linked crosshair of the slices.
-  const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
-  void setCross(const Eigen::Vector3d& cross_W_mm) { moveCross(cross_W_mm); }
   /// Its key works while a view has the focus.
   void addViewAction(QAction& action);
   /// How the views look at the scan, and the same again.
   ViewLook look() const;
   void setLook(const ViewLook& look);
+  /// The linked crosshair of the slices.
+  const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
+  void setCross(const Eigen::Vector3d& cross_W_mm) { moveCross(cross_W_mm); }
   /// The state of the touch, at display rate. Pictures are updated at once, texts ten times a
   /// second.
   void display(const haptics::Snapshot& snapshot);

@@ -310,6 +310,24 @@ void VolumeView::lookFromTool() {
   frameSurface(from.normalized(), Eigen::Vector3d::UnitZ());
 }
 
+void VolumeView::tell(ViewLook& look) const {
+  look.eye_mm = Eigen::Vector3d{camera_.vtk()->GetPosition()};
+  look.focus_mm = Eigen::Vector3d{camera_.vtk()->GetFocalPoint()};
+  look.up = Eigen::Vector3d{camera_.vtk()->GetViewUp()};
+  look.parallel = camera_.vtk()->GetParallelProjection() != 0;
+  look.half_height_mm = camera_.vtk()->GetParallelScale();
+}
+
+void VolumeView::look(const ViewLook& look) {
+  camera_.vtk()->SetPosition(look.eye_mm.x(), look.eye_mm.y(), look.eye_mm.z());
+  camera_.vtk()->SetFocalPoint(look.focus_mm.x(), look.focus_mm.y(), look.focus_mm.z());
+  camera_.vtk()->SetViewUp(look.up.x(), look.up.y(), look.up.z());
+  camera_.vtk()->SetParallelProjection(look.parallel);
+  camera_.vtk()->SetParallelScale(look.half_height_mm);
+  cameraMoved();
+  emit parallelChanged(look.parallel);
+}
+
 void VolumeView::lookAlongTool() {
   if (!displayed_ || box_mm_.isEmpty()) return;
   const haptics::Pose& X = last_.X_WP;
@@ -329,25 +347,6 @@ void VolumeView::setParallel(bool parallel) {
   camera_.setParallel(parallel, box_mm_);
   cameraMoved();
   emit parallelChanged(parallel);
-}
-
-void VolumeView::tell(ViewLook& look) const {
-  look.eye_mm = Eigen::Vector3d{camera()->GetPosition()};
-  look.focus_mm = Eigen::Vector3d{camera()->GetFocalPoint()};
-  look.up = Eigen::Vector3d{camera()->GetViewUp()};
-  look.parallel = camera_.isParallel();
-  look.half_height_mm = camera()->GetParallelScale();
-}
-
-void VolumeView::look(const ViewLook& look) {
-  camera()->SetPosition(look.eye_mm.x(), look.eye_mm.y(), look.eye_mm.z());
-  camera()->SetFocalPoint(look.focus_mm.x(), look.focus_mm.y(), look.focus_mm.z());
-  camera()->SetViewUp(look.up.x(), look.up.y(), look.up.z());
-  const bool turned = look.parallel != camera_.isParallel();
-  camera()->SetParallelProjection(look.parallel);
-  camera()->SetParallelScale(look.half_height_mm);
-  cameraMoved();
-  if (turned) emit parallelChanged(look.parallel);
 }
 
 void VolumeView::frameSurface(const Eigen::Vector3d& from, const Eigen::Vector3d& up) {

@@ -66,14 +66,14 @@ class VolumeView : public Viewport {
   void lookFrom(Side side);
   /// Shows everything, from the device's side.
   void lookFromTool();
-  /// Looks at the tip from behind the tool.
-  void lookAlongTool();
-  void setParallel(bool parallel);
-  bool isParallel() const { return camera_.isParallel(); }
   /// Writes the camera into `look`.
   void tell(ViewLook& look) const;
   /// Takes the camera of `look`.
   void look(const ViewLook& look);
+  /// Looks at the tip from behind the tool.
+  void lookAlongTool();
+  void setParallel(bool parallel);
+  bool isParallel() const { return camera_.isParallel(); }
 
   /// Widget coordinates of a point of W [m].
   QPointF projected(const haptics::Vec3& p_W) const;

@@ -4,16 +4,21 @@
 
 #include <QApplication>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QTableWidget>
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
 #include <numbers>
 #include <random>
 
+#include "app/application.h"
 #include "marked_scan.h"
+#include "sphere_in_hand.h"
 #include "ui/overlays/measure_words.h"
 
 namespace {
@@ -226,7 +231,7 @@ TEST(Marks, APointReadsTheValueOfItsVoxel) {
   ui::SliceView& slice = scan.slice(Plane::Axial);
   click(slice, slice.projected(p));
   scan.window.setCross(p);
-  QTest::keyClick(&slice, Qt::Key_P);
+  QTest::keyClick(&slice, Qt::Key_V);
   click(slice, slice.projected(p));
   const double value = scan.value(0).section(QChar(QChar::Nbsp), 0, 0).toDouble();
   EXPECT_NEAR(value, intensity(grid.worldOf(index)), 20.0 * 0.3 + 3.0 * 0.3);
@@ -376,7 +381,7 @@ TEST(Marks, KeysPlaceOnlyWhileAViewHasTheFocus) {
   scan.window.activateWindow();
   const std::pair<Qt::Key, MeasureKind> keys[] = {{Qt::Key_D, MeasureKind::Distance},
                                                   {Qt::Key_A, MeasureKind::Angle},
-                                                  {Qt::Key_P, MeasureKind::Point},
+                                                  {Qt::Key_V, MeasureKind::Point},
                                                   {Qt::Key_N, MeasureKind::Note}};
   for (QWidget* view : {static_cast<QWidget*>(&scan.window.view()),
                         static_cast<QWidget*>(&scan.slice(Plane::Axial)),
@@ -402,7 +407,7 @@ TEST(Marks, BackspaceTakesAPlaceBackDeleteDeletesAndUndoBringsBack) {
   ui::SliceView& axial = scan.slice(Plane::Axial);
   axial.setFocus();
   const auto placePoint = [&](double x) {
-    QTest::keyClick(&axial, Qt::Key_P);
+    QTest::keyClick(&axial, Qt::Key_V);
     click(axial, axial.projected({x, -20.0, 0.0}));
   };
   QTest::keyClick(&axial, Qt::Key_D);
@@ -619,6 +624,58 @@ TEST(Marks, BelongToTheirScanAndComeBackWithIt) {
   scan.show(ballVolume(), 50.0, "ball", "/scans/ball.nrrd");
   ASSERT_EQ(scan.measures().all().size(), 1U);
   EXPECT_EQ(scan.last().text, "here");
+}
+
+/// The path of a first user: the height of the left ear canal's bony opening, by clicks.
+TEST(Marks, TheEarCanalIsMeasuredInFourActions) {
+  const std::filesystem::path path =
+      std::filesystem::path(PALPATE_SCANS) / "philips_head_phantom/bone_1mm";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "NOT CHECKED: no scan here";
+  app::Arguments arguments = window::sphereInHand("mouse");
+  arguments.load = {.path = path};
+  app::Application application(arguments);
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.shown().has_value(); }, 60.0));
+  ui::MainWindow& window = application.window();
+  ui::Measures& measures = application.marks().measures();
+  // where the walls of the canal are, along a line from front to back: at the half between bone and
+  // air, in the touched field
+  const Eigen::Vector3d start{42.41, 109.7, 719.21};
+  const auto wall = [&](double way) {
+    Eigen::Vector3d p = start;
+    while (measures.scan().value(p) < 300.0) p.y() += way;
+    return p;
+  };
+  const Eigen::Vector3d front = wall(-0.01), back = wall(0.01);
+  ASSERT_NEAR((back - front).norm(), 6.9, 0.3);
+  QElapsedTimer clock;
+  clock.start();
+  int actions = 0;
+  ui::SliceView& coronal = window.slice(Plane::Coronal);
+  ui::SliceView& axial = window.slice(Plane::Axial);
+  click(coronal, coronal.projected(start));
+  ++actions;
+  EXPECT_NEAR(axial.cross_mm().z(), start.z(), 0.6);
+  QTest::keyClick(&coronal, Qt::Key_D);
+  ++actions;
+  click(axial, axial.projected(front));
+  ++actions;
+  click(axial, axial.projected(back));
+  ++actions;
+  ASSERT_EQ(measures.all().size(), 1U);
+  const QString value = ui::valueOf(measures.all()[0], measures.scan());
+  const auto reading = readingOf(value);
+  ASSERT_TRUE(reading);
+  // a click is a whole pixel of the picture
+  const double pixel_mm =
+      10.0 / (axial.projected(start + Eigen::Vector3d{10, 0, 0}).x() - axial.projected(start).x());
+  EXPECT_LE(std::abs(reading->number - (back - front).norm()), reading->accuracy + pixel_mm);
+  EXPECT_EQ(actions, 4);
+  std::printf("ear canal: %s in %d actions, %lld ms; true %.2f mm, a pixel is %.2f mm\n",
+              value.toUtf8().constData(), actions, static_cast<long long>(clock.elapsed()),
+              (back - front).norm(), pixel_mm);
+  window::pictureAtRest(window.view());
+  window::keep(window::pictureOf(window), "marks_ear_canal");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 
 enum MarkColumn { MarkText, MarkValue, kMarkColumns };
 
-constexpr Qt::Key kPlaceKeys[] = {Qt::Key_D, Qt::Key_A, Qt::Key_P, Qt::Key_N};
+constexpr Qt::Key kPlaceKeys[] = {Qt::Key_D, Qt::Key_A, Qt::Key_V, Qt::Key_N};
 constexpr const char* kPlaceNames[] = {"placeDistance", "placeAngle", "placePoint", "placeNote"};
 
 /// Sets a cell's words if they are others, as plain text.
