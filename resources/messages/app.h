@@ -32,6 +32,8 @@ inline constexpr Row kApp[] = {
     {"poses-too-far",
      "\"%1\" leads the hand further away than 100 m, which no hand goes; its positions are in "
      "metres."},
+    {"measurement-cancelled", "The measurement was cancelled."},
+    {"scan-unknown", "There is no scan named %1."},
 };
 
 }  // namespace resources

@@ -51,8 +51,7 @@ haptics::Expected<Touched> readScan(const std::string& name, const std::string& 
     return Touched{scan.name, std::make_shared<const haptics::Volume>(std::move(*volume)),
                    scan.isovalue, scan.tool, scan.points};
   }
-  return tl::unexpected(
-      haptics::Error{haptics::Error::Kind::NotFound, "There is no scan named " + name + "."});
+  return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound, {"scan-unknown", {name}}});
 }
 
 }  // namespace comparison
