@@ -17,9 +17,10 @@
 
 namespace datasets {
 
-/// A format that holds whole volumes.
-enum class VolumeFormat : char { None, Nrrd, MetaImage, Nifti };
-VolumeFormat formatOf(const Beginning& file);
+/// A format that holds whole volumes: a row of the table in volume_file.cpp.
+struct VolumeFormat;
+/// The format of a file; null if it is none of them.
+const VolumeFormat* formatOf(const Beginning& file);
 
 /// Whether a file is in such a format.
 bool isVolumeFile(const std::filesystem::path& path);
@@ -36,7 +37,8 @@ struct VolumeHeader {
 
 /// A verdict for each volume of a file in such a format; a single refusal where nothing of it can
 /// be read.
-std::vector<SeriesVerdict> verdictsOf(const std::filesystem::path& path, VolumeFormat format);
+std::vector<SeriesVerdict> verdictsOf(const std::filesystem::path& path,
+                                      const VolumeFormat& format);
 
 /// The file, and those beside it that hold its voxels.
 std::vector<std::filesystem::path> filesReadFor(const VolumeInFile& chosen);

@@ -178,7 +178,7 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
   enum class Kind : char { Readable, Empty, Forbidden };
   struct File {
     Kind kind = Kind::Readable;
-    VolumeFormat format = VolumeFormat::None;
+    const VolumeFormat* format = nullptr;  ///< null: not a file of whole volumes
     std::vector<DicomFile> frames;
   };
   std::vector<File> files(paths->size());
@@ -192,7 +192,7 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
     if (file.kind != Kind::Readable) return true;
     const Beginning beginning((*paths)[i]);
     file.format = formatOf(beginning);
-    if (file.format == VolumeFormat::None && looksLikeDicom(beginning))
+    if (file.format == nullptr && looksLikeDicom(beginning))
       file.frames = readDicomHeader(beginning).frames;
     return true;
   });
@@ -202,7 +202,7 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
     const fs::path& path = (*paths)[i];
     if (files[i].kind == Kind::Empty) ++closed[path.parent_path()].empty;
     if (files[i].kind == Kind::Forbidden) ++closed[path.parent_path()].forbidden;
-    if (files[i].format != VolumeFormat::None) add(verdictsOf(path, files[i].format), volumes);
+    if (files[i].format != nullptr) add(verdictsOf(path, *files[i].format), volumes);
     std::ranges::move(files[i].frames, std::back_inserter(frames));
   }
   std::vector<DicomSeries> all = seriesAmong(std::move(frames));
@@ -231,7 +231,7 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
   const bool is_dicom = beginning.is_open && looksLikeDicom(beginning);
   DicomHeader header = is_dicom ? readDicomHeader(beginning) : DicomHeader();
   const bool is_index = header.is_folder_index;
-  const VolumeFormat format = formatOf(beginning);
+  const VolumeFormat* const format = formatOf(beginning);
   if (is_index || fs::is_directory(path, error)) {
     const fs::path folder = is_index ? folderOf(path) : path;
     auto found = surveyOf(folder, progress);
@@ -241,8 +241,8 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     survey = std::move(*found);
   } else if (!fs::is_regular_file(path, error)) {
     return notFound(path);
-  } else if (format != VolumeFormat::None) {
-    survey.series = verdictsOf(path, format);
+  } else if (format != nullptr) {
+    survey.series = verdictsOf(path, *format);
     survey.several = survey.series.size() > 1;
   } else if (is_dicom) {
     auto one = seriesOf(path, std::move(header), progress);
@@ -323,7 +323,7 @@ std::vector<fs::path> filesReadFor(const fs::path& path, const ReadProgress& pro
   std::error_code error;
   if (fs::is_regular_file(path, error)) {
     const Beginning beginning(path);
-    if (formatOf(beginning) == VolumeFormat::None && !looksLikeDicom(beginning)) return files;
+    if (formatOf(beginning) == nullptr && !looksLikeDicom(beginning)) return files;
   }
   const auto found = survey(path, progress);
   if (!found) return files;

@@ -48,6 +48,8 @@ inline constexpr Row kApp[] = {
     {"view-not-saved-too-large",
      "\"%1\" was not saved: with so many notes and edits it would be larger than 1 MB; delete some "
      "and save again."},
+    {"measurement-cancelled", "The measurement was cancelled."},
+    {"scan-unknown", "There is no scan named %1."},
 };
 
 }  // namespace resources

@@ -29,7 +29,7 @@ double secondsSince(std::chrono::steady_clock::time_point begun) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
 
-haptics::Expected<Case> caseOf(const std::string& name, const Options& options) {
+haptics::Expected<Touched> caseOf(const std::string& name, const Options& options) {
 #ifdef PALPATE_READERS
   if (name.starts_with("scan-")) return readScan(name, options.scans);
 #else
@@ -38,7 +38,7 @@ haptics::Expected<Case> caseOf(const std::string& name, const Options& options) 
   return makeScene(name);
 }
 
-haptics::Expected<SceneReport> measured(const Case& scene, const Options& options) {
+haptics::Expected<SceneReport> measured(const Touched& scene, const Options& options) {
   const Limit limit{1000LL * options.budget_us,
                     options.counted ? haptics::kTickWork * options.budget_us / 200 : 0};
   SceneReport report{scene.name, scene.tool, scene.points};
@@ -107,7 +107,7 @@ void tell(const SceneReport& report) {
 }
 
 /// Adds what the sweep finds in this scene.
-void swept(const Case& scene, const Options& options, std::vector<SweepRow>& rows) {
+void swept(const Touched& scene, const Options& options, std::vector<SweepRow>& rows) {
   const SweepPlan plan = options.quick ? SweepPlan{{1'000, 100'000}, {200}, 200} : SweepPlan{};
   for (const SweepRow& r : sweep(scene, plan)) {
     std::fprintf(stderr,

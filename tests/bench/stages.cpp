@@ -31,7 +31,7 @@ struct Touch {
 };
 
 const Touch& touch(int points) {
-  static const comparison::Case bunny = comparison::makeScene("bunny");
+  static const comparison::Touched bunny = comparison::makeScene("bunny");
   static std::vector<std::pair<int, Touch>> made;
   for (const auto& [count, known] : made)
     if (count == points) return known;

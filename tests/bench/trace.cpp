@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "Usage: palpate-trace bunny|engine|hole|bone\n");
     return 2;
   }
-  const comparison::Case scene = comparison::makeScene(argv[1]);
+  const comparison::Touched scene = comparison::makeScene(argv[1]);
   const auto built = haptics::makeScene(scene.volume, comparison::toolOf(scene)).value();
   const auto courses = comparison::coursesIn(*built, scene, 0.3).value();
   std::vector<std::unique_ptr<comparison::Method>> methods;

@@ -86,7 +86,7 @@ AnalyticHold inSlot(double radius, int which, Random& random) {
   }
 }
 
-Contenders contendersOn(const comparison::Case& scene, const haptics::Tool& tool,
+Contenders contendersOn(const comparison::Touched& scene, const haptics::Tool& tool,
                         const OursMade& judged) {
   Contenders all;
   for (const Reading& reading : kReadings)
@@ -150,7 +150,7 @@ std::vector<HeldErrors> ledThrough(Contenders& all, const std::vector<AnalyticHo
 
 /// The cases on ours.
 void judge(Outcome& outcome, const std::string& what, const HeldErrors& errors,
-           const std::vector<AnalyticHold>& holds, bool ball, const comparison::Case& scene,
+           const std::vector<AnalyticHold>& holds, bool ball, const comparison::Touched& scene,
            const haptics::PointShell& shell) {
   const double voxel_um = 1e6 * scene.volume->grid.spacing.minCoeff();
   const auto worst = [&](const std::vector<double>& values, bool corner) {
@@ -244,9 +244,9 @@ Outcome closedForms(const std::string& solid, const HeldEffort& effort, unsigned
   Outcome outcome;
   for (const bool ball : {false, true}) {
     datasets::Phantom phantom = datasets::makePhantom(solid).value();
-    const comparison::Case scene{solid,
-                                 std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
-                                 phantom.isovalue, "", 0};
+    const comparison::Touched scene{
+        solid, std::make_shared<const haptics::Volume>(std::move(phantom.volume)), phantom.isovalue,
+        "", 0};
     std::vector<Vec3> points{Vec3::Zero()};
     if (ball) points = datasets::ballPoints(kBallPoints, kBall);
     const haptics::Tool tool{"", {}, haptics::makeShell(std::move(points)).value()};

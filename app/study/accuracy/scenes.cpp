@@ -23,8 +23,8 @@ const std::map<std::string, std::pair<double, double>>& tableOne() {
   return kTable;
 }
 
-Contenders contendersIn(const comparison::Case& scene, std::shared_ptr<const haptics::Scene> built,
-                        bool every_setting) {
+Contenders contendersIn(const comparison::Touched& scene,
+                        std::shared_ptr<const haptics::Scene> built, bool every_setting) {
   Contenders all;
   for (const Reading& reading : kReadings)
     all.add(reading.name, "epsilon f/10",
@@ -49,7 +49,7 @@ Contenders contendersIn(const comparison::Case& scene, std::shared_ptr<const hap
 
 /// A scene with everything that judges in it.
 struct Place {
-  comparison::Case scene;
+  comparison::Touched scene;
   std::shared_ptr<const haptics::Scene> built;
   haptics::Expected<std::vector<Course>> courses;
   comparison::FreeBlocks blocks;
@@ -185,7 +185,7 @@ Outcome finenessStudy(const std::string& name, const SceneEffort& effort) {
 
 Outcome pointStudy(bool flat, const std::vector<int>& points, const std::vector<int>& budgets_us) {
   Outcome outcome;
-  const comparison::Case scene = flat ? comparison::plane() : comparison::makeScene("bunny");
+  const comparison::Touched scene = flat ? comparison::plane() : comparison::makeScene("bunny");
   const std::string what = flat ? "plate flat on a plane" : "cane on the bunny";
   Plot lag{"Lag of a " + what,
            "How far the proxy is behind because of the budget, against the number of points; one "

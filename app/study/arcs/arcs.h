@@ -162,19 +162,26 @@ inline std::optional<double> firstInside(const Target& target, double s,
   return {};
 }
 
-/// Judges where a path of this speed [m] was stopped, given where it first is inside.
+/// Where a method stopped a path, if it met the surface.
+struct Stop {
+  const haptics::PointPath& path;
+  double time;
+  bool met;
+};
+
+/// Judges a stop, given where a path of this speed [m] first is inside.
 inline void judge(const Target& target, double s, const std::optional<double>& first, double speed,
-                  const haptics::PointPath& stopped, double time, bool met, Tally& tally) {
+                  const Stop& stop, Tally& tally) {
   if (first) {
-    const double late = (time - *first) * speed / h;
-    tally.missed += !met;
-    if (met) tally.latest = std::max(tally.latest, late);
-    tally.late += met && late > 1e-3;
+    const double late = (stop.time - *first) * speed / h;
+    tally.missed += !stop.met;
+    if (stop.met) tally.latest = std::max(tally.latest, late);
+    tally.late += stop.met && late > 1e-3;
   }
-  if (!met) return;
+  if (!stop.met) return;
   ++tally.met;
   tally.early +=
-      evaluator::fieldAt(*target.volume, stopped.at(time)) < s - 5e-4 * h * target.steepest;
+      evaluator::fieldAt(*target.volume, stop.path.at(stop.time)) < s - 5e-4 * h * target.steepest;
 }
 
 /// Up to 3 mm along and 0.35 rad about.
@@ -203,8 +210,8 @@ inline Tally shootPoints(const Target& target, long count, datasets::Random& ran
     if (evaluator::fieldAt(*target.volume, path.at(0.0)) >= solid.ceiling()) continue;
     ++tally.arcs;
     const Crossing crossing = detect(target, s, path);
-    judge(target, s, firstInside(target, s, path), path.speed(), path, crossing.time, crossing.met,
-          tally);
+    judge(target, s, firstInside(target, s, path), path.speed(),
+          {path, crossing.time, crossing.met}, tally);
   }
   return tally;
 }
@@ -247,9 +254,8 @@ inline Tally shootShells(const Target& target, long count, datasets::Random& ran
       speed = path.speed();
     }
     const auto point = static_cast<std::size_t>(impact.met ? impact.contact.point : 0);
-    judge(target, s, first, speed,
-          haptics::PointPath{X.translation(), X.linear() * shell.points[point], motion},
-          impact.time, impact.met, tally);
+    const haptics::PointPath path{X.translation(), X.linear() * shell.points[point], motion};
+    judge(target, s, first, speed, {path, impact.time, impact.met}, tally);
   }
   return tally;
 }

@@ -28,8 +28,8 @@ Pose movedTo(const Pose& X_place, const haptics::Hand& hand) {
   return X_place * hand.at(kLeadIn).inverse();
 }
 
-haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene, const Case& touched,
-                                                 double seconds) {
+haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene,
+                                                 const Touched& touched, double seconds) {
   std::vector<Course> courses;
   for (const auto& [name, motion] : kHands) {
     const auto hand = haptics::Hand::aimed(motion, scene, touched.isovalue, kReach, 1);

@@ -73,7 +73,7 @@ double touchFrom(const Judge& judge, const Vec3& p_W, const Vec3& in, double vox
 
 }  // namespace
 
-std::vector<FeelSummary> compareFeel(const Case& scene, const haptics::Scene& similar,
+std::vector<FeelSummary> compareFeel(const Touched& scene, const haptics::Scene& similar,
                                      const FreeBlocks& blocks, const SlidePlan& plan, Limit limit) {
   const auto built = haptics::makeScene(scene.volume, ballTool(600, plan.radius),
                                         {haptics::FieldKind::Trilinear, similar.normal}, &similar);

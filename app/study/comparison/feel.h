@@ -33,7 +33,7 @@ struct SlidePlan {
 /// most even, led by all methods in turn. `similar` is the case's scene with its own tool, whose
 /// field and choice of normals are taken over. Empty if there is no even stretch, or no legal place
 /// to begin, or it is too short.
-std::vector<FeelSummary> compareFeel(const Case& scene, const haptics::Scene& similar,
+std::vector<FeelSummary> compareFeel(const Touched& scene, const haptics::Scene& similar,
                                      const FreeBlocks& blocks, const SlidePlan& plan, Limit limit);
 
 }  // namespace comparison

@@ -87,7 +87,7 @@ bool FreeBlocks::free(const Vec3& p_W, double reach) const {
                                              blocks_[0] * (block[1] + blocks_[1] * block[2]))];
 }
 
-Judge::Judge(const Case& scene, const haptics::PointShell& shell, const FreeBlocks& blocks)
+Judge::Judge(const Touched& scene, const haptics::PointShell& shell, const FreeBlocks& blocks)
     : scene_{scene},
       shell_{shell},
       blocks_{blocks},

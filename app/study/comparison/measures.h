@@ -43,7 +43,7 @@ class FreeBlocks {
 /// what it is made from.
 class Judge {
  public:
-  Judge(const Case& scene, const haptics::PointShell& shell, const FreeBlocks& blocks);
+  Judge(const Touched& scene, const haptics::PointShell& shell, const FreeBlocks& blocks);
 
   /// m, in double: 0 where every point has F < s, else the most (F - s) / |grad F| of the cells.
   double depth(const Pose& X_WP) const;
@@ -59,7 +59,7 @@ class Judge {
  private:
   bool inside(const Vec3& p_W) const;
   bool wayRound(const Vec3& from_W, const Vec3& to_W, double step) const;
-  const Case& scene_;
+  const Touched& scene_;
   const haptics::PointShell& shell_;
   const FreeBlocks& blocks_;
   double voxel_;  ///< m: the smallest side

@@ -48,7 +48,7 @@ class Ours final : public Method {
 
 class Rival final : public Method {
  public:
-  Rival(const Case& scene, const haptics::PointShell& shell, const reference::Choices& choices)
+  Rival(const Touched& scene, const haptics::PointShell& shell, const reference::Choices& choices)
       : scene_{{*scene.volume, scene.isovalue, choices}, shell, kStiffness, 0.0} {}
 
   const char* name() const override {
@@ -102,12 +102,12 @@ std::unique_ptr<Method> ours(std::shared_ptr<const haptics::Scene> scene, double
   return std::make_unique<Ours>(std::move(scene), isovalue, limit);
 }
 
-std::unique_ptr<Method> rival(const Case& scene, const haptics::PointShell& shell,
+std::unique_ptr<Method> rival(const Touched& scene, const haptics::PointShell& shell,
                               const reference::Choices& choices) {
   return std::make_unique<Rival>(scene, shell, choices);
 }
 
-std::vector<std::unique_ptr<Method>> allMethods(const Case& scene,
+std::vector<std::unique_ptr<Method>> allMethods(const Touched& scene,
                                                 std::shared_ptr<const haptics::Scene> built,
                                                 Limit limit) {
   const haptics::PointShell& shell = built->tool.shell;

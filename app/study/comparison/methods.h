@@ -71,11 +71,11 @@ class Method {
 std::unique_ptr<Method> ours(std::shared_ptr<const haptics::Scene> scene, double isovalue,
                              Limit limit);
 /// One reading of the paper's words (app/study/reference), with the same stiffness.
-std::unique_ptr<Method> rival(const Case& scene, const haptics::PointShell& shell,
+std::unique_ptr<Method> rival(const Touched& scene, const haptics::PointShell& shell,
                               const reference::Choices& choices);
 
 /// literal, charitable, accept-inside and ours, in this order.
-std::vector<std::unique_ptr<Method>> allMethods(const Case& scene,
+std::vector<std::unique_ptr<Method>> allMethods(const Touched& scene,
                                                 std::shared_ptr<const haptics::Scene> built,
                                                 Limit limit);
 

@@ -35,7 +35,7 @@ const std::vector<std::string>& scanNames() {
   return names;
 }
 
-haptics::Expected<Case> readScan(const std::string& name, const std::string& folder) {
+haptics::Expected<Touched> readScan(const std::string& name, const std::string& folder) {
   for (const Scan& scan : kScans) {
     if (name != scan.name) continue;
     auto volume = datasets::readVolume(std::filesystem::path(folder) / scan.path);
@@ -48,11 +48,10 @@ haptics::Expected<Case> readScan(const std::string& name, const std::string& fol
                                                  double(grid.dims[0] - 1), double(grid.dims[1] - 1),
                                                  double(grid.dims[2] - 1)}));
     }
-    return Case{scan.name, std::make_shared<const haptics::Volume>(std::move(*volume)),
-                scan.isovalue, scan.tool, scan.points};
+    return Touched{scan.name, std::make_shared<const haptics::Volume>(std::move(*volume)),
+                   scan.isovalue, scan.tool, scan.points};
   }
-  return tl::unexpected(
-      haptics::Error{haptics::Error::Kind::NotFound, "There is no scan named " + name + "."});
+  return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound, {"scan-unknown", {name}}});
 }
 
 }  // namespace comparison

@@ -183,7 +183,7 @@ double boneDistance(const Vec3& p) {
   return d;
 }
 
-Case bunnyLike() {
+Touched bunnyLike() {
   const Grid grid = gridOf(512, 512, 361, {0.337891, 0.337891, 0.5});
   const Scanner scanner{.inside = 3100, .noise = 25, .blur = 0.0006, .lipschitz = 1.4, .seed = 3};
   auto volume = scanned<std::int16_t>(grid, scanner, haptics::ScalarType::Int16,
@@ -191,7 +191,7 @@ Case bunnyLike() {
   return {"bunny", std::move(volume), 1500, "cane", 403, 43};
 }
 
-Case engineLike() {
+Touched engineLike() {
   const Grid grid = gridOf(256, 256, 110, {0.6, 0.6, 0.6});
   const Scanner scanner{.outside = 8, .inside = 190, .noise = 2, .blur = 0.0009, .seed = 5};
   auto volume = scanned<std::uint8_t>(grid, scanner, haptics::ScalarType::UInt8,
@@ -199,14 +199,14 @@ Case engineLike() {
   return {"engine", std::move(volume), 90, "wrench", 2126, 186};
 }
 
-Case hole() {
+Touched hole() {
   datasets::Phantom phantom = datasets::makePhantom("hole").value();
-  Case scene{"hole",
-             std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
-             phantom.isovalue,
-             "peg",
-             1307,
-             161};
+  Touched scene{"hole",
+                std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
+                phantom.isovalue,
+                "peg",
+                1307,
+                161};
   // the peg's end 8 mm down in the hole; off the middle, and not quite upright, so that it catches
   const haptics::Quat tilt{Eigen::AngleAxisd{0.005, Vec3{1, 2, 0}.normalized()}};
   const Vec3 p_WE{0.00008, 0.00004, 0.012}, p_EP_P{0.0, 0.0, 0.025};
@@ -214,7 +214,7 @@ Case hole() {
   return scene;
 }
 
-Case boneLike() {
+Touched boneLike() {
   const Grid grid = gridOf(768, 768, 70, {0.15, 0.15, 0.5});
   const Scanner scanner{.inside = 2800, .noise = 40, .blur = 0.00035, .lipschitz = 1.6, .seed = 7};
   auto volume = scanned<std::int16_t>(grid, scanner, haptics::ScalarType::Int16,
@@ -229,14 +229,14 @@ const std::vector<std::string>& sceneNames() {
   return kNames;
 }
 
-Case makeScene(const std::string& name) {
+Touched makeScene(const std::string& name) {
   if (name == "bunny") return bunnyLike();
   if (name == "engine") return engineLike();
   if (name == "hole") return hole();
   return boneLike();
 }
 
-haptics::Tool toolOf(const Case& scene, int points) {
+haptics::Tool toolOf(const Touched& scene, int points) {
   return haptics::makeTool(scene.tool, resources::namedToolMesh(scene.tool).value(),
                            points > 0 ? points : scene.points)
       .value();

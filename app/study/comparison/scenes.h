@@ -13,7 +13,7 @@
 namespace comparison {
 
 /// What is touched and with what: everything a method needs to be built.
-struct Case {
+struct Touched {
   std::string name;
   std::shared_ptr<const haptics::Volume> volume;
   double isovalue = 0.0;
@@ -31,16 +31,16 @@ struct Case {
 const std::vector<std::string>& sceneNames();
 /// Builds one of them, the same voxels on every machine; some seconds at most. The name must be
 /// one of sceneNames().
-Case makeScene(const std::string& name);
+Touched makeScene(const std::string& name);
 
 /// The real scans: scan-bunny, scan-engine, scan-bone, scan-skin, scan-tooth. Empty where the
 /// readers are not built.
 const std::vector<std::string>& scanNames();
 /// Reads one of them from the folder of real scans. Only where the readers are built.
-haptics::Expected<Case> readScan(const std::string& name, const std::string& folder);
+haptics::Expected<Touched> readScan(const std::string& name, const std::string& folder);
 
-/// The case's tool with its number of points, or with `points` of them.
-haptics::Tool toolOf(const Case& scene, int points = 0);
+/// The tool of `scene` with its number of points, or with `points` of them.
+haptics::Tool toolOf(const Touched& scene, int points = 0);
 /// A ball with its points spread evenly, for feeling along a surface.
 haptics::Tool ballTool(int points, double radius);
 /// A square plate of about `points` points on a grid, facing -z: all of them touch a plane at once.

@@ -20,7 +20,7 @@ struct Way {
   std::size_t from = 0;
 };
 
-Way cane(const Case& bunny, int ticks) {
+Way cane(const Touched& bunny, int ticks) {
   // aimed with few points: the tool is the same, and aiming asks for every point many times
   const auto scene = haptics::makeScene(bunny.volume, toolOf(bunny, 1000)).value();
   const auto hand =
@@ -49,8 +49,8 @@ struct Result {
   double tangential_mm = 0.0;
 };
 
-Result led(const Case& scene, const FreeBlocks& blocks, std::shared_ptr<const haptics::Scene> built,
-           const Way& way, Limit limit) {
+Result led(const Touched& scene, const FreeBlocks& blocks,
+           std::shared_ptr<const haptics::Scene> built, const Way& way, Limit limit) {
   const haptics::PointShell& shell = built->tool.shell;
   const Judge judge{scene, shell, blocks};
   const auto method = ours(std::move(built), scene.isovalue, limit);
@@ -85,7 +85,7 @@ Result led(const Case& scene, const FreeBlocks& blocks, std::shared_ptr<const ha
 
 }  // namespace
 
-std::vector<SweepRow> sweep(const Case& scene, const SweepPlan& plan) {
+std::vector<SweepRow> sweep(const Touched& scene, const SweepPlan& plan) {
   const bool flat = scene.tool == "plate";
   const FreeBlocks blocks{*scene.volume, scene.isovalue};
   const Way way = flat ? plate(plan.ticks) : cane(scene, plan.ticks);
@@ -114,7 +114,7 @@ std::vector<SweepRow> sweep(const Case& scene, const SweepPlan& plan) {
   return rows;
 }
 
-Case plane() {
+Touched plane() {
   datasets::Phantom phantom = datasets::makePhantom("halfspace").value();
   return {"flat", std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
           phantom.isovalue, "plate", 0};

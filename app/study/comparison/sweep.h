@@ -32,8 +32,8 @@ struct SweepPlan {
 
 /// All numbers of points with all budgets: with the plate on `plane()`, else with the case's own
 /// tool, which slides.
-std::vector<SweepRow> sweep(const Case& scene, const SweepPlan& plan);
+std::vector<SweepRow> sweep(const Touched& scene, const SweepPlan& plan);
 /// The half-space of the phantoms.
-Case plane();
+Touched plane();
 
 }  // namespace comparison

@@ -25,8 +25,7 @@ constexpr int kFirst = 1'000, kFewest = 10;
 constexpr double kApart = 4.0 / 3.0;  // between carried and not, when it is known well enough
 
 tl::unexpected<Error> cancelled() {
-  return tl::unexpected(
-      Error{Error::Kind::Cancelled, "The measurement was cancelled.", "cancelled"});
+  return tl::unexpected(Error{Error::Kind::Cancelled, {"measurement-cancelled", {}}, "cancelled"});
 }
 
 Expected<std::vector<Path>> aimedPaths(const HereRequest& request, std::stop_token stop) {

@@ -29,9 +29,9 @@ using haptics::Vec3;
 const char* const kHandsSection = "Hands that move";
 
 /// A phantom as one of the scenes.
-comparison::Case phantomCase(const std::string& name) {
+comparison::Touched phantomCase(const std::string& name) {
   datasets::Phantom phantom = datasets::makePhantom(name).value();
-  comparison::Case made;
+  comparison::Touched made;
   made.name = name;
   made.volume = std::make_shared<const haptics::Volume>(std::move(phantom.volume));
   made.isovalue = phantom.isovalue;
@@ -62,7 +62,7 @@ struct Way {
 
 /// What the paper's devices were driven at, on scenes with edges, holes and hooks: as shipped, and
 /// for the table at the paper's 5000 N/m.
-Outcome handsOn(const comparison::Case& touched, double seconds, std::uint64_t seed) {
+Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_t seed) {
   Outcome outcome;
   const auto scene = haptics::makeScene(touched.volume, comparison::toolOf(touched)).value();
   Plot plot{"Energy given: " + touched.name,

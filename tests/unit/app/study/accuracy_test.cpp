@@ -244,7 +244,7 @@ std::vector<comparison::Tick> pressed(comparison::Method& method) {
 
 struct Pressed {
   datasets::Phantom phantom = datasets::makePhantom("sphere").value();
-  comparison::Case scene{"sphere", made::shared(phantom.volume), phantom.isovalue, "", 0};
+  comparison::Touched scene{"sphere", made::shared(phantom.volume), phantom.isovalue, "", 0};
   haptics::Tool tool = made::tool(datasets::ballPoints(100, 3e-3));
   std::shared_ptr<const haptics::Scene> built = haptics::makeScene(scene.volume, tool).value();
 };
