@@ -12,7 +12,8 @@
 #include "ui/panels/device_panel.h"
 #include "ui/panels/force_plot.h"
 #include "ui/props/volume_prop.h"
-#include "ui/slice_view.h"
+#include "ui/slice_set.h"
+#include "ui/view_layout.h"
 
 class QAction;
 class QDockWidget;
@@ -46,6 +47,10 @@ class MainWindow : public QMainWindow {
   void show(const Picture& picture, double isovalue, const QString& title);
   void show(const haptics::TriangleMesh& tool);
   using QMainWindow::show;
+  /// Shows other voxels of the same grid; what is on view stays as it is.
+  void replace(const Picture& picture);
+  /// The isovalue of surface and contour, without asking for it to be touched.
+  void setIsovalue(double isovalue);
   /// The surface that is touched, for all views; given with every scene.
   void setTouched(const TouchedSurface& touched);
   /// Draws this above all views, and asks it first for mouse and keys.
@@ -86,7 +91,12 @@ class MainWindow : public QMainWindow {
   IsosurfacePanel& isosurfacePanel() { return *isosurface_; }
   /// Below the views; hidden until it is given a recording.
   ReplayBar& replayBar() { return *replay_; }
-  SliceView& slice(Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
+  SliceView& slice(Plane plane) { return slice_set_->slice(plane); }
+  SliceSet& slices() { return *slice_set_; }
+  ViewLayout& views() { return *views_; }
+  /// How the views are laid out, in a word for the preferences; one that is not known is left out.
+  QString viewState() const;
+  void restoreViews(const QString& state);
 
  signals:
   void openWanted(const QString& path);
@@ -103,6 +113,8 @@ class MainWindow : public QMainWindow {
   void phantomWanted(const QString& name);
   void cancelWanted();
   void isovalueChanged(double isovalue);
+  /// A place in a slice was clicked twice, mm of W.
+  void sliceDoubleClicked(const Eigen::Vector3d& p_W_mm);
   void forceOffWanted();
   void forceOnWanted();
   void closing();
@@ -119,16 +131,17 @@ class MainWindow : public QMainWindow {
   QDockWidget* dock(const QString& title, const char* name, QWidget* panel);
   void buildForceBar();
   void buildMenus();
+  void buildLayoutMenu(QMenu& menu);
   void buildFileMenu();
   void buildStatusBar();
   void displayWords();
-  void moveCross(const Eigen::Vector3d& cross_W_mm);
-  void setGrey(const GreyWindow& grey);
   void showControls();
   void showAbout();
 
   VolumeView* view_;
-  std::array<SliceView*, 3> slices_{};
+  SliceSet* slice_set_;
+  std::array<SliceView*, 4> slices_{};
+  ViewLayout* views_ = nullptr;
   IsosurfacePanel* isosurface_;
   DevicePanel* device_;
   HapticDevicePanel* haptic_device_;
