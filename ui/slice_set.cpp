@@ -29,7 +29,7 @@ Eigen::Vector3d firstRight(const Eigen::Vector3d& towards) {
 
 }  // namespace
 
-SliceSet::SliceSet(QObject* parent) : QObject(parent), menu_(std::make_unique<QMenu>()) {
+SliceSet::SliceSet(QWidget* parent) : QObject(parent), menu_(new QMenu(parent)) {
   for (const Plane plane : {Plane::Axial, Plane::Coronal, Plane::Sagittal, Plane::Oblique}) {
     auto* slice = new SliceView(plane);
     slices_[static_cast<std::size_t>(plane)] = slice;
@@ -50,8 +50,6 @@ SliceSet::SliceSet(QObject* parent) : QObject(parent), menu_(std::make_unique<QM
   });
   buildMenu();
 }
-
-SliceSet::~SliceSet() = default;
 
 QAction* SliceSet::toggle(const QString& text, const char* name, bool on,
                           const std::function<void(bool)>& set) {

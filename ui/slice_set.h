@@ -23,8 +23,7 @@ namespace ui {
 class SliceSet : public QObject {
   Q_OBJECT
  public:
-  explicit SliceSet(QObject* parent = nullptr);
-  ~SliceSet() override;
+  explicit SliceSet(QWidget* parent);
 
   SliceView& slice(Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
   const std::array<SliceView*, 4>& slices() const { return slices_; }
@@ -66,7 +65,7 @@ class SliceSet : public QObject {
   void followTool();
 
   std::array<SliceView*, 4> slices_{};
-  std::unique_ptr<QMenu> menu_;
+  QMenu* menu_;
   QList<QAction*> presets_;  ///< in HU
   QActionGroup* thicknesses_ = nullptr;
   QAction* oblique_ = nullptr;
