@@ -5,7 +5,6 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QGuiApplication>
-#include <QMouseEvent>
 #include <QStatusBar>
 #include <algorithm>
 #include <limits>
@@ -24,18 +23,8 @@ constexpr int kSaidMs = 6000;
 
 }  // namespace
 
-bool ViewController::SliceClick::doubleClick(const ui::ViewGeometry& view,
-                                             const QMouseEvent& event) {
-  if (!view.isSlice() || event.button() != Qt::LeftButton) return false;
-  const auto place_mm = view.placeUnder(event.position());
-  if (!place_mm) return false;
-  emit window_.toolWanted(*place_mm / ui::kMmPerM, haptics::Vec3::Zero());
-  return true;
-}
-
 ViewController::ViewController(ui::MainWindow& window, SharedState& shared)
-    : window_(window), shared_(shared), slice_click_(window) {
-  window.addOverlay(slice_click_);
+    : window_(window), shared_(shared) {
   connect(&window, &ui::MainWindow::toolWanted, this, &ViewController::bringTool);
   connect(&window, &ui::MainWindow::toolToCrossWanted, this, &ViewController::bringToCross);
   connect(&window, &ui::MainWindow::crossToToolWanted, this, &ViewController::moveCrossToTool);

@@ -5,7 +5,6 @@
 
 #include "app/window/shared_state.h"
 #include "ui/main_window.h"
-#include "ui/overlay.h"
 #include "ui/screenshot.h"
 
 namespace app {
@@ -31,16 +30,6 @@ class ViewController : public QObject {
   void toolPlaced(const haptics::Pose& X_WT);
 
  private:
-  /// A double click in a slice.
-  class SliceClick : public ui::Overlay {
-   public:
-    explicit SliceClick(ui::MainWindow& window) : window_(window) {}
-    bool doubleClick(const ui::ViewGeometry& view, const QMouseEvent& event) override;
-
-   private:
-    ui::MainWindow& window_;
-  };
-
   /// Whether a tool can be brought anywhere now; if not, says why.
   bool mayBring();
   /// Whether the picture may leave the program: the user is asked if it may show a face.
@@ -48,7 +37,6 @@ class ViewController : public QObject {
 
   ui::MainWindow& window_;
   SharedState& shared_;
-  SliceClick slice_click_;
 };
 
 }  // namespace app

@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QContextMenuEvent>
 #include <QTest>
 #include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
 
+#include "haptics/field/scalar_field.h"
+#include "ui/slice_readout.h"
 #include "window_support.h"
 
 namespace {
@@ -45,7 +50,9 @@ ui::Picture marker(const Mat3& direction, bool orientation_known = true) {
 }
 
 bool bright(QColor c) { return c.saturation() < 20 && c.red() > 200; }
-bool letter(QColor c) { return c.red() > 170 && c.green() > 130 && c.blue() < 90; }
+bool letter(QColor c) {
+  return c.red() > 170 && c.green() > 0.8 * c.red() && c.blue() < 0.3 * c.green();
+}
 
 TEST(SliceView, ShowsTheLeftMarkerUnderTheLetterLWhicheverWayTheVoxelsLie) {
   for (const Axes& axes : someAxes()) {
@@ -64,9 +71,9 @@ TEST(SliceView, ShowsTheLeftMarkerUnderTheLetterLWhicheverWayTheVoxelsLie) {
       EXPECT_NEAR(at.x(), expected.x(), 3.0);  // px; the crosshair cuts the ball's symmetry
       EXPECT_NEAR(at.y(), expected.y(), 3.0);
       EXPECT_GT(at.x(), 170.0);  // the radiological convention: left is on the right
-      EXPECT_EQ(ui::lettersOf(plane)[1], "L");
-      // and an L is painted on that edge
-      EXPECT_GT(window::count(image.copy(270, 130, 30, 40), letter), 10);
+      EXPECT_EQ(ui::lettersOf(view.axes())[1], "L");
+      // and an L is painted on that edge, beside the picture
+      EXPECT_GT(window::count(image.copy(280, 130, 20, 40), letter), 10);
     }
     // front and head: the fainter ball, on the sagittal picture
     ui::SliceView view(Plane::Sagittal);
@@ -77,17 +84,48 @@ TEST(SliceView, ShowsTheLeftMarkerUnderTheLetterLWhicheverWayTheVoxelsLie) {
     const QPointF at = window::centroid(window::pictureOf(view), bright);
     EXPECT_LT(at.x(), 130.0);  // front on the left
     EXPECT_LT(at.y(), 130.0);  // head up
-    EXPECT_EQ(ui::lettersOf(Plane::Sagittal)[0], "A");
-    EXPECT_EQ(ui::lettersOf(Plane::Sagittal)[2], "S");
+    EXPECT_EQ(ui::lettersOf(view.axes())[0], "A");
+    EXPECT_EQ(ui::lettersOf(view.axes())[2], "S");
   }
 }
 
-TEST(SliceView, ShowsNoLettersWhereTheFileDoesNotGiveTheOrientation) {
+TEST(SliceView, SaysThatLeftAndRightAreUnknownWhereTheFileDoesNotGiveTheOrientation) {
   ui::SliceView view(Plane::Axial);
   view.show(marker(Mat3::Identity(), false));
   view.setGrey({.level = 50.0, .width = 100.0});
   window::showAndWait(view, {300, 300});
-  EXPECT_EQ(window::count(window::pictureOf(view), letter), 0);
+  const QImage image = window::pictureOf(view);
+  window::keep(image, "slice_unknown");
+  EXPECT_EQ(window::count(image, letter), 0);
+  EXPECT_FALSE(view.readout().sides_known);
+  // in words, on the margin above the picture
+  const auto amber = [](QColor c) { return c.red() > 150 && c.blue() < 0.5 * c.green(); };
+  EXPECT_GT(window::count(image.copy(0, 0, 300, view.pictureRect().top()), amber), 40);
+  EXPECT_TRUE(view.readout().place.contains("z "));  // no letter in the position either
+}
+
+TEST(SliceView, PutsNoLetterOnTheAnatomyInObliqueSlicesEither) {
+  const auto white = ui::pictureOf(
+      window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
+                       [](const Vec3& p) { return p.norm() < 1e-3 ? 0.0 : 100.0; }, {}));
+  ui::SliceView axial(Plane::Axial), oblique(Plane::Oblique);
+  for (ui::SliceView* view : {&axial, &oblique}) {
+    view->show(white);
+    view->setGrey({.level = 50.0, .width = 100.0});
+    window::showAndWait(*view, {300, 300});
+  }
+  const Vec3 right = Vec3{1.0, -1.0, 0.0}.normalized(), up = Vec3::UnitZ();
+  oblique.setPlane({right, up, up.cross(right)}, Vec3::Zero(), "Down the tool", "at its tip");
+  for (ui::SliceView* view : {&axial, &oblique}) {
+    view->zoom(3.0, {150.0, 150.0});  // anatomy fills the picture
+    const QImage image = window::pictureOf(*view);
+    window::keep(image, view == &axial ? "slice_letters" : "slice_letters_oblique");
+    const QRect picture = view->pictureRect();
+    EXPECT_EQ(window::count(image.copy(picture), letter), 0);
+    EXPECT_GT(window::count(image, letter), 80);
+    EXPECT_EQ(window::count(image.copy(0, 0, picture.left(), 300), bright), 0);
+  }
+  EXPECT_EQ(oblique.readout().letters, (std::array<QString, 4>{"RP", "LA", "S", "I"}));
 }
 
 TEST(SliceView, MovesTheCrosshairToAClickAndThroughTheSlicesWithTheWheel) {
@@ -106,6 +144,338 @@ TEST(SliceView, MovesTheCrosshairToAClickAndThroughTheSlicesWithTheWheel) {
                     Qt::NoScrollPhase, false);
   QCoreApplication::sendEvent(&view, &wheel);
   EXPECT_NEAR(cross.y(), 7.0, 1e-9);  // two notches of 1 mm
+}
+
+void wheel(QWidget& view, QPointF at, int delta, Qt::KeyboardModifiers held = {}) {
+  QWheelEvent event(at, view.mapToGlobal(at), {}, {0, delta}, {}, held, Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&view, &event);
+}
+
+void drag(QWidget& view, Qt::MouseButton button, QPoint from, QPoint to,
+          Qt::KeyboardModifiers held = {}) {
+  QTest::mousePress(&view, button, held, from);
+  for (const QPoint at : {(from + to) / 2, to}) {
+    QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(QPointF(at)), Qt::NoButton, button,
+                     held);
+    QCoreApplication::sendEvent(&view, &move);
+  }
+  QTest::mouseRelease(&view, button, held, to);
+}
+
+/// A view of the marker whose wishes for the crosshair are fulfilled.
+struct Shown {
+  explicit Shown(Plane plane = Plane::Axial) : view(plane) {
+    QObject::connect(&view, &ui::SliceView::crossMoved, &view, &ui::SliceView::setCross);
+    QObject::connect(&view, &ui::SliceView::greyChanged, &view, [this](const ui::GreyWindow& g) {
+      grey = g;
+      view.setGrey(g);
+    });
+    view.show(marker(Mat3::Identity()));
+    view.setGrey(grey);
+    view.setCross({0.5, 0.5, 0.5});
+    window::showAndWait(view, {320, 300});
+  }
+  ui::SliceView view;
+  ui::GreyWindow grey{.level = 50.0, .width = 100.0};
+};
+
+TEST(SliceView, ZoomsAtThePointerByWheelAndKeys) {
+  Shown s;
+  const QPointF at{220.0, 90.0};
+  const Vec3 under = s.view.placeUnder(at);
+  const double whole = s.view.mmPerPixel();
+  wheel(s.view, at, 360, Qt::ControlModifier);
+  EXPECT_NEAR(s.view.mmPerPixel(), whole / std::pow(1.2, 3), 1e-9);
+  EXPECT_LT((s.view.placeUnder(at) - under).norm(), 1e-9);  // mm
+  QTest::mouseMove(&s.view, at.toPoint());
+  QTest::qWait(20);
+  QTest::keyClick(&s.view, Qt::Key_Plus);
+  EXPECT_NEAR(s.view.mmPerPixel(), whole / std::pow(1.2, 4), 1e-9);
+  EXPECT_LT((s.view.placeUnder(at) - under).norm(), 1e-6);
+  QTest::keyClick(&s.view, Qt::Key_Minus);
+  EXPECT_NEAR(s.view.mmPerPixel(), whole / std::pow(1.2, 3), 1e-9);
+  // the picture is nearer too: the ball is larger
+  const int before = window::count(window::pictureOf(s.view), bright);
+  wheel(s.view, s.view.projected({18.0, 0.0, 0.5}), 240, Qt::ControlModifier);
+  EXPECT_GT(window::count(window::pictureOf(s.view), bright), 1.5 * before);
+  QTest::keyClick(&s.view, Qt::Key_R);
+  EXPECT_NEAR(s.view.mmPerPixel(), whole, 1e-12);
+  // never so near or far that nothing is seen
+  for (int n = 0; n < 80; ++n) wheel(s.view, at, 120, Qt::ControlModifier);
+  EXPECT_GT(s.view.mmPerPixel(), 0.01);
+  for (int n = 0; n < 200; ++n) wheel(s.view, at, -120, Qt::ControlModifier);
+  EXPECT_LT(s.view.mmPerPixel(), 5.0 * whole);
+}
+
+TEST(SliceView, ShiftsByMiddleDragShiftAndLeftDragAndKeys) {
+  for (const auto& [button, held] : {std::pair{Qt::MiddleButton, Qt::KeyboardModifiers{}},
+                                     {Qt::LeftButton, Qt::ShiftModifier}}) {
+    Shown s;
+    const Vec3 under = s.view.placeUnder({150.0, 150.0});
+    drag(s.view, button, {150, 150}, {190, 120}, held);
+    EXPECT_LT((s.view.placeUnder({190.0, 120.0}) - under).norm(), 1e-9);
+  }
+  Shown s;
+  const Vec3 under = s.view.placeUnder({150.0, 150.0});
+  QTest::keyClick(&s.view, Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_GT((s.view.placeUnder({150.0, 150.0}) - under).x(), 1.0);
+}
+
+TEST(SliceView, GoesThroughTheSlicesByKeysAndSaysWhichItShows) {
+  Shown s;
+  EXPECT_TRUE(s.view.readout().place.startsWith("33 / 64")) << qPrintable(s.view.readout().place);
+  EXPECT_TRUE(s.view.readout().place.contains("S 0.5 mm"));
+  const auto number = [&] { return s.view.readout().place.section(' ', 0, 0).toInt(); };
+  QTest::keyClick(&s.view, Qt::Key_Up);
+  EXPECT_EQ(number(), 34);
+  QTest::keyClick(&s.view, Qt::Key_Down);
+  QTest::keyClick(&s.view, Qt::Key_Down);
+  EXPECT_EQ(number(), 32);
+  EXPECT_TRUE(s.view.readout().place.contains("I 0.5 mm"));
+  QTest::keyClick(&s.view, Qt::Key_PageUp);
+  EXPECT_EQ(number(), 42);
+  QTest::keyClick(&s.view, Qt::Key_PageDown);
+  EXPECT_EQ(number(), 32);
+  QTest::keyClick(&s.view, Qt::Key_Home);
+  EXPECT_EQ(number(), 1);
+  QTest::keyClick(&s.view, Qt::Key_Down);
+  EXPECT_EQ(number(), 1);
+  QTest::keyClick(&s.view, Qt::Key_End);
+  EXPECT_EQ(number(), 64);
+  wheel(s.view, {150.0, 150.0}, -60);  // half a notch, and the other half
+  EXPECT_EQ(number(), 64);
+  wheel(s.view, {150.0, 150.0}, -60);
+  EXPECT_EQ(number(), 63);
+}
+
+TEST(SliceView, ChangesWindowAndLevelByRightDragAndKeysAndOpensChoicesOnlyByAClick) {
+  Shown s;
+  int menus = 0;
+  QObject::connect(&s.view, &ui::SliceView::menuWanted, [&] { ++menus; });
+  drag(s.view, Qt::RightButton, {150, 150}, {200, 100});
+  EXPECT_NEAR(s.grey.width, 100.0 * std::exp(0.5), 1e-6);
+  EXPECT_GT(s.grey.level, 55.0);
+  EXPECT_EQ(menus, 0);
+  EXPECT_TRUE(s.view.readout().grey.startsWith("W 165  L "));
+  const ui::GreyWindow dragged = s.grey;
+  QTest::keyClick(&s.view, Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_GT(s.grey.width, dragged.width);
+  QTest::keyClick(&s.view, Qt::Key_Down, Qt::ControlModifier);
+  EXPECT_LT(s.grey.level, dragged.level);
+  QTest::mouseClick(&s.view, Qt::RightButton, {}, {150, 150});
+  EXPECT_EQ(menus, 1);
+  QContextMenuEvent key(QContextMenuEvent::Keyboard, {10, 10});
+  QCoreApplication::sendEvent(&s.view, &key);
+  EXPECT_EQ(menus, 2);
+}
+
+TEST(SliceView, SaysTheValueUnderThePointerWithUnitAndPlace) {
+  ui::SliceView view(Plane::Axial);
+  view.show(ui::pictureOf(window::volumeOf(
+      window::cubeGrid(64), haptics::ScalarType::Int16,
+      [](const Vec3& p) { return 1e3 * (3.0 * p.x() + 7.0 * p.y()) - 20.0; }, {.unit = "HU"})));
+  view.setCross({0.5, 0.5, 0.5});
+  window::showAndWait(view, {500, 500});
+  const Vec3 at{-10.5, 12.5, 0.5};
+  QTest::mouseMove(&view, view.projected(at).toPoint());
+  QTest::qWait(50);
+  const Vec3 seen = view.placeUnder(view.projected(at).toPoint());
+  const double value = view.readout().value.section(' ', 0, 0).toDouble();
+  EXPECT_NEAR(value, 3.0 * seen.x() + 7.0 * seen.y() - 20.0, 1.6);  // half a pixel, and rounding
+  EXPECT_TRUE(view.readout().value.endsWith(" HU"));
+  EXPECT_TRUE(view.readout().position.startsWith("R 10.") ||
+              view.readout().position.startsWith("R 11.0"))
+      << qPrintable(view.readout().position);
+  EXPECT_TRUE(view.readout().position.contains("P 12."));
+  EXPECT_TRUE(view.readout().position.contains("S 0.5 mm"));
+  // beside the volume there is none
+  QTest::mouseMove(&view, view.pictureRect().topLeft() + QPoint{2, 2});
+  QTest::qWait(50);
+  EXPECT_EQ(view.readout().value, "");
+}
+
+TEST(SliceView, HasARulerOfRoundLength) {
+  EXPECT_EQ(ui::rulerLength_mm(73.0), 50.0);
+  EXPECT_EQ(ui::rulerLength_mm(49.0), 20.0);
+  EXPECT_NEAR(ui::rulerLength_mm(0.3), 0.2, 1e-12);
+  Shown s;
+  s.view.setGrey({.level = 1000.0, .width = 1.0});  // all black but what is written
+  const QImage image = window::pictureOf(s.view);
+  const QRect picture = s.view.pictureRect();
+  const double mm = ui::rulerLength_mm(0.3 * picture.height() * s.view.mmPerPixel());
+  int longest = 0;
+  for (int x = picture.right() - 12; x <= picture.right(); ++x) {
+    int run = 0;
+    for (int y = picture.top(); y <= picture.bottom(); ++y)
+      run += image.pixelColor(x, y).red() > 120;
+    longest = std::max(longest, run);
+  }
+  EXPECT_NEAR(longest * s.view.mmPerPixel(), mm, 2.5 * s.view.mmPerPixel());
+}
+
+TEST(SliceView, KeepsWhatIsOnViewWhenVoxelsAreReplaced) {
+  Shown s;
+  wheel(s.view, {200.0, 120.0}, 360, Qt::ControlModifier);
+  drag(s.view, Qt::MiddleButton, {150, 150}, {170, 140});
+  const double scale = s.view.mmPerPixel();
+  const Vec3 under = s.view.placeUnder({100.0, 100.0});
+  s.view.replace(
+      ui::pictureOf(window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
+                                     [](const Vec3& p) { return p.norm() < 1e-3 ? 1.0 : 0.0; })));
+  EXPECT_EQ(s.view.mmPerPixel(), scale);
+  EXPECT_LT((s.view.placeUnder({100.0, 100.0}) - under).norm(), 1e-12);
+  EXPECT_EQ(window::count(window::pictureOf(s.view), bright), 0);  // the ball is gone
+}
+
+bool contourColoured(QColor c) {
+  return c.red() > 150 && c.red() > 1.6 * c.blue() && c.green() > 1.1 * c.blue() &&
+         c.green() < 0.8 * c.red();
+}
+
+TEST(SliceView, DrawsTheContourOfTheFieldThatIsTouched) {
+  const auto volume = window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
+                                       [](const Vec3& p) { return marked(p); });
+  for (const auto kind : {haptics::FieldKind::Trilinear, haptics::FieldKind::Spline}) {
+    const haptics::ScalarField field(volume, kind);
+    ui::SliceView view(Plane::Axial);
+    view.show(ui::pictureOf(volume));
+    view.setGrey({.level = 50.0, .width = 100.0});
+    view.setCross({0.0, 0.0, 0.3});
+    view.setIsovalue(50.0);
+    view.setTouched({.value = [&](const Vec3& p) { return field.value(field.indexOf(p)); }});
+    window::showAndWait(view, {400, 400});
+    const auto within = [&](double isovalue) {
+      const auto pieces = view.contour_W_mm();
+      EXPECT_GT(pieces.size(), 20U);
+      for (const auto& [a, b] : pieces)
+        for (const double t : {0.0, 0.3, 0.5, 0.8}) {
+          const auto sample = field.sample(field.indexOf((a + t * (b - a)) * 1e-3));
+          EXPECT_LT(std::abs(sample.value - isovalue) / sample.gradient_W.norm(), 0.1e-3);  // m
+        }
+    };
+    QTest::qWait(400);
+    const QImage at_50 = window::pictureOf(view);
+    within(50.0);
+    window::keep(at_50, "slice_contour");
+    EXPECT_GT(window::count(at_50, contourColoured), 60);
+    // another isovalue, another slice, nearer: the contour follows
+    view.setIsovalue(80.0);
+    QTest::qWait(400);
+    EXPECT_GT(window::differing(at_50, window::pictureOf(view)), 0.0005);
+    within(80.0);
+    view.setCross({0.0, 0.0, 3.4});
+    view.zoom(4.0, view.projected({18.0, 0.0, 3.4}));
+    QTest::qWait(400);
+    window::keep(window::pictureOf(view), "slice_contour_near");
+    within(80.0);
+    for (const auto& [a, b] : view.contour_W_mm()) EXPECT_NEAR(a.z(), 3.4, 1e-9);
+    view.setContourShown(false);
+    EXPECT_EQ(window::count(window::pictureOf(view), contourColoured), 0);
+  }
+}
+
+TEST(SliceView, DrawsProxyAndDeviceWhereTheirMeshesMeetThePlane) {
+  Shown s;
+  s.view.setMesh(std::make_shared<const haptics::TriangleMesh>(window::octahedron(0.008)));
+  haptics::Pose proxy = haptics::Pose::Identity(), device = proxy;
+  proxy.translation() = Vec3{-0.010, 0.0, 0.0};
+  device.translation() = Vec3{-0.010, 0.012, 0.0};
+  s.view.setTool(proxy, device);
+  const QImage image = window::pictureOf(s.view);
+  window::keep(image, "slice_tool");
+  const QPointF blue = window::centroid(image, window::proxyColoured);
+  const QPointF orange = window::centroid(image, window::deviceColoured);
+  const QPointF at = s.view.projected({-10.0, 0.0, 0.5});
+  EXPECT_LT(QLineF(blue, at).length(), 2.0);
+  EXPECT_LT(QLineF(orange, s.view.projected({-10.0, 12.0, 0.5})).length(), 3.0);
+  // 0.5 mm above its middle: corners 7.5 mm from the axis
+  int least = 1000, most = 0;
+  for (int x = 0; x < image.width(); ++x)
+    for (int y = 0; y < image.height(); ++y)
+      if (window::proxyColoured(image.pixelColor(x, y))) {
+        least = std::min(least, x);
+        most = std::max(most, x);
+      }
+  EXPECT_NEAR((most - least) * s.view.mmPerPixel(), 15.0, 3.0 * s.view.mmPerPixel());
+  // the device's line is dashed: fewer of its pixels than the proxy's
+  EXPECT_LT(window::count(image, window::deviceColoured),
+            0.85 * window::count(image, window::proxyColoured));
+  // apart from the plane: a ring where the tip is
+  s.view.setCross({0.5, 0.5, 20.5});
+  const QImage ring = window::pictureOf(s.view);
+  EXPECT_LT(
+      QLineF(window::centroid(ring, window::proxyColoured), s.view.projected({-10.0, 0.0, 20.5}))
+          .length(),
+      2.0);
+}
+
+/// Counts paints of one widget.
+class PaintsOf : public QObject {
+ public:
+  explicit PaintsOf(QWidget& widget) { widget.installEventFilter(this); }
+  int count = 0;
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    count += event->type() == QEvent::Paint;
+    return false;
+  }
+};
+
+TEST(SliceView, IsDrawnAgainOnlyIfTheToolMovedVisibly) {
+  Shown s;
+  s.view.setMesh(std::make_shared<const haptics::TriangleMesh>(window::octahedron(0.008)));
+  haptics::Pose pose = haptics::Pose::Identity();
+  s.view.setTool(pose, pose);
+  QTest::qWait(100);
+  PaintsOf paints(s.view);
+  const double still = 0.05e-3 * s.view.mmPerPixel();  // m: a twentieth of a pixel
+  for (int n = 0; n < 20; ++n) {
+    pose.translation().x() = n % 2 == 0 ? still : -still;
+    s.view.setTool(pose, pose);
+    QTest::qWait(10);
+  }
+  EXPECT_EQ(paints.count, 0);
+  pose.translation().x() = 1e-3 * s.view.mmPerPixel();
+  s.view.setTool(pose, pose);
+  QTest::qWait(50);
+  EXPECT_EQ(paints.count, 1);
+}
+
+TEST(SliceView, DrawsTheLinesOfOtherPlanesInTheirColours) {
+  Shown s;
+  s.view.setGrey({.level = 1000.0, .width = 1.0});
+  s.view.setCross({5.5, -8.5, 0.5});
+  s.view.setCrossedPlanes(
+      {{.colour = QColor(0, 0, 255), .through_W_mm = {5.5, -8.5, 0.5}, .normal_W = Vec3::UnitX()},
+       {.colour = QColor(255, 0, 255),
+        .through_W_mm = {0.0, 0.0, 0.0},
+        .normal_W = Vec3{1.0, 1.0, 0.0}.normalized()}});
+  const QImage image = window::pictureOf(s.view);
+  const auto blue = [](QColor c) { return c.blue() > 80 && c.red() < 40; };
+  const QPointF at = s.view.projected({5.5, -8.5, 0.5});
+  int beside = 0, along = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (blue(image.pixelColor(x, y))) ++(std::abs(x + 0.5 - at.x()) < 1.6 ? along : beside);
+  EXPECT_GT(along, 150);
+  EXPECT_EQ(beside, 0);
+  // x + y = 0 in LPS, which the picture shows from its lower left to its upper right, mirrored
+  const auto violet = [](QColor c) { return c.blue() > 80 && c.red() > 80 && c.green() < 40; };
+  EXPECT_GT(window::count(image, violet), 150);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (violet(image.pixelColor(x, y))) {
+        const Vec3 p = s.view.placeUnder({x + 0.5, y + 0.5});
+        ASSERT_NEAR((p.x() + p.y()) / std::sqrt(2.0), 0.0, 1.2 * s.view.mmPerPixel());
+      }
+}
+
+TEST(SliceView, LooksForACrosshairThatWasMovedElsewhere) {
+  Shown s;
+  s.view.zoom(6.0, s.view.projected({-15.0, 10.0, 0.5}));
+  s.view.setCross({20.5, -15.5, 3.5});
+  EXPECT_TRUE(QRectF(s.view.pictureRect()).contains(s.view.projected({20.5, -15.5, 3.5})));
 }
 
 }  // namespace

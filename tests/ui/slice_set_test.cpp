@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the slices have in common: crosshair, grey window, voxels' look, the view with the tool.
+#include "ui/slice_set.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QElapsedTimer>
+#include <QMenu>
+#include <QPainter>
+#include <QTest>
+#include <QWheelEvent>
+#include <cstdio>
+#include <filesystem>
+
+#include "datasets/readers/volume_reader.h"
+#include "haptics/field/scalar_field.h"
+#include "tests/support/sentence.h"
+#include "ui/main_window.h"
+#include "ui/overlay.h"
+#include "ui/plane_colours.h"
+#include "ui/slice_readout.h"
+#include "ui/volume_view.h"
+#include "window_support.h"
+
+namespace {
+
+using haptics::Vec3;
+using ui::Plane;
+
+ui::Picture ctPicture(const char* unit = "HU") {
+  const auto bone = window::ball({0.004, 0.0, 0.0}, 0.014);
+  return ui::pictureOf(
+      window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
+                       [=](const Vec3& p) { return -1000.0 + 20.0 * bone(p) + 2e3 * p.z(); },
+                       {.unit = unit, .modality = "CT"}));
+}
+
+struct Window {
+  explicit Window(const char* unit = "HU") {
+    window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
+    window.show(ctPicture(unit), 300.0, "Ball");
+    window.show(window::octahedron(0.006));
+    window.views().arrange(ui::Arrangement::FourUp);
+    window::showAndWait(window, {1240, 860});
+  }
+  QAction* action(const char* name) {
+    auto* found = slices().menu().findChild<QAction*>(name);
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  ui::SliceSet& slices() { return window.slices(); }
+  void show(const Vec3& tip_W, const haptics::Quat& turn = haptics::Quat::Identity()) {
+    haptics::Snapshot snapshot;
+    // the octahedron's tip is 6 mm along -z
+    snapshot.X_WP = haptics::poseOf(tip_W + turn * Vec3{0.0, 0.0, 0.006}, turn);
+    snapshot.X_WD = snapshot.X_WP;
+    window.display(snapshot);
+    QTest::qWait(20);
+  }
+  ui::MainWindow window;
+};
+
+TEST(Slices, AreLinkedByTheCrosshairWhoseLinesHaveThePlanesColours) {
+  Window w;
+  ui::SliceView& axial = w.window.slice(Plane::Axial);
+  const Vec3 at = axial.placeUnder(axial.projected({10.2, -8.3, 0.0}).toPoint());
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.projected(at).toPoint());
+  EXPECT_LT((w.slices().cross_mm() - at).norm(), 0.3);
+  EXPECT_NEAR(w.window.slice(Plane::Sagittal).through_mm().x(), at.x(), 0.3);
+  EXPECT_NEAR(w.window.slice(Plane::Coronal).through_mm().y(), at.y(), 0.3);
+  w.slices().setGrey({.level = 9000.0, .width = 1.0});
+  const auto near = [](const QColor& wanted) {
+    return [wanted](QColor c) {
+      // a line of one pixel, mixed with black
+      const double share = c.value() / double(wanted.value());
+      return share > 0.3 && std::abs(c.red() - share * wanted.red()) < 12 &&
+             std::abs(c.green() - share * wanted.green()) < 12 &&
+             std::abs(c.blue() - share * wanted.blue()) < 12;
+    };
+  };
+  for (const Plane shown : {Plane::Axial, Plane::Coronal, Plane::Sagittal}) {
+    ui::SliceView& view = w.window.slice(shown);
+    const QImage image = window::pictureOf(view);
+    const QRect inner = view.pictureRect().adjusted(0, 50, -20, -40);  // nothing is written there
+    for (const Plane other : {Plane::Axial, Plane::Coronal, Plane::Sagittal})
+      EXPECT_EQ(window::count(image.copy(inner), near(ui::colourOf(other))) > 60, other != shown)
+          << int(shown) << " shows " << int(other);
+    // the frame has the plane's own colour
+    const QImage frame = window::pictureOf(*view.parentWidget());
+    EXPECT_EQ(frame.pixelColor(frame.width() / 2, 0).rgb(), ui::colourOf(shown).rgb());
+    EXPECT_EQ(frame.pixelColor(0, frame.height() / 2).rgb(), ui::colourOf(shown).rgb());
+  }
+  w.action("showCrosshair")->trigger();
+  const ui::SliceView& view = w.window.slice(Plane::Axial);
+  const QImage without = window::pictureOf(w.window.slice(Plane::Axial));
+  EXPECT_EQ(window::count(without.copy(view.pictureRect().adjusted(0, 50, -20, -40)),
+                          near(ui::colourOf(Plane::Coronal))),
+            0);
+}
+
+TEST(Slices, HavePresetsOfTheGreyWindowForHounsfieldUnitsAndFullRangeForAll) {
+  Window w;
+  const auto brain = [&] {
+    for (QAction* action : w.slices().menu().findChild<QMenu*>("greyMenu")->actions())
+      if (action->text().startsWith("Brain")) return action;
+    return static_cast<QAction*>(nullptr);
+  };
+  ASSERT_NE(brain(), nullptr);
+  EXPECT_TRUE(brain()->isVisible());
+  EXPECT_EQ(w.slices().grey().width, 1600.0);
+  brain()->trigger();
+  EXPECT_EQ(w.slices().grey().width, 80.0);
+  EXPECT_EQ(w.slices().grey().level, 40.0);
+  for (ui::SliceView* slice : w.slices().slices())
+    EXPECT_TRUE(slice->readout().grey.startsWith("W 80  L 40"));
+  w.action("greyFullRange")->trigger();
+  EXPECT_GT(w.slices().grey().width, 1900.0);
+  w.action("greyReset")->trigger();
+  EXPECT_EQ(w.slices().grey().width, 1600.0);
+  w.window.show(ctPicture(""), 300.0, "No unit");
+  EXPECT_FALSE(brain()->isVisible());
+  EXPECT_GT(w.slices().grey().width, 1900.0);  // the full range
+}
+
+TEST(Slices, AreInterpolatedOrNotAndThickByChoice) {
+  Window w;
+  ui::SliceView& axial = w.window.slice(Plane::Axial);
+  w.action("showContour")->trigger();
+  axial.zoom(8.0, axial.projected({18.0, 0.0, 0.5}));
+  w.slices().setGrey({.level = 0.0, .width = 2400.0});
+  const QImage smooth = window::pictureOf(axial);
+  w.action("nearest")->trigger();
+  const QImage blocks = window::pictureOf(axial);
+  // where voxels are blocks, most neighbours are equal
+  const auto equals = [&](const QImage& image) {
+    const QRect inner = axial.pictureRect().adjusted(60, 60, -60, -60);
+    int equal = 0;
+    for (int y = inner.top(); y < inner.bottom(); ++y)
+      for (int x = inner.left(); x < inner.right(); ++x)
+        equal += image.pixel(x, y) == image.pixel(x + 1, y);
+    return double(equal) / (inner.width() * inner.height());
+  };
+  EXPECT_GT(equals(blocks), 0.85);
+  EXPECT_LT(equals(smooth), equals(blocks) - 0.1);
+  w.action("linear")->trigger();
+  EXPECT_LT(window::differing(window::pictureOf(axial), smooth), 1e-4);
+
+  // beside the ball's edge: a slab's maximum reaches it, its mean does not
+  ui::SliceView& coronal = w.window.slice(Plane::Coronal);
+  w.slices().moveCross({4.5, 15.5, 0.5});
+  const auto valueAt = [&](const Vec3& p) {
+    QTest::mouseMove(&coronal, coronal.projected(p).toPoint());
+    QTest::qWait(60);
+    return coronal.readout().value.section(' ', 0, 0).toDouble();
+  };
+  const Vec3 beside{4.5, 15.5, 0.5};
+  QTest::mouseMove(&axial);
+  const double plane = valueAt(beside);
+  w.action("slabMaximum")->trigger();
+  QTest::mouseMove(&axial);
+  const double greatest = valueAt(beside);
+  EXPECT_TRUE(coronal.readout().slab.contains("5 mm"));
+  w.action("slabMean")->trigger();
+  QTest::mouseMove(&axial);
+  const double mean = valueAt(beside);
+  EXPECT_GT(greatest, plane + 300.0);
+  EXPECT_GT(mean, plane);
+  EXPECT_LT(mean, greatest - 200.0);
+  w.action("slabNone")->trigger();
+  EXPECT_EQ(coronal.readout().slab, "");
+}
+
+TEST(Slices, FollowTheToolIfAsked) {
+  Window w;
+  const Vec3 before = w.slices().cross_mm();
+  w.show({0.010, 0.005, -0.008});
+  EXPECT_EQ((w.slices().cross_mm() - before).norm(), 0.0);
+  w.action("followTool")->trigger();
+  EXPECT_LT((w.slices().cross_mm() - Vec3{10.0, 5.0, -8.0}).norm(), 1e-9);
+  w.show({-0.010, 0.005, -0.008});
+  EXPECT_LT((w.slices().cross_mm() - Vec3{-10.0, 5.0, -8.0}).norm(), 1e-9);
+  EXPECT_NEAR(w.window.slice(Plane::Sagittal).through_mm().x(), -10.0, 1e-9);
+  // also where the slice is near and the tool is out of its picture
+  ui::SliceView& axial = w.window.slice(Plane::Axial);
+  axial.zoom(8.0, axial.projected({-10.0, 5.0, -8.0}));
+  w.show({0.020, -0.015, -0.008});
+  EXPECT_TRUE(QRectF(axial.pictureRect()).contains(axial.projected({20.0, -15.0, -8.0})));
+  w.show({0.5, 0.0, 0.0});  // not beyond the volume
+  EXPECT_NEAR(w.slices().cross_mm().x(), 31.5, 1e-9);
+  w.action("followTool")->trigger();
+  w.show({0.0, 0.0, 0.0});
+  EXPECT_NEAR(w.slices().cross_mm().x(), 31.5, 1e-9);
+}
+
+TEST(Slices, LookDownTheToolAndAlongItAndGoWithIt) {
+  Window w;
+  w.action("showOblique")->trigger();
+  ui::SliceView& view = w.window.slice(Plane::Oblique);
+  ASSERT_TRUE(view.isVisible());
+  EXPECT_TRUE(view.readout().place.contains("no tool"));
+  const haptics::Quat turn{Eigen::AngleAxisd(0.7, Vec3{0.3, 1.0, 0.2}.normalized())};
+  const Vec3 tip{0.012, -0.004, 0.006};
+  w.show(tip, turn);
+  const Vec3 axis = turn * Vec3::UnitZ();
+  // towards the viewer is the handle; the plane goes through the tip
+  EXPECT_LT((view.axes().right.cross(view.axes().up) - axis).norm(), 1e-9);
+  EXPECT_LT((view.through_mm() - tip * 1e3).norm(), 1e-9);
+  EXPECT_LT(QLineF(view.projected(tip * 1e3), QRectF(view.pictureRect()).center()).length(), 1e-6);
+  EXPECT_EQ(view.readout().place, "at its tip");
+  EXPECT_GT(view.readout().letters[0].size(), 0);
+
+  // the wheel goes ahead of the tip
+  QWheelEvent wheel({90, 90}, view.mapToGlobal(QPointF{90, 90}), {}, {0, 360}, {}, {},
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&view, &wheel);
+  EXPECT_LT((view.through_mm() - (tip * 1e3 - 3.0 * axis)).norm(), 1e-9);
+  EXPECT_TRUE(view.readout().place.contains("+ 3.0 mm")) << qPrintable(view.readout().place);
+
+  // it goes with the tool, and the picture does not spin as it tilts
+  const Vec3 right = view.axes().right;
+  const haptics::Quat more = haptics::Quat{Eigen::AngleAxisd(0.02, Vec3::UnitX())} * turn;
+  w.show(tip + Vec3{0.001, 0.0, 0.0}, more);
+  EXPECT_LT((view.axes().right.cross(view.axes().up) - more * Vec3::UnitZ()).norm(), 1e-9);
+  EXPECT_LT((view.axes().right - right).norm(), 0.03);
+  // rolling the handle alone leaves the picture as it is
+  const Vec3 still = view.axes().right;
+  w.show(tip, more * haptics::Quat{Eigen::AngleAxisd(1.0, Vec3::UnitZ())});
+  EXPECT_LT((view.axes().right - still).norm(), 1e-9);
+
+  QTest::keyClick(&view, Qt::Key_R);
+  EXPECT_EQ(view.readout().place, "at its tip");
+  w.action("obliqueAlong")->trigger();
+  EXPECT_NEAR(std::abs(view.axes().normal.dot(more * Vec3::UnitZ())), 0.0, 1e-9);
+  EXPECT_LT((view.axes().up - more * Vec3::UnitZ()).norm(), 1e-9);  // the handle is above
+  EXPECT_LT((view.axes().right.cross(view.axes().up) + view.axes().normal).norm(), 1e-9);
+  const QImage image = window::pictureOf(view);
+  EXPECT_GT(window::count(image, window::proxyColoured), 20);
+  // other slices show where its plane is
+  w.slices().setGrey({.level = 9000.0, .width = 1.0});
+  const QImage axial = window::pictureOf(w.window.slice(Plane::Axial));
+  const auto violet = [](QColor c) {
+    return c.blue() > 90 && c.blue() > 1.2 * c.red() && c.red() > 1.1 * c.green();
+  };
+  EXPECT_GT(window::count(axial, violet), 40);
+}
+
+/// Takes presses, and paints a magenta square over every view.
+class Square : public ui::Overlay {
+ public:
+  void paint(QPainter& painter, const ui::ViewGeometry& view) const override {
+    painter.fillRect(QRectF(view.projected(Vec3{0.5, 0.5, 0.5}) - QPointF{4, 4}, QSizeF{8, 8}),
+                     QColor(255, 0, 255));
+  }
+  bool press(const ui::ViewGeometry& view, const QMouseEvent&) override {
+    ++presses;
+    return view.isSlice();
+  }
+  bool key(const ui::ViewGeometry&, const QKeyEvent& event) override {
+    return event.key() == Qt::Key_PageUp;
+  }
+  int presses = 0;
+};
+
+TEST(Slices, GiveOverlaysMouseAndKeysFirst) {
+  Window w;
+  Square square;
+  w.window.addOverlay(square);
+  ui::SliceView& axial = w.window.slice(Plane::Axial);
+  const Vec3 before = w.slices().cross_mm();
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.pictureRect().center() + QPoint{30, 30});
+  QTest::keyClick(&axial, Qt::Key_PageUp);
+  EXPECT_EQ(square.presses, 1);
+  EXPECT_EQ((w.slices().cross_mm() - before).norm(), 0.0);
+  const auto magenta = [](QColor c) { return c.red() > 240 && c.blue() > 240 && c.green() < 20; };
+  EXPECT_GT(window::count(window::pictureOf(axial), magenta), 30);
+}
+
+TEST(Slices, KeepCrosshairZoomAndGreyWhenVoxelsAreReplaced) {
+  Window w;
+  ui::SliceView& axial = w.window.slice(Plane::Axial);
+  w.slices().moveCross({5.5, 6.5, 7.5});
+  w.slices().setGrey({.level = 11.0, .width = 222.0});
+  axial.zoom(2.0, {100.0, 100.0});
+  const double scale = axial.mmPerPixel();
+  w.window.replace(ctPicture());
+  EXPECT_EQ((w.slices().cross_mm() - Vec3{5.5, 6.5, 7.5}).norm(), 0.0);
+  EXPECT_EQ(w.slices().grey().width, 222.0);
+  EXPECT_EQ(axial.mmPerPixel(), scale);
+}
+
+TEST(Slices, BeginOnAVoxelsCentre) {
+  Window w;
+  const Vec3 index = window::cubeGrid(64).indexOf(w.slices().cross_mm() * 1e-3);
+  EXPECT_LT((index - Vec3::Constant(32.0)).norm(), 1e-9);
+}
+
+std::shared_ptr<const haptics::Volume> scan(const char* path) {
+  const std::filesystem::path place = std::filesystem::path(PALPATE_SCANS) / path;
+  if (!std::filesystem::exists(place)) return nullptr;
+  auto volume = datasets::readVolume(place);
+  EXPECT_TRUE(volume) << sentence(volume.error());
+  return volume ? std::make_shared<const haptics::Volume>(std::move(*volume)) : nullptr;
+}
+
+// pictures of every state, to be looked at; and what scrolling takes
+TEST(Slices, ShowTheRealHeadInAllStates) {
+  const auto volume = scan("visible_human_female_head/vhf_head_512x512x234.nrrd");
+  if (!volume) GTEST_SKIP() << "NOT RUN: the real head is not in " PALPATE_SCANS;
+  ui::MainWindow window;
+  window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
+  const auto field = std::make_shared<haptics::ScalarField>(volume);
+  window.show(ui::pictureOf(volume), 300.0, "Head");
+  window.setTouched({.value = [field](const Vec3& p) { return field->value(field->indexOf(p)); }});
+  haptics::TriangleMesh tool = window::octahedron(0.004);
+  for (Vec3& v : tool.vertices)
+    if (v.z() > 0.003) v.z() = 0.060;  // as long as a drill
+  window.show(tool);
+  window::showAndWait(window, {1280, 880});
+  window.activateWindow();
+  const auto act = [&](const char* name) {
+    auto* action = window.findChild<QAction*>(name);
+    if (action == nullptr) action = window.slices().menu().findChild<QAction*>(name);
+    ASSERT_NE(action, nullptr) << name;
+    action->trigger();
+  };
+  const auto keep = [&](const char* name) {
+    QTest::qWait(600);
+    window::keep(window::pictureOf(window), name);
+  };
+  keep("head_volume_large");
+  act("four_up");
+  keep("head_four_up");
+  act("slices_large");
+  keep("head_slices_large");
+  // down to the surface along a ray from above the ear, and into contact
+  const Eigen::AlignedBox3d box = ui::boxOf_mm(volume->grid);
+  const Vec3 middle = box.center();
+  const Vec3 outwards = Vec3{0.8, 0.2, 0.55}.normalized();
+  double far = 200.0;
+  while (far > 0.0 && field->value(field->indexOf((middle + far * outwards) * 1e-3)) < 300.0)
+    far -= 0.1;
+  const haptics::Quat turn = haptics::Quat::FromTwoVectors(Vec3::UnitZ(), outwards);
+  haptics::Snapshot snapshot;
+  snapshot.X_WP = haptics::poseOf((middle + far * outwards) * 1e-3 + turn * Vec3(0, 0, 4e-3), turn);
+  snapshot.X_WD = snapshot.X_WP;
+  snapshot.X_WD.translation() -= outwards * 3e-3;
+  act("showOblique");
+  act("followTool");
+  window.display(snapshot);
+  keep("head_tool");
+  act("obliqueAlong");
+  act("four_up");
+  keep("head_tool_along");
+  for (ui::SliceView* slice : window.slices().slices())
+    slice->zoom(6.0, slice->projected(window.slices().cross_mm()));
+  keep("head_tool_near");
+  act("resetSlices");
+  act("showOblique");
+  act("followTool");
+  act("slabMaximum");
+  keep("head_slab_maximum");
+  act("slabMean");
+  keep("head_slab_mean");
+  act("slabNone");
+  for (QAction* preset : window.slices().menu().findChild<QMenu*>("greyMenu")->actions()) {
+    preset->trigger();
+    QTest::qWait(100);
+    const QString name = "head_grey_" + preset->text().section(' ', 0, 0).toLower().remove('&');
+    window::keep(window::pictureOf(window.slice(Plane::Axial)), qPrintable(name));
+  }
+  // scrolling, large
+  ui::SliceView& axial = window.slice(Plane::Axial);
+  axial.setFocus();
+  window.views().toggleMaximised();
+  QTest::qWait(300);
+  QTest::keyClick(&axial, Qt::Key_Home);
+  axial.repaint();
+  const auto rate = [&](const char* what) {
+    QElapsedTimer timer;
+    timer.start();
+    const int pictures = 60;
+    for (int n = 0; n < pictures; ++n) {
+      QTest::keyClick(&axial, Qt::Key_Up);
+      axial.repaint();
+    }
+    std::printf("%s: %.1f pictures a second at %d x %d\n", what,
+                1e3 * pictures / double(timer.elapsed()), axial.width(), axial.height());
+  };
+  rate("scrolling");
+  act("showContour");
+  rate("scrolling without contour");
+  act("showContour");
+  QElapsedTimer timer;
+  timer.start();
+  QTest::qWait(400);
+  window.setIsovalue(301.0);
+  timer.restart();
+  axial.repaint();
+  std::printf("cut, contour and paint at rest: %lld ms, %zu pieces\n",
+              static_cast<long long>(timer.elapsed()), axial.contour_W_mm().size());
+  keep("head_axial_alone");
+  SUCCEED();
+}
+
+TEST(Slices, ShowABoneScanInAllStates) {
+  const auto volume = scan("philips_head_phantom/bone_1mm");
+  if (!volume) GTEST_SKIP() << "NOT RUN: the head phantom is not in " PALPATE_SCANS;
+  ui::MainWindow window;
+  window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
+  const auto field = std::make_shared<haptics::ScalarField>(volume, haptics::FieldKind::Spline);
+  window.show(ui::pictureOf(volume), 300.0, "Phantom");
+  window.setTouched({.value = [field](const Vec3& p) { return field->value(field->indexOf(p)); }});
+  window.views().arrange(ui::Arrangement::SlicesLarge);
+  window::showAndWait(window, {1280, 880});
+  QTest::qWait(600);
+  window::keep(window::pictureOf(window), "phantom_slices_large");
+  ui::SliceView& axial = window.slice(Plane::Axial);
+  axial.zoom(12.0, axial.projected(window.slices().cross_mm() + Vec3{-50.0, 5.0, 0.0}));
+  QTest::qWait(600);
+  window::keep(window::pictureOf(window), "phantom_near");
+  // a tenth of a voxel holds on real noise as well
+  int places = 0, apart = 0;
+  for (const auto& [a, b] : axial.contour_W_mm()) {
+    const auto sample = field->sample(field->indexOf(0.5e-3 * (a + b)));
+    ++places;
+    apart += std::abs(sample.value - 300.0) / sample.gradient_W.norm() > 0.1 * field->voxel();
+  }
+  EXPECT_GT(places, 0);
+  EXPECT_EQ(apart, 0) << "of " << places;
+}
+
+}  // namespace
