@@ -572,7 +572,7 @@ void EditController::showPlane() {
 
 void EditController::placePlane(ui::Plane plane) {
   if (!plane_.isShown()) return;
-  plane_.place(window_.slice(plane).cross_mm(), ui::axesOf(plane).normal);
+  plane_.place(window_.cross_mm(), ui::axesOf(plane).normal);
   showPlane();
 }
 
