@@ -153,12 +153,6 @@ void SliceView::setMesh(std::shared_ptr<const haptics::TriangleMesh> mesh) {
   update();
 }
 
-void SliceView::replace(const Picture& picture) {
-  slice_.show(picture);
-  stale_ = true;
-  update();
-}
-
 void SliceView::setCross(const Eigen::Vector3d& cross_W_mm) {
   cross_mm_ = cross_W_mm;
   if (plane_ == Plane::Oblique) return update();
