@@ -31,7 +31,7 @@ struct Window {
     window.show(ballPicture(), 50.0, "Ball");
     window::showAndWait(window, {1240, 860});
     window.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window, 20'000));
   }
   void choose(const char* action) {
     auto* found = window.findChild<QAction*>(action);

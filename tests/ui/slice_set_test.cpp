@@ -408,7 +408,8 @@ TEST(Slices, ShowABoneScanInAllStates) {
   if (!volume) GTEST_SKIP() << "NOT RUN: the head phantom is not in " PALPATE_SCANS;
   ui::MainWindow window;
   window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
-  const auto field = std::make_shared<haptics::ScalarField>(volume, haptics::FieldKind::Spline);
+  const auto field =
+      std::make_shared<haptics::ScalarField>(volume, haptics::FieldKind::CubicSpline);
   window.show(ui::pictureOf(volume), 300.0, "Phantom");
   window.setTouched({.value = [field](const Vec3& p) { return field->value(field->indexOf(p)); }});
   window.views().arrange(ui::Arrangement::SlicesLarge);

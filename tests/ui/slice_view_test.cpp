@@ -264,7 +264,7 @@ TEST(SliceView, ChangesWindowAndLevelByRightDragAndKeysAndOpensChoicesOnlyByACli
   EXPECT_LT(s.grey.level, dragged.level);
   QTest::mouseClick(&s.view, Qt::RightButton, {}, {150, 150});
   EXPECT_EQ(menus, 1);
-  QContextMenuEvent key(QContextMenuEvent::Keyboard, {10, 10});
+  QContextMenuEvent key(QContextMenuEvent::Keyboard, {10, 10}, s.view.mapToGlobal(QPoint{10, 10}));
   QCoreApplication::sendEvent(&s.view, &key);
   EXPECT_EQ(menus, 2);
 }
@@ -335,7 +335,7 @@ bool contourColoured(QColor c) {
 TEST(SliceView, DrawsTheContourOfTheFieldThatIsTouched) {
   const auto volume = window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
                                        [](const Vec3& p) { return marked(p); });
-  for (const auto kind : {haptics::FieldKind::Trilinear, haptics::FieldKind::Spline}) {
+  for (const auto kind : {haptics::FieldKind::Trilinear, haptics::FieldKind::CubicSpline}) {
     const haptics::ScalarField field(volume, kind);
     ui::SliceView view(Plane::Axial);
     view.show(ui::pictureOf(volume));

@@ -69,7 +69,7 @@ std::vector<double> distances(const std::vector<QLineF>& pieces, const Patch& pa
 
 TEST(Contour, IsTheTouchedSurfaceWithinATenthOfAVoxelForBothFieldsOnATurnedGrid) {
   const auto volume = knobbly();
-  for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::Spline}) {
+  for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::CubicSpline}) {
     const ScalarField field(volume, kind);
     const Patch patch = obliquePatch(volume->grid);
     for (const double step_mm : {0.5, 0.125}) {  // a voxel, as for a whole slice; and close by
@@ -78,7 +78,7 @@ TEST(Contour, IsTheTouchedSurfaceWithinATenthOfAVoxelForBothFieldsOnATurnedGrid)
       ASSERT_GT(pieces.size(), 50U);
       const auto apart = distances(pieces, patch, field, 800.0, 1'000);
       std::printf("%s, step %.3f mm: %zu pieces, distance median %.4f, greatest %.4f voxel\n",
-                  kind == FieldKind::Spline ? "spline" : "trilinear", step_mm, pieces.size(),
+                  kind == FieldKind::CubicSpline ? "spline" : "trilinear", step_mm, pieces.size(),
                   apart[500], apart.back());
       EXPECT_LT(apart.back(), 0.1);
     }
@@ -156,7 +156,7 @@ TEST(Contour, OfAWholeSlice) {
                     .up = Vec3::UnitY(),
                     .width_mm = 255.5,
                     .height_mm = 255.5};
-  for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::Spline}) {
+  for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::CubicSpline}) {
     const ScalarField field(volume, kind);
     const auto value = valueOf(field);
     for (const bool fine : {true, false}) {
@@ -171,7 +171,7 @@ TEST(Contour, OfAWholeSlice) {
         best = std::min(best, took.count());
       }
       std::printf("%s, %s: %.1f ms, %zu pieces\n",
-                  kind == FieldKind::Spline ? "spline" : "trilinear", fine ? "fine" : "coarse",
+                  kind == FieldKind::CubicSpline ? "spline" : "trilinear", fine ? "fine" : "coarse",
                   1e3 * best, pieces);
       EXPECT_GT(pieces, 1'000U);
     }
