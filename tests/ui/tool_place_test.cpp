@@ -20,6 +20,7 @@
 
 #include "app/application.h"
 #include "app/window/touched_surface.h"
+#include "hand_device.h"
 #include "haptics/scene/legal_pose.h"
 #include "sphere_in_hand.h"
 #include "ui/volume_view.h"
@@ -218,6 +219,42 @@ TEST(ToolPlace, AClickInASliceAndTheCrosshairAndASimulatedHand) {
   EXPECT_TRUE(waitFor(
       [&] { return application.snapshot().contacts > 0 && (tip() - surface->p_W).norm() < 0.008; },
       10.0));
+}
+
+TEST(ToolPlace, ADeviceStaysInTheHandWhileItsMappingMoves) {
+  app::Arguments arguments = window::sphereInHand("mouse");
+  arguments.load.tool = app::ToolSource{.name = "sphere"};
+  app::Application application(arguments);
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
+  const auto handle = std::make_shared<window::Handle>();
+  ASSERT_TRUE(application.session().open(std::make_unique<window::HandDevice>(handle)));
+  application.session().arm();
+  ASSERT_TRUE(waitFor([&] {
+    return application.snapshot().force_state == haptics::ForceState::On ||
+           application.snapshot().force_state == haptics::ForceState::Armed ||
+           application.snapshot().force_state == haptics::ForceState::Ramping;
+  }));
+  const Vec3 held = handle->led();
+  const Vec3 before = application.snapshot().X_WP.translation();
+  ui::VolumeView& view = application.window().view();
+  view.lookFrom(ui::Side::Left);
+  const std::size_t first = handle->written.load();
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, QPoint(view.width() / 2, view.height() / 2));
+  ASSERT_TRUE(waitFor(
+      [&] { return (application.snapshot().X_WP.translation() - before).norm() > 0.005; }, 5.0));
+  QTest::qWait(200);
+  EXPECT_EQ(handle->led(), held);
+  EXPECT_EQ(handle->pushesSince(first), 0);
+  const Vec3 there = application.snapshot().X_WP.translation();
+  EXPECT_LT((application.snapshot().X_WD.translation() - there).norm(), 1e-6);
+  // 3 mm of the hand, away from the surface, are 3 mm of the tool
+  handle->lead(held + Vec3{0.003, 0.0, 0.0});
+  ASSERT_TRUE(waitFor([&] { return handle->arrived(); }, 5.0));
+  QTest::qWait(200);
+  EXPECT_NEAR((application.snapshot().X_WD.translation() - there).norm(),
+              0.003 * application.session().inForce().position_scale, 1e-5);
+  application.session().close();
 }
 
 /// Answers dialogs as they come.
