@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -15,7 +16,6 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSplitter>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
@@ -29,7 +29,9 @@
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/status_line.h"
+#include "ui/plane_colours.h"
 #include "ui/view_actions.h"
+#include "ui/view_frame.h"
 #include "ui/volume_view.h"
 
 namespace ui {
@@ -42,6 +44,8 @@ constexpr int kWordsMs = 100;  // between two changes of force and status in wor
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       view_(new VolumeView),
+      slice_set_(new SliceSet(this)),
+      slices_(slice_set_->slices()),
       isosurface_(new IsosurfacePanel),
       device_(new DevicePanel),
       haptic_device_(new HapticDevicePanel),
@@ -120,28 +124,23 @@ void MainWindow::buildViews() {
   buildBar(fault_bar_, fault_, "fault",
            "QFrame { background: #3a2400; } QLabel { color: #ffd9a0; font-weight: bold; }");
 
-  auto* slices = new QSplitter(Qt::Vertical);
-  for (const Plane plane : {Plane::Axial, Plane::Coronal, Plane::Sagittal}) {
-    auto* slice = new SliceView(plane);
-    slices_[static_cast<std::size_t>(plane)] = slice;
-    slices->addWidget(slice);
-    connect(slice, &SliceView::crossMoved, this, &MainWindow::moveCross);
-    connect(slice, &SliceView::greyChanged, this, &MainWindow::setGrey);
+  ViewLayout::Frames frames{};
+  frames[0] = new ViewFrame(view_, QColor(0x2b, 0x31, 0x3c), false);
+  for (SliceView* slice : slices_) {
+    auto* frame = new ViewFrame(slice, colourOf(slice->plane()), true);
+    frames[static_cast<std::size_t>(slice->plane()) + 1] = frame;
+    connect(frame, &ViewFrame::menuWanted, this,
+            [this](QPoint at) { slice_set_->menu().popup(at); });
   }
-  auto* views = new QSplitter(Qt::Horizontal);
-  views->addWidget(view_);
-  views->addWidget(slices);
-  views->setStretchFactor(0, 3);
-  views->setStretchFactor(1, 1);
-  views->setSizes({640, 300});
-  views->setChildrenCollapsible(false);
-  slices->setChildrenCollapsible(false);
+  views_ = new ViewLayout(frames);
+  connect(slice_set_, &SliceSet::obliqueShownChanged, views_, &ViewLayout::setObliqueShown);
+  connect(slice_set_, &SliceSet::doubleClicked, this, &MainWindow::sliceDoubleClicked);
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(fault_bar_);
   column->addWidget(message_bar_);
-  column->addWidget(views, 1);
+  column->addWidget(views_, 1);
   column->addWidget(replay_);
   replay_->setObjectName("replayBar");
   replay_->hide();
@@ -185,7 +184,7 @@ void MainWindow::buildDocks() {
   device->raise();
   resizeDocks({isosurface, device, force_dock_}, {165, 275, 340}, Qt::Vertical);
   connect(haptic_device_, &HapticDevicePanel::armWanted, this, &MainWindow::forceOnWanted);
-  connect(isosurface_, &IsosurfacePanel::isovalueChanged, view_, &VolumeView::setIsovalue);
+  connect(isosurface_, &IsosurfacePanel::isovalueChanged, this, &MainWindow::setIsovalue);
   connect(isosurface_, &IsosurfacePanel::isovalueChanged, this, &MainWindow::isovalueChanged);
   connect(isosurface_, &IsosurfacePanel::refused, this,
           [this](const QString& sentence) { statusBar()->showMessage(sentence, 6000); });
@@ -243,6 +242,9 @@ void MainWindow::buildMenus() {
   buildFileMenu();
   QMenu* look = menuBar()->addMenu(tr("&View"));
   view_menu_ = look;
+  buildLayoutMenu(*look->addMenu(tr("&Layout")));
+  look->addMenu(&slice_set_->menu());
+  look->addSeparator();
   view_actions_ = new ViewActions(*look, *findChild<QToolBar*>("forceBar"), *view_);
   view_actions_->setParent(this);
   connect(view_actions_, &ViewActions::isovalueWanted, isosurface_, &IsosurfacePanel::choose);
@@ -261,6 +263,50 @@ void MainWindow::buildMenus() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(tr("&Controls"), this, &MainWindow::showControls)->setShortcut(Qt::Key_F1);
   help->addAction(tr("&About Palpate"), this, &MainWindow::showAbout);
+}
+
+void MainWindow::buildLayoutMenu(QMenu& menu) {
+  menu.setObjectName("layoutMenu");
+  auto* arrangements = new QActionGroup(this);
+  const auto add = [&](const QString& text, Arrangement arrangement) {
+    QAction* action =
+        menu.addAction(text, this, [this, arrangement] { views_->arrange(arrangement); });
+    action->setObjectName(ViewLayout::nameOf(arrangement));
+    action->setCheckable(true);
+    action->setChecked(arrangement == views_->arrangement());
+    arrangements->addAction(action);
+  };
+  add(tr("&One view"), Arrangement::One);
+  add(tr("&Two by two"), Arrangement::FourUp);
+  add(tr("&3-D large"), Arrangement::VolumeLarge);
+  add(tr("&Slices large"), Arrangement::SlicesLarge);
+  connect(views_, &ViewLayout::arranged, arrangements, [arrangements](Arrangement arrangement) {
+    for (QAction* action : arrangements->actions())
+      action->setChecked(action->objectName() == ViewLayout::nameOf(arrangement));
+  });
+  menu.addSeparator();
+  QAction* maximise =
+      menu.addAction(tr("View &alone, or all"), views_, &ViewLayout::toggleMaximised);
+  maximise->setObjectName("maximiseView");
+  maximise->setShortcut(Qt::Key_F);
+  QAction* next = menu.addAction(tr("&Next view"), views_, &ViewLayout::nextView);
+  next->setObjectName("nextView");
+  next->setShortcut(Qt::Key_F6);
+  // F is a letter in a field for text
+  maximise->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  views_->addAction(maximise);
+}
+
+QString MainWindow::viewState() const {
+  return ViewLayout::nameOf(views_->arrangement()) +
+         (slice_set_->obliqueShown() ? QStringLiteral("+tool") : QString());
+}
+
+void MainWindow::restoreViews(const QString& state) {
+  const auto arrangement = ViewLayout::arrangementOf(state.section('+', 0, 0));
+  if (!arrangement) return;
+  views_->arrange(*arrangement);
+  slice_set_->setObliqueShown(state.section('+', 1) == QLatin1String("tool"));
 }
 
 void MainWindow::buildStatusBar() {
@@ -284,26 +330,30 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
   view_->show(picture, isovalue);
   view_actions_->show(picture);
   isosurface_->show(picture, isovalue);
-  for (SliceView* slice : slices_) slice->show(picture);
-  const haptics::Volume& volume = *picture.volume;
-  // bone and soft tissue in one picture where the unit is known, else the whole range
-  setGrey(volume.unit == "HU" ? GreyWindow{.level = 200.0, .width = 1600.0}
-                              : GreyWindow{.level = 0.5 * (volume.least + volume.greatest),
-                                           .width = volume.greatest - volume.least});
-  moveCross(boxOf_mm(volume.grid).center());
+  slice_set_->show(picture, isovalue);
   setWindowTitle(title.isEmpty() ? QStringLiteral("Palpate") : tr("%1 — Palpate").arg(title));
 }
 
-void MainWindow::show(const haptics::TriangleMesh& tool) { view_->show(tool); }
+void MainWindow::show(const haptics::TriangleMesh& tool) {
+  view_->show(tool);
+  slice_set_->show(tool);
+}
+
+void MainWindow::replace(const Picture& picture) { slice_set_->replace(picture); }
+
+void MainWindow::setIsovalue(double isovalue) {
+  view_->setIsovalue(isovalue);
+  slice_set_->setIsovalue(isovalue);
+}
 
 void MainWindow::setTouched(const TouchedSurface& touched) {
   view_->setTouched(touched);
-  for (SliceView* slice : slices_) slice->setTouched(touched);
+  slice_set_->setTouched(touched);
 }
 
 void MainWindow::addOverlay(Overlay& overlay) {
   view_->addOverlay(overlay);
-  for (SliceView* slice : slices_) slice->addOverlay(overlay);
+  slice_set_->addOverlay(overlay);
 }
 
 void MainWindow::addViewAction(QAction& action) {
@@ -314,22 +364,25 @@ void MainWindow::addViewAction(QAction& action) {
 ViewLook MainWindow::look() const {
   ViewLook look;
   view_->tell(look);
-  const SliceView& slice = *slices_.front();
-  look.cross_mm = slice.cross_mm();
-  look.grey_level = slice.grey().level;
-  look.grey_width = slice.grey().width;
+  look.cross_mm = slice_set_->cross_mm();
+  look.grey_level = slice_set_->grey().level;
+  look.grey_width = slice_set_->grey().width;
+  for (std::size_t i = 0; i < look.slices.size(); ++i) look.slices[i] = slices_[i]->frame();
+  look.layout = viewState().toStdString();
   return look;
 }
 
 void MainWindow::setLook(const ViewLook& look) {
   view_->look(look);
-  setGrey({.level = look.grey_level, .width = look.grey_width});
-  moveCross(look.cross_mm);
+  slice_set_->setGrey({.level = look.grey_level, .width = look.grey_width});
+  slice_set_->moveCross(look.cross_mm);
+  for (std::size_t i = 0; i < look.slices.size(); ++i) slices_[i]->setFrame(look.slices[i]);
+  restoreViews(QString::fromStdString(look.layout));
 }
 
 void MainWindow::display(const haptics::Snapshot& snapshot) {
   view_->display(snapshot);
-  for (SliceView* slice : slices_) slice->setProxy(snapshot.X_WP.translation() * kMmPerM);
+  slice_set_->display(snapshot);
   displayForce(snapshot);
 }
 
@@ -429,15 +482,6 @@ void MainWindow::showHandInUse(const QString& id, const QString& label) {
   status_->setHand(label);
 }
 
-void MainWindow::moveCross(const Eigen::Vector3d& cross_W_mm) {
-  cross_mm_ = cross_W_mm;
-  for (SliceView* slice : slices_) slice->setCross(cross_W_mm);
-}
-
-void MainWindow::setGrey(const GreyWindow& grey) {
-  for (SliceView* slice : slices_) slice->setGrey(grey);
-}
-
 void MainWindow::showControls() {
   QMessageBox::information(
       this, tr("Controls"),
@@ -447,7 +491,8 @@ void MainWindow::showControls() {
          "if it is to be held.</p>"
          "<p><b>Mouse</b>: it turns the picture until you take the tool (G, or the button), and "
          "then moves the tool. The tool itself can be dragged at any time.</p>"
-         "<p><b>Measures</b>: click where the places are, or drag a distance. Handles can be dragged "
+         "<p><b>Measures</b>: click where the places are, or drag a distance. Handles can be "
+         "dragged "
          "in every view.</p>"
          "<p><b>Replay</b>: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, "
          "● force and device, × samples lost and ticks late.</p>") +

@@ -12,7 +12,8 @@
 #include "ui/panels/device_panel.h"
 #include "ui/panels/force_plot.h"
 #include "ui/props/volume_prop.h"
-#include "ui/slice_view.h"
+#include "ui/slice_set.h"
+#include "ui/view_layout.h"
 #include "ui/view_look.h"
 
 class QAction;
@@ -48,6 +49,10 @@ class MainWindow : public QMainWindow {
   void show(const Picture& picture, double isovalue, const QString& title);
   void show(const haptics::TriangleMesh& tool);
   using QMainWindow::show;
+  /// Shows other voxels of the same grid; what is on view stays as it is.
+  void replace(const Picture& picture);
+  /// The isovalue of surface and contour, without asking for it to be touched.
+  void setIsovalue(double isovalue);
   /// The surface that is touched, for all views; given with every scene.
   void setTouched(const TouchedSurface& touched);
   /// Draws this above all views, and asks it first for mouse and keys.
@@ -58,8 +63,8 @@ class MainWindow : public QMainWindow {
   ViewLook look() const;
   void setLook(const ViewLook& look);
   /// The linked crosshair of the slices.
-  const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
-  void setCross(const Eigen::Vector3d& cross_W_mm) { moveCross(cross_W_mm); }
+  const Eigen::Vector3d& cross_mm() const { return slice_set_->cross_mm(); }
+  void setCross(const Eigen::Vector3d& cross_W_mm) { slice_set_->moveCross(cross_W_mm); }
   /// The state of the touch, at display rate. Pictures are updated at once, texts ten times a
   /// second.
   void display(const haptics::Snapshot& snapshot);
@@ -96,7 +101,12 @@ class MainWindow : public QMainWindow {
   IsosurfacePanel& isosurfacePanel() { return *isosurface_; }
   /// Below the views; hidden until it is given a recording.
   ReplayBar& replayBar() { return *replay_; }
-  SliceView& slice(Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
+  SliceView& slice(Plane plane) { return slice_set_->slice(plane); }
+  SliceSet& slices() { return *slice_set_; }
+  ViewLayout& views() { return *views_; }
+  /// How the views are laid out, in a word for the preferences; one that is not known is left out.
+  QString viewState() const;
+  void restoreViews(const QString& state);
 
  signals:
   void openWanted(const QString& path);
@@ -124,6 +134,8 @@ class MainWindow : public QMainWindow {
   /// The user wants a picture in a file, or in the clipboard.
   void pictureWanted();
   void pictureCopyWanted();
+  /// A place in a slice was clicked twice, mm of W.
+  void sliceDoubleClicked(const Eigen::Vector3d& p_W_mm);
   void forceOffWanted();
   void forceOnWanted();
   void closing();
@@ -140,16 +152,17 @@ class MainWindow : public QMainWindow {
   QDockWidget* dock(const QString& title, const char* name, QWidget* panel);
   void buildForceBar();
   void buildMenus();
+  void buildLayoutMenu(QMenu& menu);
   void buildFileMenu();
   void buildStatusBar();
   void displayWords();
-  void moveCross(const Eigen::Vector3d& cross_W_mm);
-  void setGrey(const GreyWindow& grey);
   void showControls();
   void showAbout();
 
   VolumeView* view_;
-  std::array<SliceView*, 3> slices_{};
+  SliceSet* slice_set_;
+  std::array<SliceView*, 4> slices_{};
+  ViewLayout* views_ = nullptr;
   IsosurfacePanel* isosurface_;
   DevicePanel* device_;
   HapticDevicePanel* haptic_device_;
@@ -159,7 +172,6 @@ class MainWindow : public QMainWindow {
   QDockWidget* force_dock_ = nullptr;
   QMenu* view_menu_ = nullptr;
   ViewActions* view_actions_ = nullptr;
-  Eigen::Vector3d cross_mm_ = Eigen::Vector3d::Zero();
   StatusLine* status_;
   QFrame* fault_bar_;
   QLabel* fault_;

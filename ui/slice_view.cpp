@@ -1,15 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/slice_view.h"
 
+#include <QContextMenuEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "ui/plane_colours.h"
+#include "ui/props/contour.h"
+#include "ui/props/section.h"
+#include "ui/slice_readout.h"
 
 namespace ui {
 namespace {
+
+constexpr int kSideMargin = 22, kEndMargin = 17;  // px, for the letters
+constexpr double kRoom = 1.04;                    // of the picture, around a whole slice
+constexpr double kObliqueView_mm = 120.0;         // that an oblique view shows at first, at most
+constexpr double kFarthest = 0.25;                // least zoom
+constexpr double kNearest_px = 60.0;              // for a voxel, at most
+constexpr double kZoomNotch = 1.2;
+constexpr int kPage = 10;             // slices
+constexpr double kPanKey = 24.0;      // px
+constexpr int kRestMs = 150;          // without a change: the contour is followed finely
+constexpr double kVisible_px = 0.25;  // a tool that moved less is not drawn again
+constexpr double kCrossGap = 8.0;     // px, around the crosshair's middle
+constexpr QColor kContour(255, 170, 90);
+constexpr QColor kProxyLine(60, 180, 255), kDeviceLine(255, 110, 50);
 
 QString nameOf(Plane plane) {
   switch (plane) {
@@ -18,9 +40,24 @@ QString nameOf(Plane plane) {
     case Plane::Coronal:
       return SliceView::tr("Coronal");
     case Plane::Sagittal:
+      return SliceView::tr("Sagittal");
+    case Plane::Oblique:
       break;
   }
-  return SliceView::tr("Sagittal");
+  return SliceView::tr("Tool");
+}
+
+/// Rounded as the voxels' type allows.
+QString intensityWords(double value, const haptics::Volume& volume) {
+  const bool whole = volume.type != haptics::ScalarType::Float32 || std::abs(value) >= 1000.0;
+  const QString number = whole ? QLocale().toString(std::round(value) + 0.0, 'f', 0)
+                               : QLocale().toString(value, 'g', 4);
+  return volume.unit.empty() ? number : number + ' ' + QString::fromStdString(volume.unit);
+}
+
+double apart_mm(const haptics::Pose& a, const haptics::Pose& b, double radius_mm) {
+  return (a.translation() - b.translation()).norm() * kMmPerM +
+         (a.linear() - b.linear()).cwiseAbs().maxCoeff() * radius_mm;
 }
 
 }  // namespace
@@ -36,7 +73,7 @@ class SliceView::Geometry : public ViewGeometry {
   }
   Eigen::Matrix3d axes() const override {
     Eigen::Matrix3d axes;
-    axes << view_.axes_.right, view_.axes_.up, view_.axes_.right.cross(view_.axes_.up);
+    axes << view_.axes_.right, view_.axes_.up, towards();
     return axes;
   }
   std::optional<Eigen::Vector3d> placeUnder(QPointF at) const override {
@@ -44,19 +81,21 @@ class SliceView::Geometry : public ViewGeometry {
   }
   Eigen::Vector3d placeBeside(QPointF at, const Eigen::Vector3d& p_W_mm) const override {
     const Eigen::Vector3d p = view_.placeUnder(at);
-    return p + view_.axes_.normal * view_.axes_.normal.dot(p_W_mm - p);
+    return p + towards() * towards().dot(p_W_mm - p);
   }
   void sight(QPointF at, Eigen::Vector3d& from_W_mm, Eigen::Vector3d& along_W) const override {
     from_W_mm = view_.placeUnder(at);
-    along_W = view_.axes_.up.cross(view_.axes_.right);
+    along_W = -towards();
   }
   double mmPerPixel(const Eigen::Vector3d&) const override { return view_.mmPerPixel(); }
   double offset_mm(const Eigen::Vector3d& p_W_mm) const override {
-    return view_.axes_.right.cross(view_.axes_.up).dot(p_W_mm - view_.cross_mm_);
+    return towards().dot(p_W_mm - view_.through_mm_);
   }
   const QWidget& widget() const override { return view_; }
 
  private:
+  Eigen::Vector3d towards() const { return view_.axes_.right.cross(view_.axes_.up); }
+
   const SliceView& view_;
 };
 
@@ -64,160 +103,580 @@ SliceView::SliceView(Plane plane, QWidget* parent)
     : QWidget(parent),
       plane_(plane),
       axes_(axesOf(plane)),
+      name_(nameOf(plane)),
+      patch_(std::make_unique<Patch>()),
       geometry_(std::make_unique<Geometry>(*this)) {
   setMouseTracking(true);
   setMinimumSize(120, 100);
-  setFocusPolicy(Qt::ClickFocus);
-  setAccessibleName(nameOf(plane));
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(name_);
   setAttribute(Qt::WA_OpaquePaintEvent);
+  refine_.setSingleShot(true);
+  refine_.setInterval(kRestMs);
+  connect(&refine_, &QTimer::timeout, this, [this] {
+    contour_stale_ = true;
+    contour_age_.invalidate();
+    update();
+  });
 }
 
 SliceView::~SliceView() = default;
 
-void SliceView::show(const Picture& picture) {
+void SliceView::take(const Picture& picture) {
   slice_.show(picture);
-  box_mm_ = boxOf_mm(picture.volume->grid);
-  step_mm_ = picture.volume->grid.spacing.minCoeff() * kMmPerM;
-  full_width_ = std::max(picture.volume->greatest - picture.volume->least, 1e-6);
-  letters_ = picture.volume->orientation_known;
-  proxy_mm_.reset();
+  volume_ = picture.volume;
+  box_mm_ = boxOf_mm(volume_->grid);
+  changed();
+}
+
+void SliceView::show(const Picture& picture) {
+  X_WP_.reset();
+  X_WD_.reset();
+  take(picture);
+  resetView();
+}
+
+void SliceView::replace(const Picture& picture) { take(picture); }
+
+void SliceView::changed() {
   stale_ = true;
+  contour_stale_ = true;
+  update();
+}
+
+void SliceView::setMesh(std::shared_ptr<const haptics::TriangleMesh> mesh) {
+  mesh_ = std::move(mesh);
+  tool_radius_mm_ = 0.0;
+  if (mesh_)
+    for (const haptics::Vec3& v : mesh_->vertices)
+      tool_radius_mm_ = std::max(tool_radius_mm_, v.norm() * kMmPerM);
   update();
 }
 
 void SliceView::setCross(const Eigen::Vector3d& cross_W_mm) {
-  // a move within the slice leaves its picture as it is
-  stale_ = stale_ || std::abs(axes_.normal.dot(cross_W_mm - cross_mm_)) > 1e-6;
   cross_mm_ = cross_W_mm;
+  if (plane_ == Plane::Oblique) return update();
+  // a move within the slice leaves its picture as it is
+  if (std::abs(axes_.normal.dot(cross_W_mm - through_mm_)) > 1e-6) changed();
+  through_mm_ = cross_W_mm;
+  // a crosshair that was moved elsewhere is looked for
+  if (drag_ == Drag::None && volume_ && !QRectF(pictureRect()).contains(projected(cross_mm_))) {
+    const Eigen::Vector3d by = cross_mm_ - middle_mm();
+    pan_mm_ += Eigen::Vector2d{axes_.right.dot(by), axes_.up.dot(by)};
+    changed();
+  }
+  update();
+}
+
+void SliceView::setPlane(const PlaneAxes& axes, const Eigen::Vector3d& through_W_mm,
+                         const QString& name, const QString& place) {
+  name_ = name;
+  place_ = place;
+  setAccessibleName(name);
+  axes_ = axes;
+  through_mm_ = through_W_mm;
+  changed();
+}
+
+void SliceView::setCrossedPlanes(std::vector<CrossedPlane> planes) {
+  if (planes == crossed_) return;
+  crossed_ = std::move(planes);
   update();
 }
 
 void SliceView::setGrey(const GreyWindow& grey) {
   grey_ = grey;
+  grey_stale_ = true;
+  update();
+}
+
+void SliceView::setLook(const SliceLook& look) {
+  if (look == look_) return;
+  look_ = look;
   stale_ = true;
   update();
 }
 
-void SliceView::setProxy(const Eigen::Vector3d& proxy_W_mm) {
-  if (proxy_mm_ && (*proxy_mm_ - proxy_W_mm).norm() < 0.2 * mmPerPixel()) return;
-  proxy_mm_ = proxy_W_mm;
+void SliceView::setIsovalue(double isovalue) {
+  if (isovalue == isovalue_) return;
+  isovalue_ = isovalue;
+  contour_stale_ = true;
   update();
 }
 
-double SliceView::mmPerPixel() const {
+void SliceView::setContourShown(bool shown) {
+  contour_shown_ = shown;
+  contour_stale_ = true;
+  update();
+}
+
+void SliceView::setTouched(const TouchedSurface& touched) {
+  touched_ = touched;
+  contour_stale_ = true;
+  update();
+}
+
+void SliceView::setTool(const haptics::Pose& X_WP, const haptics::Pose& X_WD) {
+  const double least = kVisible_px * mmPerPixel();
+  if (X_WP_ && X_WD_ && apart_mm(*X_WP_, X_WP, tool_radius_mm_) < least &&
+      apart_mm(*X_WD_, X_WD, tool_radius_mm_) < least)
+    return;
+  X_WP_ = X_WP;
+  X_WD_ = X_WD;
+  update();
+}
+
+QRect SliceView::pictureRect() const {
+  return rect().adjusted(kSideMargin, kEndMargin, -kSideMargin, -kEndMargin);
+}
+
+double SliceView::fittingMmPerPixel() const {
   if (box_mm_.isEmpty()) return 1.0;
-  const Eigen::Vector3d size = box_mm_.sizes();
-  const double across = std::abs(axes_.right.dot(size)) * 1.08;
-  const double upward = std::abs(axes_.up.dot(size)) * 1.08;
-  return std::max({across / std::max(1, width()), upward / std::max(1, height()), 1e-3});
+  const QRect picture = pictureRect();
+  double across = 0.0, upward = 0.0;
+  if (plane_ == Plane::Oblique) {  // the same whichever way it lies
+    across = upward = std::min(kObliqueView_mm, box_mm_.diagonal().norm());
+  } else {
+    across = axes_.right.cwiseAbs().dot(box_mm_.sizes());
+    upward = axes_.up.cwiseAbs().dot(box_mm_.sizes());
+  }
+  return std::max({kRoom * across / std::max(1, picture.width()),
+                   kRoom * upward / std::max(1, picture.height()), 1e-3});
+}
+
+double SliceView::mmPerPixel() const { return fittingMmPerPixel() / zoom_; }
+
+Eigen::Vector3d SliceView::middle_mm() const {
+  Eigen::Vector3d middle = through_mm_;
+  if (plane_ != Plane::Oblique && !box_mm_.isEmpty()) {
+    middle = box_mm_.center();
+    middle += axes_.normal * axes_.normal.dot(through_mm_ - middle);
+  }
+  return middle + axes_.right * pan_mm_.x() + axes_.up * pan_mm_.y();
 }
 
 QPointF SliceView::projected(const Eigen::Vector3d& p_W_mm) const {
-  const Eigen::Vector3d p = p_W_mm - box_mm_.center();
+  const Eigen::Vector3d p = p_W_mm - middle_mm();
   const double scale = 1.0 / mmPerPixel();
-  return {0.5 * width() + axes_.right.dot(p) * scale, 0.5 * height() - axes_.up.dot(p) * scale};
+  const QPointF centre = QRectF(pictureRect()).center();
+  return {centre.x() + axes_.right.dot(p) * scale, centre.y() - axes_.up.dot(p) * scale};
+}
+
+Eigen::Vector3d SliceView::placeUnder(QPointF at) const {
+  const double scale = mmPerPixel();
+  const QPointF by = at - QRectF(pictureRect()).center();
+  return middle_mm() + axes_.right * (by.x() * scale) - axes_.up * (by.y() * scale);
+}
+
+void SliceView::resetView() {
+  zoom_ = 1.0;
+  pan_mm_.setZero();
+  changed();
+}
+
+double SliceView::allowedZoom(double zoom) const {
+  const double voxel_mm = volume_->grid.spacing.minCoeff() * kMmPerM;
+  const double most = std::max(1.0, fittingMmPerPixel() * kNearest_px / voxel_mm);
+  return std::clamp(zoom, kFarthest, most);
+}
+
+void SliceView::setFrame(const SliceFrame& frame) {
+  if (!volume_) return;
+  zoom_ = allowedZoom(frame.zoom);
+  pan_mm_ = frame.shift_mm;
+  changed();
+}
+
+void SliceView::zoom(double factor, QPointF at) {
+  if (!volume_) return;
+  const Eigen::Vector3d before = placeUnder(at);
+  zoom_ = allowedZoom(zoom_ * factor);
+  const Eigen::Vector3d by = before - placeUnder(at);
+  pan_mm_ += Eigen::Vector2d{axes_.right.dot(by), axes_.up.dot(by)};
+  changed();
+}
+
+void SliceView::pan(QPointF by) {
+  pan_mm_ += Eigen::Vector2d{-by.x(), by.y()} * mmPerPixel();
+  changed();
+}
+
+std::optional<int> SliceView::gridAxis() const {
+  for (int a = 0; volume_ && a < 3; ++a)
+    if (std::abs(volume_->grid.direction.col(a).dot(axes_.normal)) > 1.0 - 1e-6) return a;
+  return {};
+}
+
+double SliceView::step_mm() const {
+  if (!volume_) return 1.0;
+  const std::optional<int> axis = gridAxis();
+  return (axis ? volume_->grid.spacing[*axis] : volume_->grid.spacing.minCoeff()) * kMmPerM;
+}
+
+void SliceView::scroll(int slices) {
+  if (!volume_ || slices == 0) return;
+  if (plane_ == Plane::Oblique) return emit depthChanged(slices * step_mm());
+  moveCrossTo(cross_mm_ + axes_.normal * (slices * step_mm()));
+}
+
+void SliceView::scrollToEnd(bool last) {
+  if (!volume_ || plane_ == Plane::Oblique) return;
+  const Eigen::Vector3d end = last ? box_mm_.max() : box_mm_.min();
+  moveCrossTo(cross_mm_ + axes_.normal * axes_.normal.dot(end - cross_mm_));
+}
+
+void SliceView::moveCrossTo(const Eigen::Vector3d& p_W_mm) {
+  if (volume_) emit crossMoved(p_W_mm.cwiseMax(box_mm_.min()).cwiseMin(box_mm_.max()));
+}
+
+void SliceView::shiftGrey(double level, double width) {
+  if (!volume_) return;
+  const double full = std::max(volume_->greatest - volume_->least, 1e-6);
+  GreyWindow grey = grey_;
+  grey.width = std::clamp(grey.width * std::exp(width * 0.01), 1e-4 * full, 2.0 * full);
+  grey.level += level * 0.003 * grey.width;
+  emit greyChanged(grey);
+}
+
+Patch SliceView::visiblePatch() const {
+  const QRectF picture = pictureRect();
+  const Eigen::Vector3d corner = placeUnder(picture.bottomLeft());
+  const double scale = mmPerPixel();
+  double left = 0.0, right = picture.width() * scale, low = 0.0, high = picture.height() * scale;
+  // beyond the voxels the field falls to the background within one
+  double most_x = left, least_x = right, most_y = low, least_y = high;
+  const haptics::VoxelBox box = volume_->bounds();
+  for (int n = 0; n < 8; ++n) {
+    haptics::Vec3 index;
+    for (int a = 0; a < 3; ++a)
+      index[a] = static_cast<double>((n >> a & 1) != 0 ? box.end[a] : box.first[a] - 1);
+    const Eigen::Vector3d p = volume_->grid.worldOf(index) * kMmPerM - corner;
+    least_x = std::min(least_x, axes_.right.dot(p));
+    most_x = std::max(most_x, axes_.right.dot(p));
+    least_y = std::min(least_y, axes_.up.dot(p));
+    most_y = std::max(most_y, axes_.up.dot(p));
+  }
+  left = std::max(left, least_x);
+  right = std::min(right, most_x);
+  low = std::max(low, least_y);
+  high = std::min(high, most_y);
+  return {.corner_W_mm = corner + axes_.right * left + axes_.up * low,
+          .right = axes_.right,
+          .up = axes_.up,
+          .width_mm = right - left,
+          .height_mm = high - low};
+}
+
+void SliceView::makeContour() {
+  // one change may be fine; those that follow soon are coarse until there is rest
+  contour_coarse_ = contour_age_.isValid() && contour_age_.elapsed() < kRestMs;
+  contour_age_.start();
+  if (contour_coarse_)
+    refine_.start();
+  else
+    refine_.stop();
+  const double voxel_mm = volume_->grid.spacing.minCoeff() * kMmPerM;
+  double step_mm = std::min(voxel_mm, std::max(2.0 * mmPerPixel(), 0.25 * voxel_mm));
+  if (contour_coarse_) step_mm = std::max(2.0 * step_mm, 3.0 * mmPerPixel());
+  *patch_ = visiblePatch();
+  contour_ = contourOf(touched_.value, isovalue_, *patch_,
+                       {.step_mm = step_mm, .voxel_mm = voxel_mm, .bent = !contour_coarse_});
+}
+
+void SliceView::drawContour(double scale) {
+  makeContour();
+  contour_image_ = QImage(image_.size(), QImage::Format_ARGB32_Premultiplied);
+  contour_image_.setDevicePixelRatio(scale);
+  contour_image_.fill(Qt::transparent);
+  QPainter painter(&contour_image_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(kContour, 1.25));
+  const QPointF origin = projected(patch_->corner_W_mm) - pictureRect().topLeft();
+  const double px = 1.0 / mmPerPixel();
+  std::vector<QLineF> lines;
+  lines.reserve(contour_.size());
+  for (const QLineF& piece : contour_)
+    lines.emplace_back(origin.x() + piece.x1() * px, origin.y() - piece.y1() * px,
+                       origin.x() + piece.x2() * px, origin.y() - piece.y2() * px);
+  painter.drawLines(lines.data(), static_cast<int>(lines.size()));
+}
+
+std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> SliceView::contour_W_mm() const {
+  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pieces;
+  for (const QLineF& piece : contour_)
+    pieces.emplace_back(patch_->at(piece.p1()), patch_->at(piece.p2()));
+  return pieces;
 }
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
-  if (slice_.empty()) return;
+  const QRect picture = pictureRect();
+  if (slice_.empty() || picture.isEmpty()) return;
+  const double scale = devicePixelRatioF();
   if (stale_) {
-    const double scale = devicePixelRatioF();
-    Eigen::Vector3d centre = box_mm_.center();
-    centre += axes_.normal * axes_.normal.dot(cross_mm_ - centre);
-    const QSize pixels{qRound(width() * scale), qRound(height() * scale)};
-    image_ = slice_.cut(plane_, centre, pixels, mmPerPixel() / scale, grey_);
-    image_.setDevicePixelRatio(scale);
+    const QSize pixels{qRound(picture.width() * scale), qRound(picture.height() * scale)};
+    slice_.cut(axes_, middle_mm(), pixels, mmPerPixel() / scale, look_);
     stale_ = false;
+    grey_stale_ = true;
   }
-  painter.drawImage(0, 0, image_);
-
+  if (grey_stale_) {
+    image_ = slice_.picture(grey_);
+    image_.setDevicePixelRatio(scale);
+    grey_stale_ = false;
+  }
+  painter.setClipRect(picture);
+  painter.drawImage(picture.topLeft(), image_);
+  if (contour_shown_ && touched_.value) {
+    if (contour_stale_) drawContour(scale);
+    contour_stale_ = false;
+    painter.drawImage(picture.topLeft(), contour_image_);
+  }
   painter.setRenderHint(QPainter::Antialiasing);
-  const QPointF cross = projected(cross_mm_);
-  painter.setPen(QPen(QColor(90, 200, 120, 200), 1.0));
-  painter.drawLine(QPointF{0.0, cross.y()}, QPointF{width() + 0.0, cross.y()});
-  painter.drawLine(QPointF{cross.x(), 0.0}, QPointF{cross.x(), height() + 0.0});
-  if (proxy_mm_) {
-    const bool here = std::abs(axes_.normal.dot(*proxy_mm_ - cross_mm_)) <= step_mm_;
-    painter.setPen(QPen(QColor(60, 180, 255), 1.5));
-    painter.setBrush(here ? QBrush(QColor(60, 180, 255)) : QBrush(Qt::NoBrush));
-    painter.drawEllipse(projected(*proxy_mm_), 4.0, 4.0);
-  }
-  drawLetters(painter);
+  drawCrossedPlanes(painter);
+  drawTool(painter);
   overlays_.paint(painter, *geometry_);
+  painter.setClipping(false);
+  drawReadout(painter, readout(), rect(), picture);
+  if (hasFocus()) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colourOf(plane_), 1.0, Qt::DotLine));
+    painter.drawRect(picture);
+  }
 }
 
-void SliceView::drawLetters(QPainter& painter) const {
-  QFont font = painter.font();
-  font.setPointSizeF(9.0);
-  painter.setFont(font);
-  painter.setPen(QColor(200, 200, 200));
-  painter.drawText(rect().adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop, nameOf(plane_));
-  if (!letters_) return;
-  font.setPointSizeF(13.0);
-  font.setBold(true);
-  painter.setFont(font);
-  painter.setPen(QColor(255, 217, 51));
-  const std::array<QString, 4> letters = lettersOf(plane_);
-  const std::array<int, 4> edges{Qt::AlignLeft | Qt::AlignVCenter,
-                                 Qt::AlignRight | Qt::AlignVCenter, Qt::AlignHCenter | Qt::AlignTop,
-                                 Qt::AlignHCenter | Qt::AlignBottom};
-  for (std::size_t i = 0; i < letters.size(); ++i)
-    painter.drawText(rect().adjusted(6, 4, -6, -4), edges[i], letters[i]);
+void SliceView::drawCrossedPlanes(QPainter& painter) const {
+  const QRectF picture = pictureRect();
+  const QPointF cross = projected(cross_mm_);
+  const double reach = picture.width() + picture.height();
+  for (const CrossedPlane& plane : crossed_) {
+    // n . (p - through) = 0 in the picture's own axes
+    const Eigen::Vector2d n{plane.normal_W.dot(axes_.right), plane.normal_W.dot(axes_.up)};
+    if (n.norm() < 0.05) continue;
+    const Eigen::Vector3d middle = middle_mm();
+    const double off_mm = plane.normal_W.dot(plane.through_W_mm - middle) / n.squaredNorm();
+    const QPointF foot =
+        projected(middle + axes_.right * (n.x() * off_mm) + axes_.up * (n.y() * off_mm));
+    const Eigen::Vector2d unit = n.normalized();
+    const QPointF along{unit.y(), unit.x()};  // widget's y goes down
+    const double at = QPointF::dotProduct(cross - foot, along);
+    const QPointF nearest = foot + along * at;
+    const bool meets = std::hypot(nearest.x() - cross.x(), nearest.y() - cross.y()) < 2.0;
+    const double gap = meets ? kCrossGap : 0.0;
+    QColor colour = plane.colour;
+    colour.setAlpha(200);
+    painter.setPen(QPen(colour, 1.0));
+    painter.drawLine(nearest + along * gap, nearest + along * reach);
+    painter.drawLine(nearest - along * gap, nearest - along * reach);
+  }
 }
 
-void SliceView::resizeEvent(QResizeEvent*) { stale_ = true; }
-
-Eigen::Vector3d SliceView::placeUnder(QPointF at) const {
-  const double scale = mmPerPixel();
-  const Eigen::Vector3d centre = box_mm_.isEmpty() ? cross_mm_ : Eigen::Vector3d{box_mm_.center()};
-  const Eigen::Vector3d p = centre + axes_.right * ((at.x() - 0.5 * width()) * scale) -
-                            axes_.up * ((at.y() - 0.5 * height()) * scale);
-  return p + axes_.normal * axes_.normal.dot(cross_mm_ - centre);
+void SliceView::drawTool(QPainter& painter) const {
+  if (!X_WP_ || !X_WD_) return;
+  const double px = 1.0 / mmPerPixel();
+  const Eigen::Vector3d middle = middle_mm();
+  const QPointF centre = QRectF(pictureRect()).center();
+  const auto outline = [&](const haptics::Pose& X, const QPen& pen) {
+    if (!mesh_) return false;
+    const std::vector<QLineF> pieces = sectionOf(*mesh_, X, axes_, middle);
+    painter.setPen(pen);
+    QPainterPath path;
+    for (const QLineF& piece : pieces) {
+      const QPointF a{centre.x() + piece.x1() * px, centre.y() - piece.y1() * px};
+      const QPointF b{centre.x() + piece.x2() * px, centre.y() - piece.y2() * px};
+      painter.drawLine(a, b);
+    }
+    return !pieces.empty();
+  };
+  if (apart_mm(*X_WP_, *X_WD_, tool_radius_mm_) > mmPerPixel())
+    outline(*X_WD_, QPen(kDeviceLine, 1.25, Qt::DashLine));
+  if (outline(*X_WP_, QPen(kProxyLine, 1.5))) return;
+  // the tool lies in front of the plane or behind it: where its tip is
+  const Eigen::Vector3d tip =
+      (mesh_ ? Eigen::Vector3d{*X_WP_ * tipOf(*mesh_)} : Eigen::Vector3d{X_WP_->translation()}) *
+      kMmPerM;
+  painter.setPen(QPen(kProxyLine, 1.5));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(projected(tip), 4.0, 4.0);
 }
 
-void SliceView::moveCrossTo(QPointF at) {
-  if (slice_.empty()) return;
-  emit crossMoved(placeUnder(at).cwiseMax(box_mm_.min()).cwiseMin(box_mm_.max()));
+SliceReadout SliceView::readout() const {
+  SliceReadout readout{.name = name_, .colour = colourOf(plane_)};
+  readout.mm_per_pixel = mmPerPixel();
+  if (!volume_) return readout;
+  readout.sides_known = volume_->orientation_known;
+  if (readout.sides_known) readout.letters = lettersOf(axes_);
+  readout.place = place_;
+  if (plane_ != Plane::Oblique) {
+    int along = 0;
+    axes_.normal.cwiseAbs().maxCoeff(&along);
+    const QString mm =
+        tr("%1 mm").arg(positionWords(through_mm_, along, volume_->orientation_known));
+    const std::optional<int> axis = gridAxis();
+    readout.place = mm;
+    if (axis) {
+      const double index = volume_->grid.indexOf(through_mm_ / kMmPerM)[*axis];
+      readout.place = QStringLiteral("%1 / %2   %3")
+                          .arg(std::lround(index) + 1)
+                          .arg(volume_->grid.dims[static_cast<std::size_t>(*axis)])
+                          .arg(mm);
+    }
+  }
+  if (look_.slab != SlabKind::None)
+    readout.slab = (look_.slab == SlabKind::Maximum ? tr("maximum of %1 mm") : tr("mean of %1 mm"))
+                       .arg(QLocale().toString(look_.thickness_mm, 'g', 3));
+  const int digits = std::abs(grey_.width) < 10.0 ? 2 : 0;
+  readout.grey = tr("W %1  L %2")
+                     .arg(QLocale().toString(grey_.width, 'f', digits),
+                          QLocale().toString(grey_.level, 'f', digits));
+  if (hover_ && QRectF(pictureRect()).contains(*hover_)) {
+    const double scale = devicePixelRatioF();
+    const QPointF at = (*hover_ - pictureRect().topLeft()) * scale;
+    const std::optional<double> value =
+        slice_.valueAt({static_cast<int>(at.x()), static_cast<int>(at.y())});
+    if (value) {
+      readout.value = intensityWords(*value, *volume_);
+      readout.position = positionWords(placeUnder(*hover_), volume_->orientation_known);
+    }
+  }
+  return readout;
 }
+
+void SliceView::resizeEvent(QResizeEvent*) { changed(); }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   last_mouse_ = event->position();
+  dragged_ = false;
+  drag_ = Drag::None;
   if (overlays_.press(*geometry_, *event)) return;
-  if (event->button() == Qt::LeftButton) moveCrossTo(event->position());
+  if (event->button() == Qt::MiddleButton ||
+      (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ShiftModifier) != 0)) {
+    drag_ = Drag::Pan;
+  } else if (event->button() == Qt::LeftButton) {
+    drag_ = Drag::Cross;
+    moveCrossTo(placeUnder(event->position()));
+  } else if (event->button() == Qt::RightButton) {
+    drag_ = Drag::Grey;
+  }
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF by = event->position() - last_mouse_;
   last_mouse_ = event->position();
+  hover_ = event->position();
+  update();
   if (overlays_.move(*geometry_, *event)) return;
-  if (event->buttons() & Qt::LeftButton) {
-    moveCrossTo(event->position());
-  } else if (event->buttons() & Qt::RightButton) {
-    GreyWindow grey = grey_;
-    grey.width =
-        std::clamp(grey.width * std::exp(by.x() * 0.01), 1e-4 * full_width_, 2.0 * full_width_);
-    grey.level -= by.y() * 0.003 * grey.width;
-    emit greyChanged(grey);
+  if (event->buttons() == Qt::NoButton || by.isNull()) return;
+  dragged_ = true;
+  switch (drag_) {
+    case Drag::Cross:
+      return moveCrossTo(placeUnder(event->position()));
+    case Drag::Pan:
+      return pan(by);
+    case Drag::Grey:
+      return shiftGrey(-by.y(), by.x());
+    case Drag::None:
+      break;
   }
 }
 
-void SliceView::mouseReleaseEvent(QMouseEvent* event) { overlays_.release(*geometry_, *event); }
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  const bool clicked = drag_ == Drag::Grey && !dragged_;
+  drag_ = Drag::None;
+  if (overlays_.release(*geometry_, *event)) return;
+  if (clicked) emit menuWanted(event->globalPosition().toPoint());
+}
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (!overlays_.doubleClick(*geometry_, *event)) mousePressEvent(event);
+  if (overlays_.doubleClick(*geometry_, *event)) return;
+  if (event->button() == Qt::LeftButton && volume_)
+    emit doubleClicked(placeUnder(event->position()));
+  else
+    mousePressEvent(event);
+}
+
+void SliceView::contextMenuEvent(QContextMenuEvent* event) {
+  // the mouse's comes with its release: a drag is no wish for a menu
+  if (event->reason() == QContextMenuEvent::Keyboard)
+    emit menuWanted(mapToGlobal(pictureRect().center()));
+  event->accept();
+}
+
+bool SliceView::moveKey(const QKeyEvent& event) {
+  QPointF by;
+  switch (event.key()) {
+    case Qt::Key_Up:
+      by = {0.0, -1.0};
+      break;
+    case Qt::Key_Down:
+      by = {0.0, 1.0};
+      break;
+    case Qt::Key_Left:
+      by = {-1.0, 0.0};
+      break;
+    case Qt::Key_Right:
+      by = {1.0, 0.0};
+      break;
+    default:
+      return false;
+  }
+  const Qt::KeyboardModifiers held = event.modifiers() & ~Qt::KeypadModifier;
+  if (held == Qt::ShiftModifier)
+    pan(by * -kPanKey);
+  else if (held == Qt::ControlModifier)
+    shiftGrey(-10.0 * by.y(), 10.0 * by.x());
+  else if (held == Qt::AltModifier)
+    moveCrossTo(cross_mm_ + (axes_.right * by.x() - axes_.up * by.y()) *
+                                (volume_ ? volume_->grid.spacing.minCoeff() * kMmPerM : 1.0));
+  else if (held == Qt::NoModifier && by.x() == 0.0)
+    scroll(by.y() < 0.0 ? 1 : -1);
+  else
+    return false;
+  return true;
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
-  if (!overlays_.key(*geometry_, *event)) QWidget::keyPressEvent(event);
+  if (overlays_.key(*geometry_, *event) || moveKey(*event)) return;
+  const QPointF at = hover_.value_or(QRectF(pictureRect()).center());
+  switch (event->key()) {
+    case Qt::Key_PageUp:
+      return scroll(kPage);
+    case Qt::Key_PageDown:
+      return scroll(-kPage);
+    case Qt::Key_Home:
+      return scrollToEnd(false);
+    case Qt::Key_End:
+      return scrollToEnd(true);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return zoom(kZoomNotch, at);
+    case Qt::Key_Minus:
+      return zoom(1.0 / kZoomNotch, at);
+    case Qt::Key_R:
+      if (event->modifiers() != Qt::NoModifier) break;
+      resetView();
+      emit resetWanted();
+      return;
+    default:
+      break;
+  }
+  QWidget::keyPressEvent(event);
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
-  const double notches = event->angleDelta().y() / 120.0;
-  const Eigen::Vector3d p = cross_mm_ + axes_.normal * (notches * step_mm_);
-  if (!slice_.empty()) emit crossMoved(p.cwiseMax(box_mm_.min()).cwiseMin(box_mm_.max()));
   event->accept();
+  if ((event->modifiers() & Qt::ControlModifier) != 0)
+    return zoom(std::pow(kZoomNotch, event->angleDelta().y() / 120.0), event->position());
+  // whole slices: a touch pad sends parts of a notch
+  wheel_ += event->angleDelta().y();
+  const int notches = wheel_ / 120;
+  wheel_ -= notches * 120;
+  scroll(notches);
+}
+
+void SliceView::leaveEvent(QEvent*) {
+  hover_.reset();
+  update();
 }
 
 }  // namespace ui

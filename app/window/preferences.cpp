@@ -37,6 +37,7 @@ Preferences loadPreferences() {
   Preferences preferences;
   preferences.geometry = settings.value("window/geometry").toByteArray();
   preferences.layout = settings.value("window/layout").toByteArray();
+  preferences.views = settings.value("window/views").toString();
   preferences.notice_seen = settings.value("notice/seen", false).toBool();
   const double stiffness = settings.value("coupling/stiffness", 1000.0).toDouble();
   if (haptics::kStiffnessRange.holds(stiffness)) preferences.stiffness = stiffness;
@@ -51,6 +52,7 @@ void savePreferences(const Preferences& preferences) {
   QSettings settings;
   settings.setValue("window/geometry", preferences.geometry);
   settings.setValue("window/layout", preferences.layout);
+  settings.setValue("window/views", preferences.views);
   settings.setValue("notice/seen", preferences.notice_seen);
   settings.setValue("coupling/stiffness", preferences.stiffness);
   const ui::Mapping& mapping = preferences.mapping;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QString>
 #include <QStringList>
 
 #include "ui/panels/haptic_device_panel.h"
@@ -13,6 +14,7 @@ namespace app {
 struct Preferences {
   QByteArray geometry = {};  ///< geometry of the window, as Qt writes it
   QByteArray layout = {};    ///< layout of the docks, as Qt writes it
+  QString views = {};        ///< layout of the views, as MainWindow::viewState() has it
   bool notice_seen = false;
   double stiffness = 1000.0;  ///< N/m
   ui::Mapping mapping = {};   ///< mapping of haptic devices

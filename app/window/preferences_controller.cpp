@@ -10,6 +10,7 @@ void PreferencesController::restoreWindow() {
   if (preferences_.geometry.isEmpty() || !kept_) return;
   window_.restoreGeometry(preferences_.geometry);
   window_.restoreState(preferences_.layout);
+  window_.restoreViews(preferences_.views);
 }
 
 void PreferencesController::showNotice() {
@@ -22,6 +23,7 @@ void PreferencesController::showNotice() {
 void PreferencesController::save() {
   preferences_.geometry = window_.saveGeometry();
   preferences_.layout = window_.saveState();
+  preferences_.views = window_.viewState();
   emit saving(preferences_);
   if (kept_) savePreferences(preferences_);
 }

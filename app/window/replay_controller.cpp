@@ -97,7 +97,7 @@ void ReplayController::close() {
     const double isovalue = shared_.settings.isovalue;
     window_.show(shared_.shown->scene->tool.mesh);
     window_.isosurfacePanel().show(shared_.shown->picture, isovalue);
-    window_.view().setIsovalue(isovalue);
+    window_.setIsovalue(isovalue);
   }
   emit closed();
 }
@@ -140,7 +140,7 @@ void ReplayController::show(double time) {
   if (same_volume_ && isovalue_ != step.settings.isovalue) {
     isovalue_ = step.settings.isovalue;
     window_.isosurfacePanel().show(shared_.shown->picture, step.settings.isovalue);
-    window_.view().setIsovalue(step.settings.isovalue);
+    window_.setIsovalue(step.settings.isovalue);
   }
   window_.display(snapshotOf(step, shared_.shown->scene->id));
   // the plot goes on where it was, or begins anew after a jump

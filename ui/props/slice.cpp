@@ -6,8 +6,16 @@
 #include <vtkMatrix4x4.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace ui {
+namespace {
+
+constexpr double kSaid = 0.35;   // of a unit direction: a letter is said from 20 degrees on
+constexpr int kMostLayers = 64;  // of a slab
+
+}  // namespace
 
 PlaneAxes axesOf(Plane plane) {
   const Eigen::Vector3d left = Eigen::Vector3d::UnitX();
@@ -15,6 +23,7 @@ PlaneAxes axesOf(Plane plane) {
   const Eigen::Vector3d head = Eigen::Vector3d::UnitZ();
   switch (plane) {
     case Plane::Axial:
+    case Plane::Oblique:
       return {left, -back, head};
     case Plane::Coronal:
       return {left, head, back};
@@ -24,20 +33,24 @@ PlaneAxes axesOf(Plane plane) {
   return {back, head, left};
 }
 
-std::array<QString, 4> lettersOf(Plane plane) {
-  switch (plane) {
-    case Plane::Axial:
-      return {"R", "L", "A", "P"};
-    case Plane::Coronal:
-      return {"R", "L", "S", "I"};
-    case Plane::Sagittal:
-      break;
-  }
-  return {"A", "P", "S", "I"};
+QString letterOf(const Eigen::Vector3d& direction_W) {
+  std::array<std::pair<double, QChar>, 3> parts{
+      {{direction_W.x(), direction_W.x() > 0.0 ? 'L' : 'R'},
+       {direction_W.y(), direction_W.y() > 0.0 ? 'P' : 'A'},
+       {direction_W.z(), direction_W.z() > 0.0 ? 'S' : 'I'}}};
+  std::ranges::stable_sort(
+      parts, [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
+  QString letters(parts[0].second);
+  for (std::size_t n = 1; n < parts.size(); ++n)
+    if (std::abs(parts[n].first) > kSaid * direction_W.norm()) letters += parts[n].second;
+  return letters;
+}
+
+std::array<QString, 4> lettersOf(const PlaneAxes& axes) {
+  return {letterOf(-axes.right), letterOf(axes.right), letterOf(axes.up), letterOf(-axes.up)};
 }
 
 Slice::Slice() : reslice_(vtkSmartPointer<vtkImageReslice>::New()) {
-  reslice_->SetInterpolationModeToLinear();
   reslice_->SetOutputDimensionality(2);
   reslice_->SetOutputScalarType(VTK_FLOAT);
   reslice_->BorderOn();
@@ -50,35 +63,166 @@ void Slice::show(const Picture& picture) {
   // which may mirror
   reslice_->SetInputData(picture.image);
   reslice_->SetBackgroundLevel(picture.volume->least);
+  volume_ = picture.volume;
   X_LW_mm_ = picture.X_WL_mm.inverse();
-  shown_ = true;
 }
 
-QImage Slice::cut(Plane plane, const Eigen::Vector3d& centre_W_mm, QSize size, double mm_per_pixel,
-                  const GreyWindow& grey) {
-  const PlaneAxes axes = axesOf(plane);
-  Eigen::Affine3d X_WS = Eigen::Affine3d::Identity();
-  X_WS.linear() << axes.right, axes.up, axes.normal;
-  X_WS.translation() = centre_W_mm;
-  reslice_->SetResliceAxes(matrixOf(Eigen::Affine3d{X_LW_mm_ * X_WS}));
-  const int w = size.width(), h = size.height();
+Slice::Span Slice::spanOf(const Eigen::Vector3d& first_V, const Eigen::Vector3d& step_V) const {
+  const haptics::VoxelBox box = volume_->bounds();
+  double from = 0.0, to = size_.width() - 1.0;
+  for (int a = 0; a < 3; ++a) {
+    const double low = static_cast<double>(box.first[a]) - 0.5 - first_V[a];
+    const double high = static_cast<double>(box.end[a]) - 0.5 - first_V[a];
+    if (std::abs(step_V[a]) < 1e-12) {
+      if (low > 0.0 || high < 0.0) return {};
+      continue;
+    }
+    from = std::max(from, std::min(low / step_V[a], high / step_V[a]));
+    to = std::min(to, std::max(low / step_V[a], high / step_V[a]));
+  }
+  if (from > to) return {};
+  return {static_cast<int>(std::ceil(from)), static_cast<int>(std::floor(to)) + 1};
+}
+
+float Slice::kept(const Eigen::Vector3d& u) const {
+  const haptics::VoxelBox box = volume_->bounds();
+  const haptics::Grid& grid = volume_->grid;
+  std::array<std::int64_t, 3> low{}, high{};
+  Eigen::Vector3d part;
+  for (int a = 0; a < 3; ++a) {
+    const double at =
+        std::clamp(u[a], static_cast<double>(box.first[a]), static_cast<double>(box.end[a] - 1));
+    low[a] = static_cast<std::int64_t>(std::floor(at));
+    part[a] = at - static_cast<double>(low[a]);
+    if (interpolation_ == Interpolation::Nearest) {
+      low[a] += part[a] >= 0.5;
+      part[a] = 0.0;
+    }
+    high[a] = std::min(low[a] + 1, box.end[a] - 1);
+  }
+  return haptics::visitVoxels(volume_->type, volume_->voxels.get(), [&](const auto* voxels) {
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+      double weight = 1.0;
+      std::array<std::int64_t, 3> at{};
+      for (int a = 0; a < 3; ++a) {
+        const bool upper = (corner >> a & 1) != 0;
+        at[a] = upper ? high[a] : low[a];
+        weight *= upper ? part[a] : 1.0 - part[a];
+      }
+      if (weight > 0.0)
+        sum += weight *
+               static_cast<double>(voxels[(at[2] * grid.dims[1] + at[1]) * grid.dims[0] + at[0]]);
+    }
+    return static_cast<float>(sum);
+  });
+}
+
+void Slice::cutLayer(const Eigen::Affine3d& X_LS, double mm_per_pixel) {
+  const int w = size_.width(), h = size_.height();
+  reslice_->SetResliceAxes(matrixOf(X_LS));
   reslice_->SetOutputSpacing(mm_per_pixel, mm_per_pixel, 1.0);
   reslice_->SetOutputOrigin(-0.5 * (w - 1) * mm_per_pixel, -0.5 * (h - 1) * mm_per_pixel, 0.0);
   reslice_->SetOutputExtent(0, w - 1, 0, h - 1, 0, 0);
   reslice_->Update();
-
   const auto* in = static_cast<const float*>(reslice_->GetOutput()->GetScalarPointer());
-  QImage image(size, QImage::Format_Grayscale8);
+
+  const haptics::Grid& grid = volume_->grid;
+  const haptics::VoxelBox box = volume_->bounds();
+  const Eigen::Vector3d per_mm = (grid.spacing * kMmPerM).cwiseInverse();
+  const Eigen::Vector3d step = per_mm.cwiseProduct(X_LS.linear().col(0)) * mm_per_pixel;
+  const auto background = static_cast<float>(volume_->least);
+  layer_.resize(values_.size());
+  for (int y = 0; y < h; ++y) {
+    const std::ptrdiff_t row = h - 1 - y;  // VTK's rows go up
+    const Eigen::Vector3d at =
+        X_LS * Eigen::Vector3d{-0.5 * (w - 1) * mm_per_pixel,
+                               (static_cast<double>(row) - 0.5 * (h - 1)) * mm_per_pixel, 0.0};
+    const Eigen::Vector3d first = per_mm.cwiseProduct(at);
+    float* out = layer_.data() + static_cast<std::ptrdiff_t>(y) * w;
+    const Span span = spans_[static_cast<std::size_t>(y)] = spanOf(first, step);
+    std::fill(out, out + w, background);
+    if (span.first < span.end)
+      std::copy(in + row * w + span.first, in + row * w + span.end, out + span.first);
+    if (!volume_->crop) continue;
+    // a crop's outermost half voxel would be mixed with what was taken away
+    for (int x = span.first; x < span.end; ++x) {
+      const Eigen::Vector3d u = first + step * x;
+      bool rim = false;
+      for (int a = 0; a < 3; ++a)
+        rim = rim || u[a] < static_cast<double>(box.first[a]) ||
+              u[a] > static_cast<double>(box.end[a] - 1);
+      if (rim) out[x] = kept(u);
+    }
+  }
+}
+
+void Slice::cut(const PlaneAxes& axes, const Eigen::Vector3d& centre_W_mm, QSize size,
+                double mm_per_pixel, const SliceLook& look) {
+  size_ = size;
+  interpolation_ = look.interpolation;
+  if (look.interpolation == Interpolation::Linear)
+    reslice_->SetInterpolationModeToLinear();
+  else
+    reslice_->SetInterpolationModeToNearestNeighbor();
+  values_.resize(static_cast<std::size_t>(size.width()) * static_cast<std::size_t>(size.height()));
+  inside_.assign(values_.size(), 0);
+  spans_.resize(static_cast<std::size_t>(size.height()));
+
+  int layers = 1;
+  double between_mm = 0.0;
+  if (look.slab != SlabKind::None) {
+    const double voxel_mm = volume_->grid.spacing.minCoeff() * kMmPerM;
+    layers =
+        std::clamp(static_cast<int>(std::ceil(look.thickness_mm / voxel_mm)) + 1, 2, kMostLayers);
+    between_mm = look.thickness_mm / (layers - 1);
+  }
+  for (int n = 0; n < layers; ++n) {
+    Eigen::Affine3d X_WS = Eigen::Affine3d::Identity();
+    X_WS.linear() << axes.right, axes.up, axes.normal;
+    X_WS.translation() = centre_W_mm + axes.normal * ((n - 0.5 * (layers - 1)) * between_mm);
+    cutLayer(X_LW_mm_ * X_WS, mm_per_pixel);
+    if (n == 0) values_ = layer_;
+    for (int y = 0; y < size.height(); ++y) {
+      const Span span = spans_[static_cast<std::size_t>(y)];
+      const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width());
+      for (std::size_t i = row + span.first; i < row + span.end; ++i) {
+        // what lies outside the volume takes no part
+        if (inside_[i]++ == 0)
+          values_[i] = layer_[i];
+        else if (look.slab == SlabKind::Maximum)
+          values_[i] = std::max(values_[i], layer_[i]);
+        else
+          values_[i] += layer_[i];
+      }
+    }
+  }
+  if (look.slab == SlabKind::Mean)
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      if (inside_[i] > 1) values_[i] /= static_cast<float>(inside_[i]);
+}
+
+QImage Slice::picture(const GreyWindow& grey) const {
+  QImage image(size_, QImage::Format_Grayscale8);
   const double width = std::max(grey.width, 1e-9);
   const auto scale = static_cast<float>(255.0 / width);
   const auto black = static_cast<float>(grey.level - 0.5 * width);
-  for (int y = 0; y < h; ++y) {
-    const float* row = in + static_cast<std::ptrdiff_t>(h - 1 - y) * w;  // VTK's rows go up
+  const float* in = values_.data();
+  for (int y = 0; y < size_.height(); ++y) {
     uchar* out = image.scanLine(y);
-    for (int x = 0; x < w; ++x)
-      out[x] = static_cast<uchar>(std::clamp((row[x] - black) * scale, 0.0F, 255.0F));
+    for (int x = 0; x < size_.width(); ++x)
+      out[x] = static_cast<uchar>(std::clamp((*in++ - black) * scale, 0.0F, 255.0F));
   }
   return image;
+}
+
+std::optional<double> Slice::valueAt(QPoint pixel) const {
+  if (!QRect({0, 0}, size_).contains(pixel)) return {};
+  const std::size_t i =
+      static_cast<std::size_t>(pixel.y()) * static_cast<std::size_t>(size_.width()) +
+      static_cast<std::size_t>(pixel.x());
+  if (inside_[i] == 0) return {};
+  return values_[i];
 }
 
 }  // namespace ui

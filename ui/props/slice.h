@@ -6,6 +6,9 @@
 #include <QImage>
 #include <QString>
 #include <array>
+#include <memory>
+#include <optional>
+#include <vector>
 
 #include "ui/props/picture.h"
 
@@ -13,7 +16,7 @@ class vtkImageReslice;
 
 namespace ui {
 
-enum class Plane { Axial, Coronal, Sagittal };
+enum class Plane { Axial, Coronal, Sagittal, Oblique };
 
 /// Directions of a slice's picture in W (patient LPS), by the radiological convention: the
 /// patient's right is on the left of axial and coronal pictures, the front on the left of sagittal.
@@ -21,11 +24,16 @@ struct PlaneAxes {
   Eigen::Vector3d right;   ///< towards the right edge of the picture
   Eigen::Vector3d up;      ///< towards its upper edge
   Eigen::Vector3d normal;  ///< direction of the wheel: towards S, P or L
+
+  bool operator==(const PlaneAxes&) const = default;
 };
+/// An oblique plane begins as an axial one.
 PlaneAxes axesOf(Plane plane);
 
+/// The letters of a direction of W: "L", or "LA" between left and front.
+QString letterOf(const Eigen::Vector3d& direction_W);
 /// The letters at the left, right, upper and lower edge.
-std::array<QString, 4> lettersOf(Plane plane);
+std::array<QString, 4> lettersOf(const PlaneAxes& axes);
 
 /// A grey value for an intensity: black at level - width/2 and below, white at level + width/2.
 struct GreyWindow {
@@ -33,24 +41,56 @@ struct GreyWindow {
   double width = 1.0;
 };
 
+enum class Interpolation { Linear, Nearest };
+enum class SlabKind { None, Maximum, Mean };
+
+/// How voxels become a picture.
+struct SliceLook {
+  Interpolation interpolation = Interpolation::Linear;
+  SlabKind slab = SlabKind::None;
+  double thickness_mm = 5.0;  ///< of a slab, half of it on either side of the plane
+
+  bool operator==(const SliceLook&) const = default;
+};
+
 /// Cuts planar pictures out of a volume at a requested resolution, without copying the volume.
+/// Voxels that a crop took away count as background.
 class Slice {
  public:
   Slice();
   ~Slice();
 
   void show(const Picture& picture);
-  bool empty() const { return !shown_; }
+  bool empty() const { return volume_ == nullptr; }
 
-  /// A picture of size.width() x size.height() pixels, each mm_per_pixel across, whose centre
-  /// is centre_W_mm.
-  QImage cut(Plane plane, const Eigen::Vector3d& centre_W_mm, QSize size, double mm_per_pixel,
-             const GreyWindow& grey);
+  /// Cuts size.width() x size.height() pixels, each mm_per_pixel across, whose middle is
+  /// centre_W_mm. Upper rows first.
+  void cut(const PlaneAxes& axes, const Eigen::Vector3d& centre_W_mm, QSize size,
+           double mm_per_pixel, const SliceLook& look);
+  /// What was cut, in grey.
+  QImage picture(const GreyWindow& grey) const;
+  /// The intensity that a pixel of the cut shows; none outside the volume.
+  std::optional<double> valueAt(QPoint pixel) const;
 
  private:
+  struct Span {
+    int first = 0, end = 0;
+  };
+
+  /// One layer of a slab: its values and, for each row, the pixels that lie in the volume.
+  void cutLayer(const Eigen::Affine3d& X_LS, double mm_per_pixel);
+  Span spanOf(const Eigen::Vector3d& first_V, const Eigen::Vector3d& step_V) const;
+  /// The voxels at index coordinates, which are moved into the crop; trilinear or nearest.
+  float kept(const Eigen::Vector3d& u) const;
+
   vtkSmartPointer<vtkImageReslice> reslice_;
+  std::shared_ptr<const haptics::Volume> volume_;
   Eigen::Affine3d X_LW_mm_ = Eigen::Affine3d::Identity();
-  bool shown_ = false;
+  Interpolation interpolation_ = Interpolation::Linear;
+  QSize size_;
+  std::vector<float> values_, layer_;
+  std::vector<Span> spans_;             ///< of the layer
+  std::vector<unsigned short> inside_;  ///< layers of the slab that have this pixel in the volume
 };
 
 }  // namespace ui

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QMenu>
+#include <QObject>
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "haptics/core/triangle_mesh.h"
+#include "haptics/snapshot.h"
+#include "ui/props/picture.h"
+#include "ui/slice_view.h"
+
+class QAction;
+class QActionGroup;
+
+namespace ui {
+
+/// The four slices and what they have in common: the crosshair, the grey window, how voxels become
+/// a picture, the contour, the plane that goes with the tool. It holds the menu of these.
+class SliceSet : public QObject {
+  Q_OBJECT
+ public:
+  explicit SliceSet(QObject* parent = nullptr);
+  ~SliceSet() override;
+
+  SliceView& slice(Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
+  const std::array<SliceView*, 4>& slices() const { return slices_; }
+  /// The choices for all slices, as a menu. The View menu has it, and every slice.
+  QMenu& menu() { return *menu_; }
+
+  void show(const Picture& picture, double isovalue);
+  /// Shows other voxels on the same grid; crosshair, zoom and grey stay.
+  void replace(const Picture& picture);
+  void show(const haptics::TriangleMesh& tool);
+  void setTouched(const TouchedSurface& touched);
+  void addOverlay(Overlay& overlay);
+  void setIsovalue(double isovalue);
+  void display(const haptics::Snapshot& snapshot);
+  void moveCross(const Eigen::Vector3d& cross_W_mm);
+  const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
+  void setGrey(const GreyWindow& grey);
+  const GreyWindow& grey() const { return grey_; }
+  bool obliqueShown() const;
+  void setObliqueShown(bool shown);
+
+ signals:
+  void crossMoved(const Eigen::Vector3d& cross_W_mm);
+  /// The view that goes with the tool shall be seen, or not.
+  void obliqueShownChanged(bool shown);
+  /// A place in a slice was clicked twice.
+  void doubleClicked(const Eigen::Vector3d& p_W_mm);
+
+ private:
+  QAction* toggle(const QString& text, const char* name, bool on,
+                  const std::function<void(bool)>& set);
+  void buildMenu();
+  void buildGreyMenu();
+  void buildLookMenu();
+  void setLook(const SliceLook& look);
+  void askThickness();
+  void linkPlanes();
+  void placeOblique();
+  void followTool();
+
+  std::array<SliceView*, 4> slices_{};
+  std::unique_ptr<QMenu> menu_;
+  QList<QAction*> presets_;  ///< in HU
+  QActionGroup* thicknesses_ = nullptr;
+  QAction* oblique_ = nullptr;
+  std::shared_ptr<const haptics::Volume> volume_;
+  Eigen::AlignedBox3d box_mm_;
+  Eigen::Vector3d cross_mm_ = Eigen::Vector3d::Zero();
+  GreyWindow grey_;
+  SliceLook look_;
+  bool crosshair_ = true;
+  bool follow_ = false;
+  bool along_ = false;     ///< the oblique plane holds the tool's axis, else it is normal to it
+  double depth_mm_ = 0.0;  ///< of the oblique plane from the tip, along its normal
+  haptics::Vec3 tip_T_ = haptics::Vec3::Zero();  ///< m, tool frame
+  std::optional<haptics::Pose> X_WP_;
+  std::optional<haptics::Pose> placed_;     ///< where the oblique plane was placed
+  std::optional<Eigen::Vector3d> right_W_;  ///< of the oblique picture, as it was last
+};
+
+}  // namespace ui

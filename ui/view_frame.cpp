@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/view_frame.h"
+
+#include <QIcon>
+#include <QPainter>
+#include <QToolButton>
+
+namespace ui {
+namespace {
+
+constexpr int kLine = 2;     // px, of the frame
+constexpr int kButton = 20;  // px
+
+enum class Sign { Menu, Larger, Smaller };
+
+QIcon iconOf(Sign sign) {
+  QIcon icon;
+  for (const int scale : {1, 2, 3}) {
+    QPixmap pixmap(16 * scale, 16 * scale);
+    pixmap.setDevicePixelRatio(scale);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(0xe6, 0xe9, 0xee), 1.5, Qt::SolidLine, Qt::RoundCap));
+    if (sign == Sign::Menu) {
+      for (const double y : {4.5, 8.0, 11.5}) painter.drawLine(QPointF{3.0, y}, QPointF{13.0, y});
+    } else {
+      // brackets of two opposite corners, which open to the outside or to the inside
+      const double tip = sign == Sign::Larger ? 3.0 : 7.0, arm = sign == Sign::Larger ? 4.0 : -4.0;
+      for (const double side : {1.0, -1.0}) {
+        painter.save();
+        painter.translate(8.0, 8.0);
+        painter.scale(side, side);
+        painter.translate(-8.0, -8.0);
+        painter.drawLine(QPointF{tip, tip}, QPointF{tip + arm, tip});
+        painter.drawLine(QPointF{tip, tip}, QPointF{tip, tip + arm});
+        painter.restore();
+      }
+    }
+    painter.end();
+    icon.addPixmap(pixmap);
+  }
+  return icon;
+}
+
+QToolButton* buttonOf(QWidget* parent, const char* name, Sign sign) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName(name);
+  button->setIcon(iconOf(sign));
+  button->setIconSize({16, 16});
+  button->setFixedSize(kButton, kButton);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setStyleSheet(
+      "QToolButton { background: rgba(16, 18, 22, 170); border: none; border-radius: 4px; }"
+      "QToolButton:hover, QToolButton:focus { background: #2b313c; }");
+  return button;
+}
+
+}  // namespace
+
+ViewFrame::ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget* parent)
+    : QWidget(parent), view_(view), colour_(colour) {
+  view->setParent(this);
+  if (has_menu) {
+    menu_ = buttonOf(this, "viewMenu", Sign::Menu);
+    menu_->setToolTip(tr("Choices for slices"));
+    menu_->setAccessibleName(menu_->toolTip());
+    connect(menu_, &QToolButton::clicked, this, [this] {
+      emit menuWanted(menu_->mapToGlobal(QPoint{0, kButton}));
+    });
+  }
+  maximise_ = buttonOf(this, "maximise", Sign::Larger);
+  connect(maximise_, &QToolButton::clicked, this, &ViewFrame::maximiseWanted);
+  setMaximised(false);
+}
+
+void ViewFrame::setMaximised(bool maximised) {
+  maximise_->setIcon(iconOf(maximised ? Sign::Smaller : Sign::Larger));
+  maximise_->setToolTip(maximised ? tr("Show the other views again (F)")
+                                  : tr("Show this view alone (F)"));
+  maximise_->setAccessibleName(maximise_->toolTip());
+}
+
+QSize ViewFrame::minimumSizeHint() const {
+  return view_->minimumSize().expandedTo({120, 100}) + QSize{2 * kLine, 2 * kLine};
+}
+
+void ViewFrame::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), colour_); }
+
+void ViewFrame::resizeEvent(QResizeEvent*) {
+  view_->setGeometry(rect().adjusted(kLine, kLine, -kLine, -kLine));
+  int x = width() - kLine - 4 - kButton;
+  for (QToolButton* button : {maximise_, menu_}) {
+    if (button == nullptr) continue;
+    button->move(x, kLine + 4);
+    button->raise();
+    x -= kButton + 2;
+  }
+}
+
+}  // namespace ui

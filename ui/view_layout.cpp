@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/view_layout.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace ui {
+namespace {
+
+constexpr int kGap = 4;  // px
+constexpr std::size_t kVolume = 0, kAxial = 1, kCoronal = 2, kSagittal = 3, kOblique = 4;
+constexpr std::array<std::pair<Arrangement, const char*>, 4> kNames{
+    {{Arrangement::One, "one"},
+     {Arrangement::FourUp, "four_up"},
+     {Arrangement::VolumeLarge, "volume_large"},
+     {Arrangement::SlicesLarge, "slices_large"}}};
+
+/// Where shares of a length begin and end, with gaps between them.
+template <class Part>
+std::vector<std::pair<int, int>> rangesOf(const std::vector<Part>& parts, int length) {
+  const double room = length - kGap * (static_cast<double>(parts.size()) - 1.0);
+  double sum = 0.0;
+  for (const Part& part : parts) sum += part.share;
+  std::vector<std::pair<int, int>> ranges;
+  double at = 0.0;
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const double end = at + room * parts[n].share / sum;
+    const int gaps = kGap * static_cast<int>(n);
+    ranges.emplace_back(static_cast<int>(std::lround(at)) + gaps,
+                        static_cast<int>(std::lround(end)) + gaps);
+    at = end;
+  }
+  return ranges;
+}
+
+/// Moves the border between part n and the next by a fraction of the whole.
+template <class Part>
+void moveBorder(std::vector<Part>& parts, std::size_t n, double by, double least) {
+  const double sum = parts[n].share + parts[n + 1].share;
+  if (sum < 2.0 * least) return;
+  const double first = std::clamp(parts[n].share + by, least, sum - least);
+  parts[n].share = first;
+  parts[n + 1].share = sum - first;
+}
+
+}  // namespace
+
+QString ViewLayout::nameOf(Arrangement arrangement) {
+  for (const auto& [known, name] : kNames)
+    if (known == arrangement) return name;
+  return {};
+}
+
+std::optional<Arrangement> ViewLayout::arrangementOf(const QString& name) {
+  for (const auto& [arrangement, known] : kNames)
+    if (name == known) return arrangement;
+  return {};
+}
+
+ViewLayout::ViewLayout(const Frames& frames, QWidget* parent) : QWidget(parent), frames_(frames) {
+  setObjectName("views");
+  setMouseTracking(true);
+  for (std::size_t n = 0; n < frames_.size(); ++n) {
+    frames_[n]->setParent(this);
+    connect(frames_[n], &ViewFrame::maximiseWanted, this, [this, n] {
+      setActive(n);
+      toggleMaximised();
+    });
+  }
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, const QWidget* now) {
+    for (std::size_t n = 0; now != nullptr && n < frames_.size(); ++n)
+      if (frames_[n]->isAncestorOf(now)) setActive(n);
+  });
+  makeColumns();
+}
+
+void ViewLayout::setActive(std::size_t view) { active_ = view; }
+
+void ViewLayout::arrange(Arrangement arrangement) {
+  arrangement_ = arrangement;
+  if (arrangement != Arrangement::One) several_ = arrangement;
+  alone_ = false;
+  makeColumns();
+  emit arranged(arrangement);
+}
+
+void ViewLayout::setObliqueShown(bool shown) {
+  oblique_ = shown;
+  if (!shown && active_ == kOblique) active_ = kVolume;
+  makeColumns();
+}
+
+void ViewLayout::toggleMaximised() {
+  if (arrangement_ == Arrangement::One) return arrange(several_);
+  alone_ = !alone_;
+  makeColumns();
+}
+
+void ViewLayout::nextView() {
+  const std::size_t views = oblique_ ? frames_.size() : frames_.size() - 1;
+  active_ = (active_ + 1) % views;
+  makeColumns();
+  frames_[active_]->view().setFocus(Qt::OtherFocusReason);
+}
+
+void ViewLayout::makeColumns() {
+  dragged_.reset();
+  columns_.clear();
+  if (alone_ || arrangement_ == Arrangement::One) {
+    columns_ = {{1.0, {{active_, 1.0}}}};
+  } else if (arrangement_ == Arrangement::FourUp) {
+    if (oblique_)
+      columns_ = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
+                  {1.0, {{kSagittal, 1.0}, {kOblique, 1.0}}},
+                  {1.0, {{kVolume, 1.0}}}};
+    else
+      columns_ = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
+                  {1.0, {{kVolume, 1.0}, {kSagittal, 1.0}}}};
+  } else if (arrangement_ == Arrangement::VolumeLarge) {
+    columns_ = {{0.68, {{kVolume, 1.0}}},
+                {0.32, {{kAxial, 1.0}, {kCoronal, 1.0}, {kSagittal, 1.0}}}};
+    if (oblique_) columns_[1].cells.push_back({kOblique, 1.0});
+  } else {
+    columns_ = {{0.5, {{kAxial, 1.0}}},
+                {0.5, {{kCoronal, 1.0}, {kSagittal, 1.0}}},
+                {0.32, {{kVolume, 1.0}}}};
+    if (oblique_) columns_[2].cells.push_back({kOblique, 1.0});
+  }
+  place();
+  updateGeometry();
+}
+
+void ViewLayout::place() {
+  std::array<bool, 5> shown{};
+  const auto across = rangesOf(columns_, width());
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    const auto down = rangesOf(columns_[c].cells, height());
+    for (std::size_t n = 0; n < columns_[c].cells.size(); ++n) {
+      ViewFrame* frame = frames_[columns_[c].cells[n].view];
+      frame->setGeometry(across[c].first, down[n].first, across[c].second - across[c].first,
+                         down[n].second - down[n].first);
+      frame->setMaximised(columns_.size() == 1);
+      shown[columns_[c].cells[n].view] = true;
+    }
+  }
+  for (std::size_t n = 0; n < frames_.size(); ++n) frames_[n]->setVisible(shown[n]);
+  update();
+}
+
+QSize ViewLayout::minimumSizeHint() const {
+  // of equal shares, so that no border has to move
+  double sum = 0.0;
+  int w = 0, h = 0;
+  for (const Column& column : columns_) sum += column.share;
+  for (const Column& column : columns_)
+    for (const Cell& cell : column.cells) {
+      const QSize least = frames_[cell.view]->minimumSizeHint();
+      w = std::max(w, static_cast<int>(least.width() * sum / column.share) + 1);
+      h = std::max(h, static_cast<int>(column.cells.size()) * (least.height() + kGap));
+    }
+  return {w + kGap * static_cast<int>(columns_.size()), h};
+}
+
+void ViewLayout::resizeEvent(QResizeEvent*) { place(); }
+
+void ViewLayout::paintEvent(QPaintEvent*) {
+  QPainter(this).fillRect(rect(), QColor(0x10, 0x12, 0x16));
+}
+
+std::optional<ViewLayout::Gap> ViewLayout::gapAt(QPoint at) const {
+  const auto across = rangesOf(columns_, width());
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    if (at.x() >= across[c].second && at.x() < across[c].second + kGap && c + 1 < columns_.size())
+      return Gap{c, {}};
+    if (at.x() < across[c].first || at.x() >= across[c].second) continue;
+    const auto down = rangesOf(columns_[c].cells, height());
+    for (std::size_t n = 0; n + 1 < down.size(); ++n)
+      if (at.y() >= down[n].second && at.y() < down[n].second + kGap) return Gap{c, n};
+  }
+  return {};
+}
+
+void ViewLayout::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) dragged_ = gapAt(event->position().toPoint());
+}
+
+void ViewLayout::mouseMoveEvent(QMouseEvent* event) {
+  const QPoint at = event->position().toPoint();
+  if (!dragged_) {
+    const std::optional<Gap> gap = gapAt(at);
+    if (gap)
+      setCursor(gap->cell ? Qt::SplitVCursor : Qt::SplitHCursor);
+    else
+      unsetCursor();
+    return;
+  }
+  constexpr double kLeast = 0.12;  // of all
+  double sum = 0.0;
+  if (dragged_->cell) {
+    std::vector<Cell>& cells = columns_[dragged_->column].cells;
+    for (const Cell& cell : cells) sum += cell.share;
+    const double by = at.y() - 0.5 * kGap - rangesOf(cells, height())[*dragged_->cell].second;
+    moveBorder(cells, *dragged_->cell, by / height() * sum, kLeast * sum);
+  } else {
+    for (const Column& column : columns_) sum += column.share;
+    const double by = at.x() - 0.5 * kGap - rangesOf(columns_, width())[dragged_->column].second;
+    moveBorder(columns_, dragged_->column, by / width() * sum, kLeast * sum);
+  }
+  place();
+}
+
+void ViewLayout::mouseReleaseEvent(QMouseEvent*) { dragged_.reset(); }
+
+void ViewLayout::leaveEvent(QEvent*) { unsetCursor(); }
+
+}  // namespace ui

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "ui/view_frame.h"
+
+namespace ui {
+
+/// How the views share the room.
+enum class Arrangement { One, FourUp, VolumeLarge, SlicesLarge };
+
+/// The views of the window, each in its frame: the 3-D view and the four slices. It shares the room
+/// among them; the gaps between them can be dragged. One view can have it all for a while.
+class ViewLayout : public QWidget {
+  Q_OBJECT
+ public:
+  /// In this order: the 3-D view, axial, coronal, sagittal, oblique.
+  using Frames = std::array<ViewFrame*, 5>;
+  explicit ViewLayout(const Frames& frames, QWidget* parent = nullptr);
+
+  void arrange(Arrangement arrangement);
+  Arrangement arrangement() const { return arrangement_; }
+  /// Whether the oblique slice has a place.
+  void setObliqueShown(bool shown);
+  /// Makes the view that was last used as large as all, or gives the others back.
+  void toggleMaximised();
+  bool maximised() const { return alone_; }
+  /// Gives the focus to the next view that has a place; it is shown if one view is shown alone.
+  void nextView();
+  QSize minimumSizeHint() const override;
+
+  /// Names for the preferences: "one", "four_up", "volume_large", "slices_large".
+  static QString nameOf(Arrangement arrangement);
+  static std::optional<Arrangement> arrangementOf(const QString& name);
+
+ signals:
+  void arranged(ui::Arrangement arrangement);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  struct Cell {
+    std::size_t view = 0;
+    double share = 1.0;  ///< of its column's height
+  };
+  struct Column {
+    double share = 1.0;  ///< of the width
+    std::vector<Cell> cells;
+  };
+  /// A gap that can be dragged: the one after a column, or after a cell of a column.
+  struct Gap {
+    std::size_t column = 0;
+    std::optional<std::size_t> cell;
+  };
+
+  void makeColumns();
+  void place();
+  void setActive(std::size_t view);
+  std::optional<Gap> gapAt(QPoint at) const;
+
+  Frames frames_;
+  Arrangement arrangement_ = Arrangement::VolumeLarge;
+  Arrangement several_ = Arrangement::VolumeLarge;  ///< the last one that was not One
+  bool oblique_ = false;
+  bool alone_ = false;  ///< one view is maximised
+  std::size_t active_ = 0;
+  std::vector<Column> columns_;
+  std::optional<Gap> dragged_;
+};
+
+}  // namespace ui
