@@ -401,6 +401,8 @@ ViewLook MainWindow::look() const {
   look.cross_mm = slice_set_->cross_mm();
   look.grey_level = slice_set_->grey().level;
   look.grey_width = slice_set_->grey().width;
+  for (std::size_t i = 0; i < look.slices.size(); ++i) look.slices[i] = slices_[i]->frame();
+  look.layout = viewState().toStdString();
   return look;
 }
 
@@ -408,6 +410,8 @@ void MainWindow::setLook(const ViewLook& look) {
   view_->look(look);
   slice_set_->setGrey({.level = look.grey_level, .width = look.grey_width});
   slice_set_->moveCross(look.cross_mm);
+  for (std::size_t i = 0; i < look.slices.size(); ++i) slices_[i]->setFrame(look.slices[i]);
+  restoreViews(QString::fromStdString(look.layout));
 }
 
 void MainWindow::display(const haptics::Snapshot& snapshot) {

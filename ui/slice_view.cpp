@@ -274,12 +274,23 @@ void SliceView::resetView() {
   changed();
 }
 
+double SliceView::allowedZoom(double zoom) const {
+  const double voxel_mm = volume_->grid.spacing.minCoeff() * kMmPerM;
+  const double most = std::max(1.0, fittingMmPerPixel() * kNearest_px / voxel_mm);
+  return std::clamp(zoom, kFarthest, most);
+}
+
+void SliceView::setFrame(const SliceFrame& frame) {
+  if (!volume_) return;
+  zoom_ = allowedZoom(frame.zoom);
+  pan_mm_ = frame.shift_mm;
+  changed();
+}
+
 void SliceView::zoom(double factor, QPointF at) {
   if (!volume_) return;
   const Eigen::Vector3d before = placeUnder(at);
-  const double voxel_mm = volume_->grid.spacing.minCoeff() * kMmPerM;
-  const double most = std::max(1.0, fittingMmPerPixel() * kNearest_px / voxel_mm);
-  zoom_ = std::clamp(zoom_ * factor, kFarthest, most);
+  zoom_ = allowedZoom(zoom_ * factor);
   const Eigen::Vector3d by = before - placeUnder(at);
   pan_mm_ += Eigen::Vector2d{axes_.right.dot(by), axes_.up.dot(by)};
   changed();

@@ -13,6 +13,7 @@
 #include "ui/overlay_stack.h"
 #include "ui/props/slice.h"
 #include "ui/touched_surface.h"
+#include "ui/view_look.h"
 
 namespace ui {
 
@@ -80,6 +81,9 @@ class SliceView : public QWidget {
   SliceReadout readout() const;
   QSize sizeHint() const override { return {300, 260}; }
 
+  /// How near the picture is and where its middle lies, and the same again.
+  SliceFrame frame() const { return {zoom_, pan_mm_}; }
+  void setFrame(const SliceFrame& frame);
   /// Shows the whole slice.
   void resetView();
   /// Above 1: nearer. What is under `at` stays there.
@@ -121,6 +125,8 @@ class SliceView : public QWidget {
   /// The middle of the picture: a place in the plane.
   Eigen::Vector3d middle_mm() const;
   double fittingMmPerPixel() const;
+  /// The nearest zoom that is possible.
+  double allowedZoom(double zoom) const;
   /// The axis of the grid along which the slices lie; none if they are oblique to it.
   std::optional<int> gridAxis() const;
   double step_mm() const;

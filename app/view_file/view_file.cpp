@@ -203,7 +203,7 @@ ui::Measure markFrom(const Field& field) {
 }
 
 ui::ViewLook lookFrom(const Field& field) {
-  field.hasOnly({"camera", "cross_m", "grey"});
+  field.hasOnly({"camera", "cross_m", "grey", "slices"}, {"layout"});
   ui::ViewLook look;
   const Field camera = field.at("camera"), grey = field.at("grey");
   camera.hasOnly({"eye_m", "focus_m", "up", "parallel", "half_height_m"});
@@ -211,12 +211,23 @@ ui::ViewLook lookFrom(const Field& field) {
   look.focus_mm = camera.at("focus_m").place_mm(kMostFar_m);
   look.up = camera.at("up").vector(1.001);
   look.parallel = camera.at("parallel").flag();
-  look.half_height_mm = camera.at("half_height_m").number(1e-9, kMostFar_m) * kMmPerMetre;
+  look.half_height_mm = camera.at("half_height_m").number(0.0, kMostFar_m) * kMmPerMetre;
+  if (!(look.half_height_mm > 0.0)) camera.at("half_height_m").refuse();
   // it looks somewhere, and has an up
   const Eigen::Vector3d along = look.focus_mm - look.eye_mm;
   if (!(along.norm() > 1e-6)) camera.at("focus_m").refuse();
   if (!(look.up.cross(along.normalized()).norm() > 1e-6)) camera.at("up").refuse();
   look.cross_mm = field.at("cross_m").place_mm(kMostAway_m);
+  const std::vector<Field> slices = field.at("slices").list(look.slices.size(), look.slices.size());
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    slices[i].hasOnly({"zoom", "shift_m"});
+    look.slices[i].zoom = slices[i].at("zoom").number(1e-3, 1e6);
+    const std::vector<Field> shift = slices[i].at("shift_m").list(2, 2);
+    for (int a = 0; a < 2; ++a)
+      look.slices[i].shift_mm[a] =
+          shift[std::size_t(a)].number(-kMostAway_m, kMostAway_m) * kMmPerMetre;
+  }
+  if (field.has("layout")) look.layout = field.at("layout").text(40);
   grey.hasOnly({"level", "width"});
   look.grey_level = grey.at("level").number(-kMostIntensity, kMostIntensity);
   look.grey_width = grey.at("width").number(1e-38, kMostIntensity);
@@ -234,8 +245,11 @@ ViewFile viewFrom(const json& words, const std::string& file) {
   ViewFile view;
   takeScan(all.at("scan"), view);
   takeHash(all.at("scan").at("hash"), words.at("scan").at("hash"), view);
-  for (const Field& edit : all.at("edits").list(0, kMostEdits))
-    view.edits.push_back(edit.text(kMostViewBytes));
+  for (const Field& field : all.at("edits").list(0, kMostEdits)) {
+    auto edit = haptics::editFrom(field.text(kMostViewBytes));
+    if (!edit) field.refuse();
+    view.edits.push_back(std::move(*edit));
+  }
   view.isovalue = all.at("isovalue").number(-kMostIntensity, kMostIntensity);
   if (all.has("tool")) view.tool = all.at("tool").text(20);
   for (const Field& mark : all.at("marks").list(0, kMostMarks))
@@ -261,6 +275,13 @@ std::string textOf(const ViewFile& view) {
                                     [&](const auto& named) { return named.first == mark.kind; });
     marks.push_back({{"kind", kind->second}, {"text", mark.text}, {"places_m", places}});
   }
+  json slices = json::array();
+  for (const ui::SliceFrame& slice : view.look.slices)
+    slices.push_back({{"zoom", slice.zoom},
+                      {"shift_m", json::array({slice.shift_mm.x() / kMmPerMetre,
+                                               slice.shift_mm.y() / kMmPerMetre})}});
+  json edits = json::array();
+  for (const haptics::Edit& edit : view.edits) edits.push_back(textOf(edit));
   json direction = json::array();
   for (int n = 0; n < 9; ++n) direction.push_back(view.grid.direction(n / 3, n % 3));
   json words = {{"palpate_view", kVersion},
@@ -271,7 +292,7 @@ std::string textOf(const ViewFile& view) {
                   {"direction", direction},
                   {"scalar", nameOf(view.type)},
                   {"hash", view.hash ? json(hexOf(*view.hash)) : json()}}},
-                {"edits", view.edits},
+                {"edits", edits},
                 {"isovalue", view.isovalue},
                 {"marks", marks},
                 {"view",
@@ -282,8 +303,10 @@ std::string textOf(const ViewFile& view) {
                     {"parallel", view.look.parallel},
                     {"half_height_m", view.look.half_height_mm / kMmPerMetre}}},
                   {"cross_m", listOfMetres(view.look.cross_mm)},
+                  {"slices", slices},
                   {"grey", {{"level", view.look.grey_level}, {"width", view.look.grey_width}}}}}};
   if (!view.place.empty()) words["scan"]["place"] = view.place;
+  if (!view.look.layout.empty()) words["view"]["layout"] = view.look.layout;
   if (!view.tool.empty()) words["tool"] = view.tool;
   // the name of a folder may be no text
   return words.dump(1, ' ', false, json::error_handler_t::replace) + "\n";

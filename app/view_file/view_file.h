@@ -10,6 +10,7 @@
 
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
+#include "haptics/edit/edit.h"
 #include "haptics/recording/scene_words.h"
 #include "ui/overlays/measure.h"
 #include "ui/view_look.h"
@@ -25,7 +26,7 @@ struct ViewFile {
   std::optional<haptics::VolumeHash> hash = {};  ///< of the scan without edits
   /// Where the scan lies, relative to the file's folder, UTF-8; empty: not to be told.
   std::string place = {};
-  std::vector<std::string> edits = {};  ///< as haptics::textOf() writes them, oldest first
+  std::vector<haptics::Edit> edits = {};  ///< in force, oldest first
   double isovalue = 0.0;
   std::string tool = {};  ///< one of the named tools; empty: another
   std::vector<ui::Measure> marks = {};

@@ -15,6 +15,7 @@
 
 #include "app/window/scan_of.h"
 #include "app/window/sentence.h"
+#include "haptics/edit/edited.h"
 #include "haptics/recording/recording.h"
 #include "resources/named_tools.h"
 #include "ui/panels/isosurface_panel.h"
@@ -111,7 +112,9 @@ bool ViewFileController::seekScan() {
 }
 
 void ViewFileController::showScene(bool new_volume) {
-  if (!new_volume || !shared_.shown) return;
+  if (!shared_.shown) return;
+  if (step_ == Step::Edits && liesOnView() && hasEdits()) return restoreRest();
+  if (!new_volume) return;
   switch (step_) {
     case Step::Nothing:
       break;
@@ -119,10 +122,8 @@ void ViewFileController::showScene(bool new_volume) {
       compare();
       break;
     case Step::Hash:
-      drop();  // another scan was opened meanwhile
-      break;
     case Step::Edits:
-      restoreRest();
+      drop();  // another scan was opened meanwhile
       break;
   }
 }
@@ -162,15 +163,22 @@ void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& 
   drop();
 }
 
+bool ViewFileController::hasEdits() const {
+  const auto& edited = shared_.shown->picture.volume->edited;
+  const std::vector<haptics::Edit> present = edited ? edited->edits : std::vector<haptics::Edit>{};
+  return std::equal(present.begin(), present.end(), opening_.edits.begin(), opening_.edits.end(),
+                    [](const haptics::Edit& one, const haptics::Edit& other) {
+                      return haptics::textOf(one) == haptics::textOf(other);
+                    });
+}
+
 void ViewFileController::restore() {
-  QStringList edits;
-  for (const std::string& edit : opening_.edits) edits.append(QString::fromStdString(edit));
-  if (edits == edits_) return restoreRest();
+  if (hasEdits()) return restoreRest();
   if (!isSignalConnected(QMetaMethod::fromSignal(&ViewFileController::editsWanted)))
     return refuse(tr("%1 was not opened: it has edits of the scan, which this Palpate cannot make.")
                       .arg(inQuotes(opening_path_)));
   step_ = Step::Edits;
-  emit editsWanted(edits);
+  emit editsWanted(opening_.edits);
 }
 
 void ViewFileController::restoreRest() {
@@ -254,7 +262,7 @@ void ViewFileController::save(const std::filesystem::path& path, bool with_place
     const auto folder = std::filesystem::absolute(path, error).parent_path();
     view.place = std::filesystem::relative(shown.place, folder, error).generic_string();
   }
-  for (const QString& edit : edits_) view.edits.push_back(edit.toStdString());
+  if (const auto& edited = shown.picture.volume->edited) view.edits = edited->edits;
   view.isovalue = shared_.settings.isovalue;
   if (!shown.tool.file && isNamedTool(shown.tool.name)) view.tool = shown.tool.name;
   view.marks = marks_.measures().all();

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <QObject>
-#include <QStringList>
+#include <QString>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/view_file/view_file.h"
 #include "app/window/marks_controller.h"
@@ -37,15 +38,13 @@ class ViewFileController : public QObject {
   void showScene(bool new_volume);
   /// Call it when a scan could not be opened.
   void drop();
-  /// The edits in force, as text; call it whenever they change.
-  void setEdits(const QStringList& edits) { edits_ = edits; }
 
  signals:
   /// The scan of a view that is being opened.
   void scanWanted(const std::filesystem::path& path);
-  /// The edits of a view that is being opened, as text. The volume that results is shown as any
-  /// other, and the rest of the view follows.
-  void editsWanted(const QStringList& edits);
+  /// The edits of a view that is being opened, in place of the present ones. When the volume that
+  /// results is on view, the rest of the view follows.
+  void editsWanted(const std::vector<haptics::Edit>& edits);
   void toolWanted(const QString& name);
   /// A view was opened whole, was saved, or could not be.
   void finished(bool done);
@@ -56,6 +55,8 @@ class ViewFileController : public QObject {
   bool liesOnView() const;
   void compare();
   bool seekScan();
+  /// Whether the volume on view has the edits of the view that is being opened.
+  bool hasEdits() const;
   void restore();
   void restoreRest();
   void refuse(const QString& sentence);
@@ -67,7 +68,6 @@ class ViewFileController : public QObject {
   SharedState& shared_;
   VolumeIdentity& identity_;
   MarksController& marks_;
-  QStringList edits_;
   Step step_ = Step::Nothing;  ///< what the view that is being opened waits for
   ViewFile opening_;
   std::filesystem::path opening_path_;

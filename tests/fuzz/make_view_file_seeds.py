@@ -12,7 +12,8 @@ VIEW = {
     "edits": [], "isovalue": 300.0, "marks": [],
     "view": {"camera": {"eye_m": [0, -1, 0], "focus_m": [0, 0, 0], "up": [0, 0, 1],
                         "parallel": False, "half_height_m": 0.1},
-             "cross_m": [0, 0, 0], "grey": {"level": 200, "width": 1600}},
+             "cross_m": [0, 0, 0], "grey": {"level": 200, "width": 1600},
+             "slices": [{"zoom": 1, "shift_m": [0, 0]}] * 3},
 }
 
 
@@ -28,7 +29,7 @@ def seeds():
     whole = copy.deepcopy(marks)
     whole["scan"]["hash"] = "0123456789abcdef" * 5
     whole["scan"]["place"] = "../scan"
-    whole["edits"] = ["{\"crop\":[0,0,0,2,2,2]}"]
+    whole["edits"] = []
     whole["tool"] = "probe"
     whole["view"]["camera"]["parallel"] = True
     yield "whole", whole

@@ -20,6 +20,7 @@
 #include "app/application.h"
 #include "app/window/view_file_controller.h"
 #include "datasets/readers/nrrd/writer.h"
+#include "haptics/edit/edit_history.h"
 #include "marked_scan.h"
 #include "sphere_in_hand.h"
 #include "ui/panels/isosurface_panel.h"
@@ -110,6 +111,8 @@ TEST(ViewFiles, AViewComesBackOverTheSameScan) {
   views.shared.settings.isovalue = 61.0;
   views.window.view().lookFromTool();
   views.window.view().camera()->Azimuth(25.0);
+  views.slice(ui::Plane::Coronal).zoom(3.0, {100.0, 80.0});
+  views.window.views().arrange(ui::Arrangement::FourUp);
   const ui::ViewLook look = views.window.look();
   ASSERT_TRUE(views.save(path)) << views.message().toStdString();
 
@@ -134,6 +137,9 @@ TEST(ViewFiles, AViewComesBackOverTheSameScan) {
   EXPECT_LT((again.cross_mm - Eigen::Vector3d{4, 5, 6}).norm(), 1e-9);
   EXPECT_EQ(again.grey_level, 33.0);
   EXPECT_EQ(again.grey_width, 44.0);
+  EXPECT_EQ(again.layout, "four_up");
+  EXPECT_NEAR(again.slices[1].zoom, 3.0, 1e-9);
+  EXPECT_LT((again.slices[1].shift_mm - look.slices[1].shift_mm).norm(), 1e-9);
   // what was marked before is not lost
   ASSERT_TRUE(later.measures().canRestore());
   later.measures().restore();
@@ -243,26 +249,36 @@ TEST(ViewFiles, EditsAreAskedForAndTheRestFollowsTheEditedVolume) {
   const Installation here;
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("a.palpate-view").toStdString();
-  Views views;
   const auto scan = ballAt(0.0);
-  views.show(scan, 50.0);
-  views.files.setEdits({"an edit"});
+  const std::vector<haptics::Edit> edits{haptics::Crop{{{0, 0, 10}, {48, 48, 40}}}};
+  const auto cropped = haptics::edited(scan, edits).value();
+  Views views;
+  views.show(cropped, 50.0);
   views.measures().replace(someMarks());
-  ASSERT_TRUE(views.save(path));
+  ASSERT_TRUE(views.save(path)) << views.message().toStdString();
   Views later;
   later.show(scan, 50.0);
   // a program that cannot edit refuses them
   EXPECT_FALSE(later.open(path));
   EXPECT_TRUE(later.message().contains("edits")) << later.message().toStdString();
-  QStringList wanted;
+  EXPECT_TRUE(later.measures().all().empty());
+  std::vector<haptics::Edit> wanted;
   QObject::connect(&later.files, &app::ViewFileController::editsWanted,
-                   [&](const QStringList& edits) {
-                     wanted = edits;
-                     QTimer::singleShot(0, [&] { later.files.showScene(true); });
+                   [&](const std::vector<haptics::Edit>& asked) {
+                     wanted = asked;
+                     QTimer::singleShot(0, &later.window, [&] {
+                       later.show(haptics::edited(scan, wanted).value(), 50.0);
+                       later.files.showScene(true);
+                     });
                    });
-  EXPECT_TRUE(later.open(path));
-  EXPECT_EQ(wanted, QStringList{"an edit"});
+  EXPECT_TRUE(later.open(path)) << later.message().toStdString();
+  ASSERT_EQ(wanted.size(), 1U);
+  EXPECT_EQ(haptics::textOf(wanted[0]), haptics::textOf(edits[0]));
   EXPECT_EQ(later.measures().all().size(), 2U);
+  // over the same edits nothing is asked for; the marks of the scan stayed with it
+  wanted.clear();
+  EXPECT_TRUE(later.open(path));
+  EXPECT_TRUE(wanted.empty());
 }
 
 TEST(ViewFiles, TheDialogWarnsOfNamesAndOffersTheRelativePath) {

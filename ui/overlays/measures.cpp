@@ -120,6 +120,12 @@ QSizeF labelSize(const QPainter& painter, const QString& text) {
   return {metrics.horizontalAdvance(text) + 10.0, metrics.height() + 4.0};
 }
 
+/// The part of a view in which something is seen.
+QRectF seenPart(const QPainter& painter, const ViewGeometry& view) {
+  const QRectF all(view.widget().rect());
+  return painter.hasClipping() ? all.intersected(painter.clipBoundingRect()) : all;
+}
+
 /// The corner of an angle: places of W between its legs.
 std::vector<Eigen::Vector3d> arcOf(const Measure& measure) {
   constexpr int kSteps = 16;
@@ -317,8 +323,8 @@ void Measures::paintMeasure(QPainter& painter, const ViewGeometry& view, const M
   QPointF anchor = line.first();
   if (measure.kind == MeasureKind::Distance) anchor = 0.5 * (line[0] + line[1]);
   if (measure.kind == MeasureKind::Angle) anchor = line[1];
-  const QRectF box = labelPlace(labelSize(painter, text), anchor, points, line,
-                                QRectF(view.widget().rect()), taken);
+  const QRectF box =
+      labelPlace(labelSize(painter, text), anchor, points, line, seenPart(painter, view), taken);
   drawLabel(painter, box, text);
   taken.push_back(box);
 }
@@ -330,7 +336,7 @@ void Measures::paintTravel(QPainter& painter, const ViewGeometry& view,
   drawHandle(painter, from, kInk, true);
   const QString text = tr("Travelled %1 mm").arg(QLocale().toString(travel_->length_mm, 'f', 1));
   const QRectF box = labelPlace(labelSize(painter, text), from, {from, to}, {from, to},
-                                QRectF(view.widget().rect()), taken);
+                                seenPart(painter, view), taken);
   drawLabel(painter, box, text);
   taken.push_back(box);
 }
@@ -344,7 +350,12 @@ void Measures::paint(QPainter& painter, const ViewGeometry& view) const {
   // said wherever a measure can be, so in every picture of one
   const QString warning = tr("Not for treatment");
   const QSizeF size = labelSize(painter, warning);
-  const QRectF corner(QPointF{4.0, view.widget().height() - size.height() - 4.0}, size);
+  const QRectF seen = seenPart(painter, view);
+  // where neither the words of a slice nor the letters of the 3-D view stand
+  const QPointF place = view.isSlice()
+                            ? QPointF{seen.center().x() - 0.5 * size.width(), seen.top() + 4.0}
+                            : QPointF{seen.left() + 6.0, seen.bottom() - size.height() - 6.0};
+  const QRectF corner(place, size);
   taken.push_back(corner);
   for (std::size_t i = 0; i < all_.size(); ++i)
     if (static_cast<int>(i) != selected_) paintMeasure(painter, view, all_[i], false, true, taken);

@@ -29,7 +29,7 @@ ViewFile someView() {
   for (std::size_t i = 0; i < view.hash->size(); ++i)
     (*view.hash)[i] = static_cast<std::uint8_t>(7 * i);
   view.place = "../scans/head.nrrd";
-  view.edits = {R"({"kind":"crop"})", R"({"kind":"holder","isovalue":300.5})"};
+  view.edits = {haptics::Crop{{{10, 20, 0}, {400, 500, 361}}}, haptics::RemoveHolder{300.1}};
   view.isovalue = 300.1;
   view.tool = "probe";
   view.marks = {
@@ -44,7 +44,9 @@ ViewFile someView() {
                .half_height_mm = 120.0,
                .cross_mm = {1, 2, 3},
                .grey_level = 200.0,
-               .grey_width = 1600.0};
+               .grey_width = 1600.0,
+               .slices = {{{2.5, {3.0, -4.0}}, {1.0, {0, 0}}, {8.0, {0.5, 0}}}},
+               .layout = "four_up+tool"};
   return view;
 }
 
@@ -67,7 +69,9 @@ TEST(ViewFile, ComesBackAsItWasSaved) {
   EXPECT_EQ(read->type, view.type);
   EXPECT_EQ(read->hash, view.hash);
   EXPECT_EQ(read->place, view.place);
-  EXPECT_EQ(read->edits, view.edits);
+  ASSERT_EQ(read->edits.size(), view.edits.size());
+  for (std::size_t i = 0; i < view.edits.size(); ++i)
+    EXPECT_EQ(haptics::textOf(read->edits[i]), haptics::textOf(view.edits[i]));
   EXPECT_EQ(read->isovalue, view.isovalue);
   EXPECT_EQ(read->tool, view.tool);
   ASSERT_EQ(read->marks.size(), view.marks.size());
@@ -86,6 +90,11 @@ TEST(ViewFile, ComesBackAsItWasSaved) {
   EXPECT_LT((read->look.cross_mm - view.look.cross_mm).norm(), 1e-9);
   EXPECT_EQ(read->look.grey_level, view.look.grey_level);
   EXPECT_EQ(read->look.grey_width, view.look.grey_width);
+  EXPECT_EQ(read->look.layout, "four_up+tool");
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(read->look.slices[i].zoom, view.look.slices[i].zoom);
+    EXPECT_LT((read->look.slices[i].shift_mm - view.look.slices[i].shift_mm).norm(), 1e-9);
+  }
 }
 
 TEST(ViewFile, NamesNoPlaceAndNoToolUnlessItIsToldTo) {
@@ -144,6 +153,7 @@ TEST(ViewFile, RefusesEveryDamageByNameAndTakesNothing) {
       {"path with a zero", [](json& v) { v["scan"]["place"] = std::string("a\0b", 3); },
        "scan.place"},
       {"edit is no text", [](json& v) { v["edits"][0] = 5; }, "edits[0]"},
+      {"unknown edit", [](json& v) { v["edits"][1] = "{}"; }, "edits[1]"},
       {"too many edits", [](json& v) { v["edits"] = json(1001, "x"); }, "\"edits\""},
       {"unknown mark", [](json& v) { v["marks"][0]["kind"] = "volume"; }, "marks[0].kind"},
       {"one end", [](json& v) { v["marks"][0]["places_m"].erase(1); }, "marks[0].places_m"},
@@ -187,6 +197,9 @@ TEST(ViewFile, RefusesEveryDamageByNameAndTakesNothing) {
       {"no height", [](json& v) { v["view"]["camera"]["half_height_m"] = 0; },
        "view.camera.half_height_m"},
       {"no grey", [](json& v) { v["view"]["grey"]["width"] = 0; }, "view.grey.width"},
+      {"two slices", [](json& v) { v["view"]["slices"].erase(2); }, "view.slices"},
+      {"no zoom", [](json& v) { v["view"]["slices"][1]["zoom"] = 0; }, "view.slices[1].zoom"},
+      {"layout is a number", [](json& v) { v["view"]["layout"] = 4; }, "view.layout"},
       {"crosshair is text", [](json& v) { v["view"]["cross_m"][0] = "1"; }, "view.cross_m[0]"},
       {"a list",
        [](json& v) {
