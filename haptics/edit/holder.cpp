@@ -356,7 +356,9 @@ MadeOperator holderOperator(const Volume& volume, const RemoveHolder& edit,
   volume.grid.direction.row(2).cwiseAbs().maxCoeff(&axis);
   const Mask patient =
       patientCells(cells, solidCells(cells, *matter, box), static_cast<std::size_t>(axis));
-  auto solid = solidOf(volume, box, edit.isovalue, {watch, 0.4, 0.5});
+  // down to tissue, so that a table does not come back with the skin
+  const double level = std::min(edit.isovalue, tissue);
+  auto solid = solidOf(volume, box, level, {watch, 0.4, 0.5});
   if (!solid) return tl::unexpected(editCancelled());
   VoxelBits gone{volume.grid.dims};
   std::int64_t voxels = 0;
