@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "haptics/edit/edited.h"
+
 namespace haptics {
 namespace {
 
@@ -199,7 +201,8 @@ SceneWords wordsOf(const Scene& scene) {
   const auto text = [](const json& words) {
     return words.dump(-1, ' ', false, json::error_handler_t::replace);
   };
-  return {text(settingsOf(scene)), text(volumeOf(*scene.volume)), packed(scene.tool.shell.points),
+  const Volume& scan = scene.volume->edited ? *scene.volume->edited->scan : *scene.volume;
+  return {text(settingsOf(scene)), text(volumeOf(scan)), packed(scene.tool.shell.points),
           packed(scene.tool.mesh.vertices), packed(scene.tool.mesh.triangles)};
 }
 
