@@ -11,10 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-<<<<<<< HEAD
 #include "haptics/edit/edit_history.h"
-=======
->>>>>>> 31fb91c74e3ce3561cacbf62cf44240fa752a624
 #include "haptics/edit/edited.h"
 
 namespace haptics {
@@ -241,15 +238,9 @@ SceneWords wordsOf(const Scene& scene) {
   const auto text = [](const json& words) {
     return words.dump(-1, ' ', false, json::error_handler_t::replace);
   };
-<<<<<<< HEAD
   return {text(settingsOf(scene)), text(describedVolume(*scene.volume)),
           packed(scene.tool.shell.points), packed(scene.tool.mesh.vertices),
           packed(scene.tool.mesh.triangles)};
-=======
-  const Volume& scan = scene.volume->edited ? *scene.volume->edited->scan : *scene.volume;
-  return {text(settingsOf(scene)), text(volumeOf(scan)), packed(scene.tool.shell.points),
-          packed(scene.tool.mesh.vertices), packed(scene.tool.mesh.triangles)};
->>>>>>> 31fb91c74e3ce3561cacbf62cf44240fa752a624
 }
 
 Expected<RecordedScene> sceneFrom(const SceneWords& words) {
