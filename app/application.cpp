@@ -24,6 +24,7 @@ Application::Application(Arguments arguments)
   wireHands();
   wireRecordings();
   wireMarks();
+  wireEdits();
   connect(&window_, &ui::MainWindow::closing, this, [this] {
     close();
     preferences_.save();
@@ -66,6 +67,7 @@ void Application::wireOpening() {
   connect(&opening_, &Opening::shown, &recording_,
           [this] { recording_.setReady(!shared_.replaying); });
   connect(&opening_, &Opening::shown, &replay_, &ReplayController::showScene);
+  connect(&opening_, &Opening::shown, &edit_, &EditController::showScene);
   connect(&opening_, &Opening::shown, &hand_, &HandController::resume);
   connect(&opening_, &Opening::shown, &screenshot_, &ScreenshotController::prepare);
   connect(&opening_, &Opening::shown, this, &Application::adopted);
@@ -140,8 +142,18 @@ void Application::wireMarks() {
           [this](const std::filesystem::path& path) {
             opening_.open(QString::fromStdString(path.string()));
           });
+  connect(&view_file_, &ViewFileController::editsWanted, &edit_, &EditController::restore);
   connect(&view_file_, &ViewFileController::toolWanted, &window_.devicePanel(),
           &ui::DevicePanel::toolChosen);
+}
+
+void Application::wireEdits() {
+  connect(&edit_, &EditController::edited, &opening_, &OpeningController::replace);
+  connect(&edit_, &EditController::noted, &recording_,
+          [this](const QString& what) { recording_.note("edit", what); });
+  connect(&picture_, &PictureController::refreshing, &edit_, &EditController::refresh);
+  connect(&replay_, &ReplayController::opened, &edit_, [this] { edit_.setReplaying(true); });
+  connect(&replay_, &ReplayController::closed, &edit_, [this] { edit_.setReplaying(false); });
 }
 
 void Application::close() {

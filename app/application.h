@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/window/device_controller.h"
+#include "app/window/edit_controller.h"
 #include "app/window/export_controller.h"
 #include "app/window/hand_controller.h"
 #include "app/window/marks_controller.h"
@@ -55,6 +56,7 @@ class Application : public QObject {
   const std::optional<Loaded>& shown() const { return shared_.shown; }
   SessionRecording& recording() { return recording_.recording(); }
   ExportController& exporting() { return export_; }
+  EditController& editing() { return edit_; }
   MarksController& marks() { return marks_; }
   ViewFileController& viewFile() { return view_file_; }
   /// The recording that is being replayed; null: none.
@@ -70,6 +72,7 @@ class Application : public QObject {
   void wireOpening();
   void wireHands();
   void wireRecordings();
+  void wireEdits();
   void wireMarks();
   void noteHand(const QString& id);
   /// Ends touch, recording and measurement.
@@ -92,6 +95,7 @@ class Application : public QObject {
   ViewFileController view_file_{window_, shared_, identity_, marks_};
   RecordingController recording_;
   ReplayController replay_;
+  EditController edit_{window_, shared_};
   ExportController export_;
   ScreenshotController screenshot_;
 };

@@ -235,11 +235,16 @@ void MainWindow::buildFileMenu() {
   series_->setObjectName("seriesOfThisFolder");
   setSeriesKnown(false);
   file->addSeparator();
+  save_edited_ = file->addAction(tr("Save &edited volume as…"), this, &MainWindow::askWhereToSave);
+  save_edited_->setObjectName("saveEdited");
+  save_edited_->setEnabled(false);
+  file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
 }
 
 void MainWindow::buildMenus() {
   buildFileMenu();
+  edit_menu_ = menuBar()->addMenu(tr("&Edit"));
   QMenu* look = menuBar()->addMenu(tr("&View"));
   view_menu_ = look;
   buildLayoutMenu(*look->addMenu(tr("&Layout")));
@@ -331,7 +336,9 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
   view_actions_->show(picture);
   isosurface_->show(picture, isovalue);
   slice_set_->show(picture, isovalue);
-  setWindowTitle(title.isEmpty() ? QStringLiteral("Palpate") : tr("%1 — Palpate").arg(title));
+  title_ = title;
+  edited_ = false;
+  showTitle();
 }
 
 void MainWindow::show(const haptics::TriangleMesh& tool) {
@@ -339,11 +346,40 @@ void MainWindow::show(const haptics::TriangleMesh& tool) {
   slice_set_->show(tool);
 }
 
-void MainWindow::replace(const Picture& picture) { slice_set_->replace(picture); }
+void MainWindow::replace(const Picture& picture) {
+  view_->replace(picture);
+  isosurface_->replace(picture);
+  slice_set_->replace(picture);
+}
 
 void MainWindow::setIsovalue(double isovalue) {
   view_->setIsovalue(isovalue);
   slice_set_->setIsovalue(isovalue);
+}
+
+const Eigen::Vector3d& MainWindow::cross_mm() const { return slice_set_->cross_mm(); }
+
+void MainWindow::setCross(const Eigen::Vector3d& cross_W_mm) { slice_set_->moveCross(cross_W_mm); }
+
+void MainWindow::setEdited(bool edited) {
+  edited_ = edited;
+  save_edited_->setEnabled(edited);
+  showTitle();
+}
+
+void MainWindow::showTitle() {
+  const QString title = edited_ ? tr("%1 (edited)").arg(title_) : title_;
+  setWindowTitle(title.isEmpty() ? QStringLiteral("Palpate") : tr("%1 — Palpate").arg(title));
+}
+
+void MainWindow::askWhereToSave() {
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  QFileDialog dialog(this, tr("Save edited volume as"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setNameFilter(tr("NRRD (*.nrrd)"));
+  dialog.setDefaultSuffix("nrrd");
+  if (dialog.exec() == QDialog::Accepted) emit saveEditedWanted(dialog.selectedFiles().value(0));
 }
 
 void MainWindow::setTouched(const TouchedSurface& touched) {
@@ -489,11 +525,19 @@ void MainWindow::showControls() {
          "<p><b>Haptic device</b> (View > Haptic device): Connect, then Arm. While C is held in "
          "the 3-D view the tool stays and the hand moves freely; while H is held the force is on "
          "if it is to be held.</p>"
+         "<p><b>Slices</b>: click moves the crosshair; the wheel, the arrows Up and Down, Page Up "
+         "and Page Down, Home and End go through the slices. Ctrl and wheel, + and - come nearer "
+         "at the pointer; middle drag, Shift and left drag, or Shift and the arrows shift the "
+         "picture; R shows the whole slice. Right drag, or Ctrl and the arrows, change brightness "
+         "(up and down) and contrast (left and right); Alt and the arrows move the crosshair. "
+         "A right click, the menu key or the button in the corner opens the choices: windows, "
+         "slabs, contour, following the tool, the view down the tool.</p>"
+         "<p><b>Views</b>: F shows a view alone and gives the others back, F6 goes to the next "
+         "one, View > Layout arranges them.</p>"
          "<p><b>Mouse</b>: it turns the picture until you take the tool (G, or the button), and "
          "then moves the tool. The tool itself can be dragged at any time.</p>"
          "<p><b>Measures</b>: click where the places are, or drag a distance. Handles can be "
-         "dragged "
-         "in every view.</p>"
+         "dragged in every view.</p>"
          "<p><b>Replay</b>: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, "
          "● force and device, × samples lost and ticks late.</p>") +
           controlsText());

@@ -48,9 +48,13 @@ class MainWindow : public QMainWindow {
   /// Shows another volume instead of the present one.
   void show(const Picture& picture, double isovalue, const QString& title);
   void show(const haptics::TriangleMesh& tool);
-  using QMainWindow::show;
-  /// Shows other voxels of the same grid; what is on view stays as it is.
+  /// Shows other voxels of the same grid; camera, crosshair and grey window stay.
   void replace(const Picture& picture);
+  /// Whether something was taken away from the volume: the title says so, and it may be saved.
+  void setEdited(bool edited);
+  /// The menu "Edit", for what its controller puts there.
+  QMenu& editMenu() { return *edit_menu_; }
+  using QMainWindow::show;
   /// The isovalue of surface and contour, without asking for it to be touched.
   void setIsovalue(double isovalue);
   /// The surface that is touched, for all views; given with every scene.
@@ -63,8 +67,8 @@ class MainWindow : public QMainWindow {
   ViewLook look() const;
   void setLook(const ViewLook& look);
   /// The linked crosshair of the slices.
-  const Eigen::Vector3d& cross_mm() const { return slice_set_->cross_mm(); }
-  void setCross(const Eigen::Vector3d& cross_W_mm) { slice_set_->moveCross(cross_W_mm); }
+  const Eigen::Vector3d& cross_mm() const;
+  void setCross(const Eigen::Vector3d& cross_W_mm);
   /// The state of the touch, at display rate. Pictures are updated at once, texts ten times a
   /// second.
   void display(const haptics::Snapshot& snapshot);
@@ -112,6 +116,8 @@ class MainWindow : public QMainWindow {
   void openWanted(const QString& path);
   /// The user wants to open a recording.
   void recordingWanted(const QString& path);
+  /// The user wants the edited volume in this file.
+  void saveEditedWanted(const QString& path);
   /// The user wants to open what was saved of a view, or to save it.
   void viewWanted(const QString& path);
   void viewSaveWanted();
@@ -156,6 +162,8 @@ class MainWindow : public QMainWindow {
   void buildFileMenu();
   void buildStatusBar();
   void displayWords();
+  void showTitle();
+  void askWhereToSave();
   void showControls();
   void showAbout();
 
@@ -171,6 +179,10 @@ class MainWindow : public QMainWindow {
   QDockWidget* haptic_device_dock_ = nullptr;
   QDockWidget* force_dock_ = nullptr;
   QMenu* view_menu_ = nullptr;
+  QMenu* edit_menu_ = nullptr;
+  QAction* save_edited_ = nullptr;
+  QString title_;  ///< of the volume; empty: none
+  bool edited_ = false;
   ViewActions* view_actions_ = nullptr;
   StatusLine* status_;
   QFrame* fault_bar_;

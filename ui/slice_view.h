@@ -65,6 +65,7 @@ class SliceView : public QWidget {
   void addOverlay(Overlay& overlay) { overlays_.add(overlay); }
 
   Plane plane() const { return plane_; }
+  const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
   const PlaneAxes& axes() const { return axes_; }
   /// A place in the plane.
   const Eigen::Vector3d& through_mm() const { return through_mm_; }

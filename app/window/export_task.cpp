@@ -6,6 +6,7 @@
 #include "app/export/export.h"
 #include "app/film/film.h"
 #include "app/window/sentence.h"
+#include "haptics/recording/replay.h"
 
 namespace app {
 namespace {
@@ -31,7 +32,10 @@ haptics::Expected<QString> film(haptics::Recording& recording, const ExportReque
     const bool there = scene != nullptr && request.volume &&
                        haptics::liesLike(scene->volume, *request.volume) &&
                        haptics::compared(scene->hash, request.hash) != haptics::SameVolume::Another;
-    return there ? request.volume : nullptr;
+    if (!there) return nullptr;
+    // as it was when the scene was touched
+    const auto volume_then = haptics::editedAsRecorded(request.volume, *scene);
+    return volume_then ? *volume_then : nullptr;
   };
   const auto made = makeFilm(recording, volume, request.out, options);
   if (!made) return tl::unexpected(made.error());

@@ -19,7 +19,7 @@ namespace app {
 struct ExportRequest {
   std::filesystem::path recording, out;
   ui::ExportWish wish;
-  /// Volume for a film; null: the film shows only the tool.
+  /// Scan for a film, before any edit; null: the film shows only the tool.
   std::shared_ptr<const haptics::Volume> volume = {};
   std::optional<haptics::VolumeHash> hash = {};  ///< hash of the volume, if it is known
   std::optional<FilmCamera> camera = {};         ///< camera of a film with a fixed view

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/view_file/view_file.h"
+#include "app/window/edited_volume.h"
 #include "app/window/recent_places.h"
 #include "app/window/sentence.h"
 #include "app/window/touched_surface.h"
@@ -63,7 +64,23 @@ void OpeningController::open(const QString& path) {
   load({.path = std::filesystem::path(path.toStdString())}, tr("Reading"));
 }
 
+void OpeningController::replace(const Loaded& loaded) {
+  const bool placed = shared_.snapshot.scene == shared_.shown->scene->id;
+  shared_.shown = loaded;
+  emit this->loaded(false, placed);
+  window_.replace(loaded.picture);
+  window_.setTouched(touchedSurfaceOf(loaded.scene));
+  emit shown(false);
+}
+
 void OpeningController::adopt(const Loaded& loaded) {
+  // an edit came while another tool or field was prepared: the same with the edited volume
+  if (shared_.shown && shared_.shown->picture.volume != loaded.picture.volume &&
+      scanOf(shared_.shown->picture.volume) == scanOf(loaded.picture.volume))
+    return load({.keep = Kept{shared_.shown->picture, loaded.title, loaded.place},
+                 .tool = loaded.tool,
+                 .isovalue = shared_.settings.isovalue},
+                tr("Preparing the tool"));
   const bool new_volume = !shared_.shown || shared_.shown->picture.volume != loaded.picture.volume;
   const bool placed = !new_volume && shared_.snapshot.scene == shared_.shown->scene->id;
   shared_.shown = loaded;

@@ -26,6 +26,8 @@ class OpeningController : public QObject {
 
   /// Loads a request and cancels the present one. `what`: the text beside the progress.
   void load(LoadRequest request, const QString& what);
+  /// Shows another volume and scene of the scan on view, after an edit.
+  void replace(const app::Loaded& loaded);
   /// A path of volumes, of a recording or of a view.
   void open(const QString& path);
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/replay_controller.h"
 
+#include "app/window/edited_volume.h"
 #include "app/window/sentence.h"
+#include "haptics/edit/edited.h"
+#include "haptics/recording/replay.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/replay_bar.h"
@@ -30,6 +33,10 @@ haptics::Snapshot snapshotOf(const haptics::Step& step, std::uint32_t scene) {
   snapshot.late_ticks = step.late_ticks;
   snapshot.missed_ticks = step.missed_ticks;
   return snapshot;
+}
+
+std::uint64_t digestOf(const ui::Picture& picture) {
+  return picture.volume && picture.volume->edited ? picture.volume->edited->digest : 0;
 }
 
 }  // namespace
@@ -78,7 +85,11 @@ void ReplayController::open(const std::filesystem::path& path) {
   window_.replayBar().show();
   replay_->setSpeed(window_.replayBar().speed());
   window_.clearForces();
-  if (shared_.shown) identity_.seek(shared_.shown->picture.volume);
+  if (shared_.shown) {
+    on_view_ = shared_.shown->picture;
+    edits_ = digestOf(on_view_);
+    identity_.seek(on_view_.volume);
+  }
   replay_->seek(replay_->track().begin);
 }
 
@@ -94,6 +105,7 @@ void ReplayController::close() {
   window_.clearForces();
   if (shared_.shown) {
     // as it was before
+    showOnView(shared_.shown->picture);
     const double isovalue = shared_.settings.isovalue;
     window_.show(shared_.shown->scene->tool.mesh);
     window_.isosurfacePanel().show(shared_.shown->picture, isovalue);
@@ -109,8 +121,41 @@ void ReplayController::closeFile(const std::filesystem::path& path) {
 void ReplayController::showScene() {
   if (!replay_) return;
   scene_.reset();
+  editor_.abandon();
+  on_view_ = shared_.shown->picture;
+  edits_ = digestOf(on_view_);
   identity_.seek(shared_.shown->picture.volume);
   show(shown_to_);
+}
+
+void ReplayController::showOnView(const ui::Picture& picture) {
+  editor_.abandon();
+  edits_ = digestOf(picture);
+  if (on_view_.volume == picture.volume) return;
+  on_view_ = picture;
+  window_.replace(picture);
+  isovalue_.reset();
+}
+
+void ReplayController::showEdits(const haptics::RecordedScene& then) {
+  if (then.edits_digest == edits_) return;
+  if (then.edits_digest == digestOf(shared_.shown->picture))
+    return showOnView(shared_.shown->picture);
+  edits_ = then.edits_digest;
+  editor_.start(
+      [then, scan = scanOf(shared_.shown->picture.volume)](
+          const background::Watch& watch) -> haptics::Expected<ui::Picture> {
+        const auto volume =
+            haptics::editedAsRecorded(scan, then, {.cancel = &watch.cancel, .advanced = {}});
+        if (!volume) return tl::unexpected(volume.error());
+        return ui::pictureOf(*volume);
+      },
+      [this](const haptics::Expected<ui::Picture>& picture) {
+        if (!replay_) return;
+        if (!picture) return window_.showMessage(sentenceOf(picture.error()));
+        showOnView(*picture);
+        show(shown_to_);
+      });
 }
 
 /// Whether the volume on view is the one that was touched, as far as can be told.
@@ -125,6 +170,7 @@ void ReplayController::compareVolumes() {
   if (then != nullptr && !same_volume_)
     warning = tr("The volume on view is not the one that was touched; open that one to see it.");
   window_.replayBar().showWarning(warning);
+  if (same_volume_) showEdits(*then);
 }
 
 void ReplayController::show(double time) {
@@ -139,7 +185,7 @@ void ReplayController::show(double time) {
   }
   if (same_volume_ && isovalue_ != step.settings.isovalue) {
     isovalue_ = step.settings.isovalue;
-    window_.isosurfacePanel().show(shared_.shown->picture, step.settings.isovalue);
+    window_.isosurfacePanel().show(on_view_, step.settings.isovalue);
     window_.setIsovalue(step.settings.isovalue);
   }
   window_.display(snapshotOf(step, shared_.shown->scene->id));

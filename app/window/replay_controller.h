@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/background/task.h"
 #include "app/window/replay.h"
 #include "app/window/shared_state.h"
 #include "app/window/volume_identity.h"
@@ -42,6 +43,9 @@ class ReplayController : public QObject {
   void connectBar();
   void show(double time);
   void compareVolumes();
+  /// Shows the scan on view as it was when this scene was touched.
+  void showEdits(const haptics::RecordedScene& then);
+  void showOnView(const ui::Picture& picture);
 
   ui::MainWindow& window_;
   SharedState& shared_;
@@ -50,7 +54,10 @@ class ReplayController : public QObject {
   std::optional<std::uint32_t> scene_;  ///< scene of the recording whose tool is on view
   std::optional<double> isovalue_;      ///< isovalue on view
   double shown_to_ = 0.0;               ///< s: end of the plotted force
-  bool same_volume_ = false;            ///< the volume on view is the recorded one, as far as known
+  ui::Picture on_view_;                 ///< of the scan, with the edits of the recording
+  std::uint64_t edits_ = 0;             ///< digest of the edits on view, or being prepared
+  background::Task<ui::Picture> editor_;
+  bool same_volume_ = false;  ///< the volume on view is the recorded one, as far as known
 };
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/recording/facts.h"
+#include "app/window/edited_volume.h"
 #include "app/window/sentence.h"
 
 namespace app {
@@ -72,8 +73,8 @@ void SessionRecording::describe(std::shared_ptr<const haptics::Scene> scene,
 void SessionRecording::identify(const std::shared_ptr<const haptics::Volume>& volume) {
   const auto hash = identity_.of(volume);
   for (const auto& scene : scenes_)
-    if (scene->volume == volume && hash && recorder_) recorder_->identify(scene->id, *hash);
-  std::erase_if(scenes_, [&](const auto& scene) { return scene->volume == volume; });
+    if (scanOf(scene->volume) == volume && hash && recorder_) recorder_->identify(scene->id, *hash);
+  std::erase_if(scenes_, [&](const auto& scene) { return scanOf(scene->volume) == volume; });
 }
 
 void SessionRecording::note(const char* kind, const QString& text) {

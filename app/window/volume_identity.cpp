@@ -2,10 +2,12 @@
 #include "app/window/volume_identity.h"
 
 #include "app/recording/volume_hash.h"
+#include "app/window/edited_volume.h"
 
 namespace app {
 
-void VolumeIdentity::seek(const std::shared_ptr<const haptics::Volume>& volume) {
+void VolumeIdentity::seek(const std::shared_ptr<const haptics::Volume>& sought_volume) {
+  const std::shared_ptr<const haptics::Volume> volume = scanOf(sought_volume);
   // of volumes that are gone nobody asks any more; a thread at work holds its volume
   jobs_.remove_if([](const Job& job) { return job.volume.expired(); });
   for (const Job& job : jobs_) {
@@ -31,8 +33,9 @@ void VolumeIdentity::seek(const std::shared_ptr<const haptics::Volume>& volume) 
 
 std::optional<haptics::VolumeHash> VolumeIdentity::of(
     const std::shared_ptr<const haptics::Volume>& volume) const {
+  const std::shared_ptr<const haptics::Volume> scan = scanOf(volume);
   for (const Job& job : jobs_)
-    if (job.volume.lock() == volume) return job.hash;
+    if (job.volume.lock() == scan) return job.hash;
   return {};
 }
 

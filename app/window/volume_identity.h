@@ -11,19 +11,20 @@
 
 namespace app {
 
-/// Hashes volumes on its own thread, each volume once while it is in use. Only the destructor
-/// waits.
+/// Hashes volumes on its own thread, each volume once while it is in use; of an edited volume the
+/// scan. Only the destructor waits.
 class VolumeIdentity : public QObject {
   Q_OBJECT
  public:
   explicit VolumeIdentity(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Starts hashing. sought() follows later, without new work if the hash is known.
-  void seek(const std::shared_ptr<const haptics::Volume>& volume);
+  void seek(const std::shared_ptr<const haptics::Volume>& sought_volume);
   /// The hash; none if it is not known yet or cannot be made.
   std::optional<haptics::VolumeHash> of(const std::shared_ptr<const haptics::Volume>& volume) const;
 
  signals:
+  /// `volume`: the scan.
   void sought(const std::shared_ptr<const haptics::Volume>& volume);
 
  private:

@@ -98,6 +98,12 @@ void IsosurfacePanel::show(const Picture& picture, double isovalue) {
   showValue(isovalue_);
 }
 
+void IsosurfacePanel::replace(const Picture& picture) {
+  volume_ = picture.volume;
+  slider_->setHistogram(picture.histogram);
+  showValue(isovalue_);
+}
+
 void IsosurfacePanel::choose(double isovalue) {
   if (!volume_) return;
   const double possible = allowedIsovalue(*volume_, isovalue);

@@ -27,6 +27,8 @@ class IsosurfacePanel : public QWidget {
 
   /// Shows another volume, at an isovalue within its range; emits nothing.
   void show(const Picture& picture, double isovalue);
+  /// Other voxels of the same scan; range and isovalue stay.
+  void replace(const Picture& picture);
   /// As if the user had chosen it.
   void choose(double isovalue);
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/overlays/lasso.h"
+
+#include <QRectF>
+#include <cmath>
+
+#include "ui/overlays/marks_style.h"
+
+namespace ui {
+namespace {
+
+constexpr double kLeastStep = 2.0;   // pixels between two corners
+constexpr double kLeastArea = 60.0;  // square pixels
+constexpr int kProbes = 5;           // along each side of the outline's box
+
+double areaOf(const QPolygonF& line) {
+  double twice = 0.0;
+  for (qsizetype n = 0; n < line.size(); ++n) {
+    const QPointF p = line[n], q = line[(n + 1) % line.size()];
+    twice += p.x() * q.y() - p.y() * q.x();
+  }
+  return 0.5 * std::abs(twice);
+}
+
+}  // namespace
+
+void Lasso::setActive(bool active) {
+  active_ = active;
+  line_.clear();
+  on_ = nullptr;
+  emit changed();
+}
+
+void Lasso::paint(QPainter& painter, const ViewGeometry& view) const {
+  if (on_ != &view.widget() || line_.size() < 2) return;
+  QColor fill = kGoesColour;
+  fill.setAlpha(50);
+  painter.setPen(QPen(kGoesColour, 1.8));
+  painter.setBrush(fill);
+  painter.drawPolygon(line_);
+}
+
+bool Lasso::press(const ViewGeometry& view, const QMouseEvent& event) {
+  if (!active_ || !isPlainLeft(event)) return false;
+  on_ = &view.widget();
+  line_ = {event.position()};
+  return true;
+}
+
+bool Lasso::drag(const ViewGeometry&, const QMouseEvent& event) {
+  if (line_.isEmpty()) return true;
+  const QPointF by = event.position() - line_.last();
+  if (QPointF::dotProduct(by, by) < kLeastStep * kLeastStep) return true;
+  line_ << event.position();
+  emit changed();
+  return true;
+}
+
+bool Lasso::release(const ViewGeometry& view, const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton || line_.isEmpty()) return true;
+  const QPolygonF line = std::exchange(line_, {});
+  on_ = nullptr;
+  emit changed();
+  if (line.size() < 3 || areaOf(line) < kLeastArea) return true;
+  DrawnOutline outline;
+  outline.camera = projectionOf(view);
+  outline.in_slice = view.isSlice();
+  for (const QPointF& at : line) outline.corners.push_back(outline.camera.acrossOf(at));
+  if (!outline.in_slice) {
+    const QRectF box = line.boundingRect();
+    for (int row = 0; row < kProbes; ++row)
+      for (int column = 0; column < kProbes; ++column) {
+        const QPointF at{box.left() + box.width() * (column + 0.5) / kProbes,
+                         box.top() + box.height() * (row + 0.5) / kProbes};
+        if (!line.containsPoint(at, Qt::OddEvenFill)) continue;
+        if (const auto place = view.placeUnder(at)) outline.seen.push_back(*place);
+      }
+  }
+  emit drawn(outline);
+  return true;
+}
+
+bool Lasso::hover(const ViewGeometry& view, const QMouseEvent&) {
+  return active_ && !view.isSlice();
+}
+
+void PlacePick::setActive(bool active) {
+  active_ = active;
+  emit changed();
+}
+
+bool PlacePick::press(const ViewGeometry& view, const QMouseEvent& event) {
+  if (!active_ || !isPlainLeft(event)) return false;
+  const auto place = view.placeUnder(event.position());
+  if (!place) return false;  // beside the surface: the picture may be turned
+  emit picked(*place);
+  return true;
+}
+
+bool PlacePick::drag(const ViewGeometry&, const QMouseEvent&) { return true; }
+bool PlacePick::release(const ViewGeometry&, const QMouseEvent&) { return true; }
+
+bool PlacePick::hover(const ViewGeometry& view, const QMouseEvent&) {
+  return active_ && !view.isSlice();
+}
+
+}  // namespace ui

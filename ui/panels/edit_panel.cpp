@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/edit_panel.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QFrame>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/number_box.h"
+
+namespace ui {
+namespace {
+
+constexpr double kFarthest_mm = 2'000.0;
+constexpr double kLargest_cm3 = 100'000.0;
+
+QLabel* hintLabel(const QString& words) {
+  auto* hint = new QLabel(words);
+  hint->setWordWrap(true);
+  hint->setTextFormat(Qt::PlainText);
+  return hint;
+}
+
+NumberBox* numberOf(const char* name, const QString& accessible, double least, double most,
+                    double step, int decimals, const QString& suffix) {
+  auto* number = new NumberBox;
+  number->setObjectName(name);
+  number->setAccessibleName(accessible);
+  number->setRange(least, most);
+  number->setSingleStep(step);
+  number->setDecimals(decimals);
+  number->setSuffix(suffix);
+  number->setMinimumWidth(70);
+  return number;
+}
+
+QPushButton* buttonOf(const QString& text, const char* name) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  return button;
+}
+
+QWidget* emptyPage() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(hintLabel(
+      EditPanel::tr("Choose what takes away what is in the way. The file never changes.")));
+  column->addStretch(1);
+  return page;
+}
+
+}  // namespace
+
+EditPanel::EditPanel(QWidget* parent)
+    : QWidget(parent), tools_(new QButtonGroup(this)), pages_(new QStackedWidget) {
+  auto* row = new QGridLayout;
+  row->setSpacing(4);
+  tools_->setExclusive(false);  // a second click switches a tool off
+  const auto tool = [&](EditTool which, const QString& text, const QString& tip, const char* name) {
+    auto* button = new QToolButton;
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    const int n = static_cast<int>(which) - 1;
+    tools_->addButton(button, static_cast<int>(which));
+    row->addWidget(button, 0, n);
+    connect(button, &QToolButton::clicked, this,
+            [this, which](bool on) { setTool(on ? which : EditTool::None); });
+  };
+  tool(EditTool::Crop, tr("Crop"), tr("Keeps what is inside a box"), "cropTool");
+  tool(EditTool::Plane, tr("Plane"), tr("Cuts along a plane"), "planeTool");
+  tool(EditTool::Pieces, tr("Pieces"), tr("Keeps or removes connected pieces"), "piecesTool");
+  tool(EditTool::Holder, tr("Holder"), tr("Removes table and head holder"), "holderTool");
+  tool(EditTool::Scalpel, tr("Scalpel"), tr("Cuts along an outline that you draw"), "scalpelTool");
+
+  pages_->addWidget(emptyPage());
+  pages_->addWidget(cropPage());
+  pages_->addWidget(planePage());
+  pages_->addWidget(piecesPage());
+  pages_->addWidget(holderPage());
+  pages_->addWidget(scalpelPage());
+
+  undo_ = buttonOf(tr("Undo"), "undoEdit");
+  redo_ = buttonOf(tr("Redo"), "redoEdit");
+  reset_ = buttonOf(tr("Reset"), "resetEdits");
+  reset_->setToolTip(tr("Takes all edits back"));
+  steps_ = new QLabel;
+  steps_->setObjectName("editSteps");
+  auto* steps = new QHBoxLayout;
+  steps->setSpacing(4);
+  for (QPushButton* button : {undo_, redo_, reset_}) steps->addWidget(button);
+  steps->addWidget(steps_, 1);
+  connect(undo_, &QPushButton::clicked, this, &EditPanel::undoWanted);
+  connect(redo_, &QPushButton::clicked, this, &EditPanel::redoWanted);
+  connect(reset_, &QPushButton::clicked, this, &EditPanel::resetWanted);
+
+  wait_ = new QFrame;
+  wait_words_ = hintLabel({});
+  wait_words_->setObjectName("editWait");
+  auto* cancel = buttonOf(tr("Cancel"), "cancelEditWait");
+  auto* wait = new QHBoxLayout(wait_);
+  wait->setContentsMargins(0, 0, 0, 0);
+  wait->addWidget(wait_words_, 1);
+  wait->addWidget(cancel);
+  wait_->hide();
+  connect(cancel, &QPushButton::clicked, this, &EditPanel::waitCancelled);
+
+  auto* inside = new QWidget;
+  auto* column = new QVBoxLayout(inside);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->addLayout(row);
+  column->addWidget(pages_);
+  column->addWidget(preview_ = previewBar());
+  column->addStretch(1);
+  column->addWidget(wait_);
+  column->addLayout(steps);
+  auto* scroll = new QScrollArea;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(inside);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(scroll);
+  setFocusProxy(tools_->button(static_cast<int>(EditTool::Crop)));
+  show(EditSteps{});
+  show(std::nullopt, 0);
+  setReady(false);
+}
+
+QWidget* EditPanel::cropPage() {
+  auto* page = new QWidget;
+  auto* grid = new QGridLayout;
+  grid->setSpacing(4);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side) {
+      const auto a = static_cast<std::size_t>(axis), s = static_cast<std::size_t>(side);
+      crop_names_[a][s] = new QLabel;
+      const QByteArray name = "crop" + QByteArray::number(axis) + (side == 0 ? "Low" : "High");
+      crop_numbers_[a][s] =
+          numberOf(name.constData(), {}, -kFarthest_mm, kFarthest_mm, 1.0, 1, tr(" mm"));
+      grid->addWidget(crop_names_[a][s], axis, 2 * side);
+      grid->addWidget(crop_numbers_[a][s], axis, 2 * side + 1);
+      connect(crop_numbers_[a][s], &NumberBox::valueChanged, this,
+              [this, axis, side](double mm) { emit cropNumberChanged(axis, side == 1, mm); });
+    }
+  crop_axes_ = hintLabel({});
+  crop_axes_->setObjectName("cropAxes");
+  auto* to_view = buttonOf(tr("Crop to view"), "cropToView");
+  to_view->setToolTip(tr("The box that the slices show"));
+  auto* whole = buttonOf(tr("Whole scan"), "cropReset");
+  auto* apply = buttonOf(tr("Apply"), "cropApply");
+  connect(to_view, &QPushButton::clicked, this, &EditPanel::cropToViewWanted);
+  connect(whole, &QPushButton::clicked, this, &EditPanel::cropResetWanted);
+  connect(apply, &QPushButton::clicked, this, &EditPanel::cropApplyWanted);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(4);
+  for (QPushButton* button : {to_view, whole, apply}) buttons->addWidget(button);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(grid);
+  column->addWidget(crop_axes_);
+  column->addLayout(buttons);
+  column->addStretch(1);
+  return page;
+}
+
+QWidget* EditPanel::planePage() {
+  auto* page = new QWidget;
+  plane_hint_ = hintLabel({});
+  plane_hint_->setObjectName("planeHint");
+  auto* from = new QHBoxLayout;
+  from->setSpacing(4);
+  from->addWidget(new QLabel(tr("From slice:")));
+  const auto slice = [&](Plane plane, const QString& text, const char* name) {
+    QPushButton* button = buttonOf(text, name);
+    connect(button, &QPushButton::clicked, this,
+            [this, plane] { emit planeFromSliceWanted(plane); });
+    from->addWidget(button);
+  };
+  slice(Plane::Axial, tr("Axial"), "planeFromAxial");
+  slice(Plane::Coronal, tr("Coronal"), "planeFromCoronal");
+  slice(Plane::Sagittal, tr("Sagittal"), "planeFromSagittal");
+  plane_position_ = numberOf("planePosition", tr("Position of the plane"), -kFarthest_mm,
+                             kFarthest_mm, 1.0, 1, tr(" mm"));
+  plane_towards_ =
+      numberOf("planeTowards", tr("Direction of the cut"), -180.0, 180.0, 5.0, 1, tr("°"));
+  plane_raised_ = numberOf("planeRaised", tr("Slope of the cut"), -90.0, 90.0, 5.0, 1, tr("°"));
+  plane_position_->setToolTip(tr("From the middle of the scan, towards what goes"));
+  plane_towards_->setToolTip(tr("Where what goes lies: 0° to L, 90° to P, 180° to R, −90° to A"));
+  plane_raised_->setToolTip(tr("Where what goes lies: 90° to S, −90° to I"));
+  for (NumberBox* number : {plane_position_, plane_towards_, plane_raised_})
+    connect(number, &NumberBox::valueChanged, this, &EditPanel::emitPlaneNumbers);
+  auto* flip = buttonOf(tr("Flip"), "planeFlip");
+  auto* again = buttonOf(tr("Place again"), "planeAgain");
+  auto* apply = buttonOf(tr("Cut"), "planeApply");
+  connect(flip, &QPushButton::clicked, this, &EditPanel::planeFlipWanted);
+  connect(again, &QPushButton::clicked, this, &EditPanel::planeAgainWanted);
+  connect(apply, &QPushButton::clicked, this, &EditPanel::planeApplyWanted);
+  plane_controls_ = new QWidget;
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(4);
+  form->addRow(tr("Position"), plane_position_);
+  form->addRow(tr("Towards"), plane_towards_);
+  form->addRow(tr("Raised"), plane_raised_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(4);
+  for (QPushButton* button : {flip, again, apply}) buttons->addWidget(button);
+  auto* controls = new QVBoxLayout(plane_controls_);
+  controls->setContentsMargins(0, 0, 0, 0);
+  controls->addLayout(form);
+  controls->addLayout(buttons);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(plane_hint_);
+  column->addLayout(from);
+  column->addWidget(plane_controls_);
+  column->addStretch(1);
+  return page;
+}
+
+QWidget* EditPanel::piecesPage() {
+  auto* page = new QWidget;
+  small_ = numberOf("smallVolume", tr("Smallest piece that stays"), 0.001, kLargest_cm3, 1.0, 3,
+                    tr(" cm³"));
+  small_->setValue(1.0);
+  auto* show_small = buttonOf(tr("Show"), "showSmall");
+  connect(show_small, &QPushButton::clicked, this, [this] { emit smallWanted(small_->value()); });
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  row->addWidget(small_, 1);
+  row->addWidget(show_small);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(
+      hintLabel(tr("Click on a piece, in 3-D or in a slice. A piece is what hangs "
+                   "together at the present isovalue.")));
+  column->addWidget(new QLabel(tr("All pieces smaller than")));
+  column->addLayout(row);
+  column->addStretch(1);
+  return page;
+}
+
+QWidget* EditPanel::holderPage() {
+  auto* page = new QWidget;
+  auto* find = buttonOf(tr("Show table and holder"), "showHolder");
+  connect(find, &QPushButton::clicked, this, &EditPanel::holderWanted);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(
+      hintLabel(tr("Finds table and head holder by rule, and shows them before "
+                   "anything is taken away. Look whether it is all holder.")));
+  column->addWidget(find);
+  column->addStretch(1);
+  return page;
+}
+
+QWidget* EditPanel::scalpelPage() {
+  auto* page = new QWidget;
+  depth_ = numberOf("scalpelDepth", tr("Depth of the cut"), 0.0, kFarthest_mm, 1.0, 1, tr(" mm"));
+  depth_->setSpecialValueText(tr("through everything"));
+  depth_->setToolTip(
+      tr("In 3-D from the nearest surface inside the outline; in a slice to both "
+         "sides. 0 cuts through everything."));
+  side_ = new QComboBox;
+  side_->setObjectName("scalpelSide");
+  side_->addItem(tr("What is inside goes"));
+  side_->addItem(tr("What is outside goes"));
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(4);
+  form->addRow(tr("Depth"), depth_);
+  form->addRow(tr("Cut"), side_);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(
+      hintLabel(tr("Draw an outline with the left button, in 3-D or on a slice. It "
+                   "cuts when you let go.")));
+  column->addLayout(form);
+  column->addStretch(1);
+  return page;
+}
+
+QFrame* EditPanel::previewBar() {
+  auto* bar = new QFrame;
+  preview_words_ = hintLabel({});
+  preview_words_->setObjectName("editPreview");
+  keep_ = buttonOf(tr("Keep only this"), "keepPiece");
+  remove_piece_ = buttonOf(tr("Remove this"), "removePiece");
+  remove_ = buttonOf(tr("Remove"), "applyRemoval");
+  auto* cancel = buttonOf(tr("Cancel"), "cancelPreview");
+  connect(keep_, &QPushButton::clicked, this, &EditPanel::keepPieceWanted);
+  connect(remove_piece_, &QPushButton::clicked, this, &EditPanel::removePieceWanted);
+  connect(remove_, &QPushButton::clicked, this, &EditPanel::removalWanted);
+  connect(cancel, &QPushButton::clicked, this, &EditPanel::previewCancelled);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(4);
+  for (QPushButton* button : {keep_, remove_piece_, remove_, cancel}) buttons->addWidget(button);
+  auto* column = new QVBoxLayout(bar);
+  column->setContentsMargins(0, 4, 0, 0);
+  column->addWidget(preview_words_);
+  column->addLayout(buttons);
+  bar->hide();
+  return bar;
+}
+
+void EditPanel::setReady(bool ready) { setEnabled(ready); }
+
+void EditPanel::setTool(EditTool tool) {
+  for (QAbstractButton* button : tools_->buttons())
+    button->setChecked(tools_->id(button) == static_cast<int>(tool));
+  if (tool == tool_) return;
+  tool_ = tool;
+  pages_->setCurrentIndex(static_cast<int>(tool));
+  emit toolChosen(tool);
+}
+
+void EditPanel::show(const std::array<CropRange, 3>& ranges, const QString& axes_told) {
+  crop_axes_->setText(axes_told);
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const CropRange& range = ranges[a];
+      const QString& name = side == 0 ? range.low : range.high;
+      NumberBox& number = *crop_numbers_[a][side];
+      const QSignalBlocker quiet(number);
+      crop_names_[a][side]->setText(name);
+      number.setAccessibleName(tr("Face %1 of the box").arg(name));
+      number.setRange(range.least, range.most);
+      number.setSingleStep(range.step);
+      number.setValue(side == 0 ? range.from : range.to);
+    }
+}
+
+void EditPanel::show(const std::optional<PlaneNumbers>& plane, std::size_t clicks) {
+  plane_controls_->setVisible(plane.has_value());
+  plane_hint_->setVisible(!plane);
+  plane_hint_->setText(
+      clicks == 0
+          ? tr("Click three places on the surface; what is nearer to you goes. Or three in one "
+               "slice: a line, and the side that goes.")
+          : tr("%n place(s) set: click three.", nullptr, static_cast<int>(clicks)));
+  if (!plane) return;
+  const QSignalBlocker quiet_position(plane_position_), quiet_towards(plane_towards_),
+      quiet_raised(plane_raised_);
+  plane_position_->setValue(plane->position_mm);
+  plane_towards_->setValue(plane->towards_deg);
+  plane_raised_->setValue(plane->raised_deg);
+}
+
+void EditPanel::emitPlaneNumbers() {
+  emit planeNumbersChanged(plane_position_->value(), plane_towards_->value(),
+                           plane_raised_->value());
+}
+
+void EditPanel::showPreview(const QString& words, EditConfirm confirm) {
+  preview_words_->setText(words);
+  keep_->setVisible(confirm == EditConfirm::Piece);
+  remove_piece_->setVisible(confirm == EditConfirm::Piece);
+  remove_->setVisible(confirm == EditConfirm::Removal);
+  preview_->show();
+}
+
+void EditPanel::hidePreview() { preview_->hide(); }
+
+void EditPanel::show(const EditSteps& steps) {
+  undo_->setEnabled(steps.undo);
+  redo_->setEnabled(steps.redo);
+  reset_->setEnabled(steps.in_force > 0);
+  steps_->setText(steps.in_force > 0 ? tr("%n edit(s)", nullptr, steps.in_force) : QString());
+}
+
+void EditPanel::showWait(const QString& sentence) {
+  wait_words_->setText(sentence);
+  wait_->setVisible(!sentence.isEmpty());
+}
+
+std::optional<double> EditPanel::depth_mm() const {
+  if (depth_->value() <= 0.0) return {};
+  return depth_->value();
+}
+
+bool EditPanel::cutsInside() const { return side_->currentIndex() == 0; }
+
+}  // namespace ui
