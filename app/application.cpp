@@ -151,6 +151,7 @@ void Application::wireMarks() {
           [this](const std::filesystem::path& path) {
             opening_.open(QString::fromStdString(path.string()));
           });
+  connect(&view_file_, &ViewFileController::editsWanted, &edit_, &EditController::restore);
   connect(&view_file_, &ViewFileController::toolWanted, &window_.devicePanel(),
           &ui::DevicePanel::toolChosen);
 }

@@ -519,17 +519,20 @@ void EditController::cropToView() {
     any = true;
     const ui::PlaneAxes axes = ui::axesOf(plane);
     const QPointF origin = slice.projected(Eigen::Vector3d::Zero());
+    const QRectF seen = slice.pictureRect();
     const auto narrow = [&](const Eigen::Vector3d& along, double at_zero, double per_mm,
-                            double pixels) {
+                            double begin, double end) {
       int a = 0;
       along.cwiseAbs().maxCoeff(&a);
-      const auto [from, to] = std::minmax(
-          {(0.0 - at_zero) / per_mm * along[a], (pixels - at_zero) / per_mm * along[a]});
+      const auto [from, to] =
+          std::minmax({(begin - at_zero) / per_mm * along[a], (end - at_zero) / per_mm * along[a]});
       low[a] = std::max(low[a], from);
       high[a] = std::min(high[a], to);
     };
-    narrow(axes.right, origin.x(), slice.projected(axes.right).x() - origin.x(), slice.width());
-    narrow(axes.up, origin.y(), slice.projected(axes.up).y() - origin.y(), slice.height());
+    narrow(axes.right, origin.x(), slice.projected(axes.right).x() - origin.x(), seen.left(),
+           seen.right());
+    narrow(axes.up, origin.y(), slice.projected(axes.up).y() - origin.y(), seen.top(),
+           seen.bottom());
   }
   if (!any)
     return window_.showMessage(

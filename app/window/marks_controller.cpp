@@ -8,7 +8,7 @@
 #include <QMenuBar>
 #include <algorithm>
 
-#include "app/window/scan_of.h"
+#include "app/window/edited_volume.h"
 #include "app/window/touched_surface.h"
 #include "haptics/recording/recording.h"
 #include "ui/panels/marks_panel.h"

@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/window/scan_of.h"
+#include "app/window/edited_volume.h"
 #include "app/window/sentence.h"
 #include "haptics/edit/edited.h"
 #include "haptics/recording/recording.h"
