@@ -162,7 +162,7 @@ TEST(ViewPicture, ShowsASecondSurfaceAsAVeilThatHidesNothing) {
     view.setSecondSurface(20.0);
     const QImage veiled = window::pictureAtRest(view);
     window::keep(veiled, mode == SurfaceMode::Mesh ? "veil_mesh" : "veil_raycast");
-    const QPoint beside = view.projected({-0.015, 0.0, 0.0}).toPoint();
+    const QPoint beside = view.projected({-0.013, 0.0, 0.005}).toPoint();
     EXPECT_LT(alone.pixelColor(beside).red(), 30);
     const int veil = veiled.pixelColor(beside).red();
     EXPECT_GT(veil, 50);   // there is a veil
@@ -186,7 +186,7 @@ TEST(ViewPicture, ShowsASecondSurfaceAsAVeilThatHidesNothing) {
   }
 }
 
-TEST(ViewPicture, AMovingToolDrawsNoSurfaceAgain) {
+TEST(ViewPicture, IsNotDrawnAtRestAndOnceForAMove) {
   ui::VolumeView view;
   open(view, SurfaceMode::Mesh);
   view.show(ui::pictureOf(ballVolume(0.020)), 50.0);
@@ -237,7 +237,8 @@ TEST(ViewPicture, LeavesOutWhatIsCroppedAndClosesTheCut) {
   const auto area = [](const QImage& image) {
     return double(window::count(image, window::surfaceColoured));
   };
-  EXPECT_NEAR(area(shown[0]) / area(shown[1]), 1.0, 0.03);
+  // the mesh closes half a voxel beyond the last one that exists
+  EXPECT_NEAR(area(shown[0]) / area(shown[1]), 1.0, 0.06);
 }
 
 TEST(ViewPicture, TheHistogramAndTheReducedImageKnowTheCrop) {
@@ -272,7 +273,7 @@ TEST(ViewPicture, DarkensWhatLiesDeepIfTheGraphicsCan) {
   const auto slot =
       window::volumeOf(window::cubeGrid(48), haptics::ScalarType::Int16, [](const Vec3& p) {
         const bool block = std::abs(p.x()) < 0.018 && std::abs(p.z()) < 0.018 && p.y() > -0.015;
-        const bool cut = std::abs(p.x()) < 0.003 && p.y() < -0.009;
+        const bool cut = std::abs(p.x()) < 0.0015 && p.y() < -0.009;
         return block && !cut ? 100.0 : 0.0;
       });
   view.show(ui::pictureOf(slot), 50.0);

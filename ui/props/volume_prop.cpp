@@ -79,7 +79,7 @@ constexpr const char* kLightCutFace = R"(if (cut)
             texture3D(in_volume[0], g_dataPos + vec3(0.0, 0.0, one.z)).r
               - texture3D(in_volume[0], g_dataPos - vec3(0.0, 0.0, one.z)).r) / in_cellSpacing[0];
           vec3 outwards = -rise / max(length(rise), 1e-12);
-          float lost = 0.0, most = 0.0;
+          float lost = 0.0;
           for (int ring = 0; ring < 4; ++ring)
           {
             float reach = occlusionReach * (0.25 + 0.25 * float(ring));
@@ -89,17 +89,15 @@ constexpr const char* kLightCutFace = R"(if (cut)
               vec3 aside = normalize(cross(outwards, abs(outwards.z) < 0.8 ? vec3(0.0, 0.0, 1.0)
                                                                          : vec3(1.0, 0.0, 0.0)));
               vec3 other = cross(outwards, aside);
-              vec3 along = normalize(outwards + 0.9 * (cos(turn) * aside + sin(turn) * other));
+              vec3 along = normalize(0.6 * outwards + cos(turn) * aside + sin(turn) * other);
               vec3 there = g_dataPos + reach * along / in_cellSpacing[0] * one;
               bool within = all(greaterThan(there, cropLeast)) && all(lessThan(there, cropGreatest));
               float value = texture3D(in_volume[0], there).r * in_volume_scale[0].r
                           + in_volume_bias[0].r;
-              float share = 1.0 - 0.2 * float(ring);
-              lost += within && value > s ? share : 0.0;
-              most += share;
+              lost += (within && value > s) ? 1.0 : 0.0;
             }
           }
-          g_srcColor.rgb *= 1.0 - occlusion * lost / most;
+          g_srcColor.rgb *= 1.0 - occlusion * lost / 16.0;
         }
         if (beside) g_srcColor = vec4(0.0);
         g_srcColor.rgb *= g_srcColor.a;)";
@@ -167,7 +165,6 @@ VolumeProp::VolumeProp()
     actor->GetProperty()->SetSpecularPower(kSpecularPower);
     actor->VisibilityOff();
   }
-  setOcclusion(false);
   colourAll();
 }
 
@@ -203,15 +200,24 @@ void VolumeProp::replace(const Picture& picture) {
 void VolumeProp::crop() {
   const haptics::VoxelBox box = picture_.volume->bounds();
   const auto& dims = picture_.volume->grid.dims;
-  std::array<float, 3> least{}, greatest{};
   for (std::size_t a = 0; a < 3; ++a) {
     // the centre of voxel i is at (i + 1/2) / n
-    least[a] = static_cast<float>((double(box.first[a]) + 0.5) / double(dims[a]));
-    greatest[a] = static_cast<float>((double(box.end[a]) - 0.5) / double(dims[a]));
+    crop_least_[a] = static_cast<float>((double(box.first[a]) + 0.5) / double(dims[a]));
+    crop_greatest_[a] = static_cast<float>((double(box.end[a]) - 0.5) / double(dims[a]));
   }
+  tellShader();
+}
+
+void VolumeProp::tellShader() {
   vtkUniforms* uniforms = volume_->GetShaderProperty()->GetFragmentCustomUniforms();
-  uniforms->SetUniform3f("cropLeast", least.data());
-  uniforms->SetUniform3f("cropGreatest", greatest.data());
+  // VTK complains of a uniform that its shader does not use
+  if (!refined_) return uniforms->RemoveAllUniforms();
+  const Rgb colour = colouring_.at(isovalue_);
+  uniforms->SetUniform3f("surfaceColour", colour.data());
+  uniforms->SetUniform3f("cropLeast", crop_least_.data());
+  uniforms->SetUniform3f("cropGreatest", crop_greatest_.data());
+  uniforms->SetUniformf("occlusion", occluded_ ? kOcclusion : 0.0F);
+  uniforms->SetUniformf("occlusionReach", kOcclusionReach_mm);
 }
 
 void VolumeProp::setColouring(const Colouring& colouring) {
@@ -224,10 +230,7 @@ void VolumeProp::colourAll() {
   vtkNew<vtkColorTransferFunction> everywhere;
   everywhere->AddRGBPoint(0.0, colour[0], colour[1], colour[2]);
   volume_->GetProperty()->SetColor(everywhere);
-  const std::array<float, 3> cut{static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                                 static_cast<float>(colour[2])};
-  volume_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniform3f("surfaceColour",
-                                                                          cut.data());
+  tellShader();
   mesh_->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   if (!second_value_) return;
   const Rgb veil = colouring_.at(*second_value_);
@@ -235,9 +238,8 @@ void VolumeProp::colourAll() {
 }
 
 void VolumeProp::setOcclusion(bool on) {
-  vtkUniforms* uniforms = volume_->GetShaderProperty()->GetFragmentCustomUniforms();
-  uniforms->SetUniformf("occlusion", on ? kOcclusion : 0.0F);
-  uniforms->SetUniformf("occlusionReach", kOcclusionReach_mm);
+  occluded_ = on;
+  tellShader();
 }
 
 void VolumeProp::setSecond(std::optional<double> isovalue) {
@@ -273,6 +275,8 @@ void VolumeProp::showFine(vtkPolyData* mesh, double isovalue) {
 void VolumeProp::setHitRefinement(bool on) {
   vtkShaderProperty* shader = volume_->GetShaderProperty();
   shader->ClearAllFragmentShaderReplacements();
+  refined_ = on;
+  tellShader();
   if (!on) return;
   shader->AddFragmentShaderReplacement(kStartIndex, false, kStartOutside, false);
   shader->AddFragmentShaderReplacement(kShadeHere, false, kRefineHit, false);

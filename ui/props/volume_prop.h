@@ -6,6 +6,7 @@
 #include <vtkVolume.h>
 
 #include <QString>
+#include <array>
 #include <optional>
 
 #include "ui/props/colouring.h"
@@ -77,6 +78,7 @@ class VolumeProp {
   Eigen::AlignedBox3d boundsOf_mm(vtkPolyData* mesh) const;
   void crop();
   void colourAll();
+  void tellShader();
   vtkSmartPointer<vtkVolume> volume_;
   vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper> caster_;
   vtkSmartPointer<vtkActor> mesh_;
@@ -88,6 +90,9 @@ class VolumeProp {
   vtkSmartPointer<vtkPolyData> second_mesh_;
   std::optional<double> second_value_;
   Colouring colouring_;
+  std::array<float, 3> crop_least_{}, crop_greatest_{};  ///< texture coordinates
+  bool refined_ = true;
+  bool occluded_ = false;
   Picture picture_;
   SurfaceMode mode_ = SurfaceMode::Mesh;
   double isovalue_ = 0.0;
