@@ -18,6 +18,8 @@
 #include <string>
 #include <system_error>
 
+#include "haptics/edit/edited.h"
+
 namespace app {
 namespace {
 
@@ -100,12 +102,13 @@ haptics::Expected<QByteArray> installationKey() {
 std::optional<haptics::VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,
                                           const std::atomic<bool>& cancel) {
   if (key.isEmpty()) return {};
+  const haptics::Volume& scan = volume.edited ? *volume.edited->scan : volume;
   QMessageAuthenticationCode code(QCryptographicHash::Sha256, key);
-  add(code, volume.grid);
-  add(code, static_cast<qint32>(volume.type));
-  const auto* voxels = static_cast<const char*>(volume.voxels.get());
-  const auto bytes = static_cast<qint64>(volume.grid.voxelCount()) *
-                     static_cast<qint64>(haptics::sizeOf(volume.type));
+  add(code, scan.grid);
+  add(code, static_cast<qint32>(scan.type));
+  const auto* voxels = static_cast<const char*>(scan.voxels.get());
+  const auto bytes = static_cast<qint64>(scan.grid.voxelCount()) *
+                     static_cast<qint64>(haptics::sizeOf(scan.type));
   for (qint64 at = 0; at < bytes; at += kChunk) {
     if (cancel) return {};
     code.addData(voxels + at, std::min(kChunk, bytes - at));

@@ -13,11 +13,13 @@ constexpr double kApproach = 0.001;  // m, the step towards it
 
 double nearestVoxel(const haptics::Volume& volume, const haptics::Vec3& p_W) {
   const haptics::Grid& grid = volume.grid;
+  const haptics::VoxelBox box = volume.bounds();
   const haptics::Vec3 index = grid.indexOf(p_W);
   std::int64_t at[3];
   for (int a = 0; a < 3; ++a) {
     at[a] = std::llround(index[a]);
-    if (at[a] < 0 || at[a] >= grid.dims[static_cast<std::size_t>(a)]) return volume.least;
+    const auto axis = static_cast<std::size_t>(a);
+    if (at[a] < box.first[axis] || at[a] >= box.end[axis]) return volume.least;
   }
   const std::int64_t voxel = (at[2] * grid.dims[1] + at[1]) * grid.dims[0] + at[0];
   return haptics::visitVoxels(volume.type, volume.voxels.get(),
@@ -29,11 +31,14 @@ double nearestVoxel(const haptics::Volume& volume, const haptics::Vec3& p_W) {
 std::optional<haptics::Pose> startPose(const haptics::Scene& scene, double isovalue) {
   const haptics::Volume& volume = *scene.volume;
   const haptics::Grid& grid = volume.grid;
-  const haptics::Vec3 last{static_cast<double>(grid.dims[0] - 1),
-                           static_cast<double>(grid.dims[1] - 1),
-                           static_cast<double>(grid.dims[2] - 1)};
-  const haptics::Vec3 middle = grid.worldOf(0.5 * last);
-  const double reach = 0.5 * last.cwiseProduct(grid.spacing).norm();
+  const haptics::VoxelBox box = volume.bounds();
+  haptics::Vec3 first, last;  // voxels
+  for (int a = 0; a < 3; ++a) {
+    first[a] = static_cast<double>(box.first[static_cast<std::size_t>(a)]);
+    last[a] = static_cast<double>(box.end[static_cast<std::size_t>(a)] - 1);
+  }
+  const haptics::Vec3 middle = grid.worldOf(0.5 * (first + last));
+  const double reach = 0.5 * (last - first).cwiseProduct(grid.spacing).norm();
   const double step = 0.5 * grid.spacing.minCoeff();
   // from the front of the patient (-y of LPS) inwards
   const haptics::Vec3 inwards = haptics::Vec3::UnitY();

@@ -98,7 +98,7 @@ double ScalarField::firstReach(const Vec3& a, const Vec3& b, double level, doubl
     return walkCells(a, b, [&](const std::array<std::int64_t, 3>& at, double from, double to) {
       budget.spend(kSplineWork);
       ++budget.counts.samples;
-      const SplineCell cell = splineCellAt(*volume_, at);
+      const SplineCell cell = splineCellAt(*volume_, bounds_, at);
       if (cell.greatest() < level) return 2.0;
       budget.spend(kSplineSegmentWork);
       return firstReachOf(cell.alongSegment(a + from * d, a + to * d), level, from, to, tolerance);

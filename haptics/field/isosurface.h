@@ -18,7 +18,8 @@ struct Isosurface {
   /// A pose is legal if F is below this at every point: the isovalue less a rounding margin, so
   /// that another evaluator of F agrees.
   double ceiling() const HAPTICS_RT { return isovalue - field.roundingMargin(); }
-  /// The surroundings of `n` places in index coordinates. Places at the grid's edge are included.
+  /// The surroundings of `n` places in index coordinates. Places at the faces of the grid or its
+  /// crop are included.
   void survey(const lanes::Places& u, int n, lanes::Survey& found) const HAPTICS_RT;
   bool inside(const Vec3& p_W) const HAPTICS_RT {
     return field.value(field.indexOf(p_W)) >= ceiling();

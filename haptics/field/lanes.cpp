@@ -117,10 +117,14 @@ HWY_INLINE V valueIn(const V* c, V x, V y, V z) {
   return lerp(z, c0, c1);
 }
 
-/// Whether cell i along an axis of n voxels lies in the grid, with `margin` cells on each side.
-HWY_INLINE M within(V i, double n, double margin) {
+/// Whether the cells at (i, j, k) lie in the box, with `margin` cells on each side.
+HWY_INLINE M within(const Lattice& lattice, V i, V j, V k, double margin) {
   const D d;
-  return hn::And(hn::Ge(i, hn::Set(d, margin)), hn::Lt(i, hn::Set(d, n - 1.0 - margin)));
+  const auto onAxis = [&](V at, int axis) HWY_ATTR {
+    return hn::And(hn::Ge(at, hn::Set(d, lattice.first[axis] + margin)),
+                   hn::Lt(at, hn::Set(d, lattice.end[axis] - 1.0 - margin)));
+  };
+  return hn::And(onAxis(i, 0), hn::And(onAxis(j, 1), onAxis(k, 2)));
 }
 
 HWY_INLINE std::uint32_t bitsOf(M mask) {
@@ -143,9 +147,7 @@ HWY_INLINE void surveyOf(const Lattice& lattice, const Places& u, int n, double 
     const V x = hn::Load(d, u.x.lane + l), y = hn::Load(d, u.y.lane + l),
             z = hn::Load(d, u.z.lane + l);
     V i = hn::Floor(x), j = hn::Floor(y), k = hn::Floor(z);
-    const M interior =
-        hn::And(within(i, lattice.dims[0], 0.0),
-                hn::And(within(j, lattice.dims[1], 0.0), within(k, lattice.dims[2], 0.0)));
+    const M interior = within(lattice, i, j, k, 0.0);
     i = hn::IfThenElseZero(interior, i);
     j = hn::IfThenElseZero(interior, j);
     k = hn::IfThenElseZero(interior, k);
@@ -217,11 +219,9 @@ HWY_INLINE void clearOf(const Lattice& lattice, const Chords& chords, int n, Num
     for (int step_count = 0; step_count < kMostCells && !hn::AllFalse(d, active); ++step_count) {
       const V nearest = hn::Min(hn::Min(next[0], next[1]), next[2]);
       const V to = hn::Min(one, nearest);
-      const M interior = hn::And(
-          within(cell[0], lattice.dims[0], 0.0),
-          hn::And(within(cell[1], lattice.dims[1], 0.0), within(cell[2], lattice.dims[2], 0.0)));
+      const M interior = within(lattice, cell[0], cell[1], cell[2], 0.0);
       const M entered = hn::And(active, hn::Gt(to, from));
-      // what lies beyond the grid is left to the scalar code
+      // what lies beyond the box is left to the scalar code
       const M outside = hn::AndNot(interior, entered);
       stop = hn::IfThenElse(outside, from, stop);
       active = hn::AndNot(outside, active);
@@ -285,9 +285,7 @@ HWY_INLINE void slopesOf(const Lattice& lattice, const Places& u, int n, bool ce
                     hn::Load(d, u.z.lane + l)};
     V i = hn::Floor(p[0]), j = hn::Floor(p[1]), k = hn::Floor(p[2]);
     // one cell more on each side, for the differences
-    const M inner =
-        hn::And(within(i, lattice.dims[0], 1.0),
-                hn::And(within(j, lattice.dims[1], 1.0), within(k, lattice.dims[2], 1.0)));
+    const M inner = within(lattice, i, j, k, 1.0);
     i = hn::IfThenElse(inner, i, one);
     j = hn::IfThenElse(inner, j, one);
     k = hn::IfThenElse(inner, k, one);

@@ -29,13 +29,15 @@ struct Places {
 /// Greatest value and Lipschitz constant [per metre] of a finest block of the pyramid.
 struct BlockBound {
   float greatest, lipschitz;
+  bool operator==(const BlockBound&) const = default;
 };
 
 /// A volume and its pyramid, for the lanes. Borrowed, not owned.
 struct Lattice {
   const void* voxels = nullptr;
   ScalarType type = ScalarType::Int16;
-  double dims[3] = {};                 ///< voxels along i, j, k
+  double dims[3] = {};                 ///< voxels of the grid along i, j, k: the strides
+  double first[3] = {}, end[3] = {};   ///< the box of voxels that exist: Volume::bounds()
   const BlockBound* blocks = nullptr;  ///< finest level
   double block_counts[3] = {};
   double finest_radius = 0.0;  ///< m: radius for which a finest block's bound holds
@@ -52,11 +54,10 @@ void place(const Affine& map, const double* px, const double* py, const double* 
 
 /// The field and its bounds at each place.
 struct Survey {
-  Numbers value;      ///< F; undefined in an empty lane
-  Numbers lipschitz;  ///< per metre, over `free`; undefined in an empty lane
-  Numbers free;       ///< m: radius within which F < ceiling is proven
-  std::uint32_t edge =
-      0;  ///< lanes whose cell reaches beyond the grid; their numbers are undefined
+  Numbers value;           ///< F; undefined in an empty lane
+  Numbers lipschitz;       ///< per metre, over `free`; undefined in an empty lane
+  Numbers free;            ///< m: radius within which F < ceiling is proven
+  std::uint32_t edge = 0;  ///< lanes whose cell reaches beyond the box; their numbers are undefined
   std::uint32_t empty = 0;  ///< lanes in a finest block that is proven below the ceiling
   /// The number of the n places at which F was looked up: those that are not in an empty block.
   int lookedUp(int n) const HAPTICS_RT { return n - std::popcount(empty & ((1U << n) - 1U)); }
@@ -71,7 +72,7 @@ struct Chords {
   Numbers level;
 };
 /// The fraction up to which each chord is proven below its level: where the first cell begins
-/// whose Bernstein hull reaches the level (or that touches the grid's edge), or 2. Adds the number
+/// whose Bernstein hull reaches the level (or that reaches beyond the box), or 2. Adds the number
 /// of examined cells to `cells`.
 void clear(const Lattice& lattice, const Chords& chords, int n, Numbers& until,
            std::int64_t& cells) HAPTICS_RT;
@@ -81,7 +82,7 @@ void clear(const Lattice& lattice, const Chords& chords, int n, Numbers& until,
 struct Slopes {
   Numbers value;
   Places exact, central;
-  std::uint32_t edge = 0;  ///< lanes near the grid's edge; their numbers are undefined
+  std::uint32_t edge = 0;  ///< lanes near the box's faces; their numbers are undefined
 };
 void slopes(const Lattice& lattice, const Places& u, int n, bool central, Slopes& found) HAPTICS_RT;
 

@@ -18,132 +18,169 @@ float roundedUp(double x) {
   return double{f} < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
 
-/// Voxels, and the finest blocks over them.
+/// A box of blocks, as VoxelBox is one of voxels.
+using BlockBox = VoxelBox;
+
+/// Calls f(bi, bj, bk) for the blocks of a box, bi fastest.
+template <class F>
+void forBlocks(const BlockBox& box, F&& f) {
+  for (std::int64_t k = box.first[2]; k < box.end[2]; ++k)
+    for (std::int64_t j = box.first[1]; j < box.end[1]; ++j)
+      for (std::int64_t i = box.first[0]; i < box.end[0]; ++i) f(i, j, k);
+}
+
+/// Voxels, and the box of them that exists.
 template <class T>
 struct Blocked {
   const T* voxels;
   const BlockCounts& dims;
+  const VoxelBox& box;
   double background;
   const Vec3& spacing;
-  const BlockCounts& blocks;
 };
 
-/// Greatest voxel and greatest edge difference of each finest block of the layer `bk`.
+/// Greatest voxel and greatest edge difference of the finest block (bi, bj, bk).
 template <class T>
-void scanBlocks(const Blocked<T>& volume, std::int64_t bk, lanes::BlockBound* out) {
-  const auto& [voxels, dims, background, spacing, blocks] = volume;
+lanes::BlockBound cellBound(const Blocked<T>& volume, std::int64_t bi, std::int64_t bj,
+                            std::int64_t bk) {
+  const auto& [voxels, dims, box, background, spacing] = volume;
   constexpr int n = 5;  // voxels along a side of a block of four cells
   // differences of 32-bit integers need more than 32 bits
   using Wide = double;
   const std::int64_t row = dims[0], slice = dims[0] * dims[1];
-  for (std::int64_t bj = 0; bj < blocks[1]; ++bj)
-    for (std::int64_t bi = 0; bi < blocks[0]; ++bi) {
-      const std::int64_t i0 = 4 * bi - 1, j0 = 4 * bj - 1, k0 = 4 * bk - 1;
-      const bool interior = i0 >= 0 && j0 >= 0 && k0 >= 0 && i0 + n <= dims[0] &&
-                            j0 + n <= dims[1] && k0 + n <= dims[2];
-      T v[n][n][n];
-      bool same = true;
-      if (interior) {
-        const T* corner = voxels + k0 * slice + j0 * row + i0;
-        for (int k = 0; k < n; ++k)
-          for (int j = 0; j < n; ++j)
-            for (int i = 0; i < n; ++i) v[k][j][i] = corner[k * slice + j * row + i];
-      } else {
-        for (int k = 0; k < n; ++k)
-          for (int j = 0; j < n; ++j)
-            for (int i = 0; i < n; ++i) {
-              const std::int64_t x = i0 + i, y = j0 + j, z = k0 + k;
-              const bool within =
-                  x >= 0 && y >= 0 && z >= 0 && x < dims[0] && y < dims[1] && z < dims[2];
-              v[k][j][i] = within ? voxels[z * slice + y * row + x] : static_cast<T>(background);
-            }
+  const std::int64_t i0 = 4 * bi - 1, j0 = 4 * bj - 1, k0 = 4 * bk - 1;
+  if (i0 + n <= box.first[0] || j0 + n <= box.first[1] || k0 + n <= box.first[2] ||
+      i0 >= box.end[0] || j0 >= box.end[1] || k0 >= box.end[2])
+    return {roundedUp(background), 0.0F};
+  const bool interior = i0 >= box.first[0] && j0 >= box.first[1] && k0 >= box.first[2] &&
+                        i0 + n <= box.end[0] && j0 + n <= box.end[1] && k0 + n <= box.end[2];
+  T v[n][n][n];
+  bool same = true;
+  if (interior) {
+    const T* corner = voxels + k0 * slice + j0 * row + i0;
+    for (int k = 0; k < n; ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) v[k][j][i] = corner[k * slice + j * row + i];
+  } else {
+    for (int k = 0; k < n; ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+          const std::int64_t x = i0 + i, y = j0 + j, z = k0 + k;
+          const bool within = x >= box.first[0] && y >= box.first[1] && z >= box.first[2] &&
+                              x < box.end[0] && y < box.end[1] && z < box.end[2];
+          v[k][j][i] = within ? voxels[z * slice + y * row + x] : static_cast<T>(background);
+        }
+  }
+  T top = v[0][0][0];
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        top = std::max(top, v[k][j][i]);
+        same = same && v[k][j][i] == v[0][0][0];
       }
-      T top = v[0][0][0];
-      for (int k = 0; k < n; ++k)
-        for (int j = 0; j < n; ++j)
-          for (int i = 0; i < n; ++i) {
-            top = std::max(top, v[k][j][i]);
-            same = same && v[k][j][i] == v[0][0][0];
-          }
-      Wide dx = 0, dy = 0, dz = 0;
-      if (!same) {
-        for (int k = 0; k < n; ++k)
-          for (int j = 0; j < n; ++j)
-            for (int i = 0; i + 1 < n; ++i) {
-              dx = std::max(dx, std::abs(Wide(v[k][j][i + 1]) - Wide(v[k][j][i])));
-              dy = std::max(dy, std::abs(Wide(v[k][i + 1][j]) - Wide(v[k][i][j])));
-              dz = std::max(dz, std::abs(Wide(v[i + 1][k][j]) - Wide(v[i][k][j])));
-            }
-      }
-      const std::int64_t at = (bk * blocks[1] + bj) * blocks[0] + bi;
-      out[at] = {roundedUp(double(top)), roundedUp(Vec3{dx, dy, dz}.cwiseQuotient(spacing).norm())};
-    }
+  Wide dx = 0, dy = 0, dz = 0;
+  if (!same) {
+    for (int k = 0; k < n; ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i + 1 < n; ++i) {
+          dx = std::max(dx, std::abs(Wide(v[k][j][i + 1]) - Wide(v[k][j][i])));
+          dy = std::max(dy, std::abs(Wide(v[k][i + 1][j]) - Wide(v[k][i][j])));
+          dz = std::max(dz, std::abs(Wide(v[i + 1][k][j]) - Wide(v[i][k][j])));
+        }
+  }
+  return {roundedUp(double(top)), roundedUp(Vec3{dx, dy, dz}.cwiseQuotient(spacing).norm())};
 }
 
 /// The same for the cubic spline: of the voxels that its cells are means of. In the ring the face
 /// falls to the background, and the face is a mean of voxels too.
 template <class T>
-void scanSplineBlocks(const Blocked<T>& volume, std::int64_t bk, lanes::BlockBound* out) {
+lanes::BlockBound splineBound(const Blocked<T>& volume, std::int64_t bi, std::int64_t bj,
+                              std::int64_t bk) {
   const T* const voxels = volume.voxels;
   const BlockCounts& dims = volume.dims;
+  const VoxelBox& box = volume.box;
   const double background = volume.background;
   const std::int64_t stride[3] = {1, dims[0], dims[0] * dims[1]};
-  for (std::int64_t bj = 0; bj < volume.blocks[1]; ++bj)
-    for (std::int64_t bi = 0; bi < volume.blocks[0]; ++bi) {
-      const std::int64_t b[3] = {bi, bj, bk};
-      std::int64_t from[3], to[3];  // voxels in the grid, both inclusive
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        from[axis] = std::max<std::int64_t>(0, 4 * b[axis] - 2);
-        to[axis] = std::min(dims[axis] - 1, 4 * b[axis] + 4);
+  const std::int64_t b[3] = {bi, bj, bk};
+  std::int64_t from[3], to[3];  // voxels in the box, both inclusive
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    from[axis] = std::max(box.first[axis], 4 * b[axis] - 2);
+    to[axis] = std::min(box.end[axis] - 1, 4 * b[axis] + 4);
+    if (from[axis] > to[axis]) return {roundedUp(background), 0.0F};
+  }
+  const T origin = voxels[from[2] * stride[2] + from[1] * stride[1] + from[0]];
+  T least = origin, top = origin;
+  for (std::int64_t k = from[2]; k <= to[2]; ++k)
+    for (std::int64_t j = from[1]; j <= to[1]; ++j) {
+      const T* row = voxels + k * stride[2] + j * stride[1];
+      for (std::int64_t i = from[0]; i <= to[0]; ++i) {
+        least = std::min(least, row[i]);
+        top = std::max(top, row[i]);
       }
-      const T origin = voxels[from[2] * stride[2] + from[1] * stride[1] + from[0]];
-      T least = origin, top = origin;
-      for (std::int64_t k = from[2]; k <= to[2]; ++k)
-        for (std::int64_t j = from[1]; j <= to[1]; ++j) {
-          const T* row = voxels + k * stride[2] + j * stride[1];
-          for (std::int64_t i = from[0]; i <= to[0]; ++i) {
-            least = std::min(least, row[i]);
-            top = std::max(top, row[i]);
-          }
-        }
-      Vec3 rise = Vec3::Zero();
-      if (least != top)
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          std::int64_t end[3] = {to[0], to[1], to[2]};
-          --end[axis];
-          double& steepest = rise[static_cast<int>(axis)];
-          for (std::int64_t k = from[2]; k <= end[2]; ++k)
-            for (std::int64_t j = from[1]; j <= end[1]; ++j) {
-              const T* row = voxels + k * stride[2] + j * stride[1];
-              for (std::int64_t i = from[0]; i <= end[0]; ++i)
-                steepest =
-                    std::max(steepest, std::abs(double(row[i + stride[axis]]) - double(row[i])));
-            }
-        }
-      // in the ring a face falls to the background: of the voxels that a face is a mean of
-      const auto fallFrom = [&](std::size_t axis, std::int64_t layer) {
-        std::int64_t begin[3] = {from[0], from[1], from[2]}, end[3] = {to[0], to[1], to[2]};
-        begin[axis] = std::max(from[axis], layer);
-        end[axis] = std::min(to[axis], layer + 1);
-        T highest = origin;
-        bool any = false;
-        for (std::int64_t k = begin[2]; k <= end[2]; ++k)
-          for (std::int64_t j = begin[1]; j <= end[1]; ++j)
-            for (std::int64_t i = begin[0]; i <= end[0]; ++i) {
-              const T v = voxels[k * stride[2] + j * stride[1] + i];
-              highest = any ? std::max(highest, v) : v;
-              any = true;
-            }
-        double& steepest = rise[static_cast<int>(axis)];
-        steepest = std::max(steepest, double(highest) - background);
-      };
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (b[axis] == 0) fallFrom(axis, 0);
-        if (4 * b[axis] + 2 >= dims[axis] - 1) fallFrom(axis, dims[axis] - 2);
-      }
-      const std::int64_t at = (bk * volume.blocks[1] + bj) * volume.blocks[0] + bi;
-      out[at] = {roundedUp(double(top)), roundedUp(rise.cwiseQuotient(volume.spacing).norm())};
     }
+  Vec3 rise = Vec3::Zero();
+  if (least != top)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::int64_t end[3] = {to[0], to[1], to[2]};
+      --end[axis];
+      double& steepest = rise[static_cast<int>(axis)];
+      for (std::int64_t k = from[2]; k <= end[2]; ++k)
+        for (std::int64_t j = from[1]; j <= end[1]; ++j) {
+          const T* row = voxels + k * stride[2] + j * stride[1];
+          for (std::int64_t i = from[0]; i <= end[0]; ++i)
+            steepest = std::max(steepest, std::abs(double(row[i + stride[axis]]) - double(row[i])));
+        }
+    }
+  // in the ring a face falls to the background: of the voxels that a face is a mean of
+  const auto fallFrom = [&](std::size_t axis, std::int64_t layer) {
+    std::int64_t begin[3] = {from[0], from[1], from[2]}, end[3] = {to[0], to[1], to[2]};
+    begin[axis] = std::max(from[axis], layer);
+    end[axis] = std::min(to[axis], layer + 1);
+    T highest = origin;
+    bool any = false;
+    for (std::int64_t k = begin[2]; k <= end[2]; ++k)
+      for (std::int64_t j = begin[1]; j <= end[1]; ++j)
+        for (std::int64_t i = begin[0]; i <= end[0]; ++i) {
+          const T v = voxels[k * stride[2] + j * stride[1] + i];
+          highest = any ? std::max(highest, v) : v;
+          any = true;
+        }
+    double& steepest = rise[static_cast<int>(axis)];
+    steepest = std::max(steepest, double(highest) - background);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    // the cells first - 1 and end - 1 are the ring
+    if (b[axis] == box.first[axis] / 4) fallFrom(axis, box.first[axis]);
+    if (b[axis] == box.end[axis] / 4) fallFrom(axis, box.end[axis] - 2);
+  }
+  return {roundedUp(double(top)), roundedUp(rise.cwiseQuotient(volume.spacing).norm())};
+}
+
+/// The bounds of the blocks of a box, by themselves, in its order.
+void scanBlocks(const Volume& volume, const VoxelBox& bounds, FieldKind kind, const BlockBox& box,
+                lanes::BlockBound* out) {
+  visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
+    using T = std::remove_cvref_t<decltype(*voxels)>;
+    const Blocked<T> blocked{voxels, volume.grid.dims, bounds, volume.least, volume.grid.spacing};
+    if (kind == FieldKind::CubicSpline)
+      forBlocks(box, [&](auto i, auto j, auto k) { *out++ = splineBound(blocked, i, j, k); });
+    else
+      forBlocks(box, [&](auto i, auto j, auto k) { *out++ = cellBound(blocked, i, j, k); });
+  });
+}
+
+/// Calls f(n) for n below `count`, on as many threads as the machine runs at once.
+template <class F>
+void inParallel(std::int64_t count, F&& f) {
+  const std::int64_t workers =
+      std::clamp<std::int64_t>(std::thread::hardware_concurrency(), 1, count);
+  std::atomic<std::int64_t> next{0};
+  std::vector<std::thread> threads;
+  for (std::int64_t w = 0; w < workers; ++w)
+    threads.emplace_back([&] {
+      for (std::int64_t n; (n = next++) < count;) f(n);
+    });
+  for (std::thread& thread : threads) thread.join();
 }
 
 float greater(float a, float b) { return std::max(a, b); }
@@ -171,44 +208,156 @@ void dilate(std::vector<Block>& values, const BlockCounts& blocks) {
   }
 }
 
+BlockCounts sidesOf(const BlockBox& box) {
+  return {box.end[0] - box.first[0], box.end[1] - box.first[1], box.end[2] - box.first[2]};
+}
+
+std::int64_t countOf(const BlockBox& box) {
+  const BlockCounts sides = sidesOf(box);
+  return sides[0] * sides[1] * sides[2];
+}
+
+std::size_t placeOf(const BlockCounts& blocks, std::int64_t i, std::int64_t j, std::int64_t k) {
+  return static_cast<std::size_t>((k * blocks[1] + j) * blocks[0] + i);
+}
+
+BlockBox grown(BlockBox box, std::int64_t by, const BlockCounts& blocks) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.first[axis] = std::max<std::int64_t>(box.first[axis] - by, 0);
+    box.end[axis] = std::min(box.end[axis] + by, blocks[axis]);
+  }
+  return box;
+}
+
+/// The blocks of a level `up` levels above that hold those of a box.
+BlockBox above(BlockBox box, int up) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.first[axis] >>= up;
+    box.end[axis] = ((box.end[axis] - 1) >> up) + 1;
+  }
+  return box;
+}
+
+/// The greatest of up to eight blocks below block (i, j, k). The values below are those of a box
+/// that holds them all.
+template <class Block, class Greatest>
+float greatestBelow(const std::vector<Block>& values, const BlockBox& box, std::int64_t i,
+                    std::int64_t j, std::int64_t k, Greatest&& greatest) {
+  float top = -std::numeric_limits<float>::infinity();
+  const BlockCounts sides = sidesOf(box);
+  const std::int64_t at[3] = {i, j, k};
+  BlockBox below;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    below.first[axis] = 2 * at[axis] - box.first[axis];
+    below.end[axis] = std::min(below.first[axis] + 2, sides[axis]);
+  }
+  forBlocks(below, [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+    top = std::max(top, greatest(values[placeOf(sides, x, y, z)]));
+  });
+  return top;
+}
+
+/// Copies the blocks of `part` from values of the box `from` to values of the box `to`.
+template <class Block>
+void copyBlocks(const std::vector<Block>& values, const BlockBox& from, const BlockBox& part,
+                std::vector<Block>& out, const BlockBox& to) {
+  const BlockCounts source = sidesOf(from), target = sidesOf(to);
+  for (std::int64_t k = part.first[2]; k < part.end[2]; ++k)
+    for (std::int64_t j = part.first[1]; j < part.end[1]; ++j) {
+      const auto row = values.begin() +
+                       static_cast<std::ptrdiff_t>(placeOf(source, part.first[0] - from.first[0],
+                                                           j - from.first[1], k - from.first[2]));
+      std::copy(
+          row, row + (part.end[0] - part.first[0]),
+          out.begin() + static_cast<std::ptrdiff_t>(placeOf(target, part.first[0] - to.first[0],
+                                                            j - to.first[1], k - to.first[2])));
+    }
+}
+
+/// Adds the voxels of `box` that are not in `hole`, as boxes.
+void addDifference(VoxelBox box, const VoxelBox& hole, std::vector<VoxelBox>& boxes) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t low = std::clamp(hole.first[axis], box.first[axis], box.end[axis]);
+    const std::int64_t high = std::clamp(hole.end[axis], low, box.end[axis]);
+    VoxelBox before = box, behind = box;
+    before.end[axis] = low;
+    behind.first[axis] = high;
+    for (const VoxelBox& slab : {before, behind})
+      if (slab.first[axis] < slab.end[axis]) boxes.push_back(slab);
+    box.first[axis] = low;
+    box.end[axis] = high;
+    if (low == high) return;
+  }
+}
+
+/// The finest blocks that look at a voxel of a box.
+BlockBox blocksOver(const VoxelBox& box, FieldKind kind, const BlockCounts& blocks) {
+  // a block b looks at the voxels from 4 b - 1 to 4 b + 3, that of a spline at one more each side
+  const std::int64_t more = kind == FieldKind::CubicSpline ? 1 : 0;
+  BlockBox over;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    over.first[axis] = std::max<std::int64_t>(0, box.first[axis] - more) / 4;
+    over.end[axis] = std::min(blocks[axis], (box.end[axis] + more) / 4 + 1);
+  }
+  return over;
+}
+
+/// Boxes of finest blocks that look at a voxel that is not as it was.
+std::vector<BlockBox> touchedBlocks(const VoxelBox& was, const VoxelBox& is,
+                                    std::span<const VoxelBox> changed, FieldKind kind,
+                                    const BlockCounts& blocks) {
+  std::vector<VoxelBox> boxes;
+  addDifference(was, is, boxes);
+  addDifference(is, was, boxes);
+  for (VoxelBox box : changed) {
+    bool any = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.first[axis] = std::max({box.first[axis], was.first[axis], is.first[axis]});
+      box.end[axis] = std::min({box.end[axis], was.end[axis], is.end[axis]});
+      any = any && box.first[axis] < box.end[axis];
+    }
+    if (any) boxes.push_back(box);
+  }
+  std::vector<BlockBox> touched;
+  BlockBox around{blocks, {}};
+  std::int64_t separately = 0;
+  for (const VoxelBox& box : boxes) {
+    touched.push_back(blocksOver(box, kind, blocks));
+    separately += countOf(grown(touched.back(), 2, blocks));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      around.first[axis] = std::min(around.first[axis], touched.back().first[axis]);
+      around.end[axis] = std::max(around.end[axis], touched.back().end[axis]);
+    }
+  }
+  // each box is renewed with two blocks around it, so many small ones are dearer than a large one
+  if (touched.size() > 1 && separately >= countOf(grown(around, 2, blocks))) touched = {around};
+  return touched;
+}
+
 }  // namespace
 
 MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<bool>* cancel)
-    : dims_{volume.grid.dims}, smallest_spacing_{volume.grid.spacing.minCoeff()} {
+    : box_{volume.bounds()}, smallest_spacing_{volume.grid.spacing.minCoeff()} {
   BlockCounts blocks;
-  for (int axis = 0; axis < 3; ++axis) blocks[axis] = (dims_[axis] + 1 + kCells - 1) / kCells;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    blocks[axis] = (volume.grid.dims[axis] + 1 + kCells - 1) / kCells;
   finest_.resize(static_cast<std::size_t>(blocks[0] * blocks[1] * blocks[2]));
   const auto isCancelled = [cancel] { return cancel != nullptr && *cancel; };
 
   // every block layer is independent of the others
-  visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
-    const std::int64_t workers =
-        std::clamp<std::int64_t>(std::thread::hardware_concurrency(), 1, blocks[2]);
-    std::vector<std::thread> threads;
-    for (std::int64_t w = 0; w < workers; ++w)
-      threads.emplace_back([&, w] {
-        const auto scan = [&](auto&& scanned) {
-          for (std::int64_t k = blocks[2] * w / workers; k < blocks[2] * (w + 1) / workers; ++k) {
-            if (isCancelled()) return;
-            scanned({voxels, dims_, volume.least, volume.grid.spacing, blocks}, k, finest_.data());
-          }
-        };
-        using T = std::remove_cvref_t<decltype(*voxels)>;
-        if (kind == FieldKind::CubicSpline)
-          scan(scanSplineBlocks<T>);
-        else
-          scan(scanBlocks<T>);
-      });
-    for (std::thread& thread : threads) thread.join();
+  inParallel(blocks[2], [&](std::int64_t k) {
+    if (isCancelled()) return;
+    scanBlocks(volume, box_, kind, {{0, 0, k}, {blocks[0], blocks[1], k + 1}},
+               finest_.data() + k * blocks[0] * blocks[1]);
   });
   if (isCancelled()) return;
 
   // each coarser level from the one below it, before that is dilated
-  std::vector<float> greatest;
+  std::vector<float> own;
   for (int l = 0; l < kLevels && !isCancelled(); ++l) {
     levels_[l].blocks = blocks;
     BlockCounts coarser;
-    for (int axis = 0; axis < 3; ++axis) coarser[axis] = (blocks[axis] + 1) / 2;
+    for (std::size_t axis = 0; axis < 3; ++axis) coarser[axis] = (blocks[axis] + 1) / 2;
     std::vector<float> next(static_cast<std::size_t>(coarser[0] * coarser[1] * coarser[2]),
                             -std::numeric_limits<float>::infinity());
     std::size_t at = 0;
@@ -216,34 +365,92 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<b
       for (std::int64_t j = 0; j < blocks[1]; ++j)
         for (std::int64_t i = 0; i < blocks[0]; ++i, ++at) {
           float& top = next[((k / 2) * coarser[1] + j / 2) * coarser[0] + i / 2];
-          top = std::max(top, l == 0 ? finest_[at].greatest : greatest[at]);
+          top = std::max(top, l == 0 ? finest_[at].greatest : own[at]);
         }
     if (l == 0) {
       dilate(finest_, blocks);
     } else {
-      dilate(greatest, blocks);
-      levels_[l].greatest = std::move(greatest);
+      levels_[l].greatest = own;
+      dilate(levels_[l].greatest, blocks);
+      levels_[l].own = std::move(own);
     }
     blocks = coarser;
-    greatest = std::move(next);
+    own = std::move(next);
+  }
+}
+
+MaxPyramid::MaxPyramid(const MaxPyramid& before, const Volume& volume,
+                       std::span<const VoxelBox> changed, FieldKind kind,
+                       const std::atomic<bool>* cancel)
+    : MaxPyramid{before} {
+  const auto isCancelled = [cancel] { return cancel != nullptr && *cancel; };
+  const VoxelBox was = box_;
+  box_ = volume.bounds();
+  const BlockCounts& blocks = levels_[0].blocks;
+  const BlockBox all{{}, blocks};
+  std::vector<BlockBox> renewed = touchedBlocks(was, box_, changed, kind, blocks);
+  for (BlockBox& out : renewed) {
+    // what a touched block reaches, in whole blocks of the next level
+    out = grown(out, 1, blocks);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      out.first[axis] &= ~std::int64_t{1};
+      out.end[axis] = std::min((out.end[axis] + 1) & ~std::int64_t{1}, blocks[axis]);
+    }
+    constexpr std::int64_t kLayers = 16;  // at once
+    inParallel((out.end[2] - out.first[2] + kLayers - 1) / kLayers, [&](std::int64_t n) {
+      if (isCancelled()) return;
+      BlockBox part = out;
+      part.first[2] = out.first[2] + n * kLayers;
+      part.end[2] = std::min(part.first[2] + kLayers, out.end[2]);
+      const BlockBox seen = grown(part, 1, blocks);
+      std::vector<lanes::BlockBound> bounds(static_cast<std::size_t>(countOf(seen)));
+      scanBlocks(volume, box_, kind, seen, bounds.data());
+      forBlocks(above(part, 1), [&](std::int64_t i, std::int64_t j, std::int64_t k) {
+        levels_[1].own[placeOf(levels_[1].blocks, i, j, k)] = greatestBelow(
+            bounds, seen, i, j, k, [](const lanes::BlockBound& bound) { return bound.greatest; });
+      });
+      dilate(bounds, sidesOf(seen));
+      copyBlocks(bounds, seen, part, finest_, all);
+    });
+  }
+  for (int l = 1; l < kLevels && !isCancelled(); ++l) {
+    Level& level = levels_[l];
+    const BlockBox whole{{}, level.blocks};
+    if (l > 1)
+      for (const BlockBox& out : renewed)
+        forBlocks(above(out, l), [&](std::int64_t i, std::int64_t j, std::int64_t k) {
+          level.own[placeOf(level.blocks, i, j, k)] =
+              greatestBelow(levels_[l - 1].own, {{}, levels_[l - 1].blocks}, i, j, k,
+                            [](float greatest) { return greatest; });
+        });
+    for (const BlockBox& out : renewed) {
+      const BlockBox part = grown(above(out, l), 1, level.blocks);
+      const BlockBox seen = grown(part, 1, level.blocks);
+      std::vector<float> values(static_cast<std::size_t>(countOf(seen)));
+      copyBlocks(level.own, whole, seen, values, seen);
+      dilate(values, sidesOf(seen));
+      copyBlocks(values, seen, part, level.greatest, whole);
+    }
   }
 }
 
 std::array<std::int64_t, 3> MaxPyramid::blockOf(const Vec3& u, int level) const HAPTICS_RT {
   std::array<std::int64_t, 3> b;
   for (int axis = 0; axis < 3; ++axis) {
-    // a place beyond the grid is judged by the nearest block: nothing lies between
-    const double cell = std::clamp(std::floor(u[axis]), -1.0, double(dims_[axis] - 1));
+    // a place beyond the voxels is judged by the nearest block: nothing lies between
+    const double cell =
+        std::clamp(std::floor(u[axis]), double(box_.first[axis] - 1), double(box_.end[axis] - 1));
     b[axis] = (static_cast<std::int64_t>(cell) + 1) / (std::int64_t{kCells} << level);
   }
   return b;
 }
 
 MaxPyramid::Bound MaxPyramid::bound(const Vec3& u, double s) const HAPTICS_RT {
-  // beyond the grid there is only background, as far as the grid is away
+  // beyond the voxels there is only background, as far as they are away
   double outside = 0.0;
   for (int axis = 0; axis < 3; ++axis)
-    outside = std::max({outside, -1.0 - u[axis], u[axis] - double(dims_[axis])});
+    outside = std::max(
+        {outside, double(box_.first[axis] - 1) - u[axis], u[axis] - double(box_.end[axis])});
   const std::array<std::int64_t, 3> finest = blockOf(u, 0);
   const lanes::BlockBound& block = finest_[static_cast<std::size_t>(levels_[0].at(finest))];
   if (block.greatest >= s) {
@@ -268,7 +475,7 @@ double MaxPyramid::lipschitz(const Vec3& u) const HAPTICS_RT {
 
 std::size_t MaxPyramid::bytes() const {
   std::size_t floats = 2 * finest_.size();
-  for (const Level& level : levels_) floats += level.greatest.size();
+  for (const Level& level : levels_) floats += level.greatest.size() + level.own.size();
   return floats * sizeof(float);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "haptics/core/geometry.h"
@@ -23,11 +24,19 @@ namespace haptics {
 /// on each axis: in the outermost ring F falls to the background. A spline's value is a mean of the
 /// voxels about its cell, and its slope a mean of their differences, so its blocks include one more
 /// voxel on every side.
+///
+/// The blocks lie over the whole grid. Beyond the volume's crop there is only background.
 class MaxPyramid {
  public:
   /// If `cancel` becomes true meanwhile, the result is incomplete and must not be used.
   explicit MaxPyramid(const Volume& volume, FieldKind kind = FieldKind::Trilinear,
                       const std::atomic<bool>* cancel = nullptr);
+
+  /// Equal to a new pyramid of `volume`, from one of the same kind over the volume that it was
+  /// before: with the same grid, type and background, and the same voxels outside the boxes
+  /// `changed`. Its crop may be another. Renews only what they reach.
+  MaxPyramid(const MaxPyramid& before, const Volume& volume, std::span<const VoxelBox> changed,
+             FieldKind kind, const std::atomic<bool>* cancel = nullptr);
 
   /// A bound over a ball around a place.
   struct Bound {
@@ -47,6 +56,7 @@ class MaxPyramid {
   const std::array<std::int64_t, 3>& finestCounts() const HAPTICS_RT { return levels_[0].blocks; }
 
   std::size_t bytes() const;
+  bool operator==(const MaxPyramid&) const = default;
 
  private:
   static constexpr int kCells = 4;  ///< cells along a side of the finest block
@@ -56,6 +66,8 @@ class MaxPyramid {
     std::array<std::int64_t, 3> blocks{};
     /// Dilated by one block; the values of the finest level are in finest_.
     std::vector<float> greatest;
+    std::vector<float> own;  ///< not dilated: what the next level is made of; the finest has none
+    bool operator==(const Level&) const = default;
     std::int64_t at(const std::array<std::int64_t, 3>& b) const {
       return (b[2] * blocks[1] + b[1]) * blocks[0] + b[0];
     }
@@ -64,8 +76,8 @@ class MaxPyramid {
 
   std::array<Level, kLevels> levels_;
   std::vector<lanes::BlockBound> finest_;  ///< both dilated
-  std::array<std::int64_t, 3> dims_;
-  double smallest_spacing_;  ///< m
+  VoxelBox box_;                           ///< the voxels that exist
+  double smallest_spacing_;                ///< m
 };
 
 }  // namespace haptics

@@ -54,7 +54,10 @@ ScalarField::ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind)
     : ScalarField{volume, kind, MaxPyramid{*volume, kind}} {}
 
 ScalarField::ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind, MaxPyramid pyramid)
-    : volume_{std::move(volume)}, kind_{kind}, pyramid_{std::move(pyramid)} {
+    : volume_{std::move(volume)},
+      bounds_{volume_->bounds()},
+      kind_{kind},
+      pyramid_{std::move(pyramid)} {
   const Grid& grid = volume_->grid;
   A_VW_ = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
   A_VW_t_ = A_VW_.transpose();
@@ -67,6 +70,8 @@ ScalarField::ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind, M
   lattice_.finest_radius = pyramid_.finestRadius();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     lattice_.dims[axis] = double(grid.dims[axis]);
+    lattice_.first[axis] = double(bounds_.first[axis]);
+    lattice_.end[axis] = double(bounds_.end[axis]);
     lattice_.block_counts[axis] = double(pyramid_.finestCounts()[axis]);
   }
 }
@@ -74,11 +79,12 @@ ScalarField::ScalarField(std::shared_ptr<const Volume> volume, FieldKind kind, M
 namespace {
 
 template <class T>
-void fetch(const T* voxels, const Grid& grid, double background, Cell& cell) HAPTICS_RT {
+void fetch(const T* voxels, const Grid& grid, const VoxelBox& box, double background,
+           Cell& cell) HAPTICS_RT {
   const std::int64_t row = grid.dims[0], slice = grid.dims[0] * grid.dims[1];
   const auto [i, j, k] = cell.at;
-  if (i >= 0 && j >= 0 && k >= 0 && i + 1 < grid.dims[0] && j + 1 < grid.dims[1] &&
-      k + 1 < grid.dims[2]) {
+  if (i >= box.first[0] && j >= box.first[1] && k >= box.first[2] && i + 1 < box.end[0] &&
+      j + 1 < box.end[1] && k + 1 < box.end[2]) {
     const T* v = voxels + k * slice + j * row + i;
     cell.corner = {
         double(v[0]),     double(v[1]),         double(v[row]),         double(v[row + 1]),
@@ -87,21 +93,19 @@ void fetch(const T* voxels, const Grid& grid, double background, Cell& cell) HAP
   }
   for (int bit = 0; bit < 8; ++bit) {
     const std::int64_t x = i + (bit & 1), y = j + (bit >> 1 & 1), z = k + (bit >> 2 & 1);
-    const bool within =
-        x >= 0 && y >= 0 && z >= 0 && x < grid.dims[0] && y < grid.dims[1] && z < grid.dims[2];
+    const bool within = x >= box.first[0] && y >= box.first[1] && z >= box.first[2] &&
+                        x < box.end[0] && y < box.end[1] && z < box.end[2];
     cell.corner[bit] = within ? double(voxels[z * slice + y * row + x]) : background;
   }
 }
 
-/// floor(x) as an index, kept where the conversion is defined; far outside all is background.
-std::int64_t cellIndex(double x, std::int64_t dim) HAPTICS_RT {
-  return static_cast<std::int64_t>(std::clamp(std::floor(x), -2.0, double(dim)));
-}
-
-SplineCell splineCellAround(const Volume& volume, const Vec3& u) HAPTICS_RT {
-  const auto& dims = volume.grid.dims;
-  return splineCellAt(
-      volume, {cellIndex(u.x(), dims[0]), cellIndex(u.y(), dims[1]), cellIndex(u.z(), dims[2])});
+/// The cell around u, kept where the conversion is defined; far outside all is background.
+std::array<std::int64_t, 3> cellIndex(const Vec3& u, const VoxelBox& box) HAPTICS_RT {
+  std::array<std::int64_t, 3> at;
+  for (int axis = 0; axis < 3; ++axis)
+    at[axis] = static_cast<std::int64_t>(
+        std::clamp(std::floor(u[axis]), double(box.first[axis] - 2), double(box.end[axis])));
+  return at;
 }
 
 }  // namespace
@@ -111,18 +115,20 @@ Cell ScalarField::cellAt(const std::array<std::int64_t, 3>& at) const HAPTICS_RT
   cell.at = at;
   const Volume& v = *volume_;
   visitVoxels(v.type, v.voxels.get(),
-              [&](const auto* voxels) { fetch(voxels, v.grid, v.least, cell); });
+              [&](const auto* voxels) { fetch(voxels, v.grid, bounds_, v.least, cell); });
   return cell;
 }
 
 Cell ScalarField::cellAround(const Vec3& u) const HAPTICS_RT {
-  const Grid& grid = volume_->grid;
-  return cellAt({cellIndex(u.x(), grid.dims[0]), cellIndex(u.y(), grid.dims[1]),
-                 cellIndex(u.z(), grid.dims[2])});
+  return cellAt(cellIndex(u, bounds_));
+}
+
+SplineCell ScalarField::splineCellAround(const Vec3& u) const HAPTICS_RT {
+  return splineCellAt(*volume_, bounds_, cellIndex(u, bounds_));
 }
 
 double ScalarField::value(const Vec3& u) const HAPTICS_RT {
-  if (kind_ == FieldKind::CubicSpline) return splineCellAround(*volume_, u).value(u);
+  if (kind_ == FieldKind::CubicSpline) return splineCellAround(u).value(u);
   return cellAround(u).value(u);
 }
 
@@ -130,7 +136,7 @@ FieldSample ScalarField::sample(const Vec3& u) const HAPTICS_RT {
   FieldSample sample;
   if (kind_ == FieldKind::CubicSpline) {
     Vec3 per_index;
-    sample.value = splineCellAround(*volume_, u).sample(u, per_index);
+    sample.value = splineCellAround(u).sample(u, per_index);
     sample.gradient_W = worldGradient(per_index);
   } else {
     const Cell cell = cellAround(u);
@@ -142,7 +148,7 @@ FieldSample ScalarField::sample(const Vec3& u) const HAPTICS_RT {
 
 Vec3 ScalarField::splineGradient(const Vec3& u) const HAPTICS_RT {
   Vec3 per_index;
-  splineCellAround(*volume_, u).sample(u, per_index);
+  splineCellAround(u).sample(u, per_index);
   return worldGradient(per_index);
 }
 

@@ -14,11 +14,14 @@
 
 namespace haptics {
 
+struct SplineCell;
+
 /// The eight corner values of one cell, and its index. Inside it the field is trilinear.
 struct Cell {
-  std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the ring outside the
-                                     ///< grid, where F falls to the background
-  std::array<double, 8> corner{};    ///< bit 0 set: i + 1, bit 1: j + 1, bit 2: k + 1
+  /// Index of its lowest corner. One below the box that exists is the ring outside it, where F
+  /// falls to the background.
+  std::array<std::int64_t, 3> at{};
+  std::array<double, 8> corner{};  ///< bit 0 set: i + 1, bit 1: j + 1, bit 2: k + 1
 
   double value(const Vec3& u) const HAPTICS_RT;   ///< at index coordinates u within the cell
   Vec3 gradient(const Vec3& u) const HAPTICS_RT;  ///< per index step
@@ -31,8 +34,9 @@ struct FieldSample {
 };
 
 /// The field over the unmodified voxels: trilinear ([Chan 2011], 2.2), or the cubic B-spline
-/// that has them as coefficients (haptics/README.md, "Fields"). Beyond the grid it falls to the
-/// background (the least voxel) within one voxel, so that cut faces are solid.
+/// that has them as coefficients (haptics/README.md, "Fields"). Beyond the grid, or the box that it
+/// is cropped to, it falls to the background (the least voxel) within one voxel, so that cut faces
+/// are solid.
 ///
 /// u are index coordinates: voxel (i, j, k) has its centre at u = (i, j, k).
 class ScalarField {
@@ -86,6 +90,7 @@ class ScalarField {
 
   const MaxPyramid& pyramid() const HAPTICS_RT { return pyramid_; }
   const Volume& volume() const HAPTICS_RT { return *volume_; }
+  const VoxelBox& bounds() const HAPTICS_RT { return bounds_; }
   double voxel() const HAPTICS_RT { return voxel_; }  ///< m: the smallest voxel side
   /// The margin that legality keeps from the isovalue: a billionth of the usual range. The rounding
   /// of index coordinates (some 1e-13) changes a value by far less.
@@ -95,7 +100,10 @@ class ScalarField {
   static constexpr int kCellWork = 4;            ///< work of 8 voxels, fetched alone
   static constexpr int kSplineSegmentWork = 36;  ///< work of the polynomial along a segment
 
+  SplineCell splineCellAround(const Vec3& u) const HAPTICS_RT;
+
   std::shared_ptr<const Volume> volume_;
+  VoxelBox bounds_;  ///< the voxels that exist
   FieldKind kind_;
   MaxPyramid pyramid_;
   lanes::Lattice lattice_;

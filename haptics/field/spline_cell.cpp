@@ -49,20 +49,20 @@ double dot(const Taps& w, const double* v) HAPTICS_RT {
   return w[0] * v[0] + w[1] * v[1] + w[2] * v[2] + w[3] * v[3];
 }
 
-/// Index i of n voxels mirrored at the first and the last; one voxel is its own mirror.
-std::int64_t mirrored(std::int64_t i, std::int64_t n) HAPTICS_RT {
-  if (i < 0) i = -i;
-  if (i >= n) i = 2 * (n - 1) - i;
-  return std::clamp<std::int64_t>(i, 0, n - 1);
+/// Index i mirrored at the first and the last voxel; one voxel is its own mirror.
+std::int64_t mirrored(std::int64_t i, std::int64_t first, std::int64_t last) HAPTICS_RT {
+  if (i < first) i = 2 * first - i;
+  if (i > last) i = 2 * last - i;
+  return std::clamp(i, first, last);
 }
 
 template <class T>
-void fetch(const T* voxels, const Grid& grid, SplineCell& cell) HAPTICS_RT {
+void fetch(const T* voxels, const Grid& grid, const VoxelBox& box, SplineCell& cell) HAPTICS_RT {
   const std::int64_t row = grid.dims[0], slice = grid.dims[0] * grid.dims[1];
   const auto [i, j, k] = cell.at;
   double* out = cell.voxel.data();
-  if (i >= 1 && j >= 1 && k >= 1 && i + 2 < grid.dims[0] && j + 2 < grid.dims[1] &&
-      k + 2 < grid.dims[2]) {
+  if (i > box.first[0] && j > box.first[1] && k > box.first[2] && i + 2 < box.end[0] &&
+      j + 2 < box.end[1] && k + 2 < box.end[2]) {
     const T* corner = voxels + (k - 1) * slice + (j - 1) * row + (i - 1);
     for (int z = 0; z < 4; ++z)
       for (int y = 0; y < 4; ++y, out += 4) {
@@ -75,7 +75,7 @@ void fetch(const T* voxels, const Grid& grid, SplineCell& cell) HAPTICS_RT {
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (int tap = 0; tap < 4; ++tap)
       index[axis][static_cast<std::size_t>(tap)] =
-          mirrored(cell.at[axis] - 1 + tap, grid.dims[axis]);
+          mirrored(cell.at[axis] - 1 + tap, box.first[axis], box.end[axis] - 1);
   for (const std::int64_t z : index[2])
     for (const std::int64_t y : index[1])
       for (const std::int64_t x : index[0]) *out++ = double(voxels[z * slice + y * row + x]);
@@ -91,20 +91,21 @@ void addProduct(const std::array<double, P>& p, const Taps& q,
 
 }  // namespace
 
-SplineCell splineCellAt(const Volume& volume, const std::array<std::int64_t, 3>& at) HAPTICS_RT {
+SplineCell splineCellAt(const Volume& volume, const VoxelBox& bounds,
+                        const std::array<std::int64_t, 3>& at) HAPTICS_RT {
   SplineCell cell;
   cell.at = at;
   cell.background = volume.least;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::int64_t last = volume.grid.dims[axis] - 1;
-    cell.beyond = cell.beyond || at[axis] < -1 || at[axis] > last;
-    cell.face[axis] = at[axis] < 0 ? -1 : at[axis] >= last ? 1 : 0;
+    const std::int64_t first = bounds.first[axis], last = bounds.end[axis] - 1;
+    cell.beyond = cell.beyond || at[axis] < first - 1 || at[axis] > last;
+    cell.face[axis] = at[axis] < first ? -1 : at[axis] >= last ? 1 : 0;
   }
   if (cell.beyond)
     cell.voxel.fill(volume.least);
   else
     visitVoxels(volume.type, volume.voxels.get(),
-                [&](const auto* voxels) { fetch(voxels, volume.grid, cell); });
+                [&](const auto* voxels) { fetch(voxels, volume.grid, bounds, cell); });
   return cell;
 }
 

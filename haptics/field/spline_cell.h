@@ -13,16 +13,16 @@ namespace haptics {
 /// The part of the uniform cubic B-spline with the voxels as coefficients ([Unser 1999]; no
 /// prefilter, so it approximates them) that lies in one cell: a tricubic polynomial.
 ///
-/// Voxels are mirrored at the faces of the grid. Beyond a face the value of the face falls to the
-/// background within one voxel, linearly, as the trilinear field does. Every value is a mean of
-/// the 4^3 voxels and the background with non-negative weights. So the greatest of them bounds the
-/// value, and their differences bound its slope.
+/// Voxels are mirrored at the faces of the box that exists, the grid or its crop. Beyond a face the
+/// value of the face falls to the background within one voxel, linearly, as the trilinear field
+/// does. Every value is a mean of the 4^3 voxels and the background with non-negative weights. So
+/// the greatest of them bounds the value, and their differences bound its slope.
 struct SplineCell {
   /// A polynomial of degree 9 on [0, 1] by its Bernstein coefficients; their hull contains it.
   using Along = std::array<double, 10>;
 
-  std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; -1 is the ring outside the
-                                     ///< grid, where F falls to the background
+  std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; one below the box is the ring
+                                     ///< outside the box, where F falls to the background
   std::array<double, 64> voxel;      ///< from at - 1 to at + 2 on each axis, i fastest
   std::array<int, 3> face{};         ///< -1, 1: outside beyond the low, high face of the axis
   double background = 0.0;
@@ -36,7 +36,8 @@ struct SplineCell {
   Along alongSegment(const Vec3& a, const Vec3& b) const HAPTICS_RT;
 };
 
-/// The cell of a volume with its lowest corner at this index.
-SplineCell splineCellAt(const Volume& volume, const std::array<std::int64_t, 3>& at) HAPTICS_RT;
+/// The cell of a volume with its lowest corner at this index. `bounds`: volume.bounds().
+SplineCell splineCellAt(const Volume& volume, const VoxelBox& bounds,
+                        const std::array<std::int64_t, 3>& at) HAPTICS_RT;
 
 }  // namespace haptics

@@ -5,7 +5,30 @@
 #include <chrono>
 #include <utility>
 
+#include "haptics/edit/edited.h"
+
 namespace haptics {
+namespace {
+
+/// How one of the volumes differs from the other; null if they are not known to be neighbours.
+const Edited* editBetween(const std::shared_ptr<const Volume>& one,
+                          const std::shared_ptr<const Volume>& other) {
+  if (one->edited && one->edited->neighbour.lock() == other) return one->edited.get();
+  if (other->edited && other->edited->neighbour.lock() == one) return other->edited.get();
+  return nullptr;
+}
+
+/// The pyramid over a volume, renewed from the previous scene's where an edit changed it.
+MaxPyramid pyramidOf(const std::shared_ptr<const Volume>& volume, const SceneOptions& options,
+                     const Scene* previous) {
+  const Edited* edit = previous != nullptr && previous->field.kind() == options.field
+                           ? editBetween(volume, previous->volume)
+                           : nullptr;
+  if (edit == nullptr) return MaxPyramid{*volume, options.field, options.cancel};
+  return {previous->field.pyramid(), *volume, edit->changed, options.field, options.cancel};
+}
+
+}  // namespace
 
 Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,
                                                  const SceneOptions& options,
@@ -28,7 +51,7 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
   } else {
     const Clock::time_point begun = Clock::now();
     field = std::make_shared<const ScalarField>(volume, options.field,
-                                                MaxPyramid{*volume, options.field, options.cancel});
+                                                pyramidOf(volume, options, previous));
     build_time = secondsSince(begun);
   }
   if (options.cancel != nullptr && *options.cancel)

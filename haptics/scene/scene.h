@@ -69,7 +69,8 @@ PlanLines linesOf(const Plan& plan, const SceneOptions& options, const Volume& v
                   const ShellTree& tree);
 
 /// Builds a scene. It takes tens to hundreds of milliseconds, so do not call it on the GUI or servo
-/// thread. The field of `previous` is reused if volume and kind are the same.
+/// thread. The field of `previous` is reused if volume and kind are the same. If the volumes are
+/// neighbours (Edited::neighbour), its bounds are renewed only where the edit changed the voxels.
 Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,
                                                  const SceneOptions& options = {},
                                                  const Scene* previous = nullptr);

@@ -64,16 +64,18 @@ void push(const Scene& scene, const Isosurface& solid, Pose& X_WT, Budget& budge
   if (mean.norm() > 0.0) X_WT.translation() += mean.normalized() * h;
 }
 
-/// Translates the pose along the volume's nearest axis until the tool is clear of the grid.
+/// Translates the pose along the volume's nearest axis until the tool is clear of its voxels.
 Pose outsideGrid(const Scene& scene, const Pose& X_WP) HAPTICS_RT {
   const Grid& grid = scene.volume->grid;
+  const VoxelBox& box = scene.field.bounds();
   const double radius = scene.tool.shell.radius + 2.0 * grid.spacing.maxCoeff();
   const Vec3 u = grid.indexOf(X_WP.translation());
   double least = INFINITY;
   Vec3 way = Vec3::Zero();
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {-1.0, 1.0}) {
-      const double far = sign < 0.0 ? u[axis] : double(grid.dims[axis] - 1) - u[axis];
+      const double far =
+          sign < 0.0 ? u[axis] - double(box.first[axis]) : double(box.end[axis] - 1) - u[axis];
       const double distance = far * grid.spacing[axis] + radius;
       if (distance < least) {
         least = distance;

@@ -48,12 +48,13 @@ std::optional<Vec3> middleOfSolid(const Scene& scene, double isovalue) {
   const Grid& grid = scene.volume->grid;
   Vec3 sum = Vec3::Zero();
   double count = 0.0;
+  const VoxelBox& box = scene.field.bounds();
   std::array<std::int64_t, 3> stride;
   for (int axis = 0; axis < 3; ++axis)
-    stride[axis] = std::max<std::int64_t>(1, grid.dims[axis] / 96);
-  for (std::int64_t k = 0; k < grid.dims[2]; k += stride[2])
-    for (std::int64_t j = 0; j < grid.dims[1]; j += stride[1])
-      for (std::int64_t i = 0; i < grid.dims[0]; i += stride[0]) {
+    stride[axis] = std::max<std::int64_t>(1, (box.end[axis] - box.first[axis]) / 96);
+  for (std::int64_t k = box.first[2]; k < box.end[2]; k += stride[2])
+    for (std::int64_t j = box.first[1]; j < box.end[1]; j += stride[1])
+      for (std::int64_t i = box.first[0]; i < box.end[0]; i += stride[0]) {
         const Vec3 u{double(i), double(j), double(k)};
         if (scene.field.value(u) < isovalue) continue;
         sum += u;
@@ -157,8 +158,13 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
     return tl::unexpected(Error{
         Error::Kind::NotFound, {"hand-isovalue-not-reached", {plain(isovalue)}}, "nothing-inside"});
   const Grid& grid = scene.volume->grid;
-  const Vec3 extent{double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1)};
-  const double diagonal = extent.cwiseProduct(grid.spacing).norm();
+  const VoxelBox& box = scene.field.bounds();
+  Vec3 first, last;  // voxels
+  for (int axis = 0; axis < 3; ++axis) {
+    first[axis] = double(box.first[axis]);
+    last[axis] = double(box.end[axis] - 1);
+  }
+  const double diagonal = (last - first).cwiseProduct(grid.spacing).norm();
 
   // directions evenly over the sphere, turned by the seed
   constexpr int kDirections = 48;
@@ -168,7 +174,7 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
   for (int n = 0; n < kDirections; ++n) {
     const double z = 1.0 - (2.0 * n + 1.0) / kDirections, r = std::sqrt(1.0 - z * z);
     const Vec3 way{r * std::cos(golden * n + phase), r * std::sin(golden * n + phase), z};
-    // outside: so far back that the whole tool is beyond the grid
+    // outside: so far back that the whole tool is beyond the voxels
     Pose X = Pose::Identity();
     X.linear() = tipAlong(way);
     const double back = diagonal + scene.tool.shell.radius + 4.0 * grid.spacing.maxCoeff();
@@ -177,7 +183,7 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
     if (!touch) continue;
     X.translation() += *touch * way;
 
-    // what it touches: a surface that faces it, away from the cut faces of the grid
+    // what it touches: a surface that faces it, away from the cut faces
     double lowest = INFINITY;
     Vec3 u_touch = Vec3::Zero();
     for (const Vec3& p : scene.tool.shell.points) {
@@ -191,7 +197,7 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
     const Vec3 gradient = scene.field.centralGradient(u_touch);
     const double facing = gradient.norm() > 0.0 ? gradient.dot(way) / gradient.norm() : -1.0;
     const double border =
-        std::min(u_touch.minCoeff(), (extent - u_touch).minCoeff());  // voxels inside the grid
+        std::min((u_touch - first).minCoeff(), (last - u_touch).minCoeff());  // voxels inside
     // near, thick enough to press on, and rather from the front and above, as a person sits
     constexpr double kThick = 0.006;  // m
     static const Vec3 kFromTheFront{0.0, 0.8, -0.6};
@@ -212,8 +218,9 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
   hand.reach_ = reach;
   // from just outside the volume, not from infinity
   const Vec3 u = grid.indexOf(best.X_touch.translation());
-  const double within =
-      (0.5 * extent - (u - 0.5 * extent).cwiseAbs()).cwiseProduct(grid.spacing).minCoeff();
+  const double within = (0.5 * (last - first) - (u - 0.5 * (first + last)).cwiseAbs())
+                            .cwiseProduct(grid.spacing)
+                            .minCoeff();
   hand.approach_ = std::min(
       best.approach, std::max(0.0, within) * std::sqrt(3.0) + scene.tool.shell.radius + 0.020);
   hand.seed_ = seed;

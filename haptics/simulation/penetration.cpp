@@ -13,7 +13,10 @@ double nearestLegalVoxel(const ScalarField& field, double isovalue, const Vec3& 
   const Grid& grid = field.volume().grid;
   const Vec3 centre{std::round(u.x()), std::round(u.y()), std::round(u.z())};
   double nearest = std::numeric_limits<double>::infinity();
-  const auto longest = *std::max_element(grid.dims.begin(), grid.dims.end());
+  const VoxelBox& box = field.bounds();
+  std::int64_t longest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    longest = std::max(longest, box.end[axis] - box.first[axis]);
   for (std::int64_t n = 0; n <= longest + 1; ++n) {
     // no voxel of this shell can be nearer than this
     if ((double(n) - 0.5) * grid.spacing.minCoeff() > nearest) break;

@@ -16,6 +16,10 @@ rule(FOLDERS "haptics" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|resources/)"
 rule(FOLDERS "haptics/(core|field|tool|collision|solver|coupling)"
      FORBIDS "^haptics/(servo|devices|simulation|recording|session)"
      WHY "the algorithm knows neither threads nor devices")
+rule(FOLDERS "haptics/edit" FORBIDS "^haptics/(scene|servo|devices|simulation|recording|session)"
+     WHY "edits know volumes and fields, and nothing that runs")
+rule(FOLDERS "haptics/(field|tool|collision|solver|coupling|servo|devices)"
+     FORBIDS "^haptics/edit/" WHY "the touch knows voxels, not how they came about")
 rule(FOLDERS "haptics/core" FORBIDS "^haptics/" PERMITS "^haptics/core/"
      WHY "the common words depend on nothing")
 rule(FOLDERS "haptics/devices" FORBIDS "^haptics/"

@@ -75,4 +75,23 @@ inline Volume randomVolume(const Grid& grid, ScalarType type, datasets::Random& 
       grid, type, [&](auto, auto, auto) { return random.in(is_signed ? -top - 1.0 : 0.0, top); });
 }
 
+/// A box of voxels within the grid, at random: often at its faces, sometimes one voxel thick.
+inline haptics::VoxelBox randomBox(const Grid& grid, datasets::Random& random) {
+  haptics::VoxelBox box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto n = static_cast<int>(grid.dims[axis]);
+    box.first[axis] = random.below(4) == 0 ? 0 : random.below(n);
+    box.end[axis] = random.below(4) == 0
+                        ? n
+                        : box.first[axis] + 1 + random.below(n - static_cast<int>(box.first[axis]));
+  }
+  return box;
+}
+
+/// The volume without the voxels outside a box, which it still has in memory.
+inline Volume cropped(Volume volume, const haptics::VoxelBox& box) {
+  volume.crop = box;
+  return volume;
+}
+
 }  // namespace made

@@ -17,11 +17,12 @@ namespace evaluator {
 using haptics::Pose;
 using haptics::Vec3;
 
-/// One voxel; outside the grid the background, which is the least voxel.
+/// One voxel; outside the grid or its crop the background, which is the least voxel.
 inline double voxelAt(const haptics::Volume& volume, const std::array<std::int64_t, 3>& at) {
   const auto& dims = volume.grid.dims;
+  const haptics::VoxelBox box = volume.bounds();
   for (int axis = 0; axis < 3; ++axis)
-    if (at[axis] < 0 || at[axis] >= dims[axis]) return volume.least;
+    if (at[axis] < box.first[axis] || at[axis] >= box.end[axis]) return volume.least;
   return haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
     return static_cast<double>(voxels[(at[2] * dims[1] + at[1]) * dims[0] + at[0]]);
   });

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
 #include "app/study/reference/evaluator.h"
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
+#include "haptics/core/voxel_memory.h"
 #include "haptics/field/max_pyramid.h"
 #include "haptics/field/scalar_field.h"
 #include "tests/support/made.h"
@@ -94,6 +100,94 @@ TEST(MaxPyramid, StatesOnlyBoundsThatHoldOnPlateausOfEveryTypeAndFrame) {
   EXPECT_GT(seen.wide, made::trials(300));
   EXPECT_GT(seen.sloped, made::trials(2000));
   EXPECT_GT(seen.inside, made::trials(500));
+}
+
+TEST(MaxPyramid, StatesOnlyBoundsThatHoldInACrop) {
+  Random random{14};
+  Seen seen;
+  int k = 0;
+  for (const ScalarType type : made::kTypes) {
+    SCOPED_TRACE(haptics::nameOf(type));
+    const Grid grid = made::oddGrid(k++, {60, 47, 80}, random);
+    for (int n = 0; n < 4; ++n) {
+      Volume volume =
+          n % 2 == 0 ? plateaus(grid, type, random) : made::randomVolume(grid, type, random);
+      volume.crop = made::randomBox(grid, random);
+      check(ScalarField{made::shared(std::move(volume))}, random, made::trials(1000), seen);
+    }
+  }
+  EXPECT_GT(seen.empty, made::trials(3000));
+  EXPECT_GT(seen.wide, made::trials(300));
+  EXPECT_GT(seen.sloped, made::trials(2000));
+  EXPECT_GT(seen.inside, made::trials(300));
+}
+
+/// Few high voxels: lowering one changes the bounds far about it.
+Volume peaks(const Grid& grid, ScalarType type, Random& random) {
+  return datasets::filled(grid, type, [&](auto, auto, auto) {
+    return random.below(300) == 0 ? random.in(20.0, 120.0) : random.in(0.0, 6.0);
+  });
+}
+
+/// Makes most voxels of a box background.
+void lower(const Volume& volume, const haptics::VoxelBox& box, Random& random) {
+  const auto& dims = volume.grid.dims;
+  haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
+    auto* v = const_cast<std::remove_const_t<std::remove_pointer_t<decltype(voxels)>>*>(voxels);
+    for (std::int64_t k = box.first[2]; k < box.end[2]; ++k)
+      for (std::int64_t j = box.first[1]; j < box.end[1]; ++j)
+        for (std::int64_t i = box.first[0]; i < box.end[0]; ++i)
+          if (random.below(3) > 0)
+            v[(k * dims[1] + j) * dims[0] + i] =
+                static_cast<std::remove_reference_t<decltype(*v)>>(volume.least);
+  });
+}
+
+haptics::VoxelBox smallBox(const Grid& grid, Random& random) {
+  haptics::VoxelBox box = made::randomBox(grid, random);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    box.end[axis] = std::min(box.end[axis], box.first[axis] + 1 + random.below(12));
+  return box;
+}
+
+// after crops, voxels lowered in one box or in many, and both taken back
+TEST(MaxPyramid, IsRenewedToWhatANewOneWouldBe) {
+  Random random{15};
+  int other = 0, k = 0;
+  for (const haptics::FieldKind kind :
+       {haptics::FieldKind::Trilinear, haptics::FieldKind::CubicSpline})
+    for (const ScalarType type : {ScalarType::UInt8, ScalarType::Int16, ScalarType::Float32})
+      for (const std::array<std::int64_t, 3> dims :
+           {std::array<std::int64_t, 3>{70, 45, 150}, {131, 3, 66}, {1, 30, 7}}) {
+        const Grid grid = made::oddGrid(k++, dims, random);
+        Volume volume = peaks(grid, type, random);
+        MaxPyramid pyramid{volume, kind};
+        for (int step = 0; step < 12; ++step) {
+          SCOPED_TRACE(step);
+          const Volume before = volume;
+          std::vector<haptics::VoxelBox> changed;
+          if (step % 3 == 0) volume.crop = made::randomBox(grid, random);
+          if (step == 7) volume.crop = {};
+          if (step % 3 != 0 || step == 9) {
+            volume.voxels = volume.memory->privateView().value();
+            const std::size_t bytes = volume.memory->bytes();
+            std::memcpy(const_cast<void*>(volume.voxels.get()), before.voxels.get(), bytes);
+            for (int n = 0; n < (step % 2 == 0 ? 1 : 6); ++n) {
+              changed.push_back(smallBox(grid, random));
+              lower(volume, changed.back(), random);
+            }
+          }
+          const MaxPyramid fresh{volume, kind};
+          other += fresh != pyramid;
+          const MaxPyramid renewed{pyramid, volume, changed, kind};
+          ASSERT_TRUE(renewed == fresh);
+          // and back again: an undo
+          const MaxPyramid undone{renewed, before, changed, kind};
+          ASSERT_TRUE(undone == pyramid);
+          pyramid = renewed;
+        }
+      }
+  EXPECT_GT(other, 90);  // of 216
 }
 
 TEST(MaxPyramid, ReachesAsFarAsTheFarthestLevelInEmptySpace) {

@@ -2,6 +2,7 @@
 // A recording holds what was, to the bit, and gives it back after whatever became of the process.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -10,6 +11,8 @@
 #include <thread>
 
 #include "haptics/core/latest_value.h"
+#include "haptics/edit/edit_history.h"
+#include "haptics/edit/edited.h"
 #include "haptics/recording/columns.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
@@ -73,11 +76,12 @@ Step stepOf(const TraceRow& row, const ClosedLoop& loop, std::int64_t n) {
 
 /// A hand at work on the ball, in closed loop, every tick kept and recorded.
 std::vector<TraceRow> recorded(const fs::path& path, HandMotion motion, std::int64_t ticks,
-                               double friction = 0.0) {
+                               double friction = 0.0,
+                               std::shared_ptr<const Scene> touched = scene()) {
   auto recorder = Recorder::create(path, {"test", "a build", "a machine"});
   EXPECT_TRUE(recorder) << sentence(recorder.error());
   StepRing& ring = (*recorder)->ring();
-  ClosedLoop loop{scene(), {.friction = friction}, {}, {}};
+  ClosedLoop loop{std::move(touched), {.friction = friction}, {}, {}};
   loop.grip.gyration = std::sqrt(loop.scene->tool.shell.inertia.trace() / 3.0);
   (*recorder)->describe(loop.scene, "egg");
   loop.on_start = [&](const Pose& X_WP) {
@@ -240,6 +244,89 @@ struct Bench {
   std::unique_ptr<ServoLoop> loop;
   int n = 0;
 };
+
+/// A plane through the ball, a lasso beside its middle, and a crop.
+std::vector<Edit> someEdits() {
+  LassoCut lasso;
+  lasso.outline = {{-0.002, -0.02}, {0.004, -0.02}, {0.004, 0.02}, {-0.002, 0.02}};
+  lasso.X_WC = poseOf({0.0, 0.0, 0.1}, Quat::Identity());
+  lasso.parallel = true;
+  lasso.until = 0.1;
+  return {PlaneCut{{0.0, 0.0, 0.008}, Vec3{0.1, 0.2, 1.0}.normalized(), 0.0}, lasso,
+          Crop{{{0, 0, 0}, {48, 48, 46}}}};
+}
+
+/// user_version, where SQLite has it.
+int formatOf(const fs::path& path) {
+  std::ifstream file{path, std::ios::binary};
+  file.seekg(60);
+  std::array<char, 4> bytes{};
+  file.read(bytes.data(), 4);
+  return bytes[3];
+}
+
+TEST(Recording, OfAnEditedVolumeIsReplayedFromTheScanToTheBit) {
+  const ScratchFolder scratch;
+  const auto path = scratch / "edited.palpate", plain = scratch / "plain.palpate";
+  const auto before = scene();
+  const auto volume = edited(before->volume, someEdits());
+  ASSERT_TRUE(volume) << sentence(volume.error());
+  const auto touched = *makeScene(*volume, before->tool);
+  for (const HandMotion motion : {HandMotion::Slide, HandMotion::Pry}) {
+    fs::remove(path);
+    const auto rows = recorded(path, motion, 1500, 0.3, touched);
+    ASSERT_EQ(rows.size(), 1500U);
+    auto recording = Recording::open(path);
+    ASSERT_TRUE(recording) << sentence(recording.error());
+    ASSERT_EQ(recording->scenes().size(), 1U);
+    const RecordedScene& then = recording->scenes().front();
+    ASSERT_EQ(then.edits.size(), 3U);
+    EXPECT_EQ(textOf(then.edits[1]), textOf(someEdits()[1]));
+    EXPECT_EQ(then.edits_digest, (*volume)->edited->digest);
+    // another program has the scan, and makes the rest
+    const auto made = editedAsRecorded(scene()->volume, then);
+    ASSERT_TRUE(made) << sentence(made.error());
+    const ReplayDifference same = replayed(*recording, *made);
+    EXPECT_EQ(same.differing, 0);
+    EXPECT_EQ(same.steps, 1500);
+    // over the scan the way is another: the edits were touched
+    EXPECT_GT(replayed(*recording, scene()->volume).differing, 100);
+  }
+  EXPECT_EQ(formatOf(path), 3);
+  recorded(plain, HandMotion::Slide, 50);
+  EXPECT_EQ(formatOf(plain), 2);
+  EXPECT_TRUE(Recording::open(plain)->scenes().front().edits.empty());
+}
+
+TEST(Recording, OfAnEditedVolumeIsNotReplayedOverOneThatComesOutOtherwise) {
+  const auto before = scene();
+  const Scene& touched = **makeScene(*edited(before->volume, someEdits()), before->tool);
+  const SceneWords words = wordsOf(touched);
+  RecordedScene then = *sceneFrom(words);
+  ASSERT_TRUE(editedAsRecorded(before->volume, then));
+  // another scan, and a digest that is not the one
+  const auto other = editedAsRecorded(scene(0.0149)->volume, then);
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().reason, "other-edits");
+  then.edits_digest ^= 1;
+  const auto wrong = editedAsRecorded(before->volume, then);
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().reason, "other-edits");
+  EXPECT_FALSE(sentence(wrong.error()).empty());
+  // damage
+  for (const auto& [part, instead] : {std::pair{"\"edits_digest\":\"", "\"edits_digest\":\"x"},
+                                      {"\"edit\":\"plane\"", "\"edit\":\"x\""},
+                                      {"\"edits\":[", "\"edits\":[7,"},
+                                      {"\"edits_digest\":", "\"digest\":"}}) {
+    SceneWords damaged = words;
+    const auto at = damaged.volume.find(part);
+    ASSERT_NE(at, std::string::npos) << part;
+    damaged.volume.replace(at, std::strlen(part), instead);
+    const auto read = sceneFrom(damaged);
+    ASSERT_FALSE(read) << part;
+    EXPECT_EQ(read.error().reason, "damaged");
+  }
+}
 
 TEST(Recording, OfALiveLoopIsReplayedToTheBitThroughAllThatTheUserDoes) {
   const ScratchFolder scratch;

@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
 #include "haptics/collision/motion_rows.h"
+#include "haptics/core/voxel_memory.h"
+#include "haptics/edit/edited.h"
 #include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 
@@ -43,6 +48,46 @@ TEST(Scene, SharesTheFieldOfTheOneBeforeWhereVolumeAndKindAreTheSame) {
   EXPECT_EQ(smooth->normal, NormalKind::Cell);
   const auto other = made::shared(*volume);
   EXPECT_NE(&makeScene(other, made::point(), {}, first.get()).value()->field, &first->field);
+}
+
+/// A volume one edit away from another: the voxel (12, 12, 2) is lowered in a view of its own.
+std::shared_ptr<const haptics::Volume> oneVoxelLowered(
+    const std::shared_ptr<const haptics::Volume>& before,
+    const std::vector<haptics::VoxelBox>& told) {
+  haptics::Volume after = *before;
+  const auto view = before->memory->privateView().value();
+  static_cast<float*>(view.get())[(2 * 24 + 12) * 24 + 12] = static_cast<float>(before->least);
+  after.voxels = view;
+  auto edit = std::make_shared<haptics::Edited>();
+  edit->scan = before;
+  edit->neighbour = before;
+  edit->changed = told;
+  after.edited = edit;
+  return made::shared(std::move(after));
+}
+
+TEST(Scene, RenewsTheBoundsOfItsNeighbourWhereAnEditChangedIt) {
+  const auto scan = made::shared(
+      datasets::solid(datasets::centredGrid(24, h), [](const Vec3& p) { return p.z(); }));
+  const auto first = makeScene(scan, made::point()).value();
+  const auto volume = oneVoxelLowered(scan, {{{12, 12, 2}, {13, 13, 3}}});
+  const auto second = makeScene(volume, made::point(), {}, first.get()).value();
+  EXPECT_TRUE((second->field.pyramid() == haptics::MaxPyramid{*volume}));
+  EXPECT_FALSE(second->field.pyramid() == first->field.pyramid());
+  // back to the scan, which knows of no edit
+  const auto third = makeScene(scan, made::point(), {}, second.get()).value();
+  EXPECT_TRUE(third->field.pyramid() == first->field.pyramid());
+  // what an edit does not tell of is not looked at: the renewal is used
+  const auto silent = oneVoxelLowered(scan, {});
+  EXPECT_TRUE(makeScene(silent, made::point(), {}, first.get()).value()->field.pyramid() ==
+              first->field.pyramid());
+  // no neighbour, or another kind of field: all is built
+  const auto other = makeScene(made::shared(*scan), made::point()).value();
+  for (const auto& [scene, kind] :
+       {std::pair{other, FieldKind::Trilinear}, {first, FieldKind::CubicSpline}}) {
+    const auto built = makeScene(silent, made::point(), {kind}, scene.get()).value();
+    EXPECT_TRUE((built->field.pyramid() == haptics::MaxPyramid{*silent, kind}));
+  }
 }
 
 TEST(Scene, OutlivesTheOneWhoseFieldItShares) {
