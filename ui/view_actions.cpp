@@ -119,6 +119,8 @@ void ViewActions::buildTool(QMenu& menu, QToolBar& bar) {
     take->setChecked(view_.mouseMode() == MouseMode::Hand);
     view_.setFocus();
   });
+  take->setEnabled(view_.mouseHand());
+  connect(&view_, &VolumeView::mouseHandChanged, take, &QAction::setEnabled);
   connect(&view_, &VolumeView::mouseModeChanged, take,
           [take](MouseMode mode) { take->setChecked(mode == MouseMode::Hand); });
   bar.addSeparator();

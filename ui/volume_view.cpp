@@ -23,21 +23,21 @@
 namespace ui {
 namespace {
 
-constexpr int kStillMs = 400;         // no movement for this long is rest
-constexpr double kHandTurn = 0.008;   // rad of hand for a pixel
-constexpr double kHandStep = 0.002;   // m of depth for a notch of the wheel
-constexpr double kZoomNotch = 1.1;    // nearer for a notch of the wheel
-constexpr double kZoomPixel = 1.006;  // nearer for a pixel of a drag
-constexpr double kBeside_deg = 40.0;  // between the device and the eye, about the patient's axis
-constexpr double kGrab = 8.0;         // px about the tool that count as on it
-constexpr double kVeil = 0.38;        // opacity of the second surface
+constexpr int kStillMs = 400;           // no movement for this long is rest
+constexpr double kHandTurn = 0.008;     // rad of hand for a pixel
+constexpr double kHandStep = 0.002;     // m of depth for a notch of the wheel
+constexpr double kViewZoomNotch = 1.1;  // nearer for a notch of the wheel
+constexpr double kZoomPixel = 1.006;    // nearer for a pixel of a drag
+constexpr double kBeside_deg = 40.0;    // between the device and the eye, about the patient's axis
+constexpr double kGrab = 8.0;           // px about the tool that count as on it
+constexpr double kVeil = 0.38;          // opacity of the second surface
 constexpr double kBehindTool_mm = 120.0;  // of the eye, looking along the tool
 constexpr double kContactMark = 5.0;      // px, radius
 constexpr double kArrowOfHeight = 0.25;   // of the view's height, for kArrowForce
 constexpr double kArrowForce = 5.0;       // N
 constexpr double kLeastForce = 0.02;      // N: less is not shown
-const QColor kGround(12, 13, 17);
-const QColor kDim(152, 162, 179);
+const QColor kViewGround(12, 13, 17);
+const QColor kViewDim(152, 162, 179);
 const QColor kContactColour(255, 255, 255), kForceColour(77, 163, 255);
 
 double fromSegment(QPointF p, QPointF a, QPointF b) {
@@ -100,7 +100,7 @@ VolumeView::VolumeView(QWidget* parent)
       geometry_(std::make_unique<Geometry>(*this)) {
   setMouseTracking(true);
   setAccessibleName(tr("3-D view"));
-  surface_layer_->SetBackground(kGround.redF(), kGround.greenF(), kGround.blueF());
+  surface_layer_->SetBackground(kViewGround.redF(), kViewGround.greenF(), kViewGround.blueF());
   renderWindow()->SetNumberOfLayers(4);
   int layer = 0;
   for (const auto& renderer : {surface_layer_, proxy_layer_, veil_layer_, overlay_layer_}) {
@@ -207,6 +207,7 @@ void VolumeView::setMouseHand(bool on) {
   displayed_ = false;  // the next hand starts elsewhere
   if (!on) setMouseMode(MouseMode::Look);
   update();  // the hint
+  emit mouseHandChanged(on);
 }
 
 void VolumeView::placeHand(const haptics::Pose& X_WH) { hand_target_ = X_WH; }
@@ -443,7 +444,7 @@ void VolumeView::paintOver(QPainter& painter, const QSizeF& size) const {
     if (orientation_known_) {
       paintEdgeLetters(painter, {QPointF{}, size}, axes);
     } else {
-      painter.setPen(kDim);
+      painter.setPen(kViewDim);
       const QString text = tr("left/right unknown");
       const double wide = painter.fontMetrics().horizontalAdvance(text);
       painter.drawText(QPointF{size.width() - wide - 10.0, cube.bottom() + 14.0}, text);
@@ -464,7 +465,7 @@ void VolumeView::paintContacts(QPainter& painter) const {
     const haptics::Vec3 p_W{place.p_W[0], place.p_W[1], place.p_W[2]};
     middle += (place.push + 1e-6) * p_W;
     pushed += place.push + 1e-6;
-    painter.setPen(QPen(kGround, 3.0));
+    painter.setPen(QPen(kViewGround, 3.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(projected(p_W), kContactMark, kContactMark);
     painter.setPen(QPen(kContactColour, 1.5));
@@ -488,14 +489,15 @@ void VolumeView::paintContacts(QPainter& painter) const {
       arrow.lineTo(head);
       arrow.lineTo(head - barb * along - 0.5 * barb * aside);
     }
-    for (const auto& [colour, width] : {std::pair{kGround, 5.0}, std::pair{kForceColour, 2.5}}) {
+    for (const auto& [colour, width] :
+         {std::pair{kViewGround, 5.0}, std::pair{kForceColour, 2.5}}) {
       painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawPath(arrow);
     }
     QPainterPath words;
     words.addText(head + QPointF{8.0, -6.0}, painter.font(),
                   tr("%1 N").arg(force.norm(), 0, 'f', 1));
-    painter.strokePath(words, QPen(kGround, 3.0));
+    painter.strokePath(words, QPen(kViewGround, 3.0));
     painter.fillPath(words, kContactColour);
   }
   painter.restore();
@@ -520,9 +522,9 @@ void VolumeView::paintHint(QPainter& painter) const {
   const QRectF box(8.0, height() - 26.0 - metrics.height(), metrics.horizontalAdvance(line) + 12.0,
                    metrics.height() + 6.0);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(kGround.red(), kGround.green(), kGround.blue(), 190));
+  painter.setBrush(QColor(kViewGround.red(), kViewGround.green(), kViewGround.blue(), 190));
   painter.drawRoundedRect(box, 4.0, 4.0);
-  painter.setPen(kDim);
+  painter.setPen(kViewDim);
   painter.drawText(box, Qt::AlignCenter, line);
 }
 
@@ -647,7 +649,7 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
   if (action == Action::PushTool && displayed_)
     pushHand(notches);
   else
-    zoom(std::pow(kZoomNotch, notches), event->position());
+    zoom(std::pow(kViewZoomNotch, notches), event->position());
 }
 
 bool VolumeView::perform(Action action) {

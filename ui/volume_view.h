@@ -90,6 +90,7 @@ class VolumeView : public Viewport {
   void toolToCrossWanted();
   void crossToToolWanted();
   void mouseModeChanged(ui::MouseMode mode);
+  void mouseHandChanged(bool possible);
   void parallelChanged(bool parallel);
   void clutchHeld(bool held);
   void forceHeld(bool held);

@@ -20,7 +20,7 @@
 namespace app {
 namespace {
 
-constexpr int kSaidMs = 6000;
+constexpr int kPictureSaidMs = 6000;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ bool ViewController::mayBring() {
   if (!shared_.shown) return false;
   if (!shared_.replaying) return true;
   window_.statusBar()->showMessage(tr("The tool shows a recording; close the replay to move it."),
-                                   kSaidMs);
+                                   kPictureSaidMs);
   return false;
 }
 
@@ -61,13 +61,13 @@ void ViewController::bringTool(const haptics::Vec3& p_W, const haptics::Vec3& no
     return window_.statusBar()->showMessage(
         tr("There is no surface within 30 mm of this place; lower the isovalue, or choose another "
            "place."),
-        kSaidMs);
+        kPictureSaidMs);
   const auto X_WT = poseAt(scene, isovalue, *place, shared_.snapshot.X_WP);
   if (!X_WT)
     return window_.statusBar()->showMessage(
         tr("The tool does not fit there: it stays where it is. Choose a smaller tool, or a place "
            "with more room."),
-        kSaidMs);
+        kPictureSaidMs);
   emit toolPlaced(*X_WT);
 }
 
@@ -128,7 +128,7 @@ void ViewController::savePicture() {
                                     {bytes.data().constData(), std::size_t(bytes.data().size())}))
     return window_.showMessage(
         tr("'%1' was not written; choose a folder with room that you may write to.").arg(path));
-  window_.statusBar()->showMessage(tr("The picture was saved as '%1'.").arg(path), kSaidMs);
+  window_.statusBar()->showMessage(tr("The picture was saved as '%1'.").arg(path), kPictureSaidMs);
 }
 
 void ViewController::copyPicture() {
@@ -136,7 +136,7 @@ void ViewController::copyPicture() {
   const QImage picture = ui::screenshotOf(window_, window_.view(), {});
   if (picture.isNull()) return;
   QGuiApplication::clipboard()->setImage(picture);
-  window_.statusBar()->showMessage(tr("The picture of the 3-D view was copied."), kSaidMs);
+  window_.statusBar()->showMessage(tr("The picture of the 3-D view was copied."), kPictureSaidMs);
 }
 
 }  // namespace app

@@ -76,6 +76,7 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
                       {}, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &wheel);
   };
+  view.setMouseMode(ui::MouseMode::Hand);
   // 2 mm a notch; the tool waits some millimetres off
   for (int i = 0; i < 20 && application.snapshot().felt_W.force.norm() < 1.0; ++i) {
     push(1);

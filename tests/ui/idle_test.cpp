@@ -96,6 +96,7 @@ TEST(Idle, NothingIsPaintedWhereNothingMoves) {
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   ui::VolumeView& view = application.window().view();
+  view.setMouseMode(ui::MouseMode::Hand);
   // into the surface, and there the hand rests
   for (int i = 0; i < 20 && application.snapshot().felt_W.force.norm() < 1.0; ++i) {
     QWheelEvent wheel({150, 150}, view.mapToGlobal(QPointF{150, 150}), {}, {0, 120}, {}, {},

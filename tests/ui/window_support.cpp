@@ -117,7 +117,9 @@ int count(const QImage& image, const std::function<bool(QColor)>& wanted) {
   return found;
 }
 
-bool proxyColoured(QColor c) { return c.blue() > 90 && c.blue() > 2 * c.red() + 20; }
+bool proxyColoured(QColor c) {
+  return c.blue() > 80 && c.blue() > c.red() + 40 && c.blue() > c.green() + 12;
+}
 bool deviceColoured(QColor c) { return c.red() > 150 && c.red() > 2 * c.green() && c.blue() < 90; }
 bool surfaceColoured(QColor c) {
   return c.red() > 45 && c.red() >= c.green() && c.green() > c.blue() &&

@@ -79,7 +79,7 @@ std::array<QString, 4> edgeLettersOf(const Eigen::Matrix3d& axes) {
 void paintEdgeLetters(QPainter& painter, const QRectF& area, const Eigen::Matrix3d& axes) {
   QFont font = QApplication::font();
   font.setBold(true);
-  font.setPixelSize(15);
+  font.setPixelSize(17);
   const QFontMetricsF metrics(font);
   const std::array<QString, 4> letters = edgeLettersOf(axes);
   const double high = metrics.capHeight();
