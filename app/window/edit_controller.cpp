@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -361,12 +362,14 @@ haptics::Expected<void> EditController::built(Made& made, const Loaded& shown,
                                               const Watch& watch) {
   const auto& volume = made.history->present();
   options.field = shown.scene->field.kind();
+  // the picture beside the scene: each takes a core
+  auto picture = std::async(std::launch::async, [volume] { return ui::pictureOf(volume); });
   auto scene = haptics::makeScene(volume, shown.scene->tool, options, shown.scene.get());
   if (!scene) return tl::unexpected(scene.error());
   made.scene = std::move(*scene);
   made.base = shown.scene;
   watch.advanced(0.8);
-  made.picture = ui::pictureOf(volume);
+  made.picture = picture.get();
   watch.advanced(0.95);
   if (auto near = haptics::legalPoseNear(*made.scene, isovalue, shown.start))
     made.start = *near;
@@ -386,6 +389,7 @@ void EditController::deliver(haptics::Expected<Made> made) {
     else if (error.reason == background::kThrew)
       error.message = tr("The edit could not be made: %1").arg(sentenceOf(error)).toStdString();
     if (error.kind != haptics::Error::Kind::Cancelled) window_.showMessage(sentenceOf(error));
+    showSteps();
     // the box shows what is there
     if (crop_.isShown()) changeTool(EditTool::Crop);
     return startNext();
