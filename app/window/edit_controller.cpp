@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -196,7 +197,7 @@ void EditController::showScene() {
     queue_.clear();
     history_.reset();
     scan_ = scan;
-    panel_->showWait({});
+    endWait();
     panel_->setTool(EditTool::None);
   }
   panel_->setReady(!replaying_);
@@ -262,8 +263,15 @@ void EditController::showWait(Step step) {
                             ? tr("Taking all edits back waits until the tool no longer touches.")
                             : tr("This edit puts material back, and waits until the tool no "
                                  "longer touches.");
+  if (words == wait_shown_) return;
+  wait_shown_ = words;
   panel_->showWait(words);
   window_.showLoading(words);
+}
+
+void EditController::endWait() {
+  wait_shown_.clear();
+  panel_->showWait({});
 }
 
 void EditController::cancelWait() {
@@ -275,19 +283,19 @@ void EditController::cancelWait() {
         },
         [this](haptics::Expected<Made> made) { deliver(std::move(made)); });
     held_.reset();
-    panel_->showWait({});
+    endWait();
     return;
   }
   if (running_ || queue_.empty()) return;
   queue_.pop_front();
-  panel_->showWait({});
+  endWait();
   window_.endLoading();
 }
 
 void EditController::startNext() {
   if (running_ || held_ || queue_.empty() || !shared_.shown) return;
   if (raises(queue_.front()) && !isClear()) return showWait(queue_.front().step);
-  panel_->showWait({});
+  endWait();
   running_ = std::move(queue_.front());
   queue_.pop_front();
   start(*running_);
@@ -354,12 +362,14 @@ haptics::Expected<void> EditController::built(Made& made, const Loaded& shown,
                                               const Watch& watch) {
   const auto& volume = made.history->present();
   options.field = shown.scene->field.kind();
+  // the picture beside the scene: each takes a core
+  auto picture = std::async(std::launch::async, [volume] { return ui::pictureOf(volume); });
   auto scene = haptics::makeScene(volume, shown.scene->tool, options, shown.scene.get());
   if (!scene) return tl::unexpected(scene.error());
   made.scene = std::move(*scene);
   made.base = shown.scene;
   watch.advanced(0.8);
-  made.picture = ui::pictureOf(volume);
+  made.picture = picture.get();
   watch.advanced(0.95);
   if (auto near = haptics::legalPoseNear(*made.scene, isovalue, shown.start))
     made.start = *near;
@@ -379,6 +389,7 @@ void EditController::deliver(haptics::Expected<Made> made) {
     else if (error.reason == background::kThrew)
       error.message = tr("The edit could not be made: %1").arg(sentenceOf(error)).toStdString();
     if (error.kind != haptics::Error::Kind::Cancelled) window_.showMessage(sentenceOf(error));
+    showSteps();
     // the box shows what is there
     if (crop_.isShown()) changeTool(EditTool::Crop);
     return startNext();
@@ -409,7 +420,7 @@ void EditController::adopt() {
   if (raises(*running_) && !isClear()) return showWait(running_->step);
   const Job job = *std::exchange(running_, std::nullopt);
   Made made = *std::exchange(held_, std::nullopt);
-  panel_->showWait({});
+  endWait();
   window_.endLoading();
   history_ = std::move(made.history);
   Loaded loaded = *shared_.shown;
@@ -595,7 +606,8 @@ void EditController::turnPlane(double position_mm, double towards_deg, double ra
 
 void EditController::cutPlane() {
   if (!plane_.isPlaced()) return;
-  const haptics::PlaneCut cut{plane_.point_mm() / kMmPerM, plane_.normal()};
+  const haptics::PlaneCut cut{plane_.point_mm() / kMmPerM, plane_.normal(),
+                              shared_.settings.isovalue};
   changeTool(EditTool::Plane);
   apply(cut);
 }
@@ -608,6 +620,7 @@ void EditController::cutOutline(const ui::DrawnOutline& outline) {
   haptics::LassoCut cut;
   cut.parallel = camera.parallel;
   cut.inside = panel_->cutsInside();
+  cut.isovalue = shared_.settings.isovalue;
   cut.outline = outline.corners;
   if (camera.parallel)
     for (auto& corner : cut.outline)

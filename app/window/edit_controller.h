@@ -89,6 +89,7 @@ class EditController : public QObject {
   bool raises(const Job& job) const;
   bool isClear() const;
   void showWait(Step step);
+  void endWait();
   void showSteps();
   static haptics::Expected<Made> worked(std::shared_ptr<haptics::EditHistory> history,
                                         const Job& job, const Loaded& shown,
@@ -132,6 +133,7 @@ class EditController : public QObject {
   std::deque<Job> queue_;
   std::optional<Job> running_;
   std::optional<Made> held_;  ///< done, and waits until the tool is out of contact
+  QString wait_shown_;        ///< empty: nothing waits
   QElapsedTimer untouched_;   ///< since the tool was last in contact
   std::optional<haptics::Edit> previewed_;
   background::Task<Made> task_;

@@ -69,6 +69,12 @@ def recording(steps=3, contacts=2):
         return path.read_bytes()
 
 
+CROP = '{"edit":"crop","end":[9,8,7],"first":[0,1,2]}'
+LASSO = ('{"camera":[1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.5],"edit":"lasso","from_m":0.0,'
+         '"inside":true,"isovalue":300.0,"outline":[0.0,0.0,0.1,0.0,0.0,0.1],"parallel":false,'
+         '"until_m":1.0}')
+
+
 def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE / "corpus/recording")
     folder.mkdir(parents=True, exist_ok=True)
@@ -82,6 +88,8 @@ def main():
         "scene": b"\3" + SETTINGS.encode() + b"\n" + VOLUME.encode() + b"\n" + POINT,
         "block": b"\4" + bytes([2, 0, 0, 0]) + bytes(2 * STEP_WIDTH),
         "block-contacts": b"\4" + bytes([1, 1, 0, 7]) + bytes(CONTACT_WIDTH + STEP_WIDTH - 1) + b"\1",
+        "edit-crop": b"\5" + CROP.encode(),
+        "edit-lasso": b"\5" + LASSO.encode(),
         "text": b"\0this is no recording",
     }
     for name, seed in seeds.items():

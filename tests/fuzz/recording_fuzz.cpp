@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "haptics/edit/edit.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 #include "tests/fuzz/require.h"
@@ -69,6 +70,13 @@ void readScene(std::string_view text) {
     fuzz::require(point.allFinite(), "points are somewhere");
 }
 
+void readEdit(std::string_view text) {
+  const auto edit = haptics::editFrom(text);
+  if (!edit) return requireWords(edit.error());
+  const auto again = haptics::editFrom(haptics::textOf(*edit));
+  fuzz::require(again && haptics::textOf(*again) == haptics::textOf(*edit), "an edit is its text");
+}
+
 void readBlock(std::string_view bytes) {
   if (bytes.size() < 4) return;
   const auto at = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
@@ -88,7 +96,7 @@ void readBlock(std::string_view bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view rest(reinterpret_cast<const char*>(bytes) + 1, size - 1);
-  switch (bytes[0] % 5) {
+  switch (bytes[0] % 6) {
     case 0:
       readFile(rest);
       break;
@@ -102,8 +110,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     case 3:
       readScene(rest);
       break;
-    default:
+    case 4:
       readBlock(rest);
+      break;
+    default:
+      readEdit(rest);
       break;
   }
   return 0;

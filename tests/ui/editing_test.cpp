@@ -590,4 +590,54 @@ TEST_F(Editing, NewerEditsWaitTheirTurn) {
   EXPECT_FALSE(volume().crop);
 }
 
+// What a surgeon does first: the holder goes, and the bone that it hid is touched.
+TEST_F(Editing, TheHolderOfAScanIsRemovedAndTheBoneBehindItTouched) {
+  const fs::path scan = fs::path(PALPATE_SCANS) / "philips_head_phantom/bone_1mm";
+  if (!fs::exists(scan)) GTEST_SKIP() << "NOT CHECKED: no scan with a holder here";
+  isovalue_ = 300.0;
+  const auto begin = std::chrono::steady_clock::now();
+  int actions = 1;  // the folder was opened
+  open(scan, isovalue_);
+  ASSERT_FALSE(HasFatalFailure());
+  ui::VolumeView& view = window().view();
+  const auto act = [&](const auto& what) {
+    ++actions;
+    what();
+  };
+  act([&] { press("Edit", "Table and holder"); });
+  EXPECT_EQ(panel().tool(), ui::EditTool::Holder);
+  act([&] { click("showHolder"); });
+  ASSERT_TRUE(previewed()) << message().toStdString();
+  const QString words = child<QLabel>("editPreview").text();
+  EXPECT_TRUE(words.contains("cm³")) << words.toStdString();
+  window::keep(window::pictureOf(window()), "edit_holder");
+  act([&] { click("applyRemoval"); });
+  ASSERT_EQ(application_->editing().edits().size(), 1U);
+  act([&] { QTest::keyClick(&view, Qt::Key_4); });
+  window::keep(window::pictureOf(window()), "edit_holder_gone");
+  // a double click brings the tool to the bone
+  const QPointF at{0.5 * view.width(), 0.5 * view.height()};
+  act([&] {
+    clickAt(view, at);
+    mouse(view, QEvent::MouseButtonDblClick, at, Qt::LeftButton);
+    mouse(view, QEvent::MouseButtonRelease, at, Qt::NoButton);
+  });
+  QTest::qWait(1'500);
+  // and the hand presses it on
+  haptics::Pose hand = application_->snapshot().X_WD;
+  act([&] {
+    const haptics::Vec3 away = view.viewAxes().col(2);
+    for (int n = 0; n < 20 && application_->snapshot().contacts == 0; ++n) {
+      hand.translation() -= away * 1e-3;
+      application_->session().pull(hand);
+      QTest::qWait(100);
+    }
+  });
+  EXPECT_GT(application_->snapshot().contacts, 0);
+  EXPECT_LT(actions, 12);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  std::printf("holder: %d actions, %.1f s, %s\n", actions, took.count(),
+              words.toUtf8().constData());
+}
+
 }  // namespace

@@ -9,7 +9,8 @@
 namespace ui {
 namespace {
 
-constexpr double kLeastStep = 2.0;   // pixels between two corners
+constexpr double kLeastStep = 2.0;  // pixels between two corners
+constexpr qsizetype kMostCorners = 2'000;
 constexpr double kLeastArea = 60.0;  // square pixels
 constexpr int kProbes = 5;           // along each side of the outline's box
 
@@ -65,7 +66,10 @@ bool Lasso::release(const ViewGeometry& view, const QMouseEvent& event) {
   DrawnOutline outline;
   outline.camera = projectionOf(view);
   outline.in_slice = view.isSlice();
-  for (const QPointF& at : line) outline.corners.push_back(outline.camera.acrossOf(at));
+  // of a very long line every n-th corner
+  const qsizetype step = line.size() / kMostCorners + 1;
+  for (qsizetype n = 0; n < line.size(); n += step)
+    outline.corners.push_back(outline.camera.acrossOf(line[n]));
   if (!outline.in_slice) {
     const QRectF box = line.boundingRect();
     for (int row = 0; row < kProbes; ++row)
