@@ -2,375 +2,185 @@
 #include "ui/bindings.h"
 
 #include <QCoreApplication>
-#include <array>
+#include <QKeyCombination>
 #include <utility>
+#include <vector>
 
 namespace ui {
 namespace {
 
 #define WORDS(text) QT_TRANSLATE_NOOP("ui::bindings", text)
 
-auto allBindings() {
-  using enum Gesture;
+/// Lines of the table.
+namespace binding_lines {
+
+Binding key(Where place, QKeyCombination keys, const char* words, Action action = {}) {
+  return {.action = action,
+          .place = place,
+          .key = keys.key(),
+          .modifiers = keys.keyboardModifiers(),
+          .words = words};
+}
+Binding held(Where place, Qt::Key key, const char* words, Action action) {
+  return {
+      .action = action, .place = place, .gesture = Gesture::HeldKey, .key = key, .words = words};
+}
+Binding mouse(Gesture gesture, Where place, int button, const char* words, Action action) {
+  return {.action = action, .place = place, .gesture = gesture, .key = button, .words = words};
+}
+Binding click(Where place, Qt::MouseButton button, const char* words, Action action = {}) {
+  return mouse(Gesture::Click, place, button, words, action);
+}
+Binding twice(Where place, Qt::MouseButton button, const char* words, Action action = {}) {
+  return mouse(Gesture::DoubleClick, place, button, words, action);
+}
+Binding drag(Where place, Qt::MouseButton button, const char* words, Action action = {}) {
+  return mouse(Gesture::Drag, place, button, words, action);
+}
+Binding wheel(Where place, const char* words, Action action = {}) {
+  return mouse(Gesture::Wheel, place, 0, words, action);
+}
+Binding shift(Binding binding) {
+  binding.modifiers |= Qt::ShiftModifier;
+  return binding;
+}
+Binding ctrl(Binding binding) {
+  binding.modifiers |= Qt::ControlModifier;
+  return binding;
+}
+Binding in(MouseMode mode, Binding binding) {
+  binding.mode = mode;
+  return binding;
+}
+Binding over(Over what, Binding binding) {
+  binding.over = what;
+  return binding;
+}
+
+}  // namespace binding_lines
+
+/// Lines that follow one another with the same place and words are one row of Help and README.
+std::vector<Binding> allBindings() {
+  using enum Action;
   using enum MouseMode;
   using enum Where;
-  constexpr auto kCtrl = Qt::ControlModifier;
-  constexpr auto kShift = Qt::ShiftModifier;
-  return std::to_array<Binding>({
-      // keys
-      {Action::Elsewhere, Anywhere, {}, Key, Qt::Key_O, kCtrl, false, WORDS("opens a file")},
-      {Action::Elsewhere,
-       Anywhere,
-       {},
-       Key,
-       Qt::Key_O,
-       kCtrl | kShift,
-       false,
-       WORDS("opens a folder")},
-      {Action::Elsewhere,
-       Anywhere,
-       {},
-       Key,
-       Qt::Key_S,
-       kCtrl | kShift,
-       false,
-       WORDS("saves a picture of the view or the window")},
-      {Action::Elsewhere,
-       Anywhere,
-       {},
-       Key,
-       Qt::Key_C,
-       kCtrl | kShift,
-       false,
-       WORDS("copies a picture of the 3-D view")},
-      {Action::Elsewhere, Anywhere, {}, Key, Qt::Key_Z, kCtrl, false, WORDS("takes an edit back")},
-      {Action::Elsewhere,
-       Anywhere,
-       {},
-       Key,
-       Qt::Key_Z,
-       kCtrl | kShift,
-       false,
-       WORDS("makes it again")},
-      {Action::Elsewhere, Anywhere, {}, Key, Qt::Key_Y, kCtrl, false, WORDS("makes it again")},
-      {Action::Elsewhere, Anywhere, {}, Key, Qt::Key_Q, kCtrl, false, WORDS("quits")},
-      {Action::Elsewhere,
-       Anywhere,
-       {},
-       Key,
-       Qt::Key_Escape,
-       {},
-       false,
-       WORDS("force off; ends cutting")},
-      {Action::Elsewhere, Anywhere, {}, Key, Qt::Key_F1, {}, false, WORDS("shows all controls")},
-      {Action::Elsewhere,
-       Anywhere,
-       {},
-       Key,
-       Qt::Key_M,
-       {},
-       false,
-       WORDS("while recording: sets a mark")},
-      {Action::ForceOff, Space, {}, Key, Qt::Key_Space, {}, false, WORDS("force off")},
-      {Action::TakeTool,
-       Space,
-       {},
-       Key,
-       Qt::Key_G,
-       {},
-       false,
-       WORDS("takes the tool with the mouse, or lets it go")},
-      {Action::ToolToCross,
-       Space,
-       {},
-       Key,
-       Qt::Key_J,
-       {},
-       false,
-       WORDS("brings the tool to the crosshair")},
-      {Action::CrossToTool,
-       Space,
-       {},
-       Key,
-       Qt::Key_K,
-       {},
-       false,
-       WORDS("brings the crosshair to the tool")},
-      {Action::LookAlongTool, Space, {}, Key, Qt::Key_L, {}, false, WORDS("looks along the tool")},
-      {Action::LookFromTool,
-       Space,
-       {},
-       Key,
-       Qt::Key_T,
-       {},
-       false,
-       WORDS("shows everything from the tool's side")},
-      {Action::ShowEverything,
-       Space,
-       {},
-       Key,
-       Qt::Key_R,
-       {},
-       false,
-       WORDS("shows everything, from the front")},
-      {Action::ViewAnterior, Space, {}, Key, Qt::Key_1, {}, false, WORDS("from the front (A)")},
-      {Action::ViewPosterior, Space, {}, Key, Qt::Key_2, {}, false, WORDS("from behind (P)")},
-      {Action::ViewLeft,
-       Space,
-       {},
-       Key,
-       Qt::Key_3,
-       {},
-       false,
-       WORDS("from the patient's left (L)")},
-      {Action::ViewRight,
-       Space,
-       {},
-       Key,
-       Qt::Key_4,
-       {},
-       false,
-       WORDS("from the patient's right (R)")},
-      {Action::ViewSuperior, Space, {}, Key, Qt::Key_5, {}, false, WORDS("from above (S)")},
-      {Action::ViewInferior, Space, {}, Key, Qt::Key_6, {}, false, WORDS("from below (I)")},
-      {Action::ParallelProjection,
-       Space,
-       {},
-       Key,
-       Qt::Key_P,
-       {},
-       false,
-       WORDS("parallel projection on or off")},
-      {Action::Clutch,
-       Space,
-       {},
-       HeldKey,
-       Qt::Key_C,
-       {},
-       false,
-       WORDS("clutch; released when the view loses the focus")},
-      {Action::HoldToRun,
-       Space,
-       {},
-       HeldKey,
-       Qt::Key_H,
-       {},
-       false,
-       WORDS("hold-to-run; released when the view loses the focus")},
-      {Action::Elsewhere,
-       Space,
-       {},
-       Key,
-       Qt::Key_D,
-       {},
-       false,
-       WORDS("places a distance; again: ends it")},
-      {Action::Elsewhere,
-       Slice,
-       {},
-       Key,
-       Qt::Key_D,
-       {},
-       false,
-       WORDS("places a distance; again: ends it")},
-      {Action::Elsewhere,
-       Space,
-       {},
-       Key,
-       Qt::Key_A,
-       {},
-       false,
-       WORDS("places an angle; again: ends it")},
-      {Action::Elsewhere,
-       Slice,
-       {},
-       Key,
-       Qt::Key_A,
-       {},
-       false,
-       WORDS("places an angle; again: ends it")},
-      {Action::Elsewhere,
-       Space,
-       {},
-       Key,
-       Qt::Key_V,
-       {},
-       false,
-       WORDS("places a point with its value; again: ends it")},
-      {Action::Elsewhere,
-       Slice,
-       {},
-       Key,
-       Qt::Key_V,
-       {},
-       false,
-       WORDS("places a point with its value; again: ends it")},
-      {Action::Elsewhere,
-       Space,
-       {},
-       Key,
-       Qt::Key_N,
-       {},
-       false,
-       WORDS("places a note; again: ends it")},
-      {Action::Elsewhere,
-       Slice,
-       {},
-       Key,
-       Qt::Key_N,
-       {},
-       false,
-       WORDS("places a note; again: ends it")},
-      {Action::Elsewhere,
-       Space,
-       {},
-       Key,
-       Qt::Key_Backspace,
-       {},
-       false,
-       WORDS("while placing: takes the last place back")},
-      {Action::Elsewhere,
-       Slice,
-       {},
-       Key,
-       Qt::Key_Backspace,
-       {},
-       false,
-       WORDS("while placing: takes the last place back")},
-      {Action::Elsewhere,
-       Space,
-       {},
-       Key,
-       Qt::Key_Delete,
-       {},
-       false,
-       WORDS("deletes the chosen mark")},
-      {Action::Elsewhere,
-       Slice,
-       {},
-       Key,
-       Qt::Key_Delete,
-       {},
-       false,
-       WORDS("deletes the chosen mark")},
-      {Action::Elsewhere, Anywhere, {}, Key, Qt::Key_S, kCtrl, false, WORDS("saves the view")},
-      // slices
-      {Action::Elsewhere, Slice, {}, Key, Qt::Key_Up, {}, false, WORDS("next slice")},
-      {Action::Elsewhere, Slice, {}, Key, Qt::Key_Down, {}, false, WORDS("slice before")},
-      {Action::Elsewhere, Slice, {}, Key, Qt::Key_PageUp, {}, false, WORDS("ten slices on")},
-      {Action::Elsewhere, Slice, {}, Key, Qt::Key_PageDown, {}, false, WORDS("ten slices back")},
-      {Action::Elsewhere, Slice, {}, Key, Qt::Key_Home, {}, false, WORDS("first slice")},
-      {Action::Elsewhere, Slice, {}, Key, Qt::Key_End, {}, false, WORDS("last slice")},
-      {Action::Elsewhere, Slice, {}, Key, Qt::Key_Plus, {}, false, WORDS("comes nearer")},
-      {Action::Elsewhere, Slice, {}, Key, Qt::Key_Minus, {}, false, WORDS("goes away")},
-      {Action::Elsewhere, Slice, {}, Key, Qt::Key_R, {}, false, WORDS("shows the whole slice")},
-      {Action::Elsewhere, Slice, {}, Wheel, 0, kCtrl, false, WORDS("comes nearer at the cursor")},
-      {Action::Elsewhere, Slice, {}, Drag, Qt::MiddleButton, {}, false, WORDS("shifts the slice")},
-      {Action::Elsewhere, Slice, {}, Drag, Qt::LeftButton, kShift, false, WORDS("shifts the slice")},
-      {Action::Elsewhere, Slice, {}, Click, Qt::RightButton, {}, false, WORDS("opens the choices of slices")},
-      {Action::Elsewhere, Anywhere, {}, Key, Qt::Key_F, {}, false, WORDS("shows a view alone, or all again")},
-      {Action::Elsewhere, Anywhere, {}, Key, Qt::Key_F6, {}, false, WORDS("goes to the next view")},
-      {Action::Elsewhere, ReplayBar, {}, Key, Qt::Key_Space, {}, false, WORDS("plays and pauses")},
-      {Action::Elsewhere, ReplayBar, {}, Key, Qt::Key_Left, {}, false, WORDS("one tick back")},
-      {Action::Elsewhere, ReplayBar, {}, Key, Qt::Key_Right, {}, false, WORDS("one tick forward")},
-      {Action::Elsewhere, ReplayBar, {}, Key, Qt::Key_Home, {}, false, WORDS("to the beginning")},
-      {Action::Elsewhere, ReplayBar, {}, Key, Qt::Key_End, {}, false, WORDS("to the end")},
-      // mouse
-      {Action::MoveTool,
-       Space,
-       {},
-       Drag,
-       Qt::LeftButton,
-       {},
-       true,
-       WORDS("moves the tool in the plane of the screen, if the mouse is the hand")},
-      {Action::TurnTool,
-       Space,
-       {},
-       Drag,
-       Qt::LeftButton,
-       kShift,
-       true,
-       WORDS("turns the tool, if the mouse is the hand")},
-      {Action::Rotate, Space, Look, Drag, Qt::LeftButton, {}, false, WORDS("turns the picture")},
-      {Action::Pan, Space, {}, Drag, Qt::MiddleButton, {}, false, WORDS("shifts the picture")},
-      {Action::Zoom,
-       Space,
-       Look,
-       Drag,
-       Qt::RightButton,
-       {},
-       false,
-       WORDS("comes nearer (up) or goes away (down)")},
-      {Action::Zoom, Space, Look, Wheel, 0, {}, false, WORDS("comes nearer at the cursor")},
-      {Action::BringTool,
-       Space,
-       Look,
-       DoubleClick,
-       Qt::LeftButton,
-       {},
-       false,
-       WORDS("on the surface: brings the tool there")},
-      {Action::MoveTool,
-       Space,
-       Hand,
-       Drag,
-       Qt::LeftButton,
-       {},
-       false,
-       WORDS("moves the tool in the plane of the screen")},
-      {Action::TurnTool, Space, Hand, Drag, Qt::LeftButton, kShift, false, WORDS("turns the tool")},
-      {Action::Rotate, Space, Hand, Drag, Qt::RightButton, {}, false, WORDS("turns the picture")},
-      {Action::PushTool, Space, Hand, Wheel, 0, {}, false, WORDS("moves the tool in depth")},
-      {Action::Zoom, Space, Hand, Wheel, 0, kCtrl, false, WORDS("comes nearer at the cursor")},
-      {Action::Elsewhere,
-       Slice,
-       {},
-       Click,
-       Qt::LeftButton,
-       {},
-       false,
-       WORDS("moves the crosshair")},
-      {Action::BringTool,
-       Slice,
-       {},
-       DoubleClick,
-       Qt::LeftButton,
-       {},
-       false,
-       WORDS("brings the tool to the surface there")},
-      {Action::Elsewhere, Slice, {}, Wheel, 0, {}, false, WORDS("goes through the slices")},
-      {Action::Elsewhere,
-       Slice,
-       {},
-       Drag,
-       Qt::RightButton,
-       {},
-       false,
-       WORDS("changes brightness (up and down) and contrast (left and right)")},
-      {Action::Elsewhere,
-       Histogram,
-       {},
-       Drag,
-       Qt::LeftButton,
-       {},
-       false,
-       WORDS("moves the isovalue")},
-      {Action::Elsewhere,
-       ReplayBar,
-       {},
-       Drag,
-       Qt::LeftButton,
-       {},
-       false,
-       WORDS("moves through the time")},
-  });
+  using namespace Qt;
+  using namespace binding_lines;
+  constexpr auto left = LeftButton, middle = MiddleButton, right = RightButton;
+  return {
+      key(Anywhere, CTRL | Key_O, WORDS("opens a file")),
+      key(Anywhere, CTRL | SHIFT | Key_O, WORDS("opens a folder")),
+      key(Anywhere, CTRL | Key_S, WORDS("saves the view")),
+      key(Anywhere, CTRL | SHIFT | Key_S, WORDS("saves a picture of the view or the window")),
+      key(Anywhere, CTRL | SHIFT | Key_C, WORDS("copies a picture of the 3-D view")),
+      key(Anywhere, CTRL | Key_Z, WORDS("takes the last edit back")),
+      key(Anywhere, CTRL | SHIFT | Key_Z, WORDS("makes it again")),
+      key(Anywhere, CTRL | Key_Y, WORDS("makes it again")),
+      key(Anywhere, CTRL | Key_Q, WORDS("quits")),
+      key(Anywhere, Key_Escape, WORDS("force off; puts the tool of an edit away")),
+      key(Anywhere, Key_F1, WORDS("shows all controls")),
+      key(Anywhere, Key_F6, WORDS("goes to the next view")),
+      key(Anywhere, Key_M, WORDS("while recording: sets a mark")),
+
+      key(View, Key_F, WORDS("shows a view alone, or all again")),
+      key(View, Key_D, WORDS("places a distance; again: ends it")),
+      key(View, Key_A, WORDS("places an angle; again: ends it")),
+      key(View, Key_V, WORDS("places a point with its value; again: ends it")),
+      key(View, Key_N, WORDS("places a note; again: ends it")),
+      key(View, Key_Backspace, WORDS("while placing: takes the last place back")),
+      key(View, Key_Delete, WORDS("deletes the chosen mark")),
+
+      key(Space, Key_Space, WORDS("force off"), ForceOff),
+      key(Space, Key_G, WORDS("takes the tool with the mouse, or lets it go"), TakeTool),
+      key(Space, Key_J, WORDS("brings the tool to the crosshair"), ToolToCross),
+      key(Space, Key_K, WORDS("brings the crosshair to the tool"), CrossToTool),
+      key(Space, Key_L, WORDS("looks along the tool"), LookAlongTool),
+      key(Space, Key_T, WORDS("shows everything from the tool's side"), LookFromTool),
+      key(Space, Key_R, WORDS("shows everything, from the front"), ShowEverything),
+      key(Space, Key_1, WORDS("from the front (A)"), ViewAnterior),
+      key(Space, Key_2, WORDS("from behind (P)"), ViewPosterior),
+      key(Space, Key_3, WORDS("from the patient's left (L)"), ViewLeft),
+      key(Space, Key_4, WORDS("from the patient's right (R)"), ViewRight),
+      key(Space, Key_5, WORDS("from above (S)"), ViewSuperior),
+      key(Space, Key_6, WORDS("from below (I)"), ViewInferior),
+      key(Space, Key_P, WORDS("parallel projection on or off"), ParallelProjection),
+      held(Space, Key_C, WORDS("clutch; released when the view loses the focus"), Clutch),
+      held(Space, Key_H, WORDS("hold-to-run; released when the view loses the focus"), HoldToRun),
+
+      key(Slice, Key_Up, WORDS("next slice: towards S, P or L, with the tool deeper")),
+      key(Slice, Key_Down, WORDS("slice before")),
+      key(Slice, Key_PageUp, WORDS("ten slices on")),
+      key(Slice, Key_PageDown, WORDS("ten slices back")),
+      key(Slice, Key_Home, WORDS("first slice")),
+      key(Slice, Key_End, WORDS("last slice")),
+      key(Slice, Key_Plus, WORDS("comes nearer at the pointer")),
+      key(Slice, Key_Equal, WORDS("comes nearer at the pointer")),
+      key(Slice, Key_Minus, WORDS("goes away from the pointer")),
+      key(Slice, Key_R, WORDS("shows the whole slice")),
+      key(Slice, SHIFT | Key_Up, WORDS("shifts the picture")),
+      key(Slice, SHIFT | Key_Down, WORDS("shifts the picture")),
+      key(Slice, SHIFT | Key_Left, WORDS("shifts the picture")),
+      key(Slice, SHIFT | Key_Right, WORDS("shifts the picture")),
+      key(Slice, CTRL | Key_Up, WORDS("changes the brightness")),
+      key(Slice, CTRL | Key_Down, WORDS("changes the brightness")),
+      key(Slice, CTRL | Key_Left, WORDS("changes the contrast")),
+      key(Slice, CTRL | Key_Right, WORDS("changes the contrast")),
+      key(Slice, ALT | Key_Up, WORDS("moves the crosshair by a voxel")),
+      key(Slice, ALT | Key_Down, WORDS("moves the crosshair by a voxel")),
+      key(Slice, ALT | Key_Left, WORDS("moves the crosshair by a voxel")),
+      key(Slice, ALT | Key_Right, WORDS("moves the crosshair by a voxel")),
+      key(Slice, Key_Menu, WORDS("opens the choices for slices")),
+
+      key(Marks, Key_Return, WORDS("goes to the place; again: to its next")),
+      key(Marks, Key_F2, WORDS("renames the mark, or edits the note")),
+      key(Marks, Key_Delete, WORDS("deletes the mark")),
+      key(ReplayBar, Key_Space, WORDS("plays and pauses")),
+      key(ReplayBar, Key_Left, WORDS("one tick back")),
+      key(ReplayBar, Key_Right, WORDS("one tick forward")),
+      key(ReplayBar, Key_Home, WORDS("to the beginning")),
+      key(ReplayBar, Key_End, WORDS("to the end")),
+
+      // of the mouse the first that fits: what is drawn over a view is asked before the view
+      over(Over::Handle, drag(View, left, WORDS("moves a mark, the crop box or the clip plane"))),
+      over(Over::Measuring, click(View, left, WORDS("sets a place"))),
+      over(Over::Measuring, drag(View, left, WORDS("draws a distance"))),
+      over(Over::Editing, click(View, left, WORDS("picks a piece; sets the clip plane"))),
+      over(Over::Editing, drag(View, left, WORDS("draws the scalpel's outline"))),
+
+      over(Over::Cube, click(Space, left, WORDS("looks from that side"))),
+      over(Over::Tool,
+           drag(Space, left, WORDS("moves the tool, if the mouse is the hand"), MoveTool)),
+      over(Over::Tool,
+           shift(drag(Space, left, WORDS("turns the tool, if the mouse is the hand"), TurnTool))),
+      drag(Space, middle, WORDS("shifts the picture"), Pan),
+      in(Look, drag(Space, left, WORDS("turns the picture"), Rotate)),
+      in(Look, drag(Space, right, WORDS("comes nearer (up) or goes away (down)"), Zoom)),
+      in(Look, wheel(Space, WORDS("comes nearer at the pointer"), Zoom)),
+      in(Look, twice(Space, left, WORDS("on the surface: brings the tool there"), BringTool)),
+      in(Hand, drag(Space, left, WORDS("moves the tool in the plane of the screen"), MoveTool)),
+      in(Hand, shift(drag(Space, left, WORDS("turns the tool"), TurnTool))),
+      in(Hand, drag(Space, right, WORDS("turns the picture"), Rotate)),
+      in(Hand, wheel(Space, WORDS("moves the tool in depth"), PushTool)),
+      in(Hand, ctrl(wheel(Space, WORDS("comes nearer at the pointer"), Zoom))),
+
+      click(Slice, left, WORDS("moves the crosshair")),
+      drag(Slice, left, WORDS("moves the crosshair")),
+      twice(Slice, left, WORDS("brings the tool to the surface there"), BringTool),
+      wheel(Slice, WORDS("goes through the slices")),
+      ctrl(wheel(Slice, WORDS("comes nearer at the pointer"))),
+      drag(Slice, middle, WORDS("shifts the picture")),
+      shift(drag(Slice, left, WORDS("shifts the picture"))),
+      drag(Slice, right, WORDS("brightness (up and down), contrast (left and right)")),
+      click(Slice, right, WORDS("opens the choices for slices")),
+      drag(Histogram, left, WORDS("moves the isovalue")),
+      drag(ReplayBar, left, WORDS("moves through the time")),
+  };
 }
 
 #undef WORDS
 
-const auto& table() {
-  static const auto kTable = allBindings();
+const std::vector<Binding>& table() {
+  static const std::vector<Binding> kTable = allBindings();
   return kTable;
 }
 
@@ -387,12 +197,17 @@ bool alike(Gesture a, Gesture b) {
   return kind(a) == kind(b);
 }
 
+/// Whether `inner` is a part of `outer`, or the same.
+bool isPartOf(Where inner, Where outer) {
+  return inner == outer || outer == Where::Anywhere ||
+         (outer == Where::View && (inner == Where::Space || inner == Where::Slice));
+}
+
 bool overlap(const Binding& a, const Binding& b) {
-  const bool places =
-      a.place == b.place || a.place == Where::Anywhere || b.place == Where::Anywhere;
+  const bool places = isPartOf(a.place, b.place) || isPartOf(b.place, a.place);
   const bool modes = !a.mode || !b.mode || *a.mode == *b.mode;
   return places && modes && alike(a.gesture, b.gesture) && a.key == b.key &&
-         a.modifiers == b.modifiers && a.on_tool == b.on_tool;
+         a.modifiers == b.modifiers && a.over == b.over;
 }
 
 }  // namespace
@@ -406,7 +221,7 @@ std::optional<Action> actionOf(Where place, MouseMode mode, Gesture gesture, int
     for (const Binding& binding : table())
       if (binding.place == place && (!binding.mode || *binding.mode == mode) &&
           binding.gesture == gesture && binding.key == key && binding.modifiers == held &&
-          binding.on_tool == tool)
+          binding.over == (tool ? Over::Tool : Over::Nothing))
         return binding.action;
     return {};
   };
@@ -439,9 +254,16 @@ QString keyOf(Action action) {
 
 QString triggerOf(const Binding& binding) {
   if (!isMouse(binding.gesture)) {
-    const QString key = QKeySequence(int(binding.modifiers) | binding.key)
-                            .toString(QKeySequence::PortableText)
-                            .replace(QLatin1String("Esc"), QLatin1String("Escape"));
+    // as they are written on keyboards
+    static const std::pair<const char*, const char*> kNames[] = {{"Esc", "Escape"},
+                                                                 {"Del", "Delete"},
+                                                                 {"Return", "Enter"},
+                                                                 {"PgUp", "Page Up"},
+                                                                 {"PgDown", "Page Down"}};
+    QString key =
+        QKeySequence(int(binding.modifiers) | binding.key).toString(QKeySequence::PortableText);
+    for (const auto& [short_name, name] : kNames)
+      if (key == QLatin1String(short_name)) key = QLatin1String(name);
     return binding.gesture == Gesture::HeldKey ? bindingWords("%1, held").arg(key) : key;
   }
   QString trigger;
@@ -453,7 +275,8 @@ QString triggerOf(const Binding& binding) {
                                                             : bindingWords("middle");
     trigger = binding.gesture == Gesture::Drag          ? bindingWords("%1 drag").arg(button)
               : binding.gesture == Gesture::DoubleClick ? bindingWords("double-click")
-                                                        : bindingWords("click");
+              : binding.key == Qt::LeftButton           ? bindingWords("click")
+                                                        : bindingWords("%1 click").arg(button);
   }
   if (binding.modifiers & Qt::ShiftModifier) trigger = bindingWords("Shift and %1").arg(trigger);
   if (binding.modifiers & Qt::ControlModifier) trigger = bindingWords("Ctrl and %1").arg(trigger);
@@ -461,39 +284,70 @@ QString triggerOf(const Binding& binding) {
 }
 
 QString placeOf(const Binding& binding) {
-  switch (binding.place) {
-    case Where::Anywhere:
-      return bindingWords("anywhere");
-    case Where::Slice:
-      return bindingWords("slices");
-    case Where::Histogram:
-      return bindingWords("histogram");
-    case Where::ReplayBar:
-      return bindingWords("replay bar");
-    case Where::Space:
+  const auto place = [&] {
+    switch (binding.place) {
+      case Where::Anywhere:
+        return bindingWords("anywhere");
+      case Where::View:
+        return bindingWords("any view");
+      case Where::Slice:
+        return bindingWords("slices");
+      case Where::Marks:
+        return bindingWords("list of marks");
+      case Where::Histogram:
+        return bindingWords("histogram");
+      case Where::ReplayBar:
+        return bindingWords("replay bar");
+      case Where::Space:
+        break;
+    }
+    return bindingWords("3-D view");
+  }();
+  switch (binding.over) {
+    case Over::Tool:
+      return bindingWords("%1, on the tool").arg(place);
+    case Over::Cube:
+      return bindingWords("%1, on the cube").arg(place);
+    case Over::Handle:
+      return bindingWords("%1, on a handle").arg(place);
+    case Over::Measuring:
+      return bindingWords("%1, while measuring").arg(place);
+    case Over::Editing:
+      return bindingWords("%1, with the tool of an edit").arg(place);
+    case Over::Nothing:
       break;
   }
-  if (binding.on_tool) return bindingWords("3-D view, on the tool");
-  if (!binding.mode) return bindingWords("3-D view");
-  return *binding.mode == MouseMode::Look ? bindingWords("3-D view, looking")
-                                          : bindingWords("3-D view, mouse as hand");
+  if (!binding.mode) return place;
+  return *binding.mode == MouseMode::Look ? bindingWords("%1, looking").arg(place)
+                                          : bindingWords("%1, mouse as hand").arg(place);
 }
 
 QString wordsOf(const Binding& binding) { return bindingWords(binding.words); }
 
+std::vector<ControlRow> controlRows() {
+  std::vector<ControlRow> rows;
+  for (const Binding& binding : table()) {
+    ControlRow row{triggerOf(binding), placeOf(binding), wordsOf(binding),
+                   isMouse(binding.gesture)};
+    if (!rows.empty() && rows.back().place == row.place && rows.back().words == row.words &&
+        rows.back().mouse == row.mouse)
+      rows.back().triggers += QStringLiteral(", ") + row.triggers;
+    else
+      rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 QString controlsText() {
   QString text;
-  const auto rows = [&](bool mouse) {
+  for (const bool mouse_rows : {false, true}) {
     text += QStringLiteral("<table cellpadding=2>");
-    for (const Binding& binding : table())
-      if (isMouse(binding.gesture) == mouse)
+    for (const ControlRow& row : controlRows())
+      if (row.mouse == mouse_rows)
         text += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td><td>%3</td></tr>")
-                    .arg(triggerOf(binding), placeOf(binding), wordsOf(binding));
-    text += QStringLiteral("</table>");
-  };
-  rows(false);
-  text += QStringLiteral("<p></p>");
-  rows(true);
+                    .arg(row.triggers, row.place, row.words);
+    text += QStringLiteral("</table><p></p>");
+  }
   return text;
 }
 

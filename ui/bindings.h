@@ -4,14 +4,25 @@
 #include <QKeySequence>
 #include <QString>
 #include <QStringList>
-#include <QVector>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace ui {
 
 /// Where a key is pressed or the mouse is.
-enum class Where { Anywhere, Space, Slice, Histogram, ReplayBar };
+enum class Where {
+  Anywhere,
+  View,   ///< the 3-D view and the slices
+  Space,  ///< the 3-D view
+  Slice,
+  Marks,  ///< the list of measures and marks
+  Histogram,
+  ReplayBar
+};
+
+/// What takes a gesture of the mouse before the view does.
+enum class Over { Nothing, Tool, Cube, Handle, Measuring, Editing };
 
 /// What the mouse does in the 3-D view.
 enum class MouseMode {
@@ -22,6 +33,7 @@ enum class MouseMode {
 enum class Gesture { Key, HeldKey, Click, DoubleClick, Drag, Wheel };
 
 enum class Action {
+  Elsewhere,  ///< what others dispatch: here for Help and against conflicts
   // the camera of the 3-D view
   Rotate,
   Pan,
@@ -47,9 +59,7 @@ enum class Action {
   // the force
   ForceOff,
   Clutch,
-  HoldToRun,
-  // what others dispatch: here for Help and against conflicts
-  Elsewhere
+  HoldToRun
 };
 
 /// One thing that a key or the mouse does. Views look up what to do here; Help and the README say
@@ -61,7 +71,7 @@ struct Binding {
   Gesture gesture = Gesture::Key;
   int key = 0;  ///< Qt::Key, or Qt::MouseButton of a click or drag; 0 for the wheel
   Qt::KeyboardModifiers modifiers = Qt::NoModifier;
-  bool on_tool = false;  ///< only where the tool is drawn; goes before those that do not ask
+  Over over = Over::Nothing;
   const char* words = "";
 };
 
@@ -84,6 +94,13 @@ QString triggerOf(const Binding& binding);
 /// Where it works: "3-D view".
 QString placeOf(const Binding& binding);
 QString wordsOf(const Binding& binding);
+
+/// What Help and README say in one row. Keys of the same place and words share it.
+struct ControlRow {
+  QString triggers, place, words;
+  bool mouse = false;
+};
+std::vector<ControlRow> controlRows();
 
 /// All of it for Help, as rich text.
 QString controlsText();
