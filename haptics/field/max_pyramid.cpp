@@ -39,56 +39,74 @@ struct Blocked {
   const Vec3& spacing;
 };
 
+/// Greatest value and greatest edge differences of n^3 voxels, i fastest.
+template <int n, class T>
+lanes::BlockBound boundOf(const std::array<T, n * n * n>& v, const Vec3& spacing) {
+  // differences of 32-bit integers need more than 32 bits
+  using Wide = std::conditional_t<sizeof(T) <= 2, int, double>;
+  const auto rise = [](Wide most, T a, T b) {
+    const Wide d = Wide(a) - Wide(b);
+    return std::max(most, d < 0 ? -d : d);
+  };
+  T top = v[0], least = v[0];
+  for (const T x : v) {
+    top = std::max(top, x);
+    least = std::min(least, x);
+  }
+  Wide dx = 0, dy = 0, dz = 0;
+  if (least != top) {
+    for (int at = 0; at + n * n < n * n * n; ++at) dz = rise(dz, v[at + n * n], v[at]);
+    for (int k = 0; k < n; ++k)
+      for (int at = k * n * n; at < (k + 1) * n * n - n; ++at) dy = rise(dy, v[at + n], v[at]);
+    for (int row = 0; row < n * n; ++row)
+      for (int at = row * n; at < row * n + n - 1; ++at) dx = rise(dx, v[at + 1], v[at]);
+  }
+  return {roundedUp(double(top)),
+          roundedUp(Vec3{double(dx), double(dy), double(dz)}.cwiseQuotient(spacing).norm())};
+}
+
+/// Copies n^3 voxels from `corner` on.
+template <int n, class T>
+void copyVoxels(const T* corner, const BlockCounts& dims, std::array<T, n * n * n>& v) {
+  T* out = v.data();
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j, out += n) {
+      const T* row = corner + (k * dims[1] + j) * dims[0];
+      for (int i = 0; i < n; ++i) out[i] = row[i];
+    }
+}
+
+/// Whether n^3 voxels from (i, j, k) on are all in the box.
+bool allIn(const VoxelBox& box, std::int64_t i, std::int64_t j, std::int64_t k, int n) {
+  return i >= box.first[0] && j >= box.first[1] && k >= box.first[2] && i + n <= box.end[0] &&
+         j + n <= box.end[1] && k + n <= box.end[2];
+}
+
 /// Greatest voxel and greatest edge difference of the finest block (bi, bj, bk).
 template <class T>
 lanes::BlockBound cellBound(const Blocked<T>& volume, std::int64_t bi, std::int64_t bj,
                             std::int64_t bk) {
   const auto& [voxels, dims, box, background, spacing] = volume;
   constexpr int n = 5;  // voxels along a side of a block of four cells
-  // differences of 32-bit integers need more than 32 bits
-  using Wide = double;
   const std::int64_t row = dims[0], slice = dims[0] * dims[1];
   const std::int64_t i0 = 4 * bi - 1, j0 = 4 * bj - 1, k0 = 4 * bk - 1;
   if (i0 + n <= box.first[0] || j0 + n <= box.first[1] || k0 + n <= box.first[2] ||
       i0 >= box.end[0] || j0 >= box.end[1] || k0 >= box.end[2])
     return {roundedUp(background), 0.0F};
-  const bool interior = i0 >= box.first[0] && j0 >= box.first[1] && k0 >= box.first[2] &&
-                        i0 + n <= box.end[0] && j0 + n <= box.end[1] && k0 + n <= box.end[2];
-  T v[n][n][n];
-  bool same = true;
-  if (interior) {
-    const T* corner = voxels + k0 * slice + j0 * row + i0;
-    for (int k = 0; k < n; ++k)
-      for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) v[k][j][i] = corner[k * slice + j * row + i];
-  } else {
-    for (int k = 0; k < n; ++k)
-      for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-          const std::int64_t x = i0 + i, y = j0 + j, z = k0 + k;
-          const bool within = x >= box.first[0] && y >= box.first[1] && z >= box.first[2] &&
-                              x < box.end[0] && y < box.end[1] && z < box.end[2];
-          v[k][j][i] = within ? voxels[z * slice + y * row + x] : static_cast<T>(background);
-        }
+  std::array<T, n * n * n> v;
+  if (allIn(box, i0, j0, k0, n)) {
+    copyVoxels<n>(voxels + k0 * slice + j0 * row + i0, dims, v);
+    return boundOf<n>(v, spacing);
   }
-  T top = v[0][0][0];
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) {
-        top = std::max(top, v[k][j][i]);
-        same = same && v[k][j][i] == v[0][0][0];
+  std::size_t at = 0;
+  for (std::int64_t z = k0; z < k0 + n; ++z)
+    for (std::int64_t y = j0; y < j0 + n; ++y)
+      for (std::int64_t x = i0; x < i0 + n; ++x, ++at) {
+        const bool within = x >= box.first[0] && y >= box.first[1] && z >= box.first[2] &&
+                            x < box.end[0] && y < box.end[1] && z < box.end[2];
+        v[at] = within ? voxels[z * slice + y * row + x] : static_cast<T>(background);
       }
-  Wide dx = 0, dy = 0, dz = 0;
-  if (!same) {
-    for (int k = 0; k < n; ++k)
-      for (int j = 0; j < n; ++j)
-        for (int i = 0; i + 1 < n; ++i) {
-          dx = std::max(dx, std::abs(Wide(v[k][j][i + 1]) - Wide(v[k][j][i])));
-          dy = std::max(dy, std::abs(Wide(v[k][i + 1][j]) - Wide(v[k][i][j])));
-          dz = std::max(dz, std::abs(Wide(v[i + 1][k][j]) - Wide(v[i][k][j])));
-        }
-  }
-  return {roundedUp(double(top)), roundedUp(Vec3{dx, dy, dz}.cwiseQuotient(spacing).norm())};
+  return boundOf<n>(v, spacing);
 }
 
 /// The same for the cubic spline: of the voxels that its cells are means of. In the ring the face
@@ -102,6 +120,13 @@ lanes::BlockBound splineBound(const Blocked<T>& volume, std::int64_t bi, std::in
   const double background = volume.background;
   const std::int64_t stride[3] = {1, dims[0], dims[0] * dims[1]};
   const std::int64_t b[3] = {bi, bj, bk};
+  constexpr int n = 7;  // voxels along a side of what a block of four cells is a mean of
+  if (allIn(box, 4 * bi - 2, 4 * bj - 2, 4 * bk - 2, n)) {
+    std::array<T, n * n * n> v;
+    copyVoxels<n>(voxels + (4 * bk - 2) * stride[2] + (4 * bj - 2) * stride[1] + 4 * bi - 2, dims,
+                  v);
+    return boundOf<n>(v, volume.spacing);
+  }
   std::int64_t from[3], to[3];  // voxels in the box, both inclusive
   for (std::size_t axis = 0; axis < 3; ++axis) {
     from[axis] = std::max(box.first[axis], 4 * b[axis] - 2);
