@@ -319,6 +319,20 @@ TEST(EditHistory, GivesOtherVoxelsAnotherDigest) {
   EXPECT_EQ(digests.size(), std::size_t(volumes));
 }
 
+TEST(EditHistory, GivesEqualVoxelsInAnotherPlaceAnotherDigest) {
+  const Grid grid = datasets::centredGrid(32, h);
+  const auto scan = made::shared(
+      datasets::filled(grid, ScalarType::Int16, [](std::int64_t i, std::int64_t j, std::int64_t k) {
+        return i % 16 >= 4 && i % 16 < 8 && j > 4 && j < 9 && k > 4 && k < 9 ? 900.0 : -1000.0;
+      }));
+  std::set<std::uint64_t> digests;
+  for (const double i : {5.0, 21.0}) {
+    const std::vector<Edit> edits{RemovePiece{grid.worldOf(Vec3{i, 6.0, 6.0}), 300.0}};
+    digests.insert((*edited(scan, edits))->edited->digest);
+  }
+  EXPECT_EQ(digests.size(), 2U);
+}
+
 /// Bytes of private memory of the mapping that holds these voxels.
 std::size_t privateBytes(const Volume& volume) {
   std::ifstream maps{"/proc/self/smaps"};

@@ -170,7 +170,7 @@ struct TwoBalls {
 };
 
 TEST(RemovePiece, LeavesTheRestToTheVoxelAndTheSurfaceWhereItWas) {
-  for (const double gap : {3 * h, 4 * h, 8 * h}) {
+  for (const double gap : {1 * h, 2 * h, 3 * h, 4 * h, 8 * h}) {
     const TwoBalls balls{gap};
     const Volume volume = after(balls.scan, RemovePiece{balls.left, kIso});
     const auto& dims = balls.grid.dims;
