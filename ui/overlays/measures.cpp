@@ -17,10 +17,10 @@
 namespace ui {
 namespace {
 
-constexpr double kHandle = 5.0;   // radius, pixels
-constexpr double kReach = 9.0;    // from the mouse to a handle, pixels
-constexpr double kGap = 10.0;     // from a place to its label, pixels
-constexpr double kDragged = 6.0;  // a press that moves further is a drag, pixels
+constexpr double kHandle = 5.0;     // radius, pixels
+constexpr double kReach = 9.0;      // from the mouse to a handle, pixels
+constexpr double kLabelGap = 10.0;  // from a place to its label, pixels
+constexpr double kDragged = 6.0;    // a press that moves further is a drag, pixels
 constexpr double kWidestLabel = 260.0;
 constexpr std::size_t kMostSights = 200;  // handles that are sought behind the surface
 constexpr std::size_t kMostRemoved = 100;
@@ -74,20 +74,20 @@ QRectF labelPlace(QSizeF size, QPointF anchor, const QPolygonF& points, const QP
   QRectF all(anchor, QSizeF{});
   for (const QPointF& p : points) all = all.united(QRectF(p, QSizeF{0.01, 0.01}));
   const QPointF corners[] = {
-      anchor + QPointF{kGap, -kGap - h},
-      anchor + QPointF{kGap, kGap},
-      anchor + QPointF{-kGap - w, -kGap - h},
-      anchor + QPointF{-kGap - w, kGap},
-      anchor + QPointF{kGap, -0.5 * h},
-      anchor + QPointF{-kGap - w, -0.5 * h},
-      {all.right() + kGap, anchor.y() - 0.5 * h},
-      {all.left() - kGap - w, anchor.y() - 0.5 * h},
-      {anchor.x() - 0.5 * w, all.bottom() + kGap},
-      {anchor.x() - 0.5 * w, all.top() - kGap - h},
+      anchor + QPointF{kLabelGap, -kLabelGap - h},
+      anchor + QPointF{kLabelGap, kLabelGap},
+      anchor + QPointF{-kLabelGap - w, -kLabelGap - h},
+      anchor + QPointF{-kLabelGap - w, kLabelGap},
+      anchor + QPointF{kLabelGap, -0.5 * h},
+      anchor + QPointF{-kLabelGap - w, -0.5 * h},
+      {all.right() + kLabelGap, anchor.y() - 0.5 * h},
+      {all.left() - kLabelGap - w, anchor.y() - 0.5 * h},
+      {anchor.x() - 0.5 * w, all.bottom() + kLabelGap},
+      {anchor.x() - 0.5 * w, all.top() - kLabelGap - h},
       {std::clamp(anchor.x() - 0.5 * w, view.left(), std::max(view.left(), view.right() - w)),
-       all.bottom() + kGap},
+       all.bottom() + kLabelGap},
       {std::clamp(anchor.x() - 0.5 * w, view.left(), std::max(view.left(), view.right() - w)),
-       all.top() - kGap - h}};
+       all.top() - kLabelGap - h}};
   QRectF best;
   double least = std::numeric_limits<double>::infinity();
   for (const QPointF& corner : corners) {
