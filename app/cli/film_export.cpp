@@ -2,7 +2,10 @@
 #include "app/cli/film_export.h"
 
 #include <charconv>
+#include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "app/cli/interrupts.h"
 #include "app/cli/recorded_run.h"
@@ -10,6 +13,7 @@
 #include "app/film/face.h"
 #include "app/film/film.h"
 #include "haptics/recording/recording.h"
+#include "haptics/recording/replay.h"
 
 namespace app::cli {
 namespace {
@@ -58,6 +62,7 @@ Outcome exportFilm(const FilmChoice& choice) {
   if (!recording) return refused(recording.error());
   std::shared_ptr<const haptics::Volume> volume;
   std::optional<haptics::VolumeHash> hash;
+  std::map<std::uint32_t, std::shared_ptr<const haptics::Volume>> touched;  // of each scene
   const auto wasTouched = [&](const haptics::RecordedScene& scene) {
     return haptics::liesLike(scene.volume, *volume) &&
            haptics::compared(scene.hash, hash) != haptics::SameVolume::Another;
@@ -68,10 +73,13 @@ Outcome exportFilm(const FilmChoice& choice) {
     if (!loaded) return refused(loaded.error());
     volume = *loaded;
     hash = hashHere(*volume);
-    bool recorded = false;
-    for (const haptics::RecordedScene& scene : recording->scenes())
-      recorded = recorded || wasTouched(scene);
-    if (!recorded)
+    for (const haptics::RecordedScene& scene : recording->scenes()) {
+      if (!wasTouched(scene)) continue;
+      auto edited = haptics::editedAsRecorded(volume, scene);
+      if (!edited) return refused(edited.error());
+      touched[scene.id] = std::move(*edited);
+    }
+    if (touched.empty())
       return refused(
           {haptics::Error::Kind::Unsupported, {"film-other-volume", {}}, "another-volume"});
     face = choice.volume.phantom.empty() && mayShowAFace(*volume, leastIsovalue(*recording));
@@ -82,9 +90,8 @@ Outcome exportFilm(const FilmChoice& choice) {
         "before you pass it on.");
 
   const auto volumeOf = [&](std::uint32_t id) {
-    const haptics::RecordedScene* scene = recording->scene(id);
-    const bool same = volume != nullptr && scene != nullptr && wasTouched(*scene);
-    return same ? volume : nullptr;
+    const auto found = touched.find(id);
+    return found == touched.end() ? nullptr : found->second;
   };
   const auto film = makeFilm(*recording, volumeOf, choice.out, options);
   if (!film) return refusedFilm(film.error());
