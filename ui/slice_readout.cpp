@@ -2,7 +2,6 @@
 #include "ui/slice_readout.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 
 namespace ui {
@@ -15,7 +14,7 @@ constexpr int kTextPixels = 11, kLetterPixels = 14;
 
 QString sliceWords(const char* text) { return QCoreApplication::translate("ui::SliceView", text); }
 
-QString mmWords(double mm) { return QLocale().toString(mm, 'f', 1); }
+QString mmWords(double mm) { return readoutLocale().toString(mm, 'f', 1); }
 
 /// Text with a dark rim, so that it can be read on any anatomy.
 void drawOver(QPainter& painter, QRect box, int flags, const QString& text, const QColor& colour) {
@@ -40,10 +39,16 @@ void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture) {
   }
   const int decimals = mm < 0.095 ? 2 : mm < 0.95 ? 1 : 0;
   drawOver(painter, QRect(x - 90, middle - 10, 82, 20), Qt::AlignRight | Qt::AlignVCenter,
-           sliceWords("%1 mm").arg(QLocale().toString(mm, 'f', decimals)), kReadoutText);
+           sliceWords("%1 mm").arg(readoutLocale().toString(mm, 'f', decimals)), kReadoutText);
 }
 
 }  // namespace
+
+QLocale readoutLocale() {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale;
+}
 
 double rulerLength_mm(double longest_mm) {
   const double decade = std::pow(10.0, std::floor(std::log10(longest_mm)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QLocale>
 #include <QPainter>
 #include <QString>
 #include <array>
@@ -26,6 +27,9 @@ struct SliceReadout {
 
 /// Draws it around and over the picture. Letters stand on the margin, never on the picture.
 void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, QRect picture);
+
+/// The user's locale, without separators between thousands.
+QLocale readoutLocale();
 
 /// The length of a ruler: 1, 2 or 5 times a power of ten, at most `longest_mm`.
 double rulerLength_mm(double longest_mm);

@@ -4,13 +4,13 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QInputDialog>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/grey_presets.h"
 #include "ui/plane_colours.h"
 #include "ui/props/section.h"
+#include "ui/slice_readout.h"
 
 namespace ui {
 namespace {
@@ -291,7 +291,7 @@ void SliceSet::placeOblique() {
                             ? (along_ ? tr("through its axis") : tr("at its tip"))
                             : QStringLiteral("%1 %2 %3 mm")
                                   .arg(from, depth_mm_ > 0.0 ? QChar('+') : QChar(0x2212),
-                                       QLocale().toString(std::abs(depth_mm_), 'f', 1));
+                                       readoutLocale().toString(std::abs(depth_mm_), 'f', 1));
   view.setPlane(axes, tip + axes.normal * depth_mm_, name, place);
   linkPlanes();
 }

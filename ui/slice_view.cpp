@@ -2,10 +2,8 @@
 #include "ui/slice_view.h"
 
 #include <QContextMenuEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QWheelEvent>
 #include <algorithm>
 #include <array>
@@ -50,8 +48,8 @@ QString nameOf(Plane plane) {
 /// Rounded as the voxels' type allows.
 QString intensityWords(double value, const haptics::Volume& volume) {
   const bool whole = volume.type != haptics::ScalarType::Float32 || std::abs(value) >= 1000.0;
-  const QString number = whole ? QLocale().toString(std::round(value) + 0.0, 'f', 0)
-                               : QLocale().toString(value, 'g', 4);
+  const QString number = whole ? readoutLocale().toString(std::round(value) + 0.0, 'f', 0)
+                               : readoutLocale().toString(value, 'g', 4);
   return volume.unit.empty() ? number : number + ' ' + QString::fromStdString(volume.unit);
 }
 
@@ -170,9 +168,9 @@ void SliceView::setCross(const Eigen::Vector3d& cross_W_mm) {
 
 void SliceView::setPlane(const PlaneAxes& axes, const Eigen::Vector3d& through_W_mm,
                          const QString& name, const QString& place) {
+  if (name != name_) setAccessibleName(name);
   name_ = name;
   place_ = place;
-  setAccessibleName(name);
   axes_ = axes;
   through_mm_ = through_W_mm;
   changed();
@@ -437,6 +435,7 @@ void SliceView::paintEvent(QPaintEvent*) {
   drawTool(painter);
   overlays_.paint(painter, *geometry_);
   painter.setClipping(false);
+  painter.setRenderHint(QPainter::Antialiasing, false);
   drawReadout(painter, readout(), rect(), picture);
   if (hasFocus()) {
     painter.setBrush(Qt::NoBrush);
@@ -478,15 +477,15 @@ void SliceView::drawTool(QPainter& painter) const {
   const QPointF centre = QRectF(pictureRect()).center();
   const auto outline = [&](const haptics::Pose& X, const QPen& pen) {
     if (!mesh_) return false;
-    const std::vector<QLineF> pieces = sectionOf(*mesh_, X, axes_, middle);
+    const std::vector<QPolygonF> lines = sectionOf(*mesh_, X, axes_, middle);
     painter.setPen(pen);
-    QPainterPath path;
-    for (const QLineF& piece : pieces) {
-      const QPointF a{centre.x() + piece.x1() * px, centre.y() - piece.y1() * px};
-      const QPointF b{centre.x() + piece.x2() * px, centre.y() - piece.y2() * px};
-      painter.drawLine(a, b);
+    for (const QPolygonF& line : lines) {
+      QPolygonF drawn;
+      for (const QPointF& p : line)
+        drawn << QPointF{centre.x() + p.x() * px, centre.y() - p.y() * px};
+      painter.drawPolyline(drawn);
     }
-    return !pieces.empty();
+    return !lines.empty();
   };
   if (apart_mm(*X_WP_, *X_WD_, tool_radius_mm_) > mmPerPixel())
     outline(*X_WD_, QPen(kDeviceLine, 1.25, Qt::DashLine));
@@ -524,11 +523,11 @@ SliceReadout SliceView::readout() const {
   }
   if (look_.slab != SlabKind::None)
     readout.slab = (look_.slab == SlabKind::Maximum ? tr("maximum of %1 mm") : tr("mean of %1 mm"))
-                       .arg(QLocale().toString(look_.thickness_mm, 'g', 3));
+                       .arg(readoutLocale().toString(look_.thickness_mm, 'g', 3));
   const int digits = std::abs(grey_.width) < 10.0 ? 2 : 0;
   readout.grey = tr("W %1  L %2")
-                     .arg(QLocale().toString(grey_.width, 'f', digits),
-                          QLocale().toString(grey_.level, 'f', digits));
+                     .arg(readoutLocale().toString(grey_.width, 'f', digits),
+                          readoutLocale().toString(grey_.level, 'f', digits));
   if (hover_ && QRectF(pictureRect()).contains(*hover_)) {
     const double scale = devicePixelRatioF();
     const QPointF at = (*hover_ - pictureRect().topLeft()) * scale;

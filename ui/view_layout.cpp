@@ -103,7 +103,7 @@ void ViewLayout::toggleMaximised() {
 
 void ViewLayout::nextView() {
   const std::size_t views = oblique_ ? frames_.size() : frames_.size() - 1;
-  active_ = (active_ + 1) % views;
+  setActive((active_ + 1) % views);
   makeColumns();
   frames_[active_]->view().setFocus(Qt::OtherFocusReason);
 }
@@ -148,7 +148,10 @@ void ViewLayout::place() {
       shown[columns_[c].cells[n].view] = true;
     }
   }
+  // one that goes hands its focus to its neighbour, which nobody has used
+  const std::size_t active = active_;
   for (std::size_t n = 0; n < frames_.size(); ++n) frames_[n]->setVisible(shown[n]);
+  setActive(active);
   update();
 }
 

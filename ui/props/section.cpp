@@ -2,14 +2,17 @@
 #include "ui/props/section.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <unordered_map>
 
 #include "ui/props/picture.h"
 
 namespace ui {
 
-std::vector<QLineF> sectionOf(const haptics::TriangleMesh& mesh, const haptics::Pose& X_WM,
-                              const PlaneAxes& axes, const Eigen::Vector3d& origin_W_mm) {
+std::vector<QPolygonF> sectionOf(const haptics::TriangleMesh& mesh, const haptics::Pose& X_WM,
+                                 const PlaneAxes& axes, const Eigen::Vector3d& origin_W_mm) {
   // columns: right, up, towards the viewer
   Eigen::Matrix3d A_WS;
   A_WS << axes.right, axes.up, axes.right.cross(axes.up);
@@ -19,20 +22,55 @@ std::vector<QLineF> sectionOf(const haptics::TriangleMesh& mesh, const haptics::
   vertices.reserve(mesh.vertices.size());
   for (const haptics::Vec3& v : mesh.vertices) vertices.emplace_back(A_SM * v + origin_S);
 
-  std::vector<QLineF> pieces;
+  // each triangle that is cut joins two of its sides; a side knows the triangles that end on it
+  using Side = std::uint64_t;
+  std::vector<std::array<Side, 2>> cuts;
+  std::unordered_map<Side, std::vector<std::size_t>> at_side;
+  std::unordered_map<Side, QPointF> places;
   for (const auto& triangle : mesh.triangles) {
-    QPointF ends[2];
-    int n = 0;
-    for (int e = 0; e < 3; ++e) {
-      const Eigen::Vector3d& a = vertices[triangle[e]];
-      const Eigen::Vector3d& b = vertices[triangle[(e + 1) % 3]];
+    std::array<Side, 2> sides{};
+    std::size_t n = 0;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const std::uint32_t from = std::min(triangle[e], triangle[(e + 1) % 3]);
+      const std::uint32_t to = std::max(triangle[e], triangle[(e + 1) % 3]);
+      const Eigen::Vector3d &a = vertices[from], &b = vertices[to];
       if ((a.z() >= 0.0) == (b.z() >= 0.0)) continue;
       const Eigen::Vector3d p = a + (b - a) * (a.z() / (a.z() - b.z()));
-      if (n < 2) ends[n++] = {p.x(), p.y()};
+      const Side side = Side{from} << 32U | to;
+      places[side] = {p.x(), p.y()};
+      if (n < 2) sides[n++] = side;
     }
-    if (n == 2) pieces.emplace_back(ends[0], ends[1]);
+    if (n < 2) continue;
+    for (const Side side : sides) at_side[side].push_back(cuts.size());
+    cuts.push_back(sides);
   }
-  return pieces;
+
+  std::vector<bool> used(cuts.size(), false);
+  const auto follow = [&](Side side, QPolygonF& line) {
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (const std::size_t next : at_side[side]) {
+        if (used[next]) continue;
+        used[next] = goes_on = true;
+        side = cuts[next][0] == side ? cuts[next][1] : cuts[next][0];
+        line << places[side];
+        break;
+      }
+    }
+  };
+  std::vector<QPolygonF> lines;
+  for (std::size_t first = 0; first < cuts.size(); ++first) {
+    if (used[first]) continue;
+    used[first] = true;
+    // from one triangle to both sides; a closed line is back after the first
+    QPolygonF line{places[cuts[first][0]], places[cuts[first][1]]};
+    follow(cuts[first][1], line);
+    QPolygonF back;
+    follow(cuts[first][0], back);
+    std::reverse(back.begin(), back.end());
+    lines.push_back(back + line);
+  }
+  return lines;
 }
 
 haptics::Vec3 tipOf(const haptics::TriangleMesh& mesh) {

@@ -27,17 +27,27 @@ TEST(Section, OfAMeshIsTheLineInWhichThePlaneMeetsIt) {
   const ui::PlaneAxes axes = ui::axesOf(ui::Plane::Axial);
   // 2 mm above its middle: a square whose corners are 3 mm from the axis
   const Vec3 origin_mm{95.0, -196.0, 302.0};
-  const auto pieces = ui::sectionOf(mesh, X_WM, axes, origin_mm);
-  ASSERT_EQ(pieces.size(), 4U);
-  double length = 0.0;
-  for (const QLineF& piece : pieces) {
-    length += piece.length();
-    const Vec3 p = origin_mm + axes.right * piece.x1() + axes.up * piece.y1();
-    const Vec3 from = p - Vec3{100.0, -200.0, 302.0};
-    EXPECT_NEAR(from.norm(), 3.0, 1e-9);
+  const auto lines = ui::sectionOf(mesh, X_WM, axes, origin_mm);
+  ASSERT_EQ(lines.size(), 1U);
+  ASSERT_EQ(lines[0].size(), 5);
+  EXPECT_TRUE(lines[0].isClosed());
+  for (qsizetype n = 0; n < 4; ++n) {
+    const QPointF a = lines[0][n], b = lines[0][n + 1];
+    EXPECT_NEAR(std::hypot(b.x() - a.x(), b.y() - a.y()), 3.0 * std::sqrt(2.0), 1e-9);
+    const Vec3 p = origin_mm + axes.right * a.x() + axes.up * a.y();
+    EXPECT_NEAR((p - Vec3{100.0, -200.0, 302.0}).norm(), 3.0, 1e-9);
   }
-  EXPECT_NEAR(length, 4.0 * 3.0 * std::sqrt(2.0), 1e-9);
   EXPECT_TRUE(ui::sectionOf(mesh, X_WM, axes, {100.0, -200.0, 305.1}).empty());
+}
+
+TEST(Section, OfAnOpenMeshIsALineWithTwoEnds) {
+  haptics::TriangleMesh mesh = octahedron();
+  mesh.triangles.erase(mesh.triangles.begin() + 2);
+  const auto lines =
+      ui::sectionOf(mesh, haptics::Pose::Identity(), ui::axesOf(ui::Plane::Axial), {0.0, 0.0, 0.0});
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_FALSE(lines[0].isClosed());
+  EXPECT_EQ(lines[0].size(), 4);
 }
 
 TEST(Section, KnowsTheTipOfATool) {
