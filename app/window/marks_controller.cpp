@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QDockWidget>
-#include <QLocale>
 #include <QMenu>
 #include <QMenuBar>
 #include <algorithm>
@@ -20,7 +19,7 @@ constexpr qint64 kWayMs = 100;
 constexpr std::size_t kMostKept = 20;
 
 QString millimetres(double metres) {
-  return QLocale().toString(metres * ui::kMmPerM, 'f', 1) + QChar(QChar::Nbsp) + "mm";
+  return ui::numberWords(metres * ui::kMmPerM, 1) + QChar(QChar::Nbsp) + "mm";
 }
 
 /// What is known of a scan without its voxels.

@@ -48,6 +48,13 @@ struct MarkedScan {
   }
 };
 
+/// Shows the window, with the keyboard.
+inline void showActive(QWidget& widget) {
+  showAndWait(widget, {1240, 840});
+  widget.activateWindow();
+  EXPECT_TRUE(QTest::qWaitForWindowActive(&widget, 20'000));
+}
+
 inline void click(QWidget& view, QPointF at) {
   QTest::mouseClick(&view, Qt::LeftButton, {}, at.toPoint());
 }

@@ -105,7 +105,7 @@ TEST(Marks, ADistanceOfTwoVoxelsReadsWithinItsStatedAccuracyWhicheverWayTheVoxel
     scan.show(
         window::volumeOf(known.grid, haptics::ScalarType::Int16, window::ball(Vec3::Zero(), 0.01)),
         50.0);
-    window::showAndWait(scan.window, {1240, 840});
+    window::showActive(scan.window);
     const Vec3 one = known.grid.worldOf(known.one) * 1e3,
                other = known.grid.worldOf(known.other) * 1e3;
     ASSERT_NEAR((one - other).norm(), 30.0, 1e-9);
@@ -190,7 +190,7 @@ TEST(Marks, AnAngleStatesTheAccuracyThatItsPlacesHaveTogether) {
 TEST(Marks, AnAngleIsPlacedByThreeClicksWithItsCornerSecond) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   ui::SliceView& slice = scan.slice(Plane::Coronal);
   click(slice, slice.projected({0, 0, 0}));
   scan.window.setCross({0, 0, 0});
@@ -218,7 +218,7 @@ TEST(Marks, APointReadsTheValueOfItsVoxel) {
   };
   MarkedScan scan;
   scan.show(window::volumeOf(grid, haptics::ScalarType::Int16, intensity, {.unit = "HU"}), 900.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   std::mt19937 random{3};
   for (int trial = 0; trial < 20; ++trial) {
     const Vec3 index{double(random() % 32), double(random() % 40), double(random() % 24)};
@@ -234,6 +234,7 @@ TEST(Marks, APointReadsTheValueOfItsVoxel) {
   scan.window.setCross(p);
   QTest::keyClick(&slice, Qt::Key_V);
   click(slice, slice.projected(p));
+  ASSERT_EQ(scan.measures().all().size(), 1U);
   const double value = scan.value(0).section(QChar(QChar::Nbsp), 0, 0).toDouble();
   EXPECT_NEAR(value, intensity(grid.worldOf(index)), 20.0 * 0.3 + 3.0 * 0.3);
   // beyond the scan there is no value
@@ -244,7 +245,7 @@ TEST(Marks, APointReadsTheValueOfItsVoxel) {
 TEST(Marks, ADistanceMayBeDrawnAndItsHandleDraggedInThePlaneOfASlice) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   ui::SliceView& axial = scan.slice(Plane::Axial);
   scan.window.setCross({0, 0, 4.0});
   axial.setFocus();
@@ -267,7 +268,7 @@ TEST(Marks, ADistanceMayBeDrawnAndItsHandleDraggedInThePlaneOfASlice) {
 TEST(Marks, InThreeDimensionsPlacesLieOnTheSurfaceAndHandlesMoveAlongIt) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   ui::VolumeView& view = scan.window.view();
   const auto at = [&](const Eigen::Vector3d& p_mm) { return view.projected(p_mm * 1e-3); };
   view.setFocus();
@@ -306,7 +307,7 @@ TEST(Marks, InThreeDimensionsPlacesLieOnTheSurfaceAndHandlesMoveAlongIt) {
 TEST(Marks, HandlesAreSolidInTheirSliceHollowBesideItAndGoneFurtherOff) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   scan.measures().replace({{MeasureKind::Point, "p", {{10.0, 5.0, 0.0}}}});
   ui::SliceView& axial = scan.slice(Plane::Axial);
   const auto inkAt = [&](double z) {
@@ -328,7 +329,7 @@ TEST(Marks, HandlesAreSolidInTheirSliceHollowBesideItAndGoneFurtherOff) {
 TEST(Marks, InThreeDimensionsAHandleBehindTheSurfaceIsHollow) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   ui::VolumeView& view = scan.window.view();
   const auto inkOf = [&](const Eigen::Vector3d& p) {
     scan.measures().replace({{MeasureKind::Point, "p", {p}}});
@@ -347,7 +348,7 @@ TEST(Marks, LabelsCoverNoneOfTheirOwnPointsAndAreReadOnBrightAndDarkGround) {
   for (const double level : {-5000.0, 5000.0}) {  // all white, all black
     MarkedScan scan;
     scan.show(ballVolume(), 50.0);
-    window::showAndWait(scan.window, {1240, 840});
+    window::showActive(scan.window);
     ui::SliceView& axial = scan.slice(Plane::Axial);
     emit axial.greyChanged({.level = level, .width = 100.0});
     scan.window.setCross({-31.0, -31.0, 0.0});
@@ -361,11 +362,14 @@ TEST(Marks, LabelsCoverNoneOfTheirOwnPointsAndAreReadOnBrightAndDarkGround) {
       for (const Eigen::Vector3d& p : angle.places_mm) {
         const QPointF at = axial.projected(p);
         int ink = 0, dark = 0;
+        const auto pixel = [&](const QPointF& place) {
+          return image.pixelColor(int(std::floor(place.x())), int(std::floor(place.y())));
+        };
         for (int turn = 0; turn < 8; ++turn) {
           const double a = turn * std::numbers::pi / 4.0;
           const QPointF way{std::cos(a), std::sin(a)};
-          ink += window::inked(image.pixelColor((at + 3.5 * way).toPoint()));
-          dark += image.pixelColor((at + 7.2 * way).toPoint()).lightness() < 140;
+          ink += window::inked(pixel(at + 3.5 * way));
+          dark += pixel(at + 6.6 * way).lightness() < 140;
         }
         EXPECT_GE(ink, 6) << "trial " << trial;  // of 8
         EXPECT_GE(dark, 4) << "trial " << trial;
@@ -378,8 +382,7 @@ TEST(Marks, LabelsCoverNoneOfTheirOwnPointsAndAreReadOnBrightAndDarkGround) {
 TEST(Marks, KeysPlaceOnlyWhileAViewHasTheFocus) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
-  scan.window.activateWindow();
+  window::showActive(scan.window);
   const std::pair<Qt::Key, MeasureKind> keys[] = {{Qt::Key_D, MeasureKind::Distance},
                                                   {Qt::Key_A, MeasureKind::Angle},
                                                   {Qt::Key_V, MeasureKind::Point},
@@ -404,7 +407,7 @@ TEST(Marks, KeysPlaceOnlyWhileAViewHasTheFocus) {
 TEST(Marks, BackspaceTakesAPlaceBackDeleteDeletesAndUndoBringsBack) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   ui::SliceView& axial = scan.slice(Plane::Axial);
   axial.setFocus();
   const auto placePoint = [&](double x) {
@@ -445,7 +448,7 @@ TEST(Marks, BackspaceTakesAPlaceBackDeleteDeletesAndUndoBringsBack) {
 TEST(Marks, TheListRenamesGoesToAPlaceAndIsReachedWithTab) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   scan.measures().replace({{MeasureKind::Distance, "Distance 1", {{1, 2, 3}, {4, 5, 6}}},
                            {MeasureKind::Point, "Point 1", {{7, 8, 9}}}});
   for (QAction* menu : scan.window.menuBar()->actions())
@@ -486,7 +489,7 @@ TEST(Marks, TheListRenamesGoesToAPlaceAndIsReachedWithTab) {
 TEST(Marks, ANoteIsTypedWhereItWasPlaced) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   ui::VolumeView& view = scan.window.view();
   view.setFocus();
   QTest::keyClick(&view, Qt::Key_N);
@@ -509,7 +512,7 @@ TEST(Marks, ANoteIsTypedWhereItWasPlaced) {
 TEST(Marks, TheWayOfTheToolIsAddedUpAndNothingIsPaintedWhileItRests) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   haptics::Snapshot& snapshot = scan.shared.snapshot;
   snapshot.scene = scan.shared.shown->scene->id;
   const auto put = [&](const Vec3& p_W) {
@@ -594,7 +597,7 @@ TEST(Marks, TheWayOfTheToolIsAddedUpAndNothingIsPaintedWhileItRests) {
 TEST(Marks, NotForTreatmentStandsInThePanelAndInEveryPictureOfAMeasure) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   EXPECT_TRUE(scan.window.findChild<QLabel*>("marksWarning")->text().contains("Not for treatment"));
   ui::SliceView& axial = scan.slice(Plane::Axial);
   const auto top = [&](const QImage& image) {
@@ -617,7 +620,7 @@ TEST(Marks, BelongToTheirScanAndComeBackWithIt) {
   MarkedScan scan;
   const auto ball = ballVolume();
   scan.show(ball, 50.0, "ball", "/scans/ball.nrrd");
-  window::showAndWait(scan.window, {1240, 840});
+  window::showActive(scan.window);
   scan.measures().replace({{MeasureKind::Point, "here", {{1, 2, 3}}}});
   // the same volume again, as with another tool: they stay
   scan.controller.showScene();
@@ -641,6 +644,8 @@ TEST(Marks, TheEarCanalIsMeasuredInSixActions) {
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.shown().has_value(); }, 60.0));
   ui::MainWindow& window = application.window();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 20'000));
   ui::Measures& measures = application.marks().measures();
   // where the walls of the canal are, along a line from front to back: at the half between bone and
   // air, in the touched field

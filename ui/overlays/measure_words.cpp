@@ -50,7 +50,7 @@ QString valueWords(double value, const QString& unit) {
   int decimals = 0;
   if (unit != "HU" && size < 100.0 && size != std::round(size))
     decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 9);
-  const QString number = QLocale().toString(value, 'f', decimals);
+  const QString number = numberWords(value, decimals);
   return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
 }
 
@@ -72,6 +72,12 @@ double accuracyOf(const haptics::Grid& grid, std::span<const Eigen::Vector3d> ch
   return std::sqrt(squares);
 }
 
+QString numberWords(double number, int decimals) {
+  QLocale locale;
+  locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+  return locale.toString(number, 'f', decimals);
+}
+
 QString rounded(double number, double accuracy, const QString& unit) {
   if (!std::isfinite(number) || !(accuracy > 0.0)) return measureTr("unknown");
   const auto magnitude = [](double size) { return static_cast<int>(std::floor(std::log10(size))); };
@@ -82,7 +88,7 @@ QString rounded(double number, double accuracy, const QString& unit) {
   const int decimals = std::max(0, -digit);
   const auto words = [&](double size) {
     const double whole = std::round(size / step) * step;
-    return QLocale().toString(whole == 0.0 ? 0.0 : whole, 'f', decimals);
+    return numberWords(whole == 0.0 ? 0.0 : whole, decimals);
   };
   const QString room = unit == QStringLiteral("°") ? QString{} : QString(QChar(QChar::Nbsp));
   return QStringLiteral("%1%2%3 ± %4%2%3")

@@ -27,6 +27,9 @@ struct MeasuredScan {
 /// diagonal for each place; within a slice, a thick slice does not count.
 double accuracyOf(const haptics::Grid& grid, std::span<const Eigen::Vector3d> changes);
 
+/// A number with so many decimals, its digits not grouped.
+QString numberWords(double number, int decimals);
+
 /// A number and its accuracy: "12.3 mm ± 0.4 mm". Both end at the first digit of the accuracy, so a
 /// distance ends at 0.1 mm with voxels of 0.3 mm, and at 1 mm with voxels of 1 mm.
 QString rounded(double number, double accuracy, const QString& unit);

@@ -4,7 +4,6 @@
 #include <QFontMetricsF>
 #include <QKeyEvent>
 #include <QLineF>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWidget>
@@ -334,7 +333,7 @@ void Measures::paintTravel(QPainter& painter, const ViewGeometry& view,
   const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
   drawLine(painter, {from, to}, kInk, 1.4, true);
   drawHandle(painter, from, kInk, true);
-  const QString text = tr("Travelled %1 mm").arg(QLocale().toString(travel_->length_mm, 'f', 1));
+  const QString text = tr("Travelled %1 mm").arg(numberWords(travel_->length_mm, 1));
   const QRectF box = labelPlace(labelSize(painter, text), from, {from, to}, {from, to},
                                 seenPart(painter, view), taken);
   drawLabel(painter, box, text);
