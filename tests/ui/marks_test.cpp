@@ -362,8 +362,8 @@ TEST(Marks, LabelsCoverNoneOfTheirOwnPointsAndAreReadOnBrightAndDarkGround) {
       for (const Eigen::Vector3d& p : angle.places_mm) {
         const QPointF at = axial.projected(p);
         int ink = 0, dark = 0;
-        const auto pixel = [&](const QPointF& place) {
-          return image.pixelColor(int(std::floor(place.x())), int(std::floor(place.y())));
+        const auto pixel = [&](const QPointF& spot) {
+          return image.pixelColor(int(std::floor(spot.x())), int(std::floor(spot.y())));
         };
         for (int turn = 0; turn < 8; ++turn) {
           const double a = turn * std::numbers::pi / 4.0;
