@@ -285,8 +285,7 @@ TEST(Marks, InThreeDimensionsPlacesLieOnTheSurfaceAndHandlesMoveAlongIt) {
   };
   onSurface();
   EXPECT_NEAR(ui::distanceOf_mm(scan.last()), (one - other).norm(), 0.6);
-  window::pictureAtRest(view);
-  window::keep(window::pictureOf(scan.window), "marks_3d");
+  window::keep(window::pictureAtRest(view), "marks_3d");
 
   const Eigen::Vector3d third = Eigen::Vector3d{0.3, -1.0, -0.6}.normalized() * kBall_mm;
   const Eigen::Matrix3d axes = view.viewAxes();
@@ -505,7 +504,7 @@ TEST(Marks, ANoteIsTypedWhereItWasPlaced) {
   EXPECT_EQ(scan.last().kind, MeasureKind::Note);
   EXPECT_EQ(scan.last().text, "thin wall");
   EXPECT_EQ(scan.value(0), "");
-  window::pictureAtRest(view);
+  window::keep(window::pictureAtRest(view), "marks_note_3d");
   window::keep(window::pictureOf(scan.window), "marks_note");
 }
 
@@ -602,7 +601,7 @@ TEST(Marks, NotForTreatmentStandsInThePanelAndInEveryPictureOfAMeasure) {
   ui::SliceView& axial = scan.slice(Plane::Axial);
   const auto top = [&](const QImage& image) {
     const QRect seen = axial.pictureRect();
-    return image.copy(seen.center().x() - 60, seen.top() + 4, 120, 22);
+    return image.copy(seen.right() - 125, seen.top() + 10, 120, 22);
   };
   const auto corner = [](const QImage& image) {
     return image.copy(6, image.height() - 28, 130, 22);

@@ -352,10 +352,14 @@ void Measures::paint(QPainter& painter, const ViewGeometry& view) const {
   const QRectF seen = seenPart(painter, view);
   // where neither the words of a slice nor the letters of the 3-D view stand
   const QPointF place = view.isSlice()
-                            ? QPointF{seen.center().x() - 0.5 * size.width(), seen.top() + 4.0}
+                            ? QPointF{seen.right() - size.width() - 4.0, seen.top() + 10.0}
                             : QPointF{seen.left() + 6.0, seen.bottom() - size.height() - 6.0};
   const QRectF corner(place, size);
   taken.push_back(corner);
+  if (view.isSlice()) {  // name and place of the slice, and its ruler
+    taken.push_back({seen.topLeft(), QSizeF{120.0, 38.0}});
+    taken.push_back({seen.right() - 60.0, seen.center().y() - 40.0, 60.0, 80.0});
+  }
   for (std::size_t i = 0; i < all_.size(); ++i)
     if (static_cast<int>(i) != selected_) paintMeasure(painter, view, all_[i], false, true, taken);
   if (selected_ >= 0 && selected_ < static_cast<int>(all_.size()))
