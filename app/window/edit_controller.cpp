@@ -14,6 +14,7 @@
 #include "app/window/edited_volume.h"
 #include "app/window/sentence.h"
 #include "app/window/start_pose.h"
+#include "haptics/edit/edited.h"
 #include "haptics/scene/legal_pose.h"
 #include "ui/escape_filter.h"
 #include "ui/volume_view.h"
@@ -78,8 +79,15 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
     : window_(window),
       shared_(shared),
       panel_(new ui::EditPanel),
-      task_([&window](double fraction) { window.showProgress(fraction); }),
-      saver_([&window](double fraction) { window.showProgress(fraction); }) {
+      // with its words: a load that ended meanwhile has put the bar away
+      task_([&window](double fraction) {
+        window.showLoading(tr("Editing"));
+        window.showProgress(fraction);
+      }),
+      saver_([&window](double fraction) {
+        window.showLoading(tr("Saving"));
+        window.showProgress(fraction);
+      }) {
   window.addPanel(panel_, tr("Edit"), tr("E&dit"), "editDock");
   for (ui::Overlay* overlay :
        std::initializer_list<ui::Overlay*>{&shade_, &plane_, &crop_, &pick_, &lasso_})
@@ -363,7 +371,10 @@ haptics::Expected<void> EditController::built(Made& made, const Loaded& shown,
   const auto& volume = made.history->present();
   options.field = shown.scene->field.kind();
   // the picture beside the scene: each takes a core
-  auto picture = std::async(std::launch::async, [volume] { return ui::pictureOf(volume); });
+  auto picture = std::async(std::launch::async, [volume, before = shown.picture] {
+    const haptics::Edited* edit = haptics::editBetween(volume, before.volume);
+    return edit != nullptr ? ui::pictureOf(volume, before, edit->changed) : ui::pictureOf(volume);
+  });
   auto scene = haptics::makeScene(volume, shown.scene->tool, options, shown.scene.get());
   if (!scene) return tl::unexpected(scene.error());
   made.scene = std::move(*scene);

@@ -39,7 +39,11 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
     forgetPlaces();
   });
   connect(&window, &ui::MainWindow::forgetPlacesWanted, this, &OpeningController::forgetPlaces);
-  connect(&loader_, &Loader::progressed, &window, &ui::MainWindow::showProgress);
+  connect(&loader_, &Loader::progressed, this, [this](double fraction) {
+    // an edit that ended meanwhile has put the bar away
+    window_.showLoading(what_);
+    window_.showProgress(fraction);
+  });
   connect(&loader_, &Loader::surveyed, &choice_, &SeriesChoice::take);
   connect(&loader_, &Loader::loaded, this, &OpeningController::adopt);
   connect(&loader_, &Loader::failed, this, &OpeningController::refuse);
@@ -50,6 +54,7 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
 
 void OpeningController::load(LoadRequest request, const QString& what) {
   window_.clearMessage();
+  what_ = what;
   window_.showLoading(what);
   emit loading();
   if (!request.keep) choice_.close();

@@ -56,6 +56,7 @@ class OpeningController : public QObject {
   SharedState& shared_;
   PreferencesController& preferences_;
   bool asks_;
+  QString what_;  ///< what the loader is at
   Loader loader_;
   SeriesChoice choice_;
 };

@@ -24,4 +24,12 @@ struct Edited {
   std::vector<VoxelBox> changed;
 };
 
+/// How one of the volumes differs from the other; null if they are not known to be neighbours.
+inline const Edited* editBetween(const std::shared_ptr<const Volume>& one,
+                                 const std::shared_ptr<const Volume>& other) {
+  if (one->edited && one->edited->neighbour.lock() == other) return one->edited.get();
+  if (other->edited && other->edited->neighbour.lock() == one) return other->edited.get();
+  return nullptr;
+}
+
 }  // namespace haptics

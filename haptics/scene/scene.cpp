@@ -10,14 +10,6 @@
 namespace haptics {
 namespace {
 
-/// How one of the volumes differs from the other; null if they are not known to be neighbours.
-const Edited* editBetween(const std::shared_ptr<const Volume>& one,
-                          const std::shared_ptr<const Volume>& other) {
-  if (one->edited && one->edited->neighbour.lock() == other) return one->edited.get();
-  if (other->edited && other->edited->neighbour.lock() == one) return other->edited.get();
-  return nullptr;
-}
-
 /// The pyramid over a volume, renewed from the previous scene's where an edit changed it.
 MaxPyramid pyramidOf(const std::shared_ptr<const Volume>& volume, const SceneOptions& options,
                      const Scene* previous) {

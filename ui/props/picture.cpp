@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 namespace ui {
 namespace {
@@ -53,28 +54,71 @@ vtkSmartPointer<vtkDataArray> emptyArray(haptics::ScalarType type) {
 
 void destroyShare(void* share) { delete static_cast<std::shared_ptr<const void>*>(share); }
 
-/// Averages cubes of `factor` voxels, from voxel `first` on.
+/// The cubes that a reduced image averages, within a volume's bounds.
+struct Reduction {
+  std::array<std::int64_t, 3> first{};   ///< voxel where the cubes begin
+  std::array<std::int64_t, 3> blocks{};  ///< cubes along i, j, k
+  std::int64_t factor = 1;               ///< voxels along a cube
+};
+
+Reduction reductionOf(const haptics::VoxelBox& box, std::int64_t most_voxels) {
+  std::array<std::int64_t, 3> size{};
+  for (std::size_t a = 0; a < 3; ++a) size[a] = box.end[a] - box.first[a];
+  const std::int64_t thinnest = *std::min_element(size.begin(), size.end());
+  const auto count = static_cast<double>(size[0] * size[1] * size[2]);
+  const auto factor = static_cast<std::int64_t>(
+      std::ceil(std::cbrt(count / static_cast<double>(most_voxels)) - 1e-9));
+  Reduction cubes{.first = box.first, .factor = std::clamp<std::int64_t>(factor, 1, thinnest)};
+  for (std::size_t a = 0; a < 3; ++a) cubes.blocks[a] = size[a] / cubes.factor;
+  return cubes;
+}
+
+/// A box of cubes, [first, end), that holds all those with a voxel of `voxels` in them.
+haptics::VoxelBox cubesOver(const haptics::VoxelBox& voxels, const Reduction& cubes) {
+  haptics::VoxelBox over;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t from = std::max<std::int64_t>(0, voxels.first[a] - cubes.first[a]);
+    const std::int64_t to = std::max<std::int64_t>(0, voxels.end[a] - cubes.first[a]);
+    over.first[a] = std::min(from / cubes.factor, cubes.blocks[a]);
+    over.end[a] = std::min((to + cubes.factor - 1) / cubes.factor, cubes.blocks[a]);
+  }
+  return over;
+}
+
+/// Writes the averages of these cubes into an image that has a rim of one block.
 template <class T>
-void averageBlocks(const T* all, const std::array<std::int64_t, 3>& dims,
-                   const std::array<std::int64_t, 3>& first, std::int64_t factor,
-                   const std::array<std::int64_t, 3>& blocks, float background, float* out,
-                   const std::atomic<bool>* cancel) {
-  const T* voxels = all + (first[2] * dims[1] + first[1]) * dims[0] + first[0];
-  const std::int64_t row = blocks[0] + 2;
-  const std::int64_t slab = row * (blocks[1] + 2);
-  std::fill(out, out + slab * (blocks[2] + 2), background);
-  for (std::int64_t K = 0; K < blocks[2] && (cancel == nullptr || !*cancel); ++K)
-    for (std::int64_t J = 0; J < blocks[1]; ++J)
-      for (std::int64_t I = 0; I < blocks[0]; ++I) {
+void averageBlocks(const T* all, const std::array<std::int64_t, 3>& dims, const Reduction& cubes,
+                   const haptics::VoxelBox& wanted, float* out, const std::atomic<bool>* cancel) {
+  // whole numbers of up to 16 bits are added without a conversion to double: exact, and quick
+  using Sum = std::conditional_t<std::is_integral_v<T> && sizeof(T) <= 2, std::int32_t, double>;
+  const std::int64_t factor = cubes.factor;
+  const std::int64_t row = cubes.blocks[0] + 2;
+  const std::int64_t slab = row * (cubes.blocks[1] + 2);
+  const double share = 1.0 / static_cast<double>(factor * factor * factor);
+  const std::int64_t begin = cubes.first[0] + wanted.first[0] * factor;
+  const std::int64_t length = std::max<std::int64_t>(0, wanted.end[0] - wanted.first[0]) * factor;
+  std::vector<Sum> sums(static_cast<std::size_t>(length));
+  for (std::int64_t K = wanted.first[2]; K < wanted.end[2]; ++K)
+    for (std::int64_t J = wanted.first[1]; J < wanted.end[1]; ++J) {
+      if (cancel != nullptr && *cancel) return;
+      // the rows of a line of cubes first, as one row
+      std::fill(sums.begin(), sums.end(), Sum{});
+      for (std::int64_t k = 0; k < factor; ++k)
+        for (std::int64_t j = 0; j < factor; ++j) {
+          const T* v =
+              all + begin +
+              ((cubes.first[2] + K * factor + k) * dims[1] + cubes.first[1] + J * factor + j) *
+                  dims[0];
+          for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += static_cast<Sum>(v[i]);
+        }
+      float* line = out + (K + 1) * slab + (J + 1) * row + 1;
+      const Sum* at = sums.data();
+      for (std::int64_t I = wanted.first[0]; I < wanted.end[0]; ++I) {
         double sum = 0.0;
-        for (std::int64_t k = K * factor; k < (K + 1) * factor; ++k)
-          for (std::int64_t j = J * factor; j < (J + 1) * factor; ++j) {
-            const T* v = voxels + (k * dims[1] + j) * dims[0] + I * factor;
-            for (std::int64_t i = 0; i < factor; ++i) sum += static_cast<double>(v[i]);
-          }
-        out[(K + 1) * slab + (J + 1) * row + I + 1] =
-            static_cast<float>(sum / static_cast<double>(factor * factor * factor));
+        for (std::int64_t i = 0; i < factor; ++i) sum += static_cast<double>(*at++);
+        line[I] = static_cast<float>(sum * share);
       }
+    }
 }
 
 Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid, const haptics::VoxelBox& voxels) {
@@ -87,6 +131,19 @@ Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid, const haptics::VoxelBox&
     box.extend(Eigen::Vector3d{grid.worldOf(index) * kMmPerM});
   }
   return box;
+}
+
+Picture pictureWith(std::shared_ptr<const haptics::Volume> volume,
+                    vtkSmartPointer<vtkImageData> reduced) {
+  const haptics::Grid& grid = volume->grid;
+  Picture picture;
+  picture.image = imageOf(*volume);
+  picture.reduced = std::move(reduced);
+  picture.histogram = histogramOf(*volume, kHistogramBins);
+  picture.X_WL_mm.linear() = grid.direction;
+  picture.X_WL_mm.translation() = grid.origin * kMmPerM;
+  picture.volume = std::move(volume);
+  return picture;
 }
 
 }  // namespace
@@ -115,35 +172,28 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
                                              std::int64_t most_voxels,
                                              const std::atomic<bool>* cancel) {
   const haptics::Grid& grid = volume.grid;
-  const haptics::VoxelBox box = volume.bounds();
-  std::array<std::int64_t, 3> size{};
-  for (std::size_t a = 0; a < 3; ++a) size[a] = box.end[a] - box.first[a];
-  const std::int64_t thinnest = *std::min_element(size.begin(), size.end());
-  const auto count = static_cast<double>(size[0] * size[1] * size[2]);
-  auto factor = static_cast<std::int64_t>(
-      std::ceil(std::cbrt(count / static_cast<double>(most_voxels)) - 1e-9));
-  factor = std::clamp<std::int64_t>(factor, 1, thinnest);
-
-  std::array<std::int64_t, 3> blocks{};
+  const Reduction cubes = reductionOf(volume.bounds(), most_voxels);
+  std::array<int, 3> size{};
   double origin_mm[3], spacing_mm[3];
-  for (int a = 0; a < 3; ++a) {
-    blocks[a] = size[a] / factor;
-    spacing_mm[a] = grid.spacing[a] * kMmPerM * static_cast<double>(factor);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double voxel_mm = grid.spacing[static_cast<Eigen::Index>(a)] * kMmPerM;
+    size[a] = static_cast<int>(cubes.blocks[a] + 2);
+    spacing_mm[a] = voxel_mm * static_cast<double>(cubes.factor);
     // a block's centre, and one block further out for the rim
-    origin_mm[a] = (static_cast<double>(box.first[a]) + 0.5 * static_cast<double>(factor - 1)) *
-                       grid.spacing[a] * kMmPerM -
-                   spacing_mm[a];
+    origin_mm[a] =
+        (static_cast<double>(cubes.first[a]) + 0.5 * static_cast<double>(cubes.factor - 1)) *
+            voxel_mm -
+        spacing_mm[a];
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(static_cast<int>(blocks[0] + 2), static_cast<int>(blocks[1] + 2),
-                       static_cast<int>(blocks[2] + 2));
+  image->SetDimensions(size.data());
   image->SetOrigin(origin_mm);
   image->SetSpacing(spacing_mm);
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* out = static_cast<float*>(image->GetScalarPointer());
+  std::fill_n(out, image->GetNumberOfPoints(), static_cast<float>(volume.least));
   haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
-    averageBlocks(voxels, grid.dims, box.first, factor, blocks, static_cast<float>(volume.least),
-                  out, cancel);
+    averageBlocks(voxels, grid.dims, cubes, {{}, cubes.blocks}, out, cancel);
   });
   return image;
 }
@@ -173,15 +223,22 @@ Histogram histogramOf(const haptics::Volume& volume, int bins) {
 }
 
 Picture pictureOf(std::shared_ptr<const haptics::Volume> volume, const std::atomic<bool>* cancel) {
-  const haptics::Grid& grid = volume->grid;
-  Picture picture;
-  picture.image = imageOf(*volume);
-  picture.reduced = reducedImageOf(*volume, kReducedVoxels, cancel);
-  picture.histogram = histogramOf(*volume, kHistogramBins);
-  picture.X_WL_mm.linear() = grid.direction;
-  picture.X_WL_mm.translation() = grid.origin * kMmPerM;
-  picture.volume = std::move(volume);
-  return picture;
+  auto reduced = reducedImageOf(*volume, kReducedVoxels, cancel);
+  return pictureWith(std::move(volume), std::move(reduced));
+}
+
+Picture pictureOf(std::shared_ptr<const haptics::Volume> volume, const Picture& before,
+                  std::span<const haptics::VoxelBox> changed) {
+  if (volume->bounds() != before.volume->bounds()) return pictureOf(std::move(volume));
+  const Reduction cubes = reductionOf(volume->bounds(), kReducedVoxels);
+  auto reduced = vtkSmartPointer<vtkImageData>::New();
+  reduced->DeepCopy(before.reduced);
+  auto* out = static_cast<float*>(reduced->GetScalarPointer());
+  haptics::visitVoxels(volume->type, volume->voxels.get(), [&](const auto* voxels) {
+    for (const haptics::VoxelBox& box : changed)
+      averageBlocks(voxels, volume->grid.dims, cubes, cubesOver(box, cubes), out, nullptr);
+  });
+  return pictureWith(std::move(volume), std::move(reduced));
 }
 
 vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue, bool mirrored) {

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "haptics/core/geometry.h"
@@ -45,6 +46,10 @@ struct Picture {
 /// If `cancel` becomes true meanwhile, the result is incomplete and must not be used.
 Picture pictureOf(std::shared_ptr<const haptics::Volume> volume,
                   const std::atomic<bool>* cancel = nullptr);
+/// The same picture, made from that of a volume which differs from this one in `changed` alone:
+/// boxes that hold every voxel that differs.
+Picture pictureOf(std::shared_ptr<const haptics::Volume> volume, const Picture& before,
+                  std::span<const haptics::VoxelBox> changed);
 
 /// All of the volume's voxels as an image of L, without a copy; the image keeps them alive. A crop
 /// is not applied, since rows of a box do not follow one another.
