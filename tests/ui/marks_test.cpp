@@ -352,7 +352,8 @@ TEST(Marks, LabelsCoverNoneOfTheirOwnPointsAndAreReadOnBrightAndDarkGround) {
     emit axial.greyChanged({.level = level, .width = 100.0});
     scan.window.setCross({-31.0, -31.0, 0.0});
     std::mt19937 random{9};
-    std::uniform_real_distribution<double> place(-29.0, 29.0);
+    // within the words of the slice, which stand above marks
+    std::uniform_real_distribution<double> place(-19.0, 19.0);
     for (int trial = 0; trial < 25; ++trial) {
       Measure angle{MeasureKind::Angle, "Angle of a wall", {}};
       for (int p = 0; p < 3; ++p) angle.places_mm.push_back({place(random), place(random), 0.0});
@@ -472,6 +473,7 @@ TEST(Marks, TheListRenamesGoesToAPlaceAndIsReachedWithTab) {
   ASSERT_NE(editor, nullptr);
   editor->setText(QString("The canal\x07 <b>wide</b>"));
   QTest::keyClick(editor, Qt::Key_Return);
+  QTest::qWait(50);  // the list takes the text when the key has been handled
   EXPECT_EQ(scan.measures().all()[0].text, "The canal  <b>wide</b>");
   EXPECT_EQ(list->item(0, 0)->text(), "The canal  <b>wide</b>");
 
@@ -500,6 +502,7 @@ TEST(Marks, ANoteIsTypedWhereItWasPlaced) {
   editor->selectAll();
   QTest::keyClicks(editor, "thin wall");
   QTest::keyClick(editor, Qt::Key_Return);
+  QTest::qWait(50);  // the list takes the text when the key has been handled
   ASSERT_EQ(scan.measures().all().size(), 1U);
   EXPECT_EQ(scan.last().kind, MeasureKind::Note);
   EXPECT_EQ(scan.last().text, "thin wall");

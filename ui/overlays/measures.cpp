@@ -356,7 +356,8 @@ void Measures::paint(QPainter& painter, const ViewGeometry& view) const {
                             : QPointF{seen.left() + 6.0, seen.bottom() - size.height() - 6.0};
   const QRectF corner(place, size);
   taken.push_back(corner);
-  if (view.isSlice()) {  // name and place of the slice, and its ruler
+  drawLabel(painter, corner, warning);  // below the handles, which are dragged there too
+  if (view.isSlice()) {                 // name and place of the slice, and its ruler
     taken.push_back({seen.topLeft(), QSizeF{120.0, 38.0}});
     taken.push_back({seen.right() - 60.0, seen.center().y() - 40.0, 60.0, 80.0});
   }
@@ -366,7 +367,6 @@ void Measures::paint(QPainter& painter, const ViewGeometry& view) const {
     paintMeasure(painter, view, all_[static_cast<std::size_t>(selected_)], true, true, taken);
   if (!begun_.places_mm.empty()) paintMeasure(painter, view, begun_, true, false, taken);
   if (travel_) paintTravel(painter, view, taken);
-  drawLabel(painter, corner, warning);
 }
 
 std::optional<std::pair<int, int>> Measures::handleAt(const ViewGeometry& view, QPointF at) const {

@@ -2,6 +2,7 @@
 #include "ui/panels/marks_panel.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -174,6 +175,9 @@ bool MarksPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched != list_ || event->type() != QEvent::KeyPress) return false;
   const int key = static_cast<QKeyEvent*>(event)->key();
   if (chosen() < 0) return false;
+  // Enter also comes from the field in which a text is typed
+  const QWidget* focus = QApplication::focusWidget();
+  if (focus != nullptr && focus != list_ && list_->isAncestorOf(focus)) return false;
   if (key == Qt::Key_Delete)
     emit removeWanted(chosen());
   else if (key == Qt::Key_Return || key == Qt::Key_Enter)
