@@ -5,6 +5,8 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -17,6 +19,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QTextBrowser>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -503,7 +506,8 @@ void MainWindow::showProgress(double fraction) {
 void MainWindow::endLoading() { loading_->hide(); }
 
 bool MainWindow::askWhether(const QString& what, const QString& consequence, const QString& yes) {
-  QMessageBox question(QMessageBox::Question, tr("Load it?"), what, QMessageBox::Cancel, this);
+  QMessageBox question(QMessageBox::Question, tr("Please confirm"), what, QMessageBox::Cancel,
+                       this);
   question.setInformativeText(consequence);
   const QAbstractButton* agree = question.addButton(yes, QMessageBox::AcceptRole);
   question.setDefaultButton(QMessageBox::Cancel);
@@ -517,21 +521,32 @@ void MainWindow::showHandInUse(const QString& id, const QString& label) {
 }
 
 void MainWindow::showControls() {
-  QMessageBox::information(
-      this, tr("Controls"),
+  // longer than many a screen is high
+  auto* text = new QTextBrowser;
+  text->setHtml(
       tr("<p><b>Force off</b>: Escape anywhere, Space in the 3-D view, or the red button.</p>"
          "<p><b>Haptic device</b> (View > Haptic device): Connect, then Arm. While C is held in "
          "the 3-D view the tool stays and the hand moves freely; while H is held the force is on "
          "if it is to be held.</p>"
          "<p><b>Mouse</b>: it turns the picture until you take the tool (G, or the button), and "
          "then moves the tool. The tool itself can be dragged at any time.</p>"
-         "<p><b>Measures</b>: click where the places are, or drag a distance. Handles can be dragged "
-         "in every view.</p>"
+         "<p><b>Measures</b>: click where the places are, or drag a distance. Handles can be "
+         "dragged in every view.</p>"
          "<p><b>Slices</b>: a right click, the menu key or the button in the corner opens the "
          "choices: windows, slabs, contour, following the tool, the view down the tool.</p>"
          "<p><b>Replay</b>: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, "
          "● force and device, × samples lost and ticks late.</p>") +
-          controlsText());
+      controlsText());
+  QDialog dialog(this);
+  dialog.setObjectName("controls");
+  dialog.setWindowTitle(tr("Controls"));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  auto* column = new QVBoxLayout(&dialog);
+  column->addWidget(text);
+  column->addWidget(buttons);
+  dialog.resize(680, 640);
+  dialog.exec();
 }
 
 QString noticeText() {

@@ -48,6 +48,14 @@ double fromSegment(QPointF p, QPointF a, QPointF b) {
   return std::hypot(p.x() - a.x() - share * along.x(), p.y() - a.y() - share * along.y());
 }
 
+/// White with a dark rim, to be read on bone and on air.
+void paintWords(QPainter& painter, QPointF at, const QString& text) {
+  QPainterPath words;
+  words.addText(at, painter.font(), text);
+  painter.strokePath(words, QPen(kViewGround, 3.0));
+  painter.fillPath(words, kContactColour);
+}
+
 bool isWithin(QPointF p, QPointF a, QPointF b, QPointF c) {
   const auto side = [](QPointF u, QPointF v, QPointF w) {
     return (v.x() - u.x()) * (w.y() - u.y()) - (v.y() - u.y()) * (w.x() - u.x());
@@ -462,10 +470,9 @@ void VolumeView::paintOver(QPainter& painter, const QSizeF& size) const {
     if (orientation_known_) {
       paintEdgeLetters(painter, {QPointF{}, size}, axes);
     } else {
-      painter.setPen(kViewDim);
       const QString text = tr("left/right unknown");
       const double wide = painter.fontMetrics().horizontalAdvance(text);
-      painter.drawText(QPointF{size.width() - wide - 10.0, cube.bottom() + 14.0}, text);
+      paintWords(painter, {size.width() - wide - 10.0, cube.bottom() + 16.0}, text);
     }
   } else {
     overlays_.paint(painter, *geometry_);
@@ -512,11 +519,7 @@ void VolumeView::paintContacts(QPainter& painter) const {
       painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawPath(arrow);
     }
-    QPainterPath words;
-    words.addText(head + QPointF{8.0, -6.0}, painter.font(),
-                  tr("%1 N").arg(force.norm(), 0, 'f', 1));
-    painter.strokePath(words, QPen(kViewGround, 3.0));
-    painter.fillPath(words, kContactColour);
+    paintWords(painter, head + QPointF{8.0, -6.0}, tr("%1 N").arg(force.norm(), 0, 'f', 1));
   }
   painter.restore();
 }

@@ -4,12 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QFile>
 #include <QMainWindow>
+#include <QTest>
+#include <QTextBrowser>
+#include <QTimer>
 #include <algorithm>
 #include <vector>
 
 #include "ui/main_window.h"
+#include "window_support.h"
 
 namespace {
 
@@ -104,6 +109,24 @@ TEST(Bindings, HoldEveryShortcutOfTheMenus) {
     })) << shown.toStdString();
   }
   EXPECT_GT(found, 15);
+}
+
+TEST(Bindings, AreShownInAWindowThatFitsTheScreen) {
+  ui::MainWindow window;
+  window::showAndWait(window, {1000, 700});
+  QSize shown;
+  QString told;
+  QTimer::singleShot(200, &window, [&] {
+    QWidget* open = QApplication::activeModalWidget();
+    ASSERT_NE(open, nullptr);
+    shown = open->frameGeometry().size();
+    if (auto* text = open->findChild<QTextBrowser*>()) told = text->toPlainText();
+    QTest::keyClick(open, Qt::Key_Escape);
+  });
+  QTest::keyClick(&window, Qt::Key_F1);
+  EXPECT_GT(shown.width(), 400);
+  EXPECT_LT(shown.height(), 768);
+  for (const ui::ControlRow& row : ui::controlRows()) EXPECT_TRUE(told.contains(row.triggers));
 }
 
 }  // namespace

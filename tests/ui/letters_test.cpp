@@ -4,11 +4,6 @@
 // is told by the phantom's balls in the pixels, and the letters are read from the pixels too.
 #include <gtest/gtest.h>
 
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
-
 #include <QApplication>
 #include <QPainter>
 #include <algorithm>
@@ -16,9 +11,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "datasets/phantoms/phantoms.h"
@@ -226,34 +223,17 @@ QImage asGlyph(const QImage& image, const std::function<bool(QColor)>& ink) {
   return glyph;
 }
 
-/// A letter as a slice's painter draws it.
-QImage paintedGlyph(char letter) {
+/// A letter as the views' painters draw it, so many pixels high.
+QImage paintedGlyph(char letter, int pixels) {
   QImage page(80, 80, QImage::Format_RGB32);
   page.fill(Qt::white);
   QPainter painter(&page);
   QFont font = QApplication::font();
   font.setBold(true);
-  font.setPixelSize(48);
+  font.setPixelSize(pixels);
   painter.setFont(font);
   painter.drawText(page.rect(), Qt::AlignCenter, QString(letter));
   painter.end();
-  return asGlyph(page, [](QColor c) { return c.lightness() < 128; });
-}
-
-/// A letter as VTK draws it in the 3-D view.
-QImage renderedGlyph(char letter) {
-  vtkNew<vtkTextProperty> look;
-  look->SetFontSize(48);
-  look->SetBold(1);
-  vtkNew<vtkImageData> image;
-  int size[2] = {};
-  vtkTextRenderer::GetInstance()->RenderString(look, std::string(1, letter), image, size, 72);
-  QImage page(size[0], size[1], QImage::Format_Grayscale8);
-  for (int y = 0; y < size[1]; ++y)
-    for (int x = 0; x < size[0]; ++x) {
-      const bool ink = image->GetScalarComponentAsDouble(x, size[1] - 1 - y, 0, 3) > 127.0;
-      page.setPixelColor(x, y, ink ? Qt::black : Qt::white);
-    }
   return asGlyph(page, [](QColor c) { return c.lightness() < 128; });
 }
 
@@ -269,17 +249,25 @@ double apart(const QImage& a, const QImage& b) {
 
 /// The letter that the pixels show; '-' if none of the six, or none clearly.
 char letterIn(const QImage& image) {
+  // in slices, in 3-D, and without the roughness of pixels
+  static constexpr std::array kPixels{14, 17, 48};
+  static const auto kGlyphs = [] {
+    std::vector<std::pair<char, QImage>> glyphs;
+    for (const char candidate : {'L', 'R', 'A', 'P', 'S', 'I'})
+      for (const int pixels : kPixels)
+        glyphs.emplace_back(candidate, paintedGlyph(candidate, pixels));
+    return glyphs;
+  }();
   const QImage seen = asGlyph(image, letterColoured);
-  double best = 1.0, second = 1.0;
-  char letter = '-';
-  for (const char candidate : {'L', 'R', 'A', 'P', 'S', 'I'}) {
-    const double d =
-        std::min(apart(seen, paintedGlyph(candidate)), apart(seen, renderedGlyph(candidate)));
-    second = std::min(second, std::max(d, best));
-    if (d < best) letter = candidate;
-    best = std::min(best, d);
+  std::map<char, double> differ;
+  for (const auto& [candidate, glyph] : kGlyphs) {
+    double& least = differ.try_emplace(candidate, 1.0).first->second;
+    least = std::min(least, apart(seen, glyph));
   }
-  return best < 0.15 && best < 0.7 * second ? letter : '-';
+  std::vector<std::pair<double, char>> order;
+  for (const auto& [candidate, least] : differ) order.emplace_back(least, candidate);
+  std::ranges::sort(order);
+  return order[0].first < 0.15 && order[0].first < 0.7 * order[1].first ? order[0].second : '-';
 }
 
 /// The letters read at the left, right, upper and lower side of a picture.

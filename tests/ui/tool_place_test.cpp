@@ -7,6 +7,7 @@
 
 #include <QClipboard>
 #include <QDialog>
+#include <QFile>
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QMenu>
@@ -18,10 +19,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <thread>
 
 #include "app/application.h"
 #include "app/window/touched_surface.h"
+#include "datasets/readers/nrrd/writer.h"
 #include "hand_device.h"
 #include "haptics/scene/legal_pose.h"
 #include "sphere_in_hand.h"
@@ -304,6 +307,53 @@ TEST(ToolPlace, APictureIsSavedWhereAskedAndCopied) {
   EXPECT_GT(window::count(saved, window::surfaceColoured), 2'000);
   application.window().findChild<QAction*>("copyPicture")->trigger();
   EXPECT_EQ(QGuiApplication::clipboard()->image().size(), saved.size());
+}
+
+TEST(ToolPlace, APictureThatMayShowAFaceIsAskedFor) {
+  const QTemporaryDir folder;
+  const std::filesystem::path scan = folder.filePath("head.nrrd").toStdString();
+  // a bone of 1000 HU in flesh of 0 HU, as large as a face
+  const auto bone = window::ball(Vec3::Zero(), 0.015), flesh = window::ball(Vec3::Zero(), 0.028);
+  ASSERT_TRUE(datasets::writeNrrd(
+      *window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
+                        [&](const Vec3& p) { return -1000.0 + 10.0 * flesh(p) + 10.0 * bone(p); },
+                        {.unit = "HU"}),
+      scan));
+  app::Arguments arguments = window::sphereInHand("mouse");
+  arguments.load.phantom = {};
+  arguments.load.path = scan;
+  arguments.load.isovalue = 300.0;
+  app::Application application(arguments);
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ui::VolumeView& view = application.window().view();
+  window::pictureAtRest(view);
+  const QString path = folder.filePath("picture.png");
+  Answers answers(path);
+  const auto take = [&](const char* entry) {
+    answers.seen.clear();
+    application.window().findChild<QAction*>(entry)->trigger();
+    return answers.seen;
+  };
+  const QString warning = "This picture may show a face.";
+  EXPECT_EQ(take("savePicture"), QStringList({"wish", "file"}));  // bone alone
+  EXPECT_TRUE(QFile::remove(path));
+  // the second surface counts as well, and no is no
+  view.setSecondSurface(-300.0);
+  answers.agree = false;
+  QGuiApplication::clipboard()->clear();
+  EXPECT_EQ(take("savePicture"), QStringList({"wish", warning}));
+  EXPECT_FALSE(QFile::exists(path));
+  EXPECT_EQ(take("copyPicture"), QStringList({warning}));
+  EXPECT_TRUE(QGuiApplication::clipboard()->image().isNull());
+  answers.agree = true;
+  EXPECT_EQ(take("savePicture"), QStringList({"wish", warning, "file"}));
+  EXPECT_TRUE(QFile::exists(path));
+  // and so does the surface that is felt
+  view.setSecondSurface({});
+  emit application.window().isovalueChanged(-300.0);
+  EXPECT_EQ(take("copyPicture"), QStringList({warning}));
+  EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ using haptics::Vec3;
 using ui::SurfaceMode;
 
 constexpr std::array kModes{SurfaceMode::Mesh, SurfaceMode::RayCast};
-const char* nameOf(SurfaceMode mode) { return mode == SurfaceMode::Mesh ? "mesh" : "raycast"; }
+const char* wordOf(SurfaceMode mode) { return mode == SurfaceMode::Mesh ? "mesh" : "raycast"; }
 
 std::shared_ptr<haptics::Volume> ballVolume(double radius, const char* unit = "") {
   haptics::VolumeFacts facts;
@@ -30,7 +30,7 @@ std::shared_ptr<haptics::Volume> ballVolume(double radius, const char* unit = ""
       window::cubeGrid(64), haptics::ScalarType::Int16, window::ball(Vec3::Zero(), radius), facts));
 }
 
-haptics::Snapshot at(const Vec3& proxy_W, const Vec3& device_W) {
+haptics::Snapshot placed(const Vec3& proxy_W, const Vec3& device_W) {
   haptics::Snapshot snapshot;
   snapshot.X_WP.translation() = proxy_W;
   snapshot.X_WD.translation() = device_W;
@@ -48,10 +48,10 @@ TEST(ViewPicture, ShowsTheDeviceOnlyWhereItDiffersFromTheProxy) {
   view.show(ui::pictureOf(ballVolume(0.020)), 50.0);
   view.show(window::octahedron(0.004));
   const Vec3 place{0.0, -0.030, 0.0};
-  view.display(at(place, place + Vec3{1e-4, 0.0, 0.0}));
+  view.display(placed(place, place + Vec3{1e-4, 0.0, 0.0}));
   const QImage together = window::pictureAtRest(view);
   EXPECT_EQ(window::count(together, window::deviceColoured), 0);
-  view.display(at(place, place + Vec3{0.0, 5e-4, 0.0}));
+  view.display(placed(place, place + Vec3{0.0, 5e-4, 0.0}));
   EXPECT_GT(window::count(window::pictureAtRest(view), window::deviceColoured), 20);
   // the tool is steel: it shines somewhere, and is bluish elsewhere
   EXPECT_GT(window::count(together, window::proxyColoured), 300);
@@ -75,7 +75,7 @@ TEST(ViewPicture, ShowsContactsAndForceOnRequest) {
   open(view, SurfaceMode::Mesh);
   view.show(ui::pictureOf(ballVolume(0.020)), 50.0);
   view.show(window::octahedron(0.003));
-  haptics::Snapshot snapshot = at({0.0, -0.023, 0.0}, {0.0, -0.022, 0.0});
+  haptics::Snapshot snapshot = placed({0.0, -0.023, 0.0}, {0.0, -0.022, 0.0});
   snapshot.contacts = 1;
   snapshot.places[0] = {{0.0F, -0.020F, 0.0F}, 2.0F};
   snapshot.felt_W.force = Vec3{3.0, 0.0, 0.0};  // to the patient's left: to the right on the screen
@@ -100,7 +100,7 @@ TEST(ViewPicture, ShowsContactsAndForceOnRequest) {
 
 TEST(ViewPicture, ColoursTheSurfaceByItsTissue) {
   for (const SurfaceMode mode : kModes) {
-    SCOPED_TRACE(nameOf(mode));
+    SCOPED_TRACE(wordOf(mode));
     ui::VolumeView view;
     open(view, mode, {200, 200});
     const auto volume = window::volumeOf(
@@ -148,7 +148,7 @@ TEST(ViewPicture, PresetsFollowTheHistogramWithoutAUnit) {
 
 TEST(ViewPicture, ShowsASecondSurfaceAsAVeilThatHidesNothing) {
   for (const SurfaceMode mode : kModes) {
-    SCOPED_TRACE(nameOf(mode));
+    SCOPED_TRACE(wordOf(mode));
     ui::VolumeView view;
     open(view, mode);
     // 100 in the middle, falling to 0 at 25 mm: a small ball at 60, a large one at 20
@@ -157,7 +157,7 @@ TEST(ViewPicture, ShowsASecondSurfaceAsAVeilThatHidesNothing) {
                          [](const Vec3& p) { return std::max(0.0, 100.0 - p.norm() * 4000.0); });
     view.show(ui::pictureOf(volume), 60.0);
     view.show(window::octahedron(0.003));
-    view.display(at({0.014, -0.004, 0.0}, {0.014, -0.004, 0.0}));  // between the two
+    view.display(placed({0.014, -0.004, 0.0}, {0.014, -0.004, 0.0}));  // between the two
     const QImage alone = window::pictureAtRest(view);
     view.setSecondSurface(20.0);
     const QImage veiled = window::pictureAtRest(view);
@@ -175,13 +175,13 @@ TEST(ViewPicture, ShowsASecondSurfaceAsAVeilThatHidesNothing) {
     const auto bluish = [](QColor c) { return c.blue() > c.red() + 12; };
     EXPECT_GT(window::count(veiled.copy(about), bluish), 60);
     // a tool in front of it is not veiled
-    view.display(at({0.0, -0.028, 0.0}, {0.0, -0.028, 0.0}));
+    view.display(placed({0.0, -0.028, 0.0}, {0.0, -0.028, 0.0}));
     const QImage before = window::pictureAtRest(view);
     view.setSecondSurface({});
     const QImage free = window::pictureAtRest(view);
     const QRect tip(view.projected({0.0, -0.028, 0.0}).toPoint() - QPoint{4, 4}, QSize{9, 9});
     EXPECT_LT(window::differing(before.copy(tip), free.copy(tip), 6), 0.05);
-    view.display(at({0.014, -0.004, 0.0}, {0.014, -0.004, 0.0}));
+    view.display(placed({0.014, -0.004, 0.0}, {0.014, -0.004, 0.0}));
     EXPECT_LT(window::differing(window::pictureAtRest(view), alone, 12), 0.002);
   }
 }
@@ -192,12 +192,12 @@ TEST(ViewPicture, IsNotDrawnAtRestAndOnceForAMove) {
   view.show(ui::pictureOf(ballVolume(0.020)), 50.0);
   view.show(window::octahedron(0.003));
   view.setSecondSurface(20.0);
-  view.display(at({0.0, -0.030, 0.0}, {0.0, -0.030, 0.0}));
+  view.display(placed({0.0, -0.030, 0.0}, {0.0, -0.030, 0.0}));
   window::pictureAtRest(view);
   const int before = view.frames();
   QTest::qWait(600);
   EXPECT_EQ(view.frames(), before);  // nothing moves, nothing is drawn
-  view.display(at({0.0, -0.031, 0.0}, {0.0, -0.031, 0.0}));
+  view.display(placed({0.0, -0.031, 0.0}, {0.0, -0.031, 0.0}));
   QTest::qWait(600);
   EXPECT_EQ(view.frames(), before + 1);
 }
@@ -205,7 +205,7 @@ TEST(ViewPicture, IsNotDrawnAtRestAndOnceForAMove) {
 TEST(ViewPicture, LeavesOutWhatIsCroppedAndClosesTheCut) {
   QImage shown[2];
   for (const SurfaceMode mode : kModes) {
-    SCOPED_TRACE(nameOf(mode));
+    SCOPED_TRACE(wordOf(mode));
     ui::VolumeView view;
     open(view, mode);
     const auto whole = ballVolume(0.020);
@@ -310,7 +310,7 @@ TEST(ViewPicture, WritesUnknownWhereTheFileDoesNotSayHowItLies) {
 
 TEST(ViewPicture, IsTakenLargerWithLettersAndWithoutWordsBesideIt) {
   for (const SurfaceMode mode : kModes) {
-    SCOPED_TRACE(nameOf(mode));
+    SCOPED_TRACE(wordOf(mode));
     ui::VolumeView view;
     open(view, mode, {300, 240});
     view.show(ui::pictureOf(ballVolume(0.020)), 50.0);
@@ -348,6 +348,29 @@ TEST(ViewPicture, OfTheWindowHoldsTheView) {
   const QImage part = image.copy(QRect(corner, window.view().size() * 2));
   EXPECT_GT(window::count(part, window::surfaceColoured), 40'000);
   EXPECT_FALSE(ui::screenshotOf(window, window.view(), {.scale = 1}).isNull());
+}
+
+TEST(ViewPicture, SaysHowToTakeTheToolUntilItWasTaken) {
+  ui::VolumeView view;
+  open(view, SurfaceMode::Mesh, {600, 400});
+  view.show(ui::pictureOf(ballVolume(0.020)), 50.0);
+  view.show(window::octahedron(0.003));
+  const auto grey = [](QColor c) { return c.red() > 110 && c.blue() > c.red() + 10; };
+  const auto words = [&] {
+    return window::count(window::pictureAtRest(view).copy(0, 350, 500, 50), grey);
+  };
+  EXPECT_EQ(words(), 0);  // another hand holds the tool
+  view.setMouseHand(true);
+  view.display(placed({0.010, -0.030, 0.0}, {0.010, -0.030, 0.0}));
+  const auto hint = words();
+  EXPECT_GT(hint, 300);
+  window::keep(window::pictureAtRest(view), "hint");
+  QTest::keyClick(&view, Qt::Key_G);
+  EXPECT_GT(words(), 300);  // now it says how to let go
+  EXPECT_NE(words(), hint);
+  EXPECT_EQ(window::count(view.picture(1.0).copy(0, 350, 500, 50), grey), 0);  // not in pictures
+  QTest::keyClick(&view, Qt::Key_G);
+  EXPECT_EQ(words(), 0);
 }
 
 }  // namespace

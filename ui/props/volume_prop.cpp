@@ -103,11 +103,12 @@ constexpr const char* kLightCutFace = R"(if (cut)
         g_srcColor.rgb *= g_srcColor.a;)";
 constexpr const char* kStartIndex =
     "l_initialIndex = findIsoSurfaceIndex(scalar[maxComp], l_normValues);";
-// a ray begins outside the solid; what lies before the box of voxels that exist is left out
+// A ray begins outside the solid; what lies before the box of voxels that exist is left out. Its
+// first sample is on the box: a step further, a ray near the rim of a cut has left the solid.
 constexpr const char* kStartOutside = R"(l_initialIndex = 0;
       vec3 enter = (mix(cropGreatest, cropLeast, greaterThan(g_dirStep, vec3(0.0))) - g_dataPos)
                  / (abs(g_dirStep) + vec3(1e-12)) * sign(g_dirStep);
-      float skipped = floor(max(0.0, max(enter.x, max(enter.y, enter.z))));
+      float skipped = max(0.0, max(enter.x, max(enter.y, enter.z)) + 1e-3);
       g_dataPos += skipped * g_dirStep;
       g_currentT += skipped;)";
 
