@@ -377,7 +377,9 @@ void SliceView::drawContour(double scale) {
   contour_image_.fill(Qt::transparent);
   QPainter painter(&contour_image_);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(kContour, 1.25));
+  // finer than a slice's structures where they are small
+  const double voxel_px = volume_->grid.spacing.minCoeff() * kMmPerM / mmPerPixel();
+  painter.setPen(QPen(kContour, std::clamp(voxel_px, 0.6, 1.25)));
   const QPointF origin = projected(patch_->corner_W_mm) - pictureRect().topLeft();
   const double px = 1.0 / mmPerPixel();
   std::vector<QLineF> lines;
