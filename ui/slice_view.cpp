@@ -17,7 +17,7 @@
 namespace ui {
 namespace {
 
-constexpr int kSideMargin = 22, kEndMargin = 17;  // px, for the letters
+constexpr int kSideMargin = 28, kEndMargin = 20;  // px, for the letters
 constexpr double kRoom = 1.04;                    // of the picture, around a whole slice
 constexpr double kObliqueView_mm = 120.0;         // that an oblique view shows at first, at most
 constexpr double kFarthest = 0.25;                // least zoom
