@@ -10,7 +10,7 @@ namespace {
 constexpr QColor kReadoutText(188, 194, 204);
 constexpr QColor kLetters(255, 217, 51);
 constexpr QColor kAttention(0xe0, 0xa6, 0x3a);
-constexpr int kTextPixels = 11, kLetterPixels = 14;
+constexpr int kTextPixels = 11, kLetterPixels = 17, kLettersPixels = 12;
 
 QString sliceWords(const char* text) { return QCoreApplication::translate("ui::SliceView", text); }
 
@@ -94,8 +94,6 @@ void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, Q
            readout.position, kReadoutText);
   drawRuler(painter, readout.mm_per_pixel, picture);
 
-  bold.setPixelSize(kLetterPixels);
-  painter.setFont(readout.sides_known ? bold : font);
   if (!readout.sides_known) {
     painter.setPen(kAttention);
     painter.drawText(QRect(widget.left(), widget.top(), widget.width(), picture.top()),
@@ -109,8 +107,12 @@ void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, Q
       QRect(right, picture.top(), widget.width() - right, picture.height()),
       QRect(picture.left(), 0, picture.width(), picture.top()),
       QRect(picture.left(), bottom, picture.width(), widget.height() - bottom)};
-  for (std::size_t i = 0; i < margins.size(); ++i)
-    painter.drawText(margins[i], Qt::AlignCenter | Qt::TextDontClip, readout.letters[i]);
+  for (std::size_t i = 0; i < margins.size(); ++i) {
+    // three letters are no wider than the margin
+    bold.setPixelSize(readout.letters[i].size() > 1 ? kLettersPixels : kLetterPixels);
+    painter.setFont(bold);
+    painter.drawText(margins[i], Qt::AlignCenter, readout.letters[i]);
+  }
 }
 
 }  // namespace ui

@@ -17,7 +17,7 @@
 namespace ui {
 namespace {
 
-constexpr int kSideMargin = 22, kEndMargin = 17;  // px, for the letters
+constexpr int kSideMargin = 28, kEndMargin = 20;  // px, for the letters
 constexpr double kRoom = 1.04;                    // of the picture, around a whole slice
 constexpr double kObliqueView_mm = 120.0;         // that an oblique view shows at first, at most
 constexpr double kFarthest = 0.25;                // least zoom
@@ -388,7 +388,9 @@ void SliceView::drawContour(double scale) {
   contour_image_.fill(Qt::transparent);
   QPainter painter(&contour_image_);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(kContour, 1.25));
+  // finer than a slice's structures where they are small
+  const double voxel_px = volume_->grid.spacing.minCoeff() * kMmPerM / mmPerPixel();
+  painter.setPen(QPen(kContour, std::clamp(voxel_px, 0.6, 1.25)));
   const QPointF origin = projected(patch_->corner_W_mm) - pictureRect().topLeft();
   const double px = 1.0 / mmPerPixel();
   std::vector<QLineF> lines;

@@ -157,7 +157,7 @@ bool letterColoured(QColor c) {
 /// What a slice has around its picture, where its letters are.
 QImage marginOf(const QImage& slice) {
   QImage margin = slice;
-  QPainter(&margin).fillRect(slice.rect().adjusted(22, 17, -22, -17), Qt::black);
+  QPainter(&margin).fillRect(slice.rect().adjusted(28, 20, -28, -20), Qt::black);
   return margin;
 }
 // brighter than the name of the plane
