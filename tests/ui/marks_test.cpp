@@ -457,6 +457,16 @@ TEST(Marks, TheListRenamesGoesToAPlaceAndIsReachedWithTab) {
         if (action->text() == "&Measures and marks") action->trigger();
   auto* list = scan.window.findChild<QTableWidget*>("marks");
   ASSERT_TRUE(list->isVisible());
+  QTest::qWait(50);
+  window::keep(window::pictureOf(scan.window), "marks_panel");
+  // nothing is cut off at the side, and the warning is always in sight
+  for (const char* name : {"placeNoteButton", "restoreMark", "travelEnd"}) {
+    auto* button = scan.panel().findChild<QWidget*>(name);
+    ASSERT_NE(button, nullptr) << name;
+    EXPECT_LE(button->mapTo(&scan.panel(), QPoint{button->width(), 0}).x(), scan.panel().width());
+  }
+  const auto* warning = scan.panel().findChild<QLabel*>("marksWarning");
+  EXPECT_FALSE(warning->visibleRegion().isEmpty());
   EXPECT_TRUE(list->hasFocus());
   scan.window.setFocus();
   bool reached = false;

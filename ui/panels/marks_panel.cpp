@@ -4,7 +4,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -55,17 +54,21 @@ MarksPanel::MarksPanel(QWidget* parent)
   column->addWidget(buildTools());
   buildList();
   column->addWidget(list_, 1);
-  auto* row = new QHBoxLayout;
-  for (QPushButton* button : {go_, rename_, remove_, restore_}) row->addWidget(button);
-  column->addLayout(row);
+  // two by two: the dock is narrow
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(go_, 0, 0);
+  buttons->addWidget(rename_, 0, 1);
+  buttons->addWidget(remove_, 1, 0);
+  buttons->addWidget(restore_, 1, 1);
+  column->addLayout(buttons);
   column->addWidget(buildTravel());
-  auto* warning = new QLabel(
-      tr("<b>Not for treatment.</b> The figure behind ± is what the voxels allow: half a voxel "
-         "diagonal for each place. It does not include what the scanner or the choice of the "
-         "places adds."));
+  auto* warning = new QLabel(tr("<b>Not for treatment.</b> ± is what the voxels allow."));
   warning->setObjectName("marksWarning");
+  warning->setToolTip(
+      tr("Half a voxel diagonal for each place. Errors of the scanner and of the choice of the "
+         "places are not in it."));
   warning->setWordWrap(true);
-  column->addWidget(warning);
+  warning->setContentsMargins(9, 0, 9, 4);
   // the dock may be lower than all this
   auto* scroll = new QScrollArea;
   scroll->setWidget(inside);
@@ -74,7 +77,8 @@ MarksPanel::MarksPanel(QWidget* parent)
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
-  all->addWidget(scroll);
+  all->addWidget(scroll, 1);
+  all->addWidget(warning);  // it does not scroll away
   setFocusProxy(list_);
   setReady(false);
   setCanRestore(false);
@@ -88,8 +92,8 @@ QWidget* MarksPanel::buildTools() {
       tr("Press at the end of one leg, at the corner, and at the end of the other leg"),
       tr("Press where the value is to be read"), tr("Press where the note belongs, then type it")};
   auto* tools = new QWidget;
-  auto* row = new QHBoxLayout(tools);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* grid = new QGridLayout(tools);
+  grid->setContentsMargins(0, 0, 0, 0);
   for (const MeasureKind kind : kMeasureKinds) {
     const auto i = static_cast<std::size_t>(kind);
     auto* action = new QAction(nameOf(kind), this);
@@ -109,7 +113,7 @@ QWidget* MarksPanel::buildTools() {
     button->setObjectName(QString(kPlaceNames[i]) + "Button");
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    row->addWidget(button);
+    grid->addWidget(button, static_cast<int>(i) / 2, static_cast<int>(i) % 2);
   }
   return tools;
 }
