@@ -2,6 +2,7 @@
 #include "haptics/edit/edit_history.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "haptics/edit/lowering.h"
@@ -19,6 +20,16 @@ tl::unexpected<Error> editRefused(Message message, std::string reason) {
 }
 tl::unexpected<Error> nothingTaken() { return editRefused({"edit-nothing", {}}, "nothing"); }
 
+/// What `call` gives; an Error where memory ends.
+template <class F>
+auto withinMemory(F&& call) -> decltype(call()) {
+  try {
+    return call();
+  } catch (const std::bad_alloc&) {
+    return editRefused({"edit-memory", {}}, "too-large");
+  }
+}
+
 Expected<void> checkCrop(const Volume& volume, const Crop& crop) {
   for (std::size_t a = 0; a < 3; ++a)
     if (crop.kept.first[a] < 0 || crop.kept.first[a] >= crop.kept.end[a] ||
@@ -33,6 +44,7 @@ struct Draft {
   Volume volume;  ///< with the voxels of `view` once there is one
   std::shared_ptr<void> view;
   TouchedBlocks touched;
+  std::uint64_t digest = 0;  ///< of its voxels, without the crop
 };
 
 Expected<void> cropDraft(Draft& draft, const Crop& crop) {
@@ -48,7 +60,7 @@ std::shared_ptr<const Volume> finished(Draft draft, std::shared_ptr<const Volume
                                        const std::shared_ptr<const Volume>& neighbour,
                                        std::vector<VoxelBox> changed) {
   auto edited = std::make_shared<Edited>();
-  edited->digest = digestOf(*scan, draft.volume.voxels.get(), draft.touched, draft.volume.bounds());
+  edited->digest = digestOf(draft.digest, draft.volume.bounds());
   edited->scan = std::move(scan);
   edited->edits = std::move(edits);
   edited->neighbour = neighbour;
@@ -89,10 +101,11 @@ Expected<void> applyAll(const Volume& scan, std::span<const Edit> edits, Draft& 
     changed.add(lowered->runs);
   }
   changed.add(scan.bounds(), draft.volume.bounds());
+  draft.digest = digestOfVoxels(scan, draft.volume.voxels.get(), draft.touched);
   return {};
 }
 
-Draft draftOf(const Volume& scan) { return {scan, nullptr, TouchedBlocks{scan}}; }
+Draft draftOf(const Volume& scan) { return {scan, nullptr, TouchedBlocks{scan}, 0}; }
 
 /// Voxels at or above a value in a box.
 std::int64_t solidIn(const Volume& volume, const VoxelBox& box, double isovalue) {
@@ -142,8 +155,10 @@ Removal removalOfCrop(const Volume& volume, const Crop& crop, double isovalue) {
 
 }  // namespace
 
-Expected<Removal> removalOf(const Volume& volume, const Edit& edit, double isovalue,
-                            const EditWatch& watch) {
+namespace {
+
+Expected<Removal> removalWith(const Volume& volume, const Edit& edit, double isovalue,
+                              const EditWatch& watch) {
   if (const auto* crop = std::get_if<Crop>(&edit)) {
     if (const auto possible = checkCrop(volume, *crop); !possible)
       return tl::unexpected(possible.error());
@@ -158,6 +173,23 @@ Expected<Removal> removalOf(const Volume& volume, const Edit& edit, double isova
                  std::move(lowered->runs)};
 }
 
+Expected<std::shared_ptr<const Volume>> editedWith(std::shared_ptr<const Volume> scan,
+                                                   std::span<const Edit> edits,
+                                                   const EditWatch& watch) {
+  Draft draft = draftOf(*scan);
+  ChangedBoxes changed{scan->grid};
+  if (auto done = applyAll(*scan, edits, draft, changed, watch); !done)
+    return tl::unexpected(done.error());
+  return finished(std::move(draft), scan, {edits.begin(), edits.end()}, scan, changed.boxes());
+}
+
+}  // namespace
+
+Expected<Removal> removalOf(const Volume& volume, const Edit& edit, double isovalue,
+                            const EditWatch& watch) {
+  return withinMemory([&] { return removalWith(volume, edit, isovalue, watch); });
+}
+
 class EditHistory::State {
  public:
   State(std::shared_ptr<const Volume> of_scan, std::size_t limit)
@@ -166,6 +198,7 @@ class EditHistory::State {
   /// One edit in force, and what takes it back.
   struct Step {
     TouchedBlocks touched;                   ///< before it
+    std::uint64_t digest = 0;                ///< of the voxels before it
     std::optional<VoxelBox> crop;            ///< before it
     std::shared_ptr<const Journal> journal;  ///< null: it was dropped
     std::vector<VoxelBox> changed;
@@ -182,6 +215,7 @@ class EditHistory::State {
 
   std::shared_ptr<const Volume> scan, present;
   TouchedBlocks touched;
+  std::uint64_t digest = 0;  // of its voxels
   std::vector<Step> steps;
   std::vector<Edit> edits;   // in force
   std::vector<Edit> undone;  // the last to redo first
@@ -206,7 +240,7 @@ Expected<std::shared_ptr<const Volume>> EditHistory::State::apply(const Edit& ed
                                                                   const EditWatch& watch) {
   if (steps.size() >= kMostSteps)
     return editRefused({"edit-too-many", {std::to_string(kMostSteps)}}, "too-many");
-  Draft draft{*present, nullptr, touched};
+  Draft draft{*present, nullptr, touched, digest};
   ChangedBoxes changed{scan->grid};
   Journal journal;
   if (const auto* crop = std::get_if<Crop>(&edit)) {
@@ -227,17 +261,22 @@ Expected<std::shared_ptr<const Volume>> EditHistory::State::apply(const Edit& ed
       draft.touched.add(bytes.first, bytes.first + bytes.count);
     }
     changed.add(lowered->runs);
+    draft.digest = digestOfVoxels(*scan, draft.view.get(), draft.touched);
     journal = {*scan, present->voxels.get(), touched, std::move(lowered->runs)};
   }
   if (watch.cancel != nullptr && watch.cancel->load()) return tl::unexpected(editCancelled());
   std::vector<Edit> all = edits;
   all.push_back(edit);
   TouchedBlocks after = draft.touched;
+  const std::uint64_t digest_after = draft.digest;
   std::vector<VoxelBox> boxes = changed.boxes();
   auto volume = finished(std::move(draft), scan, all, present, boxes);
-  steps.push_back({std::move(touched), present->crop,
-                   std::make_shared<const Journal>(std::move(journal)), std::move(boxes)});
+  auto kept = std::make_shared<const Journal>(std::move(journal));
+  steps.reserve(steps.size() + 1);
+  // nothing from here on needs memory
+  steps.push_back({std::move(touched), digest, present->crop, std::move(kept), std::move(boxes)});
   touched = std::move(after);
+  digest = digest_after;
   edits = std::move(all);
   present = std::move(volume);
   dropJournals();
@@ -249,10 +288,11 @@ Expected<std::shared_ptr<const Volume>> EditHistory::State::takeBack(std::size_t
   const std::size_t left = steps.size() - count;
   const std::vector<Edit> kept(edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(left));
   TouchedBlocks before{*scan};
+  std::uint64_t digest_before = 0;
   std::shared_ptr<const Volume> volume = scan;
   if (left > 0 && count == 1 && steps.back().journal) {
     const Step& step = steps.back();
-    Draft draft{*present, nullptr, step.touched};
+    Draft draft{*present, nullptr, step.touched, step.digest};
     draft.volume.crop = step.crop;
     if (!std::holds_alternative<Crop>(edits.back())) {
       auto view = viewOf(*scan, present->voxels.get(), step.touched);
@@ -262,6 +302,7 @@ Expected<std::shared_ptr<const Volume>> EditHistory::State::takeBack(std::size_t
       draft.volume.voxels = draft.view;
     }
     before = step.touched;
+    digest_before = step.digest;
     volume = finished(std::move(draft), scan, kept, present, step.changed);
   } else if (left > 0) {
     Draft draft = draftOf(*scan);
@@ -269,15 +310,18 @@ Expected<std::shared_ptr<const Volume>> EditHistory::State::takeBack(std::size_t
     if (auto done = applyAll(*scan, kept, draft, unused, watch); !done)
       return tl::unexpected(done.error());
     before = draft.touched;
+    digest_before = draft.digest;
     volume = finished(std::move(draft), scan, kept, present, steps.back().changed);
   }
   if (watch.cancel != nullptr && watch.cancel->load()) return tl::unexpected(editCancelled());
+  undone.reserve(undone.size() + count);
   for (std::size_t n = 0; n < count; ++n) {
     undone.push_back(std::move(edits.back()));
     edits.pop_back();
     steps.pop_back();
   }
   touched = std::move(before);
+  digest = digest_before;
   present = std::move(volume);
   return present;
 }
@@ -295,38 +339,33 @@ std::size_t EditHistory::journalBytes() const { return state_->journalBytes(); }
 
 Expected<std::shared_ptr<const Volume>> EditHistory::apply(const Edit& edit,
                                                            const EditWatch& watch) {
-  auto volume = state_->apply(edit, watch);
+  auto volume = withinMemory([&] { return state_->apply(edit, watch); });
   if (volume) state_->undone.clear();
   return volume;
 }
 
 Expected<std::shared_ptr<const Volume>> EditHistory::undo(const EditWatch& watch) {
   if (!canUndo()) return editRefused({"edit-none-to-undo", {}}, "nothing");
-  return state_->takeBack(1, watch);
+  return withinMemory([&] { return state_->takeBack(1, watch); });
 }
 
 Expected<std::shared_ptr<const Volume>> EditHistory::redo(const EditWatch& watch) {
   if (!canRedo()) return editRefused({"edit-none-to-redo", {}}, "nothing");
-  const Edit edit = state_->undone.back();
-  auto volume = state_->apply(edit, watch);
+  auto volume = withinMemory([&] { return state_->apply(state_->undone.back(), watch); });
   if (volume) state_->undone.pop_back();
   return volume;
 }
 
 Expected<std::shared_ptr<const Volume>> EditHistory::reset(const EditWatch& watch) {
   if (!canUndo()) return editRefused({"edit-none-to-undo", {}}, "nothing");
-  return state_->takeBack(state_->steps.size(), watch);
+  return withinMemory([&] { return state_->takeBack(state_->steps.size(), watch); });
 }
 
 Expected<std::shared_ptr<const Volume>> edited(std::shared_ptr<const Volume> scan,
                                                std::span<const Edit> edits,
                                                const EditWatch& watch) {
   if (edits.empty()) return scan;
-  Draft draft = draftOf(*scan);
-  ChangedBoxes changed{scan->grid};
-  if (auto done = applyAll(*scan, edits, draft, changed, watch); !done)
-    return tl::unexpected(done.error());
-  return finished(std::move(draft), scan, {edits.begin(), edits.end()}, scan, changed.boxes());
+  return withinMemory([&] { return editedWith(std::move(scan), edits, watch); });
 }
 
 }  // namespace haptics

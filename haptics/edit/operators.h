@@ -53,7 +53,7 @@ class EditProgress {
       : watch_{watch}, from_{from}, until_{until} {}
   bool cancelled() const { return watch_.cancel != nullptr && watch_.cancel->load(); }
   /// Calls work(n) for 0 <= n < count, in any order, on up to two threads; false if it was
-  /// cancelled. The caller's thread tells the watch.
+  /// cancelled. The caller's thread tells the watch. What work throws on either thread leaves here.
   bool each(std::int64_t count, const std::function<void(std::int64_t)>& work) const;
 
  private:

@@ -51,8 +51,7 @@ std::uint64_t scrambled(std::uint64_t x) {
 
 }  // namespace
 
-std::uint64_t digestOf(const Volume& scan, const void* voxels, const TouchedBlocks& touched,
-                       const VoxelBox& bounds) {
+std::uint64_t digestOfVoxels(const Volume& scan, const void* voxels, const TouchedBlocks& touched) {
   std::uint64_t digest = 0;
   const auto* then = static_cast<const std::uint8_t*>(scan.voxels.get());
   const auto* now = static_cast<const std::uint8_t*>(voxels);
@@ -69,6 +68,11 @@ std::uint64_t digestOf(const Volume& scan, const void* voxels, const TouchedBloc
       digest ^= digest >> 32;
     }
   }
+  return digest;
+}
+
+std::uint64_t digestOf(std::uint64_t of_voxels, const VoxelBox& bounds) {
+  std::uint64_t digest = of_voxels;
   for (std::size_t a = 0; a < 3; ++a) {
     digest = scrambled(digest ^ static_cast<std::uint64_t>(bounds.first[a]));
     digest = scrambled(digest ^ static_cast<std::uint64_t>(bounds.end[a]));

@@ -40,9 +40,10 @@ class TouchedBlocks {
 Expected<std::shared_ptr<void>> viewOf(const Volume& scan, const void* present,
                                        const TouchedBlocks& touched);
 
-/// A digest of the voxels that differ from the scan's, in the order of memory, and of the crop.
-std::uint64_t digestOf(const Volume& scan, const void* voxels, const TouchedBlocks& touched,
-                       const VoxelBox& bounds);
+/// A digest of the voxels that differ from the scan's, in the order of memory.
+std::uint64_t digestOfVoxels(const Volume& scan, const void* voxels, const TouchedBlocks& touched);
+/// The same, and of the crop.
+std::uint64_t digestOf(std::uint64_t of_voxels, const VoxelBox& bounds);
 
 /// Bytes of a run in a volume's memory.
 struct RunBytes {

@@ -30,6 +30,8 @@ inline constexpr Row kScenes[] = {
     {"edit-crop-outside", "The crop box reaches beyond the scan; draw it within."},
     {"edit-not-editable",
      "The scan's voxels cannot be edited in memory; load the scan again from its file."},
+    {"edit-memory",
+     "There is too little memory for the edit, and the scan is as it was; close other programs."},
     {"edit-too-many", "The scan has %1 edits, and no more are kept; reset some first."},
     {"edit-none-to-undo", "There is no edit to undo."},
     {"edit-none-to-redo", "There is no edit to redo."},

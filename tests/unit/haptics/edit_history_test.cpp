@@ -7,14 +7,17 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
 #include "haptics/edit/edit_history.h"
 #include "haptics/edit/edited.h"
+#include "haptics/edit/operators.h"
 #include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 #include "tests/support/sentence.h"
@@ -264,6 +267,58 @@ TEST(EditHistory, IsAsItWasAfterACancelledEdit) {
   EXPECT_FALSE(history.reset({&cancel, {}}));
   EXPECT_EQ(history.present(), before);
   EXPECT_TRUE(history.undo());
+}
+
+TEST(EditHistory, IsAsItWasWhereMemoryEnds) {
+  const auto scan = blobs(60, 211);
+  for (const std::size_t limit : {EditHistory::kJournalLimit, std::size_t{0}}) {
+    EditHistory history{scan, limit};
+    ASSERT_TRUE(history.apply(PlaneCut{{0.0, 0.0, 10 * h}, Vec3::UnitZ(), 300.0}));
+    ASSERT_TRUE(history.apply(RemoveSmallPieces{300.0, 50 * h * h * h}));
+    const auto before = history.present();
+    int ended = 0;
+    for (const double at : {0.0, 0.3, 0.7}) {
+      const EditWatch watch{nullptr, [at](double fraction) {
+                              if (fraction >= at) throw std::bad_alloc{};
+                            }};
+      const auto expectEnded = [&](const auto& result) {
+        ASSERT_FALSE(result);
+        EXPECT_EQ(result.error().reason, "too-large");
+        EXPECT_FALSE(sentence(result.error()).empty());
+        EXPECT_EQ(history.present(), before);
+        EXPECT_EQ(history.edits().size(), 2U);
+        ++ended;
+      };
+      const Edit edit = PlaneCut{Vec3::Zero(), Vec3::UnitY(), 300.0};
+      expectEnded(history.apply(edit, watch));
+      expectEnded(removalOf(*before, edit, 300.0, watch));
+      expectEnded(edited(scan, history.edits(), watch));
+      // without a journal the first edit is applied again
+      if (limit == 0) expectEnded(history.undo(watch));
+    }
+    EXPECT_EQ(ended, limit == 0 ? 12 : 9);
+    ASSERT_TRUE(history.undo());
+    EXPECT_EQ(history.edits().size(), 1U);
+  }
+}
+
+TEST(EditProgress, CarriesOverWhatEitherThreadThrows) {
+  const EditWatch watch;
+  const EditProgress progress{watch, 0.0, 1.0};
+  const auto here = std::this_thread::get_id();
+  for (const bool second : {false, true}) {
+    if (second && std::thread::hardware_concurrency() < 2) continue;
+    std::atomic<bool> thrown{false};
+    EXPECT_THROW(progress.each(1000,
+                               [&](std::int64_t) {
+                                 if ((std::this_thread::get_id() != here) == second) {
+                                   thrown = true;
+                                   throw std::bad_alloc{};
+                                 }
+                                 while (!thrown) std::this_thread::yield();
+                               }),
+                 std::bad_alloc);
+  }
 }
 
 TEST(EditHistory, TellsWhatItDoesNotDo) {

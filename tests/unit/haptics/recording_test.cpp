@@ -245,14 +245,14 @@ struct Bench {
   int n = 0;
 };
 
-/// A plane through the ball, a lasso beside its middle, and a crop.
+/// A plane and a notch through the ball of scene(), and a crop.
 std::vector<Edit> someEdits() {
   LassoCut lasso;
   lasso.outline = {{-0.002, -0.02}, {0.004, -0.02}, {0.004, 0.02}, {-0.002, 0.02}};
-  lasso.X_WC = poseOf({0.0, 0.0, 0.1}, Quat::Identity());
+  lasso.X_WC = poseOf({0.0235, 0.0235, 0.1235}, Quat::Identity());
   lasso.parallel = true;
   lasso.until = 0.1;
-  return {PlaneCut{{0.0, 0.0, 0.008}, Vec3{0.1, 0.2, 1.0}.normalized(), 0.0}, lasso,
+  return {PlaneCut{{0.0235, 0.0235, 0.0315}, Vec3{0.1, 0.2, 1.0}.normalized(), 0.0}, lasso,
           Crop{{{0, 0, 0}, {48, 48, 46}}}};
 }
 
