@@ -8,8 +8,10 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "datasets/phantoms/phantoms.h"
+#include "haptics/edit/edit_history.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/scene/legal_pose.h"
 #include "haptics/servo/servo_loop.h"
@@ -33,11 +35,14 @@ struct Session {
   SceneOptions options;
   /// What is changed before a tick.
   std::function<void(int tick, Settings&, ServoLoop&)> change;
+  /// What was taken away from the phantom.
+  std::function<std::vector<Edit>(double isovalue)> edits = {};
 };
 
 void record(const Session& session, const std::filesystem::path& target) {
   datasets::Phantom phantom = datasets::makePhantom(session.phantom).value();
-  const auto volume = std::make_shared<const Volume>(std::move(phantom.volume));
+  auto volume = std::make_shared<const Volume>(std::move(phantom.volume));
+  if (session.edits) volume = edited(volume, session.edits(phantom.isovalue)).value();
   Tool tool = makeTool(session.tool, resources::namedToolMesh(session.tool).value()).value();
   const auto scene = makeScene(volume, std::move(tool), session.options).value();
   const auto recorder = Recorder::create(target, {"1.0", "record_sessions", "{}"}).value();
@@ -75,6 +80,16 @@ void record(const Session& session, const std::filesystem::path& target) {
   if (!finished) throw std::runtime_error{sentence(finished.error())};
   std::printf("%s: %lld steps\n", finished->c_str(),
               static_cast<long long>(recorder->status().steps));
+}
+
+/// Half of the ball, by a cut, a lasso over the edge of what is left, and a crop.
+std::vector<Edit> editsOfSphere(double isovalue) {
+  LassoCut lasso;
+  lasso.outline = {{0.06, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {0.07, 0.3}};
+  lasso.X_WC = poseOf({0.0, 0.0, 0.15}, Quat{Eigen::AngleAxisd{0.1, Vec3::UnitY()}});
+  lasso.isovalue = isovalue;
+  return {PlaneCut{{0.0, 0.0, 0.004}, Vec3{0.3, 0.2, 1.0}.normalized(), isovalue}, lasso,
+          Crop{{{0, 0, 1}, {64, 64, 60}}}};
 }
 
 }  // namespace
@@ -122,5 +137,15 @@ int main(int count, char** words) {
             if (tick == 1200) settings.friction = 0.0;
           }},
          folder / "torus-hook.palpate");
+  // a slide over the wall of a cut
+  record({"sphere",
+          "probe",
+          HandMotion::Slide,
+          {.stiffness = 1000.0, .friction = 0.3},
+          false,
+          {},
+          [](int, Settings&, ServoLoop&) {},
+          editsOfSphere},
+         folder / "sphere-cut.palpate");
   return 0;
 }

@@ -5,12 +5,14 @@ interrupted, killed, without room, and recovered.
 
 Use: recordings_test.py PALPATE-CLI FOLDER SESSIONS
 """
+import contextlib
 import json
 import os
 import pathlib
 import resource
 import shutil
 import signal
+import sqlite3
 import subprocess
 import sys
 import time
@@ -79,10 +81,31 @@ assert json.loads(done.stdout)["volume"] == "unknown", done
 # what earlier builds felt is what this one feels (sessions/README.md)
 if " fma " in pathlib.Path("/proc/cpuinfo").read_text():
     kept = sorted(sessions.glob("*.palpate"))
-    assert len(kept) == 3, kept
+    assert len(kept) == 4, kept
     for session in kept:
         said = call("replay", session, "--phantom", session.stem.split("-")[0])
         assert said["steps"] == 1600 and said["skipped"] == said["differing"] == 0, (session, said)
+
+    # of an edited volume: the hand felt the edits, and other voxels than were felt are told
+    cut = sessions / "sphere-cut.palpate"
+    stored = {}
+    for name, change in {
+            "whole": lambda words: (words.pop("edits"), words.pop("edits_digest")),
+            "other": lambda words: words.update(edits_digest="%x" % (int(words["edits_digest"], 16) ^ 1)),
+            "damaged": lambda words: words["edits"][0].update(more=1)}.items():
+        stored[name] = folder / f"{name}.palpate"
+        shutil.copyfile(cut, stored[name])
+        with contextlib.closing(sqlite3.connect(stored[name])) as file, file:
+            words = json.loads(file.execute("SELECT volume FROM scene").fetchone()[0])
+            assert [edit["edit"] for edit in words["edits"]] == ["plane", "lasso", "crop"], words
+            change(words)
+            file.execute("UPDATE scene SET volume = ?", (json.dumps(words),))
+    said = call("replay", stored["whole"], "--phantom", "sphere", code=4)
+    assert said["differing"] > 400, said
+    said = call("replay", stored["other"], "--phantom", "sphere", code=4)
+    assert said["reasons"] == ["other-edits"] and "differing" not in said, said
+    print(said["error"]["message"])
+    call("replay", stored["damaged"], "--phantom", "sphere", code=3)
 else:
     print("SKIPPED: the kept sessions, which want a processor with fused multiplication")
 
