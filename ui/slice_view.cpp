@@ -590,7 +590,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (overlays_.doubleClick(*geometry_, *event)) return;
-  if (event->button() == Qt::LeftButton && volume_)
+  if (event->button() == Qt::LeftButton && volume_ && (event->modifiers() & Qt::ShiftModifier) == 0)
     emit doubleClicked(placeUnder(event->position()));
   else
     mousePressEvent(event);

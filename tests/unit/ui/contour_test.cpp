@@ -144,7 +144,7 @@ double cpuSeconds() {
 // what it costs, for the record: no limit is asserted
 TEST(Contour, OfAWholeSlice) {
   haptics::Grid grid;
-  grid.dims = {512, 512, 24};
+  grid.dims = {512, 512, 8};
   grid.spacing = {0.5e-3, 0.5e-3, 1e-3};
   std::mt19937 random(2);
   std::normal_distribution<double> noise(0.0, 30.0);
@@ -157,7 +157,7 @@ TEST(Contour, OfAWholeSlice) {
             r > 60 && r < 120 ? 300.0 * std::sin(0.5 * u.x()) * std::sin(0.5 * u.y()) : 0.0;
         return wall + cells + noise(random);
       }));
-  const Patch patch{.corner_W_mm = {0.0, 0.0, 12.3},
+  const Patch patch{.corner_W_mm = {0.0, 0.0, 4.3},
                     .right = Vec3::UnitX(),
                     .up = Vec3::UnitY(),
                     .width_mm = 255.5,
