@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/core/volume.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -44,7 +47,15 @@ Expected<std::shared_ptr<void>> allocateVoxels(std::int64_t voxel_count, ScalarT
     return tl::unexpected(Error{Error::Kind::Unsupported,
                                 {"volume-memory", {std::to_string(voxel_count / 1'000'000 * size)}},
                                 "too-large"});
-  const auto memory = VoxelMemory::allocate(static_cast<std::size_t>(voxel_count * size));
+  const auto bytes = static_cast<std::size_t>(voxel_count * size);
+  // where files may not become so large, nor may a memory object: plain memory then, which cannot
+  // be edited
+  struct rlimit largest {};
+  if (getrlimit(RLIMIT_FSIZE, &largest) == 0 && largest.rlim_cur < bytes) {
+    void* plain = std::calloc(bytes + kVoxelPadding, 1);
+    if (plain != nullptr) return std::shared_ptr<void>(plain, [](void* p) { std::free(p); });
+  }
+  const auto memory = VoxelMemory::allocate(bytes);
   if (!memory) return tl::unexpected(memory.error());
   return (*memory)->sharedView();
 }

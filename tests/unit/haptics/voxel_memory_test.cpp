@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -113,6 +114,19 @@ TEST(VoxelMemory, OnlyTouchedPagesAreCopied) {
     v[at] = 1;
   EXPECT_EQ(ownMemoryOf(v), 3 * page);
   EXPECT_EQ(ownMemoryOf(scan.voxels.get()), 0);
+}
+
+TEST(VoxelMemory, IsPlainMemoryWhereFilesMayNotBecomeSoLarge) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit small = before;
+  small.rlim_cur = 5000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const auto voxels = haptics::allocateVoxels(10'000, ScalarType::Int16);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  ASSERT_TRUE(voxels);
+  EXPECT_FALSE(VoxelMemory::of(*voxels));
+  EXPECT_EQ(static_cast<const char*>(voxels->get())[20'000 + haptics::kVoxelPadding - 1], 0);
 }
 
 class VoxelsOfAFile : public testing::Test {
