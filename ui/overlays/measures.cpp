@@ -41,7 +41,7 @@ void drawLine(QPainter& painter, const QPolygonF& line, const QColor& ink, doubl
   painter.drawPolyline(line);
 }
 
-void drawHandle(QPainter& painter, QPointF at, const QColor& ink, bool hollow) {
+void drawMarkHandle(QPainter& painter, QPointF at, const QColor& ink, bool hollow) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(kRim, 4.5));
   painter.drawEllipse(at, kHandle, kHandle);
@@ -315,7 +315,7 @@ void Measures::paintMeasure(QPainter& painter, const ViewGeometry& view, const M
     if (!arc.isEmpty()) drawLine(painter, arc, ink, 1.2, dashed);
   }
   for (const Handle& handle : handles)
-    if (handle.shown) drawHandle(painter, handle.at, ink, handle.hollow);
+    if (handle.shown) drawMarkHandle(painter, handle.at, ink, handle.hollow);
   if (!whole) return;
   const QFontMetricsF metrics(painter.font(), painter.device());
   const QString text = metrics.elidedText(labelOf(measure), Qt::ElideRight, kWidestLabel);
@@ -332,7 +332,7 @@ void Measures::paintTravel(QPainter& painter, const ViewGeometry& view,
                            std::vector<QRectF>& taken) const {
   const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
   drawLine(painter, {from, to}, kInk, 1.4, true);
-  drawHandle(painter, from, kInk, true);
+  drawMarkHandle(painter, from, kInk, true);
   const QString text = tr("Travelled %1 mm").arg(numberWords(travel_->length_mm, 1));
   const QRectF box = labelPlace(labelSize(painter, text), from, {from, to}, {from, to},
                                 seenPart(painter, view), taken);
