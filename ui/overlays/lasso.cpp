@@ -3,6 +3,7 @@
 
 #include <QRectF>
 #include <cmath>
+#include <utility>
 
 #include "ui/overlays/marks_style.h"
 

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kFarthest_mm = 2'000.0;
 constexpr double kLargest_cm3 = 100'000.0;
+constexpr int kToolsInRow = 3;
 
 QLabel* hintLabel(const QString& words) {
   auto* hint = new QLabel(words);
@@ -40,6 +41,7 @@ NumberBox* numberOf(const char* name, const QString& accessible, double least, d
   number->setDecimals(decimals);
   number->setSuffix(suffix);
   number->setMinimumWidth(70);
+  number->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   return number;
 }
 
@@ -75,7 +77,7 @@ EditPanel::EditPanel(QWidget* parent)
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const int n = static_cast<int>(which) - 1;
     tools_->addButton(button, static_cast<int>(which));
-    row->addWidget(button, 0, n);
+    row->addWidget(button, n / kToolsInRow, n % kToolsInRow);
     connect(button, &QToolButton::clicked, this,
             [this, which](bool on) { setTool(on ? which : EditTool::None); });
   };
@@ -165,9 +167,13 @@ QWidget* EditPanel::cropPage() {
   connect(to_view, &QPushButton::clicked, this, &EditPanel::cropToViewWanted);
   connect(whole, &QPushButton::clicked, this, &EditPanel::cropResetWanted);
   connect(apply, &QPushButton::clicked, this, &EditPanel::cropApplyWanted);
-  auto* buttons = new QHBoxLayout;
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  auto* buttons = new QGridLayout;
   buttons->setSpacing(4);
-  for (QPushButton* button : {to_view, whole, apply}) buttons->addWidget(button);
+  buttons->addWidget(to_view, 0, 0);
+  buttons->addWidget(whole, 0, 1);
+  buttons->addWidget(apply, 1, 0, 1, 2);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(grid);
@@ -183,7 +189,6 @@ QWidget* EditPanel::planePage() {
   plane_hint_->setObjectName("planeHint");
   auto* from = new QHBoxLayout;
   from->setSpacing(4);
-  from->addWidget(new QLabel(tr("From slice:")));
   const auto slice = [&](Plane plane, const QString& text, const char* name) {
     QPushButton* button = buttonOf(text, name);
     connect(button, &QPushButton::clicked, this,
@@ -215,9 +220,11 @@ QWidget* EditPanel::planePage() {
   form->addRow(tr("Position"), plane_position_);
   form->addRow(tr("Towards"), plane_towards_);
   form->addRow(tr("Raised"), plane_raised_);
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new QGridLayout;
   buttons->setSpacing(4);
-  for (QPushButton* button : {flip, again, apply}) buttons->addWidget(button);
+  buttons->addWidget(flip, 0, 0);
+  buttons->addWidget(again, 0, 1);
+  buttons->addWidget(apply, 1, 0, 1, 2);
   auto* controls = new QVBoxLayout(plane_controls_);
   controls->setContentsMargins(0, 0, 0, 0);
   controls->addLayout(form);
@@ -225,6 +232,7 @@ QWidget* EditPanel::planePage() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plane_hint_);
+  column->addWidget(new QLabel(tr("From slice:")));
   column->addLayout(from);
   column->addWidget(plane_controls_);
   column->addStretch(1);
@@ -304,9 +312,13 @@ QFrame* EditPanel::previewBar() {
   connect(remove_piece_, &QPushButton::clicked, this, &EditPanel::removePieceWanted);
   connect(remove_, &QPushButton::clicked, this, &EditPanel::removalWanted);
   connect(cancel, &QPushButton::clicked, this, &EditPanel::previewCancelled);
-  auto* buttons = new QHBoxLayout;
+  // of a piece two buttons and Cancel below, else Remove and Cancel
+  auto* buttons = new QGridLayout;
   buttons->setSpacing(4);
-  for (QPushButton* button : {keep_, remove_piece_, remove_, cancel}) buttons->addWidget(button);
+  buttons->addWidget(keep_, 0, 0);
+  buttons->addWidget(remove_piece_, 0, 1);
+  buttons->addWidget(remove_, 1, 0);
+  buttons->addWidget(cancel, 1, 1);
   auto* column = new QVBoxLayout(bar);
   column->setContentsMargins(0, 4, 0, 0);
   column->addWidget(preview_words_);
