@@ -300,8 +300,8 @@ TEST(Recording, OfAnEditedVolumeIsReplayedFromTheScanToTheBit) {
 
 TEST(Recording, OfAnEditedVolumeIsNotReplayedOverOneThatComesOutOtherwise) {
   const auto before = scene();
-  const Scene& touched = **makeScene(*edited(before->volume, someEdits()), before->tool);
-  const SceneWords words = wordsOf(touched);
+  const auto touched = *makeScene(*edited(before->volume, someEdits()), before->tool);
+  const SceneWords words = wordsOf(*touched);
   RecordedScene then = *sceneFrom(words);
   ASSERT_TRUE(editedAsRecorded(before->volume, then));
   // another scan, and a digest that is not the one
