@@ -418,9 +418,9 @@ TEST(HapticDevice, TurningTheCameraTurnsTheHandsDirectionsAndMovesNothing) {
     if (!follow) session.click("followCamera");
     Vec3 at = toolAt();
     const Eigen::Matrix3d before = session.view().viewAxes();
-    QTest::mousePress(&session.view(), Qt::RightButton, {}, {100, 100});
-    QTest::mouseMove(&session.view(), {220, 130});
-    QTest::mouseRelease(&session.view(), Qt::RightButton, {}, {220, 130});
+    QTest::mousePress(&session.view(), Qt::LeftButton, {}, {40, 40});
+    QTest::mouseMove(&session.view(), {160, 70});
+    QTest::mouseRelease(&session.view(), Qt::LeftButton, {}, {160, 70});
     const Eigen::Matrix3d after = session.view().viewAxes();
     ASSERT_GT((after - before).norm(), 0.2);
     // a picture may take longer than any wait: after several the timer has come round, and with it
