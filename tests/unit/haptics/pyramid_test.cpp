@@ -118,7 +118,7 @@ TEST(MaxPyramid, StatesOnlyBoundsThatHoldInACrop) {
   }
   EXPECT_GT(seen.empty, made::trials(3000));
   EXPECT_GT(seen.wide, made::trials(300));
-  EXPECT_GT(seen.sloped, made::trials(2000));
+  EXPECT_GT(seen.sloped, made::trials(1500));
   EXPECT_GT(seen.inside, made::trials(300));
 }
 
