@@ -47,17 +47,15 @@ std::optional<ScreenshotWish> askForScreenshot(QWidget* parent, const VolumeView
 }
 
 QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wish) {
-  const bool is_seen = view.isVisible();
-  const QImage seen = is_seen || !wish.whole_window ? view.picture(wish.scale) : QImage();
-  if (!wish.whole_window || (is_seen && seen.isNull())) return seen;
+  const QImage seen = view.picture(wish.scale);
+  if (seen.isNull() || !wish.whole_window) return seen;
   QImage image(window.size() * wish.scale, QImage::Format_RGB32);
   image.setDevicePixelRatio(wish.scale);
   image.fill(window.palette().window().color());
   window.render(&image);
-  if (is_seen) {
-    QPainter painter(&image);
-    painter.drawImage(QRectF(view.mapTo(&window, QPointF{}), QSizeF(view.size())), seen);
-  }
+  QPainter painter(&image);
+  painter.drawImage(QRectF(view.mapTo(&window, QPointF{}), QSizeF(view.size())), seen);
+  painter.end();
   image.setDevicePixelRatio(1.0);
   return image;
 }
