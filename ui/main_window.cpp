@@ -493,6 +493,8 @@ void MainWindow::showFault(const QString& sentence) {
 }
 
 void MainWindow::showLoading(const QString& what) {
+  // the same again leaves the bar as it is: a new range paints the window at once
+  if (loading_->isVisible() && loading_what_->text() == what) return;
   loading_what_->setText(what);
   progress_->setRange(0, 0);  // busy, until a fraction is known
   loading_->show();
