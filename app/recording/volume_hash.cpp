@@ -107,8 +107,8 @@ std::optional<haptics::VolumeHash> hashOf(const haptics::Volume& volume, const Q
   add(code, scan.grid);
   add(code, static_cast<qint32>(scan.type));
   const auto* voxels = static_cast<const char*>(scan.voxels.get());
-  const auto bytes = static_cast<qint64>(scan.grid.voxelCount()) *
-                     static_cast<qint64>(haptics::sizeOf(scan.type));
+  const auto bytes =
+      static_cast<qint64>(scan.grid.voxelCount()) * static_cast<qint64>(haptics::sizeOf(scan.type));
   for (qint64 at = 0; at < bytes; at += kChunk) {
     if (cancel) return {};
     code.addData(voxels + at, std::min(kChunk, bytes - at));

@@ -22,8 +22,8 @@ void nameApplication();
 /// can be neither read nor written, or is damaged; a damaged key is never replaced.
 haptics::Expected<QByteArray> installationKey();
 
-/// HMAC-SHA256 over geometry and voxels of the scan, whatever was taken away from it. Takes seconds for a large volume. Nullopt if `key` is
-/// empty, or once `cancel` is true.
+/// HMAC-SHA256 over geometry and voxels of the scan, whatever was taken away from it. Takes seconds
+/// for a large volume. Nullopt if `key` is empty, or once `cancel` is true.
 std::optional<haptics::VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,
                                           const std::atomic<bool>& cancel);
 

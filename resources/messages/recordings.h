@@ -45,7 +45,8 @@ inline constexpr Row kRecordings[] = {
      "\"%1\" is no recording of Palpate's; recordings end in .palpate."},
     {"recording-of-later-palpate", "\"%1\" was recorded by a later Palpate; use that one."},
     {"replay-other-edits",
-     "What was taken away from the scan in the recording comes out otherwise here: the scan or this "
+     "What was taken away from the scan in the recording comes out otherwise here: the scan or "
+     "this "
      "version of Palpate is another; replay with the version that recorded it."},
     {"replay-cancelled", "The replay was cancelled."},
     {"recording-scene-damaged",
