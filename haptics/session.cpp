@@ -42,10 +42,11 @@ Settings underRating(Settings settings, const DeviceRating& rating, const Scene*
   settings.stiffness *= settings.force_scale;
   settings.angular_stiffness *= settings.force_scale;
   if (rating.stiffness > 0.0) {
-    const Mat3 inertia = scene == nullptr ? Mat3::Identity() : scene->tool.shell.inertia;
+    const PointShell none;
+    const PointShell& shell = scene == nullptr ? none : scene->tool.shell;
     const double most = lifted
                             ? rating.stiffness
-                            : allowedStiffness(rating, inertia, {ServoLoop::kPeriod, rating.delay});
+                            : allowedStiffness(rating, shell, {ServoLoop::kPeriod, rating.delay});
     settings.stiffness = std::min(settings.stiffness, most / settings.position_scale);
   }
   if (rating.torque > 0.0 && rating.angular_stiffness > 0.0) {
@@ -60,9 +61,8 @@ Settings underRating(Settings settings, const DeviceRating& rating, const Scene*
 /// What the grip of the mouse and of the simulated hands carries.
 Settings underGrip(Settings settings, const Scene* scene) {
   if (scene != nullptr)
-    settings.stiffness =
-        std::min(settings.stiffness,
-                 allowedStiffness(Grip{}, scene->tool.shell.inertia, ServoLoop::kPeriod));
+    settings.stiffness = std::min(settings.stiffness,
+                                  allowedStiffness(Grip{}, scene->tool.shell, ServoLoop::kPeriod));
   return settings;
 }
 

@@ -149,11 +149,10 @@ haptics::Expected<haptics::Hand> handFor(const RunOptions& options, const haptic
 std::optional<double> allowedIn(const haptics::ClosedLoop& loop,
                                 const haptics::DeviceRating* rating) {
   if (loop.hand_is_device) return {};
-  const haptics::Mat3& inertia = loop.scene->tool.shell.inertia;
-  const double gripped = haptics::allowedStiffness(loop.grip, inertia, loop.period);
+  const haptics::PointShell& shell = loop.scene->tool.shell;
+  const double gripped = haptics::allowedStiffness(loop.grip, shell, loop.period);
   if (rating == nullptr) return gripped;
-  return std::min(gripped,
-                  haptics::allowedStiffness(*rating, inertia, {loop.period, rating->delay}));
+  return std::min(gripped, haptics::allowedStiffness(*rating, shell, {loop.period, rating->delay}));
 }
 
 std::string shown(double stiffness) {

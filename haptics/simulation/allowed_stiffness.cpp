@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "haptics/simulation/device_model.h"
-#include "haptics/tool/point_shell.h"
 
 namespace haptics {
 namespace {
 
 constexpr double kShare = 0.45;  // of the limit of a sampled spring
-constexpr double kTurned = 0.9;  // N·m/rad, about the pivot: more gives over 0.8 mJ a turn
+// N·m/rad, missing about the pivot: more gives over 0.9 mJ a turn, by the arm and by the far end
+constexpr double kMissingByArm = 0.9, kMissingByReach = 1.8;
 
 double shareOfLimit(double damping, const Timing& timing) {
   return kShare * 2.0 * damping / (timing.period * (1.0 + 2.0 * timing.delay));
@@ -21,18 +21,23 @@ double roundness(const Mat3& inertia) { return inertia.trace() / 3.0 / largestIn
 
 }  // namespace
 
-double allowedStiffness(const DeviceRating& rating, const Mat3& inertia, const Timing& timing,
+double allowedStiffness(const DeviceRating& rating, const PointShell& shell, const Timing& timing,
                         double arm) {
+  constexpr int kTurns = 6;  // degrees of freedom of a handle whose turning is sensed
   double allowed = shareOfLimit(DeviceModel{}.damping + HumanHand{}.damping, timing);
-  if (rating.torque > 0.0)
-    allowed *= roundness(inertia);
-  else if (arm > 0.0)
-    allowed = std::min(allowed, kTurned / (arm * arm));
+  if (rating.torque > 0.0) {
+    allowed *= roundness(shell.inertia);
+  } else if (rating.sensed >= kTurns) {
+    const double reach2 = shell.radius * shell.radius, inertia = largestInertia(shell.inertia);
+    if (reach2 > 0.0)
+      allowed = std::min(allowed, kMissingByReach * (inertia + reach2) / (reach2 * inertia));
+    if (arm > 0.0) allowed = std::min(allowed, kMissingByArm / (arm * arm));
+  }
   return std::min(rating.stiffness, allowed);
 }
 
-double allowedStiffness(const Grip& grip, const Mat3& inertia, double period) {
-  return shareOfLimit(grip.damping, {period}) * roundness(inertia);
+double allowedStiffness(const Grip& grip, const PointShell& shell, double period) {
+  return shareOfLimit(grip.damping, {period}) * roundness(shell.inertia);
 }
 
 }  // namespace haptics

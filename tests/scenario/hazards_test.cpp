@@ -467,7 +467,7 @@ TEST(Session, LetsNobodySetWhatShakesUnlessItIsLiftedAndForOneConnection) {
   session.adopt(stage.scene, at(0, 0, 0.03));
   const haptics::DeviceRating falcon = *haptics::findRating("falcon");
   const double allowed =
-      haptics::allowedStiffness(falcon, stage.scene->tool.shell.inertia, {1e-3, falcon.delay});
+      haptics::allowedStiffness(falcon, stage.scene->tool.shell, {1e-3, falcon.delay});
   ASSERT_LT(allowed, 0.9 * falcon.stiffness);
   for (int connection = 0; connection < 2; ++connection) {
     auto device = std::make_unique<FakeDevice>(at(0, 0, 0));

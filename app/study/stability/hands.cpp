@@ -250,8 +250,8 @@ Outcome turnedArm(int turns) {
       Series series{shortly(1e3 * arm) + " mm, " + (torque ? "torque" : "no torque"), {}};
       const double rated = omni.rating.stiffness,
                    allowed = torque ? rated
-                                    : haptics::allowedStiffness(omni.rating,
-                                                                haptics::Mat3::Identity(), {}, arm);
+                                    : haptics::allowedStiffness(omni.rating, haptics::PointShell{},
+                                                                {}, arm);
       const Turned r = turnHandle(omni, arm, torque, allowed, true, turns, &series);
       plot.series.push_back(std::move(series));
       table.rows.push_back(row(arm, torque, allowed, r));

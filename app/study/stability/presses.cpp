@@ -259,7 +259,7 @@ Stage makeStage(const std::string& name, double noise, unsigned seed) {
 
 double allowedFor(const Wall& wall, const haptics::Scene& scene) {
   const haptics::Linkage& linkage = wall.device.linkage;
-  return haptics::allowedStiffness(wall.device.rating, scene.tool.shell.inertia,
+  return haptics::allowedStiffness(wall.device.rating, scene.tool.shell,
                                    {wall.period, linkage.delay}, linkage.arm.norm());
 }
 double defaultFor(const Wall& wall, const haptics::Scene& scene) {

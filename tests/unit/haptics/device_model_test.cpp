@@ -142,7 +142,7 @@ TEST(DeviceModel, EveryRatedDeviceHasOneAndOneHasAnArm) {
 
 // 2 b / T is 10 kN/m at 1 kHz with the 5 N·s/m of any device and a hand
 TEST(AllowedStiffness, IsTheRatingAndAtMostSomeOfTheSampledSpringsLimit) {
-  const haptics::Mat3 round = haptics::Mat3::Identity();
+  const haptics::PointShell round;
   const haptics::DeviceRating falcon = *haptics::findRating("falcon"),
                               omega = *haptics::findRating("omega.6");
   const auto allowed = [&](const haptics::DeviceRating& rating, double period, int delay) {
@@ -162,8 +162,9 @@ TEST(AllowedStiffness, IsTheRatingAndAtMostSomeOfTheSampledSpringsLimit) {
 }
 
 TEST(AllowedStiffness, FallsWithALongToolWhereThereAreTorqueMotorsAndWithTheArmWhereThereAreNone) {
-  const haptics::Mat3 round = haptics::Mat3::Identity(),
-                      rod = Vec3{1.0, 1.0, 0.1}.asDiagonal();  // 0.7 of the mean across it
+  const haptics::PointShell round;
+  haptics::PointShell rod;
+  rod.inertia = Vec3{1.0, 1.0, 0.1}.asDiagonal();  // 0.7 of the mean across it
   const haptics::DeviceRating lambda = *haptics::findRating("lambda.7"),
                               omega = *haptics::findRating("omega.6");
   EXPECT_DOUBLE_EQ(haptics::allowedStiffness(lambda, rod, {}), 0.7 * 4500.0);
@@ -176,6 +177,27 @@ TEST(AllowedStiffness, FallsWithALongToolWhereThereAreTorqueMotorsAndWithTheArmW
   // the grip of the simulated hands: 8 N·s/m, and never a force that comes late
   EXPECT_DOUBLE_EQ(haptics::allowedStiffness(Grip{}, round, 1e-3), 7200.0);
   EXPECT_DOUBLE_EQ(haptics::allowedStiffness(Grip{}, rod, 1e-3), 5040.0);
+}
+
+// a contact at the far end of the tool turns the handle, and no motor holds against it
+TEST(AllowedStiffness, FallsWithTheReachOfATool) {
+  const auto rod = [](double reach) {
+    std::vector<Vec3> points;
+    for (int n = -50; n <= 50; ++n) points.push_back({0.0, 0.0, reach * n / 50});
+    return haptics::makeShell(points).value();
+  };
+  const auto allowed = [&](const char* id, double reach) {
+    return haptics::allowedStiffness(*haptics::findRating(id), rod(reach), {});
+  };
+  // 1.8 N·m/rad are missing: K r² I / (I + r²), where a rod has I = r²/3
+  const double inertia = 0.01 * 0.34;
+  EXPECT_NEAR(allowed("omega.6", 0.1), 1.8 * (inertia + 0.01) / (inertia * 0.01), 1.0);
+  EXPECT_NEAR(allowed("omega.6", 0.2), 0.25 * allowed("omega.6", 0.1), 0.5);
+  EXPECT_DOUBLE_EQ(allowed("omega.6", 0.02), 4500.0);
+  EXPECT_DOUBLE_EQ(allowed("omni", 0.1), 700.0);  // as rated
+  // a handle that does not turn, and one whose motors hold against it
+  EXPECT_DOUBLE_EQ(allowed("omega.3", 0.2), 4500.0);
+  EXPECT_GT(allowed("lambda.7", 0.2), 2500.0);
 }
 
 }  // namespace
