@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/status_line.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/panels/force_words.h"
@@ -8,7 +9,7 @@
 namespace ui {
 namespace {
 
-constexpr int kLoopMs = 5'000;  // between two changes of the servo loop's figures
+constexpr int kFirstLoopMs = 5'000, kLongestLoopMs = 40'000;
 
 // a hundredth of the rate, a quarter of a tick, a tenth more ticks that came late or never
 bool isNews(const haptics::Snapshot& now, const haptics::Snapshot& shown) {
@@ -57,9 +58,9 @@ void StatusLine::display(const haptics::Snapshot& snapshot) {
 }
 
 void StatusLine::displayLoop(const haptics::Snapshot& snapshot) {
-  if (!loop_.isEmpty() && snapshot.policy == loop_shown_.policy &&
-      (since_loop_.elapsed() < kLoopMs || !isNews(snapshot, loop_shown_)))
-    return;
+  const bool same_loop = !loop_.isEmpty() && snapshot.policy == loop_shown_.policy;
+  if (same_loop && (since_loop_.elapsed() < loop_ms_ || !isNews(snapshot, loop_shown_))) return;
+  loop_ms_ = same_loop ? std::min(2 * loop_ms_, kLongestLoopMs) : kFirstLoopMs;
   loop_shown_ = snapshot;
   since_loop_.start();
   loop_ = tr("servo %1 Hz (%2), tick p99 %3 µs, late %4, missed %5")

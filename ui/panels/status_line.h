@@ -9,8 +9,9 @@
 
 namespace ui {
 
-/// One line on the state of the touch and the picture. The servo loop's figures are updated at most
-/// every five seconds, and only if they differ noticeably.
+/// One line on the state of the touch and the picture. The servo loop's figures are updated only if
+/// they differ noticeably, first after 5 s and then ever more rarely, down to once in 40 s: each
+/// update paints the whole window where there is no GPU.
 class StatusLine : public QLabel {
   Q_OBJECT
  public:
@@ -25,6 +26,7 @@ class StatusLine : public QLabel {
   QString touch_, loop_, hand_, surface_;
   haptics::Snapshot loop_shown_;
   QElapsedTimer since_loop_;
+  int loop_ms_ = 0;  ///< until the next change of the servo loop's figures
 };
 
 }  // namespace ui
