@@ -21,6 +21,7 @@ Application::Application(Arguments arguments)
       screenshot_(window_, shared_, arguments_.screenshot, arguments_.screenshot_after) {
   window_.view().setSurfaceWish(arguments_.surface);
   wireOpening();
+  wireIsosurface();
   wireHands();
   wireRecordings();
   wireEdits();
@@ -62,7 +63,9 @@ void Application::wireOpening() {
   connect(&opening_, &Opening::loaded, &measurement_, &MeasurementController::showScene);
   connect(&opening_, &Opening::loaded, &recording_, &RecordingController::describeScene);
   connect(&opening_, &Opening::loaded, &hand_, &HandController::adopt);
-  // in this order: a hand that cannot be opened has the last word
+  // in this order: a view that is opened finds the panel of its scan, and a hand that cannot be
+  // opened has the last word
+  connect(&opening_, &Opening::shown, &isosurface_, &IsosurfaceController::showScene);
   connect(&opening_, &Opening::shown, &tool_, &ToolController::show);
   connect(&opening_, &Opening::shown, &recording_,
           [this] { recording_.setReady(!shared_.replaying); });
@@ -75,6 +78,15 @@ void Application::wireOpening() {
   connect(&opening_, &Opening::failed, &measurement_, &MeasurementController::resume);
   connect(&opening_, &Opening::failed, &screenshot_, &ScreenshotController::fail);
   connect(&screenshot_, &ScreenshotController::finished, this, &Application::finished);
+}
+
+void Application::wireIsosurface() {
+  using Isosurface = IsosurfaceController;
+  connect(&isosurface_, &Isosurface::changed, &tool_, &ToolController::showFieldSoon);
+  connect(&isosurface_, &Isosurface::changed, &marks_.measures(), &ui::Measures::surfaceChanged);
+  connect(&isosurface_, &Isosurface::changed, &edit_, &EditController::endPreview);
+  connect(&replay_, &ReplayController::isovalueShown, &isosurface_, &Isosurface::show);
+  connect(&view_file_, &ViewFileController::isovalueWanted, &isosurface_, &Isosurface::set);
 }
 
 void Application::wireHands() {
@@ -92,10 +104,12 @@ void Application::wireHands() {
   connect(&device_, &DeviceController::taken, &hand_, &HandController::takeDevice);
   connect(&device_, &DeviceController::forgotten, &hand_, &HandController::forgetDevice);
   connect(&device_, &DeviceController::released, &hand_, &HandController::reopen);
+  connect(&device_, &DeviceController::stiffnessWanted, &hand_, &HandController::setStiffness);
   connect(&device_, &DeviceController::forceChanged, &recording_,
           [this](const QString& transition) { recording_.note("force", transition); });
   connect(&picture_, &PictureController::refreshing, &recording_, &RecordingController::refresh);
   connect(&picture_, &PictureController::refreshing, &device_, &DeviceController::refresh);
+  connect(&picture_, &PictureController::snapshotTaken, &device_, &DeviceController::showForce);
 }
 
 void Application::noteHand(const QString& id) {
@@ -112,6 +126,8 @@ void Application::wireRecordings() {
   connect(&recording_, &RecordingController::starting, &replay_, &ReplayController::close);
   connect(&recording_, &RecordingController::started, this,
           [this] { noteHand(QString::fromStdString(hand_.name())); });
+  connect(&replay_, &ReplayController::forcesCleared, &picture_, &PictureController::clearForces);
+  connect(&replay_, &ReplayController::forcesAppended, &picture_, &PictureController::appendForces);
   connect(&replay_, &ReplayController::opened, this, [this] {
     recording_.recording().stop();
     measurement_.end(tr("The measurement was cancelled: a recording is being replayed."));
@@ -152,8 +168,8 @@ void Application::wireMarks() {
             opening_.open(QString::fromStdString(path.string()));
           });
   connect(&view_file_, &ViewFileController::editsWanted, &edit_, &EditController::restore);
-  connect(&view_file_, &ViewFileController::toolWanted, &window_.devicePanel(),
-          &ui::DevicePanel::toolChosen);
+  connect(&view_file_, &ViewFileController::toolWanted, &tool_,
+          [this](const QString& name) { tool_.changeTool({.name = name.toStdString()}); });
 }
 
 void Application::close() {

@@ -11,6 +11,7 @@
 #include "app/window/edit_controller.h"
 #include "app/window/export_controller.h"
 #include "app/window/hand_controller.h"
+#include "app/window/isosurface_controller.h"
 #include "app/window/marks_controller.h"
 #include "app/window/measurement_controller.h"
 #include "app/window/opening_controller.h"
@@ -70,6 +71,7 @@ class Application : public QObject {
 
  private:
   void wireOpening();
+  void wireIsosurface();
   void wireHands();
   void wireRecordings();
   void wireEdits();
@@ -85,11 +87,13 @@ class Application : public QObject {
   VolumeIdentity identity_;
   PreferencesController preferences_;
   OpeningController opening_;
-  ToolController tool_{window_, shared_};
   ViewController view_{window_, shared_};
+  // from here on, panels stand in the window in the order of their controllers
+  IsosurfaceController isosurface_{window_, shared_};
   HandController hand_;
-  DeviceController device_;
+  ToolController tool_{hand_.panel(), shared_};
   PictureController picture_{window_, shared_};
+  DeviceController device_;
   MeasurementController measurement_{window_, shared_};
   MarksController marks_{window_, shared_};
   ViewFileController view_file_{window_, shared_, identity_, marks_};

@@ -26,10 +26,7 @@
 
 #include "ui/bindings.h"
 #include "ui/escape_filter.h"
-#include "ui/panels/force_panel.h"
 #include "ui/panels/force_words.h"
-#include "ui/panels/haptic_device_panel.h"
-#include "ui/panels/isosurface_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/status_line.h"
 #include "ui/plane_colours.h"
@@ -41,6 +38,7 @@ namespace ui {
 namespace {
 
 constexpr int kWordsMs = 100;  // between two changes of force and status in words
+constexpr std::array kStackHeights{165, 275, 340};  // px
 
 }  // namespace
 
@@ -49,10 +47,6 @@ MainWindow::MainWindow(QWidget* parent)
       view_(new VolumeView),
       slice_set_(new SliceSet(this)),
       slices_(slice_set_->slices()),
-      isosurface_(new IsosurfacePanel),
-      device_(new DevicePanel),
-      haptic_device_(new HapticDevicePanel),
-      force_(new ForcePanel),
       replay_(new ReplayBar),
       status_(new StatusLine),
       fault_bar_(new QFrame),
@@ -69,7 +63,6 @@ MainWindow::MainWindow(QWidget* parent)
   setContextMenuPolicy(Qt::NoContextMenu);  // its menu could hide the force bar
   buildForceBar();
   buildViews();
-  buildDocks();
   buildMenus();
   buildStatusBar();
   words_.setSingleShot(true);
@@ -159,40 +152,33 @@ void MainWindow::buildViews() {
   connect(view_, &VolumeView::surfaceChosen, status_, &StatusLine::setSurface);
 }
 
-QDockWidget* MainWindow::dock(const QString& title, const char* name, QWidget* panel) {
+void MainWindow::addPanel(QWidget* panel, const QString& title, const QString& entry,
+                          const char* name, Stack stack) {
   auto* frame = new QDockWidget(title);
   frame->setObjectName(name);
   frame->setWidget(panel);
   frame->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
   addDockWidget(Qt::LeftDockWidgetArea, frame);
-  return frame;
-}
-
-void MainWindow::addPanel(QWidget* panel, const QString& title, const QString& entry,
-                          const char* name) {
-  QDockWidget* frame = dock(title, name, panel);
-  // behind the force: it is looked at now and then
-  tabifyDockWidget(force_dock_, frame);
-  force_dock_->raise();
+  QDockWidget*& front = fronts_[static_cast<std::size_t>(stack)];
+  if (front == nullptr) {
+    front = frame;
+    QList<QDockWidget*> docks;
+    QList<int> heights;
+    for (std::size_t n = 0; n < fronts_.size(); ++n) {
+      if (fronts_[n] == nullptr) continue;
+      docks << fronts_[n];
+      heights << kStackHeights[n];
+    }
+    resizeDocks(docks, heights, Qt::Vertical);
+  } else {
+    tabifyDockWidget(front, frame);
+    front->raise();
+  }
+  if (entry.isEmpty()) return;
   view_menu_->addAction(entry, panel, [frame, panel] {
     frame->raise();
     panel->setFocus();
   });
-}
-
-void MainWindow::buildDocks() {
-  QDockWidget* isosurface = dock(tr("Isosurface"), "isosurfaceDock", isosurface_);
-  QDockWidget* device = dock(tr("Hand and tool"), "deviceDock", device_);
-  force_dock_ = dock(tr("Force"), "forceDock", force_);
-  haptic_device_dock_ = dock(tr("Haptic device"), "hapticDeviceDock", haptic_device_);
-  tabifyDockWidget(device, haptic_device_dock_);
-  device->raise();
-  resizeDocks({isosurface, device, force_dock_}, {165, 275, 340}, Qt::Vertical);
-  connect(haptic_device_, &HapticDevicePanel::armWanted, this, &MainWindow::forceOnWanted);
-  connect(isosurface_, &IsosurfacePanel::isovalueChanged, this, &MainWindow::setIsovalue);
-  connect(isosurface_, &IsosurfacePanel::isovalueChanged, this, &MainWindow::isovalueChanged);
-  connect(isosurface_, &IsosurfacePanel::refused, this,
-          [this](const QString& sentence) { statusBar()->showMessage(sentence, 6000); });
 }
 
 void MainWindow::buildFileMenu() {
@@ -257,7 +243,7 @@ void MainWindow::buildMenus() {
   look->addSeparator();
   view_actions_ = new ViewActions(*look, *findChild<QToolBar*>("forceBar"), *view_);
   view_actions_->setParent(this);
-  connect(view_actions_, &ViewActions::isovalueWanted, isosurface_, &IsosurfacePanel::choose);
+  connect(view_actions_, &ViewActions::isovalueWanted, this, &MainWindow::isovalueWanted);
   connect(view_actions_, &ViewActions::pictureWanted, this, &MainWindow::pictureWanted);
   connect(view_actions_, &ViewActions::pictureCopyWanted, this, &MainWindow::pictureCopyWanted);
   QMenu* surface = look->addMenu(tr("&Surface"));
@@ -265,10 +251,6 @@ void MainWindow::buildMenus() {
   surface->addAction(tr("Ray casting"), this,
                      [this] { view_->setSurfaceWish(SurfaceMode::RayCast); });
   surface->addAction(tr("Mesh"), this, [this] { view_->setSurfaceWish(SurfaceMode::Mesh); });
-  look->addAction(tr("&Haptic device"), this, [this] {
-    haptic_device_dock_->raise();
-    haptic_device_->setFocus();
-  });
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(tr("&Controls"), this, &MainWindow::showControls)->setShortcut(Qt::Key_F1);
@@ -339,7 +321,6 @@ void MainWindow::buildStatusBar() {
 void MainWindow::show(const Picture& picture, double isovalue, const QString& title) {
   view_->show(picture, isovalue);
   view_actions_->show(picture);
-  isosurface_->show(picture, isovalue);
   slice_set_->show(picture, isovalue);
   title_ = title;
   edited_ = false;
@@ -348,7 +329,6 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
 
 void MainWindow::replace(const Picture& picture) {
   view_->replace(picture);
-  isosurface_->replace(picture);
   slice_set_->replace(picture);
 }
 
@@ -426,7 +406,6 @@ void MainWindow::display(const haptics::Snapshot& snapshot) {
 void MainWindow::displayForce(const haptics::Snapshot& snapshot) {
   unsaid_ = snapshot;
   if (!words_.isActive()) displayWords();
-  haptic_device_->display(snapshot);
   if (shown_force_state_ != snapshot.force_state) {
     shown_force_state_ = snapshot.force_state;
     force_state_->setText(tr("Force: %1").arg(nameOf(snapshot.force_state)));
@@ -438,16 +417,10 @@ void MainWindow::displayForce(const haptics::Snapshot& snapshot) {
 
 void MainWindow::displayWords() {
   if (!unsaid_) return;
-  force_->display(*unsaid_);
+  emit worded(*unsaid_);
   status_->display(*unsaid_);
   unsaid_.reset();
   words_.start();
-}
-
-void MainWindow::clearForces() { force_->clear(); }
-
-void MainWindow::appendForces(std::span<const haptics::ForceSample> points) {
-  force_->append(points);
 }
 
 void MainWindow::setPhantoms(const QStringList& names) {
@@ -517,10 +490,7 @@ bool MainWindow::askWhether(const QString& what, const QString& consequence, con
   return question.clickedButton() == agree;
 }
 
-void MainWindow::showHandInUse(const QString& id, const QString& label) {
-  device_->showHand(id, label);
-  status_->setHand(label);
-}
+void MainWindow::setHand(const QString& label) { status_->setHand(label); }
 
 void MainWindow::showControls() {
   // longer than many a screen is high

@@ -5,12 +5,9 @@
 #include <QTimer>
 #include <array>
 #include <optional>
-#include <span>
 
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/snapshot.h"
-#include "ui/panels/device_panel.h"
-#include "ui/panels/force_plot.h"
 #include "ui/props/volume_prop.h"
 #include "ui/slice_set.h"
 #include "ui/view_layout.h"
@@ -25,9 +22,6 @@ class QProgressBar;
 
 namespace ui {
 
-class ForcePanel;
-class HapticDevicePanel;
-class IsosurfacePanel;
 class ReplayBar;
 class StatusLine;
 class ViewActions;
@@ -39,7 +33,11 @@ struct Place {
   bool exists = true;
 };
 
-/// The window: views, panels, menus. It shows what it is given and emits what the user asks for.
+/// The stacks of panels at the left, from the top. The panels of a stack are tabs.
+enum class Stack { Surface, Hand, Force };
+
+/// The window: views, docks, menus. Its panels are made by others. It shows what it is given and
+/// emits what the user asks for.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -70,17 +68,16 @@ class MainWindow : public QMainWindow {
   const Eigen::Vector3d& cross_mm() const { return slice_set_->cross_mm(); }
   void setCross(const Eigen::Vector3d& cross_W_mm) { slice_set_->moveCross(cross_W_mm); }
   /// The state of the touch, at display rate. Pictures are updated at once, texts ten times a
-  /// second.
+  /// second (worded()).
   void display(const haptics::Snapshot& snapshot);
   /// Shows only the state of the force, because the poses belong to another volume.
   void displayForce(const haptics::Snapshot& snapshot);
-  /// Clears the plot of the force.
-  void clearForces();
-  void appendForces(std::span<const haptics::ForceSample> points);
   void setPhantoms(const QStringList& names);
-  /// Adds a panel as a tab behind the force plot, with an entry in the View menu. `name` is the
-  /// name of its dock, under which the layout is stored.
-  void addPanel(QWidget* panel, const QString& title, const QString& entry, const char* name);
+  /// Adds a panel to a stack, behind those that are there, with an entry in the View menu unless
+  /// it is empty. A stack that is new lies below the others. `name` is the name of its dock, under
+  /// which the layout is stored.
+  void addPanel(QWidget* panel, const QString& title, const QString& entry, const char* name,
+                Stack stack = Stack::Force);
   /// The entries of File > Open recent, newest first, and whether new ones are remembered.
   void setRecentPlaces(const QList<Place>& places, bool remembered);
   /// Whether there is a list of series to which the user can return.
@@ -97,12 +94,10 @@ class MainWindow : public QMainWindow {
   /// Asks whether to go on. Enter means Cancel. True if the user agrees.
   bool askWhether(const QString& what, const QString& consequence, const QString& yes);
   void showNotice();
-  void showHandInUse(const QString& id, const QString& label);
+  /// The hand that holds the tool, for the status bar.
+  void setHand(const QString& label);
 
   VolumeView& view() { return *view_; }
-  DevicePanel& devicePanel() { return *device_; }
-  HapticDevicePanel& hapticDevicePanel() { return *haptic_device_; }
-  IsosurfacePanel& isosurfacePanel() { return *isosurface_; }
   /// Below the views; hidden until it is given a recording.
   ReplayBar& replayBar() { return *replay_; }
   SliceView& slice(Plane plane) { return slice_set_->slice(plane); }
@@ -131,7 +126,10 @@ class MainWindow : public QMainWindow {
   void forgetPlacesWanted();
   void phantomWanted(const QString& name);
   void cancelWanted();
-  void isovalueChanged(double isovalue);
+  /// The user chose a preset in the View menu.
+  void isovalueWanted(double isovalue);
+  /// The state of the touch is due in words, at most ten times a second.
+  void worded(const haptics::Snapshot& snapshot);
   /// The tool is to come to a place [m]. `normal_W`: unit, out of the solid there; zero if it is
   /// not known, as in a slice.
   void toolWanted(const haptics::Vec3& p_W, const haptics::Vec3& normal_W);
@@ -152,8 +150,6 @@ class MainWindow : public QMainWindow {
  private:
   void buildViews();
   void buildBar(QFrame* bar, QLabel* words, const char* name, const char* style);
-  void buildDocks();
-  QDockWidget* dock(const QString& title, const char* name, QWidget* panel);
   void buildForceBar();
   void buildMenus();
   void buildLayoutMenu(QMenu& menu);
@@ -169,13 +165,8 @@ class MainWindow : public QMainWindow {
   SliceSet* slice_set_;
   std::array<SliceView*, 4> slices_{};
   ViewLayout* views_ = nullptr;
-  IsosurfacePanel* isosurface_;
-  DevicePanel* device_;
-  HapticDevicePanel* haptic_device_;
-  ForcePanel* force_;
   ReplayBar* replay_;
-  QDockWidget* haptic_device_dock_ = nullptr;
-  QDockWidget* force_dock_ = nullptr;
+  std::array<QDockWidget*, 3> fronts_{};  ///< the panel in front of each stack; null: no panel yet
   QMenu* view_menu_ = nullptr;
   QMenu* edit_menu_ = nullptr;
   QAction* save_edited_ = nullptr;

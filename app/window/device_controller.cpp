@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/window/sentence.h"
-#include "ui/panels/device_panel.h"
 #include "ui/panels/force_words.h"
 #include "ui/volume_view.h"
 
@@ -36,10 +35,15 @@ static_assert(kReasons.size() == static_cast<std::size_t>(haptics::ForceReason::
 
 DeviceController::DeviceController(ui::MainWindow& window, SharedState& shared,
                                    PreferencesController& preferences, DeviceCatalogue catalogue)
-    : window_(window), shared_(shared), watch_(std::move(catalogue)) {
+    : window_(window),
+      shared_(shared),
+      panel_(new ui::HapticDevicePanel),
+      watch_(std::move(catalogue)) {
+  window.addPanel(panel_, tr("Haptic device"), tr("&Haptic device"), "hapticDeviceDock",
+                  ui::Stack::Hand);
   connectPanel();
   map(preferences.present().mapping);
-  window.hapticDevicePanel().show(mapping_);
+  panel_->show(mapping_);
   connect(&preferences, &PreferencesController::saving, this, [this](Preferences& saved) {
     saved.stiffness = own_stiffness_.value_or(shared_.settings.stiffness);
     saved.mapping = mapping_;
@@ -47,37 +51,37 @@ DeviceController::DeviceController(ui::MainWindow& window, SharedState& shared,
 }
 
 void DeviceController::connectPanel() {
-  ui::HapticDevicePanel& panel = window_.hapticDevicePanel();
-  connect(&panel, &ui::HapticDevicePanel::seen, this, [this](bool visible) {
+  connect(panel_, &ui::HapticDevicePanel::seen, this, [this](bool visible) {
     seen_ = visible;
     watchDevices();
   });
-  connect(&panel, &ui::HapticDevicePanel::surveyWanted, &watch_, &DeviceWatch::surveyNow);
-  connect(&panel, &ui::HapticDevicePanel::connectWanted, this, [this](const ui::DeviceWish& wish) {
-    window_.hapticDevicePanel().showConnecting(nameOf(wish.id));
+  connect(panel_, &ui::HapticDevicePanel::surveyWanted, &watch_, &DeviceWatch::surveyNow);
+  connect(panel_, &ui::HapticDevicePanel::connectWanted, this, [this](const ui::DeviceWish& wish) {
+    panel_->showConnecting(nameOf(wish.id));
     watch_.open(wish);
   });
-  connect(&panel, &ui::HapticDevicePanel::disconnectWanted, this, [this] {
+  connect(panel_, &ui::HapticDevicePanel::disconnectWanted, this, [this] {
     watch_.cancel();
     if (connected_) return letGo();
-    window_.hapticDevicePanel().showDisconnected({});
+    panel_->showDisconnected({});
   });
-  connect(&panel, &ui::HapticDevicePanel::mappingChanged, this, [this](const ui::Mapping& mapping) {
+  connect(panel_, &ui::HapticDevicePanel::mappingChanged, this, [this](const ui::Mapping& mapping) {
     map(mapping);
     shared_.apply();
   });
-  connect(&panel, &ui::HapticDevicePanel::stiffnessLifted, this,
+  connect(panel_, &ui::HapticDevicePanel::stiffnessLifted, this,
           [this](bool lifted) { shared_.session.liftStiffness(lifted); });
   connect(&watch_, &DeviceWatch::surveyed, this, [this](const QList<ui::DeviceLine>& devices) {
     devices_ = devices;
-    window_.hapticDevicePanel().show(devices);
+    panel_->show(devices);
   });
   connect(&watch_, &DeviceWatch::opened, this, &DeviceController::take);
   connect(&watch_, &DeviceWatch::refused, this,
           [this](const ui::DeviceWish& wish, haptics::Trouble trouble, const QString& sentence) {
-            window_.hapticDevicePanel().showRefused(wish.id, trouble, sentence);
+            panel_->showRefused(wish.id, trouble, sentence);
             window_.showMessage(sentence);
           });
+  connect(panel_, &ui::HapticDevicePanel::armWanted, &window_, &ui::MainWindow::forceOnWanted);
   ui::VolumeView& view = window_.view();
   connect(&view, &ui::VolumeView::clutchHeld, this, [this](bool held) {
     handling_.clutch = held;
@@ -109,31 +113,26 @@ void DeviceController::take(const ui::DeviceWish& wish, const DeviceWatch::Opene
   // half of what it is rated for at the hand, to begin with: what was set was for another hand
   if (const double rated = (*device)->rating().stiffness; rated > 0.0) {
     if (!own_stiffness_) own_stiffness_ = shared_.settings.stiffness;
-    setStiffness(0.5 * rated / (shared_.settings.position_scale * shared_.settings.force_scale));
+    emit stiffnessWanted(0.5 * rated /
+                         (shared_.settings.position_scale * shared_.settings.force_scale));
   }
   const auto opened = shared_.session.open(std::move(*device));
   if (!opened) {
     restoreStiffness();
     const QString why = sentenceOf(opened.error());
-    window_.hapticDevicePanel().showDisconnected(why);
+    panel_->showDisconnected(why);
     return window_.showMessage(why);
   }
   connected_ = wish;
   connected_name_ = nameOf(wish.id);
-  window_.hapticDevicePanel().showConnected(wish.id);
+  panel_->showConnected(wish.id);
   watchDevices();
   emit taken(wish.id, connected_name_);
 }
 
-void DeviceController::setStiffness(double stiffness) {
-  shared_.settings.stiffness = stiffness;
-  window_.devicePanel().showStiffness(stiffness);
-  shared_.apply();
-}
-
 /// What was set before a device brought its own.
 void DeviceController::restoreStiffness() {
-  if (own_stiffness_) setStiffness(*std::exchange(own_stiffness_, std::nullopt));
+  if (own_stiffness_) emit stiffnessWanted(*std::exchange(own_stiffness_, std::nullopt));
 }
 
 void DeviceController::letGo() {
@@ -147,7 +146,7 @@ void DeviceController::forget(const QString& why) {
   connected_.reset();
   restoreStiffness();
   emit forgotten();
-  window_.hapticDevicePanel().showDisconnected(why);
+  panel_->showDisconnected(why);
   watchDevices();
 }
 
@@ -166,8 +165,8 @@ void DeviceController::handle() {
 
 void DeviceController::refresh() {
   handle();
-  window_.hapticDevicePanel().showStiffness(
-      shared_.settings, connected_ ? std::optional{shared_.session.inForce()} : std::nullopt);
+  panel_->showStiffness(shared_.settings,
+                        connected_ ? std::optional{shared_.session.inForce()} : std::nullopt);
   std::array<haptics::ForceTransition, kTransitionsAtOnce> transitions;
   while (const std::size_t count = shared_.session.transitions(transitions)) {
     for (const haptics::ForceTransition& transition : std::span{transitions}.first(count)) {

@@ -25,6 +25,8 @@ class DeviceController : public QObject {
   void forget(const QString& why);
   /// Called at display rate.
   void refresh();
+  /// Shows the state of the force in the newest snapshot.
+  void showForce() { panel_->display(shared_.snapshot); }
 
  signals:
   /// A device is about to be opened; a recording on view is closed.
@@ -34,6 +36,8 @@ class DeviceController : public QObject {
   void forgotten();
   /// The user disconnected the device; another hand may take the tool.
   void released();
+  /// The stiffness [N/m] that suits the device, or the one of before.
+  void stiffnessWanted(double stiffness);
   /// A transition of the force, as the text of a recording's event.
   void forceChanged(const QString& transition);
 
@@ -43,7 +47,6 @@ class DeviceController : public QObject {
   QString nameOf(const QString& id) const;
   void take(const ui::DeviceWish& wish, const DeviceWatch::Opened& device);
   void letGo();
-  void setStiffness(double stiffness);
   void restoreStiffness();
   void map(const ui::Mapping& mapping);
   void handle();
@@ -51,6 +54,7 @@ class DeviceController : public QObject {
 
   ui::MainWindow& window_;
   SharedState& shared_;
+  ui::HapticDevicePanel* panel_;
   DeviceWatch watch_;
   QList<ui::DeviceLine> devices_;
   bool seen_ = false;                        ///< the panel is in view

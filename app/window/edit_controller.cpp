@@ -101,8 +101,6 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
     saver_.cancel();
   });
   connect(&window, &ui::MainWindow::saveEditedWanted, this, &EditController::save);
-  // what is shown is of another isovalue
-  connect(&window, &ui::MainWindow::isovalueChanged, this, [this] { endPreview(); });
   // Escape is force off above all, and ends what the mouse is busy with
   connect(new ui::EscapeFilter(this), &ui::EscapeFilter::pressed, this, &EditController::endTool);
   untouched_.start();

@@ -39,6 +39,9 @@ class EditController : public QObject {
   /// During a replay nothing can be edited.
   void setReplaying(bool replaying);
 
+  /// Puts away what an edit would take. Call it when the isovalue changed, too.
+  void endPreview();
+
   /// The edits of the volume on view, oldest first.
   std::vector<haptics::Edit> edits() const;
   /// Applies these edits to the present scan, instead of its edits. They cannot be undone beyond
@@ -112,7 +115,6 @@ class EditController : public QObject {
   void cutPlane();
   void cutOutline(const ui::DrawnOutline& outline);
   void preview(haptics::Edit edit, ui::EditConfirm confirm, const QString& words);
-  void endPreview();
   void confirmPiece(bool keep);
   void save(const QString& path);
 

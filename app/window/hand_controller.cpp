@@ -6,7 +6,6 @@
 
 #include "app/window/sentence.h"
 #include "haptics/scene/legal_pose.h"
-#include "ui/panels/device_panel.h"
 #include "ui/volume_view.h"
 
 namespace app {
@@ -40,19 +39,19 @@ const Hand* handOf(const std::string& name) {
 
 HandController::HandController(ui::MainWindow& window, SharedState& shared, std::string hand,
                                double stiffness)
-    : window_(window), shared_(shared), hand_(std::move(hand)) {
+    : window_(window), shared_(shared), panel_(new ui::DevicePanel), hand_(std::move(hand)) {
   shared.settings.stiffness = stiffness;
-  ui::DevicePanel& panel = window.devicePanel();
+  window.addPanel(panel_, tr("Hand and tool"), {}, "deviceDock", ui::Stack::Hand);
   QList<ui::Choice> hands;
   for (const Hand& one : kHands) hands.append({one.id, tr(one.label)});
-  panel.setHands(hands);
-  panel.showStiffness(stiffness);
-  connect(&panel, &ui::DevicePanel::handChosen, this, &HandController::choose);
-  connect(&panel, &ui::DevicePanel::stiffnessChanged, this, [this](double wanted) {
+  panel_->setHands(hands);
+  panel_->showStiffness(stiffness);
+  connect(panel_, &ui::DevicePanel::handChosen, this, &HandController::choose);
+  connect(panel_, &ui::DevicePanel::stiffnessChanged, this, [this](double wanted) {
     shared_.settings.stiffness = wanted;
     shared_.apply();
   });
-  connect(&panel, &ui::DevicePanel::frictionChanged, this, [this](double coefficient) {
+  connect(panel_, &ui::DevicePanel::frictionChanged, this, [this](double coefficient) {
     shared_.settings.friction = coefficient;
     shared_.apply();
   });
@@ -75,7 +74,7 @@ bool HandController::open(std::string name, const std::optional<haptics::Pose>& 
   const auto opened = shared_.session.open(hand->kind, from);
   if (!opened) {
     window_.showMessage(sentenceOf(opened.error()));
-    window_.devicePanel().showHand(QString::fromStdString(hand_), label_);
+    panel_->showHand(QString::fromStdString(hand_), label_);
     return false;
   }
   emit this->opened();
@@ -92,7 +91,14 @@ void HandController::show(const std::string& id, const QString& label, bool is_m
   emit changed(name);
   shared_.snapshot = {};  // of the new loop nothing is known yet, and its counts begin at zero
   window_.view().setMouseHand(is_mouse);
-  window_.showHandInUse(name, label);
+  panel_->showHand(name, label);
+  window_.setHand(label);
+}
+
+void HandController::setStiffness(double stiffness) {
+  shared_.settings.stiffness = stiffness;
+  panel_->showStiffness(stiffness);
+  shared_.apply();
 }
 
 void HandController::takeDevice(const QString& id, const QString& label) {

@@ -8,11 +8,13 @@
 
 #include "app/window/shared_state.h"
 #include "ui/main_window.h"
+#include "ui/panels/device_panel.h"
 
 namespace app {
 
 /// Lets the user choose the hand that holds the device, the stiffness, and whether there is a
-/// force. A real device counts as a hand while it is connected.
+/// force. A real device counts as a hand while it is connected. Its panel has the choices of tool
+/// and field too, which belong to ToolController.
 class HandController : public QObject {
   Q_OBJECT
  public:
@@ -21,6 +23,9 @@ class HandController : public QObject {
 
   /// The mouse or a simulated hand, or a device's id.
   const std::string& name() const { return hand_; }
+  ui::DevicePanel& panel() { return *panel_; }
+  /// A stiffness [N/m] that the user did not choose here.
+  void setStiffness(double stiffness);
   /// A real device was opened and holds the tool.
   void takeDevice(const QString& id, const QString& label);
   /// The real device is gone; the mouse becomes the hand.
@@ -52,6 +57,7 @@ class HandController : public QObject {
 
   ui::MainWindow& window_;
   SharedState& shared_;
+  ui::DevicePanel* panel_;
   std::string hand_;
   QString label_;
 };

@@ -42,7 +42,6 @@ MarksController::MarksController(ui::MainWindow& window, SharedState& shared)
     window.addViewAction(*panel_->placeAction(kind));
   buildMenu();
   connectPanel();
-  connect(&window, &ui::MainWindow::isovalueChanged, &measures_, &ui::Measures::surfaceChanged);
 }
 
 void MarksController::buildMenu() {

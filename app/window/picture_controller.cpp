@@ -17,11 +17,9 @@ constexpr std::int64_t kFineVoxels = 24'000'000;
 }  // namespace
 
 PictureController::PictureController(ui::MainWindow& window, SharedState& shared)
-    : window_(window), shared_(shared), samples_(kSamplesAtOnce) {
-  connect(&window, &ui::MainWindow::isovalueChanged, this, [this](double isovalue) {
-    shared_.settings.isovalue = isovalue;
-    shared_.apply();
-  });
+    : window_(window), shared_(shared), panel_(new ui::ForcePanel), samples_(kSamplesAtOnce) {
+  window.addPanel(panel_, tr("Force"), {}, "forceDock", ui::Stack::Force);
+  connect(&window, &ui::MainWindow::worded, panel_, &ui::ForcePanel::display);
   connect(&window.view(), &ui::VolumeView::fineMeshWanted, this, &PictureController::makeFineMesh);
   display_.setInterval(kDisplayMs);
   display_.setTimerType(Qt::PreciseTimer);
@@ -36,6 +34,7 @@ void PictureController::refresh() {
   // poses of the old scene would mislead in the new one
   haptics::Snapshot& snapshot = shared_.snapshot;
   if (!session.latest(snapshot) || !shared_.shown) return;
+  emit snapshotTaken();
   if (snapshot.scene != shared_.shown->scene->id) return window_.displayForce(snapshot);
   window_.display(snapshot);
   if (look_) {
@@ -46,7 +45,7 @@ void PictureController::refresh() {
 
 void PictureController::showForces() {
   while (const std::size_t count = shared_.session.forces(samples_)) {
-    window_.appendForces(std::span{samples_}.first(count));
+    appendForces(std::span{samples_}.first(count));
     if (count < samples_.size()) break;
   }
 }

@@ -7,16 +7,18 @@
 #include <QObject>
 #include <QTimer>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "app/background/task.h"
 #include "app/window/shared_state.h"
 #include "ui/main_window.h"
+#include "ui/panels/force_panel.h"
 
 namespace app {
 
-/// Keeps the picture up to date: the newest snapshot and forces at display rate, the isovalue, and
-/// without a usable GPU the fine mesh of the surface.
+/// Keeps the picture up to date: the newest snapshot and forces at display rate, and without a
+/// usable GPU the fine mesh of the surface. Its panel shows the force.
 class PictureController : public QObject {
   Q_OBJECT
  public:
@@ -26,10 +28,15 @@ class PictureController : public QObject {
   void stop() { display_.stop(); }
   /// Whether the view turns to the tool at the next snapshot.
   void look(bool at_tool) { look_ = at_tool; }
+  /// Clears the plot of the force, and appends to it.
+  void clearForces() { panel_->clear(); }
+  void appendForces(std::span<const haptics::ForceSample> points) { panel_->append(points); }
 
  signals:
   /// A picture is about to be drawn; emitted sixty times a second.
   void refreshing();
+  /// `shared.snapshot` is new, and a scene is on view.
+  void snapshotTaken();
 
  private:
   void refresh();
@@ -38,6 +45,7 @@ class PictureController : public QObject {
 
   ui::MainWindow& window_;
   SharedState& shared_;
+  ui::ForcePanel* panel_;
   QTimer display_;
   std::vector<haptics::ForceSample> samples_;
   bool look_ = false;

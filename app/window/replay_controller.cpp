@@ -6,7 +6,6 @@
 #include "haptics/edit/edited.h"
 #include "haptics/recording/replay.h"
 #include "ui/panels/force_plot.h"
-#include "ui/panels/isosurface_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/volume_view.h"
 
@@ -84,7 +83,7 @@ void ReplayController::open(const std::filesystem::path& path) {
   window_.replayBar().show(replay_->track());
   window_.replayBar().show();
   replay_->setSpeed(window_.replayBar().speed());
-  window_.clearForces();
+  emit forcesCleared();
   if (shared_.shown) {
     on_view_ = shared_.shown->picture;
     edits_ = digestOf(on_view_);
@@ -102,14 +101,12 @@ void ReplayController::close() {
   if (!replay_) return;
   drop();
   window_.replayBar().hide();
-  window_.clearForces();
+  emit forcesCleared();
   if (shared_.shown) {
     // as it was before
     showOnView(shared_.shown->picture);
-    const double isovalue = shared_.settings.isovalue;
     window_.show(shared_.shown->scene->tool.mesh);
-    window_.isosurfacePanel().show(shared_.shown->picture, isovalue);
-    window_.setIsovalue(isovalue);
+    emit isovalueShown(shared_.shown->picture, shared_.settings.isovalue);
   }
   emit closed();
 }
@@ -185,14 +182,13 @@ void ReplayController::show(double time) {
   }
   if (same_volume_ && isovalue_ != step.settings.isovalue) {
     isovalue_ = step.settings.isovalue;
-    window_.isosurfacePanel().show(on_view_, step.settings.isovalue);
-    window_.setIsovalue(step.settings.isovalue);
+    emit isovalueShown(on_view_, step.settings.isovalue);
   }
   window_.display(snapshotOf(step, shared_.shown->scene->id));
   // the plot goes on where it was, or begins anew after a jump
   const bool goes_on = time >= shown_to_ && time < shown_to_ + ui::ForcePlot::kSeconds;
-  if (!goes_on) window_.clearForces();
-  window_.appendForces(replay_->forces(goes_on ? shown_to_ : time - ui::ForcePlot::kSeconds, time));
+  if (!goes_on) emit forcesCleared();
+  emit forcesAppended(replay_->forces(goes_on ? shown_to_ : time - ui::ForcePlot::kSeconds, time));
   shown_to_ = time;
   window_.replayBar().setTime(time);
 }

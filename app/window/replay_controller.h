@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "app/background/task.h"
 #include "app/window/replay.h"
@@ -38,6 +39,11 @@ class ReplayController : public QObject {
   void opened();
   /// The recording was closed; a hand may hold the device again.
   void closed();
+  /// Another isovalue is to be shown over this picture, and not to be touched.
+  void isovalueShown(const ui::Picture& picture, double isovalue);
+  /// The plot of the force begins anew; these forces follow what it shows.
+  void forcesCleared();
+  void forcesAppended(std::span<const haptics::ForceSample> points);
 
  private:
   void connectBar();

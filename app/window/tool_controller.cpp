@@ -3,7 +3,6 @@
 
 #include "haptics/smoothing.h"
 #include "resources/named_tools.h"
-#include "ui/panels/device_panel.h"
 
 namespace app {
 namespace {
@@ -14,9 +13,8 @@ constexpr const char* kSpline = "spline";
 
 }  // namespace
 
-ToolController::ToolController(ui::MainWindow& window, SharedState& shared)
-    : window_(window), shared_(shared) {
-  ui::DevicePanel& panel = window.devicePanel();
+ToolController::ToolController(ui::DevicePanel& panel, SharedState& shared)
+    : panel_(panel), shared_(shared) {
   QList<ui::Choice> tools;
   for (const std::string& tool : resources::namedTools())
     tools.append({QString::fromStdString(tool), QString::fromStdString(tool)});
@@ -33,14 +31,13 @@ ToolController::ToolController(ui::MainWindow& window, SharedState& shared)
   connect(&panel, &ui::DevicePanel::fieldChosen, this, &ToolController::changeField);
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);
-  connect(&window, &ui::MainWindow::isovalueChanged, &rest_, qOverload<>(&QTimer::start));
   connect(&rest_, &QTimer::timeout, this, &ToolController::showField);
 }
 
 void ToolController::show() {
   if (!shared_.shown) return;
   const ToolSource& tool = shared_.shown->tool;
-  window_.devicePanel().showTool(QString::fromStdString(tool.name), labelOf(tool));
+  panel_.showTool(QString::fromStdString(tool.name), labelOf(tool));
   showField();
 }
 
@@ -64,10 +61,10 @@ LoadRequest ToolController::requestWith(const ToolSource& tool) const {
 void ToolController::showField() {
   if (!shared_.shown) return;
   if (shared_.shown->scene->field.kind() == haptics::FieldKind::Trilinear)
-    return window_.devicePanel().showField(kTrilinear, {});
+    return panel_.showField(kTrilinear, {});
   const haptics::SmoothingEffect effect =
       haptics::smoothingEffect(*shared_.shown->picture.volume, shared_.settings.isovalue);
-  window_.devicePanel().showField(
+  panel_.showField(
       kSpline, tr("Smoothing erases %1 % of this solid and adds %2 %: what is felt is not all that "
                   "is seen.")
                    .arg(effect.erased * 100.0, 0, 'f', 1)

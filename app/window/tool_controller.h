@@ -6,18 +6,22 @@
 
 #include "app/window/loader.h"
 #include "app/window/shared_state.h"
-#include "ui/main_window.h"
+#include "ui/panels/device_panel.h"
 
 namespace app {
 
-/// Lets the user choose the tool and the kind of field.
+/// Lets the user choose the tool and the kind of field, in the panel of the hand.
 class ToolController : public QObject {
   Q_OBJECT
  public:
-  ToolController(ui::MainWindow& window, SharedState& shared);
+  ToolController(ui::DevicePanel& panel, SharedState& shared);
 
   /// Shows tool and field of the scene on view.
   void show();
+  /// Prepares the scene on view with this tool.
+  void changeTool(const ToolSource& tool);
+  /// Shows what smoothing does at another isovalue, when that rests.
+  void showFieldSoon() { rest_.start(); }
 
  signals:
   /// Asks to load the volume on view with another tool or field. `what`: the text beside the
@@ -25,13 +29,12 @@ class ToolController : public QObject {
   void wanted(const app::LoadRequest& request, const QString& what);
 
  private:
-  void changeTool(const ToolSource& tool);
   void changeField(const QString& id);
   void showField();
   /// A request for the volume on view with this tool.
   LoadRequest requestWith(const ToolSource& tool) const;
 
-  ui::MainWindow& window_;
+  ui::DevicePanel& panel_;
   SharedState& shared_;
   QTimer rest_;  ///< fires when the isovalue has rested
 };

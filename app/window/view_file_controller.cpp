@@ -185,9 +185,7 @@ void ViewFileController::restoreRest() {
   step_ = Step::Nothing;
   const Loaded& shown = *shared_.shown;
   const double isovalue = ui::allowedIsovalue(*shown.picture.volume, opening_.isovalue);
-  ui::IsosurfacePanel& panel = window_.isosurfacePanel();
-  panel.show(shown.picture, isovalue);
-  emit panel.isovalueChanged(isovalue);
+  emit isovalueWanted(isovalue);
   marks_.measures().replace(opening_.marks);
   window_.setLook(opening_.look);
   if (std::abs(isovalue - opening_.isovalue) > 1e-6 * std::abs(opening_.isovalue) + 1e-9)

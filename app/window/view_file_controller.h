@@ -46,6 +46,8 @@ class ViewFileController : public QObject {
   /// results is on view, the rest of the view follows.
   void editsWanted(const std::vector<haptics::Edit>& edits);
   void toolWanted(const QString& name);
+  /// An isovalue that the volume on view can have.
+  void isovalueWanted(double isovalue);
   /// A view was opened whole, was saved, or could not be.
   void finished(bool done);
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "sphere_in_hand.h"
+#include "ui/panels/device_panel.h"
 #include "ui/panels/histogram_slider.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/volume_view.h"
@@ -158,7 +159,7 @@ TEST(Application, AnotherToolKeepsTheIsovalueThatMovedMeanwhile) {
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   const auto scene = application.snapshot().scene;
-  emit application.window().devicePanel().toolChosen("wrench");
+  emit window::panelOf<ui::DevicePanel>(application.window()).toolChosen("wrench");
   auto* slider = application.window().findChild<ui::HistogramSlider*>("isovalueSlider");
   QTest::keyClick(slider, Qt::Key_PageUp);
   const double chosen = application.window().findChild<QDoubleSpinBox*>("isovalueTyped")->value();
@@ -174,17 +175,17 @@ TEST(Application, AnotherFieldIsTouchedLiveAndItsEffectSaid) {
   auto* effect = application.window().findChild<QLabel*>("fieldEffect");
   EXPECT_FALSE(effect->isVisible());
   auto scene = application.snapshot().scene;
-  emit application.window().devicePanel().fieldChosen("spline");
+  emit window::panelOf<ui::DevicePanel>(application.window()).fieldChosen("spline");
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
   EXPECT_TRUE(effect->isVisible());
   EXPECT_TRUE(effect->text().contains("erases")) << effect->text().toStdString();
   // it stays with another tool, and ends where the voxels themselves are wanted again
   scene = application.snapshot().scene;
-  emit application.window().devicePanel().toolChosen("wrench");
+  emit window::panelOf<ui::DevicePanel>(application.window()).toolChosen("wrench");
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
   EXPECT_TRUE(effect->isVisible());
   scene = application.snapshot().scene;
-  emit application.window().devicePanel().fieldChosen("trilinear");
+  emit window::panelOf<ui::DevicePanel>(application.window()).fieldChosen("trilinear");
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
   EXPECT_FALSE(effect->isVisible());
 }

@@ -2,16 +2,18 @@
 // Controllers of the window, each made without the others and without the application.
 #include <gtest/gtest.h>
 
+#include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <optional>
+#include <stdexcept>
+#include <vector>
 
-#include "app/window/hand_controller.h"
 #include "app/window/measurement_controller.h"
-#include "app/window/tool_controller.h"
-#include "ui/panels/device_panel.h"
+#include "panelled_window.h"
 #include "ui/panels/performance_panel.h"
 #include "window_support.h"
 
@@ -31,23 +33,23 @@ app::Loaded loadedSphere() {
 }
 
 TEST(Controllers, AToolAndAFieldAreWantedForTheVolumeOnView) {
-  ui::MainWindow window;
   app::SharedState shared;
-  app::ToolController controller(window, shared);
+  ui::DevicePanel panel;
+  app::ToolController controller(panel, shared);
   QSignalSpy wanted(&controller, &app::ToolController::wanted);
-  emit window.devicePanel().toolChosen("wrench");
+  emit panel.toolChosen("wrench");
   EXPECT_EQ(wanted.count(), 0);  // nothing is on view
   std::optional<app::LoadRequest> request;
-  QObject::connect(&controller, &app::ToolController::wanted, &window,
+  QObject::connect(&controller, &app::ToolController::wanted, &panel,
                    [&](const app::LoadRequest& given) { request = given; });
   shared.shown = loadedSphere();
   shared.settings.isovalue = 12.0;
-  emit window.devicePanel().toolChosen("wrench");
+  emit panel.toolChosen("wrench");
   ASSERT_TRUE(request);
   EXPECT_EQ(request->tool->name, "wrench");
   EXPECT_EQ(request->keep->picture.volume, shared.shown->picture.volume);
   EXPECT_EQ(request->isovalue, 12.0);
-  emit window.devicePanel().fieldChosen("spline");
+  emit panel.fieldChosen("spline");
   EXPECT_EQ(wanted.count(), 2);
   EXPECT_EQ(request->tool->name, shared.shown->tool.name);
   EXPECT_EQ(shared.options.field, haptics::FieldKind::CubicSpline);
@@ -68,17 +70,95 @@ TEST(Controllers, AHandIsOpenedWithTheSceneAndChangedUnlessARecordingIsOnView) {
   controller.resume();
   EXPECT_TRUE(shared.session.isOpen());
   EXPECT_EQ(controller.name(), "mouse");
-  emit window.devicePanel().handChosen("tap");
+  emit controller.panel().handChosen("tap");
   EXPECT_EQ(controller.name(), "tap");
   EXPECT_EQ(changed.count(), 2);
   // while a recording is on view the choice is kept for later
   shared.session.close();
   shared.replaying = true;
-  emit window.devicePanel().handChosen("mouse");
+  emit controller.panel().handChosen("mouse");
   EXPECT_EQ(controller.name(), "mouse");
   EXPECT_EQ(changed.count(), 2);
   EXPECT_EQ(replay_end.count(), 1);
   EXPECT_FALSE(shared.session.isOpen());
+}
+
+TEST(Controllers, AnIsovalueIsShownAndTouchedOrOnlyShown) {
+  ui::MainWindow window;
+  app::SharedState shared;
+  app::IsosurfaceController controller(window, shared);
+  QSignalSpy changed(&controller, &app::IsosurfaceController::changed);
+  auto* typed = window.findChild<QDoubleSpinBox*>("isovalueTyped");
+  EXPECT_FALSE(typed->isEnabled());
+  shared.shown = loadedSphere();
+  const double first = shared.settings.isovalue = shared.shown->isovalue;
+  window.show(shared.shown->picture, first, "Sphere");
+  controller.showScene(true);
+  EXPECT_TRUE(typed->isEnabled());
+  EXPECT_EQ(typed->value(), first);
+  EXPECT_EQ(changed.count(), 0);
+  // of a recording: seen, and not touched
+  controller.show(shared.shown->picture, first + 4.0);
+  EXPECT_EQ(typed->value(), first + 4.0);
+  EXPECT_EQ(shared.settings.isovalue, first);
+  EXPECT_EQ(changed.count(), 0);
+  typed->setValue(first + 7.0);
+  EXPECT_EQ(shared.settings.isovalue, first + 7.0);
+  controller.set(first + 9.0);
+  EXPECT_EQ(typed->value(), first + 9.0);
+  EXPECT_EQ(shared.settings.isovalue, first + 9.0);
+  // a preset of the View menu
+  emit window.isovalueWanted(first);
+  EXPECT_EQ(shared.settings.isovalue, first);
+  EXPECT_EQ(changed.count(), 3);
+  // another tool in the same volume: the isovalue stays
+  controller.showScene(false);
+  EXPECT_EQ(typed->value(), first);
+}
+
+TEST(Controllers, TheForceIsShownByThePictureAndPlotted) {
+  ui::MainWindow window;
+  app::SharedState shared;
+  app::PictureController controller(window, shared);
+  window::showAndWait(window, {1240, 840});
+  auto* plot = window.findChild<ui::ForcePlot*>("forcePlot");
+  const auto shows = [&](float force) {
+    return waitFor([&] { return plot->greatestForce() == force; }, 10.0);
+  };
+  controller.appendForces(std::vector<haptics::ForceSample>{{0.1, 1.5F, 0.0F}, {0.2, 2.5F, 0.0F}});
+  EXPECT_TRUE(shows(2.5F));
+  controller.clearForces();
+  EXPECT_TRUE(shows(0.0F));
+  haptics::Snapshot snapshot;
+  snapshot.felt_W.force = {0.0, 3.0, 4.0};
+  window.displayForce(snapshot);
+  EXPECT_EQ(window.findChild<QLabel*>("forceNow")->text(), "5.00 N");
+}
+
+TEST(Controllers, PanelsStandInThreeStacksInTheOrderOfTheirControllers) {
+  window::Panelled panelled;
+  app::MeasurementController measurement(panelled.window, panelled.shared);
+  window::showAndWait(panelled.window, {1280, 900});
+  const auto dock = [&](const char* name) {
+    auto* found = panelled.window.findChild<QDockWidget*>(name);
+    if (found == nullptr) throw std::logic_error(name);
+    return found;
+  };
+  const QDockWidget* isosurface = dock("isosurfaceDock");
+  const QDockWidget* hand = dock("deviceDock");
+  const QDockWidget* force = dock("forceDock");
+  EXPECT_LT(isosurface->geometry().bottom(), hand->y());
+  EXPECT_LT(hand->geometry().bottom(), force->y());
+  EXPECT_LT(isosurface->height(), hand->height());
+  // what else there is lies behind
+  EXPECT_EQ(panelled.window.tabifiedDockWidgets(dock("deviceDock")),
+            QList<QDockWidget*>{dock("hapticDeviceDock")});
+  EXPECT_EQ(panelled.window.tabifiedDockWidgets(dock("forceDock")),
+            QList<QDockWidget*>{dock("performanceDock")});
+  for (const char* name : {"isosurfaceDock", "deviceDock", "forceDock"})
+    EXPECT_FALSE(dock(name)->visibleRegion().isEmpty()) << name;
+  for (const char* name : {"hapticDeviceDock", "performanceDock"})
+    EXPECT_TRUE(dock(name)->visibleRegion().isEmpty()) << name;
 }
 
 TEST(Controllers, AMeasurementIsMadeAndEndedWithAReason) {

@@ -23,6 +23,7 @@
 #include "haptics/scene/scene.h"
 #include "sphere_in_hand.h"
 #include "ui/number_box.h"
+#include "ui/panels/device_panel.h"
 #include "ui/panels/edit_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/volume_view.h"
@@ -503,7 +504,7 @@ TEST_F(Editing, AnotherToolKeepsTheEditsAndAnotherVolumeDropsThem) {
   EXPECT_FALSE(isThere(kLargeAt));
   EXPECT_TRUE(window().windowTitle().contains("(edited)"));
   const auto scene = application_->shown()->scene;
-  emit window().devicePanel().toolChosen("peg");
+  emit window::panelOf<ui::DevicePanel>(window()).toolChosen("peg");
   ASSERT_TRUE(waitFor([&] { return application_->shown()->scene != scene; }, 60.0));
   QTest::qWait(100);
   EXPECT_EQ(application_->editing().edits().size(), 2U);
@@ -713,7 +714,7 @@ TEST_F(Editing, TheHolderOfAScanIsRemovedAndTheMastoidBehindItTouched) {
   };
   act([&] {
     const auto scene = application_->shown()->scene;
-    emit window().devicePanel().toolFileChosen(
+    emit window::panelOf<ui::DevicePanel>(window()).toolFileChosen(
         QString::fromStdString(ballFile(scans_, kBurr_mm).string()), "mm");
     ASSERT_TRUE(waitFor([&] { return application_->snapshot().scene != scene->id; }, 60.0));
   });

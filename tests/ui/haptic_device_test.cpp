@@ -16,6 +16,7 @@
 #include "app/application.h"
 #include "hand_device.h"
 #include "sphere_in_hand.h"
+#include "ui/panels/device_panel.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
 
@@ -439,7 +440,7 @@ TEST(HapticDevice, AnotherHandTakesItsPlaceAndClosesIt) {
   Bench bench;
   Session session(bench);
   session.connectDevice();
-  emit session.window().devicePanel().handChosen("mouse");
+  emit window::panelOf<ui::DevicePanel>(session.window()).handChosen("mouse");
   EXPECT_FALSE(bench.handle->open);
   EXPECT_TRUE(session.label("deviceLink")->text().contains("disconnected"));
   EXPECT_EQ(session.window().findChild<QAbstractButton*>("connectDevice")->text(), "Connect");
@@ -450,7 +451,7 @@ TEST(HapticDevice, AnotherToolAndVolumeLeaveItConnected) {
   Session session(bench);
   session.connectDevice();
   auto scene = session.now().scene;
-  emit session.window().devicePanel().toolChosen("wrench");
+  emit window::panelOf<ui::DevicePanel>(session.window()).toolChosen("wrench");
   ASSERT_TRUE(waitFor([&] { return session.now().scene > scene; }));
   EXPECT_TRUE(bench.handle->open);
   scene = session.now().scene;

@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "app/window/preferences.h"
+#include "panelled_window.h"
 #include "ui/main_window.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
@@ -28,7 +29,7 @@ ui::Picture ballPicture() {
 struct Window {
   Window() {
     window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
-    window.show(ballPicture(), 50.0, "Ball");
+    panelled.show(ballPicture(), 50.0, "Ball");
     window::showAndWait(window, {1240, 860});
     window.activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(&window, 20'000));
@@ -55,7 +56,8 @@ struct Window {
         EXPECT_FALSE(rects[a].intersects(rects[b])) << a << " and " << b;
     }
   }
-  ui::MainWindow window;
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
 };
 
 double areaOf(QRect rect) { return double(rect.width()) * rect.height(); }

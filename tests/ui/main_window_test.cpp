@@ -17,6 +17,7 @@
 #include <cmath>
 #include <functional>
 
+#include "panelled_window.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
@@ -36,8 +37,9 @@ ui::Picture ctPicture(const char* unit = "HU") {
 }
 
 TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheRedButtonWishTheForceOff) {
-  ui::MainWindow window;
-  window.show(ctPicture(), 300.0, "Ball");
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
+  panelled.show(ctPicture(), 300.0, "Ball");
   window::showAndWait(window, {1240, 840});
   int wishes = 0;
   QObject::connect(&window, &ui::MainWindow::forceOffWanted, [&] { ++wishes; });
@@ -70,7 +72,8 @@ TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheRedButtonWishTheForceOff) {
 }
 
 TEST(MainWindow, AsksBeforeItResamplesAndTakesEnterForNo) {
-  ui::MainWindow window;
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
   window.show();
   const auto answered = [&](const std::function<void(QMessageBox&)>& answer) {
     QTimer::singleShot(200, &window, [answer] {
@@ -90,12 +93,14 @@ TEST(MainWindow, AsksBeforeItResamplesAndTakesEnterForNo) {
 }
 
 TEST(MainWindow, TheSliderOnTheHistogramChangesPictureAndTouch) {
-  ui::MainWindow window;
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
   window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
-  window.show(ctPicture(), 300.0, "Ball");
+  panelled.show(ctPicture(), 300.0, "Ball");
   window::showAndWait(window, {1240, 840});
   double felt = 0.0;
-  QObject::connect(&window, &ui::MainWindow::isovalueChanged, [&](double s) { felt = s; });
+  QObject::connect(&panelled.isosurface, &app::IsosurfaceController::changed,
+                   [&](double s) { felt = s; });
   const QImage before = window::pictureAtRest(window.view());
   auto* slider = window.findChild<ui::HistogramSlider*>("isovalueSlider");
   const int x = static_cast<int>(std::lround(slider->width() * 0.35));
@@ -108,11 +113,13 @@ TEST(MainWindow, TheSliderOnTheHistogramChangesPictureAndTouch) {
 }
 
 TEST(MainWindow, PresetsStandOnlyBesideHounsfieldUnits) {
-  ui::MainWindow window;
-  window.show(ctPicture(), 100.0, "Ball");
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
+  panelled.show(ctPicture(), 100.0, "Ball");
   window::showAndWait(window, {1240, 840});
   double felt = 0.0;
-  QObject::connect(&window, &ui::MainWindow::isovalueChanged, [&](double s) { felt = s; });
+  QObject::connect(&panelled.isosurface, &app::IsosurfaceController::changed,
+                   [&](double s) { felt = s; });
   auto* bone = window.findChild<QAbstractButton*>("presetBone");
   auto* skin = window.findChild<QAbstractButton*>("presetSkin");
   ASSERT_TRUE(bone->isVisible());
@@ -120,17 +127,19 @@ TEST(MainWindow, PresetsStandOnlyBesideHounsfieldUnits) {
   EXPECT_EQ(felt, 300.0);
   QTest::mouseClick(skin, Qt::LeftButton);
   EXPECT_EQ(felt, -300.0);
-  window.show(ctPicture(""), 100.0, "Ball");
+  panelled.show(ctPicture(""), 100.0, "Ball");
   QTest::qWait(50);
   EXPECT_FALSE(bone->isVisible());
 }
 
 TEST(MainWindow, AnIsovalueAtTheBackgroundIsRefusedInWords) {
-  ui::MainWindow window;
-  window.show(ctPicture(), 300.0, "Ball");
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
+  panelled.show(ctPicture(), 300.0, "Ball");
   window::showAndWait(window, {1240, 840});
   double felt = 0.0;
-  QObject::connect(&window, &ui::MainWindow::isovalueChanged, [&](double s) { felt = s; });
+  QObject::connect(&panelled.isosurface, &app::IsosurfaceController::changed,
+                   [&](double s) { felt = s; });
   auto* typed = window.findChild<QDoubleSpinBox*>("isovalueTyped");
   typed->setFocus();
   typed->selectAll();
@@ -142,8 +151,9 @@ TEST(MainWindow, AnIsovalueAtTheBackgroundIsRefusedInWords) {
 }
 
 TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
-  ui::MainWindow window;
-  window.show(ctPicture(), 300.0, "Ball");
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
+  panelled.show(ctPicture(), 300.0, "Ball");
   window.show(window::octahedron(0.003));
   window::showAndWait(window, {1240, 840});
   haptics::Snapshot snapshot;
@@ -163,7 +173,7 @@ TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
     const bool spike = i == 8'000;  // one tick among ten thousand is still seen
     points.push_back({t, spike ? 9.5F : static_cast<float>(2.0 + std::sin(t)), 0.02F});
   }
-  window.appendForces(points);
+  panelled.picture.appendForces(points);
   const QImage image = window::pictureOf(window);
   window::keep(image, "main_window_force");
   EXPECT_EQ(window.findChild<QLabel*>("forceNow")->text(), "5.00 N");
@@ -175,10 +185,11 @@ TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
 }
 
 TEST(MainWindow, TheFrictionThatIsTypedIsWished) {
-  ui::MainWindow window;
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
   window::showAndWait(window, {1240, 840});
   double wished = -1.0;
-  QObject::connect(&window.devicePanel(), &ui::DevicePanel::frictionChanged,
+  QObject::connect(&panelled.hand.panel(), &ui::DevicePanel::frictionChanged,
                    [&](double coefficient) { wished = coefficient; });
   auto* friction = window.findChild<QDoubleSpinBox*>("friction");
   EXPECT_EQ(friction->value(), 0.0);

@@ -10,16 +10,20 @@
 
 #include "app/window/marks_controller.h"
 #include "app/window/touched_surface.h"
+#include "panelled_window.h"
 #include "ui/panels/marks_panel.h"
 #include "window_support.h"
 
 namespace window {
 
-/// A window with the controller of marks, and no more of the application.
-struct MarkedScan {
-  ui::MainWindow window;
-  app::SharedState shared;
+/// The same with the controller of marks.
+struct MarkedScan : Panelled {
   app::MarksController controller{window, shared};
+
+  MarkedScan() {
+    QObject::connect(&isosurface, &app::IsosurfaceController::changed, &controller.measures(),
+                     &ui::Measures::surfaceChanged);
+  }
 
   /// Shows a volume as the application does.
   void show(std::shared_ptr<const haptics::Volume> volume, double isovalue,
@@ -35,6 +39,7 @@ struct MarkedScan {
     shared.settings.isovalue = isovalue;
     window.show(loaded.picture, isovalue, title);
     window.show(loaded.scene->tool.mesh);
+    isosurface.showScene(true);
     window.setTouched(app::touchedSurfaceOf(loaded.scene));
     controller.showScene();
   }

@@ -10,6 +10,7 @@
 #include <QTest>
 #include <array>
 
+#include "panelled_window.h"
 #include "ui/export_question.h"
 #include "ui/main_window.h"
 #include "ui/part_question.h"
@@ -87,8 +88,9 @@ void takesNumbersAndNothingElse(const QWidget& place, int least_boxes) {
 }
 
 TEST(NumberBox, EveryFieldOfTheWindowTakesBothMarksAndNoOtherNumberComesOfWhatIsNone) {
-  ui::MainWindow window;
-  window.show(scan(3000.0), 300.0, "scan");
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
+  panelled.show(scan(3000.0), 300.0, "scan");
   window::showAndWait(window, {1240, 840});
   takesNumbersAndNothingElse(window, 5);
 }
@@ -100,7 +102,8 @@ TEST(NumberBox, EveryFieldOfTheDialogsDoes) {
 }
 
 TEST(NumberBox, TheForceScaleIsHalfAndNotFive) {
-  ui::MainWindow window;
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
   auto* scale = window.findChild<QDoubleSpinBox*>("forceScale");
   scale->setLocale(kEnglish);
   enter(scale, "0,5");
@@ -117,10 +120,11 @@ TEST(NumberBox, TheForceScaleIsHalfAndNotFive) {
 }
 
 TEST(NumberBox, AnIsovalueIsNeverTenTimesWhatWasTyped) {
-  ui::MainWindow window;
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
   auto* isovalue = window.findChild<QDoubleSpinBox*>("isovalueTyped");
   isovalue->setLocale(kGerman);
-  window.show(scan(3000.0), 300.0, "scan");
+  panelled.show(scan(3000.0), 300.0, "scan");
   enter(isovalue, "120.5");
   EXPECT_EQ(isovalue->value(), 120.5);
   enter(isovalue, "-20,5 HU", true);
@@ -128,7 +132,7 @@ TEST(NumberBox, AnIsovalueIsNeverTenTimesWhatWasTyped) {
   enter(isovalue, QString::fromUtf8("\u221230,5"), true);  // a minus as word processors write it
   EXPECT_EQ(isovalue->value(), -30.5);
   // so wide a range is chosen in whole numbers
-  window.show(scan(60'000.0), 300.0, "scan");
+  panelled.show(scan(60'000.0), 300.0, "scan");
   ASSERT_EQ(isovalue->decimals(), 0);
   enter(isovalue, "120.5");
   EXPECT_EQ(isovalue->value(), 300.0);

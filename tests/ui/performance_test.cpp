@@ -14,6 +14,7 @@
 
 #include "app/application.h"
 #include "sphere_in_hand.h"
+#include "ui/panels/device_panel.h"
 #include "window_support.h"
 
 namespace {
@@ -226,7 +227,7 @@ TEST(Performance, OneClickMeasuresThisMachineAndSaysSo) {
       running.panel.findChild<QLabel*>("performanceSuggestion")->text().toUtf8().constData(),
       running.details->text().toUtf8().constData());
   // another tool: what was measured does not hold any more
-  emit running.application.window().devicePanel().toolChosen("wrench");
+  emit window::panelOf<ui::DevicePanel>(running.application.window()).toolChosen("wrench");
   EXPECT_TRUE(waitFor([&] { return !running.headline->isVisible(); }, 60.0));
 }
 
@@ -241,7 +242,7 @@ TEST(Performance, ItIsCancelledByTheButtonAnotherHandAndAnotherVolume) {
   // and is ready for the next, which the other does not disturb
   running.click();
   ASSERT_TRUE(running.isUnderWay());
-  emit running.application.window().devicePanel().handChosen("slide");
+  emit window::panelOf<ui::DevicePanel>(running.application.window()).handChosen("slide");
   EXPECT_FALSE(running.panel.isMeasuring());
   EXPECT_TRUE(running.details->text().contains("another hand"));
 

@@ -24,6 +24,7 @@
 #include "sphere_in_hand.h"
 #include "tests/support/sentence.h"
 #include "ui/export_question.h"
+#include "ui/panels/device_panel.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/volume_view.h"
@@ -156,7 +157,7 @@ TEST(RecordedSession, AFilmOfAScanWarnsOfAFaceWhateverToolAndField) {
   if (HasFatalFailure()) return;
   EXPECT_TRUE(askedBeforeAFilm(application).contains("face"));
   const QString title = application.window().windowTitle();
-  ui::DevicePanel& panel = application.window().devicePanel();
+  ui::DevicePanel& panel = window::panelOf<ui::DevicePanel>(application.window());
   for (const auto& change : {std::function([&] { emit panel.toolChosen("wrench"); }),
                              std::function([&] { emit panel.fieldChosen("spline"); })}) {
     QSignalSpy adopted(&application, &app::Application::adopted);
@@ -350,13 +351,13 @@ TEST(RecordedSession, GoesOnThroughAnotherToolVolumeAndHand) {
   ui::MainWindow& window = application.window();
   emit window.findChild<ui::RecordingPanel*>()->recordWanted(true);
   QTest::qWait(500);
-  emit window.devicePanel().toolChosen("drill");
+  emit window::panelOf<ui::DevicePanel>(window).toolChosen("drill");
   ASSERT_TRUE(waitFor([&] { return application.shown()->tool.name == "drill"; }, 60.0));
   QTest::qWait(500);
   emit window.phantomWanted("torus");
   ASSERT_TRUE(waitFor([&] { return application.shown()->title.contains("torus"); }, 60.0));
   QTest::qWait(500);
-  emit window.devicePanel().handChosen("tap");
+  emit window::panelOf<ui::DevicePanel>(window).handChosen("tap");
   QTest::qWait(500);
   window.close();
   ASSERT_EQ(filesIn(folder).size(), 1U);

@@ -19,6 +19,7 @@
 #include <QTimer>
 #include <functional>
 
+#include "panelled_window.h"
 #include "ui/main_window.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/time_words.h"
@@ -270,7 +271,8 @@ TEST(RecordingPanel, TheListOpensExportsRecoversAndAsksBeforeItDeletes) {
 
 /// The main window with its panel and bar.
 struct Whole {
-  ui::MainWindow window;
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
   ui::RecordingPanel& panel = *new ui::RecordingPanel;  // the window's
 
   Whole() {

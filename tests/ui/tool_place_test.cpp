@@ -28,6 +28,8 @@
 #include "hand_device.h"
 #include "haptics/scene/legal_pose.h"
 #include "sphere_in_hand.h"
+#include "ui/panels/device_panel.h"
+#include "ui/panels/isosurface_panel.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
 
@@ -217,7 +219,7 @@ TEST(ToolPlace, AClickInASliceAndTheCrosshairAndASimulatedHand) {
   entry("toolToCross");
   EXPECT_TRUE(waitFor([&] { return (tip() - open).norm() < 1e-4; }, 5.0));
   // a simulated hand taps there from now on
-  emit window.devicePanel().handChosen("tap");
+  emit window::panelOf<ui::DevicePanel>(window).handChosen("tap");
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   window.setCross(inside * ui::kMmPerM);
   entry("toolToCross");
@@ -351,7 +353,7 @@ TEST(ToolPlace, APictureThatMayShowAFaceIsAskedFor) {
   EXPECT_TRUE(QFile::exists(path));
   // and so does the surface that is felt
   view.setSecondSurface({});
-  emit application.window().isovalueChanged(-300.0);
+  window::panelOf<ui::IsosurfacePanel>(application.window()).choose(-300.0);
   EXPECT_EQ(take("copyPicture"), QStringList({warning}));
   EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
 }

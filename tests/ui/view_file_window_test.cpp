@@ -23,7 +23,6 @@
 #include "haptics/edit/edit_history.h"
 #include "marked_scan.h"
 #include "sphere_in_hand.h"
-#include "ui/panels/isosurface_panel.h"
 
 namespace {
 
@@ -55,6 +54,10 @@ struct Views : window::MarkedScan {
   app::VolumeIdentity identity;
   app::ViewFileController files{window, shared, identity, controller};
 
+  Views() {
+    QObject::connect(&files, &app::ViewFileController::isovalueWanted, &isosurface,
+                     &app::IsosurfaceController::set);
+  }
   bool save(const fs::path& path, bool with_place = false) {
     QSignalSpy finished(&files, &app::ViewFileController::finished);
     files.save(path, with_place);
@@ -107,8 +110,7 @@ TEST(ViewFiles, AViewComesBackOverTheSameScan) {
   views.measures().replace(someMarks());
   views.window.setCross({4, 5, 6});
   emit views.slice(ui::Plane::Axial).greyChanged({.level = 33.0, .width = 44.0});
-  emit views.window.isosurfacePanel().isovalueChanged(61.0);
-  views.shared.settings.isovalue = 61.0;
+  views.isosurface.set(61.0);
   views.window.view().lookFromTool();
   views.window.view().camera()->Azimuth(25.0);
   views.slice(ui::Plane::Coronal).zoom(3.0, {100.0, 80.0});
@@ -122,7 +124,7 @@ TEST(ViewFiles, AViewComesBackOverTheSameScan) {
   window::showAndWait(later.window, {1240, 840});
   later.measures().replace({{MeasureKind::Point, "mine", {{0, 0, 0}}}});
   double isovalue = 0.0;
-  QObject::connect(&later.window, &ui::MainWindow::isovalueChanged,
+  QObject::connect(&later.isosurface, &app::IsosurfaceController::changed,
                    [&](double s) { isovalue = s; });
   ASSERT_TRUE(later.open(path)) << later.message().toStdString();
   ASSERT_EQ(later.measures().all().size(), 2U);

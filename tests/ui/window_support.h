@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/core/volume.h"
@@ -28,6 +29,14 @@ std::function<double(const haptics::Vec3&)> ball(const haptics::Vec3& centre_W, 
 
 /// An octahedron with corners this far from its middle, m.
 haptics::TriangleMesh octahedron(double size);
+
+/// The panel of this class in a window.
+template <class Panel>
+Panel& panelOf(QWidget& window) {
+  auto* found = window.findChild<Panel*>();
+  if (found == nullptr) throw std::logic_error("the window has no such panel");
+  return *found;
+}
 
 /// Handles events until `done`, or for at most so many seconds; whether it is done.
 bool waitFor(const std::function<bool()>& done, double seconds = 60.0);
