@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QComboBox>
 #include <QLocale>
+#include <QScrollArea>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -308,6 +309,30 @@ TEST_F(Editing, APieceIsShownWithItsVolumeAndKeptOrRemoved) {
   // air is no piece
   clickAt(slice(ui::Plane::Axial), slice(ui::Plane::Axial).projected({-25, 25, 12}));
   EXPECT_TRUE(waitFor([&] { return messageIsShown(); }, 10.0));
+}
+
+TEST_F(Editing, NothingInThePanelIsCutAtItsSide) {
+  openBalls();
+  const auto* scroll = panel().findChild<QScrollArea*>();
+  const auto fits = [&](const char* what) {
+    QTest::qWait(20);
+    EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << what;
+  };
+  for (const char* tool : {"cropTool", "planeTool", "holderTool", "scalpelTool", "piecesTool"}) {
+    click(tool);
+    if (panel().tool() == ui::EditTool::Plane) click("planeFromAxial");
+    fits(tool);
+  }
+  // the most that it shows: a piece, beside a scroll bar
+  clickAt(window().view(), inSpace(kSmallAt));
+  ASSERT_TRUE(previewed());
+  fits("a piece");
+  click("removePiece");
+  pulledTo({-12, -29, 0});
+  pulledTo({-12, -5, 0});
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(child<QLabel>("editWait").isVisible());
+  fits("a sentence that waits");
 }
 
 TEST_F(Editing, SmallPiecesAreShownAndRemoved) {
