@@ -41,6 +41,8 @@ class VolumeView : public Viewport {
   void setSurfaceWish(std::optional<SurfaceMode> wish);
   /// Shows other voxels of the same grid; camera, mode and isovalues stay.
   void replace(const Picture& picture);
+  /// What is on view; its volume is null before the first.
+  const Picture& picture() const { return surface_.picture(); }
   void display(const haptics::Snapshot& snapshot);
   /// Whether the mouse can hold the tool; a hand that was held before is let go.
   void setMouseHand(bool on);

@@ -29,6 +29,7 @@ using ui::kMmPerM;
 constexpr int kUntouchedMs = 100;
 constexpr double kCm3PerM3 = 1e6;
 constexpr double kAligned = 1.0 - 1e-6;  // cosine between an axis of the grid and one of W
+constexpr double kAnyIntensity = std::numeric_limits<double>::infinity();
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr std::array<const char*, 3> kLowLetters{"R", "A", "I"}, kHighLetters{"L", "P", "S"};
 
@@ -66,6 +67,22 @@ AxisNumbers numbersOf(const haptics::Volume& volume, int axis) {
   edge[axis] = -0.5;
   numbers.at_first_mm = grid.worldOf(edge)[along] * kMmPerM;
   return numbers;
+}
+
+/// The voxels of these runs that reach `least`.
+std::shared_ptr<const ui::MarkedVoxels> marked(const haptics::Volume& volume,
+                                               const haptics::Removal& removal, double least) {
+  auto voxels = std::make_shared<ui::MarkedVoxels>(volume.grid);
+  const auto& dims = volume.grid.dims;
+  haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* first) {
+    for (const haptics::VoxelRun& run : removal.runs) {
+      const auto* row = first + (run.k * dims[1] + run.j) * dims[0];
+      for (std::int64_t i = run.i; i < run.i + run.count; ++i)
+        if (static_cast<double>(row[i]) >= least) voxels->add(i, run.j, run.k, 1);
+    }
+  });
+  voxels->finish();
+  return voxels;
 }
 
 bool lettersApply(const haptics::Volume& volume) {
@@ -248,14 +265,18 @@ bool EditController::raises(const Job& job) const {
   return false;
 }
 
+bool EditController::touches() const {
+  return shared_.snapshot.contacts > 0 || shared_.snapshot.scene != shared_.shown->scene->id;
+}
+
 bool EditController::isClear() const {
-  return !shared_.session.isOpen() || untouched_.elapsed() >= kUntouchedMs;
+  // the time alone does not tell: it goes on while a busy window looks at no snapshot
+  return !shared_.session.isOpen() || (!touches() && untouched_.elapsed() >= kUntouchedMs);
 }
 
 void EditController::refresh() {
   if (!shared_.shown) return;
-  if (shared_.snapshot.contacts > 0 || shared_.snapshot.scene != shared_.shown->scene->id)
-    untouched_.restart();
+  if (touches()) untouched_.restart();
   if (held_)
     adopt();
   else
@@ -404,7 +425,8 @@ void EditController::deliver(haptics::Expected<Made> made) {
     return startNext();
   }
   held_ = std::move(*made);
-  adopt();
+  // what puts material back is adopted by refresh(), on what the tool touches then
+  if (!raises(*running_)) adopt();
 }
 
 void EditController::adopt() {
@@ -588,7 +610,8 @@ void EditController::showPlane() {
   const Eigen::Vector3d middle = ui::boxOf_mm(scan_->grid).center();
   panel_->show(
       ui::EditPanel::PlaneNumbers{.position_mm = n.dot(plane_.point_mm() - middle),
-                                  .towards_deg = std::atan2(n.y(), n.x()) * kDegrees,
+                                  // 0 straight up and down: adding 0 makes -0 a 0
+                                  .towards_deg = std::atan2(n.y() + 0.0, n.x() + 0.0) * kDegrees,
                                   .raised_deg = std::asin(std::clamp(n.z(), -1.0, 1.0)) * kDegrees},
       0);
 }
@@ -672,11 +695,11 @@ void EditController::preview(Edit edit, ui::EditConfirm confirm, const QString& 
        isovalue = shared_.settings.isovalue](const Watch& watch) -> haptics::Expected<Preview> {
         const auto removal = haptics::removalOf(*volume, edit, isovalue, {.cancel = &watch.cancel});
         if (!removal) return tl::unexpected(removal.error());
-        auto voxels = std::make_shared<ui::MarkedVoxels>(volume->grid);
-        for (const haptics::VoxelRun& run : removal->runs)
-          voxels->add(run.i, run.j, run.k, run.count);
-        voxels->finish();
-        return Preview{removal->volume, voxels};
+        // of a piece what is solid; it takes its rim with it, which nobody sees. A holder is foam,
+        // too
+        const bool solid = !std::holds_alternative<haptics::RemoveHolder>(edit);
+        return Preview{removal->volume,
+                       marked(*volume, *removal, solid ? isovalue : -kAnyIntensity)};
       },
       [this, edit, confirm, words](const haptics::Expected<Preview>& made) {
         if (!made) {

@@ -34,7 +34,7 @@ class EditController : public QObject {
 
   /// Call it when another scene is on view.
   void showScene();
-  /// Call it at display rate.
+  /// Call it at display rate, with a snapshot that is as new as can be.
   void refresh();
   /// During a replay nothing can be edited.
   void setReplaying(bool replaying);
@@ -90,6 +90,7 @@ class EditController : public QObject {
   /// Takes a step of the history back that is not on view.
   static void rollBack(haptics::EditHistory& history, Step step);
   bool raises(const Job& job) const;
+  bool touches() const;
   bool isClear() const;
   void showWait(Step step);
   void endWait();

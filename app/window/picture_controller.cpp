@@ -29,12 +29,14 @@ PictureController::PictureController(ui::MainWindow& window, SharedState& shared
 void PictureController::refresh() {
   haptics::Session& session = shared_.session;
   session.collectGarbage();
+  // first: after a busy moment the one before is old
+  haptics::Snapshot& snapshot = shared_.snapshot;
+  const bool fresh = session.latest(snapshot);
   emit refreshing();
   showForces();
-  // poses of the old scene would mislead in the new one
-  haptics::Snapshot& snapshot = shared_.snapshot;
-  if (!session.latest(snapshot) || !shared_.shown) return;
+  if (!fresh || !shared_.shown) return;
   emit snapshotTaken();
+  // poses of the old scene would mislead in the new one
   if (snapshot.scene != shared_.shown->scene->id) return window_.displayForce(snapshot);
   window_.display(snapshot);
   if (look_) {
@@ -51,13 +53,14 @@ void PictureController::showForces() {
 }
 
 void PictureController::makeFineMesh(double isovalue) {
-  if (!shared_.shown) return;
+  // the one on view: in a replay it is not the one that is touched
+  const ui::Picture& picture = window_.view().picture();
+  if (!picture.volume) return;
   mesh_next_ = isovalue;
   if (mesher_.isRunning()) return;
   mesh_next_.reset();
   mesher_.start(
-      [isovalue, volume = shared_.shown->picture.volume,
-       mirrored = shared_.shown->picture.mirrored()](
+      [isovalue, volume = picture.volume, mirrored = picture.mirrored()](
           const background::Watch&) -> haptics::Expected<vtkSmartPointer<vtkPolyData>> {
         // with a crop: closed at its faces, as the reduced mesh is
         const auto image = volume->grid.voxelCount() <= kFineVoxels && !volume->crop
@@ -65,10 +68,10 @@ void PictureController::makeFineMesh(double isovalue) {
                                : ui::reducedImageOf(*volume, kFineVoxels);
         return ui::isosurfaceMesh(image, isovalue, mirrored);
       },
-      [this, isovalue, volume = shared_.shown->picture.volume](
-          const haptics::Expected<vtkSmartPointer<vtkPolyData>>& mesh) {
+      [this, isovalue,
+       volume = picture.volume](const haptics::Expected<vtkSmartPointer<vtkPolyData>>& mesh) {
         // without one the reduced mesh stays
-        const bool same = shared_.shown && shared_.shown->picture.volume == volume;
+        const bool same = window_.view().picture().volume == volume;
         if (same && mesh && *mesh) window_.view().showFine(*mesh, isovalue);
         if (mesh_next_ && !(same && *mesh_next_ == isovalue)) makeFineMesh(*mesh_next_);
       });

@@ -3,6 +3,7 @@
 
 #include "app/window/edited_volume.h"
 #include "app/window/sentence.h"
+#include "app/window/touched_surface.h"
 #include "haptics/edit/edited.h"
 #include "haptics/recording/replay.h"
 #include "ui/panels/force_plot.h"
@@ -104,7 +105,7 @@ void ReplayController::close() {
   emit forcesCleared();
   if (shared_.shown) {
     // as it was before
-    showOnView(shared_.shown->picture);
+    showOnView({shared_.shown->picture, shared_.shown->scene});
     window_.show(shared_.shown->scene->tool.mesh);
     emit isovalueShown(shared_.shown->picture, shared_.settings.isovalue);
   }
@@ -125,32 +126,36 @@ void ReplayController::showScene() {
   show(shown_to_);
 }
 
-void ReplayController::showOnView(const ui::Picture& picture) {
+void ReplayController::showOnView(const EditedScan& edited) {
   editor_.abandon();
-  edits_ = digestOf(picture);
-  if (on_view_.volume == picture.volume) return;
-  on_view_ = picture;
-  window_.replace(picture);
+  edits_ = digestOf(edited.picture);
+  if (on_view_.volume == edited.picture.volume) return;
+  on_view_ = edited.picture;
+  window_.replace(edited.picture);
+  window_.setTouched(touchedSurfaceOf(edited.scene));
   isovalue_.reset();
 }
 
 void ReplayController::showEdits(const haptics::RecordedScene& then) {
   if (then.edits_digest == edits_) return;
   if (then.edits_digest == digestOf(shared_.shown->picture))
-    return showOnView(shared_.shown->picture);
+    return showOnView({shared_.shown->picture, shared_.shown->scene});
   edits_ = then.edits_digest;
   editor_.start(
-      [then, scan = scanOf(shared_.shown->picture.volume)](
-          const background::Watch& watch) -> haptics::Expected<ui::Picture> {
+      [then, scan = scanOf(shared_.shown->picture.volume), live = shared_.shown->scene](
+          const background::Watch& watch) -> haptics::Expected<EditedScan> {
         const auto volume =
             haptics::editedAsRecorded(scan, then, {.cancel = &watch.cancel, .advanced = {}});
         if (!volume) return tl::unexpected(volume.error());
-        return ui::pictureOf(*volume);
+        const auto scene = haptics::makeScene(
+            *volume, live->tool, {.field = live->field.kind(), .cancel = &watch.cancel});
+        if (!scene) return tl::unexpected(scene.error());
+        return EditedScan{ui::pictureOf(*volume), *scene};
       },
-      [this](const haptics::Expected<ui::Picture>& picture) {
+      [this](const haptics::Expected<EditedScan>& edited) {
         if (!replay_) return;
-        if (!picture) return window_.showMessage(sentenceOf(picture.error()));
-        showOnView(*picture);
+        if (!edited) return window_.showMessage(sentenceOf(edited.error()));
+        showOnView(*edited);
         show(shown_to_);
       });
 }

@@ -12,6 +12,7 @@
 #include "app/window/replay.h"
 #include "app/window/shared_state.h"
 #include "app/window/volume_identity.h"
+#include "haptics/scene/scene.h"
 #include "ui/main_window.h"
 
 namespace app {
@@ -51,7 +52,12 @@ class ReplayController : public QObject {
   void compareVolumes();
   /// Shows the scan on view as it was when this scene was touched.
   void showEdits(const haptics::RecordedScene& then);
-  void showOnView(const ui::Picture& picture);
+  /// The scan with some of its edits.
+  struct EditedScan {
+    ui::Picture picture;
+    std::shared_ptr<const haptics::Scene> scene;  ///< its field is what slices and clicks ask
+  };
+  void showOnView(const EditedScan& edited);
 
   ui::MainWindow& window_;
   SharedState& shared_;
@@ -62,7 +68,7 @@ class ReplayController : public QObject {
   double shown_to_ = 0.0;               ///< s: end of the plotted force
   ui::Picture on_view_;                 ///< of the scan, with the edits of the recording
   std::uint64_t edits_ = 0;             ///< digest of the edits on view, or being prepared
-  background::Task<ui::Picture> editor_;
+  background::Task<EditedScan> editor_;
   bool same_volume_ = false;  ///< the volume on view is the recorded one, as far as known
 };
 

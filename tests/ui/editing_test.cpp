@@ -1,475 +1,105 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
 #include <QAction>
-#include <QComboBox>
-#include <QLabel>
-#include <QMenuBar>
-#include <QMouseEvent>
-#include <QPainter>
-#include <QTemporaryDir>
-#include <QTest>
+#include <QThread>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include "app/window/edited_volume.h"
 #include "datasets/readers/nrrd/writer.h"
-#include "datasets/readers/volume_reader.h"
+#include "editing.h"
 #include "haptics/edit/edited.h"
-#include "haptics/scene/scene.h"
-#include "sphere_in_hand.h"
 #include "ui/number_box.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/edit_panel.h"
 #include "ui/panels/replay_bar.h"
-#include "ui/volume_view.h"
 #include "window_support.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
+using window::Editing;
 using window::waitFor;
 
-constexpr double kLarge_mm = 14.0, kSmall_mm = 5.0;
-const Vector3d kLargeAt{-12, 0, 0}, kSmallAt{16, 0, 12};  // mm
-
-/// Two balls of 100 in a cube of 64 mm about the origin, as a file.
-fs::path twoBalls(const QTemporaryDir& folder) {
-  const fs::path path = fs::path(folder.path().toStdString()) / "balls.nrrd";
-  const auto large = window::ball(kLargeAt * 1e-3, kLarge_mm * 1e-3);
-  const auto small = window::ball(kSmallAt * 1e-3, kSmall_mm * 1e-3);
-  const auto volume =
-      window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
-                       [&](const haptics::Vec3& p_W) { return std::max(large(p_W), small(p_W)); });
-  EXPECT_TRUE(datasets::writeNrrd(*volume, path).has_value());
-  return path;
-}
-
-/// The program with a scan on view, and what a user does to it.
-class Editing : public testing::Test {
- protected:
-  void open(const fs::path& scan, double isovalue) {
-    app::Arguments arguments = window::recordedSphere(recordings_, "mouse");
-    arguments.load.phantom = {};
-    arguments.load.path = scan;
-    arguments.load.isovalue = isovalue;
-    application_ = std::make_unique<app::Application>(arguments);
-    application_->start();
-    ASSERT_TRUE(waitFor([&] { return application_->snapshot().scene != 0; }, 120.0));
-    // a shortcut is the active window's
-    window().activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 20'000));
-    press("View", "Edit");
-  }
-  void openBalls() { open(twoBalls(scans_), 50.0); }
-
-  ui::MainWindow& window() { return application_->window(); }
-  ui::EditPanel& panel() { return *window().findChild<ui::EditPanel*>(); }
-  const haptics::Volume& volume() { return *application_->shown()->picture.volume; }
-  template <class T = QAbstractButton>
-  T& child(const char* name) {
-    T* found = window().findChild<T*>(name);
-    EXPECT_NE(found, nullptr) << name;
-    return *found;
-  }
-  void press(const char* menu, const char* entry) {
-    for (QAction* top : window().menuBar()->actions())
-      if (top->text().remove('&') == menu)
-        for (QAction* action : top->menu()->actions())
-          if (action->text().remove('&') == entry) action->trigger();
-  }
-  void click(const char* button) {
-    QTest::mouseClick(&child(button), Qt::LeftButton);
-    settle();
-  }
-  void type(const char* number, const char* text) {
-    auto& box = child<ui::NumberBox>(number);
-    box.setFocus();
-    box.selectAll();
-    QTest::keyClicks(&box, text);
-    QTest::keyClick(&box, Qt::Key_Return);
-  }
-  /// Waits until no edit is under way, and the views have drawn what is there.
-  void settle() {
-    ASSERT_TRUE(waitFor([&] { return !application_->editing().isBusy(); }, 60.0));
-    QTest::qWait(60);
-  }
-  /// Keeps the window's picture. What is painted over the 3-D view is not in a grab of the window.
-  void keepWindow(const char* name) {
-    QImage whole = window::pictureOf(window());
-    ui::VolumeView& view = window().view();
-    QPainter{&whole}.drawImage(view.mapTo(&window(), QPoint{}), view.grabFramebuffer());
-    window::keep(whole, name);
-  }
-  bool previewed() {
-    return waitFor([&] { return child<QLabel>("editPreview").isVisible(); }, 30.0);
-  }
-  QString message() { return child<QLabel>("message").text(); }
-  bool messageIsShown() { return child<QLabel>("message").isVisible(); }
-
-  static void mouse(QWidget& view, QEvent::Type type, QPointF at, Qt::MouseButtons held) {
-    QMouseEvent event(type, at, view.mapToGlobal(at),
-                      type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, held,
-                      Qt::NoModifier);
-    QCoreApplication::sendEvent(&view, &event);
-  }
-  /// A drag with the left button; `before_release` is called with the button still down.
-  static void drag(QWidget& view, const std::vector<QPointF>& way,
-                   const std::function<void()>& before_release = {}) {
-    mouse(view, QEvent::MouseButtonPress, way.front(), Qt::LeftButton);
-    for (const QPointF& at : way) mouse(view, QEvent::MouseMove, at, Qt::LeftButton);
-    if (before_release) before_release();
-    mouse(view, QEvent::MouseButtonRelease, way.back(), Qt::NoButton);
-  }
-  static void clickAt(QWidget& view, QPointF at) { drag(view, {at}); }
-  ui::SliceView& slice(ui::Plane plane) { return window().slice(plane); }
-  QPointF inSpace(const Vector3d& p_mm) { return window().view().projected(p_mm * 1e-3); }
-
-  /// Whether there is something at a place, by all that can tell: the field that is touched, the
-  /// slice through it, the mesh. Fails if they disagree.
-  bool isThere(const Vector3d& p_mm) {
-    const haptics::ScalarField& field = application_->shown()->scene->field;
-    const bool felt = field.value(field.indexOf(p_mm * 1e-3)) >= isovalue_;
-    for (const ui::Plane plane : {ui::Plane::Axial, ui::Plane::Coronal, ui::Plane::Sagittal}) {
-      window().setCross(p_mm + Vector3d::Constant(0.3));
-      QTest::qWait(20);
-      ui::SliceView& view = slice(plane);
-      const QImage image = window::pictureOf(view);
-      // beside the lines of the crosshair
-      const QPointF at = view.projected(p_mm) + QPointF{-4, 4};
-      const QColor seen = image.pixelColor(at.toPoint());
-      EXPECT_EQ(seen.red() > 60, felt) << "slice " << int(plane) << " at " << p_mm.transpose();
-    }
-    return felt;
-  }
-  /// Whether the surface is drawn where this place is seen from in front.
-  bool isSeen(const Vector3d& p_mm) {
-    const QImage picture = window::pictureAtRest(window().view());
-    return window::surfaceColoured(picture.pixelColor(inSpace(p_mm).toPoint()));
-  }
-  /// Where the tool comes to when a hand pulls it there; mm.
-  Vector3d pulledTo(const Vector3d& p_mm) {
-    haptics::Pose hand = application_->snapshot().X_WD;
-    const Vector3d from = hand.translation();
-    for (int n = 1; n <= 60; ++n) {
-      hand.translation() = from + (p_mm * 1e-3 - from) * (n / 60.0);
-      application_->session().pull(hand);
-      QTest::qWait(15);
-    }
-    QTest::qWait(400);
-    return application_->snapshot().X_WP.translation() * 1e3;
-  }
-
-  QTemporaryDir recordings_, scans_;
-  std::unique_ptr<app::Application> application_;
-  double isovalue_ = 50.0;
-};
-
-TEST_F(Editing, ACropBoxIsDraggedInSlicesAndInThreeD) {
-  openBalls();
-  const std::shared_ptr<const haptics::Volume> scan = application_->shown()->picture.volume;
-  const QImage before = window::pictureAtRest(window().view());
-  EXPECT_TRUE(isThere({0, 0, 0}));
-  EXPECT_TRUE(isThere(kSmallAt));
-  window().setCross(Vector3d::Zero());
-  click("cropTool");
-  keepWindow("edit_crop_begun");
-  ui::SliceView& axial = slice(ui::Plane::Axial);
-  const QPointF face = axial.projected({32, 0, 0});
-  bool changed_while_dragging = true;
-  drag(axial, {face, axial.projected({20, 0, 0}), axial.projected({-10, 0, 0})},
-       [&] { changed_while_dragging = volume().crop.has_value(); });
-  EXPECT_FALSE(changed_while_dragging);
-  settle();
-  ASSERT_TRUE(volume().crop);
-  EXPECT_NEAR(double(volume().crop->end[0]), 22.0, 1.0);
-  EXPECT_EQ(volume().crop->first[0], 0);
-  EXPECT_TRUE(window().windowTitle().contains("(edited)"));
-  EXPECT_NEAR(child<ui::NumberBox>("crop0High").value(), double(volume().crop->end[0]) - 32.0,
-              0.06);
-  // in 3-D: the face towards S
-  const double middle = 0.5 * (-32.0 + double(volume().crop->end[0]) - 32.0);
-  ui::VolumeView& view = window().view();
-  keepWindow("edit_crop_box");
-  drag(view, {inSpace({middle, 0, 32}), inSpace({middle, 0, 20}), inSpace({middle, 0, 6})});
-  settle();
-  EXPECT_NEAR(double(volume().crop->end[2]), 38.0, 1.0);
-  // by its number
-  type("crop1Low", "-5");
-  EXPECT_EQ(volume().crop->first[1], 0);
-  click("cropApply");
-  EXPECT_EQ(volume().crop->first[1], 27);
-  EXPECT_EQ(application_->editing().edits().size(), 3U);
-
-  EXPECT_TRUE(isThere({-14, 0, 0}));
-  EXPECT_FALSE(isThere({-5, 0, 0}));
-  EXPECT_FALSE(isThere({-14, -9, 0}));
-  EXPECT_FALSE(isThere({-14, 0, 10}));
-  EXPECT_FALSE(isThere(kSmallAt));
-  EXPECT_TRUE(isSeen({-14, 0, 0}));
-  EXPECT_FALSE(isSeen({-4, 0, 0}));
-  EXPECT_FALSE(isSeen(kSmallAt));
-  // the voxels are the scan's own
-  EXPECT_EQ(volume().voxels, scan->voxels);
-
-  // the keys take it back, and it is as it was
-  for (int n = 0; n < 3; ++n) {
-    QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-    settle();
-  }
-  EXPECT_FALSE(volume().crop);
-  EXPECT_FALSE(window().windowTitle().contains("(edited)"));
-  click("cropTool");  // off
-  EXPECT_LT(window::differing(before, window::pictureAtRest(view)), 0.001);
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  settle();
-  EXPECT_TRUE(volume().crop);
-  QTest::keyClick(&window(), Qt::Key_Y, Qt::ControlModifier);
-  settle();
-  EXPECT_EQ(application_->editing().edits().size(), 2U);
-  click("resetEdits");
-  EXPECT_TRUE(application_->editing().edits().empty());
-}
-
-TEST_F(Editing, CropsToWhatTheSlicesShow) {
-  openBalls();
-  click("cropTool");
-  for (const ui::Plane plane : {ui::Plane::Axial, ui::Plane::Coronal, ui::Plane::Sagittal})
-    slice(plane).zoom(4.0, slice(plane).projected(Vector3d::Zero()));
-  click("cropToView");
-  EXPECT_FALSE(volume().crop);
-  click("cropApply");
-  ASSERT_TRUE(volume().crop);
-  for (std::size_t a = 0; a < 3; ++a) {
-    EXPECT_GT(volume().crop->first[a], 10) << a;
-    EXPECT_LT(volume().crop->end[a], 54) << a;
-  }
-  // no voxel is kept that no slice showed
-  const QPointF left =
-      slice(ui::Plane::Axial).projected({double(volume().crop->first[0]) - 32.0 + 1.0, 0, 0});
-  EXPECT_GE(left.x(), slice(ui::Plane::Axial).pictureRect().left());
-  click("cropReset");
-  EXPECT_FALSE(volume().crop);
-}
-
-TEST_F(Editing, AClipPlaneIsPlacedTurnedFlippedAndCuts) {
-  openBalls();
-  const std::shared_ptr<const haptics::Volume> scan = application_->shown()->picture.volume;
-  window().setCross({-12, 0, 2});
-  click("planeTool");
-  click("planeFromAxial");
-  EXPECT_NEAR(child<ui::NumberBox>("planePosition").value(), 2.0, 0.1);
-  EXPECT_NEAR(child<ui::NumberBox>("planeRaised").value(), 90.0, 0.1);
-  keepWindow("edit_plane");
-  click("planeFlip");
-  EXPECT_NEAR(child<ui::NumberBox>("planeRaised").value(), -90.0, 0.1);
-  click("planeApply");
-  EXPECT_FALSE(isThere({-12, 0, -4}));
-  EXPECT_TRUE(isThere({-12, 0, 8}));
-  EXPECT_FALSE(isSeen({-12, 0, -6}));
-  EXPECT_TRUE(isSeen({-12, 0, 8}));
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  settle();
-  EXPECT_EQ(0, std::memcmp(volume().voxels.get(), scan->voxels.get(),
-                           std::size_t(scan->grid.voxelCount()) * 2));
-
-  // three clicks in one slice: a line upright on it, and the side that goes
-  click("planeAgain");
-  ui::SliceView& coronal = slice(ui::Plane::Coronal);
-  for (const Vector3d& p : {Vector3d{-12, 0, 20}, Vector3d{-12, 0, -20}, Vector3d{0, 0, 0}})
-    clickAt(coronal, coronal.projected(p));
-  EXPECT_NEAR(child<ui::NumberBox>("planeTowards").value(), 0.0, 1.0);
-  // the handle that turns, in the same slice: from L to S
-  const double arm = 60.0 / (coronal.projected({1, 0, 0}).x() - coronal.projected({0, 0, 0}).x());
-  drag(coronal, {coronal.projected({-12 + arm, 0, 0}), coronal.projected({-12 + arm, 0, arm}),
-                 coronal.projected({-12, 0, arm})});
-  EXPECT_NEAR(child<ui::NumberBox>("planeRaised").value(), 90.0, 4.0);
-  type("planeRaised", "90");
-  type("planePosition", "4");
-  click("planeApply");
-  EXPECT_TRUE(isThere({-12, 0, 0}));
-  EXPECT_FALSE(isThere({-12, 0, 8}));
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  settle();
-
-  // three clicks on the surface, seen from in front: what is nearer goes
-  click("planeAgain");
-  for (const Vector3d& p : {Vector3d{-18, 0, -5}, Vector3d{-6, 0, -5}, Vector3d{-12, 0, 7}})
-    clickAt(window().view(), inSpace(p));
-  EXPECT_TRUE(child<ui::NumberBox>("planePosition").isVisible());
-  keepWindow("edit_plane_clicked");
-  click("planeApply");
-  EXPECT_EQ(application_->editing().edits().size(), 1U);
-  EXPECT_FALSE(isThere({-12, -13, 0}));
-  EXPECT_TRUE(isThere({-12, 5, 0}));
-  EXPECT_TRUE(isThere(kSmallAt + Vector3d{0, 2, 0}));
-
-  // on one line there is no plane, and a sentence says so
-  for (const double x : {-16.0, -12.0, -8.0}) clickAt(coronal, coronal.projected({x, 0, 0}));
-  EXPECT_TRUE(message().contains("one line")) << message().toStdString();
-}
-
-TEST_F(Editing, APieceIsShownWithItsVolumeAndKeptOrRemoved) {
-  openBalls();
-  const std::shared_ptr<const haptics::Volume> scan = application_->shown()->picture.volume;
-  click("piecesTool");
-  const QImage plain = window::pictureAtRest(window().view());
-  clickAt(window().view(), inSpace(kSmallAt));
-  ASSERT_TRUE(previewed());
-  const QString words = child<QLabel>("editPreview").text();
-  const double cm3 = QLocale().toDouble(words.section(' ', 2, 2));
-  EXPECT_NEAR(cm3, 4.0 / 3.0 * 3.14159 * 0.125, 0.05) << words.toStdString();
-  // nothing has changed but what is drawn over it
-  EXPECT_EQ(application_->shown()->picture.volume, scan);
-  const QImage shown = window::pictureAtRest(window().view());
-  keepWindow("edit_piece");
-  EXPECT_GT(window::differing(plain, shown), 0.002);
-  click("removePiece");
-  EXPECT_FALSE(isThere(kSmallAt));
-  EXPECT_TRUE(isThere(kLargeAt));
-  EXPECT_FALSE(isSeen(kSmallAt));
-  // it does not come back when the isovalue falls
-  const haptics::ScalarField& field = application_->shown()->scene->field;
-  for (double x = kSmallAt.x() - 9.0; x < kSmallAt.x() + 9.0; x += 0.5)
-    EXPECT_LT(field.value(field.indexOf(Vector3d{x, 0, 12} * 1e-3)), 5.0) << x;
-  // the hand goes where it was
-  const Vector3d tool = pulledTo(kSmallAt);
-  EXPECT_LT((tool - kSmallAt).norm(), 1.0) << tool.transpose();
-  pulledTo({16, -28, 12});
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  settle();
-  EXPECT_TRUE(isThere(kSmallAt));
-  EXPECT_EQ(0, std::memcmp(volume().voxels.get(), scan->voxels.get(),
-                           std::size_t(scan->grid.voxelCount()) * 2));
-  EXPECT_GT((pulledTo(kSmallAt) - kSmallAt).norm(), 4.0);
-  pulledTo({16, -28, 12});
-
-  // in a slice, and kept
-  window().setCross(kSmallAt);
-  clickAt(slice(ui::Plane::Axial), slice(ui::Plane::Axial).projected(kSmallAt + Vector3d{1, 1, 0}));
-  ASSERT_TRUE(previewed());
-  click("keepPiece");
-  EXPECT_TRUE(isThere(kSmallAt));
-  EXPECT_FALSE(isThere(kLargeAt));
-  // air is no piece
-  clickAt(slice(ui::Plane::Axial), slice(ui::Plane::Axial).projected({-25, 25, 12}));
-  EXPECT_TRUE(waitFor([&] { return messageIsShown(); }, 10.0));
-}
-
-TEST_F(Editing, SmallPiecesAreShownAndRemoved) {
-  openBalls();
-  click("piecesTool");
-  type("smallVolume", "0.1");
-  click("showSmall");
-  // both are larger: a sentence
-  EXPECT_TRUE(waitFor([&] { return messageIsShown(); }, 10.0));
-  type("smallVolume", "1");
-  click("showSmall");
-  ASSERT_TRUE(previewed());
-  EXPECT_TRUE(child<QLabel>("editPreview").text().contains("0.5") ||
-              child<QLabel>("editPreview").text().contains("0,5"))
-      << child<QLabel>("editPreview").text().toStdString();
-  EXPECT_TRUE(isThere(kSmallAt));
-  click("cancelPreview");
-  EXPECT_FALSE(child<QLabel>("editPreview").isVisible());
-  click("showSmall");
-  ASSERT_TRUE(previewed());
-  click("applyRemoval");
-  EXPECT_FALSE(isThere(kSmallAt));
-  EXPECT_TRUE(isThere(kLargeAt));
-}
-
-TEST_F(Editing, AScalpelCutsAlongWhatIsDrawn) {
-  openBalls();
-  click("scalpelTool");
-  const auto around = [&](auto&& project, double x, double z, double half) {
-    std::vector<QPointF> way;
-    for (int n = 0; n <= 24; ++n) {
-      const double turn = n * 2.0 * 3.14159265 / 24.0;
-      way.push_back(project(Vector3d{x + half * std::cos(turn), 0, z + half * std::sin(turn)}));
-    }
-    return way;
-  };
-  const auto space = [&](const Vector3d& p) { return inSpace(p); };
-  bool drawn = false;
-  drag(window().view(), around(space, -12, 0, 5), [&] {
-    drawn = true;
-    keepWindow("edit_lasso");
-  });
-  EXPECT_TRUE(drawn);
-  settle();
-  // through everything
-  for (const double y : {-12.0, 0.0, 12.0}) EXPECT_FALSE(isThere({-12, y, 0})) << y;
-  EXPECT_TRUE(isThere({-12, 0, 9}));
-  EXPECT_FALSE(isSeen({-12, 0, 0}));
-  EXPECT_TRUE(isSeen({-12, 0, 9}));
-  const Vector3d tool = pulledTo({-12, -2, 0});
-  EXPECT_LT((tool - Vector3d{-12, -2, 0}).norm(), 1.0) << tool.transpose();
-  pulledTo({-12, -29, 0});
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  settle();
-  // as deep as a number says
-  type("scalpelDepth", "6");
-  drag(window().view(), around(space, -12, 0, 5));
-  settle();
-  EXPECT_FALSE(isThere({-12, -11, 0}));
-  EXPECT_TRUE(isThere({-12, -5, 0}));
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  settle();
-  // on a slice, to both sides, and what is outside
-  window().setCross({-12, 0, 0});
-  ui::SliceView& coronal = slice(ui::Plane::Coronal);
-  const auto flat = [&](const Vector3d& p) { return coronal.projected(p); };
-  drag(coronal, around(flat, -12, 0, 5));
-  settle();
-  EXPECT_FALSE(isThere({-12, 5, 0}));
-  EXPECT_FALSE(isThere({-12, -5, 0}));
-  EXPECT_TRUE(isThere({-12, 8, 0}));
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  settle();
-  type("scalpelDepth", "0");
-  child<QComboBox>("scalpelSide").setCurrentIndex(1);
-  drag(coronal, around(flat, -12, 0, 8));
-  settle();
-  EXPECT_TRUE(isThere({-12, 5, 0}));
-  EXPECT_FALSE(isThere({-12, 0, 11}));
-  EXPECT_FALSE(isThere(kSmallAt));
-}
-
-TEST_F(Editing, UndoWaitsUntilTheToolIsOutOfContactAndSaysSo) {
+TEST_F(Editing, UndoAndRedoWaitUntilTheToolIsOutOfContactAndSaySo) {
   openBalls();
   click("piecesTool");
   clickAt(window().view(), inSpace(kSmallAt));
   ASSERT_TRUE(previewed());
   click("removePiece");
-  pulledTo({-12, -29, 0});
-  pulledTo({-12, -5, 0});
+  const Vector3d apart{-12, -29, 0}, in_contact{-12, -5, 0};
+  const auto wait = [&] { return child<QLabel>("editWait").text(); };
+  const auto waits = [&] { return child<QLabel>("editWait").isVisible(); };
+  const auto undoWanted = [&] { QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier); };
+  pulledTo(apart);
+  pulledTo(in_contact);
   ASSERT_GT(application_->snapshot().contacts, 0);
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  undoWanted();
   QTest::qWait(500);
   EXPECT_EQ(application_->editing().edits().size(), 1U);
-  EXPECT_EQ(child<QLabel>("editWait").text(), "Undo waits until the tool no longer touches.");
-  EXPECT_TRUE(child<QLabel>("editWait").isVisible());
+  EXPECT_EQ(wait(), "Undo waits until the tool no longer touches.");
+  EXPECT_TRUE(waits());
   keepWindow("edit_waits");
   // taken back
   QTest::mouseClick(&child("cancelEditWait"), Qt::LeftButton);
-  EXPECT_FALSE(child<QLabel>("editWait").isVisible());
+  EXPECT_FALSE(waits());
   EXPECT_FALSE(application_->editing().isBusy());
-  // and again, until the hand lets go
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(child<QLabel>("editWait").isVisible());
+  // a window that was busy for a while does not take its silence for a tool out of contact
+  QThread::msleep(300);
+  undoWanted();
+  EXPECT_TRUE(waits());
+  QThread::msleep(300);
+  QTest::qWait(300);
+  EXPECT_TRUE(waits());
+  EXPECT_EQ(application_->editing().edits().size(), 1U);
+  // until the hand lets go
   const haptics::Vec3 before = application_->snapshot().X_WP.translation();
   EXPECT_GT(application_->snapshot().felt_W.force.norm(), 0.0);
+  pulledTo(apart);
+  settle();
+  EXPECT_TRUE(application_->editing().edits().empty());
+  EXPECT_FALSE(waits());
+  EXPECT_GT((application_->snapshot().X_WP.translation() - before).norm(), 5e-3);
+  // redo, too
+  pulledTo(in_contact);
+  ASSERT_GT(application_->snapshot().contacts, 0);
+  QTest::keyClick(&window(), Qt::Key_Y, Qt::ControlModifier);
+  QTest::qWait(500);
+  EXPECT_EQ(wait(), "Redo waits until the tool no longer touches.");
+  EXPECT_TRUE(waits());
+  EXPECT_TRUE(application_->editing().edits().empty());
+  pulledTo(apart);
+  settle();
+  EXPECT_EQ(application_->editing().edits().size(), 1U);
+  EXPECT_FALSE(waits());
+}
+
+// An undo that began out of contact is not adopted under a tool that has come to touch meanwhile.
+TEST_F(Editing, AnUndoThatBeganWaitsAgainBeforeItIsAdopted) {
+  openBalls();
+  click("piecesTool");
+  clickAt(window().view(), inSpace(kSmallAt));
+  ASSERT_TRUE(previewed());
+  click("removePiece");
+  pulledTo({-12, -22, 0});
+  QTest::qWait(200);
+  // into contact while the window is busy: no snapshot is looked at
+  haptics::Pose hand = application_->snapshot().X_WD;
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(child<QLabel>("editWait").isVisible());
+  for (int n = 0; n < 60; ++n) {
+    hand.translation().y() += 17e-3 / 60;
+    application_->session().pull(hand);
+    QThread::msleep(10);
+  }
+  EXPECT_TRUE(waitFor([&] { return child<QLabel>("editWait").isVisible(); }, 20.0));
+  EXPECT_GT(application_->snapshot().contacts, 0);
+  EXPECT_EQ(application_->editing().edits().size(), 1U);
   pulledTo({-12, -29, 0});
   settle();
   EXPECT_TRUE(application_->editing().edits().empty());
-  EXPECT_FALSE(child<QLabel>("editWait").isVisible());
-  EXPECT_GT((application_->snapshot().X_WP.translation() - before).norm(), 5e-3);
 }
 
 TEST_F(Editing, AnEditLeavesToolAndCameraWhereTheyAre) {
@@ -554,8 +184,7 @@ TEST_F(Editing, AReplayShowsTheScanAsItWasThen) {
   application_->editing().restore({haptics::RemovePiece{kSmallAt * 1e-3, 50.0}});
   settle();
   QTest::qWait(700);
-  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  settle();
+  undo();
   QTest::qWait(400);
   QTest::mouseClick(record, Qt::LeftButton);
   ASSERT_TRUE(waitFor([&] { return !application_->recording().isRecording(); }, 20.0));
@@ -569,17 +198,38 @@ TEST_F(Editing, AReplayShowsTheScanAsItWasThen) {
   emit window().recordingWanted(QString::fromStdString(finished().string()));
   ASSERT_NE(application_->replay(), nullptr);
   EXPECT_FALSE(panel().isEnabled());
-  const double begin = application_->replay()->track().begin;
-  EXPECT_TRUE(waitFor([&] { return isSeen(kSmallAt); }, 10.0));
+  window().setCross(kSmallAt);
+  // the picture at rest, the slices and the contour in them
+  const auto shows = [&](bool small) {
+    const haptics::ScalarField field{window().view().picture().volume};
+    expectSlicesShow([&](const Vector3d& p_mm) { return field.value(field.indexOf(p_mm * 1e-3)); });
+    EXPECT_EQ(isSeen(kSmallAt), small);
+    EXPECT_TRUE(isSeen(kLargeAt));
+  };
+  const auto seen = [&] { return window().view().picture().volume; };
+  const ui::ReplayTrack& track = application_->replay()->track();
+  std::vector<double> edits;
+  for (const ui::ReplayMark& mark : track.marks)
+    if (mark.kind == "edit") edits.push_back(mark.time);
+  ASSERT_EQ(edits.size(), 2U);
+  const double before = 0.5 * (track.begin + edits[0]), after = 0.5 * (edits[0] + edits[1]);
+  const auto scan = application_->shown()->picture.volume;
+  ASSERT_EQ(seen(), scan);
+  shows(true);
   // after the edit it is gone, and comes back with the time
-  emit window().replayBar().timeWanted(begin + 1.2);
-  EXPECT_TRUE(waitFor([&] { return !isSeen(kSmallAt); }, 20.0)) << message().toStdString();
-  emit window().replayBar().timeWanted(begin + 0.2);
-  EXPECT_TRUE(waitFor([&] { return isSeen(kSmallAt); }, 20.0));
-  emit window().replayBar().timeWanted(begin + 1.2);
-  EXPECT_TRUE(waitFor([&] { return !isSeen(kSmallAt); }, 20.0));
+  emit window().replayBar().timeWanted(after);
+  ASSERT_TRUE(waitFor([&] { return seen() != scan; }, 20.0)) << message().toStdString();
+  shows(false);
+  keepWindow("edit_replayed");
+  emit window().replayBar().timeWanted(before);
+  ASSERT_TRUE(waitFor([&] { return seen() == scan; }, 20.0));
+  shows(true);
+  emit window().replayBar().timeWanted(after);
+  ASSERT_TRUE(waitFor([&] { return seen() != scan; }, 20.0));
+  shows(false);
   emit window().replayBar().closeWanted();
-  EXPECT_TRUE(waitFor([&] { return isSeen(kSmallAt); }, 20.0));
+  EXPECT_EQ(seen(), scan);
+  shows(true);
   EXPECT_TRUE(panel().isEnabled());
 }
 

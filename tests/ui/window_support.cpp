@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window_support.h"
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QTest>
 #include <algorithm>
@@ -59,8 +60,12 @@ haptics::TriangleMesh octahedron(double size) {
 }
 
 bool waitFor(const std::function<bool()>& done, double seconds) {
-  for (int i = 0; i < seconds * 100.0 && !done(); ++i) QTest::qWait(10);
-  return done();
+  const QDeadlineTimer deadline(std::llround(seconds * 1e3));
+  while (!done()) {
+    if (deadline.hasExpired()) return false;
+    QTest::qWait(10);
+  }
+  return true;
 }
 
 void showAndWait(QWidget& widget, QSize size) {

@@ -115,8 +115,8 @@ void ClipPlane::paint(QPainter& painter, const ViewGeometry& view) const {
   drawHandle(painter, turn, kGoesColour, held_ == Held::Turn);
 }
 
-void ClipPlane::setClick(const ViewGeometry& view, const Eigen::Vector3d& place) {
-  clicks_.push_back({place, view.isSlice() ? &view.widget() : nullptr,
+void ClipPlane::setClick(const ViewGeometry& view, const Eigen::Vector3d& at_mm) {
+  clicks_.push_back({at_mm, view.isSlice() ? &view.widget() : nullptr,
                      view.isSlice() ? view.offset_mm(Eigen::Vector3d::Zero()) : 0.0});
   emit changed();
   if (clicks_.size() < 3) return emit moved();
@@ -136,8 +136,12 @@ void ClipPlane::setClick(const ViewGeometry& view, const Eigen::Vector3d& place)
     return emit refused(
         tr("The three places lie on one line, which gives no plane; click three others."));
   }
-  if ((one_slice ? normal.dot(r - p) : normal.dot(towards)) < 0.0) normal = -normal;
-  place(one_slice ? Eigen::Vector3d{0.5 * (p + q)} : Eigen::Vector3d{(p + q + r) / 3.0}, normal);
+  const Eigen::Vector3d point = one_slice ? (0.5 * (p + q)).eval() : ((p + q + r) / 3.0).eval();
+  // the side that goes: the third click's, or the one that the eye is on
+  Eigen::Vector3d eye, along;
+  view.sight(view.projected(point), eye, along);
+  if ((one_slice ? normal.dot(r - p) : -normal.dot(along)) < 0.0) normal = -normal;
+  place(point, normal);
   emit moved();
 }
 

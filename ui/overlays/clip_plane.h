@@ -54,7 +54,7 @@ class ClipPlane : public Overlay {
     const QWidget* slice = nullptr;  ///< null: in 3-D
     double offset_mm = 0.0;
   };
-  void setClick(const ViewGeometry& view, const Eigen::Vector3d& place);
+  void setClick(const ViewGeometry& view, const Eigen::Vector3d& at_mm);
   std::vector<Eigen::Vector3d> outline() const;
 
   bool shown_ = false, placed_ = false;

@@ -23,11 +23,13 @@ namespace {
 constexpr double kFarthest_mm = 2'000.0;
 constexpr double kLargest_cm3 = 100'000.0;
 constexpr int kToolsInRow = 3;
+constexpr int kButtonRoom = 14;  // px beside the text of a button
 
 QLabel* hintLabel(const QString& words) {
   auto* hint = new QLabel(words);
   hint->setWordWrap(true);
   hint->setTextFormat(Qt::PlainText);
+  hint->setMinimumWidth(1);  // it wraps, and never makes the panel wider
   return hint;
 }
 
@@ -48,6 +50,8 @@ NumberBox* numberOf(const char* name, const QString& accessible, double least, d
 QPushButton* buttonOf(const QString& text, const char* name) {
   auto* button = new QPushButton(text);
   button->setObjectName(name);
+  // less than the style's own least, so that three stand beside a scroll bar
+  button->setMinimumWidth(button->fontMetrics().horizontalAdvance(text) + kButtonRoom);
   return button;
 }
 
@@ -93,6 +97,7 @@ EditPanel::EditPanel(QWidget* parent)
   pages_->addWidget(piecesPage());
   pages_->addWidget(holderPage());
   pages_->addWidget(scalpelPage());
+  showPage();
 
   undo_ = buttonOf(tr("Undo"), "undoEdit");
   redo_ = buttonOf(tr("Redo"), "redoEdit");
@@ -334,8 +339,17 @@ void EditPanel::setTool(EditTool tool) {
     button->setChecked(tools_->id(button) == static_cast<int>(tool));
   if (tool == tool_) return;
   tool_ = tool;
-  pages_->setCurrentIndex(static_cast<int>(tool));
+  showPage();
   emit toolChosen(tool);
+}
+
+void EditPanel::showPage() {
+  const int shown = static_cast<int>(tool_);
+  // as tall as the page that is shown, so that what stands below needs no scrolling
+  for (int n = 0; n < pages_->count(); ++n)
+    pages_->widget(n)->setSizePolicy(QSizePolicy::Preferred,
+                                     n == shown ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+  pages_->setCurrentIndex(shown);
 }
 
 void EditPanel::show(const std::array<CropRange, 3>& ranges, const QString& axes_told) {
@@ -358,10 +372,10 @@ void EditPanel::show(const std::optional<PlaneNumbers>& plane, std::size_t click
   plane_controls_->setVisible(plane.has_value());
   plane_hint_->setVisible(!plane);
   plane_hint_->setText(
-      clicks == 0
-          ? tr("Click three places on the surface; what is nearer to you goes. Or three in one "
-               "slice: a line, and the side that goes.")
-          : tr("%n place(s) set: click three.", nullptr, static_cast<int>(clicks)));
+      clicks == 0   ? tr("Click three places on the surface: what is nearer to you goes. Or three "
+                           "in one slice: two on a line, and the third on the side that goes.")
+      : clicks == 1 ? tr("One place is set: click two more.")
+                    : tr("Two places are set: click the third, in a slice on the side that goes."));
   if (!plane) return;
   const QSignalBlocker quiet_position(plane_position_), quiet_towards(plane_towards_),
       quiet_raised(plane_raised_);

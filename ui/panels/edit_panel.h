@@ -98,6 +98,7 @@ class EditPanel : public QWidget {
   QWidget* holderPage();
   QWidget* scalpelPage();
   QFrame* previewBar();
+  void showPage();
   void emitPlaneNumbers();
 
   EditTool tool_ = EditTool::None;

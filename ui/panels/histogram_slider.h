@@ -17,6 +17,7 @@ class HistogramSlider : public QAbstractSlider {
   explicit HistogramSlider(QWidget* parent = nullptr);
 
   void setHistogram(const Histogram& histogram);
+  const Histogram& histogram() const { return histogram_; }
   double intensityAt(int step) const;
   int stepOf(double intensity) const;
   QSize sizeHint() const override { return {260, 110}; }

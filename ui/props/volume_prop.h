@@ -41,6 +41,7 @@ class VolumeProp {
   void show(const Picture& picture);
   /// Shows other voxels of the same grid; isovalue, mode and colours stay.
   void replace(const Picture& picture);
+  const Picture& picture() const { return picture_; }
   void setMode(SurfaceMode mode);
   SurfaceMode mode() const { return mode_; }
   void setIsovalue(double isovalue);
