@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/study/stability/failures.h"
+#include "app/study/stability/stability.h"
 
 #include <gtest/gtest.h>
 

@@ -200,13 +200,10 @@ Touched engineLike() {
 }
 
 Touched hole() {
-  datasets::Phantom phantom = datasets::makePhantom("hole").value();
-  Touched scene{"hole",
-                std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
-                phantom.isovalue,
-                "peg",
-                1307,
-                161};
+  Touched scene = phantomScene("hole");
+  scene.tool = "peg";
+  scene.points = 1307;
+  scene.literal_us = 161;
   // the peg's end 8 mm down in the hole; off the middle, and not quite upright, so that it catches
   const haptics::Quat tilt{Eigen::AngleAxisd{0.005, Vec3{1, 2, 0}.normalized()}};
   const Vec3 p_WE{0.00008, 0.00004, 0.012}, p_EP_P{0.0, 0.0, 0.025};
@@ -234,6 +231,12 @@ Touched makeScene(const std::string& name) {
   if (name == "engine") return engineLike();
   if (name == "hole") return hole();
   return boneLike();
+}
+
+Touched phantomScene(const std::string& name) {
+  datasets::Phantom phantom = datasets::makePhantom(name).value();
+  return {name, std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
+          phantom.isovalue, phantom.tool};
 }
 
 haptics::Tool toolOf(const Touched& scene, int points) {

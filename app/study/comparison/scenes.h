@@ -33,6 +33,9 @@ const std::vector<std::string>& sceneNames();
 /// one of sceneNames().
 Touched makeScene(const std::string& name);
 
+/// An analytic phantom with the tool that fits it. The name must be one of phantomNames().
+Touched phantomScene(const std::string& name);
+
 /// The real scans: scan-bunny, scan-engine, scan-bone, scan-skin, scan-tooth. Empty where the
 /// readers are not built.
 const std::vector<std::string>& scanNames();

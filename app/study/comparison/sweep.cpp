@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "app/study/comparison/measures.h"
-#include "datasets/phantoms/phantoms.h"
 #include "haptics/servo/tick.h"
 #include "haptics/simulation/hand.h"
 
@@ -115,9 +114,10 @@ std::vector<SweepRow> sweep(const Touched& scene, const SweepPlan& plan) {
 }
 
 Touched plane() {
-  datasets::Phantom phantom = datasets::makePhantom("halfspace").value();
-  return {"flat", std::make_shared<const haptics::Volume>(std::move(phantom.volume)),
-          phantom.isovalue, "plate", 0};
+  Touched scene = phantomScene("halfspace");
+  scene.name = "flat";
+  scene.tool = "plate";
+  return scene;
 }
 
 }  // namespace comparison

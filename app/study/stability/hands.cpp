@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/study/stability/hands.h"
+#include "app/study/stability/stability.h"
 
-#include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "app/study/comparison/course.h"
 #include "app/study/comparison/scenes.h"
 #include "app/study/stability/energy_balance.h"
 #include "app/study/stability/failures.h"
+#include "app/study/stability/limits.h"
 #include "app/study/stability/presses.h"
-#include "datasets/phantoms/phantoms.h"
 #include "haptics/coupling/passivity.h"
 #include "haptics/simulation/allowed_stiffness.h"
 #include "resources/messages/messages.h"
@@ -18,26 +16,8 @@
 namespace study::stability {
 namespace {
 
-using haptics::ClosedLoop;
-using haptics::DeviceModel;
 using haptics::HandMotion;
-using haptics::Pose;
-using haptics::Quat;
 using haptics::TraceRow;
-using haptics::Vec3;
-
-const char* const kHandsSection = "Hands that move";
-
-/// A phantom as one of the scenes.
-comparison::Touched phantomCase(const std::string& name) {
-  datasets::Phantom phantom = datasets::makePhantom(name).value();
-  comparison::Touched made;
-  made.name = name;
-  made.volume = std::make_shared<const haptics::Volume>(std::move(phantom.volume));
-  made.isovalue = phantom.isovalue;
-  made.tool = phantom.tool;
-  return made;
-}
 
 /// The hand, at another place if there is one, once the force has ramped in: what rises while
 /// something is pressed gives energy by itself.
@@ -53,102 +33,92 @@ haptics::Hand waiting(const haptics::Hand& hand, const std::optional<Pose>& plac
   return haptics::Hand::along(std::move(times), std::move(poses)).value();
 }
 
-/// One way to run the loop of a hand that moves.
-struct Way {
-  const char* name;
-  double stiffness;
-  bool shipped, controlled;
-};
-
 /// What the paper's devices were driven at, on scenes with edges, holes and hooks: as shipped, and
 /// for the table at the paper's 5000 N/m.
 Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_t seed) {
-  Outcome outcome;
+  struct Way {
+    const char* name;
+    double stiffness;
+    Wall wall;
+    bool shipped;
+  };
+  struct Motion {
+    const char* name;
+    HandMotion motion;
+  };
+  Findings found;
   const auto scene = haptics::makeScene(touched.volume, comparison::toolOf(touched)).value();
   Plot plot{"Energy given: " + touched.name,
             "What the loop has given to the hand, less what it has taken, since the start: a "
             "passive loop stays at zero or below",
             {"time [s]"},
             {"energy [mJ]"}};
-  Table beyond{"Hands beyond what is allowed, and without the guard",
-               {"scene", "hand", "loop", "K [N/m]", "allowed [N/m]", "energy given, most [mJ]",
-                "beyond what damping takes [mJ]", "force step [N]", "contact"},
-               {}};
-  const DeviceModel device = haptics::findDeviceModel("lambda.7").value();
-  const double allowed = allowedFor({device}, *scene);
+  const Wall plain{haptics::findDeviceModel("lambda.7").value()};
+  const double allowed = allowedFor(plain, *scene);
   for (const Way& way :
-       {Way{"as shipped", allowed, true, false}, Way{"no guard", 5000.0, false, false},
-        Way{"no guard, passivity controller", 5000.0, false, true}})
-    for (const auto& [name, motion] : {std::pair{"wedge", HandMotion::Wedge},
+       {Way{"as shipped", allowed, plain, true}, Way{kLoops[0].unguarded, 5000.0, plain, false},
+        Way{kLoops[2].unguarded, 5000.0, withLoop(plain, kLoops[2]), false}})
+    for (const auto& [name, motion] : {Motion{"wedge", HandMotion::Wedge},
                                        {"pry", HandMotion::Pry},
                                        {"hook", HandMotion::Hook}}) {
-      ClosedLoop loop = loopOf({device}, scene, touched.isovalue, way.stiffness, way.shipped);
-      auto hand = haptics::Hand::aimed(
+      haptics::ClosedLoop loop =
+          loopOf(way.wall, scene, touched.isovalue, way.stiffness, way.shipped);
+      const auto hand = haptics::Hand::aimed(
           motion, *scene, touched.isovalue,
           haptics::Hand::reachFor(1e-3, way.stiffness, loop.grip.stiffness), 1 + seed);
       const double wait = loop.limits.ramp_time;
-      if (hand) hand = waiting(*hand, touched.place, wait, seconds);
-      if (way.controlled) loop.passivity_damping = device.rating.damping;
       EnergyBalance balance{way.stiffness, loop.grip, loop.period};
-      double step = 0.0, share = 1.0;
-      std::optional<TraceRow> before;
-      int non_finite = 0, inside = 0, contact = 0, tick = 0;
+      double step = 0.0;
       Series series{std::string{name} + ", " + way.name, {}};
-      const auto ticks = std::int64_t(1e3 * (seconds + wait));
-      const auto run =
-          !hand ? haptics::Expected<void>{tl::unexpected(hand.error())}
-                : loop.run(*hand, ticks, [&](const TraceRow& row) {
-                    if (before)
-                      balance.add(row.energy, before->sent_W,
-                                  haptics::motionBetween(before->X_WH, row.X_WH),
-                                  scene->metric.whitened(haptics::motionBetween(row.X_WP, row.X_WD),
-                                                         row.X_WP.linear()));
-                    contact += row.contacts > 0;
-                    non_finite += !row.X_WP.matrix().allFinite() ||
-                                  !std::isfinite(row.coupling_W.force.norm());
-                    if (tick % 10 == 0) {
-                      series.points.push_back({row.time, 1e3 * row.energy});
-                      inside += !isOutside(*scene->volume, touched.isovalue,
-                                           scene->tool.shell.points, row.X_WP);
-                    }
-                    if (before)
-                      step = std::max(step, (row.sent_W.force - before->sent_W.force).norm());
-                    before = row;
-                    share = row.stiffness_share;
-                    ++tick;
-                    return true;
-                  });
-      const auto mJ = [&](double energy) { return run ? 1e3 * energy : NAN; };
-      if (!way.controlled) plot.series.push_back(std::move(series));
+      int tick = 0;
+      const auto look = [&](const TraceRow& row, const TraceRow* before) {
+        if (tick++ % 10 == 0) series.points.push_back({row.time, 1e3 * row.energy});
+        if (!before) return;
+        balance.add(
+            row.energy, before->sent_W, haptics::motionBetween(before->X_WH, row.X_WH),
+            scene->metric.whitened(haptics::motionBetween(row.X_WP, row.X_WD), row.X_WP.linear()));
+        step = std::max(step, (row.sent_W.force - before->sent_W.force).norm());
+      };
+      LoopResult run;
+      if (hand)
+        run = runLoop(loop, waiting(*hand, touched.place, wait, seconds),
+                      std::int64_t(1e3 * (seconds + wait)), 10, look);
+      else
+        run.refused = hand.error();
+      const auto mJ = [&](double energy) { return run.refused ? NAN : 1e3 * energy; };
+      if (way.wall.controller == 0.0) plot.series.push_back(std::move(series));
       if (!way.shipped) {
-        beyond.rows.push_back({touched.name, name, way.name, shortly(way.stiffness),
-                               shortly(allowed), shortly(mJ(balance.mostGiven())),
-                               shortly(mJ(balance.mostLeft())), shortly(step),
-                               std::to_string(contact)});
+        found.row("Hands beyond what is allowed, and without the guard",
+                  {{"scene", touched.name},
+                   {"hand", name},
+                   {"loop", way.name},
+                   {"K [N/m]", shortly(way.stiffness)},
+                   {"allowed [N/m]", shortly(allowed)},
+                   {"energy given, most [mJ]", shortly(mJ(balance.mostGiven()))},
+                   {"beyond what damping takes [mJ]", shortly(mJ(balance.mostLeft()))},
+                   {"force step [N]", shortly(step)},
+                   {"contact", std::to_string(run.contact)}});
         continue;
       }
-      const std::string title = "hands/" + touched.name + "/" + name;
-      outcome.cases.push_back(
-          {title + "/energy given beyond what damping takes, most", mJ(balance.mostLeft()), 1.0,
-           "mJ", Case::Sense::AtMost,
-           run ? "at " + shortly(allowed) + " N/m, which is allowed; the guard left " +
-                     shortly(share) + " of it; largest step of force in a tick " + shortly(step) +
-                     " N; given in all at most " + shortly(mJ(balance.mostGiven())) + " mJ"
-               : resources::sentence(run.error())});
-      outcome.cases.push_back(
-          {title + "/energy given beyond what sampling gives, most", mJ(balance.mostOwn()), 1.0,
-           "mJ", Case::Sense::AtMost,
-           "A force that is held for a tick gives K/2 times the square of the change of the "
-           "spring's stretch, at each stroke, without end: in all " +
-               shortly(mJ(balance.sampled())) + " mJ here"});
-      outcome.cases.push_back({title + "/not finite", double(non_finite), 0.0, ""});
-      outcome.cases.push_back({title + "/looks that found it inside", double(inside), 0.0, ""});
-      outcome.cases.push_back(
-          {title + "/ticks in contact", double(contact), 100.0, "", Case::Sense::AtLeast});
+      found.subject = "hands/" + touched.name + "/" + name;
+      found.atMost(
+          "energy given beyond what damping takes, most", mJ(balance.mostLeft()), 1.0, "mJ",
+          run.refused ? resources::sentence(*run.refused)
+                      : "at " + shortly(allowed) + " N/m, which is allowed; the guard left " +
+                            shortly(run.share) + " of it; largest step of force in a tick " +
+                            shortly(step) + " N; given in all at most " +
+                            shortly(mJ(balance.mostGiven())) + " mJ");
+      found.atMost("energy given beyond what sampling gives, most", mJ(balance.mostOwn()), 1.0,
+                   "mJ",
+                   "A force that is held for a tick gives K/2 times the square of the change of "
+                   "the spring's stretch, at each stroke, without end: in all " +
+                       shortly(mJ(balance.sampled())) + " mJ here");
+      found.none("not finite", run.non_finite);
+      found.none("looks that found it inside", run.inside);
+      found.atLeast("ticks in contact", run.contact, 100.0);
     }
-  outcome.tables.push_back(std::move(beyond));
-  outcome.plots.push_back(std::move(plot));
-  return outcome;
+  found.outcome.plots.push_back(std::move(plot));
+  return std::move(found.outcome);
 }
 
 /// What a few turns of the handle, to and fro, came to.
@@ -156,159 +126,173 @@ struct Turned {
   double handle = 0.0;   ///< J given to the hand, where it holds the handle
   double program = 0.0;  ///< J given by the program, at the tool as it reads and commands it
   double lost = 0.0;   ///< J that the torque about the handle that no motor makes would have given
-  double force = 0.0;  ///< N, the largest
-  bool finite = true;
+  double force = 0.0;  ///< N, the largest; not a number where anything was none
+  Series energy = {};  ///< mJ given at the handle, over time
 };
 
-/// The arm lies along y over a half-space and the hand turns the handle about x by 0.05 rad to and
-/// fro, so that the tool at its end dips in and out; where a force lifts the handle meanwhile, the
-/// way in and the way out differ, and work is done that nobody pays for.
-Turned turnHandle(DeviceModel device, double arm, bool torque, double stiffness, bool shipped,
-                  int turns, Series* series) {
-  device.linkage.arm = {0.0, 0.0, -arm};
+/// What lies between the handle's pivot and a contact.
+struct Lever {
+  double arm = 0.0;    ///< m, from the pivot to the tool's origin
+  double reach = 0.0;  ///< m, from there to the ball at the tool's end; 0: the tool is that ball
+};
+
+/// A ball, or two of them on either side of the origin, of which one is at the end of the lever.
+haptics::Tool toolAt(const Lever& lever) {
+  std::vector<Vec3> points;
+  for (const Vec3& p : datasets::ballPoints(100, 3e-3)) {
+    points.push_back(p + Vec3{0.0, 0.0, -lever.reach});
+    if (lever.reach > 0.0) points.push_back(p + Vec3{0.0, 0.0, lever.reach});
+  }
+  return toolOf(std::move(points));
+}
+
+/// The lever lies along y over a half-space and the hand turns the handle about x by 0.05 rad to
+/// and fro, so that the ball at its end dips in and out; where a force lifts the handle meanwhile,
+/// the way in and the way out differ, and work is done that nobody pays for.
+Turned turnHandle(haptics::DeviceModel device, const Lever& lever, bool torque, double stiffness,
+                  bool shipped, int turns) {
+  device.linkage.arm = {0.0, 0.0, -lever.arm};
   device.linkage.torque = torque;
-  Stage stage = makeStage("ball", 0.0, 1);
-  // a flat wall, and a ball at the end of the arm
-  stage.scene =
-      sceneOf(datasets::sampledFloat(
-                  cube(48), [](const Vec3& p) { return std::clamp(-1e5 * p.z(), -300.0, 300.0); }),
-              ball(100, 3e-3));
-  ClosedLoop loop = loopOf({device}, stage.scene, 0.0, stiffness, shipped);
+  const auto scene = sceneOf(ramp(0.0, 1, [](const Vec3& p) { return p.z(); }), toolAt(lever));
+  haptics::ClosedLoop loop = loopOf({device}, scene, 0.0, stiffness, shipped);
   if (torque) loop.limits.torque = INFINITY;
   // the handle's own extent, not that of the ball 200 mm away
   loop.grip.gyration = 0.03;
 
-  const Quat level{Eigen::AngleAxisd{0.5 * std::numbers::pi, Vec3::UnitX()}};  // -z becomes y
+  const Quat level = turn(0.5 * std::numbers::pi, Vec3::UnitX());  // -z becomes y
   std::vector<double> times;
   std::vector<Pose> poses;
-  const Vec3 pivot{0.0, -arm, 3e-3};
+  const Vec3 pivot{0.0, -lever.arm - lever.reach, 3e-3};
   const double wait = loop.limits.ramp_time;
   for (int n = 0; n <= 250 * turns; ++n) {
     const double t = 2e-3 * n, angle = -0.05 * std::sin(2.0 * std::numbers::pi * 2.0 * t);
     // a little beside, a quarter of a turn late, as a hand is that gives way
     const Vec3 aside{0.0, 0.0, 2e-3 * (1.0 - std::cos(2.0 * std::numbers::pi * 2.0 * t))};
-    const Pose X_WH = at(pivot + aside, Quat{Eigen::AngleAxisd{angle, Vec3::UnitX()}} * level);
-    Pose X_WD = X_WH;
-    X_WD.translation() += X_WH.linear() * device.linkage.arm;
     times.push_back(wait + t);
-    poses.push_back(X_WD);
+    poses.push_back(at(pivot + aside, turn(angle, Vec3::UnitX()) * level));
+    poses.back().translation() += poses.back().linear() * device.linkage.arm;
   }
   const haptics::Hand hand = haptics::Hand::along(std::move(times), std::move(poses)).value();
   Turned result;
   haptics::PassivityObserver program, lost;
-  TraceRow before;
-  bool first = true;
-  const auto done = loop.run(hand, std::lround(1e3 * wait) + 500 * turns, [&](const TraceRow& row) {
-    if (!first) {
-      program.add(before.sent_W, haptics::motionBetween(before.X_WD, row.X_WD));
-      if (!torque) {
-        const Vec3 r = before.X_WD.translation() - before.X_WH.translation();
-        lost.add({Vec3::Zero(), r.cross(before.sent_W.force)},
-                 haptics::motionBetween(before.X_WH, row.X_WH));
-      }
+  const auto look = [&](const TraceRow& row, const TraceRow* before) {
+    if (before) {
+      program.add(before->sent_W, haptics::motionBetween(before->X_WD, row.X_WD));
+      const Vec3 r = before->X_WD.translation() - before->X_WH.translation();
+      if (!torque)
+        lost.add({Vec3::Zero(), r.cross(before->sent_W.force)},
+                 haptics::motionBetween(before->X_WH, row.X_WH));
     }
-    if (series && std::lround(1e3 * row.time) % 10 == 0)
-      series->points.push_back({row.time, 1e3 * row.energy});
-    result.handle = row.energy;
+    if (std::lround(1e3 * row.time) % 10 == 0)
+      result.energy.points.push_back({row.time, 1e3 * row.energy});
     result.force = std::max(result.force, row.sent_W.force.norm());
-    result.finite = result.finite && row.X_WP.matrix().allFinite() && std::isfinite(row.energy);
-    before = row;
-    first = false;
-    return true;
-  });
-  result.finite = result.finite && bool(done);
+  };
+  const LoopResult run = runLoop(loop, hand, std::lround(1e3 * wait) + 500 * turns, 50, look);
+  if (run.non_finite > 0 || !std::isfinite(run.energy)) result.force = NAN;
+  result.handle = run.energy;
   result.program = program.energy();
   result.lost = lost.energy();
   return result;
 }
 
-Outcome turnedArm(int turns) {
-  Outcome outcome;
-  const DeviceModel omni = haptics::findDeviceModel("omni-arm-200").value();
-  const std::vector<std::string> head{"arm [mm]",
-                                      "torque motors",
-                                      "K [N/m]",
-                                      "given at the handle [mJ a turn]",
-                                      "given by the program [mJ a turn]",
-                                      "work of the torque not made [mJ a turn]",
-                                      "largest force [N]"};
-  Table table{"A handle turned with a long arm in contact", head, {}};
-  Table beyond{"A handle turned at what is rated, whatever the arm, without the guard", head, {}};
+Outcome turnedHandle(int turns) {
+  Findings found;
   Plot plot{"Energy given to the hand by a device of three actuated degrees of freedom",
-            "The handle is turned to and fro with a tool at the end of an arm in contact, at the "
-            "stiffness that is allowed. Without torque motors the arm lowers it",
+            "The handle is turned to and fro with the end of a lever in contact, at the stiffness "
+            "that is allowed. Without torque motors the lever lowers it",
             {"time [s]"},
             {"energy [mJ]"}};
   const double mJ = 1e3 / turns;
-  const auto row = [&](double arm, bool torque, double stiffness, const Turned& r) {
-    return std::vector<std::string>{
-        shortly(1e3 * arm),      torque ? "yes" : "no", shortly(stiffness), shortly(mJ * r.handle),
-        shortly(mJ * r.program), shortly(mJ * r.lost),  shortly(r.force)};
+  struct Row {
+    const char* device;
+    Lever lever;
+    bool torque;
   };
-  for (const double arm : {0.02, 0.1, 0.2})
-    for (const bool torque : {false, true}) {
-      Series series{shortly(1e3 * arm) + " mm, " + (torque ? "torque" : "no torque"), {}};
-      const double rated = omni.rating.stiffness,
-                   allowed = torque ? rated
-                                    : haptics::allowedStiffness(omni.rating, haptics::PointShell{},
-                                                                {}, arm);
-      const Turned r = turnHandle(omni, arm, torque, allowed, true, turns, &series);
-      plot.series.push_back(std::move(series));
-      table.rows.push_back(row(arm, torque, allowed, r));
-      beyond.rows.push_back(
-          row(arm, torque, rated, turnHandle(omni, arm, torque, rated, false, turns, nullptr)));
-      const std::string name =
-          "arm of " + shortly(1e3 * arm) + " mm, " + (torque ? "six" : "three") + " actuated";
-      outcome.cases.push_back({name + "/energy given by the program", mJ * r.program, 1.0,
-                               "mJ a turn", Case::Sense::AtMost,
-                               "at the tool, force and torque together: that is passive whatever "
-                               "the device leaves out"});
-      outcome.cases.push_back({name + "/energy given at the handle", mJ * r.handle, 1.0,
-                               "mJ a turn", Case::Sense::AtMost,
-                               torque ? ""
-                                      : "six sensed and three actuated, at " + shortly(allowed) +
-                                            " N/m: the torque that no motor makes is missing, "
-                                            "[Chan 2011], 3.1, so the longer the arm, the softer "
-                                            "the spring must be"});
-      outcome.cases.push_back({name + "/energy not accounted for",
-                               mJ * std::abs(r.handle - r.program + r.lost), 1.0, "mJ a turn",
-                               Case::Sense::AtMost,
-                               "what the hand gets, " + shortly(mJ * r.handle) +
-                                   " mJ, is what the program gives less the work of the torque "
-                                   "that no motor makes, " +
-                                   shortly(mJ * r.lost) + " mJ"});
-      outcome.cases.push_back(
-          {name + "/force", r.finite ? r.force : NAN, omni.rating.force * (1.0 + 1e-9), "N"});
-    }
-  outcome.tables.push_back(std::move(beyond));
-  outcome.tables.push_back(std::move(table));
-  outcome.plots.push_back(std::move(plot));
-  outcome.remarks.push_back(
+  for (const Row& row : {Row{"omni-arm-200", {.arm = 0.02}, false},
+                         {"omni-arm-200", {.arm = 0.02}, true},
+                         {"omni-arm-200", {.arm = 0.1}, false},
+                         {"omni-arm-200", {.arm = 0.1}, true},
+                         {"omni-arm-200", {.arm = 0.2}, false},
+                         {"omni-arm-200", {.arm = 0.2}, true},
+                         {"omega.6", {.reach = 0.05}, false},
+                         {"omega.6", {.reach = 0.1}, false},
+                         {"omega.6", {.reach = 0.2}, false}}) {
+    const haptics::DeviceModel device = haptics::findDeviceModel(row.device).value();
+    const double rated = device.rating.stiffness;
+    const double allowed =
+        row.torque
+            ? rated
+            : haptics::allowedStiffness(device.rating, toolAt(row.lever).shell, {}, row.lever.arm);
+    const bool is_arm = row.lever.arm > 0.0;
+    const std::string length = shortly(1e3 * (row.lever.arm + row.lever.reach)) + " mm";
+    const auto turned = [&](const char* caption, double stiffness, bool shipped) {
+      Turned r = turnHandle(device, row.lever, row.torque, stiffness, shipped, turns);
+      found.row(caption, {{"lever", (is_arm ? "arm of " : "tool that reaches ") + length},
+                          {"torque motors", row.torque ? "yes" : "no"},
+                          {"K [N/m]", shortly(stiffness)},
+                          {"given at the handle [mJ a turn]", shortly(mJ * r.handle)},
+                          {"given by the program [mJ a turn]", shortly(mJ * r.program)},
+                          {"work of the torque not made [mJ a turn]", shortly(mJ * r.lost)},
+                          {"largest force [N]", shortly(r.force)}});
+      return r;
+    };
+    turned("A handle turned at what is rated, whatever the lever, without the guard", rated, false);
+    Turned r = turned("A handle turned with the end of a lever in contact", allowed, true);
+    r.energy.name =
+        (is_arm ? "" : "reach ") + length + ", " + (row.torque ? "torque" : "no torque");
+    plot.series.push_back(std::move(r.energy));
+    found.subject = (is_arm ? "arm of " : "reach of ") + length + ", " +
+                    (row.torque ? "six" : "three") + " actuated";
+    if (is_arm)
+      found.atMost("energy given by the program", mJ * r.program, 1.0, "mJ a turn",
+                   "at the tool, force and torque together: that is passive whatever the device "
+                   "leaves out");
+    found.atMost("energy given at the handle", mJ * r.handle, 1.0, "mJ a turn",
+                 row.torque ? ""
+                            : "six sensed and three actuated, at " + shortly(allowed) +
+                                  " N/m: the torque that no motor makes is missing, [Chan 2011], "
+                                  "3.1, so the longer the lever, the softer the spring must be");
+    if (is_arm)
+      found.atMost("energy not accounted for", mJ * std::abs(r.handle - r.program + r.lost), 1.0,
+                   "mJ a turn",
+                   "what the hand gets, " + shortly(mJ * r.handle) +
+                       " mJ, is what the program gives less the work of the torque that no motor "
+                       "makes, " +
+                       shortly(mJ * r.lost) + " mJ");
+    found.atMost("force", r.force, device.rating.force * (1.0 + 1e-9), "N");
+  }
+  found.outcome.plots.push_back(std::move(plot));
+  found.outcome.remarks.push_back(
       "Without torque motors a loop that is passive by itself gives energy through the handle's "
       "passive rotation, as [Chan 2011], 3.1, says of large moment arms. A passivity controller "
       "between program and device cannot see it in force and torque; it would have to count the "
-      "force alone, at the handle. What bounds it: the rated force, the arm, and the stiffness, "
-      "which is therefore allowed to fall with the arm.");
-  return outcome;
+      "force alone, at the handle. What bounds it: the rated force, the lever, and the stiffness, "
+      "which is therefore allowed to fall with the lever.");
+  return std::move(found.outcome);
 }
 
 }  // namespace
 
 std::vector<Job> handJobs(Depth depth) {
   const bool full = depth == Depth::Full;
-  std::vector<Job> jobs;
-  for (const std::string name : {"sphere", "torus", "gyroid", "slot", "demo"})
-    jobs.push_back({"hands/" + name, kHandsSection, full ? 5.0 : 2.0, [=](std::uint64_t seed) {
-                      return handsOn(phantomCase(name), full ? 10.0 : 3.0, seed);
-                    }});
+  struct Row {
+    std::string scene;
+    comparison::Touched (*make)(const std::string&);
+    double cost;  // s
+  };
+  std::vector<Row> rows;
+  for (const char* name : {"sphere", "torus", "gyroid", "slot", "demo"})
+    rows.push_back({name, comparison::phantomScene, full ? 5.0 : 2.0});
   // the paper's, which are large: only one of them where it is quick
   for (const std::string& name : comparison::sceneNames())
-    if (full || name == "hole")
-      jobs.push_back({"hands/" + name, kHandsSection, full ? 20.0 : 5.0, [=](std::uint64_t seed) {
-                        return handsOn(comparison::makeScene(name), full ? 10.0 : 3.0, seed);
-                      }});
-  jobs.push_back({"hands/turned arm", kHandsSection, 1.0,
-                  [=](std::uint64_t) { return turnedArm(full ? 20 : 4); }});
+    if (full || name == "hole") rows.push_back({name, comparison::makeScene, full ? 20.0 : 5.0});
+  std::vector<Job> jobs;
+  for (const Row& row : rows)
+    jobs.push_back({"hands/" + row.scene, "Hands that move", row.cost, [=](std::uint64_t seed) {
+                      return handsOn(row.make(row.scene), full ? 10.0 : 3.0, seed);
+                    }});
+  jobs.push_back({"hands/turned arm", "Hands that move", 1.0,
+                  [=](std::uint64_t) { return turnedHandle(full ? 20 : 4); }});
   return jobs;
 }
 

@@ -1,53 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/stability/stability.h"
 
-#include <iterator>
-
-#include "app/study/stability/failures.h"
-#include "app/study/stability/hands.h"
-#include "app/study/stability/limits.h"
-#include "app/study/stability/plane_limit.h"
-#include "app/study/stability/presses.h"
-
 namespace study::stability {
 namespace {
 
 /// What is coarser than the full product of everything with everything, so that nothing is skipped
 /// silently.
 Outcome omissions(Depth depth) {
-  Table table{"Omissions", {"part", "in full it would be", "what is run", "why"}, {}};
+  Table table{
+      "Omissions",
+      {"part", "in full it would be", "what is run", "why"},
+      {{"presses at 4 kHz", "every stiffness of 1 kHz",
+        "50, 1000, 5000 and 20,000 N/m beside the default and what is allowed",
+        "four times the ticks each"},
+       {"presses without the guard, with virtual damping, with the passivity controller",
+        "every device, stiffness, noise and delay",
+        "four devices (a coarse encoder, torque motors, the stiffest, the weakest), without noise, "
+        "at 1, 1.6 and 4 times what is allowed",
+        "none of it is shipped; the limits are found for every device in each way"},
+       {"presses on the paper's scenes", "every device, stiffness, noise and delay",
+        "wedge, pry and hook, lambda.7, as shipped at what is allowed, and at 5000 N/m with and "
+        "without the controller",
+        "some seconds for a scene and a hundred thousand ticks and more a hand; noise is part of "
+        "each scene"},
+       {"limits through the tick", "with delay, with dry friction, on groove and ball",
+        "on the plane, without delay",
+        "there the tick must keep 85 % of the wall's; delay and friction are swept on the wall"},
+       {"devices with an arm", "limits of stiffness", "presses and a turned handle",
+        "the limits are of translation, in which an arm is nothing"},
+       {"recorded hands", "people, on real devices", "none",
+        "there are no recordings, and nothing here was measured on a device"}}};
   if (depth == Depth::Quick)
-    table.rows.push_back({"all of it", "the full study", "--quick",
-                          "minutes: a tenth of the tries, fewer stiffnesses, noises, delays and "
-                          "devices, one of the paper's scenes; run it without --quick"});
-  for (const auto& row : std::vector<std::vector<std::string>>{
-           {"presses at 4 kHz", "every stiffness of 1 kHz",
-            "50, 1000, 5000 and 20,000 N/m beside the default and what is allowed",
-            "four times the ticks each"},
-           {"presses without the guard, with virtual damping, with the passivity controller",
-            "every device, stiffness, noise and delay",
-            "four devices (a coarse encoder, torque motors, the stiffest, the weakest), without "
-            "noise, at 1, 1.6 and 4 times what is allowed",
-            "none of it is shipped; the limits are found for every device in each way"},
-           {"presses on the paper's scenes", "every device, stiffness, noise and delay",
-            "wedge, pry and hook, lambda.7, as shipped at what is allowed, and at 5000 N/m with "
-            "and "
-            "without the controller",
-            "some seconds for a scene and a hundred thousand ticks and more a hand; noise is part "
-            "of each scene"},
-           {"limits through the tick", "with delay, with dry friction, on groove and ball",
-            "on the plane, without delay",
-            "there the tick must keep 85 % of the wall's; delay and friction are swept on the "
-            "wall"},
-           {"devices with an arm", "limits of stiffness", "presses and a turned handle",
-            "the limits are of translation, in which an arm is nothing"},
-           {"recorded hands", "people, on real devices", "none",
-            "there are no recordings, and nothing here was measured on a device"},
-       })
-    table.rows.push_back(row);
-  Outcome outcome;
-  outcome.tables.push_back(std::move(table));
-  return outcome;
+    table.rows.insert(table.rows.begin(),
+                      {"all of it", "the full study", "--quick",
+                       "minutes: a tenth of the tries, fewer stiffnesses, noises, delays and "
+                       "devices, one of the paper's scenes; run it without --quick"});
+  return {.tables = {table}};
 }
 
 }  // namespace
@@ -56,8 +44,8 @@ Study stabilityStudy(Depth depth) {
   Study study{"stability", "Numerical stability on stiff and extreme cases", {}, {}};
   study.introduction = {
       "Each case has a bound, a figure, and passes or fails. A device is a mass in a human hand "
-      "(spring, damper, mass), with encoders, motors within their rating, a force held between "
-      "two ticks, and where it is said a period of delay. Ratings are the makers'; moving masses, "
+      "(spring, damper, mass), with encoders, motors within their rating, a force held between two "
+      "ticks, and where it is said a period of delay. Ratings are the makers'; moving masses, "
       "damping and what encoders resolve are mostly not public, and then defaults: see "
       "haptics/simulation/device_model.h for which is which. Nothing here was measured on a real "
       "device.",
@@ -71,8 +59,7 @@ Study stabilityStudy(Depth depth) {
       "with what is not shipped, are rows of tables.",
       "Energy is what the loop gives to the hand less what it takes, exact for a force that is "
       "held. After a press and release nothing is stored any more: what is left was generated."};
-  for (const auto& jobs : {failureJobs(depth), limitJobs(depth), planeLimitJobs(depth),
-                           pressJobs(depth), handJobs(depth)})
+  for (const auto& jobs : {failureJobs(depth), limitJobs(depth), pressJobs(depth), handJobs(depth)})
     study.jobs.insert(study.jobs.end(), jobs.begin(), jobs.end());
   study.jobs.push_back(
       {"omissions", "What is left out", 0.01, [=](std::uint64_t) { return omissions(depth); }});

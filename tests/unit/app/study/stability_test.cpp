@@ -9,7 +9,6 @@
 #include "app/study/stability/energy_balance.h"
 #include "app/study/stability/failures.h"
 #include "app/study/stability/limits.h"
-#include "app/study/stability/plane_limit.h"
 #include "app/study/stability/presses.h"
 #include "app/study/stability/wall.h"
 #include "tests/support/made.h"
