@@ -26,6 +26,7 @@ Application::Application(Arguments arguments)
   wireRecordings();
   wireEdits();
   wireMarks();
+  wireLeaving();
   connect(&window_, &ui::MainWindow::closing, this, [this] {
     close();
     preferences_.save();
@@ -37,6 +38,11 @@ Application::~Application() {
   window_.disconnect(this);
   picture_.stop();
   close();
+}
+
+void Application::end() {
+  window_.setCloseGuard({});
+  window_.close();
 }
 
 void Application::start() {
@@ -170,6 +176,19 @@ void Application::wireMarks() {
   connect(&view_file_, &ViewFileController::editsWanted, &edit_, &EditController::restore);
   connect(&view_file_, &ViewFileController::toolWanted, &tool_,
           [this](const QString& name) { tool_.changeTool({.name = name.toStdString()}); });
+}
+
+void Application::wireLeaving() {
+  using Leave = ViewFileController::Leave;
+  window_.setCloseGuard([this] {
+    return view_file_.leave(Leaving::Window, [this](bool saved) {
+      if (saved) end();
+    }) == Leave::Now;
+  });
+  opening_.setGuard([this](const std::function<void(bool)>& answer) {
+    const Leave now = view_file_.leave(Leaving::Scan, answer);
+    if (now != Leave::AfterSaving) answer(now == Leave::Now);
+  });
 }
 
 void Application::close() {

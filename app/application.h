@@ -50,6 +50,8 @@ class Application : public QObject {
   ~Application() override;
 
   void start();
+  /// Closes the window without a question.
+  void end();
   ui::MainWindow& window() { return window_; }
   haptics::Session& session() { return shared_.session; }
   const haptics::Snapshot& snapshot() const { return shared_.snapshot; }
@@ -76,6 +78,7 @@ class Application : public QObject {
   void wireRecordings();
   void wireEdits();
   void wireMarks();
+  void wireLeaving();
   void noteHand(const QString& id);
   /// Ends touch, recording and measurement.
   void close();

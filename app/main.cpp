@@ -103,13 +103,13 @@ int main(int argc, char** argv) {
       &application, &app::Application::finished, &qt,
       [](int code) { QCoreApplication::exit(code); }, Qt::QueuedConnection);
   bool ended = false;  // in the loop of a question, before the one below
-  // as if the user had closed the window, whatever question stands open
+  // as if the user had closed the window, whatever question stands open; none is asked
   const app::EndingSignals ending([&] {
     QMetaObject::invokeMethod(
         &application,
         [&] {
           ended = true;
-          application.window().close();
+          application.end();
           QCoreApplication::exit(0);
         },
         Qt::QueuedConnection);

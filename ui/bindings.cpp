@@ -134,6 +134,11 @@ std::vector<Binding> allBindings() {
       key(Marks, Key_Return, WORDS("goes to the place; again: to its next")),
       key(Marks, Key_F2, WORDS("renames the mark, or edits the note")),
       key(Marks, Key_Delete, WORDS("deletes the mark")),
+      key(Border, Key_Left, WORDS("moves it")),
+      key(Border, Key_Right, WORDS("moves it")),
+      key(Border, Key_Up, WORDS("moves it")),
+      key(Border, Key_Down, WORDS("moves it")),
+      key(Border, Key_Home, WORDS("gives the views their first sizes")),
       key(ReplayBar, Key_Space, WORDS("plays and pauses")),
       key(ReplayBar, Key_Left, WORDS("one tick back")),
       key(ReplayBar, Key_Right, WORDS("one tick forward")),
@@ -173,6 +178,8 @@ std::vector<Binding> allBindings() {
       drag(Slice, right, WORDS("brightness (up and down), contrast (left and right)")),
       click(Slice, right, WORDS("opens the choices for slices")),
       drag(Histogram, left, WORDS("moves the isovalue")),
+      drag(Border, left, WORDS("moves it")),
+      twice(Border, left, WORDS("gives the views their first sizes")),
       drag(ReplayBar, left, WORDS("moves through the time")),
   };
 }
@@ -296,6 +303,8 @@ QString placeOf(const Binding& binding) {
         return bindingWords("list of marks");
       case Where::Histogram:
         return bindingWords("histogram");
+      case Where::Border:
+        return bindingWords("border between views");
       case Where::ReplayBar:
         return bindingWords("replay bar");
       case Where::Space:

@@ -18,6 +18,7 @@ enum class Where {
   Slice,
   Marks,  ///< the list of measures and marks
   Histogram,
+  Border,  ///< between two views
   ReplayBar
 };
 

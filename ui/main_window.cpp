@@ -122,12 +122,19 @@ void MainWindow::buildViews() {
 
   ViewLayout::Frames frames{};
   frames[0] = new ViewFrame(view_, QColor(0x2b, 0x31, 0x3c), false);
+  frames[0]->setHint(view_->hint());
+  connect(view_, &VolumeView::hintChanged, frames[0], &ViewFrame::setHint);
   for (SliceView* slice : slices_) {
     auto* frame = new ViewFrame(slice, colourOf(slice->plane()), true);
     frames[static_cast<std::size_t>(slice->plane()) + 1] = frame;
+    frame->setHint(
+        tr("Wheel: slices. Drag: crosshair. Right drag: brightness, contrast. Ctrl and "
+           "wheel: nearer. Middle drag: shifts."));
     connect(frame, &ViewFrame::menuWanted, this,
             [this](QPoint at) { slice_set_->menu().popup(at); });
   }
+  for (const ViewFrame* frame : frames)
+    connect(frame, &ViewFrame::hintsUnwanted, this, [this] { hints_->trigger(); });
   views_ = new ViewLayout(frames);
   connect(slice_set_, &SliceSet::obliqueShownChanged, views_, &ViewLayout::setObliqueShown);
   connect(slice_set_, &SliceSet::doubleClicked, this, [this](const Eigen::Vector3d& p_W_mm) {
@@ -240,6 +247,12 @@ void MainWindow::buildMenus() {
   view_menu_ = look;
   buildLayoutMenu(*look->addMenu(tr("&Layout")));
   look->addMenu(&slice_set_->menu());
+  hints_ = look->addAction(tr("Hi&nts"));
+  hints_->setObjectName("showHints");
+  hints_->setCheckable(true);
+  hints_->setChecked(true);
+  connect(hints_, &QAction::toggled, views_, &ViewLayout::setHintsShown);
+  connect(hints_, &QAction::triggered, this, &MainWindow::hintsChanged);
   look->addSeparator();
   view_actions_ = new ViewActions(*look, *findChild<QToolBar*>("forceBar"), *view_);
   view_actions_->setParent(this);
@@ -277,6 +290,8 @@ void MainWindow::buildLayoutMenu(QMenu& menu) {
       action->setChecked(action->objectName() == ViewLayout::nameOf(arrangement));
   });
   menu.addSeparator();
+  menu.addAction(tr("&First sizes"), views_, &ViewLayout::resetBorders)
+      ->setObjectName("resetBorders");
   QAction* maximise =
       menu.addAction(tr("View &alone, or all"), views_, &ViewLayout::toggleMaximised);
   maximise->setObjectName("maximiseView");
@@ -300,6 +315,10 @@ void MainWindow::restoreViews(const QString& state) {
   views_->arrange(*arrangement);
   slice_set_->setObliqueShown(state.section('+', 1) == QLatin1String("tool"));
 }
+
+bool MainWindow::hintsShown() const { return hints_->isChecked(); }
+
+void MainWindow::setHintsShown(bool shown) { hints_->setChecked(shown); }
 
 void MainWindow::buildStatusBar() {
   auto* cancel = new QToolButton;
@@ -490,6 +509,17 @@ bool MainWindow::askWhether(const QString& what, const QString& consequence, con
   return question.clickedButton() == agree;
 }
 
+Unsaved MainWindow::askToSave(const QString& what, const QString& consequence) {
+  QMessageBox question(QMessageBox::Question, tr("Not saved"), what, QMessageBox::Cancel, this);
+  question.setInformativeText(consequence);
+  const QAbstractButton* save = question.addButton(tr("&Save view…"), QMessageBox::AcceptRole);
+  const QAbstractButton* discard = question.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  if (question.clickedButton() == save) return Unsaved::Save;
+  return question.clickedButton() == discard ? Unsaved::Discard : Unsaved::Cancel;
+}
+
 void MainWindow::setHand(const QString& label) { status_->setHand(label); }
 
 void MainWindow::showControls() {
@@ -543,6 +573,9 @@ void MainWindow::showAbout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  const auto guard = close_guard_;
+  // a guard that is gone meanwhile was overtaken by an end that asks nobody
+  if (guard && !guard() && close_guard_) return event->ignore();
   emit closing();
   event->accept();
 }

@@ -4,7 +4,9 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <array>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/snapshot.h"
@@ -35,6 +37,9 @@ struct Place {
 
 /// The stacks of panels at the left, from the top. The panels of a stack are tabs.
 enum class Stack { Surface, Hand, Force };
+
+/// What becomes of what is in no file.
+enum class Unsaved { Save, Discard, Cancel };
 
 /// The window: views, docks, menus. Its panels are made by others. It shows what it is given and
 /// emits what the user asks for.
@@ -93,6 +98,10 @@ class MainWindow : public QMainWindow {
   void endLoading();
   /// Asks whether to go on. Enter means Cancel. True if the user agrees.
   bool askWhether(const QString& what, const QString& consequence, const QString& yes);
+  /// Asks what becomes of what is in no file. Enter means Cancel.
+  Unsaved askToSave(const QString& what, const QString& consequence);
+  /// Asked before the user closes the window; false keeps it open. Without one it closes.
+  void setCloseGuard(std::function<bool()> guard) { close_guard_ = std::move(guard); }
   void showNotice();
   /// The hand that holds the tool, for the status bar.
   void setHand(const QString& label);
@@ -106,6 +115,9 @@ class MainWindow : public QMainWindow {
   /// How the views are laid out, in a word for the preferences; one that is not known is left out.
   QString viewState() const;
   void restoreViews(const QString& state);
+  /// Whether each view says what the mouse does in it.
+  bool hintsShown() const;
+  void setHintsShown(bool shown);
 
  signals:
   void openWanted(const QString& path);
@@ -122,6 +134,8 @@ class MainWindow : public QMainWindow {
   void seriesWanted();
   /// The menu of recent places is about to open.
   void recentPlacesSought();
+  /// The user hid the hints, or brought them back.
+  void hintsChanged();
   void rememberPlacesChanged(bool remember);
   void forgetPlacesWanted();
   void phantomWanted(const QString& name);
@@ -169,6 +183,8 @@ class MainWindow : public QMainWindow {
   std::array<QDockWidget*, 3> fronts_{};  ///< the panel in front of each stack; null: no panel yet
   QMenu* view_menu_ = nullptr;
   QMenu* edit_menu_ = nullptr;
+  QAction* hints_ = nullptr;
+  std::function<bool()> close_guard_;
   QAction* save_edited_ = nullptr;
   QString title_;  ///< of the volume; empty: none
   bool edited_ = false;

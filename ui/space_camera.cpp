@@ -108,27 +108,45 @@ void SpaceCamera::zoom(double factor, const Eigen::Vector3d& at_mm) {
 
 void SpaceCamera::frame(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& from,
                         const Eigen::Vector3d& up) {
-  const Eigen::Vector3d size = box_mm.sizes();
-  const double aspect =
-      static_cast<double>(std::max(1, view_.width())) / std::max(1, view_.height());
-  const Eigen::Vector3d aside = up.cross(from).normalized();
-  const Eigen::Vector3d right = aside.cwiseAbs();
-  const Eigen::Vector3d upright = from.cross(aside).cwiseAbs();
-  const double half =
-      0.5 * std::max(upright.dot(size), right.dot(size) / aspect) + 0.06 * size.norm();
-  const Eigen::Vector3d centre = box_mm.center();
-  const double towards = 0.5 * from.cwiseAbs().dot(size);
-  const double distance = 1.15 * half / kHalf + towards;
-  // without perspective the middle is as large as the front is with it
-  camera_->SetParallelScale(1.15 * half);
-  set(centre + from * distance, centre);
+  const Eigen::Vector3d right = up.cross(from).normalized();
+  Eigen::Matrix3d axes;
+  axes << right, from.cross(right), from;
+  fit(box_mm, box_mm.center(), axes);
   camera_->SetViewUp(up.x(), up.y(), up.z());
   camera_->OrthogonalizeViewUp();
+}
+
+bool SpaceCamera::refit() {
+  const double before = half_mm();
+  if (!fit_ || std::abs(before - fit_->half_mm) > 1e-6 * before) return false;
+  const Eigen::AlignedBox3d box_mm = fit_->box_mm;
+  fit(box_mm, Eigen::Vector3d{camera_->GetFocalPoint()}, axes());
+  return std::abs(half_mm() - before) > 1e-6 * before;
+}
+
+/// Shows a box that lies about `centre_mm`.
+void SpaceCamera::fit(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& centre_mm,
+                      const Eigen::Matrix3d& axes) {
+  // half of what the box takes along right, up and towards the viewer
+  const Eigen::Vector3d reach = 0.5 * axes.cwiseAbs().transpose() * box_mm.sizes();
+  const double aspect =
+      static_cast<double>(std::max(1, view_.width())) / std::max(1, view_.height());
+  const double half = std::max(reach.y(), reach.x() / aspect) + 0.06 * box_mm.sizes().norm();
+  // without perspective the middle is as large as the front is with it
+  camera_->SetParallelScale(1.15 * half);
+  set(centre_mm + axes.col(2) * (1.15 * half / kHalf + reach.z()), centre_mm);
+  fit_ = Fit{box_mm, half_mm()};
+}
+
+double SpaceCamera::half_mm() const {
+  if (isParallel()) return camera_->GetParallelScale();
+  return camera_->GetDistance() * kHalf;
 }
 
 void SpaceCamera::lookAt(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& from,
                          const Eigen::Vector3d& up, double distance_mm,
                          const Eigen::AlignedBox3d& box_mm) {
+  keep();
   const bool parallel = isParallel();
   camera_->SetParallelProjection(0);
   set(p_mm + from * distance_mm, p_mm);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <QPointF>
+#include <optional>
 
 class QWidget;
 
@@ -35,6 +36,11 @@ class SpaceCamera {
   /// Shows a box from a direction (unit, towards the viewer), with another one up.
   void frame(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& from,
              const Eigen::Vector3d& up);
+  /// Shows the whole box that was framed last, in a view of another shape, unless the zoom is the
+  /// user's. Whether it changed.
+  bool refit();
+  /// What is shown is the user's choice: refit() leaves it.
+  void keep() { fit_.reset(); }
   /// Looks at a place from a distance in a direction (unit, towards the viewer).
   void lookAt(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& from, const Eigen::Vector3d& up,
               double distance_mm, const Eigen::AlignedBox3d& box_mm);
@@ -43,12 +49,21 @@ class SpaceCamera {
   void setParallel(bool parallel, const Eigen::AlignedBox3d& box_mm);
 
  private:
+  /// What frame() shows, and half the height [mm] that the view then has at the focal point.
+  struct Fit {
+    Eigen::AlignedBox3d box_mm;
+    double half_mm = 0.0;
+  };
+  void fit(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& centre_mm,
+           const Eigen::Matrix3d& axes);
+  double half_mm() const;
   /// The distance at which perspective shows what parallel projection does.
   double distance() const;
   void set(const Eigen::Vector3d& eye_mm, const Eigen::Vector3d& focus_mm);
 
   const QWidget& view_;
   vtkSmartPointer<vtkCamera> camera_;
+  std::optional<Fit> fit_;
 };
 
 }  // namespace ui

@@ -2,6 +2,7 @@
 #include "ui/view_frame.h"
 
 #include <QIcon>
+#include <QLabel>
 #include <QPainter>
 #include <QToolButton>
 
@@ -10,8 +11,9 @@ namespace {
 
 constexpr int kLine = 2;     // px, of the frame
 constexpr int kButton = 20;  // px
+constexpr int kHint = 20;    // px, height of the line
 
-enum class Sign { Menu, Larger, Smaller };
+enum class Sign { Menu, Larger, Smaller, Close };
 
 QIcon iconOf(Sign sign) {
   QIcon icon;
@@ -21,9 +23,13 @@ QIcon iconOf(Sign sign) {
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(QColor(0xe6, 0xe9, 0xee), 1.5, Qt::SolidLine, Qt::RoundCap));
+    const QColor colour = sign == Sign::Close ? QColor(0x98, 0xa2, 0xb3) : QColor(0xe6, 0xe9, 0xee);
+    painter.setPen(QPen(colour, 1.5, Qt::SolidLine, Qt::RoundCap));
     if (sign == Sign::Menu) {
       for (const double y : {4.5, 8.0, 11.5}) painter.drawLine(QPointF{3.0, y}, QPointF{13.0, y});
+    } else if (sign == Sign::Close) {
+      painter.drawLine(QPointF{5.0, 5.0}, QPointF{11.0, 11.0});
+      painter.drawLine(QPointF{5.0, 11.0}, QPointF{11.0, 5.0});
     } else {
       // brackets of two opposite corners, which open to the outside or to the inside
       const double tip = sign == Sign::Larger ? 3.0 : 7.0, arm = sign == Sign::Larger ? 4.0 : -4.0;
@@ -72,6 +78,26 @@ ViewFrame::ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget
   maximise_ = buttonOf(this, "maximise", Sign::Larger);
   connect(maximise_, &QToolButton::clicked, this, &ViewFrame::maximiseWanted);
   setMaximised(false);
+  hint_ = new QLabel(this);
+  hint_->setObjectName("viewHint");
+  hint_->setStyleSheet(
+      "QLabel { background: #0c0d11; color: #98a2b3; font-size: 11px; padding-left: 6px; }");
+  hide_hint_ = buttonOf(this, "hideHints", Sign::Close);
+  hide_hint_->setToolTip(tr("Hide the hints of all views (View > Hints shows them again)"));
+  hide_hint_->setAccessibleName(tr("Hide hints"));
+  connect(hide_hint_, &QToolButton::clicked, this, &ViewFrame::hintsUnwanted);
+}
+
+void ViewFrame::setHint(const QString& hint) {
+  hint_words_ = hint;
+  hint_->setToolTip(hint);
+  hint_->setAccessibleName(hint);
+  place();
+}
+
+void ViewFrame::setHintShown(bool shown) {
+  hint_shown_ = shown;
+  place();
 }
 
 void ViewFrame::setMaximised(bool maximised) {
@@ -82,13 +108,27 @@ void ViewFrame::setMaximised(bool maximised) {
 }
 
 QSize ViewFrame::minimumSizeHint() const {
-  return view_->minimumSize().expandedTo({120, 100}) + QSize{2 * kLine, 2 * kLine};
+  const int hint = hint_shown_ ? kHint : 0;
+  return view_->minimumSize().expandedTo({120, 100}) + QSize{2 * kLine, 2 * kLine + hint};
 }
 
 void ViewFrame::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), colour_); }
 
-void ViewFrame::resizeEvent(QResizeEvent*) {
-  view_->setGeometry(rect().adjusted(kLine, kLine, -kLine, -kLine));
+void ViewFrame::resizeEvent(QResizeEvent*) { place(); }
+
+void ViewFrame::place() {
+  QRect inner = rect().adjusted(kLine, kLine, -kLine, -kLine);
+  hint_->setVisible(hint_shown_);
+  hide_hint_->setVisible(hint_shown_);
+  if (hint_shown_) {
+    inner.setBottom(inner.bottom() - kHint);
+    hint_->setGeometry(inner.left(), inner.bottom() + 1, inner.width(), kHint);
+    hint_->setText(
+        hint_->fontMetrics().elidedText(hint_words_, Qt::ElideRight, inner.width() - kHint - 10));
+    hide_hint_->setGeometry(inner.right() + 1 - kHint, inner.bottom() + 1, kHint, kHint);
+    hide_hint_->raise();
+  }
+  view_->setGeometry(inner);
   int x = width() - kLine - 4 - kButton;
   for (QToolButton* button : {maximise_, menu_}) {
     if (button == nullptr) continue;

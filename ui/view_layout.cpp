@@ -2,7 +2,6 @@
 #include "ui/view_layout.h"
 
 #include <QApplication>
-#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -40,7 +39,7 @@ std::vector<std::pair<int, int>> rangesOf(const std::vector<Part>& parts, int le
 
 /// Moves the border between part n and the next by a fraction of the whole.
 template <class Part>
-void moveBorder(std::vector<Part>& parts, std::size_t n, double by, double least) {
+void moveShare(std::vector<Part>& parts, std::size_t n, double by, double least) {
   const double sum = parts[n].share + parts[n + 1].share;
   if (sum < 2.0 * least) return;
   const double first = std::clamp(parts[n].share + by, least, sum - least);
@@ -64,7 +63,6 @@ std::optional<Arrangement> ViewLayout::arrangementOf(const QString& name) {
 
 ViewLayout::ViewLayout(const Frames& frames, QWidget* parent) : QWidget(parent), frames_(frames) {
   setObjectName("views");
-  setMouseTracking(true);
   for (std::size_t n = 0; n < frames_.size(); ++n) {
     frames_[n]->setParent(this);
     connect(frames_[n], &ViewFrame::maximiseWanted, this, [this, n] {
@@ -109,7 +107,6 @@ void ViewLayout::nextView() {
 }
 
 void ViewLayout::makeColumns() {
-  dragged_.reset();
   columns_.clear();
   if (alone_ || arrangement_ == Arrangement::One) {
     columns_ = {{1.0, {{active_, 1.0}}}};
@@ -131,7 +128,28 @@ void ViewLayout::makeColumns() {
                 {0.32, {{kVolume, 1.0}}}};
     if (oblique_) columns_[2].cells.push_back({kOblique, 1.0});
   }
+  makeBorders();
   place();
+  updateGeometry();
+}
+
+void ViewLayout::makeBorders() {
+  borders_.clear();
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    for (std::size_t n = 0; n + 1 < columns_[c].cells.size(); ++n) borders_.push_back({c, n});
+    if (c + 1 < columns_.size()) borders_.push_back({c, {}});
+  }
+  while (gaps_.size() < borders_.size()) {
+    auto* gap = new ViewGap(this);
+    connect(gap, &ViewGap::moved, this,
+            [this, n = gaps_.size()](int px) { moveBorder(borders_[n], px); });
+    connect(gap, &ViewGap::resetWanted, this, &ViewLayout::resetBorders);
+    gaps_.push_back(gap);
+  }
+}
+
+void ViewLayout::setHintsShown(bool shown) {
+  for (ViewFrame* frame : frames_) frame->setHintShown(shown);
   updateGeometry();
 }
 
@@ -147,6 +165,18 @@ void ViewLayout::place() {
       frame->setMaximised(columns_.size() == 1);
       shown[columns_[c].cells[n].view] = true;
     }
+  }
+  for (std::size_t n = 0; n < gaps_.size(); ++n) {
+    gaps_[n]->setVisible(n < borders_.size());
+    if (n >= borders_.size()) continue;
+    const auto& [c, cell] = borders_[n];
+    gaps_[n]->setUpright(!cell);
+    const auto& [left, right] = across[c];
+    if (!cell)
+      gaps_[n]->setGeometry(right, 0, kGap, height());
+    else
+      gaps_[n]->setGeometry(left, rangesOf(columns_[c].cells, height())[*cell].second, right - left,
+                            kGap);
   }
   // one that goes hands its focus to its neighbour, which nobody has used
   const std::size_t active = active_;
@@ -175,50 +205,18 @@ void ViewLayout::paintEvent(QPaintEvent*) {
   QPainter(this).fillRect(rect(), QColor(0x10, 0x12, 0x16));
 }
 
-std::optional<ViewLayout::Gap> ViewLayout::gapAt(QPoint at) const {
-  const auto across = rangesOf(columns_, width());
-  for (std::size_t c = 0; c < columns_.size(); ++c) {
-    if (at.x() >= across[c].second && at.x() < across[c].second + kGap && c + 1 < columns_.size())
-      return Gap{c, {}};
-    if (at.x() < across[c].first || at.x() >= across[c].second) continue;
-    const auto down = rangesOf(columns_[c].cells, height());
-    for (std::size_t n = 0; n + 1 < down.size(); ++n)
-      if (at.y() >= down[n].second && at.y() < down[n].second + kGap) return Gap{c, n};
-  }
-  return {};
-}
-
-void ViewLayout::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) dragged_ = gapAt(event->position().toPoint());
-}
-
-void ViewLayout::mouseMoveEvent(QMouseEvent* event) {
-  const QPoint at = event->position().toPoint();
-  if (!dragged_) {
-    const std::optional<Gap> gap = gapAt(at);
-    if (gap)
-      setCursor(gap->cell ? Qt::SplitVCursor : Qt::SplitHCursor);
-    else
-      unsetCursor();
-    return;
-  }
+void ViewLayout::moveBorder(const Border& border, int px) {
   constexpr double kLeast = 0.12;  // of all
   double sum = 0.0;
-  if (dragged_->cell) {
-    std::vector<Cell>& cells = columns_[dragged_->column].cells;
+  if (border.cell) {
+    std::vector<Cell>& cells = columns_[border.column].cells;
     for (const Cell& cell : cells) sum += cell.share;
-    const double by = at.y() - 0.5 * kGap - rangesOf(cells, height())[*dragged_->cell].second;
-    moveBorder(cells, *dragged_->cell, by / height() * sum, kLeast * sum);
+    moveShare(cells, *border.cell, static_cast<double>(px) / height() * sum, kLeast * sum);
   } else {
     for (const Column& column : columns_) sum += column.share;
-    const double by = at.x() - 0.5 * kGap - rangesOf(columns_, width())[dragged_->column].second;
-    moveBorder(columns_, dragged_->column, by / width() * sum, kLeast * sum);
+    moveShare(columns_, border.column, static_cast<double>(px) / width() * sum, kLeast * sum);
   }
   place();
 }
-
-void ViewLayout::mouseReleaseEvent(QMouseEvent*) { dragged_.reset(); }
-
-void ViewLayout::leaveEvent(QEvent*) { unsetCursor(); }
 
 }  // namespace ui

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/view_frame.h"
+#include "ui/view_gap.h"
 
 namespace ui {
 
@@ -15,7 +16,7 @@ namespace ui {
 enum class Arrangement { One, FourUp, VolumeLarge, SlicesLarge };
 
 /// The views of the window, each in its frame: the 3-D view and the four slices. It shares the room
-/// among them; the gaps between them can be dragged. One view can have it all for a while.
+/// among them; the borders between them can be moved. One view can have it all for a while.
 class ViewLayout : public QWidget {
   Q_OBJECT
  public:
@@ -25,6 +26,10 @@ class ViewLayout : public QWidget {
 
   void arrange(Arrangement arrangement);
   Arrangement arrangement() const { return arrangement_; }
+  /// Gives the views the sizes again that the arrangement began with.
+  void resetBorders() { makeColumns(); }
+  /// Whether each view has a line at its foot that says what the mouse does.
+  void setHintsShown(bool shown);
   /// Whether the oblique slice has a place.
   void setObliqueShown(bool shown);
   /// Makes the view that was last used as large as all, or gives the others back.
@@ -44,10 +49,6 @@ class ViewLayout : public QWidget {
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
-  void leaveEvent(QEvent* event) override;
 
  private:
   struct Cell {
@@ -58,16 +59,17 @@ class ViewLayout : public QWidget {
     double share = 1.0;  ///< of the width
     std::vector<Cell> cells;
   };
-  /// A gap that can be dragged: the one after a column, or after a cell of a column.
-  struct Gap {
+  /// What a border comes after: a column, or a cell of a column.
+  struct Border {
     std::size_t column = 0;
     std::optional<std::size_t> cell;
   };
 
   void makeColumns();
+  void makeBorders();
+  void moveBorder(const Border& border, int px);
   void place();
   void setActive(std::size_t view);
-  std::optional<Gap> gapAt(QPoint at) const;
 
   Frames frames_;
   Arrangement arrangement_ = Arrangement::VolumeLarge;
@@ -76,7 +78,8 @@ class ViewLayout : public QWidget {
   bool alone_ = false;  ///< one view is maximised
   std::size_t active_ = 0;
   std::vector<Column> columns_;
-  std::optional<Gap> dragged_;
+  std::vector<Border> borders_;
+  std::vector<ViewGap*> gaps_;  ///< one for each border, and hidden ones
 };
 
 }  // namespace ui

@@ -214,8 +214,8 @@ void VolumeView::setMouseHand(bool on) {
   hand_target_.reset();
   displayed_ = false;  // the next hand starts elsewhere
   if (!on) setMouseMode(MouseMode::Look);
-  update();  // the hint
   emit mouseHandChanged(on);
+  emit hintChanged(hint());
 }
 
 void VolumeView::placeHand(const haptics::Pose& X_WH) { hand_target_ = X_WH; }
@@ -224,11 +224,10 @@ void VolumeView::setMouseMode(MouseMode mode) {
   if (mode == MouseMode::Hand && !mouse_hand_) mode = MouseMode::Look;
   if (mode == mode_) return;
   mode_ = mode;
-  tool_taken_ = tool_taken_ || mode == MouseMode::Hand;
   grasp_.reset();
   chooseCursor(last_mouse_);
-  update();
   emit mouseModeChanged(mode);
+  emit hintChanged(hint());
 }
 
 void VolumeView::showFine(vtkPolyData* mesh, double isovalue) {
@@ -333,6 +332,7 @@ void VolumeView::look(const ViewLook& look) {
   camera_.vtk()->SetViewUp(look.up.x(), look.up.y(), look.up.z());
   camera_.vtk()->SetParallelProjection(look.parallel);
   camera_.vtk()->SetParallelScale(look.half_height_mm);
+  camera_.keep();
   cameraMoved();
   emit parallelChanged(look.parallel);
 }
@@ -457,7 +457,6 @@ void VolumeView::paintGL() {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   paintOver(painter, size());
-  paintHint(painter);
 }
 
 void VolumeView::paintOver(QPainter& painter, const QSizeF& size) const {
@@ -524,29 +523,21 @@ void VolumeView::paintContacts(QPainter& painter) const {
   painter.restore();
 }
 
-void VolumeView::paintHint(QPainter& painter) const {
-  if (box_mm_.isEmpty() || !mouse_hand_) return;
-  QString hint;
+QString VolumeView::hint() const {
   if (mode_ == MouseMode::Hand)
-    hint = tr("The mouse holds the tool: drag moves it, Shift turns it, the wheel pushes it. "
-              "%1 lets go.")
-               .arg(keyOf(Action::TakeTool));
-  else if (!tool_taken_)
-    hint = tr("To touch: drag the tool, or take it with %1. Double-click brings it to a place.")
-               .arg(keyOf(Action::TakeTool));
-  if (hint.isEmpty()) return;
-  QFont font = painter.font();
-  font.setPixelSize(11);
-  painter.setFont(font);
-  const QFontMetricsF metrics(font);
-  const QString line = metrics.elidedText(hint, Qt::ElideRight, width() - 20.0);
-  const QRectF box(8.0, height() - 26.0 - metrics.height(), metrics.horizontalAdvance(line) + 12.0,
-                   metrics.height() + 6.0);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(kViewGround.red(), kViewGround.green(), kViewGround.blue(), 190));
-  painter.drawRoundedRect(box, 4.0, 4.0);
-  painter.setPen(kViewDim);
-  painter.drawText(box, Qt::AlignCenter, line);
+    return tr("Drag: moves the tool. Shift: turns it. Wheel: pushes it. Right drag: turns the "
+              "picture. %1: lets go.")
+        .arg(keyOf(Action::TakeTool));
+  if (mouse_hand_)
+    return tr("Drag: turns. Wheel: nearer. To touch: drag the tool, or take it with %1. "
+              "Double-click: brings it there. Middle drag: shifts.")
+        .arg(keyOf(Action::TakeTool));
+  return tr("Drag: turns. Wheel: nearer. Middle drag: shifts.");
+}
+
+void VolumeView::resizeEvent(QResizeEvent* event) {
+  Viewport::resizeEvent(event);
+  if (!box_mm_.isEmpty() && camera_.refit()) cameraMoved();
 }
 
 QImage VolumeView::picture(double scale) {
@@ -584,10 +575,6 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   const bool hand = *action == Action::MoveTool || *action == Action::TurnTool;
   if (hand && !displayed_) return;  // the last pose was another hand's
   grasp_ = Grasp{*action, *action == Action::Zoom ? aimUnder(press_) : Eigen::Vector3d::Zero()};
-  if (hand) {
-    tool_taken_ = true;
-    update();
-  }
   chooseCursor(press_);
 }
 

@@ -85,8 +85,10 @@ class VolumeView : public Viewport {
   vtkCamera* camera() const { return camera_.vtk(); }
   /// Whether the mouse would take hold of the tool there.
   bool isOnTool(QPointF at) const;
-  /// The view's picture, `scale` times as large as its widget: with letters and overlays, without
-  /// the hint. Null if the graphics cannot draw it.
+  /// What the mouse does here, in a line.
+  QString hint() const;
+  /// The view's picture, `scale` times as large as its widget: with letters and overlays. Null if
+  /// the graphics cannot draw it.
   QImage picture(double scale);
 
  signals:
@@ -97,6 +99,8 @@ class VolumeView : public Viewport {
   void toolToCrossWanted();
   void crossToToolWanted();
   void mouseModeChanged(ui::MouseMode mode);
+  /// The mouse does something else from now on.
+  void hintChanged(const QString& hint);
   void mouseHandChanged(bool possible);
   void parallelChanged(bool parallel);
   void clutchHeld(bool held);
@@ -114,6 +118,7 @@ class VolumeView : public Viewport {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void paintGL() override;
+  void resizeEvent(QResizeEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
@@ -146,7 +151,6 @@ class VolumeView : public Viewport {
   void fitClippingRange();
   void paintOver(QPainter& painter, const QSizeF& size) const;
   void paintContacts(QPainter& painter) const;
-  void paintHint(QPainter& painter) const;
 
   SpaceCamera camera_{*this};
   vtkSmartPointer<vtkRenderer> surface_layer_;
@@ -168,7 +172,6 @@ class VolumeView : public Viewport {
   bool displayed_ = false;
   bool contacts_shown_ = false;
   bool mouse_hand_ = false;
-  bool tool_taken_ = false;  ///< once; then the hint is not needed any more
   MouseMode mode_ = MouseMode::Look;
   std::optional<Grasp> grasp_;
   std::optional<haptics::Pose> hand_target_;

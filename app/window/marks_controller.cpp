@@ -99,6 +99,7 @@ void MarksController::showScene() {
     });
     if (before != kept_.end()) {
       measures_.replace(std::move(before->measures));
+      marked_->saved = std::move(before->saved);
       kept_.erase(before);
     }
   }
@@ -109,6 +110,19 @@ void MarksController::showScene() {
          return touched.value(p_mm / ui::kMmPerM);
        }});
   panel_->setReady(true);
+}
+
+void MarksController::setSaved(std::vector<ui::Measure> marks) {
+  if (marked_) marked_->saved = std::move(marks);
+}
+
+bool MarksController::areUnsaved() const {
+  return marked_ && !measures_.all().empty() && measures_.all() != marked_->saved;
+}
+
+int MarksController::scansUnsaved() const {
+  return static_cast<int>(
+      std::ranges::count_if(kept_, [](const Marked& kept) { return kept.measures != kept.saved; }));
 }
 
 void MarksController::showList() {

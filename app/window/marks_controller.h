@@ -31,6 +31,12 @@ class MarksController : public QObject {
   ui::Measures& measures() { return measures_; }
   /// Call it when a scene is on view.
   void showScene();
+  /// These marks of the scan on view are in a file.
+  void setSaved(std::vector<ui::Measure> marks);
+  /// Whether the scan on view has marks that are in no file.
+  bool areUnsaved() const;
+  /// How many scans that were on view before have such marks.
+  int scansUnsaved() const;
   /// Call it sixty times a second. It shows the way of the tool at most ten times a second, and
   /// nothing while the tool rests.
   void refresh();
@@ -43,6 +49,7 @@ class MarksController : public QObject {
     haptics::Volume facts;  ///< of the scan, without voxels
     std::weak_ptr<const haptics::Volume> scan;
     std::vector<ui::Measure> measures = {};
+    std::vector<ui::Measure> saved = {};  ///< as they are in a file
   };
 
   void connectPanel();

@@ -45,7 +45,7 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
     window_.showProgress(fraction);
   });
   connect(&loader_, &Loader::surveyed, &choice_, &SeriesChoice::take);
-  connect(&loader_, &Loader::loaded, this, &OpeningController::adopt);
+  connect(&loader_, &Loader::loaded, this, &OpeningController::take);
   connect(&loader_, &Loader::failed, this, &OpeningController::refuse);
   connect(&choice_, &SeriesChoice::wanted, this,
           [this](const LoadRequest& request) { load(request, tr("Reading")); });
@@ -54,6 +54,7 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
 
 void OpeningController::load(LoadRequest request, const QString& what) {
   window_.clearMessage();
+  ++asked_;
   what_ = what;
   window_.showLoading(what);
   emit loading();
@@ -76,6 +77,19 @@ void OpeningController::replace(const Loaded& loaded) {
   window_.replace(loaded.picture);
   window_.setTouched(touchedSurfaceOf(loaded.scene));
   emit shown(false);
+}
+
+/// Asks first if another scan would take something with it.
+void OpeningController::take(const Loaded& loaded) {
+  const bool other =
+      shared_.shown && scanOf(shared_.shown->picture.volume) != scanOf(loaded.picture.volume);
+  if (!other || !guard_) return adopt(loaded);
+  window_.endLoading();
+  guard_([this, loaded, asked = ++asked_](bool may_go) {
+    if (asked != asked_) return;  // something else was opened meanwhile
+    if (may_go) return adopt(loaded);
+    emit failed({haptics::Error::Kind::Cancelled, {}});
+  });
 }
 
 void OpeningController::adopt(const Loaded& loaded) {

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <filesystem>
 #include <functional>
+#include <utility>
 
 #include "app/window/loader.h"
 #include "app/window/preferences_controller.h"
@@ -30,6 +31,10 @@ class OpeningController : public QObject {
   void replace(const app::Loaded& loaded);
   /// A path of volumes, of a recording or of a view.
   void open(const QString& path);
+  /// Asked before another scan takes the place of the one on view. Its answer is given to the
+  /// argument, at once or later.
+  using Guard = std::function<void(std::function<void(bool may_go)> answer)>;
+  void setGuard(Guard guard) { guard_ = std::move(guard); }
 
  signals:
   void recordingWanted(const std::filesystem::path& path);
@@ -46,6 +51,7 @@ class OpeningController : public QObject {
 
  private:
   void openDropped(const QStringList& paths);
+  void take(const Loaded& loaded);
   void adopt(const Loaded& loaded);
   void refuse(const LoadRequest& request, const haptics::Error& error);
   void keepPlace(const std::filesystem::path& place);
@@ -56,7 +62,9 @@ class OpeningController : public QObject {
   SharedState& shared_;
   PreferencesController& preferences_;
   bool asks_;
-  QString what_;  ///< what the loader is at
+  Guard guard_;
+  int asked_ = 0;  ///< counts scans and requests: an answer is for the newest
+  QString what_;   ///< what the loader is at
   Loader loader_;
   SeriesChoice choice_;
 };

@@ -38,6 +38,7 @@ Preferences loadPreferences() {
   preferences.geometry = settings.value("window/geometry").toByteArray();
   preferences.layout = settings.value("window/layout").toByteArray();
   preferences.views = settings.value("window/views").toString();
+  preferences.hints = settings.value("window/hints", true).toBool();
   preferences.notice_seen = settings.value("notice/seen", false).toBool();
   const double stiffness = settings.value("coupling/stiffness", 1000.0).toDouble();
   if (haptics::kStiffnessRange.holds(stiffness)) preferences.stiffness = stiffness;
@@ -53,6 +54,7 @@ void savePreferences(const Preferences& preferences) {
   settings.setValue("window/geometry", preferences.geometry);
   settings.setValue("window/layout", preferences.layout);
   settings.setValue("window/views", preferences.views);
+  settings.setValue("window/hints", preferences.hints);
   settings.setValue("notice/seen", preferences.notice_seen);
   settings.setValue("coupling/stiffness", preferences.stiffness);
   const ui::Mapping& mapping = preferences.mapping;

@@ -15,6 +15,7 @@ struct Preferences {
   QByteArray geometry = {};  ///< geometry of the window, as Qt writes it
   QByteArray layout = {};    ///< layout of the docks, as Qt writes it
   QString views = {};        ///< layout of the views, as MainWindow::viewState() has it
+  bool hints = true;         ///< each view says what the mouse does in it
   bool notice_seen = false;
   double stiffness = 1000.0;  ///< N/m
   ui::Mapping mapping = {};   ///< mapping of haptic devices

@@ -4,10 +4,14 @@
 namespace app {
 
 PreferencesController::PreferencesController(ui::MainWindow& window, bool kept)
-    : window_(window), preferences_(loadPreferences()), kept_(kept) {}
+    : window_(window), preferences_(loadPreferences()), kept_(kept) {
+  connect(&window, &ui::MainWindow::hintsChanged, this, &PreferencesController::save);
+}
 
 void PreferencesController::restoreWindow() {
-  if (preferences_.geometry.isEmpty() || !kept_) return;
+  if (!kept_) return;
+  window_.setHintsShown(preferences_.hints);
+  if (preferences_.geometry.isEmpty()) return;
   window_.restoreGeometry(preferences_.geometry);
   window_.restoreState(preferences_.layout);
   window_.restoreViews(preferences_.views);
@@ -24,6 +28,7 @@ void PreferencesController::save() {
   preferences_.geometry = window_.saveGeometry();
   preferences_.layout = window_.saveState();
   preferences_.views = window_.viewState();
+  preferences_.hints = window_.hintsShown();
   emit saving(preferences_);
   if (kept_) savePreferences(preferences_);
 }

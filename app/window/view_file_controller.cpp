@@ -41,6 +41,12 @@ QString geometryWords(const haptics::Grid& grid, haptics::ScalarType type) {
       .arg(mm(0), mm(1), mm(2), QString::fromLatin1(nameOf(type)));
 }
 
+std::vector<std::string> textsOf(const std::vector<haptics::Edit>& edits) {
+  std::vector<std::string> texts;
+  for (const haptics::Edit& edit : edits) texts.push_back(haptics::textOf(edit));
+  return texts;
+}
+
 bool isNamedTool(const std::string& name) {
   const auto names = resources::namedTools();
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -61,7 +67,7 @@ ViewFileController::ViewFileController(ui::MainWindow& window, SharedState& shar
     step_ = Step::Nothing;
     saving_.reset();
     window_.endLoading();
-    emit finished(false);
+    endSaving(false);
   });
 }
 
@@ -113,6 +119,7 @@ bool ViewFileController::seekScan() {
 
 void ViewFileController::showScene(bool new_volume) {
   if (!shared_.shown) return;
+  if (new_volume) edits_in_file_.clear();
   if (step_ == Step::Edits && liesOnView() && hasEdits()) return restoreRest();
   if (!new_volume) return;
   switch (step_) {
@@ -163,22 +170,30 @@ void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& 
   drop();
 }
 
-bool ViewFileController::hasEdits() const {
-  const auto& edited = shared_.shown->picture.volume->edited;
-  const std::vector<haptics::Edit> present = edited ? edited->edits : std::vector<haptics::Edit>{};
-  return std::equal(present.begin(), present.end(), opening_.edits.begin(), opening_.edits.end(),
-                    [](const haptics::Edit& one, const haptics::Edit& other) {
-                      return haptics::textOf(one) == haptics::textOf(other);
-                    });
+std::vector<std::string> ViewFileController::editsOnView() const {
+  if (!shared_.shown || !shared_.shown->picture.volume->edited) return {};
+  return textsOf(shared_.shown->picture.volume->edited->edits);
 }
+
+bool ViewFileController::hasEdits() const { return editsOnView() == textsOf(opening_.edits); }
 
 void ViewFileController::restore() {
   if (hasEdits()) return restoreRest();
   if (!isSignalConnected(QMetaMethod::fromSignal(&ViewFileController::editsWanted)))
     return refuse(tr("%1 was not opened: it has edits of the scan, which this Palpate cannot make.")
                       .arg(inQuotes(opening_path_)));
-  step_ = Step::Edits;
-  emit editsWanted(opening_.edits);
+  const auto want = [this] {
+    step_ = Step::Edits;
+    emit editsWanted(opening_.edits);
+  };
+  const Leave answer = leave(Leaving::Edits, [this, want](bool saved) {
+    // the scan may have changed while it was saved
+    if (saved && liesOnView()) return want();
+    emit finished(false);
+  });
+  if (answer == Leave::Now && liesOnView()) return want();
+  step_ = Step::Nothing;
+  if (answer != Leave::AfterSaving) emit finished(false);
 }
 
 void ViewFileController::restoreRest() {
@@ -187,6 +202,8 @@ void ViewFileController::restoreRest() {
   const double isovalue = ui::allowedIsovalue(*shown.picture.volume, opening_.isovalue);
   emit isovalueWanted(isovalue);
   marks_.measures().replace(opening_.marks);
+  marks_.setSaved(opening_.marks);
+  edits_in_file_ = editsOnView();
   window_.setLook(opening_.look);
   if (std::abs(isovalue - opening_.isovalue) > 1e-6 * std::abs(opening_.isovalue) + 1e-9)
     window_.showMessage(tr("The isovalue of %1, %2, is none of this scan; %3 is shown.")
@@ -220,9 +237,46 @@ void ViewFileController::refuseGeometry() {
              .arg(inQuotes(opening_path_), geometryWords(opening_.grid, opening_.type), here));
 }
 
-void ViewFileController::askAndSave() {
-  if (!shared_.shown)
-    return window_.showMessage(tr("There is no view to save; open a scan first."));
+ViewFileController::Leave ViewFileController::leave(Leaving what,
+                                                    std::function<void(bool saved)> then) {
+  const bool marks = what == Leaving::Window && marks_.areUnsaved();
+  const int elsewhere = what == Leaving::Window ? marks_.scansUnsaved() : 0;
+  const std::vector<std::string> present = editsOnView();
+  const bool edits = !present.empty() && present != edits_in_file_;
+  if (!marks && !edits && elsewhere == 0) return Leave::Now;
+  const QString consequence = what == Leaving::Window ? tr("They are lost when the window closes.")
+                              : what == Leaving::Scan
+                                  ? tr("They are lost when another scan is opened.")
+                                  : tr("They are lost when a view with other edits is opened.");
+  const QString of_others =
+      elsewhere == 0 ? QString()
+                     : tr("Marks of other scans that were on view are in no file (%1). To save "
+                          "them, open the scan again.")
+                           .arg(elsewhere);
+  if (!marks && !edits)
+    return window_.askWhether(of_others, consequence, tr("&Discard")) ? Leave::Now : Leave::Stay;
+  const QString present_words = marks && edits
+                                    ? tr("The marks and edits of this scan are in no file.")
+                                : marks ? tr("The marks of this scan are in no file.")
+                                        : tr("The edits of this scan are in no file.");
+  switch (window_.askToSave(present_words, (consequence + ' ' + of_others).trimmed())) {
+    case ui::Unsaved::Discard:
+      return Leave::Now;
+    case ui::Unsaved::Cancel:
+      return Leave::Stay;
+    case ui::Unsaved::Save:
+      break;
+  }
+  if (!askAndSave()) return Leave::Stay;
+  then_ = std::move(then);
+  return Leave::AfterSaving;
+}
+
+bool ViewFileController::askAndSave() {
+  if (!shared_.shown) {
+    window_.showMessage(tr("There is no view to save; open a scan first."));
+    return false;
+  }
   // Qt's own dialog: in a foreign one Escape would not reach the application
   QFileDialog dialog(&window_, tr("Save the view as"));
   dialog.setObjectName("saveViewDialog");
@@ -243,8 +297,9 @@ void ViewFileController::askAndSave() {
     grid->addWidget(words, grid->rowCount(), 0, 1, -1);
     grid->addWidget(place, grid->rowCount(), 0, 1, -1);
   }
-  if (dialog.exec() != QDialog::Accepted) return;
+  if (dialog.exec() != QDialog::Accepted) return false;
   save(dialog.selectedFiles().value(0).toStdString(), place->isChecked());
+  return saving_.has_value();
 }
 
 void ViewFileController::save(const std::filesystem::path& path, bool with_place) {
@@ -274,15 +329,25 @@ void ViewFileController::write() {
   ViewFile view = std::move(*saving_);
   saving_.reset();
   view.hash = identity_.of(saved_scan_);
-  saved_scan_.reset();
+  const auto scan = std::exchange(saved_scan_, nullptr);
   window_.endLoading();
   const auto written = writeViewFile(saving_path_, view);
-  if (!written)
+  if (!written) {
     window_.showMessage(sentenceOf(written.error()));
-  else
-    window_.statusBar()->showMessage(tr("Saved the view as %1.").arg(inQuotes(saving_path_)),
-                                     kSavedMs);
-  emit finished(written.has_value());
+    return endSaving(false);
+  }
+  if (shared_.shown && scanOf(shared_.shown->picture.volume) == scan) {
+    marks_.setSaved(view.marks);
+    edits_in_file_ = textsOf(view.edits);
+  }
+  window_.statusBar()->showMessage(tr("Saved the view as %1.").arg(inQuotes(saving_path_)),
+                                   kSavedMs);
+  endSaving(true);
+}
+
+void ViewFileController::endSaving(bool saved) {
+  emit finished(saved);
+  if (const auto then = std::exchange(then_, nullptr)) then(saved);
 }
 
 }  // namespace app

@@ -4,8 +4,10 @@
 #include <QObject>
 #include <QString>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/view_file/view_file.h"
@@ -15,6 +17,10 @@
 #include "ui/main_window.h"
 
 namespace app {
+
+/// What goes: the window with all that it knows; the scan on view, whose marks come back when it is
+/// opened again; or its edits alone.
+enum class Leaving { Window, Scan, Edits };
 
 /// Saves views and opens them again (view_file/). The hash of the scan is made in the background;
 /// saving and opening wait for it, and the user can cancel.
@@ -30,8 +36,12 @@ class ViewFileController : public QObject {
   /// Opens a file of a view. If the scan on view is not the one and the file tells its place, the
   /// scan is opened first.
   void open(const std::filesystem::path& path);
-  /// Asks for a file and saves.
-  void askAndSave();
+  /// Asks for a file and saves. Returns false if the user does not choose one.
+  bool askAndSave();
+  enum class Leave { Now, Stay, AfterSaving };
+  /// Asks about what is in no file and would be lost, if there is something. If the user saves it
+  /// first, `then` is called when that is done, with whether it was.
+  Leave leave(Leaving what, std::function<void(bool saved)> then);
   /// Saves to this file; `with_place`: with the scan's place relative to it.
   void save(const std::filesystem::path& path, bool with_place);
   /// Call it when a scene is on view.
@@ -65,6 +75,8 @@ class ViewFileController : public QObject {
   void refuseGeometry();
   void takeHash(const std::shared_ptr<const haptics::Volume>& scan);
   void write();
+  void endSaving(bool saved);
+  std::vector<std::string> editsOnView() const;
 
   ui::MainWindow& window_;
   SharedState& shared_;
@@ -77,6 +89,8 @@ class ViewFileController : public QObject {
   std::optional<ViewFile> saving_;  ///< waits for its hash
   std::filesystem::path saving_path_;
   std::shared_ptr<const haptics::Volume> saved_scan_;
+  std::function<void(bool saved)> then_;    ///< waits for the file
+  std::vector<std::string> edits_in_file_;  ///< of the scan on view, as texts
 };
 
 }  // namespace app

@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,6 +21,7 @@
 
 #include "sphere_in_hand.h"
 #include "ui/panels/device_panel.h"
+#include "ui/panels/edit_panel.h"
 #include "ui/panels/histogram_slider.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/volume_view.h"
@@ -65,6 +70,60 @@ TEST(Application, AHandPressesOnASphereAndEscapeDropsTheForce) {
   EXPECT_EQ(application.snapshot().felt_W.force.norm(), 0.0);
   QTest::mouseClick(application.window().findChild<QAbstractButton*>("forceOn"), Qt::LeftButton);
   EXPECT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 20.0));
+}
+
+TEST(Application, NothingInAPanelIsCutAtTheFirstSizeOfTheWindow) {
+  app::Application application(sphereInHand("mouse"));
+  application.start();
+  ui::MainWindow& window = application.window();
+  window.resize(1280, 900);
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  int looked = 0;
+  const auto lookAt = [&](QDockWidget& dock, const char* what) {
+    for (const QWidget* child : dock.widget()->findChildren<QWidget*>()) {
+      if (!child->isVisible() || child->width() == 0) continue;
+      // lists scroll what is in them; what is in a panel has the room that is seen
+      const QWidget* room = dock.widget();
+      bool in_list = false;
+      for (const QWidget* above = child->parentWidget(); above != dock.widget();
+           above = above->parentWidget()) {
+        if (qobject_cast<const QAbstractItemView*>(above) != nullptr) in_list = true;
+        if (const auto* scroll = qobject_cast<const QScrollArea*>(above)) room = scroll->viewport();
+        if (room != dock.widget()) break;
+      }
+      // the scroll bars lie beside that room
+      if (in_list || (room != dock.widget() && !room->isAncestorOf(child))) continue;
+      ++looked;
+      const int left = child->mapTo(dock.widget(), QPoint{}).x();
+      const int first = room == dock.widget() ? 0 : room->mapTo(dock.widget(), QPoint{}).x();
+      EXPECT_GE(left, first) << what << " " << child->objectName().toStdString();
+      EXPECT_LE(left + child->width(), first + room->width())
+          << what << " " << child->metaObject()->className() << " "
+          << child->objectName().toStdString();
+    }
+  };
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    dock->raise();
+    QTest::qWait(100);
+    lookAt(*dock, dock->objectName().toLatin1().constData());
+  }
+  auto* edit = window.findChild<QDockWidget*>("editDock");
+  edit->raise();
+  for (const char* tool : {"cropTool", "planeTool", "piecesTool", "holderTool", "scalpelTool"}) {
+    QTest::mouseClick(window.findChild<QToolButton*>(tool), Qt::LeftButton);
+    QTest::qWait(100);
+    lookAt(*edit, tool);
+    window::keep(window::pictureOf(window), tool);
+  }
+  // with every choice that can come up
+  for (const ui::EditConfirm confirm : {ui::EditConfirm::Piece, ui::EditConfirm::Removal}) {
+    window.findChild<ui::EditPanel*>()->showPreview("This piece is as large as it is.", confirm);
+    QTest::qWait(100);
+    lookAt(*edit, "preview");
+  }
+  EXPECT_GT(looked, 150);
+  // the views keep most of the window
+  EXPECT_GT(window.views().width(), 0.7 * window.width());
 }
 
 TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {

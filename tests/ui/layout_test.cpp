@@ -3,10 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMouseEvent>
 #include <QSettings>
 #include <QTest>
 #include <QToolButton>
+#include <QWheelEvent>
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
 
 #include "app/window/preferences.h"
 #include "panelled_window.h"
@@ -84,7 +91,7 @@ TEST(Layout, HasOneTwoByTwoVolumeLargeAndSlicesLarge) {
   w.choose("one");
   EXPECT_TRUE(w.volume().isValid());
   EXPECT_FALSE(w.slice(Plane::Axial).isValid());
-  EXPECT_EQ(areaOf(w.volume()) > 0.97 * areaOf(w.window.views().rect()), true);
+  EXPECT_EQ(areaOf(w.volume()) > 0.95 * areaOf(w.window.views().rect()), true);
   EXPECT_TRUE(w.window.findChild<QAction*>("one")->isChecked());
   EXPECT_FALSE(w.window.findChild<QAction*>("slices_large")->isChecked());
   // and the 3-D view draws as before: it was never taken apart
@@ -98,7 +105,7 @@ TEST(Layout, ShowsAViewAloneByItsButtonAndByKeyFAndGivesTheOthersBack) {
   auto* frame = w.window.slice(Plane::Coronal).parentWidget();
   auto* button = frame->findChild<QToolButton*>("maximise");
   QTest::mouseClick(button, Qt::LeftButton);
-  EXPECT_GT(areaOf(w.slice(Plane::Coronal)), 0.97 * areaOf(w.window.views().rect()));
+  EXPECT_GT(areaOf(w.slice(Plane::Coronal)), 0.95 * areaOf(w.window.views().rect()));
   EXPECT_FALSE(w.volume().isValid());
   window::keep(window::pictureOf(w.window), "layout_coronal_alone");
   QTest::mouseClick(button, Qt::LeftButton);
@@ -109,7 +116,7 @@ TEST(Layout, ShowsAViewAloneByItsButtonAndByKeyFAndGivesTheOthersBack) {
                         static_cast<QWidget*>(&w.window.view())}) {
     view->setFocus();
     QTest::keyClick(view, Qt::Key_F);
-    EXPECT_GT(areaOf(w.placeOf(*view)), 0.97 * areaOf(w.window.views().rect()));
+    EXPECT_GT(areaOf(w.placeOf(*view)), 0.95 * areaOf(w.window.views().rect()));
     QTest::keyClick(view, Qt::Key_F);
     EXPECT_EQ(w.slice(Plane::Coronal), before);
   }
@@ -149,19 +156,161 @@ TEST(Layout, HasAPlaceForTheViewWithTheToolInEveryArrangement) {
   EXPECT_FALSE(w.slice(Plane::Oblique).isValid());
 }
 
-TEST(Layout, LetsTheGapsBeDragged) {
+/// The border to the right of a view, or below it.
+ui::ViewGap& gapAfter(Window& w, QRect view, bool right) {
+  for (auto* gap : w.window.views().findChildren<ui::ViewGap*>()) {
+    const QRect at = gap->geometry();
+    const int off = right ? at.x() - view.right() : at.y() - view.bottom();
+    if (gap->isVisible() && off > 0 && off < 30 && (right || at.left() <= view.center().x()) &&
+        (right ? at.width() < at.height() : at.right() >= view.center().x()))
+      return *gap;
+  }
+  throw std::logic_error("there is no such border");
+}
+
+TEST(Layout, LetsTheBordersBeDraggedAndGivesTheFirstSizesBack) {
   Window w;
-  ui::ViewLayout& views = w.window.views();
   const QRect before = w.volume();
-  const QPoint gap{before.right() + 5, views.height() / 2};
-  QTest::mousePress(&views, Qt::LeftButton, {}, gap);
-  QMouseEvent move(QEvent::MouseMove, gap - QPoint{120, 0},
-                   views.mapToGlobal(QPointF(gap - QPoint{120, 0})), Qt::NoButton, Qt::LeftButton,
-                   {});
-  QCoreApplication::sendEvent(&views, &move);
-  QTest::mouseRelease(&views, Qt::LeftButton, {}, gap - QPoint{120, 0});
+  ui::ViewGap& gap = gapAfter(w, before, true);
+  const QPoint on{2, 300};
+  QTest::mousePress(&gap, Qt::LeftButton, {}, on);
+  QMouseEvent move(QEvent::MouseMove, on - QPoint{120, 0}, gap.mapToGlobal(on - QPoint{120, 0}),
+                   Qt::NoButton, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&gap, &move);
+  QTest::mouseRelease(&gap, Qt::LeftButton, {}, on);
   EXPECT_NEAR(w.volume().width(), before.width() - 120, 4);
   w.expectApart();
+  w.choose("resetBorders");
+  EXPECT_EQ(w.volume(), before);
+  // and so does a double-click
+  emit gap.moved(-60);
+  EXPECT_NE(w.volume(), before);
+  QTest::mouseDClick(&gap, Qt::LeftButton, {}, on);
+  EXPECT_EQ(w.volume(), before);
+}
+
+TEST(Layout, BordersAreReachedAndMovedWithTheKeyboard) {
+  Window w;
+  const QRect volume = w.volume(), axial = w.slice(Plane::Axial);
+  w.window.slice(Plane::Sagittal).setFocus();
+  std::vector<ui::ViewGap*> reached;
+  for (int tabs = 0; tabs < 60 && reached.size() < 3; ++tabs) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    auto* gap = qobject_cast<ui::ViewGap*>(QApplication::focusWidget());
+    if (gap != nullptr && std::ranges::find(reached, gap) == reached.end()) reached.push_back(gap);
+  }
+  EXPECT_EQ(reached.size(), 3U);  // between 3-D and slices, and between the slices
+
+  ui::ViewGap& upright = gapAfter(w, volume, true);
+  upright.setFocus();
+  window::keep(window::pictureOf(w.window), "layout_border_focused");
+  for (int n = 0; n < 5; ++n) QTest::keyClick(&upright, Qt::Key_Left);
+  EXPECT_NEAR(w.volume().width(), volume.width() - 80, 5);
+  QTest::keyClick(&upright, Qt::Key_Right);
+  EXPECT_NEAR(w.volume().width(), volume.width() - 64, 5);
+  QTest::keyClick(&upright, Qt::Key_Up);  // not along itself
+  EXPECT_NEAR(w.volume().width(), volume.width() - 64, 5);
+  // it ends before a view is gone
+  for (int n = 0; n < 100; ++n) QTest::keyClick(&upright, Qt::Key_Right);
+  EXPECT_GT(w.slice(Plane::Axial).width(), 100);
+  EXPECT_TRUE(upright.hasFocus());
+  QTest::keyClick(&upright, Qt::Key_Home);
+  EXPECT_EQ(w.volume(), volume);
+  EXPECT_TRUE(upright.hasFocus());
+
+  ui::ViewGap& level = gapAfter(w, axial, false);
+  level.setFocus();
+  QTest::keyClick(&level, Qt::Key_Down);
+  EXPECT_NEAR(w.slice(Plane::Axial).height(), axial.height() + 16, 3);
+  QTest::keyClick(&level, Qt::Key_Up);
+  EXPECT_NEAR(w.slice(Plane::Axial).height(), axial.height(), 3);
+  w.expectApart();
+}
+
+TEST(Layout, HintsSayWhatTheMouseDoesAndCanBeHiddenForEver) {
+  QSettings().remove("window");
+  const auto hintOf = [](QWidget& view) {
+    return view.parentWidget()->findChild<QLabel*>("viewHint");
+  };
+  {
+    Window w;
+    app::PreferencesController kept(w.window, true);
+    for (const Plane plane : {Plane::Axial, Plane::Coronal, Plane::Sagittal})
+      EXPECT_TRUE(hintOf(w.window.slice(plane))->isVisible());
+    const QLabel* hint = hintOf(w.window.view());
+    ASSERT_TRUE(hint->isVisible());
+    // at the foot of its view, and not over it
+    EXPECT_GE(hint->y(), w.window.view().geometry().bottom());
+    const QString looking = hint->accessibleName();
+    EXPECT_TRUE(hint->text().startsWith("Drag: turns"));
+    w.window.view().setMouseHand(true);
+    EXPECT_TRUE(hint->accessibleName().contains("To touch"));
+    w.window.view().setFocus();
+    QTest::keyClick(&w.window.view(), Qt::Key_G);
+    EXPECT_TRUE(hint->accessibleName().contains("moves the tool"));
+    QTest::keyClick(&w.window.view(), Qt::Key_G);
+    w.window.view().setMouseHand(false);
+    EXPECT_EQ(hint->accessibleName(), looking);
+    window::keep(window::pictureOf(w.window), "layout_hints");
+
+    const int height = w.window.view().height();
+    auto* axial = w.window.slice(Plane::Axial).parentWidget();
+    QTest::mouseClick(axial->findChild<QToolButton*>("hideHints"), Qt::LeftButton);
+    EXPECT_FALSE(hint->isVisible());
+    EXPECT_FALSE(hintOf(w.window.slice(Plane::Sagittal))->isVisible());
+    EXPECT_GT(w.window.view().height(), height + 10);
+    EXPECT_FALSE(w.window.findChild<QAction*>("showHints")->isChecked());
+    EXPECT_FALSE(app::loadPreferences().hints);  // at once, not when the window closes
+    window::keep(window::pictureOf(w.window), "layout_without_hints");
+  }
+  Window w;
+  app::PreferencesController kept(w.window, true);
+  kept.restoreWindow();
+  EXPECT_FALSE(hintOf(w.window.view())->isVisible());
+  w.choose("showHints");
+  EXPECT_TRUE(hintOf(w.window.view())->isVisible());
+  EXPECT_TRUE(app::loadPreferences().hints);
+  QSettings().remove("window");
+}
+
+TEST(Layout, The3DViewShowsTheWholeBallInANarrowColumnAndKeepsTheUsersZoom) {
+  Window w;
+  ui::VolumeView& view = w.window.view();
+  const auto holdsBall = [&] {
+    for (const Vec3& p :
+         {Vec3{0.015, 0, 0}, Vec3{-0.015, 0, 0}, Vec3{0, 0, 0.015}, Vec3{0, 0, -0.015}})
+      if (!QRectF(view.rect()).contains(view.projected(p))) return false;
+    return true;
+  };
+  const auto across = [&] {
+    return view.projected({0.015, 0, 0}).x() - view.projected({-0.015, 0, 0}).x();
+  };
+  EXPECT_TRUE(holdsBall());
+  w.choose("slices_large");
+  EXPECT_LT(view.width(), 0.5 * view.height());
+  EXPECT_TRUE(holdsBall());
+  EXPECT_GT(across(), 0.4 * view.width());
+  window::pictureAtRest(view);
+  window::keep(window::pictureOf(w.window), "layout_narrow_column");
+  // it is turned and shifted: that is no zoom
+  view.camera()->Azimuth(30.0);
+  w.choose("volume_large");
+  EXPECT_TRUE(holdsBall());
+  EXPECT_GT(across(), 0.25 * view.width());
+  const double height_before = view.height();
+  QWheelEvent wheel({150, 150}, view.mapToGlobal(QPointF{150, 150}), {}, {0, 360}, {}, {},
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&view, &wheel);
+  const double distance = view.camera()->GetDistance();
+  w.choose("slices_large");
+  EXPECT_EQ(view.camera()->GetDistance(), distance);
+  EXPECT_GT(view.height(), 0.9 * height_before);
+  // "show everything" fits again from then on
+  view.resetCamera();
+  EXPECT_TRUE(holdsBall());
+  w.choose("volume_large");
+  EXPECT_NE(view.camera()->GetDistance(), distance);
+  EXPECT_TRUE(holdsBall());
 }
 
 TEST(Layout, IsRemembered) {

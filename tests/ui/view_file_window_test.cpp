@@ -314,6 +314,133 @@ TEST(ViewFiles, TheDialogWarnsOfNamesAndOffersTheRelativePath) {
   EXPECT_EQ(read->place, "s.nrrd");
 }
 
+/// Types a name into the next file dialog.
+struct FileName {
+  explicit FileName(const QString& path) {
+    QObject::connect(&timer, &QTimer::timeout, [this, path] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr) return;
+      timer.stop();
+      auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+      name->setText(path);
+      QTest::keyClick(name, Qt::Key_Return);
+    });
+    timer.start(20);
+  }
+  QTimer timer;
+};
+
+TEST(ViewFiles, ClosingAsksAboutMarksThatAreInNoFile) {
+  const Installation here;
+  const QTemporaryDir folder;
+  app::Application application(window::sphereInHand("mouse"));
+  application.start();
+  ui::MainWindow& window = application.window();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  QSignalSpy closing(&window, &ui::MainWindow::closing);
+  application.marks().measures().replace(someMarks());
+  {
+    Answer answer("Cancel");
+    window.close();
+    EXPECT_TRUE(answer.said.contains("marks of this scan are in no file"))
+        << answer.said.toStdString();
+  }
+  EXPECT_TRUE(window.isVisible());
+  EXPECT_EQ(closing.count(), 0);
+  // Enter means Cancel
+  QTimer::singleShot(300, [] {
+    window::keep(window::pictureOf(*QApplication::activeModalWidget()), "unsaved_question");
+    QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Return);
+  });
+  window.close();
+  EXPECT_TRUE(window.isVisible());
+  // saved first: it closes when the file is there, and asks no more
+  const QString path = folder.filePath("mine.palpate-view");
+  {
+    Answer answer("Save");
+    const FileName name(path);
+    window.close();
+    EXPECT_TRUE(waitFor([&] { return !window.isVisible(); }, 30.0));
+  }
+  EXPECT_EQ(closing.count(), 1);
+  const auto read = app::readViewFile(path.toStdString());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->marks.size(), 2U);
+}
+
+TEST(ViewFiles, NothingIsAskedWhereNothingIsLostOrASignalEndsTheProgram) {
+  const Installation here;
+  {
+    app::Application application(window::sphereInHand("mouse"));
+    application.start();
+    ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+    EXPECT_TRUE(application.window().close());
+  }
+  app::Application application(window::sphereInHand("mouse"));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  application.marks().measures().replace(someMarks());
+  QSignalSpy closing(&application.window(), &ui::MainWindow::closing);
+  // with the question open, too
+  QTimer::singleShot(500, [&] {
+    EXPECT_NE(QApplication::activeModalWidget(), nullptr);
+    application.end();
+    for (QWidget* dialog = QApplication::activeModalWidget(); dialog != nullptr; dialog = nullptr)
+      dialog->close();  // as the end of the program's loops does
+  });
+  application.window().close();
+  EXPECT_EQ(closing.count(), 1);
+  EXPECT_FALSE(application.window().isVisible());
+  EXPECT_FALSE(application.session().isOpen());
+}
+
+TEST(ViewFiles, AnotherScanAsksAboutEditsAndNotAboutMarks) {
+  const Installation here;
+  const QTemporaryDir folder;
+  app::Application application(window::sphereInHand("mouse"));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  const auto title = [&] { return application.window().windowTitle(); };
+  const auto open = [&](const char* phantom) {
+    const QString before = title();
+    emit application.window().phantomWanted(phantom);
+    return [&, before] { return waitFor([&] { return title() != before; }, 30.0); };
+  };
+  application.marks().measures().replace(someMarks());
+  EXPECT_TRUE(open("demo")());
+  EXPECT_TRUE(application.marks().measures().all().empty());
+  EXPECT_TRUE(open("sphere")());
+  EXPECT_EQ(application.marks().measures().all().size(), 2U);
+
+  const auto edited = [&] { return application.shown()->picture.volume->edited != nullptr; };
+  application.editing().restore({haptics::Crop{{{0, 0, 10}, {64, 64, 60}}}});
+  ASSERT_TRUE(waitFor(edited, 30.0));
+  const QString cropped = title();
+  {
+    Answer answer("Cancel");
+    emit application.window().phantomWanted("demo");
+    EXPECT_TRUE(waitFor([&] { return !answer.said.isEmpty(); }, 60.0));
+    EXPECT_TRUE(answer.said.contains("edits of this scan are in no file"))
+        << answer.said.toStdString();
+    EXPECT_FALSE(answer.said.contains("marks"));
+  }
+  QTest::qWait(200);
+  EXPECT_TRUE(edited());
+  EXPECT_EQ(title(), cropped);
+  {
+    Answer answer("Save");
+    const FileName name(folder.filePath("cropped.palpate-view"));
+    emit application.window().phantomWanted("demo");
+    EXPECT_TRUE(waitFor([&] { return title() != cropped; }, 60.0));
+  }
+  EXPECT_FALSE(edited());
+  const auto read = app::readViewFile(folder.filePath("cropped.palpate-view").toStdString());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->edits.size(), 1U);
+  // the marks of the sphere were saved with it; nothing is left to ask about
+  EXPECT_TRUE(application.window().close());
+}
+
 TEST(ViewFiles, AFileThatKnowsItsScanOpensItFromTheCommandLineAndByDrop) {
   const Installation here;
   const QTemporaryDir folder;

@@ -17,6 +17,8 @@ struct Measure {
   std::string text = {};  ///< UTF-8: the words of a note, the name of anything else
   /// Millimetres of W, as many as placesOf(kind). An angle is at the second place.
   std::vector<Eigen::Vector3d> places_mm = {};
+
+  bool operator==(const Measure&) const = default;
 };
 
 inline constexpr std::array kMeasureKinds{MeasureKind::Distance, MeasureKind::Angle,

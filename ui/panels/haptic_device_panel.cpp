@@ -11,8 +11,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QToolButton>
@@ -22,6 +20,7 @@
 #include <cmath>
 
 #include "ui/number_box.h"
+#include "ui/panels/fitting_scroll.h"
 #include "ui/panels/force_words.h"
 
 namespace ui {
@@ -172,16 +171,9 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
   column->addWidget(buildList());
   column->addWidget(buildMapping());
   column->addStretch(1);
-  // the dock may be lower than all this
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(inside);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* scroll = new FittingScroll(inside);
   // how high the docks are is for the others to say
   scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-  scroll->setMinimumWidth(inside->minimumSizeHint().width() +
-                          scroll->verticalScrollBar()->sizeHint().width());
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(scroll);

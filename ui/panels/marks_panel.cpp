@@ -8,12 +8,12 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/overlays/measure_words.h"
+#include "ui/panels/fitting_scroll.h"
 
 namespace ui {
 namespace {
@@ -69,12 +69,7 @@ MarksPanel::MarksPanel(QWidget* parent)
          "places are not in it."));
   warning->setWordWrap(true);
   warning->setContentsMargins(9, 0, 9, 4);
-  // the dock may be lower than all this
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(inside);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* scroll = new FittingScroll(inside);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(scroll, 1);

@@ -4,8 +4,9 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
+
+#include "ui/panels/fitting_scroll.h"
 
 namespace ui {
 namespace {
@@ -63,12 +64,7 @@ PerformancePanel::PerformancePanel(QWidget* parent)
   column->addWidget(left_out_title_);
   column->addWidget(left_out_);
   column->addStretch();
-  // there may be more to read than the window has room for
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(inside);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* scroll = new FittingScroll(inside);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(scroll);

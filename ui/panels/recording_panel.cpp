@@ -10,12 +10,12 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/fitting_scroll.h"
 #include "ui/panels/time_words.h"
 
 namespace ui {
@@ -106,12 +106,7 @@ RecordingPanel::RecordingPanel(QWidget* parent)
   column->addLayout(marking);
   column->addWidget(marked_);
   column->addWidget(buildList(), 1);
-  // the dock may be lower than all this
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(inside);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* scroll = new FittingScroll(inside);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(scroll);
