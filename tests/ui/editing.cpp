@@ -2,6 +2,9 @@
 #include "editing.h"
 
 #include <QAction>
+#include <QColor>
+#include <QCoreApplication>
+#include <QImage>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -10,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "datasets/readers/nrrd/writer.h"
 #include "sphere_in_hand.h"
@@ -190,8 +194,8 @@ void Editing::expectTheSameEverywhere() {
 Eigen::Vector3d Editing::pulledTo(const Vector3d& p_mm) {
   haptics::Pose hand = application_->snapshot().X_WD;
   const Vector3d from = hand.translation();
-  for (int n = 1; n <= 60; ++n) {
-    hand.translation() = from + (p_mm * 1e-3 - from) * (n / 60.0);
+  for (int n = 1; n <= 40; ++n) {
+    hand.translation() = from + (p_mm * 1e-3 - from) * (n / 40.0);
     application_->session().pull(hand);
     QTest::qWait(10);
   }

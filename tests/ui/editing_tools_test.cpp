@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QComboBox>
+#include <QImage>
 #include <QLocale>
 #include <QScrollArea>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>

@@ -29,7 +29,6 @@ QLabel* hintLabel(const QString& words) {
   auto* hint = new QLabel(words);
   hint->setWordWrap(true);
   hint->setTextFormat(Qt::PlainText);
-  hint->setMinimumWidth(1);  // it wraps, and never makes the panel wider
   return hint;
 }
 
