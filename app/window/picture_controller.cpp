@@ -60,6 +60,7 @@ void PictureController::makeFineMesh(double isovalue) {
       [isovalue, volume = shared_.shown->picture.volume,
        mirrored = shared_.shown->picture.mirrored()](
           const background::Watch&) -> haptics::Expected<vtkSmartPointer<vtkPolyData>> {
+        background::goLast();  // an edit or another volume comes first
         // with a crop: closed at its faces, as the reduced mesh is
         const auto image = volume->grid.voxelCount() <= kFineVoxels && !volume->crop
                                ? ui::imageOf(*volume)

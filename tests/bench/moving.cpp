@@ -27,8 +27,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kWarm = 10;          // pictures before those that count
-constexpr double kTurn_px = 7.0;   // of the mouse, for a picture
+constexpr int kWarm = 10;         // pictures before those that count
+constexpr double kTurn_px = 7.0;  // of the mouse, for a picture
 constexpr double kLongest_s = 120.0;
 
 double msSince(Clock::time_point begun) {
@@ -164,8 +164,8 @@ int main(int argc, char** argv) {
     const auto begun = Clock::now();
     const double all = cpuOf(CLOCK_PROCESS_CPUTIME_ID), mine = cpuOf(CLOCK_THREAD_CPUTIME_ID);
     // a third of them tilt the view
-    turn(view, at, n % 3 == 0 ? QPointF{0.0, n % 2 == 0 ? kTurn_px : -kTurn_px}
-                              : QPointF{kTurn_px, 0.0});
+    turn(view, at,
+         n % 3 == 0 ? QPointF{0.0, n % 2 == 0 ? kTurn_px : -kTurn_px} : QPointF{kTurn_px, 0.0});
     if (fixed) {
       static_cast<void>(view.grabFramebuffer());
     } else {
@@ -183,9 +183,10 @@ int main(int argc, char** argv) {
               std::filesystem::path(path).filename().c_str(), isovalue,
               *second_given ? ", with a second surface" : "", view.width(), view.height(),
               pictures);
-  std::printf("  median of a picture: wall %.1f ms (%.1f a second), CPU %.1f ms of all threads, "
-              "%.1f of the GUI's; mean of llvmpipe's %.1f\n",
-              median(wall), 1e3 / median(wall), median(cpu), median(gui), llvmpipe);
+  std::printf(
+      "  median of a picture: wall %.1f ms (%.1f a second), CPU %.1f ms of all threads, "
+      "%.1f of the GUI's; mean of llvmpipe's %.1f\n",
+      median(wall), 1e3 / median(wall), median(cpu), median(gui), llvmpipe);
   for (const auto& [kind, paint] : qt.paints)
     std::printf("    %-24s %5d paints, %7.2f ms of the GUI's thread a picture\n", kind.c_str(),
                 paint.count, paint.ms / pictures);
