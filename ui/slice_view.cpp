@@ -27,6 +27,7 @@ constexpr int kPage = 10;             // slices
 constexpr double kPanKey = 24.0;      // px
 constexpr int kRestMs = 150;          // without a change: the contour is followed finely
 constexpr double kVisible_px = 0.25;  // a tool that moved less is not drawn again
+constexpr double kTipRing_px = 4.0;   // radius of what stands for a tool beside the plane
 constexpr double kCrossGap = 8.0;     // px, around the crosshair's middle
 constexpr QColor kContour(255, 170, 90);
 constexpr QColor kProxyLine(60, 180, 255), kDeviceLine(255, 110, 50);
@@ -219,9 +220,12 @@ void SliceView::setTool(const haptics::Pose& X_WP, const haptics::Pose& X_WD) {
   if (X_WP_ && X_WD_ && apart_mm(*X_WP_, X_WP, tool_radius_mm_) < least &&
       apart_mm(*X_WD_, X_WD, tool_radius_mm_) < least)
     return;
+  // what it leaves, and where it comes: the buttons over a slice need not be painted with it
+  QRegion painted = toolRect();
   X_WP_ = X_WP;
   X_WD_ = X_WD;
-  update();
+  painted += toolRect();
+  update(painted);
 }
 
 QRect SliceView::pictureRect() const {
@@ -472,33 +476,57 @@ void SliceView::drawCrossedPlanes(QPainter& painter) const {
   }
 }
 
-void SliceView::drawTool(QPainter& painter) const {
-  if (!X_WP_ || !X_WD_) return;
+SliceView::ToolLines SliceView::toolLines() const {
+  ToolLines lines;
+  if (!X_WP_ || !X_WD_) return lines;
   const double px = 1.0 / mmPerPixel();
   const Eigen::Vector3d middle = middle_mm();
   const QPointF centre = QRectF(pictureRect()).center();
-  const auto outline = [&](const haptics::Pose& X, const QPen& pen) {
-    if (!mesh_) return false;
-    const std::vector<QPolygonF> lines = sectionOf(*mesh_, X, axes_, middle);
-    painter.setPen(pen);
-    for (const QPolygonF& line : lines) {
-      QPolygonF drawn;
+  const auto outline = [&](const haptics::Pose& X) {
+    std::vector<QPolygonF> drawn;
+    if (!mesh_) return drawn;
+    for (const QPolygonF& line : sectionOf(*mesh_, X, axes_, middle)) {
+      QPolygonF& polygon = drawn.emplace_back();
       for (const QPointF& p : line)
-        drawn << QPointF{centre.x() + p.x() * px, centre.y() - p.y() * px};
-      painter.drawPolyline(drawn);
+        polygon << QPointF{centre.x() + p.x() * px, centre.y() - p.y() * px};
     }
-    return !lines.empty();
+    return drawn;
   };
-  if (apart_mm(*X_WP_, *X_WD_, tool_radius_mm_) > mmPerPixel())
-    outline(*X_WD_, QPen(kDeviceLine, 1.25, Qt::DashLine));
-  if (outline(*X_WP_, QPen(kProxyLine, 1.5))) return;
+  if (apart_mm(*X_WP_, *X_WD_, tool_radius_mm_) > mmPerPixel()) lines.device = outline(*X_WD_);
+  lines.proxy = outline(*X_WP_);
+  if (!lines.proxy.empty()) return lines;
   // the tool lies in front of the plane or behind it: where its tip is
   const Eigen::Vector3d tip =
       (mesh_ ? Eigen::Vector3d{*X_WP_ * tipOf(*mesh_)} : Eigen::Vector3d{X_WP_->translation()}) *
       kMmPerM;
+  lines.tip = projected(tip);
+  return lines;
+}
+
+QRect SliceView::toolRect() const {
+  const ToolLines lines = toolLines();
+  QRectF around;
+  for (const auto* outlines : {&lines.proxy, &lines.device})
+    for (const QPolygonF& line : *outlines) {
+      const QRectF box = line.boundingRect();
+      // a line along an axis has an empty box, which would not count
+      around |= box.adjusted(-1.0, -1.0, 1.0, 1.0);
+    }
+  if (lines.tip)
+    around |=
+        QRectF{*lines.tip, QSizeF{}}.adjusted(-kTipRing_px, -kTipRing_px, kTipRing_px, kTipRing_px);
+  return around.isNull() ? QRect{} : around.toAlignedRect().adjusted(-2, -2, 2, 2) & pictureRect();
+}
+
+void SliceView::drawTool(QPainter& painter) const {
+  const ToolLines lines = toolLines();
+  painter.setPen(QPen(kDeviceLine, 1.25, Qt::DashLine));
+  for (const QPolygonF& line : lines.device) painter.drawPolyline(line);
   painter.setPen(QPen(kProxyLine, 1.5));
+  for (const QPolygonF& line : lines.proxy) painter.drawPolyline(line);
+  if (!lines.tip) return;
   painter.setBrush(Qt::NoBrush);
-  painter.drawEllipse(projected(tip), 4.0, 4.0);
+  painter.drawEllipse(*lines.tip, kTipRing_px, kTipRing_px);
 }
 
 SliceReadout SliceView::readout() const {

@@ -3,6 +3,8 @@
 
 #include <QElapsedTimer>
 #include <QImage>
+#include <QPolygonF>
+#include <QRect>
 #include <QTimer>
 #include <QWidget>
 #include <memory>
@@ -136,6 +138,13 @@ class SliceView : public QWidget {
   void makeContour();
   void drawContour(double scale);
   void drawCrossedPlanes(QPainter& painter) const;
+  /// The lines of the tool in widget coordinates: outlines, or where its tip is.
+  struct ToolLines {
+    std::vector<QPolygonF> proxy = {}, device = {};
+    std::optional<QPointF> tip = {};
+  };
+  ToolLines toolLines() const;
+  QRect toolRect() const;  ///< that holds them
   void drawTool(QPainter& painter) const;
   bool moveKey(const QKeyEvent& event);
 

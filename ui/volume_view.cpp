@@ -15,6 +15,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "ui/props/held_pass.h"
@@ -23,6 +24,8 @@
 namespace ui {
 namespace {
 
+// of a surface in motion, on software graphics
+constexpr std::int64_t kMovingTriangles = 80'000;
 constexpr int kStillMs = 400;           // no movement for this long is rest
 constexpr double kHandTurn = 0.008;     // rad of hand for a pixel
 constexpr double kHandStep = 0.002;     // m of depth for a notch of the wheel
@@ -240,6 +243,7 @@ void VolumeView::chooseMode() {
   const SurfaceChoice choice = chooseSurface(wish_, *graphics(), grid_);
   surface_.setMode(choice.mode);
   surface_.setOcclusion(!graphics()->software());
+  if (graphics()->software()) surface_.setBudget(kMovingTriangles);
   // the ray caster writes no depth: the proxy must be there before it. A mesh is drawn once and
   // kept, so that the proxy may move over it at no cost.
   const bool cast = choice.mode == SurfaceMode::RayCast;
@@ -273,6 +277,7 @@ void VolumeView::settle() {
 void VolumeView::aboutToDraw() {
   surface_.update();
   fitClippingRange();
+  surface_.cull(camera_.vtk());
 }
 
 void VolumeView::fitClippingRange() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/background/task.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <QCoreApplication>
 #include <QMetaObject>
 #include <system_error>
@@ -10,6 +13,7 @@ namespace app::background {
 namespace {
 
 constexpr double kStep = 0.002;  // between two reports of progress
+constexpr int kLast = 10;        // a nice value
 
 haptics::Error errorOf(const char* sentence, const char* reason) {
   return {haptics::Error::Kind::Unsupported,
@@ -17,6 +21,8 @@ haptics::Error errorOf(const char* sentence, const char* reason) {
 }
 
 }  // namespace
+
+void goLast() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLast); }
 
 haptics::Error noThread() {
   return errorOf(QT_TRANSLATE_NOOP("app::background::Task",

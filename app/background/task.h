@@ -22,6 +22,10 @@ namespace app::background {
 inline constexpr const char* kNoMemory = "no-memory";
 inline constexpr const char* kThrew = "exception";
 
+/// The calling thread, and those that it starts, get the time that the touch, the window and other
+/// work leave.
+void goLast();
+
 class Threads;
 
 /// The connection from the work to its owner. Valid while the work runs, on its thread.

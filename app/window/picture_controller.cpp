@@ -62,6 +62,7 @@ void PictureController::makeFineMesh(double isovalue) {
   mesher_.start(
       [isovalue, volume = picture.volume, mirrored = picture.mirrored()](
           const background::Watch&) -> haptics::Expected<vtkSmartPointer<vtkPolyData>> {
+        background::goLast();  // an edit or another volume comes first
         // with a crop: closed at its faces, as the reduced mesh is
         const auto image = volume->grid.voxelCount() <= kFineVoxels && !volume->crop
                                ? ui::imageOf(*volume)

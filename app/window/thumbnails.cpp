@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/thumbnails.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <exception>
 #include <utility>
 
 namespace app {
 namespace {
-
-constexpr int kLowPriority = 10;  // a nice value: the touch and the window go first
 
 QImage pictureOf(const datasets::SeriesVerdict& series, int longest) {
   try {
@@ -33,7 +28,7 @@ void Thumbnails::start(std::vector<datasets::SeriesVerdict> series, int longest)
   task_.start(
       [this, series = std::move(series),
        longest](const background::Watch& watch) -> haptics::Expected<void> {
-        setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
+        background::goLast();
         for (std::size_t i = 0; i < series.size() && !watch.cancelled(); ++i)
           watch.tell([this, index = static_cast<int>(i), picture = pictureOf(series[i], longest)] {
             emit ready(index, picture);

@@ -260,9 +260,17 @@ Expected<std::shared_ptr<const Volume>> EditHistory::State::apply(const Edit& ed
       const RunBytes bytes = bytesOfRun(*scan, run);
       draft.touched.add(bytes.first, bytes.first + bytes.count);
     }
-    changed.add(lowered->runs);
-    draft.digest = digestOfVoxels(*scan, draft.view.get(), draft.touched);
-    journal = {*scan, present->voxels.get(), touched, std::move(lowered->runs)};
+    // the digest goes through all that was lowered: the other thread takes the rest
+    const EditProgress beside{watch, kLowered, 1.0};
+    if (!beside.each(2, [&](std::int64_t n) {
+          if (n == 0) {
+            draft.digest = digestOfVoxels(*scan, draft.view.get(), draft.touched);
+          } else {
+            changed.add(lowered->runs);
+            journal = {*scan, present->voxels.get(), touched, std::move(lowered->runs)};
+          }
+        }))
+      return tl::unexpected(editCancelled());
   }
   if (watch.cancel != nullptr && watch.cancel->load()) return tl::unexpected(editCancelled());
   std::vector<Edit> all = edits;

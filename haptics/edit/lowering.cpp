@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
+
+#include "haptics/edit/threshold.h"
 
 namespace haptics {
 namespace {
@@ -37,7 +41,8 @@ class RowLowering {
         written_{written},
         lowered_{lowered},
         background_{valueAtMost<T>(volume.least)},
-        isovalue_{edit.isovalue} {
+        isovalue_{edit.isovalue},
+        solid_from_{thresholdOf<T>(edit.isovalue)} {
     cut_.ceiling.resize(static_cast<std::size_t>(grid_.dims[0]));
   }
 
@@ -59,18 +64,23 @@ class RowLowering {
 
  private:
   void toBackground(const T* values, T* written, const RowCut::Span& span) {
+    // counters as wide as the voxels, so that they are counted many at a time
+    using Count =
+        std::conditional_t<sizeof(T) == 1, std::uint8_t,
+                           std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint32_t>>;
+    const T solid_from = solid_from_.value_or(background_);
     for (std::int32_t i = span.first; i < span.end; i += kChunk) {
       const std::int32_t end = std::min<std::int32_t>(i + kChunk, span.end);
-      unsigned higher = 0, solid = 0;
+      Count higher = 0, solid = 0;
       for (std::int32_t n = i; n < end; ++n) {
-        higher += values[n] > background_;
-        solid += static_cast<double>(values[n]) >= isovalue_;
+        higher = static_cast<Count>(higher + (values[n] > background_));
+        solid = static_cast<Count>(solid + (values[n] >= solid_from));
       }
       if (higher == 0) continue;
       std::int32_t a = i, b = end;
       while (!(values[a] > background_)) ++a;
       while (!(values[b - 1] > background_)) --b;
-      if (static_cast<double>(background_) < isovalue_) lowered_.solid += solid;
+      if (solid_from_ && static_cast<double>(background_) < isovalue_) lowered_.solid += solid;
       if (written != nullptr) std::fill(written + a, written + b, background_);
       add(a, b);
     }
@@ -108,6 +118,7 @@ class RowLowering {
   Lowered& lowered_;
   T background_;
   double isovalue_;
+  std::optional<T> solid_from_;  // the least value that is solid
   RowCut cut_;
   bool open_ = false;
   std::int32_t open_first_ = 0, open_end_ = 0, j_ = 0, k_ = 0;

@@ -2,31 +2,14 @@
 #include "haptics/edit/pieces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <numeric>
 #include <type_traits>
 
+#include "haptics/edit/threshold.h"
+
 namespace haptics {
 namespace {
-
-/// v >= isovalue, for voxels of this type, is v >= this. None: no value is.
-template <class T>
-std::optional<T> thresholdOf(double isovalue) {
-  if constexpr (std::is_floating_point_v<T>) {
-    const T near = static_cast<T>(isovalue);
-    return static_cast<double>(near) >= isovalue
-               ? near
-               : std::nextafter(near, std::numeric_limits<T>::infinity());
-  } else {
-    const double up = std::ceil(isovalue);
-    if (up > static_cast<double>(std::numeric_limits<T>::max())) return {};
-    if (up <= static_cast<double>(std::numeric_limits<T>::lowest()))
-      return std::numeric_limits<T>::lowest();
-    return static_cast<T>(up);
-  }
-}
 
 template <class T>
 void solidRow(const T* values, std::int64_t first, std::int64_t end, T threshold,

@@ -62,6 +62,9 @@ struct Scene {
   Plan plan = {};          ///< work that its ticks leave out
   PlanLines planned = {};  ///< the plan in words
   Fineness fineness = {};
+  /// The field of this kind over the volume before any edit, taken over from scene to scene so that
+  /// edits that are taken back build nothing; null: not known.
+  std::shared_ptr<const ScalarField> scan_field = {};
 };
 
 /// The plan in words, with the reasons that this volume, tool and choice give it.
@@ -69,8 +72,10 @@ PlanLines linesOf(const Plan& plan, const SceneOptions& options, const Volume& v
                   const ShellTree& tree);
 
 /// Builds a scene. It takes tens to hundreds of milliseconds, so do not call it on the GUI or servo
-/// thread. The field of `previous` is reused if volume and kind are the same. If the volumes are
-/// neighbours (Edited::neighbour), its bounds are renewed only where the edit changed the voxels.
+/// thread. The field of `previous` is reused if volume and kind are the same, and its scan_field if
+/// the volume is the scan. If the volumes are neighbours (Edited::neighbour), its bounds are
+/// renewed only where the edit changed the voxels; a volume that is only cropped takes those of the
+/// scan.
 Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,
                                                  const SceneOptions& options = {},
                                                  const Scene* previous = nullptr);

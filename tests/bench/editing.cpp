@@ -126,7 +126,8 @@ int main(int argc, char** argv) {
       return VoxelBox{{at(from), at(from), at(from)}, {at(to), at(to), at(to)}};
     };
     const auto step = [&](const char* what, const VolumePtr& from, const VolumePtr& to) {
-      const ScenePtr before = make(from, nullptr);
+      // as in the window, where each scene follows from the scan's
+      const ScenePtr before = from == scan ? first : make(from, first.get());
       tell(what, fastest([&] { make(to, before.get()); }));
     };
     tell("private view", fastest([&] { static_cast<void>(scan->memory->privateView().value()); }));

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <QContextMenuEvent>
+#include <QPaintEvent>
+#include <QRegion>
 #include <QTest>
 #include <QWheelEvent>
 #include <algorithm>
@@ -427,10 +429,13 @@ class PaintsOf : public QObject {
  public:
   explicit PaintsOf(QWidget& widget) { widget.installEventFilter(this); }
   int count = 0;
+  QRegion region;  ///< of the last
 
  protected:
   bool eventFilter(QObject*, QEvent* event) override {
-    count += event->type() == QEvent::Paint;
+    if (event->type() != QEvent::Paint) return false;
+    ++count;
+    region = static_cast<QPaintEvent*>(event)->region();
     return false;
   }
 };
@@ -453,6 +458,39 @@ TEST(SliceView, IsDrawnAgainOnlyIfTheToolMovedVisibly) {
   s.view.setTool(pose, pose);
   QTest::qWait(50);
   EXPECT_EQ(paints.count, 1);
+}
+
+TEST(SliceView, IsDrawnAgainOnlyWhereTheToolWasAndIs) {
+  Shown s;
+  s.view.setMesh(std::make_shared<const haptics::TriangleMesh>(window::octahedron(0.004)));
+  haptics::Pose proxy = haptics::Pose::Identity(), device = proxy;
+  s.view.setTool(proxy, device);
+  QImage before = window::pictureOf(s.view);
+  int compared = 0;
+  // in the plane, apart from the device, and off the plane, where a ring stands for the tool
+  for (const auto& [to, pulled_to] : {std::pair{Vec3{0.006, 0.004, 0}, Vec3{0.006, 0.004, 0}},
+                                      {{-0.006, 0, 0}, {-0.012, 0, 0}},
+                                      {{-0.004, 0.010, 0}, {-0.004, 0.010, 0}},
+                                      {{-0.004, 0.010, 0.010}, {0.010, 0.010, 0.010}}}) {
+    proxy.translation() = to;
+    device.translation() = pulled_to;
+    PaintsOf paints(s.view);
+    s.view.setTool(proxy, device);
+    QTest::qWait(50);
+    ASSERT_EQ(paints.count, 1);
+    const QRegion painted = paints.region;
+    const QImage after = window::pictureOf(s.view);
+    for (int y = 0; y < after.height(); ++y)
+      for (int x = 0; x < after.width(); ++x) {
+        if (after.pixel(x, y) == before.pixel(x, y)) continue;
+        ++compared;
+        ASSERT_TRUE(painted.contains(QPoint{x, y})) << x << ", " << y;
+      }
+    const QRect box = painted.boundingRect();
+    EXPECT_LT(box.width() * box.height(), s.view.width() * s.view.height() / 2);
+    before = after;
+  }
+  EXPECT_GT(compared, 500);
 }
 
 TEST(SliceView, DrawsTheLinesOfOtherPlanesInTheirColours) {

@@ -2,6 +2,14 @@
 // What is seen in the 3-D view: tool, contacts, colours, the second surface, cropped and edited
 // voxels, the cube, and pictures of it all.
 #include <gtest/gtest.h>
+#include <vtkActor.h>
+#include <vtkDataArray.h>
+#include <vtkFeatureEdges.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 
 #include <QBuffer>
 #include <QImageReader>
@@ -239,6 +247,134 @@ TEST(ViewPicture, LeavesOutWhatIsCroppedAndClosesTheCut) {
   };
   // the mesh closes half a voxel beyond the last one that exists
   EXPECT_NEAR(area(shown[0]) / area(shown[1]), 1.0, 0.06);
+}
+
+TEST(ViewPicture, TheHistogramOfALargeVolumeIsThatOfEvenlySpacedRows) {
+  // 8 million voxels of values that go with their place on each axis
+  const auto intensity = [](const Vec3& p) {
+    return std::round((p.x() + 2.0 * p.y() + 3.0 * p.z()) * 1e3 + 700.0);
+  };
+  const auto whole = window::volumeOf(window::cubeGrid(200), haptics::ScalarType::Int16, intensity);
+  const auto same =
+      window::volumeOf(window::cubeGrid(200), haptics::ScalarType::Float32, intensity);
+  const ui::Histogram few = ui::histogramOf(*whole, 64);
+  EXPECT_EQ(few.counts, ui::histogramOf(*same, 64).counts);  // by another way
+  std::vector<double> truth(few.counts.size());
+  const double width = (few.greatest - few.least) / double(truth.size());
+  const auto* voxels = static_cast<const std::int16_t*>(whole->voxels.get());
+  for (std::int64_t n = 0; n < whole->grid.voxelCount(); ++n)
+    truth[std::min(truth.size() - 1, std::size_t((voxels[n] - few.least) / width))] += 1.0;
+  double all = 0.0;
+  for (const double count : few.counts) all += count;
+  EXPECT_GT(all, 2e6);
+  EXPECT_LT(all, 6e6);
+  for (std::size_t n = 0; n < truth.size(); ++n)
+    EXPECT_NEAR(few.counts[n] / all, truth[n] / 8e6, 2e-4) << n;
+}
+
+vtkIdType openEdgesOf(vtkPolyData* mesh) {
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(mesh);
+  edges->BoundaryEdgesOn();
+  edges->FeatureEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  return edges->GetOutput()->GetNumberOfCells();
+}
+
+TEST(ViewPicture, ALightMeshKeepsTheSurfaceClosedAndItsThinWalls) {
+  // a ball, and beside it a wall of a voxel, thinner than what becomes one corner
+  const auto ball = window::ball({-0.02, 0, 0}, 0.025);
+  const auto volume =
+      window::volumeOf(window::cubeGrid(96), haptics::ScalarType::Int16, [&](const Vec3& p) {
+        const bool wall =
+            std::abs(p.x() - 0.0305) < 0.4e-3 && std::abs(p.y()) < 0.03 && std::abs(p.z()) < 0.03;
+        return std::max(ball(p), wall ? 100.0 : 0.0);
+      });
+  const auto mesh = ui::isosurfaceMesh(ui::imageOf(*volume), 50.0, false);
+  ASSERT_EQ(openEdgesOf(mesh), 0);
+  EXPECT_EQ(ui::lightMesh(mesh, mesh->GetNumberOfPolys()).Get(), mesh.Get());
+  for (const std::int64_t most : {mesh->GetNumberOfPolys() / 2, mesh->GetNumberOfPolys() / 5}) {
+    const auto light = ui::lightMesh(mesh, most);
+    EXPECT_LT(light->GetNumberOfPolys(), most * 1.3);
+    EXPECT_GT(light->GetNumberOfPolys(), most * 0.5);
+    EXPECT_EQ(openEdgesOf(light), 0);
+    for (int n = 0; n < 6; ++n)
+      EXPECT_NEAR(light->GetBounds()[n], mesh->GetBounds()[n], 1.5) << n;  // mm
+    vtkDataArray* normals = light->GetPointData()->GetNormals();
+    ASSERT_NE(normals, nullptr);
+    int on_wall = 0;
+    for (vtkIdType n = 0; n < light->GetNumberOfPoints(); ++n) {
+      const double* p = light->GetPoint(n);
+      const double from_origin = 0.5 * 95.0;  // voxel 0 to the middle, mm
+      const Vec3 at{p[0] - from_origin, p[1] - from_origin, p[2] - from_origin};
+      if (at.x() < 25.0 || std::max(std::abs(at.y()), std::abs(at.z())) > 24.0) continue;
+      ++on_wall;
+      const Vec3 normal{normals->GetTuple3(n)};
+      EXPECT_GT(std::abs(normal.normalized().x()), 0.9) << at.transpose();
+    }
+    EXPECT_GT(on_wall, 50);
+  }
+}
+
+TEST(ViewPicture, InMotionShowsWhatItShowsAtRest) {
+  for (const bool mirrored : {false, true}) {
+    SCOPED_TRACE(mirrored);
+    haptics::Mat3 axes = haptics::Mat3::Identity();
+    if (mirrored) axes(0, 0) = -1.0;
+    const auto ball = window::ball({-0.008, 0, 0}, 0.020);
+    const auto volume = window::volumeOf(
+        window::cubeGrid(64, axes), haptics::ScalarType::Int16, [&](const Vec3& p) {
+          const bool wall =
+              std::abs(p.x() - 0.0225) < 0.4e-3 && std::abs(p.y()) < 0.02 && std::abs(p.z()) < 0.02;
+          return std::max(ball(p), wall ? 100.0 : 0.0);
+        });
+    ui::VolumeView view;
+    open(view, SurfaceMode::Mesh);
+    view.show(ui::pictureOf(volume), 50.0);
+    view.show(window::octahedron(0.004));
+    view.display(placed({-0.008, 0.0, 0.0}, {-0.008, 0.0, 0.0}));  // within the ball
+    const auto triangles = [&] {
+      auto* mapper = vtkPolyDataMapper::SafeDownCast(view.surface().mesh()->GetMapper());
+      return mapper->GetInput()->GetNumberOfPolys();
+    };
+    const auto culls = [&] {
+      return view.surface().mesh()->GetProperty()->GetBackfaceCulling() != 0;
+    };
+    window::pictureAtRest(view);
+    const vtkIdType whole = triangles();
+    view.surface().setBudget(whole / 3);
+    for (const double azimuth : {35.0, 60.0, 170.0}) {
+      SCOPED_TRACE(azimuth);
+      view.camera()->Azimuth(azimuth);
+      ui::ViewLook look;
+      view.tell(look);
+      view.look(look);  // the camera moved
+      const QImage moving = view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+      EXPECT_LT(triangles(), whole / 2);
+      EXPECT_TRUE(culls());
+      const QImage rest = window::pictureAtRest(view);
+      EXPECT_EQ(triangles(), whole);
+      window::keep(moving, mirrored ? "light_moving_mirrored" : "light_moving");
+      window::keep(rest, "light_rest");
+      // lit by how squarely it is seen, so both sides of the wall are as bright as at rest
+      // the wall, 40 mm wide, ends up to half a bin earlier on each side: 0.6 mm of 2 mm
+      EXPECT_LT(window::differing(moving, rest, 40), 0.04);
+      const double all = window::count(rest, window::surfaceColoured);
+      EXPECT_NEAR(window::count(moving, window::surfaceColoured) / all, 1.0, 0.10);
+      // what lies within the ball is hidden by the faces that look here
+      EXPECT_LT(window::count(moving, window::proxyColoured), 20);
+    }
+    // an eye within the box sees faces from behind
+    view.camera()->SetPosition(-8.0, 0.0, 0.0);
+    view.camera()->SetFocalPoint(-8.0, 40.0, 0.0);
+    ui::ViewLook look;
+    view.tell(look);
+    view.look(look);
+    view.grabFramebuffer();
+    EXPECT_FALSE(culls());
+  }
 }
 
 TEST(ViewPicture, TheHistogramAndTheReducedImageKnowTheCrop) {

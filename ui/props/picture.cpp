@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/props/picture.h"
 
+#include <vtkBinnedDecimation.h>
 #include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
@@ -14,12 +18,14 @@
 #include <vtkReverseSense.h>
 #include <vtkShortArray.h>
 #include <vtkSignedCharArray.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedIntArray.h>
 #include <vtkUnsignedShortArray.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -29,6 +35,7 @@ namespace {
 constexpr std::int64_t kReducedVoxels = 1'500'000;  // about 100,000 triangles
 constexpr std::int64_t kHistogramVoxels = 4'000'000;
 constexpr int kHistogramBins = 256;
+constexpr double kPerBin = 2.6;  // triangles for a bin's face of surface, in a binned mesh
 
 vtkSmartPointer<vtkDataArray> emptyArray(haptics::ScalarType type) {
   using haptics::ScalarType;
@@ -133,6 +140,56 @@ Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid, const haptics::VoxelBox&
   return box;
 }
 
+/// The triangles of a mesh with their places.
+class Corners {
+ public:
+  explicit Corners(vtkPolyData* mesh) : mesh_(mesh) {}
+  /// Calls f(p, q, r, ids) for each.
+  template <class F>
+  void each(F&& f) const {
+    const auto iterator = vtk::TakeSmartPointer(mesh_->GetPolys()->NewIterator());
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell()) {
+      iterator->GetCurrentCell(count, ids);
+      if (count == 3) f(at(ids[0]), at(ids[1]), at(ids[2]), ids);
+    }
+  }
+
+ private:
+  Eigen::Vector3d at(vtkIdType n) const {
+    Eigen::Vector3d p;
+    mesh_->GetPoint(n, p.data());
+    return p;
+  }
+  vtkPolyData* mesh_;
+};
+
+/// The sides of a thin wall that fell into one place have normals that cancel each other out: there
+/// the wall's own takes their place, towards either side.
+void unfoldNormals(vtkPolyData* mesh) {
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  if (normals == nullptr) return;
+  constexpr double kCancelled = 0.5;  // length of a mean of unit vectors
+  std::vector<Eigen::Vector3d> own(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  std::vector<bool> folded(own.size());
+  for (std::size_t n = 0; n < own.size(); ++n) {
+    own[n].setZero();
+    folded[n] = Eigen::Vector3d{normals->GetTuple3(static_cast<vtkIdType>(n))}.norm() < kCancelled;
+  }
+  Corners(mesh).each([&](const Eigen::Vector3d& p, const Eigen::Vector3d& q,
+                         const Eigen::Vector3d& r, const vtkIdType* ids) {
+    const Eigen::Vector3d normal = (q - p).cross(r - p);
+    for (int c = 0; c < 3; ++c) {
+      const auto n = static_cast<std::size_t>(ids[c]);
+      if (folded[n]) own[n] += own[n].dot(normal) < 0.0 ? Eigen::Vector3d{-normal} : normal;
+    }
+  });
+  for (std::size_t n = 0; n < own.size(); ++n)
+    if (folded[n] && own[n].norm() > 0.0)
+      normals->SetTuple(static_cast<vtkIdType>(n), own[n].normalized().eval().data());
+}
+
 Picture pictureWith(std::shared_ptr<const haptics::Volume> volume,
                     vtkSmartPointer<vtkImageData> reduced) {
   const haptics::Grid& grid = volume->grid;
@@ -206,17 +263,32 @@ Histogram histogramOf(const haptics::Volume& volume, int bins) {
   const haptics::VoxelBox box = volume.bounds();
   const auto& dims = volume.grid.dims;
   const std::int64_t row = box.end[0] - box.first[0], rows = box.end[1] - box.first[1];
-  const std::int64_t count = row * rows * (box.end[2] - box.first[2]);
-  // an odd stride does not fall in step with rows
-  const std::int64_t step = (count / kHistogramVoxels) | 1;
+  const std::int64_t lines = rows * (box.end[2] - box.first[2]);
+  // whole rows, which lie in memory as they are read; an odd stride does not fall in step with rows
+  const std::int64_t step = (row * lines / kHistogramVoxels) | 1;
+  const auto binOf = [&](double value) {
+    const auto bin = static_cast<int>((value - volume.least) / width);
+    return static_cast<std::size_t>(std::clamp(bin, 0, bins - 1));
+  };
   haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
-    for (std::int64_t n = 0; n < count; n += step) {
-      const std::int64_t line = n / row;
-      const std::int64_t j = box.first[1] + line % rows, k = box.first[2] + line / rows;
-      const std::int64_t voxel = (k * dims[1] + j) * dims[0] + box.first[0] + n % row;
-      const auto bin =
-          static_cast<int>((static_cast<double>(voxels[voxel]) - volume.least) / width);
-      histogram.counts[static_cast<std::size_t>(std::clamp(bin, 0, bins - 1))] += 1.0;
+    using T = std::remove_cvref_t<decltype(*voxels)>;
+    const auto eachRow = [&](auto&& take) {
+      for (std::int64_t line = 0; line < lines; line += step) {
+        const std::int64_t j = box.first[1] + line % rows, k = box.first[2] + line / rows;
+        const T* first = voxels + (k * dims[1] + j) * dims[0] + box.first[0];
+        std::for_each(first, first + row, take);
+      }
+    };
+    if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
+      // a count for each value there is, so that a bin is found once a value
+      constexpr int kLeast = std::numeric_limits<T>::lowest();
+      std::vector<std::uint32_t> of_value(std::size_t{1} << (8 * sizeof(T)));
+      eachRow([&](T value) { ++of_value[static_cast<std::size_t>(value - kLeast)]; });
+      for (std::size_t n = 0; n < of_value.size(); ++n)
+        if (of_value[n] != 0)
+          histogram.counts[binOf(static_cast<int>(n) + kLeast)] += double{of_value[n]};
+    } else {
+      eachRow([&](T value) { histogram.counts[binOf(static_cast<double>(value))] += 1.0; });
     }
   });
   return histogram;
@@ -257,6 +329,33 @@ vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue
   }
   last->Update();
   return vtkPolyData::SafeDownCast(last->GetOutputDataObject(0));
+}
+
+vtkSmartPointer<vtkPolyData> lightMesh(vtkPolyData* mesh, std::int64_t most_triangles) {
+  const std::int64_t triangles = mesh->GetNumberOfPolys();
+  if (triangles <= most_triangles) return mesh;
+  const double* b = mesh->GetBounds();
+  const Eigen::Vector3d sizes{b[1] - b[0], b[3] - b[2], b[5] - b[4]};
+  // a surface crosses bins in proportion to their inverse area, and has about kPerBin triangles in
+  // each: as many as it has for each square of the mean length of its edges
+  double area = 0.0;
+  Corners corners(mesh);
+  corners.each([&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r,
+                   const vtkIdType*) { area += 0.5 * (q - p).cross(r - p).norm(); });
+  const double bin = std::sqrt(area * kPerBin / static_cast<double>(most_triangles));
+  vtkNew<vtkBinnedDecimation> bins;
+  bins->SetInputData(mesh);
+  bins->AutoAdjustNumberOfDivisionsOff();
+  const auto divisions = [&](int axis) {
+    return std::max(1, static_cast<int>(std::ceil(sizes[axis] / bin)));
+  };
+  bins->SetNumberOfDivisions(divisions(0), divisions(1), divisions(2));
+  bins->SetPointGenerationModeToBinAverages();
+  bins->ProducePointDataOn();
+  bins->Update();
+  vtkSmartPointer<vtkPolyData> light = bins->GetOutput();
+  unfoldNormals(light);
+  return light;
 }
 
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const Eigen::Affine3d& X) {

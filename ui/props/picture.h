@@ -62,12 +62,17 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
                                              std::int64_t most_voxels,
                                              const std::atomic<bool>* cancel = nullptr);
 
-/// Made from at most a few million evenly spaced voxels of those that exist.
+/// Made from the voxels that exist, or from evenly spaced rows of them: a few million voxels.
 Histogram histogramOf(const haptics::Volume& volume, int bins);
 
 /// The isosurface of an image of L as triangles with normals, in L. Any thread. If X_WL
 /// mirrors, the triangles are reversed so that they face outwards in W.
 vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue, bool mirrored);
+
+/// The same surface with about `most_triangles` at most: what lies within a bin becomes one corner.
+/// A closed mesh stays closed, and a wall thinner than a bin becomes a wall without a thickness.
+/// The mesh itself if it is small enough. Any thread.
+vtkSmartPointer<vtkPolyData> lightMesh(vtkPolyData* mesh, std::int64_t most_triangles);
 
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const Eigen::Affine3d& X);
 /// The pose as a matrix, with its translation converted from metres to millimetres.

@@ -112,6 +112,11 @@ constexpr const char* kStartOutside = R"(l_initialIndex = 0;
       g_dataPos += skipped * g_dirStep;
       g_currentT += skipped;)";
 
+// A reduced mesh may have two sides of a thin wall in one place: it is lit by how squarely it is
+// seen, from either side.
+constexpr const char* kLitFront = "float df = max(0.0,normalVCVSOutput.z);";
+constexpr const char* kLitBothSides = "float df = abs(normalVCVSOutput.z);";
+
 QString words(const char* text) { return QCoreApplication::translate("ui::VolumeProp", text); }
 
 }  // namespace
@@ -164,6 +169,8 @@ VolumeProp::VolumeProp()
     actor->GetProperty()->SetDiffuse(kDiffuse);
     actor->GetProperty()->SetSpecular(kSpecular);
     actor->GetProperty()->SetSpecularPower(kSpecularPower);
+    actor->GetShaderProperty()->AddFragmentShaderReplacement(kLitFront, false, kLitBothSides,
+                                                             false);
     actor->VisibilityOff();
   }
   colourAll();
@@ -173,9 +180,9 @@ VolumeProp::~VolumeProp() = default;
 
 void VolumeProp::show(const Picture& picture) {
   picture_ = picture;
-  reduced_mesh_ = nullptr;
+  reduced_ = {};
   fine_mesh_ = nullptr;
-  second_mesh_ = nullptr;
+  second_reduced_ = {};
   second_value_.reset();
   caster_->SetInputData(picture.image);
   const double finest_mm = picture.volume->grid.spacing.minCoeff() * kMmPerM;
@@ -191,9 +198,9 @@ void VolumeProp::show(const Picture& picture) {
 
 void VolumeProp::replace(const Picture& picture) {
   picture_ = picture;
-  reduced_mesh_ = nullptr;
+  reduced_ = {};
   fine_mesh_ = nullptr;
-  second_mesh_ = nullptr;
+  second_reduced_ = {};
   caster_->SetInputData(picture.image);
   crop();
 }
@@ -246,7 +253,7 @@ void VolumeProp::setOcclusion(bool on) {
 void VolumeProp::setSecond(std::optional<double> isovalue) {
   if (isovalue == second_value_) return;
   second_value_ = isovalue;
-  second_mesh_ = nullptr;
+  second_reduced_ = {};
   colourAll();
 }
 
@@ -263,11 +270,18 @@ void VolumeProp::setIsovalue(double isovalue) {
   isovalue_ = isovalue;
   colourAll();
   volume_->GetProperty()->GetIsoSurfaceValues()->SetValue(0, isovalue);
-  reduced_mesh_ = nullptr;
+  reduced_ = {};
   fine_mesh_ = nullptr;
 }
 
 void VolumeProp::setMoving(bool moving) { moving_ = moving; }
+
+void VolumeProp::setBudget(std::optional<std::int64_t> triangles) {
+  if (triangles == budget_) return;
+  budget_ = triangles;
+  reduced_.light = nullptr;
+  second_reduced_.light = nullptr;
+}
 
 void VolumeProp::showFine(vtkPolyData* mesh, double isovalue) {
   if (isovalue == isovalue_) fine_mesh_ = mesh;
@@ -286,27 +300,49 @@ void VolumeProp::setHitRefinement(bool on) {
 
 void VolumeProp::update() {
   second_->SetVisibility(picture_.volume != nullptr && second_value_.has_value());
-  if (second_->GetVisibility()) secondReduced();
+  if (second_->GetVisibility()) {
+    secondReduced();
+    second_mapper_->SetInputData(moving_ ? lightOf(second_reduced_) : second_reduced_.whole.Get());
+  }
   if (mode_ != SurfaceMode::Mesh || picture_.volume == nullptr) return;
   if (fine_mesh_ != nullptr && !moving_) {
     mesh_mapper_->SetInputData(fine_mesh_);
     return;
   }
-  mesh_mapper_->SetInputData(reducedMesh());
+  reducedMesh();
+  mesh_mapper_->SetInputData(moving_ ? lightOf(reduced_) : reduced_.whole.Get());
+}
+
+void VolumeProp::cull(vtkCamera* camera) {
+  const Eigen::Vector3d eye{camera->GetPosition()}, away{camera->GetDirectionOfProjection()};
+  const auto isBeyond = [&](vtkActor* actor) {
+    const double* b = actor->GetBounds();
+    const Eigen::Vector3d least{b[0], b[2], b[4]}, most{b[1], b[3], b[5]};
+    const double nearest =
+        away.dot(0.5 * (least + most) - eye) - 0.5 * away.cwiseAbs().dot(most - least);
+    return nearest > camera->GetClippingRange()[0];
+  };
+  // the fine mesh may be open at the faces of the volume
+  const bool closed = mesh_mapper_->GetInput() != fine_mesh_.Get();
+  if (mesh_->GetVisibility()) mesh_->GetProperty()->SetBackfaceCulling(closed && isBeyond(mesh_));
+  if (second_->GetVisibility()) second_->GetProperty()->SetBackfaceCulling(isBeyond(second_));
 }
 
 vtkPolyData* VolumeProp::reducedMesh() {
-  if (reduced_mesh_ == nullptr)
-    reduced_mesh_ = isosurfaceMesh(picture_.reduced, isovalue_, picture_.mirrored());
-  return reduced_mesh_;
+  if (reduced_.whole == nullptr)
+    reduced_.whole = isosurfaceMesh(picture_.reduced, isovalue_, picture_.mirrored());
+  return reduced_.whole;
 }
 
 vtkPolyData* VolumeProp::secondReduced() {
-  if (second_mesh_ == nullptr) {
-    second_mesh_ = isosurfaceMesh(picture_.reduced, *second_value_, picture_.mirrored());
-    second_mapper_->SetInputData(second_mesh_);
-  }
-  return second_mesh_;
+  if (second_reduced_.whole == nullptr)
+    second_reduced_.whole = isosurfaceMesh(picture_.reduced, *second_value_, picture_.mirrored());
+  return second_reduced_.whole;
+}
+
+vtkPolyData* VolumeProp::lightOf(Reduced& mesh) const {
+  if (mesh.light == nullptr) mesh.light = budget_ ? lightMesh(mesh.whole, *budget_) : mesh.whole;
+  return mesh.light;
 }
 
 Eigen::AlignedBox3d VolumeProp::bounds_mm() {

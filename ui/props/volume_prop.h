@@ -2,11 +2,13 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkSmartPointer.h>
 #include <vtkVolume.h>
 
 #include <QString>
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "ui/props/colouring.h"
@@ -56,8 +58,10 @@ class VolumeProp {
   /// second.
   void setSecond(std::optional<double> isovalue);
   std::optional<double> second() const { return second_value_; }
-  /// Hides the fine mesh behind the reduced one.
+  /// Shows a reduced mesh in place of the fine one.
   void setMoving(bool moving);
+  /// How many triangles a mesh that moves has, about, at most; none: as many as it comes with.
+  void setBudget(std::optional<std::int64_t> triangles);
   /// Shows a mesh of L in full detail. Ignored if the isovalue has changed meanwhile.
   void showFine(vtkPolyData* mesh, double isovalue);
   /// Finds the ray's hit by bisection between samples (on) or takes the sample after it (off).
@@ -68,14 +72,22 @@ class VolumeProp {
   Eigen::AlignedBox3d secondBounds_mm();
   /// Updates what is drawn; must be called before each drawing.
   void update();
+  /// Leaves out faces that cannot be seen: back faces of a mesh that is closed and lies as a whole
+  /// beyond the near plane of this camera.
+  void cull(vtkCamera* camera);
 
   vtkVolume* rayCast() const { return volume_; }
   vtkActor* mesh() const { return mesh_; }
   vtkActor* secondMesh() const { return second_; }
 
  private:
+  /// A reduced mesh, and what of it is drawn in motion; both null until they are needed.
+  struct Reduced {
+    vtkSmartPointer<vtkPolyData> whole, light;
+  };
   vtkPolyData* reducedMesh();
   vtkPolyData* secondReduced();
+  vtkPolyData* lightOf(Reduced& mesh) const;
   Eigen::AlignedBox3d boundsOf_mm(vtkPolyData* mesh) const;
   void crop();
   void colourAll();
@@ -84,11 +96,12 @@ class VolumeProp {
   vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper> caster_;
   vtkSmartPointer<vtkActor> mesh_;
   vtkSmartPointer<vtkPolyDataMapper> mesh_mapper_;
-  vtkSmartPointer<vtkPolyData> reduced_mesh_;
+  Reduced reduced_;
   vtkSmartPointer<vtkPolyData> fine_mesh_;
   vtkSmartPointer<vtkActor> second_;
   vtkSmartPointer<vtkPolyDataMapper> second_mapper_;
-  vtkSmartPointer<vtkPolyData> second_mesh_;
+  Reduced second_reduced_;
+  std::optional<std::int64_t> budget_;
   std::optional<double> second_value_;
   Colouring colouring_;
   std::array<float, 3> crop_least_{}, crop_greatest_{};  ///< texture coordinates

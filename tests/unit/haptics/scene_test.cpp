@@ -90,6 +90,56 @@ TEST(Scene, RenewsTheBoundsOfItsNeighbourWhereAnEditChangedIt) {
   }
 }
 
+/// The volume with another crop, one edit after `before`.
+std::shared_ptr<const haptics::Volume> croppedTo(
+    const std::shared_ptr<const haptics::Volume>& before,
+    const std::optional<haptics::VoxelBox>& crop, const std::vector<haptics::VoxelBox>& told) {
+  haptics::Volume after = *before;
+  after.crop = crop;
+  auto edit = std::make_shared<haptics::Edited>();
+  edit->scan = before->edited ? before->edited->scan : before;
+  edit->neighbour = before;
+  edit->changed = told;
+  after.edited = edit;
+  return made::shared(std::move(after));
+}
+
+TEST(Scene, TakesTheScansFieldWhereACropIsTakenBack) {
+  const haptics::VoxelBox narrow{{8, 6, 2}, {16, 20, 24}}, wide{{4, 6, 1}, {20, 23, 24}};
+  for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::CubicSpline}) {
+    const haptics::SceneOptions options{.field = kind};
+    const auto scan = made::shared(
+        datasets::solid(datasets::centredGrid(24, h), [](const Vec3& p) { return p.z(); }));
+    const auto first = makeScene(scan, made::point(), options).value();
+    EXPECT_EQ(first->scan_field, first->shared_field);
+    const auto one = croppedTo(scan, narrow, {});
+    const auto cropped = makeScene(one, made::point(), options, first.get()).value();
+    EXPECT_TRUE((cropped->field.pyramid() == haptics::MaxPyramid{*one, kind}));
+    EXPECT_EQ(cropped->scan_field, first->shared_field);
+    // a wider crop looks at no voxel: what an edit tells of it is not needed
+    const auto two = croppedTo(one, wide, {});
+    const auto wider = makeScene(two, made::point(), options, cropped.get()).value();
+    EXPECT_TRUE((wider->field.pyramid() == haptics::MaxPyramid{*two, kind}));
+    const auto again = makeScene(scan, made::point(), options, wider.get()).value();
+    EXPECT_EQ(&again->field, &first->field);
+    // a cut within a crop, and the crop taken back: the voxels are no longer the scan's
+    const auto cut = oneVoxelLowered(scan, {{{12, 12, 2}, {13, 13, 3}}});
+    const auto lowered = makeScene(cut, made::point(), options, first.get()).value();
+    const auto both = croppedTo(cut, narrow, {});
+    const auto beneath = makeScene(both, made::point(), options, lowered.get()).value();
+    EXPECT_TRUE((beneath->field.pyramid() == haptics::MaxPyramid{*both, kind}));
+    const auto without = croppedTo(both, {}, {});
+    const auto back = makeScene(without, made::point(), options, beneath.get()).value();
+    EXPECT_TRUE((back->field.pyramid() == haptics::MaxPyramid{*without, kind}));
+    EXPECT_FALSE(back->field.pyramid() == first->field.pyramid());
+    // another kind of field has another pyramid
+    const auto other_kind =
+        kind == FieldKind::Trilinear ? FieldKind::CubicSpline : FieldKind::Trilinear;
+    const auto other = makeScene(scan, made::point(), {.field = other_kind}, cropped.get()).value();
+    EXPECT_TRUE((other->field.pyramid() == haptics::MaxPyramid{*scan, other_kind}));
+  }
+}
+
 TEST(Scene, OutlivesTheOneWhoseFieldItShares) {
   const auto volume = made::shared(
       datasets::solid(datasets::centredGrid(24, h), [](const Vec3& p) { return p.z(); }));
