@@ -286,7 +286,7 @@ Histogram histogramOf(const haptics::Volume& volume, int bins) {
       eachRow([&](T value) { ++of_value[static_cast<std::size_t>(value - kLeast)]; });
       for (std::size_t n = 0; n < of_value.size(); ++n)
         if (of_value[n] != 0)
-          histogram.counts[binOf(static_cast<int>(n) + kLeast)] += double{of_value[n]};
+          histogram.counts[binOf(static_cast<int>(n) + kLeast)] += static_cast<double>(of_value[n]);
     } else {
       eachRow([&](T value) { histogram.counts[binOf(static_cast<double>(value))] += 1.0; });
     }

@@ -22,13 +22,13 @@ std::vector<QPolygonF> sectionOf(const haptics::TriangleMesh& mesh, const haptic
   vertices.reserve(mesh.vertices.size());
   for (const haptics::Vec3& v : mesh.vertices) vertices.emplace_back(A_SM * v + origin_S);
 
-  // each triangle that is cut joins two of its sides; a side knows the triangles that end on it
-  using Side = std::uint64_t;
-  std::vector<std::array<Side, 2>> cuts;
-  std::unordered_map<Side, std::vector<std::size_t>> at_side;
-  std::unordered_map<Side, QPointF> places;
+  // each triangle that is cut joins two of its edges; an edge knows the triangles that end on it
+  using Edge = std::uint64_t;
+  std::vector<std::array<Edge, 2>> cuts;
+  std::unordered_map<Edge, std::vector<std::size_t>> at_side;
+  std::unordered_map<Edge, QPointF> places;
   for (const auto& triangle : mesh.triangles) {
-    std::array<Side, 2> sides{};
+    std::array<Edge, 2> sides{};
     std::size_t n = 0;
     for (std::size_t e = 0; e < 3; ++e) {
       const std::uint32_t from = std::min(triangle[e], triangle[(e + 1) % 3]);
@@ -36,17 +36,17 @@ std::vector<QPolygonF> sectionOf(const haptics::TriangleMesh& mesh, const haptic
       const Eigen::Vector3d &a = vertices[from], &b = vertices[to];
       if ((a.z() >= 0.0) == (b.z() >= 0.0)) continue;
       const Eigen::Vector3d p = a + (b - a) * (a.z() / (a.z() - b.z()));
-      const Side side = Side{from} << 32U | to;
+      const Edge side = Edge{from} << 32U | to;
       places[side] = {p.x(), p.y()};
       if (n < 2) sides[n++] = side;
     }
     if (n < 2) continue;
-    for (const Side side : sides) at_side[side].push_back(cuts.size());
+    for (const Edge side : sides) at_side[side].push_back(cuts.size());
     cuts.push_back(sides);
   }
 
   std::vector<bool> used(cuts.size(), false);
-  const auto follow = [&](Side side, QPolygonF& line) {
+  const auto follow = [&](Edge side, QPolygonF& line) {
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
       for (const std::size_t next : at_side[side]) {
