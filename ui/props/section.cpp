@@ -25,10 +25,10 @@ std::vector<QPolygonF> sectionOf(const haptics::TriangleMesh& mesh, const haptic
   // each triangle that is cut joins two of its edges; an edge knows the triangles that end on it
   using Edge = std::uint64_t;
   std::vector<std::array<Edge, 2>> cuts;
-  std::unordered_map<Edge, std::vector<std::size_t>> at_side;
+  std::unordered_map<Edge, std::vector<std::size_t>> at_edge;
   std::unordered_map<Edge, QPointF> places;
   for (const auto& triangle : mesh.triangles) {
-    std::array<Edge, 2> sides{};
+    std::array<Edge, 2> edges{};
     std::size_t n = 0;
     for (std::size_t e = 0; e < 3; ++e) {
       const std::uint32_t from = std::min(triangle[e], triangle[(e + 1) % 3]);
@@ -36,24 +36,24 @@ std::vector<QPolygonF> sectionOf(const haptics::TriangleMesh& mesh, const haptic
       const Eigen::Vector3d &a = vertices[from], &b = vertices[to];
       if ((a.z() >= 0.0) == (b.z() >= 0.0)) continue;
       const Eigen::Vector3d p = a + (b - a) * (a.z() / (a.z() - b.z()));
-      const Edge side = Edge{from} << 32U | to;
-      places[side] = {p.x(), p.y()};
-      if (n < 2) sides[n++] = side;
+      const Edge edge = Edge{from} << 32U | to;
+      places[edge] = {p.x(), p.y()};
+      if (n < 2) edges[n++] = edge;
     }
     if (n < 2) continue;
-    for (const Edge side : sides) at_side[side].push_back(cuts.size());
-    cuts.push_back(sides);
+    for (const Edge edge : edges) at_edge[edge].push_back(cuts.size());
+    cuts.push_back(edges);
   }
 
   std::vector<bool> used(cuts.size(), false);
-  const auto follow = [&](Edge side, QPolygonF& line) {
+  const auto follow = [&](Edge edge, QPolygonF& line) {
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
-      for (const std::size_t next : at_side[side]) {
+      for (const std::size_t next : at_edge[edge]) {
         if (used[next]) continue;
         used[next] = goes_on = true;
-        side = cuts[next][0] == side ? cuts[next][1] : cuts[next][0];
-        line << places[side];
+        edge = cuts[next][0] == edge ? cuts[next][1] : cuts[next][0];
+        line << places[edge];
         break;
       }
     }
@@ -62,7 +62,7 @@ std::vector<QPolygonF> sectionOf(const haptics::TriangleMesh& mesh, const haptic
   for (std::size_t first = 0; first < cuts.size(); ++first) {
     if (used[first]) continue;
     used[first] = true;
-    // from one triangle to both sides; a closed line is back after the first
+    // from one triangle to both edges; a closed line is back after the first
     QPolygonF line{places[cuts[first][0]], places[cuts[first][1]]};
     follow(cuts[first][1], line);
     QPolygonF back;
