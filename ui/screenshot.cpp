@@ -7,6 +7,8 @@
 #include <QFormLayout>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "ui/volume_view.h"
 
@@ -47,17 +49,25 @@ std::optional<ScreenshotWish> askForScreenshot(QWidget* parent, const VolumeView
 }
 
 QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wish) {
-  const QImage seen = view.picture(wish.scale);
-  if (seen.isNull() || !wish.whole_window) return seen;
+  // beside a slice that is shown alone the 3-D view has no place
+  const bool is_seen = !wish.whole_window || view.isVisible();
+  const QImage seen = is_seen ? view.picture(wish.scale) : QImage();
+  if (!wish.whole_window || (is_seen && seen.isNull())) return seen;
   QImage image(window.size() * wish.scale, QImage::Format_RGB32);
   image.setDevicePixelRatio(wish.scale);
   image.fill(window.palette().window().color());
   window.render(&image);
-  QPainter painter(&image);
-  painter.drawImage(QRectF(view.mapTo(&window, QPointF{}), QSizeF(view.size())), seen);
-  painter.end();
+  if (is_seen) {
+    // a widget that is rendered lacks what is drawn over the 3-D view
+    QPainter painter(&image);
+    painter.drawImage(QRectF(view.mapTo(&window, QPointF{}), QSizeF(view.size())), seen);
+  }
   image.setDevicePixelRatio(1.0);
   return image;
+}
+
+int screenScaleOf(const QWidget& widget) {
+  return std::clamp(static_cast<int>(std::ceil(widget.devicePixelRatioF())), 1, 4);
 }
 
 }  // namespace ui

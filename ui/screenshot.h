@@ -20,6 +20,9 @@ struct ScreenshotWish {
 std::optional<ScreenshotWish> askForScreenshot(QWidget* parent, const VolumeView& view,
                                                const QWidget& window);
 
+/// The least scale at which a picture has at least the pixels that the screen shows.
+int screenScaleOf(const QWidget& widget);
+
 /// The picture, without any text beside it. Null if the graphics cannot draw it so large.
 QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wish);
 

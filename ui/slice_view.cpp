@@ -386,7 +386,6 @@ void SliceView::makeContour() {
 }
 
 void SliceView::drawContour(double scale) {
-  makeContour();
   contour_image_ = QImage(image_.size(), QImage::Format_ARGB32_Premultiplied);
   contour_image_.setDevicePixelRatio(scale);
   contour_image_.fill(Qt::transparent);
@@ -417,8 +416,9 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), Qt::black);
   const QRect picture = pictureRect();
   if (slice_.empty() || picture.isEmpty()) return;
-  const double scale = devicePixelRatioF();
-  if (stale_) {
+  // of the screen, or of a picture that is taken
+  const double scale = painter.deviceTransform().m11();
+  if (stale_ || scale != image_.devicePixelRatio()) {
     const QSize pixels{qRound(picture.width() * scale), qRound(picture.height() * scale)};
     slice_.cut(axes_, middle_mm(), pixels, mmPerPixel() / scale, look_);
     stale_ = false;
@@ -432,7 +432,8 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.setClipRect(picture);
   painter.drawImage(picture.topLeft(), image_);
   if (contour_shown_ && touched_.value) {
-    if (contour_stale_) drawContour(scale);
+    if (contour_stale_) makeContour();
+    if (contour_stale_ || scale != contour_image_.devicePixelRatio()) drawContour(scale);
     contour_stale_ = false;
     painter.drawImage(picture.topLeft(), contour_image_);
   }
@@ -559,7 +560,7 @@ SliceReadout SliceView::readout() const {
                      .arg(readoutLocale().toString(grey_.width, 'f', digits),
                           readoutLocale().toString(grey_.level, 'f', digits));
   if (hover_ && QRectF(pictureRect()).contains(*hover_)) {
-    const double scale = devicePixelRatioF();
+    const double scale = image_.devicePixelRatio();
     const QPointF at = (*hover_ - pictureRect().topLeft()) * scale;
     const std::optional<double> value =
         slice_.valueAt({static_cast<int>(at.x()), static_cast<int>(at.y())});

@@ -52,13 +52,6 @@ double fromSegment(QPointF p, QPointF a, QPointF b) {
 }
 
 /// White with a dark rim, to be read on bone and on air.
-void paintWords(QPainter& painter, QPointF at, const QString& text) {
-  QPainterPath words;
-  words.addText(at, painter.font(), text);
-  painter.strokePath(words, QPen(kViewGround, 3.0));
-  painter.fillPath(words, kContactColour);
-}
-
 bool isWithin(QPointF p, QPointF a, QPointF b, QPointF c) {
   const auto side = [](QPointF u, QPointF v, QPointF w) {
     return (v.x() - u.x()) * (w.y() - u.y()) - (v.y() - u.y()) * (w.x() - u.x());
@@ -476,7 +469,8 @@ void VolumeView::paintOver(QPainter& painter, const QSizeF& size) const {
     } else {
       const QString text = tr("left/right unknown");
       const double wide = painter.fontMetrics().horizontalAdvance(text);
-      paintWords(painter, {size.width() - wide - 10.0, cube.bottom() + 16.0}, text);
+      paintOutlined(painter, {size.width() - wide - 10.0, cube.bottom() + 16.0}, painter.font(),
+                    kContactColour, text);
     }
   } else {
     overlays_.paint(painter, *geometry_);
@@ -523,7 +517,8 @@ void VolumeView::paintContacts(QPainter& painter) const {
       painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawPath(arrow);
     }
-    paintWords(painter, head + QPointF{8.0, -6.0}, tr("%1 N").arg(force.norm(), 0, 'f', 1));
+    paintOutlined(painter, head + QPointF{8.0, -6.0}, painter.font(), kContactColour,
+                  tr("%1 N").arg(force.norm(), 0, 'f', 1));
   }
   painter.restore();
 }

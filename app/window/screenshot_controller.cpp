@@ -3,7 +3,7 @@
 
 #include <QBuffer>
 #include <QFileInfo>
-#include <QPixmap>
+#include <QImage>
 #include <QTimer>
 #include <cstdio>
 #include <utility>
@@ -11,6 +11,8 @@
 #include "app/film/face.h"
 #include "haptics/core/output_file.h"
 #include "resources/messages/messages.h"
+#include "ui/screenshot.h"
+#include "ui/volume_view.h"
 
 namespace app {
 
@@ -38,7 +40,9 @@ void ScreenshotController::take() {
                  "the picture before you pass it on.\n");
   QBuffer picture;
   const QString ending = QFileInfo(QString::fromStdString(path_)).suffix();
-  const bool drawn = window_.grab().save(&picture, ending.isEmpty() ? "PNG" : qPrintable(ending));
+  const QImage image = ui::screenshotOf(
+      window_, window_.view(), {.whole_window = true, .scale = ui::screenScaleOf(window_)});
+  const bool drawn = image.save(&picture, ending.isEmpty() ? "PNG" : qPrintable(ending));
   const bool saved = drawn && haptics::writeFile(path_, {picture.data().constData(),
                                                          std::size_t(picture.data().size())});
   if (!saved) std::fprintf(stderr, "The picture could not be written.\n");

@@ -122,7 +122,8 @@ void ViewController::savePicture() {
 
 void ViewController::copyPicture() {
   if (!mayLeave()) return;
-  const QImage picture = ui::screenshotOf(window_, window_.view(), {});
+  const QImage picture =
+      ui::screenshotOf(window_, window_.view(), {.scale = ui::screenScaleOf(window_)});
   if (picture.isNull()) return;
   QGuiApplication::clipboard()->setImage(picture);
   window_.statusBar()->showMessage(tr("The picture of the 3-D view was copied."), kPictureSaidMs);

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
@@ -247,6 +248,27 @@ TEST(Application, AnotherFieldIsTouchedLiveAndItsEffectSaid) {
   emit window::panelOf<ui::DevicePanel>(application.window()).fieldChosen("trilinear");
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
   EXPECT_FALSE(effect->isVisible());
+}
+
+TEST(Application, ThePictureOfTheCommandLineHasWhatIsDrawnOverTheView) {
+  const QTemporaryDir folder;
+  app::Arguments arguments = sphereInHand("mouse");
+  arguments.screenshot = folder.filePath("window.png").toStdString();
+  arguments.screenshot_after = 1.0;
+  app::Application application(arguments);
+  QSignalSpy finished(&application, &app::Application::finished);
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }, 60.0));
+  EXPECT_EQ(finished[0][0].toInt(), 0);
+  const QImage image(folder.filePath("window.png"));
+  ui::MainWindow& window = application.window();
+  ASSERT_EQ(image.size(), window.size());
+  // the letters of the 3-D view, at its left and right edge
+  const QRect view(window.view().mapTo(&window, QPoint{}), window.view().size());
+  const auto yellow = [](QColor c) { return c.red() > 170 && c.green() > 130 && c.blue() < 90; };
+  const QRect left(view.left(), view.center().y() - 20, 30, 40);
+  EXPECT_GT(window::count(image.copy(left), yellow), 20);
+  EXPECT_GT(window::count(image.copy(left.translated(view.width() - 30, 0)), yellow), 20);
 }
 
 }  // namespace

@@ -447,8 +447,9 @@ TEST(HapticDevice, TurningTheCameraTurnsTheHandsDirectionsAndMovesNothing) {
     // to the right of the picture, or of what it was
     session.handle().lead(session.handle().led() + Vec3{0.01, 0.0, 0.0});
     const Vec3 right = (follow ? after : before).col(0);
-    // all the way: what is still to come would count as moved by the next turn
-    EXPECT_TRUE(waitFor([&] { return (toolAt() - at - 0.01 * right).norm() < 1e-6; })) << follow;
+    // nearly all the way: what is still to come would count as moved by the next turn
+    EXPECT_TRUE(waitFor([&] { return (toolAt() - at - 0.01 * right).norm() < 0.5 * kMoved; }))
+        << follow << ", off by " << (toolAt() - at - 0.01 * right).transpose();
   }
   EXPECT_NEAR((session.handle().led() - hand).norm(), 0.02, 1e-9);
 }

@@ -162,7 +162,10 @@ QImage marginOf(const QImage& slice) {
 }
 // brighter than the name of the plane
 bool solidInSlice(QColor c) { return c.saturation() < 20 && c.red() > 210; }
-bool solidInSpace(QColor c) { return window::surfaceColoured(c) && !letterColoured(c); }
+// brighter than the smooth edge of a letter can be
+bool solidInSpace(QColor c) {
+  return window::surfaceColoured(c) && c.red() > 56 && !letterColoured(c);
+}
 
 /// The smallest rectangle about what `wanted` picks.
 QRect extentOf(const QImage& image, const std::function<bool(QColor)>& wanted) {

@@ -624,7 +624,7 @@ TEST(Marks, NotForTreatmentStandsInThePanelAndInEveryPictureOfAMeasure) {
   ui::SliceView& axial = scan.slice(Plane::Axial);
   const auto top = [&](const QImage& image) {
     const QRect seen = axial.pictureRect();
-    return image.copy(seen.right() - 125, seen.top() + 10, 120, 22);
+    return image.copy(seen.right() - 125, seen.top() + 32, 120, 22);
   };
   const auto corner = [](const QImage& image) {
     return image.copy(6, image.height() - 28, 130, 22);
@@ -636,6 +636,28 @@ TEST(Marks, NotForTreatmentStandsInThePanelAndInEveryPictureOfAMeasure) {
   EXPECT_GT(window::count(top(window::pictureOf(axial)), light), before + 40);
   EXPECT_GT(window::count(corner(window::pictureAtRest(scan.window.view())), light),
             before_3d + 40);
+}
+
+TEST(Marks, TheWarningLeavesTheWordsOfANarrowSliceFree) {
+  // far from the file's origin, as scans are: the slice's place has many digits
+  haptics::Grid grid = window::cubeGrid(64);
+  grid.origin += Vec3{0.0, 0.0, 1.6};
+  MarkedScan scan;
+  scan.show(
+      window::volumeOf(grid, haptics::ScalarType::Int16, window::ball(Vec3{0.0, 0.0, 1.6}, 0.015)),
+      50.0);
+  window::showActive(scan.window);
+  ui::SliceView& axial = scan.slice(Plane::Axial);
+  ASSERT_LT(axial.pictureRect().width(), 290);
+  const auto words = [&] {
+    const QRect picture = axial.pictureRect();
+    return window::pictureOf(axial).copy(picture.left(), picture.top(), picture.width(), 30);
+  };
+  const QImage before = words();
+  scan.measures().replace({{MeasureKind::Point, "p", {{0.0, 20.0, 1600.0}}}});
+  const QImage after = words();
+  window::keep(window::pictureOf(axial), "marks_narrow");
+  EXPECT_EQ(window::differing(after, before, 0), 0.0);
 }
 
 TEST(Marks, BelongToTheirScanAndComeBackWithIt) {

@@ -112,11 +112,24 @@ TEST(Slices, HavePresetsOfTheGreyWindowForHounsfieldUnitsAndFullRangeForAll) {
   ASSERT_NE(brain(), nullptr);
   EXPECT_TRUE(brain()->isVisible());
   EXPECT_EQ(w.slices().grey().width, 1600.0);
-  brain()->trigger();
-  EXPECT_EQ(w.slices().grey().width, 80.0);
-  EXPECT_EQ(w.slices().grey().level, 40.0);
-  for (ui::SliceView* slice : w.slices().slices())
-    EXPECT_TRUE(slice->readout().grey.startsWith("W 80  L 40"));
+  const struct {
+    const char* name;
+    double level, width;  // HU
+  } presets[] = {{"Bone", 500.0, 2000.0},
+                 {"Temporal bone", 700.0, 4000.0},
+                 {"Soft tissue", 40.0, 400.0},
+                 {"Lung", -600.0, 1500.0},
+                 {"Brain", 40.0, 80.0}};
+  for (const auto& [name, level, width] : presets) {
+    SCOPED_TRACE(name);
+    const QString words = QString("%1 (W %2, L %3)").arg(name).arg(width).arg(level);
+    for (QAction* action : w.slices().menu().findChild<QMenu*>("greyMenu")->actions())
+      if (action->text() == words) action->trigger();
+    EXPECT_EQ(w.slices().grey().level, level);
+    EXPECT_EQ(w.slices().grey().width, width);
+    for (ui::SliceView* slice : w.slices().slices())
+      EXPECT_TRUE(slice->readout().grey.startsWith(QString("W %1  L ").arg(width)));
+  }
   w.action("greyFullRange")->trigger();
   EXPECT_GT(w.slices().grey().width, 1900.0);
   w.action("greyReset")->trigger();
@@ -172,6 +185,77 @@ TEST(Slices, AreInterpolatedOrNotAndThickByChoice) {
   EXPECT_LT(mean, greatest - 200.0);
   w.action("slabNone")->trigger();
   EXPECT_EQ(coronal.readout().slab, "");
+}
+
+TEST(Slices, AreAsThickAsIsChosen) {
+  Window w;
+  // one bright layer of voxels, 4 mm from the slice
+  w.window.show(ui::pictureOf(window::volumeOf(
+                    window::cubeGrid(64), haptics::ScalarType::Int16,
+                    [](const Vec3& p) { return std::abs(p.z() - 4.5e-3) < 1e-4 ? 100.0 : 0.0; })),
+                50.0, "Layer");
+  w.slices().moveCross({0.5, 0.5, 0.5});
+  ui::SliceView& axial = w.window.slice(Plane::Axial);
+  const auto shown = [&](double thickness_mm) {
+    for (QAction* action : w.slices().menu().findChild<QMenu*>("voxelsMenu")->actions())
+      if (action->data().toDouble() == thickness_mm) action->trigger();
+    window::pictureOf(axial);  // it is cut when it is painted
+    const QPointF at = axial.projected({0.5, 0.5, 0.5});
+    QMouseEvent move(QEvent::MouseMove, at, axial.mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&axial, &move);
+    return axial.readout().value.toDouble();
+  };
+  w.action("slabMaximum")->trigger();
+  EXPECT_EQ(shown(5.0), 0.0);
+  EXPECT_EQ(axial.readout().slab, "maximum of 5 mm");
+  EXPECT_GT(shown(10.0), 90.0);
+  EXPECT_EQ(axial.readout().slab, "maximum of 10 mm");
+  w.action("slabMean")->trigger();
+  EXPECT_NEAR(shown(10.0), 10.0, 2.0);
+  EXPECT_EQ(axial.readout().slab, "mean of 10 mm");
+}
+
+TEST(Slices, ShareTheGreyWindowTheContourTheMenuAndTheWayBackToTheWholeSlice) {
+  Window w;
+  w.window.setTouched({.value = [](const Vec3& p) { return p.norm() < 0.014 ? 2000.0 : 0.0; }});
+  ui::SliceView &axial = w.window.slice(Plane::Axial), &coronal = w.window.slice(Plane::Coronal);
+  // a drag in one slice changes all
+  const QString before = axial.readout().grey;
+  const QPoint from = coronal.pictureRect().center();
+  QTest::mousePress(&coronal, Qt::RightButton, {}, from);
+  QMouseEvent move(QEvent::MouseMove, from + QPoint{40, 0},
+                   coronal.mapToGlobal(QPointF(from + QPoint{40, 0})), Qt::NoButton,
+                   Qt::RightButton, {});
+  QCoreApplication::sendEvent(&coronal, &move);
+  QTest::mouseRelease(&coronal, Qt::RightButton, {}, from + QPoint{40, 0});
+  EXPECT_NE(axial.readout().grey, before);
+  EXPECT_EQ(axial.readout().grey, coronal.readout().grey);
+  // a click opens the menu
+  EXPECT_FALSE(w.slices().menu().isVisible());
+  QTest::mouseClick(&coronal, Qt::RightButton, {}, from);
+  EXPECT_TRUE(w.slices().menu().isVisible());
+  w.slices().menu().close();
+  // the contour goes and comes in all
+  const auto orange = [](QColor c) { return c.red() > 200 && c.blue() < 0.6 * c.red(); };
+  w.slices().setGrey({.level = 9000.0, .width = 1.0});
+  w.action("showCrosshair")->trigger();
+  const auto contours = [&](ui::SliceView& view) {
+    const QImage image = window::pictureOf(view);
+    return window::count(image.copy(view.pictureRect().adjusted(20, 50, -20, -40)), orange);
+  };
+  EXPECT_GT(contours(axial), 60);
+  EXPECT_GT(contours(coronal), 60);
+  w.action("showContour")->trigger();
+  EXPECT_EQ(contours(axial), 0);
+  EXPECT_EQ(contours(coronal), 0);
+  // and all are whole again
+  const double whole = axial.mmPerPixel();
+  const Vec3 middle = coronal.placeUnder(from);
+  axial.zoom(3.0, {50.0, 50.0});
+  coronal.pan({30.0, 10.0});
+  w.action("resetSlices")->trigger();
+  EXPECT_NEAR(axial.mmPerPixel(), whole, 1e-12);
+  EXPECT_LT((coronal.placeUnder(from) - middle).norm(), 1e-9);
 }
 
 TEST(Slices, FollowTheToolIfAsked) {

@@ -5,6 +5,7 @@
 
 #include <QContextMenuEvent>
 #include <QPaintEvent>
+#include <QPainter>
 #include <QRegion>
 #include <QTest>
 #include <QWheelEvent>
@@ -200,6 +201,7 @@ TEST(SliceView, ZoomsAtThePointerByWheelAndKeys) {
   EXPECT_LT((s.view.placeUnder(at) - under).norm(), 1e-6);
   QTest::keyClick(&s.view, Qt::Key_Minus);
   EXPECT_NEAR(s.view.mmPerPixel(), whole / std::pow(1.2, 3), 1e-9);
+  EXPECT_LT((s.view.placeUnder(at) - under).norm(), 1e-6);
   // the picture is nearer too: the ball is larger
   const int before = window::count(window::pictureOf(s.view), bright);
   wheel(s.view, s.view.projected({18.0, 0.0, 0.5}), 240, Qt::ControlModifier);
@@ -252,6 +254,44 @@ TEST(SliceView, GoesThroughTheSlicesByKeysAndSaysWhichItShows) {
   EXPECT_EQ(number(), 64);
   wheel(s.view, {150.0, 150.0}, -60);
   EXPECT_EQ(number(), 63);
+}
+
+TEST(SliceView, MovesTheCrosshairByAVoxelWithAltAndArrows) {
+  Shown s(Plane::Coronal);
+  Vec3 cross{0.5, 0.5, 0.5};
+  QObject::connect(&s.view, &ui::SliceView::crossMoved, [&](const Vec3& p) { cross = p; });
+  const std::pair<Qt::Key, Vec3> ways[] = {{Qt::Key_Up, Vec3::UnitZ()},
+                                           {Qt::Key_Down, -Vec3::UnitZ()},
+                                           {Qt::Key_Right, Vec3::UnitX()},
+                                           {Qt::Key_Left, -Vec3::UnitX()}};
+  for (const auto& [key, way] : ways) {
+    const Vec3 before = cross;
+    QTest::keyClick(&s.view, key, Qt::AltModifier);
+    EXPECT_LT((cross - before - way).norm(), 1e-9) << key;  // mm
+  }
+}
+
+TEST(SliceView, CountsTheSlicesOfItsOwnAxisWhateverTheirDistance) {
+  haptics::Grid grid;
+  grid.dims = {40, 50, 20};
+  grid.spacing = Vec3{0.5e-3, 0.8e-3, 2e-3};
+  const auto picture = ui::pictureOf(
+      window::volumeOf(grid, haptics::ScalarType::Int16, [](const Vec3&) { return 0.0; }));
+  const struct {
+    Plane plane;
+    const char *here, *next;
+  } planes[] = {{Plane::Axial, "8 / 20   S 14.0 mm", "9 / 20   S 16.0 mm"},
+                {Plane::Coronal, "21 / 50   P 16.0 mm", "22 / 50   P 16.8 mm"},
+                {Plane::Sagittal, "11 / 40   L 5.0 mm", "12 / 40   L 5.5 mm"}};
+  for (const auto& [plane, here, next] : planes) {
+    ui::SliceView view(plane);
+    QObject::connect(&view, &ui::SliceView::crossMoved, &view, &ui::SliceView::setCross);
+    view.show(picture);
+    view.setCross(Vec3{10 * 0.5, 20 * 0.8, 7 * 2.0});
+    EXPECT_EQ(view.readout().place, here);
+    QTest::keyClick(&view, Qt::Key_Up);
+    EXPECT_EQ(view.readout().place, next);
+  }
 }
 
 TEST(SliceView, ChangesWindowAndLevelByRightDragAndKeysAndOpensChoicesOnlyByAClick) {
@@ -311,10 +351,50 @@ TEST(SliceView, HasARulerOfRoundLength) {
   for (int x = picture.right() - 12; x <= picture.right(); ++x) {
     int run = 0;
     for (int y = picture.top(); y <= picture.bottom(); ++y)
-      run += image.pixelColor(x, y).red() > 120;
+      run += image.pixelColor(x, y).red() > 80;
     longest = std::max(longest, run);
   }
   EXPECT_NEAR(longest * s.view.mmPerPixel(), mm, 2.5 * s.view.mmPerPixel());
+}
+
+TEST(SliceView, WritesPlaceAndValueAndTheLengthOfItsRuler) {
+  Shown s;
+  const QPoint at = s.view.projected({18.0, 0.0, 0.5}).toPoint();
+  hover(s.view, at);
+  s.view.setGrey({.level = 1000.0, .width = 1.0});  // all black but what is written
+  const QImage image = window::pictureOf(s.view);
+  window::keep(image, "slice_words");
+  const QRect picture = s.view.pictureRect(), inner = picture.adjusted(5, 3, -5, -3);
+  const ui::SliceReadout readout = s.view.readout();
+  ASSERT_EQ(readout.value, "100");
+  QFont font = s.view.font();
+  font.setPixelSize(11);
+  const int line = QFontMetrics(font).height();
+  const double mm = ui::rulerLength_mm(0.3 * picture.height() * s.view.mmPerPixel());
+  const struct {
+    QString text;
+    QRect box;
+    int flags;
+  } words[] = {{readout.place, inner.adjusted(0, line, 0, 0), Qt::AlignLeft | Qt::AlignTop},
+               {readout.value, inner, Qt::AlignRight | Qt::AlignBottom},
+               {readout.position, inner.adjusted(0, 0, 0, -line), Qt::AlignRight | Qt::AlignBottom},
+               {readout.grey, inner, Qt::AlignLeft | Qt::AlignBottom},
+               {QStringLiteral("%1 mm").arg(mm),
+                QRect(picture.right() - 98, picture.center().y() + 2, 82, 20),
+                Qt::AlignRight | Qt::AlignVCenter}};
+  for (const auto& [text, box, flags] : words) {
+    QImage expected(image.size(), QImage::Format_RGB32);
+    expected.fill(Qt::black);
+    QRect ink;
+    QPainter painter(&expected);
+    painter.setFont(font);
+    painter.setPen(QColor(188, 194, 204));
+    painter.drawText(box, flags, text, &ink);
+    painter.end();
+    const auto light = [](QColor c) { return c.green() > 120; };
+    EXPECT_GT(window::count(expected.copy(ink), light), 15) << qPrintable(text);
+    EXPECT_LT(window::differing(image.copy(ink), expected.copy(ink), 60), 0.01) << qPrintable(text);
+  }
 }
 
 TEST(SliceView, KeepsWhatIsOnViewWhenVoxelsAreReplaced) {

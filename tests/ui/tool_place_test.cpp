@@ -10,6 +10,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QGuiApplication>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -279,7 +280,8 @@ class Answers : public QObject {
     QWidget* open = QApplication::activeModalWidget();
     if (auto* file = qobject_cast<QFileDialog*>(open)) {
       seen << "file";
-      file->selectFile(path_);
+      // typed: selecting a file here failed at times
+      file->findChild<QLineEdit*>("fileNameEdit")->setText(path_);
       QMetaObject::invokeMethod(file, "accept");
     } else if (auto* box = qobject_cast<QMessageBox*>(open)) {
       seen << box->text();

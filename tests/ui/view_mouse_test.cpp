@@ -234,6 +234,21 @@ TEST(ViewMouse, SwitchesThePerspectiveAtTheSameSizeAndResets) {
   EXPECT_NEAR(width(), before, 0.01);
 }
 
+TEST(ViewMouse, BringsToolAndCrosshairTogetherAndLooksFromTheToolByKeys) {
+  BallView ball;
+  QSignalSpy to_cross(&ball.view, &ui::VolumeView::toolToCrossWanted);
+  QSignalSpy to_tool(&ball.view, &ui::VolumeView::crossToToolWanted);
+  QTest::keyClick(&ball.view, Qt::Key_J);
+  EXPECT_EQ(to_cross.count(), 1);
+  EXPECT_EQ(to_tool.count(), 0);
+  QTest::keyClick(&ball.view, Qt::Key_K);
+  EXPECT_EQ(to_cross.count(), 1);
+  EXPECT_EQ(to_tool.count(), 1);
+  ball.put({0.030, 0.0, 0.0});
+  QTest::keyClick(&ball.view, Qt::Key_T);
+  EXPECT_GT(ball.view.viewAxes().col(2).x(), 0.7);  // from the patient's left
+}
+
 TEST(ViewMouse, LooksAlongTheTool) {
   BallView ball;
   haptics::Snapshot snapshot;

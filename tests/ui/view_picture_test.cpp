@@ -11,9 +11,14 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include <QAction>
 #include <QBuffer>
 #include <QImageReader>
+#include <QMenu>
+#include <QPainter>
+#include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <cmath>
 #include <filesystem>
 
@@ -131,6 +136,79 @@ TEST(ViewPicture, ColoursTheSurfaceByItsTissue) {
     view.setIsovalue(180.0);
     EXPECT_GT(middle().red(), 2.5 * middle().blue());
   }
+}
+
+TEST(ViewPicture, FollowsTheEntriesOfTheViewMenu) {
+  ui::MainWindow window;
+  ui::VolumeView& view = window.view();
+  view.setSurfaceWish(SurfaceMode::Mesh);
+  window::showAndWait(window, {1000, 700});
+  const auto falling = [](const Vec3& p) { return 2000.0 - 3000.0 * p.norm() / 0.025; };
+  const ui::Picture picture = ui::pictureOf(
+      window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16, falling, {.unit = "HU"}));
+  window.show(picture, -300.0, "CT");
+  const auto entries = [&](const char* menu) { return window.findChild<QMenu*>(menu)->actions(); };
+  const auto entry = [&](const char* name) { return window.findChild<QAction*>(name); };
+
+  const auto sides = entries("sides");
+  ASSERT_EQ(std::size_t(sides.size()), ui::kSides.size());
+  for (std::size_t i = 0; i < ui::kSides.size(); ++i) {
+    sides[int(i)]->trigger();
+    EXPECT_GT(view.viewAxes().col(2).dot(ui::directionOf(ui::kSides[i])), 0.999) << i;
+  }
+  entry("parallel")->trigger();
+  EXPECT_TRUE(view.isParallel());
+  entry("parallel")->trigger();
+  EXPECT_FALSE(view.isParallel());
+
+  // skin by its colour, or as ivory; without a unit ivory until the user asks
+  const auto redness = [&] {
+    const QImage image = window::pictureAtRest(view);
+    const QColor c =
+        image.pixelColor(image.width() / 2, image.height() / 2 + 60);  // beside the tool
+    return c.red() / double(c.blue());
+  };
+  EXPECT_GT(redness(), 1.25);
+  entry("colourIvory")->trigger();
+  EXPECT_LT(redness(), 1.25);
+  entry("colourByTissue")->trigger();
+  EXPECT_GT(redness(), 1.25);
+
+  QSignalSpy chosen(&window, &ui::MainWindow::isovalueChanged);
+  const auto presets = entries("tissuePresets");
+  const auto seconds = entries("secondSurface");
+  ASSERT_EQ(std::size_t(presets.size()), ui::kTissues.size());
+  for (std::size_t i = 0; i < ui::kTissues.size(); ++i) {
+    const double isovalue = ui::isovalueOf(ui::kTissues[i], picture);
+    presets[int(i)]->trigger();
+    ASSERT_FALSE(chosen.isEmpty());
+    EXPECT_EQ(chosen.last()[0].toDouble(), isovalue) << i;
+    seconds[int(i) + 1]->trigger();  // the first is none
+    EXPECT_EQ(view.surface().second(), isovalue) << i;
+  }
+  view.setIsovalue(123.0);
+  seconds.last()->trigger();
+  EXPECT_EQ(view.surface().second(), 123.0);
+  seconds.first()->trigger();
+  EXPECT_FALSE(view.surface().second());
+
+  window.show(window::octahedron(0.003));
+  haptics::Snapshot snapshot = placed({0.0, -0.023, 0.0}, {0.0, -0.022, 0.0});
+  snapshot.contacts = 1;
+  snapshot.places[0] = {{0.0F, -0.020F, 0.0F}, 2.0F};
+  snapshot.felt_W.force = Vec3{3.0, 0.0, 0.0};
+  sides.first()->trigger();
+  window.display(snapshot);
+  const auto blue = [](QColor c) { return c.blue() > 220 && c.red() < 130; };
+  EXPECT_EQ(window::count(window::pictureAtRest(view), blue), 0);
+  entry("showContacts")->trigger();
+  EXPECT_GT(window::count(window::pictureAtRest(view), blue), 60);
+
+  window.show(
+      ui::pictureOf(window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16, falling)),
+      -300.0, "No unit");
+  EXPECT_TRUE(entry("colourIvory")->isChecked());
+  EXPECT_LT(redness(), 1.25);
 }
 
 TEST(ViewPicture, PresetsFollowTheHistogramWithoutAUnit) {
@@ -444,6 +522,17 @@ TEST(ViewPicture, WritesUnknownWhereTheFileDoesNotSayHowItLies) {
   EXPECT_EQ(window::count(image, yellow), 0);
 }
 
+TEST(ViewPicture, HasSmoothLetters) {
+  ui::VolumeView view;
+  open(view, SurfaceMode::Mesh, {300, 240});
+  view.show(ui::pictureOf(ballVolume(0.010)), 50.0);
+  const QImage left = window::pictureAtRest(view).copy(0, 100, 30, 40);
+  const auto full = [](QColor c) { return c.red() > 240; };
+  const auto half = [](QColor c) { return c.red() > 60 && c.red() < 220; };
+  EXPECT_GT(window::count(left, full), 20);
+  EXPECT_GT(window::count(left, half), 10);
+}
+
 TEST(ViewPicture, IsTakenLargerWithLettersAndWithoutWordsBesideIt) {
   for (const SurfaceMode mode : kModes) {
     SCOPED_TRACE(wordOf(mode));
@@ -471,6 +560,12 @@ TEST(ViewPicture, IsTakenLargerWithLettersAndWithoutWordsBesideIt) {
   }
 }
 
+/// The same picture with a view's place left black.
+QImage blackened(QImage image, const QRect& place) {
+  QPainter(&image).fillRect(place, Qt::black);
+  return image;
+}
+
 TEST(ViewPicture, OfTheWindowHoldsTheView) {
   ui::MainWindow window;
   window.view().setSurfaceWish(SurfaceMode::Mesh);
@@ -480,10 +575,40 @@ TEST(ViewPicture, OfTheWindowHoldsTheView) {
   const QImage image = ui::screenshotOf(window, window.view(), {.whole_window = true, .scale = 2});
   ASSERT_EQ(image.size(), window.size() * 2);
   window::keep(image, "picture_window");
-  const QPoint corner = window.view().mapTo(&window, QPoint{}) * 2;
-  const QImage part = image.copy(QRect(corner, window.view().size() * 2));
+  // the view's own picture, with its letters, where the view is
+  const QRect place(window.view().mapTo(&window, QPoint{}), window.view().size());
+  const QRect twice(place.topLeft() * 2, place.size() * 2);
+  const QImage part = image.copy(twice);
   EXPECT_GT(window::count(part, window::surfaceColoured), 40'000);
+  EXPECT_LT(window::differing(part, window.view().picture(2.0), 8), 0.001);
+  // beside it, what the window shows
+  const QImage small = image.scaled(window.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  const QImage shown = window::pictureOf(window);
+  EXPECT_LT(window::differing(blackened(small, place), blackened(shown, place), 80), 0.01);
+  // slices are cut at the picture's own pixels: neighbours differ where the ball ends, away from
+  // words and lines
+  const ui::SliceView& axial = window.slice(ui::Plane::Axial);
+  const QPoint off = axial.mapTo(&window, QPoint{});
+  EXPECT_GT(window::neighboursApart(
+                image, QRect((axial.projected({-22.0, 3.0, 0.5}).toPoint() + off) * 2,
+                             (axial.projected({-3.0, 22.0, 0.5}).toPoint() + off) * 2)),
+            40);
   EXPECT_FALSE(ui::screenshotOf(window, window.view(), {.scale = 1}).isNull());
+}
+
+TEST(ViewPicture, OfTheWindowShowsASliceThatIsShownAlone) {
+  ui::MainWindow window;
+  window.view().setSurfaceWish(SurfaceMode::Mesh);
+  window::showAndWait(window, {1000, 700});
+  window.show(ui::pictureOf(ballVolume(0.020)), 50.0, "ball");
+  window::pictureAtRest(window.view());
+  ui::SliceView& axial = window.slice(ui::Plane::Axial);
+  axial.parentWidget()->findChild<QToolButton*>("maximise")->click();
+  ASSERT_FALSE(window.view().isVisible());
+  const QImage shown = window::pictureOf(window);
+  const QImage image = ui::screenshotOf(window, window.view(), {.whole_window = true, .scale = 1});
+  window::keep(image, "picture_window_slice");
+  EXPECT_LT(window::differing(image, shown, 8), 0.002);
 }
 
 TEST(ViewPicture, OfTheViewHasNoHint) {

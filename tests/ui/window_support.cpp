@@ -9,6 +9,17 @@
 #include <cstdio>
 
 namespace window {
+namespace {
+
+/// With a pixel for each of the widget's, whatever the scale of the screen.
+QImage unscaled(QImage image, QSize size) {
+  image.setDevicePixelRatio(1.0);
+  if (image.size() != size)
+    image = image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  return image.convertToFormat(QImage::Format_RGB32);
+}
+
+}  // namespace
 
 std::shared_ptr<const haptics::Volume> volumeOf(
     const haptics::Grid& grid, haptics::ScalarType type,
@@ -77,12 +88,12 @@ void showAndWait(QWidget& widget, QSize size) {
 
 QImage pictureOf(QWidget& widget) {
   QTest::qWait(30);
-  return widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
+  return unscaled(widget.grab().toImage(), widget.size());
 }
 
 QImage pictureAtRest(ui::VolumeView& view) {
   QTest::qWait(500);
-  return view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+  return unscaled(view.grabFramebuffer(), view.size());
 }
 
 void keep(const QImage& image, const char* name) {
@@ -113,6 +124,14 @@ QPointF centroid(const QImage& image, const std::function<bool(QColor)>& wanted,
         ++found;
       }
   return found < least ? QPointF{-1.0, -1.0} : sum / found;
+}
+
+int neighboursApart(const QImage& image, const QRect& where) {
+  int differ = 0;
+  for (int y = where.top() / 2 * 2; y < where.bottom(); y += 2)
+    for (int x = where.left() / 2 * 2; x < where.right(); x += 2)
+      differ += std::abs(qGray(image.pixel(x, y)) - qGray(image.pixel(x + 1, y))) > 8;
+  return differ;
 }
 
 int count(const QImage& image, const std::function<bool(QColor)>& wanted) {

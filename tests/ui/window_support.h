@@ -43,7 +43,8 @@ bool waitFor(const std::function<bool()>& done, double seconds = 60.0);
 
 /// Shows the widget and waits until it has been drawn.
 void showAndWait(QWidget& widget, QSize size);
-/// Waits until nothing more is drawn, and takes the widget's picture.
+/// Waits until nothing more is drawn, and takes the widget's picture: a pixel for each of the
+/// widget's, whatever the scale of the screen.
 QImage pictureOf(QWidget& widget);
 /// The same, of a 3-D view; waits past its time of rest.
 QImage pictureAtRest(ui::VolumeView& view);
@@ -54,6 +55,8 @@ void keep(const QImage& image, const char* name);
 double differing(const QImage& a, const QImage& b, int tolerance = 24);
 /// Mean place of the pixels that `wanted` picks; {-1, -1} if fewer than `least`.
 QPointF centroid(const QImage& image, const std::function<bool(QColor)>& wanted, int least = 4);
+/// How many pairs of pixels that lie within one pixel of half the resolution differ.
+int neighboursApart(const QImage& image, const QRect& where);
 int count(const QImage& image, const std::function<bool(QColor)>& wanted);
 
 bool proxyColoured(QColor colour);

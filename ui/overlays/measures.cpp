@@ -350,15 +350,15 @@ void Measures::paint(QPainter& painter, const ViewGeometry& view) const {
   const QString warning = tr("Not for treatment");
   const QSizeF size = labelSize(painter, warning);
   const QRectF seen = seenPart(painter, view);
-  // where neither the words of a slice nor the letters of the 3-D view stand
+  // where neither the words of a slice, however narrow, nor the letters of the 3-D view stand
   const QPointF place = view.isSlice()
-                            ? QPointF{seen.right() - size.width() - 4.0, seen.top() + 10.0}
+                            ? QPointF{seen.right() - size.width() - 4.0, seen.top() + 32.0}
                             : QPointF{seen.left() + 6.0, seen.bottom() - size.height() - 6.0};
   const QRectF corner(place, size);
   taken.push_back(corner);
   drawLabel(painter, corner, warning);  // below the handles, which are dragged there too
   if (view.isSlice()) {                 // name and place of the slice, and its ruler
-    taken.push_back({seen.topLeft(), QSizeF{120.0, 38.0}});
+    taken.push_back({seen.topLeft(), QSizeF{150.0, 38.0}});
     taken.push_back({seen.right() - 60.0, seen.center().y() - 40.0, 60.0, 80.0});
   }
   for (std::size_t i = 0; i < all_.size(); ++i)

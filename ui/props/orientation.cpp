@@ -20,16 +20,19 @@ const QColor kLetterColour(255, 217, 51);
 const QColor kCubeLetter(230, 233, 238), kCubeLine(152, 162, 179);
 const QColor kCubeDark(31, 35, 43), kCubeLight(67, 75, 90);
 
-void outlined(QPainter& painter, QPointF baseline, const QFont& font, const QString& text) {
-  QPainterPath path;
-  path.addText(baseline, font, text);
-  // a dark rim: readable on bone and on the ground
-  painter.strokePath(
-      path, QPen(QColor(12, 13, 17, 200), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.fillPath(path, kLetterColour);
-}
-
 }  // namespace
+
+void paintOutlined(QPainter& painter, QPointF baseline, const QFont& font, const QColor& colour,
+                   const QString& text) {
+  painter.setFont(font);
+  // as text: paths have rough edges where OpenGL paints them
+  painter.setPen(QColor(12, 13, 17, 200));
+  for (const QPointF by : {QPointF{1.0, 0.0}, QPointF{-1.0, 0.0}, QPointF{0.0, 1.0},
+                           QPointF{0.0, -1.0}, QPointF{1.0, 1.0}, QPointF{-1.0, -1.0}})
+    painter.drawText(baseline + by, text);
+  painter.setPen(colour);
+  painter.drawText(baseline, text);
+}
 
 Eigen::Vector3d directionOf(Side side) {
   switch (side) {
@@ -84,14 +87,14 @@ void paintEdgeLetters(QPainter& painter, const QRectF& area, const Eigen::Matrix
   const std::array<QString, 4> letters = edgeLettersOf(axes);
   const double high = metrics.capHeight();
   const auto wide = [&](const QString& text) { return metrics.horizontalAdvance(text); };
+  const auto outlined = [&](QPointF baseline, const QString& text) {
+    paintOutlined(painter, baseline, font, kLetterColour, text);
+  };
   const QPointF middle = area.center();
-  outlined(painter, {area.left() + kEdgeMargin, middle.y() + 0.5 * high}, font, letters[0]);
-  outlined(painter, {area.right() - kEdgeMargin - wide(letters[1]), middle.y() + 0.5 * high}, font,
-           letters[1]);
-  outlined(painter, {middle.x() - 0.5 * wide(letters[2]), area.top() + kEdgeMargin + high}, font,
-           letters[2]);
-  outlined(painter, {middle.x() - 0.5 * wide(letters[3]), area.bottom() - kEdgeMargin}, font,
-           letters[3]);
+  outlined({area.left() + kEdgeMargin, middle.y() + 0.5 * high}, letters[0]);
+  outlined({area.right() - kEdgeMargin - wide(letters[1]), middle.y() + 0.5 * high}, letters[1]);
+  outlined({middle.x() - 0.5 * wide(letters[2]), area.top() + kEdgeMargin + high}, letters[2]);
+  outlined({middle.x() - 0.5 * wide(letters[3]), area.bottom() - kEdgeMargin}, letters[3]);
 }
 
 QRectF OrientationCube::placeIn(const QSizeF& view) {

@@ -32,6 +32,10 @@ QString lettersTowards(const Eigen::Vector3d& direction_W);
 /// right, up, towards the viewer).
 std::array<QString, 4> edgeLettersOf(const Eigen::Matrix3d& axes);
 
+/// Writes words that can be read on bone and on the ground: they have a dark rim.
+void paintOutlined(QPainter& painter, QPointF baseline, const QFont& font, const QColor& colour,
+                   const QString& text);
+
 /// Writes the edge letters, a little off the edges of `area`.
 void paintEdgeLetters(QPainter& painter, const QRectF& area, const Eigen::Matrix3d& axes);
 
