@@ -8,9 +8,8 @@
 namespace haptics {
 namespace {
 
-constexpr double kShare = 0.45;  // of the limit of a sampled spring
-// N·m/rad, missing about the pivot: more gives over 0.9 mJ a turn, by the arm and by the far end
-constexpr double kMissingByArm = 0.9, kMissingByReach = 1.8;
+constexpr double kShare = 0.45;   // of the limit of a sampled spring
+constexpr double kMissing = 0.9;  // N·m/rad about the pivot: more gives over 0.8 mJ a turn
 
 double shareOfLimit(double damping, const Timing& timing) {
   return kShare * 2.0 * damping / (timing.period * (1.0 + 2.0 * timing.delay));
@@ -30,8 +29,8 @@ double allowedStiffness(const DeviceRating& rating, const PointShell& shell, con
   } else if (rating.sensed >= kTurns) {
     const double reach2 = shell.radius * shell.radius, inertia = largestInertia(shell.inertia);
     if (reach2 > 0.0)
-      allowed = std::min(allowed, kMissingByReach * (inertia + reach2) / (reach2 * inertia));
-    if (arm > 0.0) allowed = std::min(allowed, kMissingByArm / (arm * arm));
+      allowed = std::min(allowed, kMissing * (inertia + reach2) / (reach2 * inertia));
+    if (arm > 0.0) allowed = std::min(allowed, kMissing / (arm * arm));
   }
   return std::min(rating.stiffness, allowed);
 }

@@ -570,9 +570,9 @@ TEST(Marks, TheWayOfTheToolIsAddedUpAndNothingIsPaintedWhileItRests) {
 
   // at rest: no text and no view changes
   int painted = 0;
-  class Paints : public QObject {
+  class PaintCount : public QObject {
    public:
-    explicit Paints(int& count) : count_(count) { qApp->installEventFilter(this); }
+    explicit PaintCount(int& count) : count_(count) { qApp->installEventFilter(this); }
     bool eventFilter(QObject*, QEvent* event) override {
       count_ += event->type() == QEvent::Paint;
       return false;
@@ -581,7 +581,7 @@ TEST(Marks, TheWayOfTheToolIsAddedUpAndNothingIsPaintedWhileItRests) {
   };
   QTest::qWait(600);
   {
-    const Paints paints(painted);
+    const PaintCount paints(painted);
     for (int i = 0; i < 40; ++i) {
       put(snapshot.X_WP.translation());
       QTest::qWait(10);

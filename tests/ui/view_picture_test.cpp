@@ -174,7 +174,7 @@ TEST(ViewPicture, FollowsTheEntriesOfTheViewMenu) {
   entry("colourByTissue")->trigger();
   EXPECT_GT(redness(), 1.25);
 
-  QSignalSpy chosen(&window, &ui::MainWindow::isovalueChanged);
+  QSignalSpy chosen(&window, &ui::MainWindow::isovalueWanted);
   const auto presets = entries("tissuePresets");
   const auto seconds = entries("secondSurface");
   ASSERT_EQ(std::size_t(presets.size()), ui::kTissues.size());

@@ -204,26 +204,26 @@ Outcome turnedHandle(int turns) {
             {"energy [mJ]"}};
   const double mJ = 1e3 / turns;
   struct Row {
-    const char* device;
     Lever lever;
     bool torque;
   };
-  for (const Row& row : {Row{"omni-arm-200", {.arm = 0.02}, false},
-                         {"omni-arm-200", {.arm = 0.02}, true},
-                         {"omni-arm-200", {.arm = 0.1}, false},
-                         {"omni-arm-200", {.arm = 0.1}, true},
-                         {"omni-arm-200", {.arm = 0.2}, false},
-                         {"omni-arm-200", {.arm = 0.2}, true},
-                         {"omega.6", {.reach = 0.05}, false},
-                         {"omega.6", {.reach = 0.1}, false},
-                         {"omega.6", {.reach = 0.2}, false}}) {
-    const haptics::DeviceModel device = haptics::findDeviceModel(row.device).value();
+  for (const Row& row : {Row{{.arm = 0.02}, false},
+                         {{.arm = 0.02}, true},
+                         {{.arm = 0.1}, false},
+                         {{.arm = 0.1}, true},
+                         {{.arm = 0.2}, false},
+                         {{.arm = 0.2}, true},
+                         {{.reach = 0.05}, false},
+                         {{.reach = 0.1}, false},
+                         {{.reach = 0.2}, false}}) {
+    const bool is_arm = row.lever.arm > 0.0;
+    const haptics::DeviceModel device =
+        haptics::findDeviceModel(is_arm ? "omni-arm-200" : "omega.6").value();
     const double rated = device.rating.stiffness;
     const double allowed =
         row.torque
             ? rated
             : haptics::allowedStiffness(device.rating, toolAt(row.lever).shell, {}, row.lever.arm);
-    const bool is_arm = row.lever.arm > 0.0;
     const std::string length = shortly(1e3 * (row.lever.arm + row.lever.reach)) + " mm";
     const auto turned = [&](const char* caption, double stiffness, bool shipped) {
       Turned r = turnHandle(device, row.lever, row.torque, stiffness, shipped, turns);
