@@ -25,7 +25,7 @@ struct Timing {
 /// The energy grows with the angular stiffness that is missing about the handle's pivot. A contact
 /// at the far end of the tool, at r from its origin, gives K r² I / (I + r²), with the tool's
 /// largest inertia I: that end gives way by turning as well as by moving. A tool whose origin is
-/// `arm` [m] from the pivot gives K arm². Each lowers the allowed stiffness. The shipped programs
+/// `arm` [m] from the pivot gives K arm². Either may be at most 0.9 N·m/rad. The shipped programs
 /// have no arm: a driver reads the pose of the pivot, and the tool's origin is there.
 ///
 /// Any thread.
