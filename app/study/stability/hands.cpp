@@ -197,11 +197,15 @@ Turned turnHandle(haptics::DeviceModel device, const Lever& lever, bool torque, 
 
 Outcome turnedHandle(int turns) {
   Findings found;
-  Plot plot{"Energy given to the hand by a device of three actuated degrees of freedom",
-            "The handle is turned to and fro with the end of a lever in contact, at the stiffness "
-            "that is allowed. Without torque motors the lever lowers it",
-            {"time [s]"},
-            {"energy [mJ]"}};
+  const auto energies = [](const char* lever) {
+    return Plot{"Energy given to the hand by a device of three actuated degrees of freedom, " +
+                    std::string{lever},
+                "The handle is turned to and fro with the end of a lever in contact, at the "
+                "stiffness that is allowed. Without torque motors the lever lowers it",
+                {"time [s]"},
+                {"energy [mJ]"}};
+  };
+  Plot arms = energies("with an arm"), reaches = energies("with a long tool");
   const double mJ = 1e3 / turns;
   struct Row {
     Lever lever;
@@ -238,9 +242,8 @@ Outcome turnedHandle(int turns) {
     };
     turned("A handle turned at what is rated, whatever the lever, without the guard", rated, false);
     Turned r = turned("A handle turned with the end of a lever in contact", allowed, true);
-    r.energy.name =
-        (is_arm ? "" : "reach ") + length + ", " + (row.torque ? "torque" : "no torque");
-    plot.series.push_back(std::move(r.energy));
+    r.energy.name = length + ", " + (row.torque ? "torque" : "no torque");
+    (is_arm ? arms : reaches).series.push_back(std::move(r.energy));
     found.subject = (is_arm ? "arm of " : "reach of ") + length + ", " +
                     (row.torque ? "six" : "three") + " actuated";
     if (is_arm)
@@ -261,7 +264,7 @@ Outcome turnedHandle(int turns) {
                        shortly(mJ * r.lost) + " mJ");
     found.atMost("force", r.force, device.rating.force * (1.0 + 1e-9), "N");
   }
-  found.outcome.plots.push_back(std::move(plot));
+  found.outcome.plots = {std::move(arms), std::move(reaches)};
   found.outcome.remarks.push_back(
       "Without torque motors a loop that is passive by itself gives energy through the handle's "
       "passive rotation, as [Chan 2011], 3.1, says of large moment arms. A passivity controller "
