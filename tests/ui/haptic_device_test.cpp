@@ -437,12 +437,14 @@ TEST(HapticDevice, TurningTheCameraTurnsTheHandsDirectionsAndMovesNothing) {
     const Eigen::Matrix3d after = session.view().viewAxes();
     ASSERT_GT((after - before).norm(), 0.2);
     // the session learns the axes when the snapshot is looked at, which on a busy machine may take
-    // longer than any wait; the servo takes them at its next tick
+    // longer than any wait
     for (int n = 0; n < 3; ++n) {
       const auto tick = session.now().tick;
       ASSERT_TRUE(waitFor([&] { return session.now().tick != tick; }));
     }
-    QTest::qWait(100);
+    // and the servo turns by 0.002 rad a tick: after half a turn's ticks it has arrived
+    const auto learnt = session.now().tick;
+    ASSERT_TRUE(waitFor([&] { return session.now().tick > learnt + 1'600; }));
     EXPECT_LT((toolAt() - at).norm(), kMoved);
     // to the right of the picture, or of what it was
     session.handle().lead(session.handle().led() + Vec3{0.01, 0.0, 0.0});
