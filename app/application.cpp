@@ -150,6 +150,9 @@ void Application::wireRecordings() {
 
 void Application::wireEdits() {
   connect(&edit_, &EditController::edited, &opening_, &OpeningController::replace);
+  connect(&edit_, &EditController::pictured, &opening_, &OpeningController::replacePicture);
+  connect(&opening_, &OpeningController::pictureReplaced, &isosurface_,
+          [this] { isosurface_.showScene(false); });
   connect(&edit_, &EditController::noted, &recording_,
           [this](const QString& what) { recording_.note("edit", what); });
   connect(&picture_, &PictureController::refreshing, &edit_, &EditController::refresh);

@@ -6,7 +6,6 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -208,13 +207,14 @@ void EditController::connectOverlays() {
 
 void EditController::showScene() {
   if (!shared_.shown) return;
-  const auto scan = scanOf(shared_.shown->picture.volume);
+  const auto scan = scanOf(shared_.shown->volume());
   if (scan != scan_) {
     // another volume: what was meant for the old one is dropped
     if (running_) {
       task_.abandon();
       window_.endLoading();
     }
+    painter_.abandon();
     running_.reset();
     held_.reset();
     queue_.clear();
@@ -237,8 +237,8 @@ void EditController::setReplaying(bool replaying) {
 }
 
 std::vector<Edit> EditController::edits() const {
-  if (!shared_.shown || !shared_.shown->picture.volume->edited) return {};
-  return shared_.shown->picture.volume->edited->edits;
+  if (!shared_.shown || !shared_.shown->volume()->edited) return {};
+  return shared_.shown->volume()->edited->edits;
 }
 
 void EditController::restore(std::vector<Edit> edits) { want({Step::Restore, std::move(edits)}); }
@@ -259,7 +259,7 @@ bool EditController::raises(const Job& job) const {
   if (job.step != Step::Apply) return true;
   const auto* crop = std::get_if<haptics::Crop>(&job.edits.front());
   if (crop == nullptr) return false;
-  const haptics::VoxelBox now = shared_.shown->picture.volume->bounds();
+  const haptics::VoxelBox now = shared_.shown->volume()->bounds();
   for (std::size_t a = 0; a < 3; ++a)
     if (crop->kept.first[a] < now.first[a] || crop->kept.end[a] > now.end[a]) return true;
   return false;
@@ -389,18 +389,11 @@ haptics::Expected<void> EditController::built(Made& made, const Loaded& shown,
                                               const Watch& watch) {
   const auto& volume = made.history->present();
   options.field = shown.scene->field.kind();
-  // the picture beside the scene: each takes a core
-  auto picture = std::async(std::launch::async, [volume, before = shown.picture] {
-    const haptics::Edited* edit = haptics::editBetween(volume, before.volume);
-    return edit != nullptr ? ui::pictureOf(volume, before, edit->changed) : ui::pictureOf(volume);
-  });
   auto scene = haptics::makeScene(volume, shown.scene->tool, options, shown.scene.get());
   if (!scene) return tl::unexpected(scene.error());
   made.scene = std::move(*scene);
   made.base = shown.scene;
-  watch.advanced(0.8);
-  made.picture = picture.get();
-  watch.advanced(0.95);
+  watch.advanced(0.9);
   if (auto near = haptics::legalPoseNear(*made.scene, isovalue, shown.start))
     made.start = *near;
   else
@@ -455,7 +448,6 @@ void EditController::adopt() {
   window_.endLoading();
   history_ = std::move(made.history);
   Loaded loaded = *shared_.shown;
-  loaded.picture = std::move(made.picture);
   loaded.scene = std::move(made.scene);
   loaded.start = made.start;
   loaded.note.clear();
@@ -465,7 +457,25 @@ void EditController::adopt() {
   else
     emit noted(words[static_cast<int>(job.step)]);
   emit edited(loaded);
+  paint();
   startNext();
+}
+
+/// The picture follows: the touch does not wait for it.
+void EditController::paint() {
+  painter_.start(
+      [volume = shared_.shown->volume(),
+       before = shared_.shown->picture](const Watch& watch) -> haptics::Expected<ui::Picture> {
+        const haptics::Edited* edit = haptics::editBetween(volume, before.volume);
+        return edit != nullptr ? ui::pictureOf(volume, before, edit->changed)
+                               : ui::pictureOf(volume, &watch.cancel);
+      },
+      [this](const haptics::Expected<ui::Picture>& picture) {
+        if (picture) return emit pictured(*picture);
+        window_.showMessage(
+            tr("There is not enough memory for the picture of the edited volume; it shows the "
+               "volume before the edit, and is not what is touched. Undo the edit."));
+      });
 }
 
 void EditController::showSteps() {
@@ -489,7 +499,7 @@ void EditController::changeTool(EditTool tool) {
   lasso_.setActive(tool == EditTool::Scalpel);
   pick_.setActive(tool == EditTool::Pieces);
   if (!scan_ || !shared_.shown) return;
-  const haptics::VoxelBox bounds = shared_.shown->picture.volume->bounds();
+  const haptics::VoxelBox bounds = shared_.shown->volume()->bounds();
   if (tool == EditTool::Crop) {
     crop_.show(scan_->grid, bounds);
     showCrop();
@@ -506,7 +516,7 @@ void EditController::endTool() {
 }
 
 void EditController::showCrop() {
-  const haptics::Volume& volume = *shared_.shown->picture.volume;
+  const haptics::Volume& volume = *shared_.shown->volume();
   const bool letters = lettersApply(volume);
   std::array<ui::CropRange, 3> ranges;
   for (int axis = 0; axis < 3; ++axis) {
@@ -533,7 +543,7 @@ void EditController::showCrop() {
 
 void EditController::moveCropFace(int axis, bool high, double mm) {
   if (!crop_.isShown()) return;
-  const haptics::Volume& volume = *shared_.shown->picture.volume;
+  const haptics::Volume& volume = *shared_.shown->volume();
   const auto a = static_cast<std::size_t>(axis);
   AxisNumbers numbers = numbersOf(volume, axis);
   if (!lettersApply(volume)) numbers = {.per_voxel_mm = volume.grid.spacing[axis] * kMmPerM};
@@ -599,7 +609,7 @@ void EditController::cropToView() {
 }
 
 void EditController::applyCrop() {
-  if (!crop_.isShown() || crop_.box() == shared_.shown->picture.volume->bounds()) return showCrop();
+  if (!crop_.isShown() || crop_.box() == shared_.shown->volume()->bounds()) return showCrop();
   showCrop();
   apply(haptics::Crop{crop_.box()});
 }
@@ -691,7 +701,7 @@ void EditController::preview(Edit edit, ui::EditConfirm confirm, const QString& 
   endPreview();
   window_.clearMessage();
   previewer_.start(
-      [edit, volume = shared_.shown->picture.volume,
+      [edit, volume = shared_.shown->volume(),
        isovalue = shared_.settings.isovalue](const Watch& watch) -> haptics::Expected<Preview> {
         const auto removal = haptics::removalOf(*volume, edit, isovalue, {.cancel = &watch.cancel});
         if (!removal) return tl::unexpected(removal.error());
@@ -742,7 +752,7 @@ void EditController::save(const QString& path) {
   window_.clearMessage();
   window_.showLoading(tr("Saving"));
   saver_.start(
-      [out, volume = shared_.shown->picture.volume,
+      [out, volume = shared_.shown->volume(),
        place = shared_.shown->place](const Watch& watch) -> haptics::Expected<QString> {
         const auto written = writeEdited(
             *volume, out, place, [&](double done) { watch.advanced(done); }, watch.cancel);

@@ -47,12 +47,17 @@ class EditController : public QObject {
   /// Applies these edits to the present scan, instead of its edits. They cannot be undone beyond
   /// the first of them. On an error the present ones stay.
   void restore(std::vector<haptics::Edit> edits);
-  /// Whether an edit is under way or waits.
-  bool isBusy() const { return running_.has_value() || held_.has_value() || !queue_.empty(); }
+  /// Whether an edit is under way or waits, or its picture is not there yet.
+  bool isBusy() const {
+    return running_.has_value() || held_.has_value() || !queue_.empty() || painter_.isRunning();
+  }
 
  signals:
-  /// A new volume and scene of the same scan. The receiver puts it into `shared.shown`.
+  /// A new volume and scene of the same scan. The receiver puts it into `shared.shown`. Its picture
+  /// is still that from before.
   void edited(const app::Loaded& loaded);
+  /// The picture of the newest volume.
+  void pictured(const ui::Picture& picture);
   /// What was done, for a recording: the edit as text, or "undo", "redo", "reset", "restore".
   void noted(const QString& text);
 
@@ -62,10 +67,9 @@ class EditController : public QObject {
     Step step = Step::Apply;
     std::vector<haptics::Edit> edits = {};
   };
-  /// A job's result, ready for view and touch.
+  /// A job's result, ready for the touch.
   struct Made {
     std::shared_ptr<haptics::EditHistory> history;
-    ui::Picture picture;
     std::shared_ptr<const haptics::Scene> scene;
     std::shared_ptr<const haptics::Scene> base;  ///< whose tool and options it has
     haptics::Pose start = haptics::Pose::Identity();
@@ -86,6 +90,7 @@ class EditController : public QObject {
   void start(const Job& job);
   void deliver(haptics::Expected<Made> made);
   void adopt();
+  void paint();
   void cancelWait();
   /// Takes a step of the history back that is not on view.
   static void rollBack(haptics::EditHistory& history, Step step);
@@ -140,6 +145,7 @@ class EditController : public QObject {
   QElapsedTimer untouched_;   ///< since the tool was last in contact
   std::optional<haptics::Edit> previewed_;
   background::Task<Made> task_;
+  background::Task<ui::Picture> painter_;  ///< of the volume that is touched
   background::Task<Preview> previewer_;
   background::Task<QString> saver_;  ///< the name of the written file
 };

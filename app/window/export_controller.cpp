@@ -49,7 +49,7 @@ void ExportController::exportRecording(const QString& id) {
   ExportRequest request{.recording = path, .out = {}, .wish = *wish};
   const exporting::Format* const table = wish->table ? &exporting::kFormats[*wish->table] : nullptr;
   if (table == nullptr) {
-    request.volume = shared_.shown ? scanOf(shared_.shown->picture.volume) : nullptr;
+    request.volume = shared_.shown ? scanOf(shared_.shown->volume()) : nullptr;
     if (request.volume) request.hash = identity_.of(request.volume);
     if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed)
       request.camera = cameraOf(window_.view());

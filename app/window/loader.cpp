@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <variant>
 
 #include "app/window/sentence.h"
@@ -38,7 +39,8 @@ void addTo(QString& note, const QString& sentence) {
 }
 
 struct Source {
-  ui::Picture picture;
+  std::shared_ptr<const haptics::Volume> volume;
+  std::optional<ui::Picture> picture = {};  ///< of a volume that is on view already
   std::optional<double> isovalue = {};
   std::string tool = "probe";
   QString title;
@@ -202,8 +204,7 @@ Expected<Source> readChosen(const LoadRequest& request, const Watch& watch) {
   Source source;
   source.title = titleOf(request, *volume);
   source.place = request.chosen->place;
-  source.picture =
-      ui::pictureOf(std::make_shared<const haptics::Volume>(std::move(*volume)), &watch.cancel);
+  source.volume = std::make_shared<const haptics::Volume>(std::move(*volume));
   return source;
 }
 
@@ -216,9 +217,9 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
     source.isovalue = phantom->isovalue;
     source.tool = phantom->tool;
     source.title = QString::fromStdString(*request.phantom);
-    source.picture =
-        ui::pictureOf(std::make_shared<const haptics::Volume>(std::move(phantom->volume)));
+    source.volume = std::make_shared<const haptics::Volume>(std::move(phantom->volume));
   } else if (request.keep) {
+    source.volume = request.keep->volume;
     source.picture = request.keep->picture;
     source.title = request.keep->title;
     source.place = request.keep->place;
@@ -254,11 +255,17 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
   if (watch.cancel) return cancelled();
   watch.advanced(0.85);
 
+  // the picture beside tool and scene: each takes a core
+  std::future<ui::Picture> picture;
+  if (!source->picture)
+    picture = std::async(std::launch::async, [volume = source->volume, &cancel = watch.cancel] {
+      return ui::pictureOf(volume, &cancel);
+    });
+
   Loaded loaded;
-  loaded.picture = std::move(source->picture);
   loaded.title = source->title;
   loaded.place = source->place;
-  const haptics::Volume& volume = *loaded.picture.volume;
+  const haptics::Volume& volume = *source->volume;
   const double wanted = request.isovalue.value_or(source->isovalue.value_or(firstIsovalue(volume)));
   loaded.isovalue =
       ui::allowedIsovalue(volume, std::isfinite(wanted) ? wanted : firstIsovalue(volume));
@@ -284,7 +291,7 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
   haptics::SceneOptions options = request.options;
   options.cancel = &watch.cancel;
   auto scene =
-      haptics::makeScene(loaded.picture.volume, std::move(*tool), options, request.previous.get());
+      haptics::makeScene(source->volume, std::move(*tool), options, request.previous.get());
   if (!scene) return tl::unexpected(scene.error());
   if (watch.cancel) return cancelled();
   watch.advanced(0.98);
@@ -296,6 +303,8 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
                    "no-start");
   loaded.start = *start;
   loaded.scene = std::move(*scene);
+  loaded.picture = picture.valid() ? picture.get() : std::move(*source->picture);
+  if (watch.cancel) return cancelled();
   return loaded;
 }
 

@@ -36,7 +36,8 @@ struct ChosenSeries {
 
 /// A volume that stays on view, with its place.
 struct Kept {
-  ui::Picture picture;
+  std::shared_ptr<const haptics::Volume> volume;
+  ui::Picture picture;  ///< as in Loaded
   QString title;
   std::filesystem::path place = {};  ///< as in Loaded
 };
@@ -71,6 +72,10 @@ struct Surveyed {
 
 /// A volume and a tool, ready for view and touch.
 struct Loaded {
+  /// The volume that is touched.
+  const std::shared_ptr<const haptics::Volume>& volume() const { return scene->volume; }
+
+  /// Of the volume, or, until that is ready, of the same scan before its last edits.
   ui::Picture picture;
   std::shared_ptr<const haptics::Scene> scene;
   ToolSource tool;

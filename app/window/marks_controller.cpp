@@ -82,7 +82,7 @@ void MarksController::connectPanel() {
 void MarksController::showScene() {
   if (!shared_.shown) return;
   const Loaded& shown = *shared_.shown;
-  const auto scan = scanOf(shown.picture.volume);
+  const auto scan = scanOf(shown.volume());
   if (!marked_ || marked_->scan.lock() != scan) {
     if (marked_ && !measures_.all().empty()) {
       marked_->measures = measures_.all();

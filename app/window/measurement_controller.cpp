@@ -37,7 +37,7 @@ void MeasurementController::measure() {
   if (!shared_.shown) return;
   const Loaded& shown = *shared_.shown;
   const haptics::Settings& settings = shared_.settings;
-  const QString unit = QString::fromStdString(shown.picture.volume->unit);
+  const QString unit = QString::fromStdString(shown.volume()->unit);
   conditions_ =
       tr("Touched with %1 at the isovalue %2, %3 N/m: simulated hands slid, tapped, hooked and "
          "wedged, on one thread of ordinary priority. Carried is what keeps the tool, on "

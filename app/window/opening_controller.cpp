@@ -74,15 +74,21 @@ void OpeningController::replace(const Loaded& loaded) {
   const bool placed = shared_.snapshot.scene == shared_.shown->scene->id;
   shared_.shown = loaded;
   emit this->loaded(false, placed);
-  window_.replace(loaded.picture);
   window_.setTouched(touchedSurfaceOf(loaded.scene));
   emit shown(false);
+}
+
+void OpeningController::replacePicture(const ui::Picture& picture) {
+  shared_.shown->picture = picture;
+  if (shared_.replaying) return;  // it shows the picture when it ends, or when it comes to it
+  window_.replace(picture);
+  emit pictureReplaced();
 }
 
 /// Asks first if another scan would take something with it.
 void OpeningController::take(const Loaded& loaded) {
   const bool other =
-      shared_.shown && scanOf(shared_.shown->picture.volume) != scanOf(loaded.picture.volume);
+      shared_.shown && scanOf(shared_.shown->volume()) != scanOf(loaded.volume());
   if (!other || !guard_) return adopt(loaded);
   window_.endLoading();
   guard_([this, loaded, asked = ++asked_](bool may_go) {
@@ -94,15 +100,19 @@ void OpeningController::take(const Loaded& loaded) {
 
 void OpeningController::adopt(const Loaded& loaded) {
   // an edit came while another tool or field was prepared: the same with the edited volume
-  if (shared_.shown && shared_.shown->picture.volume != loaded.picture.volume &&
-      scanOf(shared_.shown->picture.volume) == scanOf(loaded.picture.volume))
-    return load({.keep = Kept{shared_.shown->picture, loaded.title, loaded.place},
+  if (shared_.shown && shared_.shown->volume() != loaded.volume() &&
+      scanOf(shared_.shown->volume()) == scanOf(loaded.volume()))
+    return load({.keep = Kept{shared_.shown->volume(), shared_.shown->picture, loaded.title,
+                              loaded.place},
                  .tool = loaded.tool,
                  .isovalue = shared_.settings.isovalue},
                 tr("Preparing the tool"));
-  const bool new_volume = !shared_.shown || shared_.shown->picture.volume != loaded.picture.volume;
+  const bool new_volume = !shared_.shown || shared_.shown->volume() != loaded.volume();
   const bool placed = !new_volume && shared_.snapshot.scene == shared_.shown->scene->id;
+  // an edit's picture may have come while another tool was prepared
+  const ui::Picture picture = new_volume ? loaded.picture : shared_.shown->picture;
   shared_.shown = loaded;
+  shared_.shown->picture = picture;
   window_.endLoading();
   if (new_volume) keepPlace(loaded.place);
   if (!loaded.note.isEmpty()) window_.showMessage(loaded.note);

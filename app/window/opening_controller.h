@@ -27,8 +27,9 @@ class OpeningController : public QObject {
 
   /// Loads a request and cancels the present one. `what`: the text beside the progress.
   void load(LoadRequest request, const QString& what);
-  /// Shows another volume and scene of the scan on view, after an edit.
+  /// Takes another volume and scene of the scan on view, after an edit. Its picture may follow.
   void replace(const app::Loaded& loaded);
+  void replacePicture(const ui::Picture& picture);
   /// A path of volumes, of a recording or of a view.
   void open(const QString& path);
   /// Asked before another scan takes the place of the one on view. Its answer is given to the
@@ -46,6 +47,8 @@ class OpeningController : public QObject {
   void loaded(bool new_volume, bool placed);
   /// The new scene is on view.
   void shown(bool new_volume);
+  /// So is the picture of its volume, which came later.
+  void pictureReplaced();
   /// Loading failed; the previous volume stays on view.
   void failed(const haptics::Error& error);
 

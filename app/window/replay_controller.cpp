@@ -88,7 +88,7 @@ void ReplayController::open(const std::filesystem::path& path) {
   if (shared_.shown) {
     on_view_ = shared_.shown->picture;
     edits_ = digestOf(on_view_);
-    identity_.seek(on_view_.volume);
+    identity_.seek(shared_.shown->volume());
   }
   replay_->seek(replay_->track().begin);
 }
@@ -122,7 +122,7 @@ void ReplayController::showScene() {
   editor_.abandon();
   on_view_ = shared_.shown->picture;
   edits_ = digestOf(on_view_);
-  identity_.seek(shared_.shown->picture.volume);
+  identity_.seek(shared_.shown->volume());
   show(shown_to_);
 }
 
@@ -142,7 +142,7 @@ void ReplayController::showEdits(const haptics::RecordedScene& then) {
     return showOnView({shared_.shown->picture, shared_.shown->scene});
   edits_ = then.edits_digest;
   editor_.start(
-      [then, scan = scanOf(shared_.shown->picture.volume), live = shared_.shown->scene](
+      [then, scan = scanOf(shared_.shown->volume()), live = shared_.shown->scene](
           const background::Watch& watch) -> haptics::Expected<EditedScan> {
         const auto volume =
             haptics::editedAsRecorded(scan, then, {.cancel = &watch.cancel, .advanced = {}});
@@ -164,9 +164,9 @@ void ReplayController::showEdits(const haptics::RecordedScene& then) {
 void ReplayController::compareVolumes() {
   if (!replay_ || !shared_.shown) return;
   const haptics::RecordedScene* then = replay_->recording().scene(replay_->step().step.scene);
-  same_volume_ = then != nullptr && haptics::liesLike(then->volume, *shared_.shown->picture.volume);
+  same_volume_ = then != nullptr && haptics::liesLike(then->volume, *shared_.shown->volume());
   if (same_volume_)
-    same_volume_ = haptics::compared(then->hash, identity_.of(shared_.shown->picture.volume)) !=
+    same_volume_ = haptics::compared(then->hash, identity_.of(shared_.shown->volume())) !=
                    haptics::SameVolume::Another;
   QString warning;
   if (then != nullptr && !same_volume_)

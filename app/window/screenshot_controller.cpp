@@ -34,7 +34,7 @@ void ScreenshotController::fail(const haptics::Error& error) {
 void ScreenshotController::take() {
   const std::optional<Loaded>& shown = shared_.shown;
   if (shown && !shown->place.empty() &&
-      mayShowAFace(*shown->picture.volume, shared_.settings.isovalue))
+      mayShowAFace(*shown->volume(), shared_.settings.isovalue))
     std::fprintf(stderr,
                  "At this isovalue skin is drawn, and a face can tell who the patient is: look at "
                  "the picture before you pass it on.\n");

@@ -53,7 +53,7 @@ void ToolController::changeField(const QString& id) {
 
 LoadRequest ToolController::requestWith(const ToolSource& tool) const {
   const Loaded& shown = *shared_.shown;
-  return {.keep = Kept{shown.picture, shown.title, shown.place},
+  return {.keep = Kept{shown.volume(), shown.picture, shown.title, shown.place},
           .tool = tool,
           .isovalue = shared_.settings.isovalue};
 }
@@ -63,7 +63,7 @@ void ToolController::showField() {
   if (shared_.shown->scene->field.kind() == haptics::FieldKind::Trilinear)
     return panel_.showField(kTrilinear, {});
   const haptics::SmoothingEffect effect =
-      haptics::smoothingEffect(*shared_.shown->picture.volume, shared_.settings.isovalue);
+      haptics::smoothingEffect(*shared_.shown->volume(), shared_.settings.isovalue);
   panel_.showField(
       kSpline, tr("Smoothing erases %1 % of this solid and adds %2 %: what is felt is not all that "
                   "is seen.")

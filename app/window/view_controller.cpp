@@ -85,7 +85,7 @@ bool ViewController::mayLeave() {
   if (!shown || shown->place.empty()) return true;
   const double isovalue = shared_.settings.isovalue;
   const double least = std::min(isovalue, window_.view().surface().second().value_or(isovalue));
-  return !mayShowAFace(*shown->picture.volume, least) ||
+  return !mayShowAFace(*shown->volume(), least) ||
          window_.askWhether(
              tr("This picture may show a face."),
              tr("At this isovalue the skin is drawn, and skin can be a face that somebody knows. "

@@ -76,7 +76,7 @@ bool ViewFileController::liesOnView() const {
   haptics::Volume wanted;
   wanted.grid = opening_.grid;
   wanted.type = opening_.type;
-  return haptics::liesLike(wanted, *shared_.shown->picture.volume);
+  return haptics::liesLike(wanted, *shared_.shown->volume());
 }
 
 void ViewFileController::open(const std::filesystem::path& path) {
@@ -99,7 +99,7 @@ void ViewFileController::compare() {
     step_ = Step::Hash;
     window_.clearMessage();
     window_.showLoading(tr("Comparing the scan"));
-    identity_.seek(scanOf(shared_.shown->picture.volume));
+    identity_.seek(scanOf(shared_.shown->volume()));
     return;
   }
   if (!seekScan()) refuseGeometry();
@@ -144,7 +144,7 @@ void ViewFileController::drop() {
 
 void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& scan) {
   if (saving_ && scan == saved_scan_) write();
-  if (step_ != Step::Hash || !shared_.shown || scan != scanOf(shared_.shown->picture.volume))
+  if (step_ != Step::Hash || !shared_.shown || scan != scanOf(shared_.shown->volume()))
     return;
   window_.endLoading();
   switch (haptics::compared(opening_.hash, identity_.of(scan))) {
@@ -171,8 +171,8 @@ void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& 
 }
 
 std::vector<std::string> ViewFileController::editsOnView() const {
-  if (!shared_.shown || !shared_.shown->picture.volume->edited) return {};
-  return textsOf(shared_.shown->picture.volume->edited->edits);
+  if (!shared_.shown || !shared_.shown->volume()->edited) return {};
+  return textsOf(shared_.shown->volume()->edited->edits);
 }
 
 bool ViewFileController::hasEdits() const { return editsOnView() == textsOf(opening_.edits); }
@@ -199,7 +199,7 @@ void ViewFileController::restore() {
 void ViewFileController::restoreRest() {
   step_ = Step::Nothing;
   const Loaded& shown = *shared_.shown;
-  const double isovalue = ui::allowedIsovalue(*shown.picture.volume, opening_.isovalue);
+  const double isovalue = ui::allowedIsovalue(*shown.volume(), opening_.isovalue);
   emit isovalueWanted(isovalue);
   marks_.measures().replace(opening_.marks);
   marks_.setSaved(opening_.marks);
@@ -228,7 +228,7 @@ void ViewFileController::refuse(const QString& sentence) {
 void ViewFileController::refuseGeometry() {
   QString here = tr("Nothing is on view");
   if (shared_.shown) {
-    const haptics::Volume& volume = *shared_.shown->picture.volume;
+    const haptics::Volume& volume = *shared_.shown->volume();
     here = tr("The one on view has %1").arg(geometryWords(volume.grid, volume.type));
     if (volume.grid.dims == opening_.grid.dims && volume.type == opening_.type)
       here = tr("The one on view lies elsewhere or is turned");
@@ -305,7 +305,7 @@ bool ViewFileController::askAndSave() {
 void ViewFileController::save(const std::filesystem::path& path, bool with_place) {
   if (!shared_.shown || saving_) return;
   const Loaded& shown = *shared_.shown;
-  saved_scan_ = scanOf(shown.picture.volume);
+  saved_scan_ = scanOf(shown.volume());
   saving_path_ = path;
   ViewFile view;
   view.grid = saved_scan_->grid;
@@ -315,7 +315,7 @@ void ViewFileController::save(const std::filesystem::path& path, bool with_place
     const auto folder = std::filesystem::absolute(path, error).parent_path();
     view.place = std::filesystem::relative(shown.place, folder, error).generic_string();
   }
-  if (const auto& edited = shown.picture.volume->edited) view.edits = edited->edits;
+  if (const auto& edited = shown.volume()->edited) view.edits = edited->edits;
   view.isovalue = shared_.settings.isovalue;
   if (!shown.tool.file && isNamedTool(shown.tool.name)) view.tool = shown.tool.name;
   view.marks = marks_.measures().all();
@@ -336,7 +336,7 @@ void ViewFileController::write() {
     window_.showMessage(sentenceOf(written.error()));
     return endSaving(false);
   }
-  if (shared_.shown && scanOf(shared_.shown->picture.volume) == scan) {
+  if (shared_.shown && scanOf(shared_.shown->volume()) == scan) {
     marks_.setSaved(view.marks);
     edits_in_file_ = textsOf(view.edits);
   }

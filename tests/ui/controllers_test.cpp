@@ -47,7 +47,7 @@ TEST(Controllers, AToolAndAFieldAreWantedForTheVolumeOnView) {
   emit panel.toolChosen("wrench");
   ASSERT_TRUE(request);
   EXPECT_EQ(request->tool->name, "wrench");
-  EXPECT_EQ(request->keep->picture.volume, shared.shown->picture.volume);
+  EXPECT_EQ(request->keep->volume, shared.shown->volume());
   EXPECT_EQ(request->isovalue, 12.0);
   emit panel.fieldChosen("spline");
   EXPECT_EQ(wanted.count(), 2);

@@ -309,6 +309,20 @@ TEST_F(Editing, FiftyEditsAreTakenBackOneByOneToTheByte) {
   EXPECT_FALSE(window().windowTitle().contains("(edited)"));
 }
 
+TEST_F(Editing, TheTouchDoesNotWaitForThePicture) {
+  openBalls();
+  std::vector<bool> together;
+  const auto look = [&] {
+    together.push_back(application_->shown()->volume() == window().view().picture().volume);
+  };
+  QObject::connect(&application_->editing(), &app::EditController::edited, &window(), look);
+  QObject::connect(&application_->editing(), &app::EditController::pictured, &window(), look);
+  application_->editing().restore({haptics::Crop{{{0, 0, 0}, {64, 64, 40}}}});
+  settle();
+  EXPECT_EQ(together, (std::vector<bool>{false, true}));
+  expectTheSameEverywhere();
+}
+
 TEST_F(Editing, AnEditThatIsCancelledChangesNothing) {
   openBalls();
   click("planeTool");
