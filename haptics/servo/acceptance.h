@@ -20,12 +20,16 @@ namespace haptics {
 /// A detour raises the energy of the coupling's spring, and the hand receives this energy. A detour
 /// is taken only if earlier moves released as much, except for pull x tolerance / 2: a point that
 /// lies too close is lifted to the rest gap before it slides on. So the total energy that the proxy
-/// gives is bounded. A single detour raises the energy by no more than pull x tolerance.
+/// gives to a hand that stays is bounded. A single detour raises the energy by no more than pull x
+/// tolerance.
 ///
-/// The proxy gets twelve new detours for each half of a tolerance that the device travels. Travel
-/// is measured with play: the device drags an anchor once it is kPlay away from it. So a slide has
-/// as many detours as it needs, and a handle that wanders about one place has twelve in all.
-/// Without the play, detours would move the handle, and this motion would give new detours.
+/// The proxy gets twelve new detours for each half of a tolerance that the device travels, and what
+/// earlier detours raised beyond what moves released no longer counts. Travel is measured with play:
+/// the device drags an anchor once it is kPlay away from it. So a slide has as many detours as it
+/// needs, and a handle that wanders about one place has twelve in all. Without the play, detours
+/// would move the handle, and this motion would give new detours. If the energy counted on through
+/// a slide, the tool would stick and slip: normals and facets disagree for a voxel at a time, and a
+/// slow slide releases next to nothing.
 ///
 /// Taking only the nearest pose sticks and slips on real surfaces, since the direction of a step
 /// (a smooth normal) and the distance (the facets of the field) disagree by microns; taking every
@@ -111,7 +115,9 @@ class Acceptance {
     X_WA_.linear() =
         Eigen::AngleAxisd{share * turn.angle(), turn.axis()}.toRotationMatrix() * X_WA_.linear();
     travel_ += beyond;
-    if (travel_ > kRenewal * tolerance_) forget();
+    if (travel_ <= kRenewal * tolerance_) return;
+    forget();
+    saved_ = std::max(saved_, 0.0);
   }
 
   FixedVector<Visit, 64> visited_;

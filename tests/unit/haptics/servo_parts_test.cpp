@@ -130,15 +130,16 @@ TEST(Acceptance, GivesNewDetoursForTravelAndNoneWithinThePlay) {
 }
 
 // the spring's energy over the stiffness is half of the distance squared
+// of a hand that stays within the play
 TEST(Acceptance, RaisesTheSpringByNoMoreThanMovesLetGoOf) {
   Random random{64};
   int detours = 0, refused = 0;
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int trial = 0; trial < 150; ++trial) {
     Acceptance filter;
     double distance = 5e-3, given = 0.0;
     for (int tick = 0; tick < 100; ++tick) {
       // the device moves, the proxy does not
-      filter.begin(at(random.direction() * 5e-3), kRadius, kTolerance);
+      filter.begin(at(random.direction() * 1.9 * kTolerance), kRadius, kTolerance);
       distance = std::clamp(distance + random.in(-1e-3, 1e-3), 1e-4, 8e-3);
       filter.start(distance, 1e-3);
       const double first = distance;
@@ -169,12 +170,34 @@ TEST(Acceptance, SavesLittleOfALongWay) {
   ASSERT_TRUE(filter.take(50e-3, 1e-3));
   double given = 0.0;
   for (int tick = 1; tick <= 100; ++tick) {
-    filter.begin(at({0.0, 0.0, 5.0 * kTolerance * tick}), kRadius, kTolerance);  // a new dozen
+    filter.begin(at({0.0, 0.0, 0.01 * kTolerance * tick}), kRadius, kTolerance);
     filter.start(50e-3, 1e-3);
-    if (filter.take(51e-3, 0.5e-3)) given += 0.5 * (51e-3 * 51e-3 - 50e-3 * 50e-3);
+    if (filter.take(51.9e-3, 0.5e-3)) given += 0.5 * (51.9e-3 * 51.9e-3 - 50e-3 * 50e-3);
   }
   EXPECT_GT(given, 4.0 * kTolerance * 50e-3);
   EXPECT_LT(given, 4.6 * kTolerance * 100e-3);
+}
+
+// a slide raises the spring again and again, by half a tolerance against its pull for each half of
+// a tolerance that it travels, and no faster
+TEST(Acceptance, ForgetsWhatDetoursRaisedAsTheDeviceTravels) {
+  Acceptance filter = begun();
+  double given = 0.0;
+  const int ticks = 2'000;
+  for (int tick = 1; tick <= ticks; ++tick) {
+    filter.begin(at({0.1 * kTolerance * tick, 0.0, 0.0}), kRadius, kTolerance);
+    filter.start(10e-3, 1e-3);
+    for (int n = 1; n <= 10; ++n) {
+      const double far = 10e-3 + 0.04 * kTolerance * n, step = 1e-3 - 0.01 * kTolerance * n;
+      const double before = 10e-3 + 0.04 * kTolerance * (n - 1);
+      if (!filter.take(far, step)) break;
+      given += 0.5 * (far * far - before * before);
+    }
+  }
+  const double stretches = (0.1 * ticks - 4.0) / 0.6;  // the anchor moves by 0.1 at a time
+  const double lent = 0.5 * kTolerance * 10e-3;
+  EXPECT_GT(given, 0.7 * stretches * lent);
+  EXPECT_LT(given, 1.1 * stretches * lent * 1.2);
 }
 
 TEST(TickStats, GivesRateAndTheTimeThatOneTickInAHundredExceeds) {
