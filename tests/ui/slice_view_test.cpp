@@ -310,9 +310,15 @@ TEST(SliceView, ChangesWindowAndLevelByRightDragAndKeysAndOpensChoicesOnlyByACli
   EXPECT_LT(s.grey.level, dragged.level);
   QTest::mouseClick(&s.view, Qt::RightButton, {}, {150, 150});
   EXPECT_EQ(menus, 1);
+  // a hand that trembles clicks too, and changes nothing
+  const ui::GreyWindow before = s.grey;
+  drag(s.view, Qt::RightButton, {150, 150}, {152, 149});
+  EXPECT_EQ(menus, 2);
+  EXPECT_EQ(s.grey.width, before.width);
+  EXPECT_EQ(s.grey.level, before.level);
   QContextMenuEvent key(QContextMenuEvent::Keyboard, {10, 10}, s.view.mapToGlobal(QPoint{10, 10}));
   QCoreApplication::sendEvent(&s.view, &key);
-  EXPECT_EQ(menus, 2);
+  EXPECT_EQ(menus, 3);
 }
 
 TEST(SliceView, SaysTheValueUnderThePointerWithUnitAndPlace) {
