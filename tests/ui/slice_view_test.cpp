@@ -403,6 +403,26 @@ TEST(SliceView, WritesPlaceAndValueAndTheLengthOfItsRuler) {
   }
 }
 
+TEST(SliceView, RimsItsWordsAllAroundOnBrightGround) {
+  Shown s;
+  const QRect words = QRect(s.view.pictureRect().topLeft(), QSize{90, 40});
+  const auto at = [&](double level) {
+    s.view.setGrey({.level = level, .width = 1.0});
+    return window::pictureOf(s.view).copy(words);
+  };
+  const QImage on_black = at(1000.0), on_white = at(-1000.0);
+  int ink = 0, bare = 0;
+  for (int y = 1; y + 1 < words.height(); ++y)
+    for (int x = 1; x + 1 < words.width(); ++x) {
+      if (on_black.pixelColor(x, y).green() < 150) continue;
+      ++ink;
+      for (const QPoint by : {QPoint{1, 0}, QPoint{-1, 0}, QPoint{0, 1}, QPoint{0, -1}})
+        bare += on_white.pixelColor(QPoint{x, y} + by).lightness() > 230;
+    }
+  EXPECT_GT(ink, 60);
+  EXPECT_EQ(bare, 0);
+}
+
 TEST(SliceView, KeepsWhatIsOnViewWhenVoxelsAreReplaced) {
   Shown s;
   wheel(s.view, {200.0, 120.0}, 360, Qt::ControlModifier);
