@@ -660,6 +660,25 @@ TEST(Marks, TheWarningLeavesTheWordsOfANarrowSliceFree) {
   EXPECT_EQ(window::differing(after, before, 0), 0.0);
 }
 
+TEST(Marks, LabelsLeaveTheRulerOfANarrowSliceReadable) {
+  MarkedScan scan;
+  scan.show(ballVolume(), 50.0);
+  window::showActive(scan.window);
+  ui::SliceView& axial = scan.slice(Plane::Axial);
+  const QRect picture = axial.pictureRect();
+  ASSERT_LT(picture.width(), 290);
+  // the ruler with its length
+  const QRect ruler(picture.right() - 56, picture.center().y() + 2, 56, 20);
+  const QImage before = window::pictureOf(axial).copy(ruler);
+  for (const double x : {-8.0, 0.0, 6.0})
+    for (const double y : {-6.0, -2.0, 2.0, 6.0}) {
+      scan.measures().replace(
+          {{MeasureKind::Distance, "Distance 1", {{x, y, 0}, {x + 2, y - 2, 0}}}});
+      EXPECT_EQ(window::differing(window::pictureOf(axial).copy(ruler), before, 0), 0.0)
+          << x << ", " << y;
+    }
+}
+
 TEST(Marks, BelongToTheirScanAndComeBackWithIt) {
   MarkedScan scan;
   const auto ball = ballVolume();
