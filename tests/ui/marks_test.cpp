@@ -414,6 +414,24 @@ TEST(Marks, KeysPlaceOnlyWhileAViewHasTheFocus) {
   EXPECT_FALSE(scan.measures().placing());
 }
 
+TEST(Marks, EscapePutsAMeasureAwayThatIsBeingPlaced) {
+  MarkedScan scan;
+  scan.show(ballVolume(), 50.0);
+  window::showActive(scan.window);
+  ui::SliceView& axial = scan.slice(Plane::Axial);
+  axial.setFocus();
+  QTest::keyClick(&axial, Qt::Key_A);
+  click(axial, axial.projected({-5.0, 0.0, 0.0}));
+  ASSERT_EQ(scan.measures().placing(), MeasureKind::Angle);
+  QTest::keyClick(&axial, Qt::Key_Escape);
+  EXPECT_FALSE(scan.measures().placing());
+  EXPECT_FALSE(scan.panel().placeAction(MeasureKind::Angle)->isChecked());
+  // the click of afterwards is the view's
+  click(axial, axial.projected({5.0, 6.0, 0.0}));
+  EXPECT_NEAR(scan.window.cross_mm().x(), 5.0, 1.0);
+  EXPECT_TRUE(scan.measures().all().empty());
+}
+
 TEST(Marks, BackspaceTakesAPlaceBackDeleteDeletesAndUndoBringsBack) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
