@@ -18,9 +18,10 @@ QString mmWords(double mm) { return readoutLocale().toString(mm, 'f', 1); }
 
 /// Text with a dark rim, so that it can be read on any anatomy.
 void drawOver(QPainter& painter, QRect box, int flags, const QString& text, const QColor& colour) {
-  painter.setPen(QColor(0, 0, 0, 200));
-  for (const QPoint by : {QPoint{1, 1}, QPoint{-1, 0}, QPoint{0, -1}})
-    painter.drawText(box.translated(by), flags, text);
+  painter.setPen(Qt::black);
+  for (const int x : {-1, 0, 1})
+    for (const int y : {-1, 0, 1})
+      if (x != 0 || y != 0) painter.drawText(box.translated(x, y), flags, text);
   painter.setPen(colour);
   painter.drawText(box, flags, text);
 }

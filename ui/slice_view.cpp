@@ -23,6 +23,7 @@ constexpr double kObliqueView_mm = 120.0;         // that an oblique view shows 
 constexpr double kFarthest = 0.25;                // least zoom
 constexpr double kNearest_px = 60.0;              // for a voxel, at most
 constexpr double kZoomNotch = 1.2;
+constexpr double kStill_px = 4.0;     // a right button that moved less was clicked
 constexpr int kPage = 10;             // slices
 constexpr double kPanKey = 24.0;      // px
 constexpr int kRestMs = 150;          // without a change: the contour is followed finely
@@ -592,9 +593,11 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF by = event->position() - last_mouse_;
-  last_mouse_ = event->position();
   hover_ = event->position();
   update();
+  // until then last_mouse_ is where the button was pressed
+  if (drag_ == Drag::Grey && !dragged_ && std::hypot(by.x(), by.y()) < kStill_px) return;
+  last_mouse_ = event->position();
   if (overlays_.move(*geometry_, *event)) return;
   if (event->buttons() == Qt::NoButton || by.isNull()) return;
   dragged_ = true;

@@ -26,14 +26,16 @@ namespace {
 
 // of a surface in motion, on software graphics
 constexpr std::int64_t kMovingTriangles = 80'000;
-constexpr int kStillMs = 400;           // no movement for this long is rest
-constexpr double kHandTurn = 0.008;     // rad of hand for a pixel
-constexpr double kHandStep = 0.002;     // m of depth for a notch of the wheel
-constexpr double kViewZoomNotch = 1.1;  // nearer for a notch of the wheel
-constexpr double kZoomPixel = 1.006;    // nearer for a pixel of a drag
-constexpr double kBeside_deg = 40.0;    // between the device and the eye, about the patient's axis
-constexpr double kGrab = 8.0;           // px about the tool that count as on it
-constexpr double kVeil = 0.38;          // opacity of the second surface
+constexpr int kStillMs = 400;            // no movement for this long is rest
+constexpr double kHandTurn = 0.008;      // rad of hand for a pixel
+constexpr double kHandStep = 0.002;      // m of depth for a notch of the wheel
+constexpr double kViewZoomNotch = 1.1;   // nearer for a notch of the wheel
+constexpr double kZoomPixel = 1.006;     // nearer for a pixel of a drag
+constexpr double kBeside_deg = 40.0;     // between the device and the eye, about the patient's axis
+constexpr double kTurnKey = 1.0 / 36.0;  // of the view, as a drag: 5 degrees
+constexpr double kShiftKey = 24.0;       // px
+constexpr double kGrab = 8.0;            // px about the tool that count as on it
+constexpr double kVeil = 0.38;           // opacity of the second surface
 constexpr double kBehindTool_mm = 120.0;  // of the eye, looking along the tool
 constexpr double kContactMark = 5.0;      // px, radius
 constexpr double kArrowOfHeight = 0.25;   // of the view's height, for kArrowForce
@@ -51,7 +53,13 @@ double fromSegment(QPointF p, QPointF a, QPointF b) {
   return std::hypot(p.x() - a.x() - share * along.x(), p.y() - a.y() - share * along.y());
 }
 
-/// White with a dark rim, to be read on bone and on air.
+/// Where an arrow key points, in the view's coordinates.
+QPointF wayOf(int key) {
+  return {double(key == Qt::Key_Right) - double(key == Qt::Key_Left),
+          double(key == Qt::Key_Down) - double(key == Qt::Key_Up)};
+}
+
+/// Whether a point lies in a triangle, whichever way round its corners go.
 bool isWithin(QPointF p, QPointF a, QPointF b, QPointF c) {
   const auto side = [](QPointF u, QPointF v, QPointF w) {
     return (v.x() - u.x()) * (w.y() - u.y()) - (v.y() - u.y()) * (w.x() - u.x());
@@ -710,9 +718,25 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
   } else if (held == Action::HoldToRun) {
     emit forceHeld(true);
   } else {
-    const auto action =
-        actionOf(Where::Space, mode_, Gesture::Key, event->key(), event->modifiers());
-    if (!action || !perform(*action)) Viewport::keyPressEvent(event);
+    // many keyboards write the plus with Shift
+    const bool plus = event->key() == Qt::Key_Plus;
+    const auto action = actionOf(Where::Space, mode_, Gesture::Key, event->key(),
+                                 plus ? Qt::NoModifier : event->modifiers());
+    const QPointF way = wayOf(event->key());
+    if (action == Action::Rotate) {
+      camera_.rotate({way.x() * width() * kTurnKey, way.y() * height() * kTurnKey});
+      cameraMoved();
+    } else if (action == Action::Pan) {
+      // as in slices: towards what lies there
+      camera_.pan(way * -kShiftKey);
+      cameraMoved();
+    } else if (action == Action::Zoom) {
+      const bool nearer = event->key() != Qt::Key_Minus;
+      zoom(nearer ? kViewZoomNotch : 1.0 / kViewZoomNotch,
+           underMouse() ? last_mouse_ : QRectF(rect()).center());
+    } else if (!action || !perform(*action)) {
+      Viewport::keyPressEvent(event);
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "app/window/edited_volume.h"
 #include "app/window/touched_surface.h"
 #include "haptics/recording/recording.h"
+#include "ui/escape_filter.h"
 #include "ui/panels/marks_panel.h"
 
 namespace app {
@@ -71,6 +72,10 @@ void MarksController::connectPanel() {
   connect(&measures_, &Measures::listChanged, this, &MarksController::showList);
   connect(&measures_, &Measures::selectionChanged, panel_, &MarksPanel::select);
   connect(&measures_, &Measures::placingChanged, panel_, &MarksPanel::showPlacing);
+  // Escape is force off above all, and ends what the mouse is busy with
+  connect(new ui::EscapeFilter(this), &ui::EscapeFilter::pressed, &measures_, [this] {
+    if (measures_.placing()) measures_.setPlacing({});
+  });
   connect(&measures_, &Measures::placed, this, [this](int index) {
     if (measures_.all()[static_cast<std::size_t>(index)].kind != ui::MeasureKind::Note) return;
     // its words are typed in the list

@@ -414,6 +414,24 @@ TEST(Marks, KeysPlaceOnlyWhileAViewHasTheFocus) {
   EXPECT_FALSE(scan.measures().placing());
 }
 
+TEST(Marks, EscapePutsAMeasureAwayThatIsBeingPlaced) {
+  MarkedScan scan;
+  scan.show(ballVolume(), 50.0);
+  window::showActive(scan.window);
+  ui::SliceView& axial = scan.slice(Plane::Axial);
+  axial.setFocus();
+  QTest::keyClick(&axial, Qt::Key_A);
+  click(axial, axial.projected({-5.0, 0.0, 0.0}));
+  ASSERT_EQ(scan.measures().placing(), MeasureKind::Angle);
+  QTest::keyClick(&axial, Qt::Key_Escape);
+  EXPECT_FALSE(scan.measures().placing());
+  EXPECT_FALSE(scan.panel().placeAction(MeasureKind::Angle)->isChecked());
+  // the click of afterwards is the view's
+  click(axial, axial.projected({5.0, 6.0, 0.0}));
+  EXPECT_NEAR(scan.window.cross_mm().x(), 5.0, 1.0);
+  EXPECT_TRUE(scan.measures().all().empty());
+}
+
 TEST(Marks, BackspaceTakesAPlaceBackDeleteDeletesAndUndoBringsBack) {
   MarkedScan scan;
   scan.show(ballVolume(), 50.0);
@@ -658,6 +676,25 @@ TEST(Marks, TheWarningLeavesTheWordsOfANarrowSliceFree) {
   const QImage after = words();
   window::keep(window::pictureOf(axial), "marks_narrow");
   EXPECT_EQ(window::differing(after, before, 0), 0.0);
+}
+
+TEST(Marks, LabelsLeaveTheRulerOfANarrowSliceReadable) {
+  MarkedScan scan;
+  scan.show(ballVolume(), 50.0);
+  window::showActive(scan.window);
+  ui::SliceView& axial = scan.slice(Plane::Axial);
+  const QRect picture = axial.pictureRect();
+  ASSERT_LT(picture.width(), 290);
+  // the ruler with its length
+  const QRect ruler(picture.right() - 56, picture.center().y() + 2, 56, 20);
+  const QImage before = window::pictureOf(axial).copy(ruler);
+  for (const double x : {-8.0, 0.0, 6.0})
+    for (const double y : {-6.0, -2.0, 2.0, 6.0}) {
+      scan.measures().replace(
+          {{MeasureKind::Distance, "Distance 1", {{x, y, 0}, {x + 2, y - 2, 0}}}});
+      EXPECT_EQ(window::differing(window::pictureOf(axial).copy(ruler), before, 0), 0.0)
+          << x << ", " << y;
+    }
 }
 
 TEST(Marks, BelongToTheirScanAndComeBackWithIt) {

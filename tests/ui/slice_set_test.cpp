@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 #include <algorithm>
@@ -371,6 +372,12 @@ TEST(Slices, GiveOverlaysMouseAndKeysFirst) {
   QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.pictureRect().center() + QPoint{30, 30});
   QTest::keyClick(&axial, Qt::Key_PageUp);
   EXPECT_EQ(square.presses, 1);
+  EXPECT_EQ((w.slices().cross_mm() - before).norm(), 0.0);
+  // the second click of a double click too: no tool comes where an edit is at work
+  QSignalSpy wished(&axial, &ui::SliceView::doubleClicked);
+  QTest::mouseDClick(&axial, Qt::LeftButton, {}, axial.pictureRect().center() + QPoint{30, 30});
+  EXPECT_EQ(square.presses, 2);
+  EXPECT_TRUE(wished.empty());
   EXPECT_EQ((w.slices().cross_mm() - before).norm(), 0.0);
   const auto magenta = [](QColor c) { return c.red() > 240 && c.blue() > 240 && c.green() < 20; };
   EXPECT_GT(window::count(window::pictureOf(axial), magenta), 30);

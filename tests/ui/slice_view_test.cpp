@@ -310,9 +310,15 @@ TEST(SliceView, ChangesWindowAndLevelByRightDragAndKeysAndOpensChoicesOnlyByACli
   EXPECT_LT(s.grey.level, dragged.level);
   QTest::mouseClick(&s.view, Qt::RightButton, {}, {150, 150});
   EXPECT_EQ(menus, 1);
+  // a hand that trembles clicks too, and changes nothing
+  const ui::GreyWindow before = s.grey;
+  drag(s.view, Qt::RightButton, {150, 150}, {152, 149});
+  EXPECT_EQ(menus, 2);
+  EXPECT_EQ(s.grey.width, before.width);
+  EXPECT_EQ(s.grey.level, before.level);
   QContextMenuEvent key(QContextMenuEvent::Keyboard, {10, 10}, s.view.mapToGlobal(QPoint{10, 10}));
   QCoreApplication::sendEvent(&s.view, &key);
-  EXPECT_EQ(menus, 2);
+  EXPECT_EQ(menus, 3);
 }
 
 TEST(SliceView, SaysTheValueUnderThePointerWithUnitAndPlace) {
@@ -395,6 +401,26 @@ TEST(SliceView, WritesPlaceAndValueAndTheLengthOfItsRuler) {
     EXPECT_GT(window::count(expected.copy(ink), light), 15) << qPrintable(text);
     EXPECT_LT(window::differing(image.copy(ink), expected.copy(ink), 60), 0.01) << qPrintable(text);
   }
+}
+
+TEST(SliceView, RimsItsWordsAllAroundOnBrightGround) {
+  Shown s;
+  const QRect words = QRect(s.view.pictureRect().topLeft(), QSize{90, 40});
+  const auto at = [&](double level) {
+    s.view.setGrey({.level = level, .width = 1.0});
+    return window::pictureOf(s.view).copy(words);
+  };
+  const QImage on_black = at(1000.0), on_white = at(-1000.0);
+  int ink = 0, bare = 0;
+  for (int y = 1; y + 1 < words.height(); ++y)
+    for (int x = 1; x + 1 < words.width(); ++x) {
+      if (on_black.pixelColor(x, y).green() < 150) continue;
+      ++ink;
+      for (const QPoint by : {QPoint{1, 0}, QPoint{-1, 0}, QPoint{0, 1}, QPoint{0, -1}})
+        bare += on_white.pixelColor(QPoint{x, y} + by).lightness() > 230;
+    }
+  EXPECT_GT(ink, 60);
+  EXPECT_EQ(bare, 0);
 }
 
 TEST(SliceView, KeepsWhatIsOnViewWhenVoxelsAreReplaced) {

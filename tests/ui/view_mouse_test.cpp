@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "window_support.h"
@@ -88,6 +89,36 @@ TEST(ViewMouse, TurnsShiftsAndZoomsAtTheStart) {
   ball.view.resetCamera();
   ball.drag({200, 200}, {0, -60}, Qt::RightButton);
   EXPECT_LT((ball.eye() - focus).norm(), 0.9 * (eye - focus).norm());
+  EXPECT_FALSE(ball.pulled);
+}
+
+TEST(ViewMouse, TurnsShiftsAndZoomsByKeysToo) {
+  BallView ball;
+  const Vec3 eye = ball.eye(), focus = ball.focus();
+  // what is in front goes where the arrow points, by 5 degrees
+  QTest::keyClick(&ball.view, Qt::Key_Right);
+  EXPECT_LT((ball.focus() - focus).norm(), 1e-6);
+  EXPECT_LT(ball.eye().x(), eye.x() - 1.0);
+  EXPECT_NEAR((ball.eye() - focus).normalized().dot((eye - focus).normalized()),
+              std::cos(5.0 * std::numbers::pi / 180.0), 1e-6);
+  QTest::keyClick(&ball.view, Qt::Key_Left);
+  EXPECT_LT((ball.eye() - eye).norm(), 1e-6);
+  QTest::keyClick(&ball.view, Qt::Key_Down);
+  EXPECT_GT(ball.eye().z(), eye.z() + 1.0);
+  QTest::keyClick(&ball.view, Qt::Key_Up);
+  EXPECT_LT((ball.eye() - eye).norm(), 1e-6);
+  // the picture comes from where the arrow points
+  QTest::keyClick(&ball.view, Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_NEAR(ball.view.projected(focus * 1e-3).x(), kSide / 2 - 24.0, 0.5);
+  QTest::keyClick(&ball.view, Qt::Key_Down, Qt::ShiftModifier);
+  EXPECT_NEAR(ball.view.projected(focus * 1e-3).y(), kSide / 2 - 24.0, 0.5);
+  ball.view.resetCamera();
+  const double far_mm = (ball.eye() - ball.focus()).norm();
+  QTest::keyClick(&ball.view, Qt::Key_Plus, Qt::ShiftModifier);
+  const double near_mm = (ball.eye() - ball.focus()).norm();
+  EXPECT_NEAR(near_mm, far_mm / 1.1, 1e-3 * far_mm);
+  QTest::keyClick(&ball.view, Qt::Key_Minus);
+  EXPECT_NEAR((ball.eye() - ball.focus()).norm(), far_mm, 1e-3 * far_mm);
   EXPECT_FALSE(ball.pulled);
 }
 

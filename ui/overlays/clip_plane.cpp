@@ -116,6 +116,7 @@ void ClipPlane::paint(QPainter& painter, const ViewGeometry& view) const {
 }
 
 void ClipPlane::setClick(const ViewGeometry& view, const Eigen::Vector3d& at_mm) {
+  if (!clicks_.empty() && clicks_.back().place == at_mm) return;  // a double click sets one place
   clicks_.push_back({at_mm, view.isSlice() ? &view.widget() : nullptr,
                      view.isSlice() ? view.offset_mm(Eigen::Vector3d::Zero()) : 0.0});
   emit changed();

@@ -72,21 +72,22 @@ QRectF labelPlace(QSizeF size, QPointF anchor, const QPolygonF& points, const QP
   const double w = size.width(), h = size.height();
   QRectF all(anchor, QSizeF{});
   for (const QPointF& p : points) all = all.united(QRectF(p, QSizeF{0.01, 0.01}));
-  const QPointF corners[] = {
-      anchor + QPointF{kLabelGap, -kLabelGap - h},
-      anchor + QPointF{kLabelGap, kLabelGap},
-      anchor + QPointF{-kLabelGap - w, -kLabelGap - h},
-      anchor + QPointF{-kLabelGap - w, kLabelGap},
-      anchor + QPointF{kLabelGap, -0.5 * h},
-      anchor + QPointF{-kLabelGap - w, -0.5 * h},
-      {all.right() + kLabelGap, anchor.y() - 0.5 * h},
-      {all.left() - kLabelGap - w, anchor.y() - 0.5 * h},
-      {anchor.x() - 0.5 * w, all.bottom() + kLabelGap},
-      {anchor.x() - 0.5 * w, all.top() - kLabelGap - h},
-      {std::clamp(anchor.x() - 0.5 * w, view.left(), std::max(view.left(), view.right() - w)),
-       all.bottom() + kLabelGap},
-      {std::clamp(anchor.x() - 0.5 * w, view.left(), std::max(view.left(), view.right() - w)),
-       all.top() - kLabelGap - h}};
+  std::vector<QPointF> corners{anchor + QPointF{kLabelGap, -kLabelGap - h},
+                               anchor + QPointF{kLabelGap, kLabelGap},
+                               anchor + QPointF{-kLabelGap - w, -kLabelGap - h},
+                               anchor + QPointF{-kLabelGap - w, kLabelGap},
+                               anchor + QPointF{kLabelGap, -0.5 * h},
+                               anchor + QPointF{-kLabelGap - w, -0.5 * h},
+                               {all.right() + kLabelGap, anchor.y() - 0.5 * h},
+                               {all.left() - kLabelGap - w, anchor.y() - 0.5 * h},
+                               {anchor.x() - 0.5 * w, all.bottom() + kLabelGap},
+                               {anchor.x() - 0.5 * w, all.top() - kLabelGap - h}};
+  // and each of them moved into the view
+  const std::size_t beside = corners.size();
+  for (std::size_t n = 0; n < beside; ++n)
+    corners.emplace_back(
+        std::clamp(corners[n].x(), view.left(), std::max(view.left(), view.right() - w)),
+        std::clamp(corners[n].y(), view.top(), std::max(view.top(), view.bottom() - h)));
   QRectF best;
   double least = std::numeric_limits<double>::infinity();
   for (const QPointF& corner : corners) {
