@@ -24,12 +24,12 @@ namespace haptics {
 /// tolerance.
 ///
 /// The proxy gets twelve new detours for each half of a tolerance that the device travels, and what
-/// earlier detours raised beyond what moves released no longer counts. Travel is measured with play:
-/// the device drags an anchor once it is kPlay away from it. So a slide has as many detours as it
-/// needs, and a handle that wanders about one place has twelve in all. Without the play, detours
-/// would move the handle, and this motion would give new detours. If the energy counted on through
-/// a slide, the tool would stick and slip: normals and facets disagree for a voxel at a time, and a
-/// slow slide releases next to nothing.
+/// earlier detours raised beyond what moves released no longer counts. Travel is measured with
+/// play: the device drags an anchor once it is kPlay away from it. So a slide has as many detours
+/// as it needs, and a handle that wanders about one place has twelve in all. Without the play,
+/// detours would move the handle, and this motion would give new detours. If the energy counted on
+/// through a slide, the tool would stick and slip: normals and facets disagree for a voxel at a
+/// time, and a slow slide releases next to nothing.
 ///
 /// Taking only the nearest pose sticks and slips on real surfaces, since the direction of a step
 /// (a smooth normal) and the distance (the facets of the field) disagree by microns; taking every
