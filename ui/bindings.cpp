@@ -141,7 +141,16 @@ std::vector<Binding> allBindings() {
       key(Slice, ALT | Key_Down, WORDS("moves the crosshair by a voxel")),
       key(Slice, ALT | Key_Left, WORDS("moves the crosshair by a voxel")),
       key(Slice, ALT | Key_Right, WORDS("moves the crosshair by a voxel")),
+      key(Slice, Key_J, WORDS("brings the tool to the crosshair")),
+      key(Slice, Key_K, WORDS("brings the crosshair to the tool")),
       key(Slice, Key_Menu, WORDS("opens the choices for slices")),
+
+      over(Over::Measuring,
+           key(View, Key_Return, WORDS("sets a place: at the crosshair, in 3-D in the middle"))),
+      over(Over::Editing, key(View, Key_Return,
+                              WORDS("picks a piece, sets the clip plane or a corner of the "
+                                    "scalpel: at the crosshair, in 3-D in the middle"))),
+      over(Over::Editing, key(View, Key_Backspace, WORDS("takes the scalpel's last corner back"))),
 
       key(Marks, Key_Return, WORDS("goes to the place; again: to its next")),
       key(Marks, Key_F2, WORDS("renames the mark, or edits the note")),
@@ -161,7 +170,9 @@ std::vector<Binding> allBindings() {
       over(Over::Handle, drag(View, left, WORDS("moves a mark, the crop box or the clip plane"))),
       over(Over::Measuring, click(View, left, WORDS("sets a place"))),
       over(Over::Measuring, drag(View, left, WORDS("draws a distance"))),
-      over(Over::Editing, click(View, left, WORDS("picks a piece; sets the clip plane"))),
+      over(Over::Editing, click(View, left,
+                                WORDS("picks a piece; sets the clip plane; sets a corner of "
+                                      "the scalpel, at the last one again: cuts"))),
       over(Over::Editing, drag(View, left, WORDS("draws the scalpel's outline"))),
 
       over(Over::Cube, click(Space, left, WORDS("looks from that side"))),

@@ -23,6 +23,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/bindings.h"
 #include "ui/escape_filter.h"
@@ -127,9 +128,10 @@ void MainWindow::buildViews() {
   for (SliceView* slice : slices_) {
     auto* frame = new ViewFrame(slice, colourOf(slice->plane()), true);
     frames[static_cast<std::size_t>(slice->plane()) + 1] = frame;
-    frame->setHint(
-        tr("Wheel: slices. Drag: crosshair. Right drag: brightness, contrast. Ctrl and "
-           "wheel: nearer. Middle drag: shifts."));
+    frame->setHint(slice->hint());
+    connect(slice, &SliceView::hintChanged, frame, &ViewFrame::setHint);
+    connect(slice, &SliceView::toolToCrossWanted, this, &MainWindow::toolToCrossWanted);
+    connect(slice, &SliceView::crossToToolWanted, this, &MainWindow::crossToToolWanted);
     connect(frame, &ViewFrame::menuWanted, this,
             [this](QPoint at) { slice_set_->menu().popup(at); });
   }
@@ -349,6 +351,11 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
 void MainWindow::replace(const Picture& picture) {
   view_->replace(picture);
   slice_set_->replace(picture);
+}
+
+bool MainWindow::showsSlices() const {
+  return std::any_of(slices_.begin(), slices_.end(),
+                     [](const SliceView* slice) { return slice->isVisible(); });
 }
 
 void MainWindow::setEdited(bool edited) {

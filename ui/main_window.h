@@ -110,6 +110,8 @@ class MainWindow : public QMainWindow {
   /// Below the views; hidden until it is given a recording.
   ReplayBar& replayBar() { return *replay_; }
   SliceView& slice(Plane plane) { return slice_set_->slice(plane); }
+  /// Whether a slice is in view, and so in a picture of the window.
+  bool showsSlices() const;
   SliceSet& slices() { return *slice_set_; }
   ViewLayout& views() { return *views_; }
   /// How the views are laid out, in a word for the preferences; one that is not known is left out.

@@ -20,6 +20,14 @@ class NumberBox : public QDoubleSpinBox {
 
   /// The value if the field were left now; empty if the text would be refused.
   std::optional<double> typed() const { return numberIn(text()); }
+  /// What arrows and wheel add while Shift is held, in place of singleStep().
+  void setFineStep(double step) { fine_step_ = step; }
+
+  /// Shows the sign as a letter before the number: "R 12.0" for -12, "L 12.0" for 12. A number is
+  /// then typed with its letter or its sign; one with neither is refused. Empty: with its sign.
+  void setSides(const QString& negative, const QString& positive);
+
+  void stepBy(int steps) override;
 
   QValidator::State validate(QString& text, int& position) const override;
   /// Does not correct the text.
@@ -37,6 +45,9 @@ class NumberBox : public QDoubleSpinBox {
 
  private:
   std::optional<double> numberIn(QString text) const;
+
+  std::optional<double> fine_step_;
+  QString negative_, positive_;  ///< letters of the sides
 };
 
 }  // namespace ui

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QPointF>
+#include <QString>
 #include <optional>
 
 #include "haptics/core/geometry.h"
@@ -53,6 +54,8 @@ class Overlay : public QObject {
   /// A move without a button. While an overlay takes it, the view shows its cursor().
   virtual bool hover(const ViewGeometry& view, const QMouseEvent& event);
   virtual bool key(const ViewGeometry& view, const QKeyEvent& event);
+  /// What the mouse and Enter do over the views while this overlay takes them; empty: nothing.
+  virtual QString hint() const;
   /// The cursor while the mouse is over something of this overlay that can be dragged.
   virtual Qt::CursorShape cursor() const;
 

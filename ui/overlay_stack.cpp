@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/overlay_stack.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWidget>
@@ -59,10 +60,23 @@ bool OverlayStack::doubleClick(const ViewGeometry& geometry, const QMouseEvent& 
   return false;
 }
 
-bool OverlayStack::key(const ViewGeometry& geometry, const QKeyEvent& event) {
+bool OverlayStack::key(const ViewGeometry& geometry, const QKeyEvent& event, QPointF at) {
   for (const QPointer<Overlay>& overlay : overlays_ | std::views::reverse)
     if (overlay && overlay->key(geometry, event)) return true;
-  return false;
+  if (event.key() != Qt::Key_Return && event.key() != Qt::Key_Enter) return false;
+  const QPointF global = view_.mapToGlobal(at);
+  const QMouseEvent down(QEvent::MouseButtonPress, at, global, Qt::LeftButton, Qt::LeftButton,
+                         Qt::NoModifier);
+  if (!press(geometry, down)) return false;
+  const QMouseEvent up(QEvent::MouseButtonRelease, at, global, Qt::LeftButton, Qt::NoButton,
+                       Qt::NoModifier);
+  return release(geometry, up);
+}
+
+QString OverlayStack::hint() const {
+  for (const QPointer<Overlay>& overlay : overlays_ | std::views::reverse)
+    if (const QString hint = overlay ? overlay->hint() : QString(); !hint.isEmpty()) return hint;
+  return {};
 }
 
 }  // namespace ui

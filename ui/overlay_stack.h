@@ -24,7 +24,10 @@ class OverlayStack {
   bool move(const ViewGeometry& geometry, const QMouseEvent& event);
   bool release(const ViewGeometry& geometry, const QMouseEvent& event);
   bool doubleClick(const ViewGeometry& geometry, const QMouseEvent& event);
-  bool key(const ViewGeometry& geometry, const QKeyEvent& event);
+  /// Enter clicks at `at`, the crosshair or the middle of the view, as the left button would.
+  bool key(const ViewGeometry& geometry, const QKeyEvent& event, QPointF at);
+  /// That of the uppermost overlay that has one; else empty.
+  QString hint() const;
 
  private:
   QWidget& view_;

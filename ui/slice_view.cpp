@@ -668,8 +668,21 @@ bool SliceView::moveKey(const QKeyEvent& event) {
   return true;
 }
 
+void SliceView::addOverlay(Overlay& overlay) {
+  overlays_.add(overlay);
+  connect(&overlay, &Overlay::changed, this, [this] { emit hintChanged(hint()); });
+}
+
+QString SliceView::hint() const {
+  const QString over = overlays_.hint();
+  if (!over.isEmpty()) return over;
+  return tr(
+      "Wheel: slices. Drag: crosshair. Right drag: brightness, contrast. Ctrl and wheel: "
+      "nearer. Middle drag: shifts.");
+}
+
 void SliceView::keyPressEvent(QKeyEvent* event) {
-  if (overlays_.key(*geometry_, *event) || moveKey(*event)) return;
+  if (overlays_.key(*geometry_, *event, projected(cross_mm_)) || moveKey(*event)) return;
   const QPointF at = hover_.value_or(QRectF(pictureRect()).center());
   switch (event->key()) {
     case Qt::Key_PageUp:
@@ -685,6 +698,14 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
       return zoom(kZoomNotch, at);
     case Qt::Key_Minus:
       return zoom(1.0 / kZoomNotch, at);
+    case Qt::Key_J:
+      if (event->modifiers() != Qt::NoModifier) break;
+      emit toolToCrossWanted();
+      return;
+    case Qt::Key_K:
+      if (event->modifiers() != Qt::NoModifier) break;
+      emit crossToToolWanted();
+      return;
     case Qt::Key_R:
       if (event->modifiers() != Qt::NoModifier) break;
       resetView();

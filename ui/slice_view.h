@@ -64,7 +64,9 @@ class SliceView : public QWidget {
   /// The surface that is touched; given with every scene.
   void setTouched(const TouchedSurface& touched);
   /// Draws this above the slice, and asks it first for mouse and keys.
-  void addOverlay(Overlay& overlay) { overlays_.add(overlay); }
+  void addOverlay(Overlay& overlay);
+  /// What the mouse does here, in a line.
+  QString hint() const;
 
   Plane plane() const { return plane_; }
   const PlaneAxes& axes() const { return axes_; }
@@ -104,6 +106,9 @@ class SliceView : public QWidget {
   void doubleClicked(const Eigen::Vector3d& p_W_mm);
   void menuWanted(QPoint at);
   void resetWanted();
+  void toolToCrossWanted();
+  void crossToToolWanted();
+  void hintChanged(const QString& hint);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -89,6 +89,7 @@ ViewFrame::ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget
 }
 
 void ViewFrame::setHint(const QString& hint) {
+  if (hint == hint_words_) return;
   hint_words_ = hint;
   hint_->setToolTip(hint);
   hint_->setAccessibleName(hint);

@@ -531,7 +531,14 @@ void VolumeView::paintContacts(QPainter& painter) const {
   painter.restore();
 }
 
+void VolumeView::addOverlay(Overlay& overlay) {
+  overlays_.add(overlay);
+  connect(&overlay, &Overlay::changed, this, [this] { emit hintChanged(hint()); });
+}
+
 QString VolumeView::hint() const {
+  const QString over = overlays_.hint();
+  if (!over.isEmpty()) return over;
   if (mode_ == MouseMode::Hand)
     return tr("Drag: moves the tool. Shift: turns it. Wheel: pushes it. Right drag: turns the "
               "picture. %1: lets go.")
@@ -710,7 +717,8 @@ bool VolumeView::perform(Action action) {
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Space && overlays_.key(*geometry_, *event)) return;
+  if (event->key() != Qt::Key_Space && overlays_.key(*geometry_, *event, QRectF(rect()).center()))
+    return;
   const auto held =
       actionOf(Where::Space, mode_, Gesture::HeldKey, event->key(), event->modifiers());
   if (held == Action::Clutch) {

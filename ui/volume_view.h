@@ -62,7 +62,7 @@ class VolumeView : public Viewport {
   /// The surface that is touched; given with every scene.
   void setTouched(const TouchedSurface& touched) { touched_ = touched; }
   /// Draws this above the picture, and asks it first for mouse and keys.
-  void addOverlay(Overlay& overlay) { overlays_.add(overlay); }
+  void addOverlay(Overlay& overlay);
   void resetCamera() { lookFrom(Side::Anterior); }
   /// Shows everything, from a side of the patient.
   void lookFrom(Side side);

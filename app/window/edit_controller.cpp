@@ -531,6 +531,8 @@ void EditController::showCrop() {
         .low = letters ? kLowLetters[static_cast<std::size_t>(numbers.letters)]
                        : tr("%1 from").arg(axis_name),
         .high = letters ? kHighLetters[static_cast<std::size_t>(numbers.letters)] : tr("to"),
+        .negative = letters ? kLowLetters[static_cast<std::size_t>(numbers.letters)] : "",
+        .positive = letters ? kHighLetters[static_cast<std::size_t>(numbers.letters)] : "",
         .least = least,
         .most = most,
         .step = std::abs(numbers.per_voxel_mm),

@@ -33,11 +33,13 @@ void ScreenshotController::fail(const haptics::Error& error) {
 
 void ScreenshotController::take() {
   const std::optional<Loaded>& shown = shared_.shown;
+  // a slice shows the skin whatever the isovalue
+  const bool slices = window_.showsSlices();
   if (shown && !shown->place.empty() &&
-      mayShowAFace(*shown->volume(), shared_.settings.isovalue))
+      mayShowAFace(*shown->volume(), slices ? shown->volume()->least : shared_.settings.isovalue))
     std::fprintf(stderr,
-                 "At this isovalue skin is drawn, and a face can tell who the patient is: look at "
-                 "the picture before you pass it on.\n");
+                 "Skin is drawn, and a face or a profile can tell who the patient is: look at the "
+                 "picture before you pass it on.\n");
   QBuffer picture;
   const QString ending = QFileInfo(QString::fromStdString(path_)).suffix();
   const QImage image = ui::screenshotOf(

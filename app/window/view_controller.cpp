@@ -80,22 +80,29 @@ void ViewController::moveCrossToTool() {
   window_.setCross(tip_W * ui::kMmPerM);
 }
 
-bool ViewController::mayLeave() {
+bool ViewController::mayLeave(bool with_slices) {
   const std::optional<Loaded>& shown = shared_.shown;
   if (!shown || shown->place.empty()) return true;
   const double isovalue = shared_.settings.isovalue;
-  const double least = std::min(isovalue, window_.view().surface().second().value_or(isovalue));
+  double least = std::min(isovalue, window_.view().surface().second().value_or(isovalue));
+  // a slice shows the skin whatever the isovalue, and may be a profile
+  if (with_slices) least = shown->volume()->least;
   return !mayShowAFace(*shown->volume(), least) ||
          window_.askWhether(
              tr("This picture may show a face."),
-             tr("At this isovalue the skin is drawn, and skin can be a face that somebody knows. "
-                "Raise the isovalue to bone, or give the picture only to those who may see it."),
+             with_slices
+                 ? tr("Slices show the skin, and a profile can be a face that somebody knows. Take "
+                      "a picture of the 3-D view alone at the isovalue of bone, or give this one "
+                      "only to those who may see it.")
+                 : tr("At this isovalue the skin is drawn, and skin can be a face that somebody "
+                      "knows. Raise the isovalue to bone, or give the picture only to those who "
+                      "may see it."),
              tr("Take the picture"));
 }
 
 void ViewController::savePicture() {
   const auto wish = ui::askForScreenshot(&window_, window_.view(), window_);
-  if (!wish || !mayLeave()) return;
+  if (!wish || !mayLeave(wish->whole_window && window_.showsSlices())) return;
   // before the next dialog lies over the window
   const QImage picture = ui::screenshotOf(window_, window_.view(), *wish);
   if (picture.isNull())
@@ -121,7 +128,7 @@ void ViewController::savePicture() {
 }
 
 void ViewController::copyPicture() {
-  if (!mayLeave()) return;
+  if (!mayLeave(false)) return;
   const QImage picture =
       ui::screenshotOf(window_, window_.view(), {.scale = ui::screenScaleOf(window_)});
   if (picture.isNull()) return;

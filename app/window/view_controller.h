@@ -33,7 +33,7 @@ class ViewController : public QObject {
   /// Whether a tool can be brought anywhere now; if not, says why.
   bool mayBring();
   /// Whether the picture may leave the program: the user is asked if it may show a face.
-  bool mayLeave();
+  bool mayLeave(bool with_slices);
 
   ui::MainWindow& window_;
   SharedState& shared_;

@@ -308,9 +308,82 @@ TEST_F(Editing, APieceIsShownWithItsVolumeAndKeptOrRemoved) {
   click("keepPiece");
   EXPECT_TRUE(isThere(kSmallAt));
   EXPECT_FALSE(isThere(kLargeAt));
+  expectTheSameEverywhere();
   // air is no piece
   clickAt(slice(ui::Plane::Axial), slice(ui::Plane::Axial).projected({-25, 25, 12}));
   EXPECT_TRUE(waitFor([&] { return messageIsShown(); }, 10.0));
+}
+
+TEST_F(Editing, PiecesAreChosenAndTheScalpelIsLedByKeys) {
+  openBalls();
+  ui::SliceView& coronal = slice(ui::Plane::Coronal);
+  const auto hints = [&] {
+    QStringList words;
+    for (const QLabel* hint : window().findChildren<QLabel*>("viewHint"))
+      words << hint->accessibleName();
+    return words;
+  };
+  const QStringList before = hints();
+  click("piecesTool");
+  for (const QString& hint : hints()) EXPECT_TRUE(hint.contains("piece")) << hint.toStdString();
+  window().setCross(kSmallAt);
+  QTest::keyClick(&coronal, Qt::Key_Return);
+  ASSERT_TRUE(previewed());
+  QTest::keyClick(&child("removePiece"), Qt::Key_Space);
+  settle();
+  EXPECT_FALSE(isThere(kSmallAt));
+  EXPECT_TRUE(isThere(kLargeAt));
+
+  // corner by corner, and the last one twice; one corner too many is taken back
+  click("scalpelTool");
+  for (const QString& hint : hints()) EXPECT_TRUE(hint.contains("outline")) << hint.toStdString();
+  const auto corner = [&](double x, double z) {
+    window().setCross({x, 0, z});
+    QTest::keyClick(&coronal, Qt::Key_Return);
+  };
+  corner(-16, -4);
+  corner(-8, -4);
+  corner(-8, 4);
+  corner(0, 20);
+  QTest::keyClick(&coronal, Qt::Key_Backspace);
+  corner(-16, 4);
+  keepWindow("edit_corners");
+  EXPECT_TRUE(isThere({-12, 0, 0}));
+  QTest::keyClick(&coronal, Qt::Key_Return);
+  settle();
+  EXPECT_FALSE(isThere({-12, 0, 0}));
+  EXPECT_TRUE(isThere({-12, 0, 9}));
+  EXPECT_TRUE(isThere({-4, 0, 0}));
+  expectTheSameEverywhere();
+
+  // in 3-D the middle of the picture is clicked; Escape puts the tool and its hints away
+  undo();
+  click("piecesTool");
+  QTest::keyClick(&window().view(), Qt::Key_Return);
+  EXPECT_TRUE(previewed());
+  QTest::keyClick(&window().view(), Qt::Key_Escape);
+  EXPECT_EQ(hints(), before);
+}
+
+TEST_F(Editing, NumbersOfTheCropBoxNameTheSideAsSlicesDo) {
+  openBalls();
+  click("cropTool");
+  auto& low = child<ui::NumberBox>("crop0Low");
+  auto& high = child<ui::NumberBox>("crop0High");
+  EXPECT_EQ(low.text(), "R 32.0 mm");
+  EXPECT_EQ(high.text(), "L 32.0 mm");
+  type("crop0High", "R 10");
+  EXPECT_EQ(high.value(), -10.0);
+  EXPECT_EQ(high.text(), "R 10.0 mm");
+  type("crop0High", "l 12");
+  EXPECT_EQ(high.value(), 12.0);
+  // which side is not told: refused
+  type("crop0High", "11");
+  EXPECT_EQ(high.value(), 12.0);
+  EXPECT_EQ(high.text(), "L 12.0 mm");
+  type("crop0High", "-11");
+  EXPECT_EQ(high.text(), "R 11.0 mm");
+  keepWindow("edit_sides");
 }
 
 TEST_F(Editing, NothingInThePanelIsCutAtItsSide) {

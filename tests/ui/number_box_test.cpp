@@ -13,6 +13,7 @@
 #include "panelled_window.h"
 #include "ui/export_question.h"
 #include "ui/main_window.h"
+#include "ui/panels/histogram_slider.h"
 #include "ui/part_question.h"
 #include "window_support.h"
 
@@ -139,6 +140,26 @@ TEST(NumberBox, AnIsovalueIsNeverTenTimesWhatWasTyped) {
   enter(isovalue, "1205");
   EXPECT_EQ(isovalue->value(), 1205.0);
   EXPECT_EQ(isovalue->text(), "1205 HU");  // no group separator
+}
+
+TEST(NumberBox, AnIsovalueGoesByTensOfHounsfieldUnitsAndWithShiftByOnes) {
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
+  panelled.show(scan(3000.0), 300.0, "scan");
+  window::showAndWait(window, {1240, 840});
+  auto* typed = window.findChild<QDoubleSpinBox*>("isovalueTyped");
+  auto* slider = window.findChild<ui::HistogramSlider*>("isovalueSlider");
+  for (QWidget* at : {static_cast<QWidget*>(typed), static_cast<QWidget*>(slider)}) {
+    at->setFocus();
+    QTest::keyClick(at, Qt::Key_Up);
+    EXPECT_EQ(typed->value(), 310.0) << at->objectName().toStdString();
+    QTest::keyClick(at, Qt::Key_Down, Qt::ShiftModifier);
+    EXPECT_EQ(typed->value(), 309.0);
+    QTest::keyClick(at, Qt::Key_Up, Qt::ShiftModifier);
+    QTest::keyClick(at, Qt::Key_Down);
+    EXPECT_EQ(typed->value(), 300.0);
+  }
+  window::keep(window::pictureOf(*slider), "isovalue_axis");
 }
 
 TEST(NumberBox, ADialogIsNotAcceptedWithWhatIsRefused) {

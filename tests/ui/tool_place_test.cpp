@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <QClipboard>
+#include <QComboBox>
 #include <QDialog>
 #include <QFile>
 #include <QFileDialog>
@@ -274,6 +275,7 @@ class Answers : public QObject {
   }
   QStringList seen;
   bool agree = true;
+  bool whole_window = false;
 
  private:
   void answer() {
@@ -289,6 +291,7 @@ class Answers : public QObject {
         if ((box->buttonRole(button) == QMessageBox::AcceptRole) == agree) return button->click();
     } else if (auto* dialog = qobject_cast<QDialog*>(open)) {
       seen << "wish";
+      if (whole_window) dialog->findChild<QComboBox*>("pictureOf")->setCurrentIndex(1);
       dialog->accept();
     }
   }
@@ -358,6 +361,12 @@ TEST(ToolPlace, APictureThatMayShowAFaceIsAskedFor) {
   window::panelOf<ui::IsosurfacePanel>(application.window()).choose(-300.0);
   EXPECT_EQ(take("copyPicture"), QStringList({warning}));
   EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
+  // and, whatever the isovalue, a slice in a picture of the window
+  window::panelOf<ui::IsosurfacePanel>(application.window()).choose(300.0);
+  answers.whole_window = true;
+  EXPECT_EQ(take("savePicture"), QStringList({"wish", warning, "file"}));
+  QTest::keyClick(&view, Qt::Key_F);  // alone
+  EXPECT_EQ(take("savePicture"), QStringList({"wish", "file"}));
 }
 
 }  // namespace

@@ -146,6 +146,12 @@ void ClipPlane::setClick(const ViewGeometry& view, const Eigen::Vector3d& at_mm)
   emit moved();
 }
 
+QString ClipPlane::hint() const {
+  if (!shown_) return {};
+  return placed_ ? tr("Drag a handle: shifts or turns the clip plane. Escape: ends.")
+                 : tr("Click, or Enter at the crosshair, three times: places the clip plane.");
+}
+
 bool ClipPlane::press(const ViewGeometry& view, const QMouseEvent& event) {
   if (!shown_ || !isPlainLeft(event)) return false;
   if (!placed_) {

@@ -34,6 +34,7 @@ class ClipPlane : public Overlay {
   bool drag(const ViewGeometry& view, const QMouseEvent& event) override;
   bool release(const ViewGeometry& view, const QMouseEvent& event) override;
   bool hover(const ViewGeometry& view, const QMouseEvent& event) override;
+  QString hint() const override;
   Qt::CursorShape cursor() const override { return placed_ ? Qt::SizeAllCursor : Qt::CrossCursor; }
 
   /// The handles in a view, mm of W; none where the plane does not meet the slice.

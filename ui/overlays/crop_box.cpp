@@ -126,6 +126,10 @@ std::optional<CropBox::Face> CropBox::faceAt(const ViewGeometry& view, QPointF a
   return found;
 }
 
+QString CropBox::hint() const {
+  return isShown() ? tr("Drag a handle: moves a face of the crop box. Escape: ends.") : QString();
+}
+
 bool CropBox::press(const ViewGeometry& view, const QMouseEvent& event) {
   if (!isPlainLeft(event)) return false;
   const auto face = faceAt(view, event.position());

@@ -27,6 +27,7 @@ class CropBox : public Overlay {
   bool release(const ViewGeometry& view, const QMouseEvent& event) override;
   bool hover(const ViewGeometry& view, const QMouseEvent& event) override;
   Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
+  QString hint() const override;
 
   /// Where the handle of a face is, mm of W; none if this view shows none.
   std::optional<Eigen::Vector3d> handleOf(const ViewGeometry& view, int axis, bool far_side) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/overlays/lasso.h"
 
+#include <QKeyEvent>
+#include <QLineF>
 #include <QRectF>
 #include <cmath>
 #include <utility>
@@ -10,7 +12,8 @@
 namespace ui {
 namespace {
 
-constexpr double kLeastStep = 2.0;  // pixels between two corners
+constexpr double kLeastStep = 2.0;   // pixels between two corners of a drag
+constexpr double kSameCorner = 4.0;  // pixels
 constexpr qsizetype kMostCorners = 2'000;
 constexpr double kLeastArea = 60.0;  // square pixels
 constexpr int kProbes = 5;           // along each side of the outline's box
@@ -29,21 +32,49 @@ double areaOf(const QPolygonF& line) {
 void Lasso::setActive(bool active) {
   active_ = active;
   line_.clear();
+  corners_mm_.clear();
   on_ = nullptr;
   emit changed();
 }
 
 void Lasso::paint(QPainter& painter, const ViewGeometry& view) const {
-  if (on_ != &view.widget() || line_.size() < 2) return;
+  if (on_ != &view.widget()) return;
+  const QPolygonF corners = cornersIn(view);
+  for (const QPointF corner : corners) drawHandle(painter, corner, kGoesColour, false);
+  const QPolygonF& line = corners.isEmpty() ? line_ : corners;
+  if (line.size() < 2) return;
   QColor fill = kGoesColour;
   fill.setAlpha(50);
   painter.setPen(QPen(kGoesColour, 1.8));
   painter.setBrush(fill);
-  painter.drawPolygon(line_);
+  painter.drawPolygon(line);
+}
+
+QPolygonF Lasso::cornersIn(const ViewGeometry& view) const {
+  QPolygonF corners;
+  for (const Eigen::Vector3d& corner : corners_mm_) corners << view.projected(corner);
+  return corners;
+}
+
+/// Adds a corner, or closes the outline if it is where the last one is.
+void Lasso::setCorner(const ViewGeometry& view, QPointF at) {
+  const QPolygonF corners = cornersIn(view);
+  if (!corners.isEmpty() && QLineF(corners.last(), at).length() < kSameCorner) {
+    corners_mm_.clear();
+    on_ = nullptr;
+    emit changed();
+    return cut(view, corners);
+  }
+  const Eigen::Vector3d beside =
+      corners_mm_.empty() ? Eigen::Vector3d::Zero().eval() : corners_mm_.front();
+  const auto place = view.isSlice() ? view.placeUnder(at) : view.placeBeside(at, beside);
+  if (place) corners_mm_.push_back(*place);
+  emit changed();
 }
 
 bool Lasso::press(const ViewGeometry& view, const QMouseEvent& event) {
   if (!active_ || !isPlainLeft(event)) return false;
+  if (on_ != &view.widget()) corners_mm_.clear();
   on_ = &view.widget();
   line_ = {event.position()};
   return true;
@@ -53,6 +84,7 @@ bool Lasso::drag(const ViewGeometry&, const QMouseEvent& event) {
   if (line_.isEmpty()) return true;
   const QPointF by = event.position() - line_.last();
   if (QPointF::dotProduct(by, by) < kLeastStep * kLeastStep) return true;
+  corners_mm_.clear();
   line_ << event.position();
   emit changed();
   return true;
@@ -61,9 +93,18 @@ bool Lasso::drag(const ViewGeometry&, const QMouseEvent& event) {
 bool Lasso::release(const ViewGeometry& view, const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton || line_.isEmpty()) return true;
   const QPolygonF line = std::exchange(line_, {});
+  if (line.size() == 1) {
+    setCorner(view, line.first());
+    return true;
+  }
   on_ = nullptr;
   emit changed();
-  if (line.size() < 3 || areaOf(line) < kLeastArea) return true;
+  cut(view, line);
+  return true;
+}
+
+void Lasso::cut(const ViewGeometry& view, const QPolygonF& line) {
+  if (line.size() < 3 || areaOf(line) < kLeastArea) return;
   DrawnOutline outline;
   outline.camera = projectionOf(view);
   outline.in_slice = view.isSlice();
@@ -82,7 +123,20 @@ bool Lasso::release(const ViewGeometry& view, const QMouseEvent& event) {
       }
   }
   emit drawn(outline);
+}
+
+bool Lasso::key(const ViewGeometry&, const QKeyEvent& event) {
+  if (!active_ || event.key() != Qt::Key_Backspace || corners_mm_.empty()) return false;
+  corners_mm_.pop_back();
+  emit changed();
   return true;
+}
+
+QString Lasso::hint() const {
+  if (!active_) return {};
+  return tr(
+      "Drag: draws the outline that cuts. Or click, or Enter at the crosshair: sets a corner; "
+      "at the last one again: cuts. Backspace: takes it back.");
 }
 
 bool Lasso::hover(const ViewGeometry& view, const QMouseEvent&) {
@@ -100,6 +154,11 @@ bool PlacePick::press(const ViewGeometry& view, const QMouseEvent& event) {
   if (!place) return false;  // beside the surface: the picture may be turned
   emit picked(*place);
   return true;
+}
+
+QString PlacePick::hint() const {
+  return active_ ? tr("Click a piece, or Enter at the crosshair: shows it. Escape: ends.")
+                 : QString();
 }
 
 bool PlacePick::drag(const ViewGeometry&, const QMouseEvent&) { return true; }

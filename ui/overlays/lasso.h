@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QPolygonF>
+#include <array>
+#include <vector>
 
 #include "ui/overlays/projection.h"
 
@@ -16,7 +18,8 @@ struct DrawnOutline {
   std::vector<Eigen::Vector3d> seen;
 };
 
-/// The scalpel: while it is on, the left button draws a closed outline on a view.
+/// The scalpel: while it is on, the left button draws a closed outline on a view, in one go or
+/// corner by corner: then a second click on the last corner closes it.
 class Lasso : public Overlay {
   Q_OBJECT
  public:
@@ -30,15 +33,23 @@ class Lasso : public Overlay {
   bool drag(const ViewGeometry& view, const QMouseEvent& event) override;
   bool release(const ViewGeometry& view, const QMouseEvent& event) override;
   bool hover(const ViewGeometry& view, const QMouseEvent& event) override;
+  /// Backspace takes the last corner back.
+  bool key(const ViewGeometry& view, const QKeyEvent& event) override;
   Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+  QString hint() const override;
 
  signals:
   void drawn(const ui::DrawnOutline& outline);
 
  private:
+  void setCorner(const ViewGeometry& view, QPointF at);
+  QPolygonF cornersIn(const ViewGeometry& view) const;
+  void cut(const ViewGeometry& view, const QPolygonF& line);
+
   bool active_ = false;
-  const QWidget* on_ = nullptr;  ///< on which it is drawn; only compared
-  QPolygonF line_;               ///< pixels
+  const QWidget* on_ = nullptr;              ///< on which it is drawn; only compared
+  QPolygonF line_;                           ///< of a drag, pixels
+  std::vector<Eigen::Vector3d> corners_mm_;  ///< of clicks, in a plane parallel to the picture, W
 };
 
 /// While it is on, a click on the surface or in a slice picks a place.
@@ -53,6 +64,7 @@ class PlacePick : public Overlay {
   bool release(const ViewGeometry& view, const QMouseEvent& event) override;
   bool hover(const ViewGeometry& view, const QMouseEvent& event) override;
   Qt::CursorShape cursor() const override { return Qt::PointingHandCursor; }
+  QString hint() const override;
 
  signals:
   void picked(const Eigen::Vector3d& place_W_mm);

@@ -443,11 +443,6 @@ bool Measures::release(const ViewGeometry&, const QMouseEvent&) {
   return true;
 }
 
-bool Measures::doubleClick(const ViewGeometry& view, const QMouseEvent& event) {
-  // two presses, of which the second has no drag
-  return press(view, event) && release(view, event);
-}
-
 bool Measures::hover(const ViewGeometry& view, const QMouseEvent& event) {
   over_ = false;
   if (placing_) {
@@ -471,6 +466,13 @@ bool Measures::key(const ViewGeometry&, const QKeyEvent& event) {
   if (!del || selected_ < 0) return false;
   remove(selected_);
   return true;
+}
+
+QString Measures::hint() const {
+  if (!placing_) return {};
+  return tr(
+      "Click, or Enter at the crosshair: sets a place. Backspace: takes it back. Escape: "
+      "ends.");
 }
 
 Qt::CursorShape Measures::cursor() const {

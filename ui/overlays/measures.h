@@ -65,10 +65,10 @@ class Measures : public Overlay {
   bool press(const ViewGeometry& view, const QMouseEvent& event) override;
   bool drag(const ViewGeometry& view, const QMouseEvent& event) override;
   bool release(const ViewGeometry& view, const QMouseEvent& event) override;
-  bool doubleClick(const ViewGeometry& view, const QMouseEvent& event) override;
   bool hover(const ViewGeometry& view, const QMouseEvent& event) override;
   bool key(const ViewGeometry& view, const QKeyEvent& event) override;
   Qt::CursorShape cursor() const override;
+  QString hint() const override;
 
  signals:
   /// A measure was added, removed, renamed or moved, or reads otherwise.

@@ -355,10 +355,12 @@ void EditPanel::show(const std::array<CropRange, 3>& ranges, const QString& axes
       const QString& name = side == 0 ? range.low : range.high;
       NumberBox& number = *crop_numbers_[a][side];
       const QSignalBlocker quiet(number);
-      crop_names_[a][side]->setText(name);
+      const QString between = side == 0 ? tr("from") : tr("to");
+      crop_names_[a][side]->setText(range.negative.isEmpty() ? name : between);
       number.setAccessibleName(tr("Face %1 of the box").arg(name));
       number.setRange(range.least, range.most);
       number.setSingleStep(range.step);
+      number.setSides(range.negative, range.positive);
       number.setValue(side == 0 ? range.from : range.to);
     }
 }

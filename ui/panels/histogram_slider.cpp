@@ -1,24 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/histogram_slider.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace ui {
+namespace {
+
+constexpr int kBandHeight = 4;
+constexpr double kRoom = 8.0;  // pixels between two words of the axis
+
+/// Usual ranges in HU, of which partial volumes and contrast agents know nothing.
+struct TissueBand {
+  const char* name;
+  double from, to;  // HU
+};
+constexpr std::array<TissueBand, 4> kTissueBands{{
+    {QT_TRANSLATE_NOOP("ui::HistogramSlider", "air"), -std::numeric_limits<double>::infinity(),
+     -500.0},
+    {QT_TRANSLATE_NOOP("ui::HistogramSlider", "fat"), -150.0, -30.0},
+    {QT_TRANSLATE_NOOP("ui::HistogramSlider", "soft tissue"), 0.0, 100.0},
+    {QT_TRANSLATE_NOOP("ui::HistogramSlider", "bone"), 300.0,
+     std::numeric_limits<double>::infinity()},
+}};
+
+/// 1, 2 or 5 times a power of ten, so that about four of them fit.
+double tickOf(double range) {
+  const double rough = range / 4.0;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double times : {1.0, 2.0, 5.0})
+    if (times * power >= rough) return times * power;
+  return 10.0 * power;
+}
+
+}  // namespace
 
 HistogramSlider::HistogramSlider(QWidget* parent) : QAbstractSlider(parent) {
   setOrientation(Qt::Horizontal);
   setRange(0, kSteps);
-  setSingleStep(8);
   setPageStep(kSteps / 16);
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::SizeHorCursor);
 }
 
-void HistogramSlider::setHistogram(const Histogram& histogram) {
+void HistogramSlider::setHistogram(const Histogram& histogram, const QString& unit) {
   histogram_ = histogram;
+  unit_ = unit;
   tallest_ = 1.0;
   for (const double count : histogram_.counts) tallest_ = std::max(tallest_, std::log1p(count));
   update();
@@ -39,14 +72,93 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), palette().color(QPalette::Base));
   const double mark = (width() - 1) * static_cast<double>(value()) / kSteps;
   const auto bins = static_cast<int>(histogram_.counts.size());
+  const int foot = height() - axisHeight();
   const QColor solid(214, 196, 160), empty(120, 125, 135, 120);
   for (int x = 0; x < width() && bins > 0; ++x) {
     const auto bin = static_cast<std::size_t>(std::min(bins - 1, x * bins / width()));
-    const double tall = std::log1p(histogram_.counts[bin]) / tallest_ * (height() - 4);
-    painter.fillRect(QRectF{x + 0.0, height() - tall, 1.0, tall}, x >= mark ? solid : empty);
+    const double tall = std::log1p(histogram_.counts[bin]) / tallest_ * (foot - 4);
+    painter.fillRect(QRectF{x + 0.0, foot - tall, 1.0, tall}, x >= mark ? solid : empty);
   }
+  drawAxis(painter);
   painter.setPen(QPen(hasFocus() ? QColor(255, 120, 40) : QColor(230, 90, 30), 2.0));
-  painter.drawLine(QPointF{mark, 0.0}, QPointF{mark, height() + 0.0});
+  painter.drawLine(QPointF{mark, 0.0}, QPointF{mark, foot + 0.0});
+}
+
+double HistogramSlider::xOf(double intensity) const {
+  const double width_of = histogram_.greatest - histogram_.least;
+  const double share = width_of > 0.0 ? (intensity - histogram_.least) / width_of : 0.0;
+  return std::clamp(share, 0.0, 1.0) * (width() - 1);
+}
+
+int HistogramSlider::axisHeight() const {
+  const int line = fontMetrics().height();
+  return unit_ == QLatin1String("HU") ? 2 * line + kBandHeight + 4 : line + 4;
+}
+
+void HistogramSlider::drawAxis(QPainter& painter) const {
+  const double range = histogram_.greatest - histogram_.least;
+  if (!(range > 0.0)) return;
+  const int line = fontMetrics().height();
+  double top = height() - axisHeight() + 2.0;
+  painter.setPen(palette().color(QPalette::Text));
+  // words from left to right, as far as they have room
+  const auto place = [&](double middle, const QString& word, double& free_from) {
+    const double wide = fontMetrics().horizontalAdvance(word);
+    const double left = std::clamp(middle - wide / 2.0, 0.0, std::max(0.0, width() - wide));
+    if (left < free_from) return;
+    painter.drawText(QRectF{left, top, wide + 1.0, line + 0.0}, Qt::AlignLeft, word);
+    free_from = left + wide + kRoom;
+  };
+  if (unit_ == QLatin1String("HU")) {
+    double free_from = 0.0;
+    for (const TissueBand& band : kTissueBands) {
+      if (band.to <= histogram_.least || band.from >= histogram_.greatest) continue;
+      const double from = xOf(band.from), to = xOf(band.to);
+      painter.fillRect(QRectF{from, top - 2.0, std::max(1.0, to - from), kBandHeight + 0.0},
+                       palette().color(QPalette::Mid));
+    }
+    top += kBandHeight;
+    for (const TissueBand& band : kTissueBands)
+      if (band.to > histogram_.least && band.from < histogram_.greatest)
+        place(0.5 * (xOf(band.from) + xOf(band.to)), tr(band.name), free_from);
+    top += line;
+  }
+  const double tick = tickOf(range);
+  const auto numberOf = [&](double value) {
+    return locale().toString(value, 'g', 6).replace('-', QChar(0x2212));
+  };
+  double free_from = 0.0;
+  for (double at = std::ceil(histogram_.least / tick) * tick; at <= histogram_.greatest;
+       at += tick) {
+    const double value = std::abs(at) < 1e-9 * tick ? 0.0 : at;
+    painter.drawLine(QPointF{xOf(value), top - 2.0}, QPointF{xOf(value), top + 1.0});
+    place(xOf(value), numberOf(value), free_from);
+  }
+}
+
+void HistogramSlider::keyPressEvent(QKeyEvent* event) {
+  const bool fine = event->modifiers().testFlag(Qt::ShiftModifier);
+  switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Down:
+    case Qt::Key_Minus:
+      return emit stepWanted(-1, fine);
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Plus:
+      return emit stepWanted(1, fine);
+    default:
+      QAbstractSlider::keyPressEvent(event);
+  }
+}
+
+void HistogramSlider::wheelEvent(QWheelEvent* event) {
+  // some platforms turn the wheel sideways while a key is held
+  wheel_ += event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
+  const int steps = wheel_ / QWheelEvent::DefaultDeltasPerStep;
+  wheel_ -= steps * QWheelEvent::DefaultDeltasPerStep;
+  if (steps != 0) emit stepWanted(steps, event->modifiers().testFlag(Qt::ShiftModifier));
+  event->accept();
 }
 
 void HistogramSlider::follow(double x) {

@@ -7,8 +7,10 @@
 
 namespace ui {
 
-/// A slider on a histogram, moved by drag, wheel and arrow keys. The solid side of the value is
-/// bright. Counts are logarithmic, because air has most of the voxels.
+/// A slider on a histogram. The solid side of the value is bright. Counts are logarithmic, because
+/// air has most of the voxels. Below it stand an axis in the volume's unit and, for HU, bands of
+/// tissues. Drag, Page Up and Down, Home and End move it; for arrow keys and wheel it asks the
+/// owner.
 class HistogramSlider : public QAbstractSlider {
   Q_OBJECT
  public:
@@ -16,22 +18,35 @@ class HistogramSlider : public QAbstractSlider {
 
   explicit HistogramSlider(QWidget* parent = nullptr);
 
-  void setHistogram(const Histogram& histogram);
+  /// `unit`: as the volume has it; may be empty.
+  void setHistogram(const Histogram& histogram, const QString& unit);
   const Histogram& histogram() const { return histogram_; }
   double intensityAt(int step) const;
   int stepOf(double intensity) const;
-  QSize sizeHint() const override { return {260, 110}; }
-  QSize minimumSizeHint() const override { return {160, 80}; }
+  QSize sizeHint() const override { return {260, 130}; }
+  QSize minimumSizeHint() const override { return {160, 100}; }
+
+ signals:
+  /// An arrow key or the wheel; `fine` while Shift is held.
+  void stepWanted(int steps, bool fine);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
   void follow(double x);
+  double xOf(double intensity) const;
+  int axisHeight() const;
+  void drawAxis(QPainter& painter) const;
+
   Histogram histogram_;
+  QString unit_;
+  int wheel_ = 0;         ///< eighths of a degree that are no step yet
   double tallest_ = 1.0;  ///< greatest logarithm of the counts
 };
 

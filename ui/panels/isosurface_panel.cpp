@@ -28,6 +28,16 @@ double grainOf(const haptics::Volume& volume) {
 // finer than a step of the slider, which must never be rounded back to where it was
 int decimalsOf(const haptics::Volume& volume) { return std::clamp(1 - magnitudeOf(volume), 0, 9); }
 
+/// What an arrow key adds, and what it adds with Shift.
+struct Steps {
+  double coarse, fine;
+};
+Steps stepsOf(const haptics::Volume& volume) {
+  if (volume.unit == "HU") return {10.0, 1.0};
+  const double fine = std::max(grainOf(volume), std::pow(10.0, magnitudeOf(volume)));
+  return {std::max(fine, 10.0 * std::pow(10.0, magnitudeOf(volume))), fine};
+}
+
 }  // namespace
 
 double allowedIsovalue(const haptics::Volume& volume, double isovalue) {
@@ -74,6 +84,11 @@ IsosurfacePanel::IsosurfacePanel(QWidget* parent)
 
   connect(slider_, &QAbstractSlider::valueChanged, this,
           [this](int step) { choose(slider_->intensityAt(step)); });
+  connect(slider_, &HistogramSlider::stepWanted, this, [this](int steps, bool fine) {
+    if (!volume_) return;
+    const Steps step = stepsOf(*volume_);
+    choose(isovalue_ + steps * (fine ? step.fine : step.coarse));
+  });
   connect(typed_, &NumberBox::valueChanged, this, &IsosurfacePanel::choose);
 }
 
@@ -82,11 +97,12 @@ void IsosurfacePanel::show(const Picture& picture, double isovalue) {
   const haptics::Volume& volume = *volume_;
   const double range = volume.greatest - volume.least;
   const QSignalBlocker quiet_slider(slider_), quiet_typed(typed_);
-  slider_->setHistogram(picture.histogram);
+  slider_->setHistogram(picture.histogram, QString::fromStdString(volume.unit));
   typed_->setDecimals(decimalsOf(volume));
   // wider than what is allowed, so that a refusal can be said instead of silently corrected
   typed_->setRange(volume.least - range - 1.0, volume.greatest);
-  typed_->setSingleStep(std::max(grainOf(volume), range / 200.0));
+  typed_->setSingleStep(stepsOf(volume).coarse);
+  typed_->setFineStep(stepsOf(volume).fine);
   typed_->setSuffix(volume.unit.empty() ? QString() : " " + QString::fromStdString(volume.unit));
   range_->setText(tr("%1 to %2 %3")
                       .arg(volume.least, 0, 'g', 6)
@@ -100,7 +116,7 @@ void IsosurfacePanel::show(const Picture& picture, double isovalue) {
 
 void IsosurfacePanel::replace(const Picture& picture) {
   volume_ = picture.volume;
-  slider_->setHistogram(picture.histogram);
+  slider_->setHistogram(picture.histogram, QString::fromStdString(volume_->unit));
   showValue(isovalue_);
 }
 
