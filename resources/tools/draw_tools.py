@@ -415,8 +415,8 @@ def bent(mesh, back, radius, angle):
 
 
 def curved_probe():
-    """A slim probe with a ball of 1.5 mm, its last centimetres bent by 50 degrees."""
-    ball, stem, shaft, end = 0.75, 0.45, 1.1, 155.0
+    """A slim probe with a ball of 1.5 mm, its last centimetres bent by 50 degrees; 150 mm."""
+    ball, stem, shaft, end = 0.75, 0.45, 1.1, 153.522
     neck = math.degrees(math.acos(stem / ball))
     top = ball + ball * math.sin(math.radians(neck))
     mesh = lathed(
@@ -429,8 +429,8 @@ def curved_probe():
 
 
 def hook():
-    """A blunt hook: a wire of 1 mm, bent by 90 degrees 3.5 mm from its end."""
-    wire, shaft, end = 0.5, 1.1, 150.0
+    """A blunt hook: a wire of 1 mm, bent by 90 degrees 3.5 mm from its end; 148 mm."""
+    wire, shaft, end = 0.5, 1.1, 150.356
     mesh = lathed(
         [arc((0, wire), wire, -90, 0, 100),
          [(wire, wire), (wire, 6)],
