@@ -46,12 +46,12 @@ QList<ui::ToolEntry> namedEntries() {
 }
 
 /// The list, on the screen in a narrow panel, with the burr of 4 mm.
-struct Shown {
+struct ListOnScreen {
   ToolList list;
   QListWidget* lines;
   QSignalSpy chosen{&list, &ToolList::toolChosen};
 
-  Shown() : lines(list.findChild<QListWidget*>("toolLines")) {
+  ListOnScreen() : lines(list.findChild<QListWidget*>("toolLines")) {
     list.setTools(namedEntries());
     list.showTool("burr-4");
     window::showAndWait(list, {250, list.sizeHint().height()});
@@ -75,7 +75,7 @@ struct Shown {
 };
 
 TEST(ToolList, IsChosenFromByMouse) {
-  Shown shown;
+  ListOnScreen shown;
   EXPECT_FALSE(shown.isOpen());
   QTest::mouseClick(&shown.list, Qt::LeftButton);
   ASSERT_TRUE(shown.isOpen());
@@ -98,7 +98,7 @@ TEST(ToolList, IsChosenFromByMouse) {
 }
 
 TEST(ToolList, IsChosenFromByKeys) {
-  Shown shown;
+  ListOnScreen shown;
   for (const int key : {Qt::Key_Down, Qt::Key_Return, Qt::Key_Space}) {
     QTest::keyClick(&shown.list, static_cast<Qt::Key>(key));
     ASSERT_TRUE(shown.isOpen()) << key;
@@ -129,7 +129,7 @@ TEST(ToolList, IsChosenFromByKeys) {
 }
 
 TEST(ToolList, IsReadOutLineByLine) {
-  Shown shown;
+  ListOnScreen shown;
   EXPECT_EQ(shown.list.accessibleDescription(), "Burr, 4 mm, length 145 mm · tip 4 mm");
   QTest::mouseClick(&shown.list, Qt::LeftButton);
   QAccessibleInterface* lines = QAccessible::queryAccessibleInterface(shown.lines);
@@ -151,7 +151,7 @@ TEST(ToolList, IsReadOutLineByLine) {
 }
 
 TEST(ToolList, FitsANarrowPanelAndIsDrawnInThePalettesColours) {
-  Shown shown;
+  ListOnScreen shown;
   EXPECT_LE(shown.list.sizeHint().width(), 260);
   EXPECT_LE(shown.list.sizeHint().height(), 56);
   EXPECT_LE(shown.list.minimumSizeHint().width(), 180);
@@ -251,9 +251,9 @@ TEST(ToolList, HasPicturesThatShowSizeAndShape) {
 }
 
 /// Counts the paints of every widget.
-class Paints : public QObject {
+class ToolPaints : public QObject {
  public:
-  Paints() { qApp->installEventFilter(this); }
+  ToolPaints() { qApp->installEventFilter(this); }
   bool eventFilter(QObject*, QEvent* event) override {
     count += event->type() == QEvent::Paint;
     return false;
@@ -262,9 +262,9 @@ class Paints : public QObject {
 };
 
 TEST(ToolList, IsPaintedOnlyWhenItChanges) {
-  Shown shown;
+  ListOnScreen shown;
   QTest::qWait(200);
-  Paints paints;
+  ToolPaints paints;
   shown.list.showTool("burr-4");
   QTest::qWait(600);
   EXPECT_EQ(paints.count, 0);

@@ -44,7 +44,8 @@ QColor stepsBack(QColor colour) {
 
 QString inMillimetres(double metres) {
   const double mm = metres * 1e3;
-  return QLocale().toString(mm, 'f', mm < 2.0 && mm != std::floor(mm) ? 1 : 0);
+  const bool whole = mm >= 10.0 || std::abs(mm - std::round(mm)) < 0.05;
+  return QLocale().toString(mm, 'f', whole ? 0 : 1);
 }
 
 QString sizesOf(const ToolEntry& tool) {

@@ -9,9 +9,9 @@
 #include <QString>
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace ui {
@@ -21,6 +21,7 @@ constexpr double kLargestScale = 1.9;  // pixels of the widget to the millimetre
 constexpr double kRim = 2.0;           // pixels of the widget
 constexpr double kOutlineWidth = 0.9;
 constexpr double kFade = 20.0;
+constexpr std::size_t kMostTriangles = 300'000;  // drawn in about 0.1 s
 
 /// Twice the area of a triangle on the picture, positive if it is seen from its outer side.
 double areaSeen(const std::array<QPointF, 3>& t) {
@@ -44,16 +45,18 @@ ToolPicture::ToolPicture(const haptics::TriangleMesh& mesh) {
   number_ = ++drawings;
   for (const haptics::Vec3& v : mesh.vertices) points_.emplace_back(-1e3 * v.z(), 1e3 * v.x());
   bounds_ = QPolygonF(QList<QPointF>(points_.begin(), points_.end())).boundingRect();
-  std::set<std::pair<std::uint32_t, std::uint32_t>> sides;  // of what is seen
+  if (mesh.triangles.size() > kMostTriangles) return;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;  // of what is seen
   for (const auto& t : mesh.triangles) {
     const std::array<QPointF, 3> corners{points_[t[0]], points_[t[1]], points_[t[2]]};
     if (areaSeen(corners) <= 0.0) continue;
-    for (std::size_t q = 0; q < 3; ++q) sides.insert({t[q], t[(q + 1) % 3]});
+    for (std::size_t q = 0; q < 3; ++q) sides.emplace_back(t[q], t[(q + 1) % 3]);
   }
+  std::ranges::sort(sides);
   // the border of all that is seen, in closed lines: it surrounds each place at least once
   std::multimap<std::uint32_t, std::uint32_t> next;
   for (const auto& [a, b] : sides)
-    if (!sides.contains({b, a})) next.emplace(a, b);
+    if (!std::ranges::binary_search(sides, std::pair{b, a})) next.emplace(a, b);
   body_.setFillRule(Qt::WindingFill);
   while (!next.empty()) {
     QPolygonF line;
@@ -107,7 +110,6 @@ QPixmap ToolPicture::drawn(QSize size, double ratio, const QColor& ink) const {
   // the line lies around the body: what is broad keeps its size, and what is slim is still seen
   painter.strokePath(
       body_, QPen(ink, 2.0 * kOutlineWidth / scale, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.fillPath(body_, ink);
   painter.setCompositionMode(QPainter::CompositionMode_Source);
   painter.fillPath(body_, flat);
   painter.restore();

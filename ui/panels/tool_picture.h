@@ -14,7 +14,8 @@
 namespace ui {
 
 /// A tool as a small line drawing: the silhouette of its mesh, seen along y, with its tip to the
-/// right. A tool longer than the picture fades out at the left.
+/// right. A tool longer than the picture fades out at the left. A mesh of more than 300,000
+/// triangles has no picture.
 class ToolPicture {
  public:
   ToolPicture() = default;
