@@ -180,6 +180,13 @@ TEST(ToolList, FitsANarrowPanelAndIsDrawnInThePalettesColours) {
   EXPECT_GT(ink("Burr, 4 mm"), 15);
   EXPECT_EQ(ink("Burr, 2 mm"), 0);
   QTest::keyClick(shown.lines, Qt::Key_Escape);
+  // a file with a long name makes neither wide
+  shown.list.showOther({.id = "/a", .use = "From a file", .title = QString(200, 'w') + ".stl"});
+  EXPECT_LE(shown.list.sizeHint().width(), 260);
+  QTest::mouseClick(&shown.list, Qt::LeftButton);
+  EXPECT_LE(popup->width(), 400);
+  QTest::keyClick(shown.lines, Qt::Key_Escape);
+  shown.list.showTool("burr-4");
 
   QPalette dark;
   for (const auto role : {QPalette::Button, QPalette::Base, QPalette::Window})

@@ -25,6 +25,7 @@ namespace {
 
 constexpr QSize kPicture{84, 30}, kButtonPicture{56, 30};  // pixels
 constexpr int kBeside = 8, kAbove = 4, kMarkWidth = 14;
+constexpr int kWidest = 360;
 constexpr double kSmallFont = 0.85;  // of the font
 constexpr double kMostOfScreen = 0.8;
 
@@ -276,7 +277,8 @@ void ToolList::open() {
   for (int row = 0; row < lines_->count(); ++row) height += lines_->sizeHintForRow(row);
   const int most = static_cast<int>(kMostOfScreen * room.height());
   const int bar = height > most ? lines_->verticalScrollBar()->sizeHint().width() : 0;
-  const QSize size(std::max(width(), lines_->sizeHintForColumn(0) + 2 * popup_->frameWidth() + bar),
+  const QSize size(std::max(width(), std::min(kWidest, lines_->sizeHintForColumn(0)) +
+                                         2 * popup_->frameWidth() + bar),
                    std::min(height, most));
   const QPoint below = mapToGlobal(QPoint(0, QWidget::height()));
   popup_->setGeometry(
@@ -331,9 +333,9 @@ bool ToolList::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QSize ToolList::sizeHint() const {
-  int width = 0;
-  for (const Tool& tool : tools_)
-    width = std::max(width, widthOf(tool.entry, kButtonPicture, font()));
+  int width = 0;  // a file may have any name
+  for (std::size_t k = 0; k < listed_; ++k)
+    width = std::max(width, widthOf(tools_[k].entry, kButtonPicture, font()));
   return {width + 2 * kBeside, heightOf(font()) + 2 * kAbove};
 }
 
