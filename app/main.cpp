@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 
 #include <QApplication>
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <optional>
@@ -45,7 +44,8 @@ int main(int argc, char** argv) {
   path_given->excludes(phantom_given);
   auto* isovalue_given =
       cli.add_option("--isovalue", isovalue, "Intensity of the surface, in the volume's unit");
-  auto* tool_given = cli.add_option("--tool", tool, "A named tool, or an STL, OBJ or PLY file");
+  auto* tool_given =
+      cli.add_option("--tool", tool, resources::namesOfTools() + ", or an STL, OBJ or PLY file");
   cli.add_option("--tool-unit", tool_unit, "Unit of a tool file")
       ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
   cli.add_option("--hand", arguments.hand, "The hand that holds the device")
@@ -71,9 +71,8 @@ int main(int argc, char** argv) {
   if (*series_given) arguments.load.series = series;
   if (correct) arguments.load.geometry = datasets::Geometry::Corrected;
   if (*tool_given) {
-    const auto names = resources::namedTools();
     app::ToolSource source{.name = tool, .unit = tool_unit};
-    if (std::find(names.begin(), names.end(), tool) == names.end()) source.file = tool;
+    if (resources::findNamedTool(tool) == nullptr) source.file = tool;
     arguments.load.tool = source;
   }
   if (*surface_given)

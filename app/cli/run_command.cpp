@@ -170,9 +170,7 @@ std::string notFinite(const Tally& tally, double stiffness, std::optional<double
 
 /// A tool's name if it is one of ours; what a file is called is nobody's business.
 std::string nameOf(const ToolChoice& choice) {
-  const auto names = resources::namedTools();
-  return std::find(names.begin(), names.end(), choice.name) != names.end() ? choice.name
-                                                                           : std::string{};
+  return resources::findNamedTool(choice.name) != nullptr ? choice.name : std::string{};
 }
 
 Outcome run(const RunOptions& options) {
@@ -302,7 +300,9 @@ void addRun(CLI::App& program, Chosen& chosen) {
                    "Intensity of the surface, in the volume's unit")
       ->required()
       ->check(finiteNumber());
-  command->add_option("--tool", options->tool.name, "A named tool, or a mesh or CSV file")
+  command
+      ->add_option("--tool", options->tool.name,
+                   resources::namesOfTools() + ", or a mesh or CSV file")
       ->required()
       ->check(notEmpty());
   command->add_option("--points", options->tool.points, "Number of points, spread evenly by area")

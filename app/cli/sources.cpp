@@ -115,8 +115,7 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const Volum
 }
 
 haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
-  const std::vector<std::string> named = resources::namedTools();
-  if (std::find(named.begin(), named.end(), choice.name) != named.end()) {
+  if (resources::findNamedTool(choice.name) != nullptr) {
     auto mesh = resources::namedToolMesh(choice.name);
     if (!mesh) return tl::unexpected(mesh.error());
     auto tool = haptics::makeTool(choice.name, std::move(*mesh), choice.points);
@@ -124,13 +123,10 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
     return LoadedTool{std::move(*tool), {}};
   }
   if (isPointFile(choice)) return toolFromPoints(choice);
-  if (!std::filesystem::path(choice.name).has_extension() &&
-      !std::filesystem::exists(choice.name)) {
-    std::string names;
-    for (const std::string& name : named) names += (names.empty() ? "" : ", ") + name;
+  if (!std::filesystem::path(choice.name).has_extension() && !std::filesystem::exists(choice.name))
     return tl::unexpected(
-        Error{Error::Kind::NotFound, {"tool-unknown-or-no-mesh", {choice.name, names}}});
-  }
+        Error{Error::Kind::NotFound,
+              {"tool-unknown-or-no-mesh", {choice.name, resources::namesOfTools()}}});
 #ifdef PALPATE_READERS
   const std::string named_unit = choice.unit.value_or("mm");
   const auto unit = datasets::meshUnitNamed(named_unit);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "app/cli/terminal.h"
 #include "haptics/core/output_file.h"
 #include "resources/messages/messages.h"
+#include "resources/named_tools.h"
 
 namespace app::cli {
 namespace {
@@ -18,7 +20,34 @@ struct ToolOptions {
   std::string out;
 };
 
+std::string shownMm(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", length * 1e3);
+  return text;
+}
+
+/// The named tools, those of one use under its name.
+Outcome listTools() {
+  Outcome outcome;
+  auto& tools = outcome.json["tools"] = nlohmann::ordered_json::array();
+  std::string use;
+  for (const resources::NamedTool& tool : resources::namedTools()) {
+    tools.push_back({{"name", tool.name},
+                     {"use", tool.use},
+                     {"title", tool.title},
+                     {"length_mm", std::round(tool.length * 1e6) / 1e3},
+                     {"tip_mm", std::round(tool.tip * 1e6) / 1e3}});
+    if (tool.use != use) outcome.text += (use = tool.use) + '\n';
+    char line[128];
+    std::snprintf(line, sizeof line, "  %-14s%-18slength %5s mm, tip %4s mm\n", tool.name.c_str(),
+                  tool.title.c_str(), shownMm(tool.length).c_str(), shownMm(tool.tip).c_str());
+    outcome.text += line;
+  }
+  return outcome;
+}
+
 Outcome writeShell(const ToolOptions& options) {
+  if (options.out.empty()) return usage("tool writes a tool's points: add --out FILE.csv.");
   if (const auto wrong = contradictionIn(options.tool)) return usage(*wrong);
   if (const auto wrong = overwritten({{"--out", options.out}}, {}, {options.tool.name}))
     return usage(*wrong);
@@ -53,16 +82,22 @@ Outcome writeShell(const ToolOptions& options) {
 
 void addTool(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<ToolOptions>();
-  CLI::App* command = program.add_subcommand("tool", "Write a tool's point shell");
-  command->add_option("tool", options->tool.name, "A named tool, or a mesh or CSV file")
-      ->required()
-      ->check(notEmpty());
+  CLI::App* command = program.add_subcommand(
+      "tool", "Write a tool's point shell; without a tool, list the named ones");
+  CLI::Option* tool = command
+                          ->add_option("tool", options->tool.name,
+                                       resources::namesOfTools() + ", or a mesh or CSV file")
+                          ->check(notEmpty());
   command->add_option("--points", options->tool.points, "Number of points, spread evenly by area")
+      ->needs(tool)
       ->check(wholeNumber(1, 10'000'000));
   command->add_option("--tool-unit", options->tool.unit, "Unit of a mesh file")
+      ->needs(tool)
       ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
-  command->add_option("--out", options->out, "CSV to write")->required()->check(notEmpty());
-  command->callback([options, &chosen] { chosen = [options] { return writeShell(*options); }; });
+  command->add_option("--out", options->out, "CSV to write")->needs(tool)->check(notEmpty());
+  command->callback([options, &chosen] {
+    chosen = [options] { return options->tool.name.empty() ? listTools() : writeShell(*options); };
+  });
 }
 
 }  // namespace app::cli

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/tool_controller.h"
 
+#include <algorithm>
+
 #include "haptics/smoothing.h"
 #include "resources/named_tools.h"
+#include "ui/panels/tool_list.h"
 
 namespace app {
 namespace {
@@ -11,17 +14,30 @@ constexpr int kRestMs = 300;
 constexpr const char* kTrilinear = "trilinear";
 constexpr const char* kSpline = "spline";
 
+/// Along the tool's axis, m.
+double lengthOf(const haptics::TriangleMesh& mesh) {
+  if (mesh.vertices.empty()) return 0.0;
+  const auto [low, high] = std::ranges::minmax_element(
+      mesh.vertices, {}, [](const haptics::Vec3& vertex) { return vertex.z(); });
+  return high->z() - low->z();
+}
+
 }  // namespace
 
 ToolController::ToolController(ui::DevicePanel& panel, SharedState& shared)
     : panel_(panel), shared_(shared) {
-  QList<ui::Choice> tools;
-  for (const std::string& tool : resources::namedTools())
-    tools.append({QString::fromStdString(tool), QString::fromStdString(tool)});
-  panel.setTools(tools);
+  QList<ui::ToolEntry> tools;
+  for (const resources::NamedTool& tool : resources::namedTools())
+    tools.append({.id = QString::fromStdString(tool.name),
+                  .use = tr(tool.use.c_str()),
+                  .title = tr(tool.title.c_str()),
+                  .length = tool.length,
+                  .tip = tool.tip,
+                  .mesh = resources::namedToolMesh(tool.name).value()});
+  panel.tools().setTools(tools);
   panel.setFields({{kTrilinear, tr("As scanned")}, {kSpline, tr("Smoothed")}});
   connect(&panel, &ui::DevicePanel::toolChosen, this,
-          [this](const QString& id) { changeTool({.name = id.toStdString()}); });
+          [this](const QString& id) { changeTool(toolNamed(id.toStdString())); });
   connect(&panel, &ui::DevicePanel::toolFileChosen, this,
           [this](const QString& path, const QString& unit) {
             changeTool({.name = path.toStdString(),
@@ -37,8 +53,23 @@ ToolController::ToolController(ui::DevicePanel& panel, SharedState& shared)
 void ToolController::show() {
   if (!shared_.shown) return;
   const ToolSource& tool = shared_.shown->tool;
-  panel_.showTool(QString::fromStdString(tool.name), labelOf(tool));
+  const QString id = QString::fromStdString(tool.name);
+  if (!tool.file && resources::findNamedTool(tool.name) != nullptr) {
+    panel_.tools().showTool(id);
+  } else {
+    const haptics::TriangleMesh& mesh = shared_.shown->scene->tool.mesh;
+    panel_.tools().showOther({.id = id,
+                              .use = tr("From a file"),
+                              .title = labelOf(tool),
+                              .length = lengthOf(mesh),
+                              .mesh = mesh});
+  }
   showField();
+}
+
+ToolSource ToolController::toolNamed(const std::string& name) const {
+  if (shared_.shown && shared_.shown->tool.name == name) return shared_.shown->tool;
+  return {.name = name};
 }
 
 void ToolController::changeTool(const ToolSource& tool) {

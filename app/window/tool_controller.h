@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <string>
 
 #include "app/window/loader.h"
 #include "app/window/shared_state.h"
@@ -31,6 +32,8 @@ class ToolController : public QObject {
  private:
   void changeField(const QString& id);
   void showField();
+  /// A tool of the list: the one on view, which may be a file, or a named one.
+  ToolSource toolNamed(const std::string& name) const;
   /// A request for the volume on view with this tool.
   LoadRequest requestWith(const ToolSource& tool) const;
 

@@ -8,7 +8,6 @@
 #include <QLocale>
 #include <QMetaMethod>
 #include <QStatusBar>
-#include <algorithm>
 #include <cmath>
 #include <system_error>
 #include <utility>
@@ -47,10 +46,7 @@ std::vector<std::string> textsOf(const std::vector<haptics::Edit>& edits) {
   return texts;
 }
 
-bool isNamedTool(const std::string& name) {
-  const auto names = resources::namedTools();
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+bool isNamedTool(const std::string& name) { return resources::findNamedTool(name) != nullptr; }
 
 }  // namespace
 
@@ -144,8 +140,7 @@ void ViewFileController::drop() {
 
 void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& scan) {
   if (saving_ && scan == saved_scan_) write();
-  if (step_ != Step::Hash || !shared_.shown || scan != scanOf(shared_.shown->volume()))
-    return;
+  if (step_ != Step::Hash || !shared_.shown || scan != scanOf(shared_.shown->volume())) return;
   window_.endLoading();
   switch (haptics::compared(opening_.hash, identity_.of(scan))) {
     case haptics::SameVolume::Same:

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws the named tools: closed triangle meshes whose vertices are the point shell.
 
-Writes sphere, probe, drill, cane, wrench and peg as OBJ beside this file, in metres, rounded to
-a micrometre; run it again and the same bytes come out. A tool points along -z, its handle along
-+z. The vertex counts of cane, wrench, peg and drill are those of Table 1 of [Chan 2011].
+Writes each of them as OBJ beside this file, in metres, rounded to a micrometre; run it again and
+the same bytes come out. A tool points along -z, its handle along +z. The vertex counts of cane,
+wrench, peg and drill are those of Table 1 of [Chan 2011]. The others are dense at the tip, which is
+what feels, and coarse at the handle.
 
 Lengths in this file are millimetres.
 """
@@ -84,10 +85,10 @@ def resampled(line, places):
     return points, lengths[-1]
 
 
-def lathed(sections, spacing, total=None):
+def lathed(sections, spacing, total=None, around=3.0):
     """A solid of revolution about z. `sections` are polylines (r, z) from the lower pole to the
     upper one, meeting at corners that become rings; `spacing(z)` is the wanted distance of
-    points there. With `total`, exactly so many vertices."""
+    points there. With `total`, exactly so many vertices. A ring has at least `around` points."""
     profile = [sections[0][0]]
     for section in sections:
         # steps by the integral of 1 / spacing, so that a graded spacing is met everywhere
@@ -102,7 +103,7 @@ def lathed(sections, spacing, total=None):
                 k += 1
             profile.append(fine[k])
     rings = profile[1:-1]
-    quotas = [max(3.0, 2 * math.pi * r / spacing(z)) for r, z in rings]
+    quotas = [max(around, 2 * math.pi * r / spacing(z)) for r, z in rings]
     counts = apportioned(quotas, total - 2) if total else [round(q) for q in quotas]
 
     mesh = Mesh()
@@ -352,6 +353,153 @@ def wrench():
     return mesh
 
 
+def graded(finest, until, growth, coarsest=4.0):
+    """A spacing that is `finest` up to z = `until`, and grows by `growth` a millimetre beyond."""
+    return lambda z: min(coarsest, finest + max(0.0, z - until) * growth)
+
+
+def burr(diameter, finest):
+    """A round burr of this diameter on a shank of 2.35 mm, in a straight hand piece; 145 mm."""
+    ball, shank = diameter / 2, 1.175
+    stem = min(shank, 0.5 * ball)
+    neck = math.degrees(math.acos(stem / ball))
+    top = ball + ball * math.sin(math.radians(neck))
+    taper = [[(stem, top), (shank, top + 7)]] if stem < shank else []
+    shoulder = top + 7 if taper else top
+    return lathed(
+        [arc((0, ball), ball, -90, neck, 200), *taper,
+         [(shank, shoulder), (shank, 46)],
+         [(shank, 46), (3.0, 50), (3.6, 62)],
+         [(3.6, 62), (6.6, 72), (7.0, 100), (5.6, 122), (6.0, 142)],
+         arc((3.0, 142), 3.0, 0, 90) + [(0, 145)]],
+        graded(finest, diameter, 0.06), around=6.0)
+
+
+def burr_2():
+    return burr(2.0, 0.28)
+
+
+def burr_4():
+    return burr(4.0, 0.4)
+
+
+def burr_6():
+    return burr(6.0, 0.6)
+
+
+def handle(shaft, start, radius, end):
+    """The sections of a round handle on a shaft, from `start` to `end`."""
+    return [[(shaft, start), (radius, start + 6), (0.9 * radius, start + 16), (radius, end - 8)],
+            [(radius, end - 8), (0.7 * radius, end - 1)],
+            [(0.7 * radius, end - 1), (0, end)]]
+
+
+def bent(mesh, back, radius, angle):
+    """Bends a straight tool towards +x: its last `back` millimetres end up turned by `angle`
+    (rad), behind them the axis is an arc of `radius`. The lowest vertex comes to z = 0."""
+    length = radius * angle
+
+    def moved(p):
+        x, y, s = p  # s runs along the axis, from the tip
+        if s >= back + length:
+            return (x, y, s - back - length)
+        t = min(angle, (back + length - s) / radius)
+        beyond = max(0.0, back - s)
+        return (radius - (radius - x) * math.cos(t) + beyond * math.sin(t), y,
+                -(radius - x) * math.sin(t) - beyond * math.cos(t))
+
+    vertices = [moved(p) for p in mesh.vertices]
+    lowest = min(z for _, _, z in vertices)
+    mesh.vertices = [(x, y, z - lowest) for x, y, z in vertices]
+    return mesh
+
+
+def curved_probe():
+    """A slim probe with a ball of 1.5 mm, its last centimetres bent by 50 degrees; 150 mm."""
+    ball, stem, shaft, end = 0.75, 0.45, 1.1, 153.522
+    neck = math.degrees(math.acos(stem / ball))
+    top = ball + ball * math.sin(math.radians(neck))
+    mesh = lathed(
+        [arc((0, ball), ball, -90, neck, 200),
+         [(stem, top), (0.7, 22)],
+         [(0.7, 22), (shaft, 62)],
+         *handle(shaft, 62, 3.4, end)],
+        graded(0.3, 2.0, 0.055), around=6.0)
+    return bent(mesh, 4.0, 22.0, math.radians(50))
+
+
+def hook():
+    """A blunt hook: a wire of 1 mm, bent by 90 degrees 3.5 mm from its end; 148 mm."""
+    wire, shaft, end = 0.5, 1.1, 150.356
+    mesh = lathed(
+        [arc((0, wire), wire, -90, 0, 100),
+         [(wire, wire), (wire, 6)],
+         [(wire, 6), (shaft, 40), (shaft, 56)],
+         *handle(shaft, 56, 3.4, end)],
+        graded(0.36, 6.0, 0.06), around=6.0)
+    return bent(mesh, 2.0, 1.5, math.pi / 2)
+
+
+def oval(a, b, turn):
+    """The point of an ellipse with half axes a, b at this fraction of its circumference."""
+    fine = [(a * math.cos(2 * math.pi * k / 720), b * math.sin(2 * math.pi * k / 720))
+            for k in range(721)]
+    return resampled(fine, [turn])[0][0]
+
+
+def elevator():
+    """A flat blade, 5 mm wide, 1.2 mm thick and slightly curved, on a handle; 160 mm."""
+    half, thin, end = 2.5, 0.6, 160.0
+
+    def blade(z):
+        """Half width and half thickness at z."""
+        if z < half:
+            round_end = math.sqrt(max(0.0, half * half - (half - z) ** 2))
+            return round_end, thin * round_end / half
+        if z < 12:
+            return half, thin
+        t = min(1.0, (z - 12) / 12)
+        t = t * t * (3 - 2 * t)
+        return half + (1.5 - half) * t, thin + (1.5 - thin) * t
+
+    def around(a, b):  # [Ramanujan 1914]: as the radius of a circle of that circumference
+        return (3 * (a + b) - math.sqrt((3 * a + b) * (a + 3 * b))) / 2
+
+    def ring(z):
+        return around(*blade(z))
+
+    tip = [(ring(half * (1 - math.cos(math.pi * k / 400))), half * (1 - math.cos(math.pi * k / 400)))
+           for k in range(201)]
+    rest = [(ring(half + (24 - half) * k / 200), half + (24 - half) * k / 200) for k in range(201)]
+    mesh = lathed([tip, rest, [(1.5, 24), (1.7, 60)], *handle(1.7, 60, 4.4, end)],
+                  graded(0.45, 3.0, 0.04), around=6.0)
+
+    def flattened(p):
+        x, y, z = p
+        if z >= 24:
+            return p
+        if x == 0 and y == 0:
+            return (0.0, 0.006 * (24 - z) ** 2, z)
+        a, b = blade(z)
+        u, v = oval(a, b, (math.atan2(y, x) / (2 * math.pi)) % 1.0)
+        return (u, v + 0.006 * (24 - z) ** 2, z)
+
+    mesh.vertices = [flattened(p) for p in mesh.vertices]
+    return mesh
+
+
+def needle():
+    """A needle of 1 mm that tapers to a rounded point of 0.3 mm, in a grip; 100 mm."""
+    point, wire = 0.15, 0.5
+    return lathed(
+        [arc((0, point), point, -90, 0, 100),
+         [(point, point), (wire, 5)],
+         [(wire, 5), (wire, 62)],
+         [(wire, 62), (2.2, 65), (3.0, 70), (2.6, 80), (3.0, 92)],
+         [(3.0, 92), (2.0, 99.4)], [(2.0, 99.4), (0, 100)]],
+        graded(0.13, 0.3, 0.04, 4.0), around=6.0)
+
+
 def checked(name, mesh):
     """Closed, manifold, outward, nothing degenerate: or no file is written."""
     vertices = [tuple(round(c * 1e-3, 6) + 0.0 for c in p) for p in mesh.vertices]
@@ -376,8 +524,9 @@ def checked(name, mesh):
 
 def main():
     folder = pathlib.Path(__file__).resolve().parent
-    for draw in (sphere, probe, drill, cane, wrench, peg):
-        name = draw.__name__
+    for draw in (sphere, probe, drill, cane, wrench, peg, burr_2, burr_4, burr_6, curved_probe, hook,
+                 elevator, needle):
+        name = draw.__name__.replace("_", "-")
         mesh = draw()
         vertices = checked(name, mesh)
         lines = ["# SPDX-License-Identifier: BSD-3-Clause",

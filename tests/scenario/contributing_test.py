@@ -80,6 +80,7 @@ CLI = BUILD / "app/cli/palpate-cli"
 points = FOLDER / "points.csv"
 unknown = subprocess.run([CLI, "tool", "no-such-tool", "--out", points], capture_output=True, text=True)
 check("spike" in unknown.stderr, "the new tool is not among those that are listed: " + unknown.stderr)
+check("Spike" in run(CLI, "tool").stdout, "the new tool is not in the list of tools")
 check(run(CLI, "tool", "spike", "--out", points).returncode == 0, "the new tool has no points")
 check(len(points.read_text().splitlines()) == 5, "the new tool has other points than its mesh")
 

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate-cli run: what is allowed is said at once, and what is not finite ends the run.
+"""palpate-cli run: what is allowed is said at once, and what is not finite ends the run. Every named
+tool touches, and the README's table of tools is the program's list.
 
 Use: run_command_test.py PALPATE-CLI
 """
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -43,3 +45,24 @@ with tempfile.TemporaryDirectory() as folder:
     assert report["nonfinite"] == 1 and 100 < report["ticks"] < 5000, report
     assert f"Tick {report['ticks'] - 1} gave a number that is not finite" in ended.stderr, ended.stderr
     assert len(trace.read_text().splitlines()) == report["ticks"] + 1, "the trace ends with that tick"
+
+# the list of tools is the README's table; each of them touches a ball and a skull, and enters neither
+listed = subprocess.run([program, "tool", "--json"], capture_output=True, text=True, timeout=60, check=True)
+tools = json.loads(listed.stdout)["tools"]
+readme = pathlib.Path(__file__).parents[2] / "app/cli/README.md"
+rows = re.findall(r"^\| ([^|]+) \| `([a-z0-9-]+)` \| ([^|]+) \| ([0-9.]+) \| ([0-9.]+) \|$",
+                  readme.read_text(), re.M)
+assert [(use, name, title) for use, name, title, _, _ in rows] == \
+    [(tool["use"], tool["name"], tool["title"]) for tool in tools], (rows, tools)
+for (_, name, _, length, tip), tool in zip(rows, tools):
+    assert abs(float(length) - tool["length_mm"]) < 0.051, (length, tool)
+    assert float(tip) == tool["tip_mm"], (tip, tool)
+for phantom, isovalue in (("sphere", "300"), ("demo", "300")):
+    for tool in tools:
+        done = subprocess.run([program, "run", "--phantom", phantom, "--isovalue", isovalue, "--json", "--tool",
+                               tool["name"], "--hand", "tap", "--seconds", "2", "--stiffness", "500"],
+                              capture_output=True, text=True, timeout=120)
+        report = json.loads(done.stdout)
+        assert done.returncode == 0 and report["ticks"] == 2000, (phantom, tool, done)
+        assert report["contact_ticks"] > 500 and report["max_force_N"] > 0.5, (phantom, tool, report)
+        assert report["max_penetration_mm"] == 0 and report["nonfinite"] == 0, (phantom, tool, report)

@@ -13,6 +13,7 @@
 
 #include "haptics/settings.h"
 #include "ui/number_box.h"
+#include "ui/panels/tool_list.h"
 
 namespace ui {
 namespace {
@@ -36,7 +37,7 @@ double stiffnessAt(int step) {
 DevicePanel::DevicePanel(QWidget* parent)
     : QWidget(parent),
       hands_(new QComboBox),
-      tools_(new QComboBox),
+      tools_(new ToolList),
       stiffness_(new QSlider(Qt::Horizontal)),
       stiffness_typed_(new NumberBox),
       friction_(new NumberBox),
@@ -66,7 +67,7 @@ DevicePanel::DevicePanel(QWidget* parent)
   stiff->addWidget(stiffness_typed_);
   auto* form = new QFormLayout(this);
   form->addRow(tr("Hand"), hands_);
-  form->addRow(tr("Tool"), tools_);
+  form->addRow(tools_);
   form->addRow(tr("Stiffness"), stiff);
   form->addRow(tr("Friction"), friction_);
   form->addRow(tr("Field"), fields_);
@@ -75,13 +76,8 @@ DevicePanel::DevicePanel(QWidget* parent)
 
   connect(hands_, &QComboBox::activated, this,
           [this](int i) { emit handChosen(hands_->itemData(i).toString()); });
-  connect(tools_, &QComboBox::activated, this, [this](int i) {
-    const QString id = tools_->itemData(i).toString();
-    if (id.isEmpty())
-      chooseFile();
-    else
-      emit toolChosen(id);
-  });
+  connect(tools_, &ToolList::toolChosen, this, &DevicePanel::toolChosen);
+  connect(tools_, &ToolList::fileWanted, this, &DevicePanel::chooseFile);
   connect(fields_, &QComboBox::activated, this,
           [this](int i) { emit fieldChosen(fields_->itemData(i).toString()); });
   connect(friction_, &NumberBox::valueChanged, this, &DevicePanel::frictionChanged);
@@ -103,12 +99,6 @@ void DevicePanel::setHands(const QList<Choice>& hands) {
   for (const Choice& hand : hands) hands_->addItem(hand.label, hand.id);
 }
 
-void DevicePanel::setTools(const QList<Choice>& tools) {
-  tools_->clear();
-  for (const Choice& tool : tools) tools_->addItem(tool.label, tool.id);
-  tools_->addItem(tr("From file…"), QString());
-}
-
 void DevicePanel::setFields(const QList<Choice>& fields) {
   fields_->clear();
   for (const Choice& field : fields) fields_->addItem(field.label, field.id);
@@ -126,12 +116,6 @@ void DevicePanel::showHand(const QString& id, const QString& label) {
   hands_->setCurrentIndex(hands_->findData(id));
 }
 
-void DevicePanel::showTool(const QString& id, const QString& label) {
-  tool_ = id;
-  if (tools_->findData(id) < 0) tools_->insertItem(tools_->count() - 1, label, id);
-  tools_->setCurrentIndex(tools_->findData(id));
-}
-
 void DevicePanel::showStiffness(double newton_per_metre) {
   const QSignalBlocker quiet_slider(stiffness_), quiet_typed(stiffness_typed_);
   stiffness_->setValue(stepOf(newton_per_metre));
@@ -139,7 +123,6 @@ void DevicePanel::showStiffness(double newton_per_metre) {
 }
 
 void DevicePanel::chooseFile() {
-  tools_->setCurrentIndex(tools_->findData(tool_));
   // Qt's own dialog: in a foreign one Escape would not reach the application
   const QString path = QFileDialog::getOpenFileName(this, tr("Tool"), {},
                                                     tr("Meshes (*.stl *.obj *.ply);;All files (*)"),

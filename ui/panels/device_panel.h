@@ -12,6 +12,7 @@ class QSlider;
 namespace ui {
 
 class NumberBox;
+class ToolList;
 
 /// A choice: its name in the program, and its text for the user.
 struct Choice {
@@ -25,12 +26,12 @@ class DevicePanel : public QWidget {
  public:
   explicit DevicePanel(QWidget* parent = nullptr);
 
+  /// Shows the present tool, and all that can be chosen.
+  ToolList& tools() { return *tools_; }
   void setHands(const QList<Choice>& hands);
-  void setTools(const QList<Choice>& tools);
   void setFields(const QList<Choice>& fields);
   /// Shows the present choice. These functions emit no signal.
   void showHand(const QString& id, const QString& label);
-  void showTool(const QString& id, const QString& label);
   void showStiffness(double newton_per_metre);
   /// `effect`: a sentence on how the field changes the solid, or empty.
   void showField(const QString& id, const QString& effect);
@@ -48,13 +49,12 @@ class DevicePanel : public QWidget {
  private:
   void chooseFile();
   QComboBox* hands_;
-  QComboBox* tools_;
+  ToolList* tools_;
   QSlider* stiffness_;
   NumberBox* stiffness_typed_;
   NumberBox* friction_;
   QComboBox* fields_;
   QLabel* effect_;
-  QString tool_;
 };
 
 }  // namespace ui
