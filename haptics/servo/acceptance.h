@@ -24,12 +24,12 @@ namespace haptics {
 /// tolerance.
 ///
 /// The proxy gets twelve new detours for each half of a tolerance that the device travels, and what
-/// earlier detours raised beyond what moves released no longer counts. Travel is measured with
-/// play: the device drags an anchor once it is kPlay away from it. So a slide has as many detours
-/// as it needs, and a handle that wanders about one place has twelve in all. Without the play,
-/// detours would move the handle, and this motion would give new detours. If the energy counted on
-/// through a slide, the tool would stick and slip: normals and facets disagree for a voxel at a
-/// time, and a slow slide releases next to nothing.
+/// earlier detours raised beyond what moves released is forgiven by a tenth of the pull over that
+/// travel. Travel is measured with play: the device drags an anchor once it is kPlay away from it.
+/// So a slide has as many detours as it needs, and a handle that wanders about one place has twelve
+/// in all. Without the play, detours would move the handle, and this motion would give new detours.
+/// If nothing were forgiven, a slow slide would stick and slip: normals and facets disagree for a
+/// voxel at a time, and such a slide releases next to nothing.
 ///
 /// Taking only the nearest pose sticks and slips on real surfaces, since the direction of a step
 /// (a smooth normal) and the distance (the facets of the field) disagree by microns; taking every
@@ -98,6 +98,8 @@ class Acceptance {
   // most released energy that is kept, over the pull
   static constexpr double kMostSaved = 4.0;
   static constexpr double kLent = 0.5;  // energy a detour may add beyond that, over the pull
+  // of the pull, over the travel: as much as normals that are 0.1 rad off the facets ask for
+  static constexpr double kForgiven = 0.1;
 
   void clear() HAPTICS_RT {
     visited_.clear();
@@ -115,9 +117,8 @@ class Acceptance {
     X_WA_.linear() =
         Eigen::AngleAxisd{share * turn.angle(), turn.axis()}.toRotationMatrix() * X_WA_.linear();
     travel_ += beyond;
-    if (travel_ <= kRenewal * tolerance_) return;
-    forget();
-    saved_ = std::max(saved_, 0.0);
+    if (saved_ < 0.0) saved_ = std::min(0.0, saved_ + kForgiven * last_ * beyond);
+    if (travel_ > kRenewal * tolerance_) forget();
   }
 
   FixedVector<Visit, 64> visited_;

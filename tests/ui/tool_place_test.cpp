@@ -364,7 +364,9 @@ TEST(ToolPlace, APictureThatMayShowAFaceIsAskedFor) {
   // and, whatever the isovalue, a slice in a picture of the window
   window::panelOf<ui::IsosurfacePanel>(application.window()).choose(300.0);
   answers.whole_window = true;
+  EXPECT_TRUE(QFile::remove(path));
   EXPECT_EQ(take("savePicture"), QStringList({"wish", warning, "file"}));
+  EXPECT_TRUE(QFile::remove(path));
   QTest::keyClick(&view, Qt::Key_F);  // alone
   EXPECT_EQ(take("savePicture"), QStringList({"wish", "file"}));
 }

@@ -294,7 +294,7 @@ QWidget* EditPanel::scalpelPage() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(
       hintLabel(tr("Draw an outline with the left button, in 3-D or on a slice. It "
-                   "cuts when you let go.")));
+                   "cuts when you let go. Or click its corners; the last one twice.")));
   column->addLayout(form);
   column->addStretch(1);
   return page;
