@@ -2,16 +2,8 @@
 #include "app/study/stability/failures.h"
 
 #include "app/study/reference/solid.h"
-#include "app/study/stability/stability.h"
 
 namespace study::stability {
-namespace {
-
-/// What a tick may spend beyond its allowance before it looks at the budget again.
-constexpr double kMostWork = double(haptics::kTickWork + haptics::kTickWork / 5);
-
-}  // namespace
-
 bool isOutside(const haptics::Volume& volume, double isovalue, const std::vector<Vec3>& points,
                const Pose& X_WP) {
   const reference::Solid solid{volume, isovalue,
@@ -42,30 +34,28 @@ void drag(Trial& trial, const Vec3& middle, double reach, unsigned seed, int mov
   }
 }
 
-void DeviceDistances::Tick::add(const Tick& other) {
-  trials += other.trials;
-  sum += other.sum;
-  least = std::min(least, other.least);
-  greatest = std::max(greatest, other.greatest);
-}
-
-void DeviceDistances::add(const Trial& trial) {
-  if (ticks_.size() < trial.behind.size()) ticks_.resize(trial.behind.size());
-  for (std::size_t n = 0; n < trial.behind.size(); ++n) {
-    const double behind = trial.behind[n];
-    ticks_[n].add({1, behind, behind, behind});
-  }
-}
-
-Plot DeviceDistances::plot(const std::string& name) const {
+Plot distancePlot(const std::string& name, const std::vector<std::vector<float>>& trials) {
   constexpr std::size_t kPoints = 60;
-  const std::size_t every = std::max<std::size_t>(1, (ticks_.size() + kPoints - 1) / kPoints);
+  std::size_t ticks = 0;
+  for (const auto& trial : trials) ticks = std::max(ticks, trial.size());
+  const std::size_t every = std::max<std::size_t>(1, (ticks + kPoints - 1) / kPoints);
   Series series{"all trials", {}};
-  for (std::size_t first = 0; first < ticks_.size(); first += every) {
-    Tick all;
-    for (std::size_t n = first; n < std::min(first + every, ticks_.size()); ++n) all.add(ticks_[n]);
-    series.points.push_back(
-        {1e-3 * double(first), 1e3 * all.sum / all.trials, 1e3 * all.least, 1e3 * all.greatest});
+  for (std::size_t first = 0; first < ticks; first += every) {
+    int count = 0;
+    double sum = 0.0, least = INFINITY, greatest = 0.0;
+    for (std::size_t n = first; n < std::min(first + every, ticks); ++n) {
+      double of_tick = 0.0;
+      for (const auto& trial : trials) {
+        if (n >= trial.size()) continue;
+        const double behind = trial[n];
+        ++count;
+        of_tick += behind;
+        least = std::min(least, behind);
+        greatest = std::max(greatest, behind);
+      }
+      sum += of_tick;
+    }
+    series.points.push_back({1e-3 * double(first), 1e3 * sum / count, 1e3 * least, 1e3 * greatest});
   }
   return {name + ": proxy from device",
           "How far the proxy is from the device over the time of a trial: mean, least and greatest "
@@ -75,39 +65,43 @@ Plot DeviceDistances::plot(const std::string& name) const {
           {series}};
 }
 
-void Trials::add(const Trial& trial) {
-  ++sum_.trials;
-  sum_.illegal += trial.illegal;
-  sum_.non_finite += trial.non_finite;
-  sum_.most_work = std::max(sum_.most_work, trial.most_work);
-  sum_.distances.add(trial);
+Trial& Trials::brought(std::shared_ptr<const haptics::Scene> scene, double isovalue,
+                       const Pose& from, const Pose& to, int ticks, int held) {
+  Trial& made = trial(std::move(scene), isovalue, from);
+  made.carry(from, to, ticks);
+  made.hold(to, held);
+  return made;
 }
 
-void Trials::tellContact(const std::string& name, const Trial& trial) {
+void Trials::tellContact(const std::string& name) {
   subject = name;
-  atLeast("ticks in contact", trial.contact, 1.0);
-  add(trial);
-  tellSum();
+  atLeast("ticks in contact", trials_.back().contact, 1.0);
+  tellTrials();
 }
 
-Plot& Trials::plot(const char* heading, const char* description, const char* y,
-                   std::vector<Series> lines) {
-  return plots.emplace_back(Plot{heading, description, {"time [s]"}, {y}, std::move(lines)});
-}
-
-void Trials::tellSum() {
-  none("ticks inside", sum_.illegal);
-  none("not finite", sum_.non_finite);
-  atMost("most work in a tick", double(sum_.most_work), kMostWork, "units",
+void Trials::tellTrials() {
+  // what a tick may spend beyond its allowance before it looks at the budget again
+  constexpr double kMostWork = double(haptics::kTickWork + haptics::kTickWork / 5);
+  int illegal = 0, non_finite = 0;
+  std::int64_t most_work = 0;
+  std::vector<std::vector<float>> distances;
+  for (const Trial& each : trials_) {
+    illegal += each.illegal;
+    non_finite += each.non_finite;
+    most_work = std::max(most_work, each.most_work);
+    distances.push_back(each.behind);
+  }
+  none("ticks inside", illegal);
+  none("not finite", non_finite);
+  atMost("most work in a tick", double(most_work), kMostWork, "units",
          "the budget, and a fifth that may come between two looks at it");
-  outcome.plots.push_back(sum_.distances.plot(subject));
-  sum_ = {};
+  outcome.plots.insert(outcome.plots.begin() + told_++, distancePlot(subject, distances));
+  trials_.clear();
 }
 
 Outcome Trials::told() {
   subject = title;
-  if (sum_.trials > 0) tellSum();
-  outcome.plots.insert(outcome.plots.end(), plots.begin(), plots.end());
+  if (!trials_.empty()) tellTrials();
   return std::move(outcome);
 }
 

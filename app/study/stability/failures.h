@@ -2,16 +2,18 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
 #include <memory>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/study/stability/findings.h"
-#include "app/study/stability/trial.h"
+#include "app/study/stability/stability.h"
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
+#include "haptics/servo/tick.h"
 
 namespace study::stability {
 
@@ -28,6 +30,9 @@ inline Quat turn(double angle, const Vec3& axis) { return Quat{Eigen::AngleAxisd
 inline haptics::Tool toolOf(std::vector<Vec3> points) {
   return {"", {}, haptics::makeShell(std::move(points)).value()};
 }
+inline haptics::Tool ball(int count, double radius) {
+  return toolOf(datasets::ballPoints(count, radius));
+}
 inline std::shared_ptr<const haptics::Scene> sceneOf(haptics::Volume volume, haptics::Tool tool) {
   return haptics::makeScene(std::make_shared<const haptics::Volume>(std::move(volume)),
                             std::move(tool))
@@ -35,14 +40,6 @@ inline std::shared_ptr<const haptics::Scene> sceneOf(haptics::Volume volume, hap
 }
 inline haptics::Grid cube(std::int64_t n, double spacing = h) {
   return datasets::centredGrid(n, spacing);
-}
-/// Voxels of 16 bits from f(i, j, k), `n` a side.
-template <class F>
-haptics::Volume voxels(std::int64_t n, F&& f) {
-  return datasets::filled(cube(n), haptics::ScalarType::Int16, f);
-}
-inline haptics::Tool ball(int count, double radius) {
-  return toolOf(datasets::ballPoints(count, radius));
 }
 /// A solid whose values ramp over six voxels, from -300 outside to 300 inside, under noise: a share
 /// of that range. `distance(p_W)` [m] is positive outside.
@@ -55,50 +52,99 @@ haptics::Volume ramp(double noise, unsigned seed, Distance&& distance) {
            (noise > 0.0 ? 600.0 * noise * grain(engine) : 0.0);
   });
 }
+/// A ball of 15 mm, as such a ramp.
+std::shared_ptr<const haptics::Scene> noisySphere(double noise, unsigned seed, haptics::Tool tool);
 /// A ball in `n` voxels a side, whose values ramp over `reach` voxels on either side of its
 /// surface.
 std::shared_ptr<const haptics::Scene> sphere(haptics::Tool tool, double radius = 0.02,
                                              double reach = 3.0, std::int64_t n = 64);
-/// A ball of 15 mm, as a ramp under noise.
-std::shared_ptr<const haptics::Scene> noisySphere(double noise, unsigned seed, haptics::Tool tool);
-/// A trial whose device went from `from` to `to` in `ticks` ticks and was held there for some more.
-inline Trial brought(std::shared_ptr<const haptics::Scene> scene, double isovalue, const Pose& from,
-                     const Pose& to, int ticks, int held = 0) {
-  Trial trial{std::move(scene), isovalue, from};
-  trial.carry(from, to, ticks);
-  trial.hold(to, held);
-  return trial;
-}
+
+/// Whether every shell point is outside at a pose, by a judge that shares no code with the field.
+using PoseCheck = bool (*)(const haptics::Volume&, double isovalue, const std::vector<Vec3>&,
+                           const Pose&);
+/// The check of the study: the paper's solid in `reference`, with F = s inside.
+bool isOutside(const haptics::Volume& volume, double isovalue, const std::vector<Vec3>& points,
+               const Pose& X_WP);
+
+/// A proxy in a scene, moved tick by tick. Every pose that it takes is judged. All work is counted,
+/// so that every run is the same.
+struct Trial {
+  Trial(std::shared_ptr<const haptics::Scene> in, double s, const Pose& X_start,
+        PoseCheck by = isOutside)
+      : scene{std::move(in)}, isovalue{s}, judge{by}, proxy{*scene, X_start} {}
+
+  std::shared_ptr<const haptics::Scene> scene;
+  double isovalue;
+  PoseCheck judge;
+  haptics::VirtualCoupling coupling{1000.0, 0.0};
+  haptics::Proxy proxy;
+  haptics::TickResult last = {};
+  int illegal = 0;     ///< ticks with a shell point inside
+  int contact = 0;     ///< ticks in contact
+  int non_finite = 0;  ///< ticks with a pose or wrench that is no number
+  bool judged = true;
+  std::int64_t allowance = haptics::kTickWork;  ///< units of work a tick may spend
+  std::int64_t most_work = 0;                   ///< spent in any tick
+  std::vector<float> behind = {};               ///< m, how far from the device, after each tick
+
+  const haptics::TickResult& step(const Pose& X_WD) {
+    haptics::Budget budget = haptics::Budget::counted(allowance);
+    last = haptics::tick(*scene, isovalue, coupling, X_WD, proxy, budget);
+    most_work = std::max(most_work, budget.spent());
+    contact += last.contacts > 0;
+    behind.push_back(float((place() - X_WD.translation()).norm()));
+    non_finite += !proxy.X_WP.matrix().allFinite() || !std::isfinite(last.wrench_W.force.norm()) ||
+                  !std::isfinite(last.wrench_W.torque.norm());
+    if (judged) illegal += !isLegal();
+    return last;
+  }
+  /// Moves the device there along a line in `ticks` ticks, from where `from` says.
+  void carry(const Pose& from, const Pose& to, int ticks) {
+    for (int n = 1; n <= ticks; ++n) {
+      const double share = double(n) / ticks;
+      step(at(from.translation() + share * (to.translation() - from.translation()),
+              Quat{from.linear()}.slerp(share, Quat{to.linear()})));
+    }
+  }
+  void hold(const Pose& X_WD, int ticks = 200) {
+    for (int n = 0; n < ticks; ++n) step(X_WD);
+  }
+  /// Holds the device until the proxy has arrived there to the bit; the ticks it took, or `most`.
+  int ticksToReach(const Pose& X_WD, int most) {
+    for (int n = 1; n <= most; ++n)
+      if (step(X_WD); proxy.X_WP.matrix() == X_WD.matrix()) return n;
+    return most;
+  }
+  bool isLegal() const {
+    return judge(*scene->volume, isovalue, scene->tool.shell.points, proxy.X_WP);
+  }
+  Vec3 place() const { return proxy.X_WP.translation(); }
+  /// The least distance along n of any point of the tool [m].
+  double lowest(const Vec3& n) const {
+    double least = INFINITY;
+    for (const Vec3& p : scene->tool.shell.points) least = std::min(least, n.dot(proxy.X_WP * p));
+    return least;
+  }
+};
 /// Presses and drags a tool about `middle` at random, as far as `reach` [m], 40 ticks a move.
 void drag(Trial& trial, const Vec3& middle, double reach, unsigned seed, int moves);
 
-/// How far the proxies of some trials were from their devices, tick by tick.
-class DeviceDistances {
- public:
-  void add(const Trial& trial);
-  /// Mean, least and greatest of all trials over time.
-  Plot plot(const std::string& name) const;
+/// How far the proxies of some trials were from their devices [m], trial by trial and tick by tick:
+/// mean, least and greatest of all trials over time.
+Plot distancePlot(const std::string& name, const std::vector<std::vector<float>>& trials);
 
- private:
-  struct Tick {
-    int trials = 0;
-    double sum = 0.0, least = INFINITY, greatest = 0.0;  // m
-    void add(const Tick& other);
-  };
-  std::vector<Tick> ticks_;
-};
-
-/// A value over ticks (1 ms each), every n-th of them as a point of one line of a plot.
+/// A figure in SI over ticks of 1 ms. Every n-th of them is a point of one line of a plot.
 struct Trace {
-  std::string name;
+  std::string name = {};  ///< of the line; without one there is no line
   int every = 10;
+  double scale = 1e3;  ///< from SI to the plot's unit
   std::vector<PlotPoint> points = {};
-  double most = 0.0;
+  double most = 0.0, least = INFINITY, mean = 0.0;
   void add(int tick, double value) {
     most = std::max(most, value);
-    if (tick % every == 0) points.push_back({1e-3 * tick, value});
+    least = std::min(least, value);
+    if (tick % every == 0) points.push_back({1e-3 * tick, scale * value});
   }
-  Series series() const { return {name, points}; }
 };
 
 /// What the trials of one failure come to.
@@ -110,26 +156,46 @@ class Trials : public Findings {
   std::string title;
   const int tries;
   const unsigned seed;
-  std::vector<Plot> plots = {};  ///< shown after those of the distances from the device
+  std::vector<Series> lines = {};  ///< of the next plot over time
 
-  /// Counts a trial in the cases that go for all of them.
-  void add(const Trial& trial);
-  /// The trial by itself, which must have touched.
-  void tellContact(const std::string& name, const Trial& trial);
-  /// A plot over time.
-  Plot& plot(const char* heading, const char* description, const char* y,
-             std::vector<Series> lines);
+  /// Moves the device to device(n) in each of `ticks` ticks and traces figure(n) after it.
+  template <class Device, class Figure>
+  Trace follow(Trial& trial, int ticks, Trace trace, Device&& device, Figure&& figure) {
+    for (int n = 0; n < ticks; ++n) {
+      trial.step(device(n));
+      const double value = figure(n);
+      trace.add(n, value);
+      trace.mean += value / ticks;
+    }
+    draw(trace);
+    return trace;
+  }
+  void draw(const Trace& trace) {
+    if (!trace.name.empty()) lines.push_back({trace.name, trace.points});
+  }
+  /// A trial from a pose on. It counts in the cases that go for all of them.
+  Trial& trial(std::shared_ptr<const haptics::Scene> scene, double isovalue, const Pose& from) {
+    return trials_.emplace_back(std::move(scene), isovalue, from);
+  }
+  /// The same, its device brought from one pose to another in `ticks` ticks and held for some more.
+  Trial& brought(std::shared_ptr<const haptics::Scene> scene, double isovalue, const Pose& from,
+                 const Pose& to, int ticks, int held = 0);
+  /// Counts a trial that was made elsewhere.
+  void add(const Trial& trial) { trials_.push_back(trial); }
+  /// The last trial by itself, which must have touched.
+  void tellContact(const std::string& name);
+  using Findings::plot;
+  /// A plot of the lines over time.
+  Plot& plot(const char* heading, const char* description, const char* y) {
+    return plot(heading, description, {"time [s]"}, {y}, std::exchange(lines, {}));
+  }
   /// All of it, with what goes for every trial: outside in every tick, finite, within the budget.
   Outcome told();
 
  private:
-  struct Sum {
-    int trials = 0, illegal = 0, non_finite = 0;
-    std::int64_t most_work = 0;
-    DeviceDistances distances = {};
-  };
-  void tellSum();
-  Sum sum_ = {};
+  void tellTrials();
+  std::deque<Trial> trials_ = {};  ///< not yet told
+  int told_ = 0;                   ///< plots of distances from the device, which come first
 };
 
 /// A row of the tables of failures.

@@ -5,7 +5,6 @@
 
 #include "app/study/comparison/course.h"
 #include "app/study/comparison/scenes.h"
-#include "app/study/stability/energy_balance.h"
 #include "app/study/stability/failures.h"
 #include "app/study/stability/limits.h"
 #include "app/study/stability/presses.h"
@@ -36,31 +35,20 @@ haptics::Hand waiting(const haptics::Hand& hand, const std::optional<Pose>& plac
 /// What the paper's devices were driven at, on scenes with edges, holes and hooks: as shipped, and
 /// for the table at the paper's 5000 N/m.
 Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_t seed) {
-  struct Way {
-    const char* name;
-    double stiffness;
-    Wall wall;
-    bool shipped;
-  };
-  struct Motion {
-    const char* name;
-    HandMotion motion;
-  };
+  static constexpr std::pair<const char*, HandMotion> kMotions[] = {
+      {"wedge", HandMotion::Wedge}, {"pry", HandMotion::Pry}, {"hook", HandMotion::Hook}};
   Findings found;
+  Plot& plot = found.plot("Energy given: " + touched.name,
+                          "What the loop has given to the hand, less what it has taken, since the "
+                          "start: a passive loop stays at zero or below",
+                          {"time [s]"}, {"energy [mJ]"});
   const auto scene = haptics::makeScene(touched.volume, comparison::toolOf(touched)).value();
-  Plot plot{"Energy given: " + touched.name,
-            "What the loop has given to the hand, less what it has taken, since the start: a "
-            "passive loop stays at zero or below",
-            {"time [s]"},
-            {"energy [mJ]"}};
   const Wall plain{haptics::findDeviceModel("lambda.7").value()};
   const double allowed = allowedFor(plain, *scene);
   for (const Way& way :
-       {Way{"as shipped", allowed, plain, true}, Way{kLoops[0].unguarded, 5000.0, plain, false},
-        Way{kLoops[2].unguarded, 5000.0, withLoop(plain, kLoops[2]), false}})
-    for (const auto& [name, motion] : {Motion{"wedge", HandMotion::Wedge},
-                                       {"pry", HandMotion::Pry},
-                                       {"hook", HandMotion::Hook}}) {
+       {Way{"as shipped", plain, allowed, true}, Way{kLoops[0].unguarded, plain, 5000.0},
+        Way{kLoops[2].unguarded, withLoop(plain, kLoops[2]), 5000.0}})
+    for (const auto& [name, motion] : kMotions) {
       haptics::ClosedLoop loop =
           loopOf(way.wall, scene, touched.isovalue, way.stiffness, way.shipped);
       const auto hand = haptics::Hand::aimed(
@@ -69,7 +57,7 @@ Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_
       const double wait = loop.limits.ramp_time;
       EnergyBalance balance{way.stiffness, loop.grip, loop.period};
       double step = 0.0;
-      Series series{std::string{name} + ", " + way.name, {}};
+      Series series{std::string{name} + ", " + way.loop, {}};
       int tick = 0;
       const auto look = [&](const TraceRow& row, const TraceRow* before) {
         if (tick++ % 10 == 0) series.points.push_back({row.time, 1e3 * row.energy});
@@ -79,45 +67,40 @@ Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_
             scene->metric.whitened(haptics::motionBetween(row.X_WP, row.X_WD), row.X_WP.linear()));
         step = std::max(step, (row.sent_W.force - before->sent_W.force).norm());
       };
-      LoopResult run;
-      if (hand)
-        run = runLoop(loop, waiting(*hand, touched.place, wait, seconds),
-                      std::int64_t(1e3 * (seconds + wait)), 10, look);
-      else
-        run.refused = hand.error();
+      const LoopResult run = hand ? runLoop(loop, waiting(*hand, touched.place, wait, seconds),
+                                            std::int64_t(1e3 * (seconds + wait)), 10, look)
+                                  : LoopResult{.refused = hand.error()};
       const auto mJ = [&](double energy) { return run.refused ? NAN : 1e3 * energy; };
       if (way.wall.controller == 0.0) plot.series.push_back(std::move(series));
       if (!way.shipped) {
         found.row("Hands beyond what is allowed, and without the guard",
                   {{"scene", touched.name},
                    {"hand", name},
-                   {"loop", way.name},
+                   {"loop", way.loop},
                    {"K [N/m]", shortly(way.stiffness)},
                    {"allowed [N/m]", shortly(allowed)},
-                   {"energy given, most [mJ]", shortly(mJ(balance.mostGiven()))},
-                   {"beyond what damping takes [mJ]", shortly(mJ(balance.mostLeft()))},
+                   {"energy given, most [mJ]", shortly(mJ(balance.most_given))},
+                   {"beyond what damping takes [mJ]", shortly(mJ(balance.most_left))},
                    {"force step [N]", shortly(step)},
                    {"contact", std::to_string(run.contact)}});
         continue;
       }
       found.subject = "hands/" + touched.name + "/" + name;
-      found.atMost(
-          "energy given beyond what damping takes, most", mJ(balance.mostLeft()), 1.0, "mJ",
-          run.refused ? resources::sentence(*run.refused)
-                      : "at " + shortly(allowed) + " N/m, which is allowed; the guard left " +
-                            shortly(run.share) + " of it; largest step of force in a tick " +
-                            shortly(step) + " N; given in all at most " +
-                            shortly(mJ(balance.mostGiven())) + " mJ");
-      found.atMost("energy given beyond what sampling gives, most", mJ(balance.mostOwn()), 1.0,
-                   "mJ",
+      found.atMost("energy given beyond what damping takes, most", mJ(balance.most_left), 1.0, "mJ",
+                   run.refused
+                       ? resources::sentence(*run.refused)
+                       : "at " + shortly(allowed) + " N/m, which is allowed; the guard left " +
+                             shortly(run.share) + " of it; largest step of force in a tick " +
+                             shortly(step) + " N; given in all at most " +
+                             shortly(mJ(balance.most_given)) + " mJ");
+      found.atMost("energy given beyond what sampling gives, most", mJ(balance.most_own), 1.0, "mJ",
                    "A force that is held for a tick gives K/2 times the square of the change of "
                    "the spring's stretch, at each stroke, without end: in all " +
-                       shortly(mJ(balance.sampled())) + " mJ here");
+                       shortly(mJ(balance.sampled)) + " mJ here");
       found.none("not finite", run.non_finite);
       found.none("looks that found it inside", run.inside);
       found.atLeast("ticks in contact", run.contact, 100.0);
     }
-  found.outcome.plots.push_back(std::move(plot));
   return std::move(found.outcome);
 }
 
@@ -132,8 +115,9 @@ struct Turned {
 
 /// What lies between the handle's pivot and a contact.
 struct Lever {
-  double arm = 0.0;    ///< m, from the pivot to the tool's origin
-  double reach = 0.0;  ///< m, from there to the ball at the tool's end; 0: the tool is that ball
+  double arm;    ///< m, from the pivot to the tool's origin
+  double reach;  ///< m, from there to the ball at the tool's end; 0: the tool is that ball
+  bool torque;   ///< the device has torque motors
 };
 
 /// A ball, or two of them on either side of the origin, of which one is at the end of the lever.
@@ -149,13 +133,13 @@ haptics::Tool toolAt(const Lever& lever) {
 /// The lever lies along y over a half-space and the hand turns the handle about x by 0.05 rad to
 /// and fro, so that the ball at its end dips in and out; where a force lifts the handle meanwhile,
 /// the way in and the way out differ, and work is done that nobody pays for.
-Turned turnHandle(haptics::DeviceModel device, const Lever& lever, bool torque, double stiffness,
-                  bool shipped, int turns) {
+Turned turnHandle(haptics::DeviceModel device, const Lever& lever, double stiffness, bool shipped,
+                  int turns) {
   device.linkage.arm = {0.0, 0.0, -lever.arm};
-  device.linkage.torque = torque;
+  device.linkage.torque = lever.torque;
   const auto scene = sceneOf(ramp(0.0, 1, [](const Vec3& p) { return p.z(); }), toolAt(lever));
   haptics::ClosedLoop loop = loopOf({device}, scene, 0.0, stiffness, shipped);
-  if (torque) loop.limits.torque = INFINITY;
+  if (lever.torque) loop.limits.torque = INFINITY;
   // the handle's own extent, not that of the ball 200 mm away
   loop.grip.gyration = 0.03;
 
@@ -165,11 +149,11 @@ Turned turnHandle(haptics::DeviceModel device, const Lever& lever, bool torque, 
   const Vec3 pivot{0.0, -lever.arm - lever.reach, 3e-3};
   const double wait = loop.limits.ramp_time;
   for (int n = 0; n <= 250 * turns; ++n) {
-    const double t = 2e-3 * n, angle = -0.05 * std::sin(2.0 * std::numbers::pi * 2.0 * t);
+    const double t = 2e-3 * n, phase = 2.0 * std::numbers::pi * 2.0 * t;
     // a little beside, a quarter of a turn late, as a hand is that gives way
-    const Vec3 aside{0.0, 0.0, 2e-3 * (1.0 - std::cos(2.0 * std::numbers::pi * 2.0 * t))};
+    const Vec3 aside{0.0, 0.0, 2e-3 * (1.0 - std::cos(phase))};
     times.push_back(wait + t);
-    poses.push_back(at(pivot + aside, turn(angle, Vec3::UnitX()) * level));
+    poses.push_back(at(pivot + aside, turn(-0.05 * std::sin(phase), Vec3::UnitX()) * level));
     poses.back().translation() += poses.back().linear() * device.linkage.arm;
   }
   const haptics::Hand hand = haptics::Hand::along(std::move(times), std::move(poses)).value();
@@ -179,7 +163,7 @@ Turned turnHandle(haptics::DeviceModel device, const Lever& lever, bool torque, 
     if (before) {
       program.add(before->sent_W, haptics::motionBetween(before->X_WD, row.X_WD));
       const Vec3 r = before->X_WD.translation() - before->X_WH.translation();
-      if (!torque)
+      if (!lever.torque)
         lost.add({Vec3::Zero(), r.cross(before->sent_W.force)},
                  haptics::motionBetween(before->X_WH, row.X_WH));
     }
@@ -197,42 +181,30 @@ Turned turnHandle(haptics::DeviceModel device, const Lever& lever, bool torque, 
 
 Outcome turnedHandle(int turns) {
   Findings found;
-  const auto energies = [](const char* lever) {
-    return Plot{"Energy given to the hand by a device of three actuated degrees of freedom, " +
-                    std::string{lever},
-                "The handle is turned to and fro with the end of a lever in contact, at the "
-                "stiffness that is allowed. Without torque motors the lever lowers it",
-                {"time [s]"},
-                {"energy [mJ]"}};
-  };
-  Plot arms = energies("with an arm"), reaches = energies("with a long tool");
+  for (const char* lever : {"with an arm", "with a long tool"})
+    found.plot("Energy given to the hand by a device of three actuated degrees of freedom, " +
+                   std::string{lever},
+               "The handle is turned to and fro with the end of a lever in contact, at the "
+               "stiffness that is allowed. Without torque motors the lever lowers it",
+               {"time [s]"}, {"energy [mJ]"});
   const double mJ = 1e3 / turns;
-  struct Row {
-    Lever lever;
-    bool torque;
-  };
-  for (const Row& row : {Row{{.arm = 0.02}, false},
-                         {{.arm = 0.02}, true},
-                         {{.arm = 0.1}, false},
-                         {{.arm = 0.1}, true},
-                         {{.arm = 0.2}, false},
-                         {{.arm = 0.2}, true},
-                         {{.reach = 0.05}, false},
-                         {{.reach = 0.1}, false},
-                         {{.reach = 0.2}, false}}) {
-    const bool is_arm = row.lever.arm > 0.0;
+  std::vector<Lever> levers;
+  for (const double arm : {0.02, 0.1, 0.2})
+    for (const bool torque : {false, true}) levers.push_back({arm, 0.0, torque});
+  for (const double reach : {0.05, 0.1, 0.2}) levers.push_back({0.0, reach, false});
+  for (const Lever& lever : levers) {
+    const bool is_arm = lever.arm > 0.0;
     const haptics::DeviceModel device =
         haptics::findDeviceModel(is_arm ? "omni-arm-200" : "omega.6").value();
     const double rated = device.rating.stiffness;
     const double allowed =
-        row.torque
-            ? rated
-            : haptics::allowedStiffness(device.rating, toolAt(row.lever).shell, {}, row.lever.arm);
-    const std::string length = shortly(1e3 * (row.lever.arm + row.lever.reach)) + " mm";
+        lever.torque ? rated
+                     : haptics::allowedStiffness(device.rating, toolAt(lever).shell, {}, lever.arm);
+    const std::string length = shortly(1e3 * (lever.arm + lever.reach)) + " mm";
     const auto turned = [&](const char* caption, double stiffness, bool shipped) {
-      Turned r = turnHandle(device, row.lever, row.torque, stiffness, shipped, turns);
+      Turned r = turnHandle(device, lever, stiffness, shipped, turns);
       found.row(caption, {{"lever", (is_arm ? "arm of " : "tool that reaches ") + length},
-                          {"torque motors", row.torque ? "yes" : "no"},
+                          {"torque motors", lever.torque ? "yes" : "no"},
                           {"K [N/m]", shortly(stiffness)},
                           {"given at the handle [mJ a turn]", shortly(mJ * r.handle)},
                           {"given by the program [mJ a turn]", shortly(mJ * r.program)},
@@ -242,19 +214,19 @@ Outcome turnedHandle(int turns) {
     };
     turned("A handle turned at what is rated, whatever the lever, without the guard", rated, false);
     Turned r = turned("A handle turned with the end of a lever in contact", allowed, true);
-    r.energy.name = length + ", " + (row.torque ? "torque" : "no torque");
-    (is_arm ? arms : reaches).series.push_back(std::move(r.energy));
+    r.energy.name = length + ", " + (lever.torque ? "torque" : "no torque");
+    found.outcome.plots[is_arm ? 0 : 1].series.push_back(std::move(r.energy));
     found.subject = (is_arm ? "arm of " : "reach of ") + length + ", " +
-                    (row.torque ? "six" : "three") + " actuated";
+                    (lever.torque ? "six" : "three") + " actuated";
     if (is_arm)
       found.atMost("energy given by the program", mJ * r.program, 1.0, "mJ a turn",
                    "at the tool, force and torque together: that is passive whatever the device "
                    "leaves out");
     found.atMost("energy given at the handle", mJ * r.handle, 1.0, "mJ a turn",
-                 row.torque ? ""
-                            : "six sensed and three actuated, at " + shortly(allowed) +
-                                  " N/m: the torque that no motor makes is missing, [Chan 2011], "
-                                  "3.1, so the longer the lever, the softer the spring must be");
+                 lever.torque ? ""
+                              : "six sensed and three actuated, at " + shortly(allowed) +
+                                    " N/m: the torque that no motor makes is missing, [Chan 2011], "
+                                    "3.1, so the longer the lever, the softer the spring must be");
     if (is_arm)
       found.atMost("energy not accounted for", mJ * std::abs(r.handle - r.program + r.lost), 1.0,
                    "mJ a turn",
@@ -264,7 +236,6 @@ Outcome turnedHandle(int turns) {
                        shortly(mJ * r.lost) + " mJ");
     found.atMost("force", r.force, device.rating.force * (1.0 + 1e-9), "N");
   }
-  found.outcome.plots = {std::move(arms), std::move(reaches)};
   found.outcome.remarks.push_back(
       "Without torque motors a loop that is passive by itself gives energy through the handle's "
       "passive rotation, as [Chan 2011], 3.1, says of large moment arms. A passivity controller "

@@ -5,17 +5,23 @@
 namespace study::stability {
 namespace {
 
+using haptics::ScalarType;
+
 /// How long a proxy may take to get out when a new isovalue leaves it inside.
 constexpr double kTicksToLeave = 20.0;
 
+/// m, of the deepest point.
+double depthOf(const Trial& trial) {
+  return haptics::penetration(*trial.scene, trial.isovalue, trial.proxy.X_WP);
+}
+
 /// Steps until the proxy is outside; the ticks it took, 50 at most.
-int ticksToLeave(Trial& trial, const Pose& D, Trace* trace = nullptr) {
+int ticksToLeave(Trial& trial, const Pose& D, Trace* depth = nullptr) {
   int ticks = 0;
   trial.judged = false;
   do {
     trial.step(D);
-    if (trace)
-      trace->add(ticks, 1e3 * haptics::penetration(*trial.scene, trial.isovalue, trial.proxy.X_WP));
+    if (depth) depth->add(ticks, depthOf(trial));
   } while (!trial.isLegal() && ++ticks < 50);
   trial.judged = true;
   return ticks;
@@ -24,28 +30,29 @@ int ticksToLeave(Trial& trial, const Pose& D, Trace* trace = nullptr) {
 void twoMillimetresInside(Trials& found) {
   const auto scene = sphere(ball(200, 3e-3), 0.015, 10.0);
   const Pose D = at(0, 0, 0.0175);
-  Trial trial = brought(scene, datasets::kSolidIso, at(0, 0, 0.03), D, 40, 20);
+  Trial& trial = found.brought(scene, datasets::kSolidIso, at(0, 0, 0.03), D, 40, 20);
   // the surface grows by 2 mm past the proxy
   trial.isovalue = datasets::kSolidIso - 8000.0;
-  const double buried = haptics::penetration(*scene, trial.isovalue, trial.proxy.X_WP);
-  Trace trace{"deepest point", 1, {{0.0, 1e3 * buried}}};
-  const int ticks = ticksToLeave(trial, D, &trace);
+  const double buried = depthOf(trial);
+  Trace depth{"deepest point", 1};
+  depth.add(0, buried);
+  const int ticks = ticksToLeave(trial, D, &depth);
   const double off = std::abs(trial.place().z() - 0.020);
   const int follows = trial.ticksToReach(at(0, 0, 0.040), 9);
   found.atLeast("depth at first", 1e3 * buried, 1.9, "mm", "that there is something to leave");
   found.atMost("ticks until outside", ticks, kTicksToLeave);
   found.atMost("from the nearest legal place", 1e3 * off, 0.2, "mm");
   found.atMost("ticks to follow 20 mm away", follows, 4.0);
-  found.add(trial);
+  found.draw(depth);
   found.plot("Left 2 mm inside by a moved isovalue",
-             "Depth of the deepest point: nothing goes deeper, and it is out at once", "depth [mm]",
-             {trace.series()});
+             "Depth of the deepest point: nothing goes deeper, and it is out at once",
+             "depth [mm]");
 }
 
 /// A block of one value, z < 0, in a medium of another.
 std::shared_ptr<const haptics::Scene> plateaus() {
   const auto value = [](auto i, auto, auto k) { return k < 24 ? 1000.0 : i < 8 ? 0.0 : 500.0; };
-  return sceneOf(voxels(48, value), ball(100, 2e-3));
+  return sceneOf(datasets::filled(cube(48), ScalarType::Int16, value), ball(100, 2e-3));
 }
 
 void plateauBuries(Trials& found) {
@@ -53,26 +60,24 @@ void plateauBuries(Trials& found) {
   // all of a sudden the medium is solid: below its value, and at it
   for (const double isovalue : {400.0, 499.0, 500.0}) {
     const Pose D = at(0.010, 0.0, 0.010);
-    Trial trial{plateaus(), 900.0, D};
+    Trial& trial = found.trial(plateaus(), 900.0, D);
     trial.hold(D, 5);
     trial.isovalue = isovalue;
     most = std::max(most, ticksToLeave(trial, D));
     // and follows where there is nothing
     const Pose free = at(trial.place() + 0.1 * trial.place().normalized());
     follows = std::max(follows, trial.ticksToReach(free, 20));
-    found.add(trial);
   }
   found.atMost("ticks until outside", most, kTicksToLeave);
   found.atMost("ticks to follow 100 mm", follows, 9.0);
 }
 
 void plateauAtTheIsovalue(Trials& found) {
-  Trial trial{plateaus(), 1000.0, at(0.004, 0, 0.010)};
+  Trial& trial = found.trial(plateaus(), 1000.0, at(0.004, 0, 0.010));
   trial.carry(trial.proxy.X_WP, at(0.004, 0, -0.006), 60);
   trial.hold(at(0.004, 0, -0.006), 50);
   // the topmost layer of 1000 is half a voxel below the origin
   found.atMost("from its face", 1e3 * std::abs(trial.lowest(Vec3::UnitZ()) + 0.5 * h), 0.1, "mm");
-  found.add(trial);
 }
 
 void voxelsThatAreNoNumbers(Trials& found) {
@@ -81,7 +86,7 @@ void voxelsThatAreNoNumbers(Trials& found) {
   double replaced = 0.0;
   for (const bool sick : {false, true}) {
     Random random{found.seed + 203};
-    auto volume = datasets::filled(cube(48), haptics::ScalarType::Float32, [&](auto, auto, auto k) {
+    auto volume = datasets::filled(cube(48), ScalarType::Float32, [&](auto, auto, auto k) {
       const double value = std::clamp(4000.0 * (24.0 - double(k)), -9e3, 9e3);
       const int draw = random.below(60);
       if (draw > 2) return value;
@@ -89,13 +94,12 @@ void voxelsThatAreNoNumbers(Trials& found) {
     });
     const auto scene = sceneOf(std::move(volume), ball(200, 3e-3));
     if (sick) replaced = double(scene->volume->replaced);
-    Trial trial = brought(scene, 0.0, at(0, 0, 0.01), at(0, 0, 1e-3), 40);
+    Trial& trial = found.brought(scene, 0.0, at(0, 0, 0.01), at(0, 0, 1e-3), 40);
     for (int n = 0; n < 600; ++n) {
       trial.step(at(0.012 * std::sin(0.01 * n), 0.01 * std::cos(0.013 * n), 1e-3));
       places[sick].push_back(trial.place());
     }
     contact += trial.contact;
-    found.add(trial);
   }
   for (std::size_t n = 0; n < places[0].size(); ++n) differing += places[0][n] != places[1][n];
   found.atLeast("replaced", replaced, 1000.0);
@@ -112,10 +116,9 @@ void endsOfTheData(Trials& found) {
   const double least = volume.least, greatest = volume.greatest;
   const auto scene = sceneOf(std::move(volume), ball(300, 2e-3));
   for (const double isovalue : {least, least + 0.01, -999.0, -950.0, 1999.0, 2039.0, greatest}) {
-    Trial trial{scene, isovalue, at(0, 0, 0.04)};
+    Trial& trial = found.trial(scene, isovalue, at(0, 0, 0.04));
     trial.judged = isovalue > least;  // at the background's own value all the world is inside
     drag(trial, Vec3::Zero(), 0.014, found.seed + 206, 12);
-    found.add(trial);
   }
 }
 
@@ -123,20 +126,19 @@ void endsOfTheData(Trials& found) {
 void sweptIsovalue(Trials& found) {
   const auto scene = sphere(ball(200, 3e-3), 0.015, 10.0);
   const Pose D = at(0, 0, 0.0175);
-  Trial trial = brought(scene, datasets::kSolidIso, at(0, 0, 0.03), D, 40);
+  Trial& trial = found.brought(scene, datasets::kSolidIso, at(0, 0, 0.03), D, 40);
   trial.judged = false;
-  Trace trace{"1 s", 5};
+  Trace height{"1 s", 5};
   int inside = 0, longest = 0, run = 0;
   const int ticks = 1000 * found.tries;
   for (int n = 0; n < ticks; ++n) {
     // 2 mm in and out, at most 0.05 mm in a tick
     trial.isovalue = datasets::kSolidIso + 8000.0 * std::sin(0.025 * n);
     trial.step(D);
-    const double depth = haptics::penetration(*scene, trial.isovalue, trial.proxy.X_WP);
-    inside += depth > 0.0;
-    run = depth > 0.0 ? run + 1 : 0;
+    run = depthOf(trial) > 0.0 ? run + 1 : 0;
+    inside += run > 0;
     longest = std::max(longest, run);
-    if (n < 1000) trace.add(n, 1e3 * (trial.place().z()));
+    if (n < 1000) height.add(n, trial.place().z());
   }
   // when the slider rests, it is over
   trial.isovalue = datasets::kSolidIso;
@@ -146,22 +148,22 @@ void sweptIsovalue(Trials& found) {
                "of " + std::to_string(inside) + " ticks inside in " + std::to_string(ticks) +
                    "; what one change of the isovalue may take");
   found.atMost("ticks until outside at rest", settles, kTicksToLeave);
-  found.add(trial);
+  found.draw(height);
   found.plot("An isovalue that moves in every tick",
-             "Height of the proxy over a ball that breathes by 2 mm: it rides on it", "height [mm]",
-             {trace.series()});
+             "Height of the proxy over a ball that breathes by 2 mm: it rides on it",
+             "height [mm]");
 }
 
 /// A volume of one value but for its first voxel.
 std::shared_ptr<const haptics::Scene> evenVolume(double first, double others) {
   const auto value = [=](auto i, auto j, auto k) { return i + j + k == 0 ? first : others; };
-  return sceneOf(voxels(24, value), ball(100, 2e-3));
+  return sceneOf(datasets::filled(cube(24), ScalarType::Int16, value), ball(100, 2e-3));
 }
 
 void emptyAndAllInside(Trials& found) {
   const Pose above = at(0, 0, 0.03);
   // no voxel reaches the isovalue: there is nothing, and nothing to feel
-  Trial empty{evenVolume(7.0, 7.0), 500.0, above};
+  Trial& empty = found.trial(evenVolume(7.0, 7.0), 500.0, above);
   int felt = 0;
   Random random{found.seed + 223};
   for (int n = 0; n < 200 * found.tries; ++n) {
@@ -171,19 +173,17 @@ void emptyAndAllInside(Trials& found) {
   }
   found.subject = "empty volume";
   found.none("ticks with a force", felt);
-  found.add(empty);
 
   // but for one voxel, so that there is a background
-  Trial dragged{evenVolume(0.0, 1000.0), 500.0, above};
+  Trial& dragged = found.trial(evenVolume(0.0, 1000.0), 500.0, above);
   drag(dragged, Vec3::Zero(), 0.02, found.seed + 124, 30 * found.tries);
   found.subject = "all-inside volume";
   found.atLeast("ticks in contact", dragged.contact, 1.0);
   // pressed on like any block: its face is half a voxel beyond the outermost
-  const Trial pressed = brought(dragged.scene, dragged.isovalue, above, at(0, 0, 0.008), 40, 200);
+  const Trial& pressed =
+      found.brought(dragged.scene, dragged.isovalue, above, at(0, 0, 0.008), 40, 200);
   found.atMost("from its face", 1e3 * std::abs(pressed.lowest(Vec3::UnitZ()) - 12.0 * h), 0.1,
                "mm");
-  found.add(dragged);
-  found.add(pressed);
 }
 
 }  // namespace

@@ -11,55 +11,52 @@ void leaps(Trials& found) {
   // what the sphere held on the way is let go slowly
   const double released = 1e3 * haptics::kMostReleased / 1000.0 / haptics::releaseSpeed(1000.0);
   struct Row {
-    double aside;  // m
-    double bound;  // ticks
+    double aside, bound;  // m; ticks
   };
-  std::vector<Series> lines;
   for (const int count : {500, 2000})
     for (const auto& [aside, bound] :
          {Row{0.1, 1}, Row{0.028, 15}, Row{0.005, 1.1 * released + 30}}) {
       const Pose from = at(-0.5, aside, 0.0), to = at(0.5, aside, 0.0);
-      Trial trial{sphere(ball(count, 3e-3)), datasets::kSolidIso, from};
+      Trial& trial = found.trial(sphere(ball(count, 3e-3)), datasets::kSolidIso, from);
       trial.hold(from, 5);
-      Trace trace{shortly(1e3 * aside) + " mm aside", 1};
+      Trace behind{shortly(1e3 * aside) + " mm aside", 1};
       int ticks = 0;
       do {
         trial.step(to);
-        trace.add(ticks, 1e3 * (trial.place() - to.translation()).norm());
+        behind.add(ticks, (trial.place() - to.translation()).norm());
       } while (++ticks < 400 && trial.proxy.X_WP.matrix() != to.matrix());
-      found.subject = "F6a a leap of 1 m, " + trace.name + ", " + shortly(count) + " points";
+      found.subject = "F6a a leap of 1 m, " + behind.name + ", " + shortly(count) + " points";
       found.atMost("ticks to catch up", ticks, bound);
-      found.add(trial);
-      if (count == 500) lines.push_back(trace.series());
+      if (count == 500) found.draw(behind);
     }
   // to and fro in every tick, as of a tracker that has lost itself
   Random random{found.seed + 231};
-  Trial trial{sphere(ball(500, 3e-3)), datasets::kSolidIso, at(-0.5, 0, 0)};
+  Trial& trial = found.trial(sphere(ball(500, 3e-3)), datasets::kSolidIso, at(-0.5, 0, 0));
   for (int n = 0; n < 100 * found.tries; ++n) trial.step(at(random.box(0.5), random.rotation()));
-  found.add(trial);
   found.plot("A device that leaps a metre",
              "Distance from the device after the leap, by how far beside a sphere of 20 mm it "
              "went: past the volume, past the sphere, through it",
-             "behind [mm]", lines);
+             "behind [mm]");
 }
 
 void longTool(Trials& found) {
   const auto scene = sphere(toolOf(datasets::rodPoints(2000, 0.3, 3e-3)));
-  Trial trial = brought(scene, datasets::kSolidIso, at(0, 0, 0.04), at(0, 0, 0.020), 60);
+  Trial& trial = found.brought(scene, datasets::kSolidIso, at(0, 0, 0.04), at(0, 0, 0.020), 60);
   int pressed = 0;
-  Trace trace{"along the rod", 15};
-  for (int n = 0; n < 1500; ++n) {
-    // along itself and a little about z, 3 mm into the sphere
-    const double x = 0.08 * std::sin(2e-3 * n);
-    trial.step(at({x, 0, 0.020}, turn(0.02 * std::sin(3e-3 * n), Vec3::UnitZ())));
+  // along itself and a little about z, 3 mm into the sphere
+  const auto along = [](int n) { return 0.08 * std::sin(2e-3 * n); };
+  const auto device = [&](int n) {
+    return at({along(n), 0, 0.020}, turn(0.02 * std::sin(3e-3 * n), Vec3::UnitZ()));
+  };
+  const auto lag = [&](int n) {
     pressed += trial.last.wrench_W.force.z() > 0.5;  // N
-    trace.add(n, 1e3 * std::abs(trial.place().x() - x));
-  }
-  found.atMost("behind, most", trace.most, 1.0, "mm");
+    return std::abs(trial.place().x() - along(n));
+  };
+  const Trace behind = found.follow(trial, 1500, {"along the rod", 15}, device, lag);
+  found.atMost("behind, most", 1e3 * behind.most, 1.0, "mm");
   found.atLeast("ticks pressed", pressed, 1400.0);
-  found.add(trial);
   found.plot("A rod of 300 mm over a volume of 64 mm", "How far the proxy is behind along the rod",
-             "behind [mm]", {trace.series()});
+             "behind [mm]");
 }
 
 // a bar in a slot, turned about the slot's axis: whatever the device does, the torque grows or
@@ -71,35 +68,33 @@ void halfTurn(Trials& found) {
     for (const double y : {-1e-3, 1e-3}) bar.push_back({y, 0.5e-3 * i, 0.0});
   double largest_step = 0.0, least_most = INFINITY;
   int flipped = 0;
-  Trace trace{"torque", 5};
   for (int k = 0; k < 4; ++k) {
     const Quat q = random.rotation();
     const Vec3 across = q * Vec3::UnitX(), axis = q * Vec3::UnitZ();
     auto slot =
         datasets::solid(cube(60), [&](const Vec3& p) { return 2.5e-3 - std::abs(across.dot(p)); });
-    Trial trial{sceneOf(std::move(slot), toolOf(bar)), datasets::kSolidIso, at(Vec3::Zero(), q)};
+    Trial& trial = found.trial(sceneOf(std::move(slot), toolOf(bar)), datasets::kSolidIso,
+                               at(Vec3::Zero(), q));
     trial.coupling.angular_stiffness = 1.0;  // N·m/rad
-    double torque = 0.0, largest = 0.0;
-    for (int n = 0; n <= 800; ++n) {
-      const double angle = 0.01 * (n <= 400 ? n : 800 - n);  // rad: to 229 degrees and back
-      trial.step(at(Vec3::Zero(), turn(angle, axis) * q));
+    double before = 0.0;
+    // rad: to 229 degrees and back
+    const auto angle = [](int n) { return 0.01 * (n <= 400 ? n : 800 - n); };
+    const auto device = [&](int n) { return at(Vec3::Zero(), turn(angle(n), axis) * q); };
+    const auto torque = [&](int n) {
       const double now = -trial.last.wrench_W.torque.dot(axis);
-      if (n > 0) largest_step = std::max(largest_step, std::abs(now - torque));
-      largest = std::max(largest, now);
-      torque = now;
-      flipped += angle > 0.5 && torque <= 0.0;
-      if (k == 0) trace.add(n, torque);
-    }
-    least_most = std::min(least_most, largest);
-    found.add(trial);
+      if (n > 0) largest_step = std::max(largest_step, std::abs(now - before));
+      flipped += angle(n) > 0.5 && now <= 0.0;
+      return before = now;
+    };
+    const Trace line{k == 0 ? "torque" : "", 5, 1.0};
+    least_most = std::min(least_most, found.follow(trial, 801, line, device, torque).most);
   }
   found.none("ticks with a torque turned over", flipped);
   found.atLeast("largest torque", least_most, 1.5, "N m", "it is felt");
   found.atMost("step of torque in a tick", largest_step, 0.05, "N m",
                "0.01 rad, and what the proxy turns in its slot");
   found.plot("A bar in a slot, turned by 229 degrees and back",
-             "Torque on the hand: it grows, saturates and comes back the same way", "torque [N m]",
-             {trace.series()});
+             "Torque on the hand: it grows, saturates and comes back the same way", "torque [N m]");
 }
 
 void longSlide(Trials& found) {
@@ -112,18 +107,13 @@ void longSlide(Trials& found) {
       return 1000.0 - 4e6 * (p.z() - (bumpy ? bump : 0.0));
     });
     const auto scene = sceneOf(std::move(ground), ball(100, 3e-3));
-    Trial trial = brought(scene, 1000.0, at(0, 0.015, 0.01), device(0), 40);
-    double deepest = INFINITY, highest = 0.0;
-    for (int n = 0; n < 2000 * found.tries; ++n) {
-      trial.step(device(n));
-      deepest = std::min(deepest, trial.lowest(Vec3::UnitZ()));
-      highest = std::max(highest, trial.lowest(Vec3::UnitZ()));
-    }
-    found.add(trial);
+    Trial& trial = found.brought(scene, 1000.0, at(0, 0.015, 0.01), device(0), 40);
+    const auto gap = [&](int) { return trial.lowest(Vec3::UnitZ()); };
+    const Trace gaps = found.follow(trial, 2000 * found.tries, {}, device, gap);
     if (bumpy) continue;
     const double rest = scene->lengths.rest_gap;
-    found.atLeast("least gap", 1e3 * deepest, 0.5e3 * rest, "mm", "half of the rest gap");
-    found.atMost("greatest gap", 1e3 * highest, 2e3 * rest, "mm", "twice the rest gap");
+    found.atLeast("least gap", 1e3 * gaps.least, 0.5e3 * rest, "mm", "half of the rest gap");
+    found.atMost("greatest gap", 1e3 * gaps.most, 2e3 * rest, "mm", "twice the rest gap");
   }
 }
 
@@ -144,12 +134,11 @@ void groove(Trials& found) {
       const Pose start = at({0, random.in(-5e-3, 5e-3), ideal + 4e-3}, random.rotation());
       const Pose D =
           at({random.in(-5e-4, 5e-4), start.translation().y(), ideal - 4e-3}, Quat{start.linear()});
-      Trial trial = brought(scene, datasets::kSolidIso, start, D, 60, 200);
+      Trial& trial = found.brought(scene, datasets::kSolidIso, start, D, 60, 200);
       const Pose held = trial.proxy.X_WP;
       trial.hold(D, 50);
       moved += trial.proxy.X_WP.matrix() != held.matrix();
       worst = std::max(worst, std::abs(trial.place().z() - ideal));
-      found.add(trial);
     }
     found.subject = "F10 groove of " + shortly(degrees) + " degrees";
     found.atMost("from the closed form", 1e3 * worst, 100.0 * h / slope, "mm",
@@ -170,7 +159,7 @@ void rest(Trials& found) {
     const Vec3 out = random.direction();
     const Pose start = at(0.035 * out, random.rotation());
     const Pose D = at(0.014 * out, Quat{start.linear()});
-    Trial trial = brought(scene, 0.0, start, D, 60, 200);
+    Trial& trial = found.brought(scene, 0.0, start, D, 60, 200);
     if (trial.last.contacts > 0) {
       ++held;
       const Pose at_rest = trial.proxy.X_WP;
@@ -188,7 +177,6 @@ void rest(Trials& found) {
       }
       wander.push_back(std::sqrt(std::max(0.0, squares / 100 - (sum / 100).squaredNorm())));
     }
-    found.add(trial);
   }
   std::sort(wander.begin(), wander.end());
   found.atLeast("holds in contact", held, 0.75 * holds);
@@ -203,7 +191,7 @@ void takenBack(Trials& found) {
   Random random{found.seed + 211};
   const auto scene = sceneOf(datasets::whiteNoise(cube(48), found.seed + 212),
                              toolOf(datasets::rodPoints(120, 0.016, 1e-3)));
-  DeviceDistances distances;
+  std::vector<std::vector<float>> distances;
   int ticks = 0, differing = 0, contact = 0, illegal = 0;
   for (int n = 0; n < 2 * found.tries; ++n) {
     const Pose start = at(random.box(0.01) + Vec3{0, 0, 0.04}, random.rotation());
@@ -229,14 +217,14 @@ void takenBack(Trials& found) {
     }
     illegal += trial.illegal;
     contact += trial.contact;
-    distances.add(trial);
+    distances.push_back(trial.behind);
   }
   found.none("ticks inside", illegal);
   found.atLeast("ticks in contact", contact, ticks / 8.0);
   found.atMost("leaps that differ from those of one that knows nothing", 1e3 * differing / ticks,
                1.0, "per thousand",
                "what an older, larger bound leaves out may, rarely, still count to first order");
-  found.plots.push_back(distances.plot(found.subject));
+  found.outcome.plots.push_back(distancePlot(found.subject, distances));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr double kSettle = 0.8;  // s: a handle on noise finds its place, ringin
 
 /// What a sweep goes through, and how the loop is run.
 struct Sweep {
-  std::string device, stage;
+  std::string stage;
   Wall loop;
   std::vector<double> stiffnesses;  ///< beside the default and what is allowed
   std::vector<int> delays;
@@ -32,30 +32,20 @@ struct Sweep {
   bool other_loops = false;    ///< also without the guard and with what is not shipped
   /// Names it with something between its parts.
   std::string name(const std::string& between) const {
-    return device + between + stage + (loop.period < 1e-3 ? between + rateOf(loop.period) : "");
+    return loop.device.name + between + stage +
+           (loop.period < 1e-3 ? between + rateOf(loop.period) : "");
   }
 };
 
-/// One press of a sweep: a row of the tables.
-struct Press {
-  const char* loop;
-  Wall wall;
-  double stiffness;
-  std::size_t noise = 0;  ///< its place among those of the sweep
-  bool shipped = false;
-};
-
-/// All that are made with one delay, the softest first.
-std::vector<Press> pressesWith(const Sweep& sweep, const Wall& wall, double allowed) {
+/// All that are tried with one delay, the softest first.
+std::vector<Way> waysWith(const Sweep& sweep, const Wall& wall, double allowed) {
   std::vector<double> stiffnesses{allowed};
   const double begun = 0.5 * wall.device.rating.stiffness;  // what the program begins with
   if (begun < allowed) stiffnesses.push_back(begun);
   stiffnesses.insert(stiffnesses.end(), sweep.stiffnesses.begin(), sweep.stiffnesses.end());
   std::sort(stiffnesses.begin(), stiffnesses.end());
-  std::vector<Press> all;
-  for (const double K : stiffnesses)
-    for (std::size_t n = 0; n < sweep.noises.size(); ++n)
-      all.push_back({"as shipped", wall, K, n, true});
+  std::vector<Way> all;
+  for (const double K : stiffnesses) all.push_back({"as shipped", wall, K, true});
   if (!sweep.other_loops) return all;
   for (const double share : {1.0, 1.6, 4.0})
     for (const Loop& loop : kLoops)
@@ -68,8 +58,7 @@ struct Worst {
   const char *what, *unit;
   double scale, bound;  ///< from SI to the unit; in the unit
   const char* note;
-  double (*of)(const PressResult&,
-               double clean);  ///< clean: J given without noise
+  double (*of)(const PressResult&, double clean);  ///< clean: J given without noise
   double value = -INFINITY;
   std::string where = {};
   void add(double figure, double stiffness, double noise) {
@@ -82,24 +71,20 @@ struct Worst {
 
 Outcome pressesOf(const Sweep& sweep, unsigned seed) {
   Findings found;
-  const auto plot = [&](const std::string& what, const std::string& unit, double bound,
-                        const char* bound_name, const char* description) {
-    return Plot{sweep.name(", ") + ": " + what,
-                description,
-                {"stiffness [N/m]", Scale::Log},
-                {what + " [" + unit + "]", Scale::Log},
-                {},
-                bound,
-                bound_name};
-  };
+  found.plot(sweep.name(", ") + ": amplitude at rest",
+             "Worst over the noise, for each delay, also beyond what is allowed: the encoder's own "
+             "step up to the limit of the sampled spring",
+             {"stiffness [N/m]", Scale::Log}, {"amplitude at rest [um]", Scale::Log});
+  found.plot(sweep.name(", ") + ": energy given in a press",
+             "Worst over the noise, for each delay, also beyond what is allowed; in the lane of "
+             "zero: the loop took energy. It announces the limit before the amplitude does",
+             {"stiffness [N/m]", Scale::Log}, {"energy given in a press [mJ]", Scale::Log});
+  Plot &amplitudes = found.outcome.plots[0], &energies = found.outcome.plots[1];
   const double encoder_steps = 3e6 * sweep.loop.device.linkage.encoder;
-  Plot amplitudes = plot("amplitude at rest", "um", encoder_steps, "three steps of the encoder",
-                         "Worst over the noise, for each delay, also beyond what is allowed: the "
-                         "encoder's own step up to the limit of the sampled spring");
-  Plot energies =
-      plot("energy given in a press", "mJ", 1.0, "asked up to what is allowed",
-           "Worst over the noise, for each delay, also beyond what is allowed; in the lane of "
-           "zero: the loop took energy. It announces the limit before the amplitude does");
+  amplitudes.bound = encoder_steps;
+  amplitudes.bound_name = "three steps of the encoder";
+  energies.bound = 1.0;
+  energies.bound_name = "asked up to what is allowed";
   std::vector<Stage> stages;
   for (const double noise : sweep.noises)
     stages.push_back(makeStage(sweep.stage, noise, 301 + seed));
@@ -121,42 +106,43 @@ Outcome pressesOf(const Sweep& sweep, unsigned seed) {
     Series amplitude{"delay " + std::to_string(delay), {}}, energy = amplitude;
     int non_finite = 0, inside = 0, untouched = 0;
     double clean = 0.0;
-    for (const Press& each : pressesWith(sweep, wall, allowed)) {
-      const double K = each.stiffness, noise = sweep.noises[each.noise];
-      const bool judged = each.shipped && K <= allowed;
-      const PressResult r = press(each.wall, stages[each.noise], K, each.shipped);
-      found.row(judged ? "Presses, as shipped" : "Beyond what is allowed, and without the guard",
-                {{"device", sweep.device},
-                 {"scene", sweep.stage},
-                 {"rate", rateOf(sweep.loop.period)},
-                 {"loop", each.loop},
-                 {"delay", std::to_string(delay)},
-                 {"noise [%]", shortly(100.0 * noise)},
-                 {"K [N/m]", shortly(K)},
-                 {"of what is allowed", shortly(K / allowed)},
-                 {"amplitude [um]", shortly(1e6 * r.amplitude)},
-                 {"force step [N]", shortly(r.force_step)},
-                 {"energy given [mJ]", shortly(1e3 * r.energy)},
-                 {"proxy's rises, sum [mJ]", shortly(1e3 * r.risen)},
-                 {"farthest rise [um]", shortly(1e6 * r.rise)},
-                 {"left by the guard", shortly(r.share)},
-                 {"contact", std::to_string(r.contact)}});
-      if (!each.shipped) continue;
-      // of these nothing is forgiven, however stiff
-      non_finite += r.non_finite;
-      inside += r.inside;
-      untouched += judged && r.contact < 400;
-      if (each.noise == 0) {
-        clean = r.energy;
-        amplitude.points.push_back({K, 0.0});
-        energy.points.push_back({K, 0.0});
+    for (const Way& way : waysWith(sweep, wall, allowed))
+      for (std::size_t n = 0; n < (way.shipped ? stages.size() : 1); ++n) {
+        const double K = way.stiffness, noise = sweep.noises[n];
+        const bool judged = way.shipped && K <= allowed;
+        const PressResult r = press(way.wall, stages[n], K, way.shipped);
+        found.row(judged ? "Presses, as shipped" : "Beyond what is allowed, and without the guard",
+                  {{"device", wall.device.name},
+                   {"scene", sweep.stage},
+                   {"rate", rateOf(sweep.loop.period)},
+                   {"loop", way.loop},
+                   {"delay", std::to_string(delay)},
+                   {"noise [%]", shortly(100.0 * noise)},
+                   {"K [N/m]", shortly(K)},
+                   {"of what is allowed", shortly(K / allowed)},
+                   {"amplitude [um]", shortly(1e6 * r.amplitude)},
+                   {"force step [N]", shortly(r.force_step)},
+                   {"energy given [mJ]", shortly(1e3 * r.energy)},
+                   {"proxy's rises, sum [mJ]", shortly(1e3 * r.risen)},
+                   {"farthest rise [um]", shortly(1e6 * r.rise)},
+                   {"left by the guard", shortly(r.share)},
+                   {"contact", std::to_string(r.contact)}});
+        if (!way.shipped) continue;
+        // of these nothing is forgiven, however stiff
+        non_finite += r.non_finite;
+        inside += r.inside;
+        untouched += judged && r.contact < 400;
+        if (n == 0) {
+          clean = r.energy;
+          amplitude.points.push_back({K, 0.0});
+          energy.points.push_back({K, 0.0});
+        }
+        double &highest = amplitude.points.back().y, &most = energy.points.back().y;
+        highest = std::max(highest, 1e6 * r.amplitude);
+        most = std::max(most, 1e3 * r.energy);
+        if (!judged) continue;
+        for (Worst& worst : cases) worst.add(worst.of(r, clean), K, noise);
       }
-      double &highest = amplitude.points.back().y, &most = energy.points.back().y;
-      highest = std::max(highest, 1e6 * r.amplitude);
-      most = std::max(most, 1e3 * r.energy);
-      if (!judged) continue;
-      for (Worst& worst : cases) worst.add(worst.of(r, clean), K, noise);
-    }
     amplitudes.series.push_back(std::move(amplitude));
     energies.series.push_back(std::move(energy));
     found.subject = "press/" + sweep.name("/") + "/delay " + std::to_string(delay);
@@ -168,7 +154,6 @@ Outcome pressesOf(const Sweep& sweep, unsigned seed) {
     found.none("looks that found it inside", inside);
     found.none("presses that missed", untouched);
   }
-  found.outcome.plots = {std::move(amplitudes), std::move(energies)};
   return std::move(found.outcome);
 }
 
@@ -300,22 +285,24 @@ PressResult press(const Wall& wall, const Stage& stage, double stiffness, bool s
 
 std::vector<Job> pressJobs(Depth depth) {
   const bool full = depth == Depth::Full;
+  const std::vector<double> few{0.0, 0.02, 0.1}, all{0.0, 0.005, 0.02, 0.05, 0.1};
   /// What is pressed at one rate.
   struct Rate {
+    Depth depth;
     double period, cost;  // s
     std::vector<double> stiffnesses;
     std::vector<int> delays;
+    std::vector<double> noises;
   };
-  std::vector<Rate> rates{{1e-3, 1.0, {50, 1000, 20000}, {0, 1, 4}},
-                          {0.25e-3, 4.0, {1000}, {0, 1}}};
-  if (full)
-    rates = {{1e-3,
-              10.0,
-              {50, 200, 500, 1000, 2000, 3500, 5000, 7000, 10000, 14000, 20000},
-              {0, 1, 2, 4}},
-             {0.25e-3, 4.0, {50, 1000, 5000, 20000}, {0, 1, 2, 4}}};
-  const std::vector<double> noises =
-      full ? std::vector<double>{0.0, 0.005, 0.02, 0.05, 0.1} : std::vector<double>{0.0, 0.02, 0.1};
+  const Rate rates[] = {{Depth::Quick, 1e-3, 1.0, {50, 1000, 20000}, {0, 1, 4}, few},
+                        {Depth::Quick, 0.25e-3, 4.0, {1000}, {0, 1}, few},
+                        {Depth::Full,
+                         1e-3,
+                         10.0,
+                         {50, 200, 500, 1000, 2000, 3500, 5000, 7000, 10000, 14000, 20000},
+                         {0, 1, 2, 4},
+                         all},
+                        {Depth::Full, 0.25e-3, 4.0, {50, 1000, 5000, 20000}, {0, 1, 2, 4}, all}};
   // one of each kind of mass, encoder and motors; full has all
   const std::set<std::string> quick{"falcon", "delta.3",     "omega.7", "sigma.7",
                                     "touch",  "premium-1.5", "polhem",  "omni-arm-200"};
@@ -328,10 +315,11 @@ std::vector<Job> pressJobs(Depth depth) {
     for (const std::string stage : {"plane", "groove", "ball"})
       for (const Rate& rate : rates) {
         const bool other_loops = varied.contains(device.name) && (full || stage == "ball");
+        if (rate.depth != depth) continue;
         if (!full && !(rate.period == 1e-3 ? quick.contains(device.name) : other_loops)) continue;
-        const Sweep sweep{device.name,      stage,       Wall{device, {}, rate.period},
-                          rate.stiffnesses, rate.delays, noises,
-                          other_loops};
+        const Sweep sweep{
+            stage,      Wall{device, {}, rate.period}, rate.stiffnesses, rate.delays, rate.noises,
+            other_loops};
         jobs.push_back({"press/" + sweep.name("/"), "Presses in six degrees of freedom", rate.cost,
                         [=](std::uint64_t seed) { return pressesOf(sweep, unsigned(seed)); }});
       }

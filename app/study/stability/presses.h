@@ -9,10 +9,19 @@
 #include <vector>
 
 #include "app/study/report/outcome.h"
-#include "app/study/stability/wall.h"
+#include "app/study/stability/limits.h"
 #include "haptics/simulation/closed_loop.h"
+#include "haptics/solver/mass_metric.h"
 
 namespace study::stability {
+
+/// A way to run a loop, by name.
+struct Way {
+  const char* loop;
+  Wall wall;
+  double stiffness;  ///< N/m
+  bool shipped = false;
+};
 
 /// The loop of a wall, touching a scene instead, as the program ships it: within the device's
 /// rating, with its ramp and the guard of passivity. Not `shipped`: within the rating, nothing
@@ -34,6 +43,38 @@ struct LoopResult {
 LoopResult runLoop(
     haptics::ClosedLoop& loop, const haptics::Hand& hand, std::int64_t ticks, int look,
     const std::function<void(const haptics::TraceRow&, const haptics::TraceRow*)>& each);
+
+/// What a loop gives to the hand, against what is unavoidable and what is taken away, tick by tick.
+///
+/// A sampled spring gives K/2 times the square of the change of its stretch in a tick. Device and
+/// hand take b/T times the square of the motion along the force. Up to the limit of a sampled
+/// spring, K = 2 b / T, more is taken than given; beyond it a loop that shakes gives ever more.
+struct EnergyBalance {
+  double stiffness;  ///< N/m
+  haptics::Grip grip;
+  double period;                       ///< s
+  double most_given = 0.0;             ///< J
+  double most_own = 0.0;               ///< J, beyond what sampling gives: the method's own share
+  double most_left = 0.0;              ///< J, beyond what damping takes: what makes a loop shake
+  double sampled = 0.0, damped = 0.0;  ///< J
+  haptics::Vector6 stretch_before = haptics::Vector6::Zero();
+
+  /// `given` [J]: to the hand since the start. `motion`: the handle's since the last tick, while
+  /// `held` acted. `stretch` [m]: of the spring now, by the tool's metric.
+  void add(double given, const haptics::Wrench& held, const haptics::Twist& motion,
+           const haptics::Vector6& stretch) {
+    sampled += 0.5 * stiffness * (stretch - stretch_before).squaredNorm();
+    stretch_before = stretch;
+    const double force = held.force.norm(), torque = held.torque.norm();
+    const double along = force > 0.0 ? motion.linear.dot(held.force) / force : 0.0;
+    const double about =
+        torque > 0.0 ? grip.gyration * motion.angular.dot(held.torque) / torque : 0.0;
+    damped += grip.damping / period * (along * along + about * about);
+    most_given = worse(most_given, given);
+    most_own = worse(most_own, given - sampled);
+    most_left = worse(most_left, given - damped);
+  }
+};
 
 /// N/m: what the program allows to the device of this wall with a tool.
 double allowedFor(const Wall& wall, const haptics::Scene& scene);

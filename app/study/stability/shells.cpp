@@ -18,48 +18,45 @@ void coplanar(Trials& found) {
                             ? std::vector<Vec3>{{-0.02, 0, 0}, {0.02, 0, 0}}
                             : datasets::platePoints(int(std::lround(std::sqrt(count))), 0.04);
     const auto scene = haptics::makeScene(volume, toolOf(points)).value();
-    const auto device = [](int n) { return at(-0.006 + 20e-6 * n, 0, -1e-3); };
-    Trial trial = brought(scene, 1000.0, at(-0.006, 0, 2e-3), device(0), 30);
-    double worst = 0.0;
+    const auto device = [](int n) { return at(-0.006 + 20e-6 * (n + 1), 0, -1e-3); };
+    Trial& trial = found.brought(scene, 1000.0, at(-0.006, 0, 2e-3), device(-1), 30);
+    const auto lag = [&](int n) {
+      return std::abs(trial.place().x() - device(n).translation().x());
+    };
     const int ticks = found.tries > 1 ? 600 : 150;
-    for (int n = 1; n <= ticks; ++n) {
-      trial.step(device(n));
-      worst = std::max(worst, std::abs(trial.place().x() - device(n).translation().x()));
-    }
-    const Pose D = device(ticks);
+    const double worst = found.follow(trial, ticks, {}, device, lag).most;
+    const Pose D = device(ticks - 1);
     const Vec3 rest = D.translation() + Vec3{0, 0, 1e-3 + scene->lengths.rest_gap};
     int took = 0;
     for (; (trial.place() - rest).norm() > 0.01 * h && took < 100; ++took) trial.step(D);
     found.subject = "F7 " + shortly(count) + " contacts in one plane";
     found.atMost("behind, most", 1e3 * worst, 0.02, "mm");
     found.atMost("ticks to rest", took, 5.0);
-    found.add(trial);
     behind.points.push_back({double(count), 1e3 * worst});
   }
-  found.plots = {{"Contacts in one plane",
-                  "How far a plate of so many points is behind at most as it slides at 20 mm/s",
-                  {"points", Scale::Log},
-                  {"behind [mm]", Scale::Log},
-                  {behind}}};
+  found.plot("Contacts in one plane",
+             "How far a plate of so many points is behind at most as it slides at 20 mm/s",
+             {"points", Scale::Log}, {"behind [mm]", Scale::Log}, {behind});
 }
 
 // the proxy of very many points goes where that of few goes
 void manyPoints(Trials& found) {
-  const int few = 2000, many = found.tries > 1 ? 200'000 : 50'000, ticks = 400;
+  const int few = 2000, many = found.tries > 1 ? 200'000 : 50'000;
+  const auto device = [](int n) {
+    return at({0.01 * std::sin(4e-3 * n), 0, 0.019}, turn(0.3 * std::sin(3e-3 * n), Vec3::UnitY()));
+  };
   double coupling[2] = {};
   for (const bool is_many : {false, true}) {
-    Trial trial{sphere(toolOf(datasets::rodPoints(is_many ? many : few, 0.06, 2e-3))),
-                datasets::kSolidIso, at(0, 0, 0.03)};
+    Trial& trial =
+        found.trial(sphere(toolOf(datasets::rodPoints(is_many ? many : few, 0.06, 2e-3))),
+                    datasets::kSolidIso, at(0, 0, 0.03));
     trial.judged = !is_many;
     trial.carry(at(0, 0, 0.03), at(0, 0, 0.019), 60);
-    for (int n = 0; n < ticks; ++n) {
-      const Pose D =
-          at({0.01 * std::sin(4e-3 * n), 0, 0.019}, turn(0.3 * std::sin(3e-3 * n), Vec3::UnitY()));
-      trial.step(D);
-      coupling[is_many] += (trial.place() - D.translation()).norm() / ticks;
+    const auto distance = [&](int n) {
       if (is_many && n % 100 == 0) trial.illegal += !trial.isLegal();
-    }
-    found.add(trial);
+      return (trial.place() - device(n).translation()).norm();
+    };
+    coupling[is_many] = found.follow(trial, 400, {}, device, distance).mean;
   }
   found.title = "F6c " + shortly(many) + " points";
   found.subject = found.title;
@@ -75,17 +72,14 @@ void beyondFloat(Trials& found) {
   const auto scene = sceneOf(std::move(volume), ball(200, 3e-3));
   // half a voxel above the grid's middle
   const double plane = 0.5 * h;
-  Trial trial = brought(scene, 4.0e9, at(-0.01, 0, 0.012), at(-0.01, 0, 2e-3), 40);
-  double worst = 0.0;
-  for (int n = 0; n < (found.tries > 1 ? 2000 : 1000); ++n) {
-    const double x = 1e-5 * n - 0.01;
-    trial.step(at(x, 0, 2e-3));
-    worst = std::max(worst, std::abs(trial.place().x() - x));
-  }
+  Trial& trial = found.brought(scene, 4.0e9, at(-0.01, 0, 0.012), at(-0.01, 0, 2e-3), 40);
+  const auto device = [](int n) { return at(1e-5 * n - 0.01, 0, 2e-3); };
+  const auto lag = [&](int n) { return std::abs(trial.place().x() - device(n).translation().x()); };
+  const double worst = found.follow(trial, found.tries > 1 ? 2000 : 1000, {}, device, lag).most;
   const double gap = trial.lowest(Vec3::UnitZ()) - plane;
   found.atMost("behind, most", 1e3 * worst, 0.02, "mm");
   found.atMost("from the rest gap", 1e3 * std::abs(gap - scene->lengths.rest_gap), 0.02, "mm");
-  found.tellContact(found.subject, trial);
+  found.tellContact(found.subject);
 }
 
 void fewPoints(Trials& found) {
@@ -95,9 +89,10 @@ void fewPoints(Trials& found) {
   std::vector<Vec3> points;
   for (const char* name : {"1 point", "2 points in line", "3 points in line"}) {
     points.push_back({0, 0, 5e-3 * double(points.size())});
-    Trial trial{sphere(toolOf(points), 0.012, 3.0, 40), datasets::kSolidIso, at(0, 0, 0.03)};
+    Trial& trial =
+        found.trial(sphere(toolOf(points), 0.012, 3.0, 40), datasets::kSolidIso, at(0, 0, 0.03));
     drag(trial, Vec3::Zero(), 0.012, found.seed + 125, 20 * found.tries);
-    found.tellContact(name, trial);
+    found.tellContact(name);
   }
 }
 
@@ -109,12 +104,12 @@ void needle(Trials& found) {
   Eigen::Matrix<double, 6, 6> metric = Eigen::Matrix<double, 6, 6>::Identity();
   metric.bottomRightCorner<3, 3>() = scene->metric.inertia();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> values{metric};
-  Trial trial{scene, datasets::kSolidIso, at(0, 0, 0.04)};
+  Trial& trial = found.trial(scene, datasets::kSolidIso, at(0, 0, 0.04));
   drag(trial, Vec3::Zero(), 0.025, found.seed + 141, 20 * found.tries);
   found.outcome.remarks.push_back(
       "The needle's mass metric has a condition of " +
       shortly(values.eigenvalues().maxCoeff() / values.eigenvalues().minCoeff()) + " in SI units.");
-  found.tellContact(found.subject, trial);
+  found.tellContact(found.subject);
 }
 
 // the projection by itself, with a metric conditioned 1e12: optimal, by the conditions that make
@@ -123,14 +118,15 @@ void illConditioned(Trials& found) {
   Random random{found.seed + 142};
   const haptics::Mat3 I = haptics::Mat3::Identity();
   constexpr int kMostRows = 12;
-  std::array<double, kMostRows> worst_of{};
+  Series series{"most", {}};
+  for (int k = 1; k <= kMostRows; ++k) series.points.push_back({double(k), 0.0});
   int inexact = 0;
   for (int n = 0; n < 200 * found.tries; ++n) {
     const haptics::Mat3 R = random.rotation().toRotationMatrix();
     const haptics::Mat3 inertia =
         R * Vec3{1e-12, 1e-6 * random.in(0.1, 1.0), 1.0}.asDiagonal() * R.transpose();
     const haptics::MassMetric metric{inertia};
-    double& worst = worst_of[std::size_t(n % kMostRows)];
+    double& worst = series.points[std::size_t(n % kMostRows)].y;
     std::vector<haptics::MotionRow> rows;
     for (int k = 0; k < 1 + n % kMostRows; ++k)
       rows.push_back({random.direction(), random.box(0.05), random.in(0.0, 1e-4)});
@@ -153,26 +149,21 @@ void illConditioned(Trials& found) {
       worst = worse(worst, -(a.dot(found_motion.whitened) + row.room) / (a.norm() * scale));
     }
   }
-  Series series{"most", {}};
   double worst = 0.0;
-  for (const double each : worst_of) {
-    worst = worse(worst, each);
-    series.points.push_back({double(series.points.size()) + 1.0, each});
-  }
-  found.plots = {{found.subject + ": residual of the projection",
-                  "Largest violation of what makes a motion optimal, by the number of contacts",
-                  {"contacts"},
-                  {"residual", Scale::Log},
-                  {series}}};
+  for (const PlotPoint& each : series.points) worst = worse(worst, each.y);
+  found.plot(found.subject + ": residual of the projection",
+             "Largest violation of what makes a motion optimal, by the number of contacts",
+             {"contacts"}, {"residual", Scale::Log}, {series});
   found.atMost("residual of the optimum's conditions", worst, 1e-9, "",
                "relative, in whitened coordinates; the projection may leave a row 1e-10 short");
   found.none("projections that were not exact", inexact);
 }
 
 void largeAndFar(Trials& found) {
-  Trial large{sphere(ball(400, 0.1), 0.008, 3.0, 24), datasets::kSolidIso, at(0.15, 0, 0)};
+  Trial& large =
+      found.trial(sphere(ball(400, 0.1), 0.008, 3.0, 24), datasets::kSolidIso, at(0.15, 0, 0));
   drag(large, Vec3::Zero(), 0.13, found.seed + 123, 10 + 20 * found.tries);
-  found.tellContact("tool eight times as wide as the volume", large);
+  found.tellContact("tool eight times as wide as the volume");
   Vec3 settled[2];
   for (const int k : {0, 1}) {
     const Vec3 far = k * Vec3{10.0, -10.0, 10.0};
@@ -188,7 +179,9 @@ void largeAndFar(Trials& found) {
     trial.carry(from, D, 40);
     trial.hold(D);
     settled[k] = trial.place() - far;
-    if (k == 1) found.tellContact("origin at 10 m", trial);
+    if (k == 0) continue;
+    found.add(trial);
+    found.tellContact("origin at 10 m");
   }
   found.atMost("from where it settles at home", 1e3 * (settled[1] - settled[0]).norm(), 3e-4, "mm",
                "a thousandth of a voxel");
@@ -198,17 +191,16 @@ void largeAndFar(Trials& found) {
 void saturation(Trials& found) {
   const haptics::ForceLimits limits{3.3, 0.05, 0.0, 0.02};
   haptics::Safety safety{limits};
-  Trial trial{sphere(ball(200, 3e-3)), datasets::kSolidIso, at(0, 0, 0.03)};
+  Trial& trial = found.trial(sphere(ball(200, 3e-3)), datasets::kSolidIso, at(0, 0, 0.03));
   trial.coupling.stiffness = 20'000.0;
-  double most = 0.0, torque = 0.0, least_turn = 1.0;
-  Trace wanted{"wanted", 5}, sent{"sent", 5};
+  double torque = 0.0, least_turn = 1.0;
+  Trace wanted{"wanted", 5, 1.0}, sent{"sent", 5, 1.0};
   for (int n = 0; n < 400; ++n) {
     const double down = n < 200 ? n : 400 - n;
     const Pose D = at({0.004, 0, 0.03 - 1e-4 * down}, turn(0.01 * down, Vec3::UnitX()));
     const haptics::Wrench asked = trial.step(D).wrench_W;
     safety.begin({.armed = true, .ready = true});
     const haptics::Wrench got = safety.pass(asked, trial.last.outside, 1e-3);
-    most = std::max(most, got.force.norm());
     torque = std::max(torque, got.torque.norm());
     if (asked.force.norm() > 0.0)
       least_turn = -worse(-least_turn,
@@ -216,13 +208,14 @@ void saturation(Trials& found) {
     wanted.add(n, asked.force.norm());
     sent.add(n, got.force.norm());
   }
-  found.atMost("force", most, limits.force * (1.0 + 1e-12), "N");
+  found.atMost("force", sent.most, limits.force * (1.0 + 1e-12), "N");
   found.atMost("torque", torque, limits.torque * (1.0 + 1e-12), "N m");
   found.atLeast("cosine to the wanted direction", least_turn, 1.0 - 1e-12);
-  found.tellContact(found.subject, trial);
-  Plot& plot =
-      found.plot("Saturation", "Force wanted by 20,000 N/m and force sent to a device of 3.3 N",
-                 "force [N]", {wanted.series(), sent.series()});
+  found.tellContact(found.subject);
+  found.draw(wanted);
+  found.draw(sent);
+  Plot& plot = found.plot(
+      "Saturation", "Force wanted by 20,000 N/m and force sent to a device of 3.3 N", "force [N]");
   plot.y.scale = Scale::Log;
   plot.bound = limits.force;
   plot.bound_name = "rating";

@@ -1,29 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "app/study/report/outcome.h"
 
 namespace study::stability {
 
-/// Does it stay calm, and outside, whatever it is given? The stiffest wall for each device; presses
-/// on analytic scenes through the tick; hands that wedge, pry and hook at 5000 N/m; an arm without
-/// torque motors; and every situation known to be the downfall of such a method.
+/// The study: stiff and extreme input. Its jobs are those of the four parts below.
 Study stabilityStudy(Depth depth);
 
 /// Situations in which the paper's method, or a plausible step beyond it, fails: each a case with
 /// its bound. A quick study makes a tenth of the tries.
 std::vector<Job> failureJobs(Depth depth);
-/// The limits of every rated device at 1 and 4 kHz, with and without virtual damping and passivity
-/// controller. On the wall also with dry friction, and with no and one period of delay; in full two
-/// and four as well. Through the tick three devices at 1 kHz where it is quick.
+/// The limits of stiffness of every rated device, on a wall and through the tick.
 std::vector<Job> limitJobs(Depth depth);
-/// Every device, stage, stiffness, delay and noise through the tick itself, at 1 and 4 kHz. A case
-/// is the program as shipped, up to what is allowed; rows of a table are what is stiffer, and for
-/// some devices what the guard, virtual damping and the passivity controller each do.
+/// Presses through the tick: every device, stage, stiffness, delay and noise.
 std::vector<Job> pressJobs(Depth depth);
-/// Hands that move while they press: wedge, pry and hook at 5000 N/m on phantoms and the
-/// paper's scenes, and a handle that
-/// is turned while a long arm touches, with and without torque motors ([Chan 2011], 3.1).
+/// Hands that wedge, pry and hook, and a handle that is turned while a long lever touches.
 std::vector<Job> handJobs(Depth depth);
+
+/// What a job finds, as it comes up. A case is named "subject/what".
+struct Findings {
+  std::string subject = {};
+  Outcome outcome = {};
+
+  void atMost(const std::string& what, double value, double bound, const std::string& unit = "",
+              const std::string& note = "", Case::Sense sense = Case::Sense::AtMost) {
+    outcome.cases.push_back({subject + "/" + what, value, bound, unit, sense, note});
+  }
+  void atLeast(const std::string& what, double value, double bound, const std::string& unit = "",
+               const std::string& note = "") {
+    atMost(what, value, bound, unit, note, Case::Sense::AtLeast);
+  }
+  void none(const std::string& what, int count) { atMost(what, count, 0.0); }
+  Plot& plot(const std::string& title, const std::string& description, const Axis& x, const Axis& y,
+             std::vector<Series> series = {}) {
+    return outcome.plots.emplace_back(Plot{title, description, x, y, std::move(series)});
+  }
+  /// Adds a row to the table with this caption. Each cell brings the head of its column.
+  void row(const std::string& caption,
+           const std::vector<std::pair<const char*, std::string>>& cells) {
+    auto table = std::ranges::find(outcome.tables, caption, &Table::caption);
+    const bool first = table == outcome.tables.end();
+    if (first) table = outcome.tables.insert(table, {caption, {}, {}});
+    auto& row = table->rows.emplace_back();
+    for (const auto& [head, text] : cells) {
+      if (first) table->head.push_back(head);
+      row.push_back(text);
+    }
+  }
+};
 
 }  // namespace study::stability

@@ -31,21 +31,16 @@ void thinPlate(Trials& found) {
       for (int shot = 0; shot < 10 * found.tries; ++shot) {
         const Vec3 side = q * Vec3{random.in(-5e-3, 5e-3), random.in(-5e-3, 5e-3), 0.0};
         const Pose start = at(side + 8e-3 * n, random.rotation());
-        Vec3 way = -n + random.in(0.0, 1.3) * n.cross(random.direction()).normalized();
-        way.normalize();
-        const Pose D = at(start.translation() + 26e-3 * way,
-                          Quat{Eigen::AngleAxisd{random.in(0.0, 0.5), random.direction()}} *
-                              Quat{start.linear()});
-        Trial trial{scene, isovalue, start};
-        bool through = false;
-        for (int tick = 0; tick < 15; ++tick) {
-          trial.step(D);
-          through = through || trial.lowest(n) <= 0.0;
-        }
+        const Vec3 way = -n + random.in(0.0, 1.3) * n.cross(random.direction()).normalized();
+        const double angle = random.in(0.0, 0.5);
+        const Pose D = at(start.translation() + 26e-3 * way.normalized(),
+                          turn(angle, random.direction()) * Quat{start.linear()});
+        Trial& trial = found.trial(scene, isovalue, start);
+        const auto device = [&](int) { return D; };
+        const auto height = [&](int) { return trial.lowest(n); };
         ++shots;
-        passed += through;
+        passed += found.follow(trial, 15, {}, device, height).least <= 0.0;
         arrived += trial.lowest(n) < 0.2 * h;
-        found.add(trial);
       }
     }
   found.none("shots that pass", passed);
@@ -64,19 +59,16 @@ void arcsInNoise(Trials& found) {
     tally += some;
     series.points.push_back({double(tally.arcs), some.latest});
   }
-  found.plots = {{"F1b arcs in white noise: how late",
-                  "How far beyond the first place inside an arc was stopped at most, in voxels of "
-                  "path, for each twentieth of the arcs",
-                  {"arcs shot"},
-                  {"latest [voxels]", Scale::Log},
-                  {series}}};
+  found.plot("F1b arcs in white noise: how late",
+             "How far beyond the first place inside an arc was stopped at most, in voxels of "
+             "path, for each twentieth of the arcs",
+             {"arcs shot"}, {"latest [voxels]", Scale::Log}, {series});
   found.atMost("hits missed or late", double(tally.missed + tally.late), 0.0, "",
                "against a dense sampling; " + std::to_string(tally.met) + " hits");
 }
 
 // at 95 % of the peak central differences straddle the ridge and may point into the plate
 void plateWithNoise(Trials& found) {
-  std::vector<Series> lines;
   double mean = 0.0, most = 0.0;
   int through = 0;
   for (const double isovalue : {300.0, 600.0, 800.0, 900.0, 950.0}) {
@@ -89,70 +81,60 @@ void plateWithNoise(Trials& found) {
     });
     const auto scene = sceneOf(std::move(volume), toolOf({Vec3::Zero()}));
     const double face = h * (1.0 - isovalue / 1000.0);
-    const auto device = [&](double share) {
-      return at((24e-3 * share - 12e-3) * along - 1e-3 * n + face * n);
+    const auto device = [&](int t) {
+      return at((24e-3 * (t / 2000.0) - 12e-3) * along - 1e-3 * n + face * n);
     };
-    Trial trial{scene, isovalue, at(device(0.0).translation() + 4e-3 * n)};
-    trial.carry(trial.proxy.X_WP, device(0.0), 40);
-    Trace trace{shortly(isovalue / 10.0) + " %", 20};
-    double sum = 0.0;
-    const int ticks = 2000;
-    for (int t = 0; t < ticks; ++t) {
-      const Pose D = device(double(t) / ticks);
-      trial.step(D);
-      const double lag = std::abs(along.dot(trial.place() - D.translation()));
-      sum += lag / ticks;
+    Trial& trial = found.trial(scene, isovalue, at(device(0).translation() + 4e-3 * n));
+    trial.carry(trial.proxy.X_WP, device(0), 40);
+    const auto lag = [&](int t) {
       through += n.dot(trial.place()) <= 0.0;
-      trace.add(t, 1e3 * lag);
-    }
-    mean = std::max(mean, sum);
-    most = std::max(most, trace.most);
-    found.add(trial);
-    lines.push_back(trace.series());
+      return std::abs(along.dot(trial.place() - device(t).translation()));
+    };
+    const Trace behind =
+        found.follow(trial, 2000, {shortly(isovalue / 10.0) + " %", 20}, device, lag);
+    mean = std::max(mean, behind.mean);
+    most = std::max(most, behind.most);
   }
   found.atMost("behind, mean", 1e3 * mean, 0.15, "mm");
-  found.atMost("behind, most", most, 0.6, "mm");
+  found.atMost("behind, most", 1e3 * most, 0.6, "mm");
   found.none("ticks beyond the plate", through);
   found.plot("A slide along a plate one voxel thick, with noise",
              "Distance of the proxy behind the device, by isovalue as a share of the plate's peak",
-             "behind [mm]", lines);
+             "behind [mm]");
 }
 
 // the literal method is frozen here, 17 mm behind from half a per cent on
 void noiseOnASphere(Trials& found) {
-  std::vector<Series> lines;
   const double radius = 0.015, size = 3e-3;
   struct Row {
-    double noise,
-        bound;  // share of the range; m, mean distance to the ideal proxy
+    double noise, bound;  // share of the range; m, mean distance to the ideal proxy
     std::vector<unsigned> seeds;
+  };
+  const auto device = [&](int n) {
+    return at((radius + size - 3e-3) * Vec3{std::sin(n * 1e-3), 0.0, std::cos(n * 1e-3)});
   };
   for (const auto& [noise, bound, seeds] :
        {Row{0.0, 0.1e-3, {128}}, Row{0.005, 0.1e-3, {128}}, Row{0.02, 0.2e-3, {128}},
         Row{0.05, 0.6e-3, {128}}, Row{0.1, 1.8e-3, {1, 3, 4}}}) {
-    const auto device = [&](int n) {
-      const double angle = n * 1e-3;
-      return at((radius + size - 3e-3) * Vec3{std::sin(angle), 0.0, std::cos(angle)});
-    };
+    const std::string name = shortly(100.0 * noise) + " %";
     double sum = 0.0;
     int frozen = 0, ticks = 0;
     for (const unsigned grain : seeds) {
       const auto scene = noisySphere(noise, found.seed + grain, ball(200, size));
-      Trial trial = brought(scene, 0.0, at(0, 0, 0.03), device(0), 60);
-      Trace trace{shortly(100.0 * noise) + " %", 30};
-      for (int n = 0; n < (found.tries > 1 ? 3000 : 2000); ++n, ++ticks) {
-        const Vec3 before = trial.place();
-        trial.step(device(n));
+      Trial& trial = found.brought(scene, 0.0, at(0, 0, 0.03), device(0), 60);
+      Vec3 before = trial.place();
+      const Trace line{grain == seeds.front() ? name : "", 30};
+      found.follow(trial, found.tries > 1 ? 3000 : 2000, line, device, [&](int n) {
         const Vec3 ideal = (radius + size) * device(n).translation().normalized();
         const double off = (trial.place() - ideal).norm();
         sum += off;
         frozen += (trial.place() - before).norm() < 1e-9;  // m: 1e-6 mm
-        trace.add(n, 1e3 * off);
-      }
-      found.add(trial);
-      if (grain == seeds.front()) lines.push_back(trace.series());
+        before = trial.place();
+        ++ticks;
+        return off;
+      });
     }
-    found.subject = "F3 freezing, " + shortly(100.0 * noise) + " % noise";
+    found.subject = "F3 freezing, " + name + " noise";
     found.atMost("from ideal, mean", 1e3 * sum / ticks, 1e3 * bound, "mm",
                  noise > 0.05
                      ? "Grains differ: single voxels stand off the surface, and some hold the ball."
@@ -160,15 +142,15 @@ void noiseOnASphere(Trials& found) {
     found.atMost("ticks frozen", 100.0 * frozen / ticks, 20.0, "%");
   }
   found.plot("A ball over a sphere, with noise",
-             "Distance from the ideal proxy, by noise as a share of the range", "from ideal [mm]",
-             lines);
+             "Distance from the ideal proxy, by noise as a share of the range", "from ideal [mm]");
 }
 
 // an oblique plane is exact in the trilinear field, however long the voxels are
 void longVoxels(Trials& found) {
-  std::vector<Series> lines;
   const double fine = 5e-4;
   const Vec3 n = Vec3{0.3, -0.2, 1.0}.normalized(), along = Vec3{1, 0, -0.3}.normalized();
+  const auto ideal = [&](int t) { return Vec3{(8e-6 * t - 8e-3) * along + 2e-3 * n}; };
+  const auto device = [&](int t) { return at(ideal(t) - 2e-3 * n); };
   for (const double ratio : {1.0, 4.0, 10.0, 20.0}) {
     Grid grid;
     grid.dims = {80, 80, std::llround(80.0 / ratio)};
@@ -180,27 +162,18 @@ void longVoxels(Trials& found) {
     auto plane = datasets::sampledFloat(
         grid, [&](const Vec3& p) { return -1000.0 * n.dot(p) / fine + 150.0 * grain(engine); });
     const auto scene = sceneOf(std::move(plane), ball(200, 2e-3));
-    const auto ideal = [&](int t) { return Vec3{(8e-6 * t - 8e-3) * along + 2e-3 * n}; };
-    Trial trial{scene, 0.0, at(ideal(0) + 5e-3 * n)};
-    trial.carry(trial.proxy.X_WP, at(ideal(0) - 2e-3 * n), 60);
-    Trace trace{"1:" + shortly(ratio), 20};
-    double sum = 0.0;
+    Trial& trial = found.trial(scene, 0.0, at(ideal(0) + 5e-3 * n));
+    trial.carry(trial.proxy.X_WP, device(0), 60);
+    const auto distance = [&](int t) { return (trial.place() - ideal(t)).norm(); };
     const int ticks = found.tries > 1 ? 2000 : 1000;
-    for (int t = 0; t < ticks; ++t) {
-      trial.step(at(ideal(t) - 2e-3 * n));
-      const double off = (trial.place() - ideal(t)).norm();
-      sum += off / ticks;
-      trace.add(t, 1e3 * off);
-    }
-    found.subject = "F6d voxels 1:" + shortly(ratio);
-    found.atMost("from ideal, mean", 1e3 * sum, 600.0 * fine, "mm",
+    const Trace off = found.follow(trial, ticks, {"1:" + shortly(ratio), 20}, device, distance);
+    found.subject = "F6d voxels " + off.name;
+    found.atMost("from ideal, mean", 1e3 * off.mean, 600.0 * fine, "mm",
                  "0.6 of the smallest voxel side");
-    found.add(trial);
-    lines.push_back(trace.series());
   }
   found.plot("A slide over voxels up to twenty times as deep as wide",
              "Distance from the ideal proxy, by how much deeper than wide the voxels are",
-             "from ideal [mm]", lines);
+             "from ideal [mm]");
 }
 
 }  // namespace
