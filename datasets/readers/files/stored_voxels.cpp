@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/files/stored_voxels.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <cstring>
+#include <stop_token>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "datasets/readers/files/refusal.h"
+#include "haptics/core/parallel.h"
+
+#ifndef MADV_POPULATE_WRITE
+#define MADV_POPULATE_WRITE 23  // Linux 5.14
+#endif
 
 namespace datasets {
 
@@ -54,6 +64,10 @@ class Filler {
 
   /// Of the stream's next `count` voxels each; at most the room that is left.
   bool take(ByteStream& from, std::int64_t count) {
+    if (!layout_.swapped && !layout_.doubles) {
+      char* const to = std::exchange(out_, out_ + count * bytes_);
+      return from.read(to, count * bytes_);
+    }
     if (!from.read(chunk_.data() + filled_ * bytes_, count * bytes_)) return false;
     filled_ += count;
     if (filled_ == kChunk) flush();
@@ -62,6 +76,7 @@ class Filler {
   std::int64_t room() const { return kChunk - filled_; }
 
   void flush() {
+    if (filled_ == 0) return;
     if (layout_.swapped) swapBytes(chunk_.data(), filled_, bytes_);
     if (layout_.doubles) {
       for (std::int64_t i = 0; i < filled_; ++i) {
@@ -84,6 +99,27 @@ class Filler {
   std::vector<char> chunk_;
   char* out_;
   std::int64_t filled_ = 0;
+};
+
+/// Has the system provide the pages of memory that is to be filled, ahead of the filling and beside
+/// it. A machine without a thread or a kernel for that provides each page when it is written.
+class PagesAhead {
+ public:
+  PagesAhead(void* memory, std::int64_t bytes) {
+    if (haptics::coreCount() == 1) return;
+    try {
+      thread_ = std::jthread([first = static_cast<char*>(memory), bytes](std::stop_token stop) {
+        for (std::int64_t at = 0; at < bytes && !stop.stop_requested(); at += kAtOnce)
+          madvise(first + at, static_cast<std::size_t>(std::min(kAtOnce, bytes - at)),
+                  MADV_POPULATE_WRITE);
+      });
+    } catch (const std::system_error&) {
+    }
+  }
+
+ private:
+  static constexpr std::int64_t kAtOnce = 4 << 20;  // bytes
+  std::jthread thread_;
 };
 
 /// One row of the window, which begins at voxel `row` of the block.
@@ -132,6 +168,8 @@ Expected<std::shared_ptr<void>> pickVoxels(ByteStream& from, std::int64_t begin,
   };
   from.watch(progress,
              begin + (rowAt(pick.last(3), pick.last(2), pick.last(1)) + pick.last(0) + 1) * bytes);
+  const PagesAhead pages(
+      voxels->get(), pick.voxelCount() * static_cast<std::int64_t>(haptics::sizeOf(layout.type)));
   Filler filler(layout, voxels->get());
   bool whole = true;
   for (std::int64_t a3 = pick.first[3]; whole && a3 <= pick.last(3); a3 += pick.step[3])
