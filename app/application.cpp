@@ -47,14 +47,15 @@ void Application::end() {
 
 void Application::start() {
   preferences_.restoreWindow();
-  window_.show();
-  picture_.start();
   LoadRequest request = arguments_.load;
   std::filesystem::path view;
   if (request.path && request.path->extension() == kViewEnding)
     view = *std::exchange(request.path, std::nullopt);
   if (!request.path && !request.phantom) request.phantom = "demo";
   opening_.load(std::move(request), tr("Loading"));
+  // beside the reading
+  window_.show();
+  picture_.start();
   // after it: a view may know its scan, which is then loaded instead
   if (!view.empty()) view_file_.open(view);
   recording_.offerRecovery();

@@ -6,14 +6,17 @@
 
 #include <QCoreApplication>
 #include <QMetaObject>
+#include <chrono>
 #include <system_error>
 #include <utility>
 
 namespace app::background {
 namespace {
 
-constexpr double kStep = 0.002;  // between two reports of progress
-constexpr int kLast = 10;        // a nice value
+// between two reports of progress; each has the window drawn anew
+constexpr double kStep = 0.002;
+constexpr std::chrono::milliseconds kPause{100};
+constexpr int kLast = 10;  // a nice value
 
 haptics::Error errorOf(const char* sentence, const char* reason) {
   return {haptics::Error::Kind::Unsupported,
@@ -42,7 +45,10 @@ haptics::Error threw(const char* words) { return {haptics::Error::Kind::Malforme
 
 void Watch::advanced(double fraction) const {
   if (fraction < told_ + kStep) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (told_ > 0.0 && now < told_at_ + kPause) return;
   told_ = fraction;
+  told_at_ = now;
   Threads* owner = &owner_;
   if (owner->progressed_) owner->post(number_, [owner, fraction] { owner->progressed_(fraction); });
 }

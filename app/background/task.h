@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -36,7 +37,8 @@ class Watch {
   const std::atomic<bool>& cancel;
   std::stop_token stop;
 
-  /// Reports the completed fraction, 0 to 1. Steps below 0.002 are not reported.
+  /// Reports the completed fraction, 0 to 1. Steps below 0.002, and those within 0.1 s of a
+  /// report, are not reported.
   void advanced(double fraction) const;
   /// Calls `action` on the owner's thread, in order, before the result is delivered. Dropped if the
   /// task was abandoned, started again or destroyed.
@@ -51,6 +53,7 @@ class Watch {
   Threads& owner_;
   std::uint64_t number_;
   mutable double told_ = 0.0;
+  mutable std::chrono::steady_clock::time_point told_at_;
 };
 
 /// The part of Task that does not depend on the type of the result. All calls must come from the

@@ -212,6 +212,7 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
   if (request.path) return readChosen(request, watch);
   Source source;
   if (request.phantom) {
+    watch.advanced(kSurveyed);  // a bar without a fraction is in motion, beside the making
     auto phantom = datasets::makePhantom(*request.phantom);
     if (!phantom) return tl::unexpected(phantom.error());
     source.isovalue = phantom->isovalue;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <thread>
 
 #include "datasets/phantoms/noise.h"
 #include "datasets/phantoms/sampling.h"
 #include "datasets/phantoms/skull_shape.h"
+#include "haptics/core/parallel.h"
 
 namespace datasets {
 namespace {
@@ -17,7 +17,7 @@ using skull::Vec3f;
 
 constexpr std::int64_t kDims[3] = {188, 232, 224};
 constexpr double kSkullSpacing = 0.001;  // m
-constexpr float kBrick = 8;              // voxels: the head is planned by bricks of this side
+constexpr std::int64_t kBrick = 8;       // voxels: the head is planned by bricks of this side
 constexpr float kMargin = 3.0f;          // mm: what is further off cannot show in a voxel
 constexpr float kNoise = 16.0f;          // HU, standard deviation
 constexpr float kPlate = 1.3f;           // mm, thickness of the orbits' walls towards the sinuses
@@ -95,35 +95,33 @@ float tissue(const skull::Anatomy& head, const Vec3f& p) {
   return mixed(kAir, value, share(skin));
 }
 
-/// Fills the bricks of layers k0 to k1 of voxels.
-void fill(const skull::Anatomy& whole, std::int64_t k0, std::int64_t k1, std::int16_t* voxels) {
+/// Fills the layer of bricks whose voxels begin at layer k0.
+void fill(const skull::Anatomy& whole, std::int64_t k0, std::int16_t* voxels) {
   const auto placed = [](std::int64_t i, std::int64_t j, std::int64_t k) {
     const auto along = [](std::int64_t n, int axis) {
       return static_cast<float>(n) - 0.5f * static_cast<float>(kDims[axis] - 1) + kShift[axis];
     };
     return Vec3f{along(i, 0), along(j, 1), along(k, 2)};
   };
-  constexpr auto side = static_cast<std::int64_t>(kBrick);
-  const Vec3f half = Vec3f::Constant(0.5f * (kBrick - 1.0f));
-  for (std::int64_t k = k0; k < k1; k += side)
-    for (std::int64_t j = 0; j < kDims[1]; j += side)
-      for (std::int64_t i = 0; i < kDims[0]; i += side) {
-        const Vec3f middle = placed(i, j, k) + half;
-        const auto kept = [&](const skull::Solid& s) {
-          return skull::near(s, middle, half, kMargin);
-        };
-        const skull::Anatomy head{kept(whole.bone), kept(whole.teeth),    kept(whole.septa),
-                                  kept(whole.fat),  kept(whole.air),      kept(whole.eyes),
-                                  kept(whole.skin), kept(whole.skin_cuts)};
-        for (std::int64_t c = k; c < std::min(k + side, k1); ++c)
-          for (std::int64_t b = j; b < std::min(j + side, kDims[1]); ++b)
-            for (std::int64_t a = i; a < std::min(i + side, kDims[0]); ++a) {
-              const float clean = head.skin.empty() ? kAir : tissue(head, placed(a, b, c));
-              const float grain = kNoise * noise::gaussian(noise::hashed(a, b, c, 41));
-              voxels[(c * kDims[1] + b) * kDims[0] + a] = static_cast<std::int16_t>(
-                  std::floor(std::clamp(clean + grain, -1024.0f, 3071.0f) + 0.5f));
-            }
-      }
+  const Vec3f half = Vec3f::Constant(0.5f * static_cast<float>(kBrick - 1));
+  for (std::int64_t j = 0; j < kDims[1]; j += kBrick)
+    for (std::int64_t i = 0; i < kDims[0]; i += kBrick) {
+      const Vec3f middle = placed(i, j, k0) + half;
+      const auto kept = [&](const skull::Solid& s) {
+        return skull::near(s, middle, half, kMargin);
+      };
+      const skull::Anatomy head{kept(whole.bone), kept(whole.teeth),    kept(whole.septa),
+                                kept(whole.fat),  kept(whole.air),      kept(whole.eyes),
+                                kept(whole.skin), kept(whole.skin_cuts)};
+      for (std::int64_t c = k0; c < std::min(k0 + kBrick, kDims[2]); ++c)
+        for (std::int64_t b = j; b < std::min(j + kBrick, kDims[1]); ++b)
+          for (std::int64_t a = i; a < std::min(i + kBrick, kDims[0]); ++a) {
+            const float clean = head.skin.empty() ? kAir : tissue(head, placed(a, b, c));
+            const float grain = kNoise * noise::gaussian(noise::hashed(a, b, c, 41));
+            voxels[(c * kDims[1] + b) * kDims[0] + a] = static_cast<std::int16_t>(
+                std::floor(std::clamp(clean + grain, -1024.0f, 3071.0f) + 0.5f));
+          }
+    }
 }
 
 }  // namespace
@@ -134,11 +132,8 @@ haptics::Expected<Phantom> skullPhantom() {
   if (!voxels) return tl::unexpected(voxels.error());
   auto* first = static_cast<std::int16_t*>(voxels->get());
   const skull::Anatomy head = skull::anatomy();
-  {
-    const std::int64_t middle = kDims[2] / 2 / 8 * 8;
-    std::jthread lower{[&] { fill(head, 0, middle, first); }};
-    fill(head, middle, kDims[2], first);
-  }
+  haptics::inParallel((kDims[2] + kBrick - 1) / kBrick,
+                      [&](std::int64_t layer) { fill(head, layer * kBrick, first); });
   return haptics::makeVolume(grid, haptics::ScalarType::Int16, std::move(*voxels),
                              {.unit = "HU", .modality = "CT"})
       .map([](haptics::Volume&& volume) {

@@ -4,14 +4,17 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <optional>
+#include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "haptics/core/parallel.h"
 #include "haptics/core/voxel_memory.h"
 
 namespace haptics {
@@ -91,16 +94,29 @@ void extend(Range& range, const T* voxels, std::int64_t count) {
   }
 }
 
-constexpr std::int64_t kBlock = 1 << 22;  // voxels between two looks at the caller
+constexpr std::int64_t kBlock = 1 << 20;  // voxels, which one thread takes at once
 
 /// None where `goes_on` says to stop.
 template <class T>
 std::optional<Range> rangeOf(const T* voxels, std::int64_t count,
                              const std::function<bool(double)>& goes_on) {
+  std::vector<Range> parts(static_cast<std::size_t>((count + kBlock - 1) / kBlock));
+  std::atomic<bool> stopped{false};
+  const auto caller = std::this_thread::get_id();
+  inParallel(static_cast<std::int64_t>(parts.size()), [&](std::int64_t n) {
+    const std::int64_t at = n * kBlock;
+    if (goes_on && std::this_thread::get_id() == caller &&
+        !goes_on(static_cast<double>(at) / static_cast<double>(count)))
+      stopped = true;
+    if (stopped) return;
+    extend(parts[static_cast<std::size_t>(n)], voxels + at, std::min(kBlock, count - at));
+  });
+  if (stopped) return {};
   Range range;
-  for (std::int64_t at = 0; at < count; at += kBlock) {
-    if (goes_on && !goes_on(static_cast<double>(at) / static_cast<double>(count))) return {};
-    extend(range, voxels + at, std::min(kBlock, count - at));
+  for (const Range& part : parts) {
+    range.least = std::min(range.least, part.least);
+    range.greatest = std::max(range.greatest, part.greatest);
+    range.non_finite += part.non_finite;
   }
   return range;
 }

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <thread>
 #include <type_traits>
+
+#include "haptics/core/parallel.h"
 
 namespace haptics {
 namespace {
@@ -81,6 +82,55 @@ bool allIn(const VoxelBox& box, std::int64_t i, std::int64_t j, std::int64_t k, 
   return i >= box.first[0] && j >= box.first[1] && k >= box.first[2] && i + n <= box.end[0] &&
          j + n <= box.end[1] && k + n <= box.end[2];
 }
+
+/// Bounds of blocks that lie side by side along i, each of n^3 voxels, from voxels that all exist.
+template <int n, class T>
+class RowBounds {
+ public:
+  /// `corner` is the first voxel of the first of `count` blocks.
+  void find(const T* corner, std::int64_t count, const BlockCounts& dims, const Vec3& spacing,
+            lanes::BlockBound* out) {
+    const std::size_t length = static_cast<std::size_t>(4 * (count - 1) + n);
+    top_.assign(corner, corner + length);
+    for (std::vector<Rise>* rises : {&dx_, &dy_, &dz_}) rises->assign(length, Rise{});
+    const std::int64_t row = dims[0], slice = dims[0] * dims[1];
+    for (std::int64_t k = 0; k < n; ++k)
+      for (std::int64_t j = 0; j < n; ++j) {
+        const T* const v = corner + k * slice + j * row;
+        for (std::size_t i = 0; i < length; ++i) top_[i] = std::max(top_[i], v[i]);
+        extend(dx_, v + 1, v, length - 1);
+        if (j + 1 < n) extend(dy_, v + row, v, length);
+        if (k + 1 < n) extend(dz_, v + slice, v, length);
+      }
+    for (std::int64_t b = 0; b < count; ++b) {
+      const auto greatest = [b](const auto& values, std::ptrdiff_t among) {
+        return static_cast<double>(
+            *std::max_element(values.begin() + 4 * b, values.begin() + 4 * b + among));
+      };
+      const Vec3 rise{greatest(dx_, n - 1), greatest(dy_, n), greatest(dz_, n)};
+      out[b] = {roundedUp(greatest(top_, n)), roundedUp(rise.cwiseQuotient(spacing).norm())};
+    }
+  }
+
+ private:
+  // differences of 8 and 16 bits are whole numbers that fit; those of 32 need more
+  static constexpr bool kNarrow = std::is_integral_v<T> && sizeof(T) <= 2;
+  using Rise =
+      typename std::conditional_t<kNarrow, std::make_unsigned<T>, std::type_identity<double>>::type;
+
+  static Rise riseOf(T a, T b) {
+    if constexpr (kNarrow)
+      return static_cast<Rise>(std::max(a, b) - std::min(a, b));
+    else
+      return std::abs(static_cast<double>(a) - static_cast<double>(b));
+  }
+  static void extend(std::vector<Rise>& most, const T* a, const T* b, std::size_t length) {
+    for (std::size_t i = 0; i < length; ++i) most[i] = std::max(most[i], riseOf(a[i], b[i]));
+  }
+
+  std::vector<T> top_;
+  std::vector<Rise> dx_, dy_, dz_;
+};
 
 /// Greatest voxel and greatest edge difference of the finest block (bi, bj, bk).
 template <class T>
@@ -181,31 +231,43 @@ lanes::BlockBound splineBound(const Blocked<T>& volume, std::int64_t bi, std::in
   return {roundedUp(double(top)), roundedUp(rise.cwiseQuotient(volume.spacing).norm())};
 }
 
+/// The bounds of the blocks of a row from (box.first[0], bj, bk) on. `one` is the bound of a single
+/// block, which looks at n^3 voxels; those whose voxels all exist are found together.
+template <int n, class T, class One>
+lanes::BlockBound* scanRow(const Blocked<T>& volume, const BlockBox& box, std::int64_t bj,
+                           std::int64_t bk, RowBounds<n, T>& together, One&& one,
+                           lanes::BlockBound* out) {
+  constexpr std::int64_t lead = (n - 3) / 2;  // voxels before the first cell, with its own
+  const BlockCounts& dims = volume.dims;
+  const std::int64_t j = 4 * bj - lead, k = 4 * bk - lead;
+  std::int64_t from = std::max(box.first[0], (volume.box.first[0] + lead + 3) / 4);
+  std::int64_t to = std::min(box.end[0], (volume.box.end[0] - n + lead + 4) / 4);
+  if (from >= to || !allIn(volume.box, 4 * from - lead, j, k, n)) from = to = box.end[0];
+  for (std::int64_t i = box.first[0]; i < from; ++i) *out++ = one(volume, i, bj, bk);
+  if (from < to)
+    together.find(volume.voxels + (k * dims[1] + j) * dims[0] + 4 * from - lead, to - from, dims,
+                  volume.spacing, out);
+  out += to - from;
+  for (std::int64_t i = to; i < box.end[0]; ++i) *out++ = one(volume, i, bj, bk);
+  return out;
+}
+
 /// The bounds of the blocks of a box, by themselves, in its order.
 void scanBlocks(const Volume& volume, const VoxelBox& bounds, FieldKind kind, const BlockBox& box,
                 lanes::BlockBound* out) {
   visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
     using T = std::remove_cvref_t<decltype(*voxels)>;
     const Blocked<T> blocked{voxels, volume.grid.dims, bounds, volume.least, volume.grid.spacing};
+    const auto scan = [&]<int n>(RowBounds<n, T> together, auto&& one) {
+      for (std::int64_t k = box.first[2]; k < box.end[2]; ++k)
+        for (std::int64_t j = box.first[1]; j < box.end[1]; ++j)
+          out = scanRow(blocked, box, j, k, together, one, out);
+    };
     if (kind == FieldKind::CubicSpline)
-      forBlocks(box, [&](auto i, auto j, auto k) { *out++ = splineBound(blocked, i, j, k); });
+      scan(RowBounds<7, T>{}, splineBound<T>);
     else
-      forBlocks(box, [&](auto i, auto j, auto k) { *out++ = cellBound(blocked, i, j, k); });
+      scan(RowBounds<5, T>{}, cellBound<T>);
   });
-}
-
-/// Calls f(n) for n below `count`, on as many threads as the machine runs at once.
-template <class F>
-void inParallel(std::int64_t count, F&& f) {
-  const std::int64_t workers =
-      std::clamp<std::int64_t>(std::thread::hardware_concurrency(), 1, count);
-  std::atomic<std::int64_t> next{0};
-  std::vector<std::thread> threads;
-  for (std::int64_t w = 0; w < workers; ++w)
-    threads.emplace_back([&] {
-      for (std::int64_t n; (n = next++) < count;) f(n);
-    });
-  for (std::thread& thread : threads) thread.join();
 }
 
 float greater(float a, float b) { return std::max(a, b); }
@@ -214,23 +276,42 @@ lanes::BlockBound greater(const lanes::BlockBound& a, const lanes::BlockBound& b
   return {std::max(a.greatest, b.greatest), std::max(a.lipschitz, b.lipschitz)};
 }
 
+/// Makes every block the greatest of itself and its two neighbours along one axis, for `width`
+/// lines side by side of `count` blocks, `stride` apart. `before` is room for `width` blocks.
+template <class Block>
+void dilateLines(Block* layer, std::int64_t count, std::int64_t stride, std::int64_t width,
+                 Block* before) {
+  for (std::int64_t b = 0; b < count; ++b, layer += stride)
+    for (std::int64_t i = 0; i < width; ++i) {
+      const Block here = layer[i];
+      if (b > 0) layer[i] = greater(layer[i], before[i]);
+      if (b + 1 < count) layer[i] = greater(layer[i], layer[i + stride]);
+      before[i] = here;
+    }
+}
+
 /// Makes every block the greatest of itself and its 26 neighbours; beyond the grid nothing counts.
 /// In place: of a large volume the blocks alone are a gigabyte.
 template <class Block>
-void dilate(std::vector<Block>& values, const BlockCounts& blocks) {
-  std::int64_t stride = 1;
-  for (int axis = 0; axis < 3; stride *= blocks[axis], ++axis) {
-    const std::int64_t n = blocks[axis];
-    std::vector<Block> before(static_cast<std::size_t>(stride));  // the layer below, as it was
-    for (Block* layer = values.data(); layer != values.data() + values.size();)
-      for (std::int64_t b = 0; b < n; ++b, layer += stride)
-        for (std::int64_t i = 0; i < stride; ++i) {
-          const Block here = layer[i];
-          if (b > 0) layer[i] = greater(layer[i], before[static_cast<std::size_t>(i)]);
-          if (b + 1 < n) layer[i] = greater(layer[i], layer[i + stride]);
-          before[static_cast<std::size_t>(i)] = here;
-        }
-  }
+void dilate(std::vector<Block>& values, const BlockCounts& blocks, int threads) {
+  const std::int64_t row = blocks[0], slice = row * blocks[1];
+  inParallel(
+      blocks[2],
+      [&](std::int64_t k) {
+        Block* const first = values.data() + k * slice;
+        std::vector<Block> before(static_cast<std::size_t>(row));
+        for (std::int64_t j = 0; j < blocks[1]; ++j)
+          dilateLines(first + j * row, row, 1, 1, before.data());
+        dilateLines(first, blocks[1], row, row, before.data());
+      },
+      threads);
+  inParallel(
+      blocks[1],
+      [&](std::int64_t j) {
+        std::vector<Block> before(static_cast<std::size_t>(row));
+        dilateLines(values.data() + j * row, blocks[2], slice, row, before.data());
+      },
+      threads);
 }
 
 BlockCounts sidesOf(const BlockBox& box) {
@@ -361,7 +442,8 @@ std::vector<BlockBox> touchedBlocks(const VoxelBox& was, const VoxelBox& is,
 
 }  // namespace
 
-MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<bool>* cancel)
+MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<bool>* cancel,
+                       int threads)
     : box_{volume.bounds()}, smallest_spacing_{volume.grid.spacing.minCoeff()} {
   BlockCounts blocks;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -370,11 +452,14 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<b
   const auto isCancelled = [cancel] { return cancel != nullptr && *cancel; };
 
   // every block layer is independent of the others
-  inParallel(blocks[2], [&](std::int64_t k) {
-    if (isCancelled()) return;
-    scanBlocks(volume, box_, kind, {{0, 0, k}, {blocks[0], blocks[1], k + 1}},
-               finest_.data() + k * blocks[0] * blocks[1]);
-  });
+  inParallel(
+      blocks[2],
+      [&](std::int64_t k) {
+        if (isCancelled()) return;
+        scanBlocks(volume, box_, kind, {{0, 0, k}, {blocks[0], blocks[1], k + 1}},
+                   finest_.data() + k * blocks[0] * blocks[1]);
+      },
+      threads);
   if (isCancelled()) return;
 
   // each coarser level from the one below it, before that is dilated
@@ -385,18 +470,23 @@ MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<b
     for (std::size_t axis = 0; axis < 3; ++axis) coarser[axis] = (blocks[axis] + 1) / 2;
     std::vector<float> next(static_cast<std::size_t>(coarser[0] * coarser[1] * coarser[2]),
                             -std::numeric_limits<float>::infinity());
-    std::size_t at = 0;
-    for (std::int64_t k = 0; k < blocks[2]; ++k)
-      for (std::int64_t j = 0; j < blocks[1]; ++j)
-        for (std::int64_t i = 0; i < blocks[0]; ++i, ++at) {
-          float& top = next[((k / 2) * coarser[1] + j / 2) * coarser[0] + i / 2];
-          top = std::max(top, l == 0 ? finest_[at].greatest : own[at]);
-        }
+    inParallel(
+        coarser[2],
+        [&](std::int64_t above) {
+          for (std::int64_t k = 2 * above; k < std::min(2 * above + 2, blocks[2]); ++k)
+            for (std::int64_t j = 0; j < blocks[1]; ++j) {
+              float* const row = next.data() + placeOf(coarser, 0, j / 2, above);
+              const std::size_t at = placeOf(blocks, 0, j, k);
+              for (std::size_t i = 0; i < static_cast<std::size_t>(blocks[0]); ++i)
+                row[i / 2] = std::max(row[i / 2], l == 0 ? finest_[at + i].greatest : own[at + i]);
+            }
+        },
+        threads);
     if (l == 0) {
-      dilate(finest_, blocks);
+      dilate(finest_, blocks, threads);
     } else {
       levels_[l].greatest = own;
-      dilate(levels_[l].greatest, blocks);
+      dilate(levels_[l].greatest, blocks, threads);
       levels_[l].own = std::move(own);
     }
     blocks = coarser;
@@ -434,7 +524,7 @@ MaxPyramid::MaxPyramid(const MaxPyramid& before, const Volume& volume,
         levels_[1].own[placeOf(levels_[1].blocks, i, j, k)] = greatestBelow(
             bounds, seen, i, j, k, [](const lanes::BlockBound& bound) { return bound.greatest; });
       });
-      dilate(bounds, sidesOf(seen));
+      dilate(bounds, sidesOf(seen), 1);
       copyBlocks(bounds, seen, part, finest_, all);
     });
   }
@@ -453,7 +543,7 @@ MaxPyramid::MaxPyramid(const MaxPyramid& before, const Volume& volume,
       const BlockBox seen = grown(part, 1, level.blocks);
       std::vector<float> values(static_cast<std::size_t>(countOf(seen)));
       copyBlocks(level.own, whole, seen, values, seen);
-      dilate(values, sidesOf(seen));
+      dilate(values, sidesOf(seen), 1);
       copyBlocks(values, seen, part, level.greatest, whole);
     }
   }

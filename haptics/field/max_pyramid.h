@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "haptics/core/geometry.h"
+#include "haptics/core/parallel.h"
 #include "haptics/core/realtime.h"
 #include "haptics/core/volume.h"
 #include "haptics/field/field_kind.h"
@@ -28,9 +29,10 @@ namespace haptics {
 /// The blocks lie over the whole grid. Beyond the volume's crop there is only background.
 class MaxPyramid {
  public:
-  /// If `cancel` becomes true meanwhile, the result is incomplete and must not be used.
+  /// On so many threads, whose number changes nothing of the result. If `cancel` becomes true
+  /// meanwhile, the result is incomplete and must not be used.
   explicit MaxPyramid(const Volume& volume, FieldKind kind = FieldKind::Trilinear,
-                      const std::atomic<bool>* cancel = nullptr);
+                      const std::atomic<bool>* cancel = nullptr, int threads = coreCount());
 
   /// Equal to a new pyramid of `volume`, from one of the same kind over the volume that it was
   /// before: with the same grid, type and background, and the same voxels outside the boxes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// palpate-moving: what a picture costs while the camera turns, in the whole window.
+// palpate-moving: what a picture costs in the whole window while the camera turns, and how long a
+// new surface takes while the isovalue is dragged.
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -16,11 +17,14 @@
 #include <map>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/application.h"
+#include "app/build_info/build_info.h"
 #include "ui/volume_view.h"
 
 namespace {
@@ -30,6 +34,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kWarm = 10;         // pictures before those that count
 constexpr double kTurn_px = 7.0;  // of the mouse, for a picture
 constexpr double kLongest_s = 120.0;
+constexpr double kDrag = 0.003;  // of the range of the voxels, for a picture
 
 double msSince(Clock::time_point begun) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
@@ -77,10 +82,13 @@ class TimedApplication : public QApplication {
   std::map<std::string, Paint> paints;
 };
 
-double median(std::vector<double> values) {
+/// What this share of the values does not exceed.
+double share(std::vector<double> values, double of) {
   std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[values.size() / 2];
+  if (values.empty()) return 0.0;
+  return values[static_cast<std::size_t>(of * static_cast<double>(values.size() - 1))];
 }
+double median(std::vector<double> values) { return share(std::move(values), 0.5); }
 
 void turn(ui::VolumeView& view, QPointF& at, QPointF by) {
   at += by;
@@ -92,9 +100,32 @@ bool waitFor(const std::function<bool()>& done) {
   const auto begun = Clock::now();
   while (!done() && msSince(begun) < kLongest_s * 1e3) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return done();
+}
+
+/// Milliseconds from the wish for an isovalue, as the slider tells it, to the window with its
+/// surface on the screen; over a sixteenth of the range from `isovalue` on.
+std::vector<double> drag(app::Application& application, double isovalue, int pictures) {
+  const haptics::Volume& volume = *application.shown()->volume();
+  const double step = kDrag * (volume.greatest - volume.least);
+  int swapped = 0;
+  const auto counted = QObject::connect(&application.window().view(), &QOpenGLWidget::frameSwapped,
+                                        [&] { ++swapped; });
+  std::vector<double> wall;
+  for (int n = -kWarm; n < pictures; ++n) {
+    const int drawn = application.window().view().frames();
+    const auto begun = Clock::now();
+    emit application.window().isovalueWanted(isovalue + step * (1 + (n + kWarm) % 20));
+    const bool done = waitFor([&] {
+      if (application.window().view().frames() == drawn) swapped = 0;
+      return swapped > 0;
+    });
+    if (done && n >= 0) wall.push_back(msSince(begun));
+  }
+  QObject::disconnect(counted);
+  return wall;
 }
 
 void rest(double seconds) {
@@ -106,7 +137,7 @@ void rest(double seconds) {
 
 int main(int argc, char** argv) {
   CLI::App cli{"What a picture of the 3-D view costs while the camera turns."};
-  std::string path, pictures_in;
+  std::string path, pictures_in, out;
   double isovalue = 0.0, second = 0.0, settle_s = 8.0;
   int pictures = 120;
   bool fixed = false;
@@ -117,6 +148,7 @@ int main(int argc, char** argv) {
   cli.add_option("--settle", settle_s, "Seconds of rest before, for the fine mesh");
   cli.add_option("--keep", pictures_in, "Folder for pictures of the view in motion and at rest");
   cli.add_flag("--view-alone", fixed, "Draw the 3-D view alone, without the window around it");
+  cli.add_option("--out", out, "JSON, besides what is printed");
   CLI11_PARSE(cli, argc, argv);
 
   ui::Viewport::prepareApplication();
@@ -195,5 +227,27 @@ int main(int argc, char** argv) {
   QCoreApplication::sendEvent(&view, &release);
   rest(settle_s);
   keep("after");
+
+  const std::vector<double> wanted_to_drawn = drag(application, isovalue, pictures);
+  keep("dragged");
+  std::printf("  isovalue dragged, from wanted to drawn: median %.1f ms, nine of ten within %.1f\n",
+              median(wanted_to_drawn), share(wanted_to_drawn, 0.9));
+  if (!out.empty())
+    std::ofstream(out) << nlohmann::ordered_json{{"machine", app::machineHere()},
+                                                 {"version", app::versionHere()},
+                                                 {"of",
+                                                  std::filesystem::path(path).filename().string()},
+                                                 {"view", {view.width(), view.height()}},
+                                                 {"pictures", pictures},
+                                                 {"turned",
+                                                  {{"wall_ms", median(wall)},
+                                                   {"cpu_ms", median(cpu)},
+                                                   {"gui_ms", median(gui)}}},
+                                                 {"isovalue_dragged",
+                                                  {{"median_ms", median(wanted_to_drawn)},
+                                                   {"nine_of_ten_ms", share(wanted_to_drawn, 0.9)},
+                                                   {"most_ms", share(wanted_to_drawn, 1.0)}}}}
+                              .dump(2)
+                       << '\n';
   return 0;
 }

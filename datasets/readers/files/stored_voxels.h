@@ -51,7 +51,8 @@ haptics::Expected<std::shared_ptr<void>> pickVoxels(ByteStream& from, std::int64
                                                     const std::filesystem::path& file,
                                                     const ReadProgress& progress);
 
-/// The same from a file, block by block.
+/// The same from a file: all voxels of a gzip stream of up to 512 MiB at once, which reports no
+/// progress meanwhile; all else block by block.
 haptics::Expected<std::shared_ptr<void>> readVoxels(const StoredVoxels& stored, int number,
                                                     const Window& window,
                                                     const ReadProgress& progress);

@@ -404,9 +404,7 @@ Expected<haptics::Volume> decodeNrrd(const ParsedNrrd& nrrd, int number, const P
   if (isReadHere(header)) {
     if (auto found = findVoxels(header, stored.voxels); !found)
       return tl::unexpected(std::move(found.error()));
-    const bool alone = header.volumes == 1 && part.isWhole();
-    if (!alone || isMapped(stored.voxels, number, *window))
-      return readVolume(stored, number, part, progress);
+    return readVolume(stored, number, part, progress);
   }
   const ReadProgress decoding = progress.part(0.0, kDecoding);
   auto voxels = [&] {

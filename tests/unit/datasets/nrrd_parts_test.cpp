@@ -88,6 +88,8 @@ TEST(NrrdParts, AreTakenOfEveryEncoding) {
       {"be.nrrd", headerInParts(big + "encoding: raw\n\n") + swapped(raw, 2)},
       {"gz.nrrd", headerInParts(little + "encoding: gzip\n\n") + deflated(raw)},
       {"gzbe.nrrd", headerInParts(big + "encoding: gzip\n\n") + deflated(swapped(raw, 2))},
+      {"gztwo.nrrd", headerInParts(little + "encoding: gzip\n\n") + deflated(raw.substr(0, 300)) +
+                         deflated(raw.substr(300))},
       {"gzlast.nrrd",
        headerInParts(little + "encoding: gzip\nbyte skip: -1\n\n") + deflated("odd" + raw)},
       {"double.nrrd", headerInParts(little + "encoding: raw\n\n", "double") + voxels<double>()},
@@ -121,14 +123,18 @@ TEST(NrrdParts, AreTakenOfEveryEncoding) {
   }
 }
 
-TEST(NrrdParts, OfADamagedFileAreRefused) {
+TEST(NrrdParts, AndAllOfADamagedFileAreRefused) {
   Workshop workshop;
   const std::string packed = deflated(voxels<std::int16_t>());
   const auto reason = [&](const std::string& bytes) {
-    const auto v = readVolume(
-        workshop.write("v.nrrd", headerInParts("endian: little\nencoding: gzip\n\n") + bytes),
-        {.part = {.step = 2}});
-    return v ? "" : v.error().reason;
+    const fs::path path =
+        workshop.write("v.nrrd", headerInParts("endian: little\nencoding: gzip\n\n") + bytes);
+    const auto part = readVolume(path, {.part = {.step = 2}}), all = readVolume(path);
+    EXPECT_EQ(part.has_value(), all.has_value());
+    if (!part && !all) {
+      EXPECT_EQ(part.error().reason, all.error().reason);
+    }
+    return part ? "" : part.error().reason;
   };
   EXPECT_EQ(reason(packed), "");
   EXPECT_EQ(reason(packed.substr(0, packed.size() / 2)), "truncated");

@@ -444,7 +444,8 @@ TEST(NrrdReader, CancelEndsTheRead) {
   NEEDS_SCAN(path);
   std::atomic<bool> cancel = false;
   double last = 0.0;
-  const auto v = readVolume(path, {},
+  // all of it is inflated at once; this is not
+  const auto v = readVolume(path, {.part = {.step = 2}},
                             {[&](double f) {
                                last = f;
                                cancel = f > 0.3;

@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -100,6 +104,98 @@ TEST(MaxPyramid, StatesOnlyBoundsThatHoldOnPlateausOfEveryTypeAndFrame) {
   EXPECT_GT(seen.wide, made::trials(300));
   EXPECT_GT(seen.sloped, made::trials(2000));
   EXPECT_GT(seen.inside, made::trials(500));
+}
+
+/// The finest blocks of the trilinear field as their definition has them, voxel by voxel.
+std::vector<haptics::lanes::BlockBound> finestByDefinition(const Volume& volume,
+                                                           const std::array<std::int64_t, 3>& n) {
+  const haptics::VoxelBox box = volume.bounds();
+  const auto& dims = volume.grid.dims;
+  const auto valueAt = [&](std::int64_t i, std::int64_t j, std::int64_t k) {
+    const std::int64_t at[3] = {i, j, k};
+    for (std::size_t a = 0; a < 3; ++a)
+      if (at[a] < box.first[a] || at[a] >= box.end[a]) return volume.least;
+    return haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* v) {
+      return static_cast<double>(v[(k * dims[1] + j) * dims[0] + i]);
+    });
+  };
+  const auto upwards = [](double x) {
+    const auto f = static_cast<float>(x);
+    return double{f} < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+  };
+  std::vector<haptics::lanes::BlockBound> own, dilated;
+  const auto each = [&](auto&& f) {
+    for (std::int64_t k = 0; k < n[2]; ++k)
+      for (std::int64_t j = 0; j < n[1]; ++j)
+        for (std::int64_t i = 0; i < n[0]; ++i) f(i, j, k);
+  };
+  each([&](std::int64_t bi, std::int64_t bj, std::int64_t bk) {
+    double top = volume.least;
+    Vec3 rise = Vec3::Zero();
+    for (std::int64_t k = 4 * bk - 1; k < 4 * bk + 4; ++k)
+      for (std::int64_t j = 4 * bj - 1; j < 4 * bj + 4; ++j)
+        for (std::int64_t i = 4 * bi - 1; i < 4 * bi + 4; ++i) {
+          const double v = valueAt(i, j, k);
+          top = std::fmax(top, v);
+          if (i < 4 * bi + 3) rise[0] = std::fmax(rise[0], std::abs(valueAt(i + 1, j, k) - v));
+          if (j < 4 * bj + 3) rise[1] = std::fmax(rise[1], std::abs(valueAt(i, j + 1, k) - v));
+          if (k < 4 * bk + 3) rise[2] = std::fmax(rise[2], std::abs(valueAt(i, j, k + 1) - v));
+        }
+    own.push_back({upwards(top), upwards(rise.cwiseQuotient(volume.grid.spacing).norm())});
+  });
+  each([&](std::int64_t bi, std::int64_t bj, std::int64_t bk) {
+    haptics::lanes::BlockBound most = own[static_cast<std::size_t>((bk * n[1] + bj) * n[0] + bi)];
+    each([&](std::int64_t i, std::int64_t j, std::int64_t k) {
+      if (std::max({std::abs(i - bi), std::abs(j - bj), std::abs(k - bk)}) > 1) return;
+      const auto& one = own[static_cast<std::size_t>((k * n[1] + j) * n[0] + i)];
+      most = {std::max(most.greatest, one.greatest), std::max(most.lipschitz, one.lipschitz)};
+    });
+    dilated.push_back(most);
+  });
+  return dilated;
+}
+
+bool isSame(const haptics::lanes::BlockBound* a, const haptics::lanes::BlockBound* b,
+            std::size_t count) {
+  return std::memcmp(a, b, count * sizeof *a) == 0;
+}
+
+TEST(MaxPyramid, HasTheBoundsOfItsDefinitionInEveryType) {
+  Random random{15};
+  int k = 0;
+  for (const ScalarType type : made::kTypes)
+    for (const bool cropped : {false, true}) {
+      SCOPED_TRACE(haptics::nameOf(type));
+      ++k;
+      const Grid grid = made::oddGrid(k, {17 + k, 9 + 2 * k, 30 - k}, random);
+      Volume volume = made::randomVolume(grid, type, random);
+      if (cropped) volume.crop = made::randomBox(grid, random);
+      const MaxPyramid pyramid{volume};
+      const auto wanted = finestByDefinition(volume, pyramid.finestCounts());
+      EXPECT_TRUE(isSame(pyramid.finest(), wanted.data(), wanted.size()));
+    }
+}
+
+TEST(MaxPyramid, IsTheSameToTheBitOnAnyNumberOfThreads) {
+  Random random{16};
+  int k = 0;
+  for (const ScalarType type : made::kTypes)
+    for (const haptics::FieldKind kind :
+         {haptics::FieldKind::Trilinear, haptics::FieldKind::CubicSpline})
+      for (const bool cropped : {false, true}) {
+        SCOPED_TRACE(haptics::nameOf(type));
+        ++k;
+        const Grid grid = made::oddGrid(k, {31 + k, 67 - k, 43 + 2 * k}, random);
+        Volume volume = made::randomVolume(grid, type, random);
+        if (cropped) volume.crop = made::randomBox(grid, random);
+        const MaxPyramid alone{volume, kind, nullptr, 1};
+        const auto [i, j, l] = alone.finestCounts();
+        for (const int threads : {2, 3, 7}) {
+          const MaxPyramid shared{volume, kind, nullptr, threads};
+          EXPECT_EQ(shared, alone) << threads << " threads";
+          EXPECT_TRUE(isSame(shared.finest(), alone.finest(), static_cast<std::size_t>(i * j * l)));
+        }
+      }
 }
 
 TEST(MaxPyramid, StatesOnlyBoundsThatHoldInACrop) {
