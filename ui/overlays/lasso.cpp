@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/overlays/marks_style.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -35,9 +36,9 @@ void Lasso::setActive(bool active) {
 
 void Lasso::paint(QPainter& painter, const ViewGeometry& view) const {
   if (on_ != &view.widget() || line_.size() < 2) return;
-  QColor fill = kGoesColour;
+  QColor fill = style::kGoes;
   fill.setAlpha(50);
-  painter.setPen(QPen(kGoesColour, 1.8));
+  painter.setPen(QPen(style::kGoes, 1.8));
   painter.setBrush(fill);
   painter.drawPolygon(line_);
 }
