@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/style/look.h"
+#include "ui/style/style.h"
+
 namespace ui {
 
 HistogramSlider::HistogramSlider(QWidget* parent) : QAbstractSlider(parent) {
@@ -36,17 +39,19 @@ int HistogramSlider::stepOf(double intensity) const {
 
 void HistogramSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), palette().color(QPalette::Base));
+  const style::Colours& c = style::colours();
+  painter.fillRect(rect(), c.control);
   const double mark = (width() - 1) * static_cast<double>(value()) / kSteps;
   const auto bins = static_cast<int>(histogram_.counts.size());
-  const QColor solid(214, 196, 160), empty(120, 125, 135, 120);
   for (int x = 0; x < width() && bins > 0; ++x) {
     const auto bin = static_cast<std::size_t>(std::min(bins - 1, x * bins / width()));
     const double tall = std::log1p(histogram_.counts[bin]) / tallest_ * (height() - 4);
-    painter.fillRect(QRectF{x + 0.0, height() - tall, 1.0, tall}, x >= mark ? solid : empty);
+    painter.fillRect(QRectF{x + 0.0, height() - tall, 1.0, tall}, x >= mark ? c.solid : c.empty);
   }
-  painter.setPen(QPen(hasFocus() ? QColor(255, 120, 40) : QColor(230, 90, 30), 2.0));
+  painter.setPen(QPen(c.accent, 2.0));
   painter.drawLine(QPointF{mark, 0.0}, QPointF{mark, height() + 0.0});
+  if (!hasFocus()) return;
+  painter.drawRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0));
 }
 
 void HistogramSlider::follow(double x) {

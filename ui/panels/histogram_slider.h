@@ -20,8 +20,8 @@ class HistogramSlider : public QAbstractSlider {
   const Histogram& histogram() const { return histogram_; }
   double intensityAt(int step) const;
   int stepOf(double intensity) const;
-  QSize sizeHint() const override { return {260, 110}; }
-  QSize minimumSizeHint() const override { return {160, 80}; }
+  QSize sizeHint() const override { return {260, 88}; }
+  QSize minimumSizeHint() const override { return {160, 72}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
