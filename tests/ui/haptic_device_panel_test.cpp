@@ -426,7 +426,7 @@ TEST(HapticDevicePanel, WhatHasNoMotorsIsNotArmed) {
   haptics::Snapshot snapshot;
   snapshot.force_state = ForceState::Ready;
   shown.panel.display(snapshot);
-  EXPECT_EQ(shown.find<QLabel>("forceState")->text(), "No motors: nothing is felt");
+  EXPECT_EQ(shown.find<QLabel>("forceState")->text(), "No motors, no force");
   EXPECT_TRUE(shown.find<QLabel>("forceReason")->text().contains("nothing is felt"));
   EXPECT_FALSE(shown.find<QPushButton>("arm")->isEnabled());
   snapshot.trouble = Trouble::Lost;

@@ -272,7 +272,7 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   EXPECT_FALSE(t.resume()->isVisible());  // what is gone is not armed
   t.window.setHand("SpaceMouse", ui::Feel::Nothing);
   t.tell(ForceState::Ready);
-  EXPECT_EQ(t.state(), "No motors: nothing is felt");
+  EXPECT_EQ(t.state(), "No motors, no force");
   EXPECT_FALSE(t.resume()->isVisible());
   // what is shown of a recording is no force now
   t.window.setHand("omega.6", ui::Feel::Felt);

@@ -109,7 +109,7 @@ ForceSaid stateOf(const haptics::Snapshot& snapshot, Feel feel) {
 }
 
 ForceSaid stateOf(ForceState state, Feel feel) {
-  if (feel == Feel::Nothing) return {Mark::Off, Words::tr("No motors: nothing is felt")};
+  if (feel == Feel::Nothing) return {Mark::Off, Words::tr("No motors, no force")};
   const bool felt = feel == Feel::Felt;
   switch (state) {
     case ForceState::Off:
