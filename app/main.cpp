@@ -10,10 +10,12 @@
 #include "app/display.h"
 #include "app/recording/volume_hash.h"
 #include "app/signals.h"
+#include "app/window/preferences.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/files/archive.h"
 #include "haptics/servo/emergency.h"
 #include "resources/named_tools.h"
+#include "ui/style/style.h"
 
 namespace {
 
@@ -93,6 +95,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationVersion(PALPATE_VERSION);
   int qt_argc = 1;  // the arguments are ours
   QApplication qt(qt_argc, argv);
+  ui::style::dress(qt, ui::style::themeOf(app::loadPreferences().theme));
   display.reset();  // Qt holds its own
   datasets::sweepTemporaryFolders();
   // a file that may not grow further is an error like any other

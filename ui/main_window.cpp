@@ -7,7 +7,6 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFrame>
@@ -18,19 +17,23 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSplitter>
 #include <QStatusBar>
 #include <QTextBrowser>
-#include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/banner.h"
 #include "ui/bindings.h"
 #include "ui/escape_filter.h"
-#include "ui/panels/force_words.h"
+#include "ui/panels/force_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/status_line.h"
 #include "ui/plane_colours.h"
+#include "ui/state_chip.h"
+#include "ui/style/scene_colours.h"
+#include "ui/style/style.h"
 #include "ui/view_actions.h"
 #include "ui/view_frame.h"
 #include "ui/volume_view.h"
@@ -39,7 +42,20 @@ namespace ui {
 namespace {
 
 constexpr int kWordsMs = 100;  // between two changes of force and status in words
-constexpr std::array kStackHeights{165, 275, 340};  // px
+
+QString sizeWords(const haptics::Volume& volume) {
+  const auto& dims = volume.grid.dims;
+  const haptics::Vec3 mm = volume.grid.spacing * 1e3;
+  return MainWindow::tr("%1 × %2 × %3 voxels · %4 × %5 × %6 mm")
+      .arg(dims[0])
+      .arg(dims[1])
+      .arg(dims[2])
+      .arg(mm.x(), 0, 'g', 3)
+      .arg(mm.y(), 0, 'g', 3)
+      .arg(mm.z(), 0, 'g', 3);
+}
+
+QString themeAction(style::Theme theme) { return "theme_" + style::nameOf(theme); }
 
 }  // namespace
 
@@ -49,80 +65,50 @@ MainWindow::MainWindow(QWidget* parent)
       slice_set_(new SliceSet(this)),
       slices_(slice_set_->slices()),
       replay_(new ReplayBar),
+      bar_(new TopBar),
+      side_(new SidePanel),
+      splitter_(new QSplitter),
       status_(new StatusLine),
-      fault_bar_(new QFrame),
-      fault_(new QLabel),
-      message_bar_(new QFrame),
-      message_(new QLabel),
-      force_state_(new QLabel),
+      scan_line_(new QLabel),
+      graphics_(new QLabel),
+      details_(new QToolButton),
+      fault_(new Banner(Banner::Kind::Fault, "fault")),
+      message_(new Banner(Banner::Kind::Attention, "message")),
+      stopped_(new Banner(Banner::Kind::Stopped, "stopped")),
+      resume_(stopped_->addButton("forceOn")),
       loading_(new QFrame),
       loading_what_(new QLabel),
       progress_(new QProgressBar) {
   setWindowTitle(QStringLiteral("Palpate"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/palpate.svg")));
   setAcceptDrops(true);
-  setContextMenuPolicy(Qt::NoContextMenu);  // its menu could hide the force bar
-  buildForceBar();
+  buildBanners();
   buildViews();
   buildMenus();
   buildStatusBar();
   words_.setSingleShot(true);
   words_.setInterval(kWordsMs);
   connect(&words_, &QTimer::timeout, this, &MainWindow::displayWords);
-  connect(new EscapeFilter(this), &EscapeFilter::pressed, this, &MainWindow::forceOffWanted);
-  resize(1240, 840);
+  connect(new EscapeFilter(this), &EscapeFilter::pressed, this,
+          [this] { stopForce(tr("Force stopped by Escape")); });
+  connect(this, &MainWindow::forceOnWanted, this, [this] { stopped_by_.clear(); });
+  connect(side_, &SidePanel::changed, this, &MainWindow::panelsChanged);
+  bar_->force().show(Mark::Off, tr("Nothing to touch yet"));
+  view_->setFocus();  // where Space stops the force
+  resize(1280, 840);
 }
 
-void MainWindow::buildForceBar() {
-  auto* bar = new QToolBar(tr("Force"));
-  bar->setObjectName("forceBar");
-  bar->setMovable(false);
-  bar->toggleViewAction()->setEnabled(false);
-  auto* off = new QToolButton;
-  off->setObjectName("forceOff");
-  off->setText(tr("FORCE OFF"));
-  off->setToolTip(tr("Zero force at once (Escape anywhere, Space in the 3-D view)"));
-  off->setStyleSheet(
-      "QToolButton { background: #c81e1e; color: white; font-weight: bold; padding: 6px 18px; }"
-      "QToolButton:hover { background: #e03030; }");
-  auto* on = new QToolButton;
-  on->setObjectName("forceOn");
-  on->setText(tr("Force on"));
-  on->setStyleSheet("padding: 6px 12px;");
-  connect(off, &QToolButton::clicked, this, &MainWindow::forceOffWanted);
-  connect(on, &QToolButton::clicked, this, &MainWindow::forceOnWanted);
-  bar->addWidget(off);  // leftmost: never in the overflow
-  bar->addWidget(on);
-  force_state_->setObjectName("forceStateBar");
-  force_state_->setAccessibleName(tr("State of the force"));
-  bar->addSeparator();
-  bar->addWidget(force_state_);
-  addToolBar(Qt::TopToolBarArea, bar);
-}
-
-void MainWindow::buildBar(QFrame* bar, QLabel* words, const char* name, const char* style) {
-  words->setObjectName(name);
-  words->setWordWrap(true);
-  words->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* close = new QToolButton;
-  close->setObjectName(QString(name) + "Close");
-  close->setText(tr("Close"));
-  connect(close, &QToolButton::clicked, bar, &QWidget::hide);
-  bar->setStyleSheet(style);
-  auto* row = new QHBoxLayout(bar);
-  row->addWidget(words, 1);
-  row->addWidget(close);
-  bar->hide();
+void MainWindow::buildBanners() {
+  connect(bar_, &TopBar::stopWanted, this, [this] { stopForce(tr("Force stopped")); });
+  connect(resume_, &QPushButton::clicked, this, &MainWindow::forceOnWanted);
+  resume_->setToolTip(tr("The force may come back: hold the handle"));
+  fault_->addClose();
+  message_->addClose();
 }
 
 void MainWindow::buildViews() {
-  buildBar(message_bar_, message_, "message",
-           "QFrame { background: #7a4a00; } QLabel { color: white; }");
-  buildBar(fault_bar_, fault_, "fault",
-           "QFrame { background: #3a2400; } QLabel { color: #ffd9a0; font-weight: bold; }");
-
   ViewLayout::Frames frames{};
-  frames[0] = new ViewFrame(view_, QColor(0x2b, 0x31, 0x3c), false);
+  frames[0] = new ViewFrame(view_, style::kViewFrame, false);
   frames[0]->setHint(view_->hint());
   connect(view_, &VolumeView::hintChanged, frames[0], &ViewFrame::setHint);
   for (SliceView* slice : slices_) {
@@ -142,52 +128,61 @@ void MainWindow::buildViews() {
   connect(slice_set_, &SliceSet::doubleClicked, this, [this](const Eigen::Vector3d& p_W_mm) {
     emit toolWanted(p_W_mm / kMmPerM, haptics::Vec3::Zero());
   });
-  auto* centre = new QWidget;
-  auto* column = new QVBoxLayout(centre);
+  auto* right = new QWidget;
+  auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(fault_bar_);
-  column->addWidget(message_bar_);
+  column->setSpacing(0);
+  column->addWidget(fault_);
+  column->addWidget(stopped_);
+  column->addWidget(message_);
   column->addWidget(views_, 1);
   column->addWidget(replay_);
   replay_->setObjectName("replayBar");
   replay_->hide();
+  splitter_->setObjectName("panelSplitter");
+  splitter_->setChildrenCollapsible(false);
+  splitter_->addWidget(side_);
+  splitter_->addWidget(right);
+  splitter_->setStretchFactor(0, 0);
+  splitter_->setStretchFactor(1, 1);
+  splitter_->setSizes({style::kPanelWidth, 4 * style::kPanelWidth});
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  row->addWidget(&side_->rail());
+  row->addWidget(splitter_, 1);
+  auto* centre = new QWidget;
+  auto* all = new QVBoxLayout(centre);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(0);
+  all->addWidget(bar_);
+  all->addLayout(row, 1);
   setCentralWidget(centre);
 
   view_->setObjectName("view");
-  connect(view_, &VolumeView::forceOffWanted, this, &MainWindow::forceOffWanted);
+  connect(view_, &VolumeView::forceOffWanted, this,
+          [this] { stopForce(tr("Force stopped by Space")); });
   connect(view_, &VolumeView::toolWanted, this, &MainWindow::toolWanted);
   connect(view_, &VolumeView::toolToCrossWanted, this, &MainWindow::toolToCrossWanted);
   connect(view_, &VolumeView::crossToToolWanted, this, &MainWindow::crossToToolWanted);
-  connect(view_, &VolumeView::surfaceChosen, status_, &StatusLine::setSurface);
+  connect(view_, &VolumeView::surfaceChosen, this, [this](const SurfaceChoice& choice) {
+    status_->setSurface(choice);
+    graphics_->setText(choice.mode == SurfaceMode::Mesh ? tr("Mesh: %1").arg(choice.reason)
+                                                        : QString());
+  });
 }
 
 void MainWindow::addPanel(QWidget* panel, const QString& title, const QString& entry,
-                          const char* name, Stack stack) {
-  auto* frame = new QDockWidget(title);
-  frame->setObjectName(name);
-  frame->setWidget(panel);
-  frame->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-  addDockWidget(Qt::LeftDockWidgetArea, frame);
-  QDockWidget*& front = fronts_[static_cast<std::size_t>(stack)];
-  if (front == nullptr) {
-    front = frame;
-    QList<QDockWidget*> docks;
-    QList<int> heights;
-    for (std::size_t n = 0; n < fronts_.size(); ++n) {
-      if (fronts_[n] == nullptr) continue;
-      docks << fronts_[n];
-      heights << kStackHeights[n];
-    }
-    resizeDocks(docks, heights, Qt::Vertical);
-  } else {
-    tabifyDockWidget(front, frame);
-    front->raise();
-  }
+                          const char* name, Tab tab, Fold fold) {
+  side_->add(panel, title, name, tab, fold);
   if (entry.isEmpty()) return;
-  view_menu_->addAction(entry, panel, [frame, panel] {
-    frame->raise();
+  view_menu_->addAction(entry, panel, [this, panel] {
+    reveal(panel);
     panel->setFocus();
   });
+}
+
+void MainWindow::setForceCard(ForcePanel& card) {
+  static_cast<ViewFrame*>(view_->parentWidget())->setCard(card);
 }
 
 void MainWindow::buildFileMenu() {
@@ -206,6 +201,8 @@ void MainWindow::buildFileMenu() {
   QAction* open = file->addAction(tr("&Open file…"), this, [ask, any] {
     ask(QFileDialog::ExistingFile, tr("Open a scan"), any, &MainWindow::openWanted);
   });
+  open->setObjectName("openFile");
+  bar_->add(BarGroup::File, *open, "open");
   open->setShortcut(QKeySequence::Open);
   QAction* folder = file->addAction(tr("Open &folder…"), this, [ask, any] {
     ask(QFileDialog::Directory, tr("Open a folder of slices"), any, &MainWindow::openWanted);
@@ -247,8 +244,16 @@ void MainWindow::buildMenus() {
   edit_menu_ = menuBar()->addMenu(tr("&Edit"));
   QMenu* look = menuBar()->addMenu(tr("&View"));
   view_menu_ = look;
-  buildLayoutMenu(*look->addMenu(tr("&Layout")));
+  QMenu* layout = look->addMenu(tr("&Layout"));
+  buildLayoutMenu(*layout);
   look->addMenu(&slice_set_->menu());
+  buildThemeMenu(*look->addMenu(tr("T&heme")));
+  look->addAction(tr("&Reset layout"), this,
+                  [this] {
+                    resetLayout();
+                    emit panelsChanged();
+                  })
+      ->setObjectName("resetLayout");
   hints_ = look->addAction(tr("Hi&nts"));
   hints_->setObjectName("showHints");
   hints_->setCheckable(true);
@@ -256,11 +261,15 @@ void MainWindow::buildMenus() {
   connect(hints_, &QAction::toggled, views_, &ViewLayout::setHintsShown);
   connect(hints_, &QAction::triggered, this, &MainWindow::hintsChanged);
   look->addSeparator();
-  view_actions_ = new ViewActions(*look, *findChild<QToolBar*>("forceBar"), *view_);
+  view_actions_ = new ViewActions(*look, *bar_, *view_);
   view_actions_->setParent(this);
   connect(view_actions_, &ViewActions::isovalueWanted, this, &MainWindow::isovalueWanted);
   connect(view_actions_, &ViewActions::pictureWanted, this, &MainWindow::pictureWanted);
   connect(view_actions_, &ViewActions::pictureCopyWanted, this, &MainWindow::pictureCopyWanted);
+  bar_->add(BarGroup::Views, *layout, "layout", tr("Layout of the views"));
+  for (QAction* action : slice_set_->menu().actions())
+    if (action->objectName() == QLatin1String("showCrosshair"))
+      bar_->add(BarGroup::Views, *action, "crosshair");
   QMenu* surface = look->addMenu(tr("&Surface"));
   surface->addAction(tr("Automatic"), this, [this] { view_->setSurfaceWish(std::nullopt); });
   surface->addAction(tr("Ray casting"), this,
@@ -318,6 +327,56 @@ void MainWindow::restoreViews(const QString& state) {
   slice_set_->setObliqueShown(state.section('+', 1) == QLatin1String("tool"));
 }
 
+WindowLayout MainWindow::layoutState() const {
+  return {.views = viewState(),
+          .borders = views_->borders(),
+          .panels = side_->state(),
+          .panel_width = splitter_->sizes().value(0),
+          .details = details_->isChecked()};
+}
+
+void MainWindow::restoreLayout(const WindowLayout& layout) {
+  restoreViews(layout.views);
+  views_->restoreBorders(layout.borders);
+  side_->restore(layout.panels);
+  if (layout.panel_width > 0)
+    splitter_->setSizes({layout.panel_width, std::max(1, splitter_->width() - layout.panel_width)});
+  details_->setChecked(layout.details);
+}
+
+void MainWindow::resetLayout() {
+  slice_set_->setObliqueShown(false);
+  views_->arrange(Arrangement::VolumeLarge);
+  side_->reset();
+  restoreLayout({.views = {}, .borders = {}, .panels = {}, .panel_width = style::kPanelWidth});
+}
+
+void MainWindow::setTheme(style::Theme theme) {
+  if (theme != style::theme()) style::dress(*qApp, theme);
+  for (QAction* action : themes_->actions())
+    action->setChecked(action->objectName() == themeAction(theme));
+}
+
+void MainWindow::buildThemeMenu(QMenu& menu) {
+  menu.setObjectName("themeMenu");
+  themes_ = new QActionGroup(this);
+  using style::Theme;
+  const auto add = [&](const QString& text, Theme theme) {
+    QAction* action = menu.addAction(text, this, [this, theme] {
+      setTheme(theme);
+      emit themeChanged();
+    });
+    action->setObjectName(themeAction(theme));
+    action->setCheckable(true);
+    action->setChecked(theme == style::theme());
+    themes_->addAction(action);
+  };
+  add(tr("As the &desktop"), Theme::System);
+  add(tr("D&ark"), Theme::Dark);
+  add(tr("&Light"), Theme::Light);
+  add(tr("&High contrast"), Theme::HighContrast);
+}
+
 bool MainWindow::hintsShown() const { return hints_->isChecked(); }
 
 void MainWindow::setHintsShown(bool shown) { hints_->setChecked(shown); }
@@ -335,8 +394,29 @@ void MainWindow::buildStatusBar() {
   row->addWidget(progress_);
   row->addWidget(cancel);
   loading_->hide();
+  auto* notice = new QLabel(tr("Not a medical device"));
+  for (QLabel* label : {notice, scan_line_, graphics_, static_cast<QLabel*>(status_)})
+    style::setDim(*label);
+  notice->setContentsMargins(style::kGap, 0, style::kGap, 0);
+  graphics_->setContentsMargins(0, 0, style::kGap, 0);
+  scan_line_->setObjectName("scanLine");
+  scan_line_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  status_->hide();
+  details_->setObjectName("details");
+  details_->setText(tr("Details"));
+  details_->setToolTip(tr("Figures of the servo loop: rate, time of a tick, late ticks"));
+  details_->setCheckable(true);
+  details_->setAutoRaise(true);
+  connect(details_, &QToolButton::toggled, status_, &QWidget::setVisible);
+  connect(details_, &QToolButton::toggled, scan_line_, &QWidget::setHidden);
+  connect(details_, &QToolButton::clicked, this, &MainWindow::panelsChanged);
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->addWidget(notice);
+  statusBar()->addWidget(scan_line_, 1);
   statusBar()->addWidget(status_, 1);
   statusBar()->addPermanentWidget(loading_);
+  statusBar()->addPermanentWidget(graphics_);
+  statusBar()->addPermanentWidget(details_);
 }
 
 void MainWindow::show(const Picture& picture, double isovalue, const QString& title) {
@@ -345,6 +425,7 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
   slice_set_->show(picture, isovalue);
   title_ = title;
   edited_ = false;
+  scan_line_->setText(tr("%1 · %2").arg(title, sizeWords(*picture.volume)));
   showTitle();
 }
 
@@ -432,13 +513,38 @@ void MainWindow::display(const haptics::Snapshot& snapshot) {
 void MainWindow::displayForce(const haptics::Snapshot& snapshot) {
   unsaid_ = snapshot;
   if (!words_.isActive()) displayWords();
-  if (shown_force_state_ != snapshot.force_state) {
-    shown_force_state_ = snapshot.force_state;
-    force_state_->setText(tr("Force: %1").arg(nameOf(snapshot.force_state)));
-    force_state_->setStyleSheet(
-        QStringLiteral("background: %1; color: white; font-weight: bold; padding: 6px 12px;")
-            .arg(colourOf(snapshot.force_state)));
+  sayForce(snapshot);
+}
+
+void MainWindow::sayForce(const haptics::Snapshot& snapshot) {
+  using haptics::ForceState;
+  const ForceSaid said = stateOf(snapshot, feel_);
+  bar_->force().show(said.mark, said.words);
+  is_force_ = isForce(snapshot);
+  bar_->stop().setForce(is_force_);
+  // what the user can do about it: one button, in one place
+  const bool live = snapshot.policy != haptics::SchedulingPolicy::NotStarted;
+  const bool fault = snapshot.force_state == ForceState::Fault;
+  const bool can = live && feel_ != Feel::Nothing &&
+                   (snapshot.force_state == ForceState::Ready ||
+                    (fault && snapshot.reason != haptics::ForceReason::Lost));
+  if (can) {
+    const bool stopped = !fault && !stopped_by_.isEmpty();
+    stopped_->setSentence(stopped ? stopped_by_
+                          : fault ? tr("The force is off after a fault")
+                          : feel_ == Feel::Felt
+                              ? tr("The device is ready: no force until you arm it")
+                              : tr("The force is off"));
+    resume_->setText(fault                             ? tr("Arm again")
+                     : feel_ == Feel::Felt && !stopped ? tr("Arm")
+                                                       : tr("Resume"));
   }
+  stopped_->setVisible(can);
+}
+
+void MainWindow::stopForce(const QString& by) {
+  if (is_force_) stopped_by_ = by;
+  emit forceOffWanted();
 }
 
 void MainWindow::displayWords() {
@@ -480,15 +586,15 @@ void MainWindow::setRecentPlaces(const QList<Place>& places, bool remembered) {
 void MainWindow::setSeriesKnown(bool known) { series_->setEnabled(known); }
 
 void MainWindow::showMessage(const QString& sentence) {
-  message_->setText(sentence);
-  message_bar_->show();
+  message_->setSentence(sentence);
+  message_->show();
 }
 
-void MainWindow::clearMessage() { message_bar_->hide(); }
+void MainWindow::clearMessage() { message_->hide(); }
 
 void MainWindow::showFault(const QString& sentence) {
-  fault_->setText(sentence);
-  fault_bar_->show();
+  fault_->setSentence(sentence);
+  fault_->show();
 }
 
 void MainWindow::showLoading(const QString& what) {
@@ -527,13 +633,18 @@ Unsaved MainWindow::askToSave(const QString& what, const QString& consequence) {
   return question.clickedButton() == discard ? Unsaved::Discard : Unsaved::Cancel;
 }
 
-void MainWindow::setHand(const QString& label) { status_->setHand(label); }
+void MainWindow::setHand(const QString& label, Feel feel) {
+  feel_ = feel;
+  stopped_by_.clear();
+  status_->setHand(label);
+  bar_->force().setDetail(label);
+}
 
 void MainWindow::showControls() {
   // longer than many a screen is high
   auto* text = new QTextBrowser;
   text->setHtml(
-      tr("<p><b>Force off</b>: Escape anywhere, Space in the 3-D view, or the red button.</p>"
+      tr("<p><b>Force off</b>: Escape anywhere, Space in the 3-D view, or the stop button.</p>"
          "<p><b>Haptic device</b> (View > Haptic device): Connect, then Arm. While C is held in "
          "the 3-D view the tool stays and the hand moves freely; while H is held the force is on "
          "if it is to be held.</p>"

@@ -10,20 +10,29 @@
 
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/snapshot.h"
+#include "ui/panels/force_words.h"
 #include "ui/props/volume_prop.h"
+#include "ui/side_panel.h"
 #include "ui/slice_set.h"
+#include "ui/style/look.h"
+#include "ui/top_bar.h"
 #include "ui/view_layout.h"
 #include "ui/view_look.h"
 
 class QAction;
-class QDockWidget;
+class QActionGroup;
 class QFrame;
 class QLabel;
 class QMenu;
 class QProgressBar;
+class QPushButton;
+class QSplitter;
+class QToolButton;
 
 namespace ui {
 
+class Banner;
+class ForcePanel;
 class ReplayBar;
 class StatusLine;
 class ViewActions;
@@ -35,14 +44,21 @@ struct Place {
   bool exists = true;
 };
 
-/// The stacks of panels at the left, from the top. The panels of a stack are tabs.
-enum class Stack { Surface, Hand, Force };
+/// How the window is laid out, for the preferences.
+struct WindowLayout {
+  QString views = {};    ///< arrangement of the views, as viewState() has it
+  QString borders = {};  ///< and where their borders are
+  PanelState panels = {};
+  int panel_width = 0;  ///< px; 0: the first start's
+  bool details = false;
+  bool operator==(const WindowLayout&) const = default;
+};
 
 /// What becomes of what is in no file.
 enum class Unsaved { Save, Discard, Cancel };
 
-/// The window: views, docks, menus. Its panels are made by others. It shows what it is given and
-/// emits what the user asks for.
+/// The window: views, menus, bar and sections. Its panels are made by others. It shows what it is
+/// given and emits what the user asks for.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -78,11 +94,16 @@ class MainWindow : public QMainWindow {
   /// Shows only the state of the force, because the poses belong to another volume.
   void displayForce(const haptics::Snapshot& snapshot);
   void setPhantoms(const QStringList& names);
-  /// Adds a panel to a stack, behind those that are there, with an entry in the View menu unless
-  /// it is empty. A stack that is new lies below the others. `name` is the name of its dock, under
-  /// which the layout is stored.
+  /// Adds a panel as a section below those of its tab, with an entry in the View menu unless it is
+  /// empty. `name` is the name of the section, under which the preferences know it.
   void addPanel(QWidget* panel, const QString& title, const QString& entry, const char* name,
-                Stack stack = Stack::Force);
+                Tab tab, Fold fold = Fold::Open);
+  /// Brings a panel into view: its tab in front, its section unfolded.
+  void reveal(const QWidget* panel) { side_->reveal(panel); }
+  /// Shows the force in the corner of the 3-D view.
+  void setForceCard(ForcePanel& card);
+  /// The bar below the menus, for the symbols of what controllers do.
+  TopBar& bar() { return *bar_; }
   /// The entries of File > Open recent, newest first, and whether new ones are remembered.
   void setRecentPlaces(const QList<Place>& places, bool remembered);
   /// Whether there is a list of series to which the user can return.
@@ -103,8 +124,10 @@ class MainWindow : public QMainWindow {
   /// Asked before the user closes the window; false keeps it open. Without one it closes.
   void setCloseGuard(std::function<bool()> guard) { close_guard_ = std::move(guard); }
   void showNotice();
-  /// The hand that holds the tool, for the status bar.
-  void setHand(const QString& label);
+  /// The hand that holds the tool, and what comes of the force.
+  void setHand(const QString& label, Feel feel);
+  /// The time that was recorded [s]; none: nothing is being recorded.
+  void showRecording(std::optional<double> elapsed) { bar_->showRecording(elapsed); }
 
   VolumeView& view() { return *view_; }
   /// Below the views; hidden until it is given a recording.
@@ -120,6 +143,13 @@ class MainWindow : public QMainWindow {
   /// Whether each view says what the mouse does in it.
   bool hintsShown() const;
   void setHintsShown(bool shown);
+  /// Views, borders, panels and details; empty parts stay as they are.
+  WindowLayout layoutState() const;
+  void restoreLayout(const WindowLayout& layout);
+  /// As at the first start.
+  void resetLayout();
+  /// Dresses the program.
+  void setTheme(style::Theme theme);
 
  signals:
   void openWanted(const QString& path);
@@ -138,6 +168,9 @@ class MainWindow : public QMainWindow {
   void recentPlacesSought();
   /// The user hid the hints, or brought them back.
   void hintsChanged();
+  /// The user chose another theme, tab or layout of the panels.
+  void themeChanged();
+  void panelsChanged();
   void rememberPlacesChanged(bool remember);
   void forgetPlacesWanted();
   void phantomWanted(const QString& name);
@@ -165,13 +198,16 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildViews();
-  void buildBar(QFrame* bar, QLabel* words, const char* name, const char* style);
-  void buildForceBar();
+  void buildBanners();
   void buildMenus();
+  void buildThemeMenu(QMenu& menu);
   void buildLayoutMenu(QMenu& menu);
   void buildFileMenu();
   void buildStatusBar();
   void displayWords();
+  /// Says the state of the force on the bar, and what the user can do about it above the views.
+  void sayForce(const haptics::Snapshot& snapshot);
+  void stopForce(const QString& by);
   void showTitle();
   void askWhereToSave();
   void showControls();
@@ -182,22 +218,29 @@ class MainWindow : public QMainWindow {
   std::array<SliceView*, 4> slices_{};
   ViewLayout* views_ = nullptr;
   ReplayBar* replay_;
-  std::array<QDockWidget*, 3> fronts_{};  ///< the panel in front of each stack; null: no panel yet
+  TopBar* bar_;
+  SidePanel* side_;
+  QSplitter* splitter_;
   QMenu* view_menu_ = nullptr;
   QMenu* edit_menu_ = nullptr;
   QAction* hints_ = nullptr;
+  QActionGroup* themes_ = nullptr;
   std::function<bool()> close_guard_;
   QAction* save_edited_ = nullptr;
   QString title_;  ///< of the volume; empty: none
   bool edited_ = false;
   ViewActions* view_actions_ = nullptr;
   StatusLine* status_;
-  QFrame* fault_bar_;
-  QLabel* fault_;
-  QFrame* message_bar_;
-  QLabel* message_;
-  QLabel* force_state_;
-  std::optional<haptics::ForceState> shown_force_state_;
+  QLabel* scan_line_;
+  QLabel* graphics_;
+  QToolButton* details_;
+  Banner* fault_;
+  Banner* message_;
+  Banner* stopped_;
+  QPushButton* resume_;
+  Feel feel_ = Feel::Shown;
+  bool is_force_ = false;  ///< of the last snapshot
+  QString stopped_by_;     ///< sentence on who stopped the force; empty: nobody since it was armed
   std::optional<haptics::Snapshot> unsaid_;  ///< snapshot that arrived while words_ ran
   QTimer words_;                             ///< runs after the texts changed
   QFrame* loading_;

@@ -20,6 +20,8 @@ bool isZero(const QString& text) {
 }  // namespace
 
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
+  // wheel and arrow keys change it; buttons of some pixels would be hard to hit
+  setButtonSymbols(QAbstractSpinBox::NoButtons);
   // else the first digits of what is refused in the end would count
   setKeyboardTracking(false);
   // a value that is set or comes back is not typed

@@ -4,23 +4,23 @@
 #include <QColor>
 
 #include "ui/props/slice.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 
-/// The colour of a plane: of its frame, its name, and the lines in which it meets other planes. Red
-/// is for frame and line only; the stop button's red is its own.
+/// The colour of a plane: of its frame, its name, and the lines in which it meets other planes.
 inline QColor colourOf(Plane plane) {
   switch (plane) {
     case Plane::Axial:
-      return {0xe0, 0x55, 0x5f};
+      return style::kAxial;
     case Plane::Coronal:
-      return {0x56, 0xb8, 0x70};
+      return style::kCoronal;
     case Plane::Sagittal:
-      return {0xe0, 0xc1, 0x4a};
+      return style::kSagittal;
     case Plane::Oblique:
       break;
   }
-  return {0xb0, 0x8c, 0xf0};
+  return style::kOblique;
 }
 
 }  // namespace ui

@@ -61,6 +61,10 @@ QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wis
     // a widget that is rendered lacks what is drawn over the 3-D view
     QPainter painter(&image);
     painter.drawImage(QRectF(view.mapTo(&window, QPointF{}), QSizeF(view.size())), seen);
+    // and so does the picture, of what stands over the view
+    for (auto* over : view.parentWidget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+      if (over != &view && over->isVisible() && over->geometry().intersects(view.geometry()))
+        over->render(&painter, over->mapTo(&window, QPoint{}), {}, QWidget::DrawChildren);
   }
   image.setDevicePixelRatio(1.0);
   return image;

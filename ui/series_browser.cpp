@@ -18,6 +18,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/style/look.h"
+#include "ui/style/scene_colours.h"
+#include "ui/style/style.h"
+
 namespace ui {
 namespace {
 
@@ -32,7 +36,7 @@ QIcon plainIcon(const QPixmap& pixmap) {
 }
 
 void drawTriangle(QPainter& painter, const QPen& mark) {
-  painter.setBrush(QColor(0xb3, 0x6b, 0x00));
+  painter.setBrush(style::colours().attention);
   painter.drawPolygon(QPolygonF({{32, 4}, {62, 60}, {2, 60}}));
   painter.setPen(mark);
   painter.drawLine(QPointF{32, 25}, QPointF{32, 39});
@@ -40,7 +44,7 @@ void drawTriangle(QPainter& painter, const QPen& mark) {
 }
 
 void drawDisc(QPainter& painter, const QPen& mark, bool ticked) {
-  painter.setBrush(ticked ? QColor(0x1d, 0x7a, 0x3a) : QColor(0xb4, 0x1e, 0x1e));
+  painter.setBrush(ticked ? style::colours().on : style::colours().stop);
   painter.drawEllipse(2, 2, 60, 60);
   painter.setPen(mark);
   if (ticked) return painter.drawPolyline(QPolygonF({{18, 33}, {28, 44}, {46, 21}}));
@@ -57,8 +61,9 @@ QIcon iconOf(Verdict verdict, qreal scale) {
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(pixmap.width() / kDrawn, pixmap.height() / kDrawn);
-  painter.setPen(QPen(Qt::white, 2.0));  // seen on a selected row too
-  const QPen mark(Qt::white, 8.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  const QColor& ground = style::colours().panel;
+  painter.setPen(QPen(ground, 2.0));  // seen on a selected row too
+  const QPen mark(ground, 8.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
   if (verdict == Verdict::Correctable || verdict == Verdict::InPart)
     drawTriangle(painter, mark);
   else
@@ -114,7 +119,7 @@ QTableWidgetItem* itemOf(const QString& text) {
 QPixmap framed(const QImage& picture, qreal scale) {
   const int side = qRound(SeriesBrowser::kThumbnail * scale);
   QPixmap pixmap(side, side);
-  pixmap.fill(QColor(0x20, 0x20, 0x20));
+  pixmap.fill(style::kViewFrame);
   if (!picture.isNull()) {
     const QImage fitted = picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     QPainter painter(&pixmap);

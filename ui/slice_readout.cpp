@@ -4,12 +4,11 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "ui/style/scene_colours.h"
+
 namespace ui {
 namespace {
 
-constexpr QColor kReadoutText(188, 194, 204);
-constexpr QColor kLetters(255, 217, 51);
-constexpr QColor kAttention(0xe0, 0xa6, 0x3a);
 constexpr int kTextPixels = 11, kLetterPixels = 17, kLettersPixels = 12;
 
 QString sliceWords(const char* text) { return QCoreApplication::translate("ui::SliceView", text); }
@@ -18,7 +17,7 @@ QString mmWords(double mm) { return readoutLocale().toString(mm, 'f', 1); }
 
 /// Text with a dark rim, so that it can be read on any anatomy.
 void drawOver(QPainter& painter, QRect box, int flags, const QString& text, const QColor& colour) {
-  painter.setPen(Qt::black);
+  painter.setPen(style::kRim);
   for (const int x : {-1, 0, 1})
     for (const int y : {-1, 0, 1})
       if (x != 0 || y != 0) painter.drawText(box.translated(x, y), flags, text);
@@ -33,14 +32,14 @@ void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture) {
   const int x = picture.right() - 8, middle = picture.center().y() + 12;
   const int top = middle - length / 2, bottom = top + length;
   for (const bool rim : {true, false}) {
-    painter.setPen(QPen(rim ? QColor(0, 0, 0, 200) : kReadoutText, rim ? 3.0 : 1.0));
+    painter.setPen(QPen(rim ? style::kRim : style::kReadout, rim ? 3.0 : 1.0));
     painter.drawLine(x, top, x, bottom);
     painter.drawLine(x - 4, top, x, top);
     painter.drawLine(x - 4, bottom, x, bottom);
   }
   const int decimals = mm < 0.095 ? 2 : mm < 0.95 ? 1 : 0;
   drawOver(painter, QRect(x - 90, middle - 10, 82, 20), Qt::AlignRight | Qt::AlignVCenter,
-           sliceWords("%1 mm").arg(readoutLocale().toString(mm, 'f', decimals)), kReadoutText);
+           sliceWords("%1 mm").arg(readoutLocale().toString(mm, 'f', decimals)), style::kReadout);
 }
 
 }  // namespace
@@ -86,22 +85,22 @@ void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, Q
   drawOver(painter, inner, Qt::AlignLeft | Qt::AlignTop, readout.name, readout.colour);
   painter.setFont(font);
   drawOver(painter, inner.adjusted(0, line, 0, 0), Qt::AlignLeft | Qt::AlignTop, readout.place,
-           kReadoutText);
+           style::kReadout);
   drawOver(painter, inner.adjusted(0, 2 * line, 0, 0), Qt::AlignLeft | Qt::AlignTop, readout.slab,
-           kReadoutText);
-  drawOver(painter, inner, Qt::AlignLeft | Qt::AlignBottom, readout.grey, kReadoutText);
-  drawOver(painter, inner, Qt::AlignRight | Qt::AlignBottom, readout.value, kReadoutText);
+           style::kReadout);
+  drawOver(painter, inner, Qt::AlignLeft | Qt::AlignBottom, readout.grey, style::kReadout);
+  drawOver(painter, inner, Qt::AlignRight | Qt::AlignBottom, readout.value, style::kReadout);
   drawOver(painter, inner.adjusted(0, 0, 0, -line), Qt::AlignRight | Qt::AlignBottom,
-           readout.position, kReadoutText);
+           readout.position, style::kReadout);
   drawRuler(painter, readout.mm_per_pixel, picture);
 
   if (!readout.sides_known) {
-    painter.setPen(kAttention);
+    painter.setPen(style::kViewAttention);
     painter.drawText(QRect(widget.left(), widget.top(), widget.width(), picture.top()),
                      Qt::AlignCenter, sliceWords("left/right unknown"));
     return;
   }
-  painter.setPen(kLetters);
+  painter.setPen(style::kLetter);
   const int right = picture.right() + 1, bottom = picture.bottom() + 1;
   const std::array<QRect, 4> margins{
       QRect(0, picture.top(), picture.left(), picture.height()),

@@ -13,6 +13,7 @@
 #include "ui/props/contour.h"
 #include "ui/props/section.h"
 #include "ui/slice_readout.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -30,8 +31,6 @@ constexpr int kRestMs = 150;          // without a change: the contour is follow
 constexpr double kVisible_px = 0.25;  // a tool that moved less is not drawn again
 constexpr double kTipRing_px = 4.0;   // radius of what stands for a tool beside the plane
 constexpr double kCrossGap = 8.0;     // px, around the crosshair's middle
-constexpr QColor kContour(255, 170, 90);
-constexpr QColor kProxyLine(60, 180, 255), kDeviceLine(255, 110, 50);
 
 QString nameOf(Plane plane) {
   switch (plane) {
@@ -394,7 +393,7 @@ void SliceView::drawContour(double scale) {
   painter.setRenderHint(QPainter::Antialiasing);
   // finer than a slice's structures where they are small
   const double voxel_px = volume_->grid.spacing.minCoeff() * kMmPerM / mmPerPixel();
-  painter.setPen(QPen(kContour, std::clamp(voxel_px, 0.6, 1.25)));
+  painter.setPen(QPen(style::kContour, std::clamp(voxel_px, 0.6, 1.25)));
   const QPointF origin = projected(patch_->corner_W_mm) - pictureRect().topLeft();
   const double px = 1.0 / mmPerPixel();
   std::vector<QLineF> lines;
@@ -414,7 +413,7 @@ std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> SliceView::contour_W_mm
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::black);
+  painter.fillRect(rect(), style::kSliceGround);
   const QRect picture = pictureRect();
   if (slice_.empty() || picture.isEmpty()) return;
   // of the screen, or of a picture that is taken
@@ -522,9 +521,9 @@ QRect SliceView::toolRect() const {
 
 void SliceView::drawTool(QPainter& painter) const {
   const ToolLines lines = toolLines();
-  painter.setPen(QPen(kDeviceLine, 1.25, Qt::DashLine));
+  painter.setPen(QPen(style::kDeviceLine, 1.25, Qt::DashLine));
   for (const QPolygonF& line : lines.device) painter.drawPolyline(line);
-  painter.setPen(QPen(kProxyLine, 1.5));
+  painter.setPen(QPen(style::kProxyLine, 1.5));
   for (const QPolygonF& line : lines.proxy) painter.drawPolyline(line);
   if (!lines.tip) return;
   painter.setBrush(Qt::NoBrush);

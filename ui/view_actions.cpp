@@ -4,11 +4,11 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QMenu>
-#include <QToolBar>
 #include <array>
 #include <utility>
 
 #include "ui/bindings.h"
+#include "ui/top_bar.h"
 #include "ui/volume_view.h"
 
 namespace ui {
@@ -19,7 +19,7 @@ QString withKey(const QString& text, Action action) { return text + '\t' + keyOf
 
 }  // namespace
 
-ViewActions::ViewActions(QMenu& menu, QToolBar& bar, VolumeView& view) : view_(view) {
+ViewActions::ViewActions(QMenu& menu, TopBar& bar, VolumeView& view) : view_(view) {
   buildSides(menu);
   buildColours(menu);
   buildTool(menu, bar);
@@ -27,6 +27,7 @@ ViewActions::ViewActions(QMenu& menu, QToolBar& bar, VolumeView& view) : view_(v
   QAction* picture = menu.addAction(tr("Save &picture…"), this, &ViewActions::pictureWanted);
   picture->setObjectName("savePicture");
   picture->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+  bar.add(BarGroup::Tools, *picture, "camera");
   QAction* copy = menu.addAction(tr("Cop&y picture"), this, &ViewActions::pictureCopyWanted);
   copy->setObjectName("copyPicture");
   copy->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
@@ -106,7 +107,7 @@ void ViewActions::buildColours(QMenu& menu) {
   menu.addSeparator();
 }
 
-void ViewActions::buildTool(QMenu& menu, QToolBar& bar) {
+void ViewActions::buildTool(QMenu& menu, TopBar& bar) {
   QAction* take = menu.addAction(withKey(tr("Ta&ke the tool with the mouse"), Action::TakeTool));
   take->setObjectName("takeTool");
   take->setIconText(tr("Take tool"));
@@ -123,8 +124,7 @@ void ViewActions::buildTool(QMenu& menu, QToolBar& bar) {
   connect(&view_, &VolumeView::mouseHandChanged, take, &QAction::setEnabled);
   connect(&view_, &VolumeView::mouseModeChanged, take,
           [take](MouseMode mode) { take->setChecked(mode == MouseMode::Hand); });
-  bar.addSeparator();
-  bar.addAction(take);
+  bar.add(BarGroup::Tools, *take, "hand");
   menu.addAction(withKey(tr("Tool to cross&hair"), Action::ToolToCross), &view_,
                  &VolumeView::toolToCrossWanted)
       ->setObjectName("toolToCross");

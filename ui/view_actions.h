@@ -8,9 +8,10 @@
 
 class QAction;
 class QMenu;
-class QToolBar;
 
 namespace ui {
+
+class TopBar;
 
 class VolumeView;
 
@@ -19,7 +20,7 @@ class VolumeView;
 class ViewActions : public QObject {
   Q_OBJECT
  public:
-  ViewActions(QMenu& menu, QToolBar& bar, VolumeView& view);
+  ViewActions(QMenu& menu, TopBar& bar, VolumeView& view);
 
   /// Another volume: presets and colours are its own.
   void show(const Picture& picture);
@@ -32,7 +33,7 @@ class ViewActions : public QObject {
  private:
   void buildSides(QMenu& menu);
   void buildColours(QMenu& menu);
-  void buildTool(QMenu& menu, QToolBar& bar);
+  void buildTool(QMenu& menu, TopBar& bar);
   void choose(Tissue tissue);
 
   VolumeView& view_;

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/view_frame.h"
 
+#include <QEvent>
 #include <QIcon>
 #include <QLabel>
 #include <QPainter>
 #include <QToolButton>
 
+#include "ui/panels/force_panel.h"
+#include "ui/style/scene_colours.h"
+#include "ui/style/style.h"
+
 namespace ui {
 namespace {
 
-constexpr int kLine = 2;     // px, of the frame
-constexpr int kButton = 20;  // px
-constexpr int kHint = 20;    // px, height of the line
+constexpr int kLine = 2;  // px, of the coloured line above the view
+constexpr int kCardMargin = 12;
+constexpr QSize kRoomForPlot{420, 320}, kRoomForCard{150, 100};  // px, of the view
+constexpr int kButton = 20;                                      // px
+constexpr int kHint = 20;                                        // px, height of the line
 
 enum class Sign { Menu, Larger, Smaller, Close };
 
@@ -23,7 +30,7 @@ QIcon iconOf(Sign sign) {
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QColor colour = sign == Sign::Close ? QColor(0x98, 0xa2, 0xb3) : QColor(0xe6, 0xe9, 0xee);
+    const QColor& colour = sign == Sign::Close ? style::kViewDim : style::kViewText;
     painter.setPen(QPen(colour, 1.5, Qt::SolidLine, Qt::RoundCap));
     if (sign == Sign::Menu) {
       for (const double y : {4.5, 8.0, 11.5}) painter.drawLine(QPointF{3.0, y}, QPointF{13.0, y});
@@ -49,16 +56,29 @@ QIcon iconOf(Sign sign) {
   return icon;
 }
 
+/// A button over a view, which is dark in every theme.
+class ViewButton : public QToolButton {
+ public:
+  explicit ViewButton(QWidget* parent) : QToolButton(parent) { setAttribute(Qt::WA_Hover); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(hasFocus() ? QPen(style::kViewFocus, 1.5) : QPen(Qt::NoPen));
+    painter.setBrush(underMouse() || hasFocus() ? style::kViewFrame : style::kViewButton);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+    icon().paint(&painter, rect().adjusted(2, 2, -2, -2));
+  }
+};
+
 QToolButton* buttonOf(QWidget* parent, const char* name, Sign sign) {
-  auto* button = new QToolButton(parent);
+  auto* button = new ViewButton(parent);
   button->setObjectName(name);
   button->setIcon(iconOf(sign));
   button->setIconSize({16, 16});
   button->setFixedSize(kButton, kButton);
   button->setFocusPolicy(Qt::TabFocus);
-  button->setStyleSheet(
-      "QToolButton { background: rgba(16, 18, 22, 170); border: none; border-radius: 4px; }"
-      "QToolButton:hover, QToolButton:focus { background: #2b313c; }");
   return button;
 }
 
@@ -80,8 +100,13 @@ ViewFrame::ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget
   setMaximised(false);
   hint_ = new QLabel(this);
   hint_->setObjectName("viewHint");
-  hint_->setStyleSheet(
-      "QLabel { background: #0c0d11; color: #98a2b3; font-size: 11px; padding-left: 6px; }");
+  QPalette dark;
+  dark.setColor(QPalette::Window, style::kViewGround);
+  dark.setColor(QPalette::WindowText, style::kViewDim);
+  hint_->setPalette(dark);
+  hint_->setAutoFillBackground(true);
+  hint_->setIndent(6);
+  style::setType(*hint_, style::Type::Small);
   hide_hint_ = buttonOf(this, "hideHints", Sign::Close);
   hide_hint_->setToolTip(tr("Hide the hints of all views (View > Hints shows them again)"));
   hide_hint_->setAccessibleName(tr("Hide hints"));
@@ -110,15 +135,30 @@ void ViewFrame::setMaximised(bool maximised) {
 
 QSize ViewFrame::minimumSizeHint() const {
   const int hint = hint_shown_ ? kHint : 0;
-  return view_->minimumSize().expandedTo({120, 100}) + QSize{2 * kLine, 2 * kLine + hint};
+  return view_->minimumSize().expandedTo({120, 100}) + QSize{0, kLine + hint};
 }
 
-void ViewFrame::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), colour_); }
+void ViewFrame::setCard(ForcePanel& card) {
+  card_ = &card;
+  card.setParent(this);
+  card.show();
+  place();
+}
+
+bool ViewFrame::event(QEvent* event) {
+  // the card became taller or lower
+  if (event->type() == QEvent::LayoutRequest) place();
+  return QWidget::event(event);
+}
+
+void ViewFrame::paintEvent(QPaintEvent*) {
+  QPainter(this).fillRect(QRect(0, 0, width(), kLine), colour_);
+}
 
 void ViewFrame::resizeEvent(QResizeEvent*) { place(); }
 
 void ViewFrame::place() {
-  QRect inner = rect().adjusted(kLine, kLine, -kLine, -kLine);
+  QRect inner = rect().adjusted(0, kLine, 0, 0);
   hint_->setVisible(hint_shown_);
   hide_hint_->setVisible(hint_shown_);
   if (hint_shown_) {
@@ -130,13 +170,29 @@ void ViewFrame::place() {
     hide_hint_->raise();
   }
   view_->setGeometry(inner);
-  int x = width() - kLine - 4 - kButton;
+  placeCard(inner);
+  int x = width() - 4 - kButton;
   for (QToolButton* button : {maximise_, menu_}) {
     if (button == nullptr) continue;
     button->move(x, kLine + 4);
     button->raise();
     x -= kButton + 2;
   }
+}
+
+void ViewFrame::placeCard(const QRect& view) {
+  if (card_ == nullptr) return;
+  const auto holds = [&](QSize room) {
+    return view.width() >= room.width() && view.height() >= room.height();
+  };
+  card_->setVisible(holds(kRoomForCard));
+  card_->setCompact(!holds(kRoomForPlot));
+  const int height = card_->hasHeightForWidth() ? card_->heightForWidth(card_->width())
+                                                : card_->sizeHint().height();
+  const QSize size(card_->width(), height);
+  card_->setGeometry(view.right() + 1 - kCardMargin - size.width(),
+                     view.bottom() + 1 - kCardMargin - size.height(), size.width(), size.height());
+  card_->raise();
 }
 
 }  // namespace ui

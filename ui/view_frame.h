@@ -9,7 +9,9 @@ class QToolButton;
 
 namespace ui {
 
-/// The coloured frame around a view, with its buttons in the upper right corner: a menu, if the
+class ForcePanel;
+
+/// A view under a line in its colour, with its buttons in the upper right corner: a menu, if the
 /// view has one, and one that makes the view as large as all of them, or gives the others back. At
 /// its foot a line says what the mouse does in the view.
 class ViewFrame : public QWidget {
@@ -22,6 +24,9 @@ class ViewFrame : public QWidget {
   void setMaximised(bool maximised);
   void setHint(const QString& hint);
   void setHintShown(bool shown);
+  /// Shows the force in the lower right corner of the view: the figure alone where the view is
+  /// small, and not at all where it would cover the most of it.
+  void setCard(ForcePanel& card);
   QSize minimumSizeHint() const override;
 
  signals:
@@ -31,11 +36,13 @@ class ViewFrame : public QWidget {
   void menuWanted(QPoint at);
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void place();
+  void placeCard(const QRect& view);
 
   QWidget* view_;
   QColor colour_;
@@ -45,6 +52,7 @@ class ViewFrame : public QWidget {
   QToolButton* hide_hint_;
   QString hint_words_;
   bool hint_shown_ = true;
+  ForcePanel* card_ = nullptr;
 };
 
 }  // namespace ui

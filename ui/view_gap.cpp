@@ -5,11 +5,12 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "ui/style/scene_colours.h"
+
 namespace ui {
 namespace {
 
 constexpr int kKeyStep = 16;  // px
-constexpr QColor kGapGround(0x10, 0x12, 0x16), kGapFocus(0x4d, 0xa3, 0xff);
 
 }  // namespace
 
@@ -26,7 +27,7 @@ void ViewGap::setUpright(bool upright) {
 }
 
 void ViewGap::paintEvent(QPaintEvent*) {
-  QPainter(this).fillRect(rect(), hasFocus() ? kGapFocus : kGapGround);
+  QPainter(this).fillRect(rect(), hasFocus() ? style::kViewFocus : style::kBetweenViews);
 }
 
 void ViewGap::mousePressEvent(QMouseEvent* event) { pressed_ = event->position().toPoint(); }

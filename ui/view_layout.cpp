@@ -8,10 +8,13 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/style/scene_colours.h"
+
 namespace ui {
 namespace {
 
-constexpr int kGap = 4;  // px
+constexpr int kGap = 4;               // px
+constexpr double kLeastShare = 0.02;  // that can be restored
 constexpr std::size_t kVolume = 0, kAxial = 1, kCoronal = 2, kSagittal = 3, kOblique = 4;
 constexpr std::array<std::pair<Arrangement, const char*>, 4> kNames{
     {{Arrangement::One, "one"},
@@ -185,6 +188,36 @@ void ViewLayout::place() {
   update();
 }
 
+QString ViewLayout::borders() const {
+  if (columns_.size() < 2) return {};
+  QStringList columns;
+  for (const Column& column : columns_) {
+    QStringList cells{QString::number(column.share, 'f', 4)};
+    for (const Cell& cell : column.cells) cells << QString::number(cell.share, 'f', 4);
+    columns << cells.join(' ');
+  }
+  return columns.join('|');
+}
+
+void ViewLayout::restoreBorders(const QString& borders) {
+  const QStringList columns = borders.split('|');
+  if (columns.size() != static_cast<qsizetype>(columns_.size())) return;
+  std::vector<Column> moved = columns_;
+  for (std::size_t c = 0; c < moved.size(); ++c) {
+    const QStringList shares = columns[static_cast<qsizetype>(c)].split(' ');
+    if (shares.size() != static_cast<qsizetype>(moved[c].cells.size()) + 1) return;
+    moved[c].share = shares[0].toDouble();
+    for (std::size_t n = 0; n < moved[c].cells.size(); ++n)
+      moved[c].cells[n].share = shares[static_cast<qsizetype>(n) + 1].toDouble();
+    const auto sound = [](double share) { return share >= kLeastShare && share <= 10.0; };
+    if (!sound(moved[c].share)) return;
+    for (const Cell& cell : moved[c].cells)
+      if (!sound(cell.share)) return;
+  }
+  columns_ = std::move(moved);
+  place();
+}
+
 QSize ViewLayout::minimumSizeHint() const {
   // of equal shares, so that no border has to move
   double sum = 0.0;
@@ -201,9 +234,7 @@ QSize ViewLayout::minimumSizeHint() const {
 
 void ViewLayout::resizeEvent(QResizeEvent*) { place(); }
 
-void ViewLayout::paintEvent(QPaintEvent*) {
-  QPainter(this).fillRect(rect(), QColor(0x10, 0x12, 0x16));
-}
+void ViewLayout::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), style::kBetweenViews); }
 
 void ViewLayout::moveBorder(const Border& border, int px) {
   constexpr double kLeast = 0.12;  // of all

@@ -38,6 +38,10 @@ class ViewLayout : public QWidget {
   /// Gives the focus to the next view that has a place; it is shown if one view is shown alone.
   void nextView();
   QSize minimumSizeHint() const override;
+  /// Where the borders are, in words for the preferences; empty while one view is alone. Words for
+  /// another arrangement are left out.
+  QString borders() const;
+  void restoreBorders(const QString& borders);
 
   /// Names for the preferences: "one", "four_up", "volume_large", "slices_large".
   static QString nameOf(Arrangement arrangement);

@@ -20,6 +20,7 @@
 
 #include "ui/props/held_pass.h"
 #include "ui/props/veil_pass.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -41,9 +42,7 @@ constexpr double kContactMark = 5.0;      // px, radius
 constexpr double kArrowOfHeight = 0.25;   // of the view's height, for kArrowForce
 constexpr double kArrowForce = 5.0;       // N
 constexpr double kLeastForce = 0.02;      // N: less is not shown
-const QColor kViewGround(12, 13, 17);
-const QColor kViewDim(152, 162, 179);
-const QColor kContactColour(255, 255, 255), kForceColour(77, 163, 255);
+using style::kViewGround;
 
 double fromSegment(QPointF p, QPointF a, QPointF b) {
   const QPointF along = b - a;
@@ -478,7 +477,7 @@ void VolumeView::paintOver(QPainter& painter, const QSizeF& size) const {
       const QString text = tr("left/right unknown");
       const double wide = painter.fontMetrics().horizontalAdvance(text);
       paintOutlined(painter, {size.width() - wide - 10.0, cube.bottom() + 16.0}, painter.font(),
-                    kContactColour, text);
+                    style::kContact, text);
     }
   } else {
     overlays_.paint(painter, *geometry_);
@@ -499,7 +498,7 @@ void VolumeView::paintContacts(QPainter& painter) const {
     painter.setPen(QPen(kViewGround, 3.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(projected(p_W), kContactMark, kContactMark);
-    painter.setPen(QPen(kContactColour, 1.5));
+    painter.setPen(QPen(style::kContact, 1.5));
     painter.drawEllipse(projected(p_W), kContactMark, kContactMark);
   }
   const haptics::Vec3& force = last_.felt_W.force;
@@ -521,11 +520,11 @@ void VolumeView::paintContacts(QPainter& painter) const {
       arrow.lineTo(head - barb * along - 0.5 * barb * aside);
     }
     for (const auto& [colour, width] :
-         {std::pair{kViewGround, 5.0}, std::pair{kForceColour, 2.5}}) {
+         {std::pair{kViewGround, 5.0}, std::pair{style::kForceArrow, 2.5}}) {
       painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawPath(arrow);
     }
-    paintOutlined(painter, head + QPointF{8.0, -6.0}, painter.font(), kContactColour,
+    paintOutlined(painter, head + QPointF{8.0, -6.0}, painter.font(), style::kContact,
                   tr("%1 N").arg(force.norm(), 0, 'f', 1));
   }
   painter.restore();

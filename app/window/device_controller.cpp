@@ -39,8 +39,8 @@ DeviceController::DeviceController(ui::MainWindow& window, SharedState& shared,
       shared_(shared),
       panel_(new ui::HapticDevicePanel),
       watch_(std::move(catalogue)) {
-  window.addPanel(panel_, tr("Haptic device"), tr("&Haptic device"), "hapticDeviceDock",
-                  ui::Stack::Hand);
+  window.addPanel(panel_, tr("Haptic device"), tr("&Haptic device"), "deviceSection",
+                  ui::Tab::Device);
   connectPanel();
   map(preferences.present().mapping);
   panel_->show(mapping_);
@@ -105,6 +105,12 @@ QString DeviceController::nameOf(const QString& id) const {
   return id;
 }
 
+bool DeviceController::hasMotors(const QString& id) const {
+  for (const ui::DeviceLine& device : devices_)
+    if (device.id == id) return device.actuated > 0;
+  return true;
+}
+
 void DeviceController::watchDevices() { watch_.watch(seen_ || connected_.has_value()); }
 
 void DeviceController::take(const ui::DeviceWish& wish, const DeviceWatch::Opened& device) {
@@ -127,7 +133,7 @@ void DeviceController::take(const ui::DeviceWish& wish, const DeviceWatch::Opene
   connected_name_ = nameOf(wish.id);
   panel_->showConnected(wish.id);
   watchDevices();
-  emit taken(wish.id, connected_name_);
+  emit taken(wish.id, connected_name_, hasMotors(wish.id));
 }
 
 /// What was set before a device brought its own.

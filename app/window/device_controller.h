@@ -31,7 +31,7 @@ class DeviceController : public QObject {
  signals:
   /// A device is about to be opened; a recording on view is closed.
   void taking();
-  void taken(const QString& id, const QString& name);
+  void taken(const QString& id, const QString& name, bool motors);
   /// The device was disconnected.
   void forgotten();
   /// The user disconnected the device; another hand may take the tool.
@@ -45,6 +45,7 @@ class DeviceController : public QObject {
   void connectPanel();
   void watchDevices();
   QString nameOf(const QString& id) const;
+  bool hasMotors(const QString& id) const;
   void take(const ui::DeviceWish& wish, const DeviceWatch::Opened& device);
   void letGo();
   void restoreStiffness();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/edit_controller.h"
 
-#include <QDockWidget>
 #include <QLocale>
 #include <QMenu>
 #include <algorithm>
@@ -104,7 +103,7 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
         window.showLoading(tr("Saving"));
         window.showProgress(fraction);
       }) {
-  window.addPanel(panel_, tr("Edit"), tr("E&dit"), "editDock");
+  window.addPanel(panel_, tr("In the way"), tr("In the &way"), "editSection", ui::Tab::Scan);
   for (ui::Overlay* overlay :
        std::initializer_list<ui::Overlay*>{&shade_, &plane_, &crop_, &pick_, &lasso_})
     window.addOverlay(*overlay);
@@ -132,6 +131,8 @@ void EditController::buildMenu() {
   redo_->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
   reset_ = menu.addAction(tr("Take &all edits back"), this, [this] { want({Step::Reset}); });
   reset_->setObjectName("reset");
+  window_.bar().add(ui::BarGroup::File, *undo_, "undo");
+  window_.bar().add(ui::BarGroup::File, *redo_, "redo");
   menu.addSeparator();
   addTool(tr("&Crop box"), EditTool::Crop);
   addTool(tr("Clip &plane"), EditTool::Plane);
@@ -141,12 +142,14 @@ void EditController::buildMenu() {
 }
 
 void EditController::addTool(const QString& text, EditTool tool) {
-  window_.editMenu().addAction(text, this, [this, tool] {
-    for (QWidget* above = panel_; above != nullptr; above = above->parentWidget())
-      if (auto* dock = qobject_cast<QDockWidget*>(above)) dock->raise();
+  QAction* action = window_.editMenu().addAction(text, this, [this, tool] {
+    window_.reveal(panel_);
     panel_->setTool(tool);
     panel_->setFocus();
   });
+  if (tool != EditTool::Crop) return;
+  action->setObjectName("cropBox");
+  window_.bar().add(ui::BarGroup::Tools, *action, "crop");
 }
 
 void EditController::connectPanel() {

@@ -41,7 +41,7 @@ HandController::HandController(ui::MainWindow& window, SharedState& shared, std:
                                double stiffness)
     : window_(window), shared_(shared), panel_(new ui::DevicePanel), hand_(std::move(hand)) {
   shared.settings.stiffness = stiffness;
-  window.addPanel(panel_, tr("Hand and tool"), {}, "deviceDock", ui::Stack::Hand);
+  window.addPanel(panel_, tr("Hand and tool"), tr("Hand and &tool"), "toolSection", ui::Tab::Touch);
   QList<ui::Choice> hands;
   for (const Hand& one : kHands) hands.append({one.id, tr(one.label)});
   panel_->setHands(hands);
@@ -78,13 +78,14 @@ bool HandController::open(std::string name, const std::optional<haptics::Pose>& 
     return false;
   }
   emit this->opened();
-  show(name, tr(hand->label), hand->kind == HandKind::Mouse);
+  show(name, tr(hand->label), hand->kind == HandKind::Mouse, ui::Feel::Shown);
   // a simulated hand aims where it likes: show where
   emit lookWanted(hand->kind != HandKind::Mouse && !from);
   return true;
 }
 
-void HandController::show(const std::string& id, const QString& label, bool is_mouse) {
+void HandController::show(const std::string& id, const QString& label, bool is_mouse,
+                          ui::Feel feel) {
   const QString name = QString::fromStdString(id);
   hand_ = id;
   label_ = label;
@@ -92,7 +93,7 @@ void HandController::show(const std::string& id, const QString& label, bool is_m
   shared_.snapshot = {};  // of the new loop nothing is known yet, and its counts begin at zero
   window_.view().setMouseHand(is_mouse);
   panel_->showHand(name, label);
-  window_.setHand(label);
+  window_.setHand(label, feel);
 }
 
 void HandController::setStiffness(double stiffness) {
@@ -101,8 +102,8 @@ void HandController::setStiffness(double stiffness) {
   shared_.apply();
 }
 
-void HandController::takeDevice(const QString& id, const QString& label) {
-  show(id.toStdString(), label, false);
+void HandController::takeDevice(const QString& id, const QString& label, bool motors) {
+  show(id.toStdString(), label, false, motors ? ui::Feel::Felt : ui::Feel::Nothing);
 }
 
 void HandController::forgetDevice() { hand_ = "mouse"; }

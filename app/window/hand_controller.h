@@ -27,7 +27,7 @@ class HandController : public QObject {
   /// A stiffness [N/m] that the user did not choose here.
   void setStiffness(double stiffness);
   /// A real device was opened and holds the tool.
-  void takeDevice(const QString& id, const QString& label);
+  void takeDevice(const QString& id, const QString& label, bool motors);
   /// The real device is gone; the mouse becomes the hand.
   void forgetDevice();
   /// Hands the scene on view to the session. Arguments as of OpeningController::loaded().
@@ -53,7 +53,7 @@ class HandController : public QObject {
   /// Returns false and shows the reason if it failed; the previous hand then goes on.
   bool open(std::string name, const std::optional<haptics::Pose>& from = {});
   void choose(const QString& id);
-  void show(const std::string& id, const QString& label, bool is_mouse);
+  void show(const std::string& id, const QString& label, bool is_mouse, ui::Feel feel);
 
   ui::MainWindow& window_;
   SharedState& shared_;

@@ -12,7 +12,7 @@ constexpr int kRefusedMs = 6000;
 
 IsosurfaceController::IsosurfaceController(ui::MainWindow& window, SharedState& shared)
     : window_(window), shared_(shared), panel_(new ui::IsosurfacePanel) {
-  window.addPanel(panel_, tr("Isosurface"), {}, "isosurfaceDock", ui::Stack::Surface);
+  window.addPanel(panel_, tr("Surface"), tr("Isos&urface"), "surfaceSection", ui::Tab::Touch);
   connect(panel_, &ui::IsosurfacePanel::isovalueChanged, this, &IsosurfaceController::apply);
   connect(panel_, &ui::IsosurfacePanel::refused, this, [this](const QString& sentence) {
     window_.statusBar()->showMessage(sentence, kRefusedMs);

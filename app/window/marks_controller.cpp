@@ -2,7 +2,6 @@
 #include "app/window/marks_controller.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <algorithm>
@@ -37,10 +36,13 @@ haptics::Volume factsOf(const haptics::Volume& scan) {
 
 MarksController::MarksController(ui::MainWindow& window, SharedState& shared)
     : window_(window), shared_(shared), panel_(new ui::MarksPanel) {
-  window.addPanel(panel_, tr("Marks"), tr("&Measures and marks"), "marksDock");
+  window.addPanel(panel_, tr("Measures and marks"), tr("&Measures and marks"), "marksSection",
+                  ui::Tab::Scan);
   window.addOverlay(measures_);
   for (const ui::MeasureKind kind : ui::kMeasureKinds)
     window.addViewAction(*panel_->placeAction(kind));
+  window.bar().add(ui::BarGroup::Tools, *panel_->placeAction(ui::MeasureKind::Distance),
+                   "distance");
   buildMenu();
   connectPanel();
 }
@@ -79,7 +81,7 @@ void MarksController::connectPanel() {
   connect(&measures_, &Measures::placed, this, [this](int index) {
     if (measures_.all()[static_cast<std::size_t>(index)].kind != ui::MeasureKind::Note) return;
     // its words are typed in the list
-    if (auto* dock = qobject_cast<QDockWidget*>(panel_->parentWidget())) dock->raise();
+    window_.reveal(panel_);
     panel_->edit(index);
   });
 }

@@ -5,7 +5,8 @@ namespace app {
 
 MeasurementController::MeasurementController(ui::MainWindow& window, SharedState& shared)
     : shared_(shared), panel_(new ui::PerformancePanel) {
-  window.addPanel(panel_, tr("Performance"), tr("&Performance"), "performanceDock");
+  window.addPanel(panel_, tr("Performance"), tr("&Performance"), "performanceSection",
+                  ui::Tab::Touch, ui::Fold::Folded);
   connect(panel_, &ui::PerformancePanel::measureWanted, this, &MeasurementController::measure);
   connect(panel_, &ui::PerformancePanel::cancelWanted, this,
           [this] { end(tr("The measurement was cancelled.")); });

@@ -18,7 +18,7 @@ constexpr std::int64_t kFineVoxels = 24'000'000;
 
 PictureController::PictureController(ui::MainWindow& window, SharedState& shared)
     : window_(window), shared_(shared), panel_(new ui::ForcePanel), samples_(kSamplesAtOnce) {
-  window.addPanel(panel_, tr("Force"), {}, "forceDock", ui::Stack::Force);
+  window.setForceCard(*panel_);
   connect(&window, &ui::MainWindow::worded, panel_, &ui::ForcePanel::display);
   connect(&window.view(), &ui::VolumeView::fineMeshWanted, this, &PictureController::makeFineMesh);
   display_.setInterval(kDisplayMs);

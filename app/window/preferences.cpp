@@ -36,8 +36,14 @@ Preferences loadPreferences() {
   const QSettings settings;
   Preferences preferences;
   preferences.geometry = settings.value("window/geometry").toByteArray();
-  preferences.layout = settings.value("window/layout").toByteArray();
-  preferences.views = settings.value("window/views").toString();
+  preferences.layout = {.views = settings.value("window/views").toString(),
+                        .borders = settings.value("window/borders").toString(),
+                        .panels = {.tab = settings.value("window/tab").toString(),
+                                   .folded = settings.value("window/folded").toStringList(),
+                                   .unfolded = settings.value("window/unfolded").toStringList()},
+                        .panel_width = settings.value("window/panel_width", 0).toInt(),
+                        .details = settings.value("window/details", false).toBool()};
+  preferences.theme = settings.value("window/theme").toString();
   preferences.hints = settings.value("window/hints", true).toBool();
   preferences.notice_seen = settings.value("notice/seen", false).toBool();
   const double stiffness = settings.value("coupling/stiffness", 1000.0).toDouble();
@@ -52,8 +58,15 @@ Preferences loadPreferences() {
 void savePreferences(const Preferences& preferences) {
   QSettings settings;
   settings.setValue("window/geometry", preferences.geometry);
-  settings.setValue("window/layout", preferences.layout);
-  settings.setValue("window/views", preferences.views);
+  const ui::WindowLayout& layout = preferences.layout;
+  settings.setValue("window/views", layout.views);
+  settings.setValue("window/borders", layout.borders);
+  settings.setValue("window/tab", layout.panels.tab);
+  settings.setValue("window/folded", layout.panels.folded);
+  settings.setValue("window/unfolded", layout.panels.unfolded);
+  settings.setValue("window/panel_width", layout.panel_width);
+  settings.setValue("window/details", layout.details);
+  settings.setValue("window/theme", preferences.theme);
   settings.setValue("window/hints", preferences.hints);
   settings.setValue("notice/seen", preferences.notice_seen);
   settings.setValue("coupling/stiffness", preferences.stiffness);

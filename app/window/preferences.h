@@ -5,6 +5,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "ui/main_window.h"
 #include "ui/panels/haptic_device_panel.h"
 
 namespace app {
@@ -12,10 +13,10 @@ namespace app {
 /// The values that are stored between runs. The only paths are the recent places, which are used
 /// only for their menu, and which the user can switch off. No value from a scan is stored.
 struct Preferences {
-  QByteArray geometry = {};  ///< geometry of the window, as Qt writes it
-  QByteArray layout = {};    ///< layout of the docks, as Qt writes it
-  QString views = {};        ///< layout of the views, as MainWindow::viewState() has it
-  bool hints = true;         ///< each view says what the mouse does in it
+  QByteArray geometry = {};      ///< geometry of the window, as Qt writes it
+  ui::WindowLayout layout = {};  ///< views, borders, panels
+  QString theme = {};            ///< as ui::style::nameOf() has it; empty: dark
+  bool hints = true;             ///< each view says what the mouse does in it
   bool notice_seen = false;
   double stiffness = 1000.0;  ///< N/m
   ui::Mapping mapping = {};   ///< mapping of haptic devices

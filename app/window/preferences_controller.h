@@ -16,7 +16,7 @@ class PreferencesController : public QObject {
   PreferencesController(ui::MainWindow& window, bool kept);
 
   Preferences& present() { return preferences_; }
-  /// Restores the window's geometry, docks and hints.
+  /// Restores the window's geometry, layout, theme and hints.
   void restoreWindow();
   /// Shows the notice, unless the user has read it.
   void showNotice();

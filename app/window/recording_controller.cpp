@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/recording_controller.h"
 
+#include <optional>
 #include <system_error>
 
 #include "app/window/sentence.h"
@@ -23,7 +24,7 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
       recordings_(recordings),
       panel_(new ui::RecordingPanel),
       recording_(shared.session, recordings, identity) {
-  window.addPanel(panel_, tr("Recording"), tr("Recor&ding"), "recordingDock");
+  window.addPanel(panel_, tr("Recording"), tr("Recor&ding"), "recordingSection", ui::Tab::Record);
   window.addAction(panel_->markAction());  // of the window: the panel may be out of sight
   connect(panel_, &ui::RecordingPanel::recordWanted, this, &RecordingController::record);
   connect(panel_, &ui::RecordingPanel::markWanted, this,
@@ -37,6 +38,12 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
           [this](const QString& path) { emit openWanted(path.toStdString()); });
   connect(&recording_, &SessionRecording::statusChanged, panel_,
           qOverload<const ui::RecordingStatus&>(&ui::RecordingPanel::show));
+  connect(&recording_, &SessionRecording::statusChanged, &window,
+          [&window](const ui::RecordingStatus& status) {
+            using State = ui::RecordingStatus::State;
+            window.showRecording(status.state == State::Recording ? std::optional{status.elapsed}
+                                                                  : std::nullopt);
+          });
   connect(&recording_, &SessionRecording::finished, this, [this](bool well, const QString& what) {
     showRecordings();
     if (!well) window_.showMessage(what);

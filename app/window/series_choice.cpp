@@ -99,7 +99,7 @@ void SeriesChoice::browse() {
   connect(browser_, &ui::SeriesBrowser::loadWanted, this, &SeriesChoice::loadChosen);
   connect(browser_, &QDialog::finished, &thumbnails_, &Thumbnails::stop);
   connect(&thumbnails_, &Thumbnails::ready, browser_, &ui::SeriesBrowser::showThumbnail);
-  // not modal: the touch goes on, and so does the red button
+  // not modal: the touch goes on, and so does the stop button
   browser_->show();
   const double scale = browser_->devicePixelRatioF();
   thumbnails_.start(surveyed_->survey.series, qRound(ui::SeriesBrowser::kThumbnail * scale));

@@ -2,7 +2,7 @@
 // Controllers of the window, each made without the others and without the application.
 #include <gtest/gtest.h>
 
-#include <QDockWidget>
+#include <QAbstractButton>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
@@ -15,6 +15,7 @@
 #include "app/window/measurement_controller.h"
 #include "panelled_window.h"
 #include "ui/panels/performance_panel.h"
+#include "ui/section.h"
 #include "window_support.h"
 
 namespace {
@@ -132,33 +133,34 @@ TEST(Controllers, TheForceIsShownByThePictureAndPlotted) {
   haptics::Snapshot snapshot;
   snapshot.felt_W.force = {0.0, 3.0, 4.0};
   window.displayForce(snapshot);
-  EXPECT_EQ(window.findChild<QLabel*>("forceNow")->text(), "5.00 N");
+  EXPECT_EQ(window.findChild<QLabel*>("forceNow")->text(), "5.00");
 }
 
-TEST(Controllers, PanelsStandInThreeStacksInTheOrderOfTheirControllers) {
+TEST(Controllers, PanelsAreSectionsOfTheirTabsInTheOrderOfTheirControllers) {
   window::Panelled panelled;
   app::MeasurementController measurement(panelled.window, panelled.shared);
   window::showAndWait(panelled.window, {1280, 900});
-  const auto dock = [&](const char* name) {
-    auto* found = panelled.window.findChild<QDockWidget*>(name);
+  const auto section = [&](const char* name) {
+    auto* found = panelled.window.findChild<ui::Section*>(name);
     if (found == nullptr) throw std::logic_error(name);
     return found;
   };
-  const QDockWidget* isosurface = dock("isosurfaceDock");
-  const QDockWidget* hand = dock("deviceDock");
-  const QDockWidget* force = dock("forceDock");
-  EXPECT_LT(isosurface->geometry().bottom(), hand->y());
-  EXPECT_LT(hand->geometry().bottom(), force->y());
-  EXPECT_LT(isosurface->height(), hand->height());
-  // what else there is lies behind
-  EXPECT_EQ(panelled.window.tabifiedDockWidgets(dock("deviceDock")),
-            QList<QDockWidget*>{dock("hapticDeviceDock")});
-  EXPECT_EQ(panelled.window.tabifiedDockWidgets(dock("forceDock")),
-            QList<QDockWidget*>{dock("performanceDock")});
-  for (const char* name : {"isosurfaceDock", "deviceDock", "forceDock"})
-    EXPECT_FALSE(dock(name)->visibleRegion().isEmpty()) << name;
-  for (const char* name : {"hapticDeviceDock", "performanceDock"})
-    EXPECT_TRUE(dock(name)->visibleRegion().isEmpty()) << name;
+  const auto isSeen = [&](const char* name) { return !section(name)->visibleRegion().isEmpty(); };
+  // what is touched and with what is in front
+  for (const char* name : {"surfaceSection", "toolSection", "performanceSection"})
+    EXPECT_TRUE(isSeen(name)) << name;
+  EXPECT_FALSE(isSeen("deviceSection"));
+  EXPECT_LE(section("surfaceSection")->geometry().bottom(), section("toolSection")->y());
+  EXPECT_LE(section("toolSection")->geometry().bottom(), section("performanceSection")->y());
+  // figures for engineers are folded at first
+  EXPECT_FALSE(section("surfaceSection")->folded());
+  EXPECT_TRUE(section("performanceSection")->folded());
+  // the tab of another task has its own
+  QTest::mouseClick(panelled.window.findChild<QAbstractButton*>("deviceTab"), Qt::LeftButton);
+  EXPECT_TRUE(isSeen("deviceSection"));
+  EXPECT_FALSE(isSeen("surfaceSection"));
+  // and the force is always beside the picture
+  EXPECT_FALSE(panelled.window.findChild<QWidget*>("forceCard")->visibleRegion().isEmpty());
 }
 
 TEST(Controllers, AMeasurementIsMadeAndEndedWithAReason) {

@@ -53,7 +53,7 @@ void Editing::open(const std::filesystem::path& scan, double isovalue) {
   // a shortcut is the active window's
   window().activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 20'000));
-  press("View", "Edit");
+  press("View", "In the way");
 }
 
 void Editing::openBalls() {

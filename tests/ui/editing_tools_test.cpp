@@ -388,7 +388,11 @@ TEST_F(Editing, NumbersOfTheCropBoxNameTheSideAsSlicesDo) {
 
 TEST_F(Editing, NothingInThePanelIsCutAtItsSide) {
   openBalls();
-  const auto* scroll = panel().findChild<QScrollArea*>();
+  const QScrollArea* scroll = nullptr;  // the one that the panels of its tab stand in
+  for (QWidget* above = &panel(); above != nullptr && scroll == nullptr;
+       above = above->parentWidget())
+    scroll = qobject_cast<QScrollArea*>(above);
+  ASSERT_NE(scroll, nullptr);
   const auto fits = [&](const char* what) {
     QTest::qWait(20);
     EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << what;

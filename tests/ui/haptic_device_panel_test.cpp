@@ -15,6 +15,7 @@
 #include <QTreeWidget>
 
 #include "ui/panels/force_words.h"
+#include "ui/style/look.h"
 #include "window_support.h"
 
 namespace {
@@ -341,18 +342,20 @@ TEST(HapticDevicePanel, WhatMayShakeIsAllowedByTheUserAloneAndForOneConnection) 
   EXPECT_FALSE(lifted.takeLast().at(0).toBool());
 }
 
-TEST(HapticDevicePanel, EachStateIsToldByAWordAColourAndWhy) {
+TEST(HapticDevicePanel, EachStateIsToldByAWordAMarkAndWhy) {
   Shown shown;
   QSignalSpy armed(&shown.panel, &HapticDevicePanel::armWanted);
-  auto* state = shown.find<QLabel>("forceState");
+  auto* state = shown.find<ui::StateChip>("forceState");
   auto* reason = shown.find<QLabel>("forceReason");
   auto* arm = shown.find<QPushButton>("arm");
-  QSet<QString> words, colours;
+  QSet<QString> words;
+  QSet<int> marks;
+  std::vector<QImage> pictures;
   // nobody's force but a connected device's
   haptics::Snapshot mouse;
   mouse.force_state = ForceState::On;
   shown.panel.display(mouse);
-  EXPECT_EQ(state->text(), "NO DEVICE");
+  EXPECT_EQ(state->text(), "No device");
   EXPECT_FALSE(arm->isEnabled());
   shown.panel.showConnected("inverse3:1");
   const struct {
@@ -362,15 +365,16 @@ TEST(HapticDevicePanel, EachStateIsToldByAWordAColourAndWhy) {
     const char* word;
     const char* sentence;
   } cases[] = {
-      {ForceState::Off, ForceReason::NoReading, false, "OFF", "has not told"},
-      {ForceState::Ready, ForceReason::User, true, "READY", "Arm the device"},
-      {ForceState::Armed, ForceReason::Clutched, false, "ARMED", "clutch"},
-      {ForceState::Ramping, ForceReason::Gap, false, "RISING", "gap"},
-      {ForceState::On, ForceReason::User, false, "ON", ""},
-      {ForceState::Fault, ForceReason::Jump, true, "FAULT", "arm the device again"},
+      {ForceState::Off, ForceReason::NoReading, false, "No force yet", "has not told"},
+      {ForceState::Ready, ForceReason::User, true, "Force off", "Arm the device"},
+      {ForceState::Armed, ForceReason::Clutched, false, "Force withheld", "clutch"},
+      {ForceState::Ramping, ForceReason::Gap, false, "Force rising", "gap"},
+      {ForceState::On, ForceReason::User, false, "Force on", ""},
+      {ForceState::Fault, ForceReason::Jump, true, "Fault: no force", "arm the device again"},
   };
   for (const auto& c : cases) {
     haptics::Snapshot snapshot;
+    snapshot.policy = haptics::SchedulingPolicy::Ordinary;
     snapshot.force_state = c.state;
     snapshot.reason = c.reason;
     shown.panel.display(snapshot);
@@ -379,16 +383,25 @@ TEST(HapticDevicePanel, EachStateIsToldByAWordAColourAndWhy) {
     EXPECT_EQ(reason->isVisible(), *c.sentence != '\0');
     EXPECT_EQ(arm->isEnabled(), c.may_arm) << c.word;
     words << state->text();
-    const QImage image = window::pictureOf(*state);
-    const QColor ground = image.pixelColor(3, 3);
-    colours << ground.name();
-    // red takes the force away, and nothing else; white is legible on it
-    EXPECT_LT(ground.red(), 0x90) << c.word;
-    EXPECT_LT(ground.lightness(), 0x80) << c.word;
-    window::keep(window::pictureOf(shown.panel), QString("haptic_device_%1").arg(c.word).toUtf8());
+    marks << static_cast<int>(state->mark());
+    // no colour alone: the marks differ where every colour is made the same
+    QImage mark = window::pictureOf(*state).copy(8, 0, 20, state->height());
+    for (int y = 0; y < mark.height(); ++y)
+      for (int x = 0; x < mark.width(); ++x)
+        mark.setPixel(x, y, qGray(mark.pixel(x, y)) > 60 ? 0xffffffff : 0xff000000);
+    for (const QImage& other : pictures) EXPECT_GT(window::differing(mark, other), 0.01) << c.word;
+    pictures.push_back(mark);
+    // the colour of the stop button is no state's
+    EXPECT_EQ(window::count(window::pictureOf(*state),
+                            [](QColor p) { return p.rgb() == ui::style::kDark.stop.rgb(); }),
+              0)
+        << c.word;
+    window::keep(
+        window::pictureOf(shown.panel),
+        QString("haptic_device_%1").arg(QString(c.word).remove(':').replace(' ', '_')).toUtf8());
   }
   EXPECT_EQ(words.size(), 6);
-  EXPECT_EQ(colours.size(), 6);
+  EXPECT_EQ(marks.size(), 6);
   QTest::mouseClick(arm, Qt::LeftButton);
   EXPECT_EQ(armed.size(), 1);
   // what is gone is not armed, and the list says so
@@ -413,7 +426,7 @@ TEST(HapticDevicePanel, WhatHasNoMotorsIsNotArmed) {
   haptics::Snapshot snapshot;
   snapshot.force_state = ForceState::Ready;
   shown.panel.display(snapshot);
-  EXPECT_EQ(shown.find<QLabel>("forceState")->text(), "NO MOTORS");
+  EXPECT_EQ(shown.find<QLabel>("forceState")->text(), "No motors, no force");
   EXPECT_TRUE(shown.find<QLabel>("forceReason")->text().contains("nothing is felt"));
   EXPECT_FALSE(shown.find<QPushButton>("arm")->isEnabled());
   snapshot.trouble = Trouble::Lost;

@@ -4,7 +4,6 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -179,14 +178,14 @@ TEST(HapticDevice, IsConnectedButNeverArmedByItself) {
   Bench bench;
   Session session(bench);
   const double own = session.application.session().inForce().stiffness;
-  EXPECT_EQ(session.label("forceState")->text(), "NO DEVICE");
+  EXPECT_EQ(session.label("forceState")->text(), "No device");
   session.connectDevice();
   EXPECT_NE(session.application.session().inForce().stiffness, own);
   session.leadToSphere(kDepth);
   EXPECT_TRUE(waitFor([&] { return session.handle().written.load() > 1'000U; }));
   EXPECT_EQ(session.handle().pushesSince(0), 0);
   session.armUntilItPushes();
-  EXPECT_EQ(session.label("forceState")->text(), "ON");
+  EXPECT_EQ(session.label("forceState")->text(), "Force on");
   EXPECT_TRUE(session.label("statusLine")->text().contains("Novint Falcon"));
   window::keep(window::pictureOf(session.window()), "haptic_device_on");
   // and let go of: no more writes, the device is closed, and the mouse has its stiffness again
@@ -320,7 +319,7 @@ TEST(HapticDevice, UnpluggedUnderForceIsAFaultThatStaysUntilItIsSeen) {
   bench.plugged = false;
   session.handle().status = DeviceStatus::Lost;
   ASSERT_TRUE(waitFor([&] { return session.is(ForceState::Fault); }));
-  EXPECT_EQ(session.label("forceState")->text(), "FAULT");
+  EXPECT_EQ(session.label("forceState")->text(), "Fault: no force");
   EXPECT_TRUE(session.label("forceReason")->text().contains("gone"));
   QLabel* fault = session.label("fault");
   ASSERT_TRUE(waitFor([&] { return fault->isVisible(); }));

@@ -319,11 +319,11 @@ TEST(Layout, IsRemembered) {
     w.choose("slices_large");
     w.choose("showOblique");
     app::Preferences preferences = app::loadPreferences();
-    preferences.views = w.window.viewState();
+    preferences.layout.views = w.window.viewState();
     app::savePreferences(preferences);
   }
   Window w;
-  w.window.restoreViews(app::loadPreferences().views);
+  w.window.restoreViews(app::loadPreferences().layout.views);
   EXPECT_EQ(w.window.views().arrangement(), Arrangement::SlicesLarge);
   EXPECT_TRUE(w.window.slices().obliqueShown());
   w.window.restoreViews("nonsense+tool");

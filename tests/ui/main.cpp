@@ -5,11 +5,13 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "ui/style/style.h"
 #include "ui/viewport.h"
 
 int main(int argc, char** argv) {
   ui::Viewport::prepareApplication();
   QApplication application(argc, argv);
+  ui::style::dress(application, ui::style::Theme::Dark);
   // preferences of nobody
   const QTemporaryDir home;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());

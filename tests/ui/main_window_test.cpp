@@ -4,21 +4,30 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSplitter>
 #include <QStatusBar>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
+#include "app/window/preferences.h"
 #include "panelled_window.h"
 #include "ui/panels/isosurface_panel.h"
+#include "ui/section.h"
+#include "ui/style/style.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
 
@@ -36,7 +45,7 @@ ui::Picture ctPicture(const char* unit = "HU") {
                        {.unit = unit, .modality = "CT"}));
 }
 
-TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheRedButtonWishTheForceOff) {
+TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheStopButtonWishTheForceOff) {
   window::Panelled panelled;
   ui::MainWindow& window = panelled.window;
   panelled.show(ctPicture(), 300.0, "Ball");
@@ -176,12 +185,244 @@ TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
   panelled.picture.appendForces(points);
   const QImage image = window::pictureOf(window);
   window::keep(image, "main_window_force");
-  EXPECT_EQ(window.findChild<QLabel*>("forceNow")->text(), "5.00 N");
+  EXPECT_EQ(window.findChild<QLabel*>("forceNow")->text(), "5.00");
   const QString status = window.findChild<QLabel*>("statusLine")->text();
   for (const char* part :
        {"1000 Hz", "real-time", "42 µs", "7 contacts", "5.00 N", "Surface: mesh"})
     EXPECT_TRUE(status.contains(QString::fromUtf8(part))) << status.toStdString();
   EXPECT_FLOAT_EQ(window.findChild<ui::ForcePlot*>("forcePlot")->greatestForce(), 9.5F);
+}
+
+/// A window with a volume, and what it is told of the force.
+struct Told {
+  explicit Told(QSize size = {1280, 860}) {
+    panelled.window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
+    panelled.show(ctPicture(), 300.0, "Ball");
+    panelled.window.show(window::octahedron(0.003));
+    panelled.window.setHand("Mouse", ui::Feel::Shown);
+    window::showAndWait(panelled.window, size);
+  }
+  void tell(haptics::ForceState state, haptics::ForceReason reason = haptics::ForceReason::User,
+            bool live = true) {
+    haptics::Snapshot snapshot;
+    snapshot.X_WP.translation() = snapshot.X_WD.translation() = Vec3{0.0, -0.03, 0.0};
+    snapshot.force_state = state;
+    snapshot.reason = reason;
+    snapshot.felt_W.force = state == haptics::ForceState::On ? Vec3{0.0, -1.5, 0.0} : Vec3::Zero();
+    if (live) snapshot.policy = haptics::SchedulingPolicy::Ordinary;
+    window.display(snapshot);
+    QTest::qWait(30);
+  }
+  std::string state() { return window.findChild<QLabel*>("forceStateBar")->text().toStdString(); }
+  QLabel* sentence() { return window.findChild<QLabel*>("stopped"); }
+  QPushButton* resume() { return window.findChild<QPushButton*>("forceOn"); }
+
+  window::Panelled panelled;
+  ui::MainWindow& window = panelled.window;
+};
+
+TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
+  using haptics::ForceReason, haptics::ForceState;
+  Told t;
+  int wishes = 0, resumed = 0;
+  QObject::connect(&t.window, &ui::MainWindow::forceOffWanted, [&] { ++wishes; });
+  QObject::connect(&t.window, &ui::MainWindow::forceOnWanted, [&] { ++resumed; });
+  const auto* stop = t.window.findChild<QToolButton*>("forceOff");
+  EXPECT_EQ(stop->text(), "STOP FORCE");
+  // of a mouse nothing is felt
+  t.tell(ForceState::On);
+  EXPECT_EQ(t.state(), "Force shown, not felt");
+  EXPECT_FALSE(t.resume()->isVisible());
+  // Escape where nothing has been stopped yet, and then who stopped it
+  QTest::keyClick(&t.window.view(), Qt::Key_Escape);
+  EXPECT_GT(wishes, 0);
+  t.tell(ForceState::Ready);
+  EXPECT_EQ(t.state(), "Force stopped");
+  ASSERT_TRUE(t.sentence()->isVisible());
+  EXPECT_EQ(t.sentence()->text(), "Force stopped by Escape");
+  EXPECT_EQ(t.resume()->text(), "Resume");
+  EXPECT_TRUE(stop->isVisible());
+  window::keep(window::pictureOf(t.window), "main_window_stopped");
+  // a press more does not change who it was
+  QTest::keyClick(&t.window.view(), Qt::Key_Space);
+  t.tell(ForceState::Ready);
+  EXPECT_EQ(t.sentence()->text(), "Force stopped by Escape");
+  QTest::mouseClick(t.resume(), Qt::LeftButton);
+  EXPECT_EQ(resumed, 1);
+  t.tell(ForceState::Ramping);
+  EXPECT_EQ(t.state(), "Force rising");
+  EXPECT_FALSE(t.sentence()->isVisible());
+  t.tell(ForceState::On);
+  QTest::keyClick(&t.window.view(), Qt::Key_Space);
+  t.tell(ForceState::Ready);
+  EXPECT_EQ(t.sentence()->text(), "Force stopped by Space");
+
+  // a device is felt, and armed first
+  t.window.setHand("omega.6", ui::Feel::Felt);
+  t.tell(ForceState::Ready);
+  EXPECT_EQ(t.state(), "Force off");
+  EXPECT_EQ(t.resume()->text(), "Arm");
+  t.tell(ForceState::On);
+  EXPECT_EQ(t.state(), "Force on");
+  t.tell(ForceState::Fault, ForceReason::Jump);
+  EXPECT_EQ(t.state(), "Fault: no force");
+  EXPECT_EQ(t.resume()->text(), "Arm again");
+  window::keep(window::pictureOf(t.window), "main_window_fault");
+  t.tell(ForceState::Fault, ForceReason::Lost);
+  EXPECT_FALSE(t.resume()->isVisible());  // what is gone is not armed
+  t.window.setHand("SpaceMouse", ui::Feel::Nothing);
+  t.tell(ForceState::Ready);
+  EXPECT_EQ(t.state(), "No motors, no force");
+  EXPECT_FALSE(t.resume()->isVisible());
+  // what is shown of a recording is no force now
+  t.window.setHand("omega.6", ui::Feel::Felt);
+  t.tell(ForceState::On, ForceReason::User, false);
+  EXPECT_EQ(t.state(), "Replay");
+  EXPECT_FALSE(t.resume()->isVisible());
+  // the words stand in one place: nothing else on the window says on or off
+  int said = 0;
+  for (const QLabel* label : t.window.findChildren<QLabel*>())
+    said += label->isVisible() && label->text().contains("Force ", Qt::CaseInsensitive);
+  EXPECT_EQ(said, 0);
+}
+
+TEST(MainWindow, SaysThatItRecordsAsLongAsItDoes) {
+  Told t;
+  auto* chip = t.window.findChild<QLabel*>("recordingChip");
+  EXPECT_FALSE(chip->isVisible());
+  t.window.showRecording(12.9);
+  QTest::qWait(50);
+  EXPECT_EQ(chip->text(), "REC 0:12");
+  EXPECT_EQ(chip->visibleRegion().boundingRect().size(), chip->size());
+  window::keep(window::pictureOf(t.window), "main_window_recording");
+  // in the smallest window, too
+  t.window.resize(t.window.minimumSizeHint());
+  QTest::qWait(100);
+  EXPECT_EQ(chip->visibleRegion().boundingRect().size(), chip->size());
+  EXPECT_GE(chip->width(), chip->minimumSizeHint().width());
+  t.window.showRecording(std::nullopt);
+  EXPECT_FALSE(chip->isVisible());
+}
+
+TEST(MainWindow, TheStopButtonFillsUnderThePointerOnlyWhileThereIsAForce) {
+  Told t;
+  auto* stop = t.window.findChild<QToolButton*>("forceOff");
+  const auto filled = [&] {
+    return window::count(window::pictureOf(*stop), [](QColor c) {
+             return c.rgb() == ui::style::kDark.stop_fill.rgb();
+           }) > 1'000;
+  };
+  t.window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&t.window));
+  t.tell(haptics::ForceState::On);
+  EXPECT_FALSE(filled());
+  stop->setFocus(Qt::TabFocusReason);
+  EXPECT_TRUE(filled());
+  window::keep(window::pictureOf(t.window), "main_window_stop_focus");
+  t.tell(haptics::ForceState::Ready);
+  EXPECT_FALSE(filled());
+}
+
+TEST(MainWindow, WearsEveryThemeAndItsViewsStayDark) {
+  Told t;
+  t.tell(haptics::ForceState::On);
+  const auto* rail = t.window.findChild<QWidget*>("rail");
+  const auto ground = [&] {
+    const QImage image = window::pictureOf(t.window);
+    return image.pixelColor(rail->mapTo(&t.window, QPoint{4, rail->height() - 20}));
+  };
+  int chosen = 0;
+  QObject::connect(&t.window, &ui::MainWindow::themeChanged, [&] { ++chosen; });
+  for (const ui::style::Theme theme :
+       {ui::style::Theme::Light, ui::style::Theme::HighContrast, ui::style::Theme::Dark}) {
+    const QString name = ui::style::nameOf(theme);
+    t.window.findChild<QAction*>("theme_" + name)->trigger();
+    QTest::qWait(100);
+    EXPECT_EQ(ui::style::theme(), theme);
+    EXPECT_EQ(ground().rgb(), ui::style::coloursOf(theme).ground.rgb()) << name.toStdString();
+    const QImage view = window::pictureAtRest(t.window.view());
+    EXPECT_LT(view.pixelColor(5, view.height() / 3).lightness(), 30) << name.toStdString();
+    window::keep(window::pictureOf(t.window), ("main_window_" + name).toUtf8());
+  }
+  EXPECT_EQ(chosen, 3);
+}
+
+TEST(MainWindow, FitsASmallScreenAndALargeOne) {
+  Told t({1366, 738});  // 768 less a title bar
+  EXPECT_LE(t.window.minimumSizeHint().width(), 1366);
+  EXPECT_LE(t.window.minimumSizeHint().height(), 738);
+  for (const QSize size : {QSize(1366, 738), QSize(3840, 2130)}) {
+    t.window.resize(size);
+    QTest::qWait(150);
+    const QRect all = t.window.rect();
+    auto* bar = t.window.findChild<QWidget*>("forceBar");
+    int left = 0;  // no part of the bar lies over another
+    QList<QWidget*> parts = bar->findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
+    std::ranges::sort(parts, {}, &QWidget::x);
+    for (QWidget* part : parts) {
+      if (!part->isVisible()) continue;
+      EXPECT_GE(part->x(), left) << part->objectName().toStdString();
+      left = part->geometry().right() + 1;
+      EXPECT_GE(part->width(), part->minimumSizeHint().width()) << part->objectName().toStdString();
+    }
+    EXPECT_LE(left, bar->width());
+    for (const char* name : {"forceOff", "forceStateBar", "forceCard", "rail", "details"}) {
+      auto* part = t.window.findChild<QWidget*>(name);
+      EXPECT_EQ(part->visibleRegion().boundingRect().size(), part->size()) << name;
+      EXPECT_TRUE(all.contains(QRect(part->mapTo(&t.window, QPoint{}), part->size()))) << name;
+    }
+    // the anatomy has the most of it
+    EXPECT_GT(double(t.window.views().width()) * t.window.views().height(),
+              0.55 * size.width() * size.height());
+    window::keep(window::pictureOf(t.window), QString("main_window_%1").arg(size.width()).toUtf8());
+  }
+}
+
+TEST(MainWindow, RemembersItsPanelsAndGivesTheFirstOnesBack) {
+  ui::WindowLayout first, moved;
+  {
+    Told t;
+    first = t.window.layoutState();
+    EXPECT_EQ(first.panels.tab, "touch");
+    QTest::mouseClick(t.window.findChild<QAbstractButton*>("deviceTab"), Qt::LeftButton);
+    auto* surface = t.window.findChild<ui::Section*>("surfaceSection");
+    surface->findChild<QAbstractButton*>("sectionHead")->click();
+    EXPECT_TRUE(surface->folded());
+    t.window.findChild<QToolButton*>("details")->click();
+    EXPECT_TRUE(t.window.findChild<QLabel*>("statusLine")->isVisible());
+    auto* splitter = t.window.findChild<QSplitter*>("panelSplitter");
+    splitter->setSizes({360, splitter->width() - 360});
+    emit t.window.views().findChildren<ui::ViewGap*>().front()->moved(40);
+    moved = t.window.layoutState();
+    app::Preferences preferences = app::loadPreferences();
+    preferences.layout = moved;
+    preferences.theme = "light";
+    app::savePreferences(preferences);
+  }
+  EXPECT_EQ(app::loadPreferences().layout, moved);
+  EXPECT_EQ(app::loadPreferences().theme, "light");
+  Told t;
+  t.window.restoreLayout(app::loadPreferences().layout);
+  const ui::WindowLayout now = t.window.layoutState();
+  EXPECT_EQ(now.panels, moved.panels);
+  EXPECT_EQ(now.borders, moved.borders);
+  EXPECT_TRUE(now.details);
+  EXPECT_NEAR(now.panel_width, moved.panel_width, 3);
+  EXPECT_TRUE(t.window.findChild<ui::Section*>("surfaceSection")->folded());
+  // nonsense changes nothing
+  t.window.restoreLayout({.views = "round",
+                          .borders = "1 1|x",
+                          .panels = {.tab = "kitchen", .folded = {"nobody"}},
+                          .panel_width = 0,
+                          .details = true});
+  EXPECT_EQ(t.window.layoutState().panels, moved.panels);
+  EXPECT_EQ(t.window.layoutState().borders, moved.borders);
+  t.window.findChild<QAction*>("resetLayout")->trigger();
+  EXPECT_EQ(t.window.layoutState().panels, first.panels);
+  EXPECT_EQ(t.window.layoutState().borders, first.borders);
+  EXPECT_FALSE(t.window.layoutState().details);
+  EXPECT_NEAR(t.window.layoutState().panel_width, first.panel_width, 3);
+  QSettings().remove("window");
 }
 
 TEST(MainWindow, TheFrictionThatIsTypedIsWished) {

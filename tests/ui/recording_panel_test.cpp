@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
@@ -23,6 +22,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/time_words.h"
+#include "ui/style/look.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
 
@@ -123,7 +123,7 @@ TEST(RecordingPanel, SaysHowTheRecordingComesAlong) {
   EXPECT_TRUE(p.record->isChecked());
 
   // what is not as it should be is said in words and seen in colour
-  const auto amber = [](QColor c) { return c == QColor(0x7a, 0x4a, 0x00); };
+  const auto amber = [](QColor c) { return c.rgb() == ui::style::kDark.attention_ground.rgb(); };
   EXPECT_EQ(window::count(calm, amber), 0);
   ui::RecordingStatus status = running();
   status.gaps = 1'204;
@@ -277,7 +277,7 @@ struct Whole {
 
   Whole() {
     // as RecordingController does
-    window.addPanel(&panel, "Recording", "Recor&ding", "recordingDock");
+    window.addPanel(&panel, "Recording", "Recor&ding", "recordingSection", ui::Tab::Record);
     window.addAction(panel.markAction());
     window::showAndWait(window, {1280, 900});
     window.activateWindow();
@@ -293,7 +293,7 @@ struct Whole {
 TEST(RecordingPanel, MSetsAMarkFromAnywhereInTheWindowWhileItRecords) {
   Whole w;
   const auto* record = w.panel.findChild<QPushButton*>("record");
-  EXPECT_TRUE(record->visibleRegion().isEmpty());  // behind the force
+  EXPECT_TRUE(record->visibleRegion().isEmpty());  // another tab is in front
   QSignalSpy marks(&w.panel, &ui::RecordingPanel::markWanted);
   w.window.view().setFocus();
   QTest::keyClick(&w.window.view(), Qt::Key_M);
@@ -372,11 +372,9 @@ TEST(RecordingPanel, EscapeInItAndInTheBarCutsTheForceAndSpaceInTheViewToo) {
   EXPECT_TRUE(wished());
 }
 
-TEST(RecordingPanel, StandsInTheWindowBehindTheForceAndNothingIsCutOff) {
+TEST(RecordingPanel, StandsInItsTabAndNothingIsCutOff) {
   Whole w;
-  auto* dock = w.window.findChild<QDockWidget*>("recordingDock");
-  ASSERT_EQ(w.window.tabifiedDockWidgets(dock).size(), 1);
-  EXPECT_EQ(w.window.tabifiedDockWidgets(dock)[0]->objectName(), "forceDock");
+  EXPECT_FALSE(w.panel.isVisible());
   EXPECT_FALSE(w.window.replayBar().isVisible());
   w.panel.setReady(true);
   w.panel.show(running());

@@ -69,7 +69,9 @@ double lineIn(const QImage& picture) {
 bool isMark(QColor c) { return c.blue() > 200 && c.red() < 110 && c.green() < 170; }
 bool isSetting(QColor c) { return c.green() > 140 && c.red() < 100 && c.blue() < 130; }
 bool isLoss(QColor c) { return c.red() > 200 && c.green() < 100 && c.blue() < 100; }
-bool isForce(QColor c) { return c.red() > 210 && c.green() < 130 && c.blue() < 90; }
+bool isForce(QColor c) {
+  return c.red() > 180 && c.blue() > 110 && c.red() > c.blue() + 25 && c.green() > c.blue() + 8;
+}
 
 TEST(ReplayBar, TheLineIsWhereTheTimeSays) {
   Bar b;
@@ -92,6 +94,7 @@ TEST(ReplayBar, TheLineIsWhereTheTimeSays) {
 
 TEST(ReplayBar, ATickIsAtItsTimeInTheColourOfItsKind) {
   Bar b;
+  b.line.clearFocus();  // its frame has the colour of notes
   b.bar.setTime(102.5);
   const QImage heads = window::pictureOf(b.line).copy(0, 0, b.line.width(), 15);
   EXPECT_NEAR(window::centroid(heads, isMark).x(), b.place(72.5), 1.0);
@@ -286,6 +289,7 @@ TEST(ReplayBar, IsDrawnInTheColoursOfADarkWindowToo) {
   QApplication::setPalette(dark);
   {
     Bar b;
+    b.line.clearFocus();
     b.bar.setTime(40.0);
     window::keep(window::pictureOf(b.bar), "replay_bar_dark");
     const QImage picture = window::pictureOf(b.line);

@@ -119,7 +119,7 @@ TEST(SeriesBrowser, SaysWhatEachSeriesIs) {
 TEST(SeriesBrowser, LargeLettersAndADarkDesktopLeaveTheButtonsInSight) {
   const QFont font = QApplication::font();
   QFont large = font;
-  large.setPointSizeF(font.pointSizeF() * 1.6);
+  large.setPointSizeF(14.4);
   QApplication::setFont(large);
   QPalette dark(QColor(0x30, 0x30, 0x30), QColor(0x24, 0x24, 0x24));
   ui::SeriesBrowser browser("CD", kRows);

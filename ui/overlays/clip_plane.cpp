@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/overlays/marks_style.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -77,10 +78,10 @@ void ClipPlane::paint(QPainter& painter, const ViewGeometry& view) const {
   if (!shown_) return;
   if (!placed_) {
     for (const Click& click : clicks_)
-      drawHandle(painter, view.projected(click.place), kGoesColour, false);
+      drawHandle(painter, view.projected(click.place), style::kGoes, false);
     return;
   }
-  QColor fill = kGoesColour;
+  QColor fill = style::kGoes;
   fill.setAlpha(70);
   const std::vector<Eigen::Vector3d> shape = outline();
   if (view.isSlice()) {
@@ -92,7 +93,7 @@ void ClipPlane::paint(QPainter& painter, const ViewGeometry& view) const {
     painter.drawPolygon(
         projectedOf(view, clipped(sectionOf(corners_, in_plane, towards), point_, normal_)));
   } else {
-    painter.setPen(QPen(kGoesColour, 1.6));
+    painter.setPen(QPen(style::kGoes, 1.6));
     painter.setBrush(fill);
     painter.drawPolygon(projectedOf(view, shape));
   }
@@ -101,7 +102,7 @@ void ClipPlane::paint(QPainter& painter, const ViewGeometry& view) const {
   const QPointF shift = view.projected(handles->shift), turn = view.projected(handles->turn);
   if (view.isSlice()) {
     const QPointF across{-(turn - shift).y(), (turn - shift).x()};
-    painter.setPen(QPen(kGoesColour, 1.6));
+    painter.setPen(QPen(style::kGoes, 1.6));
     for (std::size_t n = 0; n < shape.size(); ++n) {
       const Eigen::Vector3d &p = shape[n], &q = shape[(n + 1) % shape.size()];
       const double a = view.offset_mm(p), b = view.offset_mm(q);
@@ -109,10 +110,10 @@ void ClipPlane::paint(QPainter& painter, const ViewGeometry& view) const {
         painter.drawLine(shift, view.projected(p + (q - p) * (a / (a - b))));
     }
   }
-  painter.setPen(QPen(kGoesColour, 2.0));
+  painter.setPen(QPen(style::kGoes, 2.0));
   painter.drawLine(shift, turn);
-  drawHandle(painter, shift, kGoesColour, held_ == Held::Shift);
-  drawHandle(painter, turn, kGoesColour, held_ == Held::Turn);
+  drawHandle(painter, shift, style::kGoes, held_ == Held::Shift);
+  drawHandle(painter, turn, style::kGoes, held_ == Held::Turn);
 }
 
 void ClipPlane::setClick(const ViewGeometry& view, const Eigen::Vector3d& at_mm) {

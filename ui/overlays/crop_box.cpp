@@ -7,6 +7,7 @@
 
 #include "ui/overlays/marks_style.h"
 #include "ui/props/picture.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -75,7 +76,7 @@ void CropBox::paint(QPainter& painter, const ViewGeometry& view) const {
         const auto cut = cutOf(view, face);
         if (!cut) continue;
         met = true;
-        painter.setPen(QPen(kOutlineColour, 1.5));
+        painter.setPen(QPen(style::kOutline, 1.5));
         painter.drawLine(view.projected((*cut)[0]), view.projected((*cut)[1]));
         continue;
       }
@@ -84,7 +85,7 @@ void CropBox::paint(QPainter& painter, const ViewGeometry& view) const {
       Eigen::Vector3d from, along;
       view.sight(view.projected(face[0]), from, along);
       const bool front = out.dot(along) < 0.0;
-      QColor colour = kOutlineColour;
+      QColor colour = style::kOutline;
       colour.setAlpha(front ? 255 : 90);
       painter.setPen(QPen(colour, front ? 1.6 : 1.0));
       for (std::size_t n = 0; n < 4; ++n)
@@ -92,7 +93,7 @@ void CropBox::paint(QPainter& painter, const ViewGeometry& view) const {
     }
   if (!met) {
     // beside the slice: where it lies, without handles
-    painter.setPen(QPen(kOutlineColour, 1.0, Qt::DashLine));
+    painter.setPen(QPen(style::kOutline, 1.0, Qt::DashLine));
     for (const bool far_side : {false, true})
       for (int axis = 0; axis < 3; ++axis) {
         const auto face = faceOf(corners, axis, far_side);
@@ -104,7 +105,8 @@ void CropBox::paint(QPainter& painter, const ViewGeometry& view) const {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool far_side : {false, true})
       if (const auto handle = handleOf(view, axis, far_side))
-        drawHandle(painter, view.projected(*handle), kOutlineColour, held_ == Face{axis, far_side});
+        drawHandle(painter, view.projected(*handle), style::kOutline,
+                   held_ == Face{axis, far_side});
 }
 
 std::optional<CropBox::Face> CropBox::faceAt(const ViewGeometry& view, QPointF at) const {

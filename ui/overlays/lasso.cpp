@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ui/overlays/marks_style.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -40,12 +41,12 @@ void Lasso::setActive(bool active) {
 void Lasso::paint(QPainter& painter, const ViewGeometry& view) const {
   if (on_ != &view.widget()) return;
   const QPolygonF corners = cornersIn(view);
-  for (const QPointF corner : corners) drawHandle(painter, corner, kGoesColour, false);
+  for (const QPointF corner : corners) drawHandle(painter, corner, style::kGoes, false);
   const QPolygonF& line = corners.isEmpty() ? line_ : corners;
   if (line.size() < 2) return;
-  QColor fill = kGoesColour;
+  QColor fill = style::kGoes;
   fill.setAlpha(50);
-  painter.setPen(QPen(kGoesColour, 1.8));
+  painter.setPen(QPen(style::kGoes, 1.8));
   painter.setBrush(fill);
   painter.drawPolygon(line);
 }

@@ -5,12 +5,11 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "ui/style/scene_colours.h"
+
 namespace ui {
 
-// How the tools of the Edit panel are drawn: outlines and handles in one colour, what goes in
-// another. Red is that of the stop button alone.
-inline constexpr QColor kOutlineColour{77, 163, 255};
-inline constexpr QColor kGoesColour{224, 166, 58};
+// How the tools of the Edit panel are drawn.
 inline constexpr double kHandleRadius = 5.5;  // pixels
 inline constexpr double kHandleReach = 10.0;  // pixels from the middle of a handle
 
@@ -24,8 +23,8 @@ inline bool isNear(QPointF a, QPointF b) {
 }
 
 inline void drawHandle(QPainter& painter, QPointF at, QColor colour, bool held) {
-  painter.setPen(QPen(QColor(12, 13, 17), 1.5));
-  painter.setBrush(held ? QColor(Qt::white) : colour);
+  painter.setPen(QPen(style::kHandleRim, 1.5));
+  painter.setBrush(held ? style::kHeldHandle : colour);
   painter.drawEllipse(at, kHandleRadius, kHandleRadius);
 }
 

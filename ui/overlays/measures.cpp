@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "ui/props/picture.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -25,15 +26,12 @@ constexpr std::size_t kMostSights = 200;  // handles that are sought behind the 
 constexpr std::size_t kMostRemoved = 100;
 
 // light on a dark rim: seen on bone and on air
-const QColor kInk{238, 150, 255};
-const QColor kChosenInk{255, 235, 255};
-const QColor kRim{0, 0, 0, 190};
-const QColor kGround{0, 0, 0, 175};
+using style::kChosenMeasure, style::kMeasure, style::kMeasureGround, style::kMeasureRim;
 
 void drawLine(QPainter& painter, const QPolygonF& line, const QColor& ink, double width,
               bool dashed) {
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kRim, width + 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(QPen(kMeasureRim, width + 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolyline(line);
   QPen pen(ink, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
   if (dashed) pen.setDashPattern({4.0, 3.5});
@@ -43,7 +41,7 @@ void drawLine(QPainter& painter, const QPolygonF& line, const QColor& ink, doubl
 
 void drawMarkHandle(QPainter& painter, QPointF at, const QColor& ink, bool hollow) {
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kRim, 4.5));
+  painter.setPen(QPen(kMeasureRim, 4.5));
   painter.drawEllipse(at, kHandle, kHandle);
   painter.setPen(QPen(ink, 2.0));
   if (!hollow) painter.setBrush(ink);
@@ -51,7 +49,7 @@ void drawMarkHandle(QPainter& painter, QPointF at, const QColor& ink, bool hollo
   // the place itself, which a full disc would hide
   if (hollow) return;
   painter.setPen(Qt::NoPen);
-  painter.setBrush(kRim);
+  painter.setBrush(kMeasureRim);
   painter.drawEllipse(at, 1.2, 1.2);
 }
 
@@ -109,9 +107,9 @@ QRectF labelPlace(QSizeF size, QPointF anchor, const QPolygonF& points, const QP
 
 void drawLabel(QPainter& painter, const QRectF& box, const QString& text) {
   painter.setPen(Qt::NoPen);
-  painter.setBrush(kGround);
+  painter.setBrush(kMeasureGround);
   painter.drawRoundedRect(box, 3.0, 3.0);
-  painter.setPen(kChosenInk);
+  painter.setPen(kChosenMeasure);
   painter.drawText(box, Qt::AlignCenter | Qt::TextSingleLine, text);
 }
 
@@ -307,7 +305,7 @@ void Measures::paintMeasure(QPainter& painter, const ViewGeometry& view, const M
     if (handle.shown) points << handle.at;
   }
   if (!any) return;
-  const QColor ink = chosen ? kChosenInk : kInk;
+  const QColor ink = chosen ? kChosenMeasure : kMeasure;
   if (!whole && next_mm_) line << view.projected(*next_mm_);
   if (line.size() > 1) drawLine(painter, line, ink, chosen ? 2.2 : 1.6, dashed);
   if (whole && measure.kind == MeasureKind::Angle) {
@@ -332,8 +330,8 @@ void Measures::paintMeasure(QPainter& painter, const ViewGeometry& view, const M
 void Measures::paintTravel(QPainter& painter, const ViewGeometry& view,
                            std::vector<QRectF>& taken) const {
   const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
-  drawLine(painter, {from, to}, kInk, 1.4, true);
-  drawMarkHandle(painter, from, kInk, true);
+  drawLine(painter, {from, to}, kMeasure, 1.4, true);
+  drawMarkHandle(painter, from, kMeasure, true);
   const QString text = tr("Travelled %1 mm").arg(numberWords(travel_->length_mm, 1));
   const QRectF box = labelPlace(labelSize(painter, text), from, {from, to}, {from, to},
                                 seenPart(painter, view), taken);

@@ -9,6 +9,7 @@
 
 #include "ui/overlays/marks_style.h"
 #include "ui/props/picture.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -19,7 +20,8 @@ constexpr int kAlpha = 110, kBodyAlpha = 190;
 
 QRgb premultiplied(double shade, int alpha) {
   const auto part = [&](int c) { return static_cast<int>(c * shade * alpha / 255.0); };
-  return qRgba(part(kGoesColour.red()), part(kGoesColour.green()), part(kGoesColour.blue()), alpha);
+  return qRgba(part(style::kGoes.red()), part(style::kGoes.green()), part(style::kGoes.blue()),
+               alpha);
 }
 
 }  // namespace

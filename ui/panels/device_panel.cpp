@@ -66,6 +66,7 @@ DevicePanel::DevicePanel(QWidget* parent)
   stiff->addWidget(stiffness_, 1);
   stiff->addWidget(stiffness_typed_);
   auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
   form->addRow(tr("Hand"), hands_);
   form->addRow(tools_);
   form->addRow(tr("Stiffness"), stiff);

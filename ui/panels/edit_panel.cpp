@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 
 #include "ui/number_box.h"
-#include "ui/panels/fitting_scroll.h"
+#include "ui/style/look.h"
 
 namespace ui {
 namespace {
@@ -123,19 +123,13 @@ EditPanel::EditPanel(QWidget* parent)
   wait_->hide();
   connect(cancel, &QPushButton::clicked, this, &EditPanel::waitCancelled);
 
-  auto* inside = new QWidget;
-  auto* column = new QVBoxLayout(inside);
-  column->setContentsMargins(8, 8, 8, 8);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row);
   column->addWidget(pages_);
   column->addWidget(preview_ = previewBar());
-  column->addStretch(1);
   column->addWidget(wait_);
   column->addLayout(steps);
-  auto* scroll = new FittingScroll(inside);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->addWidget(scroll);
   setFocusProxy(tools_->button(static_cast<int>(EditTool::Crop)));
   show(EditSteps{});
   show(std::nullopt, 0);

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// Scrolls what is in a panel up and down, because its dock may be lower. It is never narrower than
+/// Scrolls panels up and down where the window is lower than they are. It is never narrower than
 /// what is in it.
 class FittingScroll : public QScrollArea {
  public:

@@ -3,44 +3,95 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QVBoxLayout>
+#include <initializer_list>
 
 #include "ui/panels/force_words.h"
+#include "ui/style/look.h"
+#include "ui/style/style.h"
 
 namespace ui {
+namespace {
+
+constexpr int kWidth = 232, kCompactWidth = 124;  // px
+constexpr int kInside = 12;
+
+// a word for what the tool is at: the sentence on a force that is withheld, or the contacts
+QString touchWords(const haptics::Snapshot& snapshot) {
+  const QString why = sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
+  const bool stopped = snapshot.force_state == haptics::ForceState::Ready;
+  if (!why.isEmpty() && !stopped) return why;
+  if (snapshot.contacts == 0) return ForcePanel::tr("Nothing is touched");
+  if (snapshot.contacts == 1) return ForcePanel::tr("Touching at one place");
+  return ForcePanel::tr("Touching at %1 places").arg(snapshot.contacts);
+}
+
+void say(QLabel* label, const QString& words) {
+  if (label->text() != words) label->setText(words);
+}
+
+}  // namespace
 
 ForcePanel::ForcePanel(QWidget* parent)
     : QWidget(parent),
-      force_(new QLabel(tr("0.00 N"))),
-      torque_(new QLabel(tr("0 mN·m"))),
-      state_(new QLabel(tr("No device"))),
+      force_(new QLabel),
+      torque_(new QLabel),
+      touch_(new QLabel),
       plot_(new ForcePlot) {
-  QFont large = font();
-  large.setPointSizeF(large.pointSizeF() * 2.0);
-  large.setBold(true);
-  force_->setFont(large);
+  setObjectName("forceCard");
+  setPalette(style::paletteOf(style::kDark));
+  setFixedWidth(kWidth);
   force_->setObjectName("forceNow");
-  QFont medium = font();
-  medium.setPointSizeF(medium.pointSizeF() * 1.3);
-  torque_->setFont(medium);
-  state_->setWordWrap(true);
+  force_->setAccessibleName(tr("Force"));
+  style::setType(*force_, style::Type::Force);
+  // the unit stays where it is
+  force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("0.00")) + 2);
+  auto* unit = new QLabel(tr("N"));
+  style::setDim(*unit);
+  torque_->setObjectName("torqueNow");
+  torque_->setAccessibleName(tr("Torque"));
+  torque_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  style::setDim(*torque_);
+  touch_->setObjectName("touchNow");
+  touch_->setWordWrap(true);
+  style::setDim(*touch_);
+  style::setType(*touch_, style::Type::Small);
   plot_->setObjectName("forcePlot");
   auto* figures = new QHBoxLayout;
-  figures->addWidget(force_);
+  figures->setSpacing(6);
+  figures->addWidget(force_, 0, Qt::AlignBaseline);
+  figures->addWidget(unit, 0, Qt::AlignBaseline);
   figures->addStretch();
-  figures->addWidget(torque_);
+  figures->addWidget(torque_, 0, Qt::AlignBaseline);
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(kInside, 6, kInside, style::kGap);
+  column->setSpacing(style::kStep);
   column->addLayout(figures);
-  column->addWidget(state_);
-  column->addWidget(plot_, 1);
+  column->addWidget(plot_);
+  column->addWidget(touch_);
+  display({});
 }
 
 void ForcePanel::display(const haptics::Snapshot& snapshot) {
-  force_->setText(tr("%1 N").arg(snapshot.felt_W.force.norm(), 0, 'f', 2));
-  torque_->setText(tr("%1 mN·m").arg(snapshot.felt_W.torque.norm() * 1000.0, 0, 'f', 0));
-  const QString why = sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
-  const QString state = tr("Force: %1").arg(nameOf(snapshot.force_state).toLower());
-  state_->setText(why.isEmpty() ? state : tr("%1. %2").arg(state, why));
+  say(force_, QString::number(snapshot.felt_W.force.norm(), 'f', 2));
+  say(torque_, tr("%1 mN·m").arg(snapshot.felt_W.torque.norm() * 1000.0, 0, 'f', 0));
+  say(touch_, touchWords(snapshot));
+}
+
+void ForcePanel::setCompact(bool compact) {
+  for (QWidget* part : std::initializer_list<QWidget*>{plot_, torque_, touch_})
+    part->setVisible(!compact);
+  setFixedWidth(compact ? kCompactWidth : kWidth);
+}
+
+void ForcePanel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(style::kDark.line);
+  painter.setBrush(style::kDark.panel);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), style::kLargeCorner,
+                          style::kLargeCorner);
 }
 
 }  // namespace ui

@@ -10,7 +10,8 @@ class QLabel;
 
 namespace ui {
 
-/// The force on the hand: the present value in large figures, and a plot of the last seconds.
+/// The card in the corner of the 3-D view: the force on the hand in large figures, the torque, what
+/// is touched, and a plot of the last seconds. It is dark in every theme, as the view is.
 class ForcePanel : public QWidget {
   Q_OBJECT
  public:
@@ -18,11 +19,16 @@ class ForcePanel : public QWidget {
   void display(const haptics::Snapshot& snapshot);
   void clear() { plot_->clear(); }
   void append(std::span<const haptics::ForceSample> points) { plot_->append(points); }
+  /// The force alone, where the view is small.
+  void setCompact(bool compact);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   QLabel* force_;
   QLabel* torque_;
-  QLabel* state_;
+  QLabel* touch_;
   ForcePlot* plot_;
 };
 

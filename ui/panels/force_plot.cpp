@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "ui/style/look.h"
+#include "ui/style/style.h"
+
 namespace ui {
 namespace {
 
@@ -25,9 +28,13 @@ double roundScale(double value) {
 ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent) {
   ring_.resize(kCapacity);
   setAccessibleName(tr("Force over time"));
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   pause_.setSingleShot(true);
   pause_.setInterval(kPauseMs);
-  connect(&pause_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+  connect(&pause_, &QTimer::timeout, this, [this] {
+    if (waits_) drawAnew();
+  });
 }
 
 void ForcePlot::append(std::span<const haptics::ForceSample> points) {
@@ -43,7 +50,18 @@ void ForcePlot::append(std::span<const haptics::ForceSample> points) {
   // where all that was painted was level and it stays so, the same would be painted again
   const bool changes = level_->since > painted_ - kSeconds;
   // under another tab it counts as visible, and to update it would compose the window for nothing
-  if (changes && !pause_.isActive() && !visibleRegion().isEmpty()) pause_.start();
+  if (!changes || visibleRegion().isEmpty()) return;
+  if (pause_.isActive())
+    waits_ = true;
+  else
+    drawAnew();
+}
+
+void ForcePlot::drawAnew() {
+  waits_ = false;
+  drawn_ = {};
+  update();
+  pause_.start();
 }
 
 void ForcePlot::level(const haptics::ForceSample& point) {
@@ -64,6 +82,7 @@ void ForcePlot::clear() {
   full_ = false;
   newest_ = painted_ = 0.0;
   level_.reset();
+  drawn_ = {};
   update();
 }
 
@@ -87,8 +106,17 @@ std::vector<ForcePlot::Column> ForcePlot::columns(int count, double from, double
 }
 
 void ForcePlot::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.fillRect(rect(), palette().color(QPalette::Base));
+  const qreal scale = devicePixelRatioF();
+  if (drawn_.isNull() || drawn_.size() != size() * scale) draw();
+  QPainter(this).drawPixmap(0, 0, drawn_);
+}
+
+void ForcePlot::draw() {
+  ++drawings_;
+  drawn_ = QPixmap(size() * devicePixelRatioF());
+  drawn_.setDevicePixelRatio(devicePixelRatioF());
+  drawn_.fill(style::kDark.panel);
+  QPainter painter(&drawn_);
   const QRect area = this->area();
   painted_ = newest_;
   const double to = std::max(newest_, kSeconds), from = to - kSeconds;
@@ -102,13 +130,13 @@ void ForcePlot::paintEvent(QPaintEvent*) {
   torque_top_ = roundScale(std::max(0.01F, greatest_torque_));
 
   painter.setPen(QPen(palette().color(QPalette::Mid), 1.0, Qt::DotLine));
-  for (int line = 0; line <= 4; ++line) {
-    const int y = area.bottom() - area.height() * line / 4;
+  for (int line = 0; line <= 2; ++line) {
+    const int y = area.bottom() - area.height() * line / 2;
     painter.drawLine(area.left(), y, area.right(), y);
   }
-  const QColor force(230, 90, 30), torque(80, 130, 220);
-  const auto draw = [&](const QColor& colour, double top, float Column::*least,
-                        float Column::*greatest) {
+  const QColor &force = style::kDark.force, &torque = style::kDark.torque;
+  const auto trace = [&](const QColor& colour, double top, float Column::*least,
+                         float Column::*greatest) {
     painter.setPen(colour);
     double last_y = -1.0;
     for (int i = 0; i < static_cast<int>(pixels.size()); ++i) {
@@ -125,18 +153,15 @@ void ForcePlot::paintEvent(QPaintEvent*) {
       last_y = area.bottom() - c.*greatest / top * area.height();
     }
   };
-  draw(torque, torque_top_, &Column::least_torque, &Column::greatest_torque);
-  draw(force, force_top_, &Column::least_force, &Column::greatest_force);
+  trace(torque, torque_top_, &Column::least_torque, &Column::greatest_torque);
+  trace(force, force_top_, &Column::least_force, &Column::greatest_force);
 
-  QFont font = painter.font();
-  font.setPointSizeF(8.0);
-  painter.setFont(font);
+  painter.setFont(style::font(style::Type::Small));
   painter.setPen(force);
-  painter.drawText(rect().adjusted(4, 1, -4, 0), Qt::AlignLeft | Qt::AlignTop,
-                   tr("Force, to %1 N").arg(force_top_));
+  painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop, tr("force to %1 N").arg(force_top_));
   painter.setPen(torque);
-  painter.drawText(rect().adjusted(4, 1, -4, 0), Qt::AlignRight | Qt::AlignTop,
-                   tr("Torque, to %1 mN·m").arg(torque_top_ * 1000.0));
+  painter.drawText(rect(), Qt::AlignRight | Qt::AlignTop,
+                   tr("torque to %1 mN·m").arg(torque_top_ * 1000.0));
 }
 
 }  // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QPixmap>
 #include <QTimer>
 #include <QWidget>
 #include <cstddef>
@@ -24,8 +25,10 @@ class ForcePlot : public QWidget {
   void append(std::span<const haptics::ForceSample> points);
   void clear();
   float greatestForce() const { return greatest_force_; }  ///< N, greatest force in the plot
-  QSize sizeHint() const override { return {260, 150}; }
-  QSize minimumSizeHint() const override { return {160, 90}; }
+  /// How often the curves were drawn. They are kept: the view below may paint the plot more often.
+  int drawings() const { return drawings_; }
+  QSize sizeHint() const override { return {208, 76}; }
+  QSize minimumSizeHint() const override { return {160, 60}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -41,8 +44,10 @@ class ForcePlot : public QWidget {
     float least_force = 0.0F, greatest_force = 0.0F, least_torque = 0.0F, greatest_torque = 0.0F;
   };
   std::vector<Column> columns(int count, double from, double to) const;
-  QRect area() const { return rect().adjusted(4, 16, -4, -4); }
+  QRect area() const { return rect().adjusted(0, 18, 0, -1); }
   void level(const haptics::ForceSample& point);
+  void draw();
+  void drawAnew();
   std::vector<haptics::ForceSample> ring_;
   std::size_t next_ = 0;
   bool full_ = false;
@@ -52,7 +57,10 @@ class ForcePlot : public QWidget {
   double force_top_ = 1.0, torque_top_ = 0.01;  ///< N and N·m, values at the upper edge
   std::optional<Level> level_;
   double painted_ = 0.0;  ///< s: time of the newest point in the last painting
-  QTimer pause_;          ///< runs between two paintings
+  QTimer pause_;          ///< runs between two drawings
+  QPixmap drawn_;         ///< null: it is to be drawn anew
+  int drawings_ = 0;
+  bool waits_ = false;  ///< something came meanwhile
 };
 
 }  // namespace ui

@@ -101,22 +101,38 @@ QString sentenceFor(ForceState state, ForceReason reason, Trouble trouble) {
   return parts.join(' ');
 }
 
-QString colourOf(ForceState state) {
+ForceSaid stateOf(const haptics::Snapshot& snapshot, Feel feel) {
+  // no loop runs: what is shown is of another time
+  if (snapshot.policy == haptics::SchedulingPolicy::NotStarted)
+    return {Mark::Replay, Words::tr("Replay")};
+  return stateOf(snapshot.force_state, feel);
+}
+
+ForceSaid stateOf(ForceState state, Feel feel) {
+  if (feel == Feel::Nothing) return {Mark::Off, Words::tr("No motors, no force")};
+  const bool felt = feel == Feel::Felt;
   switch (state) {
     case ForceState::Off:
-      return QStringLiteral("#555555");
+      return {Mark::Off, felt ? Words::tr("No force yet") : Words::tr("Nothing to touch yet")};
     case ForceState::Ready:
-      return QStringLiteral("#1f5fa8");
+      return {Mark::Ready, felt ? Words::tr("Force off") : Words::tr("Force stopped")};
     case ForceState::Armed:
-      return QStringLiteral("#5a3d99");
+      return {Mark::Held, Words::tr("Force withheld")};
     case ForceState::Ramping:
-      return QStringLiteral("#4a6b1a");
+      return {Mark::Rising, Words::tr("Force rising")};
     case ForceState::On:
-      return QStringLiteral("#1a6b2e");
+      if (felt) return {Mark::On, Words::tr("Force on")};
+      return {Mark::Shown, Words::tr("Force shown, not felt")};
     case ForceState::Fault:
-      return QStringLiteral("#7a4a00");
+      return {Mark::Fault, Words::tr("Fault: no force")};
   }
   return {};
+}
+
+bool isForce(const haptics::Snapshot& snapshot) {
+  return snapshot.policy != haptics::SchedulingPolicy::NotStarted &&
+         (snapshot.force_state == ForceState::Armed ||
+          snapshot.force_state == ForceState::Ramping || snapshot.force_state == ForceState::On);
 }
 
 }  // namespace ui

@@ -5,6 +5,7 @@
 
 #include "haptics/core/trouble.h"
 #include "haptics/snapshot.h"
+#include "ui/state_chip.h"
 
 namespace ui {
 
@@ -13,7 +14,23 @@ QString nameOf(haptics::ForceState state);
 /// A sentence on its meaning and what to do, or empty.
 QString sentenceFor(haptics::ForceState state, haptics::ForceReason reason,
                     haptics::Trouble trouble);
-/// The background colour of the state, for white text. Never red: red is the stop button's.
-QString colourOf(haptics::ForceState state);
+
+/// What comes of a computed force.
+enum class Feel {
+  Shown,   ///< the mouse or a simulated hand: it is shown
+  Felt,    ///< a device with motors
+  Nothing  ///< a device without
+};
+
+/// The one state of the force, as every part of the window says it.
+struct ForceSaid {
+  Mark mark = Mark::None;
+  QString words = {};
+};
+ForceSaid stateOf(const haptics::Snapshot& snapshot, Feel feel);
+/// The same of a loop that runs.
+ForceSaid stateOf(haptics::ForceState state, Feel feel);
+/// Whether a force is being shown or felt, or may begin by itself.
+bool isForce(const haptics::Snapshot& snapshot);
 
 }  // namespace ui

@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QGroupBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -20,8 +19,10 @@
 #include <cmath>
 
 #include "ui/number_box.h"
-#include "ui/panels/fitting_scroll.h"
 #include "ui/panels/force_words.h"
+#include "ui/state_chip.h"
+#include "ui/style/look.h"
+#include "ui/style/style.h"
 
 namespace ui {
 namespace {
@@ -150,7 +151,7 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
       connect_(new QPushButton),
       link_words_(label("deviceLink")),
       arm_(new QPushButton),
-      state_(label("forceState")),
+      state_(new StateChip),
       reason_(label("forceReason")),
       share_(label("stiffnessShare")),
       position_scale_(scaleBox("positionScale")),
@@ -165,18 +166,12 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
       lift_(new QCheckBox(tr("Allow stiffness that may shake"))),
       lifted_words_(label("stiffnessLiftedWords")),
       patience_(new QTimer(this)) {
-  auto* inside = new QWidget;
-  auto* column = new QVBoxLayout(inside);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(style::kEdge);
   column->addWidget(buildForce());
   column->addWidget(buildList());
   column->addWidget(buildMapping());
-  column->addStretch(1);
-  auto* scroll = new FittingScroll(inside);
-  // how high the docks are is for the others to say
-  scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->addWidget(scroll);
   setFocusProxy(list_);
   patience_->setSingleShot(true);
   connect(patience_, &QTimer::timeout, this, [this] {
@@ -195,23 +190,18 @@ QWidget* HapticDevicePanel::buildForce() {
   arm_->setObjectName("arm");
   arm_->setEnabled(false);
   arm_->setText(tr("Arm"));
-  arm_->setMinimumHeight(40);
   arm_->setToolTip(
       tr("The motors may push from now on: hold the handle. Escape, Space in the 3-D view and the "
-         "red button take the force away."));
-  state_->setAlignment(Qt::AlignCenter);
-  state_->setMinimumWidth(80);
-  QFont bold = arm_->font();
-  bold.setBold(true);
-  arm_->setFont(bold);
-  state_->setFont(bold);
+         "stop button take the force away."));
+  state_->setObjectName("forceState");
+  state_->setAccessibleName(tr("State of the force"));
   connect(arm_, &QPushButton::clicked, this, &HapticDevicePanel::armWanted);
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   auto* row = new QHBoxLayout;
-  row->addWidget(arm_, 1);
   row->addWidget(state_, 1);
+  row->addWidget(arm_);
   column->addLayout(row);
   column->addWidget(reason_);
   column->addWidget(share_);
@@ -272,8 +262,8 @@ QWidget* HapticDevicePanel::buildList() {
   return box;
 }
 
-QGroupBox* HapticDevicePanel::buildMapping() {
-  auto* box = new QGroupBox(tr("From the hand to the scan"));
+QWidget* HapticDevicePanel::buildMapping() {
+  auto* box = new QWidget;
   follow_camera_->setObjectName("followCamera");
   follow_camera_->setToolTip(
       tr("Right, up and towards you are the picture's; without it they stay as they are now."));
@@ -286,7 +276,12 @@ QGroupBox* HapticDevicePanel::buildMapping() {
   lifted_words_->setText(
       tr("The device may shake, hard and at once: hold it firmly, and keep Escape in reach."));
   force_scale_->setToolTip(tr("Newtons at the hand for a newton in the scan"));
+  auto* title = new QLabel(tr("From the hand to the scan"));
+  style::setType(*title, style::Type::Section);
+  style::setDim(*title);
   auto* form = new QFormLayout(box);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(title);
   form->addRow(tr("Motion scale"), position_scale_);
   form->addRow(position_words_);
   form->addRow(tr("Force scale"), force_scale_);
@@ -506,16 +501,15 @@ void HapticDevicePanel::display(const haptics::Snapshot& snapshot) {
     lost_ = lost;
     show(QList<DeviceLine>{surveyed_});
   }
-  QString word = tr("no device").toUpper(), sentence, share;
-  QString colour = colourOf(ForceState::Off);
+  ForceSaid state{Mark::Off, tr("No device")};
+  QString sentence, share;
   bool waits = false;
   if (here && !motors_) {
-    word = tr("no motors").toUpper();
+    state = stateOf(snapshot.force_state, Feel::Nothing);
     sentence = lost ? sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble)
                     : tr("It moves the tool; nothing is felt.");
   } else if (here) {
-    word = nameOf(snapshot.force_state).toUpper();
-    colour = colourOf(snapshot.force_state);
+    state = stateOf(snapshot.force_state, Feel::Felt);
     sentence = sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
     if (snapshot.stiffness_share < kCapped)
       share = tr("The stiffness is lowered to %1 % for now: the hand and the device shook.")
@@ -529,9 +523,7 @@ void HapticDevicePanel::display(const haptics::Snapshot& snapshot) {
   if (reason_->text() != sentence) reason_->setText(sentence);
   reason_->setVisible(!sentence.isEmpty());
   arm_->setEnabled(waits);
-  if (state_->text() == word) return;
-  state_->setText(word);
-  state_->setStyleSheet(QStringLiteral("background: %1; color: white; padding: 8px;").arg(colour));
+  state_->show(state.mark, state.words);
 }
 
 void HapticDevicePanel::showEvent(QShowEvent* event) {

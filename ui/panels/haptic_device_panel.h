@@ -12,7 +12,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QGroupBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -22,6 +21,7 @@ class QTreeWidget;
 namespace ui {
 
 class NumberBox;
+class StateChip;
 
 /// A haptic device in the list.
 struct DeviceLine {
@@ -106,7 +106,7 @@ class HapticDevicePanel : public QWidget {
 
   QWidget* buildList();
   QWidget* buildForce();
-  QGroupBox* buildMapping();
+  QWidget* buildMapping();
   const DeviceLine* selected() const;
   void showSelected();
   void listTurners(const DeviceLine* device);
@@ -124,7 +124,7 @@ class HapticDevicePanel : public QWidget {
   QPushButton* connect_;
   QLabel* link_words_;
   QPushButton* arm_;
-  QLabel* state_;
+  StateChip* state_;
   QLabel* reason_;
   QLabel* share_;
   NumberBox* position_scale_;

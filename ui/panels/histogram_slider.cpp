@@ -10,6 +10,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/style/look.h"
+#include "ui/style/style.h"
+
 namespace ui {
 namespace {
 
@@ -69,19 +72,21 @@ int HistogramSlider::stepOf(double intensity) const {
 
 void HistogramSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), palette().color(QPalette::Base));
+  const style::Colours& c = style::colours();
+  painter.fillRect(rect(), c.control);
   const double mark = (width() - 1) * static_cast<double>(value()) / kSteps;
   const auto bins = static_cast<int>(histogram_.counts.size());
   const int foot = height() - axisHeight();
-  const QColor solid(214, 196, 160), empty(120, 125, 135, 120);
   for (int x = 0; x < width() && bins > 0; ++x) {
     const auto bin = static_cast<std::size_t>(std::min(bins - 1, x * bins / width()));
     const double tall = std::log1p(histogram_.counts[bin]) / tallest_ * (foot - 4);
-    painter.fillRect(QRectF{x + 0.0, foot - tall, 1.0, tall}, x >= mark ? solid : empty);
+    painter.fillRect(QRectF{x + 0.0, foot - tall, 1.0, tall}, x >= mark ? c.solid : c.empty);
   }
   drawAxis(painter);
-  painter.setPen(QPen(hasFocus() ? QColor(255, 120, 40) : QColor(230, 90, 30), 2.0));
+  painter.setPen(QPen(c.accent, 2.0));
   painter.drawLine(QPointF{mark, 0.0}, QPointF{mark, foot + 0.0});
+  if (!hasFocus()) return;
+  painter.drawRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0));
 }
 
 double HistogramSlider::xOf(double intensity) const {
@@ -100,7 +105,7 @@ void HistogramSlider::drawAxis(QPainter& painter) const {
   if (!(range > 0.0)) return;
   const int line = fontMetrics().height();
   double top = height() - axisHeight() + 2.0;
-  painter.setPen(palette().color(QPalette::Text));
+  painter.setPen(style::colours().dim);
   // words from left to right, as far as they have room
   const auto place = [&](double middle, const QString& word, double& free_from) {
     const double wide = fontMetrics().horizontalAdvance(word);
@@ -115,7 +120,7 @@ void HistogramSlider::drawAxis(QPainter& painter) const {
       if (band.to <= histogram_.least || band.from >= histogram_.greatest) continue;
       const double from = xOf(band.from), to = xOf(band.to);
       painter.fillRect(QRectF{from, top - 2.0, std::max(1.0, to - from), kBandHeight + 0.0},
-                       palette().color(QPalette::Mid));
+                       style::colours().dim);
     }
     top += kBandHeight;
     for (const TissueBand& band : kTissueBands)

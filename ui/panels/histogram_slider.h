@@ -23,7 +23,7 @@ class HistogramSlider : public QAbstractSlider {
   const Histogram& histogram() const { return histogram_; }
   double intensityAt(int step) const;
   int stepOf(double intensity) const;
-  QSize sizeHint() const override { return {260, 130}; }
+  QSize sizeHint() const override { return {260, 116}; }
   QSize minimumSizeHint() const override { return {160, 100}; }
 
  signals:

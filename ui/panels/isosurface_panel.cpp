@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "ui/number_box.h"
+#include "ui/style/style.h"
 
 namespace ui {
 namespace {
@@ -75,7 +76,10 @@ IsosurfacePanel::IsosurfacePanel(QWidget* parent)
   preset(tr("Bone %1 HU").arg(kBone_HU), "presetBone", kBone_HU);
   preset(tr("Skin %1 HU").arg(kSkin_HU), "presetSkin", kSkin_HU);
   presets_->hide();
+  style::setDim(*range_);
+  style::setType(*range_, style::Type::Small);
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(slider_, 1);
   column->addWidget(range_);
   column->addLayout(row);

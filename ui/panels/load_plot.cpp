@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "ui/panels/performance_words.h"
+#include "ui/style/look.h"
+#include "ui/style/style.h"
 
 namespace ui {
 namespace {
@@ -55,8 +57,7 @@ void LoadPlot::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (present_.points == 0) return;
-  QFont font = painter.font();
-  font.setPointSizeF(8.0);
+  const QFont font = style::font(style::Type::Small);
   painter.setFont(font);
   const QFontMetrics metrics(font);
 
@@ -105,7 +106,8 @@ void LoadPlot::paintEvent(QPaintEvent*) {
       QRectF{0.0, height() - metrics.height() - 1.0, 1.0 * width(), 1.0 * metrics.height()},
       Qt::AlignCenter, tr("points"));
 
-  const QColor present_colour(230, 90, 30), tried_colour(80, 130, 220);
+  const QColor &present_colour = style::colours().attention,
+               &tried_colour = style::colours().accent;
   // the budget, named at the free end
   painter.setPen(QPen(text, 1.2, Qt::DashLine));
   painter.drawLine(QPointF{area.left(), y(budget_)}, QPointF{area.right(), y(budget_)});

@@ -13,7 +13,6 @@
 #include <QVBoxLayout>
 
 #include "ui/overlays/measure_words.h"
-#include "ui/panels/fitting_scroll.h"
 
 namespace ui {
 namespace {
@@ -49,12 +48,12 @@ MarksPanel::MarksPanel(QWidget* parent)
       travel_start_(new QPushButton),
       travel_end_(new QPushButton(tr("End"))),
       travel_(new QLabel) {
-  auto* inside = new QWidget;
-  auto* column = new QVBoxLayout(inside);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(buildTools());
   buildList();
   column->addWidget(list_, 1);
-  // two by two: the dock is narrow
+  // two by two: the panel is narrow
   auto* buttons = new QGridLayout;
   buttons->addWidget(go_, 0, 0);
   buttons->addWidget(rename_, 0, 1);
@@ -68,12 +67,7 @@ MarksPanel::MarksPanel(QWidget* parent)
       tr("Half a voxel diagonal for each place. Errors of the scanner and of the choice of the "
          "places are not in it."));
   warning->setWordWrap(true);
-  warning->setContentsMargins(9, 0, 9, 4);
-  auto* scroll = new FittingScroll(inside);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->addWidget(scroll, 1);
-  all->addWidget(warning);  // it does not scroll away
+  column->addWidget(warning);
   setFocusProxy(list_);
   setReady(false);
   setCanRestore(false);
@@ -105,6 +99,7 @@ QWidget* MarksPanel::buildTools() {
             [this, i](bool on) { emit placingWanted(on ? static_cast<int>(i) : -1); });
     auto* button = new QToolButton;
     button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setObjectName(QString(kPlaceNames[i]) + "Button");
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -124,8 +119,7 @@ void MarksPanel::buildList() {
   list_->setTabKeyNavigation(false);
   list_->setShowGrid(false);
   list_->setWordWrap(false);
-  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
-  list_->setMinimumHeight(110);
+  list_->setMinimumHeight(160);
   list_->verticalHeader()->hide();
   list_->verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() + 6);
   list_->horizontalHeader()->setHighlightSections(false);

@@ -6,8 +6,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/panels/fitting_scroll.h"
-
 namespace ui {
 namespace {
 
@@ -53,8 +51,8 @@ PerformancePanel::PerformancePanel(QWidget* parent)
   left_out_->setTextFormat(Qt::RichText);
   left_out_->setAccessibleName(tr("Left out"));
 
-  auto* inside = new QWidget;
-  auto* column = new QVBoxLayout(inside);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(measure_);
   column->addWidget(progress_);
   column->addWidget(headline_);
@@ -63,11 +61,6 @@ PerformancePanel::PerformancePanel(QWidget* parent)
   column->addWidget(details_);
   column->addWidget(left_out_title_);
   column->addWidget(left_out_);
-  column->addStretch();
-  auto* scroll = new FittingScroll(inside);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->addWidget(scroll);
 
   setFocusProxy(measure_);
   connect(measure_, &QPushButton::clicked, this, [this] {

@@ -15,8 +15,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/panels/fitting_scroll.h"
 #include "ui/panels/time_words.h"
+#include "ui/style/look.h"
+#include "ui/style/style.h"
+#include "ui/warning_label.h"
 
 namespace ui {
 namespace {
@@ -26,19 +28,24 @@ enum Column { Name, Duration, Tool, Size, kColumns };
 constexpr int kLongestNote = 200;
 constexpr int kConfirmed_ms = 5'000;
 constexpr double kLittleRoom = 600.0;  // s
-constexpr const char* kWarning = "background: #7a4a00; color: white; padding: 3px;";
 
-QLabel* label(const char* name) {
-  auto* made = new QLabel;
+WarningLabel* label(const char* name) {
+  auto* made = new WarningLabel;
   made->setObjectName(name);
   made->setTextFormat(Qt::PlainText);
   return made;
 }
 
-QLabel* sentence(const char* name) {
-  QLabel* made = label(name);
+WarningLabel* sentence(const char* name) {
+  WarningLabel* made = label(name);
   made->setWordWrap(true);
   made->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  return made;
+}
+
+QLabel* dim(const QString& words) {
+  auto* made = new QLabel(words);
+  style::setDim(*made);
   return made;
 }
 
@@ -100,16 +107,12 @@ RecordingPanel::RecordingPanel(QWidget* parent)
   marking->addWidget(note_, 1);
   marking->addWidget(mark_);
 
-  auto* inside = new QWidget;
-  auto* column = new QVBoxLayout(inside);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(buildFigures());
   column->addLayout(marking);
   column->addWidget(marked_);
   column->addWidget(buildList(), 1);
-  auto* scroll = new FittingScroll(inside);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->addWidget(scroll);
 
   setFocusProxy(record_);
   confirmation_.setSingleShot(true);
@@ -124,21 +127,14 @@ RecordingPanel::RecordingPanel(QWidget* parent)
 QWidget* RecordingPanel::buildFigures() {
   record_->setObjectName("record");
   record_->setCheckable(true);
-  // not red: that is the button that takes the force away
-  record_->setStyleSheet(
-      "QPushButton { padding: 4px 14px; }"
-      "QPushButton:checked { background: #1d5fa8; color: white; font-weight: bold; }");
   connect(record_, &QPushButton::clicked, this, [this] {
     const bool records = status_.state == RecordingStatus::State::Recording;
     record_->setChecked(records);  // until it is told otherwise
     emit recordWanted(!records);
   });
-  QFont large = font();
-  large.setPointSizeF(large.pointSizeF() * 1.6);
-  large.setBold(true);
-  elapsed_->setFont(large);
+  style::setType(*elapsed_, style::Type::Figure);
   elapsed_->setAccessibleName(tr("Time recorded"));
-  lost_->setStyleSheet(kWarning);
+  lost_->setWarning(true);
 
   auto* figures = new QWidget;
   auto* grid = new QGridLayout(figures);
@@ -146,11 +142,11 @@ QWidget* RecordingPanel::buildFigures() {
   grid->addWidget(record_, 0, 0, 1, 2);
   grid->addWidget(elapsed_, 0, 2, 1, 2, Qt::AlignRight);
   grid->addWidget(state_, 1, 0, 1, 4);
-  grid->addWidget(new QLabel(tr("Samples")), 2, 0);
+  grid->addWidget(dim(tr("Samples")), 2, 0);
   grid->addWidget(samples_, 2, 1);
-  grid->addWidget(new QLabel(tr("Gaps")), 2, 2);
+  grid->addWidget(dim(tr("Gaps")), 2, 2);
   grid->addWidget(gaps_, 2, 3, Qt::AlignRight);
-  grid->addWidget(new QLabel(tr("Size")), 3, 0);
+  grid->addWidget(dim(tr("Size")), 3, 0);
   grid->addWidget(bytes_, 3, 1);
   grid->addWidget(room_, 3, 2, 1, 2, Qt::AlignRight);
   grid->addWidget(lost_, 4, 0, 1, 4);
@@ -170,9 +166,7 @@ QWidget* RecordingPanel::buildList() {
   list_->setShowGrid(false);
   list_->setTextElideMode(Qt::ElideMiddle);
   list_->setWordWrap(false);
-  // it takes what height is left, down to this
-  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
-  list_->setMinimumHeight(110);
+  list_->setMinimumHeight(180);
   list_->verticalHeader()->hide();
   list_->verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() + 6);
   list_->horizontalHeader()->setHighlightSections(false);
@@ -234,21 +228,17 @@ void RecordingPanel::showState() {
       state_->setText(tr("Stopped by itself: %1").arg(status_.failure));
       break;
   }
-  const auto warn = [](QLabel* words, bool on) {
-    const QString style = on ? QString::fromLatin1(kWarning) : QString{};
-    if (words->styleSheet() != style) words->setStyleSheet(style);
-  };
-  warn(state_, status_.state == State::Stopped);
+  state_->setWarning(status_.state == State::Stopped);
   elapsed_->setText(clockTime(status_.elapsed, 1));
   samples_->setText(QLocale().toString(status_.samples));
   gaps_->setText(QLocale().toString(status_.gaps));
-  warn(gaps_, status_.gaps != 0);
+  gaps_->setWarning(status_.gaps != 0);
   lost_->setText(tr("%1 samples were lost: the recording is not whole.")
                      .arg(QLocale().toString(status_.gaps)));
   lost_->setVisible(status_.gaps != 0);
   bytes_->setText(sizeOf(status_.bytes));
   room_->setText(status_.room ? roomFor(*status_.room) : QString{});
-  warn(room_, status_.room && *status_.room < kLittleRoom);
+  room_->setWarning(status_.room && *status_.room < kLittleRoom);
 }
 
 void RecordingPanel::mark() {

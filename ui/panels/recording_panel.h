@@ -14,6 +14,8 @@ class QTableWidget;
 
 namespace ui {
 
+class WarningLabel;
+
 /// The progress of the recording of the present session.
 struct RecordingStatus {
   enum class State {
@@ -82,12 +84,12 @@ class RecordingPanel : public QWidget {
 
   QPushButton* record_;
   QLabel* elapsed_;
-  QLabel* state_;
+  WarningLabel* state_;
   QLabel* samples_;
-  QLabel* gaps_;
+  WarningLabel* gaps_;
   QLabel* bytes_;
-  QLabel* room_;
-  QLabel* lost_;
+  WarningLabel* room_;
+  WarningLabel* lost_;
   QLineEdit* note_;
   QPushButton* mark_;
   QLabel* marked_;

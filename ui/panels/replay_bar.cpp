@@ -2,7 +2,6 @@
 #include "ui/panels/replay_bar.h"
 
 #include <QComboBox>
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -11,6 +10,8 @@
 #include <array>
 
 #include "ui/panels/time_words.h"
+#include "ui/style/style.h"
+#include "ui/warning_label.h"
 
 namespace ui {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::array<double, 7> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0};
 
 ReplayBar::ReplayBar(QWidget* parent)
     : QFrame(parent),
-      warning_(new QLabel),
+      warning_(new WarningLabel),
       timeline_(new ReplayTimeline),
       play_(button("replayPlay", tr("Pause"), tr("Play or pause (Space while the bar has focus)"))),
       speeds_(new QComboBox),
@@ -29,7 +30,7 @@ ReplayBar::ReplayBar(QWidget* parent)
   warning_->setObjectName("replayWarning");
   warning_->setWordWrap(true);
   warning_->setTextFormat(Qt::PlainText);
-  warning_->setStyleSheet("background: #7a4a00; color: white; padding: 3px;");
+  warning_->setWarning(true);
   warning_->hide();
   timeline_->setObjectName("replayTimeline");
   // both words fit, so nothing moves when they change
@@ -46,7 +47,7 @@ ReplayBar::ReplayBar(QWidget* parent)
   for (const double speed : kSpeeds) speeds_->addItem(tr("%1 ×").arg(speed), speed);
   speeds_->setCurrentIndex(speeds_->findData(1.0));
   time_->setObjectName("replayTime");
-  time_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  time_->setFont(style::tabular(time_->font()));
 
   auto* row = new QHBoxLayout;
   row->addWidget(play_);

@@ -11,6 +11,8 @@ class QToolButton;
 
 namespace ui {
 
+class WarningLabel;
+
 /// The controls of a replay: timeline, play and pause, single ticks, speed. Space, Left and Right
 /// work only while the bar has the focus.
 class ReplayBar : public QFrame {
@@ -43,7 +45,7 @@ class ReplayBar : public QFrame {
  private:
   QToolButton* button(const char* name, const QString& text, const QString& tip);
 
-  QLabel* warning_;
+  WarningLabel* warning_;
   ReplayTimeline* timeline_;
   QToolButton* play_;
   QComboBox* speeds_;

@@ -11,6 +11,8 @@
 
 #include "ui/panels/force_words.h"
 #include "ui/panels/time_words.h"
+#include "ui/style/look.h"
+#include "ui/style/style.h"
 
 namespace ui {
 namespace {
@@ -65,21 +67,21 @@ Look lookOf(const QString& kind) {
   return words == nullptr ? Look::Scene : words->look;
 }
 
-// legible on a light and on a dark ground
 QColor colourOf(Look look) {
+  const style::Colours& c = style::colours();
   switch (look) {
     case Look::Note:
-      return {60, 130, 230};
+      return c.note;
     case Look::Setting:
-      return {40, 160, 80};
+      return c.setting;
     case Look::Scene:
-      return {150, 100, 200};
+      return c.scene;
     case Look::Force:
-      return {215, 140, 20};
+      return c.attention;
     case Look::Loss:
       break;
   }
-  return {225, 50, 50};
+  return c.stop;
 }
 
 QString legend() {
@@ -208,7 +210,7 @@ void ReplayTimeline::drawForce(QPainter& painter) const {
   };
   const int columns = static_cast<int>(area.width());
   const auto per_column = static_cast<double>(bins) / columns;
-  painter.setPen(QPen(QColor(230, 90, 30), 1.0));
+  painter.setPen(QPen(style::colours().solid, 1.0));
   for (int c = 0; c < columns; ++c) {
     const auto first = static_cast<std::size_t>(c * per_column);
     const auto end = std::min(
@@ -223,9 +225,7 @@ void ReplayTimeline::drawForce(QPainter& painter) const {
     const double x = area.left() + c + 0.5;
     painter.drawLine(QPointF{x, y(std::max(0.0F, least)) + 0.5}, QPointF{x, y(most) - 0.5});
   }
-  QFont font = painter.font();
-  font.setPointSizeF(8.0);
-  painter.setFont(font);
+  painter.setFont(style::font(style::Type::Small));
   // on a ground of its own: the curve goes on below it
   const QString scale = tr("force up to %1 N").arg(static_cast<double>(greatest), 0, 'f', 1);
   const QRectF place = painter.boundingRect(area.adjusted(3.0, 0.0, -3.0, 0.0),
@@ -272,7 +272,7 @@ void ReplayTimeline::paintEvent(QPaintEvent*) {
   painter.drawPixmap(0, 0, ground_);
   painter.setRenderHint(QPainter::Antialiasing);
   if (hasFocus()) {
-    painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+    painter.setPen(QPen(style::colours().accent, 2.0));
     painter.drawRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0));
   }
   painter.setPen(QPen(palette().color(QPalette::Text), 2.0));

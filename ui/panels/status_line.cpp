@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/panels/force_words.h"
-
 namespace ui {
 namespace {
 
@@ -41,19 +39,13 @@ StatusLine::StatusLine(QWidget* parent) : QLabel(parent) {
 }
 
 void StatusLine::display(const haptics::Snapshot& snapshot) {
+  touch_ =
+      tr("%1 N · %2 contacts").arg(snapshot.felt_W.force.norm(), 0, 'f', 2).arg(snapshot.contacts);
   // no loop runs: what is shown is of another time
-  if (snapshot.policy == haptics::SchedulingPolicy::NotStarted) {
-    touch_ = tr("Replay: %1 contacts · %2 N")
-                 .arg(snapshot.contacts)
-                 .arg(snapshot.felt_W.force.norm(), 0, 'f', 2);
+  if (snapshot.policy == haptics::SchedulingPolicy::NotStarted)
     loop_.clear();
-    return compose();
-  }
-  touch_ = tr("Force %1, %2 N · %3 contacts")
-               .arg(nameOf(snapshot.force_state).toLower())
-               .arg(snapshot.felt_W.force.norm(), 0, 'f', 2)
-               .arg(snapshot.contacts);
-  displayLoop(snapshot);
+  else
+    displayLoop(snapshot);
   compose();
 }
 

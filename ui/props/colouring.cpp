@@ -5,14 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/style/scene_colours.h"
+
 namespace ui {
 namespace {
-
-constexpr Rgb kAirwayColour{0.86, 0.63, 0.60};
-constexpr Rgb kSkinColour{0.88, 0.70, 0.58};
-constexpr Rgb kSoftColour{0.76, 0.40, 0.34};
-constexpr Rgb kVesselColour{0.80, 0.20, 0.17};
-constexpr Rgb kToothColour{0.96, 0.95, 0.90};
 
 /// Where a tissue begins, seen from the air: in HU, and as the share of the voxels that are not
 /// background and lie below it.
@@ -86,20 +82,20 @@ Colouring Colouring::byTissue(const Picture& picture) {
   const auto stop = [&](double hu, double quantile, const Rgb& colour) {
     return Stop{intensityAt({hu, quantile}, picture), colour};
   };
-  return Colouring({stop(-900.0, 0.10, kAirwayColour), stop(-500.0, 0.15, kAirwayColour),
-                    stop(-350.0, 0.25, kSkinColour), stop(-150.0, 0.40, kSkinColour),
-                    stop(0.0, 0.60, kSoftColour), stop(100.0, 0.75, kSoftColour),
-                    stop(250.0, 0.90, kIvory), stop(1200.0, 0.98, kIvory),
-                    stop(1500.0, 0.99, kToothColour)});
+  return Colouring({stop(-900.0, 0.10, style::kAirway), stop(-500.0, 0.15, style::kAirway),
+                    stop(-350.0, 0.25, style::kSkin), stop(-150.0, 0.40, style::kSkin),
+                    stop(0.0, 0.60, style::kSoft), stop(100.0, 0.75, style::kSoft),
+                    stop(250.0, 0.90, style::kIvory), stop(1200.0, 0.98, style::kIvory),
+                    stop(1500.0, 0.99, style::kTooth)});
 }
 
 Colouring Colouring::withVessels(const Picture& picture) {
   const auto stop = [&](double hu, double quantile, const Rgb& colour) {
     return Stop{intensityAt({hu, quantile}, picture), colour};
   };
-  return Colouring({stop(-350.0, 0.25, kSkinColour), stop(0.0, 0.60, kSoftColour),
-                    stop(130.0, 0.80, kVesselColour), stop(350.0, 0.95, kVesselColour),
-                    stop(600.0, 0.97, kIvory)});
+  return Colouring({stop(-350.0, 0.25, style::kSkin), stop(0.0, 0.60, style::kSoft),
+                    stop(130.0, 0.80, style::kVessel), stop(350.0, 0.95, style::kVessel),
+                    stop(600.0, 0.97, style::kIvory)});
 }
 
 Rgb Colouring::at(double intensity) const {

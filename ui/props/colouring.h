@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "ui/props/picture.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 
-using Rgb = std::array<double, 3>;  ///< 0 to 1
+using style::Rgb;
 
 /// What a preset shows.
 enum class Tissue { Bone, Skin, Airway, Vessels, Teeth };
@@ -25,8 +26,6 @@ double isovalueOf(Tissue tissue, const Picture& picture);
 /// Intensity to colour of the surface.
 class Colouring {
  public:
-  static constexpr Rgb kIvory{0.93, 0.88, 0.78};
-
   /// One colour: ivory.
   Colouring() = default;
   /// Airway, skin, soft tissue, bone and teeth, by their HU or by quantiles of the histogram.
@@ -42,7 +41,7 @@ class Colouring {
     Rgb colour;
   };
   explicit Colouring(std::vector<Stop> stops) : stops_(std::move(stops)) {}
-  std::vector<Stop> stops_ = {{0.0, kIvory}};  ///< by intensity
+  std::vector<Stop> stops_ = {{0.0, style::kIvory}};  ///< by intensity
 };
 
 }  // namespace ui

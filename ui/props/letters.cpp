@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include "ui/style/scene_colours.h"
+
 namespace ui {
 namespace {
 
@@ -22,7 +24,7 @@ Letters::Letters(vtkRenderer* renderer) {
     vtkTextProperty* look = actor->GetTextProperty();
     look->SetFontSize(22);
     look->SetBold(1);
-    look->SetColor(1.0, 0.85, 0.2);
+    look->SetColor(style::kFilmLetter[0], style::kFilmLetter[1], style::kFilmLetter[2]);
     look->SetJustificationToCentered();
     look->SetVerticalJustificationToCentered();
     actor->VisibilityOff();

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/style/scene_colours.h"
+
 namespace ui {
 namespace {
 
@@ -16,9 +18,7 @@ constexpr double kCubeEdge = 0.46;     // of the square that the cube fills
 constexpr double kCubeDistance = 5.0;  // half edges, from its middle to the eye
 constexpr double kCubeMargin = 10.0;   // px
 constexpr double kEdgeMargin = 8.0;    // px
-const QColor kLetterColour(255, 217, 51);
-const QColor kCubeLetter(230, 233, 238), kCubeLine(152, 162, 179);
-const QColor kCubeDark(31, 35, 43), kCubeLight(67, 75, 90);
+using style::kCubeDark, style::kCubeLight;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void paintOutlined(QPainter& painter, QPointF baseline, const QFont& font, const
                    const QString& text) {
   painter.setFont(font);
   // as text: paths have rough edges where OpenGL paints them
-  painter.setPen(QColor(12, 13, 17, 200));
+  painter.setPen(style::kViewRim);
   for (const QPointF by : {QPointF{1.0, 0.0}, QPointF{-1.0, 0.0}, QPointF{0.0, 1.0},
                            QPointF{0.0, -1.0}, QPointF{1.0, 1.0}, QPointF{-1.0, -1.0}})
     painter.drawText(baseline + by, text);
@@ -88,7 +88,7 @@ void paintEdgeLetters(QPainter& painter, const QRectF& area, const Eigen::Matrix
   const double high = metrics.capHeight();
   const auto wide = [&](const QString& text) { return metrics.horizontalAdvance(text); };
   const auto outlined = [&](QPointF baseline, const QString& text) {
-    paintOutlined(painter, baseline, font, kLetterColour, text);
+    paintOutlined(painter, baseline, font, style::kLetter, text);
   };
   const QPointF middle = area.center();
   outlined({area.left() + kEdgeMargin, middle.y() + 0.5 * high}, letters[0]);
@@ -136,7 +136,7 @@ void OrientationCube::paint(QPainter& painter, const QRectF& place, const Eigen:
     const auto mixed = [&](int dark, int light) {
       return dark + static_cast<int>((light - dark) * face.facing);
     };
-    painter.setPen(QPen(kCubeLine, 1.0));
+    painter.setPen(QPen(style::kCubeLine, 1.0));
     painter.setBrush(QColor(mixed(kCubeDark.red(), kCubeLight.red()),
                             mixed(kCubeDark.green(), kCubeLight.green()),
                             mixed(kCubeDark.blue(), kCubeLight.blue())));
@@ -154,7 +154,7 @@ void OrientationCube::paint(QPainter& painter, const QRectF& place, const Eigen:
     path.addText(
         {0.5 * (kPage - metrics.horizontalAdvance(letter)), 0.5 * (kPage + metrics.capHeight())},
         font, letter);
-    painter.fillPath(path, kCubeLetter);
+    painter.fillPath(path, style::kCubeLetter);
     painter.restore();
   }
   painter.restore();

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "ui/props/picture.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -54,15 +55,14 @@ ToolProp::ToolProp()
     : proxy_(vtkSmartPointer<vtkActor>::New()), device_(vtkSmartPointer<vtkActor>::New()) {
   vtkProperty* solid = proxy_->GetProperty();
   // steel, bluish against bone: what faces the viewer shines, what does not is still not black
-  solid->SetColor(kProxyColour[0], kProxyColour[1], kProxyColour[2]);
+  solid->SetColor(style::kProxy[0], style::kProxy[1], style::kProxy[2]);
   solid->SetAmbient(0.30);
   solid->SetDiffuse(0.70);
   solid->SetSpecular(0.55);
   solid->SetSpecularPower(28.0);
-  solid->SetSpecularColor(1.0, 1.0, 1.0);
   solid->SetPointSize(4.0F);
   vtkProperty* wire = device_->GetProperty();
-  wire->SetColor(kDeviceColour[0], kDeviceColour[1], kDeviceColour[2]);
+  wire->SetColor(style::kDevice[0], style::kDevice[1], style::kDevice[2]);
   wire->SetRepresentationToWireframe();
   wire->LightingOff();
   wire->SetPointSize(3.0F);

@@ -4,8 +4,6 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
-#include <array>
-
 #include "haptics/core/geometry.h"
 #include "haptics/core/triangle_mesh.h"
 
@@ -16,9 +14,6 @@ namespace ui {
 /// surface.
 class ToolProp {
  public:
-  static constexpr std::array<double, 3> kProxyColour{0.33, 0.52, 0.78};   ///< blue steel
-  static constexpr std::array<double, 3> kDeviceColour{1.00, 0.35, 0.10};  ///< orange
-
   ToolProp();
   ~ToolProp();
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/banner.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "ui/style/look.h"
+#include "ui/style/style.h"
+
+namespace ui {
+namespace {
+
+constexpr int kSymbol = 20;
+
+}  // namespace
+
+Banner::Banner(Kind kind, const char* name, QWidget* parent)
+    : QFrame(parent), kind_(kind), sentence_(new QLabel), row_(new QHBoxLayout(this)) {
+  sentence_->setObjectName(name);
+  sentence_->setWordWrap(true);
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  row_->setContentsMargins(style::kEdge + kSymbol + style::kGap, 6, style::kGap, 6);
+  row_->setSpacing(style::kGap);
+  row_->addWidget(sentence_, 1);
+  hide();
+}
+
+void Banner::setSentence(const QString& sentence) {
+  if (sentence != sentence_->text()) sentence_->setText(sentence);
+}
+
+QPushButton* Banner::addButton(const char* name) {
+  auto* button = new QPushButton;
+  button->setObjectName(name);
+  // Space in the 3-D view stays force off
+  button->setFocusPolicy(Qt::TabFocus);
+  row_->addWidget(button);
+  return button;
+}
+
+void Banner::addClose() {
+  auto* close = new QToolButton;
+  close->setObjectName(sentence_->objectName() + "Close");
+  close->setIcon(style::icon("close"));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Close"));
+  close->setAccessibleName(tr("Close"));
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  row_->addWidget(close);
+}
+
+void Banner::paintEvent(QPaintEvent*) {
+  const style::Colours& c = style::colours();
+  QPainter painter(this);
+  painter.fillRect(rect(), kind_ == Kind::Fault ? c.fault_ground : c.attention_ground);
+  painter.fillRect(QRect(0, height() - 1, width(), 1), c.line);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor colour = kind_ == Kind::Fault ? c.stop_words : c.attention;
+  painter.setPen(QPen(colour, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const QPointF middle(style::kEdge + 0.5 * kSymbol, 0.5 * (height() - 1));
+  const auto at = [&](double x, double y) { return middle + QPointF(x, y); };
+  if (kind_ == Kind::Stopped) {
+    // the outline of a stop sign
+    painter.drawPolygon(QPolygonF({at(-3.5, -8.5), at(3.5, -8.5), at(8.5, -3.5), at(8.5, 3.5),
+                                   at(3.5, 8.5), at(-3.5, 8.5), at(-8.5, 3.5), at(-8.5, -3.5)}));
+    painter.drawLine(at(-3.5, 0.0), at(3.5, 0.0));
+    return;
+  }
+  painter.drawPolygon(QPolygonF({at(0.0, -8.0), at(9.0, 7.5), at(-9.0, 7.5)}));
+  painter.drawLine(at(0.0, -2.5), at(0.0, 2.0));
+  painter.drawPoint(at(0.0, 4.8));
+}
+
+}  // namespace ui

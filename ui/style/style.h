@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QFont>
+#include <QIcon>
+#include <QPalette>
+#include <QProxyStyle>
+#include <QString>
+
+#include "ui/style/look.h"
+
+class QApplication;
+class QLabel;
+
+namespace ui::style {
+
+/// Steps of the type scale.
+enum class Type { Small, Body, Section, Figure, Force };
+
+/// The name of a theme in the preferences, and back; what is not known is dark.
+QString nameOf(Theme theme);
+Theme themeOf(const QString& name);
+
+/// Dresses every window of the program: colours, type and the shapes of the controls.
+void dress(QApplication& application, Theme theme);
+/// The theme that was dressed last.
+Theme theme();
+/// Its colours. System is dark or light, as the desktop was at the start.
+const Colours& colours();
+const Colours& coloursOf(Theme theme);
+/// For a widget that is in these colours whatever the theme is.
+QPalette paletteOf(const Colours& colours);
+
+/// The desktop's font in a size of the scale; digits are of one width, so that a number that
+/// changes moves nothing.
+QFont font(Type type);
+/// The same font, or one whose digits are of one width.
+QFont tabular(const QFont& font);
+void setType(QLabel& label, Type type);
+/// Words that step back: units, explanations.
+void setDim(QWidget& widget);
+
+/// A symbol of resources/icons in the colours of the theme that is worn when it is painted: of
+/// words, or of the accent while it is on.
+QIcon icon(const char* name);
+
+/// Draws controls in the palette's colours: flat, with thin edges and round corners.
+class Style : public QProxyStyle {
+  Q_OBJECT
+ public:
+  Style();
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override;
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override;
+  QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                         const QWidget* widget) const override;
+  QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                       const QWidget* widget) const override;
+  QRect subElementRect(SubElement element, const QStyleOption* option,
+                       const QWidget* widget) const override;
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override;
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override;
+  void polish(QWidget* widget) override;
+  using QProxyStyle::polish;
+};
+
+}  // namespace ui::style
