@@ -23,29 +23,31 @@ namespace haptics {
 /// gives to a hand that stays is bounded. A single detour raises the energy by no more than pull x
 /// tolerance.
 ///
-/// The proxy gets twelve new detours for each half of a tolerance that the device travels, and what
-/// earlier detours raised beyond what moves released is forgiven by a tenth of the pull over that
-/// travel. Travel is measured with play: the device drags an anchor once it is kPlay away from it.
-/// So a slide has as many detours as it needs, and a handle that wanders about one place has twelve
-/// in all. Without the play, detours would move the handle, and this motion would give new detours.
-/// If nothing were forgiven, a slow slide would stick and slip: normals and facets disagree for a
-/// voxel at a time, and such a slide releases next to nothing.
+/// The proxy gets twelve new detours for each half of a tolerance that the device travels. Travel
+/// is measured with play: the device drags an anchor once it is kPlay away from it. So a slide has
+/// as many detours as it needs, and a handle that wanders about one place has twelve in all.
+/// Without the play, detours would move the handle, and this motion would give new detours.
+///
+/// Travel across the pull also forgives a tenth of the pull over its length of what detours raised
+/// beyond what moves released. Otherwise a slow slide would stick and slip: normals and facets
+/// disagree for a voxel at a time, and such a slide releases next to nothing. A press goes along
+/// the pull, so nothing is forgiven in it.
 ///
 /// Taking only the nearest pose sticks and slips on real surfaces, since the direction of a step
 /// (a smooth normal) and the distance (the facets of the field) disagree by microns; taking every
 /// pose shakes at rest. The filter does neither.
 class Acceptance {
  public:
-  /// Begins a tick. `radius` [m] converts a turn of the device [rad] to a length. `tolerance` [m]
-  /// is that of contact, epsilon.
-  void begin(const Pose& X_WD, double radius, double tolerance) HAPTICS_RT {
+  /// Begins a tick in which the proxy is at X_WP. `radius` [m] converts a turn of the device [rad]
+  /// to a length. `tolerance` [m] is that of contact, epsilon.
+  void begin(const Pose& X_WD, const Pose& X_WP, double radius, double tolerance) HAPTICS_RT {
     tolerance_ = tolerance;
     if (fresh_) {
       X_WA_ = X_WD;
       forget();
       fresh_ = false;
     } else if (X_WD.matrix() != X_WD_.matrix()) {
-      drag(X_WD, radius);
+      drag(X_WD, X_WP.translation() - X_WD.translation(), radius);
       clear();
     }
     X_WD_ = X_WD;
@@ -98,7 +100,8 @@ class Acceptance {
   // most released energy that is kept, over the pull
   static constexpr double kMostSaved = 4.0;
   static constexpr double kLent = 0.5;  // energy a detour may add beyond that, over the pull
-  // of the pull, over the travel: as much as normals that are 0.1 rad off the facets ask for
+  // of the pull, over the travel across it: as much as normals that are 0.1 rad off the facets ask
+  // for
   static constexpr double kForgiven = 0.1;
 
   void clear() HAPTICS_RT {
@@ -106,7 +109,7 @@ class Acceptance {
     nearest_ = INFINITY;
   }
   /// Keeps the anchor within the play of the device.
-  void drag(const Pose& X_WD, double radius) HAPTICS_RT {
+  void drag(const Pose& X_WD, const Vec3& pull_W, double radius) HAPTICS_RT {
     const Vec3 way = X_WD.translation() - X_WA_.translation();
     const Eigen::AngleAxisd turn{X_WD.linear() * X_WA_.linear().transpose()};
     const double off = way.norm() + radius * std::abs(turn.angle());
@@ -117,7 +120,11 @@ class Acceptance {
     X_WA_.linear() =
         Eigen::AngleAxisd{share * turn.angle(), turn.axis()}.toRotationMatrix() * X_WA_.linear();
     travel_ += beyond;
-    if (saved_ < 0.0) saved_ = std::min(0.0, saved_ + kForgiven * last_ * beyond);
+    const double squared = pull_W.squaredNorm();
+    if (saved_ < 0.0 && squared > 0.0) {
+      const Vec3 across = share * (way - way.dot(pull_W) / squared * pull_W);
+      saved_ = std::min(0.0, saved_ + kForgiven * last_ * across.norm());
+    }
     if (travel_ > kRenewal * tolerance_) forget();
   }
 

@@ -46,7 +46,7 @@ class Tick {
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
   void run(TickResult& result) HAPTICS_RT {
-    proxy_.acceptance.begin(X_WD_, radius_, lengths().epsilon);
+    proxy_.acceptance.begin(X_WD_, proxy_.X_WP, radius_, lengths().epsilon);
     if (at_.stage == Search::Stage::Done) {
       at_.begin(proxy_);
     } else if (!at_.atTaken() || !at_.fresh) {
