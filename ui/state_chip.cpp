@@ -104,7 +104,8 @@ QSize StateChip::minimumSizeHint() const {
 
 QSize StateChip::sizeHint() const {
   const QSize least = minimumSizeHint();
-  if (detail_.isEmpty()) return least;
+  // no hand holds what is replayed
+  if (detail_.isEmpty() || mark_ == Mark::Replay) return least;
   return {least.width() + kSide + fontMetrics().horizontalAdvance(detail_) + 2, least.height()};
 }
 
@@ -124,7 +125,7 @@ void StateChip::paintEvent(QPaintEvent*) {
   painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
                    fontMetrics().elidedText(text(), Qt::ElideRight, room.width()), &used);
   room.setLeft(used.right() + kSide);
-  if (detail_.isEmpty() || room.width() < 3 * kSide) return;
+  if (detail_.isEmpty() || mark_ == Mark::Replay || room.width() < 3 * kSide) return;
   painter.setPen(c.dim);
   painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
                    fontMetrics().elidedText(detail_, Qt::ElideRight, room.width()));

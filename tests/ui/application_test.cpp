@@ -175,7 +175,7 @@ TEST(Application, NothingIsCutInAnyTabAtAnyScale) {
   const auto scale = int(std::lround(window.devicePixelRatioF() * 100.0));
   for (const char* tab : {"scanTab", "touchTab", "deviceTab", "recordTab"}) {
     QTest::mouseClick(window.findChild<QAbstractButton*>(tab), Qt::LeftButton);
-    QTest::qWait(150);
+    QTest::qWait(1'000);  // devices are looked for, and their list changes
     EXPECT_EQ(window.size(), QSize(1280, 700)) << tab;
     expectNothingCut(window, tab);
     window.grab().save(QDir::tempPath() + "/palpate-window-tests/" +

@@ -14,6 +14,7 @@
 
 #include "app/window/measurement_controller.h"
 #include "panelled_window.h"
+#include "ui/panels/force_words.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/section.h"
 #include "window_support.h"
@@ -161,6 +162,39 @@ TEST(Controllers, PanelsAreSectionsOfTheirTabsInTheOrderOfTheirControllers) {
   EXPECT_FALSE(isSeen("surfaceSection"));
   // and the force is always beside the picture
   EXPECT_FALSE(panelled.window.findChild<QWidget*>("forceCard")->visibleRegion().isEmpty());
+}
+
+TEST(Controllers, TheCardOfTheForceHasRoomForEveryReasonAndKeepsItsSize) {
+  using haptics::ForceReason, haptics::ForceState;
+  window::Panelled panelled;
+  window::showAndWait(panelled.window, {1280, 900});
+  auto* card = panelled.window.findChild<QWidget*>("forceCard");
+  auto* words = card->findChild<QLabel*>("touchNow");
+  const QRect place = card->geometry();
+  haptics::Snapshot snapshot;
+  snapshot.policy = haptics::SchedulingPolicy::Ordinary;
+  snapshot.force_state = ForceState::Armed;
+  for (int n = static_cast<int>(ForceReason::NoReading);
+       n <= static_cast<int>(ForceReason::Stalled); ++n) {
+    snapshot.reason = static_cast<ForceReason>(n);
+    panelled.window.displayForce(snapshot);
+    ASSERT_TRUE(waitFor([&] {
+      return words->text() == ui::sentenceFor(ForceState::Armed, snapshot.reason, {});
+    })) << n;
+    EXPECT_LE(words->heightForWidth(words->width()), words->height()) << n;
+    EXPECT_EQ(card->geometry(), place) << n;
+  }
+  snapshot.force_state = ForceState::On;
+  for (const int contacts : {0, 1, 7}) {
+    snapshot.contacts = contacts;
+    panelled.window.displayForce(snapshot);
+    ASSERT_TRUE(waitFor([&] {
+      return words->text() == (contacts == 0   ? "Nothing is touched"
+                               : contacts == 1 ? "Touching at one place"
+                                               : "Touching at 7 places");
+    }));
+    EXPECT_EQ(card->geometry(), place);
+  }
 }
 
 TEST(Controllers, AMeasurementIsMadeAndEndedWithAReason) {

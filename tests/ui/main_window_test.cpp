@@ -278,6 +278,8 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   t.window.setHand("omega.6", ui::Feel::Felt);
   t.tell(ForceState::On, ForceReason::User, false);
   EXPECT_EQ(t.state(), "Replay");
+  const auto* chip = t.window.findChild<QLabel*>("forceStateBar");
+  EXPECT_EQ(chip->sizeHint(), chip->minimumSizeHint());  // and no hand stands behind it
   EXPECT_FALSE(t.resume()->isVisible());
   // the words stand in one place: nothing else on the window says on or off
   int said = 0;

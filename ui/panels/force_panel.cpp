@@ -14,14 +14,13 @@
 namespace ui {
 namespace {
 
-constexpr int kWidth = 232, kCompactWidth = 124;  // px
+constexpr int kWidth = 248, kCompactWidth = 124;  // px
 constexpr int kInside = 12;
 
-// a word for what the tool is at: the sentence on a force that is withheld, or the contacts
+// what the tool is at, or why a force that is wanted is withheld
 QString touchWords(const haptics::Snapshot& snapshot) {
-  const QString why = sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
-  const bool stopped = snapshot.force_state == haptics::ForceState::Ready;
-  if (!why.isEmpty() && !stopped) return why;
+  if (snapshot.force_state == haptics::ForceState::Armed)
+    return sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
   if (snapshot.contacts == 0) return ForcePanel::tr("Nothing is touched");
   if (snapshot.contacts == 1) return ForcePanel::tr("Touching at one place");
   return ForcePanel::tr("Touching at %1 places").arg(snapshot.contacts);
@@ -57,6 +56,9 @@ ForcePanel::ForcePanel(QWidget* parent)
   touch_->setWordWrap(true);
   style::setDim(*touch_);
   style::setType(*touch_, style::Type::Small);
+  touch_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  // always as high, so that the card stays as it is
+  touch_->setFixedHeight(2 * touch_->fontMetrics().lineSpacing() + 2);
   plot_->setObjectName("forcePlot");
   auto* figures = new QHBoxLayout;
   figures->setSpacing(6);

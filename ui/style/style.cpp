@@ -316,6 +316,8 @@ void Style::drawPrimitive(PrimitiveElement element, const QStyleOption* option, 
     case PE_FrameStatusBarItem:
       return;
     case PE_FrameFocusRect:
+      // the row in focus is selected, and says so
+      if (qobject_cast<const QAbstractItemView*>(widget) != nullptr) return;
       return drawRound(*painter, option->rect, kCorner, none(), c.accent, 2.0);
     case PE_PanelItemViewItem: {
       QProxyStyle::drawPrimitive(element, option, painter, widget);
