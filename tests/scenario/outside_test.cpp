@@ -122,7 +122,7 @@ TEST(ClosedLoop, IsServoTickToTheBit) {
 struct Greedy final : haptics::WrenchHook {
   Wrench shaped(const Wrench& wanted, const Pose&, double) HAPTICS_RT override {
     wanted_W = wanted;
-    return {{0.0, 0.0, 1e3}, {}};
+    return {{0.0, 0.0, 1e3}, haptics::Vec3::Zero()};
   }
   void sent(const Wrench& wrench) HAPTICS_RT override { sent_W = wrench; }
 

@@ -152,9 +152,18 @@ TEST(ToolList, IsReadOutLineByLine) {
 
 TEST(ToolList, FitsANarrowPanelAndIsDrawnInThePalettesColours) {
   ListOnScreen shown;
-  EXPECT_LE(shown.list.sizeHint().width(), 260);
+  const auto wear = [&](QColor ground, QColor ink) {
+    QPalette palette;
+    for (const auto role : {QPalette::Button, QPalette::Base, QPalette::Window})
+      palette.setColor(role, ground);
+    for (const auto role : {QPalette::ButtonText, QPalette::Text, QPalette::WindowText})
+      palette.setColor(role, ink);
+    shown.list.setPalette(palette);
+  };
+  EXPECT_LE(shown.list.sizeHint().width(), 268);
   EXPECT_LE(shown.list.sizeHint().height(), 56);
   EXPECT_LE(shown.list.minimumSizeHint().width(), 180);
+  wear(QColor(0xff, 0xff, 0xff), QColor(0x1b, 0x1f, 0x27));
   const QImage light = window::pictureOf(shown.list);
   window::keep(shown.list.grab().toImage(), "tool-button");
   QTest::mouseClick(&shown.list, Qt::LeftButton);
@@ -182,18 +191,13 @@ TEST(ToolList, FitsANarrowPanelAndIsDrawnInThePalettesColours) {
   QTest::keyClick(shown.lines, Qt::Key_Escape);
   // a file with a long name makes neither wide
   shown.list.showOther({.id = "/a", .use = "From a file", .title = QString(200, 'w') + ".stl"});
-  EXPECT_LE(shown.list.sizeHint().width(), 260);
+  EXPECT_LE(shown.list.sizeHint().width(), 268);
   QTest::mouseClick(&shown.list, Qt::LeftButton);
   EXPECT_LE(popup->width(), 400);
   QTest::keyClick(shown.lines, Qt::Key_Escape);
   shown.list.showTool("burr-4");
 
-  QPalette dark;
-  for (const auto role : {QPalette::Button, QPalette::Base, QPalette::Window})
-    dark.setColor(role, QColor(0x17, 0x1a, 0x20));
-  for (const auto role : {QPalette::ButtonText, QPalette::Text, QPalette::WindowText})
-    dark.setColor(role, QColor(0xe6, 0xe9, 0xee));
-  shown.list.setPalette(dark);
+  wear(QColor(0x17, 0x1a, 0x20), QColor(0xe6, 0xe9, 0xee));
   const QImage in_dark = window::pictureOf(shown.list);
   window::keep(shown.list.grab().toImage(), "tool-button-dark");
   QTest::mouseClick(&shown.list, Qt::LeftButton);

@@ -367,7 +367,8 @@ TEST(ToolPlace, APictureThatMayShowAFaceIsAskedFor) {
   EXPECT_TRUE(QFile::remove(path));
   EXPECT_EQ(take("savePicture"), QStringList({"wish", warning, "file"}));
   EXPECT_TRUE(QFile::remove(path));
-  QTest::keyClick(&view, Qt::Key_F);  // alone
+  application.window().findChild<QAction*>("one")->trigger();
+  ASSERT_FALSE(application.window().showsSlices());
   EXPECT_EQ(take("savePicture"), QStringList({"wish", "file"}));
 }
 

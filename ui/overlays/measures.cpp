@@ -80,6 +80,10 @@ QRectF labelPlace(QSizeF size, QPointF anchor, const QPolygonF& points, const QP
                                {all.left() - kLabelGap - w, anchor.y() - 0.5 * h},
                                {anchor.x() - 0.5 * w, all.bottom() + kLabelGap},
                                {anchor.x() - 0.5 * w, all.top() - kLabelGap - h}};
+  // below and above what is in the way
+  for (const QRectF& other : taken)
+    for (const double y : {other.bottom() + 1.0, other.top() - h - 1.0})
+      corners.emplace_back(anchor.x() - 0.5 * w, y);
   // and each of them moved into the view
   const std::size_t beside = corners.size();
   for (std::size_t n = 0; n < beside; ++n)

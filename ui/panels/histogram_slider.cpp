@@ -2,6 +2,7 @@
 #include "ui/panels/histogram_slider.h"
 
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -130,7 +131,9 @@ void HistogramSlider::drawAxis(QPainter& painter) const {
   }
   const double tick = tickOf(range);
   const auto numberOf = [&](double value) {
-    return locale().toString(value, 'g', 6).replace('-', QChar(0x2212));
+    QLocale ungrouped = locale();  // a comma could be a decimal mark
+    ungrouped.setNumberOptions(QLocale::OmitGroupSeparator);
+    return ungrouped.toString(value, 'g', 6).replace('-', QChar(0x2212));
   };
   double free_from = 0.0;
   for (double at = std::ceil(histogram_.least / tick) * tick; at <= histogram_.greatest;

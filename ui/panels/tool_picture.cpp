@@ -115,8 +115,11 @@ QPixmap ToolPicture::drawn(QSize size, double ratio, const QColor& ink) const {
   painter.restore();
   if (bounds_.width() * scale > width) {
     QLinearGradient fade(0.0, 0.0, kFade, 0.0);
-    fade.setColorAt(0.0, Qt::transparent);
-    fade.setColorAt(1.0, Qt::black);
+    QColor none = ink, whole = ink;
+    none.setAlpha(0);
+    whole.setAlpha(255);
+    fade.setColorAt(0.0, none);
+    fade.setColorAt(1.0, whole);
     painter.setCompositionMode(QPainter::CompositionMode_DestinationIn);
     painter.fillRect(QRectF(QPointF(), QSizeF(size)), fade);
   }
