@@ -87,8 +87,7 @@ void OpeningController::replacePicture(const ui::Picture& picture) {
 
 /// Asks first if another scan would take something with it.
 void OpeningController::take(const Loaded& loaded) {
-  const bool other =
-      shared_.shown && scanOf(shared_.shown->volume()) != scanOf(loaded.volume());
+  const bool other = shared_.shown && scanOf(shared_.shown->volume()) != scanOf(loaded.volume());
   if (!other || !guard_) return adopt(loaded);
   window_.endLoading();
   guard_([this, loaded, asked = ++asked_](bool may_go) {
@@ -102,11 +101,11 @@ void OpeningController::adopt(const Loaded& loaded) {
   // an edit came while another tool or field was prepared: the same with the edited volume
   if (shared_.shown && shared_.shown->volume() != loaded.volume() &&
       scanOf(shared_.shown->volume()) == scanOf(loaded.volume()))
-    return load({.keep = Kept{shared_.shown->volume(), shared_.shown->picture, loaded.title,
-                              loaded.place},
-                 .tool = loaded.tool,
-                 .isovalue = shared_.settings.isovalue},
-                tr("Preparing the tool"));
+    return load(
+        {.keep = Kept{shared_.shown->volume(), shared_.shown->picture, loaded.title, loaded.place},
+         .tool = loaded.tool,
+         .isovalue = shared_.settings.isovalue},
+        tr("Preparing the tool"));
   const bool new_volume = !shared_.shown || shared_.shown->volume() != loaded.volume();
   const bool placed = !new_volume && shared_.snapshot.scene == shared_.shown->scene->id;
   // an edit's picture may have come while another tool was prepared
