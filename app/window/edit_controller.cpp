@@ -476,8 +476,8 @@ void EditController::paint() {
       [this](const haptics::Expected<ui::Picture>& picture) {
         if (picture) return emit pictured(*picture);
         window_.showMessage(
-            tr("There is not enough memory for the picture of the edited volume; it shows the "
-               "volume before the edit, and is not what is touched. Undo the edit."));
+            tr("The picture of the edited volume could not be made: it shows the volume before the "
+               "edit, and is not what is touched. Close other programs and undo the edit."));
       });
 }
 
