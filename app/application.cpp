@@ -21,6 +21,7 @@ Application::Application(Arguments arguments)
       screenshot_(window_, shared_, arguments_.screenshot, arguments_.screenshot_after) {
   window_.view().setSurfaceWish(arguments_.surface);
   wireOpening();
+  wireStart();
   wireIsosurface();
   wireHands();
   wireRecordings();
@@ -47,19 +48,26 @@ void Application::end() {
 
 void Application::start() {
   preferences_.restoreWindow();
-  LoadRequest request = arguments_.load;
-  std::filesystem::path view;
-  if (request.path && request.path->extension() == kViewEnding)
-    view = *std::exchange(request.path, std::nullopt);
-  if (!request.path && !request.phantom) request.phantom = "demo";
-  opening_.load(std::move(request), tr("Loading"));
-  // beside the reading
+  // nothing moves behind a notice that was not read yet
+  const bool notice = arguments_.notice && !preferences_.present().notice_seen;
+  if (!notice) begin();  // beside it the window is shown
   window_.show();
   picture_.start();
-  // after it: a view may know its scan, which is then loaded instead
-  if (!view.empty()) view_file_.open(view);
+  if (notice) {
+    preferences_.showNotice();
+    if (!window_.isVisible()) return;  // closed meanwhile
+    begin();
+  }
   recording_.offerRecovery();
-  if (arguments_.notice) preferences_.showNotice();
+}
+
+void Application::begin() {
+  LoadRequest request = arguments_.load;
+  if (request.path && request.path->extension() == kViewEnding)
+    return view_file_.open(*request.path);  // a view may know its scan
+  if (request.path || request.phantom) return opening_.load(std::move(request), tr("Loading"));
+  start_.drawLastScans();
+  screenshot_.prepare(true);
 }
 
 void Application::wireOpening() {
@@ -79,12 +87,20 @@ void Application::wireOpening() {
   connect(&opening_, &Opening::shown, &replay_, &ReplayController::showScene);
   connect(&opening_, &Opening::shown, &edit_, &EditController::showScene);
   connect(&opening_, &Opening::shown, &hand_, &HandController::resume);
+  connect(&opening_, &Opening::shown, &device_, &DeviceController::openWaiting);
   connect(&opening_, &Opening::shown, &screenshot_, &ScreenshotController::prepare);
   connect(&opening_, &Opening::shown, this, &Application::adopted);
   connect(&opening_, &Opening::failed, &tool_, &ToolController::show);
   connect(&opening_, &Opening::failed, &measurement_, &MeasurementController::resume);
   connect(&opening_, &Opening::failed, &screenshot_, &ScreenshotController::fail);
   connect(&screenshot_, &ScreenshotController::finished, this, &Application::finished);
+}
+
+void Application::wireStart() {
+  connect(&opening_, &OpeningController::loading, &start_, &StartController::stopDrawing);
+  connect(&opening_, &OpeningController::failed, &start_, &StartController::drawLastScans);
+  if (arguments_.notice)
+    connect(&opening_, &OpeningController::shown, &start_, &StartController::offerTour);
 }
 
 void Application::wireIsosurface() {

@@ -21,6 +21,7 @@
 #include "app/window/replay_controller.h"
 #include "app/window/screenshot_controller.h"
 #include "app/window/shared_state.h"
+#include "app/window/start_controller.h"
 #include "app/window/tool_controller.h"
 #include "app/window/view_controller.h"
 #include "app/window/view_file_controller.h"
@@ -31,12 +32,12 @@ namespace app {
 
 /// The options of the command line.
 struct Arguments {
-  LoadRequest load = {};  ///< default: the demo phantom
+  LoadRequest load = {};  ///< default: none, an empty window
   std::string hand = "mouse";
   std::optional<ui::SurfaceMode> surface = {};
   std::string screenshot = {};    ///< PNG to write before quitting; empty: none
   double screenshot_after = 3.0;  ///< s to wait after a scene is shown
-  bool notice = true;
+  bool notice = true;             ///< shows notice and tour, each until it was seen once
   std::function<double()> free_memory = datasets::freeMemory;  ///< bytes; any thread
   DeviceCatalogue devices = builtInCatalogue();
   std::filesystem::path recordings = {};  ///< folder of recordings; empty: the user's folder
@@ -72,7 +73,10 @@ class Application : public QObject {
   void adopted();
 
  private:
+  /// Opens what the command line names, or shows how to begin.
+  void begin();
   void wireOpening();
+  void wireStart();
   void wireIsosurface();
   void wireHands();
   void wireRecordings();
@@ -90,6 +94,7 @@ class Application : public QObject {
   VolumeIdentity identity_;
   PreferencesController preferences_;
   OpeningController opening_;
+  StartController start_{window_, preferences_};
   ViewController view_{window_, shared_};
   // from here on, panels stand in the window in the order of their controllers
   IsosurfaceController isosurface_{window_, shared_};

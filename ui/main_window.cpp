@@ -10,6 +10,7 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFrame>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenuBar>
@@ -28,12 +29,15 @@
 #include "ui/bindings.h"
 #include "ui/escape_filter.h"
 #include "ui/panels/force_panel.h"
+#include "ui/panels/isosurface_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/status_line.h"
 #include "ui/plane_colours.h"
+#include "ui/start_page.h"
 #include "ui/state_chip.h"
 #include "ui/style/scene_colours.h"
 #include "ui/style/style.h"
+#include "ui/tour.h"
 #include "ui/view_actions.h"
 #include "ui/view_frame.h"
 #include "ui/volume_view.h"
@@ -64,6 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
       view_(new VolumeView),
       slice_set_(new SliceSet(this)),
       slices_(slice_set_->slices()),
+      start_(new StartPage),
       replay_(new ReplayBar),
       bar_(new TopBar),
       side_(new SidePanel),
@@ -78,13 +83,15 @@ MainWindow::MainWindow(QWidget* parent)
       resume_(stopped_->addButton("forceOn")),
       loading_(new QFrame),
       loading_what_(new QLabel),
-      progress_(new QProgressBar) {
+      progress_(new QProgressBar),
+      tour_(new Tour(*this)) {
   setWindowTitle(QStringLiteral("Palpate"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/palpate.svg")));
   setAcceptDrops(true);
   buildBanners();
   buildViews();
   buildMenus();
+  buildStartPage();
   buildStatusBar();
   words_.setSingleShot(true);
   words_.setInterval(kWordsMs);
@@ -93,6 +100,7 @@ MainWindow::MainWindow(QWidget* parent)
           [this] { stopForce(tr("Force stopped by Escape")); });
   connect(this, &MainWindow::forceOnWanted, this, [this] { stopped_by_.clear(); });
   connect(side_, &SidePanel::changed, this, &MainWindow::panelsChanged);
+  connect(tour_, &Tour::ended, this, &MainWindow::tourEnded);
   bar_->force().show(Mark::Off, tr("Nothing to touch yet"));
   view_->setFocus();  // where Space stops the force
   resize(1280, 840);
@@ -135,7 +143,13 @@ void MainWindow::buildViews() {
   column->addWidget(fault_);
   column->addWidget(stopped_);
   column->addWidget(message_);
-  column->addWidget(views_, 1);
+  // in the same place: the page covers the views until there is something to see
+  auto* views = new QGridLayout;
+  views->addWidget(views_, 0, 0);
+  views->addWidget(start_, 0, 0);
+  start_->raise();
+  views_->setEnabled(false);
+  column->addLayout(views, 1);
   column->addWidget(replay_);
   replay_->setObjectName("replayBar");
   replay_->hide();
@@ -169,6 +183,43 @@ void MainWindow::buildViews() {
     graphics_->setText(choice.mode == SurfaceMode::Mesh ? tr("Mesh: %1").arg(choice.reason)
                                                         : QString());
   });
+}
+
+void MainWindow::buildStartPage() {
+  const auto triggers = [this](void (StartPage::*wish)(), const char* action) {
+    connect(start_, wish, findChild<QAction*>(action), &QAction::trigger);
+  };
+  triggers(&StartPage::fileWanted, "openFile");
+  triggers(&StartPage::folderWanted, "openFolder");
+  connect(start_, &StartPage::demoWanted, this, [this] { emit phantomWanted("demo"); });
+  connect(start_, &StartPage::deviceWanted, this, &MainWindow::devicesWanted);
+  connect(start_, &StartPage::placeWanted, this, &MainWindow::openWanted);
+  connect(start_, &StartPage::cancelWanted, this, &MainWindow::cancelWanted);
+}
+
+void MainWindow::showTour() {
+  std::vector<TourStep> steps;
+  const auto add = [&](QWidget* target, const QString& title, const QString& sentence) {
+    if (target != nullptr) steps.push_back({target, title, sentence});
+  };
+  add(findChild<QToolButton*>("openFileButton"), tr("Open a scan"),
+      tr("Here, with File > Open folder, or by dropping it on the window. Left and right come from "
+         "the file."));
+  // of an empty window there is nothing else to tell
+  if (start_->isHidden()) {
+    auto* surface = findChild<IsosurfacePanel*>();
+    if (surface != nullptr) {
+      reveal(surface);
+      add(surface->findChild<HistogramSlider*>(), tr("Choose the surface"),
+          tr("Drag the line: what you see and touch is where the scan has this value. Picture and "
+             "touch change at once."));
+    }
+    add(view_, tr("Touch it"),
+        tr("Press %1 and the mouse holds the tool, or drag the tool itself. The tool stops at the "
+           "surface, and the card shows the force. Escape stops the force at any time.")
+            .arg(keyOf(Action::TakeTool)));
+  }
+  tour_->begin(std::move(steps));
 }
 
 void MainWindow::addPanel(QWidget* panel, const QString& title, const QString& entry,
@@ -207,6 +258,7 @@ void MainWindow::buildFileMenu() {
   QAction* folder = file->addAction(tr("Open &folder…"), this, [ask, any] {
     ask(QFileDialog::Directory, tr("Open a folder of slices"), any, &MainWindow::openWanted);
   });
+  folder->setObjectName("openFolder");
   folder->setShortcut(QKeySequence(tr("Ctrl+Shift+O")));
   recent_ = file->addMenu(tr("Open &recent"));
   recent_->setObjectName("recent");
@@ -278,6 +330,7 @@ void MainWindow::buildMenus() {
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(tr("&Controls"), this, &MainWindow::showControls)->setShortcut(Qt::Key_F1);
+  help->addAction(tr("&First steps"), this, &MainWindow::showTour)->setObjectName("showTour");
   help->addAction(tr("&About Palpate"), this, &MainWindow::showAbout);
 }
 
@@ -420,6 +473,8 @@ void MainWindow::buildStatusBar() {
 }
 
 void MainWindow::show(const Picture& picture, double isovalue, const QString& title) {
+  start_->hide();
+  views_->setEnabled(true);
   view_->show(picture, isovalue);
   view_actions_->show(picture);
   slice_set_->show(picture, isovalue);
@@ -563,6 +618,7 @@ void MainWindow::setPhantoms(const QStringList& names) {
 
 void MainWindow::setRecentPlaces(const QList<Place>& places, bool remembered) {
   constexpr int kLongest = 480;  // pixels
+  start_->setPlaces(places, remembered);
   recent_->clear();
   for (const Place& place : places) {
     QString text = fontMetrics().elidedText(place.path, Qt::ElideMiddle, kLongest);
@@ -598,6 +654,7 @@ void MainWindow::showFault(const QString& sentence) {
 }
 
 void MainWindow::showLoading(const QString& what) {
+  if (!start_->isHidden()) return start_->setLoading(what);
   // the same again leaves the bar as it is: a new range paints the window at once
   if (loading_->isVisible() && loading_what_->text() == what) return;
   loading_what_->setText(what);
@@ -606,11 +663,15 @@ void MainWindow::showLoading(const QString& what) {
 }
 
 void MainWindow::showProgress(double fraction) {
+  if (!start_->isHidden()) return start_->setProgress(fraction);
   progress_->setRange(0, 1000);
   progress_->setValue(qRound(fraction * 1000.0));
 }
 
-void MainWindow::endLoading() { loading_->hide(); }
+void MainWindow::endLoading() {
+  start_->setLoading({});
+  loading_->hide();
+}
 
 bool MainWindow::askWhether(const QString& what, const QString& consequence, const QString& yes) {
   QMessageBox question(QMessageBox::Question, tr("Please confirm"), what, QMessageBox::Cancel,

@@ -34,15 +34,12 @@ namespace ui {
 class Banner;
 class ForcePanel;
 class ReplayBar;
+class StartPage;
 class StatusLine;
+class Tour;
 class ViewActions;
 class VolumeView;
-
-/// A file or folder that was opened before.
-struct Place {
-  QString path;
-  bool exists = true;
-};
+struct Place;
 
 /// How the window is laid out, for the preferences.
 struct WindowLayout {
@@ -104,7 +101,8 @@ class MainWindow : public QMainWindow {
   void setForceCard(ForcePanel& card);
   /// The bar below the menus, for the symbols of what controllers do.
   TopBar& bar() { return *bar_; }
-  /// The entries of File > Open recent, newest first, and whether new ones are remembered.
+  /// The places of File > Open recent and of the start page, newest first, and whether new ones are
+  /// remembered.
   void setRecentPlaces(const QList<Place>& places, bool remembered);
   /// Whether there is a list of series to which the user can return.
   void setSeriesKnown(bool known);
@@ -124,6 +122,8 @@ class MainWindow : public QMainWindow {
   /// Asked before the user closes the window; false keeps it open. Without one it closes.
   void setCloseGuard(std::function<bool()> guard) { close_guard_ = std::move(guard); }
   void showNotice();
+  /// Explains the first steps, in bubbles beside the controls.
+  void showTour();
   /// The hand that holds the tool, and what comes of the force.
   void setHand(const QString& label, Feel feel);
   /// The time that was recorded [s]; none: nothing is being recorded.
@@ -132,6 +132,8 @@ class MainWindow : public QMainWindow {
   VolumeView& view() { return *view_; }
   /// Below the views; hidden until it is given a recording.
   ReplayBar& replayBar() { return *replay_; }
+  /// Covers the views until the first volume is shown.
+  StartPage& startPage() { return *start_; }
   SliceView& slice(Plane plane) { return slice_set_->slice(plane); }
   /// Whether a slice is in view, and so in a picture of the window.
   bool showsSlices() const;
@@ -174,6 +176,8 @@ class MainWindow : public QMainWindow {
   void rememberPlacesChanged(bool remember);
   void forgetPlacesWanted();
   void phantomWanted(const QString& name);
+  /// The user wants to see the haptic devices.
+  void devicesWanted();
   void cancelWanted();
   /// The user chose a preset in the View menu.
   void isovalueWanted(double isovalue);
@@ -187,6 +191,8 @@ class MainWindow : public QMainWindow {
   /// The user wants a picture in a file, or in the clipboard.
   void pictureWanted();
   void pictureCopyWanted();
+  /// The first steps were explained, or skipped.
+  void tourEnded();
   void forceOffWanted();
   void forceOnWanted();
   void closing();
@@ -198,6 +204,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildViews();
+  void buildStartPage();
   void buildBanners();
   void buildMenus();
   void buildThemeMenu(QMenu& menu);
@@ -217,6 +224,7 @@ class MainWindow : public QMainWindow {
   SliceSet* slice_set_;
   std::array<SliceView*, 4> slices_{};
   ViewLayout* views_ = nullptr;
+  StartPage* start_;
   ReplayBar* replay_;
   TopBar* bar_;
   SidePanel* side_;
@@ -246,6 +254,7 @@ class MainWindow : public QMainWindow {
   QFrame* loading_;
   QLabel* loading_what_;
   QProgressBar* progress_;
+  Tour* tour_;
   QMenu* phantoms_ = nullptr;
   QMenu* recent_ = nullptr;
   QAction* series_ = nullptr;

@@ -41,6 +41,7 @@ DeviceController::DeviceController(ui::MainWindow& window, SharedState& shared,
       watch_(std::move(catalogue)) {
   window.addPanel(panel_, tr("Haptic device"), tr("&Haptic device"), "deviceSection",
                   ui::Tab::Device);
+  connect(&window, &ui::MainWindow::devicesWanted, this, [this] { window_.reveal(panel_); });
   connectPanel();
   map(preferences.present().mapping);
   panel_->show(mapping_);
@@ -56,11 +57,9 @@ void DeviceController::connectPanel() {
     watchDevices();
   });
   connect(panel_, &ui::HapticDevicePanel::surveyWanted, &watch_, &DeviceWatch::surveyNow);
-  connect(panel_, &ui::HapticDevicePanel::connectWanted, this, [this](const ui::DeviceWish& wish) {
-    panel_->showConnecting(nameOf(wish.id));
-    watch_.open(wish);
-  });
+  connect(panel_, &ui::HapticDevicePanel::connectWanted, this, &DeviceController::open);
   connect(panel_, &ui::HapticDevicePanel::disconnectWanted, this, [this] {
+    waiting_.reset();
     watch_.cancel();
     if (connected_) return letGo();
     panel_->showDisconnected({});
@@ -91,6 +90,22 @@ void DeviceController::connectPanel() {
     handling_.held = held;
     shared_.session.handle(handling_);
   });
+}
+
+void DeviceController::open(const ui::DeviceWish& wish) {
+  if (!shared_.shown) {
+    waiting_ = wish;
+    return panel_->showDisconnected(
+        tr("%1 will be connected when there is something to touch: open a scan, or try the demo "
+           "skull.")
+            .arg(nameOf(wish.id)));
+  }
+  panel_->showConnecting(nameOf(wish.id));
+  watch_.open(wish);
+}
+
+void DeviceController::openWaiting() {
+  if (waiting_) open(*std::exchange(waiting_, std::nullopt));
 }
 
 void DeviceController::map(const ui::Mapping& mapping) {

@@ -23,6 +23,8 @@ class DeviceController : public QObject {
   /// Shows the device as disconnected; the session has closed it already. Restores the stiffness of
   /// before the connection. The panel shows `why`.
   void forget(const QString& why);
+  /// There is something to touch: connects the device that the user chose before.
+  void openWaiting();
   /// Called at display rate.
   void refresh();
   /// Shows the state of the force in the newest snapshot.
@@ -44,6 +46,7 @@ class DeviceController : public QObject {
  private:
   void connectPanel();
   void watchDevices();
+  void open(const ui::DeviceWish& wish);
   QString nameOf(const QString& id) const;
   bool hasMotors(const QString& id) const;
   void take(const ui::DeviceWish& wish, const DeviceWatch::Opened& device);
@@ -60,6 +63,7 @@ class DeviceController : public QObject {
   QList<ui::DeviceLine> devices_;
   bool seen_ = false;                        ///< the panel is in view
   std::optional<ui::DeviceWish> connected_;  ///< the device that is open
+  std::optional<ui::DeviceWish> waiting_;    ///< chosen while there was nothing to touch
   QString connected_name_;
   std::optional<double> own_stiffness_;  ///< N/m, stiffness before a device was connected
   ui::Mapping mapping_;

@@ -63,9 +63,9 @@ HandController::HandController(ui::MainWindow& window, SharedState& shared, std:
 
 void HandController::choose(const QString& id) {
   const std::string name = id.toStdString();
-  if (!shared_.replaying) return void(open(name));
-  hand_ = name;
-  emit replayEndWanted();
+  if (shared_.shown && !shared_.replaying) return void(open(name));
+  hand_ = name;  // opened with the first scene, or when the replay has ended
+  if (shared_.replaying) emit replayEndWanted();
 }
 
 bool HandController::open(std::string name, const std::optional<haptics::Pose>& from) {

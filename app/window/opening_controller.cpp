@@ -12,6 +12,7 @@
 #include "app/window/sentence.h"
 #include "app/window/touched_surface.h"
 #include "datasets/phantoms/phantoms.h"
+#include "ui/start_page.h"
 
 namespace app {
 
@@ -159,6 +160,8 @@ void OpeningController::keepPlace(const std::filesystem::path& place) {
 void OpeningController::forgetPlaces() {
   preferences_.present().places.clear();
   preferences_.save();
+  // not by showPlaces(): the menu's own action may be what brought us here
+  window_.startPage().setPlaces({}, preferences_.present().places_remembered);
 }
 
 void OpeningController::showPlaces() {

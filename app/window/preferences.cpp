@@ -46,6 +46,7 @@ Preferences loadPreferences() {
   preferences.theme = settings.value("window/theme").toString();
   preferences.hints = settings.value("window/hints", true).toBool();
   preferences.notice_seen = settings.value("notice/seen", false).toBool();
+  preferences.tour_seen = settings.value("tour/seen", false).toBool();
   const double stiffness = settings.value("coupling/stiffness", 1000.0).toDouble();
   if (haptics::kStiffnessRange.holds(stiffness)) preferences.stiffness = stiffness;
   preferences.mapping = loadMapping(settings);
@@ -69,6 +70,7 @@ void savePreferences(const Preferences& preferences) {
   settings.setValue("window/theme", preferences.theme);
   settings.setValue("window/hints", preferences.hints);
   settings.setValue("notice/seen", preferences.notice_seen);
+  settings.setValue("tour/seen", preferences.tour_seen);
   settings.setValue("coupling/stiffness", preferences.stiffness);
   const ui::Mapping& mapping = preferences.mapping;
   settings.setValue("device/position_scale", mapping.position_scale);

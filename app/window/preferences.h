@@ -18,6 +18,7 @@ struct Preferences {
   QString theme = {};            ///< as ui::style::nameOf() has it; empty: dark
   bool hints = true;             ///< each view says what the mouse does in it
   bool notice_seen = false;
+  bool tour_seen = false;     ///< of the first steps
   double stiffness = 1000.0;  ///< N/m
   ui::Mapping mapping = {};   ///< mapping of haptic devices
   QStringList places = {};    ///< entries of File > Open recent, the newest first

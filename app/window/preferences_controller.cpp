@@ -23,7 +23,6 @@ void PreferencesController::restoreWindow() {
 }
 
 void PreferencesController::showNotice() {
-  if (preferences_.notice_seen) return;
   window_.showNotice();
   preferences_.notice_seen = true;
   save();

@@ -18,7 +18,7 @@ class PreferencesController : public QObject {
   Preferences& present() { return preferences_; }
   /// Restores the window's geometry, layout, theme and hints.
   void restoreWindow();
-  /// Shows the notice, unless the user has read it.
+  /// Shows the notice, which counts as read once it is closed.
   void showNotice();
   void save();
 

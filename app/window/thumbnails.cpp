@@ -6,7 +6,6 @@
 #include <utility>
 
 namespace app {
-namespace {
 
 QImage pictureOf(const datasets::SeriesVerdict& series, int longest) {
   try {
@@ -21,8 +20,6 @@ QImage pictureOf(const datasets::SeriesVerdict& series, int longest) {
     return {};
   }
 }
-
-}  // namespace
 
 void Thumbnails::start(std::vector<datasets::SeriesVerdict> series, int longest) {
   task_.start(

@@ -10,6 +10,10 @@
 
 namespace app {
 
+/// The middle slice of a series, at most `longest` pixels per side; a null image if it cannot be
+/// drawn. Any thread.
+QImage pictureOf(const datasets::SeriesVerdict& series, int longest);
+
 /// Draws the middle slices of a survey, one after another, on a thread of low priority. Signals
 /// arrive on the thread that owns it, and only for the newest survey, unless stopped. start() and
 /// stop() do not wait for the present slice; the destructor does.

@@ -35,6 +35,7 @@ ToolController::ToolController(ui::DevicePanel& panel, SharedState& shared)
                   .tip = tool.tip,
                   .mesh = resources::namedToolMesh(tool.name).value()});
   panel.tools().setTools(tools);
+  panel.tools().setEnabled(false);  // the first scan brings a tool
   panel.setFields({{kTrilinear, tr("As scanned")}, {kSpline, tr("Smoothed")}});
   connect(&panel, &ui::DevicePanel::toolChosen, this,
           [this](const QString& id) { changeTool(toolNamed(id.toStdString())); });
@@ -52,6 +53,7 @@ ToolController::ToolController(ui::DevicePanel& panel, SharedState& shared)
 
 void ToolController::show() {
   if (!shared_.shown) return;
+  panel_.tools().setEnabled(true);
   const ToolSource& tool = shared_.shown->tool;
   const QString id = QString::fromStdString(tool.name);
   if (!tool.file && resources::findNamedTool(tool.name) != nullptr) {

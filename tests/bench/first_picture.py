@@ -29,7 +29,7 @@ import zlib
 SCREEN = (1280, 900)
 LINES = [(320, y, 480, 1) for y in range(140, 740, 40)]  # of the 3-D view: x, y, width, height
 GROUND = 60  # brighter than this is no ground of the view
-SURFACE = 0.02  # share of such pixels that is a surface
+SURFACE = 0.05  # share of such pixels that is a surface, and more than a bar of progress
 LONGEST = 120.0  # s
 
 

@@ -196,6 +196,30 @@ TEST(HapticDevice, IsConnectedButNeverArmedByItself) {
   EXPECT_TRUE(waitFor([&] { return session.now().tick > 100; }));  // the mouse has it again
 }
 
+TEST(HapticDevice, OneThatIsChosenInAnEmptyWindowIsConnectedWithTheFirstScan) {
+  Bench bench;
+  app::Arguments arguments;
+  arguments.surface = ui::SurfaceMode::Mesh;
+  arguments.notice = false;
+  arguments.devices = bench.catalogue();
+  app::Application application(std::move(arguments));
+  application.start();
+  emit application.window().devicesWanted();
+  auto* list = application.window().findChild<QTreeWidget*>("deviceList");
+  ASSERT_TRUE(waitFor([&] { return list->topLevelItemCount() == 1; }));
+  auto* connect = application.window().findChild<QAbstractButton*>("connectDevice");
+  ASSERT_TRUE(connect->isEnabled());
+  QTest::mouseClick(connect, Qt::LeftButton);
+  QTest::qWait(200);
+  EXPECT_FALSE(bench.handle->open);
+  emit application.window().phantomWanted("sphere");
+  EXPECT_TRUE(waitFor([&] { return bench.handle->open.load(); }));
+  EXPECT_TRUE(waitFor([&] {
+    return application.snapshot().force_state == ForceState::Ready ||
+           application.snapshot().force_state == ForceState::Fault;
+  }));
+}
+
 // The three ways to stop, from the key or click to what the device is written.
 void expectStop(const std::function<void(Session&)>& stop) {
   Bench bench;

@@ -75,10 +75,15 @@ void HistogramSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const style::Colours& c = style::colours();
   painter.fillRect(rect(), c.control);
-  const double mark = (width() - 1) * static_cast<double>(value()) / kSteps;
   const auto bins = static_cast<int>(histogram_.counts.size());
+  if (bins == 0) {
+    painter.setPen(c.dim);
+    painter.drawText(rect(), Qt::AlignCenter, tr("No scan yet"));
+    return;
+  }
+  const double mark = (width() - 1) * static_cast<double>(value()) / kSteps;
   const int foot = height() - axisHeight();
-  for (int x = 0; x < width() && bins > 0; ++x) {
+  for (int x = 0; x < width(); ++x) {
     const auto bin = static_cast<std::size_t>(std::min(bins - 1, x * bins / width()));
     const double tall = std::log1p(histogram_.counts[bin]) / tallest_ * (foot - 4);
     painter.fillRect(QRectF{x + 0.0, foot - tall, 1.0, tall}, x >= mark ? c.solid : c.empty);

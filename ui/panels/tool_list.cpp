@@ -354,6 +354,8 @@ void ToolList::paintEvent(QPaintEvent*) {
   if (const Tool* tool = present())
     drawEntry(painter, inside.adjusted(0, 0, -kMarkWidth - kAbove, 0), tool->entry, tool->picture,
               kButtonPicture, ink);
+  else
+    painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, tr("No scan, no tool yet"));
   drawMark(painter, {inside.right() - kMarkWidth + 1, inside.top(), kMarkWidth, inside.height()},
            ink, {{-4.0, -2.0}, {0.0, 2.0}, {4.0, -2.0}});
 }

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The first minute: what an empty window offers, the notice, and the tour of the first steps.
+#include "ui/start_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <memory>
+
+#include "app/application.h"
+#include "app/window/preferences.h"
+#include "ui/panels/haptic_device_panel.h"
+#include "ui/panels/histogram_slider.h"
+#include "ui/side_panel.h"
+#include "ui/tour.h"
+#include "ui/volume_view.h"
+#include "window_support.h"
+
+namespace {
+
+using window::waitFor;
+
+/// A folder of the user's, which is no temporary one, with a small scan in it.
+class OwnFolder {
+ public:
+  OwnFolder() : path_(QDir::currentPath() + "/start_page_test_scans") {
+    QDir().mkpath(path_);
+    QFile scan(this->scan());
+    EXPECT_TRUE(scan.open(QFile::WriteOnly));
+    scan.write(
+        "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 40 40 40\n"
+        "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\n\n");
+    // a bright ball
+    QByteArray voxels(40 * 40 * 40, '\0');
+    for (int k = 0, at = 0; k < 40; ++k)
+      for (int j = 0; j < 40; ++j)
+        for (int i = 0; i < 40; ++i, ++at)
+          if ((i - 20) * (i - 20) + (j - 20) * (j - 20) + (k - 20) * (k - 20) < 150)
+            voxels[at] = char(200);
+    scan.write(voxels);
+  }
+  ~OwnFolder() { QDir(path_).removeRecursively(); }
+  QString scan() const { return path_ + "/ball.nrrd"; }
+  QString gone() const { return path_ + "/gone.nrrd"; }
+  QStringList files() const { return QDir(path_).entryList(QDir::Files); }
+
+ private:
+  QString path_;
+};
+
+class StartPage : public testing::Test {
+ protected:
+  StartPage() { QSettings().clear(); }
+  ~StartPage() override { QSettings().clear(); }
+
+  app::Application& start(app::Arguments arguments = {}) {
+    arguments.surface = ui::SurfaceMode::Mesh;
+    application_ = std::make_unique<app::Application>(std::move(arguments));
+    application_->start();
+    return *application_;
+  }
+  app::Application& startEmpty() {
+    app::Arguments arguments;
+    arguments.notice = false;
+    app::Application& application = start(std::move(arguments));
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window()));
+    return application;
+  }
+
+  ui::MainWindow& window() { return application_->window(); }
+  ui::StartPage& page() { return window().startPage(); }
+  template <class Widget>
+  Widget* named(const char* name) {
+    auto* found = window().findChild<Widget*>(name);
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  void click(const char* name) {
+    auto* button = named<QAbstractButton>(name);
+    ASSERT_TRUE(button->isVisible() && button->isEnabled()) << name;
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  bool isTouched() {
+    return waitFor([&] { return application_->snapshot().scene != 0; }, 60.0);
+  }
+  QList<QToolButton*> tiles() {
+    QList<QToolButton*> tiles;
+    for (auto* tile : window().findChildren<QToolButton*>("lastScan"))
+      if (tile->isVisible()) tiles << tile;
+    return tiles;
+  }
+  static void remember(const QStringList& places) {
+    app::Preferences preferences;
+    preferences.places = places;
+    preferences.notice_seen = preferences.tour_seen = true;
+    app::savePreferences(preferences);
+  }
+  ui::Tour& tour() { return *window().findChild<ui::Tour*>(); }
+  QString tourSentence() { return named<QLabel>("tourSentence")->text(); }
+
+  std::unique_ptr<app::Application> application_;
+};
+
+TEST_F(StartPage, AnEmptyWindowOffersThreeWaysToBeginAndTheDemoIsOneClickAway) {
+  startEmpty();
+  EXPECT_TRUE(page().isVisible());
+  for (const char* name : {"startFolder", "startFile", "startDemo", "startDevice"}) {
+    auto* button = named<QPushButton>(name);
+    EXPECT_TRUE(button->isVisible()) << name;
+    EXPECT_FALSE(button->toolTip().isEmpty()) << name;
+  }
+  EXPECT_EQ(window().windowTitle(), "Palpate");
+  EXPECT_FALSE(application_->shown());
+  window::keep(window::pictureOf(window()), "start_page");
+  click("startDemo");
+  // its progress takes the place of the cards
+  EXPECT_FALSE(named<QPushButton>("startDemo")->isVisible());
+  EXPECT_TRUE(named<QPushButton>("startCancel")->isVisible());
+  ASSERT_TRUE(isTouched());
+  EXPECT_FALSE(page().isVisible());
+  EXPECT_TRUE(window().windowTitle().startsWith("demo"));
+}
+
+TEST_F(StartPage, AClickBesideTheButtonsOfACardIsOneOnTheFirst) {
+  startEmpty();
+  auto* demo = named<QPushButton>("startDemo");
+  QTest::mouseClick(demo->parentWidget(), Qt::LeftButton, {}, {60, 60});
+  EXPECT_TRUE(isTouched());
+}
+
+TEST_F(StartPage, IsLedByTheKeyboard) {
+  startEmpty();
+  window().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 20'000));
+  // from any place in the window, Tab comes to the card
+  auto* demo = named<QPushButton>("startDemo");
+  for (int presses = 0; presses < 100 && !demo->hasFocus(); ++presses)
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  ASSERT_TRUE(demo->hasFocus());
+  QTest::keyClick(demo, Qt::Key_Space);
+  EXPECT_TRUE(isTouched());
+}
+
+TEST_F(StartPage, TheCardOfDevicesShowsTheirList) {
+  startEmpty();
+  click("startDevice");
+  EXPECT_TRUE(window::panelOf<ui::HapticDevicePanel>(window()).isVisible());
+  EXPECT_EQ(window().layoutState().panels.tab, "device");
+}
+
+TEST_F(StartPage, AHandChosenInAnEmptyWindowHoldsTheToolOfTheFirstScan) {
+  startEmpty();
+  emit window::panelOf<ui::DevicePanel>(window()).handChosen("tap");
+  EXPECT_FALSE(named<QLabel>("message")->isVisible());
+  click("startDemo");
+  ASSERT_TRUE(isTouched());
+  EXPECT_TRUE(named<QLabel>("statusLine")->text().contains("tap"))
+      << named<QLabel>("statusLine")->text().toStdString();
+}
+
+TEST_F(StartPage, TheLastScansHavePicturesThatAreMadeAgainAndKeptNowhere) {
+  const OwnFolder folder;
+  remember({folder.scan(), folder.gone()});
+  const QStringList before = folder.files();
+  startEmpty();
+  ASSERT_EQ(tiles().size(), 2);
+  EXPECT_EQ(tiles()[0]->text(), "ball.nrrd");
+  EXPECT_FALSE(tiles()[1]->isEnabled());
+  const auto middle = [&] {
+    const QImage picture = tiles()[0]->icon().pixmap(96, 96).toImage();
+    return picture.pixelColor(picture.width() / 2, picture.height() / 2).lightness();
+  };
+  EXPECT_TRUE(waitFor([&] { return middle() > 200; }, 60.0));
+  window::keep(window::pictureOf(window()), "start_page_last_scans");
+  EXPECT_EQ(folder.files(), before);
+  const QString stored = QSettings().fileName();
+  QFile settings(stored);
+  ASSERT_TRUE(settings.open(QFile::ReadOnly));
+  EXPECT_LT(settings.size(), 20'000);
+  // one click opens it again
+  QTest::mouseClick(tiles()[0], Qt::LeftButton);
+  ASSERT_TRUE(isTouched());
+  EXPECT_TRUE(window().windowTitle().startsWith("ball.nrrd"));
+}
+
+TEST_F(StartPage, NoScanIsNamedOnceTheyAreForgotten) {
+  const OwnFolder folder;
+  remember({folder.scan()});
+  startEmpty();
+  ASSERT_EQ(tiles().size(), 1);
+  EXPECT_EQ(named<QLabel>("lastScans")->text(), "Last scans");
+  emit window().forgetPlacesWanted();
+  EXPECT_TRUE(tiles().isEmpty());
+  emit window().rememberPlacesChanged(false);
+  EXPECT_TRUE(named<QLabel>("lastScans")->text().contains("not remembered"));
+}
+
+TEST_F(StartPage, AScanThatCannotBeOpenedBringsTheCardsBackUnderTheReason) {
+  const OwnFolder folder;
+  app::Arguments arguments;
+  arguments.notice = false;
+  arguments.load.path = folder.gone().toStdString();
+  start(std::move(arguments));
+  EXPECT_TRUE(waitFor([&] { return named<QLabel>("message")->isVisible(); }, 60.0));
+  EXPECT_TRUE(named<QPushButton>("startDemo")->isVisible());
+  EXPECT_TRUE(named<QLabel>("message")->text().contains("gone.nrrd"));
+  window::keep(window::pictureOf(window()), "start_page_refused");
+}
+
+TEST_F(StartPage, LoadingCanBeCancelledThere) {
+  startEmpty();
+  click("startDemo");
+  click("startCancel");
+  EXPECT_TRUE(waitFor([&] { return named<QPushButton>("startDemo")->isVisible(); }, 60.0));
+  EXPECT_FALSE(application_->shown());
+  EXPECT_TRUE(page().isVisible());
+}
+
+TEST_F(StartPage, NothingMovesBehindANoticeThatWasNotRead) {
+  bool seen = false;
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, [&] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (box == nullptr || seen) return;
+    seen = true;
+    QTest::qWait(1500);  // long enough for the sphere, were it being loaded
+    EXPECT_FALSE(application_->shown());
+    EXPECT_FALSE(application_->session().isOpen());
+    box->accept();
+  });
+  watch.start(20);
+  app::Arguments arguments;
+  arguments.load.phantom = "sphere";
+  arguments.hand = "tap";
+  start(std::move(arguments));
+  EXPECT_TRUE(seen);
+  EXPECT_TRUE(isTouched());
+  EXPECT_TRUE(app::loadPreferences().notice_seen);
+}
+
+TEST_F(StartPage, TheTourShowsThreeControlsOnceAndHelpShowsItAgain) {
+  remember({});
+  QSettings().setValue("tour/seen", false);
+  app::Arguments arguments;
+  arguments.load.phantom = "sphere";
+  start(arguments);
+  ASSERT_TRUE(isTouched());
+  ASSERT_TRUE(waitFor([&] { return tour().isVisible(); }));
+  EXPECT_FALSE(tour().isAncestorOf(QApplication::focusWidget()));
+  const auto beside = [&](const QWidget* control) {
+    // the bubble touches its control and leaves it free
+    const QRect bubble = tour().geometry();
+    const QRect target(control->mapTo(&window(), QPoint{}), control->size());
+    return target.adjusted(-2, -2, 2, 2).intersects(bubble) && !target.intersects(bubble);
+  };
+  EXPECT_EQ(tour().step(), 0);
+  EXPECT_TRUE(beside(named<QToolButton>("openFileButton")));
+  window::keep(window::pictureOf(window()), "tour_1");
+  click("tourNext");
+  EXPECT_EQ(tour().step(), 1);
+  auto* histogram = named<ui::HistogramSlider>("isovalueSlider");
+  EXPECT_TRUE(histogram->isVisible());
+  EXPECT_TRUE(beside(histogram));
+  window::keep(window::pictureOf(window()), "tour_2");
+  click("tourNext");
+  EXPECT_EQ(tour().step(), 2);
+  EXPECT_TRUE(tourSentence().contains("Escape")) << tourSentence().toStdString();
+  EXPECT_TRUE(window().rect().contains(tour().geometry()));
+  window::keep(window::pictureOf(window()), "tour_3");
+  EXPECT_FALSE(app::loadPreferences().tour_seen);
+  click("tourNext");
+  EXPECT_FALSE(tour().isVisible());
+  EXPECT_TRUE(app::loadPreferences().tour_seen);
+
+  start(arguments);
+  ASSERT_TRUE(isTouched());
+  QTest::qWait(300);
+  EXPECT_FALSE(tour().isVisible());
+  window().findChild<QAction*>("showTour")->trigger();
+  ASSERT_TRUE(tour().isVisible());
+  // it stays in the window that becomes smaller, and its rest can be skipped
+  click("tourNext");
+  window().resize(1000, 640);
+  QTest::qWait(200);
+  EXPECT_TRUE(window().rect().contains(tour().geometry()));
+  click("tourSkip");
+  EXPECT_FALSE(tour().isVisible());
+}
+
+}  // namespace
