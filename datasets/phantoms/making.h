@@ -11,8 +11,14 @@
 
 #include "haptics/core/volume.h"
 
-/// What tests and studies make their volumes and tools of.
+/// What tests and studies make their volumes, tools and poses of.
 namespace datasets {
+
+inline haptics::Pose at(const haptics::Vec3& p,
+                        const haptics::Quat& q = haptics::Quat::Identity()) {
+  return haptics::poseOf(p, q);
+}
+inline haptics::Pose at(double x, double y, double z) { return at(haptics::Vec3{x, y, z}); }
 
 /// Random numbers of one seed, in the shapes that are asked for.
 class Random {
@@ -79,12 +85,17 @@ haptics::Volume solid(const haptics::Grid& grid, Distance&& distance, double rea
 }
 inline constexpr double kSolidIso = 1000.0;
 
+/// A source of normal numbers: mean 0, standard deviation 1.
+inline auto grains(unsigned seed) {
+  return [engine = std::mt19937{seed}, normal = std::normal_distribution<double>{}]() mutable {
+    return normal(engine);
+  };
+}
+
 /// White noise: mean 0, standard deviation 100.
 inline haptics::Volume whiteNoise(const haptics::Grid& grid, unsigned seed) {
-  std::mt19937 engine{seed};
-  std::normal_distribution<double> grain{0.0, 100.0};
   return filled(grid, haptics::ScalarType::Float32,
-                [&](auto, auto, auto) { return grain(engine); });
+                [grain = grains(seed)](auto, auto, auto) mutable { return 100.0 * grain(); });
 }
 
 /// Points spread over a ball's surface along a spiral; `radius` [m].

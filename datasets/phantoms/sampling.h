@@ -12,14 +12,20 @@
 
 namespace datasets {
 
-/// A grid of cubes of side `spacing` [m] along the axes of W, its middle at W's origin.
+/// A grid with voxels of this size [m] along the axes of W, its middle at W's origin.
 inline haptics::Grid centredGrid(std::int64_t ni, std::int64_t nj, std::int64_t nk,
-                                 double spacing) {
+                                 const haptics::Vec3& spacing) {
   haptics::Grid grid;
   grid.dims = {ni, nj, nk};
-  grid.spacing.setConstant(spacing);
-  grid.origin = -0.5 * spacing * haptics::Vec3(ni - 1.0, nj - 1.0, nk - 1.0);
+  grid.spacing = spacing;
+  grid.origin = -0.5 * spacing.cwiseProduct(haptics::Vec3(ni - 1.0, nj - 1.0, nk - 1.0));
   return grid;
+}
+
+/// The same of cubes of side `spacing` [m].
+inline haptics::Grid centredGrid(std::int64_t ni, std::int64_t nj, std::int64_t nk,
+                                 double spacing) {
+  return centredGrid(ni, nj, nk, haptics::Vec3::Constant(spacing));
 }
 
 /// The same with `n` voxels along each axis.

@@ -234,37 +234,18 @@ TEST(Outside, AStartInsideIsMovedToALegalPoseNearByOrRefused) {
   EXPECT_FALSE(haptics::legalPoseNear(*solid, 100.0, Pose::Identity()));
 }
 
-/// Presses and drags a tool about and expects it never inside, and finite.
-void drag(Trial& trial, double reach, unsigned seed, int moves = 30) {
-  Random random{seed};
-  Pose from = trial.proxy.X_WP;
-  const Vec3 middle =
-      trial.scene->volume->grid.worldOf(0.5 * Vec3{double(trial.scene->volume->grid.dims[0]),
-                                                   double(trial.scene->volume->grid.dims[1]),
-                                                   double(trial.scene->volume->grid.dims[2])});
-  for (int n = 0; n < made::trials(moves * 10) / 10 + 3; ++n) {
-    const Pose to = at(middle + random.box(reach), random.rotation());
-    trial.carry(from, to, 40);
-    ASSERT_TRUE(trial.proxy.X_WP.matrix().allFinite());
-    ASSERT_TRUE(trial.last.wrench_W.force.allFinite());
-    from = to;
-  }
-  EXPECT_EQ(trial.illegal, 0);
-  EXPECT_GT(trial.contact, 0);
-}
-
 TEST(Outside, HoldsForVoxelsTenTimesAsDeepAsWide) {
-  haptics::Grid grid;
-  grid.dims = {80, 80, 12};
-  grid.spacing = {3e-4, 3e-4, 3e-3};
-  grid.origin = -grid.worldOf({39.5, 39.5, 5.5});
+  const haptics::Grid grid = datasets::centredGrid(80, 80, 12, Vec3{3e-4, 3e-4, 3e-3});
   const auto scene = made::scene(
       datasets::sampledFloat(
           grid,
           [](const Vec3& p) { return 1000.0 - 2e6 * std::clamp(p.norm() - 0.008, -4e-3, 4e-3); }),
       ballTool(150, 2e-3));
   Trial trial{scene, 1000.0, at(0.03, 0, 0)};
-  drag(trial, 0.01, 126);
+  trial.drag(grid.worldOf({40, 40, 6}), 0.01, 126, made::trials(300) / 10 + 3);
+  EXPECT_EQ(trial.illegal, 0);
+  EXPECT_EQ(trial.non_finite, 0);
+  EXPECT_GT(trial.contact, 0);
   // pressed along x it settles where the sphere is, to the interpolation along z
   trial.hold(at(0.03, 0, 0), 60);
   trial.carry(at(0.03, 0, 0), at(0.006, 0, 0), 60);

@@ -14,15 +14,9 @@
 #include "resources/named_tools.h"
 #include "tests/support/made.h"
 
-/// A trial whose judge is the evaluator.
+/// A trial of the stability study, which can tell how deep it is.
 struct Trial : study::stability::Trial {
-  Trial(std::shared_ptr<const haptics::Scene> in, double s, const haptics::Pose& X_start)
-      : study::stability::Trial{
-            std::move(in), s, X_start,
-            [](const haptics::Volume& volume, double level,
-               const std::vector<haptics::Vec3>& points, const haptics::Pose& X_WP) {
-              return evaluator::isLegal(volume, level, points, X_WP);
-            }} {}
+  using study::stability::Trial::Trial;
 
   double penetration_mm() const {
     return evaluator::penetration_mm(*scene->volume, isovalue, scene->tool.shell.points,

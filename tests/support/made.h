@@ -34,8 +34,7 @@ inline constexpr bool kSanitized = false;
 /// How often a random test repeats: a tenth under a sanitizer.
 constexpr int trials(int n) { return kSanitized ? n / 10 : n; }
 
-inline Pose at(const Vec3& p, const Quat& q = Quat::Identity()) { return haptics::poseOf(p, q); }
-inline Pose at(double x, double y, double z) { return at(Vec3{x, y, z}); }
+using datasets::at;
 
 inline std::shared_ptr<const Volume> shared(Volume volume) {
   return std::make_shared<const Volume>(std::move(volume));

@@ -247,9 +247,8 @@ Outcome closedForms(const std::string& solid, const HeldEffort& effort, unsigned
     const comparison::Touched scene{
         solid, std::make_shared<const haptics::Volume>(std::move(phantom.volume)), phantom.isovalue,
         "", 0};
-    std::vector<Vec3> points{Vec3::Zero()};
-    if (ball) points = datasets::ballPoints(kBallPoints, kBall);
-    const haptics::Tool tool{"", {}, haptics::makeShell(std::move(points)).value()};
+    const haptics::Tool tool =
+        ball ? comparison::ballTool(kBallPoints, kBall) : comparison::toolOf({Vec3::Zero()});
     double radius = ball ? kBall : 0.0;
     if (ball && solid == "halfspace") {
       // the lowest point of the ball's shell stands a little above the ball's own

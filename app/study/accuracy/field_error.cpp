@@ -151,11 +151,10 @@ const std::vector<Shape>& shapes() {
 }
 
 Volume blurred(const Shape& shape, double noise) {
-  std::mt19937 engine{41};
-  std::normal_distribution<double> grain{0.0, kTop * noise};
+  auto grain = datasets::grains(41);
   return datasets::sampledFloat(datasets::centredGrid(64, h), [&](const Vec3& p) {
     const double edge = std::clamp(0.5 - shape.distance(p) / 3.0, 0.0, 1.0);
-    return kTop * edge + (noise > 0.0 ? grain(engine) : 0.0);
+    return kTop * edge + (noise > 0.0 ? kTop * noise * grain() : 0.0);
   });
 }
 

@@ -8,14 +8,7 @@
 namespace comparison {
 namespace {
 
-using haptics::Quat;
-
 constexpr int kMove = 30;  // ticks
-
-Pose between(const Pose& X_a, const Pose& X_b, double share) {
-  return haptics::poseOf(X_a.translation() + share * (X_b.translation() - X_a.translation()),
-                         Quat{X_a.linear()}.slerp(share, Quat{X_b.linear()}));
-}
 
 /// Random displacements of a pose, normal in six directions.
 class Nudge {

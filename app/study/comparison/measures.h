@@ -18,6 +18,12 @@ double massDistance(const Pose& X_WP, const Pose& X_WD, const haptics::PointShel
 /// A bound on how far any point of the shell moved between two poses [m].
 double wayBetween(const Pose& X_from, const Pose& X_to, const haptics::PointShell& shell);
 
+/// A share of the way from one pose to another: along a line, and about one axis.
+inline Pose between(const Pose& X_a, const Pose& X_b, double share) {
+  return haptics::poseOf(X_a.translation() + share * (X_b.translation() - X_a.translation()),
+                         haptics::Quat{X_a.linear()}.slerp(share, haptics::Quat{X_b.linear()}));
+}
+
 using study::quantile;
 double mean(std::span<const double> values);  ///< 0 for none
 double median(std::vector<double> values);    ///< 0 for none

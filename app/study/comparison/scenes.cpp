@@ -10,6 +10,7 @@
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/noise.h"
 #include "datasets/phantoms/phantoms.h"
+#include "datasets/phantoms/sampling.h"
 #include "resources/named_tools.h"
 
 namespace comparison {
@@ -28,14 +29,6 @@ struct Scanner {
   double lipschitz = 1.0;  ///< of the distance
   std::uint64_t seed = 1;
 };
-
-Grid gridOf(std::int64_t ni, std::int64_t nj, std::int64_t nk, const Vec3& spacing_mm) {
-  Grid grid;
-  grid.dims = {ni, nj, nk};
-  grid.spacing = 1e-3 * spacing_mm;
-  grid.origin = -0.5 * grid.spacing.cwiseProduct(Vec3{ni - 1.0, nj - 1.0, nk - 1.0});
-  return grid;
-}
 
 /// Samples a solid, `distance(p_W)` in metres and positive outside. Blocks that the distance at
 /// their middle shows to be far from the surface are filled without asking again.
@@ -184,7 +177,7 @@ double boneDistance(const Vec3& p) {
 }
 
 Touched bunnyLike() {
-  const Grid grid = gridOf(512, 512, 361, {0.337891, 0.337891, 0.5});
+  const Grid grid = datasets::centredGrid(512, 512, 361, 1e-3 * Vec3{0.337891, 0.337891, 0.5});
   const Scanner scanner{.inside = 3100, .noise = 25, .blur = 0.0006, .lipschitz = 1.4, .seed = 3};
   auto volume = scanned<std::int16_t>(grid, scanner, haptics::ScalarType::Int16,
                                       [](const Vec3& p) { return 1e-3 * bunnyDistance(1e3 * p); });
@@ -192,7 +185,7 @@ Touched bunnyLike() {
 }
 
 Touched engineLike() {
-  const Grid grid = gridOf(256, 256, 110, {0.6, 0.6, 0.6});
+  const Grid grid = datasets::centredGrid(256, 256, 110, 1e-3 * Vec3{0.6, 0.6, 0.6});
   const Scanner scanner{.outside = 8, .inside = 190, .noise = 2, .blur = 0.0009, .seed = 5};
   auto volume = scanned<std::uint8_t>(grid, scanner, haptics::ScalarType::UInt8,
                                       [](const Vec3& p) { return 1e-3 * engineDistance(1e3 * p); });
@@ -212,7 +205,7 @@ Touched hole() {
 }
 
 Touched boneLike() {
-  const Grid grid = gridOf(768, 768, 70, {0.15, 0.15, 0.5});
+  const Grid grid = datasets::centredGrid(768, 768, 70, 1e-3 * Vec3{0.15, 0.15, 0.5});
   const Scanner scanner{.inside = 2800, .noise = 40, .blur = 0.00035, .lipschitz = 1.6, .seed = 7};
   auto volume = scanned<std::int16_t>(grid, scanner, haptics::ScalarType::Int16,
                                       [](const Vec3& p) { return 1e-3 * boneDistance(1e3 * p); });
@@ -245,13 +238,17 @@ haptics::Tool toolOf(const Touched& scene, int points) {
       .value();
 }
 
+haptics::Tool toolOf(std::vector<Vec3> points) {
+  return {"", {}, haptics::makeShell(std::move(points)).value()};
+}
+
 haptics::Tool ballTool(int points, double radius) {
-  return {"ball", {}, haptics::makeShell(datasets::ballPoints(points, radius)).value()};
+  return toolOf(datasets::ballPoints(points, radius));
 }
 
 haptics::Tool plateTool(int points, double side) {
   const int across = std::max(2, static_cast<int>(std::lround(std::sqrt(double(points)))));
-  return {"plate", {}, haptics::makeShell(datasets::platePoints(across, side)).value()};
+  return toolOf(datasets::platePoints(across, side));
 }
 
 }  // namespace comparison

@@ -44,7 +44,9 @@ haptics::Expected<Touched> readScan(const std::string& name, const std::string& 
 
 /// The tool of `scene` with its number of points, or with `points` of them.
 haptics::Tool toolOf(const Touched& scene, int points = 0);
-/// A ball with its points spread evenly, for feeling along a surface.
+/// A tool of these points and no name.
+haptics::Tool toolOf(std::vector<haptics::Vec3> points);
+/// A ball with its points spread evenly.
 haptics::Tool ballTool(int points, double radius);
 /// A square plate of about `points` points on a grid, facing -z: all of them touch a plane at once.
 haptics::Tool plateTool(int points, double side);

@@ -16,43 +16,33 @@ double depthOf(const Trial& trial) {
 }
 
 /// Steps until the proxy is outside; the ticks it took, 50 at most.
-int ticksToLeave(Trial& trial, const Pose& D, Trace* depth = nullptr) {
+int ticksToLeave(Trial& trial, const Pose& D) {
   int ticks = 0;
   trial.judged = false;
-  do {
-    trial.step(D);
-    if (depth) depth->add(ticks, depthOf(trial));
-  } while (!trial.isLegal() && ++ticks < 50);
+  do trial.step(D);
+  while (!trial.isLegal() && ++ticks < 50);
   trial.judged = true;
   return ticks;
 }
 
 void twoMillimetresInside(Trials& found) {
-  const auto scene = sphere(ball(200, 3e-3), 0.015, 10.0);
   const Pose D = at(0, 0, 0.0175);
-  Trial& trial = found.brought(scene, datasets::kSolidIso, at(0, 0, 0.03), D, 40, 20);
+  Trial& trial =
+      found.brought(sphere(ballTool(200, 3e-3), 0.015, 10.0), kSolidIso, at(0, 0, 0.03), D, 40, 20);
   // the surface grows by 2 mm past the proxy
-  trial.isovalue = datasets::kSolidIso - 8000.0;
-  const double buried = depthOf(trial);
-  Trace depth{"deepest point", 1};
-  depth.add(0, buried);
-  const int ticks = ticksToLeave(trial, D, &depth);
-  const double off = std::abs(trial.place().z() - 0.020);
-  const int follows = trial.ticksToReach(at(0, 0, 0.040), 9);
-  found.atLeast("depth at first", 1e3 * buried, 1.9, "mm", "that there is something to leave");
-  found.atMost("ticks until outside", ticks, kTicksToLeave);
-  found.atMost("from the nearest legal place", 1e3 * off, 0.2, "mm");
-  found.atMost("ticks to follow 20 mm away", follows, 4.0);
-  found.draw(depth);
-  found.plot("Left 2 mm inside by a moved isovalue",
-             "Depth of the deepest point: nothing goes deeper, and it is out at once",
-             "depth [mm]");
+  trial.isovalue = kSolidIso - 8000.0;
+  found.atLeast("depth at first", 1e3 * depthOf(trial), 1.9, "mm",
+                "that there is something to leave");
+  found.atMost("ticks until outside", ticksToLeave(trial, D), kTicksToLeave);
+  found.atMost("from the nearest legal place", 1e3 * std::abs(trial.place().z() - 0.020), 0.2,
+               "mm");
+  found.atMost("ticks to follow 20 mm away", trial.ticksToReach(at(0, 0, 0.040), 9), 4.0);
 }
 
 /// A block of one value, z < 0, in a medium of another.
-std::shared_ptr<const haptics::Scene> plateaus() {
+SharedScene plateaus() {
   const auto value = [](auto i, auto, auto k) { return k < 24 ? 1000.0 : i < 8 ? 0.0 : 500.0; };
-  return sceneOf(datasets::filled(cube(48), ScalarType::Int16, value), ball(100, 2e-3));
+  return sceneOf(datasets::filled(cube(48), ScalarType::Int16, value), ballTool(100, 2e-3));
 }
 
 void plateauBuries(Trials& found) {
@@ -81,10 +71,7 @@ void plateauAtTheIsovalue(Trials& found) {
 }
 
 void voxelsThatAreNoNumbers(Trials& found) {
-  std::vector<Vec3> places[2];
-  int contact = 0, differing = 0;
-  double replaced = 0.0;
-  for (const bool sick : {false, true}) {
+  const auto begun = [&](bool sick) -> Trial& {
     Random random{found.seed + 203};
     auto volume = datasets::filled(cube(48), ScalarType::Float32, [&](auto, auto, auto k) {
       const double value = std::clamp(4000.0 * (24.0 - double(k)), -9e3, 9e3);
@@ -92,18 +79,19 @@ void voxelsThatAreNoNumbers(Trials& found) {
       if (draw > 2) return value;
       return !sick ? -9e3 : draw == 0 ? NAN : draw == 1 ? INFINITY : -INFINITY;
     });
-    const auto scene = sceneOf(std::move(volume), ball(200, 3e-3));
-    if (sick) replaced = double(scene->volume->replaced);
-    Trial& trial = found.brought(scene, 0.0, at(0, 0, 0.01), at(0, 0, 1e-3), 40);
-    for (int n = 0; n < 600; ++n) {
-      trial.step(at(0.012 * std::sin(0.01 * n), 0.01 * std::cos(0.013 * n), 1e-3));
-      places[sick].push_back(trial.place());
-    }
-    contact += trial.contact;
+    return found.brought(sceneOf(std::move(volume), ballTool(200, 3e-3)), 0.0, at(0, 0, 0.01),
+                         at(0, 0, 1e-3), 40);
+  };
+  Trial &well = begun(false), &sick = begun(true);
+  int differing = 0;
+  for (int n = 0; n < 600; ++n) {
+    const Pose D = at(0.012 * std::sin(0.01 * n), 0.01 * std::cos(0.013 * n), 1e-3);
+    well.step(D);
+    sick.step(D);
+    differing += well.place() != sick.place();
   }
-  for (std::size_t n = 0; n < places[0].size(); ++n) differing += places[0][n] != places[1][n];
-  found.atLeast("replaced", replaced, 1000.0);
-  found.atLeast("ticks in contact", contact, 1000.0);
+  found.atLeast("replaced", double(sick.scene->volume->replaced), 1000.0);
+  found.atLeast("ticks in contact", well.contact + sick.contact, 1000.0);
   found.none("ticks unlike those of background there", differing);
 }
 
@@ -114,50 +102,44 @@ void endsOfTheData(Trials& found) {
     return p.norm() < 0.012 ? random.in(1999.0, 2040.0) : random.in(-1000.0, -950.0);
   });
   const double least = volume.least, greatest = volume.greatest;
-  const auto scene = sceneOf(std::move(volume), ball(300, 2e-3));
+  const auto scene = sceneOf(std::move(volume), ballTool(300, 2e-3));
   for (const double isovalue : {least, least + 0.01, -999.0, -950.0, 1999.0, 2039.0, greatest}) {
     Trial& trial = found.trial(scene, isovalue, at(0, 0, 0.04));
     trial.judged = isovalue > least;  // at the background's own value all the world is inside
-    drag(trial, Vec3::Zero(), 0.014, found.seed + 206, 12);
+    trial.drag(Vec3::Zero(), 0.014, found.seed + 206, 12);
   }
 }
 
 // the slider moved in every tick: a ball that breathes, faster than the tool is brought out of it
 void sweptIsovalue(Trials& found) {
-  const auto scene = sphere(ball(200, 3e-3), 0.015, 10.0);
   const Pose D = at(0, 0, 0.0175);
-  Trial& trial = found.brought(scene, datasets::kSolidIso, at(0, 0, 0.03), D, 40);
+  Trial& trial =
+      found.brought(sphere(ballTool(200, 3e-3), 0.015, 10.0), kSolidIso, at(0, 0, 0.03), D, 40);
   trial.judged = false;
-  Trace height{"1 s", 5};
   int inside = 0, longest = 0, run = 0;
   const int ticks = 1000 * found.tries;
   for (int n = 0; n < ticks; ++n) {
     // 2 mm in and out, at most 0.05 mm in a tick
-    trial.isovalue = datasets::kSolidIso + 8000.0 * std::sin(0.025 * n);
+    trial.isovalue = kSolidIso + 8000.0 * std::sin(0.025 * n);
     trial.step(D);
     run = depthOf(trial) > 0.0 ? run + 1 : 0;
     inside += run > 0;
     longest = std::max(longest, run);
-    if (n < 1000) height.add(n, trial.place().z());
   }
   // when the slider rests, it is over
-  trial.isovalue = datasets::kSolidIso;
+  trial.isovalue = kSolidIso;
   const int settles = ticksToLeave(trial, D);
   trial.hold(D, 20);
   found.atMost("longest time inside", longest, kTicksToLeave, "ticks",
                "of " + std::to_string(inside) + " ticks inside in " + std::to_string(ticks) +
                    "; what one change of the isovalue may take");
   found.atMost("ticks until outside at rest", settles, kTicksToLeave);
-  found.draw(height);
-  found.plot("An isovalue that moves in every tick",
-             "Height of the proxy over a ball that breathes by 2 mm: it rides on it",
-             "height [mm]");
 }
 
 /// A volume of one value but for its first voxel.
-std::shared_ptr<const haptics::Scene> evenVolume(double first, double others) {
+SharedScene evenVolume(double first, double others) {
   const auto value = [=](auto i, auto j, auto k) { return i + j + k == 0 ? first : others; };
-  return sceneOf(datasets::filled(cube(24), ScalarType::Int16, value), ball(100, 2e-3));
+  return sceneOf(datasets::filled(cube(24), ScalarType::Int16, value), ballTool(100, 2e-3));
 }
 
 void emptyAndAllInside(Trials& found) {
@@ -169,14 +151,14 @@ void emptyAndAllInside(Trials& found) {
   for (int n = 0; n < 200 * found.tries; ++n) {
     const Pose D = at(random.box(0.02), random.rotation());
     empty.hold(D, 13);
-    felt += empty.proxy.X_WP.matrix() != D.matrix() || !empty.last.wrench_W.force.isZero(0.0);
+    felt += !empty.isAt(D) || !empty.last.wrench_W.force.isZero(0.0);
   }
   found.subject = "empty volume";
   found.none("ticks with a force", felt);
 
   // but for one voxel, so that there is a background
   Trial& dragged = found.trial(evenVolume(0.0, 1000.0), 500.0, above);
-  drag(dragged, Vec3::Zero(), 0.02, found.seed + 124, 30 * found.tries);
+  dragged.drag(Vec3::Zero(), 0.02, found.seed + 124, 30 * found.tries);
   found.subject = "all-inside volume";
   found.atLeast("ticks in contact", dragged.contact, 1.0);
   // pressed on like any block: its face is half a voxel beyond the outermost

@@ -27,7 +27,7 @@ void thinPlate(Trials& found) {
       const Vec3 n = q * Vec3::UnitZ();
       const auto layer = [](auto, auto, auto z) { return z == 32 ? 1000.0 : 0.0; };
       const auto scene =
-          sceneOf(datasets::filled(turned(65, q), ScalarType::Int16, layer), ball(20, 2e-3));
+          sceneOf(datasets::filled(turned(65, q), ScalarType::Int16, layer), ballTool(20, 2e-3));
       for (int shot = 0; shot < 10 * found.tries; ++shot) {
         const Vec3 side = q * Vec3{random.in(-5e-3, 5e-3), random.in(-5e-3, 5e-3), 0.0};
         const Pose start = at(side + 8e-3 * n, random.rotation());
@@ -37,9 +37,8 @@ void thinPlate(Trials& found) {
                           turn(angle, random.direction()) * Quat{start.linear()});
         Trial& trial = found.trial(scene, isovalue, start);
         const auto device = [&](int) { return D; };
-        const auto height = [&](int) { return trial.lowest(n); };
         ++shots;
-        passed += found.follow(trial, 15, {}, device, height).least <= 0.0;
+        passed += trial.follow(15, device, [&](int) { return trial.lowest(n); }).least <= 0.0;
         arrived += trial.lowest(n) < 0.2 * h;
       }
     }
@@ -79,28 +78,24 @@ void plateWithNoise(Trials& found) {
       // 2 % rms, never so much that the plate has holes
       return (z == 20 ? 1000.0 : 0.0) + 20.0 * std::sqrt(3.0) * random.in(-1, 1);
     });
-    const auto scene = sceneOf(std::move(volume), toolOf({Vec3::Zero()}));
     const double face = h * (1.0 - isovalue / 1000.0);
     const auto device = [&](int t) {
       return at((24e-3 * (t / 2000.0) - 12e-3) * along - 1e-3 * n + face * n);
     };
-    Trial& trial = found.trial(scene, isovalue, at(device(0).translation() + 4e-3 * n));
+    Trial& trial = found.trial(sceneOf(std::move(volume), toolOf({Vec3::Zero()})), isovalue,
+                               at(device(0).translation() + 4e-3 * n));
     trial.carry(trial.proxy.X_WP, device(0), 40);
-    const auto lag = [&](int t) {
+    trial.name = shortly(isovalue / 10.0) + " % of the peak";
+    const Figures behind = trial.follow(2000, device, [&](int t) {
       through += n.dot(trial.place()) <= 0.0;
       return std::abs(along.dot(trial.place() - device(t).translation()));
-    };
-    const Trace behind =
-        found.follow(trial, 2000, {shortly(isovalue / 10.0) + " %", 20}, device, lag);
+    });
     mean = std::max(mean, behind.mean);
     most = std::max(most, behind.most);
   }
   found.atMost("behind, mean", 1e3 * mean, 0.15, "mm");
   found.atMost("behind, most", 1e3 * most, 0.6, "mm");
   found.none("ticks beyond the plate", through);
-  found.plot("A slide along a plate one voxel thick, with noise",
-             "Distance of the proxy behind the device, by isovalue as a share of the plate's peak",
-             "behind [mm]");
 }
 
 // the literal method is frozen here, 17 mm behind from half a per cent on
@@ -116,33 +111,30 @@ void noiseOnASphere(Trials& found) {
   for (const auto& [noise, bound, seeds] :
        {Row{0.0, 0.1e-3, {128}}, Row{0.005, 0.1e-3, {128}}, Row{0.02, 0.2e-3, {128}},
         Row{0.05, 0.6e-3, {128}}, Row{0.1, 1.8e-3, {1, 3, 4}}}) {
-    const std::string name = shortly(100.0 * noise) + " %";
+    const std::string name = shortly(100.0 * noise) + " % noise";
+    const int ticks = found.tries > 1 ? 3000 : 2000;
     double sum = 0.0;
-    int frozen = 0, ticks = 0;
+    int frozen = 0;
     for (const unsigned grain : seeds) {
-      const auto scene = noisySphere(noise, found.seed + grain, ball(200, size));
-      Trial& trial = found.brought(scene, 0.0, at(0, 0, 0.03), device(0), 60);
-      Vec3 before = trial.place();
-      const Trace line{grain == seeds.front() ? name : "", 30};
-      found.follow(trial, found.tries > 1 ? 3000 : 2000, line, device, [&](int n) {
-        const Vec3 ideal = (radius + size) * device(n).translation().normalized();
-        const double off = (trial.place() - ideal).norm();
-        sum += off;
+      auto volume = ramp(noise, found.seed + grain, datasets::shapes::Sphere{radius});
+      Trial& trial = found.brought(sceneOf(std::move(volume), ballTool(200, size)), 0.0,
+                                   at(0, 0, 0.03), device(0), 60);
+      trial.name = name;
+      for (int n = 0; n < ticks; ++n) {
+        const Vec3 before = trial.place();
+        trial.step(device(n));
+        sum += (trial.place() - (radius + size) * device(n).translation().normalized()).norm();
         frozen += (trial.place() - before).norm() < 1e-9;  // m: 1e-6 mm
-        before = trial.place();
-        ++ticks;
-        return off;
-      });
+      }
     }
-    found.subject = "F3 freezing, " + name + " noise";
-    found.atMost("from ideal, mean", 1e3 * sum / ticks, 1e3 * bound, "mm",
+    const double all = double(ticks) * double(seeds.size());
+    found.subject = "F3 freezing, " + name;
+    found.atMost("from ideal, mean", 1e3 * sum / all, 1e3 * bound, "mm",
                  noise > 0.05
                      ? "Grains differ: single voxels stand off the surface, and some hold the ball."
                      : "");
-    found.atMost("ticks frozen", 100.0 * frozen / ticks, 20.0, "%");
+    found.atMost("ticks frozen", 100.0 * frozen / all, 20.0, "%");
   }
-  found.plot("A ball over a sphere, with noise",
-             "Distance from the ideal proxy, by noise as a share of the range", "from ideal [mm]");
 }
 
 // an oblique plane is exact in the trilinear field, however long the voxels are
@@ -152,28 +144,22 @@ void longVoxels(Trials& found) {
   const auto ideal = [&](int t) { return Vec3{(8e-6 * t - 8e-3) * along + 2e-3 * n}; };
   const auto device = [&](int t) { return at(ideal(t) - 2e-3 * n); };
   for (const double ratio : {1.0, 4.0, 10.0, 20.0}) {
-    Grid grid;
-    grid.dims = {80, 80, std::llround(80.0 / ratio)};
-    grid.spacing = {fine, fine, ratio * fine};
-    grid.origin = -grid.worldOf(0.5 * Vec3{79, 79, double(grid.dims[2] - 1)});
-    std::mt19937 engine{found.seed + 204};
-    std::normal_distribution<double> grain{0.0, 1.0};
+    const Grid grid =
+        datasets::centredGrid(80, 80, std::llround(80.0 / ratio), Vec3{fine, fine, ratio * fine});
+    auto grain = datasets::grains(found.seed + 204);
     // the noise moves the surface by a seventh of a small voxel
     auto plane = datasets::sampledFloat(
-        grid, [&](const Vec3& p) { return -1000.0 * n.dot(p) / fine + 150.0 * grain(engine); });
-    const auto scene = sceneOf(std::move(plane), ball(200, 2e-3));
-    Trial& trial = found.trial(scene, 0.0, at(ideal(0) + 5e-3 * n));
+        grid, [&](const Vec3& p) { return -1000.0 * n.dot(p) / fine + 150.0 * grain(); });
+    Trial& trial =
+        found.trial(sceneOf(std::move(plane), ballTool(200, 2e-3)), 0.0, at(ideal(0) + 5e-3 * n));
     trial.carry(trial.proxy.X_WP, device(0), 60);
-    const auto distance = [&](int t) { return (trial.place() - ideal(t)).norm(); };
-    const int ticks = found.tries > 1 ? 2000 : 1000;
-    const Trace off = found.follow(trial, ticks, {"1:" + shortly(ratio), 20}, device, distance);
-    found.subject = "F6d voxels " + off.name;
+    trial.name = "1:" + shortly(ratio);
+    const Figures off = trial.follow(found.tries > 1 ? 2000 : 1000, device,
+                                     [&](int t) { return (trial.place() - ideal(t)).norm(); });
+    found.subject = "F6d voxels " + trial.name;
     found.atMost("from ideal, mean", 1e3 * off.mean, 600.0 * fine, "mm",
                  "0.6 of the smallest voxel side");
   }
-  found.plot("A slide over voxels up to twenty times as deep as wide",
-             "Distance from the ideal proxy, by how much deeper than wide the voxels are",
-             "from ideal [mm]");
 }
 
 }  // namespace

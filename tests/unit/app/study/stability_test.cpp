@@ -7,8 +7,7 @@
 #include <set>
 
 #include "app/study/stability/failures.h"
-#include "app/study/stability/limits.h"
-#include "app/study/stability/presses.h"
+#include "app/study/stability/loops.h"
 #include "tests/support/made.h"
 
 namespace {
@@ -159,9 +158,9 @@ TEST(PlantedError, AForceThatLagsATickGivesEnergyInAPress) {
   DeviceModel device = findDeviceModel("lambda.7").value();
   const auto stage = study::stability::makeStage("ball", 0.0, 1);
   const double stiffness = study::stability::allowedFor({device}, *stage.scene);
-  const auto sound = study::stability::press({device}, stage, stiffness, false);
+  const auto sound = study::stability::press({{device}, stiffness}, stage);
   device.linkage.delay = 1;
-  const auto lags = study::stability::press({device}, stage, stiffness, false);
+  const auto lags = study::stability::press({{device}, stiffness}, stage);
   EXPECT_GT(sound.contact, 400);
   EXPECT_LT(sound.energy, 1e-3);  // J
   EXPECT_GT(lags.energy, 10e-3);
@@ -173,9 +172,9 @@ TEST(Press, AsShippedIsGuarded) {
   const DeviceModel device = findDeviceModel("sigma.7").value();
   const auto stage = study::stability::makeStage("ball", 0.0, 1);
   const double allowed = study::stability::allowedFor({device}, *stage.scene);
-  EXPECT_EQ(study::stability::press({device}, stage, allowed).share, 1.0);
-  EXPECT_LT(study::stability::press({device}, stage, 5.0 * allowed).share, 0.7);
-  EXPECT_EQ(study::stability::press({device}, stage, 5.0 * allowed, false).share, 1.0);
+  EXPECT_EQ(study::stability::press({{device}, allowed, true}, stage).share, 1.0);
+  EXPECT_LT(study::stability::press({{device}, 5.0 * allowed, true}, stage).share, 0.7);
+  EXPECT_EQ(study::stability::press({{device}, 5.0 * allowed}, stage).share, 1.0);
 }
 
 TEST(PressJobs, JudgeWhatIsAllowedAndShowTheRestAsRows) {
@@ -223,10 +222,17 @@ TEST(StabilityStudy, HasEveryDeviceAndNamesEachJobOnce) {
   }
 }
 
-// one trial lags by 1 and then 3 mm, the other by 2 mm for a tick
-TEST(DistancePlot, GivesMeanLeastAndGreatestOfItsTrials) {
-  const auto plot = study::stability::distancePlot("some", {{1e-3f, 3e-3f}, {2e-3f}});
-  ASSERT_EQ(plot.series.size(), 1u);
+// of one kind a trial lags by 1 and then 3 mm, another by 2 mm for a tick; one of another kind by 4
+TEST(DistancePlot, GivesMeanLeastAndGreatestOfTheTrialsOfAName) {
+  const study::stability::Trial still{study::stability::makeStage("ball", 0.0, 1).scene, 0.0,
+                                      made::at(0, 0, 0.03)};
+  std::deque<study::stability::Trial> trials(3, still);
+  trials[0].behind = {1e-3f, 3e-3f};
+  trials[1].behind = {2e-3f};
+  trials[2].behind = {4e-3f};
+  trials[2].name = "other";
+  const auto plot = study::stability::distancePlot("some", trials);
+  ASSERT_EQ(plot.series.size(), 2u);
   const auto& points = plot.series[0].points;
   ASSERT_EQ(points.size(), 2u);
   EXPECT_FLOAT_EQ(points[0].low, 1.0);
@@ -234,6 +240,9 @@ TEST(DistancePlot, GivesMeanLeastAndGreatestOfItsTrials) {
   EXPECT_FLOAT_EQ(points[0].high, 2.0);
   EXPECT_FLOAT_EQ(points[1].y, 3.0);
   EXPECT_DOUBLE_EQ(points[1].x, 1e-3);
+  EXPECT_EQ(plot.series[1].name, "other");
+  ASSERT_EQ(plot.series[1].points.size(), 1u);
+  EXPECT_FLOAT_EQ(plot.series[1].points[0].y, 4.0);
 }
 
 // a trial records what its proxy did
@@ -268,7 +277,7 @@ TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
           << name << ": " << first.cases[n].value;
       EXPECT_TRUE(names.insert(first.cases[n].name).second) << first.cases[n].name;
     }
-    EXPECT_FALSE(first.plots.empty()) << job.name;
+    EXPECT_FALSE(first.plots.empty() && first.tables.empty()) << job.name;
     for (const study::Table& table : first.tables)
       for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.head.size());
   }
