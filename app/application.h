@@ -39,7 +39,7 @@ struct Arguments {
   bool notice = true;
   std::function<double()> free_memory = datasets::freeMemory;  ///< bytes; any thread
   DeviceCatalogue devices = builtInCatalogue();
-  std::filesystem::path recordings = {};  ///< folder of recordings; empty: the user's folder
+  std::filesystem::path recordings = {};  ///< folder of recordings; empty: that of the preferences
 };
 
 /// Makes the window and its controllers, and connects them. The controllers do the work.
@@ -79,6 +79,7 @@ class Application : public QObject {
   void wireEdits();
   void wireMarks();
   void wireLeaving();
+  void wirePreferences();
   void noteHand(const QString& id);
   /// Ends touch, recording and measurement.
   void close();
@@ -86,9 +87,9 @@ class Application : public QObject {
   Arguments arguments_;
   ui::MainWindow window_;
   SharedState shared_;
+  PreferencesController preferences_;
   Recordings recordings_;
   VolumeIdentity identity_;
-  PreferencesController preferences_;
   OpeningController opening_;
   ViewController view_{window_, shared_};
   // from here on, panels stand in the window in the order of their controllers

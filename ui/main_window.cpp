@@ -34,6 +34,7 @@
 #include "ui/state_chip.h"
 #include "ui/style/scene_colours.h"
 #include "ui/style/style.h"
+#include "ui/tab_order.h"
 #include "ui/view_actions.h"
 #include "ui/view_frame.h"
 #include "ui/volume_view.h"
@@ -351,6 +352,8 @@ void MainWindow::resetLayout() {
   side_->reset();
   restoreLayout({.views = {}, .borders = {}, .panels = {}, .panel_width = style::kPanelWidth});
 }
+
+void MainWindow::orderTabs() { ui::orderTabs(*centralWidget(), *statusBar()); }
 
 void MainWindow::offerPreferences() {
   edit_menu_->addSeparator();
