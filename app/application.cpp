@@ -9,11 +9,13 @@ namespace app {
 
 Application::Application(Arguments arguments)
     : arguments_(std::move(arguments)),
-      recordings_(arguments_.recordings),
       preferences_(window_, arguments_.screenshot.empty()),
+      recordings_(arguments_.recordings.empty()
+                      ? std::filesystem::path(preferences_.present().recordings.toStdString())
+                      : arguments_.recordings),
       opening_(window_, shared_, preferences_, arguments_.free_memory,
                arguments_.screenshot.empty()),
-      hand_(window_, shared_, arguments_.hand, preferences_.present().stiffness),
+      hand_(window_, shared_, arguments_.hand, preferences_.firstStiffness()),
       device_(window_, shared_, preferences_, arguments_.devices),
       recording_(window_, shared_, recordings_, identity_),
       replay_(window_, shared_, identity_),
@@ -28,6 +30,7 @@ Application::Application(Arguments arguments)
   wireEdits();
   wireMarks();
   wireLeaving();
+  wirePreferences();
   connect(&window_, &ui::MainWindow::closing, this, [this] {
     close();
     preferences_.save();
@@ -209,6 +212,18 @@ void Application::wireLeaving() {
     const Leave now = view_file_.leave(Leaving::Scan, answer);
     if (now != Leave::AfterSaving) answer(now == Leave::Now);
   });
+}
+
+void Application::wirePreferences() {
+  using Choices = PreferencesController;
+  connect(&preferences_, &Choices::stiffnessChosen, &device_, &DeviceController::setStiffness);
+  connect(&preferences_, &Choices::recordingsChosen, &recording_, [this](const QString& folder) {
+    recordings_.setFolder(folder.toStdString());
+    recording_.showRecordings();
+  });
+  // the menu has the entries of the edits by now, and the window its panels
+  window_.offerPreferences();
+  window_.orderTabs();
 }
 
 void Application::close() {

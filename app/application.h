@@ -40,7 +40,7 @@ struct Arguments {
   bool notice = true;             ///< shows notice and tour, each until it was seen once
   std::function<double()> free_memory = datasets::freeMemory;  ///< bytes; any thread
   DeviceCatalogue devices = builtInCatalogue();
-  std::filesystem::path recordings = {};  ///< folder of recordings; empty: the user's folder
+  std::filesystem::path recordings = {};  ///< folder of recordings; empty: that of the preferences
 };
 
 /// Makes the window and its controllers, and connects them. The controllers do the work.
@@ -83,6 +83,7 @@ class Application : public QObject {
   void wireEdits();
   void wireMarks();
   void wireLeaving();
+  void wirePreferences();
   void noteHand(const QString& id);
   /// Ends touch, recording and measurement.
   void close();
@@ -90,9 +91,9 @@ class Application : public QObject {
   Arguments arguments_;
   ui::MainWindow window_;
   SharedState shared_;
+  PreferencesController preferences_;
   Recordings recordings_;
   VolumeIdentity identity_;
-  PreferencesController preferences_;
   OpeningController opening_;
   StartController start_{window_, preferences_};
   ViewController view_{window_, shared_};

@@ -19,6 +19,7 @@ constexpr int kSymbol = 20;
 
 Banner::Banner(Kind kind, const char* name, QWidget* parent)
     : QFrame(parent), kind_(kind), sentence_(new QLabel), row_(new QHBoxLayout(this)) {
+  offerSpoken();
   sentence_->setObjectName(name);
   sentence_->setWordWrap(true);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -28,8 +29,19 @@ Banner::Banner(Kind kind, const char* name, QWidget* parent)
   hide();
 }
 
+QString Banner::spokenName() const { return sentence_->text(); }
+
+void Banner::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  QAccessibleEvent alert(this, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
+  tellSpokenName(*this);
+}
+
 void Banner::setSentence(const QString& sentence) {
-  if (sentence != sentence_->text()) sentence_->setText(sentence);
+  if (sentence == sentence_->text()) return;
+  sentence_->setText(sentence);
+  if (isVisible()) tellSpokenName(*this);
 }
 
 QPushButton* Banner::addButton(const char* name) {

@@ -3,6 +3,8 @@
 
 #include <QFrame>
 
+#include "ui/spoken.h"
+
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
@@ -10,7 +12,8 @@ class QPushButton;
 namespace ui {
 
 /// A bar over the whole width, with a symbol, a sentence and what can be done.
-class Banner : public QFrame {
+/// Screen readers are told its sentence when it comes, and when it is another.
+class Banner : public QFrame, public Spoken {
   Q_OBJECT
  public:
   enum class Kind { Attention, Fault, Stopped };
@@ -24,8 +27,12 @@ class Banner : public QFrame {
   /// A cross at the end, which hides the bar.
   void addClose();
 
+  QAccessible::Role spokenRole() const override { return QAccessible::AlertMessage; }
+  QString spokenName() const override;
+
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   Kind kind_;

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QKeyCombination>
 #include <QKeySequence>
+#include <QMap>
+#include <QObject>
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
+
+class QAction;
+class QKeyEvent;
 
 namespace ui {
 
@@ -35,10 +42,26 @@ enum class Gesture { Key, HeldKey, Click, DoubleClick, Drag, Wheel };
 
 enum class Action {
   Elsewhere,  ///< what others dispatch: here for Help and against conflicts
-  // the camera of the 3-D view
+  // the program
+  OpenFile,
+  OpenFolder,
+  SaveView,
+  SavePicture,
+  CopyPicture,
+  Undo,
+  Redo,
+  ShowPreferences,
+  Quit,
+  ShowControls,
+  NextView,
+  ViewAlone,
+  SetMark,  ///< in a recording
+  // the picture of a view
   Rotate,
   Pan,
   Zoom,
+  Nearer,
+  Farther,
   ShowEverything,
   LookFromTool,
   LookAlongTool,
@@ -49,6 +72,37 @@ enum class Action {
   ViewSuperior,
   ViewInferior,
   ParallelProjection,
+  // slices
+  NextSlice,
+  SliceBefore,
+  TenSlicesOn,
+  TenSlicesBack,
+  FirstSlice,
+  LastSlice,
+  Grey,  ///< brightness and contrast
+  MoveCross,
+  SliceMenu,
+  // measures, marks and edits
+  PlaceDistance,
+  PlaceAngle,
+  PlacePoint,
+  PlaceNote,
+  SetPlace,
+  TakePlaceBack,
+  SetPlaceOfEdit,
+  TakeCornerBack,
+  GoToMark,
+  RenameMark,
+  DeleteMark,
+  // the border between two views
+  MoveBorder,
+  FirstSizes,
+  // the replay
+  PlayPause,
+  TickBack,
+  TickForward,
+  ToBegin,
+  ToEnd,
   // the tool
   TakeTool,  ///< the mode in which the mouse is the hand, on or off
   MoveTool,
@@ -63,8 +117,8 @@ enum class Action {
   HoldToRun
 };
 
-/// One thing that a key or the mouse does. Views look up what to do here; Help and the README say
-/// what is written here, and a test holds the menus to it.
+/// One thing that a key or the mouse does. Views look up what to do here, menus take their keys
+/// from here, and Help, tooltips and the README say what is written here.
 struct Binding {
   Action action = Action::Elsewhere;
   Where place = Where::Anywhere;
@@ -74,21 +128,68 @@ struct Binding {
   Qt::KeyboardModifiers modifiers = Qt::NoModifier;
   Over over = Over::Nothing;
   const char* words = "";
+  /// The name under which another key is kept. Empty: the key stays what it is, as Escape and
+  /// Space.
+  const char* name = "";
+  QKeyCombination at_first = Qt::Key_unknown;  ///< the key, before the user changed it
 };
 
-/// All bindings.
+/// All bindings, with the user's own keys.
 std::span<const Binding> bindings();
 
-/// What to do; none: nothing. A mouse gesture with modifiers that no binding has counts as the same
-/// without. `on_tool`: the mouse is on the tool.
+/// What the mouse does there; none: nothing. A gesture with modifiers that no binding has counts as
+/// the same without. `on_tool`: the mouse is on the tool. Keys are found too, as they are.
 std::optional<Action> actionOf(Where place, MouseMode mode, Gesture gesture, int key,
                                Qt::KeyboardModifiers modifiers, bool on_tool = false);
+
+/// What a key means there, by the user's own keys; null: nothing. Where one action has an arrow key
+/// for each direction, at_first tells which. It stays valid while the program runs.
+const Binding* meaningOf(Where place, const QKeyEvent& event, Gesture gesture = Gesture::Key,
+                         Over over = Over::Nothing);
+/// The direction of an arrow key, in widget coordinates; (0, 0) of every other key.
+QPoint wayOf(const Binding& binding);
 
 /// Pairs that a key or the mouse could mean at once, in words; empty: there are none.
 QStringList conflictsIn(std::span<const Binding> bindings);
 
-/// The key of an action as menus write it; empty if it has none.
-QString keyOf(Action action);
+/// The key of an action in words; empty if it has none. `place`: where, if the action has another
+/// key elsewhere.
+QString keyOf(Action action, std::optional<Where> place = {});
+/// The keys of an action, as menus take them.
+QList<QKeySequence> shortcutsOf(Action action);
+/// A tooltip: the sentence with the key behind it, "Quits (Ctrl+Q)".
+QString withKey(const QString& sentence, Action action);
+
+/// Keys that the user chose, by the name of the binding, as portable text: "take_tool": "B".
+using OwnKeys = QMap<QString, QString>;
+
+/// Those that differ from the keys at first.
+OwnKeys ownKeys();
+/// Takes these instead of all that were there. What is not a key, names no binding, is not allowed,
+/// or means two things keeps the key that it has at first.
+void setOwnKeys(const OwnKeys& keys);
+/// Gives a binding another key. A sentence on why it may not have it; empty: it has it.
+QString changeKey(const QString& name, QKeyCombination key);
+/// The key of a key event, as changeKey() and the table have it: without what a keypad adds, and
+/// without the Shift that a sign needs on some keyboards.
+QKeyCombination plainKey(const QKeyEvent& event);
+
+/// Says that keys have changed; whenKeysChange() listens.
+class KeyTeller : public QObject {
+  Q_OBJECT
+ signals:
+  void changed();
+};
+
+/// Gives an entry of a menu the keys of an action, and a tooltip that ends with the first of them.
+/// Empty: its own tooltip stays.
+void giveKeys(QAction& entry, Action action, const QString& sentence = {});
+/// Shows the key that a view dispatches behind the text of an entry, as menus do, and in its
+/// tooltip.
+void showKey(QAction& entry, Action action, const QString& sentence = {});
+
+/// Calls `tell` now, and whenever keys have changed until `context` goes.
+void whenKeysChange(QObject& context, const std::function<void()>& tell);
 
 /// Key or mouse gesture in words, as Help and README write it: "Ctrl and wheel".
 QString triggerOf(const Binding& binding);

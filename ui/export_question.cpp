@@ -48,9 +48,12 @@ ExportDialog::ExportDialog(double begin, double end, std::vector<ExportFormat> f
       figures_(new QCheckBox(tr("Write force and time into the picture"))) {
   setWindowTitle(tr("Export a recording"));
   formats_->setObjectName("exportFormat");
+  formats_->setToolTip(tr("What the recording becomes"));
   for (const ExportFormat& table : tables_) formats_->addItem(table.title);
   formats_->addItem(tr("Film"));
   from_->setAccessibleName(tr("From"));
+  from_->setToolTip(tr("Where the export begins, by the time of the recording"));
+  to_->setToolTip(tr("Where the export ends, by the time of the recording"));
   to_->setAccessibleName(tr("To"));
   range_->setObjectName("exportRange");
   range_->setWordWrap(true);
@@ -72,6 +75,8 @@ ExportDialog::ExportDialog(double begin, double end, std::vector<ExportFormat> f
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   export_ = buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole);
   export_->setObjectName("exportAgree");
+  export_->setToolTip(tr("Asks for the file, then writes it"));
+  buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Writes nothing"));
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
   column->addWidget(samples_);
@@ -104,6 +109,9 @@ NumberBox* ExportDialog::timeSpin(const char* name, double value) {
 QWidget* ExportDialog::buildSamples() {
   every_step_->setObjectName("exportEveryStep");
   at_rate_->setObjectName("exportAtRate");
+  every_step_->setToolTip(tr("Writes every tick of the servo loop"));
+  at_rate_->setToolTip(tr("Writes so many samples a second"));
+  at_rate_->setAccessibleName(tr("At a rate"));
   every_step_->setChecked(true);
   rate_->setObjectName("exportRate");
   rate_->setDecimals(1);
@@ -111,9 +119,11 @@ QWidget* ExportDialog::buildSamples() {
   rate_->setValue(kUsualRate);
   rate_->setSuffix(tr(" Hz"));
   rate_->setAccessibleName(tr("Rate"));
+  rate_->setToolTip(tr("Samples for each second"));
   rate_->setEnabled(false);
   connect(at_rate_, &QRadioButton::toggled, rate_, &QWidget::setEnabled);
   contacts_->setObjectName("exportContacts");
+  contacts_->setToolTip(tr("Writes where the tool touches, too"));
   contacts_->setChecked(true);
 
   auto* rates = new QHBoxLayout;
@@ -130,14 +140,18 @@ QWidget* ExportDialog::buildSamples() {
 
 QWidget* ExportDialog::buildFilm() {
   cameras_->setObjectName("filmCamera");
+  cameras_->setToolTip(tr("From where the film is seen"));
   cameras_->addItem(tr("as it was recorded"), static_cast<int>(Camera::AsRecorded));
   cameras_->addItem(tr("fixed, as it is now"), static_cast<int>(Camera::Fixed));
   sizes_->setObjectName("filmSize");
+  sizes_->setToolTip(tr("Pixels of the film"));
   for (const QSize size : kSizes)
     sizes_->addItem(tr("%1 × %2").arg(size.width()).arg(size.height()), size);
   frame_rates_->setObjectName("filmRate");
+  frame_rates_->setToolTip(tr("Pictures for each second of the film"));
   for (const int rate : {30, 60}) frame_rates_->addItem(tr("%1 a second").arg(rate), rate);
   figures_->setObjectName("filmFigures");
+  figures_->setToolTip(tr("The film then shows the force and the time in figures"));
   figures_->setChecked(true);
 
   auto* all = new QWidget;

@@ -37,6 +37,7 @@
 #include "ui/state_chip.h"
 #include "ui/style/scene_colours.h"
 #include "ui/style/style.h"
+#include "ui/tab_order.h"
 #include "ui/tour.h"
 #include "ui/view_actions.h"
 #include "ui/view_frame.h"
@@ -254,12 +255,12 @@ void MainWindow::buildFileMenu() {
   });
   open->setObjectName("openFile");
   bar_->add(BarGroup::File, *open, "open");
-  open->setShortcut(QKeySequence::Open);
+  giveKeys(*open, Action::OpenFile, tr("Opens a scan in a file"));
   QAction* folder = file->addAction(tr("Open &folder…"), this, [ask, any] {
     ask(QFileDialog::Directory, tr("Open a folder of slices"), any, &MainWindow::openWanted);
   });
   folder->setObjectName("openFolder");
-  folder->setShortcut(QKeySequence(tr("Ctrl+Shift+O")));
+  giveKeys(*folder, Action::OpenFolder);
   recent_ = file->addMenu(tr("Open &recent"));
   recent_->setObjectName("recent");
   recent_->setToolTipsVisible(true);
@@ -278,7 +279,7 @@ void MainWindow::buildFileMenu() {
   view->setObjectName("openView");
   QAction* save = file->addAction(tr("Save view &as…"), this, &MainWindow::viewSaveWanted);
   save->setObjectName("saveView");
-  save->setShortcut(QKeySequence::Save);
+  giveKeys(*save, Action::SaveView);
   file->addSeparator();
   series_ = file->addAction(tr("&Series of this folder…"), this, &MainWindow::seriesWanted);
   series_->setObjectName("seriesOfThisFolder");
@@ -288,7 +289,7 @@ void MainWindow::buildFileMenu() {
   save_edited_->setObjectName("saveEdited");
   save_edited_->setEnabled(false);
   file->addSeparator();
-  file->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
+  giveKeys(*file->addAction(tr("&Quit"), this, &QWidget::close), Action::Quit);
 }
 
 void MainWindow::buildMenus() {
@@ -329,7 +330,8 @@ void MainWindow::buildMenus() {
   surface->addAction(tr("Mesh"), this, [this] { view_->setSurfaceWish(SurfaceMode::Mesh); });
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->addAction(tr("&Controls"), this, &MainWindow::showControls)->setShortcut(Qt::Key_F1);
+  giveKeys(*help->addAction(tr("&Controls"), this, &MainWindow::showControls),
+           Action::ShowControls);
   help->addAction(tr("&First steps"), this, &MainWindow::showTour)->setObjectName("showTour");
   help->addAction(tr("&About Palpate"), this, &MainWindow::showAbout);
 }
@@ -359,10 +361,10 @@ void MainWindow::buildLayoutMenu(QMenu& menu) {
   QAction* maximise =
       menu.addAction(tr("View &alone, or all"), views_, &ViewLayout::toggleMaximised);
   maximise->setObjectName("maximiseView");
-  maximise->setShortcut(Qt::Key_F);
+  giveKeys(*maximise, Action::ViewAlone);
   QAction* next = menu.addAction(tr("&Next view"), views_, &ViewLayout::nextView);
   next->setObjectName("nextView");
-  next->setShortcut(Qt::Key_F6);
+  giveKeys(*next, Action::NextView);
   // F is a letter in a field for text
   maximise->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   views_->addAction(maximise);
@@ -404,6 +406,21 @@ void MainWindow::resetLayout() {
   restoreLayout({.views = {}, .borders = {}, .panels = {}, .panel_width = style::kPanelWidth});
 }
 
+void MainWindow::orderTabs() { ui::orderTabs(*centralWidget(), *statusBar()); }
+
+void MainWindow::offerPreferences() {
+  edit_menu_->addSeparator();
+  QAction* preferences =
+      edit_menu_->addAction(tr("Pre&ferences…"), this, &MainWindow::preferencesWanted);
+  preferences->setObjectName("preferences");
+  giveKeys(*preferences, Action::ShowPreferences);
+}
+
+void MainWindow::setMouse(const MouseChoices& mouse) {
+  view_->setMouse(mouse);
+  for (SliceView* slice : slices_) slice->setMouse(mouse);
+}
+
 void MainWindow::setTheme(style::Theme theme) {
   if (theme != style::theme()) style::dress(*qApp, theme);
   for (QAction* action : themes_->actions())
@@ -438,6 +455,7 @@ void MainWindow::buildStatusBar() {
   auto* cancel = new QToolButton;
   cancel->setObjectName("cancelLoading");
   cancel->setText(tr("Cancel"));
+  cancel->setToolTip(tr("Ends what is loading or being worked out"));
   connect(cancel, &QToolButton::clicked, this, &MainWindow::cancelWanted);
   progress_->setRange(0, 1000);
   progress_->setMaximumWidth(180);
@@ -706,17 +724,20 @@ void MainWindow::showControls() {
   auto* text = new QTextBrowser;
   text->setHtml(
       tr("<p><b>Force off</b>: Escape anywhere, Space in the 3-D view, or the stop button.</p>"
-         "<p><b>Haptic device</b> (View > Haptic device): Connect, then Arm. While C is held in "
-         "the 3-D view the tool stays and the hand moves freely; while H is held the force is on "
+         "<p><b>Haptic device</b> (View > Haptic device): Connect, then Arm. While %1 is held in "
+         "the 3-D view the tool stays and the hand moves freely; while %2 is held the force is on "
          "if it is to be held.</p>"
-         "<p><b>Mouse</b>: it turns the picture until you take the tool (G, or the button), and "
+         "<p><b>Mouse</b>: it turns the picture until you take the tool (%3, or the button), and "
          "then moves the tool. The tool itself can be dragged at any time.</p>"
          "<p><b>Measures</b>: click where the places are, or drag a distance. Handles can be "
          "dragged in every view.</p>"
-         "<p><b>Slices</b>: a right click, the menu key or the button in the corner opens the "
+         "<p><b>Slices</b>: a right click, the key %4 or the button in the corner opens the "
          "choices: windows, slabs, contour, following the tool, the view down the tool.</p>"
          "<p><b>Replay</b>: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, "
-         "● force and device, × samples lost and ticks late.</p>") +
+         "● force and device, × samples lost and ticks late.</p>"
+         "<p>Keys can be changed: Edit > Preferences, Shortcuts.</p>")
+          .arg(keyOf(Action::Clutch), keyOf(Action::HoldToRun), keyOf(Action::TakeTool),
+               keyOf(Action::SliceMenu)) +
       controlsText());
   QDialog dialog(this);
   dialog.setObjectName("controls");

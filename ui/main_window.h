@@ -70,6 +70,11 @@ class MainWindow : public QMainWindow {
   void setEdited(bool edited);
   /// The menu "Edit", for what its controller puts there.
   QMenu& editMenu() { return *edit_menu_; }
+  /// Lets Tab go through bar, tabs, panels, views and status bar as they are laid out, once all
+  /// panels are there.
+  void orderTabs();
+  /// Adds its entry for the preferences, below what is there by then.
+  void offerPreferences();
   using QMainWindow::show;
   /// The isovalue of surface and contour, without asking for it to be touched.
   void setIsovalue(double isovalue);
@@ -150,6 +155,8 @@ class MainWindow : public QMainWindow {
   void restoreLayout(const WindowLayout& layout);
   /// As at the first start.
   void resetLayout();
+  /// What the mouse does in all views.
+  void setMouse(const MouseChoices& mouse);
   /// Dresses the program.
   void setTheme(style::Theme theme);
 
@@ -168,6 +175,7 @@ class MainWindow : public QMainWindow {
   void seriesWanted();
   /// The menu of recent places is about to open.
   void recentPlacesSought();
+  void preferencesWanted();
   /// The user hid the hints, or brought them back.
   void hintsChanged();
   /// The user chose another theme, tab or layout of the panels.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "haptics/core/geometry.h"
+#include "ui/bindings.h"
 
 class QKeyEvent;
 class QMouseEvent;
@@ -54,6 +55,8 @@ class Overlay : public QObject {
   /// A move without a button. While an overlay takes it, the view shows its cursor().
   virtual bool hover(const ViewGeometry& view, const QMouseEvent& event);
   virtual bool key(const ViewGeometry& view, const QKeyEvent& event);
+  /// What the key that stands for a click means to this overlay.
+  virtual Action keyForClick() const { return Action::SetPlaceOfEdit; }
   /// What the mouse and Enter do over the views while this overlay takes them; empty: nothing.
   virtual QString hint() const;
   /// The cursor while the mouse is over something of this overlay that can be dragged.

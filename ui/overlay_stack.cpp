@@ -7,6 +7,8 @@
 #include <QWidget>
 #include <ranges>
 
+#include "ui/bindings.h"
+
 namespace ui {
 
 void OverlayStack::add(Overlay& overlay) {
@@ -63,11 +65,22 @@ bool OverlayStack::doubleClick(const ViewGeometry& geometry, const QMouseEvent& 
 bool OverlayStack::key(const ViewGeometry& geometry, const QKeyEvent& event, QPointF at) {
   for (const QPointer<Overlay>& overlay : overlays_ | std::views::reverse)
     if (overlay && overlay->key(geometry, event)) return true;
-  if (event.key() != Qt::Key_Return && event.key() != Qt::Key_Enter) return false;
+  const Binding* measuring = meaningOf(Where::View, event, Gesture::Key, Over::Measuring);
+  const Binding* editing = meaningOf(Where::View, event, Gesture::Key, Over::Editing);
+  if (measuring == nullptr && editing == nullptr) return false;
   const QPointF global = view_.mapToGlobal(at);
   const QMouseEvent down(QEvent::MouseButtonPress, at, global, Qt::LeftButton, Qt::LeftButton,
                          Qt::NoModifier);
-  if (!press(geometry, down)) return false;
+  const auto isMeant = [&](const Overlay& overlay) {
+    for (const Binding* meaning : {measuring, editing})
+      if (meaning != nullptr && meaning->action == overlay.keyForClick()) return true;
+    return false;
+  };
+  dragged_.clear();
+  for (const QPointer<Overlay>& overlay : overlays_ | std::views::reverse)
+    if (!dragged_ && overlay && isMeant(*overlay) && overlay->press(geometry, down))
+      dragged_ = overlay;
+  if (!dragged_) return false;
   const QMouseEvent up(QEvent::MouseButtonRelease, at, global, Qt::LeftButton, Qt::NoButton,
                        Qt::NoModifier);
   return release(geometry, up);

@@ -16,12 +16,19 @@ constexpr double kArrow = 4.0;
 }  // namespace
 
 SectionHead::SectionHead(const QString& title, QWidget* parent) : QAbstractButton(parent) {
+  offerSpoken();
   setText(title);
   setCheckable(true);
   setFont(style::font(style::Type::Section));
   setFocusPolicy(Qt::TabFocus);
   setAttribute(Qt::WA_Hover);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void SectionHead::spokenState(QAccessible::State& state) const {
+  state.expandable = true;
+  state.expanded = isChecked();
+  state.collapsed = !isChecked();
 }
 
 QSize SectionHead::sizeHint() const {

@@ -4,15 +4,20 @@
 #include <QAbstractButton>
 #include <QWidget>
 
+#include "ui/spoken.h"
+
 namespace ui {
 
 /// The heading of a section: its name, and whether it is folded.
-class SectionHead : public QAbstractButton {
+class SectionHead : public QAbstractButton, public Spoken {
   Q_OBJECT
  public:
   explicit SectionHead(const QString& title, QWidget* parent = nullptr);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
+
+  QAccessible::Role spokenRole() const override { return QAccessible::Button; }
+  void spokenState(QAccessible::State& state) const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

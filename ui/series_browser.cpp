@@ -136,6 +136,7 @@ SeriesBrowser::SeriesBrowser(const QString& place, const QList<SeriesRow>& rows,
   setWindowTitle(tr("Series of %1").arg(place));
   auto* patients = new QCheckBox(tr("Show patients' &names"));
   patients->setObjectName("showPatients");
+  patients->setToolTip(tr("Shows whose the series are, until the list is closed"));
   connect(patients, &QCheckBox::toggled, this, &SeriesBrowser::showPatients);
   auto* top = new QHBoxLayout;
   top->addWidget(new QLabel(tr("%n series found", nullptr, static_cast<int>(rows.size()))));
@@ -144,6 +145,7 @@ SeriesBrowser::SeriesBrowser(const QString& place, const QList<SeriesRow>& rows,
 
   table_->setObjectName("series");
   table_->setAccessibleName(tr("Series"));
+  table_->setToolTip(tr("Enter or a double-click loads a series"));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
@@ -159,11 +161,14 @@ SeriesBrowser::SeriesBrowser(const QString& place, const QList<SeriesRow>& rows,
 
   details_->setObjectName("seriesDetails");
   details_->setAccessibleName(tr("What is to be said of the selected series"));
+  details_->setToolTip(tr("What is to be said of the selected series"));
   details_->setReadOnly(true);
   details_->setTabChangesFocus(true);
   details_->setFixedHeight(QFontMetrics(details_->font()).lineSpacing() * 5);
 
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  buttons->button(QDialogButtonBox::Close)
+      ->setToolTip(tr("Closes the list; what is on view stays"));
   // Enter belongs to the selected row
   for (auto* button : buttons->findChildren<QPushButton*>()) button->setAutoDefault(false);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -252,6 +257,8 @@ void SeriesBrowser::addLoadButton(int row) {
   auto* load = new QPushButton(tr("Load"));
   load->setObjectName(QStringLiteral("load%1").arg(row));
   load->setAutoDefault(false);
+  load->setAccessibleName(tr("Load series %1").arg(row + 1));
+  load->setToolTip(tr("Loads this series"));
   load->setFocusPolicy(Qt::NoFocus);
   connect(load, &QPushButton::clicked, this, [this, row] {
     table_->selectRow(row);

@@ -40,12 +40,18 @@ class Rail : public QWidget {
 
 RailButton::RailButton(const QString& word, const char* icon, QWidget* parent)
     : QAbstractButton(parent) {
+  offerSpoken();
   setText(word);
   setIcon(style::icon(icon));
   setCheckable(true);
   setFont(style::font(style::Type::Small));
   setFocusPolicy(Qt::TabFocus);
   setAttribute(Qt::WA_Hover);
+}
+
+void RailButton::spokenState(QAccessible::State& state) const {
+  state.selectable = true;
+  state.selected = isChecked();
 }
 
 QSize RailButton::sizeHint() const { return {kRail - 8, kRailButton}; }
@@ -84,9 +90,13 @@ SidePanel::SidePanel(QWidget* parent)
   auto* group = new QButtonGroup(this);
   const std::array<QString, kTabs.size()> words{tr("Scan"), tr("Touch"), tr("Device"),
                                                 tr("Record")};
+  const std::array<QString, kTabs.size()> tips{tr("What is in the way, measures and marks"),
+                                               tr("Surface, hand and tool, performance"),
+                                               tr("The haptic device"), tr("Recordings")};
   for (std::size_t n = 0; n < kTabs.size(); ++n) {
     auto* button = new RailButton(words[n], kNames[n]);
     button->setObjectName(QString(kNames[n]) + "Tab");
+    button->setToolTip(tips[n]);
     buttons_[n] = button;
     group->addButton(button);
     column->addWidget(button);

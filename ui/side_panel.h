@@ -7,6 +7,8 @@
 #include <array>
 #include <vector>
 
+#include "ui/spoken.h"
+
 class QStackedWidget;
 class QVBoxLayout;
 
@@ -30,11 +32,15 @@ struct PanelState {
 };
 
 /// A tab on the rail: a symbol above its word.
-class RailButton : public QAbstractButton {
+class RailButton : public QAbstractButton, public Spoken {
   Q_OBJECT
  public:
   RailButton(const QString& word, const char* icon, QWidget* parent = nullptr);
   QSize sizeHint() const override;
+
+  QAccessible::Role spokenRole() const override { return QAccessible::PageTab; }
+  QString spokenName() const override { return text(); }
+  void spokenState(QAccessible::State& state) const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "ui/lengths.h"
 #include "ui/style/scene_colours.h"
 
 namespace ui {
@@ -13,7 +14,9 @@ constexpr int kTextPixels = 11, kLetterPixels = 17, kLettersPixels = 12;
 
 QString sliceWords(const char* text) { return QCoreApplication::translate("ui::SliceView", text); }
 
-QString mmWords(double mm) { return readoutLocale().toString(mm, 'f', 1); }
+QString placeWords(double mm) {
+  return readoutLocale().toString(mm / mmPerLengthUnit(), 'f', lengthDecimals(1));
+}
 
 /// Text with a dark rim, so that it can be read on any anatomy.
 void drawOver(QPainter& painter, QRect box, int flags, const QString& text, const QColor& colour) {
@@ -27,6 +30,7 @@ void drawOver(QPainter& painter, QRect box, int flags, const QString& text, cons
 
 void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture) {
   const double mm = rulerLength_mm(0.3 * picture.height() * mm_per_pixel);
+  const double shown = mm / mmPerLengthUnit();
   const int length = qRound(mm / mm_per_pixel);
   if (length < 12) return;
   const int x = picture.right() - 8, middle = picture.center().y() + 12;
@@ -37,9 +41,10 @@ void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture) {
     painter.drawLine(x - 4, top, x, top);
     painter.drawLine(x - 4, bottom, x, bottom);
   }
-  const int decimals = mm < 0.095 ? 2 : mm < 0.95 ? 1 : 0;
+  const int decimals = shown < 0.0095 ? 3 : shown < 0.095 ? 2 : shown < 0.95 ? 1 : 0;
   drawOver(painter, QRect(x - 90, middle - 10, 82, 20), Qt::AlignRight | Qt::AlignVCenter,
-           sliceWords("%1 mm").arg(readoutLocale().toString(mm, 'f', decimals)), style::kReadout);
+           readoutLocale().toString(shown, 'f', decimals) + ' ' + lengthUnitName(),
+           style::kReadout);
 }
 
 }  // namespace
@@ -62,14 +67,14 @@ QString positionWords(const Eigen::Vector3d& p_W_mm, int axis, bool sides_known)
       kAxis{"x", "y", "z"};
   const auto a = static_cast<std::size_t>(axis);
   const double mm = p_W_mm[axis];
-  if (!sides_known) return QStringLiteral("%1 %2").arg(kAxis[a], mmWords(mm));
-  return QStringLiteral("%1 %2").arg(mm >= 0.0 ? kUp[a] : kDown[a], mmWords(std::abs(mm)));
+  if (!sides_known) return QStringLiteral("%1 %2").arg(kAxis[a], placeWords(mm));
+  return QStringLiteral("%1 %2").arg(mm >= 0.0 ? kUp[a] : kDown[a], placeWords(std::abs(mm)));
 }
 
 QString positionWords(const Eigen::Vector3d& p_W_mm, bool sides_known) {
   QStringList parts;
   for (int a = 0; a < 3; ++a) parts << positionWords(p_W_mm, a, sides_known);
-  return sliceWords("%1 mm").arg(parts.join(QStringLiteral("  ")));
+  return parts.join(QStringLiteral("  ")) + ' ' + lengthUnitName();
 }
 
 void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, QRect picture) {

@@ -34,10 +34,10 @@ QLocale readoutLocale();
 /// The length of a ruler: 1, 2 or 5 times a power of ten, at most `longest_mm`.
 double rulerLength_mm(double longest_mm);
 
-/// A place in patient coordinates: "L 12.3 P 4.0 S 34.5 mm", or "x 12.3 y 4.0 z 34.5 mm" where the
-/// sides are not known.
+/// A place in patient coordinates, in the unit that the user chose: "L 12.3 P 4.0 S 34.5 mm", or
+/// "x 12.3 y 4.0 z 34.5 mm" where the sides are not known.
 QString positionWords(const Eigen::Vector3d& p_W_mm, bool sides_known);
-/// One coordinate of it.
+/// One coordinate of it, without the unit.
 QString positionWords(const Eigen::Vector3d& p_W_mm, int axis, bool sides_known);
 
 }  // namespace ui

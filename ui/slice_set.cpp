@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/grey_presets.h"
+#include "ui/lengths.h"
 #include "ui/plane_colours.h"
 #include "ui/props/section.h"
 #include "ui/slice_readout.h"
@@ -163,11 +164,23 @@ void SliceSet::buildLookMenu() {
   menu->addSeparator();
   thicknesses_ = new QActionGroup(this);
   for (const double mm : kThicknesses_mm)
-    choice(thicknesses_, tr("%1 mm thick").arg(mm), "", mm == look_.thickness_mm, [this, mm] {
+    choice(thicknesses_, {}, "", mm == look_.thickness_mm, [this, mm] {
       SliceLook look = look_;
       look.thickness_mm = mm;
       setLook(look);
     })->setData(mm);
+  const auto name = [this] {
+    for (QAction* action : thicknesses_->actions())
+      action->setText(tr("%1 thick")
+                          .arg(QStringLiteral("%1 %2")
+                                   .arg(action->data().toDouble() / mmPerLengthUnit())
+                                   .arg(lengthUnitName())));
+  };
+  name();
+  whenLengthUnitChanges(*this, [this, name] {
+    name();
+    placeOblique();
+  });
   QAction* other = menu->addAction(tr("Other &thickness…"), this, &SliceSet::askThickness);
   other->setObjectName("otherThickness");
 }
@@ -175,9 +188,11 @@ void SliceSet::buildLookMenu() {
 void SliceSet::askThickness() {
   bool given = false;
   SliceLook look = look_;
-  look.thickness_mm =
-      QInputDialog::getDouble(slices_.front()->window(), tr("Thick slab"), tr("Thickness, mm"),
-                              look.thickness_mm, 0.1, 200.0, 1, &given);
+  const double unit = mmPerLengthUnit();
+  look.thickness_mm = unit * QInputDialog::getDouble(slices_.front()->window(), tr("Thick slab"),
+                                                     tr("Thickness, %1").arg(lengthUnitName()),
+                                                     look.thickness_mm / unit, 0.1 / unit,
+                                                     200.0 / unit, lengthDecimals(1), &given);
   if (!given) return;
   for (QAction* action : thicknesses_->actions())
     action->setChecked(action->data().toDouble() == look.thickness_mm);
@@ -287,11 +302,14 @@ void SliceSet::placeOblique() {
                                 : PlaneAxes{right, back.cross(right), -back};
   const Eigen::Vector3d tip = *X_WP_ * tip_T_ * kMmPerM;
   const QString from = along_ ? tr("axis") : tr("tip");
-  const QString place = std::abs(depth_mm_) < 0.05
-                            ? (along_ ? tr("through its axis") : tr("at its tip"))
-                            : QStringLiteral("%1 %2 %3 mm")
-                                  .arg(from, depth_mm_ > 0.0 ? QChar('+') : QChar(0x2212),
-                                       readoutLocale().toString(std::abs(depth_mm_), 'f', 1));
+  const QString place =
+      std::abs(depth_mm_) < 0.05
+          ? (along_ ? tr("through its axis") : tr("at its tip"))
+          : QStringLiteral("%1 %2 %3 %4")
+                .arg(from, depth_mm_ > 0.0 ? QChar('+') : QChar(0x2212),
+                     readoutLocale().toString(std::abs(depth_mm_) / mmPerLengthUnit(), 'f',
+                                              lengthDecimals(1)),
+                     lengthUnitName());
   view.setPlane(axes, tip + axes.normal * depth_mm_, name, place);
   linkPlanes();
 }

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "ui/bindings.h"
+#include "ui/lengths.h"
 #include "ui/plane_colours.h"
 #include "ui/props/contour.h"
 #include "ui/props/section.h"
@@ -105,11 +107,14 @@ SliceView::SliceView(Plane plane, QWidget* parent)
       name_(nameOf(plane)),
       patch_(std::make_unique<Patch>()),
       geometry_(std::make_unique<Geometry>(*this)) {
+  offerSpoken();
   setMouseTracking(true);
   setMinimumSize(120, 100);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(name_);
   setAttribute(Qt::WA_OpaquePaintEvent);
+  whenKeysChange(*this, [this] { emit hintChanged(hint()); });
+  whenLengthUnitChanges(*this, [this] { update(); });
   refine_.setSingleShot(true);
   refine_.setInterval(kRestMs);
   connect(&refine_, &QTimer::timeout, this, [this] {
@@ -141,6 +146,14 @@ void SliceView::changed() {
   stale_ = true;
   contour_stale_ = true;
   update();
+  // of what the user goes through; the others follow unsaid
+  if (hasFocus()) tellSpokenName(*this);
+}
+
+QString SliceView::spokenName() const {
+  const SliceReadout said = readout();
+  const QString name = tr("%1 slice").arg(said.name);
+  return said.place.isEmpty() ? name : tr("%1: %2").arg(name, said.place.simplified());
 }
 
 void SliceView::setMesh(std::shared_ptr<const haptics::TriangleMesh> mesh) {
@@ -541,7 +554,7 @@ SliceReadout SliceView::readout() const {
     int along = 0;
     axes_.normal.cwiseAbs().maxCoeff(&along);
     const QString mm =
-        tr("%1 mm").arg(positionWords(through_mm_, along, volume_->orientation_known));
+        positionWords(through_mm_, along, volume_->orientation_known) + ' ' + lengthUnitName();
     const std::optional<int> axis = gridAxis();
     readout.place = mm;
     if (axis) {
@@ -553,8 +566,10 @@ SliceReadout SliceView::readout() const {
     }
   }
   if (look_.slab != SlabKind::None)
-    readout.slab = (look_.slab == SlabKind::Maximum ? tr("maximum of %1 mm") : tr("mean of %1 mm"))
-                       .arg(readoutLocale().toString(look_.thickness_mm, 'g', 3));
+    readout.slab =
+        (look_.slab == SlabKind::Maximum ? tr("maximum of %1") : tr("mean of %1"))
+            .arg(readoutLocale().toString(look_.thickness_mm / mmPerLengthUnit(), 'g', 3) + ' ' +
+                 lengthUnitName());
   const int digits = std::abs(grey_.width) < 10.0 ? 2 : 0;
   readout.grey = tr("W %1  L %2")
                      .arg(readoutLocale().toString(grey_.width, 'f', digits),
@@ -629,41 +644,66 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void SliceView::contextMenuEvent(QContextMenuEvent* event) {
   // the mouse's comes with its release: a drag is no wish for a menu
-  if (event->reason() == QContextMenuEvent::Keyboard)
-    emit menuWanted(mapToGlobal(pictureRect().center()));
+  const QKeyEvent key(QEvent::KeyPress, Qt::Key_Menu, Qt::NoModifier);
+  const Binding* meaning = meaningOf(Where::Slice, key);
+  if (event->reason() == QContextMenuEvent::Keyboard && meaning != nullptr) perform(*meaning);
   event->accept();
 }
 
-bool SliceView::moveKey(const QKeyEvent& event) {
-  QPointF by;
-  switch (event.key()) {
-    case Qt::Key_Up:
-      by = {0.0, -1.0};
+bool SliceView::perform(const Binding& meaning) {
+  const QPointF way = wayOf(meaning);
+  const QPointF at = hover_.value_or(QRectF(pictureRect()).center());
+  switch (meaning.action) {
+    case Action::NextSlice:
+      scroll(1);
       break;
-    case Qt::Key_Down:
-      by = {0.0, 1.0};
+    case Action::SliceBefore:
+      scroll(-1);
       break;
-    case Qt::Key_Left:
-      by = {-1.0, 0.0};
+    case Action::TenSlicesOn:
+      scroll(kPage);
       break;
-    case Qt::Key_Right:
-      by = {1.0, 0.0};
+    case Action::TenSlicesBack:
+      scroll(-kPage);
+      break;
+    case Action::FirstSlice:
+      scrollToEnd(false);
+      break;
+    case Action::LastSlice:
+      scrollToEnd(true);
+      break;
+    case Action::Nearer:
+      zoom(kZoomNotch, at);
+      break;
+    case Action::Farther:
+      zoom(1.0 / kZoomNotch, at);
+      break;
+    case Action::ShowEverything:
+      resetView();
+      emit resetWanted();
+      break;
+    case Action::Pan:
+      pan(way * -kPanKey);
+      break;
+    case Action::Grey:
+      shiftGrey(-10.0 * way.y(), 10.0 * way.x());
+      break;
+    case Action::MoveCross:
+      moveCrossTo(cross_mm_ + (axes_.right * way.x() - axes_.up * way.y()) *
+                                  (volume_ ? volume_->grid.spacing.minCoeff() * kMmPerM : 1.0));
+      break;
+    case Action::ToolToCross:
+      emit toolToCrossWanted();
+      break;
+    case Action::CrossToTool:
+      emit crossToToolWanted();
+      break;
+    case Action::SliceMenu:
+      emit menuWanted(mapToGlobal(pictureRect().center()));
       break;
     default:
       return false;
   }
-  const Qt::KeyboardModifiers held = event.modifiers() & ~Qt::KeypadModifier;
-  if (held == Qt::ShiftModifier)
-    pan(by * -kPanKey);
-  else if (held == Qt::ControlModifier)
-    shiftGrey(-10.0 * by.y(), 10.0 * by.x());
-  else if (held == Qt::AltModifier)
-    moveCrossTo(cross_mm_ + (axes_.right * by.x() - axes_.up * by.y()) *
-                                (volume_ ? volume_->grid.spacing.minCoeff() * kMmPerM : 1.0));
-  else if (held == Qt::NoModifier && by.x() == 0.0)
-    scroll(by.y() < 0.0 ? 1 : -1);
-  else
-    return false;
   return true;
 }
 
@@ -681,47 +721,21 @@ QString SliceView::hint() const {
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
-  if (overlays_.key(*geometry_, *event, projected(cross_mm_)) || moveKey(*event)) return;
-  const QPointF at = hover_.value_or(QRectF(pictureRect()).center());
-  switch (event->key()) {
-    case Qt::Key_PageUp:
-      return scroll(kPage);
-    case Qt::Key_PageDown:
-      return scroll(-kPage);
-    case Qt::Key_Home:
-      return scrollToEnd(false);
-    case Qt::Key_End:
-      return scrollToEnd(true);
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      return zoom(kZoomNotch, at);
-    case Qt::Key_Minus:
-      return zoom(1.0 / kZoomNotch, at);
-    case Qt::Key_J:
-      if (event->modifiers() != Qt::NoModifier) break;
-      emit toolToCrossWanted();
-      return;
-    case Qt::Key_K:
-      if (event->modifiers() != Qt::NoModifier) break;
-      emit crossToToolWanted();
-      return;
-    case Qt::Key_R:
-      if (event->modifiers() != Qt::NoModifier) break;
-      resetView();
-      emit resetWanted();
-      return;
-    default:
-      break;
-  }
-  QWidget::keyPressEvent(event);
+  if (overlays_.key(*geometry_, *event, projected(cross_mm_))) return;
+  // Qt's own wish for a menu comes beside the menu key
+  const bool wish = event->key() == Qt::Key_Menu;
+  const Binding* meaning = meaningOf(Where::Slice, *event);
+  if (wish || meaning == nullptr || !perform(*meaning)) QWidget::keyPressEvent(event);
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
   event->accept();
   if ((event->modifiers() & Qt::ControlModifier) != 0)
-    return zoom(std::pow(kZoomNotch, event->angleDelta().y() / 120.0), event->position());
+    return zoom(
+        std::pow(kZoomNotch, (mouse_.zoom_reversed ? -1 : 1) * event->angleDelta().y() / 120.0),
+        event->position());
   // whole slices: a touch pad sends parts of a notch
-  wheel_ += event->angleDelta().y();
+  wheel_ += (mouse_.slices_reversed ? -1 : 1) * event->angleDelta().y();
   const int notches = wheel_ / 120;
   wheel_ -= notches * 120;
   scroll(notches);

@@ -12,8 +12,10 @@
 #include <vector>
 
 #include "haptics/core/triangle_mesh.h"
+#include "ui/mouse_choices.h"
 #include "ui/overlay_stack.h"
 #include "ui/props/slice.h"
+#include "ui/spoken.h"
 #include "ui/touched_surface.h"
 #include "ui/view_look.h"
 
@@ -35,8 +37,8 @@ struct CrossedPlane {
 /// outline of proxy (solid) and device (dashed), and what is said in corners and on the margin.
 /// Zoomed and shifted on its own; what concerns all slices is asked for by signals.
 ///
-/// ui/README.md lists the mouse and the keys.
-class SliceView : public QWidget {
+/// What the keys do here is in ui/bindings.h; ui/README.md lists the mouse, too.
+class SliceView : public QWidget, public Spoken {
   Q_OBJECT
  public:
   explicit SliceView(Plane plane, QWidget* parent = nullptr);
@@ -65,6 +67,7 @@ class SliceView : public QWidget {
   void setTouched(const TouchedSurface& touched);
   /// Draws this above the slice, and asks it first for mouse and keys.
   void addOverlay(Overlay& overlay);
+  void setMouse(const MouseChoices& mouse) { mouse_ = mouse; }
   /// What the mouse does here, in a line.
   QString hint() const;
 
@@ -84,6 +87,10 @@ class SliceView : public QWidget {
   /// What is written in corners and on the margin.
   SliceReadout readout() const;
   QSize sizeHint() const override { return {300, 260}; }
+
+  QAccessible::Role spokenRole() const override { return QAccessible::Canvas; }
+  /// The plane, and where it lies.
+  QString spokenName() const override;
 
   /// How near the picture is and where its middle lies, and the same again.
   SliceFrame frame() const { return {zoom_, pan_mm_}; }
@@ -151,7 +158,8 @@ class SliceView : public QWidget {
   ToolLines toolLines() const;
   QRect toolRect() const;  ///< that holds them
   void drawTool(QPainter& painter) const;
-  bool moveKey(const QKeyEvent& event);
+  /// Does what a key means here; false: nothing.
+  bool perform(const Binding& meaning);
 
   Plane plane_;
   PlaneAxes axes_;
@@ -188,6 +196,7 @@ class SliceView : public QWidget {
   QPointF last_mouse_;
   std::optional<QPointF> hover_;
   int wheel_ = 0;  ///< of a notch, not yet used
+  MouseChoices mouse_;
   std::unique_ptr<Geometry> geometry_;
   OverlayStack overlays_{*this};
 };

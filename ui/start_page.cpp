@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/bindings.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
 
@@ -49,11 +50,10 @@ class Card : public QFrame {
     setCursor(Qt::PointingHandCursor);
   }
 
-  QPushButton* add(const char* name, const QString& words, const QString& tip) {
+  QPushButton* add(const char* name, const QString& words, const QString& tip = {}) {
     auto* button = new QPushButton(words);
     button->setObjectName(name);
     button->setToolTip(tip);
-    button->setAccessibleDescription(tip);
     buttons_->addWidget(button);
     if (first_ == nullptr) first_ = button;
     return button;
@@ -194,11 +194,14 @@ QWidget* StartPage::makeCards() {
   auto* open = new Card("open", tr("Open your CT"),
                         tr("A folder of DICOM slices, an archive, or an NRRD, MetaImage or NIfTI "
                            "file. It can also be dropped on the window."));
-  connect(open->add("startFolder", tr("Open folder…"),
-                    tr("Opens a folder of slices (%1)").arg(tr("Ctrl+Shift+O"))),
-          &QPushButton::clicked, this, &StartPage::folderWanted);
-  connect(open->add("startFile", tr("Open file…"), tr("Opens an archive or a volume in one file")),
-          &QPushButton::clicked, this, &StartPage::fileWanted);
+  auto* folder = open->add("startFolder", tr("Open folder…"));
+  auto* file = open->add("startFile", tr("Open file…"));
+  whenKeysChange(this, [folder, file] {
+    folder->setToolTip(withKey(tr("Opens a folder of slices"), Action::OpenFolder));
+    file->setToolTip(withKey(tr("Opens an archive or a volume in one file"), Action::OpenFile));
+  });
+  connect(folder, &QPushButton::clicked, this, &StartPage::folderWanted);
+  connect(file, &QPushButton::clicked, this, &StartPage::fileWanted);
   auto* demo = new Card("touch", tr("Try the demo skull"),
                         tr("A skull made by a formula, and a drill to touch it with. The mouse is "
                            "the hand, so nothing else is needed."));

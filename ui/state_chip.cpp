@@ -78,16 +78,24 @@ void drawMark(QPainter& painter, Mark mark, const QRectF& at) {
 }  // namespace
 
 StateChip::StateChip(QWidget* parent) : QLabel(parent) {
+  offerSpoken();
   setTextFormat(Qt::PlainText);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
 void StateChip::show(Mark mark, const QString& words) {
   if (mark == mark_ && words == text()) return;
+  // the time of a recording runs on without being said
+  const bool said = mark == mark_ && (words == text() || mark == Mark::Recording);
   mark_ = mark;
   setText(words);
   updateGeometry();
   update();
+  if (!said) tellSpokenName(*this);
+}
+
+QString StateChip::spokenName() const {
+  return accessibleName().isEmpty() ? text() : tr("%1: %2").arg(accessibleName(), text());
 }
 
 void StateChip::setDetail(const QString& detail) {

@@ -3,6 +3,8 @@
 
 #include <QLabel>
 
+#include "ui/spoken.h"
+
 namespace ui {
 
 /// What stands before a state in words: a shape of its own for each, and a colour.
@@ -20,7 +22,8 @@ enum class Mark {
 };
 
 /// A state in a word or a few, with its mark.
-class StateChip : public QLabel {
+/// Screen readers are told each change once: its accessible name, and the words.
+class StateChip : public QLabel, public Spoken {
   Q_OBJECT
  public:
   explicit StateChip(QWidget* parent = nullptr);
@@ -30,6 +33,9 @@ class StateChip : public QLabel {
   /// What stands behind the words and steps back, such as the hand.
   void setDetail(const QString& detail);
   Mark mark() const { return mark_; }
+
+  QAccessible::Role spokenRole() const override { return QAccessible::Notification; }
+  QString spokenName() const override;
   QSize sizeHint() const override;
   /// The words without their detail.
   QSize minimumSizeHint() const override;

@@ -148,7 +148,9 @@ void TopBar::add(BarGroup group, QMenu& menu, const char* icon, const QString& t
 void TopBar::showRecording(std::optional<double> elapsed) {
   if (elapsed)
     recording_->show(Mark::Recording, tr("REC %1").arg(clockTime(std::floor(*elapsed), 0)));
+  const bool begins = elapsed && recording_->isHidden();
   recording_->setVisible(elapsed.has_value());
+  if (begins) tellSpokenName(*recording_);
 }
 
 void TopBar::paintEvent(QPaintEvent*) {

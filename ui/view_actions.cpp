@@ -12,12 +12,6 @@
 #include "ui/volume_view.h"
 
 namespace ui {
-namespace {
-
-/// The entry's text with the key that the view knows, as menus show it.
-QString withKey(const QString& text, Action action) { return text + '\t' + keyOf(action); }
-
-}  // namespace
 
 ViewActions::ViewActions(QMenu& menu, TopBar& bar, VolumeView& view) : view_(view) {
   buildSides(menu);
@@ -26,17 +20,17 @@ ViewActions::ViewActions(QMenu& menu, TopBar& bar, VolumeView& view) : view_(vie
   menu.addSeparator();
   QAction* picture = menu.addAction(tr("Save &picture…"), this, &ViewActions::pictureWanted);
   picture->setObjectName("savePicture");
-  picture->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+  giveKeys(*picture, Action::SavePicture, tr("Saves a picture of the view or the window"));
   bar.add(BarGroup::Tools, *picture, "camera");
   QAction* copy = menu.addAction(tr("Cop&y picture"), this, &ViewActions::pictureCopyWanted);
   copy->setObjectName("copyPicture");
-  copy->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+  giveKeys(*copy, Action::CopyPicture, tr("Copies a picture of the 3-D view"));
   menu.addSeparator();
 }
 
 void ViewActions::buildSides(QMenu& menu) {
-  menu.addAction(withKey(tr("Show &everything"), Action::ShowEverything), &view_,
-                 &VolumeView::resetCamera);
+  showKey(*menu.addAction(tr("Show &everything"), &view_, &VolumeView::resetCamera),
+          Action::ShowEverything);
   QMenu* sides = menu.addMenu(tr("From a &side"));
   sides->setObjectName("sides");
   const std::array<std::pair<QString, Action>, 6> names{
@@ -47,14 +41,15 @@ void ViewActions::buildSides(QMenu& menu) {
        {tr("Superior (from above)"), Action::ViewSuperior},
        {tr("Inferior (from below)"), Action::ViewInferior}}};
   for (std::size_t i = 0; i < names.size(); ++i)
-    sides->addAction(withKey(names[i].first, names[i].second), &view_,
-                     [this, side = kSides[i]] { view_.lookFrom(side); });
-  menu.addAction(withKey(tr("From the &tool's side"), Action::LookFromTool), &view_,
-                 &VolumeView::lookFromTool);
-  menu.addAction(withKey(tr("&Along the tool"), Action::LookAlongTool), &view_,
-                 &VolumeView::lookAlongTool);
-  QAction* parallel =
-      menu.addAction(withKey(tr("&Parallel projection"), Action::ParallelProjection));
+    showKey(*sides->addAction(names[i].first, &view_,
+                              [this, side = kSides[i]] { view_.lookFrom(side); }),
+            names[i].second);
+  showKey(*menu.addAction(tr("From the &tool's side"), &view_, &VolumeView::lookFromTool),
+          Action::LookFromTool);
+  showKey(*menu.addAction(tr("&Along the tool"), &view_, &VolumeView::lookAlongTool),
+          Action::LookAlongTool);
+  QAction* parallel = menu.addAction(tr("&Parallel projection"));
+  showKey(*parallel, Action::ParallelProjection);
   parallel->setObjectName("parallel");
   parallel->setCheckable(true);
   connect(parallel, &QAction::toggled, &view_, &VolumeView::setParallel);
@@ -108,12 +103,15 @@ void ViewActions::buildColours(QMenu& menu) {
 }
 
 void ViewActions::buildTool(QMenu& menu, TopBar& bar) {
-  QAction* take = menu.addAction(withKey(tr("Ta&ke the tool with the mouse"), Action::TakeTool));
+  QAction* take = menu.addAction(tr("Ta&ke the tool with the mouse"));
+  showKey(*take, Action::TakeTool);
   take->setObjectName("takeTool");
   take->setIconText(tr("Take tool"));
-  take->setToolTip(tr("The mouse holds the tool (%1 in the 3-D view). The tool itself can be "
-                      "dragged at any time.")
-                       .arg(keyOf(Action::TakeTool)));
+  whenKeysChange(*take, [take] {
+    take->setToolTip(tr("The mouse holds the tool (%1 in the 3-D view). The tool itself can be "
+                        "dragged at any time.")
+                         .arg(keyOf(Action::TakeTool)));
+  });
   take->setCheckable(true);
   connect(take, &QAction::triggered, &view_, [this, take](bool on) {
     view_.setMouseMode(on ? MouseMode::Hand : MouseMode::Look);
@@ -125,12 +123,14 @@ void ViewActions::buildTool(QMenu& menu, TopBar& bar) {
   connect(&view_, &VolumeView::mouseModeChanged, take,
           [take](MouseMode mode) { take->setChecked(mode == MouseMode::Hand); });
   bar.add(BarGroup::Tools, *take, "hand");
-  menu.addAction(withKey(tr("Tool to cross&hair"), Action::ToolToCross), &view_,
-                 &VolumeView::toolToCrossWanted)
-      ->setObjectName("toolToCross");
-  menu.addAction(withKey(tr("Crosshair to too&l"), Action::CrossToTool), &view_,
-                 &VolumeView::crossToToolWanted)
-      ->setObjectName("crossToTool");
+  QAction* to_cross =
+      menu.addAction(tr("Tool to cross&hair"), &view_, &VolumeView::toolToCrossWanted);
+  to_cross->setObjectName("toolToCross");
+  showKey(*to_cross, Action::ToolToCross);
+  QAction* to_tool =
+      menu.addAction(tr("Crosshair to too&l"), &view_, &VolumeView::crossToToolWanted);
+  to_tool->setObjectName("crossToTool");
+  showKey(*to_tool, Action::CrossToTool);
   QAction* contacts = menu.addAction(tr("Co&ntacts and force"));
   contacts->setObjectName("showContacts");
   contacts->setCheckable(true);

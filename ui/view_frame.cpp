@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include "ui/bindings.h"
 #include "ui/panels/force_panel.h"
 #include "ui/style/scene_colours.h"
 #include "ui/style/style.h"
@@ -89,15 +90,17 @@ ViewFrame::ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget
   view->setParent(this);
   if (has_menu) {
     menu_ = buttonOf(this, "viewMenu", Sign::Menu);
-    menu_->setToolTip(tr("Choices for slices"));
-    menu_->setAccessibleName(menu_->toolTip());
+    menu_->setAccessibleName(tr("Choices for slices"));
     connect(menu_, &QToolButton::clicked, this, [this] {
       emit menuWanted(menu_->mapToGlobal(QPoint{0, kButton}));
     });
   }
   maximise_ = buttonOf(this, "maximise", Sign::Larger);
   connect(maximise_, &QToolButton::clicked, this, &ViewFrame::maximiseWanted);
-  setMaximised(false);
+  whenKeysChange(*this, [this] {
+    if (menu_ != nullptr) menu_->setToolTip(withKey(tr("Choices for slices"), Action::SliceMenu));
+    setMaximised(maximised_);
+  });
   hint_ = new QLabel(this);
   hint_->setObjectName("viewHint");
   QPalette dark;
@@ -128,9 +131,12 @@ void ViewFrame::setHintShown(bool shown) {
 
 void ViewFrame::setMaximised(bool maximised) {
   maximise_->setIcon(iconOf(maximised ? Sign::Smaller : Sign::Larger));
-  maximise_->setToolTip(maximised ? tr("Show the other views again (F)")
-                                  : tr("Show this view alone (F)"));
-  maximise_->setAccessibleName(maximise_->toolTip());
+  maximised_ = maximised;
+  maximise_->setToolTip(
+      withKey(maximised ? tr("Show the other views again") : tr("Show this view alone"),
+              Action::ViewAlone));
+  maximise_->setAccessibleName(maximised ? tr("Show the other views again")
+                                         : tr("Show this view alone"));
 }
 
 QSize ViewFrame::minimumSizeHint() const {

@@ -52,6 +52,7 @@ class ViewFrame : public QWidget {
   QToolButton* hide_hint_;
   QString hint_words_;
   bool hint_shown_ = true;
+  bool maximised_ = false;
   ForcePanel* card_ = nullptr;
 };
 

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "ui/bindings.h"
 #include "ui/style/scene_colours.h"
 
 namespace ui {
@@ -15,10 +16,14 @@ constexpr int kKeyStep = 16;  // px
 }  // namespace
 
 ViewGap::ViewGap(QWidget* parent) : QWidget(parent) {
+  offerSpoken();
   setObjectName("viewGap");
   setFocusPolicy(Qt::TabFocus);
   setAccessibleName(tr("Border between views"));
-  setToolTip(tr("Drag, or move with the arrow keys. Home or a double-click: first sizes"));
+  whenKeysChange(*this, [this] {
+    setToolTip(tr("Drag, or move with the arrow keys. %1 or a double-click: first sizes")
+                   .arg(keyOf(Action::FirstSizes)));
+  });
 }
 
 void ViewGap::setUpright(bool upright) {
@@ -41,10 +46,11 @@ void ViewGap::mouseMoveEvent(QMouseEvent* event) {
 void ViewGap::mouseDoubleClickEvent(QMouseEvent*) { emit resetWanted(); }
 
 void ViewGap::keyPressEvent(QKeyEvent* event) {
-  const int key = event->key();
-  if (key == Qt::Key_Home) return emit resetWanted();
-  if (key == (upright_ ? Qt::Key_Left : Qt::Key_Up)) return emit moved(-kKeyStep);
-  if (key == (upright_ ? Qt::Key_Right : Qt::Key_Down)) return emit moved(kKeyStep);
+  const Binding* meaning = meaningOf(Where::Border, *event);
+  if (meaning != nullptr && meaning->action == Action::FirstSizes) return emit resetWanted();
+  const QPoint way = meaning == nullptr ? QPoint{} : wayOf(*meaning);
+  const int along = upright_ ? way.x() : way.y();
+  if (along != 0) return emit moved(along * kKeyStep);
   QWidget::keyPressEvent(event);
 }
 

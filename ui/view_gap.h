@@ -3,17 +3,21 @@
 
 #include <QWidget>
 
+#include "ui/spoken.h"
+
 namespace ui {
 
 /// The border between views. It is dragged with the mouse, or moved with the arrow keys while it
 /// has the focus.
-class ViewGap : public QWidget {
+class ViewGap : public QWidget, public Spoken {
   Q_OBJECT
  public:
   explicit ViewGap(QWidget* parent);
 
   /// Whether it stands between views that are side by side.
   void setUpright(bool upright);
+
+  QAccessible::Role spokenRole() const override { return QAccessible::Splitter; }
 
  signals:
   /// To the right or down, px.

@@ -52,12 +52,6 @@ double fromSegment(QPointF p, QPointF a, QPointF b) {
   return std::hypot(p.x() - a.x() - share * along.x(), p.y() - a.y() - share * along.y());
 }
 
-/// Where an arrow key points, in the view's coordinates.
-QPointF wayOf(int key) {
-  return {double(key == Qt::Key_Right) - double(key == Qt::Key_Left),
-          double(key == Qt::Key_Down) - double(key == Qt::Key_Up)};
-}
-
 /// Whether a point lies in a triangle, whichever way round its corners go.
 bool isWithin(QPointF p, QPointF a, QPointF b, QPointF c) {
   const auto side = [](QPointF u, QPointF v, QPointF w) {
@@ -109,6 +103,7 @@ VolumeView::VolumeView(QWidget* parent)
       held_(vtkSmartPointer<HeldPass>::New()),
       veil_(vtkSmartPointer<VeilPass>::New()),
       geometry_(std::make_unique<Geometry>(*this)) {
+  offerSpoken();
   setMouseTracking(true);
   setAccessibleName(tr("3-D view"));
   surface_layer_->SetBackground(kViewGround.redF(), kViewGround.greenF(), kViewGround.blueF());
@@ -134,6 +129,7 @@ VolumeView::VolumeView(QWidget* parent)
   still_.setInterval(kStillMs);
   connect(&still_, &QTimer::timeout, this, &VolumeView::settle);
   connect(this, &Viewport::graphicsKnown, this, [this] { chooseMode(); });
+  whenKeysChange(*this, [this] { emit hintChanged(hint()); });
 }
 
 VolumeView::~VolumeView() = default;
@@ -190,6 +186,14 @@ void VolumeView::showContacts(bool on) {
   update();
 }
 
+QString VolumeView::spokenName() const {
+  const auto& volume = picture().volume;
+  if (volume == nullptr) return tr("%1: nothing is open").arg(accessibleName());
+  QString isovalue = QString::number(isovalue_, 'g', 6);
+  if (!volume->unit.empty()) isovalue += ' ' + QString::fromStdString(volume->unit);
+  return tr("%1: surface at %2").arg(accessibleName(), isovalue);
+}
+
 void VolumeView::setSurfaceWish(std::optional<SurfaceMode> wish) {
   wish_ = wish;
   chooseMode();
@@ -213,12 +217,20 @@ void VolumeView::display(const haptics::Snapshot& snapshot) {
 }
 
 void VolumeView::setMouseHand(bool on) {
+  const bool begins = on && !mouse_hand_;
   mouse_hand_ = on;
   hand_target_.reset();
   displayed_ = false;  // the next hand starts elsewhere
   if (!on) setMouseMode(MouseMode::Look);
   emit mouseHandChanged(on);
+  if (begins) setMouseMode(mouse_.at_first);
   emit hintChanged(hint());
+}
+
+void VolumeView::setMouse(const MouseChoices& mouse) {
+  const bool other = mouse.at_first != mouse_.at_first;
+  mouse_ = mouse;
+  if (other) setMouseMode(mouse.at_first);
 }
 
 void VolumeView::placeHand(const haptics::Pose& X_WH) { hand_target_ = X_WH; }
@@ -462,6 +474,12 @@ void VolumeView::paintGL() {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   paintOver(painter, size());
+  if (!hasFocus()) return;
+  // of the widget alone, and in no picture; as slices show it
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(style::kViewFocus, 1.0, Qt::DotLine));
+  painter.drawRect(rect().adjusted(1, 1, -2, -2));
 }
 
 void VolumeView::paintOver(QPainter& painter, const QSizeF& size) const {
@@ -671,11 +689,29 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
   if (action == Action::PushTool && displayed_)
     pushHand(notches);
   else
-    zoom(std::pow(kViewZoomNotch, notches), event->position());
+    zoom(std::pow(kViewZoomNotch, mouse_.zoom_reversed ? -notches : notches), event->position());
 }
 
-bool VolumeView::perform(Action action) {
+bool VolumeView::perform(const Binding& meaning) {
+  const Action action = meaning.action;
+  const QPointF way = wayOf(meaning);
+  const QPointF at = underMouse() ? last_mouse_ : QRectF(rect()).center();
   switch (action) {
+    case Action::Rotate:
+      camera_.rotate({way.x() * width() * kTurnKey, way.y() * height() * kTurnKey});
+      cameraMoved();
+      break;
+    case Action::Pan:
+      // as in slices: towards what lies there
+      camera_.pan(way * -kShiftKey);
+      cameraMoved();
+      break;
+    case Action::Nearer:
+      zoom(kViewZoomNotch, at);
+      break;
+    case Action::Farther:
+      zoom(1.0 / kViewZoomNotch, at);
+      break;
     case Action::ForceOff:
       emit forceOffWanted();
       break;
@@ -718,43 +754,25 @@ bool VolumeView::perform(Action action) {
 void VolumeView::keyPressEvent(QKeyEvent* event) {
   if (event->key() != Qt::Key_Space && overlays_.key(*geometry_, *event, QRectF(rect()).center()))
     return;
-  const auto held =
-      actionOf(Where::Space, mode_, Gesture::HeldKey, event->key(), event->modifiers());
-  if (held == Action::Clutch) {
+  const Binding* held = meaningOf(Where::Space, *event, Gesture::HeldKey);
+  const Binding* meaning = meaningOf(Where::Space, *event);
+  if (held != nullptr && held->action == Action::Clutch)
     emit clutchHeld(true);
-  } else if (held == Action::HoldToRun) {
+  else if (held != nullptr)
     emit forceHeld(true);
-  } else {
-    // many keyboards write the plus with Shift
-    const bool plus = event->key() == Qt::Key_Plus;
-    const auto action = actionOf(Where::Space, mode_, Gesture::Key, event->key(),
-                                 plus ? Qt::NoModifier : event->modifiers());
-    const QPointF way = wayOf(event->key());
-    if (action == Action::Rotate) {
-      camera_.rotate({way.x() * width() * kTurnKey, way.y() * height() * kTurnKey});
-      cameraMoved();
-    } else if (action == Action::Pan) {
-      // as in slices: towards what lies there
-      camera_.pan(way * -kShiftKey);
-      cameraMoved();
-    } else if (action == Action::Zoom) {
-      const bool nearer = event->key() != Qt::Key_Minus;
-      zoom(nearer ? kViewZoomNotch : 1.0 / kViewZoomNotch,
-           underMouse() ? last_mouse_ : QRectF(rect()).center());
-    } else if (!action || !perform(*action)) {
-      Viewport::keyPressEvent(event);
-    }
-  }
+  else if (meaning == nullptr || !perform(*meaning))
+    Viewport::keyPressEvent(event);
 }
 
 void VolumeView::keyReleaseEvent(QKeyEvent* event) {
   // a key that is held repeats itself as releases and presses
   if (event->isAutoRepeat()) return Viewport::keyReleaseEvent(event);
   // whatever else is held meanwhile
-  const auto held = actionOf(Where::Space, mode_, Gesture::HeldKey, event->key(), {});
-  if (held == Action::Clutch)
+  const QKeyEvent alone(event->type(), event->key(), Qt::NoModifier);
+  const Binding* held = meaningOf(Where::Space, alone, Gesture::HeldKey);
+  if (held != nullptr && held->action == Action::Clutch)
     emit clutchHeld(false);
-  else if (held == Action::HoldToRun)
+  else if (held != nullptr)
     emit forceHeld(false);
   else
     Viewport::keyReleaseEvent(event);

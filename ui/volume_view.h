@@ -9,11 +9,13 @@
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/snapshot.h"
 #include "ui/bindings.h"
+#include "ui/mouse_choices.h"
 #include "ui/overlay_stack.h"
 #include "ui/props/orientation.h"
 #include "ui/props/tool_prop.h"
 #include "ui/props/volume_prop.h"
 #include "ui/space_camera.h"
+#include "ui/spoken.h"
 #include "ui/touched_surface.h"
 #include "ui/view_look.h"
 #include "ui/viewport.h"
@@ -29,7 +31,7 @@ class VeilPass;
 /// in W, millimetres. What keys and mouse do here is in ui/bindings.h. The mouse is a hand in a
 /// mode of its own, and wherever it takes hold of the tool that is drawn. C and H are released when
 /// the view loses the focus.
-class VolumeView : public Viewport {
+class VolumeView : public Viewport, public Spoken {
   Q_OBJECT
  public:
   explicit VolumeView(QWidget* parent = nullptr);
@@ -52,6 +54,8 @@ class VolumeView : public Viewport {
   void setMouseMode(MouseMode mode);
   MouseMode mouseMode() const { return mode_; }
   bool mouseHand() const { return mouse_hand_; }
+  /// What it does from now on, and at first whenever the mouse becomes the hand.
+  void setMouse(const MouseChoices& mouse);
   void setColouring(const Colouring& colouring);
   /// A second surface, which is seen through and not felt; none: no second.
   void setSecondSurface(std::optional<double> isovalue);
@@ -90,6 +94,10 @@ class VolumeView : public Viewport {
   /// The view's picture, `scale` times as large as its widget: with letters and overlays. Null if
   /// the graphics cannot draw it.
   QImage picture(double scale);
+
+  QAccessible::Role spokenRole() const override { return QAccessible::Canvas; }
+  /// What is on view.
+  QString spokenName() const override;
 
  signals:
   void forceOffWanted();
@@ -141,7 +149,8 @@ class VolumeView : public Viewport {
   /// What the sight through a pixel is about: the surface, or the plane of the focal point.
   Eigen::Vector3d aimUnder(QPointF at) const;
   std::optional<SurfacePlace> surfaceUnder(QPointF at) const;
-  bool perform(Action action);
+  /// Does what a key means here; false: nothing.
+  bool perform(const Binding& meaning);
   void dragBy(QPointF by, Qt::KeyboardModifiers modifiers);
   void bringTool(QPointF at);
   haptics::Pose& handTarget();
@@ -173,6 +182,7 @@ class VolumeView : public Viewport {
   bool contacts_shown_ = false;
   bool mouse_hand_ = false;
   MouseMode mode_ = MouseMode::Look;
+  MouseChoices mouse_;
   std::optional<Grasp> grasp_;
   std::optional<haptics::Pose> hand_target_;
   QPointF last_mouse_, press_;

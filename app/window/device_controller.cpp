@@ -156,6 +156,13 @@ void DeviceController::restoreStiffness() {
   if (own_stiffness_) emit stiffnessWanted(*std::exchange(own_stiffness_, std::nullopt));
 }
 
+void DeviceController::setStiffness(double stiffness) {
+  if (own_stiffness_)
+    own_stiffness_ = stiffness;
+  else
+    emit stiffnessWanted(stiffness);
+}
+
 void DeviceController::letGo() {
   shared_.session.close();
   forget({});

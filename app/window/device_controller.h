@@ -27,6 +27,8 @@ class DeviceController : public QObject {
   void openWaiting();
   /// Called at display rate.
   void refresh();
+  /// The stiffness [N/m] that holds without a device of its own.
+  void setStiffness(double stiffness);
   /// Shows the state of the force in the newest snapshot.
   void showForce() { panel_->display(shared_.snapshot); }
 

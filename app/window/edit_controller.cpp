@@ -14,6 +14,7 @@
 #include "app/window/start_pose.h"
 #include "haptics/edit/edited.h"
 #include "haptics/scene/legal_pose.h"
+#include "ui/bindings.h"
 #include "ui/escape_filter.h"
 #include "ui/volume_view.h"
 
@@ -125,10 +126,10 @@ void EditController::buildMenu() {
   QMenu& menu = window_.editMenu();
   undo_ = menu.addAction(tr("&Undo"), this, [this] { want({Step::Undo}); });
   undo_->setObjectName("undo");
-  undo_->setShortcut(QKeySequence(tr("Ctrl+Z")));
+  ui::giveKeys(*undo_, ui::Action::Undo, tr("Takes the last edit back"));
   redo_ = menu.addAction(tr("&Redo"), this, [this] { want({Step::Redo}); });
   redo_->setObjectName("redo");
-  redo_->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+  ui::giveKeys(*redo_, ui::Action::Redo, tr("Makes the edit again that was taken back"));
   reset_ = menu.addAction(tr("Take &all edits back"), this, [this] { want({Step::Reset}); });
   reset_->setObjectName("reset");
   window_.bar().add(ui::BarGroup::File, *undo_, "undo");

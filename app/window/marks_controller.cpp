@@ -10,6 +10,7 @@
 #include "app/window/touched_surface.h"
 #include "haptics/recording/recording.h"
 #include "ui/escape_filter.h"
+#include "ui/lengths.h"
 #include "ui/panels/marks_panel.h"
 
 namespace app {
@@ -18,8 +19,9 @@ namespace {
 constexpr qint64 kWayMs = 100;
 constexpr std::size_t kMostKept = 20;
 
-QString millimetres(double metres) {
-  return ui::numberWords(metres * ui::kMmPerM, 1) + QChar(QChar::Nbsp) + "mm";
+QString lengthWords(double metres) {
+  return ui::numberWords(metres * ui::kMmPerM / ui::mmPerLengthUnit(), ui::lengthDecimals(1)) +
+         QChar(QChar::Nbsp) + ui::lengthUnitName();
 }
 
 /// What is known of a scan without its voxels.
@@ -45,6 +47,9 @@ MarksController::MarksController(ui::MainWindow& window, SharedState& shared)
                    "distance");
   buildMenu();
   connectPanel();
+  ui::whenLengthUnitChanges(*this, [this] {
+    if (way_ && way_->begun()) showWay();
+  });
 }
 
 void MarksController::buildMenu() {
@@ -189,7 +194,7 @@ void MarksController::showWay() {
                                  .to_mm = way_->here() * ui::kMmPerM,
                                  .length_mm = way_->length() * ui::kMmPerM});
   panel_->showTravel(tr("The tool has travelled %1 since the start, %2 in a straight line.")
-                         .arg(millimetres(way_->length()), millimetres(way_->straight())));
+                         .arg(lengthWords(way_->length()), lengthWords(way_->straight())));
 }
 
 }  // namespace app

@@ -35,11 +35,15 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
           [this](const QString& name) { load({.phantom = name.toStdString()}, tr("Making")); });
   connect(&window, &ui::MainWindow::cancelWanted, &loader_, &Loader::cancel);
   connect(&window, &ui::MainWindow::recentPlacesSought, this, &OpeningController::showPlaces);
-  connect(&window, &ui::MainWindow::rememberPlacesChanged, this, [this](bool remember) {
-    preferences_.present().places_remembered = remember;
+  const auto remember = [this](bool remembered) {
+    preferences_.present().places_remembered = remembered;
     forgetPlaces();
-  });
+  };
+  connect(&window, &ui::MainWindow::rememberPlacesChanged, this, remember);
+  connect(&preferences, &PreferencesController::rememberPlacesChosen, this, remember);
   connect(&window, &ui::MainWindow::forgetPlacesWanted, this, &OpeningController::forgetPlaces);
+  connect(&preferences, &PreferencesController::forgetPlacesWanted, this,
+          &OpeningController::forgetPlaces);
   connect(&loader_, &Loader::progressed, this, [this](double fraction) {
     // an edit that ended meanwhile has put the bar away
     window_.showLoading(what_);

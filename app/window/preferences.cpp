@@ -30,6 +30,30 @@ ui::Mapping loadMapping(const QSettings& settings) {
   return mapping;
 }
 
+// which of them can be keys the table of keys knows
+ui::OwnKeys loadKeys() {
+  QSettings settings;
+  settings.beginGroup("keys");
+  ui::OwnKeys keys;
+  for (const QString& name : settings.childKeys()) keys[name] = settings.value(name).toString();
+  return keys;
+}
+
+void saveKeys(const ui::OwnKeys& keys) {
+  QSettings settings;
+  settings.remove("keys");
+  settings.beginGroup("keys");
+  for (auto key = keys.begin(); key != keys.end(); ++key) settings.setValue(key.key(), key.value());
+}
+
+/// Leaves nothing in the file where there is nothing to say.
+void setOrRemove(QSettings& settings, const char* key, bool kept, const QVariant& value) {
+  if (kept)
+    settings.setValue(key, value);
+  else
+    settings.remove(key);
+}
+
 }  // namespace
 
 Preferences loadPreferences() {
@@ -49,6 +73,16 @@ Preferences loadPreferences() {
   preferences.tour_seen = settings.value("tour/seen", false).toBool();
   const double stiffness = settings.value("coupling/stiffness", 1000.0).toDouble();
   if (haptics::kStiffnessRange.holds(stiffness)) preferences.stiffness = stiffness;
+  const double always = settings.value("coupling/stiffness_always", -1.0).toDouble();
+  if (haptics::kStiffnessRange.holds(always)) preferences.stiffness_always = always;
+  if (settings.value("units/lengths").toString() == QLatin1String("cm"))
+    preferences.lengths = ui::LengthUnit::Centimetres;
+  if (settings.value("mouse/at_first").toString() == QLatin1String("hand"))
+    preferences.mouse.at_first = ui::MouseMode::Hand;
+  preferences.mouse.slices_reversed = settings.value("mouse/slices_reversed", false).toBool();
+  preferences.mouse.zoom_reversed = settings.value("mouse/zoom_reversed", false).toBool();
+  preferences.keys = loadKeys();
+  preferences.recordings = settings.value("recordings/folder").toString();
   preferences.mapping = loadMapping(settings);
   preferences.places_remembered = settings.value("places/remembered", true).toBool();
   if (preferences.places_remembered)
@@ -72,6 +106,17 @@ void savePreferences(const Preferences& preferences) {
   settings.setValue("notice/seen", preferences.notice_seen);
   settings.setValue("tour/seen", preferences.tour_seen);
   settings.setValue("coupling/stiffness", preferences.stiffness);
+  setOrRemove(settings, "coupling/stiffness_always", preferences.stiffness_always.has_value(),
+              preferences.stiffness_always.value_or(0.0));
+  const bool centimetres = preferences.lengths == ui::LengthUnit::Centimetres;
+  settings.setValue("units/lengths", centimetres ? "cm" : "mm");
+  const bool hand = preferences.mouse.at_first == ui::MouseMode::Hand;
+  settings.setValue("mouse/at_first", hand ? "hand" : "look");
+  settings.setValue("mouse/slices_reversed", preferences.mouse.slices_reversed);
+  settings.setValue("mouse/zoom_reversed", preferences.mouse.zoom_reversed);
+  saveKeys(preferences.keys);
+  setOrRemove(settings, "recordings/folder", !preferences.recordings.isEmpty(),
+              preferences.recordings);
   const ui::Mapping& mapping = preferences.mapping;
   settings.setValue("device/position_scale", mapping.position_scale);
   settings.setValue("device/force_scale", mapping.force_scale);

@@ -4,24 +4,34 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <optional>
 
+#include "ui/bindings.h"
+#include "ui/lengths.h"
 #include "ui/main_window.h"
+#include "ui/mouse_choices.h"
 #include "ui/panels/haptic_device_panel.h"
 
 namespace app {
 
 /// The values that are stored between runs. The only paths are the recent places, which are used
-/// only for their menu, and which the user can switch off. No value from a scan is stored.
+/// only for their menu, and which the user can switch off, and the folder of recordings if the user
+/// chose one. No value from a scan is stored.
 struct Preferences {
   QByteArray geometry = {};      ///< geometry of the window, as Qt writes it
   ui::WindowLayout layout = {};  ///< views, borders, panels
   QString theme = {};            ///< as ui::style::nameOf() has it; empty: dark
   bool hints = true;             ///< each view says what the mouse does in it
   bool notice_seen = false;
-  bool tour_seen = false;     ///< of the first steps
-  double stiffness = 1000.0;  ///< N/m
-  ui::Mapping mapping = {};   ///< mapping of haptic devices
-  QStringList places = {};    ///< entries of File > Open recent, the newest first
+  bool tour_seen = false;                       ///< of the first steps
+  double stiffness = 1000.0;                    ///< N/m, as it was last
+  std::optional<double> stiffness_always = {};  ///< N/m with which each start begins instead
+  ui::LengthUnit lengths = ui::LengthUnit::Millimetres;
+  ui::MouseChoices mouse = {};
+  ui::OwnKeys keys = {};     ///< keys that the user changed
+  QString recordings = {};   ///< folder of recordings; empty: the user's own
+  ui::Mapping mapping = {};  ///< mapping of haptic devices
+  QStringList places = {};   ///< entries of File > Open recent, the newest first
   bool places_remembered = true;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/preferences_controller.h"
 
+#include "app/window/recordings.h"
 #include "ui/style/style.h"
 
 namespace app {
@@ -11,10 +12,18 @@ PreferencesController::PreferencesController(ui::MainWindow& window, bool kept)
   for (const auto changed :
        {&MainWindow::hintsChanged, &MainWindow::themeChanged, &MainWindow::panelsChanged})
     connect(&window, changed, this, &PreferencesController::save);
+  connect(&window, &MainWindow::preferencesWanted, this, &PreferencesController::open);
+}
+
+double PreferencesController::firstStiffness() const {
+  return preferences_.stiffness_always.value_or(preferences_.stiffness);
 }
 
 void PreferencesController::restoreWindow() {
   if (!kept_) return;
+  ui::setOwnKeys(preferences_.keys);
+  ui::setLengthUnit(preferences_.lengths);
+  window_.setMouse(preferences_.mouse);
   window_.setHintsShown(preferences_.hints);
   window_.setTheme(ui::style::themeOf(preferences_.theme));
   if (preferences_.geometry.isEmpty()) return;
@@ -33,8 +42,64 @@ void PreferencesController::save() {
   preferences_.layout = window_.layoutState();
   preferences_.theme = ui::style::nameOf(ui::style::theme());
   preferences_.hints = window_.hintsShown();
+  if (kept_) preferences_.keys = ui::ownKeys();
   emit saving(preferences_);
   if (kept_) savePreferences(preferences_);
+  show();
+}
+
+void PreferencesController::open() {
+  if (shown_ == nullptr) {
+    shown_ = new ui::PreferencesWindow(&window_);
+    connect(shown_, &ui::PreferencesWindow::changed, this, &PreferencesController::apply);
+    connect(shown_, &ui::PreferencesWindow::keysChanged, this, &PreferencesController::save);
+    connect(shown_, &ui::PreferencesWindow::forgetPlacesWanted, this,
+            &PreferencesController::forgetPlacesWanted);
+  }
+  show();
+  shown_->show();
+  shown_->raise();
+  shown_->activateWindow();
+}
+
+ui::PreferenceChoices PreferencesController::choices() const {
+  return {.theme = ui::style::theme(),
+          .hints = window_.hintsShown(),
+          .lengths = preferences_.lengths,
+          .mouse = preferences_.mouse,
+          .stiffness = preferences_.stiffness_always,
+          .recordings = preferences_.recordings,
+          .places_remembered = preferences_.places_remembered};
+}
+
+void PreferencesController::apply(const ui::PreferenceChoices& wanted) {
+  const ui::PreferenceChoices before = choices();
+  QString refusal;
+  if (wanted.recordings != before.recordings && !wanted.recordings.isEmpty())
+    refusal = refusalOf(wanted.recordings.toStdString());
+  if (refusal.isEmpty() && wanted.recordings != before.recordings) {
+    preferences_.recordings = wanted.recordings;
+    emit recordingsChosen(wanted.recordings);
+  }
+  preferences_.lengths = wanted.lengths;
+  ui::setLengthUnit(wanted.lengths);
+  preferences_.mouse = wanted.mouse;
+  window_.setMouse(wanted.mouse);
+  preferences_.stiffness_always = wanted.stiffness;
+  if (wanted.stiffness && wanted.stiffness != before.stiffness)
+    emit stiffnessChosen(*wanted.stiffness);
+  window_.setHintsShown(wanted.hints);
+  window_.setTheme(wanted.theme);
+  if (wanted.places_remembered != before.places_remembered)
+    emit rememberPlacesChosen(wanted.places_remembered);
+  save();
+  shown_->showRefusal(refusal);
+}
+
+void PreferencesController::show() {
+  if (shown_ == nullptr) return;
+  shown_->show(choices(), QString::fromStdString(ownRecordings().string()));
+  shown_->showPlaces(static_cast<int>(preferences_.places.size()));
 }
 
 }  // namespace app

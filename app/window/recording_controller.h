@@ -30,6 +30,8 @@ class RecordingController : public QObject {
   void note(const char* kind, const QString& text) { recording_.note(kind, text); }
   /// Sets whether a recording may begin.
   void setReady(bool ready);
+  /// Lists what is in the folder now.
+  void showRecordings();
   /// Called at display rate.
   void refresh();
   /// Offers to recover a recording that an ended process left unfinished.
@@ -46,7 +48,6 @@ class RecordingController : public QObject {
 
  private:
   void record(bool record);
-  void showRecordings();
   void noteCamera();
   void deleteRecording(const QString& id);
   void recover(const QString& id);

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QStandardPaths>
+#include <QTemporaryFile>
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -15,11 +16,33 @@ namespace app {
 
 namespace fs = std::filesystem;
 
-Recordings::Recordings(fs::path folder) : folder_{std::move(folder)} {
-  if (folder_.empty())
-    folder_ =
-        fs::path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
-        "recordings";
+Recordings::Recordings(fs::path folder) { setFolder(std::move(folder)); }
+
+void Recordings::setFolder(fs::path folder) {
+  folder_ = folder.empty() ? ownRecordings() : std::move(folder);
+}
+
+fs::path ownRecordings() {
+  return fs::path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
+         "recordings";
+}
+
+QString refusalOf(const fs::path& folder) {
+  const QString path = QString::fromStdString(folder.string());
+  const auto say = [&](const char* sentence) {
+    return QCoreApplication::translate("app::Recordings", sentence).arg(path);
+  };
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    return say(
+        QT_TRANSLATE_NOOP("app::Recordings", "'%1' is not a folder; choose one that exists."));
+  // by writing: permissions do not tell of a disk that is mounted for reading
+  QTemporaryFile file(path + "/palpate-XXXXXX");
+  if (!file.open() || file.write("x") != 1 || !file.flush())
+    return say(QT_TRANSLATE_NOOP(
+        "app::Recordings",
+        "Nothing can be written to '%1'; choose a folder with room that you may write to."));
+  return {};
 }
 
 fs::path Recordings::next() const {

@@ -16,6 +16,8 @@ class Recordings {
   explicit Recordings(std::filesystem::path folder);
 
   const std::filesystem::path& folder() const { return folder_; }
+  /// From now on; an empty path: the user's own.
+  void setFolder(std::filesystem::path folder);
   /// A path that does not exist yet; makes the folder.
   std::filesystem::path next() const;
   /// All recordings except `present`, which is being written; the newest first.
@@ -27,5 +29,10 @@ class Recordings {
  private:
   std::filesystem::path folder_;
 };
+
+/// The user's own folder for recordings.
+std::filesystem::path ownRecordings();
+/// Why recordings cannot be written to a folder, as a sentence; empty: they can.
+QString refusalOf(const std::filesystem::path& folder);
 
 }  // namespace app

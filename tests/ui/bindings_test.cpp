@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QFile>
+#include <QKeyEvent>
 #include <QMainWindow>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTextBrowser>
 #include <QTimer>
@@ -109,6 +112,123 @@ TEST(Bindings, HoldEveryShortcutOfTheMenus) {
     })) << shown.toStdString();
   }
   EXPECT_GT(found, 15);
+}
+
+/// The keys are those at first again when a test ends.
+struct KeysAtFirst {
+  ~KeysAtFirst() { ui::setOwnKeys({}); }
+};
+
+QKeyCombination key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+  return QKeyCombination(modifiers, key);
+}
+
+TEST(Bindings, EveryKeyButEscapeAndSpaceHasANameOfItsOwn) {
+  QStringList names;
+  for (const Binding& binding : ui::bindings()) {
+    if (binding.gesture != Gesture::Key && binding.gesture != Gesture::HeldKey) continue;
+    const bool fixed = binding.key == Qt::Key_Escape || binding.key == Qt::Key_Space;
+    EXPECT_EQ(QByteArray(binding.name).isEmpty(), fixed) << binding.words;
+    if (!fixed) names << binding.name;
+  }
+  EXPECT_GT(names.size(), 80);
+  EXPECT_EQ(names.removeDuplicates(), 0);
+}
+
+TEST(Bindings, AnotherKeyIsTakenByViewsMenusTooltipsAndHelp) {
+  const KeysAtFirst at_first;
+  ui::MainWindow window;
+  window::showAndWait(window, {1000, 700});
+  QSignalSpy to_cross(&window.slice(ui::Plane::Axial), &ui::SliceView::toolToCrossWanted);
+  QSignalSpy hints(&window.view(), &ui::VolumeView::hintChanged);
+  auto* take = window.findChild<QAction*>("takeTool");
+  auto* picture = window.findChild<QAction*>("savePicture");
+  ASSERT_TRUE(take->text().endsWith("\tG"));
+  EXPECT_EQ(ui::changeKey("take_tool", key(Qt::Key_B)), "");
+  EXPECT_EQ(ui::changeKey("save_picture", key(Qt::Key_F9)), "");
+  EXPECT_EQ(ui::changeKey("slice_tool_to_cross", key(Qt::Key_Y, Qt::ShiftModifier)), "");
+  EXPECT_TRUE(take->text().endsWith("\tB")) << take->text().toStdString();
+  EXPECT_TRUE(take->toolTip().contains("(B ")) << take->toolTip().toStdString();
+  EXPECT_EQ(picture->shortcut(), QKeySequence(Qt::Key_F9));
+  EXPECT_TRUE(picture->toolTip().contains("(F9)"));
+  EXPECT_TRUE(window.findChild<QAbstractButton*>("savePictureButton")->toolTip().contains("(F9)"));
+  EXPECT_GT(hints.count(), 0);
+  EXPECT_TRUE(ui::controlsText().contains("<b>F9</b>"));
+  // the view knows the new key, and the old one no longer
+  ui::VolumeView& view = window.view();
+  view.setMouseHand(true);
+  EXPECT_TRUE(view.hint().contains("take it with B")) << view.hint().toStdString();
+  QTest::keyClick(&view, Qt::Key_G);
+  EXPECT_EQ(view.mouseMode(), MouseMode::Look);
+  QTest::keyClick(&view, Qt::Key_B);
+  EXPECT_EQ(view.mouseMode(), MouseMode::Hand);
+  QTest::keyClick(&window.slice(ui::Plane::Axial), Qt::Key_J);
+  EXPECT_EQ(to_cross.count(), 0);
+  QTest::keyClick(&window.slice(ui::Plane::Axial), Qt::Key_Y, Qt::ShiftModifier);
+  EXPECT_EQ(to_cross.count(), 1);
+  EXPECT_EQ(ui::ownKeys(),
+            (ui::OwnKeys{
+                {"take_tool", "B"}, {"save_picture", "F9"}, {"slice_tool_to_cross", "Shift+Y"}}));
+  ui::setOwnKeys({});
+  EXPECT_TRUE(take->text().endsWith("\tG"));
+  EXPECT_EQ(picture->shortcut(), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+}
+
+TEST(Bindings, ArrowKeysThatBecameLettersGoWhereTheyWent) {
+  const KeysAtFirst at_first;
+  EXPECT_EQ(ui::changeKey("turn_left", key(Qt::Key_U)), "");
+  const QKeyEvent pressed(QEvent::KeyPress, Qt::Key_U, Qt::NoModifier);
+  const Binding* meaning = ui::meaningOf(Where::Space, pressed);
+  ASSERT_NE(meaning, nullptr);
+  EXPECT_EQ(meaning->action, Action::Rotate);
+  EXPECT_EQ(ui::wayOf(*meaning), QPoint(-1, 0));
+  // a key of a held one is one alone, and is found so
+  EXPECT_EQ(ui::changeKey("clutch", key(Qt::Key_W)), "");
+  const QKeyEvent held(QEvent::KeyPress, Qt::Key_W, Qt::NoModifier);
+  EXPECT_EQ(ui::meaningOf(Where::Space, held, Gesture::HeldKey)->action, Action::Clutch);
+}
+
+TEST(Bindings, AKeyThatIsTakenOrNeededIsRefusedWithTheReason) {
+  const KeysAtFirst at_first;
+  const QString taken = ui::changeKey("take_tool", key(Qt::Key_K));
+  EXPECT_TRUE(taken.contains("K is taken") && taken.contains("brings the crosshair to the tool"))
+      << taken.toStdString();
+  // also by what works in every view, and anywhere
+  EXPECT_NE(ui::changeKey("take_tool", key(Qt::Key_D)), "");
+  EXPECT_NE(ui::changeKey("whole_slice", key(Qt::Key_M)), "");
+  EXPECT_NE(ui::changeKey("mark", key(Qt::Key_G)), "");
+  for (const Qt::Key needed : {Qt::Key_Escape, Qt::Key_Space, Qt::Key_Tab}) {
+    EXPECT_NE(ui::changeKey("take_tool", key(needed)), "") << needed;
+    EXPECT_NE(ui::changeKey("undo", key(needed, Qt::ControlModifier)), "") << needed;
+  }
+  EXPECT_NE(ui::changeKey("take_tool", key(Qt::Key_F, Qt::AltModifier)), "");  // a menu
+  EXPECT_NE(ui::changeKey("clutch", key(Qt::Key_W, Qt::ControlModifier)), "");
+  EXPECT_NE(ui::changeKey("open_file", key(Qt::Key_Return)), "");
+  EXPECT_NE(ui::changeKey("open_file", key(Qt::Key_Enter, Qt::KeypadModifier)), "");
+  EXPECT_NE(ui::changeKey("", key(Qt::Key_W)), "");
+  EXPECT_NE(ui::changeKey("nothing", key(Qt::Key_W)), "");
+  EXPECT_TRUE(ui::ownKeys().isEmpty());
+  // G where no key means anything else
+  EXPECT_EQ(ui::changeKey("whole_slice", key(Qt::Key_G)), "");
+}
+
+TEST(Bindings, WhatIsStoredAndCannotBeIsLeftOut) {
+  const KeysAtFirst at_first;
+  for (const char* const odd :
+       {"", "Ctrl+", "no key", "G, H", "Esc", "Space", "Alt+F", "\n", "K"}) {
+    ui::setOwnKeys({{"take_tool", odd}});
+    EXPECT_EQ(ui::keyOf(Action::TakeTool), "G") << odd;
+  }
+  ui::setOwnKeys({{"nothing", "B"}, {"", "B"}});
+  EXPECT_TRUE(ui::ownKeys().isEmpty());
+  // two that want the same key, and one that wants another's
+  ui::setOwnKeys({{"take_tool", "B"}, {"parallel", "B"}, {"show_everything", "T"}});
+  EXPECT_TRUE(ui::conflictsIn(ui::bindings()).isEmpty());
+  EXPECT_EQ(ui::ownKeys().size(), 1);
+  // two that change places
+  const ui::OwnKeys swapped{{"tool_to_cross", "K"}, {"cross_to_tool", "J"}};
+  ui::setOwnKeys(swapped);
+  EXPECT_EQ(ui::ownKeys(), swapped);
 }
 
 TEST(Bindings, AreShownInAWindowThatFitsTheScreen) {

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QSettings>
+#include <QTemporaryDir>
+
+#include "app/window/recordings.h"
 
 namespace {
 
@@ -24,6 +28,53 @@ TEST(Preferences, RememberHowAHandIsTakenToTheScan) {
   preferences.mapping = {};
   app::savePreferences(preferences);
   EXPECT_EQ(app::loadPreferences().mapping, ui::Mapping{});
+}
+
+TEST(Preferences, RememberUnitsMouseKeysStiffnessAndFolder) {
+  QSettings().clear();
+  app::Preferences preferences = app::loadPreferences();
+  EXPECT_EQ(preferences.lengths, ui::LengthUnit::Millimetres);
+  EXPECT_EQ(preferences.mouse, ui::MouseChoices{});
+  EXPECT_EQ(preferences.stiffness_always, std::nullopt);
+  EXPECT_TRUE(preferences.keys.isEmpty());
+  EXPECT_TRUE(preferences.recordings.isEmpty());
+  preferences.lengths = ui::LengthUnit::Centimetres;
+  preferences.mouse = {
+      .at_first = ui::MouseMode::Hand, .slices_reversed = true, .zoom_reversed = true};
+  preferences.stiffness_always = 0.0;
+  preferences.keys = {{"take_tool", "B"}, {"grey_left", "Ctrl+Shift+Left"}};
+  preferences.recordings = "/home/somebody/recordings";
+  app::savePreferences(preferences);
+  const app::Preferences loaded = app::loadPreferences();
+  EXPECT_EQ(loaded.lengths, preferences.lengths);
+  EXPECT_EQ(loaded.mouse, preferences.mouse);
+  EXPECT_EQ(loaded.stiffness_always, 0.0);
+  EXPECT_EQ(loaded.keys, preferences.keys);
+  EXPECT_EQ(loaded.recordings, preferences.recordings);
+  app::savePreferences({});
+  EXPECT_TRUE(app::loadPreferences().keys.isEmpty());
+  EXPECT_EQ(app::loadPreferences().stiffness_always, std::nullopt);
+  EXPECT_FALSE(QSettings().contains("recordings/folder"));
+  for (const char* const odd : {"-1", "1e9", "nan", "inf", "", "much"}) {
+    QSettings().setValue("coupling/stiffness_always", odd);
+    EXPECT_EQ(app::loadPreferences().stiffness_always,
+              odd == QString() || odd == QString("much") ? std::optional{0.0} : std::nullopt)
+        << odd;
+  }
+  QSettings().clear();
+}
+
+TEST(Preferences, AFolderOfRecordingsIsTriedBeforeItIsTaken) {
+  const QTemporaryDir folder;
+  EXPECT_EQ(app::refusalOf(folder.path().toStdString()), "");
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
+  const QString missing = folder.path() + "/missing";
+  EXPECT_TRUE(app::refusalOf(missing.toStdString()).contains(missing));
+  // a folder of the system's own, in which nobody can make a file
+  EXPECT_TRUE(app::refusalOf("/proc/self").contains("/proc/self"));
+  app::Recordings recordings(folder.path().toStdString());
+  recordings.setFolder({});
+  EXPECT_EQ(recordings.folder(), app::ownRecordings());
 }
 
 TEST(Preferences, WhatCannotBeIsLeftOut) {

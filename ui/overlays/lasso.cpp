@@ -127,7 +127,9 @@ void Lasso::cut(const ViewGeometry& view, const QPolygonF& line) {
 }
 
 bool Lasso::key(const ViewGeometry&, const QKeyEvent& event) {
-  if (!active_ || event.key() != Qt::Key_Backspace || corners_mm_.empty()) return false;
+  const Binding* meaning = meaningOf(Where::View, event, Gesture::Key, Over::Editing);
+  const bool back = meaning != nullptr && meaning->action == Action::TakeCornerBack;
+  if (!active_ || !back || corners_mm_.empty()) return false;
   corners_mm_.pop_back();
   emit changed();
   return true;
@@ -135,9 +137,9 @@ bool Lasso::key(const ViewGeometry&, const QKeyEvent& event) {
 
 QString Lasso::hint() const {
   if (!active_) return {};
-  return tr(
-      "Drag: draws the outline that cuts. Or click, or Enter at the crosshair: sets a corner; "
-      "at the last one again: cuts. Backspace: takes it back.");
+  return tr("Drag: draws the outline that cuts. Or click, or %1 at the crosshair: sets a corner; "
+            "at the last one again: cuts. %2: takes it back.")
+      .arg(keyOf(Action::SetPlaceOfEdit), keyOf(Action::TakeCornerBack));
 }
 
 bool Lasso::hover(const ViewGeometry& view, const QMouseEvent&) {
@@ -158,7 +160,8 @@ bool PlacePick::press(const ViewGeometry& view, const QMouseEvent& event) {
 }
 
 QString PlacePick::hint() const {
-  return active_ ? tr("Click a piece, or Enter at the crosshair: shows it. Escape: ends.")
+  return active_ ? tr("Click a piece, or %1 at the crosshair: shows it. Escape: ends.")
+                       .arg(keyOf(Action::SetPlaceOfEdit))
                  : QString();
 }
 

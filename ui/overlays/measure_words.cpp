@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "ui/lengths.h"
 #include "ui/props/picture.h"
 
 namespace ui {
@@ -116,7 +117,8 @@ QString valueOf(const Measure& measure, const MeasuredScan& scan) {
       const Eigen::Vector3d between = measure.places_mm[1] - measure.places_mm[0];
       const Eigen::Vector3d along =
           length > 0.0 ? Eigen::Vector3d{between / length} : Eigen::Vector3d::UnitX();
-      return rounded(length, accuracyOf(scan.grid, std::array{along, along}), "mm");
+      const double accuracy = accuracyOf(scan.grid, std::array{along, along});
+      return rounded(length / mmPerLengthUnit(), accuracy / mmPerLengthUnit(), lengthUnitName());
     }
     case MeasureKind::Angle: {
       const double angle = angleOf_deg(measure);

@@ -34,8 +34,9 @@ QString numberWords(double number, int decimals);
 /// distance ends at 0.1 mm with voxels of 0.3 mm, and at 1 mm with voxels of 1 mm.
 QString rounded(double number, double accuracy, const QString& unit);
 
-/// What a measure says: its number with unit and accuracy; empty for a note. An angle whose legs
-/// are shorter than their accuracy, and a value outside the scan, are said to be unknown.
+/// What a measure says: its number with unit (of lengths the one that the user chose) and accuracy;
+/// empty for a note. An angle whose legs are shorter than their accuracy, and a value outside the
+/// scan, are said to be unknown.
 QString valueOf(const Measure& measure, const MeasuredScan& scan);
 
 /// mm, from the first place to the second.

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/lengths.h"
 #include "ui/props/picture.h"
 #include "ui/style/scene_colours.h"
 
@@ -146,7 +147,12 @@ std::vector<Eigen::Vector3d> arcOf(const Measure& measure) {
 
 }  // namespace
 
-Measures::Measures(QObject* parent) : Overlay(parent) {}
+Measures::Measures(QObject* parent) : Overlay(parent) {
+  whenLengthUnitChanges(*this, [this] {
+    emit listChanged();
+    emit changed();
+  });
+}
 
 void Measures::setScan(const MeasuredScan& scan) {
   scan_ = scan;
@@ -336,7 +342,9 @@ void Measures::paintTravel(QPainter& painter, const ViewGeometry& view,
   const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
   drawLine(painter, {from, to}, kMeasure, 1.4, true);
   drawMarkHandle(painter, from, kMeasure, true);
-  const QString text = tr("Travelled %1 mm").arg(numberWords(travel_->length_mm, 1));
+  const QString length =
+      numberWords(travel_->length_mm / mmPerLengthUnit(), lengthDecimals(1)) + ' ';
+  const QString text = tr("Travelled %1").arg(length + lengthUnitName());
   const QRectF box = labelPlace(labelSize(painter, text), from, {from, to}, {from, to},
                                 seenPart(painter, view), taken);
   drawLabel(painter, box, text);
@@ -458,8 +466,10 @@ bool Measures::hover(const ViewGeometry& view, const QMouseEvent& event) {
 }
 
 bool Measures::key(const ViewGeometry&, const QKeyEvent& event) {
-  const bool back = event.key() == Qt::Key_Backspace, del = event.key() == Qt::Key_Delete;
-  if (!back && !del) return false;
+  const Binding* meaning = meaningOf(Where::View, event);
+  if (meaning == nullptr) return false;
+  const bool del = meaning->action == Action::DeleteMark;
+  if (!del && meaning->action != Action::TakePlaceBack) return false;
   if (!begun_.places_mm.empty()) {
     begun_.places_mm.pop_back();
     emit changed();
@@ -472,9 +482,8 @@ bool Measures::key(const ViewGeometry&, const QKeyEvent& event) {
 
 QString Measures::hint() const {
   if (!placing_) return {};
-  return tr(
-      "Click, or Enter at the crosshair: sets a place. Backspace: takes it back. Escape: "
-      "ends.");
+  return tr("Click, or %1 at the crosshair: sets a place. %2: takes it back. Escape: ends.")
+      .arg(keyOf(Action::SetPlace), keyOf(Action::TakePlaceBack));
 }
 
 Qt::CursorShape Measures::cursor() const {

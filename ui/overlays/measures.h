@@ -67,6 +67,7 @@ class Measures : public Overlay {
   bool release(const ViewGeometry& view, const QMouseEvent& event) override;
   bool hover(const ViewGeometry& view, const QMouseEvent& event) override;
   bool key(const ViewGeometry& view, const QKeyEvent& event) override;
+  Action keyForClick() const override { return Action::SetPlace; }
   Qt::CursorShape cursor() const override;
   QString hint() const override;
 

@@ -14,6 +14,7 @@
 #include "haptics/settings.h"
 #include "ui/number_box.h"
 #include "ui/panels/tool_list.h"
+#include "ui/spoken.h"
 
 namespace ui {
 namespace {
@@ -32,33 +33,57 @@ double stiffnessAt(int step) {
          std::pow(kStiffness.most / kLeastShown, static_cast<double>(step) / kSliderSteps);
 }
 
+/// Its steps are those of the logarithm; what is said of it are N/m.
+class StiffnessSlider : public QSlider, public Spoken {
+ public:
+  explicit StiffnessSlider(NumberBox& typed) : QSlider(Qt::Horizontal), typed_(typed) {
+    offerSpoken();
+  }
+
+  QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
+  QString spokenName() const override { return DevicePanel::tr("Stiffness in N/m"); }
+  QString spokenValue() const override { return typed_.text(); }
+  std::optional<SpokenNumber> spokenNumber() const override {
+    return SpokenNumber{
+        .now = typed_.value(), .least = kStiffness.least, .most = kStiffness.most, .step = 10.0};
+  }
+  void takeSpoken(double stiffness) override { typed_.setValue(stiffness); }
+
+ private:
+  NumberBox& typed_;
+};
+
 }  // namespace
 
 DevicePanel::DevicePanel(QWidget* parent)
     : QWidget(parent),
       hands_(new QComboBox),
       tools_(new ToolList),
-      stiffness_(new QSlider(Qt::Horizontal)),
       stiffness_typed_(new NumberBox),
+      stiffness_(new StiffnessSlider(*stiffness_typed_)),
       friction_(new NumberBox),
       fields_(new QComboBox),
       effect_(new QLabel) {
   hands_->setObjectName("hands");
+  hands_->setToolTip(tr("Who holds the tool: the mouse, or a simulated hand"));
   tools_->setObjectName("tools");
   stiffness_->setObjectName("stiffness");
   stiffness_->setRange(0, kSliderSteps);
-  stiffness_->setAccessibleName(tr("Stiffness"));
+  stiffness_->setToolTip(tr("The spring between hand and tool: stiff is hard, soft is yielding"));
   stiffness_typed_->setObjectName("stiffnessTyped");
   stiffness_typed_->setAccessibleName(tr("Stiffness, typed"));
+  stiffness_typed_->setToolTip(tr("The spring between hand and tool, as a number"));
   stiffness_typed_->setDecimals(0);
   stiffness_typed_->setRange(kStiffness.least, kStiffness.most);
   stiffness_typed_->setSingleStep(100);
   stiffness_typed_->setSuffix(tr(" N/m"));
   friction_->setObjectName("friction");
+  friction_->setToolTip(tr("How much the surface holds a tool that slides along it"));
   friction_->setRange(haptics::kFrictionRange.least, haptics::kFrictionRange.most);
   friction_->setSingleStep(0.05);
   friction_->setSpecialValueText(tr("none"));
   fields_->setObjectName("fields");
+  fields_->setToolTip(tr("How the surface is made from the voxels"));
   effect_->setObjectName("fieldEffect");
   effect_->setWordWrap(true);
   effect_->hide();
@@ -86,11 +111,13 @@ DevicePanel::DevicePanel(QWidget* parent)
     const double stiffness = std::round(stiffnessAt(step) / 10.0) * 10.0;
     const QSignalBlocker quiet(stiffness_typed_);
     stiffness_typed_->setValue(qRound(stiffness));
+    tellSpokenNumber(*stiffness_);
     emit stiffnessChanged(stiffness);
   });
   connect(stiffness_typed_, &NumberBox::valueChanged, this, [this](double stiffness) {
     const QSignalBlocker quiet(stiffness_);
     stiffness_->setValue(stepOf(stiffness));
+    tellSpokenNumber(*stiffness_);
     emit stiffnessChanged(stiffness);
   });
 }
@@ -121,6 +148,7 @@ void DevicePanel::showStiffness(double newton_per_metre) {
   const QSignalBlocker quiet_slider(stiffness_), quiet_typed(stiffness_typed_);
   stiffness_->setValue(stepOf(newton_per_metre));
   stiffness_typed_->setValue(qRound(newton_per_metre));
+  tellSpokenNumber(*stiffness_);
 }
 
 void DevicePanel::chooseFile() {

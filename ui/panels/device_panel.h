@@ -50,8 +50,8 @@ class DevicePanel : public QWidget {
   void chooseFile();
   QComboBox* hands_;
   ToolList* tools_;
-  QSlider* stiffness_;
   NumberBox* stiffness_typed_;
+  QSlider* stiffness_;
   NumberBox* friction_;
   QComboBox* fields_;
   QLabel* effect_;

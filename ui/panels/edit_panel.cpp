@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/bindings.h"
 #include "ui/number_box.h"
 #include "ui/style/look.h"
 
@@ -102,6 +103,10 @@ EditPanel::EditPanel(QWidget* parent)
   redo_ = buttonOf(tr("Redo"), "redoEdit");
   reset_ = buttonOf(tr("Reset"), "resetEdits");
   reset_->setToolTip(tr("Takes all edits back"));
+  whenKeysChange(*this, [this] {
+    undo_->setToolTip(withKey(tr("Takes the last edit back"), Action::Undo));
+    redo_->setToolTip(withKey(tr("Makes the edit again that was taken back"), Action::Redo));
+  });
   steps_ = new QLabel;
   steps_->setObjectName("editSteps");
   auto* steps = new QHBoxLayout;
@@ -116,6 +121,7 @@ EditPanel::EditPanel(QWidget* parent)
   wait_words_ = hintLabel({});
   wait_words_->setObjectName("editWait");
   auto* cancel = buttonOf(tr("Cancel"), "cancelEditWait");
+  cancel->setToolTip(tr("Leaves everything as it is"));
   auto* wait = new QHBoxLayout(wait_);
   wait->setContentsMargins(0, 0, 0, 0);
   wait->addWidget(wait_words_, 1);
@@ -157,7 +163,9 @@ QWidget* EditPanel::cropPage() {
   auto* to_view = buttonOf(tr("Crop to view"), "cropToView");
   to_view->setToolTip(tr("The box that the slices show"));
   auto* whole = buttonOf(tr("Whole scan"), "cropReset");
+  whole->setToolTip(tr("Takes the crop away"));
   auto* apply = buttonOf(tr("Apply"), "cropApply");
+  apply->setToolTip(tr("Keeps what is inside the box"));
   connect(to_view, &QPushButton::clicked, this, &EditPanel::cropToViewWanted);
   connect(whole, &QPushButton::clicked, this, &EditPanel::cropResetWanted);
   connect(apply, &QPushButton::clicked, this, &EditPanel::cropApplyWanted);
@@ -185,6 +193,7 @@ QWidget* EditPanel::planePage() {
   from->setSpacing(4);
   const auto slice = [&](Plane plane, const QString& text, const char* name) {
     QPushButton* button = buttonOf(text, name);
+    button->setToolTip(tr("Lays the plane into this slice"));
     connect(button, &QPushButton::clicked, this,
             [this, plane] { emit planeFromSliceWanted(plane); });
     from->addWidget(button);
@@ -203,8 +212,11 @@ QWidget* EditPanel::planePage() {
   for (NumberBox* number : {plane_position_, plane_towards_, plane_raised_})
     connect(number, &NumberBox::valueChanged, this, &EditPanel::emitPlaneNumbers);
   auto* flip = buttonOf(tr("Flip"), "planeFlip");
+  flip->setToolTip(tr("Takes the other side of the plane"));
   auto* again = buttonOf(tr("Place again"), "planeAgain");
+  again->setToolTip(tr("Places the plane anew, with three clicks"));
   auto* apply = buttonOf(tr("Cut"), "planeApply");
+  apply->setToolTip(tr("Cuts along the plane"));
   connect(flip, &QPushButton::clicked, this, &EditPanel::planeFlipWanted);
   connect(again, &QPushButton::clicked, this, &EditPanel::planeAgainWanted);
   connect(apply, &QPushButton::clicked, this, &EditPanel::planeApplyWanted);
@@ -238,7 +250,9 @@ QWidget* EditPanel::piecesPage() {
   small_ = numberOf("smallVolume", tr("Smallest piece that stays"), 0.001, kLargest_cm3, 1.0, 3,
                     tr(" cm³"));
   small_->setValue(1.0);
+  small_->setToolTip(tr("Pieces of a smaller volume go"));
   auto* show_small = buttonOf(tr("Show"), "showSmall");
+  show_small->setToolTip(tr("Shows the small pieces before they go"));
   connect(show_small, &QPushButton::clicked, this, [this] { emit smallWanted(small_->value()); });
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
@@ -258,6 +272,7 @@ QWidget* EditPanel::piecesPage() {
 QWidget* EditPanel::holderPage() {
   auto* page = new QWidget;
   auto* find = buttonOf(tr("Show table and holder"), "showHolder");
+  find->setToolTip(tr("Shows what would go, with its volume"));
   connect(find, &QPushButton::clicked, this, &EditPanel::holderWanted);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
@@ -278,6 +293,7 @@ QWidget* EditPanel::scalpelPage() {
          "sides. 0 cuts through everything."));
   side_ = new QComboBox;
   side_->setObjectName("scalpelSide");
+  side_->setToolTip(tr("Which side of the outline goes"));
   side_->addItem(tr("What is inside goes"));
   side_->addItem(tr("What is outside goes"));
   auto* form = new QFormLayout;
@@ -299,9 +315,13 @@ QFrame* EditPanel::previewBar() {
   preview_words_ = hintLabel({});
   preview_words_->setObjectName("editPreview");
   keep_ = buttonOf(tr("Keep only this"), "keepPiece");
+  keep_->setToolTip(tr("Removes all but the piece that is shown"));
   remove_piece_ = buttonOf(tr("Remove this"), "removePiece");
+  remove_piece_->setToolTip(tr("Removes the piece that is shown"));
   remove_ = buttonOf(tr("Remove"), "applyRemoval");
+  remove_->setToolTip(tr("Removes what is shown"));
   auto* cancel = buttonOf(tr("Cancel"), "cancelPreview");
+  cancel->setToolTip(tr("Leaves what is shown where it is"));
   connect(keep_, &QPushButton::clicked, this, &EditPanel::keepPieceWanted);
   connect(remove_piece_, &QPushButton::clicked, this, &EditPanel::removePieceWanted);
   connect(remove_, &QPushButton::clicked, this, &EditPanel::removalWanted);

@@ -15,6 +15,7 @@ class FittingScroll : public QScrollArea {
     setWidget(inside);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus);  // it follows the control that has the focus
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   }
   QSize minimumSizeHint() const override {

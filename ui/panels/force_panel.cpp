@@ -5,8 +5,10 @@
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <cmath>
 #include <initializer_list>
 
+#include "ui/figure.h"
 #include "ui/panels/force_words.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
@@ -26,6 +28,9 @@ QString touchWords(const haptics::Snapshot& snapshot) {
   return ForcePanel::tr("Touching at %1 places").arg(snapshot.contacts);
 }
 
+constexpr double kLeastForceSaid = 0.005;  // N: shown as 0.00
+constexpr double kLeastPause = 1.0;        // s between two that are said
+
 void say(QLabel* label, const QString& words) {
   if (label->text() != words) label->setText(words);
 }
@@ -34,22 +39,20 @@ void say(QLabel* label, const QString& words) {
 
 ForcePanel::ForcePanel(QWidget* parent)
     : QWidget(parent),
-      force_(new QLabel),
-      torque_(new QLabel),
+      force_(new Figure(tr("Force"), tr("N"))),
+      torque_(new Figure(tr("Torque"))),
       touch_(new QLabel),
       plot_(new ForcePlot) {
   setObjectName("forceCard");
   setPalette(style::paletteOf(style::kDark));
   setFixedWidth(kWidth);
   force_->setObjectName("forceNow");
-  force_->setAccessibleName(tr("Force"));
   style::setType(*force_, style::Type::Force);
   // the unit stays where it is
   force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("0.00")) + 2);
   auto* unit = new QLabel(tr("N"));
   style::setDim(*unit);
   torque_->setObjectName("torqueNow");
-  torque_->setAccessibleName(tr("Torque"));
   torque_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   style::setDim(*torque_);
   touch_->setObjectName("touchNow");
@@ -79,6 +82,13 @@ void ForcePanel::display(const haptics::Snapshot& snapshot) {
   say(force_, QString::number(snapshot.felt_W.force.norm(), 'f', 2));
   say(torque_, tr("%1 mN·m").arg(snapshot.felt_W.torque.norm() * 1000.0, 0, 'f', 0));
   say(touch_, touchWords(snapshot));
+  const double force = snapshot.felt_W.force.norm();
+  const bool begins = (force < kLeastForceSaid) != (said_ < kLeastForceSaid);
+  const double pause = snapshot.time - said_time_;
+  if ((!begins && std::abs(force - said_) < kSaid) || (pause >= 0.0 && pause < kLeastPause)) return;
+  said_ = force;
+  said_time_ = snapshot.time;
+  tellSpokenName(*force_);
 }
 
 void ForcePanel::setCompact(bool compact) {

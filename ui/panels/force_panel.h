@@ -11,10 +11,14 @@ class QLabel;
 namespace ui {
 
 /// The card in the corner of the 3-D view: the force on the hand in large figures, the torque, what
-/// is touched, and a plot of the last seconds. It is dark in every theme, as the view is.
+/// is touched, and a plot of the last seconds. It is dark in every theme, as the view is. Screen
+/// readers are told where a force begins and ends, and what differs by kSaid, once a second at
+/// most.
 class ForcePanel : public QWidget {
   Q_OBJECT
  public:
+  static constexpr double kSaid = 0.5;  ///< N
+
   explicit ForcePanel(QWidget* parent = nullptr);
   void display(const haptics::Snapshot& snapshot);
   void clear() { plot_->clear(); }
@@ -30,6 +34,8 @@ class ForcePanel : public QWidget {
   QLabel* torque_;
   QLabel* touch_;
   ForcePlot* plot_;
+  double said_ = 0.0;       ///< N, as screen readers were told last
+  double said_time_ = 0.0;  ///< s of the loop
 };
 
 }  // namespace ui

@@ -26,6 +26,7 @@ double roundScale(double value) {
 }  // namespace
 
 ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent) {
+  offerSpoken();
   ring_.resize(kCapacity);
   setAccessibleName(tr("Force over time"));
   setAttribute(Qt::WA_OpaquePaintEvent);

@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "haptics/snapshot.h"
+#include "ui/spoken.h"
 
 namespace ui {
 
 /// Force and torque over the last ten seconds. Every tick is kept; a pixel shows the least and
 /// the greatest of its ticks, so a spike of one tick is visible. The plot is painted at most twenty
 /// times a second, and not while all visible curves are flat.
-class ForcePlot : public QWidget {
+class ForcePlot : public QWidget, public Spoken {
   Q_OBJECT
  public:
   static constexpr double kSeconds = 10.0;
@@ -29,6 +30,8 @@ class ForcePlot : public QWidget {
   int drawings() const { return drawings_; }
   QSize sizeHint() const override { return {208, 76}; }
   QSize minimumSizeHint() const override { return {160, 60}; }
+
+  QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

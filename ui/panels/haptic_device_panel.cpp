@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/bindings.h"
 #include "ui/number_box.h"
 #include "ui/panels/force_words.h"
 #include "ui/state_chip.h"
@@ -115,10 +116,13 @@ NumberBox* scaleBox(const char* name) {
   return box;
 }
 
-QComboBox* buttonBox(const char* name, const QString& none) {
+QComboBox* buttonBox(const char* name, Action action) {
   auto* box = new QComboBox;
   box->setObjectName(name);
-  box->addItem(none, -1);
+  box->addItem({}, -1);
+  whenKeysChange(*box, [box, action] {
+    box->setItemText(0, HapticDevicePanel::tr("key %1 only").arg(keyOf(action)));
+  });
   // a long name must not make the panel wider
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(10);
@@ -158,9 +162,9 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
       position_words_(label("positionScaleWords")),
       force_scale_(scaleBox("forceScale")),
       follow_camera_(new QCheckBox(tr("Follow the camera"))),
-      clutch_button_(buttonBox("clutchButton", tr("key C only"))),
+      clutch_button_(buttonBox("clutchButton", Action::Clutch)),
       hold_to_run_(new QCheckBox(tr("Force only while held"))),
-      hold_button_(buttonBox("holdButton", tr("key H only"))),
+      hold_button_(buttonBox("holdButton", Action::HoldToRun)),
       stiffness_(label("stiffnessTwice")),
       capped_(label("stiffnessCapped")),
       lift_(new QCheckBox(tr("Allow stiffness that may shake"))),
@@ -211,6 +215,7 @@ QWidget* HapticDevicePanel::buildForce() {
 QWidget* HapticDevicePanel::buildList() {
   list_->setObjectName("deviceList");
   list_->setAccessibleName(tr("Haptic devices"));
+  list_->setToolTip(tr("All known devices; those that are present come first"));
   list_->setColumnCount(kColumns);
   list_->setHeaderLabels({tr("Device"), tr("State")});
   list_->setRootIsDecorated(false);
@@ -225,8 +230,10 @@ QWidget* HapticDevicePanel::buildList() {
   firmware_->setObjectName("firmware");
   firmware_->setPlaceholderText(tr("Its maker's firmware file"));
   firmware_->setAccessibleName(tr("Firmware file"));
+  firmware_->setToolTip(tr("The file with which the maker of this device starts it"));
   auto* choose = new QToolButton;
   choose->setObjectName("chooseFirmware");
+  choose->setToolTip(tr("Looks for the firmware file"));
   choose->setText(tr("Choose…"));
   connect(choose, &QToolButton::clicked, this, &HapticDevicePanel::chooseFirmware);
   connect(firmware_, &QLineEdit::textChanged, this, &HapticDevicePanel::showSelected);
@@ -236,6 +243,7 @@ QWidget* HapticDevicePanel::buildList() {
   firmware->addWidget(choose);
 
   turned_by_->setObjectName("turnedBy");
+  turned_by_->setToolTip(tr("The device that turns the tool, where this one has no rotation"));
   auto* turned = new QHBoxLayout(turned_row_);
   turned->setContentsMargins(0, 0, 0, 0);
   turned->addWidget(new QLabel(tr("Rotation")));
@@ -268,7 +276,16 @@ QWidget* HapticDevicePanel::buildMapping() {
   follow_camera_->setToolTip(
       tr("Right, up and towards you are the picture's; without it they stay as they are now."));
   hold_to_run_->setObjectName("holdToRun");
-  hold_to_run_->setToolTip(tr("Force only while this button, or H in the 3-D view, is held down."));
+  whenKeysChange(*this, [this] {
+    hold_to_run_->setToolTip(tr("Force only while this button, or %1 in the 3-D view, is held down")
+                                 .arg(keyOf(Action::HoldToRun)));
+    clutch_button_->setToolTip(
+        tr("While this button, or %1 in the 3-D view, is held, the tool stays and the hand moves")
+            .arg(keyOf(Action::Clutch)));
+    hold_button_->setToolTip(tr("The button that is held for a force, beside %1 in the 3-D view")
+                                 .arg(keyOf(Action::HoldToRun)));
+  });
+  position_scale_->setToolTip(tr("Millimetres of the tool for a millimetre of the hand"));
   lift_->setObjectName("liftStiffness");
   lift_->setToolTip(
       tr("Up to what the device is rated for. Without it no stiffness can be set at which the "

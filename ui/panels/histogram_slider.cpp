@@ -46,11 +46,38 @@ double tickOf(double range) {
 }  // namespace
 
 HistogramSlider::HistogramSlider(QWidget* parent) : QAbstractSlider(parent) {
+  offerSpoken();
   setOrientation(Qt::Horizontal);
   setRange(0, kSteps);
   setPageStep(kSteps / 16);
   setFocusPolicy(Qt::StrongFocus);
   setCursor(Qt::SizeHorCursor);
+  setToolTip(tr("Drag, or press the arrow keys; with Shift in small steps"));
+}
+
+void HistogramSlider::setIntensity(double intensity) {
+  const bool other = intensity != intensity_;
+  intensity_ = intensity;
+  // while it is dragged it stays under the mouse
+  if (!isSliderDown()) setValue(stepOf(intensity));
+  if (other) tellSpokenNumber(*this);
+  update();
+}
+
+QString HistogramSlider::spokenName() const {
+  return unit_.isEmpty() ? accessibleName() : tr("%1 in %2").arg(accessibleName(), unit_);
+}
+
+QString HistogramSlider::spokenValue() const {
+  QString number = QString::number(intensity_, 'g', 6);
+  return unit_.isEmpty() ? number : number + ' ' + unit_;
+}
+
+std::optional<SpokenNumber> HistogramSlider::spokenNumber() const {
+  return SpokenNumber{.now = intensity_,
+                      .least = histogram_.least,
+                      .most = histogram_.greatest,
+                      .step = (histogram_.greatest - histogram_.least) / kSteps};
 }
 
 void HistogramSlider::setHistogram(const Histogram& histogram, const QString& unit) {

@@ -59,6 +59,7 @@ IsosurfacePanel::IsosurfacePanel(QWidget* parent)
   slider_->setAccessibleName(tr("Isovalue"));
   typed_->setObjectName("isovalueTyped");
   typed_->setAccessibleName(tr("Isovalue, typed"));
+  typed_->setToolTip(tr("The intensity of the surface that is seen and felt"));
   presets_->setObjectName("presets");
 
   auto* row = new QHBoxLayout;
@@ -93,6 +94,7 @@ IsosurfacePanel::IsosurfacePanel(QWidget* parent)
     const Steps step = stepsOf(*volume_);
     choose(isovalue_ + steps * (fine ? step.fine : step.coarse));
   });
+  connect(slider_, &HistogramSlider::intensityWanted, this, &IsosurfacePanel::choose);
   connect(typed_, &NumberBox::valueChanged, this, &IsosurfacePanel::choose);
 }
 
@@ -140,9 +142,8 @@ void IsosurfacePanel::choose(double isovalue) {
 
 void IsosurfacePanel::showValue(double isovalue) {
   const QSignalBlocker quiet_slider(slider_), quiet_typed(typed_);
-  if (!slider_->isSliderDown()) slider_->setValue(slider_->stepOf(isovalue));
+  slider_->setIntensity(isovalue);
   typed_->setValue(isovalue);
-  slider_->update();
 }
 
 }  // namespace ui

@@ -32,6 +32,7 @@ QString plainDecade(int exponent) {
 }  // namespace
 
 LoadPlot::LoadPlot(QWidget* parent) : QWidget(parent) {
+  offerSpoken();
   setAccessibleName(tr("Tick time over number of points"));
 }
 

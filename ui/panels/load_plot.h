@@ -4,6 +4,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "ui/spoken.h"
+
 namespace ui {
 
 /// The time of ticks with this number of points. CPU time, s.
@@ -15,7 +17,7 @@ struct TickTimes {
 
 /// Tick time over the number of points, both logarithmic, with a line at the budget. Each number of
 /// points has a mark at the 99th percentile and a bar from the median to the longest.
-class LoadPlot : public QWidget {
+class LoadPlot : public QWidget, public Spoken {
   Q_OBJECT
  public:
   explicit LoadPlot(QWidget* parent = nullptr);
@@ -27,6 +29,8 @@ class LoadPlot : public QWidget {
 
   QSize sizeHint() const override { return {260, 190}; }
   QSize minimumSizeHint() const override { return {180, 170}; }
+
+  QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/bindings.h"
 #include "ui/overlays/measure_words.h"
 
 namespace ui {
@@ -19,7 +20,8 @@ namespace {
 
 enum MarkColumn { MarkText, MarkValue, kMarkColumns };
 
-constexpr Qt::Key kPlaceKeys[] = {Qt::Key_D, Qt::Key_A, Qt::Key_V, Qt::Key_N};
+constexpr Action kPlaceActions[] = {Action::PlaceDistance, Action::PlaceAngle, Action::PlacePoint,
+                                    Action::PlaceNote};
 constexpr const char* kPlaceNames[] = {"placeDistance", "placeAngle", "placePoint", "placeNote"};
 
 /// Sets a cell's words if they are others, as plain text.
@@ -89,12 +91,13 @@ QWidget* MarksPanel::buildTools() {
     actions_[i] = action;
     action->setObjectName(kPlaceNames[i]);
     action->setCheckable(true);
-    action->setShortcut(kPlaceKeys[i]);
     // only while a view has the focus: in a field a letter is a letter
     action->setShortcutContext(Qt::WidgetShortcut);
     action->setAutoRepeat(false);
-    action->setToolTip(
-        tr("%1 (key %2 in a view)").arg(tips[i], QKeySequence(kPlaceKeys[i]).toString()));
+    whenKeysChange(*action, [action, tip = tips[i], of = kPlaceActions[i]] {
+      action->setShortcuts(shortcutsOf(of));
+      action->setToolTip(tr("%1 (key %2 in a view)").arg(tip, keyOf(of)));
+    });
     connect(action, &QAction::triggered, this,
             [this, i](bool on) { emit placingWanted(on ? static_cast<int>(i) : -1); });
     auto* button = new QToolButton;
@@ -115,7 +118,7 @@ void MarksPanel::buildList() {
   list_->setHorizontalHeaderLabels({tr("Name or note"), tr("Value")});
   list_->setSelectionBehavior(QAbstractItemView::SelectRows);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   list_->setTabKeyNavigation(false);
   list_->setShowGrid(false);
   list_->setWordWrap(false);
@@ -126,12 +129,22 @@ void MarksPanel::buildList() {
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setSectionResizeMode(MarkText, QHeaderView::Stretch);
   list_->installEventFilter(this);
-  list_->setToolTip(tr("Enter goes to the place, F2 renames, Delete deletes"));
+  whenKeysChange(*list_, [this] {
+    list_->setToolTip(tr("%1 goes to the place, %2 renames, %3 deletes")
+                          .arg(keyOf(Action::GoToMark), keyOf(Action::RenameMark),
+                               keyOf(Action::DeleteMark, Where::Marks)));
+  });
   go_->setObjectName("goToMark");
-  go_->setToolTip(tr("Moves the crosshair to the place; again, to its next place"));
+  whenKeysChange(*this, [this] {
+    go_->setToolTip(withKey(tr("Moves the crosshair to the place; again, to its next place"),
+                            Action::GoToMark));
+    rename_->setToolTip(withKey(tr("Renames the mark, or edits the note"), Action::RenameMark));
+    remove_->setToolTip(withKey(tr("Deletes the mark"), Action::DeleteMark));
+  });
   rename_->setObjectName("renameMark");
   remove_->setObjectName("removeMark");
   restore_->setObjectName("restoreMark");
+  restore_->setToolTip(tr("Brings back the mark that was deleted last"));
   connect(list_, &QTableWidget::itemSelectionChanged, this, [this] {
     showChosen();
     emit selected(chosen());
@@ -150,6 +163,7 @@ QWidget* MarksPanel::buildTravel() {
   travel_start_->setObjectName("travelStart");
   travel_start_->setToolTip(tr("Measures the way of the tool from where it is now"));
   travel_end_->setObjectName("travelEnd");
+  travel_end_->setToolTip(tr("Ends the measurement of the way"));
   travel_->setObjectName("travelled");
   travel_->setTextFormat(Qt::PlainText);
   travel_->setWordWrap(true);
@@ -166,16 +180,16 @@ QWidget* MarksPanel::buildTravel() {
 
 bool MarksPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched != list_ || event->type() != QEvent::KeyPress) return false;
-  const int key = static_cast<QKeyEvent*>(event)->key();
-  if (chosen() < 0) return false;
+  const Binding* meaning = meaningOf(Where::Marks, *static_cast<QKeyEvent*>(event));
+  if (chosen() < 0 || meaning == nullptr) return false;
   // Enter also comes from the field in which a text is typed
   const QWidget* focus = QApplication::focusWidget();
   if (focus != nullptr && focus != list_ && list_->isAncestorOf(focus)) return false;
-  if (key == Qt::Key_Delete)
+  if (meaning->action == Action::DeleteMark)
     emit removeWanted(chosen());
-  else if (key == Qt::Key_Return || key == Qt::Key_Enter)
+  else if (meaning->action == Action::GoToMark)
     emit goToWanted(chosen());
-  else if (key == Qt::Key_F2)
+  else if (meaning->action == Action::RenameMark)
     edit(chosen());  // whatever cell is the current one
   else
     return false;

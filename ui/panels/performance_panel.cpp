@@ -49,7 +49,6 @@ PerformancePanel::PerformancePanel(QWidget* parent)
   left_out_title_->setFont(bold);
   left_out_title_->hide();
   left_out_->setTextFormat(Qt::RichText);
-  left_out_->setAccessibleName(tr("Left out"));
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -90,7 +89,7 @@ void PerformancePanel::setReady(bool ready) {
 void PerformancePanel::showMeasuring() {
   measuring_ = true;
   measure_->setText(tr("Cancel"));
-  measure_->setToolTip({});
+  measure_->setToolTip(tr("Ends the measurement without a result"));
   progress_->setValue(0);
   progress_->show();
 }

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/bindings.h"
+#include "ui/figure.h"
 #include "ui/panels/time_words.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
@@ -76,7 +78,7 @@ QTableWidgetItem* itemOf(const QString& text, Qt::Alignment alignment) {
 RecordingPanel::RecordingPanel(QWidget* parent)
     : QWidget(parent),
       record_(new QPushButton),
-      elapsed_(label("recordElapsed")),
+      elapsed_(new Figure(tr("Time recorded"))),
       state_(sentence("recordState")),
       samples_(label("recordSamples")),
       gaps_(label("recordGaps")),
@@ -84,7 +86,7 @@ RecordingPanel::RecordingPanel(QWidget* parent)
       room_(label("recordRoom")),
       lost_(sentence("recordLost")),
       note_(new QLineEdit),
-      mark_(new QPushButton(tr("Mark (M)"))),
+      mark_(new QPushButton),
       marked_(label("marked")),
       mark_action_(new QAction(tr("Mark"), this)),
       list_(new QTableWidget),
@@ -99,8 +101,13 @@ RecordingPanel::RecordingPanel(QWidget* parent)
       tr("What is to be found again. Everyone who gets the recording can read it: "
          "do not write names of patients or staff."));
   mark_->setObjectName("mark");
-  mark_->setToolTip(tr("Sets a mark at this moment, with the note (M, or Enter in the note)"));
-  mark_action_->setShortcut(Qt::Key_M);
+  whenKeysChange(*this, [this] {
+    const QString key = keyOf(Action::SetMark);
+    mark_->setText(tr("Mark (%1)").arg(key));
+    mark_->setToolTip(
+        tr("Sets a mark at this moment, with the note (%1, or Enter in the note)").arg(key));
+    mark_action_->setShortcuts(shortcutsOf(Action::SetMark));
+  });
   mark_action_->setShortcutContext(Qt::ApplicationShortcut);
   mark_action_->setAutoRepeat(false);
   auto* marking = new QHBoxLayout;
@@ -127,13 +134,14 @@ RecordingPanel::RecordingPanel(QWidget* parent)
 QWidget* RecordingPanel::buildFigures() {
   record_->setObjectName("record");
   record_->setCheckable(true);
+  record_->setToolTip(tr("Begins a recording of every tick, or ends it"));
   connect(record_, &QPushButton::clicked, this, [this] {
     const bool records = status_.state == RecordingStatus::State::Recording;
     record_->setChecked(records);  // until it is told otherwise
     emit recordWanted(!records);
   });
   style::setType(*elapsed_, style::Type::Figure);
-  elapsed_->setAccessibleName(tr("Time recorded"));
+  elapsed_->setObjectName("recordElapsed");
   lost_->setWarning(true);
 
   auto* figures = new QWidget;
@@ -173,9 +181,12 @@ QWidget* RecordingPanel::buildList() {
   list_->horizontalHeader()->setMinimumSectionSize(30);
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+  list_->setToolTip(tr("Enter or a double-click opens a recording"));
   open_->setObjectName("openRecording");
   export_->setObjectName("exportRecording");
+  export_->setToolTip(tr("Writes the chosen recording as tables or as a film"));
   delete_->setObjectName("deleteRecording");
+  delete_->setToolTip(tr("Deletes the chosen recording, after a question"));
   auto* row = new QHBoxLayout;
   for (QPushButton* button : {open_, export_, delete_}) row->addWidget(button);
 
@@ -280,6 +291,8 @@ void RecordingPanel::showSelected() {
   const PastRecording* recording = selected();
   const bool finished = recording == nullptr || recording->finished;
   open_->setText(finished ? tr("Open") : tr("Recover"));
+  open_->setToolTip(finished ? tr("Replays the chosen recording in the scene")
+                             : tr("Brings back what is in a recording that was never finished"));
   open_->setEnabled(recording != nullptr);
   export_->setEnabled(recording != nullptr && finished);
   delete_->setEnabled(recording != nullptr);

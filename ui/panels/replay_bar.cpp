@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 #include <array>
 
+#include "ui/bindings.h"
+#include "ui/figure.h"
 #include "ui/panels/time_words.h"
 #include "ui/style/style.h"
 #include "ui/warning_label.h"
@@ -24,9 +26,9 @@ ReplayBar::ReplayBar(QWidget* parent)
     : QFrame(parent),
       warning_(new WarningLabel),
       timeline_(new ReplayTimeline),
-      play_(button("replayPlay", tr("Pause"), tr("Play or pause (Space while the bar has focus)"))),
+      play_(button("replayPlay", tr("Pause"), {})),
       speeds_(new QComboBox),
-      time_(new QLabel) {
+      time_(new Figure(tr("Time"))) {
   warning_->setObjectName("replayWarning");
   warning_->setWordWrap(true);
   warning_->setTextFormat(Qt::PlainText);
@@ -35,15 +37,22 @@ ReplayBar::ReplayBar(QWidget* parent)
   timeline_->setObjectName("replayTimeline");
   // both words fit, so nothing moves when they change
   play_->setMinimumWidth(play_->sizeHint().width());
-  auto* back = button("replayBack", tr("−1 tick"), tr("One tick back (Left)"));
-  auto* forward = button("replayForward", tr("+1 tick"), tr("One tick forward (Right)"));
+  auto* back = button("replayBack", tr("−1 tick"), {});
+  auto* forward = button("replayForward", tr("+1 tick"), {});
   back->setAutoRepeat(true);
   forward->setAutoRepeat(true);
   back->setAccessibleName(tr("One tick back"));
   forward->setAccessibleName(tr("One tick forward"));
+  whenKeysChange(*this, [this, back, forward] {
+    play_->setToolTip(
+        tr("Play or pause (%1 while the bar has the focus)").arg(keyOf(Action::PlayPause)));
+    back->setToolTip(withKey(tr("One tick back"), Action::TickBack));
+    forward->setToolTip(withKey(tr("One tick forward"), Action::TickForward));
+  });
   auto* close = button("replayClose", tr("Close"), tr("Back to the live session"));
   speeds_->setObjectName("replaySpeed");
   speeds_->setAccessibleName(tr("Speed"));
+  speeds_->setToolTip(tr("How fast the recording plays"));
   for (const double speed : kSpeeds) speeds_->addItem(tr("%1 ×").arg(speed), speed);
   speeds_->setCurrentIndex(speeds_->findData(1.0));
   time_->setObjectName("replayTime");
@@ -54,7 +63,10 @@ ReplayBar::ReplayBar(QWidget* parent)
   row->addWidget(back);
   row->addWidget(forward);
   row->addSpacing(8);
-  row->addWidget(new QLabel(tr("Speed")));
+  auto* speed_label = new QLabel(tr("Speed"));
+  // a combo box is known by its label
+  speed_label->setBuddy(speeds_);
+  row->addWidget(speed_label);
   row->addWidget(speeds_);
   row->addSpacing(8);
   row->addWidget(time_);
@@ -93,9 +105,11 @@ QToolButton* ReplayBar::button(const char* name, const QString& text, const QStr
 bool ReplayBar::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
   // on a button, too, the arrows mean ticks and not the button beside it
-  const int key = static_cast<QKeyEvent*>(event)->key();
-  if (key != Qt::Key_Left && key != Qt::Key_Right) return false;
-  emit stepWanted(key == Qt::Key_Left ? -1 : 1);
+  const Binding* meaning = meaningOf(Where::ReplayBar, *static_cast<QKeyEvent*>(event));
+  if (meaning == nullptr ||
+      (meaning->action != Action::TickBack && meaning->action != Action::TickForward))
+    return false;
+  emit stepWanted(meaning->action == Action::TickBack ? -1 : 1);
   return true;
 }
 

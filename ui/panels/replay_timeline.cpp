@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/bindings.h"
 #include "ui/panels/force_words.h"
 #include "ui/panels/time_words.h"
 #include "ui/style/look.h"
@@ -137,9 +138,19 @@ void drawHead(QPainter& painter, Look look, QPointF at) {
 }  // namespace
 
 ReplayTimeline::ReplayTimeline(QWidget* parent) : QWidget(parent) {
+  offerSpoken();
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Time in the recording"));
+  setToolTip(tr("A click or a drag goes to another time; events say what they are"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QString ReplayTimeline::spokenName() const { return tr("%1 in seconds").arg(accessibleName()); }
+
+QString ReplayTimeline::spokenValue() const { return clockTime(time_, 3); }
+
+std::optional<SpokenNumber> ReplayTimeline::spokenNumber() const {
+  return SpokenNumber{.now = time_, .least = track_.begin, .most = track_.end, .step = 0.001};
 }
 
 void ReplayTimeline::show(ReplayTrack track) {
@@ -301,20 +312,21 @@ void ReplayTimeline::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void ReplayTimeline::keyPressEvent(QKeyEvent* event) {
-  switch (event->key()) {
-    case Qt::Key_Space:
+  const Binding* meaning = meaningOf(Where::ReplayBar, *event);
+  switch (meaning == nullptr ? Action::Elsewhere : meaning->action) {
+    case Action::PlayPause:
       if (!event->isAutoRepeat()) emit playToggled();
       break;
-    case Qt::Key_Left:
+    case Action::TickBack:
       emit stepWanted(-1);
       break;
-    case Qt::Key_Right:
+    case Action::TickForward:
       emit stepWanted(1);
       break;
-    case Qt::Key_Home:
+    case Action::ToBegin:
       emit timeWanted(track_.begin);
       break;
-    case Qt::Key_End:
+    case Action::ToEnd:
       emit timeWanted(track_.end);
       break;
     default:

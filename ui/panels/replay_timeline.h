@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "ui/spoken.h"
+
 namespace ui {
 
 /// An event of a recorded session.
@@ -28,9 +30,8 @@ struct ReplayTrack {
 
 /// The whole recording from left to right: the force as a curve, events as symbols that differ in
 /// colour and shape, the present time as a line. A click or drag requests another time; while the
-/// mouse button is down the line follows the mouse. Left and Right request the tick before or
-/// after, Home and End the ends, Space play or pause.
-class ReplayTimeline : public QWidget {
+/// mouse button is down the line follows the mouse. Its keys are in ui/bindings.h.
+class ReplayTimeline : public QWidget, public Spoken {
   Q_OBJECT
  public:
   explicit ReplayTimeline(QWidget* parent = nullptr);
@@ -49,6 +50,12 @@ class ReplayTimeline : public QWidget {
 
   QSize sizeHint() const override { return {600, 68}; }
   QSize minimumSizeHint() const override { return {200, 60}; }
+
+  QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
+  QString spokenName() const override;
+  QString spokenValue() const override;
+  std::optional<SpokenNumber> spokenNumber() const override;
+  void takeSpoken(double time) override { emit timeWanted(time); }
 
  signals:
   void timeWanted(double time);

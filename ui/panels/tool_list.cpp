@@ -257,6 +257,7 @@ void ToolList::markPresent() {
                   is_present ? tr("%1; the present tool").arg(tool.use) : tool.use);
   }
   const Tool* tool = present();
+  setAccessibleName(tool != nullptr ? tr("Tool: %1").arg(tool->entry.title) : tr("Tool"));
   setAccessibleDescription(
       tool != nullptr ? tr("%1, %2").arg(tool->entry.title, sizesOf(tool->entry)) : QString());
   updateGeometry();

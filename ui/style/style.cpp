@@ -304,7 +304,8 @@ void Style::drawPrimitive(PrimitiveElement element, const QStyleOption* option, 
     case PE_Frame:
     case PE_FrameGroupBox:
       painter->save();
-      painter->setPen(c.line);
+      // a list without a line that could show the focus has its frame
+      painter->setPen(option->state & State_HasFocus ? c.accent : c.line);
       painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
       painter->restore();
       return;
