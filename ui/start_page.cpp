@@ -196,7 +196,7 @@ QWidget* StartPage::makeCards() {
                            "file. It can also be dropped on the window."));
   auto* folder = open->add("startFolder", tr("Open folder…"));
   auto* file = open->add("startFile", tr("Open file…"));
-  whenKeysChange(this, [folder, file] {
+  whenKeysChange(*this, [folder, file] {
     folder->setToolTip(withKey(tr("Opens a folder of slices"), Action::OpenFolder));
     file->setToolTip(withKey(tr("Opens an archive or a volume in one file"), Action::OpenFile));
   });
