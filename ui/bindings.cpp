@@ -71,7 +71,7 @@ std::vector<Binding> allBindings() {
       key(Anywhere, CTRL | Key_O, WORDS("opens a file")),
       key(Anywhere, CTRL | SHIFT | Key_O, WORDS("opens a folder")),
       key(Anywhere, CTRL | Key_S, WORDS("saves the view")),
-      key(Anywhere, CTRL | SHIFT | Key_S, WORDS("saves a picture of the view or the window")),
+      key(Anywhere, CTRL | SHIFT | Key_S, WORDS("saves a picture of a view or the window")),
       key(Anywhere, CTRL | SHIFT | Key_C, WORDS("copies a picture of the 3-D view")),
       key(Anywhere, CTRL | Key_Z, WORDS("takes the last edit back")),
       key(Anywhere, CTRL | SHIFT | Key_Z, WORDS("makes it again")),

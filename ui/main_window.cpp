@@ -119,7 +119,7 @@ void MainWindow::buildViews() {
     connect(slice, &SliceView::toolToCrossWanted, this, &MainWindow::toolToCrossWanted);
     connect(slice, &SliceView::crossToToolWanted, this, &MainWindow::crossToToolWanted);
     connect(frame, &ViewFrame::menuWanted, this,
-            [this](QPoint at) { slice_set_->menu().popup(at); });
+            [this, slice](QPoint at) { slice_set_->openMenu(*slice, at); });
   }
   for (const ViewFrame* frame : frames)
     connect(frame, &ViewFrame::hintsUnwanted, this, [this] { hints_->trigger(); });
@@ -264,7 +264,13 @@ void MainWindow::buildMenus() {
   view_actions_ = new ViewActions(*look, *bar_, *view_);
   view_actions_->setParent(this);
   connect(view_actions_, &ViewActions::isovalueWanted, this, &MainWindow::isovalueWanted);
-  connect(view_actions_, &ViewActions::pictureWanted, this, &MainWindow::pictureWanted);
+  connect(view_actions_, &ViewActions::pictureWanted, this,
+          [this] { emit pictureWanted(activeSlice()); });
+  connect(slice_set_, &SliceSet::pictureWanted, this, [this] {
+    const auto shown = std::ranges::find_if(slices_, &SliceView::isVisible);
+    SliceView* first = shown == slices_.end() ? nullptr : *shown;
+    emit pictureWanted(activeSlice() != nullptr ? activeSlice() : first);
+  });
   connect(view_actions_, &ViewActions::pictureCopyWanted, this, &MainWindow::pictureCopyWanted);
   bar_->add(BarGroup::Views, *layout, "layout", tr("Layout of the views"));
   for (QAction* action : slice_set_->menu().actions())
@@ -432,6 +438,10 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
 void MainWindow::replace(const Picture& picture) {
   view_->replace(picture);
   slice_set_->replace(picture);
+}
+
+SliceView* MainWindow::activeSlice() const {
+  return views_->active() == 0 ? nullptr : slices_[views_->active() - 1];
 }
 
 bool MainWindow::showsSlices() const {

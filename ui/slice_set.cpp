@@ -36,7 +36,8 @@ SliceSet::SliceSet(QWidget* parent) : QObject(parent), menu_(new QMenu(parent)) 
     connect(slice, &SliceView::crossMoved, this, &SliceSet::moveCross);
     connect(slice, &SliceView::greyChanged, this, &SliceSet::setGrey);
     connect(slice, &SliceView::doubleClicked, this, &SliceSet::doubleClicked);
-    connect(slice, &SliceView::menuWanted, this, [this](QPoint at) { menu_->popup(at); });
+    connect(slice, &SliceView::menuWanted, this,
+            [this, slice](QPoint at) { openMenu(*slice, at); });
   }
   SliceView& oblique = slice(Plane::Oblique);
   connect(&oblique, &SliceView::depthChanged, this, [this](double by_mm) {
@@ -59,6 +60,11 @@ QAction* SliceSet::toggle(const QString& text, const char* name, bool on,
   action->setChecked(on);
   connect(action, &QAction::toggled, this, set);
   return action;
+}
+
+void SliceSet::openMenu(SliceView& over, QPoint at) {
+  over.setFocus(Qt::PopupFocusReason);
+  menu_->popup(at);
 }
 
 void SliceSet::buildMenu() {
@@ -103,6 +109,12 @@ void SliceSet::buildMenu() {
       placeOblique();
     });
   }
+  menu_->addSeparator();
+  const QKeySequence key(Qt::CTRL | Qt::SHIFT | Qt::Key_S);  // of the window, for any view
+  menu_
+      ->addAction(tr("Save &picture of a slice…") + '\t' + key.toString(QKeySequence::NativeText),
+                  this, &SliceSet::pictureWanted)
+      ->setObjectName("saveSlicePicture");
 }
 
 void SliceSet::buildGreyMenu() {

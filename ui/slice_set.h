@@ -29,6 +29,8 @@ class SliceSet : public QObject {
   const std::array<SliceView*, 4>& slices() const { return slices_; }
   /// The choices for all slices, as a menu. The View menu has it, and every slice.
   QMenu& menu() { return *menu_; }
+  /// Opens it over a slice, which gets the focus.
+  void openMenu(SliceView& over, QPoint at);
 
   void show(const Picture& picture, double isovalue);
   /// Shows other voxels on the same grid; crosshair, zoom and grey stay.
@@ -51,6 +53,8 @@ class SliceSet : public QObject {
   void obliqueShownChanged(bool shown);
   /// A place in a slice was clicked twice.
   void doubleClicked(const Eigen::Vector3d& p_W_mm);
+  /// A picture of one slice is wanted.
+  void pictureWanted();
 
  private:
   QAction* toggle(const QString& text, const char* name, bool on,

@@ -411,8 +411,28 @@ std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> SliceView::contour_W_mm
   return pieces;
 }
 
+QImage SliceView::picture(int scale) {
+  QImage image(size() * scale, QImage::Format_RGB32);
+  if (image.isNull()) return image;
+  image.setDevicePixelRatio(scale);
+  QPainter painter(&image);
+  painter.setFont(font());
+  draw(painter);
+  painter.end();
+  image.setDevicePixelRatio(1.0);
+  return image;
+}
+
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
+  draw(painter);
+  if (!hasFocus() || slice_.empty()) return;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colourOf(plane_), 1.0, Qt::DotLine));
+  painter.drawRect(pictureRect());
+}
+
+void SliceView::draw(QPainter& painter) {
   painter.fillRect(rect(), style::kSliceGround);
   const QRect picture = pictureRect();
   if (slice_.empty() || picture.isEmpty()) return;
@@ -444,11 +464,6 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.setClipping(false);
   painter.setRenderHint(QPainter::Antialiasing, false);
   drawReadout(painter, readout(), rect(), picture);
-  if (hasFocus()) {
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colourOf(plane_), 1.0, Qt::DotLine));
-    painter.drawRect(picture);
-  }
 }
 
 void SliceView::drawCrossedPlanes(QPainter& painter) const {

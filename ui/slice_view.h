@@ -84,6 +84,9 @@ class SliceView : public QWidget {
   /// What is written in corners and on the margin.
   SliceReadout readout() const;
   QSize sizeHint() const override { return {300, 260}; }
+  /// What is on view, cut and drawn with so many pixels for one of the widget. Null if it would be
+  /// too large.
+  QImage picture(int scale);
 
   /// How near the picture is and where its middle lies, and the same again.
   SliceFrame frame() const { return {zoom_, pan_mm_}; }
@@ -127,6 +130,7 @@ class SliceView : public QWidget {
   enum class Drag { None, Cross, Pan, Grey };
 
   void take(const Picture& picture);
+  void draw(QPainter& painter);
   void changed();
   void moveCrossTo(const Eigen::Vector3d& p_W_mm);
   /// The middle of the picture: a place in the plane.

@@ -37,6 +37,8 @@ class ViewLayout : public QWidget {
   bool maximised() const { return alone_; }
   /// Gives the focus to the next view that has a place; it is shown if one view is shown alone.
   void nextView();
+  /// The view that had the focus last, counted as the frames.
+  std::size_t active() const { return active_; }
   QSize minimumSizeHint() const override;
   /// Where the borders are, in words for the preferences; empty while one view is alone. Words for
   /// another arrangement are left out.
