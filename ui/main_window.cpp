@@ -498,20 +498,19 @@ void MainWindow::addViewAction(QAction& action) {
 ViewLook MainWindow::look() const {
   ViewLook look;
   view_->tell(look);
-  look.cross_mm = slice_set_->cross_mm();
-  look.grey_level = slice_set_->grey().level;
-  look.grey_width = slice_set_->grey().width;
-  for (std::size_t i = 0; i < look.slices.size(); ++i) look.slices[i] = slices_[i]->frame();
-  look.layout = viewState().toStdString();
+  look.colours = view_actions_->colours();
+  look.second = view_->surface().second();
+  slice_set_->tell(look);
+  look.layout = views_->look();
   return look;
 }
 
 void MainWindow::setLook(const ViewLook& look) {
   view_->look(look);
-  slice_set_->setGrey({.level = look.grey_level, .width = look.grey_width});
-  slice_set_->moveCross(look.cross_mm);
-  for (std::size_t i = 0; i < look.slices.size(); ++i) slices_[i]->setFrame(look.slices[i]);
-  restoreViews(QString::fromStdString(look.layout));
+  view_actions_->look(look);
+  slice_set_->setObliqueShown(look.layout.tool_view);
+  views_->look(look.layout);
+  slice_set_->look(look);
 }
 
 void MainWindow::display(const haptics::Snapshot& snapshot) {

@@ -44,6 +44,10 @@ class SliceSet : public QObject {
   const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
   void setGrey(const GreyWindow& grey);
   const GreyWindow& grey() const { return grey_; }
+  /// Writes crosshair, grey window, voxels, the tool's plane and what is seen of each slice.
+  void tell(ViewLook& look) const;
+  /// Takes these of `look`.
+  void look(const ViewLook& look);
   bool obliqueShown() const;
   void setObliqueShown(bool shown);
 
@@ -63,6 +67,7 @@ class SliceSet : public QObject {
   void buildGreyMenu();
   void buildLookMenu();
   void setLook(const SliceLook& look);
+  void showLook();
   void askThickness();
   void linkPlanes();
   void placeOblique();
@@ -71,7 +76,10 @@ class SliceSet : public QObject {
   std::array<SliceView*, 4> slices_{};
   QMenu* menu_;
   QList<QAction*> presets_;  ///< in HU
+  QActionGroup* interpolations_ = nullptr;
+  QActionGroup* slabs_ = nullptr;
   QActionGroup* thicknesses_ = nullptr;
+  QActionGroup* directions_ = nullptr;  ///< of the oblique plane
   QAction* oblique_ = nullptr;
   std::shared_ptr<const haptics::Volume> volume_;
   Eigen::AlignedBox3d box_mm_;

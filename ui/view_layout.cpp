@@ -13,8 +13,7 @@
 namespace ui {
 namespace {
 
-constexpr int kGap = 4;               // px
-constexpr double kLeastShare = 0.02;  // that can be restored
+constexpr int kGap = 4;  // px
 constexpr std::size_t kVolume = 0, kAxial = 1, kCoronal = 2, kSagittal = 3, kOblique = 4;
 constexpr std::array<std::pair<Arrangement, const char*>, 4> kNames{
     {{Arrangement::One, "one"},
@@ -188,34 +187,64 @@ void ViewLayout::place() {
   update();
 }
 
-QString ViewLayout::borders() const {
-  if (columns_.size() < 2) return {};
-  QStringList columns;
+ViewLayout::Shares ViewLayout::shares() const {
+  Shares shares;
+  if (columns_.size() < 2) return shares;
   for (const Column& column : columns_) {
-    QStringList cells{QString::number(column.share, 'f', 4)};
-    for (const Cell& cell : column.cells) cells << QString::number(cell.share, 'f', 4);
-    columns << cells.join(' ');
+    std::vector<double>& of_column = shares.emplace_back(1, column.share);
+    for (const Cell& cell : column.cells) of_column.push_back(cell.share);
+  }
+  return shares;
+}
+
+void ViewLayout::setShares(const Shares& shares) {
+  if (shares.size() != columns_.size()) return;
+  std::vector<Column> moved = columns_;
+  for (std::size_t c = 0; c < moved.size(); ++c) {
+    if (shares[c].size() != moved[c].cells.size() + 1) return;
+    for (const double share : shares[c])
+      if (!(share >= LayoutLook::kLeastShare && share <= LayoutLook::kMostShare)) return;
+    moved[c].share = shares[c][0];
+    for (std::size_t n = 0; n < moved[c].cells.size(); ++n)
+      moved[c].cells[n].share = shares[c][n + 1];
+  }
+  columns_ = std::move(moved);
+  place();
+}
+
+QString ViewLayout::borders() const {
+  QStringList columns;
+  for (const std::vector<double>& column : shares()) {
+    QStringList words;
+    for (const double share : column) words << QString::number(share, 'f', 4);
+    columns << words.join(' ');
   }
   return columns.join('|');
 }
 
 void ViewLayout::restoreBorders(const QString& borders) {
-  const QStringList columns = borders.split('|');
-  if (columns.size() != static_cast<qsizetype>(columns_.size())) return;
-  std::vector<Column> moved = columns_;
-  for (std::size_t c = 0; c < moved.size(); ++c) {
-    const QStringList shares = columns[static_cast<qsizetype>(c)].split(' ');
-    if (shares.size() != static_cast<qsizetype>(moved[c].cells.size()) + 1) return;
-    moved[c].share = shares[0].toDouble();
-    for (std::size_t n = 0; n < moved[c].cells.size(); ++n)
-      moved[c].cells[n].share = shares[static_cast<qsizetype>(n) + 1].toDouble();
-    const auto sound = [](double share) { return share >= kLeastShare && share <= 10.0; };
-    if (!sound(moved[c].share)) return;
-    for (const Cell& cell : moved[c].cells)
-      if (!sound(cell.share)) return;
+  Shares shares;
+  for (const QString& column : borders.split('|')) {
+    std::vector<double>& of_column = shares.emplace_back();
+    for (const QString& share : column.split(' ')) of_column.push_back(share.toDouble());
   }
-  columns_ = std::move(moved);
-  place();
+  setShares(shares);
+}
+
+LayoutLook ViewLayout::look() const {
+  return {.arrangement = arrangement_,
+          .tool_view = oblique_,
+          .active = active_,
+          .alone = alone_,
+          .shares = shares()};
+}
+
+void ViewLayout::look(const LayoutLook& look) {
+  setObliqueShown(look.tool_view);
+  if (look.tool_view || look.active != kOblique) active_ = look.active;
+  arrange(look.arrangement);
+  setShares(look.shares);
+  if (look.alone && look.arrangement != Arrangement::One) toggleMaximised();
 }
 
 QSize ViewLayout::minimumSizeHint() const {

@@ -9,11 +9,9 @@
 
 #include "ui/view_frame.h"
 #include "ui/view_gap.h"
+#include "ui/view_look.h"
 
 namespace ui {
-
-/// How the views share the room.
-enum class Arrangement { One, FourUp, VolumeLarge, SlicesLarge };
 
 /// The views of the window, each in its frame: the 3-D view and the four slices. It shares the room
 /// among them; the borders between them can be moved. One view can have it all for a while.
@@ -21,7 +19,7 @@ class ViewLayout : public QWidget {
   Q_OBJECT
  public:
   /// In this order: the 3-D view, axial, coronal, sagittal, oblique.
-  using Frames = std::array<ViewFrame*, 5>;
+  using Frames = std::array<ViewFrame*, LayoutLook::kViews>;
   explicit ViewLayout(const Frames& frames, QWidget* parent = nullptr);
 
   void arrange(Arrangement arrangement);
@@ -44,6 +42,9 @@ class ViewLayout : public QWidget {
   /// another arrangement are left out.
   QString borders() const;
   void restoreBorders(const QString& borders);
+  /// All of it as numbers, and the same again. Shares for another arrangement are left out.
+  LayoutLook look() const;
+  void look(const LayoutLook& look);
 
   /// Names for the preferences: "one", "four_up", "volume_large", "slices_large".
   static QString nameOf(Arrangement arrangement);
@@ -71,6 +72,9 @@ class ViewLayout : public QWidget {
     std::optional<std::size_t> cell;
   };
 
+  using Shares = std::vector<std::vector<double>>;
+  Shares shares() const;
+  void setShares(const Shares& shares);
   void makeColumns();
   void makeBorders();
   void moveBorder(const Border& border, int px);
