@@ -352,7 +352,7 @@ void MainWindow::restoreLayout(const WindowLayout& layout) {
 
 void MainWindow::resetLayout() {
   slice_set_->setObliqueShown(false);
-  views_->arrange(Arrangement::VolumeLarge);
+  views_->reset();
   side_->reset();
   restoreLayout({.views = {}, .borders = {}, .panels = {}, .panel_width = style::kPanelWidth});
 }

@@ -108,31 +108,49 @@ void ViewLayout::nextView() {
   frames_[active_]->view().setFocus(Qt::OtherFocusReason);
 }
 
-void ViewLayout::makeColumns() {
-  columns_.clear();
-  if (alone_ || arrangement_ == Arrangement::One) {
-    columns_ = {{1.0, {{active_, 1.0}}}};
-  } else if (arrangement_ == Arrangement::FourUp) {
-    if (oblique_)
-      columns_ = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
-                  {1.0, {{kSagittal, 1.0}, {kOblique, 1.0}}},
-                  {1.0, {{kVolume, 1.0}}}};
+std::vector<ViewLayout::Column> ViewLayout::firstColumns(const Kind& kind) const {
+  const auto& [arrangement, oblique] = kind;
+  std::vector<Column> columns;
+  if (arrangement == Arrangement::One) {
+    columns = {{1.0, {{active_, 1.0}}}};
+  } else if (arrangement == Arrangement::FourUp) {
+    if (oblique)
+      columns = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
+                 {1.0, {{kSagittal, 1.0}, {kOblique, 1.0}}},
+                 {1.0, {{kVolume, 1.0}}}};
     else
-      columns_ = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
-                  {1.0, {{kVolume, 1.0}, {kSagittal, 1.0}}}};
-  } else if (arrangement_ == Arrangement::VolumeLarge) {
-    columns_ = {{0.68, {{kVolume, 1.0}}},
-                {0.32, {{kAxial, 1.0}, {kCoronal, 1.0}, {kSagittal, 1.0}}}};
-    if (oblique_) columns_[1].cells.push_back({kOblique, 1.0});
+      columns = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
+                 {1.0, {{kVolume, 1.0}, {kSagittal, 1.0}}}};
+  } else if (arrangement == Arrangement::VolumeLarge) {
+    columns = {{0.68, {{kVolume, 1.0}}},
+               {0.32, {{kAxial, 1.0}, {kCoronal, 1.0}, {kSagittal, 1.0}}}};
+    if (oblique) columns[1].cells.push_back({kOblique, 1.0});
   } else {
-    columns_ = {{0.5, {{kAxial, 1.0}}},
-                {0.5, {{kCoronal, 1.0}, {kSagittal, 1.0}}},
-                {0.32, {{kVolume, 1.0}}}};
-    if (oblique_) columns_[2].cells.push_back({kOblique, 1.0});
+    columns = {{0.5, {{kAxial, 1.0}}},
+               {0.5, {{kCoronal, 1.0}, {kSagittal, 1.0}}},
+               {0.32, {{kVolume, 1.0}}}};
+    if (oblique) columns[2].cells.push_back({kOblique, 1.0});
   }
+  return columns;
+}
+
+void ViewLayout::makeColumns() {
+  const Kind kind{alone_ ? Arrangement::One : arrangement_, oblique_};
+  const auto moved = moved_.find(kind);
+  columns_ = moved == moved_.end() ? firstColumns(kind) : moved->second;
   makeBorders();
   place();
   updateGeometry();
+}
+
+void ViewLayout::resetBorders() {
+  moved_.erase({arrangement_, oblique_});
+  makeColumns();
+}
+
+void ViewLayout::reset() {
+  moved_.clear();
+  arrange(Arrangement::VolumeLarge);
 }
 
 void ViewLayout::makeBorders() {
@@ -187,63 +205,75 @@ void ViewLayout::place() {
   update();
 }
 
-ViewLayout::Shares ViewLayout::shares() const {
+ViewLayout::Shares ViewLayout::sharesOf(const std::vector<Column>& columns) {
   Shares shares;
-  if (columns_.size() < 2) return shares;
-  for (const Column& column : columns_) {
+  for (const Column& column : columns) {
     std::vector<double>& of_column = shares.emplace_back(1, column.share);
     for (const Cell& cell : column.cells) of_column.push_back(cell.share);
   }
   return shares;
 }
 
-void ViewLayout::setShares(const Shares& shares) {
-  if (shares.size() != columns_.size()) return;
-  std::vector<Column> moved = columns_;
-  for (std::size_t c = 0; c < moved.size(); ++c) {
-    if (shares[c].size() != moved[c].cells.size() + 1) return;
+void ViewLayout::keepShares(const Kind& kind, const Shares& shares) {
+  if (kind.first == Arrangement::One) return;
+  std::vector<Column> columns = firstColumns(kind);
+  if (shares.size() != columns.size()) return;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (shares[c].size() != columns[c].cells.size() + 1) return;
     for (const double share : shares[c])
       if (!(share >= LayoutLook::kLeastShare && share <= LayoutLook::kMostShare)) return;
-    moved[c].share = shares[c][0];
-    for (std::size_t n = 0; n < moved[c].cells.size(); ++n)
-      moved[c].cells[n].share = shares[c][n + 1];
+    columns[c].share = shares[c][0];
+    for (std::size_t n = 0; n < columns[c].cells.size(); ++n)
+      columns[c].cells[n].share = shares[c][n + 1];
   }
-  columns_ = std::move(moved);
-  place();
+  moved_[kind] = std::move(columns);
 }
 
 QString ViewLayout::borders() const {
-  QStringList columns;
-  for (const std::vector<double>& column : shares()) {
-    QStringList words;
-    for (const double share : column) words << QString::number(share, 'f', 4);
-    columns << words.join(' ');
+  QStringList all;
+  for (const auto& [kind, moved] : moved_) {
+    QStringList columns;
+    for (const std::vector<double>& column : sharesOf(moved)) {
+      QStringList words;
+      for (const double share : column) words << QString::number(share, 'f', 4);
+      columns << words.join(' ');
+    }
+    all << nameOf(kind.first) + (kind.second ? "+tool:" : ":") + columns.join('|');
   }
-  return columns.join('|');
+  return all.join(';');
 }
 
 void ViewLayout::restoreBorders(const QString& borders) {
-  Shares shares;
-  for (const QString& column : borders.split('|')) {
-    std::vector<double>& of_column = shares.emplace_back();
-    for (const QString& share : column.split(' ')) of_column.push_back(share.toDouble());
+  for (const QString& words : borders.split(';')) {
+    const QString name = words.section(':', 0, 0);
+    const auto arrangement = arrangementOf(name.section('+', 0, 0));
+    if (!arrangement) continue;
+    Shares shares;
+    for (const QString& column : words.section(':', 1).split('|')) {
+      std::vector<double>& of_column = shares.emplace_back();
+      for (const QString& share : column.split(' ')) of_column.push_back(share.toDouble());
+    }
+    keepShares({*arrangement, name.section('+', 1) == QLatin1String("tool")}, shares);
   }
-  setShares(shares);
+  makeColumns();
 }
 
 LayoutLook ViewLayout::look() const {
+  const auto moved = moved_.find({arrangement_, oblique_});
   return {.arrangement = arrangement_,
           .tool_view = oblique_,
           .active = active_,
           .alone = alone_,
-          .shares = shares()};
+          .shares = moved == moved_.end() ? Shares{} : sharesOf(moved->second)};
 }
 
 void ViewLayout::look(const LayoutLook& look) {
+  const Kind kind{look.arrangement, look.tool_view};
+  moved_.erase(kind);
+  keepShares(kind, look.shares);
   setObliqueShown(look.tool_view);
   if (look.tool_view || look.active != kOblique) active_ = look.active;
   arrange(look.arrangement);
-  setShares(look.shares);
   if (look.alone && look.arrangement != Arrangement::One) toggleMaximised();
 }
 
@@ -276,6 +306,7 @@ void ViewLayout::moveBorder(const Border& border, int px) {
     for (const Column& column : columns_) sum += column.share;
     moveShare(columns_, border.column, static_cast<double>(px) / width() * sum, kLeast * sum);
   }
+  moved_[{arrangement_, oblique_}] = columns_;
   place();
 }
 

@@ -4,7 +4,9 @@
 #include <QString>
 #include <QWidget>
 #include <array>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ui/view_frame.h"
@@ -25,7 +27,9 @@ class ViewLayout : public QWidget {
   void arrange(Arrangement arrangement);
   Arrangement arrangement() const { return arrangement_; }
   /// Gives the views the sizes again that the arrangement began with.
-  void resetBorders() { makeColumns(); }
+  void resetBorders();
+  /// As at the first start: the 3-D view is large, and no border was moved.
+  void reset();
   /// Whether each view has a line at its foot that says what the mouse does.
   void setHintsShown(bool shown);
   /// Whether the oblique slice has a place.
@@ -38,11 +42,12 @@ class ViewLayout : public QWidget {
   /// The view that had the focus last, counted as the frames.
   std::size_t active() const { return active_; }
   QSize minimumSizeHint() const override;
-  /// Where the borders are, in words for the preferences; empty while one view is alone. Words for
-  /// another arrangement are left out.
+  /// Where the borders are that were moved, of every arrangement, in words for the preferences;
+  /// empty: none was. Words that fit no arrangement are left out.
   QString borders() const;
   void restoreBorders(const QString& borders);
-  /// All of it as numbers, and the same again. Shares for another arrangement are left out.
+  /// The layout that is on view as numbers, and the same again. Shares for another arrangement are
+  /// left out.
   LayoutLook look() const;
   void look(const LayoutLook& look);
 
@@ -73,8 +78,13 @@ class ViewLayout : public QWidget {
   };
 
   using Shares = std::vector<std::vector<double>>;
-  Shares shares() const;
-  void setShares(const Shares& shares);
+  /// An arrangement, and whether the oblique slice has a place in it.
+  using Kind = std::pair<Arrangement, bool>;
+  static Shares sharesOf(const std::vector<Column>& columns);
+  /// Remembers these shares as moved borders.
+  void keepShares(const Kind& kind, const Shares& shares);
+  /// The columns with which it begins.
+  std::vector<Column> firstColumns(const Kind& kind) const;
   void makeColumns();
   void makeBorders();
   void moveBorder(const Border& border, int px);
@@ -88,6 +98,7 @@ class ViewLayout : public QWidget {
   bool alone_ = false;  ///< one view is maximised
   std::size_t active_ = 0;
   std::vector<Column> columns_;
+  std::map<Kind, std::vector<Column>> moved_;  ///< whose borders are not where they began
   std::vector<Border> borders_;
   std::vector<ViewGap*> gaps_;  ///< one for each border, and hidden ones
 };
