@@ -91,6 +91,7 @@ class SliceView::Geometry : public ViewGeometry {
     return towards().dot(p_W_mm - view_.through_mm_);
   }
   const QWidget& widget() const override { return view_; }
+  QRectF room() const override { return view_.pictureRect(); }
 
  private:
   Eigen::Vector3d towards() const { return view_.axes_.right.cross(view_.axes_.up); }
@@ -460,6 +461,10 @@ void SliceView::draw(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
   drawCrossedPlanes(painter);
   drawTool(painter);
+  // below the overlays: a handle at the border of the picture is not crossed by it
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  drawRuler(painter, mmPerPixel(), picture);
+  painter.setRenderHint(QPainter::Antialiasing);
   overlays_.paint(painter, *geometry_);
   painter.setClipping(false);
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -547,7 +552,6 @@ void SliceView::drawTool(QPainter& painter) const {
 
 SliceReadout SliceView::readout() const {
   SliceReadout readout{.name = name_, .colour = colourOf(plane_)};
-  readout.mm_per_pixel = mmPerPixel();
   if (!volume_) return readout;
   readout.sides_known = volume_->orientation_known;
   if (readout.sides_known) readout.letters = lettersOf(axes_);
