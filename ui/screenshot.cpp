@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ui/main_window.h"
+#include "ui/slice_readout.h"
 #include "ui/volume_view.h"
 
 namespace ui {

@@ -198,7 +198,8 @@ TEST_F(Editing, HandlesOfTheCropBoxAreWholeAndCanBeTakenAtTheBorderOfAView) {
       Vector3d face = Vector3d::Zero(), by = Vector3d::Zero();
       face[axis] = high ? 32 : -32;
       by[axis] = high ? -4 : 4;
-      const QPointF handle = kept(inSpace(face), view.rect());
+      // the letters stand at the edges
+      const QPointF handle = kept(inSpace(face), QRectF(view.rect()).adjusted(28, 20, -28, -20));
       if (axis == 2) EXPECT_FALSE(view.rect().contains(inSpace(face).toPoint()));
       EXPECT_TRUE(isWhole(image, handle)) << axis << high;
       expectMoved(axis, high, view, handle, inSpace(by) - inSpace(Vector3d::Zero()));
@@ -362,10 +363,6 @@ TEST_F(Editing, AClipPlaneThatIsSeenFaceOnIsTurnedByAHandleBesideTheOther) {
       EXPECT_NEAR(number("planePosition"), 0.0, 0.1);
     }
     if (!flipped) keepWindow("edit_plane_face_on_turned");
-    // the other handle is where it was
-    click("planeFromCoronal");
-    drag(view, {shift, shift + QPointF{0, -20}});
-    EXPECT_NEAR(number("planeRaised"), 0.0, 0.1);
   }
 }
 

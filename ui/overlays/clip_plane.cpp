@@ -68,7 +68,7 @@ std::optional<ClipPlane::Handles> ClipPlane::handlesIn(const ViewGeometry& view)
     const QPointF by = view.projected(tip) - shift;
     const double length = std::hypot(by.x(), by.y());
     if (length >= kFaceOn) return Handles{middle, tip};
-    const QPointF to = length > 1.0 ? by / length : QPointF{0.0, -1.0};
+    const QPointF to = length > 0.5 * kFaceOn ? by / length : QPointF{0.0, -1.0};
     return Handles{middle, view.placeBeside(shift + to * kArm, middle), true};
   }
   const Eigen::Vector3d towards = view.axes().col(2);
