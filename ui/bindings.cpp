@@ -77,7 +77,7 @@ std::vector<Binding> allBindings() {
       key(Anywhere, CTRL | Key_O, WORDS("opens a file"), OpenFile, "open_file"),
       key(Anywhere, CTRL | SHIFT | Key_O, WORDS("opens a folder"), OpenFolder, "open_folder"),
       key(Anywhere, CTRL | Key_S, WORDS("saves the view"), SaveView, "save_view"),
-      key(Anywhere, CTRL | SHIFT | Key_S, WORDS("saves a picture of the view or the window"),
+      key(Anywhere, CTRL | SHIFT | Key_S, WORDS("saves a picture of a view or the window"),
           SavePicture, "save_picture"),
       key(Anywhere, CTRL | SHIFT | Key_C, WORDS("copies a picture of the 3-D view"), CopyPicture,
           "copy_picture"),

@@ -128,7 +128,7 @@ void MainWindow::buildViews() {
     connect(slice, &SliceView::toolToCrossWanted, this, &MainWindow::toolToCrossWanted);
     connect(slice, &SliceView::crossToToolWanted, this, &MainWindow::crossToToolWanted);
     connect(frame, &ViewFrame::menuWanted, this,
-            [this](QPoint at) { slice_set_->menu().popup(at); });
+            [this, slice](QPoint at) { slice_set_->openMenu(*slice, at); });
   }
   for (const ViewFrame* frame : frames)
     connect(frame, &ViewFrame::hintsUnwanted, this, [this] { hints_->trigger(); });
@@ -317,7 +317,13 @@ void MainWindow::buildMenus() {
   view_actions_ = new ViewActions(*look, *bar_, *view_);
   view_actions_->setParent(this);
   connect(view_actions_, &ViewActions::isovalueWanted, this, &MainWindow::isovalueWanted);
-  connect(view_actions_, &ViewActions::pictureWanted, this, &MainWindow::pictureWanted);
+  connect(view_actions_, &ViewActions::pictureWanted, this,
+          [this] { emit pictureWanted(activeSlice()); });
+  connect(slice_set_, &SliceSet::pictureWanted, this, [this] {
+    const auto shown = std::ranges::find_if(slices_, &SliceView::isVisible);
+    SliceView* first = shown == slices_.end() ? nullptr : *shown;
+    emit pictureWanted(activeSlice() != nullptr ? activeSlice() : first);
+  });
   connect(view_actions_, &ViewActions::pictureCopyWanted, this, &MainWindow::pictureCopyWanted);
   bar_->add(BarGroup::Views, *layout, "layout", tr("Layout of the views"));
   for (QAction* action : slice_set_->menu().actions())
@@ -401,7 +407,7 @@ void MainWindow::restoreLayout(const WindowLayout& layout) {
 
 void MainWindow::resetLayout() {
   slice_set_->setObliqueShown(false);
-  views_->arrange(Arrangement::VolumeLarge);
+  views_->reset();
   side_->reset();
   restoreLayout({.views = {}, .borders = {}, .panels = {}, .panel_width = style::kPanelWidth});
 }
@@ -507,6 +513,10 @@ void MainWindow::replace(const Picture& picture) {
   slice_set_->replace(picture);
 }
 
+SliceView* MainWindow::activeSlice() const {
+  return views_->active() == 0 ? nullptr : slices_[views_->active() - 1];
+}
+
 bool MainWindow::showsSlices() const {
   return std::any_of(slices_.begin(), slices_.end(),
                      [](const SliceView* slice) { return slice->isVisible(); });
@@ -561,20 +571,19 @@ void MainWindow::addViewAction(QAction& action) {
 ViewLook MainWindow::look() const {
   ViewLook look;
   view_->tell(look);
-  look.cross_mm = slice_set_->cross_mm();
-  look.grey_level = slice_set_->grey().level;
-  look.grey_width = slice_set_->grey().width;
-  for (std::size_t i = 0; i < look.slices.size(); ++i) look.slices[i] = slices_[i]->frame();
-  look.layout = viewState().toStdString();
+  look.colours = view_actions_->colours();
+  look.second = view_->surface().second();
+  slice_set_->tell(look);
+  look.layout = views_->look();
   return look;
 }
 
 void MainWindow::setLook(const ViewLook& look) {
   view_->look(look);
-  slice_set_->setGrey({.level = look.grey_level, .width = look.grey_width});
-  slice_set_->moveCross(look.cross_mm);
-  for (std::size_t i = 0; i < look.slices.size(); ++i) slices_[i]->setFrame(look.slices[i]);
-  restoreViews(QString::fromStdString(look.layout));
+  view_actions_->look(look);
+  slice_set_->setObliqueShown(look.layout.tool_view);
+  views_->look(look.layout);
+  slice_set_->look(look);
 }
 
 void MainWindow::display(const haptics::Snapshot& snapshot) {

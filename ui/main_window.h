@@ -140,6 +140,8 @@ class MainWindow : public QMainWindow {
   /// Covers the views until the first volume is shown.
   StartPage& startPage() { return *start_; }
   SliceView& slice(Plane plane) { return slice_set_->slice(plane); }
+  /// The slice that had the focus last; null: the 3-D view had it.
+  SliceView* activeSlice() const;
   /// Whether a slice is in view, and so in a picture of the window.
   bool showsSlices() const;
   SliceSet& slices() { return *slice_set_; }
@@ -196,8 +198,9 @@ class MainWindow : public QMainWindow {
   void toolWanted(const haptics::Vec3& p_W, const haptics::Vec3& normal_W);
   void toolToCrossWanted();
   void crossToToolWanted();
-  /// The user wants a picture in a file, or in the clipboard.
-  void pictureWanted();
+  /// The user wants a picture in a file, at first of this slice, or of the 3-D view (null); or one
+  /// in the clipboard.
+  void pictureWanted(ui::SliceView* first);
   void pictureCopyWanted();
   /// The first steps were explained, or skipped.
   void tourEnded();

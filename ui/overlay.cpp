@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/overlay.h"
 
+#include <QWidget>
+
 namespace ui {
+
+QRectF ViewGeometry::room() const { return widget().rect(); }
 
 void Overlay::paint(QPainter&, const ViewGeometry&) const {}
 bool Overlay::press(const ViewGeometry&, const QMouseEvent&) { return false; }

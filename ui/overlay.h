@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QPointF>
+#include <QRectF>
 #include <QString>
 #include <optional>
 
@@ -36,6 +37,8 @@ class ViewGeometry {
   /// Distance of a place from the viewed plane, towards the viewer, mm; 0 in 3-D.
   virtual double offset_mm(const Eigen::Vector3d& p_W_mm) const = 0;
   virtual const QWidget& widget() const = 0;
+  /// The part of the widget in which handles are seen whole; the default is all of it.
+  virtual QRectF room() const;
 };
 
 /// Something that is drawn over the views and may be dragged there: handles of a crop box, an

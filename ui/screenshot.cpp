@@ -9,29 +9,42 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "ui/main_window.h"
+#include "ui/slice_readout.h"
 #include "ui/volume_view.h"
 
 namespace ui {
 
-std::optional<ScreenshotWish> askForScreenshot(QWidget* parent, const VolumeView& view,
-                                               const QWidget& window) {
-  QDialog dialog(parent);
+std::optional<ScreenshotWish> askForScreenshot(MainWindow& window, const SliceView* first) {
+  QDialog dialog(&window);
   dialog.setWindowTitle(QObject::tr("Save picture"));
   auto* what = new QComboBox;
   what->setObjectName("pictureOf");
   what->addItem(QObject::tr("3-D view"));
   what->addItem(QObject::tr("Whole window"));
+  std::vector<ScreenshotWish> wishes{{}, {.whole_window = true}};
+  for (SliceView* slice : window.slices().slices()) {
+    if (!slice->isVisible()) continue;
+    what->addItem(QObject::tr("Slice: %1").arg(slice->readout().name));
+    if (slice == first) what->setCurrentIndex(what->count() - 1);
+    wishes.push_back({.slice = slice});
+  }
+  const auto chosen = [&] { return wishes[static_cast<std::size_t>(what->currentIndex())]; };
   auto* scale = new QComboBox;
   scale->setObjectName("pictureScale");
   const auto sizes = [&] {
-    const QSize size = what->currentIndex() == 1 ? window.size() : view.size();
-    const int chosen = std::max(0, scale->currentIndex());
+    const ScreenshotWish wish = chosen();
+    const QSize size = wish.whole_window ? window.size()
+                       : wish.slice      ? wish.slice->size()
+                                         : window.view().size();
+    const int times = std::max(0, scale->currentIndex());
     scale->clear();
     for (int n = 1; n <= 4; ++n)
       scale->addItem(
           QObject::tr("%1x, %2 by %3 pixels").arg(n).arg(size.width() * n).arg(size.height() * n));
-    scale->setCurrentIndex(chosen);
+    scale->setCurrentIndex(times);
   };
   sizes();
   QObject::connect(what, &QComboBox::currentIndexChanged, &dialog, sizes);
@@ -45,10 +58,13 @@ std::optional<ScreenshotWish> askForScreenshot(QWidget* parent, const VolumeView
   column->addLayout(form);
   column->addWidget(buttons);
   if (dialog.exec() != QDialog::Accepted) return {};
-  return ScreenshotWish{what->currentIndex() == 1, scale->currentIndex() + 1};
+  ScreenshotWish wish = chosen();
+  wish.scale = scale->currentIndex() + 1;
+  return wish;
 }
 
 QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wish) {
+  if (wish.slice) return wish.slice->picture(wish.scale);
   // beside a slice that is shown alone the 3-D view has no place
   const bool is_seen = !wish.whole_window || view.isVisible();
   const QImage seen = is_seen ? view.picture(wish.scale) : QImage();

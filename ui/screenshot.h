@@ -8,17 +8,20 @@ class QWidget;
 
 namespace ui {
 
+class MainWindow;
+class SliceView;
 class VolumeView;
 
 /// What a picture shows, and how large it is.
 struct ScreenshotWish {
-  bool whole_window = false;  ///< false: the 3-D view alone
-  int scale = 1;              ///< pixels of the picture for one of the screen, 1 to 4
+  bool whole_window = false;   ///< false: one view alone
+  SliceView* slice = nullptr;  ///< this one; null: the 3-D view
+  int scale = 1;               ///< pixels of the picture for one of the screen, 1 to 4
 };
 
-/// Asks for it. None: the user cancelled.
-std::optional<ScreenshotWish> askForScreenshot(QWidget* parent, const VolumeView& view,
-                                               const QWidget& window);
+/// Asks for it: the window, or a view that is in it. The choice begins with `first`; null: with the
+/// 3-D view. None: the user cancelled.
+std::optional<ScreenshotWish> askForScreenshot(MainWindow& window, const SliceView* first);
 
 /// The least scale at which a picture has at least the pixels that the screen shows.
 int screenScaleOf(const QWidget& widget);

@@ -28,25 +28,6 @@ void drawOver(QPainter& painter, QRect box, int flags, const QString& text, cons
   painter.drawText(box, flags, text);
 }
 
-void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture) {
-  const double mm = rulerLength_mm(0.3 * picture.height() * mm_per_pixel);
-  const double shown = mm / mmPerLengthUnit();
-  const int length = qRound(mm / mm_per_pixel);
-  if (length < 12) return;
-  const int x = picture.right() - 8, middle = picture.center().y() + 12;
-  const int top = middle - length / 2, bottom = top + length;
-  for (const bool rim : {true, false}) {
-    painter.setPen(QPen(rim ? style::kRim : style::kReadout, rim ? 3.0 : 1.0));
-    painter.drawLine(x, top, x, bottom);
-    painter.drawLine(x - 4, top, x, top);
-    painter.drawLine(x - 4, bottom, x, bottom);
-  }
-  const int decimals = shown < 0.0095 ? 3 : shown < 0.095 ? 2 : shown < 0.95 ? 1 : 0;
-  drawOver(painter, QRect(x - 90, middle - 10, 82, 20), Qt::AlignRight | Qt::AlignVCenter,
-           readoutLocale().toString(shown, 'f', decimals) + ' ' + lengthUnitName(),
-           style::kReadout);
-}
-
 }  // namespace
 
 QLocale readoutLocale() {
@@ -77,6 +58,28 @@ QString positionWords(const Eigen::Vector3d& p_W_mm, bool sides_known) {
   return parts.join(QStringLiteral("  ")) + ' ' + lengthUnitName();
 }
 
+void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture) {
+  QFont font = painter.font();
+  font.setPixelSize(kTextPixels);
+  painter.setFont(font);
+  const double mm = rulerLength_mm(0.3 * picture.height() * mm_per_pixel);
+  const double shown = mm / mmPerLengthUnit();
+  const int length = qRound(mm / mm_per_pixel);
+  if (length < 12) return;
+  const int x = picture.right() - 8, middle = picture.center().y() + 12;
+  const int top = middle - length / 2, bottom = top + length;
+  for (const bool rim : {true, false}) {
+    painter.setPen(QPen(rim ? style::kRim : style::kReadout, rim ? 3.0 : 1.0));
+    painter.drawLine(x, top, x, bottom);
+    painter.drawLine(x - 4, top, x, top);
+    painter.drawLine(x - 4, bottom, x, bottom);
+  }
+  const int decimals = shown < 0.0095 ? 3 : shown < 0.095 ? 2 : shown < 0.95 ? 1 : 0;
+  drawOver(painter, QRect(x - 90, middle - 10, 82, 20), Qt::AlignRight | Qt::AlignVCenter,
+           readoutLocale().toString(shown, 'f', decimals) + ' ' + lengthUnitName(),
+           style::kReadout);
+}
+
 void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, QRect picture) {
   QFont font = painter.font();
   font.setPixelSize(kTextPixels);
@@ -97,7 +100,6 @@ void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, Q
   drawOver(painter, inner, Qt::AlignRight | Qt::AlignBottom, readout.value, style::kReadout);
   drawOver(painter, inner.adjusted(0, 0, 0, -line), Qt::AlignRight | Qt::AlignBottom,
            readout.position, style::kReadout);
-  drawRuler(painter, readout.mm_per_pixel, picture);
 
   if (!readout.sides_known) {
     painter.setPen(style::kViewAttention);

@@ -22,11 +22,13 @@ struct SliceReadout {
   QString position = {};                ///< above the value
   std::array<QString, 4> letters = {};  ///< left, right, upper and lower edge; empty: unknown
   bool sides_known = true;              ///< false: a line says that left and right are unknown
-  double mm_per_pixel = 1.0;            ///< for the ruler
 };
 
 /// Draws it around and over the picture. Letters stand on the margin, never on the picture.
 void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, QRect picture);
+
+/// Draws the ruler with its length at the right side of the picture.
+void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture);
 
 /// The user's locale, without separators between thousands.
 QLocale readoutLocale();

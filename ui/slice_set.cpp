@@ -37,7 +37,8 @@ SliceSet::SliceSet(QWidget* parent) : QObject(parent), menu_(new QMenu(parent)) 
     connect(slice, &SliceView::crossMoved, this, &SliceSet::moveCross);
     connect(slice, &SliceView::greyChanged, this, &SliceSet::setGrey);
     connect(slice, &SliceView::doubleClicked, this, &SliceSet::doubleClicked);
-    connect(slice, &SliceView::menuWanted, this, [this](QPoint at) { menu_->popup(at); });
+    connect(slice, &SliceView::menuWanted, this,
+            [this, slice](QPoint at) { openMenu(*slice, at); });
   }
   SliceView& oblique = slice(Plane::Oblique);
   connect(&oblique, &SliceView::depthChanged, this, [this](double by_mm) {
@@ -60,6 +61,11 @@ QAction* SliceSet::toggle(const QString& text, const char* name, bool on,
   action->setChecked(on);
   connect(action, &QAction::toggled, this, set);
   return action;
+}
+
+void SliceSet::openMenu(SliceView& over, QPoint at) {
+  over.setFocus(Qt::PopupFocusReason);
+  menu_->popup(at);
 }
 
 void SliceSet::buildMenu() {
@@ -90,20 +96,25 @@ void SliceSet::buildMenu() {
     emit obliqueShownChanged(on);
     placeOblique();
   });
-  auto* directions = new QActionGroup(this);
+  directions_ = new QActionGroup(this);
   for (const bool along : {false, true}) {
     QAction* action = menu_->addAction(along ? tr("Tool view: &along its axis")
                                              : tr("Tool view: &down its axis"));
     action->setObjectName(along ? "obliqueAlong" : "obliqueDown");
     action->setCheckable(true);
     action->setChecked(along == along_);
-    directions->addAction(action);
+    action->setData(along);
+    directions_->addAction(action);
     connect(action, &QAction::triggered, this, [this, along] {
       along_ = along;
       depth_mm_ = 0.0;
       placeOblique();
     });
   }
+  menu_->addSeparator();
+  QAction* save = menu_->addAction(tr("Save &picture of a slice…"), this, &SliceSet::pictureWanted);
+  save->setObjectName("saveSlicePicture");
+  showKey(*save, Action::SavePicture, tr("Saves the slice as it is shown"));
 }
 
 void SliceSet::buildGreyMenu() {
@@ -129,46 +140,34 @@ void SliceSet::buildGreyMenu() {
 void SliceSet::buildLookMenu() {
   QMenu* menu = menu_->addMenu(tr("&Voxels"));
   menu->setObjectName("voxelsMenu");
-  const auto choice = [&](QActionGroup* group, const QString& text, const char* name, bool on,
-                          const std::function<void()>& chosen) {
+  // an entry is checked while the look has its value
+  const auto choice = [&](QActionGroup* group, const QString& text, const char* name, auto value,
+                          auto SliceLook::*part) {
     QAction* action = menu->addAction(text);
     action->setObjectName(name);
     action->setCheckable(true);
-    action->setChecked(on);
+    action->setData(static_cast<double>(value));
     group->addAction(action);
-    connect(action, &QAction::triggered, this, chosen);
-    return action;
-  };
-  const auto interpolate = [this](Interpolation interpolation) {
-    return [this, interpolation] {
+    connect(action, &QAction::triggered, this, [this, value, part] {
       SliceLook look = look_;
-      look.interpolation = interpolation;
+      look.*part = value;
       setLook(look);
-    };
+    });
   };
-  const auto slab = [this](SlabKind kind) {
-    return [this, kind] {
-      SliceLook look = look_;
-      look.slab = kind;
-      setLook(look);
-    };
-  };
-  auto* interpolations = new QActionGroup(this);
-  choice(interpolations, tr("&Interpolated"), "linear", true, interpolate(Interpolation::Linear));
-  choice(interpolations, tr("As they a&re"), "nearest", false, interpolate(Interpolation::Nearest));
+  interpolations_ = new QActionGroup(this);
+  const auto interpolation = &SliceLook::interpolation;
+  choice(interpolations_, tr("&Interpolated"), "linear", Interpolation::Linear, interpolation);
+  choice(interpolations_, tr("As they a&re"), "nearest", Interpolation::Nearest, interpolation);
   menu->addSeparator();
-  auto* slabs = new QActionGroup(this);
-  choice(slabs, tr("&One plane"), "slabNone", true, slab(SlabKind::None));
-  choice(slabs, tr("Thick slab: &maximum"), "slabMaximum", false, slab(SlabKind::Maximum));
-  choice(slabs, tr("Thick slab: m&ean"), "slabMean", false, slab(SlabKind::Mean));
+  slabs_ = new QActionGroup(this);
+  const auto slab = &SliceLook::slab;
+  choice(slabs_, tr("&One plane"), "slabNone", SlabKind::None, slab);
+  choice(slabs_, tr("Thick slab: &maximum"), "slabMaximum", SlabKind::Maximum, slab);
+  choice(slabs_, tr("Thick slab: m&ean"), "slabMean", SlabKind::Mean, slab);
   menu->addSeparator();
   thicknesses_ = new QActionGroup(this);
   for (const double mm : kThicknesses_mm)
-    choice(thicknesses_, {}, "", mm == look_.thickness_mm, [this, mm] {
-      SliceLook look = look_;
-      look.thickness_mm = mm;
-      setLook(look);
-    })->setData(mm);
+    choice(thicknesses_, {}, "", mm, &SliceLook::thickness_mm);
   const auto name = [this] {
     for (QAction* action : thicknesses_->actions())
       action->setText(tr("%1 thick")
@@ -183,25 +182,55 @@ void SliceSet::buildLookMenu() {
   });
   QAction* other = menu->addAction(tr("Other &thickness…"), this, &SliceSet::askThickness);
   other->setObjectName("otherThickness");
+  showLook();
 }
 
 void SliceSet::askThickness() {
   bool given = false;
   SliceLook look = look_;
   const double unit = mmPerLengthUnit();
-  look.thickness_mm = unit * QInputDialog::getDouble(slices_.front()->window(), tr("Thick slab"),
-                                                     tr("Thickness, %1").arg(lengthUnitName()),
-                                                     look.thickness_mm / unit, 0.1 / unit,
-                                                     200.0 / unit, lengthDecimals(1), &given);
-  if (!given) return;
-  for (QAction* action : thicknesses_->actions())
-    action->setChecked(action->data().toDouble() == look.thickness_mm);
-  setLook(look);
+  look.thickness_mm =
+      unit * QInputDialog::getDouble(slices_.front()->window(), tr("Thick slab"),
+                                     tr("Thickness, %1").arg(lengthUnitName()),
+                                     look.thickness_mm / unit, SliceLook::kThinnest_mm / unit,
+                                     SliceLook::kThickest_mm / unit, lengthDecimals(1), &given);
+  if (given) setLook(look);
 }
 
 void SliceSet::setLook(const SliceLook& look) {
   look_ = look;
   for (SliceView* slice : slices_) slice->setLook(look);
+  showLook();
+}
+
+void SliceSet::showLook() {
+  const auto check = [](const QActionGroup* group, double value) {
+    for (QAction* action : group->actions()) action->setChecked(action->data().toDouble() == value);
+  };
+  check(interpolations_, static_cast<double>(look_.interpolation));
+  check(slabs_, static_cast<double>(look_.slab));
+  check(thicknesses_, look_.thickness_mm);
+}
+
+void SliceSet::tell(ViewLook& look) const {
+  look.cross_mm = cross_mm_;
+  look.grey_level = grey_.level;
+  look.grey_width = grey_.width;
+  look.voxels = look_;
+  look.tool_plane = {.along = along_, .depth_mm = depth_mm_};
+  for (std::size_t i = 0; i < slices_.size(); ++i) look.slices[i] = slices_[i]->frame();
+}
+
+void SliceSet::look(const ViewLook& look) {
+  setGrey({.level = look.grey_level, .width = look.grey_width});
+  setLook(look.voxels);
+  along_ = look.tool_plane.along;
+  depth_mm_ = look.tool_plane.depth_mm;
+  for (QAction* action : directions_->actions())
+    action->setChecked(action->data().toBool() == along_);
+  moveCross(look.cross_mm);
+  placeOblique();
+  for (std::size_t i = 0; i < slices_.size(); ++i) slices_[i]->setFrame(look.slices[i]);
 }
 
 void SliceSet::show(const Picture& picture, double isovalue) {

@@ -29,6 +29,8 @@ class SliceSet : public QObject {
   const std::array<SliceView*, 4>& slices() const { return slices_; }
   /// The choices for all slices, as a menu. The View menu has it, and every slice.
   QMenu& menu() { return *menu_; }
+  /// Opens it over a slice, which gets the focus.
+  void openMenu(SliceView& over, QPoint at);
 
   void show(const Picture& picture, double isovalue);
   /// Shows other voxels on the same grid; crosshair, zoom and grey stay.
@@ -42,6 +44,10 @@ class SliceSet : public QObject {
   const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
   void setGrey(const GreyWindow& grey);
   const GreyWindow& grey() const { return grey_; }
+  /// Writes crosshair, grey window, voxels, the tool's plane and what is seen of each slice.
+  void tell(ViewLook& look) const;
+  /// Takes these of `look`.
+  void look(const ViewLook& look);
   bool obliqueShown() const;
   void setObliqueShown(bool shown);
 
@@ -51,6 +57,8 @@ class SliceSet : public QObject {
   void obliqueShownChanged(bool shown);
   /// A place in a slice was clicked twice.
   void doubleClicked(const Eigen::Vector3d& p_W_mm);
+  /// A picture of one slice is wanted.
+  void pictureWanted();
 
  private:
   QAction* toggle(const QString& text, const char* name, bool on,
@@ -59,6 +67,7 @@ class SliceSet : public QObject {
   void buildGreyMenu();
   void buildLookMenu();
   void setLook(const SliceLook& look);
+  void showLook();
   void askThickness();
   void linkPlanes();
   void placeOblique();
@@ -67,7 +76,10 @@ class SliceSet : public QObject {
   std::array<SliceView*, 4> slices_{};
   QMenu* menu_;
   QList<QAction*> presets_;  ///< in HU
+  QActionGroup* interpolations_ = nullptr;
+  QActionGroup* slabs_ = nullptr;
   QActionGroup* thicknesses_ = nullptr;
+  QActionGroup* directions_ = nullptr;  ///< of the oblique plane
   QAction* oblique_ = nullptr;
   std::shared_ptr<const haptics::Volume> volume_;
   Eigen::AlignedBox3d box_mm_;

@@ -93,6 +93,7 @@ class SliceView::Geometry : public ViewGeometry {
     return towards().dot(p_W_mm - view_.through_mm_);
   }
   const QWidget& widget() const override { return view_; }
+  QRectF room() const override { return view_.pictureRect(); }
 
  private:
   Eigen::Vector3d towards() const { return view_.axes_.right.cross(view_.axes_.up); }
@@ -424,8 +425,28 @@ std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> SliceView::contour_W_mm
   return pieces;
 }
 
+QImage SliceView::picture(int scale) {
+  QImage image(size() * scale, QImage::Format_RGB32);
+  if (image.isNull()) return image;
+  image.setDevicePixelRatio(scale);
+  QPainter painter(&image);
+  painter.setFont(font());
+  draw(painter);
+  painter.end();
+  image.setDevicePixelRatio(1.0);
+  return image;
+}
+
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
+  draw(painter);
+  if (!hasFocus() || slice_.empty()) return;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colourOf(plane_), 1.0, Qt::DotLine));
+  painter.drawRect(pictureRect());
+}
+
+void SliceView::draw(QPainter& painter) {
   painter.fillRect(rect(), style::kSliceGround);
   const QRect picture = pictureRect();
   if (slice_.empty() || picture.isEmpty()) return;
@@ -453,15 +474,14 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   drawCrossedPlanes(painter);
   drawTool(painter);
+  // below the overlays: a handle at the border of the picture is not crossed by it
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  drawRuler(painter, mmPerPixel(), picture);
+  painter.setRenderHint(QPainter::Antialiasing);
   overlays_.paint(painter, *geometry_);
   painter.setClipping(false);
   painter.setRenderHint(QPainter::Antialiasing, false);
   drawReadout(painter, readout(), rect(), picture);
-  if (hasFocus()) {
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colourOf(plane_), 1.0, Qt::DotLine));
-    painter.drawRect(picture);
-  }
 }
 
 void SliceView::drawCrossedPlanes(QPainter& painter) const {
@@ -545,7 +565,6 @@ void SliceView::drawTool(QPainter& painter) const {
 
 SliceReadout SliceView::readout() const {
   SliceReadout readout{.name = name_, .colour = colourOf(plane_)};
-  readout.mm_per_pixel = mmPerPixel();
   if (!volume_) return readout;
   readout.sides_known = volume_->orientation_known;
   if (readout.sides_known) readout.letters = lettersOf(axes_);

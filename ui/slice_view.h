@@ -87,6 +87,9 @@ class SliceView : public QWidget, public Spoken {
   /// What is written in corners and on the margin.
   SliceReadout readout() const;
   QSize sizeHint() const override { return {300, 260}; }
+  /// What is on view, cut and drawn with so many pixels for one of the widget. Null if it would be
+  /// too large.
+  QImage picture(int scale);
 
   QAccessible::Role spokenRole() const override { return QAccessible::Canvas; }
   /// The plane, and where it lies.
@@ -134,6 +137,7 @@ class SliceView : public QWidget, public Spoken {
   enum class Drag { None, Cross, Pan, Grey };
 
   void take(const Picture& picture);
+  void draw(QPainter& painter);
   void changed();
   void moveCrossTo(const Eigen::Vector3d& p_W_mm);
   /// The middle of the picture: a place in the plane.

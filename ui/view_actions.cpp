@@ -76,10 +76,8 @@ void ViewActions::buildColours(QMenu& menu) {
     action->setCheckable(true);
     group->addAction(action);
   }
-  connect(by_value_, &QAction::triggered, this, [this] {
-    if (picture_) view_.setColouring(Colouring::byTissue(*picture_));
-  });
-  connect(ivory_, &QAction::triggered, this, [this] { view_.setColouring({}); });
+  connect(by_value_, &QAction::triggered, this, [this] { setColours(SurfaceColours::Tissue); });
+  connect(ivory_, &QAction::triggered, this, [this] { setColours(SurfaceColours::Ivory); });
 
   second_ = menu.addMenu(tr("Second s&urface (seen, not felt)"));
   second_->setObjectName("secondSurface");
@@ -142,16 +140,33 @@ void ViewActions::show(const Picture& picture) {
   for (QMenu* part : {presets_, colours_, second_}) part->setEnabled(true);
   no_second_->setChecked(true);
   // without a unit no intensity is a tissue until the user says so
-  const bool known = picture.volume->unit == "HU";
-  (known ? by_value_ : ivory_)->setChecked(true);
-  view_.setColouring(known ? Colouring::byTissue(picture) : Colouring{});
+  setColours(picture.volume->unit == "HU" ? SurfaceColours::Tissue : SurfaceColours::Ivory);
+}
+
+void ViewActions::setColours(SurfaceColours colours) {
+  if (!picture_) return;
+  colouring_ = colours;
+  (colours == SurfaceColours::Ivory ? ivory_ : by_value_)->setChecked(true);
+  view_.setColouring(colours == SurfaceColours::Ivory    ? Colouring{}
+                     : colours == SurfaceColours::Tissue ? Colouring::byTissue(*picture_)
+                                                         : Colouring::withVessels(*picture_));
+}
+
+void ViewActions::look(const ViewLook& look) {
+  if (!picture_) return;
+  setColours(look.colours);
+  view_.setSecondSurface(look.second);
+  // the entry of its tissue; another isovalue was held
+  QAction* entry = look.second ? second_->actions().last() : no_second_;
+  for (std::size_t n = 0; look.second && n < kTissues.size(); ++n)
+    if (isovalueOf(kTissues[n], *picture_) == *look.second)
+      entry = second_->actions()[static_cast<int>(n) + 1];
+  entry->setChecked(true);
 }
 
 void ViewActions::choose(Tissue tissue) {
   if (!picture_) return;
-  by_value_->setChecked(true);
-  view_.setColouring(tissue == Tissue::Vessels ? Colouring::withVessels(*picture_)
-                                               : Colouring::byTissue(*picture_));
+  setColours(tissue == Tissue::Vessels ? SurfaceColours::Vessels : SurfaceColours::Tissue);
   emit isovalueWanted(isovalueOf(tissue, *picture_));
 }
 

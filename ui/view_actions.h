@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ui/props/colouring.h"
+#include "ui/view_look.h"
 
 class QAction;
 class QMenu;
@@ -24,6 +25,9 @@ class ViewActions : public QObject {
 
   /// Another volume: presets and colours are its own.
   void show(const Picture& picture);
+  SurfaceColours colours() const { return colouring_; }
+  /// Takes colours and second surface of `look`.
+  void look(const ViewLook& look);
 
  signals:
   void isovalueWanted(double isovalue);
@@ -35,12 +39,14 @@ class ViewActions : public QObject {
   void buildColours(QMenu& menu);
   void buildTool(QMenu& menu, TopBar& bar);
   void choose(Tissue tissue);
+  void setColours(SurfaceColours colours);
 
   VolumeView& view_;
   std::optional<Picture> picture_;
   QMenu* presets_ = nullptr;
   QMenu* colours_ = nullptr;
   QMenu* second_ = nullptr;
+  SurfaceColours colouring_ = SurfaceColours::Ivory;
   QAction* no_second_ = nullptr;
   QAction* by_value_ = nullptr;
   QAction* ivory_ = nullptr;

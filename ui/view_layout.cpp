@@ -13,8 +13,7 @@
 namespace ui {
 namespace {
 
-constexpr int kGap = 4;               // px
-constexpr double kLeastShare = 0.02;  // that can be restored
+constexpr int kGap = 4;  // px
 constexpr std::size_t kVolume = 0, kAxial = 1, kCoronal = 2, kSagittal = 3, kOblique = 4;
 constexpr std::array<std::pair<Arrangement, const char*>, 4> kNames{
     {{Arrangement::One, "one"},
@@ -109,31 +108,49 @@ void ViewLayout::nextView() {
   frames_[active_]->view().setFocus(Qt::OtherFocusReason);
 }
 
-void ViewLayout::makeColumns() {
-  columns_.clear();
-  if (alone_ || arrangement_ == Arrangement::One) {
-    columns_ = {{1.0, {{active_, 1.0}}}};
-  } else if (arrangement_ == Arrangement::FourUp) {
-    if (oblique_)
-      columns_ = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
-                  {1.0, {{kSagittal, 1.0}, {kOblique, 1.0}}},
-                  {1.0, {{kVolume, 1.0}}}};
+std::vector<ViewLayout::Column> ViewLayout::firstColumns(const Kind& kind) const {
+  const auto& [arrangement, oblique] = kind;
+  std::vector<Column> columns;
+  if (arrangement == Arrangement::One) {
+    columns = {{1.0, {{active_, 1.0}}}};
+  } else if (arrangement == Arrangement::FourUp) {
+    if (oblique)
+      columns = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
+                 {1.0, {{kSagittal, 1.0}, {kOblique, 1.0}}},
+                 {1.0, {{kVolume, 1.0}}}};
     else
-      columns_ = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
-                  {1.0, {{kVolume, 1.0}, {kSagittal, 1.0}}}};
-  } else if (arrangement_ == Arrangement::VolumeLarge) {
-    columns_ = {{0.68, {{kVolume, 1.0}}},
-                {0.32, {{kAxial, 1.0}, {kCoronal, 1.0}, {kSagittal, 1.0}}}};
-    if (oblique_) columns_[1].cells.push_back({kOblique, 1.0});
+      columns = {{1.0, {{kAxial, 1.0}, {kCoronal, 1.0}}},
+                 {1.0, {{kVolume, 1.0}, {kSagittal, 1.0}}}};
+  } else if (arrangement == Arrangement::VolumeLarge) {
+    columns = {{0.68, {{kVolume, 1.0}}},
+               {0.32, {{kAxial, 1.0}, {kCoronal, 1.0}, {kSagittal, 1.0}}}};
+    if (oblique) columns[1].cells.push_back({kOblique, 1.0});
   } else {
-    columns_ = {{0.5, {{kAxial, 1.0}}},
-                {0.5, {{kCoronal, 1.0}, {kSagittal, 1.0}}},
-                {0.32, {{kVolume, 1.0}}}};
-    if (oblique_) columns_[2].cells.push_back({kOblique, 1.0});
+    columns = {{0.5, {{kAxial, 1.0}}},
+               {0.5, {{kCoronal, 1.0}, {kSagittal, 1.0}}},
+               {0.32, {{kVolume, 1.0}}}};
+    if (oblique) columns[2].cells.push_back({kOblique, 1.0});
   }
+  return columns;
+}
+
+void ViewLayout::makeColumns() {
+  const Kind kind{alone_ ? Arrangement::One : arrangement_, oblique_};
+  const auto moved = moved_.find(kind);
+  columns_ = moved == moved_.end() ? firstColumns(kind) : moved->second;
   makeBorders();
   place();
   updateGeometry();
+}
+
+void ViewLayout::resetBorders() {
+  moved_.erase({arrangement_, oblique_});
+  makeColumns();
+}
+
+void ViewLayout::reset() {
+  moved_.clear();
+  arrange(Arrangement::VolumeLarge);
 }
 
 void ViewLayout::makeBorders() {
@@ -188,34 +205,76 @@ void ViewLayout::place() {
   update();
 }
 
-QString ViewLayout::borders() const {
-  if (columns_.size() < 2) return {};
-  QStringList columns;
-  for (const Column& column : columns_) {
-    QStringList cells{QString::number(column.share, 'f', 4)};
-    for (const Cell& cell : column.cells) cells << QString::number(cell.share, 'f', 4);
-    columns << cells.join(' ');
+ViewLayout::Shares ViewLayout::sharesOf(const std::vector<Column>& columns) {
+  Shares shares;
+  for (const Column& column : columns) {
+    std::vector<double>& of_column = shares.emplace_back(1, column.share);
+    for (const Cell& cell : column.cells) of_column.push_back(cell.share);
   }
-  return columns.join('|');
+  return shares;
+}
+
+void ViewLayout::keepShares(const Kind& kind, const Shares& shares) {
+  if (kind.first == Arrangement::One) return;
+  std::vector<Column> columns = firstColumns(kind);
+  if (shares.size() != columns.size()) return;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (shares[c].size() != columns[c].cells.size() + 1) return;
+    for (const double share : shares[c])
+      if (!(share >= LayoutLook::kLeastShare && share <= LayoutLook::kMostShare)) return;
+    columns[c].share = shares[c][0];
+    for (std::size_t n = 0; n < columns[c].cells.size(); ++n)
+      columns[c].cells[n].share = shares[c][n + 1];
+  }
+  moved_[kind] = std::move(columns);
+}
+
+QString ViewLayout::borders() const {
+  QStringList all;
+  for (const auto& [kind, moved] : moved_) {
+    QStringList columns;
+    for (const std::vector<double>& column : sharesOf(moved)) {
+      QStringList words;
+      for (const double share : column) words << QString::number(share, 'f', 4);
+      columns << words.join(' ');
+    }
+    all << nameOf(kind.first) + (kind.second ? "+tool:" : ":") + columns.join('|');
+  }
+  return all.join(';');
 }
 
 void ViewLayout::restoreBorders(const QString& borders) {
-  const QStringList columns = borders.split('|');
-  if (columns.size() != static_cast<qsizetype>(columns_.size())) return;
-  std::vector<Column> moved = columns_;
-  for (std::size_t c = 0; c < moved.size(); ++c) {
-    const QStringList shares = columns[static_cast<qsizetype>(c)].split(' ');
-    if (shares.size() != static_cast<qsizetype>(moved[c].cells.size()) + 1) return;
-    moved[c].share = shares[0].toDouble();
-    for (std::size_t n = 0; n < moved[c].cells.size(); ++n)
-      moved[c].cells[n].share = shares[static_cast<qsizetype>(n) + 1].toDouble();
-    const auto sound = [](double share) { return share >= kLeastShare && share <= 10.0; };
-    if (!sound(moved[c].share)) return;
-    for (const Cell& cell : moved[c].cells)
-      if (!sound(cell.share)) return;
+  for (const QString& words : borders.split(';')) {
+    const QString name = words.section(':', 0, 0);
+    const auto arrangement = arrangementOf(name.section('+', 0, 0));
+    if (!arrangement) continue;
+    Shares shares;
+    for (const QString& column : words.section(':', 1).split('|')) {
+      std::vector<double>& of_column = shares.emplace_back();
+      for (const QString& share : column.split(' ')) of_column.push_back(share.toDouble());
+    }
+    keepShares({*arrangement, name.section('+', 1) == QLatin1String("tool")}, shares);
   }
-  columns_ = std::move(moved);
-  place();
+  makeColumns();
+}
+
+LayoutLook ViewLayout::look() const {
+  const auto moved = moved_.find({arrangement_, oblique_});
+  return {.arrangement = arrangement_,
+          .tool_view = oblique_,
+          .active = active_,
+          .alone = alone_,
+          .shares = moved == moved_.end() ? Shares{} : sharesOf(moved->second)};
+}
+
+void ViewLayout::look(const LayoutLook& look) {
+  const Kind kind{look.arrangement, look.tool_view};
+  moved_.erase(kind);
+  keepShares(kind, look.shares);
+  setObliqueShown(look.tool_view);
+  if (look.tool_view || look.active != kOblique) active_ = look.active;
+  arrange(look.arrangement);
+  if (look.alone && look.arrangement != Arrangement::One) toggleMaximised();
 }
 
 QSize ViewLayout::minimumSizeHint() const {
@@ -247,6 +306,7 @@ void ViewLayout::moveBorder(const Border& border, int px) {
     for (const Column& column : columns_) sum += column.share;
     moveShare(columns_, border.column, static_cast<double>(px) / width() * sum, kLeast * sum);
   }
+  moved_[{arrangement_, oblique_}] = columns_;
   place();
 }
 

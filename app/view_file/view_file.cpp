@@ -21,7 +21,7 @@ using haptics::Message;
 using nlohmann::json;
 
 constexpr double kMmPerMetre = 1000.0;
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr double kMostAway_m = 100.0;    // of a place of a scan
 constexpr double kMostFar_m = 10'000.0;  // of an eye
 constexpr double kMostIntensity = 1e38;
@@ -38,6 +38,28 @@ constexpr haptics::ScalarType kScalarTypes[] = {
     haptics::ScalarType::UInt8,  haptics::ScalarType::Int8,   haptics::ScalarType::UInt16,
     haptics::ScalarType::Int16,  haptics::ScalarType::UInt32, haptics::ScalarType::Int32,
     haptics::ScalarType::Float32};
+
+constexpr std::pair<ui::Arrangement, const char*> kArrangements[] = {
+    {ui::Arrangement::One, "one"},
+    {ui::Arrangement::FourUp, "four_up"},
+    {ui::Arrangement::VolumeLarge, "volume_large"},
+    {ui::Arrangement::SlicesLarge, "slices_large"}};
+constexpr std::pair<ui::Interpolation, const char*> kInterpolations[] = {
+    {ui::Interpolation::Linear, "linear"}, {ui::Interpolation::Nearest, "nearest"}};
+constexpr std::pair<ui::SlabKind, const char*> kSlabs[] = {
+    {ui::SlabKind::None, "none"}, {ui::SlabKind::Maximum, "maximum"}, {ui::SlabKind::Mean, "mean"}};
+constexpr std::pair<ui::SurfaceColours, const char*> kColours[] = {
+    {ui::SurfaceColours::Ivory, "ivory"},
+    {ui::SurfaceColours::Tissue, "tissue"},
+    {ui::SurfaceColours::Vessels, "vessels"}};
+
+/// The word of a value in one of these tables.
+template <class Value, std::size_t n>
+const char* wordOf(Value value, const std::pair<Value, const char*> (&table)[n]) {
+  for (const auto& [known, word] : table)
+    if (known == value) return word;
+  return "";
+}
 
 /// Leaves the reader with a reason.
 struct Refused {
@@ -118,6 +140,15 @@ class Field {
     if (text.empty() || text.size() > most_bytes || hasControls(text)) refuse();
     return text;
   }
+  /// The value of a word in one of the tables.
+  template <class Value, std::size_t n>
+  Value oneOf(const std::pair<Value, const char*> (&table)[n]) const {
+    const std::string word = text(20);
+    for (const auto& [value, known] : table)
+      if (word == known) return value;
+    refuse();
+  }
+  bool isNull() const { return value_.is_null(); }
   Eigen::Vector3d vector(double most) const {
     Eigen::Vector3d v;
     const std::vector<Field> numbers = list(3, 3);
@@ -190,11 +221,7 @@ void takeHash(const Field& field, const json& value, ViewFile& view) {
 ui::Measure markFrom(const Field& field) {
   field.hasOnly({"kind", "text", "places_m"});
   ui::Measure mark;
-  const std::string kind = field.at("kind").text(20);
-  const auto* known = std::find_if(std::begin(kKinds), std::end(kKinds),
-                                   [&](const auto& named) { return kind == named.second; });
-  if (known == std::end(kKinds)) field.at("kind").refuse();
-  mark.kind = known->first;
+  mark.kind = field.at("kind").oneOf(kKinds);
   mark.text = field.at("text").text(kMostTextBytes);
   const std::size_t places = ui::placesOf(mark.kind);
   for (const Field& place : field.at("places_m").list(places, places))
@@ -202,8 +229,39 @@ ui::Measure markFrom(const Field& field) {
   return mark;
 }
 
+ui::LayoutLook layoutFrom(const Field& field) {
+  using ui::LayoutLook;
+  field.hasOnly({"arrangement", "tool_view", "active", "alone", "shares"});
+  LayoutLook layout;
+  layout.arrangement = field.at("arrangement").oneOf(kArrangements);
+  layout.tool_view = field.at("tool_view").flag();
+  layout.active = static_cast<std::size_t>(field.at("active").whole(0, LayoutLook::kViews - 1));
+  layout.alone = field.at("alone").flag();
+  for (const Field& column : field.at("shares").list(0, LayoutLook::kViews)) {
+    std::vector<double>& shares = layout.shares.emplace_back();
+    for (const Field& share : column.list(2, LayoutLook::kViews + 1))
+      shares.push_back(share.number(LayoutLook::kLeastShare, LayoutLook::kMostShare));
+  }
+  return layout;
+}
+
+ui::SliceLook voxelsFrom(const Field& field) {
+  using ui::SliceLook;
+  field.hasOnly({"interpolation", "slab", "thickness_m"});
+  SliceLook look;
+  look.interpolation = field.at("interpolation").oneOf(kInterpolations);
+  look.slab = field.at("slab").oneOf(kSlabs);
+  // a thickness at the end of the range may be rounded beyond it in metres
+  constexpr double kRounded = 1e-9;
+  look.thickness_mm = kMmPerMetre * field.at("thickness_m")
+                                        .number(SliceLook::kThinnest_mm / kMmPerMetre - kRounded,
+                                                SliceLook::kThickest_mm / kMmPerMetre + kRounded);
+  return look;
+}
+
 ui::ViewLook lookFrom(const Field& field) {
-  field.hasOnly({"camera", "cross_m", "grey", "slices"}, {"layout"});
+  field.hasOnly(
+      {"camera", "surface", "cross_m", "grey", "slices", "voxels", "tool_plane", "layout"});
   ui::ViewLook look;
   const Field camera = field.at("camera"), grey = field.at("grey");
   camera.hasOnly({"eye_m", "focus_m", "up", "parallel", "half_height_m"});
@@ -227,7 +285,18 @@ ui::ViewLook lookFrom(const Field& field) {
       look.slices[i].shift_mm[a] =
           shift[std::size_t(a)].number(-kMostAway_m, kMostAway_m) * kMmPerMetre;
   }
-  if (field.has("layout")) look.layout = field.at("layout").text(40);
+  look.voxels = voxelsFrom(field.at("voxels"));
+  const Field plane = field.at("tool_plane");
+  plane.hasOnly({"along", "depth_m"});
+  look.tool_plane = {
+      .along = plane.at("along").flag(),
+      .depth_mm = plane.at("depth_m").number(-kMostAway_m, kMostAway_m) * kMmPerMetre};
+  const Field surface = field.at("surface");
+  surface.hasOnly({"colours", "second"});
+  look.colours = surface.at("colours").oneOf(kColours);
+  const Field second = surface.at("second");
+  if (!second.isNull()) look.second = second.number(-kMostIntensity, kMostIntensity);
+  look.layout = layoutFrom(field.at("layout"));
   grey.hasOnly({"level", "width"});
   look.grey_level = grey.at("level").number(-kMostIntensity, kMostIntensity);
   look.grey_width = grey.at("width").number(1e-38, kMostIntensity);
@@ -239,8 +308,10 @@ ViewFile viewFrom(const json& words, const std::string& file) {
   // the version first: what a later Palpate writes may be anything else
   if (!words.is_object() || !words.contains("palpate_view"))
     throw Refused{{"view-of-another-program", {file}}, "damaged"};
-  if (all.at("palpate_view").whole(1, std::numeric_limits<std::int64_t>::max()) != kVersion)
-    throw Refused{{"view-of-later-palpate", {file}}, "later"};
+  const std::int64_t version =
+      all.at("palpate_view").whole(1, std::numeric_limits<std::int64_t>::max());
+  if (version > kVersion) throw Refused{{"view-of-later-palpate", {file}}, "later"};
+  if (version < kVersion) throw Refused{{"view-of-earlier-palpate", {file}}, "earlier"};
   all.hasOnly({"palpate_view", "scan", "edits", "isovalue", "marks", "view"}, {"tool"});
   ViewFile view;
   takeScan(all.at("scan"), view);
@@ -259,8 +330,9 @@ ViewFile viewFrom(const json& words, const std::string& file) {
 }
 
 tl::unexpected<Error> refusedView(Message message, const char* reason) {
+  const std::string_view why = reason;
   const Error::Kind kind =
-      std::string_view(reason) == "later" ? Error::Kind::Unsupported : Error::Kind::Malformed;
+      why == "later" || why == "earlier" ? Error::Kind::Unsupported : Error::Kind::Malformed;
   return tl::unexpected(Error{kind, std::move(message), reason});
 }
 
@@ -271,9 +343,8 @@ std::string textOf(const ViewFile& view) {
   for (const ui::Measure& mark : view.marks) {
     json places = json::array();
     for (const Eigen::Vector3d& p_mm : mark.places_mm) places.push_back(listOfMetres(p_mm));
-    const auto* kind = std::find_if(std::begin(kKinds), std::end(kKinds),
-                                    [&](const auto& named) { return named.first == mark.kind; });
-    marks.push_back({{"kind", kind->second}, {"text", mark.text}, {"places_m", places}});
+    marks.push_back(
+        {{"kind", wordOf(mark.kind, kKinds)}, {"text", mark.text}, {"places_m", places}});
   }
   json slices = json::array();
   for (const ui::SliceFrame& slice : view.look.slices)
@@ -284,29 +355,45 @@ std::string textOf(const ViewFile& view) {
   for (const haptics::Edit& edit : view.edits) edits.push_back(textOf(edit));
   json direction = json::array();
   for (int n = 0; n < 9; ++n) direction.push_back(view.grid.direction(n / 3, n % 3));
-  json words = {{"palpate_view", kVersion},
-                {"scan",
-                 {{"dims", view.grid.dims},
-                  {"spacing_m", listOfNumbers(view.grid.spacing)},
-                  {"origin_m", listOfNumbers(view.grid.origin)},
-                  {"direction", direction},
-                  {"scalar", nameOf(view.type)},
-                  {"hash", view.hash ? json(hexOf(*view.hash)) : json()}}},
-                {"edits", edits},
-                {"isovalue", view.isovalue},
-                {"marks", marks},
-                {"view",
-                 {{"camera",
-                   {{"eye_m", listOfMetres(view.look.eye_mm)},
-                    {"focus_m", listOfMetres(view.look.focus_mm)},
-                    {"up", listOfNumbers(view.look.up)},
-                    {"parallel", view.look.parallel},
-                    {"half_height_m", view.look.half_height_mm / kMmPerMetre}}},
-                  {"cross_m", listOfMetres(view.look.cross_mm)},
-                  {"slices", slices},
-                  {"grey", {{"level", view.look.grey_level}, {"width", view.look.grey_width}}}}}};
+  const ui::ViewLook& look = view.look;
+  json words = {
+      {"palpate_view", kVersion},
+      {"scan",
+       {{"dims", view.grid.dims},
+        {"spacing_m", listOfNumbers(view.grid.spacing)},
+        {"origin_m", listOfNumbers(view.grid.origin)},
+        {"direction", direction},
+        {"scalar", nameOf(view.type)},
+        {"hash", view.hash ? json(hexOf(*view.hash)) : json()}}},
+      {"edits", edits},
+      {"isovalue", view.isovalue},
+      {"marks", marks},
+      {"view",
+       {{"camera",
+         {{"eye_m", listOfMetres(look.eye_mm)},
+          {"focus_m", listOfMetres(look.focus_mm)},
+          {"up", listOfNumbers(look.up)},
+          {"parallel", look.parallel},
+          {"half_height_m", look.half_height_mm / kMmPerMetre}}},
+        {"cross_m", listOfMetres(look.cross_mm)},
+        {"slices", slices},
+        {"voxels",
+         {{"interpolation", wordOf(look.voxels.interpolation, kInterpolations)},
+          {"slab", wordOf(look.voxels.slab, kSlabs)},
+          {"thickness_m", look.voxels.thickness_mm / kMmPerMetre}}},
+        {"tool_plane",
+         {{"along", look.tool_plane.along}, {"depth_m", look.tool_plane.depth_mm / kMmPerMetre}}},
+        {"surface",
+         {{"colours", wordOf(look.colours, kColours)},
+          {"second", look.second ? json(*look.second) : json()}}},
+        {"layout",
+         {{"arrangement", wordOf(look.layout.arrangement, kArrangements)},
+          {"tool_view", look.layout.tool_view},
+          {"active", look.layout.active},
+          {"alone", look.layout.alone},
+          {"shares", look.layout.shares}}},
+        {"grey", {{"level", look.grey_level}, {"width", look.grey_width}}}}}};
   if (!view.place.empty()) words["scan"]["place"] = view.place;
-  if (!view.look.layout.empty()) words["view"]["layout"] = view.look.layout;
   if (!view.tool.empty()) words["tool"] = view.tool;
   // the name of a folder may be no text
   return words.dump(1, ' ', false, json::error_handler_t::replace) + "\n";

@@ -42,7 +42,7 @@ inline constexpr const char* kViewEnding = ".palpate-view";
 std::string textOf(const ViewFile& view);
 
 /// Reads strictly: refuses text that textOf() cannot have written, names the field, and takes
-/// nothing from it. Reasons: "too-large", "damaged", and "later" for a version that is not known.
+/// nothing from it. Reasons: "too-large", "damaged", and "earlier" or "later" for another version.
 /// `name`: how the file is called in the error.
 haptics::Expected<ViewFile> viewFileFrom(std::string_view text, const std::string& name);
 

@@ -100,9 +100,9 @@ bool ViewController::mayLeave(bool with_slices) {
              tr("Take the picture"));
 }
 
-void ViewController::savePicture() {
-  const auto wish = ui::askForScreenshot(&window_, window_.view(), window_);
-  if (!wish || !mayLeave(wish->whole_window && window_.showsSlices())) return;
+void ViewController::savePicture(const ui::SliceView* first) {
+  const auto wish = ui::askForScreenshot(window_, first);
+  if (!wish || !mayLeave(wish->slice || (wish->whole_window && window_.showsSlices()))) return;
   // before the next dialog lies over the window
   const QImage picture = ui::screenshotOf(window_, window_.view(), *wish);
   if (picture.isNull())

@@ -21,8 +21,9 @@ class ViewController : public QObject {
   void bringTool(const haptics::Vec3& p_W, const haptics::Vec3& normal_W);
   void bringToCross();
   void moveCrossToTool();
-  /// Asks what to take a picture of and where to, and writes it.
-  void savePicture();
+  /// Asks what to take a picture of and where to, and writes it. `first`: the slice that is offered
+  /// first; null: the 3-D view.
+  void savePicture(const ui::SliceView* first);
   void copyPicture();
 
  signals:

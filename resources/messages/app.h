@@ -42,6 +42,10 @@ inline constexpr Row kApp[] = {
      "of the file."},
     {"view-of-another-program",
      "\"%1\" is damaged, or is no view of Palpate's; views end in .palpate-view."},
+    {"view-of-earlier-palpate",
+     "\"%1\" was saved by an earlier Palpate, in a version of views that this one does not read; "
+     "use "
+     "that one."},
     {"view-of-later-palpate", "\"%1\" was saved by a later Palpate; use that one."},
     {"view-too-large", "\"%1\" is larger than 1 MB, and no view is; choose another file."},
     {"view-unreadable", "\"%1\" is no file that can be read; check the path."},

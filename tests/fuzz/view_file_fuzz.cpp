@@ -16,6 +16,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   fuzz::require(view->grid.spacing.minCoeff() > 0.0 && view->grid.spacing.allFinite(),
                 "the spacing is positive");
+  const ui::ViewLook& look = view->look;
+  fuzz::require(look.voxels.thickness_mm > 0.0 && look.layout.active < ui::LayoutLook::kViews,
+                "a slab is thick, and a view of the window was the active one");
+  for (const std::vector<double>& column : look.layout.shares) {
+    fuzz::require(column.size() >= 2, "a column has a width and views");
+    for (const double share : column)
+      fuzz::require(share >= ui::LayoutLook::kLeastShare, "a view has a size");
+  }
   for (const ui::Measure& mark : view->marks) {
     fuzz::require(mark.places_mm.size() == ui::placesOf(mark.kind), "a mark has its places");
     for (const Eigen::Vector3d& p_mm : mark.places_mm)

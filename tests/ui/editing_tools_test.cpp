@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QLocale>
 #include <QScrollArea>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -10,6 +11,7 @@
 
 #include "editing.h"
 #include "ui/number_box.h"
+#include "ui/style/scene_colours.h"
 #include "window_support.h"
 
 namespace {
@@ -123,6 +125,85 @@ TEST_F(Editing, EachFaceOfTheCropBoxHasAHandleInThreeDAndInTwoSlices) {
   EXPECT_EQ(application_->editing().edits().size(), 18U);
   keepWindow("edit_crop_handles_pulled");
   expectTheSameEverywhere();
+}
+
+TEST_F(Editing, HandlesOfTheCropBoxAreWholeAndCanBeTakenAtTheBorderOfAView) {
+  openBalls();
+  click("cropTool");
+  window().setCross(Vector3d::Zero());
+  constexpr double kRoom = 8.0;  // px from a handle's middle to the border
+  const auto kept = [](QPointF at, QRectF room) {
+    room.adjust(kRoom, kRoom, -kRoom, -kRoom);
+    return QPointF{std::clamp(at.x(), room.left(), room.right()),
+                   std::clamp(at.y(), room.top(), room.bottom())};
+  };
+  // a disc of the handles' colour, to its rim
+  const auto isWhole = [](const QImage& image, QPointF at) {
+    for (int n = 0; n < 16; ++n) {
+      const double angle = n * std::numbers::pi / 8.0;
+      const QPointF p = at + QPointF{std::cos(angle), std::sin(angle)} * 3.5;
+      const QColor c = image.pixelColor(p.toPoint());
+      if (std::abs(c.red() - ui::style::kOutline.red()) +
+              std::abs(c.green() - ui::style::kOutline.green()) +
+              std::abs(c.blue() - ui::style::kOutline.blue()) >
+          60)
+        return false;
+    }
+    return true;
+  };
+  const auto expectMoved = [&](int axis, bool high, QWidget& view, QPointF handle, QPointF by) {
+    drag(view, {handle, handle + 0.5 * by, handle + by});
+    settle();
+    const haptics::VoxelBox box = volume().bounds();
+    for (std::size_t a = 0; a < 3; ++a) {
+      EXPECT_EQ(box.first[a], a == std::size_t(axis) && !high ? 4 : 0) << "axis " << axis << high;
+      EXPECT_EQ(box.end[a], a == std::size_t(axis) && high ? 60 : 64) << "axis " << axis << high;
+    }
+    undo();
+    ASSERT_FALSE(volume().crop);
+  };
+  const ui::Plane without[] = {ui::Plane::Sagittal, ui::Plane::Coronal, ui::Plane::Axial};
+  // the whole scan in the slices, and a part of it, whose faces lie beyond the view
+  for (const double nearer : {1.0, 1.6})
+    for (const ui::Plane plane : {ui::Plane::Axial, ui::Plane::Coronal, ui::Plane::Sagittal}) {
+      ui::SliceView& view = slice(plane);
+      view.resetView();
+      view.zoom(nearer, view.projected(Vector3d::Zero()));
+      const QImage image = view.picture(1);
+      window::keep(image, nearer > 1.0 ? "edit_crop_border_near" : "edit_crop_border");
+      for (int axis = 0; axis < 3; ++axis)
+        for (const bool high : {false, true}) {
+          if (plane == without[axis]) continue;
+          Vector3d face = Vector3d::Zero(), by = Vector3d::Zero();
+          face[axis] = high ? 32 : -32;
+          by[axis] = high ? -4 : 4;
+          const QPointF handle = kept(view.projected(face), view.pictureRect());
+          EXPECT_TRUE(isWhole(image, handle)) << int(plane) << axis << high << nearer;
+          expectMoved(axis, high, view, handle,
+                      view.projected(by) - view.projected(Vector3d::Zero()));
+        }
+    }
+  // in 3-D, with the faces of four sides beyond the view
+  ui::VolumeView& view = window().view();
+  view.setParallel(true);
+  view.camera()->SetParallelScale(24.0);
+  ui::ViewLook look;
+  view.tell(look);
+  view.look(look);
+  window::pictureAtRest(view);
+  const QImage image = view.picture(1);
+  window::keep(image, "edit_crop_border_space");
+  for (const int axis : {0, 2})
+    for (const bool high : {false, true}) {
+      Vector3d face = Vector3d::Zero(), by = Vector3d::Zero();
+      face[axis] = high ? 32 : -32;
+      by[axis] = high ? -4 : 4;
+      // the letters stand at the edges
+      const QPointF handle = kept(inSpace(face), QRectF(view.rect()).adjusted(28, 20, -28, -20));
+      if (axis == 2) EXPECT_FALSE(view.rect().contains(inSpace(face).toPoint()));
+      EXPECT_TRUE(isWhole(image, handle)) << axis << high;
+      expectMoved(axis, high, view, handle, inSpace(by) - inSpace(Vector3d::Zero()));
+    }
 }
 
 TEST_F(Editing, CropsToWhatTheSlicesShow) {
@@ -251,6 +332,38 @@ TEST_F(Editing, AClipPlaneIsPlacedTurnedFlippedAndCuts) {
   // on one line there is no plane, and a sentence says so
   for (const double x : {-16.0, -12.0, -8.0}) clickAt(coronal, coronal.projected({x, 0, 0}));
   EXPECT_TRUE(message().contains("one line")) << message().toStdString();
+}
+
+TEST_F(Editing, AClipPlaneThatIsSeenFaceOnIsTurnedByAHandleBesideTheOther) {
+  openBalls();
+  ui::VolumeView& view = window().view();
+  click("planeTool");
+  constexpr double kArm = 60.0;  // px
+  const double degrees = 180.0 / std::numbers::pi;
+  for (const bool flipped : {false, true}) {
+    window().setCross(Vector3d::Zero());
+    click("planeFromCoronal");
+    if (flipped) click("planeFlip");
+    const double side = number("planeTowards");  // towards A or P
+    ASSERT_NEAR(std::abs(side), 90.0, 0.1);
+    const QPointF shift = inSpace({0, 0, 0}), turn = shift + QPointF{0.0, -kArm};
+    if (!flipped) keepWindow("edit_plane_face_on");
+    // up and down, to the left and to the right: by the pointer's way over the arm
+    for (const QPointF by : {QPointF{0, -30}, QPointF{0, 30}, QPointF{30, 0}, QPointF{-30, 0}}) {
+      click("planeFromCoronal");
+      if (flipped) click("planeFlip");
+      drag(view, {turn, turn + 0.5 * by, turn + by});
+      const double tilt = 30.0 / kArm * degrees;
+      // the side towards the viewer, who is at A, follows the pointer: up is S, right is L
+      const double facing = side < 0.0 ? 1.0 : -1.0;
+      EXPECT_NEAR(number("planeRaised"),
+                  by.y() != 0.0 ? -facing * std::copysign(tilt, by.y()) : 0.0, 0.5);
+      const double towards = by.x() == 0.0 ? side : side + std::copysign(tilt, by.x());
+      EXPECT_NEAR(number("planeTowards"), towards, 0.5) << by.x() << " " << by.y();
+      EXPECT_NEAR(number("planePosition"), 0.0, 0.1);
+    }
+    if (!flipped) keepWindow("edit_plane_face_on_turned");
+  }
 }
 
 TEST_F(Editing, APieceIsShownWithItsVolumeAndKeptOrRemoved) {

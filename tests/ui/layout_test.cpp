@@ -189,6 +189,64 @@ TEST(Layout, LetsTheBordersBeDraggedAndGivesTheFirstSizesBack) {
   EXPECT_EQ(w.volume(), before);
 }
 
+TEST(Layout, EachArrangementKeepsItsBordersAlsoFromStartToStart) {
+  QSettings().remove("window");
+  QRect large, four, with_tool;
+  const auto move = [](Window& w, QRect view, int px) {
+    ui::ViewGap& gap = gapAfter(w, view, true);
+    gap.setFocus();
+    for (int n = 0; n < px / 16; ++n) QTest::keyClick(&gap, Qt::Key_Left);
+  };
+  {
+    Window w;
+    app::PreferencesController kept(w.window, true);
+    const QRect first = w.volume();
+    move(w, w.volume(), 96);
+    large = w.volume();
+    EXPECT_NEAR(large.width(), first.width() - 96, 5);
+    // a view that was alone comes back to its place
+    w.window.view().setFocus();
+    QTest::keyClick(&w.window.view(), Qt::Key_F);
+    EXPECT_NE(w.volume(), large);
+    EXPECT_EQ(w.window.views().borders().isEmpty(), false);
+    QTest::keyClick(&w.window.view(), Qt::Key_F);
+    EXPECT_EQ(w.volume(), large);
+    w.choose("four_up");
+    move(w, w.slice(Plane::Axial), 48);  // the 3-D view is beyond it
+    four = w.volume();
+    w.choose("volume_large");
+    EXPECT_EQ(w.volume(), large);
+    w.choose("showOblique");
+    EXPECT_EQ(w.volume().width(), first.width());  // other views, other borders
+    move(w, w.volume(), 32);
+    with_tool = w.volume();
+    w.choose("showOblique");
+    EXPECT_EQ(w.volume(), large);
+    kept.save();
+  }
+  Window w;
+  app::PreferencesController kept(w.window, true);
+  kept.restoreWindow();
+  QTest::qWait(100);
+  EXPECT_NEAR(w.volume().width(), large.width(), 2);
+  w.choose("four_up");
+  EXPECT_NEAR(w.volume().width(), four.width(), 2);
+  w.choose("volume_large");
+  w.choose("showOblique");
+  EXPECT_NEAR(w.volume().width(), with_tool.width(), 2);
+  w.choose("showOblique");
+  // first sizes of what is on view, and with the layout of all
+  w.choose("resetBorders");
+  EXPECT_GT(w.volume().width(), large.width() + 80);
+  w.choose("four_up");
+  EXPECT_NEAR(w.volume().width(), four.width(), 2);
+  w.choose("resetLayout");
+  w.choose("four_up");
+  EXPECT_LT(w.volume().width(), four.width() - 30);
+  EXPECT_TRUE(w.window.views().borders().isEmpty());
+  QSettings().remove("window");
+}
+
 TEST(Layout, BordersAreReachedAndMovedWithTheKeyboard) {
   Window w;
   const QRect volume = w.volume(), axial = w.slice(Plane::Axial);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
@@ -18,6 +19,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -274,8 +276,10 @@ class Answers : public QObject {
     timer_.start(50);
   }
   QStringList seen;
+  QString offered;  ///< what the picture was offered of at first
   bool agree = true;
   bool whole_window = false;
+  int scale = 1;
 
  private:
   void answer() {
@@ -291,7 +295,10 @@ class Answers : public QObject {
         if ((box->buttonRole(button) == QMessageBox::AcceptRole) == agree) return button->click();
     } else if (auto* dialog = qobject_cast<QDialog*>(open)) {
       seen << "wish";
-      if (whole_window) dialog->findChild<QComboBox*>("pictureOf")->setCurrentIndex(1);
+      auto* of = dialog->findChild<QComboBox*>("pictureOf");
+      offered = of->currentText();
+      if (whole_window) of->setCurrentIndex(1);
+      dialog->findChild<QComboBox*>("pictureScale")->setCurrentIndex(scale - 1);
       dialog->accept();
     }
   }
@@ -314,6 +321,91 @@ TEST(ToolPlace, APictureIsSavedWhereAskedAndCopied) {
   EXPECT_GT(window::count(saved, window::surfaceColoured), 2'000);
   application.window().findChild<QAction*>("copyPicture")->trigger();
   EXPECT_EQ(QGuiApplication::clipboard()->image().size(), saved.size());
+}
+
+TEST(ToolPlace, APictureOfOneSliceIsSavedByMouseAndKeys) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("slice.png");
+  app::Application application(window::sphereInHand("mouse"));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
+  ui::MainWindow& window = application.window();
+  window::pictureAtRest(window.view());
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 20'000));
+  // a distance in the slice, so that it has something to say
+  ui::SliceView& axial = window.slice(ui::Plane::Axial);
+  axial.setFocus();
+  QTest::keyClick(&axial, Qt::Key_D);
+  const QPoint middle = axial.pictureRect().center();
+  for (const int x : {-30, 30})
+    QTest::mouseClick(&axial, Qt::LeftButton, {}, middle + QPoint{x, 30});
+  window.view().setFocus();
+  QTest::qWait(200);
+  const QImage shown = window::pictureOf(axial);
+  // "Not for treatment"
+  const QRect corner(axial.pictureRect().right() - 120, axial.pictureRect().top() + 32, 116, 20);
+  const auto light = [](QColor c) { return c.red() > 200 && c.blue() > 200; };
+  EXPECT_GT(window::count(shown.copy(corner), light), 100);
+
+  Answers answers(path);
+  const auto take = [&](const auto& ask) {
+    answers.seen.clear();
+    QFile::remove(path);
+    ask();
+    EXPECT_EQ(answers.seen, QStringList({"wish", "file"}));  // a phantom is nobody
+    return QImage(path);
+  };
+  // the menu of the slice offers that slice
+  QMenu& menu = window.slices().menu();
+  auto* entry = menu.findChild<QAction*>("saveSlicePicture");
+  const auto choose = [&] {
+    ASSERT_TRUE(waitFor([&] { return menu.isVisible(); }, 5.0));
+    QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(entry).center());
+  };
+  const QImage one = take([&] {
+    QTest::mouseClick(&axial, Qt::RightButton, {}, middle);
+    choose();
+  });
+  EXPECT_EQ(answers.offered, "Slice: Axial");
+  ASSERT_EQ(one.size(), axial.size());
+  EXPECT_TRUE(one.textKeys().isEmpty());
+  // letters, lines, marks and words as they are on the screen, where there may be a frame of the
+  // focus and a value under the pointer too
+  EXPECT_LT(window::differing(one, shown, 24), 0.004);
+  EXPECT_GT(window::count(one.copy(corner), light), 100);
+  take([&] {
+    QTest::mouseClick(
+        window.slice(ui::Plane::Coronal).parentWidget()->findChild<QToolButton*>("viewMenu"),
+        Qt::LeftButton);
+    choose();
+  });
+  EXPECT_EQ(answers.offered, "Slice: Coronal");
+
+  // the key offers the view that has the focus, and the picture may be larger
+  answers.scale = 4;
+  const QImage four = take([&] {
+    axial.setFocus();
+    QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+  });
+  EXPECT_EQ(answers.offered, "Slice: Axial");
+  ASSERT_EQ(four.size(), axial.size() * 4);
+  window::keep(four, "picture_slice");
+  const QImage small = four.scaled(axial.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  EXPECT_LT(window::differing(small, shown, 80), 0.02);
+  EXPECT_GT(window::neighboursApart(four, four.rect()), 400);  // cut at its own pixels
+  answers.scale = 1;
+  window.view().setFocus();
+  const QImage space =
+      take([&] { QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier); });
+  EXPECT_EQ(answers.offered, "3-D view");
+  EXPECT_EQ(space.size(), window.view().size());
+  // from the View menu, with the 3-D view in use: a slice
+  take([&] { entry->trigger(); });
+  EXPECT_EQ(answers.offered, "Slice: Axial");
+  // what has no place in the window is not offered
+  take([&] { window.findChild<QAction*>("one")->trigger(), entry->trigger(); });
+  EXPECT_EQ(answers.offered, "3-D view");
 }
 
 TEST(ToolPlace, APictureThatMayShowAFaceIsAskedFor) {
@@ -363,6 +455,11 @@ TEST(ToolPlace, APictureThatMayShowAFaceIsAskedFor) {
   EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
   // and, whatever the isovalue, a slice in a picture of the window
   window::panelOf<ui::IsosurfacePanel>(application.window()).choose(300.0);
+  EXPECT_TRUE(QFile::remove(path));
+  application.window().slice(ui::Plane::Sagittal).setFocus();
+  EXPECT_EQ(take("savePicture"), QStringList({"wish", warning, "file"}));
+  EXPECT_EQ(answers.offered, "Slice: Sagittal");
+  view.setFocus();
   answers.whole_window = true;
   EXPECT_TRUE(QFile::remove(path));
   EXPECT_EQ(take("savePicture"), QStringList({"wish", warning, "file"}));

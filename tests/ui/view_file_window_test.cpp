@@ -9,12 +9,14 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QToolButton>
 #include <filesystem>
 
 #include "app/application.h"
@@ -23,6 +25,7 @@
 #include "haptics/edit/edit_history.h"
 #include "marked_scan.h"
 #include "sphere_in_hand.h"
+#include "ui/view_gap.h"
 
 namespace {
 
@@ -139,7 +142,7 @@ TEST(ViewFiles, AViewComesBackOverTheSameScan) {
   EXPECT_LT((again.cross_mm - Eigen::Vector3d{4, 5, 6}).norm(), 1e-9);
   EXPECT_EQ(again.grey_level, 33.0);
   EXPECT_EQ(again.grey_width, 44.0);
-  EXPECT_EQ(again.layout, "four_up");
+  EXPECT_EQ(again.layout.arrangement, ui::Arrangement::FourUp);
   EXPECT_NEAR(again.slices[1].zoom, 3.0, 1e-9);
   EXPECT_LT((again.slices[1].shift_mm - look.slices[1].shift_mm).norm(), 1e-9);
   // what was marked before is not lost
@@ -148,6 +151,114 @@ TEST(ViewFiles, AViewComesBackOverTheSameScan) {
   EXPECT_EQ(later.measures().all().size(), 3U);
   window::pictureAtRest(later.window.view());
   window::keep(window::pictureOf(later.window), "view_opened");
+}
+
+TEST(ViewFiles, WhatEachViewShowsComesBackToThePixel) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("mine.palpate-view").toStdString();
+  const auto scan = window::volumeOf(
+      window::cubeGrid(48), haptics::ScalarType::Int16,
+      [](const Vec3& p) { return 2000.0 - 3000.0 * p.norm() / 0.02; }, {.unit = "HU"});
+  haptics::Snapshot tool;
+  tool.X_WP.linear() = Eigen::AngleAxisd(0.4, Vec3::UnitX()).toRotationMatrix();
+  tool.X_WP.translation() = tool.X_WD.translation() = Vec3{0.003, -0.026, 0.002};
+  tool.X_WD.linear() = tool.X_WP.linear();
+  const auto open = [&](Views& views) {
+    views.show(scan, 300.0);
+    window::showAndWait(views.window, {1240, 840});
+    views.window.display(tool);
+  };
+  const auto entry = [](Views& views, const char* name) {
+    return views.window.findChild<QAction*>(name);
+  };
+  const auto thick = [](Views& views) {
+    for (QAction* action : views.window.findChild<QMenu*>("voxelsMenu")->actions())
+      if (action->text().startsWith("10")) return action;
+    return static_cast<QAction*>(nullptr);
+  };
+  const auto second = [](Views& views) {
+    return views.window.findChild<QMenu*>("secondSurface")->actions()[2];  // skin
+  };
+  Views views;
+  open(views);
+  for (const char* name : {"four_up", "nearest", "slabMean", "showOblique", "obliqueAlong"})
+    entry(views, name)->trigger();
+  thick(views)->trigger();
+  // vessels, then another isovalue: the colours stay
+  views.window.findChild<QMenu*>("tissuePresets")->actions()[3]->trigger();
+  views.isosurface.set(250.0);
+  second(views)->trigger();
+  ui::SliceView& with_tool = views.slice(ui::Plane::Oblique);
+  with_tool.scroll(3);
+  with_tool.zoom(2.0, {60.0, 60.0});
+  const QList<ui::ViewGap*> gaps = views.window.findChildren<ui::ViewGap*>();
+  for (ui::ViewGap* gap : gaps)
+    if (gap->isVisible()) {
+      emit gap->moved(40);
+      break;
+    }
+  ASSERT_TRUE(views.save(path)) << views.message().toStdString();
+  const QString borders = views.window.views().borders();
+
+  Views later;
+  open(later);
+  ASSERT_NE(later.window.views().borders(), borders);
+  ASSERT_TRUE(later.open(path)) << later.message().toStdString();
+  EXPECT_EQ(later.window.views().borders(), borders);
+  for (const char* name :
+       {"four_up", "nearest", "slabMean", "showOblique", "obliqueAlong", "colourByTissue"})
+    EXPECT_TRUE(entry(later, name)->isChecked()) << name;
+  EXPECT_TRUE(thick(later)->isChecked());
+  EXPECT_TRUE(second(later)->isChecked());
+  EXPECT_EQ(later.window.view().surface().second(), views.window.view().surface().second());
+  later.window.display(tool);
+  for (Views* shown : {&views, &later}) window::pictureOf(shown->window);
+  QTest::qWait(400);  // at rest contours are fine
+  for (const ui::Plane plane :
+       {ui::Plane::Axial, ui::Plane::Coronal, ui::Plane::Sagittal, ui::Plane::Oblique}) {
+    later.slice(plane).clearFocus();
+    views.slice(plane).clearFocus();
+    EXPECT_EQ(later.slice(plane).size(), views.slice(plane).size()) << int(plane);
+    EXPECT_LT(window::differing(later.slice(plane).picture(1), views.slice(plane).picture(1), 8),
+              1e-4)
+        << int(plane);
+  }
+  const QImage was = window::pictureAtRest(views.window.view());
+  const QImage is = window::pictureAtRest(later.window.view());
+  EXPECT_LT(window::differing(is, was, 8), 1e-3);
+  const QImage shown = window::pictureOf(later.window);
+  window::keep(shown, "view_whole_look");
+  window::keep(is, "view_whole_look_space");
+
+  // a view that was alone is alone again, and a file without a second surface takes it away
+  views.window.findChild<QMenu*>("secondSurface")->actions().first()->trigger();
+  entry(views, "colourIvory")->trigger();
+  views.slice(ui::Plane::Sagittal).parentWidget()->findChild<QToolButton*>("maximise")->click();
+  ASSERT_TRUE(views.save(path));
+  ASSERT_TRUE(later.open(path)) << later.message().toStdString();
+  EXPECT_TRUE(later.slice(ui::Plane::Sagittal).isVisible());
+  EXPECT_FALSE(later.window.view().isVisible());
+  EXPECT_FALSE(later.window.view().surface().second());
+  EXPECT_TRUE(entry(later, "colourIvory")->isChecked());
+  EXPECT_TRUE(later.window.findChild<QMenu*>("secondSurface")->actions().first()->isChecked());
+  entry(later, "maximiseView")->trigger();
+  EXPECT_TRUE(later.window.view().isVisible());
+  EXPECT_EQ(later.window.views().arrangement(), ui::Arrangement::FourUp);
+}
+
+TEST(ViewFiles, AFileOfAnEarlierVersionIsRefusedAndSaysSo) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("old.palpate-view").toStdString();
+  QFile file(QString::fromStdString(path.string()));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"palpate_view\": 1, \"edits\": []}");
+  file.close();
+  Views views;
+  views.show(ballAt(0.0), 50.0);
+  EXPECT_FALSE(views.open(path));
+  EXPECT_TRUE(views.message().contains("earlier Palpate")) << views.message().toStdString();
 }
 
 TEST(ViewFiles, HoldNoPathAndNoNameUnlessThePlaceIsToBeRemembered) {
@@ -205,7 +316,7 @@ TEST(ViewFiles, AnotherScanIsRefusedAndNothingChanges) {
   {
     QFile file(QString::fromStdString(damaged.string()));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write("{\"palpate_view\": 1}");
+    file.write("{\"palpate_view\": 2}");
   }
   EXPECT_FALSE(moved.open(damaged));
   EXPECT_TRUE(moved.message().contains("\"edits\" is missing") ||

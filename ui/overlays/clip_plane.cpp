@@ -12,6 +12,7 @@ namespace ui {
 namespace {
 
 constexpr double kArm = 60.0;           // pixels from the handle that shifts to the one that turns
+constexpr double kFaceOn = 24.0;        // pixels: nearer to each other the handles lie as one
 constexpr double kLeastTriangle = 0.5;  // mm: height of the triangle of the clicks
 constexpr double kInSlice = 0.15;       // least sine between normal and line of sight
 
@@ -58,7 +59,17 @@ std::optional<ClipPlane::Handles> ClipPlane::handlesIn(const ViewGeometry& view)
   if (!view.isSlice()) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& p : shape) middle += p / static_cast<double>(shape.size());
-    return Handles{middle, middle + normal_ * (kArm * view.mmPerPixel(middle))};
+    const Eigen::Vector3d tip = middle + normal_ * (kArm * view.mmPerPixel(middle));
+    const QPointF shift = view.projected(middle);
+    if (held_ == Held::Turn && taken_.beside)
+      return Handles{middle,
+                     view.placeBeside(view.projected(taken_.turn) + dragged_ - pressed_, middle),
+                     true};
+    const QPointF by = view.projected(tip) - shift;
+    const double length = std::hypot(by.x(), by.y());
+    if (length >= kFaceOn) return Handles{middle, tip};
+    const QPointF to = length > 0.5 * kFaceOn ? by / length : QPointF{0.0, -1.0};
+    return Handles{middle, view.placeBeside(shift + to * kArm, middle), true};
   }
   const Eigen::Vector3d towards = view.axes().col(2);
   const Eigen::Vector3d flat = normal_ - towards * towards.dot(normal_);
@@ -169,6 +180,8 @@ bool ClipPlane::press(const ViewGeometry& view, const QMouseEvent& event) {
   if (held_ == Held::None) return false;
   taken_ = *handles;
   point_taken_ = point_;
+  normal_taken_ = normal_;
+  pressed_ = dragged_ = event.position();
   if (held_ == Held::Shift) {
     const auto grip = alongLine(view, event.position(), taken_.shift, normal_);
     if (!grip) {
@@ -183,6 +196,7 @@ bool ClipPlane::press(const ViewGeometry& view, const QMouseEvent& event) {
 
 bool ClipPlane::drag(const ViewGeometry& view, const QMouseEvent& event) {
   if (held_ == Held::None) return true;
+  dragged_ = event.position();
   if (held_ == Held::Shift) {
     const auto at = alongLine(view, event.position(), taken_.shift, normal_);
     if (!at) return true;
@@ -195,6 +209,17 @@ bool ClipPlane::drag(const ViewGeometry& view, const QMouseEvent& event) {
     if (to.norm() < 1e-6) return true;
     const double angle = std::atan2(towards.dot(flat.cross(to)), flat.dot(to));
     normal_ = Eigen::AngleAxisd(angle, towards) * normal_;
+    point_ = taken_.shift;
+  } else if (taken_.beside) {
+    // the side towards the viewer follows the pointer
+    const QPointF by = dragged_ - pressed_;
+    const double length = std::hypot(by.x(), by.y());
+    const Eigen::Matrix3d axes = view.axes();
+    normal_ = normal_taken_;
+    if (length > 0.0) {
+      const Eigen::Vector3d to = (axes.col(0) * by.x() - axes.col(1) * by.y()) / length;
+      normal_ = Eigen::AngleAxisd(length / kArm, axes.col(2).cross(to)) * normal_taken_;
+    }
     point_ = taken_.shift;
   } else {
     // the handle stays on a ball about the other one

@@ -14,6 +14,9 @@ namespace ui {
 /// Three clicks on the surface give the plane through them, and what is nearer to the viewer goes.
 /// Three clicks in one slice give the plane through the first two, upright on the slice; the third
 /// tells the side that goes.
+///
+/// In 3-D the handle that turns stands on the plane's normal. Where that points at the viewer, the
+/// handle lies beside the other one, and the plane tilts to where it is dragged.
 class ClipPlane : public Overlay {
   Q_OBJECT
  public:
@@ -40,6 +43,7 @@ class ClipPlane : public Overlay {
   /// The handles in a view, mm of W; none where the plane does not meet the slice.
   struct Handles {
     Eigen::Vector3d shift, turn;
+    bool beside = false;  ///< the one that turns does not stand on the normal
   };
   std::optional<Handles> handlesIn(const ViewGeometry& view) const;
 
@@ -64,7 +68,8 @@ class ClipPlane : public Overlay {
   Eigen::Vector3d point_ = Eigen::Vector3d::Zero(), normal_ = Eigen::Vector3d::UnitZ();
   enum class Held { None, Shift, Turn } held_ = Held::None;
   Handles taken_{};  ///< the handles when one was taken
-  Eigen::Vector3d point_taken_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d point_taken_ = Eigen::Vector3d::Zero(), normal_taken_ = Eigen::Vector3d::UnitZ();
+  QPointF pressed_, dragged_;  ///< where the pointer took the handle, and where it is
   double grip_mm_ = 0.0;
 };
 

@@ -35,6 +35,46 @@ std::optional<std::array<Eigen::Vector3d, 2>> cutOf(const ViewGeometry& view,
   return ends;
 }
 
+/// The place of a line that stands for it in a view: the middle of what is seen of it, or what is
+/// nearest to the middle of the view.
+Eigen::Vector3d middleSeen(const ViewGeometry& view, const std::array<Eigen::Vector3d, 2>& line) {
+  const QRectF room = view.room();
+  const QPointF p = view.projected(line[0]), by = view.projected(line[1]) - p;
+  double first = 0.0, last = 1.0;
+  const auto keep = [&](double start, double step, double low, double high) {
+    if (std::abs(step) < 1e-9) {
+      if (start < low || start > high) last = -1.0;
+      return;
+    }
+    const auto [in, out] = std::minmax({(low - start) / step, (high - start) / step});
+    first = std::max(first, in);
+    last = std::min(last, out);
+  };
+  keep(p.x(), by.x(), room.left(), room.right());
+  keep(p.y(), by.y(), room.top(), room.bottom());
+  double at = 0.5 * (first + last);
+  if (first > last) {
+    const double length = QPointF::dotProduct(by, by);
+    at = length > 0.0 ? QPointF::dotProduct(room.center() - p, by) / length : 0.5;
+    at = std::clamp(at, 0.0, 1.0);
+  }
+  return line[0] + (line[1] - line[0]) * at;
+}
+
+/// The same place, or beside it so that its handle is seen whole. None: it lies behind the viewer.
+std::optional<Eigen::Vector3d> within(const ViewGeometry& view, const Eigen::Vector3d& p_mm) {
+  if (!view.isSlice()) {
+    const Projection camera = projectionOf(view);
+    if (!camera.parallel && !(camera.depthOf(p_mm) > 1.0)) return {};
+  }
+  const QRectF room = view.room().adjusted(kHandleRoom, kHandleRoom, -kHandleRoom, -kHandleRoom);
+  const QPointF at = view.projected(p_mm);
+  if (room.isEmpty() || room.contains(at)) return p_mm;
+  return view.placeBeside({std::clamp(at.x(), room.left(), room.right()),
+                           std::clamp(at.y(), room.top(), room.bottom())},
+                          p_mm);
+}
+
 }  // namespace
 
 void CropBox::show(const haptics::Grid& grid, const haptics::VoxelBox& box) {
@@ -54,10 +94,10 @@ std::optional<Eigen::Vector3d> CropBox::handleOf(const ViewGeometry& view, int a
                                                  bool far_side) const {
   if (!grid_) return {};
   const auto face = faceOf(cornersOf_mm(*grid_, box_), axis, far_side);
-  if (!view.isSlice()) return 0.25 * (face[0] + face[1] + face[2] + face[3]);
+  if (!view.isSlice()) return within(view, 0.25 * (face[0] + face[1] + face[2] + face[3]));
   const auto cut = cutOf(view, face);
   if (!cut) return {};
-  return 0.5 * ((*cut)[0] + (*cut)[1]);
+  return within(view, middleSeen(view, *cut));
 }
 
 std::int64_t& CropBox::edgeOf(const Face& face) {

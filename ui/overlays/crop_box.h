@@ -8,7 +8,8 @@
 namespace ui {
 
 /// The crop box: six faces, each with a handle that moves it along its axis of the grid, by whole
-/// voxels. Slices show where they cut the box.
+/// voxels. Slices show where they cut the box. A handle whose place lies at the border of the view,
+/// or beyond it, is shown whole at the border.
 class CropBox : public Overlay {
   Q_OBJECT
  public:
@@ -29,7 +30,7 @@ class CropBox : public Overlay {
   Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
   QString hint() const override;
 
-  /// Where the handle of a face is, mm of W; none if this view shows none.
+  /// Where the handle of a face is shown, mm of W; none if this view shows none.
   std::optional<Eigen::Vector3d> handleOf(const ViewGeometry& view, int axis, bool far_side) const;
 
  signals:

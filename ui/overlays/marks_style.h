@@ -12,6 +12,7 @@ namespace ui {
 // How the tools of the Edit panel are drawn.
 inline constexpr double kHandleRadius = 5.5;  // pixels
 inline constexpr double kHandleReach = 10.0;  // pixels from the middle of a handle
+inline constexpr double kHandleRoom = 8.0;    // pixels from its middle to the border of the view
 
 inline bool isPlainLeft(const QMouseEvent& event) {
   return event.button() == Qt::LeftButton && event.modifiers() == Qt::NoModifier;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ui/props/picture.h"
+#include "ui/view_look.h"
 
 class vtkImageReslice;
 
@@ -39,18 +40,6 @@ std::array<QString, 4> lettersOf(const PlaneAxes& axes);
 struct GreyWindow {
   double level = 0.0;
   double width = 1.0;
-};
-
-enum class Interpolation { Linear, Nearest };
-enum class SlabKind { None, Maximum, Mean };
-
-/// How voxels become a picture.
-struct SliceLook {
-  Interpolation interpolation = Interpolation::Linear;
-  SlabKind slab = SlabKind::None;
-  double thickness_mm = 5.0;  ///< of a slab, half of it on either side of the plane
-
-  bool operator==(const SliceLook&) const = default;
 };
 
 /// Cuts planar pictures out of a volume at a requested resolution, without copying the volume.

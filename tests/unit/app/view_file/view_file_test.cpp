@@ -42,11 +42,21 @@ ViewFile someView() {
                .up = {0, 0, 1},
                .parallel = true,
                .half_height_mm = 120.0,
+               .colours = ui::SurfaceColours::Vessels,
+               .second = -299.9,
                .cross_mm = {1, 2, 3},
                .grey_level = 200.0,
                .grey_width = 1600.0,
-               .slices = {{{2.5, {3.0, -4.0}}, {1.0, {0, 0}}, {8.0, {0.5, 0}}}},
-               .layout = "four_up+tool"};
+               .slices = {{{2.5, {3.0, -4.0}}, {1.0, {0, 0}}, {8.0, {0.5, 0}}, {3.0, {-6, 7}}}},
+               .voxels = {.interpolation = ui::Interpolation::Nearest,
+                          .slab = ui::SlabKind::Mean,
+                          .thickness_mm = 7.3},
+               .tool_plane = {.along = true, .depth_mm = -12.5},
+               .layout = {.arrangement = ui::Arrangement::FourUp,
+                          .tool_view = true,
+                          .active = 4,
+                          .alone = true,
+                          .shares = {{1.25, 0.5, 1.5}, {0.75, 1, 1}, {1, 1}}}};
   return view;
 }
 
@@ -90,8 +100,19 @@ TEST(ViewFile, ComesBackAsItWasSaved) {
   EXPECT_LT((read->look.cross_mm - view.look.cross_mm).norm(), 1e-9);
   EXPECT_EQ(read->look.grey_level, view.look.grey_level);
   EXPECT_EQ(read->look.grey_width, view.look.grey_width);
-  EXPECT_EQ(read->look.layout, "four_up+tool");
-  for (std::size_t i = 0; i < 3; ++i) {
+  EXPECT_EQ(read->look.colours, ui::SurfaceColours::Vessels);
+  EXPECT_EQ(read->look.second, -299.9);
+  EXPECT_EQ(read->look.voxels.interpolation, ui::Interpolation::Nearest);
+  EXPECT_EQ(read->look.voxels.slab, ui::SlabKind::Mean);
+  EXPECT_NEAR(read->look.voxels.thickness_mm, 7.3, 1e-9);
+  EXPECT_TRUE(read->look.tool_plane.along);
+  EXPECT_NEAR(read->look.tool_plane.depth_mm, -12.5, 1e-9);
+  EXPECT_EQ(read->look.layout.arrangement, ui::Arrangement::FourUp);
+  EXPECT_TRUE(read->look.layout.tool_view);
+  EXPECT_EQ(read->look.layout.active, 4U);
+  EXPECT_TRUE(read->look.layout.alone);
+  EXPECT_EQ(read->look.layout.shares, view.look.layout.shares);
+  for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(read->look.slices[i].zoom, view.look.slices[i].zoom);
     EXPECT_LT((read->look.slices[i].shift_mm - view.look.slices[i].shift_mm).norm(), 1e-9);
   }
@@ -111,6 +132,35 @@ TEST(ViewFile, NamesNoPlaceAndNoToolUnlessItIsToldTo) {
   EXPECT_FALSE(read->hash);
 }
 
+TEST(ViewFile, KeepsEveryWordAndTheEndsOfTheThickness) {
+  ViewFile view = someView();
+  const auto again = [&] {
+    const auto read = app::viewFileFrom(app::textOf(view), "x");
+    EXPECT_TRUE(read) << sentence(read.error());
+    return read ? read->look : ui::ViewLook{};
+  };
+  for (const auto arrangement : {ui::Arrangement::One, ui::Arrangement::FourUp,
+                                 ui::Arrangement::VolumeLarge, ui::Arrangement::SlicesLarge}) {
+    view.look.layout = {.arrangement = arrangement};
+    EXPECT_EQ(again().layout.arrangement, arrangement);
+    EXPECT_TRUE(again().layout.shares.empty());
+  }
+  for (const auto colours : {ui::SurfaceColours::Ivory, ui::SurfaceColours::Tissue}) {
+    view.look.colours = colours;
+    EXPECT_EQ(again().colours, colours);
+  }
+  for (const auto slab : {ui::SlabKind::None, ui::SlabKind::Maximum}) {
+    view.look.voxels.slab = slab;
+    EXPECT_EQ(again().voxels.slab, slab);
+  }
+  for (const double mm : {ui::SliceLook::kThinnest_mm, ui::SliceLook::kThickest_mm}) {
+    view.look.voxels.thickness_mm = mm;
+    EXPECT_NEAR(again().voxels.thickness_mm, mm, 1e-9);
+  }
+  view.look.second.reset();
+  EXPECT_FALSE(again().second);
+}
+
 struct Damage {
   const char* what;
   std::function<void(json&)> done;
@@ -119,7 +169,8 @@ struct Damage {
 
 TEST(ViewFile, RefusesEveryDamageByNameAndTakesNothing) {
   const std::vector<Damage> damages = {
-      {"another version", [](json& v) { v["palpate_view"] = 2; }, "later Palpate"},
+      {"a later version", [](json& v) { v["palpate_view"] = 3; }, "later Palpate"},
+      {"an earlier version", [](json& v) { v["palpate_view"] = 1; }, "earlier Palpate"},
       {"no version", [](json& v) { v.erase("palpate_view"); }, "no view of Palpate's"},
       {"version as text", [](json& v) { v["palpate_view"] = "1"; }, "palpate_view"},
       {"half a version", [](json& v) { v["palpate_view"] = 1.5; }, "palpate_view"},
@@ -197,9 +248,48 @@ TEST(ViewFile, RefusesEveryDamageByNameAndTakesNothing) {
       {"no height", [](json& v) { v["view"]["camera"]["half_height_m"] = 0; },
        "view.camera.half_height_m"},
       {"no grey", [](json& v) { v["view"]["grey"]["width"] = 0; }, "view.grey.width"},
-      {"two slices", [](json& v) { v["view"]["slices"].erase(2); }, "view.slices"},
+      {"three slices", [](json& v) { v["view"]["slices"].erase(2); }, "view.slices"},
       {"no zoom", [](json& v) { v["view"]["slices"][1]["zoom"] = 0; }, "view.slices[1].zoom"},
       {"layout is a number", [](json& v) { v["view"]["layout"] = 4; }, "view.layout"},
+      {"no layout", [](json& v) { v["view"].erase("layout"); }, "\"view.layout\" is missing"},
+      {"unknown arrangement", [](json& v) { v["view"]["layout"]["arrangement"] = "six"; },
+       "view.layout.arrangement"},
+      {"a view too many", [](json& v) { v["view"]["layout"]["active"] = 5; }, "view.layout.active"},
+      {"half a view", [](json& v) { v["view"]["layout"]["active"] = 1.5; }, "view.layout.active"},
+      {"alone as text", [](json& v) { v["view"]["layout"]["alone"] = "no"; }, "view.layout.alone"},
+      {"tool view as number", [](json& v) { v["view"]["layout"]["tool_view"] = 1; },
+       "view.layout.tool_view"},
+      {"no share", [](json& v) { v["view"]["layout"]["shares"][1][0] = 0; },
+       "view.layout.shares[1][0]"},
+      {"a huge share", [](json& v) { v["view"]["layout"]["shares"][0][2] = 11; },
+       "view.layout.shares[0][2]"},
+      {"a column without views", [](json& v) { v["view"]["layout"]["shares"][2] = {1.0}; },
+       "view.layout.shares[2]"},
+      {"six columns",
+       [](json& v) {
+         v["view"]["layout"]["shares"] = json(6, {1.0, 1.0});
+       },
+       "view.layout.shares"},
+      {"no voxels' look", [](json& v) { v["view"].erase("voxels"); }, "\"view.voxels\" is missing"},
+      {"unknown interpolation", [](json& v) { v["view"]["voxels"]["interpolation"] = "cubic"; },
+       "view.voxels.interpolation"},
+      {"unknown slab", [](json& v) { v["view"]["voxels"]["slab"] = 1; }, "view.voxels.slab"},
+      {"slab without a thickness", [](json& v) { v["view"]["voxels"]["thickness_m"] = 0.0; },
+       "view.voxels.thickness_m"},
+      {"slab of a metre", [](json& v) { v["view"]["voxels"]["thickness_m"] = 1.0; },
+       "view.voxels.thickness_m"},
+      {"plane as text", [](json& v) { v["view"]["tool_plane"]["along"] = "yes"; },
+       "view.tool_plane.along"},
+      {"plane far away", [](json& v) { v["view"]["tool_plane"]["depth_m"] = 101; },
+       "view.tool_plane.depth_m"},
+      {"unknown colours", [](json& v) { v["view"]["surface"]["colours"] = "red"; },
+       "view.surface.colours"},
+      {"second as text", [](json& v) { v["view"]["surface"]["second"] = "skin"; },
+       "view.surface.second"},
+      {"second too large", [](json& v) { v["view"]["surface"]["second"] = 1e39; },
+       "view.surface.second"},
+      {"no second", [](json& v) { v["view"]["surface"].erase("second"); },
+       "\"view.surface.second\" is missing"},
       {"crosshair is text", [](json& v) { v["view"]["cross_m"][0] = "1"; }, "view.cross_m[0]"},
       {"a list",
        [](json& v) {
