@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/bindings.h"
 #include "ui/grey_presets.h"
 #include "ui/lengths.h"
 #include "ui/plane_colours.h"
