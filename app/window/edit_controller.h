@@ -2,15 +2,14 @@
 #pragma once
 
 #include <QAction>
-#include <QElapsedTimer>
 #include <QObject>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "app/background/task.h"
+#include "app/window/edit_queue.h"
 #include "app/window/shared_state.h"
 #include "haptics/edit/edit_history.h"
 #include "ui/main_window.h"
@@ -22,11 +21,8 @@
 
 namespace app {
 
-/// Takes parts of the scan away: the panel "Edit", its menu, and what it draws over the views.
-///
-/// Each edit runs on another thread, one at a time, in the order in which they were wanted. The
-/// touch goes on with the old volume, and edited() hands over the new one. What may put material
-/// back (undo, redo, reset, a wider crop) waits until the tool is out of contact.
+/// Takes parts of the scan away: the panel "Edit", its menu, and what it draws over the views. The
+/// edits are carried out by EditQueue.
 class EditController : public QObject {
   Q_OBJECT
  public:
@@ -35,7 +31,7 @@ class EditController : public QObject {
   /// Call it when another scene is on view.
   void showScene();
   /// Call it at display rate, with a snapshot that is as new as can be.
-  void refresh();
+  void refresh() { jobs_.refresh(); }
   /// During a replay nothing can be edited.
   void setReplaying(bool replaying);
 
@@ -48,9 +44,7 @@ class EditController : public QObject {
   /// the first of them. On an error the present ones stay.
   void restore(std::vector<haptics::Edit> edits);
   /// Whether an edit is under way or waits, or its picture is not there yet.
-  bool isBusy() const {
-    return running_.has_value() || held_.has_value() || !queue_.empty() || painter_.isRunning();
-  }
+  bool isBusy() const { return jobs_.isBusy(); }
 
  signals:
   /// A new volume and scene of the same scan. The receiver puts it into `shared.shown`. Its picture
@@ -62,52 +56,19 @@ class EditController : public QObject {
   void noted(const QString& text);
 
  private:
-  enum class Step { Apply, Undo, Redo, Reset, Restore };
-  struct Job {
-    Step step = Step::Apply;
-    std::vector<haptics::Edit> edits = {};
-  };
-  /// A job's result, ready for the touch.
-  struct Made {
-    std::shared_ptr<haptics::EditHistory> history;
-    std::shared_ptr<const haptics::Scene> scene;
-    std::shared_ptr<const haptics::Scene> base;  ///< whose tool and options it has
-    haptics::Pose start = haptics::Pose::Identity();
-  };
   struct Preview {
     double volume = 0.0;  ///< m^3
     std::shared_ptr<const ui::MarkedVoxels> voxels;
   };
-  using Watch = background::Watch;
 
   void buildMenu();
+  void connectJobs();
   void connectPanel();
   void connectOverlays();
   void addTool(const QString& text, ui::EditTool tool);
 
-  void want(Job job);
-  void startNext();
-  void start(const Job& job);
-  void deliver(haptics::Expected<Made> made);
-  void adopt();
-  void paint();
-  void cancelWait();
-  /// Takes a step of the history back that is not on view.
-  static void rollBack(haptics::EditHistory& history, Step step);
-  bool raises(const Job& job) const;
-  bool touches() const;
-  bool isClear() const;
-  void showWait(Step step);
-  void endWait();
+  void want(EditQueue::Job job);
   void showSteps();
-  static haptics::Expected<Made> worked(std::shared_ptr<haptics::EditHistory> history,
-                                        const Job& job, const Loaded& shown,
-                                        haptics::SceneOptions options, double isovalue,
-                                        const Watch& watch);
-  static haptics::Expected<void> built(Made& made, const Loaded& shown,
-                                       haptics::SceneOptions options, double isovalue,
-                                       const Watch& watch);
-
   void changeTool(ui::EditTool tool);
   void endTool();
   void apply(haptics::Edit edit);
@@ -135,17 +96,9 @@ class EditController : public QObject {
   QAction *undo_ = nullptr, *redo_ = nullptr, *reset_ = nullptr;
   bool replaying_ = false;
 
-  std::shared_ptr<const haptics::Volume> scan_;    ///< of the volume on view
-  std::shared_ptr<haptics::EditHistory> history_;  ///< of scan_; null: no edit yet
-  haptics::VoxelBox crop_shown_{};                 ///< bounds that the box on view began with
-  std::deque<Job> queue_;
-  std::optional<Job> running_;
-  std::optional<Made> held_;  ///< done, and waits until the tool is out of contact
-  QString wait_shown_;        ///< empty: nothing waits
-  QElapsedTimer untouched_;   ///< since the tool was last in contact
+  std::shared_ptr<const haptics::Volume> scan_;  ///< of the volume on view
   std::optional<haptics::Edit> previewed_;
-  background::Task<Made> task_;
-  background::Task<ui::Picture> painter_;  ///< of the volume that is touched
+  EditQueue jobs_;
   background::Task<Preview> previewer_;
   background::Task<QString> saver_;  ///< the name of the written file
 };
