@@ -9,7 +9,7 @@
 namespace ui {
 namespace {
 
-constexpr int kBar = 3;  // px
+constexpr int kSideBar = 3;  // px
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void WarningLabel::setWarning(bool warning) {
   if (warning == warning_) return;
   warning_ = warning;
   if (warning)
-    setContentsMargins(kBar + 7, 4, 6, 4);
+    setContentsMargins(kSideBar + 7, 4, 6, 4);
   else
     setContentsMargins(0, 0, 0, 0);
   update();
@@ -29,7 +29,7 @@ void WarningLabel::paintEvent(QPaintEvent* event) {
   if (warning_) {
     QPainter painter(this);
     painter.fillRect(rect(), style::colours().attention_ground);
-    painter.fillRect(QRect(0, 0, kBar, height()), style::colours().attention);
+    painter.fillRect(QRect(0, 0, kSideBar, height()), style::colours().attention);
   }
   QLabel::paintEvent(event);
 }
