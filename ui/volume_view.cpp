@@ -37,11 +37,12 @@ constexpr double kTurnKey = 1.0 / 36.0;  // of the view, as a drag: 5 degrees
 constexpr double kShiftKey = 24.0;       // px
 constexpr double kGrab = 8.0;            // px about the tool that count as on it
 constexpr double kVeil = 0.38;           // opacity of the second surface
-constexpr double kBehindTool_mm = 120.0;  // of the eye, looking along the tool
-constexpr double kContactMark = 5.0;      // px, radius
-constexpr double kArrowOfHeight = 0.25;   // of the view's height, for kArrowForce
-constexpr double kArrowForce = 5.0;       // N
-constexpr double kLeastForce = 0.02;      // N: less is not shown
+constexpr double kBehindTool_mm = 120.0;                 // of the eye, looking along the tool
+constexpr double kLetterSide = 28.0, kLetterEnd = 20.0;  // px, at the edges, where letters stand
+constexpr double kContactMark = 5.0;                     // px, radius
+constexpr double kArrowOfHeight = 0.25;                  // of the view's height, for kArrowForce
+constexpr double kArrowForce = 5.0;                      // N
+constexpr double kLeastForce = 0.02;                     // N: less is not shown
 using style::kViewGround;
 
 double fromSegment(QPointF p, QPointF a, QPointF b) {
@@ -89,6 +90,9 @@ class VolumeView::Geometry : public ViewGeometry {
   }
   double offset_mm(const Eigen::Vector3d&) const override { return 0.0; }
   const QWidget& widget() const override { return view_; }
+  QRectF room() const override {
+    return QRectF(view_.rect()).adjusted(kLetterSide, kLetterEnd, -kLetterSide, -kLetterEnd);
+  }
 
  private:
   const VolumeView& view_;
