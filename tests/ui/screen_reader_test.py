@@ -46,13 +46,18 @@ if INSIDE not in os.environ:
     os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x900x24", "dbus-run-session", "--",
                            sys.executable, *sys.argv])
 
+BEGUN = time.monotonic()
 CONTEXT = GLib.MainContext.default()
 heard = []  # what was said: kind, name and role of its source
+focus = None  # the part that has it, as it was said
 
 
 def hear(event):
+    global focus
     try:
         heard.append((event.type, event.source.get_name(), event.source.get_role_name()))
+        if event.type.startswith("object:state-changed:focused") and event.detail1:
+            focus = event.source
     except GLib.Error:
         pass  # it is gone meanwhile
 
@@ -90,13 +95,19 @@ def parts(root):
             yield from parts(child)
 
 
+known = []  # the parts that were there at the last walk: a walk takes seconds on a machine that is busy
+
+
 def find(role, name):
     """The part with this role whose name begins so."""
-    for part in parts(program()):
-        if part.get_role_name() == role and part.get_name().startswith(name) and \
-                part.get_state_set().contains(Atspi.StateType.SHOWING):
-            return part
-    return None
+    def found():
+        return next((part for part in known if part.get_role_name() == role and part.get_name().startswith(name) and
+                     part.get_state_set().contains(Atspi.StateType.SHOWING)), None)
+    part = found()
+    if part is None:
+        known[:] = parts(program())
+        part = found()
+    return part
 
 
 def the(role, name):
@@ -119,13 +130,6 @@ def labelled(part):
             for index in range(relation.get_n_targets())]
 
 
-def focused():
-    for part in parts(program()):
-        if part.get_state_set().contains(Atspi.StateType.FOCUSED):
-            return part
-    return None
-
-
 KEYS = {"Tab": 0xff09, "Escape": 0xff1b, "Down": 0xff54, "Up": 0xff52, "Return": 0xff0d, "space": 0x20}
 
 
@@ -137,19 +141,21 @@ def press(key):
 def tab_to(role, wanted):
     """Presses Tab until the part is reached; each press waits for the focus to go on."""
     for _ in range(120):
-        now = focused()
-        if now is not None and now.get_role_name() == role and wanted(now):
+        now = focus
+        if now.get_role_name() == role and wanted(now):
             return now
-        before = len(heard)
         press("Tab")
-        wait("the focus goes on", lambda: any(kind.startswith("object:state-changed:focused")
-                                              for kind, _, _ in heard[before:]))
+        wait("the focus goes on", lambda: focus is not now)
     raise AssertionError(f"Tab reaches no {role}")
 
 
 def said(words, after=0):
     return [name for kind, name, _ in heard[after:] if kind.startswith("object:property-change:accessible-name")
             and words in name]
+
+
+def step(what):
+    print(f"{time.monotonic() - BEGUN:6.1f} s: {what}", flush=True)
 
 
 def value_of(part):
@@ -171,6 +177,7 @@ def main():
     axial = the("canvas", "Axial slice: ")
     assert " mm" in axial.get_name(), axial.get_name()
 
+    step("reads and sets the isovalue")
     # the isovalue in HU: not the steps of a slider
     slider = the("slider", "Isovalue")
     assert slider.get_name() == "Isovalue in HU", slider.get_name()
@@ -188,14 +195,16 @@ def main():
     stiffness = the("slider", "Stiffness in N/m")
     assert value_of(stiffness) == 1000.0, value_of(stiffness)
 
+    step("touches")
     # the first touch, by keys alone: another hand is chosen in its list
-    tab_to("combo box", lambda part: labelled(part) == ["Hand"])
+    hands = tab_to("combo box", lambda part: labelled(part) == ["Hand"])
     before = len(heard)
     press("Down")
-    wait("the simulated hand", lambda: find("combo box", "Simulated: tap"))
+    wait("the simulated hand", lambda: hands.get_name() == "Simulated: tap")
     wait("a force is said", lambda: any(name != "Force: 0.00 N" for name in said("Force: ", before)))
     wait("a touch is said", lambda: said("Touching at", before))
 
+    step("stops")
     # Escape takes the force away, and says so
     before = len(heard)
     press("Escape")
@@ -205,6 +214,7 @@ def main():
     the("alert", "Force stopped by Escape")
 
     # and is brought back by keys
+    step("brings it back by keys")
     tab_to("push button", lambda part: part.get_name() == "Resume")
     before = len(heard)
     press("space")
@@ -231,7 +241,8 @@ def take_keyboard():
     if child.value:
         x11.XSetInputFocus(display, child, 1, ctypes.c_ulong(0))
     x11.XCloseDisplay(display)
-    return focused()
+    pump()
+    return focus
 
 
 def find_window():
