@@ -26,10 +26,11 @@ struct ReplayTrack {
   std::vector<float> force_least = {}, force_most = {};
 };
 
-/// The whole recording from left to right: the force as a curve, events as symbols that differ in
-/// colour and shape, the present time as a line. A click or drag requests another time; while the
-/// mouse button is down the line follows the mouse. Left and Right request the tick before or
-/// after, Home and End the ends, Space play or pause.
+/// The whole recording from left to right: the force as a curve over axes of newtons and of time,
+/// events as symbols that differ in colour and shape, late ticks as short dim lines at the foot,
+/// the present time as a line. A click or drag requests another time; while the mouse button is
+/// down the line follows the mouse. Left and Right request the tick before or after, Home and End
+/// the ends, Space play or pause.
 class ReplayTimeline : public QWidget {
   Q_OBJECT
  public:
@@ -47,8 +48,8 @@ class ReplayTimeline : public QWidget {
   /// The texts of the events at `x`: a line each, plain text; empty if there is none.
   QString wordsAt(double x) const;
 
-  QSize sizeHint() const override { return {600, 68}; }
-  QSize minimumSizeHint() const override { return {200, 60}; }
+  QSize sizeHint() const override { return {600, 88}; }
+  QSize minimumSizeHint() const override { return {240, 80}; }
 
  signals:
   void timeWanted(double time);
@@ -68,7 +69,10 @@ class ReplayTimeline : public QWidget {
  private:
   void wish(double x);
   void drawGround();
+  /// Where the curve is drawn, px.
+  QRectF curveArea() const;
   void drawForce(QPainter& painter) const;
+  void drawTimes(QPainter& painter) const;
   void drawMarks(QPainter& painter) const;
 
   ReplayTrack track_;
