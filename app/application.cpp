@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/application.h"
 
+#include <QDesktopServices>
+#include <QUrl>
 #include <utility>
 
 #include "ui/volume_view.h"
@@ -31,6 +33,10 @@ Application::Application(Arguments arguments)
   wireMarks();
   wireLeaving();
   wirePreferences();
+  connect(&window_, &ui::MainWindow::folderWanted, this, [this](const QString& folder) {
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
+      window_.showMessage(tr("No program here shows folders. The file is in \"%1\".").arg(folder));
+  });
   connect(&window_, &ui::MainWindow::closing, this, [this] {
     close();
     preferences_.save();

@@ -15,6 +15,34 @@ namespace {
 
 constexpr int kSymbol = 20;
 
+QColor groundOf(Banner::Kind kind) {
+  const style::Colours& c = style::colours();
+  switch (kind) {
+    case Banner::Kind::Fault:
+      return c.fault_ground;
+    case Banner::Kind::Done:
+      return c.panel;
+    case Banner::Kind::Attention:
+    case Banner::Kind::Stopped:
+      break;
+  }
+  return c.attention_ground;
+}
+
+QColor markOf(Banner::Kind kind) {
+  const style::Colours& c = style::colours();
+  switch (kind) {
+    case Banner::Kind::Fault:
+      return c.stop_words;
+    case Banner::Kind::Done:
+      return c.on;
+    case Banner::Kind::Attention:
+    case Banner::Kind::Stopped:
+      break;
+  }
+  return c.attention;
+}
+
 }  // namespace
 
 Banner::Banner(Kind kind, const char* name, QWidget* parent)
@@ -67,10 +95,10 @@ void Banner::addClose() {
 void Banner::paintEvent(QPaintEvent*) {
   const style::Colours& c = style::colours();
   QPainter painter(this);
-  painter.fillRect(rect(), kind_ == Kind::Fault ? c.fault_ground : c.attention_ground);
+  painter.fillRect(rect(), groundOf(kind_));
   painter.fillRect(QRect(0, height() - 1, width(), 1), c.line);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor colour = kind_ == Kind::Fault ? c.stop_words : c.attention;
+  const QColor colour = markOf(kind_);
   painter.setPen(QPen(colour, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   const QPointF middle(style::kEdge + 0.5 * kSymbol, 0.5 * (height() - 1));
   const auto at = [&](double x, double y) { return middle + QPointF(x, y); };
@@ -79,6 +107,11 @@ void Banner::paintEvent(QPaintEvent*) {
     painter.drawPolygon(QPolygonF({at(-3.5, -8.5), at(3.5, -8.5), at(8.5, -3.5), at(8.5, 3.5),
                                    at(3.5, 8.5), at(-3.5, 8.5), at(-8.5, 3.5), at(-8.5, -3.5)}));
     painter.drawLine(at(-3.5, 0.0), at(3.5, 0.0));
+    return;
+  }
+  if (kind_ == Kind::Done) {
+    painter.drawEllipse(middle, 8.5, 8.5);
+    painter.drawPolyline(QPolygonF({at(-4.0, 0.5), at(-1.0, 3.5), at(4.5, -3.0)}));
     return;
   }
   painter.drawPolygon(QPolygonF({at(0.0, -8.0), at(9.0, 7.5), at(-9.0, 7.5)}));

@@ -80,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent)
       details_(new QToolButton),
       fault_(new Banner(Banner::Kind::Fault, "fault")),
       message_(new Banner(Banner::Kind::Attention, "message")),
+      done_(new Banner(Banner::Kind::Done, "done")),
       stopped_(new Banner(Banner::Kind::Stopped, "stopped")),
       resume_(stopped_->addButton("forceOn")),
       loading_(new QFrame),
@@ -113,6 +114,10 @@ void MainWindow::buildBanners() {
   resume_->setToolTip(tr("The force may come back: hold the handle"));
   fault_->addClose();
   message_->addClose();
+  QPushButton* folder = done_->addButton("showInFolder");
+  folder->setText(tr("Show in folder"));
+  connect(folder, &QPushButton::clicked, this, [this] { emit folderWanted(done_folder_); });
+  done_->addClose();
 }
 
 void MainWindow::buildViews() {
@@ -144,6 +149,7 @@ void MainWindow::buildViews() {
   column->addWidget(fault_);
   column->addWidget(stopped_);
   column->addWidget(message_);
+  column->addWidget(done_);
   // in the same place: the page covers the views until there is something to see
   auto* views = new QGridLayout;
   views->addWidget(views_, 0, 0);
@@ -669,11 +675,22 @@ void MainWindow::setRecentPlaces(const QList<Place>& places, bool remembered) {
 void MainWindow::setSeriesKnown(bool known) { series_->setEnabled(known); }
 
 void MainWindow::showMessage(const QString& sentence) {
+  done_->hide();
   message_->setSentence(sentence);
   message_->show();
 }
 
-void MainWindow::clearMessage() { message_->hide(); }
+void MainWindow::clearMessage() {
+  message_->hide();
+  done_->hide();
+}
+
+void MainWindow::showDone(const QString& sentence, const QString& folder) {
+  message_->hide();
+  done_->setSentence(sentence);
+  done_folder_ = folder;
+  done_->show();
+}
 
 void MainWindow::showFault(const QString& sentence) {
   fault_->setSentence(sentence);

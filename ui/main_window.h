@@ -114,7 +114,10 @@ class MainWindow : public QMainWindow {
 
   /// Shows a sentence until the user closes it, or until clearMessage().
   void showMessage(const QString& sentence);
+  /// Hides what showMessage() or showDone() shows.
   void clearMessage();
+  /// Shows in place of a message that something was written, with a button for its folder.
+  void showDone(const QString& sentence, const QString& folder);
   /// Shows a sentence in a separate bar, which only the user closes.
   void showFault(const QString& sentence);
   void showLoading(const QString& what);
@@ -189,6 +192,8 @@ class MainWindow : public QMainWindow {
   /// The user wants to see the haptic devices.
   void devicesWanted();
   void cancelWanted();
+  /// The user wants to see this folder in a program for folders.
+  void folderWanted(const QString& folder);
   /// The user chose a preset in the View menu.
   void isovalueWanted(double isovalue);
   /// The state of the touch is due in words, at most ten times a second.
@@ -255,6 +260,8 @@ class MainWindow : public QMainWindow {
   QToolButton* details_;
   Banner* fault_;
   Banner* message_;
+  Banner* done_;
+  QString done_folder_;  ///< of what done_ tells
   Banner* stopped_;
   QPushButton* resume_;
   Feel feel_ = Feel::Shown;

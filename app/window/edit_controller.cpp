@@ -433,9 +433,10 @@ void EditController::save(const QString& path) {
         if (!written) return tl::unexpected(written.error());
         return QString::fromStdString(out.filename().string());
       },
-      [this](const haptics::Expected<QString>& name) {
+      [this, folder = QString::fromStdString(out.parent_path().string())](
+          const haptics::Expected<QString>& name) {
         window_.endLoading();
-        if (name) return window_.showMessage(tr("\"%1\" was saved.").arg(*name));
+        if (name) return window_.showDone(tr("\"%1\" was saved.").arg(*name), folder);
         if (name.error().kind != haptics::Error::Kind::Cancelled)
           window_.showMessage(name.error().reason == background::kNoMemory
                                   ? tr("There is not enough memory to save this volume.")

@@ -34,8 +34,9 @@ ExportController::ExportController(ui::MainWindow& window, SharedState& shared,
     : window_(window), shared_(shared), recordings_(recordings), identity_(identity) {
   connect(&window, &ui::MainWindow::cancelWanted, &task_, &ExportTask::cancel);
   connect(&task_, &ExportTask::progressed, &window, &ui::MainWindow::showProgress);
-  connect(&task_, &ExportTask::finished, this, [this](bool, const QString& what) {
+  connect(&task_, &ExportTask::finished, this, [this](bool well, const QString& what) {
     window_.endLoading();
+    if (well) return window_.showDone(what, folder_);
     if (!what.isEmpty()) window_.showMessage(what);
   });
 }
@@ -91,8 +92,10 @@ void ExportController::exportRecording(const QString& id) {
 }
 
 void ExportController::exportTo(ExportRequest request) {
+  const QString folder = QString::fromStdString(request.out.parent_path().string());
   if (!task_.start(std::move(request)))
     return window_.showMessage(tr("An export is under way; wait for it, or cancel it first."));
+  folder_ = folder;
   window_.clearMessage();
   window_.showLoading(tr("Exporting"));
 }

@@ -31,6 +31,7 @@ class ExportController : public QObject {
   const Recordings& recordings_;
   const VolumeIdentity& identity_;
   ExportTask task_;
+  QString folder_;  ///< of the present or last export
 };
 
 }  // namespace app

@@ -213,7 +213,7 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
   Source source;
   if (request.phantom) {
     watch.advanced(kSurveyed);  // a bar without a fraction is in motion, beside the making
-    auto phantom = datasets::makePhantom(*request.phantom);
+    auto phantom = datasets::makePhantom(*request.phantom, &watch.cancel);
     if (!phantom) return tl::unexpected(phantom.error());
     source.isovalue = phantom->isovalue;
     source.tool = phantom->tool;

@@ -15,6 +15,31 @@
 #include "ui/start_page.h"
 
 namespace app {
+namespace {
+
+/// What was refused, why, and what is shown or held as before.
+QString refusalOf(const LoadRequest& request, const QString& why,
+                  const std::optional<Loaded>& shown) {
+  using Words = OpeningController;
+  if (request.keep) {
+    const QString tool = request.tool ? labelOf(*request.tool) : QString{};
+    const QString stays =
+        shown ? Words::tr(" The tool is still %1.").arg(labelOf(shown->tool)) : "";
+    // another field with the same tool
+    if (!request.tool || (shown && tool == labelOf(shown->tool))) return why + stays;
+    return Words::tr("The tool \"%1\" was not taken. %2").arg(tool, why) + stays;
+  }
+  QString name = QString::fromStdString(request.phantom.value_or(std::string{}));
+  if (request.path) {
+    const std::filesystem::path& path = *request.path;
+    name = QString::fromStdString(
+        (path.has_filename() ? path : path.parent_path()).filename().string());
+  }
+  const QString what = name.isEmpty() ? why : Words::tr("\"%1\" was not opened. %2").arg(name, why);
+  return shown ? Words::tr("%1 Still shown: %2.").arg(what, shown->title) : what;
+}
+
+}  // namespace
 
 OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared,
                                      PreferencesController& preferences,
@@ -134,7 +159,8 @@ void OpeningController::refuse(const LoadRequest& request, const haptics::Error&
   if (shared_.shown) shared_.options.field = shared_.shown->scene->field.kind();
   emit failed(error);
   if (asks_ && choice_.ask(request, error)) return;
-  if (error.kind != haptics::Error::Kind::Cancelled) window_.showMessage(sentenceOf(error));
+  if (error.kind != haptics::Error::Kind::Cancelled)
+    window_.showMessage(refusalOf(request, sentenceOf(error), shared_.shown));
 }
 
 void OpeningController::openDropped(const QStringList& paths) {

@@ -34,6 +34,15 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
   connect(panel_, &ui::RecordingPanel::recoverWanted, this, &RecordingController::recover);
   connect(panel_, &ui::RecordingPanel::deleteWanted, this, &RecordingController::deleteRecording);
   connect(panel_, &ui::RecordingPanel::exportWanted, this, &RecordingController::exportWanted);
+  connect(panel_, &ui::RecordingPanel::labelChanged, this,
+          [this](const QString& id, const QString& label) {
+            if (!recordings_.setLabel(id, label))
+              window_.showMessage(
+                  tr("The label was not kept: Palpate's own folder cannot be written; check its "
+                     "permissions and the room on its disk."));
+          });
+  connect(panel_, &ui::RecordingPanel::seen, this, &RecordingController::readCurves);
+  connect(&curves_, &ForceCurves::read, panel_, &ui::RecordingPanel::showCurve);
   connect(&window, &ui::MainWindow::recordingWanted, this,
           [this](const QString& path) { emit openWanted(path.toStdString()); });
   connect(&recording_, &SessionRecording::statusChanged, panel_,
@@ -63,9 +72,16 @@ void RecordingController::refresh() {
 }
 
 void RecordingController::showRecordings() {
-  const QList<ui::PastRecording> recordings = recordings_.list(recording_.present());
+  QList<ui::PastRecording> recordings = recordings_.list(recording_.present());
+  for (ui::PastRecording& recording : recordings) recording.curve = curves_.of(recording.id);
   panel_->show(recordings);
+  finished_.clear();
+  for (const ui::PastRecording& recording : recordings)
+    if (recording.finished) finished_ << recording.id;
+  if (panel_->isVisible()) readCurves();
 }
+
+void RecordingController::readCurves() { curves_.want(recordings_.folder(), finished_); }
 
 void RecordingController::offerRecovery() {
   for (const ui::PastRecording& recording : recordings_.list(recording_.present()))
@@ -113,6 +129,7 @@ void RecordingController::deleteRecording(const QString& id) {
     std::error_code ignored;
     std::filesystem::remove(path.string() + ending, ignored);
   }
+  if (!error) recordings_.setLabel(id, {});
   if (error)
     window_.showMessage(
         tr("The recording could not be deleted; check the permissions of its folder."));

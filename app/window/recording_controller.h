@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/background/task.h"
+#include "app/window/force_curve.h"
 #include "app/window/recordings.h"
 #include "app/window/session_recording.h"
 #include "app/window/shared_state.h"
@@ -48,6 +49,7 @@ class RecordingController : public QObject {
 
  private:
   void record(bool record);
+  void readCurves();
   void noteCamera();
   void deleteRecording(const QString& id);
   void recover(const QString& id);
@@ -58,6 +60,8 @@ class RecordingController : public QObject {
   ui::RecordingPanel* panel_;  ///< the window's
   SessionRecording recording_;
   background::Task<std::filesystem::path> recoverer_;
+  ForceCurves curves_;
+  QList<QString> finished_;     ///< ids of the recordings in the list that have a curve
   std::string camera_noted_;    ///< text of the last recorded camera
   QElapsedTimer since_camera_;  ///< time since the last recorded camera
 };

@@ -2,6 +2,10 @@
 #include "app/window/recordings.h"
 
 #include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QSaveFile>
 #include <QStandardPaths>
 #include <QTemporaryFile>
 #include <algorithm>
@@ -15,6 +19,19 @@
 namespace app {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr qint64 kLongestLabels = 1'000'000;  // bytes
+
+/// Of a recording, finished or not.
+QString keyOf(const QString& id) { return id.section(QStringLiteral(".palpate"), 0, 0); }
+
+QDateTime changedAt(const fs::path& path) {
+  return QFileInfo(QString::fromStdString(path.string())).lastModified();
+}
+
+}  // namespace
 
 Recordings::Recordings(fs::path folder) { setFolder(std::move(folder)); }
 
@@ -53,8 +70,35 @@ fs::path Recordings::next() const {
     std::snprintf(name, sizeof name, "session-%04d.palpate", n);
     if (!fs::exists(folder_ / name, error) &&
         !fs::exists(folder_ / (std::string(name) + ".part"), error))
-      return folder_ / name;
+      // a number that is used again brings no label of a recording that is gone
+      return setLabel(name, {}), folder_ / name;
   }
+}
+
+fs::path Recordings::labelFile() const {
+  const fs::path folder = folder_.has_filename() ? folder_ : folder_.parent_path();
+  return folder.parent_path() / (folder.filename().string() + "-labels.json");
+}
+
+QJsonObject Recordings::labels() const {
+  QFile file(QString::fromStdString(labelFile().string()));
+  if (!file.open(QIODevice::ReadOnly) || file.size() > kLongestLabels) return {};
+  return QJsonDocument::fromJson(file.readAll()).object();
+}
+
+bool Recordings::setLabel(const QString& id, const QString& label) const {
+  QJsonObject all = labels();
+  const QString key = keyOf(id);
+  if (all.value(key).toString() == label) return true;
+  if (label.isEmpty())
+    all.remove(key);
+  else
+    all.insert(key, label);
+  QSaveFile file(QString::fromStdString(labelFile().string()));
+  if (!file.open(QIODevice::WriteOnly)) return false;
+  file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+  file.write(QJsonDocument(all).toJson());
+  return file.commit();
 }
 
 QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
@@ -69,6 +113,7 @@ QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
       paths.push_back(path);
   }
   std::sort(paths.rbegin(), paths.rend());
+  const QJsonObject labels = this->labels();
   QList<ui::PastRecording> recordings;
   for (const fs::path& path : paths) {
     const auto id = QString::fromStdString(path.filename().string());
@@ -76,11 +121,16 @@ QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
       recordings.append({.id = id,
                          .name = QString::fromStdString(path.stem().stem().string()),
                          .bytes = static_cast<qint64>(fs::file_size(path, error)),
-                         .finished = false});
+                         .finished = false,
+                         .label = labels.value(keyOf(id)).toString(),
+                         .changed = changedAt(path)});
       continue;
     }
     const auto summary = haptics::summaryOf(path);
-    ui::PastRecording recording{.id = id, .name = QString::fromStdString(path.stem().string())};
+    ui::PastRecording recording{.id = id,
+                                .name = QString::fromStdString(path.stem().string()),
+                                .label = labels.value(keyOf(id)).toString(),
+                                .changed = changedAt(path)};
     if (summary) {
       recording.duration = summary->duration;
       recording.tool = QString::fromStdString(summary->tool);

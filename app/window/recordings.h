@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QJsonObject>
 #include <QList>
 #include <QString>
 #include <filesystem>
@@ -9,7 +10,9 @@
 
 namespace app {
 
-/// The folder of recordings and its content. Names have numbers, and no person or date. GUI thread.
+/// The folder of recordings and its content. Names have numbers, and no person or date. The labels
+/// that the user gives stand in a file beside that folder, so that neither a recording nor an
+/// export holds them. GUI thread.
 class Recordings {
  public:
   /// An empty path: the user's own folder for Palpate's files.
@@ -18,15 +21,20 @@ class Recordings {
   const std::filesystem::path& folder() const { return folder_; }
   /// From now on; an empty path: the user's own.
   void setFolder(std::filesystem::path folder);
-  /// A path that does not exist yet; makes the folder.
+  /// A path that does not exist yet, without a label; makes the folder.
   std::filesystem::path next() const;
   /// All recordings except `present`, which is being written; the newest first.
   QList<ui::PastRecording> list(const std::filesystem::path& present) const;
   std::filesystem::path pathOf(const QString& id) const { return folder_ / id.toStdString(); }
+  /// The label of a recording; an empty one is forgotten. False: it could not be kept.
+  bool setLabel(const QString& id, const QString& label) const;
   /// Free space of the disk, bytes.
   double room() const;
 
  private:
+  std::filesystem::path labelFile() const;
+  QJsonObject labels() const;
+
   std::filesystem::path folder_;
 };
 

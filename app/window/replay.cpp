@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/window/force_curve.h"
 #include "app/window/sentence.h"
 
 namespace app {
@@ -43,34 +44,14 @@ Replay::Replay(haptics::Recording recording, std::filesystem::path path)
   timer_.setInterval(kFrameMs);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &Replay::advance);
-  reader_.start([path = path_](const background::Watch& watch) { return curveOf(path, watch); },
-                [this](haptics::Expected<Curve> curve) {
+  reader_.start([path = path_](
+                    const background::Watch& watch) { return forceCurveOf(path, kBins, 0, watch); },
+                [this](haptics::Expected<ForceCurve> curve) {
                   if (!curve) return;  // then there is no curve
                   track_.force_least = std::move(curve->least);
                   track_.force_most = std::move(curve->most);
                   emit trackRead();
                 });
-}
-
-haptics::Expected<Replay::Curve> Replay::curveOf(const std::filesystem::path& path,
-                                                 const background::Watch& watch) {
-  auto recording = haptics::Recording::open(path);
-  if (!recording) return tl::unexpected(recording.error());
-  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-  Curve curve{std::vector<float>(kBins, kNone), std::vector<float>(kBins, kNone)};
-  const double span = std::max(1e-9, recording->end() - recording->begin());
-  const double everything = std::numeric_limits<double>::infinity();
-  const auto read =
-      recording->forEach(-everything, everything, [&](const haptics::RecordedStep& step) {
-        const double place = (timeOf(step) - recording->begin()) / span * double(kBins);
-        const auto bin = std::min(kBins - 1, static_cast<std::size_t>(std::max(0.0, place)));
-        const auto force = static_cast<float>(step.step.sent_W.force.norm());
-        curve.least[bin] = std::fmin(curve.least[bin], force);
-        curve.most[bin] = std::fmax(curve.most[bin], force);
-        return !watch.cancelled();
-      });
-  if (!read) return tl::unexpected(read.error());
-  return curve;
 }
 
 bool Replay::load(std::size_t block) {

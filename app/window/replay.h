@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/background/task.h"
+#include "app/window/force_curve.h"
 #include "haptics/recording/recording.h"
 #include "haptics/snapshot.h"
 #include "ui/panels/force_plot.h"
@@ -49,13 +50,6 @@ class Replay : public QObject {
   void failed(const QString& why);
 
  private:
-  /// Least and greatest force [N] in equal intervals of time.
-  struct Curve {
-    std::vector<float> least, most;
-  };
-  static haptics::Expected<Curve> curveOf(const std::filesystem::path& path,
-                                          const background::Watch& watch);
-
   explicit Replay(haptics::Recording recording, std::filesystem::path path);
   bool load(std::size_t block);
   void advance();
@@ -69,7 +63,7 @@ class Replay : public QObject {
   double time_ = 0.0, speed_ = 1.0;
   QTimer timer_;
   QElapsedTimer since_;
-  background::Task<Curve> reader_;
+  background::Task<ForceCurve> reader_;
 };
 
 }  // namespace app

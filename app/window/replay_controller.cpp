@@ -4,6 +4,7 @@
 #include "app/window/edited_volume.h"
 #include "app/window/sentence.h"
 #include "app/window/touched_surface.h"
+#include "app/window/volume_words.h"
 #include "haptics/edit/edited.h"
 #include "haptics/recording/replay.h"
 #include "ui/panels/force_plot.h"
@@ -37,6 +38,17 @@ haptics::Snapshot snapshotOf(const haptics::Step& step, std::uint32_t scene) {
 
 std::uint64_t digestOf(const ui::Picture& picture) {
   return picture.volume && picture.volume->edited ? picture.volume->edited->digest : 0;
+}
+
+/// What tells the volume that was touched from the one on view, which is another.
+QString differenceOf(const haptics::Volume& touched, const haptics::Volume& here) {
+  const QString then = geometryWords(touched.grid, touched.type);
+  const QString now = geometryWords(here.grid, here.type);
+  if (then != now) return ReplayController::tr("that one has %1, this one %2").arg(then, now);
+  return haptics::liesLike(touched, here)
+             ? ReplayController::tr("both have %1 at the same place, but the voxels differ")
+                   .arg(then)
+             : ReplayController::tr("both have %1, but they lie at other places").arg(then);
 }
 
 }  // namespace
@@ -168,10 +180,11 @@ void ReplayController::compareVolumes() {
   if (same_volume_)
     same_volume_ = haptics::compared(then->hash, identity_.of(shared_.shown->volume())) !=
                    haptics::SameVolume::Another;
-  QString warning;
-  if (then != nullptr && !same_volume_)
-    warning = tr("The volume on view is not the one that was touched; open that one to see it.");
-  window_.replayBar().showWarning(warning);
+  window_.replayBar().showWarning(
+      then == nullptr || same_volume_
+          ? QString{}
+          : tr("The volume on view is not the one that was touched: %1; open that one to see it.")
+                .arg(differenceOf(then->volume, *shared_.shown->volume())));
   if (same_volume_) showEdits(*then);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "datasets/readers/meshes/tool_mesh.h"
 #include "haptics/smoothing.h"
 #include "resources/named_tools.h"
 #include "ui/panels/tool_list.h"
@@ -39,6 +40,7 @@ ToolController::ToolController(ui::DevicePanel& panel, SharedState& shared)
   panel.setFields({{kTrilinear, tr("As scanned")}, {kSpline, tr("Smoothed")}});
   connect(&panel, &ui::DevicePanel::toolChosen, this,
           [this](const QString& id) { changeTool(toolNamed(id.toStdString())); });
+  connect(&panel, &ui::DevicePanel::toolFileFound, this, &ToolController::askForUnit);
   connect(&panel, &ui::DevicePanel::toolFileChosen, this,
           [this](const QString& path, const QString& unit) {
             changeTool({.name = path.toStdString(),
@@ -76,6 +78,29 @@ ToolSource ToolController::toolNamed(const std::string& name) const {
 
 void ToolController::changeTool(const ToolSource& tool) {
   if (shared_.shown) emit wanted(requestWith(tool), tr("Preparing the tool"));
+}
+
+void ToolController::askForUnit(const QString& path) {
+  sizer_.start(
+      [path](const background::Watch&) -> haptics::Expected<std::array<double, 3>> {
+        const auto tool = datasets::readToolMesh(path.toStdString(), datasets::MeshUnit::Metre);
+        if (!tool) return tl::unexpected(tool.error());
+        haptics::Vec3 least = tool->mesh.vertices.front(), most = least;
+        for (const haptics::Vec3& v : tool->mesh.vertices) {
+          least = least.cwiseMin(v);
+          most = most.cwiseMax(v);
+        }
+        const haptics::Vec3 sides = most - least;
+        return std::array<double, 3>{sides.x(), sides.y(), sides.z()};
+      },
+      [this, path](const haptics::Expected<std::array<double, 3>>& numbers) {
+        // the question waits for the user: outside of what delivers the result
+        if (numbers)
+          return QTimer::singleShot(
+              0, this, [this, path, sides = *numbers] { panel_.askForUnit(path, sides); });
+        // loading it says why it cannot be read
+        changeTool({.name = path.toStdString(), .file = std::filesystem::path(path.toStdString())});
+      });
 }
 
 void ToolController::changeField(const QString& id) {

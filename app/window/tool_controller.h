@@ -3,8 +3,10 @@
 
 #include <QObject>
 #include <QTimer>
+#include <array>
 #include <string>
 
+#include "app/background/task.h"
 #include "app/window/loader.h"
 #include "app/window/shared_state.h"
 #include "ui/panels/device_panel.h"
@@ -31,6 +33,8 @@ class ToolController : public QObject {
 
  private:
   void changeField(const QString& id);
+  /// Reads how large the tool of a file is, and asks for its unit.
+  void askForUnit(const QString& path);
   void showField();
   /// A tool of the list: the one on view, which may be a file, or a named one.
   ToolSource toolNamed(const std::string& name) const;
@@ -39,6 +43,7 @@ class ToolController : public QObject {
 
   ui::DevicePanel& panel_;
   SharedState& shared_;
+  background::Task<std::array<double, 3>> sizer_;
   QTimer rest_;  ///< fires when the isovalue has rested
 };
 

@@ -4,6 +4,7 @@
 #include <QBuffer>
 #include <QClipboard>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QStatusBar>
 #include <algorithm>
@@ -124,7 +125,9 @@ void ViewController::savePicture(const ui::SliceView* first) {
                                     {bytes.data().constData(), std::size_t(bytes.data().size())}))
     return window_.showMessage(
         tr("'%1' was not written; choose a folder with room that you may write to.").arg(path));
-  window_.statusBar()->showMessage(tr("The picture was saved as '%1'.").arg(path), kPictureSaidMs);
+  const QFileInfo file(path);
+  window_.showDone(tr("The picture was saved as \"%1\".").arg(file.fileName()),
+                   file.absolutePath());
 }
 
 void ViewController::copyPicture() {

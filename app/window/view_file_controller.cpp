@@ -5,15 +5,14 @@
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QMetaMethod>
-#include <QStatusBar>
 #include <cmath>
 #include <system_error>
 #include <utility>
 
 #include "app/window/edited_volume.h"
 #include "app/window/sentence.h"
+#include "app/window/volume_words.h"
 #include "haptics/edit/edited.h"
 #include "haptics/recording/recording.h"
 #include "resources/named_tools.h"
@@ -22,22 +21,8 @@
 namespace app {
 namespace {
 
-constexpr int kSavedMs = 6000;
-
 QString inQuotes(const std::filesystem::path& path) {
   return "\"" + QString::fromStdString(path.filename().string()) + "\"";
-}
-
-/// "64 x 64 x 64 voxels of 1 x 1 x 1 mm (int16)"
-QString geometryWords(const haptics::Grid& grid, haptics::ScalarType type) {
-  const auto mm = [&](int axis) {
-    return QLocale().toString(grid.spacing[axis] * ui::kMmPerM, 'g', 4);
-  };
-  return ViewFileController::tr("%1 x %2 x %3 voxels of %4 x %5 x %6 mm (%7)")
-      .arg(grid.dims[0])
-      .arg(grid.dims[1])
-      .arg(grid.dims[2])
-      .arg(mm(0), mm(1), mm(2), QString::fromLatin1(nameOf(type)));
 }
 
 std::vector<std::string> textsOf(const std::vector<haptics::Edit>& edits) {
@@ -335,8 +320,8 @@ void ViewFileController::write() {
     marks_.setSaved(view.marks);
     edits_in_file_ = textsOf(view.edits);
   }
-  window_.statusBar()->showMessage(tr("Saved the view as %1.").arg(inQuotes(saving_path_)),
-                                   kSavedMs);
+  window_.showDone(tr("The view was saved as %1.").arg(inQuotes(saving_path_)),
+                   QString::fromStdString(saving_path_.parent_path().string()));
   endSaving(true);
 }
 

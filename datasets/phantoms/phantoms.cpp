@@ -9,7 +9,7 @@ namespace {
 
 struct Entry {
   const char* name;
-  haptics::Expected<Phantom> (*make)();
+  haptics::Expected<Phantom> (*make)(const std::atomic<bool>* cancel);
 };
 
 constexpr Entry kPhantoms[] = {
@@ -27,10 +27,10 @@ std::vector<std::string> phantomNames() {
   return names;
 }
 
-haptics::Expected<Phantom> makePhantom(const std::string& name) {
+haptics::Expected<Phantom> makePhantom(const std::string& name, const std::atomic<bool>* cancel) {
   std::string known;
   for (const Entry& entry : kPhantoms) {
-    if (name == entry.name) return entry.make();
+    if (name == entry.name) return entry.make(cancel);
     known += (known.empty() ? "" : ", ") + std::string{entry.name};
   }
   return tl::unexpected(haptics::Error{.kind = haptics::Error::Kind::NotFound,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ struct Phantom {
 /// demo, sphere, halfspace, torus, gyroid, wedge, hole, …
 std::vector<std::string> phantomNames();
 
-/// Makes a named phantom; deterministic to the bit. An unknown name lists the known ones.
-haptics::Expected<Phantom> makePhantom(const std::string& name);
+/// Makes a named phantom; deterministic to the bit. An unknown name lists the known ones. Once
+/// `cancel` is true, no further layer is made and the result is Error::Kind::Cancelled.
+haptics::Expected<Phantom> makePhantom(const std::string& name,
+                                       const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace datasets

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -45,10 +46,12 @@ struct Ramp {
 };
 
 /// Samples a signed distance, `distance(p_W)` in metres and positive outside, as voxels of
-/// type T. The grid's spacing must be the same along its axes.
+/// type T. The grid's spacing must be the same along its axes. Once `cancel` is true, no further
+/// layer is sampled and the result is Error::Kind::Cancelled.
 template <class T, class Distance>
 haptics::Expected<haptics::Volume> sampled(const haptics::Grid& grid, const Ramp& ramp,
-                                           Distance&& distance, haptics::VolumeFacts facts = {}) {
+                                           Distance&& distance, haptics::VolumeFacts facts = {},
+                                           const std::atomic<bool>* cancel = nullptr) {
   constexpr auto type = std::is_same_v<T, std::uint8_t> ? haptics::ScalarType::UInt8
                         : std::is_same_v<T, float>      ? haptics::ScalarType::Float32
                                                         : haptics::ScalarType::Int16;
@@ -57,7 +60,9 @@ haptics::Expected<haptics::Volume> sampled(const haptics::Grid& grid, const Ramp
   auto voxels = haptics::allocateVoxels(grid.voxelCount(), type);
   if (!voxels) return tl::unexpected(voxels.error());
   T* next = static_cast<T*>(voxels->get());
-  for (std::int64_t k = 0; k < grid.dims[2]; ++k)
+  for (std::int64_t k = 0; k < grid.dims[2]; ++k) {
+    if (cancel != nullptr && *cancel)
+      return tl::unexpected(haptics::Error{haptics::Error::Kind::Cancelled, {}, "cancelled"});
     for (std::int64_t j = 0; j < grid.dims[1]; ++j)
       for (std::int64_t i = 0; i < grid.dims[0]; ++i) {
         const haptics::Vec3 index(static_cast<double>(i), static_cast<double>(j),
@@ -67,6 +72,7 @@ haptics::Expected<haptics::Volume> sampled(const haptics::Grid& grid, const Ramp
         const double value = ramp.isovalue - ramp.slope * depth;
         *next++ = static_cast<T>(std::is_same_v<T, float> ? value : std::floor(value + 0.5));
       }
+  }
   return haptics::makeVolume(grid, type, std::move(*voxels), std::move(facts));
 }
 

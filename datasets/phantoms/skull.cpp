@@ -126,14 +126,17 @@ void fill(const skull::Anatomy& whole, std::int64_t k0, std::int16_t* voxels) {
 
 }  // namespace
 
-haptics::Expected<Phantom> skullPhantom() {
+haptics::Expected<Phantom> skullPhantom(const std::atomic<bool>* cancel) {
   const haptics::Grid grid = centredGrid(kDims[0], kDims[1], kDims[2], kSkullSpacing);
   auto voxels = haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16);
   if (!voxels) return tl::unexpected(voxels.error());
   auto* first = static_cast<std::int16_t*>(voxels->get());
   const skull::Anatomy head = skull::anatomy();
-  haptics::inParallel((kDims[2] + kBrick - 1) / kBrick,
-                      [&](std::int64_t layer) { fill(head, layer * kBrick, first); });
+  haptics::inParallel((kDims[2] + kBrick - 1) / kBrick, [&](std::int64_t layer) {
+    if (cancel == nullptr || !*cancel) fill(head, layer * kBrick, first);
+  });
+  if (cancel != nullptr && *cancel)
+    return tl::unexpected(haptics::Error{haptics::Error::Kind::Cancelled, {}, "cancelled"});
   return haptics::makeVolume(grid, haptics::ScalarType::Int16, std::move(*voxels),
                              {.unit = "HU", .modality = "CT"})
       .map([](haptics::Volume&& volume) {

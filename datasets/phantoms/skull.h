@@ -11,6 +11,6 @@ namespace datasets {
 /// on the patient's left, orbits with floors one to two voxels thin, nose, sinuses, cheek arches,
 /// ear canals, mastoid air cells, a jaw, teeth (a lower left molar is missing). It resembles a
 /// head; it is not anatomically exact.
-haptics::Expected<Phantom> skullPhantom();
+haptics::Expected<Phantom> skullPhantom(const std::atomic<bool>* cancel);
 
 }  // namespace datasets

@@ -183,7 +183,7 @@ TEST_F(Editing, TheEditedVolumeIsSavedAndTheInputIsNotWrittenOver) {
   EXPECT_EQ(fs::last_write_time(input), input_time);
   const fs::path out = fs::path(scans_.path().toStdString()) / "saved.nrrd";
   emit window().saveEditedWanted(QString::fromStdString(out.string()));
-  ASSERT_TRUE(waitFor([&] { return message().contains("was saved"); }, 20.0));
+  ASSERT_TRUE(waitFor([&] { return child<QLabel>("done").text().contains("was saved"); }, 20.0));
   discardWhenAsked(window());
   emit window().openWanted(QString::fromStdString(out.string()));
   ASSERT_TRUE(waitFor([&] { return volume().grid.dims[0] == 30; }, 60.0));

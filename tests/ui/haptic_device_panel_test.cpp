@@ -12,10 +12,14 @@
 #include <QSet>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTreeWidget>
 
+#include "haptics/devices/catalogue.h"
 #include "ui/panels/force_words.h"
+#include "ui/set_up_page.h"
 #include "ui/style/look.h"
+#include "ui/style/style.h"
 #include "window_support.h"
 
 namespace {
@@ -74,7 +78,8 @@ TEST(HapticDevicePanel, WhatIsHereComesFirstAndWhatIsMissingIsGreyWithItsReasonA
   const QTreeWidgetItem* missing = shown.list->topLevelItem(2);
   EXPECT_EQ(missing->text(0), "3Dconnexion SpaceMouse");
   EXPECT_EQ(missing->text(1), "not plugged in");
-  EXPECT_NE(missing->foreground(0).color(), shown.list->palette().color(QPalette::Text));
+  // a grey that can be read: its contrast is tested with the themes
+  EXPECT_EQ(missing->foreground(0).color(), ui::style::colours().dim);
   EXPECT_EQ(missing->foreground(0).style(), Qt::SolidPattern);
   EXPECT_EQ(shown.list->topLevelItem(1)->foreground(0).style(), Qt::NoBrush);
   shown.select(2);
@@ -109,6 +114,52 @@ TEST(HapticDevicePanel, EachTroubleHasItsWordsAndSentenceAndOnlySomeLetConnect) 
     EXPECT_EQ(shown.connect->isEnabled(), user_sees_to_it) << n;
   }
   EXPECT_EQ(words.size(), static_cast<int>(Trouble::Lost));
+}
+
+TEST(HapticDevicePanel, TheListIsAsLongAsThePanelHasRoomFor) {
+  Shown shown;
+  QList<DeviceLine> many;
+  for (int n = 0; n < 9; ++n)
+    many << DeviceLine{.id = QString("d%1").arg(n), .name = QString("Device %1").arg(n)};
+  shown.panel.show(many);
+  shown.panel.resize(330, 1100);
+  QTest::qWait(50);
+  window::keep(window::pictureOf(shown.panel), "haptic_device_list");
+  const QRect last = shown.list->visualItemRect(shown.list->topLevelItem(8));
+  EXPECT_TRUE(shown.list->viewport()->rect().contains(last));
+  // where there is none, it scrolls, and four are seen
+  shown.panel.resize(330, shown.panel.minimumSizeHint().height());
+  QTest::qWait(50);
+  EXPECT_TRUE(shown.list->viewport()->rect().contains(
+      shown.list->visualItemRect(shown.list->topLevelItem(3))));
+}
+
+TEST(HapticDevicePanel, EveryDriverHasItsPageOfHowToSetItUp) {
+  for (const haptics::Driver& driver : haptics::drivers()) {
+    const std::string name(driver.name);
+    const QString page = ui::setUpPage(QString::fromStdString(name) + ":1-2");
+    for (const char* part : {"# ", "## Cables and power", "## First use", "## What can go wrong"})
+      EXPECT_TRUE(page.contains(part)) << name << ": " << part;
+    EXPECT_TRUE(page.contains("ermission") || page.contains("## Service")) << name;
+  }
+  EXPECT_EQ(ui::setUpPage("something"), "");
+  Shown shown;
+  auto* set_up = shown.find<QPushButton>("setUpDevice");
+  shown.select(0);
+  EXPECT_TRUE(set_up->isEnabled());
+  QTest::mouseClick(set_up, Qt::LeftButton);
+  auto* page = shown.find<QTextBrowser>("setUpPage");
+  EXPECT_TRUE(page->window()->isVisible());
+  EXPECT_FALSE(page->window()->isModal());
+  EXPECT_TRUE(page->toPlainText().contains("Homing"));
+  EXPECT_TRUE(page->toPlainText().contains("For every device with motors"));
+  window::keep(window::pictureOf(*page->window()), "haptic_device_set_up");
+  page->window()->close();
+  QTest::qWait(30);
+  // what has no motors cannot hurt
+  shown.select(2);
+  QTest::mouseClick(set_up, Qt::LeftButton);
+  EXPECT_FALSE(shown.find<QTextBrowser>("setUpPage")->toPlainText().contains("with motors"));
 }
 
 TEST(HapticDevicePanel, WhatOnlyOpeningTellsCanBeTried) {

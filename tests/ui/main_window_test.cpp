@@ -13,6 +13,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QTest>
@@ -157,6 +158,39 @@ TEST(MainWindow, AnIsovalueAtTheBackgroundIsRefusedInWords) {
   EXPECT_EQ(felt, -999.0);
   EXPECT_EQ(typed->value(), -999.0);
   EXPECT_TRUE(window.statusBar()->currentMessage().contains("least value"));
+}
+
+TEST(MainWindow, WhatWasWrittenIsToldApartFromAWarningAndShowsItsFolder) {
+  ui::MainWindow window;
+  window::showAndWait(window, {1240, 840});
+  auto* done = window.findChild<QLabel*>("done");
+  auto* message = window.findChild<QLabel*>("message");
+  const auto has = [](const QLabel& words, const QColor& colour) {
+    return window::count(window::pictureOf(*words.parentWidget()),
+                         [&](QColor c) { return c.rgb() == colour.rgb(); });
+  };
+  QSignalSpy folders(&window, &ui::MainWindow::folderWanted);
+  window.showMessage("The disk is full; make room.");
+  QTest::qWait(30);
+  EXPECT_GT(has(*message, ui::style::kDark.attention_ground), 2'000);
+  window.showDone("\"head.nrrd\" was saved.", "/home/somebody/scans");
+  QTest::qWait(30);
+  window::keep(window::pictureOf(window), "main_window_done");
+  EXPECT_TRUE(done->isVisible());
+  EXPECT_FALSE(message->isVisible());
+  EXPECT_EQ(done->text(), "\"head.nrrd\" was saved.");
+  EXPECT_EQ(has(*done, ui::style::kDark.attention_ground), 0);
+  EXPECT_GT(has(*done, ui::style::kDark.on), 5);
+  auto* folder = window.findChild<QPushButton*>("showInFolder");
+  EXPECT_EQ(folder->text(), "Show in folder");
+  QTest::mouseClick(folder, Qt::LeftButton);
+  ASSERT_EQ(folders.count(), 1);
+  EXPECT_EQ(folders.at(0).at(0).toString(), "/home/somebody/scans");
+  window.showMessage("Another warning.");
+  EXPECT_FALSE(done->isVisible());
+  window.showDone("Saved.", "/tmp");
+  window.clearMessage();
+  EXPECT_FALSE(done->isVisible());
 }
 
 TEST(MainWindow, SaysForceAndServoAndPlotsThem) {

@@ -378,6 +378,9 @@ TEST_F(Opening, PlacesAreOfferedAgainUntilTheyAreForgotten) {
   ASSERT_TRUE(loadedBegins("t.nrrd"));
   open(own / "nothing.nrrd");
   ASSERT_TRUE(waitFor([&] { return !message().isEmpty(); }, 20.0));
+  // what was refused, and what is still shown
+  EXPECT_TRUE(message().startsWith("\"nothing.nrrd\" was not opened. ")) << message().toStdString();
+  EXPECT_TRUE(message().endsWith(" Still shown: t.nrrd.")) << message().toStdString();
   ASSERT_EQ(places().size(), 2);
   EXPECT_EQ(places()[0]->toolTip(), disk.own() + "/a.nrrd");
   EXPECT_EQ(places()[1]->toolTip(), disk.own() + "/one & two");

@@ -4,6 +4,8 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDateTime>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -18,8 +20,11 @@
 #include <functional>
 
 #include "app/application.h"
+#include "app/window/force_curve.h"
+#include "app/window/recordings.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/recording/recorder.h"
 #include "haptics/recording/replay.h"
 #include "sphere_in_hand.h"
 #include "tests/support/sentence.h"
@@ -215,7 +220,12 @@ TEST(RecordedSession, IsGoneThroughInTheWindow) {
   emit window.phantomWanted("torus");
   ASSERT_TRUE(waitFor([&] { return application.shown()->title.contains("torus"); }, 60.0));
   EXPECT_NE(application.replay(), nullptr);
-  EXPECT_TRUE(window.replayBar().findChild<QLabel*>("replayWarning")->isVisible());
+  const auto* warning = child<QLabel>(window.replayBar(), "replayWarning");
+  EXPECT_TRUE(warning->isVisible());
+  EXPECT_TRUE(
+      warning->text().contains("64 x 64 x 64 voxels of 1 x 1 x 1 mm (int16), this one "
+                               "72 x 72 x 40 voxels"))
+      << warning->text().toStdString();
   EXPECT_FALSE(application.session().isOpen());
   // closed, the hand is at work again
   emit window.replayBar().closeWanted();
@@ -255,6 +265,62 @@ TEST(RecordedSession, OverVoxelsThatAreOthersInTheSamePlaceSaysSo) {
   ASSERT_TRUE(waitFor([&] { return application.shown()->picture.volume != before; }, 60.0));
   EXPECT_TRUE(haptics::liesLike(*before, *application.shown()->picture.volume));
   EXPECT_TRUE(waitFor([&] { return warning->isVisible(); }, 10.0));
+  EXPECT_TRUE(warning->text().contains("both have 40 x 40 x 40 voxels"))
+      << warning->text().toStdString();
+  EXPECT_TRUE(warning->text().contains("the voxels differ")) << warning->text().toStdString();
+}
+
+TEST(RecordedSession, ALabelAndACurveStandInTheListAndInNoFileOfARecording) {
+  const QTemporaryDir place;
+  const fs::path folder = fs::path(place.path().toStdString()) / "recordings";
+  fs::create_directory(folder);
+  const app::Recordings recordings(folder);
+  const auto written = [&](const fs::path& path, int steps) {
+    auto recorder = haptics::Recorder::create(path, {"test", "a build", "a machine"});
+    ASSERT_TRUE(recorder) << sentence(recorder.error());
+    (*recorder)->ring().start({});
+    for (int i = 0; i < steps; ++i) {
+      haptics::Step step;
+      step.sequence = std::uint64_t(i) + 1;
+      step.time_ns = i * 1'000'000;
+      step.sent_W.force = haptics::Vec3(i < steps / 2 ? 0.5 : 2.0, 0.0, 0.0);
+      ASSERT_TRUE((*recorder)->ring().push(step));
+    }
+    ASSERT_TRUE((*recorder)->finish());
+  };
+  const fs::path path = recordings.next();
+  written(path, 400);
+  if (HasFatalFailure()) return;
+  QList<ui::PastRecording> listed = recordings.list({});
+  ASSERT_EQ(listed.size(), 1);
+  EXPECT_EQ(listed[0].label, "");
+  EXPECT_LT(std::abs(listed[0].changed.secsTo(QDateTime::currentDateTime())), 600);
+  ASSERT_TRUE(recordings.setLabel(listed[0].id, "Rim of the window"));
+  EXPECT_EQ(recordings.list({})[0].label, "Rim of the window");
+  // beside the folder, for the user alone, and nowhere in it
+  const fs::path labels = fs::path(place.path().toStdString()) / "recordings-labels.json";
+  ASSERT_TRUE(fs::exists(labels));
+  EXPECT_EQ(fs::status(labels).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    QFile file(QString::fromStdString(entry.path().string()));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_FALSE(file.readAll().contains("Rim of the window"));
+  }
+  app::ForceCurves curves;
+  QList<float> most;
+  QObject::connect(&curves, &app::ForceCurves::read, &curves,
+                   [&](const QString&, const QList<float>& read) { most = read; });
+  curves.want(folder, {listed[0].id});
+  ASSERT_TRUE(waitFor([&] { return !most.isEmpty(); }, 20.0));
+  ASSERT_EQ(most.size(), qsizetype(app::ForceCurves::kIntervals));
+  EXPECT_FLOAT_EQ(most.first(), 0.5F);
+  EXPECT_FLOAT_EQ(most.last(), 2.0F);
+  EXPECT_EQ(curves.of(listed[0].id), most);
+  // a number that is used again brings no label
+  fs::remove(path);
+  EXPECT_EQ(recordings.next(), path);
+  written(path, 4);
+  EXPECT_EQ(recordings.list({})[0].label, "");
 }
 
 TEST(RecordedSession, IsExportedBehindTheWindow) {

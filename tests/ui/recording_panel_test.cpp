@@ -23,6 +23,7 @@
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/time_words.h"
 #include "ui/style/look.h"
+#include "ui/style/style.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
 
@@ -212,10 +213,11 @@ TEST(RecordingPanel, TheListOpensExportsRecoversAndAsksBeforeItDeletes) {
   for (const QPushButton* button : {p.open, p.save, p.remove}) EXPECT_FALSE(button->isEnabled());
   p.panel.show(kPast);
   ASSERT_EQ(p.list->rowCount(), 3);
-  EXPECT_EQ(p.list->item(0, 1)->text(), "10:05.0");
-  EXPECT_EQ(p.list->item(0, 2)->text(), "drill");
-  EXPECT_EQ(p.list->item(0, 3)->text(), "152.0 MB");
-  EXPECT_EQ(p.list->item(1, 1)->text(), "unfinished");
+  const auto lines = [&](int row) { return p.list->item(row, 0)->text().split('\n'); };
+  ASSERT_EQ(lines(0).size(), 3);
+  EXPECT_EQ(lines(0)[0], "session-7");
+  EXPECT_EQ(lines(0)[2], QString::fromUtf8("10:05.0 · drill · 152.0 MB"));
+  EXPECT_EQ(lines(1)[2], QString::fromUtf8("unfinished · 3.0 MB"));
   p.choose(0);
   EXPECT_EQ(p.open->text(), "Open");
   p.click(p.open);
@@ -267,6 +269,61 @@ TEST(RecordingPanel, TheListOpensExportsRecoversAndAsksBeforeItDeletes) {
   EXPECT_EQ(opened.last().at(0).toString(), "c");
   p.panel.show(QList<ui::PastRecording>{kPast[0], kPast[1]});
   for (const QPushButton* button : {p.open, p.save, p.remove}) EXPECT_FALSE(button->isEnabled());
+}
+
+TEST(RecordingPanel, ARecordingHasALabelADateAndACurve) {
+  Panel p;
+  QSignalSpy labelled(&p.panel, &ui::RecordingPanel::labelChanged);
+  auto* label = p.panel.findChild<QLineEdit*>("recordingLabel");
+  EXPECT_FALSE(label->isEnabled());
+  QList<ui::PastRecording> past = kPast;
+  past[0].changed = QDateTime({2026, 3, 4}, {5, 6});
+  past[0].label = "first try";
+  p.panel.show(past);
+  EXPECT_EQ(p.list->item(0, 0)->text().section('\n', 0, 0), "first try (session-7)");
+  EXPECT_EQ(p.list->item(0, 0)->text().section('\n', 1, 1),
+            QLocale().toString(past[0].changed, QLocale::ShortFormat));
+  p.choose(0);
+  EXPECT_EQ(label->text(), "first try");
+  label->selectAll();
+  QTest::keyClicks(label, "Rim  of the <b>window</b>");
+  EXPECT_EQ(labelled.count(), 0);
+  // told anew meanwhile, what is being typed stays
+  label->setFocus();
+  p.panel.show(past);
+  EXPECT_EQ(label->text(), "Rim  of the <b>window</b>");
+  QTest::keyClick(label, Qt::Key_Return);
+  ASSERT_EQ(labelled.count(), 1);
+  EXPECT_EQ(labelled.at(0).at(0).toString(), "a");
+  EXPECT_EQ(labelled.at(0).at(1).toString(), "Rim of the <b>window</b>");
+  EXPECT_TRUE(p.list->item(0, 0)->text().startsWith("Rim of the <b>window</b> (session-7)"));
+  QTest::keyClick(label, Qt::Key_Return);
+  EXPECT_EQ(labelled.count(), 1);
+  p.choose(2);
+  EXPECT_EQ(label->text(), "");
+
+  // the force is drawn to its own greatest: what is not a number is a gap
+  QList<float> curve(64, 1.0F);
+  for (int i = 0; i < 32; ++i) curve[i] = 2.5F;
+  for (int i = 48; i < 64; ++i) curve[i] = std::nanf("");
+  p.panel.showCurve("a", curve);
+  p.panel.showCurve("gone", curve);
+  EXPECT_EQ(p.list->item(0, 1)->data(Qt::AccessibleTextRole).toString(), "force up to 2.5 N");
+  EXPECT_EQ(p.list->item(2, 1)->data(Qt::AccessibleTextRole).toString(), "force not known");
+  QTest::qWait(30);
+  window::keep(window::pictureOf(p.panel), "recording_list");
+  const QImage list = window::pictureOf(*p.list->viewport());
+  const auto solid = [&](int row, int from, int to) {
+    const QRect cell = p.list->visualItemRect(p.list->item(row, 1));
+    const QRect part(cell.left() + cell.width() * from / 4, cell.top(),
+                     cell.width() * (to - from) / 4, cell.height());
+    return window::count(list.copy(part),
+                         [](QColor c) { return c.rgb() == ui::style::colours().solid.rgb(); });
+  };
+  EXPECT_GT(solid(0, 0, 2), 2 * solid(0, 2, 3));
+  EXPECT_GT(solid(0, 2, 3), 20);
+  EXPECT_LT(solid(0, 3, 4), 40);
+  EXPECT_EQ(solid(2, 0, 4), 0);
 }
 
 /// The main window with its panel and bar.

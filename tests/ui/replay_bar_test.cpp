@@ -16,6 +16,7 @@
 
 #include "ui/main_window.h"
 #include "ui/panels/recording_panel.h"
+#include "ui/style/style.h"
 #include "window_support.h"
 
 namespace {
@@ -51,8 +52,8 @@ struct Bar {
     QTest::qWait(30);
   }
   QToolButton* button(const char* name) const { return bar.findChild<QToolButton*>(name); }
-  /// Where a time ought to be drawn: 7 pixels from the left to 7 from the right.
-  double place(double time) const { return 7.0 + (time - 2.5) / 100.0 * (line.width() - 14.0); }
+  /// Where a time ought to be drawn: 44 pixels from the left to 7 from the right.
+  double place(double time) const { return 44.0 + (time - 2.5) / 100.0 * (line.width() - 51.0); }
   QPoint at(double time) const { return {qRound(place(time)), line.height() / 2}; }
 };
 
@@ -86,7 +87,7 @@ TEST(ReplayBar, TheLineIsWhereTheTimeSays) {
   EXPECT_EQ(b.bar.findChild<QLabel*>("replayTime")->text(), "0:03.001 / 1:42.500");
   // what is outside stays in the picture
   b.bar.setTime(-40.0);
-  EXPECT_NEAR(lineIn(window::pictureOf(b.line)), 7.0, 1.0);
+  EXPECT_NEAR(lineIn(window::pictureOf(b.line)), 44.0, 1.0);
   b.bar.setTime(1e9);
   EXPECT_NEAR(lineIn(window::pictureOf(b.line)), b.line.width() - 7.0, 1.0);
   EXPECT_NEAR(b.line.timeAt(b.line.xOf(61.7)), 61.7, 1e-9);
@@ -144,11 +145,91 @@ TEST(ReplayBar, ATickSaysWhatItIs) {
   EXPECT_LT(all.size(), 2'000);
 }
 
+TEST(ReplayBar, LateTicksAreDimAndShortAndHideNothing) {
+  Bar b;
+  ui::ReplayTrack busy{.begin = 0.0, .end = 100.0};
+  busy.marks = {{50.0, "gap", 3.0}, {50.0, "late", 1.0}};
+  for (int i = 0; i < 300; ++i) busy.marks.push_back({20.0 + 0.1 * i, i % 2 ? "late" : "missed"});
+  b.bar.show(busy);
+  b.line.clearFocus();
+  b.bar.setTime(100.0);
+  const QImage picture = window::pictureOf(b.line);
+  window::keep(picture, "replay_late");
+  const auto isDim = [](QColor c) { return c.rgb() == ui::style::colours().dim.rgb(); };
+  const int from = qRound(b.line.xOf(20.0)), to = qRound(b.line.xOf(49.0));
+  // at the foot of the curve, where the axis of time begins
+  EXPECT_GT(window::count(picture.copy(from, picture.height() - 21, to - from, 4), isDim), 100);
+  // and nothing of them above, nor anything red: that is for what was lost
+  const QImage above = picture.copy(from, 0, to - from, picture.height() - 25);
+  EXPECT_EQ(window::count(above, isDim), 0);
+  EXPECT_EQ(window::count(picture.copy(from, 0, to - from, picture.height()), isLoss), 0);
+  EXPECT_GT(window::count(picture.copy(to, 0, 40, 15), isLoss), 5);
+  EXPECT_TRUE(b.line.wordsAt(b.line.xOf(30.0)).contains("late"));
+}
+
+TEST(ReplayBar, TheAxesHaveNumbers) {
+  Bar b;
+  b.bar.setTime(102.5);
+  // words have soft edges
+  const auto isDim = [](QColor c) {
+    const QColor dim = ui::style::colours().dim;
+    return std::abs(c.red() - dim.red()) < 50 && std::abs(c.blue() - dim.blue()) < 50;
+  };
+  const QImage picture = window::pictureOf(b.line);
+  window::keep(picture, "replay_axes");
+  const int top = 15, foot = picture.height() - 16;
+  // nought at the foot and a round number of newtons at the top, left of the curve
+  EXPECT_GT(window::count(picture.copy(0, top - 8, 42, 16), isDim), 5);
+  EXPECT_GT(window::count(picture.copy(0, foot - 8, 42, 16), isDim), 2);
+  EXPECT_EQ(window::count(picture.copy(0, top + 10, 42, foot - top - 20), isDim), 0);
+  // times that a clock has stand below it: 2.5 s to 102.5 s, each 10 s at this width
+  const QImage times = picture.copy(0, foot + 1, picture.width(), 2);
+  EXPECT_GT(window::count(times.copy(qRound(b.place(10.0)) - 2, 0, 5, 2), isDim), 0);
+  EXPECT_EQ(window::count(times.copy(qRound(b.place(10.0)) + 4, 0, 40, 2), isDim), 0);
+  EXPECT_GT(window::count(times.copy(qRound(b.place(100.0)) - 2, 0, 5, 2), isDim), 0);
+  // a recording of a moment, and one of a day
+  for (const double length : {0.02, 86'400.0}) {
+    b.bar.show(ui::ReplayTrack{.begin = 0.0, .end = length});
+    const QImage axis = window::pictureOf(b.line).copy(0, foot, picture.width(), 16);
+    EXPECT_GT(window::count(axis, isDim), 5) << length;
+    EXPECT_LT(window::count(axis, isDim), 2'500) << length;
+  }
+}
+
+TEST(ReplayBar, MarksAreListedAndEachIsGoneTo) {
+  Bar b;
+  auto* marks = b.bar.findChild<QComboBox*>("replayMarks");
+  ASSERT_EQ(marks->count(), 1);
+  EXPECT_EQ(marks->currentIndex(), -1);
+  EXPECT_EQ(marks->placeholderText(), "Marks (1)");
+  EXPECT_EQ(marks->itemText(0), "1:12.5  the <b>rim</b> & hole");
+  ui::ReplayTrack three{.begin = 2.0, .end = 100.0};
+  three.marks = {{70.0, "mark", {}, QString(900, 'x')},
+                 {5.0, "mark"},
+                 {6.0, "isovalue", 300.0},
+                 {60.0, "mark", {}, "two\nlines"}};
+  b.bar.show(three);
+  ASSERT_EQ(marks->count(), 3);
+  EXPECT_EQ(marks->itemText(0), "0:05.0");
+  EXPECT_EQ(marks->itemText(1), "1:00.0  two lines");
+  EXPECT_LT(marks->itemText(2).size(), 80);
+  std::vector<double> wished;
+  QObject::connect(&b.bar, &ui::ReplayBar::timeWanted, [&](double t) { wished.push_back(t); });
+  marks->setFocus();
+  QTest::keyClick(marks, Qt::Key_Down);
+  QTest::keyClick(marks, Qt::Key_End);
+  EXPECT_EQ(wished, (std::vector<double>{5.0, 70.0}));
+  EXPECT_EQ(marks->currentIndex(), -1);
+  b.bar.show(ui::ReplayTrack{.begin = 0.0, .end = 1.0});
+  EXPECT_FALSE(marks->isEnabled());
+  EXPECT_EQ(marks->placeholderText(), "No marks");
+}
+
 TEST(ReplayBar, ClickAndDragWishTimes) {
   Bar b;
   std::vector<double> wished;
   QObject::connect(&b.bar, &ui::ReplayBar::timeWanted, [&](double t) { wished.push_back(t); });
-  const double pixel = 100.0 / (b.line.width() - 14.0);  // s
+  const double pixel = 100.0 / (b.line.width() - 51.0);  // s
   QTest::mousePress(&b.line, Qt::LeftButton, {}, b.at(30.0));
   ASSERT_EQ(wished.size(), 1U);
   EXPECT_NEAR(wished[0], 30.0, pixel);
@@ -243,7 +324,7 @@ TEST(ReplayBar, TheShortestPeakOfForceIsSeen) {
   EXPECT_EQ(window::count(window::pictureOf(b.line), isForce), 0);
   b.bar.show(ui::ReplayTrack{.begin = 5.0, .end = 5.0, .marks = {{5.0, "mark"}}});
   b.bar.setTime(5.0);
-  EXPECT_NEAR(lineIn(window::pictureOf(b.line)), 7.0, 1.0);
+  EXPECT_NEAR(lineIn(window::pictureOf(b.line)), 44.0, 1.0);
   EXPECT_EQ(b.line.timeAt(400.0), 5.0);
 }
 

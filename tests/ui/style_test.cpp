@@ -83,6 +83,7 @@ std::vector<Pair> marksOf(const Colours& c) {
       {"the accent on a control that is on", c.accent, c.chosen},
       {"the accent on the rail", c.accent, c.ground},
       {"force on", c.on, c.control},
+      {"what was written, on its bar", c.on, c.panel},
       {"attention on a chip", c.attention, c.control},
       {"attention on a notice", c.attention, c.attention_ground},
       {"fault on a chip", c.stop_words, c.control},

@@ -7,13 +7,17 @@
 #include <QAccessible>
 #include <QApplication>
 #include <QFile>
+#include <QGridLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <QPixmap>
+#include <QRadioButton>
 #include <QScreen>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
 #include <filesystem>
@@ -26,6 +30,8 @@
 #include "sphere_in_hand.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/tool_picture.h"
+#include "ui/style/style.h"
+#include "ui/unit_question.h"
 #include "window_support.h"
 
 namespace {
@@ -320,11 +326,80 @@ TEST(ToolList, ChangesTheToolThatTouches) {
   QTest::keyClick(lines, Qt::Key_Return);
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > with_file; }));
   EXPECT_EQ(application.shown()->tool.file, std::filesystem::path(path.toStdString()));
+  // a file that is found is asked about: its box beside a hand in each unit
+  const auto before_asked = application.shown()->scene;
+  bool asked = false;
+  QTimer answers;
+  QObject::connect(&answers, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<ui::UnitDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    answers.stop();
+    asked = true;
+    window::keep(dialog->grab().toImage(), "tool-unit");
+    EXPECT_EQ(dialog->unit(), "m");  // the peg is 50 mm long, and its file in metres
+    EXPECT_TRUE(dialog->findChild<QLabel*>("size_m")->text().startsWith("50 mm long"));
+    EXPECT_TRUE(dialog->findChild<QLabel*>("size_in")->text().startsWith("1.27 mm long"));
+    dialog->findChild<QRadioButton*>("unit_cm")->click();
+    dialog->reject();
+  });
+  answers.start(50);
+  emit window::panelOf<ui::DevicePanel>(application.window()).toolFileFound(path);
+  ASSERT_TRUE(waitFor([&] { return asked; }));
+  QTest::qWait(100);
+  EXPECT_EQ(application.shown()->scene, before_asked);
   emit window::panelOf<ui::DevicePanel>(application.window()).toolChosen("hook");
   ASSERT_TRUE(waitFor([&] { return application.shown()->tool.name == "hook"; }));
   EXPECT_TRUE(begins("Hook"));
   EXPECT_EQ(lines->count(), named);
   window::keep(application.window().grab().toImage(), "tool-window");
+}
+
+TEST(ToolList, TheUnitThatIsLikelyIsOfferedAndEachHasItsSizeBesideAHand) {
+  using Sides = std::array<double, 3>;
+  EXPECT_EQ(ui::likelyUnit(Sides{12.0, 160.0, 9.0}), "mm");
+  EXPECT_EQ(ui::likelyUnit(Sides{0.012, 0.16, 0.009}), "m");
+  EXPECT_EQ(ui::likelyUnit(Sides{1.2, 6.0, 0.9}), "cm");
+  EXPECT_EQ(ui::likelyUnit(Sides{0.0, 0.0, 0.0}), "mm");
+  const QRectF hand = ui::handOutline().boundingRect();
+  EXPECT_NEAR(hand.height(), ui::kHandLength, 0.5);
+  EXPECT_NEAR(hand.bottom(), 0.0, 0.5);
+  EXPECT_GT(hand.width(), 80.0);
+  EXPECT_LT(hand.width(), 140.0);
+
+  ui::UnitDialog dialog("burr & handle.stl", Sides{12.0, 160.0, 9.0});
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  window::keep(dialog.grab().toImage(), "unit-question");
+  EXPECT_EQ(dialog.unit(), "mm");
+  const auto size = [&](const char* name) {
+    return dialog.findChild<QLabel*>(name)->text().toStdString();
+  };
+  EXPECT_EQ(size("size_mm"), "160 mm long,\n12 mm by 9 mm");
+  EXPECT_EQ(size("size_cm"), "1.6 m long,\n120 mm by 90 mm");
+  EXPECT_EQ(size("size_m"), "160 m long,\n12 m by 9 m");
+  EXPECT_EQ(size("size_in"), "4.06 m long,\n305 mm by 229 mm");
+  // the picture chooses too, and shows the tool and the hand to one scale
+  const auto picture = [&](int column) {
+    auto* grid = dialog.findChild<QGridLayout*>();
+    return grid->itemAtPosition(0, column)->widget();
+  };
+  const auto heightOf = [&](int column, const QColor& colour) {
+    const QImage image = window::pictureOf(*picture(column));
+    int top = image.height(), foot = -1;
+    for (int y = 4; y < image.height() - 4; ++y)
+      for (int x = 4; x < image.width() - 4; ++x)
+        if (image.pixelColor(x, y).rgb() == colour.rgb()) {
+          top = std::min(top, y);
+          foot = std::max(foot, y);
+        }
+    return foot - top + 1;
+  };
+  const double tool = heightOf(0, ui::style::colours().solid);
+  const double high = heightOf(0, ui::style::colours().dim);
+  EXPECT_NEAR(tool / high, 160.0 / 180.0, 0.05);
+  EXPECT_GT(heightOf(1, ui::style::colours().solid), 4 * heightOf(1, ui::style::colours().dim));
+  QTest::mouseClick(picture(3), Qt::LeftButton);
+  EXPECT_EQ(dialog.unit(), "in");
 }
 
 }  // namespace

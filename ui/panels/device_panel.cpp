@@ -3,9 +3,9 @@
 
 #include <QComboBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QInputDialog>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -15,6 +15,7 @@
 #include "ui/number_box.h"
 #include "ui/panels/tool_list.h"
 #include "ui/spoken.h"
+#include "ui/unit_question.h"
 
 namespace ui {
 namespace {
@@ -156,11 +157,12 @@ void DevicePanel::chooseFile() {
   const QString path = QFileDialog::getOpenFileName(this, tr("Tool"), {},
                                                     tr("Meshes (*.stl *.obj *.ply);;All files (*)"),
                                                     nullptr, QFileDialog::DontUseNativeDialog);
-  if (path.isEmpty()) return;
-  bool chosen = false;
-  const QString unit = QInputDialog::getItem(this, tr("Unit"), tr("The file's numbers are in"),
-                                             {"mm", "cm", "m", "in"}, 0, false, &chosen);
-  if (chosen) emit toolFileChosen(path, unit);
+  if (!path.isEmpty()) emit toolFileFound(path);
+}
+
+void DevicePanel::askForUnit(const QString& path, const std::array<double, 3>& numbers) {
+  if (const auto unit = ui::askForUnit(this, QFileInfo(path).fileName(), numbers))
+    emit toolFileChosen(path, *unit);
 }
 
 }  // namespace ui

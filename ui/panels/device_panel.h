@@ -4,6 +4,7 @@
 #include <QList>
 #include <QString>
 #include <QWidget>
+#include <array>
 
 class QComboBox;
 class QLabel;
@@ -35,10 +36,15 @@ class DevicePanel : public QWidget {
   void showStiffness(double newton_per_metre);
   /// `effect`: a sentence on how the field changes the solid, or empty.
   void showField(const QString& id, const QString& effect);
+  /// Asks for the unit of a tool's file; toolFileChosen() may follow. `numbers`: the sides of the
+  /// tool's box, as the file has them.
+  void askForUnit(const QString& path, const std::array<double, 3>& numbers);
 
  signals:
   void handChosen(const QString& id);
   void toolChosen(const QString& id);
+  /// The user named a file; its size is needed for the question of its unit.
+  void toolFileFound(const QString& path);
   /// `unit` is m, mm, cm or in.
   void toolFileChosen(const QString& path, const QString& unit);
   void stiffnessChanged(double newton_per_metre);

@@ -21,6 +21,7 @@
 #include "ui/bindings.h"
 #include "ui/number_box.h"
 #include "ui/panels/force_words.h"
+#include "ui/set_up_page.h"
 #include "ui/state_chip.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
@@ -33,7 +34,7 @@ using haptics::Trouble;
 
 enum Column { Name, State, kColumns };
 
-constexpr int kListRows = 4;  // seen without scrolling
+constexpr int kLeastRows = 4;  // of the list, seen without scrolling
 constexpr int kPatienceMs = 5'000;
 constexpr double kCapped = 0.999;  // of what was wished: below it what is allowed counts
 
@@ -153,6 +154,7 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
       turned_row_(new QWidget),
       turned_by_(new QComboBox),
       connect_(new QPushButton),
+      set_up_(new QPushButton(tr("Set up…"))),
       link_words_(label("deviceLink")),
       arm_(new QPushButton),
       state_(new StateChip),
@@ -223,7 +225,10 @@ QWidget* HapticDevicePanel::buildList() {
   list_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(State, QHeaderView::ResizeToContents);
   list_->header()->setStretchLastSection(false);
-  list_->setFixedHeight(list_->fontMetrics().height() * (kListRows + 2));
+  // as long as the list is, within what the panel has room for
+  list_->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  list_->setMinimumHeight(list_->fontMetrics().height() * (kLeastRows + 2));
   why_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &HapticDevicePanel::showSelected);
 
@@ -256,7 +261,11 @@ QWidget* HapticDevicePanel::buildList() {
   connect(again, &QPushButton::clicked, this, &HapticDevicePanel::surveyWanted);
   auto* row = new QHBoxLayout;
   row->addWidget(connect_, 1);
+  row->addWidget(set_up_);
   row->addWidget(again);
+  set_up_->setObjectName("setUpDevice");
+  set_up_->setToolTip(tr("Cables, permission, first use, and what can go wrong"));
+  connect(set_up_, &QPushButton::clicked, this, &HapticDevicePanel::showSetUp);
 
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
@@ -352,8 +361,7 @@ void HapticDevicePanel::show(const QList<DeviceLine>& devices) {
           new QTreeWidgetItem({name, mine ? state : wordsFor(device.trouble, device.present)});
       line->setToolTip(Name, (name + '\n' + device.why).trimmed().toHtmlEscaped());
       if (!canConnect(device, true))
-        for (int c = 0; c < kColumns; ++c)
-          line->setForeground(c, palette().brush(QPalette::Disabled, QPalette::Text));
+        for (int c = 0; c < kColumns; ++c) line->setForeground(c, style::colours().dim);
       list_->addTopLevelItem(line);
       if (device.id == kept) list_->setCurrentItem(line);
     }
@@ -383,8 +391,15 @@ void HapticDevicePanel::showSelected() {
     connect_->setText(tr("Cancel"));
   else
     connect_->setText(free ? tr("Connect") : tr("Disconnect"));
+  set_up_->setEnabled(device != nullptr && !setUpPage(device->id).isEmpty());
   connect_->setEnabled(
       !free || (device != nullptr && canConnect(*device, !firmware_->text().trimmed().isEmpty())));
+}
+
+void HapticDevicePanel::showSetUp() {
+  const DeviceLine* device = selected();
+  if (device == nullptr) return;
+  (new SetUpDialog(device->id, device->name, device->actuated > 0, this))->show();
 }
 
 void HapticDevicePanel::listTurners(const DeviceLine* device) {

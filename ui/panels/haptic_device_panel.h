@@ -112,6 +112,7 @@ class HapticDevicePanel : public QWidget {
   void listTurners(const DeviceLine* device);
   void chooseFirmware();
   void connectSelected();
+  void showSetUp();
   void changeMapping();
   void showMappingWords();
 
@@ -122,6 +123,7 @@ class HapticDevicePanel : public QWidget {
   QWidget* turned_row_;
   QComboBox* turned_by_;
   QPushButton* connect_;
+  QPushButton* set_up_;
   QLabel* link_words_;
   QPushButton* arm_;
   StateChip* state_;

@@ -17,6 +17,7 @@
 
 #include "ui/bindings.h"
 #include "ui/figure.h"
+#include "ui/panels/recording_lines.h"
 #include "ui/panels/time_words.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
@@ -25,9 +26,10 @@
 namespace ui {
 namespace {
 
-enum Column { Name, Duration, Tool, Size, kColumns };
+enum Column { Words, Force, kColumns };
 
 constexpr int kLongestNote = 200;
+constexpr int kLongestLabel = 60;
 constexpr int kConfirmed_ms = 5'000;
 constexpr double kLittleRoom = 600.0;  // s
 
@@ -65,12 +67,26 @@ QString roomFor(double seconds) {
   return RecordingPanel::tr("room for %1 h").arg(QLocale().toString(shown, 'f', hours < 10.0));
 }
 
-QTableWidgetItem* itemOf(const QString& text, Qt::Alignment alignment) {
+QTableWidgetItem* itemOf(const QString& text, const QString& tip) {
   auto* item = new QTableWidgetItem(text);
   item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
-  item->setTextAlignment(alignment | Qt::AlignVCenter);
-  item->setToolTip(QStringLiteral("<qt>%1</qt>").arg(text.toHtmlEscaped()));
+  item->setToolTip(QStringLiteral("<qt>%1</qt>").arg(tip.toHtmlEscaped().replace('\n', "<br>")));
   return item;
+}
+
+/// A recording in three lines: label or name; date; what else is known.
+QString linesOf(const PastRecording& recording) {
+  const QString first = recording.label.isEmpty()
+                            ? recording.name
+                            : RecordingPanel::tr("%1 (%2)", "a label and the name of the file")
+                                  .arg(recording.label, recording.name);
+  const QString duration =
+      recording.finished ? clockTime(recording.duration, 1) : RecordingPanel::tr("unfinished");
+  QStringList about{duration};
+  if (!recording.tool.isEmpty()) about << recording.tool;
+  about << sizeOf(recording.bytes);
+  const QString date = QLocale().toString(recording.changed, QLocale::ShortFormat);
+  return QStringList{first.simplified(), date, about.join(QStringLiteral(" · "))}.join('\n');
 }
 
 }  // namespace
@@ -90,6 +106,7 @@ RecordingPanel::RecordingPanel(QWidget* parent)
       marked_(label("marked")),
       mark_action_(new QAction(tr("Mark"), this)),
       list_(new QTableWidget),
+      label_(new QLineEdit),
       open_(new QPushButton),
       export_(new QPushButton(tr("Export…"))),
       delete_(new QPushButton(tr("Delete"))) {
@@ -167,21 +184,26 @@ QWidget* RecordingPanel::buildList() {
   list_->setObjectName("recordings");
   list_->setAccessibleName(tr("Recordings"));
   list_->setColumnCount(kColumns);
-  list_->setHorizontalHeaderLabels({tr("Name"), tr("Duration"), tr("Tool"), tr("Size")});
+  list_->setItemDelegate(new RecordingLines(list_));
   list_->setSelectionBehavior(QAbstractItemView::SelectRows);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   list_->setTabKeyNavigation(false);
   list_->setShowGrid(false);
-  list_->setTextElideMode(Qt::ElideMiddle);
-  list_->setWordWrap(false);
   list_->setMinimumHeight(180);
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   list_->verticalHeader()->hide();
-  list_->verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() + 6);
-  list_->horizontalHeader()->setHighlightSections(false);
-  list_->horizontalHeader()->setMinimumSectionSize(30);
-  list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  list_->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
   list_->setToolTip(tr("Enter or a double-click opens a recording"));
+  list_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list_->horizontalHeader()->hide();
+  list_->horizontalHeader()->setSectionResizeMode(Force, QHeaderView::ResizeToContents);
+  list_->horizontalHeader()->setSectionResizeMode(Words, QHeaderView::Stretch);
+  label_->setObjectName("recordingLabel");
+  label_->setMaxLength(kLongestLabel);
+  label_->setAccessibleName(tr("Label of the recording"));
+  label_->setPlaceholderText(tr("Label: stays on this computer"));
+  label_->setToolTip(
+      tr("Your own words for this recording. They are kept on this computer only: neither the "
+         "recording nor an export holds them."));
   open_->setObjectName("openRecording");
   export_->setObjectName("exportRecording");
   export_->setToolTip(tr("Writes the chosen recording as tables or as a film"));
@@ -194,7 +216,9 @@ QWidget* RecordingPanel::buildList() {
   auto* column = new QVBoxLayout(all);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(list_, 1);
+  column->addWidget(label_);
   column->addLayout(row);
+  connect(label_, &QLineEdit::editingFinished, this, &RecordingPanel::takeLabel);
   connect(list_, &QTableWidget::itemSelectionChanged, this, &RecordingPanel::showSelected);
   connect(list_, &QTableWidget::cellActivated, this, &RecordingPanel::openSelected);
   connect(open_, &QPushButton::clicked, this, &RecordingPanel::openSelected);
@@ -269,16 +293,45 @@ void RecordingPanel::show(const QList<PastRecording>& recordings) {
   list_->clearSelection();
   list_->setRowCount(static_cast<int>(recordings_.size()));
   for (int row = 0; row < list_->rowCount(); ++row) {
-    const PastRecording& recording = recordings_[row];
-    const QString duration =
-        recording.finished ? clockTime(recording.duration, 1) : tr("unfinished");
-    list_->setItem(row, Name, itemOf(recording.name, Qt::AlignLeft));
-    list_->setItem(row, Duration, itemOf(duration, Qt::AlignRight));
-    list_->setItem(row, Tool, itemOf(recording.tool, Qt::AlignLeft));
-    list_->setItem(row, Size, itemOf(sizeOf(recording.bytes), Qt::AlignRight));
-    if (before == recording.id) list_->selectRow(row);
+    fillRow(row);
+    if (before == recordings_[row].id) list_->selectRow(row);
   }
   showSelected();
+}
+
+void RecordingPanel::fillRow(int row) {
+  const PastRecording& recording = recordings_[row];
+  const QString words = linesOf(recording);
+  list_->setItem(row, Words, itemOf(words, words));
+  const QString force =
+      recording.curve.isEmpty()
+          ? tr("force not known")
+          : tr("force up to %1 N").arg(static_cast<double>(greatestOf(recording.curve)), 0, 'f', 1);
+  QTableWidgetItem* curve = itemOf({}, force);
+  curve->setData(Qt::AccessibleTextRole, force);
+  if (!recording.curve.isEmpty())
+    curve->setData(RecordingLines::kCurve, QVariant::fromValue(recording.curve));
+  list_->setItem(row, Force, curve);
+}
+
+void RecordingPanel::showCurve(const QString& id, const QList<float>& curve) {
+  const auto found = std::ranges::find(recordings_, id, &PastRecording::id);
+  if (found == recordings_.end()) return;
+  found->curve = curve;
+  const QSignalBlocker quiet(list_);
+  fillRow(static_cast<int>(found - recordings_.begin()));
+}
+
+void RecordingPanel::takeLabel() {
+  const auto found = std::ranges::find(recordings_, labelled_, &PastRecording::id);
+  const QString label = label_->text().simplified();
+  if (found == recordings_.end() || found->label == label) return;
+  found->label = label;
+  {
+    const QSignalBlocker quiet(list_);
+    fillRow(static_cast<int>(found - recordings_.begin()));
+  }
+  emit labelChanged(labelled_, label);
 }
 
 const PastRecording* RecordingPanel::selected() const {
@@ -296,6 +349,12 @@ void RecordingPanel::showSelected() {
   open_->setEnabled(recording != nullptr);
   export_->setEnabled(recording != nullptr && finished);
   delete_->setEnabled(recording != nullptr);
+  label_->setEnabled(recording != nullptr);
+  const QString id = recording == nullptr ? QString{} : recording->id;
+  // what is being typed stays while the list is told anew
+  if (id == labelled_ && label_->hasFocus()) return;
+  labelled_ = id;
+  label_->setText(recording == nullptr ? QString{} : recording->label);
 }
 
 void RecordingPanel::openSelected() {
@@ -312,14 +371,19 @@ void RecordingPanel::askToDelete() {
   if (recording == nullptr) return;
   const QString id = recording->id;  // the list may change while the question is open
   QMessageBox question(QMessageBox::Question, tr("Delete it?"),
-                       tr("Delete the recording %1?").arg(recording->name), QMessageBox::Cancel,
-                       this);
+                       tr("Delete the recording %1?").arg(linesOf(*recording).section('\n', 0, 0)),
+                       QMessageBox::Cancel, this);
   question.setTextFormat(Qt::PlainText);
   question.setInformativeText(tr("It cannot be brought back."));
   const QAbstractButton* agree = question.addButton(tr("Delete"), QMessageBox::DestructiveRole);
   question.setDefaultButton(QMessageBox::Cancel);
   question.exec();
   if (question.clickedButton() == agree) emit deleteWanted(id);
+}
+
+void RecordingPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  emit seen();
 }
 
 }  // namespace ui

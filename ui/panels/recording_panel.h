@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QDateTime>
 #include <QList>
 #include <QTimer>
 #include <QWidget>
@@ -41,10 +42,14 @@ struct PastRecording {
   QString tool = {};
   qint64 bytes = 0;
   bool finished = true;
+  QString label = {};       ///< the user's own words, kept on this computer only
+  QDateTime changed = {};   ///< last change of the file; a recording itself holds no date
+  QList<float> curve = {};  ///< greatest force [N] in equal intervals; empty: not known yet
 };
 
-/// Records the session and sets marks in it, and lists earlier recordings. A mark is set with the
-/// button, with Enter in its note, or with markAction(); all are disabled while nothing is
+/// Records the session and sets marks in it, and lists earlier recordings, each with a label that
+/// the user may give it, its date, duration, tool and a small curve of the force. A mark is set
+/// with the button, with Enter in its note, or with markAction(); all are disabled while nothing is
 /// recorded.
 class RecordingPanel : public QWidget {
   Q_OBJECT
@@ -57,6 +62,8 @@ class RecordingPanel : public QWidget {
   /// Shows the list in this order. The selection is kept.
   void show(const QList<PastRecording>& recordings);
   using QWidget::show;
+  /// Shows the curve of a recording of the list.
+  void showCurve(const QString& id, const QList<float>& curve);
 
   /// Sets a mark. Its key is M, in the window to which the action is added. Enabled during a
   /// recording.
@@ -71,6 +78,13 @@ class RecordingPanel : public QWidget {
   /// Emitted after the user agreed to delete.
   void deleteWanted(const QString& id);
   void recoverWanted(const QString& id);
+  /// The user gave the recording another label; empty: none.
+  void labelChanged(const QString& id, const QString& label);
+  /// The panel came into view.
+  void seen();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
   QWidget* buildFigures();
@@ -81,6 +95,8 @@ class RecordingPanel : public QWidget {
   const PastRecording* selected() const;
   void openSelected();
   void askToDelete();
+  void fillRow(int row);
+  void takeLabel();
 
   QPushButton* record_;
   QLabel* elapsed_;
@@ -95,12 +111,14 @@ class RecordingPanel : public QWidget {
   QLabel* marked_;
   QAction* mark_action_;
   QTableWidget* list_;
+  QLineEdit* label_;
   QPushButton* open_;
   QPushButton* export_;
   QPushButton* delete_;
   QTimer confirmation_;  ///< the last mark is shown while this timer runs
   RecordingStatus status_;
   QList<PastRecording> recordings_;
+  QString labelled_;  ///< id of the recording whose label is in the field
   bool ready_ = false;
 };
 

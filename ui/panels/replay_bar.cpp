@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/replay_bar.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -18,6 +19,7 @@
 namespace ui {
 namespace {
 
+constexpr int kLongestNote = 60;  // characters in the list of marks
 constexpr std::array<double, 7> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0};
 
 }  // namespace
@@ -28,6 +30,7 @@ ReplayBar::ReplayBar(QWidget* parent)
       timeline_(new ReplayTimeline),
       play_(button("replayPlay", tr("Pause"), {})),
       speeds_(new QComboBox),
+      marks_(new QComboBox),
       time_(new Figure(tr("Time"))) {
   warning_->setObjectName("replayWarning");
   warning_->setWordWrap(true);
@@ -55,6 +58,11 @@ ReplayBar::ReplayBar(QWidget* parent)
   speeds_->setToolTip(tr("How fast the recording plays"));
   for (const double speed : kSpeeds) speeds_->addItem(tr("%1 ×").arg(speed), speed);
   speeds_->setCurrentIndex(speeds_->findData(1.0));
+  marks_->setObjectName("replayMarks");
+  marks_->setAccessibleName(tr("Marks"));
+  marks_->setToolTip(tr("Goes to a mark that was set while this was recorded"));
+  marks_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  marks_->setMinimumContentsLength(12);
   time_->setObjectName("replayTime");
   time_->setFont(style::tabular(time_->font()));
 
@@ -68,6 +76,8 @@ ReplayBar::ReplayBar(QWidget* parent)
   speed_label->setBuddy(speeds_);
   row->addWidget(speed_label);
   row->addWidget(speeds_);
+  row->addSpacing(8);
+  row->addWidget(marks_);
   row->addSpacing(8);
   row->addWidget(time_);
   row->addStretch();
@@ -89,6 +99,11 @@ ReplayBar::ReplayBar(QWidget* parent)
   connect(back, &QToolButton::clicked, this, [this] { emit stepWanted(-1); });
   connect(forward, &QToolButton::clicked, this, [this] { emit stepWanted(1); });
   connect(speeds_, &QComboBox::activated, this, [this] { emit speedChosen(speed()); });
+  connect(marks_, &QComboBox::activated, this, [this](int chosen) {
+    const double time = marks_->itemData(chosen).toDouble();
+    marks_->setCurrentIndex(-1);  // so that the same mark may be chosen again
+    emit timeWanted(time);
+  });
   connect(close, &QToolButton::clicked, this, &ReplayBar::closeWanted);
   setPlaying(false);
 }
@@ -117,10 +132,28 @@ double ReplayBar::speed() const { return speeds_->currentData().toDouble(); }
 
 void ReplayBar::show(ReplayTrack track) {
   timeline_->show(std::move(track));
+  listMarks();
   setTime(timeline_->track().begin);
   setPlaying(false);
   showWarning({});
   show();
+}
+
+void ReplayBar::listMarks() {
+  marks_->clear();
+  for (const ReplayMark& mark : timeline_->track().marks) {
+    if (mark.kind != QLatin1String("mark")) continue;
+    const QString note = mark.note.simplified();
+    const QString shown =
+        note.size() > kLongestNote ? note.left(kLongestNote) + QStringLiteral("…") : note;
+    marks_->addItem(tr("%1  %2").arg(clockTime(mark.time, 1), shown).trimmed(), mark.time);
+  }
+  marks_->setCurrentIndex(-1);
+  marks_->setEnabled(marks_->count() > 0);
+  marks_->setPlaceholderText(marks_->count() > 0 ? tr("Marks (%1)").arg(marks_->count())
+                                                 : tr("No marks"));
+  marks_->view()->setMinimumWidth(marks_->count() > 0 ? marks_->view()->sizeHintForColumn(0) + 24
+                                                      : 0);
 }
 
 void ReplayBar::setTime(double time) {

@@ -13,8 +13,8 @@ namespace ui {
 
 class WarningLabel;
 
-/// The controls of a replay: timeline, play and pause, single ticks, speed. Space, Left and Right
-/// work only while the bar has the focus.
+/// The controls of a replay: timeline, play and pause, single ticks, speed, the list of marks.
+/// Space, Left and Right work only while the bar has the focus.
 class ReplayBar : public QFrame {
   Q_OBJECT
  public:
@@ -43,12 +43,14 @@ class ReplayBar : public QFrame {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void listMarks();
   QToolButton* button(const char* name, const QString& text, const QString& tip);
 
   WarningLabel* warning_;
   ReplayTimeline* timeline_;
   QToolButton* play_;
   QComboBox* speeds_;
+  QComboBox* marks_;  ///< its data are the times, s
   QLabel* time_;
   bool playing_ = false;
 };

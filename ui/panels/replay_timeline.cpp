@@ -18,17 +18,21 @@
 namespace ui {
 namespace {
 
-constexpr double kSide = 7.0;   // pixels left and right of the track
-constexpr double kLane = 15.0;  // height of the ticks' heads
-constexpr double kHead = 4.0;   // half a head's width
-constexpr double kReach = 4.0;  // how near the mouse must come to a tick
-constexpr int kMostLines = 8;   // of ticks in one tool tip
+constexpr double kLeft = 44.0;  // pixels left of the track, for the axis of the force
+constexpr double kRight = 7.0;
+constexpr double kLane = 15.0;   // height of the ticks' heads
+constexpr double kFoot = 16.0;   // height of the axis of time
+constexpr double kLate = 5.0;    // height of a late tick's line
+constexpr double kTimes = 80.0;  // least way between two times on their axis
+constexpr double kHead = 4.0;    // half a head's width
+constexpr double kReach = 4.0;   // how near the mouse must come to a tick
+constexpr int kMostLines = 8;    // of ticks in one tool tip
 constexpr int kLongestMark = 160;
 
 /// Ticks that look alike.
-enum class Look { Note, Setting, Scene, Force, Loss };
-constexpr std::array<Look, 5> kLooks{Look::Setting, Look::Scene, Look::Force, Look::Loss,
-                                     Look::Note};
+enum class Look { Note, Setting, Scene, Force, Loss, Late };
+constexpr std::array<Look, 6> kLooks{Look::Late,  Look::Setting, Look::Scene,
+                                     Look::Force, Look::Loss,    Look::Note};
 
 struct KindWords {
   const char* kind;
@@ -52,8 +56,8 @@ constexpr std::array<KindWords, 15> kKinds{{
     {"force", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Force"), Look::Force, ""},
     {"device", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Device"), Look::Force, ""},
     {"gap", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Gap: samples lost"), Look::Loss, ""},
-    {"late", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Ticks that began late"), Look::Loss, ""},
-    {"missed", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Ticks that were missed"), Look::Loss, ""},
+    {"late", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Ticks that began late"), Look::Late, ""},
+    {"missed", QT_TRANSLATE_NOOP("ui::ReplayTimeline", "Ticks that were missed"), Look::Late, ""},
 }};
 
 const KindWords* kindNamed(const QString& kind) {
@@ -79,6 +83,8 @@ QColor colourOf(Look look) {
       return c.scene;
     case Look::Force:
       return c.attention;
+    case Look::Late:
+      return c.dim;
     case Look::Loss:
       break;
   }
@@ -87,7 +93,7 @@ QColor colourOf(Look look) {
 
 QString legend() {
   return ReplayTimeline::tr(
-      "▼ mark  ◆ setting  ■ scene, camera  ● force, device  × samples lost, ticks late");
+      "▼ mark  ◆ setting  ■ scene, camera  ● force, device  × samples lost  | ticks late");
 }
 
 QString wordsOf(const ReplayMark& mark) {
@@ -132,7 +138,25 @@ void drawHead(QPainter& painter, Look look, QPointF at) {
       painter.drawLine(corner(-1, -1), corner(1, 1));
       painter.drawLine(corner(-1, 1), corner(1, -1));
       break;
+    case Look::Late:  // a short line at the foot alone: there may be thousands
+      break;
   }
+}
+
+// the least of 1, 2, 5, 10, … times a power of ten that is not below it
+double roundedUp(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (value <= factor * power * (1.0 + 1e-9)) return factor * power;
+  return 10.0 * power;
+}
+
+// s between two times of the axis: seconds as roundedUp() has them, then what a clock has
+double timeStep(double least) {
+  if (least <= 10.0) return roundedUp(std::max(0.1, least));
+  for (const double step : {15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0})
+    if (least <= step) return step;
+  return 3600.0 * std::ceil(least / 3600.0);
 }
 
 }  // namespace
@@ -172,12 +196,16 @@ void ReplayTimeline::setTime(double time) {
 double ReplayTimeline::xOf(double time) const {
   const double length = track_.end - track_.begin;
   const double share = length > 0.0 ? std::clamp((time - track_.begin) / length, 0.0, 1.0) : 0.0;
-  return kSide + share * std::max(1.0, width() - 2.0 * kSide);
+  return kLeft + share * std::max(1.0, width() - kLeft - kRight);
 }
 
 double ReplayTimeline::timeAt(double x) const {
-  const double share = std::clamp((x - kSide) / std::max(1.0, width() - 2.0 * kSide), 0.0, 1.0);
+  const double share = std::clamp((x - kLeft) / std::max(1.0, width() - kLeft - kRight), 0.0, 1.0);
   return track_.begin + share * std::max(0.0, track_.end - track_.begin);
+}
+
+QRectF ReplayTimeline::curveArea() const {
+  return {kLeft, kLane, width() - kLeft - kRight, height() - kLane - kFoot};
 }
 
 QString ReplayTimeline::wordsAt(double x) const {
@@ -210,14 +238,24 @@ void ReplayTimeline::drawForce(QPainter& painter) const {
   float greatest = 0.0F;
   for (std::size_t i = 0; i < bins; ++i)
     if (std::isfinite(track_.force_most[i])) greatest = std::max(greatest, track_.force_most[i]);
-  const QRectF area(kSide, kLane, width() - 2.0 * kSide, height() - kLane - 3.0);
+  const QRectF area = curveArea();
+  painter.setFont(style::font(style::Type::Small));
+  painter.setPen(QPen(style::colours().dim, 1.0));
+  const QRectF beside(0.0, area.top() - 8.0, kLeft - 4.0, area.height() + 16.0);
+  painter.drawText(beside, Qt::AlignRight | Qt::AlignBottom, tr("0"));
   painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
   painter.drawLine(area.bottomLeft(), area.bottomRight());
+  painter.drawLine(area.topLeft(), area.bottomLeft());
   if (!(greatest > 0.0F) || area.width() < 1.0) return;
+
+  const double top = roundedUp(greatest);
+  painter.drawLine(area.topLeft(), area.topRight());
+  painter.setPen(QPen(style::colours().dim, 1.0));
+  painter.drawText(beside, Qt::AlignRight | Qt::AlignTop, tr("%1 N").arg(top));
 
   // a column holds all parts that touch it, so that the shortest peak is seen
   const auto y = [&](float force) {
-    return area.bottom() - static_cast<double>(force / greatest) * (area.height() - 2.0);
+    return area.bottom() - static_cast<double>(force) / top * area.height();
   };
   const int columns = static_cast<int>(area.width());
   const auto per_column = static_cast<double>(bins) / columns;
@@ -236,9 +274,8 @@ void ReplayTimeline::drawForce(QPainter& painter) const {
     const double x = area.left() + c + 0.5;
     painter.drawLine(QPointF{x, y(std::max(0.0F, least)) + 0.5}, QPointF{x, y(most) - 0.5});
   }
-  painter.setFont(style::font(style::Type::Small));
   // on a ground of its own: the curve goes on below it
-  const QString scale = tr("force up to %1 N").arg(static_cast<double>(greatest), 0, 'f', 1);
+  const QString scale = tr("greatest force %1 N").arg(static_cast<double>(greatest), 0, 'f', 2);
   const QRectF place = painter.boundingRect(area.adjusted(3.0, 0.0, -3.0, 0.0),
                                             Qt::AlignRight | Qt::AlignTop, scale);
   QColor ground = palette().color(QPalette::Base);
@@ -246,6 +283,27 @@ void ReplayTimeline::drawForce(QPainter& painter) const {
   painter.fillRect(place.adjusted(-2.0, 0.0, 2.0, 0.0), ground);
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(place, Qt::AlignCenter, scale);
+}
+
+void ReplayTimeline::drawTimes(QPainter& painter) const {
+  const QRectF area = curveArea();
+  const double length = track_.end - track_.begin;
+  const auto words = [](double time, double step) { return clockTime(time, step < 1.0 ? 1 : 0); };
+  painter.setFont(style::font(style::Type::Small));
+  painter.setPen(QPen(style::colours().dim, 1.0));
+  const auto draw = [&](double time, double step) {
+    const double x = xOf(time);
+    painter.drawLine(QPointF{x, area.bottom()}, QPointF{x, area.bottom() + 3.0});
+    const QRectF place(std::min(x - 0.5 * kTimes, width() - kTimes), area.bottom() + 2.0, kTimes,
+                       kFoot - 2.0);
+    painter.drawText(
+        place, place.center().x() < x - 0.5 ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignCenter,
+        words(time, step));
+  };
+  if (!(length > 0.0)) return draw(track_.begin, 1.0);
+  const double step = timeStep(kTimes * length / std::max(1.0, area.width()));
+  for (double n = std::ceil(track_.begin / step - 1e-9); n * step <= track_.end + 1e-9; ++n)
+    draw(n * step, step);
 }
 
 void ReplayTimeline::drawMarks(QPainter& painter) const {
@@ -256,10 +314,15 @@ void ReplayTimeline::drawMarks(QPainter& painter) const {
       const double x = xOf(mark.time);
       if (lookOf(mark.kind) != look || (last >= 0.0 && x - last < 0.5)) continue;
       last = x;
+      if (look == Look::Late) {
+        painter.fillRect(QRectF(std::floor(x), curveArea().bottom() - kLate, 1.0, kLate),
+                         colourOf(look));
+        continue;
+      }
       QColor line = colourOf(look);
       if (look != Look::Note) line.setAlpha(130);
       painter.setPen(QPen(line, 1.0));
-      painter.drawLine(QPointF{x, kLane / 2.0}, QPointF{x, height() - 3.0});
+      painter.drawLine(QPointF{x, kLane / 2.0}, curveArea().bottomLeft() + QPointF{x - kLeft, 0.0});
       drawHead(painter, look, {x, kLane / 2.0});
     }
   }
@@ -273,6 +336,7 @@ void ReplayTimeline::drawGround() {
   QPainter painter(&ground_);
   painter.setFont(font());
   drawForce(painter);
+  drawTimes(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   drawMarks(painter);
 }

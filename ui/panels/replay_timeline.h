@@ -28,9 +28,10 @@ struct ReplayTrack {
   std::vector<float> force_least = {}, force_most = {};
 };
 
-/// The whole recording from left to right: the force as a curve, events as symbols that differ in
-/// colour and shape, the present time as a line. A click or drag requests another time; while the
-/// mouse button is down the line follows the mouse. Its keys are in ui/bindings.h.
+/// The whole recording from left to right: the force as a curve over axes of newtons and of time,
+/// events as symbols that differ in colour and shape, late ticks as short dim lines at the foot,
+/// the present time as a line. A click or drag requests another time; while the mouse button is
+/// down the line follows the mouse. Its keys are in ui/bindings.h.
 class ReplayTimeline : public QWidget, public Spoken {
   Q_OBJECT
  public:
@@ -48,8 +49,8 @@ class ReplayTimeline : public QWidget, public Spoken {
   /// The texts of the events at `x`: a line each, plain text; empty if there is none.
   QString wordsAt(double x) const;
 
-  QSize sizeHint() const override { return {600, 68}; }
-  QSize minimumSizeHint() const override { return {200, 60}; }
+  QSize sizeHint() const override { return {600, 88}; }
+  QSize minimumSizeHint() const override { return {240, 80}; }
 
   QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
   QString spokenName() const override;
@@ -75,7 +76,10 @@ class ReplayTimeline : public QWidget, public Spoken {
  private:
   void wish(double x);
   void drawGround();
+  /// Where the curve is drawn, px.
+  QRectF curveArea() const;
   void drawForce(QPainter& painter) const;
+  void drawTimes(QPainter& painter) const;
   void drawMarks(QPainter& painter) const;
 
   ReplayTrack track_;

@@ -5,9 +5,12 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <mutex>
 #include <stop_token>
 #include <string>
 #include <system_error>
@@ -145,27 +148,65 @@ bool isAll(const StoredVoxels& stored, const Window& window) {
          layout.sizes[static_cast<std::size_t>(layout.volume_axis)] == 1;
 }
 
-constexpr std::int64_t kMostAtOnce = std::int64_t{1} << 29;  // bytes, a few tenths of a second
+constexpr std::int64_t kMostAtOnce = std::int64_t{1} << 29;    // bytes: some tenths of a second, or
+                                                               // seconds where the voxels are noise
+constexpr std::int64_t kPackedAtOnce = std::int64_t{1} << 23;  // bytes read between looks at Cancel
+constexpr std::chrono::milliseconds kLook{20};                 // between looks at Cancel
+
+/// The rest of a file, one gzip stream, inflated in one call. The thread that does it has a share
+/// of all that it touches, so it can be left behind: the call cannot be stopped.
+struct Inflating {
+  std::unique_ptr<char[]> packed;
+  std::size_t size = 0;
+  std::shared_ptr<void> to;
+  std::size_t bytes = 0;
+  std::mutex guards;
+  std::condition_variable has_ended;
+  bool ended = false, well = false;
+
+  void run() {
+    const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> with(
+        libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+    std::size_t taken = 0, made = 0;
+    const bool whole = with != nullptr &&
+                       libdeflate_gzip_decompress_ex(with.get(), packed.get(), size, to.get(),
+                                                     bytes, &taken, &made) == LIBDEFLATE_SUCCESS &&
+                       taken == size && made == bytes;
+    const std::lock_guard lock(guards);
+    well = whole;
+    ended = true;
+    has_ended.notify_one();
+  }
+};
 
 /// Inflates the rest of a file, one gzip stream of `bytes` bytes, in one call: several times as
-/// fast as in blocks, but neither Cancel nor damage is seen within. False for all else, which is to
-/// be read in blocks.
-bool inflateAtOnce(const StoredVoxels& stored, void* to, std::int64_t bytes) {
+/// fast as in blocks, but damage is not seen within. False for all else, which is to be read in
+/// blocks, and on Cancel.
+bool inflateAtOnce(const StoredVoxels& stored, const std::shared_ptr<void>& to, std::int64_t bytes,
+                   const ReadProgress& progress) {
   std::error_code error;
   const auto size = static_cast<std::int64_t>(fs::file_size(stored.file, error)) - stored.offset;
   if (error || size <= 0 || size > kMostAtOnce) return false;
-  const auto packed = std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size));
+  const auto work = std::make_shared<Inflating>();
+  work->packed = std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size));
+  work->size = static_cast<std::size_t>(size);
+  work->to = to;
+  work->bytes = static_cast<std::size_t>(bytes);
   std::ifstream file(stored.file, std::ios::binary);
   file.seekg(stored.offset);
-  if (!file.read(packed.get(), size)) return false;
-  const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> with(
-      libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-  std::size_t taken = 0, made = 0;
-  return with != nullptr &&
-         libdeflate_gzip_decompress_ex(with.get(), packed.get(), static_cast<std::size_t>(size), to,
-                                       static_cast<std::size_t>(bytes), &taken,
-                                       &made) == LIBDEFLATE_SUCCESS &&
-         taken == static_cast<std::size_t>(size) && made == static_cast<std::size_t>(bytes);
+  for (std::int64_t at = 0; at < size; at += kPackedAtOnce)
+    if (progress.isCancelled() ||
+        !file.read(work->packed.get() + at, std::min(kPackedAtOnce, size - at)))
+      return false;
+  try {
+    std::thread([work] { work->run(); }).detach();
+  } catch (const std::system_error&) {
+    work->run();
+  }
+  std::unique_lock lock(work->guards);
+  while (!work->has_ended.wait_for(lock, kLook, [&] { return work->ended; }))
+    if (progress.isCancelled()) return false;
+  return work->well;
 }
 
 tl::unexpected<haptics::Error> endsEarly(const fs::path& file) {
@@ -191,9 +232,10 @@ Expected<std::shared_ptr<void>> inflatedAtOnce(const StoredVoxels& stored,
   if (!voxels) return voxels;
   {
     const PagesAhead pages(voxels->get(), bytes);
-    if (!inflateAtOnce(stored, voxels->get(), bytes)) return nullptr;
+    const bool whole = inflateAtOnce(stored, *voxels, bytes, progress);
+    if (progress.isCancelled()) return cancelled();
+    if (!whole) return nullptr;
   }
-  if (progress.isCancelled()) return cancelled();
   if (layout.swapped)
     swapBytes(static_cast<char*>(voxels->get()), layout.voxelCount(), layout.bytesPerVoxel());
   progress.advanced(1.0);

@@ -4,9 +4,12 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 
+#include <atomic>
 #include <chrono>
 #include <clocale>
+#include <iterator>
 #include <map>
+#include <thread>
 
 #include "datasets/readers/nrrd/vtk_reader.h"
 #include "datasets/readers/volume_reader.h"
@@ -455,6 +458,35 @@ TEST(NrrdReader, CancelEndsTheRead) {
   EXPECT_EQ(v.error().kind, haptics::Error::Kind::Cancelled);
   EXPECT_GT(last, 0.3);
   EXPECT_LT(last, 0.4);
+}
+
+TEST(NrrdReader, CancelWhileAllIsInflatedAtOnceLeavesTheRestOfItBehind) {
+  const fs::path path = scan("stanford_bunny/bunny_512x512x361_airflat.nrrd");
+  NEEDS_SCAN(path);
+  const auto threads = [] {
+    return std::distance(fs::directory_iterator("/proc/self/task"), fs::directory_iterator{});
+  };
+  const auto before = threads();
+  std::atomic<bool> cancel = false;
+  {
+    std::jthread canceller([&cancel] {
+      std::this_thread::sleep_for(std::chrono::milliseconds{50});
+      cancel = true;
+    });
+    const auto v = readVolume(path, {}, {[](double) {}, &cancel});
+    ASSERT_FALSE(v);
+    EXPECT_EQ(v.error().kind, haptics::Error::Kind::Cancelled);
+  }
+  EXPECT_GT(threads(), before);  // the call goes on without its reader
+  // what was left behind, and may still be at work, is nobody else's
+  const auto whole = readVolume(path);
+  ASSERT_TRUE(whole) << sentence(whole.error());
+  const auto half = readVolume(path, {.part = {.step = 2}});  // not inflated at once
+  ASSERT_TRUE(half);
+  for (std::int64_t k = 0; k < half->grid.dims[2]; k += 20)
+    for (std::int64_t j = 0; j < half->grid.dims[1]; j += 20)
+      for (std::int64_t i = 0; i < half->grid.dims[0]; i += 20)
+        ASSERT_EQ(voxelAt(*half, i, j, k), voxelAt(*whole, 2 * i, 2 * j, 2 * k));
 }
 
 TEST(NrrdReader, TheVtkImageLooksAtTheVolumesVoxels) {

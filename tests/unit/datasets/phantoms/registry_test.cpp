@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstring>
 
 #include "datasets/phantoms/noise.h"
@@ -19,6 +20,28 @@ TEST(Phantoms, AnUnknownNameIsToldTheKnownOnes) {
   EXPECT_NE(sentence(phantom.error()).find("sphare"), std::string::npos);
   for (const std::string& name : phantomNames())
     EXPECT_NE(sentence(phantom.error()).find(name), std::string::npos) << name;
+}
+
+TEST(Phantoms, CancelEndsTheMakingWithinALayer) {
+  const std::atomic<bool> cancelled = true;
+  for (const std::string& name : phantomNames()) {
+    const auto phantom = makePhantom(name, &cancelled);
+    ASSERT_FALSE(phantom.has_value()) << name;
+    EXPECT_EQ(phantom.error().kind, haptics::Error::Kind::Cancelled) << name;
+  }
+  // counted: what is sampled after the cancel is the rest of its layer
+  std::atomic<bool> cancel = false;
+  int taken = 0;
+  const auto volume = sampled<std::int16_t>(
+      centredGrid(20, 1e-3), Ramp{},
+      [&](const haptics::Vec3&) {
+        if (++taken == 1'000) cancel = true;
+        return 0.001;
+      },
+      {}, &cancel);
+  ASSERT_FALSE(volume.has_value());
+  EXPECT_EQ(volume.error().kind, haptics::Error::Kind::Cancelled);
+  EXPECT_EQ(taken, 1'200);
 }
 
 TEST(Phantoms, EveryOneIsMadeTheSameTwiceAndIsFitToTouch) {
