@@ -36,7 +36,7 @@ QPainterPath finger(QPointF root, QPointF tip, double width) {
 }
 
 /// The sides of a tool in this unit [mm], the longest last.
-std::array<double, 3> sidesIn(const LengthUnit& unit, std::array<double, 3> numbers) {
+std::array<double, 3> sidesIn(const FileUnit& unit, std::array<double, 3> numbers) {
   for (double& side : numbers) side *= 1e3 * unit.metres;
   std::ranges::sort(numbers);
   return numbers;
@@ -116,10 +116,10 @@ QPainterPath handOutline() {
 
 QString likelyUnit(const std::array<double, 3>& numbers) {
   for (const std::size_t n : {0U, 2U, 1U, 3U}) {
-    const double longest = sidesIn(kLengthUnits[n], numbers)[2];
-    if (longest >= kShortestTool && longest <= kLongestTool) return kLengthUnits[n].name;
+    const double longest = sidesIn(kFileUnits[n], numbers)[2];
+    if (longest >= kShortestTool && longest <= kLongestTool) return kFileUnits[n].name;
   }
-  return kLengthUnits[0].name;
+  return kFileUnits[0].name;
 }
 
 UnitDialog::UnitDialog(const QString& file, const std::array<double, 3>& numbers, QWidget* parent)
@@ -133,9 +133,9 @@ UnitDialog::UnitDialog(const QString& file, const std::array<double, 3>& numbers
   what->setWordWrap(true);
   auto* grid = new QGridLayout;
   const QString likely = likelyUnit(numbers);
-  for (std::size_t n = 0; n < kLengthUnits.size(); ++n) {
-    const std::array<double, 3> sides = sidesIn(kLengthUnits[n], numbers);
-    const QString name = QString::fromLatin1(kLengthUnits[n].name);
+  for (std::size_t n = 0; n < kFileUnits.size(); ++n) {
+    const std::array<double, 3> sides = sidesIn(kFileUnits[n], numbers);
+    const QString name = QString::fromLatin1(kFileUnits[n].name);
     auto* choice = new QRadioButton(name);
     choice->setObjectName("unit_" + name);
     choice->setChecked(name == likely);
@@ -163,7 +163,7 @@ UnitDialog::UnitDialog(const QString& file, const std::array<double, 3>& numbers
 }
 
 QString UnitDialog::unit() const {
-  return QString::fromLatin1(kLengthUnits.at(static_cast<std::size_t>(choices_->checkedId())).name);
+  return QString::fromLatin1(kFileUnits.at(static_cast<std::size_t>(choices_->checkedId())).name);
 }
 
 std::optional<QString> askForUnit(QWidget* parent, const QString& file,

@@ -12,11 +12,11 @@ class QButtonGroup;
 namespace ui {
 
 /// A unit that the numbers of a mesh file may have.
-struct LengthUnit {
+struct FileUnit {
   const char* name;  ///< as the readers know it
   double metres;     ///< of one
 };
-inline constexpr std::array<LengthUnit, 4> kLengthUnits{
+inline constexpr std::array<FileUnit, 4> kFileUnits{
     {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 25.4e-3}}};
 
 /// The outline of an open hand of 180 mm from wrist to fingertip, in mm: the wrist's middle at the
