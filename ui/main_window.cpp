@@ -155,7 +155,7 @@ void MainWindow::buildViews() {
   views->addWidget(views_, 0, 0);
   views->addWidget(start_, 0, 0);
   start_->raise();
-  views_->setEnabled(false);
+  start_->hide();  // until someone fills it
   column->addLayout(views, 1);
   column->addWidget(replay_);
   replay_->setObjectName("replayBar");
@@ -503,8 +503,11 @@ void MainWindow::buildStatusBar() {
 }
 
 void MainWindow::show(const Picture& picture, double isovalue, const QString& title) {
-  start_->hide();
-  views_->setEnabled(true);
+  if (!start_->isHidden()) {
+    start_->hide();
+    views_->setEnabled(true);
+    view_->setFocus();  // where Space stops the force
+  }
   view_->show(picture, isovalue);
   view_actions_->show(picture);
   slice_set_->show(picture, isovalue);

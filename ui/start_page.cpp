@@ -97,7 +97,7 @@ QPixmap placeholder(qreal scale) {
 QPixmap squareOf(const QImage& picture, qreal scale) {
   const int side = qRound(StartPage::kThumbnail * scale);
   QPixmap square(side, side);
-  square.fill(Qt::black);
+  square.fill(style::colours().ground);
   const QImage fitting = picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   QPainter painter(&square);
   painter.drawImage((side - fitting.width()) / 2, (side - fitting.height()) / 2, fitting);

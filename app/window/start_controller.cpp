@@ -41,6 +41,9 @@ QImage pictureOfPlace(const QString& place, int longest, const background::Watch
 
 StartController::StartController(ui::MainWindow& window, PreferencesController& preferences)
     : window_(window), preferences_(preferences) {
+  // until the first volume is shown; the views behind it take no keys
+  window.startPage().show();
+  window.views().setEnabled(false);
   connect(&window, &ui::MainWindow::tourEnded, this, [this] {
     preferences_.present().tour_seen = true;
     preferences_.save();

@@ -137,11 +137,11 @@ TEST_F(Editing, HandlesOfTheCropBoxAreWholeAndCanBeTakenAtTheBorderOfAView) {
     return QPointF{std::clamp(at.x(), room.left(), room.right()),
                    std::clamp(at.y(), room.top(), room.bottom())};
   };
-  // a disc of the handles' colour, to its rim
+  // a disc of the handles' colour, to near its rim
   const auto isWhole = [](const QImage& image, QPointF at) {
     for (int n = 0; n < 16; ++n) {
       const double angle = n * std::numbers::pi / 8.0;
-      const QPointF p = at + QPointF{std::cos(angle), std::sin(angle)} * 3.5;
+      const QPointF p = at + QPointF{std::cos(angle), std::sin(angle)} * 2.0;
       const QColor c = image.pixelColor(p.toPoint());
       if (std::abs(c.red() - ui::style::kOutline.red()) +
               std::abs(c.green() - ui::style::kOutline.green()) +

@@ -285,11 +285,13 @@ TEST(RecordingPanel, ARecordingHasALabelADateAndACurve) {
             QLocale().toString(past[0].changed, QLocale::ShortFormat));
   p.choose(0);
   EXPECT_EQ(label->text(), "first try");
+  p.panel.window()->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(p.panel.window(), 20'000));
+  label->setFocus();
   label->selectAll();
   QTest::keyClicks(label, "Rim  of the <b>window</b>");
   EXPECT_EQ(labelled.count(), 0);
   // told anew meanwhile, what is being typed stays
-  label->setFocus();
   p.panel.show(past);
   EXPECT_EQ(label->text(), "Rim  of the <b>window</b>");
   QTest::keyClick(label, Qt::Key_Return);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QClipboard>
 #include <QComboBox>
@@ -313,10 +314,13 @@ TEST(ToolPlace, APictureIsSavedWhereAskedAndCopied) {
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   window::pictureAtRest(application.window().view());
   Answers answers(folder.filePath("picture.png"));
+  const QSize size = application.window().view().size();  // before it is told that it is saved
   application.window().findChild<QAction*>("savePicture")->trigger();
   EXPECT_EQ(answers.seen, QStringList({"wish", "file"}));  // a phantom is nobody
   const QImage saved(folder.filePath("picture.png"));
-  ASSERT_EQ(saved.size(), application.window().view().size());
+  ASSERT_EQ(saved.size(), size);
+  application.window().findChild<QAbstractButton*>("doneClose")->click();
+  QTest::qWait(100);  // the views have its room again
   EXPECT_TRUE(saved.textKeys().isEmpty());
   EXPECT_GT(window::count(saved, window::surfaceColoured), 2'000);
   application.window().findChild<QAction*>("copyPicture")->trigger();
@@ -343,6 +347,7 @@ TEST(ToolPlace, APictureOfOneSliceIsSavedByMouseAndKeys) {
   window.view().setFocus();
   QTest::qWait(200);
   const QImage shown = window::pictureOf(axial);
+  const QSize size = axial.size();  // before it is told that a picture is saved
   // "Not for treatment"
   const QRect corner(axial.pictureRect().right() - 120, axial.pictureRect().top() + 32, 116, 20);
   const auto light = [](QColor c) { return c.red() > 200 && c.blue() > 200; };
@@ -354,6 +359,8 @@ TEST(ToolPlace, APictureOfOneSliceIsSavedByMouseAndKeys) {
     QFile::remove(path);
     ask();
     EXPECT_EQ(answers.seen, QStringList({"wish", "file"}));  // a phantom is nobody
+    window.findChild<QAbstractButton*>("doneClose")->click();
+    QTest::qWait(100);  // the views have its room again
     return QImage(path);
   };
   // the menu of the slice offers that slice
@@ -368,7 +375,7 @@ TEST(ToolPlace, APictureOfOneSliceIsSavedByMouseAndKeys) {
     choose();
   });
   EXPECT_EQ(answers.offered, "Slice: Axial");
-  ASSERT_EQ(one.size(), axial.size());
+  ASSERT_EQ(one.size(), size);
   EXPECT_TRUE(one.textKeys().isEmpty());
   // letters, lines, marks and words as they are on the screen, where there may be a frame of the
   // focus and a value under the pointer too
@@ -456,6 +463,8 @@ TEST(ToolPlace, APictureThatMayShowAFaceIsAskedFor) {
   // and, whatever the isovalue, a slice in a picture of the window
   window::panelOf<ui::IsosurfacePanel>(application.window()).choose(300.0);
   EXPECT_TRUE(QFile::remove(path));
+  application.window().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&application.window(), 20'000));
   application.window().slice(ui::Plane::Sagittal).setFocus();
   EXPECT_EQ(take("savePicture"), QStringList({"wish", warning, "file"}));
   EXPECT_EQ(answers.offered, "Slice: Sagittal");

@@ -77,6 +77,9 @@ ReplayBar::ReplayBar(QWidget* parent)
   row->addWidget(speed_label);
   row->addWidget(speeds_);
   row->addSpacing(8);
+  auto* marks_label = new QLabel(tr("Marks"));
+  marks_label->setBuddy(marks_);
+  row->addWidget(marks_label);
   row->addWidget(marks_);
   row->addSpacing(8);
   row->addWidget(time_);
