@@ -436,6 +436,8 @@ TEST(Access, ViewsSayWhatTheyShow) {
   ui::SliceView& axial = w.window.slice(ui::Plane::Axial);
   const QString first = spokenOf(axial).text(QAccessible::Name);
   EXPECT_TRUE(first.startsWith("Axial slice: ") && first.contains("/ 24")) << first.toStdString();
+  w.window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.window, 20'000));
   axial.setFocus();
   const Listening listening;
   QTest::keyClick(&axial, Qt::Key_Up);
