@@ -23,6 +23,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <vector>
 
 #include "ui/banner.h"
 #include "ui/bindings.h"
@@ -353,7 +354,15 @@ void MainWindow::resetLayout() {
   restoreLayout({.views = {}, .borders = {}, .panels = {}, .panel_width = style::kPanelWidth});
 }
 
-void MainWindow::orderTabs() { ui::orderTabs(*centralWidget(), *statusBar()); }
+bool MainWindow::focusNextPrevChild(bool next) {
+  // Qt goes in the order in which widgets were made
+  std::vector<QWidget*> stops = tabStopsOf(*centralWidget());
+  for (QWidget* stop : tabStopsOf(*statusBar())) stops.push_back(stop);
+  QWidget* stop = nextTabStop(stops, next);
+  if (stop == nullptr) return false;
+  stop->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+  return true;
+}
 
 void MainWindow::offerPreferences() {
   edit_menu_->addSeparator();

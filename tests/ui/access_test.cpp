@@ -423,6 +423,17 @@ TEST(Access, TheForceIsSaidWhereItBeginsAndByHalfANewtonOnceASecond) {
   EXPECT_EQ(at(6.1, 3.0), QStringList{"Force: 3.00 N"});
   EXPECT_EQ(at(7.2, 0.0), QStringList{"Force: 0.00 N"});
   EXPECT_EQ(at(0.1, 1.0), QStringList{"Force: 1.00 N"});  // another hand counts anew
+  // and a touch where it begins and ends, not how many places it has
+  const auto touching = [&](double time, int contacts) {
+    told().clear();
+    snapshot.time = time;
+    snapshot.contacts = contacts;
+    card.display(snapshot);
+    return told().filter("Touch");
+  };
+  EXPECT_EQ(touching(3.0, 2), QStringList{"Touch: Touching at 2 places"});
+  EXPECT_TRUE(touching(5.0, 3).isEmpty());
+  EXPECT_EQ(touching(7.0, 0), QStringList{"Touch: Nothing is touched"});
 }
 
 TEST(Access, ViewsSayWhatTheyShow) {
@@ -435,6 +446,8 @@ TEST(Access, ViewsSayWhatTheyShow) {
   ui::SliceView& axial = w.window.slice(ui::Plane::Axial);
   const QString first = spokenOf(axial).text(QAccessible::Name);
   EXPECT_TRUE(first.startsWith("Axial slice: ") && first.contains("/ 24")) << first.toStdString();
+  w.window.activateWindow();
+  ASSERT_TRUE(waitFor([&] { return w.window.isActiveWindow(); }, 10.0));
   axial.setFocus();
   const Listening listening;
   QTest::keyClick(&axial, Qt::Key_Up);
