@@ -21,6 +21,7 @@
 #include <QTest>
 #include <algorithm>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "app/application.h"
@@ -162,11 +163,12 @@ TEST(Access, EveryControlHasARoleANameAndATooltip) {
 TEST(Access, TheOtherWindowsSayTheirControls) {
   ui::PreferencesWindow preferences;
   preferences.show(ui::PreferenceChoices{}, "/own");
-  window::showAndWait(preferences, {720, 560});
+  window::showAndWait(preferences, {800, 540});
   for (int page = 0; page < 6; ++page) {
     preferences.findChild<QListWidget*>("preferencePages")->setCurrentRow(page);
     QTest::qWait(10);
     expectSaid(preferences, "preferences");
+    window::keep(window::pictureOf(preferences), ("preferences_" + std::to_string(page)).c_str());
   }
   ui::SeriesRow row;
   row.study = "1";
