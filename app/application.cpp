@@ -227,9 +227,8 @@ void Application::wirePreferences() {
     recordings_.setFolder(folder.toStdString());
     recording_.showRecordings();
   });
-  // the menu has the entries of the edits by now, and the window its panels
+  // the menu has the entries of the edits by now
   window_.offerPreferences();
-  window_.orderTabs();
 }
 
 void Application::close() {

@@ -24,6 +24,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <vector>
 
 #include "ui/banner.h"
 #include "ui/bindings.h"
@@ -418,7 +419,17 @@ void MainWindow::resetLayout() {
   restoreLayout({.views = {}, .borders = {}, .panels = {}, .panel_width = style::kPanelWidth});
 }
 
-void MainWindow::orderTabs() { ui::orderTabs(*centralWidget(), *statusBar()); }
+bool MainWindow::focusNextPrevChild(bool next) {
+  // Qt goes in the order in which widgets were made
+  std::vector<QWidget*> stops;
+  for (QWidget* part :
+       {centralWidget(), static_cast<QWidget*>(statusBar()), static_cast<QWidget*>(tour_)})
+    for (QWidget* stop : tabStopsOf(*part)) stops.push_back(stop);
+  QWidget* stop = nextTabStop(stops, next);
+  if (stop == nullptr) return false;
+  stop->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+  return true;
+}
 
 void MainWindow::offerPreferences() {
   edit_menu_->addSeparator();

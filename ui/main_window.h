@@ -70,9 +70,6 @@ class MainWindow : public QMainWindow {
   void setEdited(bool edited);
   /// The menu "Edit", for what its controller puts there.
   QMenu& editMenu() { return *edit_menu_; }
-  /// Lets Tab go through bar, tabs, panels, views and status bar as they are laid out, once all
-  /// panels are there.
-  void orderTabs();
   /// Adds its entry for the preferences, below what is there by then.
   void offerPreferences();
   using QMainWindow::show;
@@ -215,6 +212,8 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  /// Tab goes through bar, tabs, panels, views and status bar as they are laid out.
+  bool focusNextPrevChild(bool next) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 

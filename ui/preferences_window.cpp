@@ -84,11 +84,12 @@ PreferencesWindow::PreferencesWindow(QWidget* parent)
     tell();
   });
   titles_->setCurrentRow(0);
-  resize(720, 520);
+  resize(800, 540);
 }
 
 QWidget* PreferencesWindow::addPage(const QString& title) {
   titles_->addItem(title);
+  titles_->item(titles_->count() - 1)->setSizeHint({0, style::kControlHeight});
   auto* page = new QWidget;
   pages_->addWidget(page);
   return page;

@@ -14,6 +14,8 @@
 namespace ui {
 namespace {
 
+constexpr int kPlaceWidth = 148;  // px
+
 enum ShortcutColumn { ShortcutKey, ShortcutPlace, ShortcutWords, kShortcutColumns };
 
 /// What it does, and where an arrow key goes: the four have the same words.
@@ -115,6 +117,9 @@ ShortcutList::ShortcutList(QWidget* parent)
   list_->horizontalHeader()->setHighlightSections(false);
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setSectionResizeMode(ShortcutWords, QHeaderView::Stretch);
+  // the few long places are said in full by their tool tips
+  list_->horizontalHeader()->setSectionResizeMode(ShortcutPlace, QHeaderView::Interactive);
+  list_->setColumnWidth(ShortcutPlace, kPlaceWidth);
   change_->setObjectName("changeShortcut");
   reset_->setObjectName("resetShortcut");
   reset_->setToolTip(tr("Gives the chosen line the key that it has at first"));

@@ -170,8 +170,9 @@ void SliceView::setCross(const Eigen::Vector3d& cross_W_mm) {
   cross_mm_ = cross_W_mm;
   if (plane_ == Plane::Oblique) return update();
   // a move within the slice leaves its picture as it is
-  if (std::abs(axes_.normal.dot(cross_W_mm - through_mm_)) > 1e-6) changed();
+  const bool other = std::abs(axes_.normal.dot(cross_W_mm - through_mm_)) > 1e-6;
   through_mm_ = cross_W_mm;
+  if (other) changed();
   // a crosshair that was moved elsewhere is looked for
   if (drag_ == Drag::None && volume_ && !QRectF(pictureRect()).contains(projected(cross_mm_))) {
     const Eigen::Vector3d by = cross_mm_ - middle_mm();

@@ -3,6 +3,7 @@
 
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLayout>
@@ -11,6 +12,7 @@
 #include <QSplitter>
 #include <QWidget>
 #include <algorithm>
+#include <cstddef>
 #include <tuple>
 #include <vector>
 
@@ -61,17 +63,37 @@ void collect(QWidget& widget, TabStops& stops) {
   }
   if (widget.layout() != nullptr) collect(*widget.layout(), stops);
   // what is placed without a layout
+  std::vector<QWidget*> placed;
   for (QObject* child : widget.children())
-    if (auto* part = qobject_cast<QWidget*>(child)) collect(*part, stops);
+    if (auto* part = qobject_cast<QWidget*>(child)) placed.push_back(part);
+  std::stable_sort(placed.begin(), placed.end(), [](const QWidget* a, const QWidget* b) {
+    return std::tuple(a->y(), a->x()) < std::tuple(b->y(), b->x());
+  });
+  for (QWidget* part : placed) collect(*part, stops);
 }
 
 }  // namespace
 
-void orderTabs(QWidget& first_part, QWidget& last_part) {
+std::vector<QWidget*> tabStopsOf(QWidget& part) {
   TabStops stops;
-  collect(first_part, stops);
-  collect(last_part, stops);
-  for (std::size_t n = 1; n < stops.size(); ++n) QWidget::setTabOrder(stops[n - 1], stops[n]);
+  collect(part, stops);
+  return stops;
+}
+
+QWidget* nextTabStop(const std::vector<QWidget*>& stops, bool forwards) {
+  // the focus may be on a part of a stop, such as the field in which a line of a list is typed
+  QWidget* focus = QApplication::focusWidget();
+  auto found = stops.end();
+  for (; focus != nullptr && found == stops.end(); focus = focus->parentWidget())
+    found = std::find(stops.begin(), stops.end(), focus);
+  const auto count = static_cast<std::ptrdiff_t>(stops.size());
+  const std::ptrdiff_t from = found != stops.end() ? found - stops.begin() : forwards ? -1 : count;
+  for (std::ptrdiff_t n = 1; n <= count; ++n) {
+    QWidget* stop =
+        stops[static_cast<std::size_t>((from + (forwards ? n : -n) + 2 * count) % count)];
+    if (stop->isVisible() && stop->isEnabled()) return stop;
+  }
+  return nullptr;
 }
 
 }  // namespace ui

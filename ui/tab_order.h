@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 class QWidget;
 
 namespace ui {
 
-/// Lets Tab go through two parts of a window as they are laid out: the first, then the last, in
-/// each from left to right and down. Qt's own order is that in which widgets were made. GUI thread.
-void orderTabs(QWidget& first_part, QWidget& last_part);
+/// What Tab stops at in a part of a window, as it is laid out: from left to right and down. Hidden
+/// and disabled widgets are among them. GUI thread.
+std::vector<QWidget*> tabStopsOf(QWidget& part);
+
+/// The stop after that which has the focus, or before it; from the last on to the first. Null:
+/// there is none that can have it.
+QWidget* nextTabStop(const std::vector<QWidget*>& stops, bool forwards);
 
 }  // namespace ui

@@ -54,7 +54,7 @@ QString refusalOf(const fs::path& folder) {
     return say(
         QT_TRANSLATE_NOOP("app::Recordings", "'%1' is not a folder; choose one that exists."));
   // by writing: permissions do not tell of a disk that is mounted for reading
-  QTemporaryFile file(path + "/palpate-XXXXXX");
+  QTemporaryFile file(path + "/palpate");  // and what makes it new
   if (!file.open() || file.write("x") != 1 || !file.flush())
     return say(QT_TRANSLATE_NOOP(
         "app::Recordings",

@@ -21,6 +21,7 @@
 #include <QTest>
 #include <algorithm>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "app/application.h"
@@ -162,11 +163,12 @@ TEST(Access, EveryControlHasARoleANameAndATooltip) {
 TEST(Access, TheOtherWindowsSayTheirControls) {
   ui::PreferencesWindow preferences;
   preferences.show(ui::PreferenceChoices{}, "/own");
-  window::showAndWait(preferences, {720, 560});
+  window::showAndWait(preferences, {800, 540});
   for (int page = 0; page < 6; ++page) {
     preferences.findChild<QListWidget*>("preferencePages")->setCurrentRow(page);
     QTest::qWait(10);
     expectSaid(preferences, "preferences");
+    window::keep(window::pictureOf(preferences), ("preferences_" + std::to_string(page)).c_str());
   }
   ui::SeriesRow row;
   row.study = "1";
@@ -216,8 +218,7 @@ TEST(Access, TooltipsEndWithTheKey) {
   EXPECT_TRUE(whole.window().findChild<QWidget*>("forceOff")->toolTip().contains("Escape"));
 }
 
-// not yet seen to pass since the start page stands beside the views
-TEST(Access, DISABLED_TabReachesEveryControlFromLeftToRightAndDown) {
+TEST(Access, TabReachesEveryControlFromLeftToRightAndDown) {
   WholeWindow whole;
   whole.activate();
   whole.inEachTab([&](const char* tab) {
@@ -424,10 +425,20 @@ TEST(Access, TheForceIsSaidWhereItBeginsAndByHalfANewtonOnceASecond) {
   EXPECT_EQ(at(6.1, 3.0), QStringList{"Force: 3.00 N"});
   EXPECT_EQ(at(7.2, 0.0), QStringList{"Force: 0.00 N"});
   EXPECT_EQ(at(0.1, 1.0), QStringList{"Force: 1.00 N"});  // another hand counts anew
+  // and a touch where it begins and ends, not how many places it has
+  const auto touching = [&](double time, int contacts) {
+    told().clear();
+    snapshot.time = time;
+    snapshot.contacts = contacts;
+    card.display(snapshot);
+    return told().filter("Touch");
+  };
+  EXPECT_EQ(touching(3.0, 2), QStringList{"Touch: Touching at 2 places"});
+  EXPECT_TRUE(touching(5.0, 3).isEmpty());
+  EXPECT_EQ(touching(7.0, 0), QStringList{"Touch: Nothing is touched"});
 }
 
-// not yet seen to pass: what a slice tells after a key is what it told before
-TEST(Access, DISABLED_ViewsSayWhatTheyShow) {
+TEST(Access, ViewsSayWhatTheyShow) {
   window::Panelled w;
   EXPECT_TRUE(spokenOf(w.window.view()).text(QAccessible::Name).startsWith("3-D view"));
   const auto volume = window::volumeOf(window::cubeGrid(24), haptics::ScalarType::Int16,

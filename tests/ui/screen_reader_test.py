@@ -63,7 +63,9 @@ def hear(event):
 
 
 def pump():
-    while CONTEXT.iteration(False):
+    """Hears what has been said, for a moment: while a tool touches, there is always more."""
+    end = time.monotonic() + 0.5
+    while CONTEXT.iteration(False) and time.monotonic() < end:
         pass
 
 

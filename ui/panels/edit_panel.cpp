@@ -153,7 +153,7 @@ QWidget* EditPanel::cropPage() {
       const QByteArray name = "crop" + QByteArray::number(axis) + (side == 0 ? "Low" : "High");
       crop_numbers_[a][s] =
           numberOf(name.constData(), {}, -kFarthest_mm, kFarthest_mm, 1.0, 1, tr(" mm"));
-      crop_numbers_[a][s]->setToolTip(tr("Where this side of the box lies"));
+      crop_numbers_[a][s]->setToolTip(tr("Where the box ends on this side"));
       grid->addWidget(crop_names_[a][s], axis, 2 * side);
       grid->addWidget(crop_numbers_[a][s], axis, 2 * side + 1);
       connect(crop_numbers_[a][s], &NumberBox::valueChanged, this,

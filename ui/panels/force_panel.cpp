@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -41,7 +42,7 @@ ForcePanel::ForcePanel(QWidget* parent)
     : QWidget(parent),
       force_(new Figure(tr("Force"), tr("N"))),
       torque_(new Figure(tr("Torque"))),
-      touch_(new QLabel),
+      touch_(new Figure(tr("Touch"))),
       plot_(new ForcePlot) {
   setObjectName("forceCard");
   setPalette(style::paletteOf(style::kDark));
@@ -82,6 +83,11 @@ void ForcePanel::display(const haptics::Snapshot& snapshot) {
   say(force_, QString::number(snapshot.felt_W.force.norm(), 'f', 2));
   say(torque_, tr("%1 mN·m").arg(snapshot.felt_W.torque.norm() * 1000.0, 0, 'f', 0));
   say(touch_, touchWords(snapshot));
+  sayForce(snapshot);
+  sayTouch(snapshot);
+}
+
+void ForcePanel::sayForce(const haptics::Snapshot& snapshot) {
   const double force = snapshot.felt_W.force.norm();
   const bool begins = (force < kLeastForceSaid) != (said_ < kLeastForceSaid);
   const double pause = snapshot.time - said_time_;
@@ -89,6 +95,16 @@ void ForcePanel::display(const haptics::Snapshot& snapshot) {
   said_ = force;
   said_time_ = snapshot.time;
   tellSpokenName(*force_);
+}
+
+void ForcePanel::sayTouch(const haptics::Snapshot& snapshot) {
+  const bool withheld = snapshot.force_state == haptics::ForceState::Armed;
+  const int touch = withheld ? -1 : std::min(snapshot.contacts, 1);
+  const double pause = snapshot.time - touch_time_;
+  if (touch == said_touch_ || (pause >= 0.0 && pause < kLeastPause)) return;
+  said_touch_ = touch;
+  touch_time_ = snapshot.time;
+  tellSpokenName(*touch_);
 }
 
 void ForcePanel::setCompact(bool compact) {

@@ -255,11 +255,11 @@ QWidget* HapticDevicePanel::buildList() {
   turned->addWidget(turned_by_, 1);
 
   connect_->setObjectName("connectDevice");
-  connect_->setToolTip(tr("Gives the tool to the chosen device, or takes it back"));
+  connect_->setToolTip(tr("Connects the chosen device, without a force, or disconnects it"));
   connect(connect_, &QPushButton::clicked, this, &HapticDevicePanel::connectSelected);
   auto* again = new QPushButton(tr("Look again"));
   again->setObjectName("lookAgain");
-  again->setToolTip(tr("Looks for devices once more"));
+  again->setToolTip(tr("Looks for devices that were plugged in meanwhile"));
   connect(again, &QPushButton::clicked, this, &HapticDevicePanel::surveyWanted);
   auto* row = new QHBoxLayout;
   row->addWidget(connect_, 1);
