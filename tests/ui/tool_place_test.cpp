@@ -357,6 +357,8 @@ TEST(ToolPlace, APictureOfOneSliceIsSavedByMouseAndKeys) {
   const auto take = [&](const auto& ask) {
     answers.seen.clear();
     QFile::remove(path);
+    window.activateWindow();  // without a window manager nobody does after a dialog
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window, 20'000));
     ask();
     EXPECT_EQ(answers.seen, QStringList({"wish", "file"}));  // a phantom is nobody
     window.findChild<QAbstractButton*>("doneClose")->click();
@@ -460,8 +462,19 @@ TEST(ToolPlace, APictureThatMayShowAFaceIsAskedFor) {
   window::panelOf<ui::IsosurfacePanel>(application.window()).choose(-300.0);
   EXPECT_EQ(take("copyPicture"), QStringList({warning}));
   EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
-  // and, whatever the isovalue, a slice in a picture of the window
+  // and, whatever the isovalue, a slice
   window::panelOf<ui::IsosurfacePanel>(application.window()).choose(300.0);
+  EXPECT_TRUE(QFile::remove(path));
+  const auto use = [&](QWidget& used) {
+    application.window().activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&application.window(), 20'000));
+    used.setFocus();
+  };
+  use(application.window().slice(ui::Plane::Sagittal));
+  EXPECT_EQ(take("savePicture"), QStringList({"wish", warning, "file"}));
+  EXPECT_EQ(answers.offered, "Slice: Sagittal");
+  use(view);
+  // also in a picture of the window
   EXPECT_TRUE(QFile::remove(path));
   answers.whole_window = true;
   EXPECT_EQ(take("savePicture"), QStringList({"wish", warning, "file"}));
