@@ -135,6 +135,7 @@ class SliceView : public QWidget, public Spoken {
  private:
   class Geometry;
   enum class Drag { None, Cross, Pan, Grey };
+  static constexpr int kRestMs = 150;  ///< without a change: the contour is followed finely
 
   void take(const Picture& picture);
   void draw(QPainter& painter);
@@ -160,6 +161,8 @@ class SliceView : public QWidget, public Spoken {
     std::optional<QPointF> tip = {};
   };
   ToolLines toolLines() const;
+  /// How far points of the tool are apart at two poses, at most.
+  double apart_mm(const haptics::Pose& a, const haptics::Pose& b) const;
   QRect toolRect() const;  ///< that holds them
   void drawTool(QPainter& painter) const;
   /// Does what a key means here; false: nothing.
@@ -201,7 +204,7 @@ class SliceView : public QWidget, public Spoken {
   std::optional<QPointF> hover_;
   int wheel_ = 0;  ///< of a notch, not yet used
   MouseChoices mouse_;
-  std::unique_ptr<Geometry> geometry_;
+  std::unique_ptr<ViewGeometry> geometry_;
   OverlayStack overlays_{*this};
 };
 

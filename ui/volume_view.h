@@ -134,6 +134,7 @@ class VolumeView : public Viewport, public Spoken {
 
  private:
   class Geometry;
+  static constexpr double kLeastForce = 0.02;  ///< N: less is not shown
   /// What a drag does until its button is released.
   struct Grasp {
     Action action;
@@ -188,7 +189,7 @@ class VolumeView : public Viewport, public Spoken {
   QPointF last_mouse_, press_;
   QTimer still_;
   TouchedSurface touched_;
-  std::unique_ptr<Geometry> geometry_;
+  std::unique_ptr<ViewGeometry> geometry_;
   OverlayStack overlays_{*this};
 };
 

@@ -200,7 +200,9 @@ TEST_F(Editing, HandlesOfTheCropBoxAreWholeAndCanBeTakenAtTheBorderOfAView) {
       by[axis] = high ? -4 : 4;
       // the letters stand at the edges
       const QPointF handle = kept(inSpace(face), QRectF(view.rect()).adjusted(28, 20, -28, -20));
-      if (axis == 2) EXPECT_FALSE(view.rect().contains(inSpace(face).toPoint()));
+      if (axis == 2) {
+        EXPECT_FALSE(view.rect().contains(inSpace(face).toPoint()));
+      }
       EXPECT_TRUE(isWhole(image, handle)) << axis << high;
       expectMoved(axis, high, view, handle, inSpace(by) - inSpace(Vector3d::Zero()));
     }

@@ -2,6 +2,7 @@
 #include "datasets/readers/files/stored_voxels.h"
 
 #include <libdeflate.h>
+#include <pthread.h>
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -199,7 +200,10 @@ bool inflateAtOnce(const StoredVoxels& stored, const std::shared_ptr<void>& to, 
         !file.read(work->packed.get() + at, std::min(kPackedAtOnce, size - at)))
       return false;
   try {
-    std::thread([work] { work->run(); }).detach();
+    std::thread([work] {
+      pthread_setname_np(pthread_self(), "palpate-inflate");
+      work->run();
+    }).detach();
   } catch (const std::system_error&) {
     work->run();
   }
