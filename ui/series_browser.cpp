@@ -146,16 +146,12 @@ SeriesBrowser::SeriesBrowser(const QString& place, const QList<SeriesRow>& rows,
   table_->setObjectName("series");
   table_->setAccessibleName(tr("Series"));
   table_->setToolTip(tr("Enter or a double-click loads a series"));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setTabKeyNavigation(false);
+  style::makeLines(*table_);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->setIconSize({kThumbnail, kThumbnail});
-  table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(kThumbnail + 8);
-  table_->horizontalHeader()->setHighlightSections(false);
   connect(table_, &QTableWidget::cellActivated, this, &SeriesBrowser::choose);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SeriesBrowser::showDetails);
 

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "ui/bindings.h"
+#include "ui/style/style.h"
 #include "ui/warning_label.h"
 
 namespace ui {
@@ -106,15 +107,7 @@ ShortcutList::ShortcutList(QWidget* parent)
   list_->setToolTip(tr("Enter or a double-click changes the key of a line"));
   list_->setColumnCount(kShortcutColumns);
   list_->setHorizontalHeaderLabels({tr("Key"), tr("Where"), tr("What it does")});
-  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  list_->setTabKeyNavigation(false);
-  list_->setShowGrid(false);
-  list_->setWordWrap(false);
-  list_->verticalHeader()->hide();
-  list_->verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() + 6);
-  list_->horizontalHeader()->setHighlightSections(false);
+  style::makeLines(*list_);
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setSectionResizeMode(ShortcutWords, QHeaderView::Stretch);
   // the few long places are said in full by their tool tips

@@ -58,12 +58,17 @@ QString positionWords(const Eigen::Vector3d& p_W_mm, bool sides_known) {
   return parts.join(QStringLiteral("  ")) + ' ' + lengthUnitName();
 }
 
+QString rulerWords(double mm) {
+  const double shown = mm / mmPerLengthUnit();
+  const int decimals = shown < 0.0095 ? 3 : shown < 0.095 ? 2 : shown < 0.95 ? 1 : 0;
+  return readoutLocale().toString(shown, 'f', decimals) + ' ' + lengthUnitName();
+}
+
 void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture) {
   QFont font = painter.font();
   font.setPixelSize(kTextPixels);
   painter.setFont(font);
   const double mm = rulerLength_mm(0.3 * picture.height() * mm_per_pixel);
-  const double shown = mm / mmPerLengthUnit();
   const int length = qRound(mm / mm_per_pixel);
   if (length < 12) return;
   const int x = picture.right() - 8, middle = picture.center().y() + 12;
@@ -74,10 +79,8 @@ void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture) {
     painter.drawLine(x - 4, top, x, top);
     painter.drawLine(x - 4, bottom, x, bottom);
   }
-  const int decimals = shown < 0.0095 ? 3 : shown < 0.095 ? 2 : shown < 0.95 ? 1 : 0;
   drawOver(painter, QRect(x - 90, middle - 10, 82, 20), Qt::AlignRight | Qt::AlignVCenter,
-           readoutLocale().toString(shown, 'f', decimals) + ' ' + lengthUnitName(),
-           style::kReadout);
+           rulerWords(mm), style::kReadout);
 }
 
 void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, QRect picture) {

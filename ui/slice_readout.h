@@ -30,6 +30,9 @@ void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, Q
 /// Draws the ruler with its length at the right side of the picture.
 void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture);
 
+/// Its length in the unit that the user chose: "20 mm", "0.5 cm".
+QString rulerWords(double mm);
+
 /// The user's locale, without separators between thousands.
 QLocale readoutLocale();
 

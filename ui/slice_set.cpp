@@ -3,13 +3,16 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QInputDialog>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/bindings.h"
 #include "ui/grey_presets.h"
 #include "ui/lengths.h"
+#include "ui/number_box.h"
 #include "ui/plane_colours.h"
 #include "ui/props/section.h"
 #include "ui/slice_readout.h"
@@ -171,10 +174,10 @@ void SliceSet::buildLookMenu() {
     choice(thicknesses_, {}, "", mm, &SliceLook::thickness_mm);
   const auto name = [this] {
     for (QAction* action : thicknesses_->actions())
-      action->setText(tr("%1 thick")
-                          .arg(QStringLiteral("%1 %2")
-                                   .arg(action->data().toDouble() / mmPerLengthUnit())
-                                   .arg(lengthUnitName())));
+      action->setText(
+          tr("%1 thick")
+              .arg(readoutLocale().toString(action->data().toDouble() / mmPerLengthUnit()) + ' ' +
+                   lengthUnitName()));
   };
   name();
   whenLengthUnitChanges(*this, [this, name] {
@@ -187,15 +190,27 @@ void SliceSet::buildLookMenu() {
 }
 
 void SliceSet::askThickness() {
-  bool given = false;
-  SliceLook look = look_;
   const double unit = mmPerLengthUnit();
-  look.thickness_mm =
-      unit * QInputDialog::getDouble(slices_.front()->window(), tr("Thick slab"),
-                                     tr("Thickness, %1").arg(lengthUnitName()),
-                                     look.thickness_mm / unit, SliceLook::kThinnest_mm / unit,
-                                     SliceLook::kThickest_mm / unit, lengthDecimals(1), &given);
-  if (given) setLook(look);
+  QDialog dialog(slices_.front()->window());
+  dialog.setObjectName("thicknessQuestion");
+  dialog.setWindowTitle(tr("Thick slab"));
+  auto* thickness = new NumberBox;
+  thickness->setAccessibleName(tr("Thickness"));
+  thickness->setDecimals(lengthDecimals(1));
+  thickness->setRange(SliceLook::kThinnest_mm / unit, SliceLook::kThickest_mm / unit);
+  thickness->setValue(look_.thickness_mm / unit);
+  thickness->setSuffix(' ' + lengthUnitName());
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  auto* form = new QFormLayout(&dialog);
+  form->addRow(tr("&Thickness"), thickness);
+  form->addRow(buttons);
+  thickness->selectAll();
+  if (dialog.exec() != QDialog::Accepted) return;
+  SliceLook look = look_;
+  look.thickness_mm = unit * thickness->value();
+  setLook(look);
 }
 
 void SliceSet::setLook(const SliceLook& look) {

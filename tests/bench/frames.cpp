@@ -8,16 +8,11 @@
 #include <QApplication>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QSettings>
 #include <QTemporaryDir>
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <vtkCamera.h>
@@ -34,17 +29,20 @@
 
 #include "app/application.h"
 #include "app/build_info/build_info.h"
+#include "tests/bench/window.h"
 #include "ui/panels/device_panel.h"
 #include "ui/volume_view.h"
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using bench::Clock;
+using bench::median;
+using bench::msSince;
+using bench::waitFor;
 using nlohmann::ordered_json;
 
-constexpr int kWarm = 20;           // pictures before those that count
-constexpr double kTurn = 1.5;       // degrees of the camera, for a picture
-constexpr double kLongest = 120.0;  // s
+constexpr int kWarm = 20;      // pictures before those that count
+constexpr double kTurn = 1.5;  // degrees of the camera, for a picture
 
 /// VTK's ray caster as it comes: one isosurface, shaded, no more.
 class BareView : public ui::Viewport {
@@ -86,11 +84,6 @@ class BareView : public ui::Viewport {
   vtkNew<vtkRenderer> renderer_;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[values.size() / 2];
-}
-
 /// Draws the view once and waits for the graphics card, ms.
 double drawn(ui::Viewport& view) {
   const auto begun = Clock::now();
@@ -99,16 +92,7 @@ double drawn(ui::Viewport& view) {
   view.makeCurrent();
   view.context()->functions()->glFinish();
   view.doneCurrent();
-  return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
-}
-
-bool waitFor(const std::function<bool()>& done, double longest = kLongest) {
-  const auto begun = Clock::now();
-  while (!done() && Clock::now() - begun < std::chrono::duration<double>(longest)) {
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return done();
+  return msSince(begun);
 }
 
 /// Both views in turn, the camera a little farther round for each pair.
@@ -164,18 +148,13 @@ int main(int argc, char** argv) {
   int qt_argc = 1;
   QApplication qt(qt_argc, argv);
   const QTemporaryDir home;
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
-  app::Arguments arguments;
+  app::Arguments arguments = bench::unattended(home);
   if (path.empty())
     arguments.load.phantom = "demo";
   else
     arguments.load.path = path;
   if (*isovalue_given) arguments.load.isovalue = isovalue;
   arguments.surface = ui::SurfaceMode::RayCast;
-  arguments.screenshot = "unused";  // whoever asks for one has no preferences
-  arguments.screenshot_after = 1e6;
-  arguments.notice = false;
-  arguments.recordings = home.path().toStdString();
   app::Application application(std::move(arguments));
   application.start();
   if (!waitFor([&] { return application.snapshot().scene != 0; })) {

@@ -6,18 +6,13 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QPaintEvent>
-#include <QSettings>
 #include <QTemporaryDir>
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
-#include <thread>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -25,20 +20,21 @@
 
 #include "app/application.h"
 #include "app/build_info/build_info.h"
+#include "tests/bench/window.h"
 #include "ui/volume_view.h"
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using bench::Clock;
+using bench::median;
+using bench::msSince;
+using bench::share;
+using bench::waitFor;
 
 constexpr int kWarm = 10;         // pictures before those that count
 constexpr double kTurn_px = 7.0;  // of the mouse, for a picture
-constexpr double kLongest_s = 120.0;
-constexpr double kDrag = 0.003;  // of the range of the voxels, for a picture
+constexpr double kDrag = 0.003;   // of the range of the voxels, for a picture
 
-double msSince(Clock::time_point begun) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
-}
 double cpuOf(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
@@ -82,27 +78,10 @@ class TimedApplication : public QApplication {
   std::map<std::string, Paint> paints;
 };
 
-/// What this share of the values does not exceed.
-double share(std::vector<double> values, double of) {
-  std::sort(values.begin(), values.end());
-  if (values.empty()) return 0.0;
-  return values[static_cast<std::size_t>(of * static_cast<double>(values.size() - 1))];
-}
-double median(std::vector<double> values) { return share(std::move(values), 0.5); }
-
 void turn(ui::VolumeView& view, QPointF& at, QPointF by) {
   at += by;
   QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
   QCoreApplication::sendEvent(&view, &move);
-}
-
-bool waitFor(const std::function<bool()>& done) {
-  const auto begun = Clock::now();
-  while (!done() && msSince(begun) < kLongest_s * 1e3) {
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return done();
 }
 
 /// Milliseconds from the wish for an isovalue, as the slider tells it, to the window with its
@@ -155,15 +134,10 @@ int main(int argc, char** argv) {
   int qt_argc = 1;
   TimedApplication qt(qt_argc, argv);
   const QTemporaryDir home;
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
-  app::Arguments arguments;
+  app::Arguments arguments = bench::unattended(home);
   arguments.load.path = path;
   arguments.load.isovalue = isovalue;
   arguments.load.tool = app::ToolSource{};
-  arguments.screenshot = "unused";  // whoever asks for one has no preferences
-  arguments.screenshot_after = 3'600.0;
-  arguments.notice = false;
-  arguments.recordings = home.path().toStdString();
   app::Application application(std::move(arguments));
   application.window().resize(1280, 900);
   application.start();

@@ -20,6 +20,7 @@
 #include "app/application.h"
 #include "marked_scan.h"
 #include "sphere_in_hand.h"
+#include "ui/lengths.h"
 #include "ui/overlays/measure_words.h"
 
 namespace {
@@ -131,6 +132,31 @@ TEST(Marks, ADistanceOfTwoVoxelsReadsWithinItsStatedAccuracyWhicheverWayTheVoxel
     EXPECT_EQ(ui::valueOf(exact, scan.measures().scan()).replace(QChar(QChar::Nbsp), ' '),
               QString(known.reads));
   }
+}
+
+TEST(Marks, ADistanceIsReadInTheUnitThatWasChosen) {
+  MarkedScan scan;
+  scan.show(window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
+                             window::ball(Vec3::Zero(), 0.01)),
+            50.0);
+  window::showActive(scan.window);
+  ui::SliceView& slice = scan.slice(Plane::Axial);
+  click(slice, {3.0, 50.0});
+  QTest::keyClick(&slice, Qt::Key_D);
+  click(slice, slice.projected({-10.0, 0.0, 0.0}));
+  click(slice, slice.projected({10.0, 0.0, 0.0}));
+  const auto mm = readingOf(scan.value(0));
+  ASSERT_TRUE(mm);
+  EXPECT_NEAR(mm->number, 20.0, 1.0);
+  EXPECT_TRUE(scan.value(0).contains("mm"));
+  ui::setLengthUnit(ui::LengthUnit::Centimetres);
+  const QString told = scan.value(0);
+  ui::setLengthUnit(ui::LengthUnit::Millimetres);
+  const auto cm = readingOf(told);
+  ASSERT_TRUE(cm) << told.toStdString();
+  EXPECT_TRUE(told.contains("cm"));
+  EXPECT_NEAR(cm->number, 0.1 * mm->number, 1e-9);
+  EXPECT_NEAR(cm->accuracy, 0.1 * mm->accuracy, 1e-9);
 }
 
 TEST(Marks, ANumberEndsAtTheFirstDigitOfItsAccuracy) {

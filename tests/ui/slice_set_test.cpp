@@ -5,12 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -20,6 +24,7 @@
 #include "datasets/readers/volume_reader.h"
 #include "haptics/field/scalar_field.h"
 #include "tests/support/sentence.h"
+#include "ui/lengths.h"
 #include "ui/main_window.h"
 #include "ui/overlay.h"
 #include "ui/plane_colours.h"
@@ -215,6 +220,36 @@ TEST(Slices, AreAsThickAsIsChosen) {
   w.action("slabMean")->trigger();
   EXPECT_NEAR(shown(10.0), 10.0, 2.0);
   EXPECT_EQ(axial.readout().slab, "mean of 10 mm");
+}
+
+TEST(Slices, AreAsThickAsIsTypedWithEitherMarkInEitherUnit) {
+  Window w;
+  w.action("slabMaximum")->trigger();
+  ui::SliceView& axial = w.window.slice(Plane::Axial);
+  const auto type = [&](const char* text) {
+    QTimer::singleShot(0, &w.window, [&] {
+      auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      ASSERT_NE(dialog, nullptr);
+      auto* field = dialog->findChild<QDoubleSpinBox*>();
+      field->selectAll();
+      QTest::keyClicks(field, text);
+      QTest::keyClick(dialog, Qt::Key_Return);
+      if (dialog->isVisible()) dialog->reject();
+    });
+    w.action("otherThickness")->trigger();
+    window::pictureOf(axial);
+    return axial.readout().slab;
+  };
+  EXPECT_EQ(type("7.5"), "maximum of 7.5 mm");
+  EXPECT_EQ(type("0,5"), "maximum of 0.5 mm");
+  EXPECT_EQ(type("5.0.0"), "maximum of 0.5 mm");
+  ui::setLengthUnit(ui::LengthUnit::Centimetres);
+  const auto menu = w.slices().menu().findChild<QMenu*>("voxelsMenu")->actions();
+  EXPECT_TRUE(std::ranges::any_of(menu, [](auto* a) { return a->text() == "0.5 cm thick"; }));
+  EXPECT_EQ(type("1,25"), "maximum of 1.25 cm");
+  ui::setLengthUnit(ui::LengthUnit::Millimetres);
+  window::pictureOf(axial);
+  EXPECT_EQ(axial.readout().slab, "maximum of 12.5 mm");
 }
 
 TEST(Slices, ShareTheGreyWindowTheContourTheMenuAndTheWayBackToTheWholeSlice) {

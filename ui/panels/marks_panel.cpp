@@ -14,6 +14,7 @@
 
 #include "ui/bindings.h"
 #include "ui/overlays/measure_words.h"
+#include "ui/style/style.h"
 
 namespace ui {
 namespace {
@@ -116,16 +117,8 @@ void MarksPanel::buildList() {
   list_->setAccessibleName(tr("Measures, marks and notes"));
   list_->setColumnCount(kMarkColumns);
   list_->setHorizontalHeaderLabels({tr("Name or note"), tr("Value")});
-  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  list_->setTabKeyNavigation(false);
-  list_->setShowGrid(false);
-  list_->setWordWrap(false);
+  style::makeLines(*list_);
   list_->setMinimumHeight(160);
-  list_->verticalHeader()->hide();
-  list_->verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() + 6);
-  list_->horizontalHeader()->setHighlightSections(false);
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setSectionResizeMode(MarkText, QHeaderView::Stretch);
   list_->installEventFilter(this);

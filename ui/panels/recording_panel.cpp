@@ -185,13 +185,9 @@ QWidget* RecordingPanel::buildList() {
   list_->setAccessibleName(tr("Recordings"));
   list_->setColumnCount(kColumns);
   list_->setItemDelegate(new RecordingLines(list_));
-  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  list_->setTabKeyNavigation(false);
-  list_->setShowGrid(false);
+  style::makeLines(*list_);
   list_->setMinimumHeight(180);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  list_->verticalHeader()->hide();
   list_->setToolTip(tr("Enter or a double-click opens a recording"));
   list_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->hide();

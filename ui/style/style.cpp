@@ -10,6 +10,7 @@
 #include <QFontDatabase>
 #include <QFontMetricsF>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QIconEngine>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,6 +20,7 @@
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QSvgRenderer>
+#include <QTableWidget>
 #include <QToolButton>
 #include <QToolTip>
 #include <algorithm>
@@ -262,6 +264,18 @@ QFont tabular(const QFont& font) {
 void setType(QLabel& label, Type type) { label.setFont(font(type)); }
 
 void setDim(QWidget& widget) { widget.setForegroundRole(QPalette::PlaceholderText); }
+
+void makeLines(QTableWidget& table) {
+  table.setSelectionBehavior(QAbstractItemView::SelectRows);
+  table.setSelectionMode(QAbstractItemView::SingleSelection);
+  table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table.setTabKeyNavigation(false);
+  table.setShowGrid(false);
+  table.setWordWrap(false);
+  table.verticalHeader()->hide();
+  table.verticalHeader()->setDefaultSectionSize(table.fontMetrics().lineSpacing() + 6);
+  table.horizontalHeader()->setHighlightSections(false);
+}
 
 QIcon icon(const char* name) {
   initResources();

@@ -11,6 +11,7 @@
 
 class QApplication;
 class QLabel;
+class QTableWidget;
 
 namespace ui::style {
 
@@ -39,6 +40,9 @@ QFont tabular(const QFont& font);
 void setType(QLabel& label, Type type);
 /// Words that step back: units, explanations.
 void setDim(QWidget& widget);
+
+/// A list of lines, of which one is chosen; Tab leaves it.
+void makeLines(QTableWidget& table);
 
 /// A symbol of resources/icons in the colours of the theme that is worn when it is painted: of
 /// words, or of the accent while it is on.

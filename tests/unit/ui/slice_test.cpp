@@ -7,6 +7,8 @@
 
 #include "tests/unit/ui/volumes.h"
 #include "ui/grey_presets.h"
+#include "ui/lengths.h"
+#include "ui/slice_readout.h"
 
 namespace {
 
@@ -133,6 +135,18 @@ TEST(Slice, SaysDirectionsAsLetters) {
   EXPECT_EQ(ui::letterOf(Vec3{0.5, 0.6, -0.62}.normalized()), "IPL");
   const auto letters = ui::lettersOf(ui::axesOf(ui::Plane::Coronal));
   EXPECT_EQ(letters, (std::array<QString, 4>{"R", "L", "S", "I"}));
+}
+
+TEST(Slice, SaysLengthsInTheUnitThatWasChosen) {
+  EXPECT_EQ(ui::rulerWords(5.0), "5 mm");
+  EXPECT_EQ(ui::rulerWords(0.02), "0.02 mm");
+  EXPECT_EQ(ui::positionWords(Vec3{-12.34, 4.0, 34.5}, true), "R 12.3  P 4.0  S 34.5 mm");
+  ui::setLengthUnit(ui::LengthUnit::Centimetres);
+  EXPECT_EQ(ui::rulerWords(5.0), "0.5 cm");
+  EXPECT_EQ(ui::rulerWords(0.02), "0.002 cm");
+  EXPECT_EQ(ui::rulerWords(200.0), "20 cm");
+  EXPECT_EQ(ui::positionWords(Vec3{-12.34, 4.0, 34.5}, true), "R 1.23  P 0.40  S 3.45 cm");
+  ui::setLengthUnit(ui::LengthUnit::Millimetres);
 }
 
 TEST(GreyPresets, AreTheUsualWindowsAndTheFullRange) {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A window that a benchmark works: how it is opened and waited for.
+#pragma once
+
+#include <QCoreApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/application.h"
+
+namespace bench {
+
+using Clock = std::chrono::steady_clock;
+
+inline double msSince(Clock::time_point begun) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+}
+
+/// What this share of the values does not exceed.
+inline double share(std::vector<double> values, double of) {
+  std::sort(values.begin(), values.end());
+  if (values.empty()) return 0.0;
+  return values[static_cast<std::size_t>(of * static_cast<double>(values.size() - 1))];
+}
+inline double median(std::vector<double> values) { return share(std::move(values), 0.5); }
+
+/// Whether it came true within `longest_s` seconds; the window is at work meanwhile.
+inline bool waitFor(const std::function<bool()>& done, double longest_s = 120.0) {
+  const auto begun = Clock::now();
+  while (!done() && msSince(begun) < longest_s * 1e3) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return done();
+}
+
+/// A window that asks nothing, knows no preferences of this user, and keeps none; its recordings
+/// are in `home`.
+inline app::Arguments unattended(const QTemporaryDir& home) {
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
+  app::Arguments arguments;
+  arguments.screenshot = "unused";  // whoever asks for one has no preferences
+  arguments.screenshot_after = 1e6;
+  arguments.notice = false;
+  arguments.recordings = home.path().toStdString();
+  return arguments;
+}
+
+}  // namespace bench
