@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
 #ifdef PALPATE_READERS
   addInfo(program, chosen);
   addConvert(program, chosen);
+  addCohort(program, chosen);
 #endif
 #ifdef PALPATE_DEVICES
   addDevices(program, chosen);
@@ -68,9 +69,10 @@ int main(int argc, char** argv) {
   addExport(program, chosen);
   addStudy(program, chosen);
   for (CLI::App* command : program.get_subcommands({})) {
-    const auto leaves = command->get_subcommands({});
-    for (CLI::App* leaf : leaves.empty() ? std::vector{command} : leaves)
-      leaf->add_flag("--json", json, "Print one JSON object and nothing else");
+    auto answering = command->get_subcommands({});
+    if (command->get_require_subcommand_min() == 0) answering.push_back(command);
+    for (CLI::App* one : answering)
+      one->add_flag("--json", json, "Print one JSON object and nothing else");
   }
   try {
     program.parse(argc, argv);

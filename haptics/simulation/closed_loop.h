@@ -28,6 +28,7 @@ struct TraceRow {
   Pose X_WH;                ///< true pose of the handle; not part of the trace
   double energy = 0.0;      ///< J given to the hand since the start; not part of the trace
   std::int64_t cut_at = 0;  ///< Budget::cutAt; not part of the trace
+  std::int64_t work = 0;    ///< Budget::spent; not part of the trace
   Bearing bearing = {};     ///< contacts that bear force; not part of the trace
   ForceState force_state = ForceState::Off;  ///< not part of the trace
   double stiffness_share = 1.0;              ///< Safety::stiffnessShare; not part of the trace

@@ -50,12 +50,14 @@ ForcePanel::ForcePanel(QWidget* parent)
   force_->setObjectName("forceNow");
   style::setType(*force_, style::Type::Force);
   // the unit stays where it is
-  force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("0.00")) + 2);
+  force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("00.00")) + 2);
+  force_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   auto* unit = new QLabel(tr("N"));
   style::setDim(*unit);
   torque_->setObjectName("torqueNow");
   torque_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   style::setDim(*torque_);
+  torque_->setMinimumWidth(torque_->fontMetrics().horizontalAdvance(tr("%1 mN·m").arg(8888)) + 2);
   touch_->setObjectName("touchNow");
   touch_->setWordWrap(true);
   style::setDim(*touch_);

@@ -20,7 +20,11 @@ constexpr const char* kStyle = R"(
 body { background: var(--ground); color: var(--ink); font: 15px/1.5 system-ui, sans-serif;
   max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
-figure { margin: 1.2rem 0; } figcaption { font-weight: 600; }
+figure { margin: 1.2rem 0; } div.pictures { display: flex; flex-wrap: wrap; gap: 1rem; }
+div.pictures figure { margin: 0; } div.letters { position: relative; width: 256px; height: 256px; }
+div.letters span { position: absolute; color: #fff; font-weight: 600; text-shadow: 0 0 3px #000; }
+.left { left: 4px; top: 46%; } .right { right: 4px; top: 46%; } .upper { top: 2px; left: 48%; }
+.lower { bottom: 2px; left: 48%; } a { color: var(--c0); } figcaption { font-weight: 600; }
 div.wide { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding: .3rem 0; }
@@ -68,6 +72,28 @@ void Page::table(const Table& table) {
     body_ += "</tr>\n";
   }
   body_ += "</tbody></table></div>\n";
+}
+
+void Page::pictures(const std::vector<Picture>& pictures) {
+  body_ += "<div class='pictures'>\n";
+  for (const Picture& picture : pictures) {
+    body_ += "<figure><div class='letters'><img src='" + escaped(picture.file) + "' alt='" +
+             escaped(picture.name) + "'/>";
+    static constexpr const char* kEdges[] = {"left", "right", "upper", "lower"};
+    for (std::size_t edge = 0; edge < 4; ++edge)
+      if (!picture.letters[edge].empty())
+        body_ += std::string("<span class='") + kEdges[edge] + "'>" +
+                 escaped(picture.letters[edge]) + "</span>";
+    body_ += "</div><figcaption>" + escaped(picture.name) + "</figcaption></figure>\n";
+  }
+  body_ += "</div>\n";
+}
+
+void Page::links(const std::vector<Link>& links) {
+  body_ += "<ul>\n";
+  for (const Link& link : links)
+    body_ += "<li><a href='" + escaped(link.to) + "'>" + escaped(link.words) + "</a></li>\n";
+  body_ += "</ul>\n";
 }
 
 void Page::plot(const Plot& plot) {

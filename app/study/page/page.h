@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,18 @@ class Page {
   /// A line to be typed, kept as it is.
   void command(const std::string& text);
   void table(const Table& table);
+  /// Pictures side by side, files beside the page, each with a name below and the letters at its
+  /// left, right, upper and lower edge; empty letters are left out.
+  struct Picture {
+    std::string file, name;
+    std::array<std::string, 4> letters = {};
+  };
+  void pictures(const std::vector<Picture>& pictures);
+  /// A list of links to other pages, each with its words.
+  struct Link {
+    std::string to, words;
+  };
+  void links(const std::vector<Link>& links);
   /// The picture, and behind it, folded, the figures it was drawn from.
   void plot(const Plot& plot);
 

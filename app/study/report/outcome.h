@@ -40,6 +40,7 @@ struct Outcome {
   std::vector<Plot> plots = {};
   std::vector<Table> tables = {};  ///< of the same caption: joined as well
   std::vector<std::string> remarks = {};
+  bool whole = true;  ///< false: it was stopped on the way, and is not kept
 };
 
 /// The shortest piece of a study that can be run by itself, on any machine, in any order.

@@ -84,14 +84,17 @@ Results resultsOf(const Study& study, const Identity& identity, std::vector<Fini
   return results;
 }
 
-Expected<void> writeResults(const Results& results, const fs::path& out) {
+/// The results, once their files are written.
+Expected<Results> written(Expected<Results> results, const fs::path& out) {
+  if (!results) return results;
   const std::pair<const char*, std::string> files[] = {
-      {"results.json", jsonOf(results).dump(1) + "\n"},
-      {"results.csv", csvOf(results)},
-      {"report.html", htmlOf(results)}};
+      {"results.json", jsonOf(*results).dump(1) + "\n"},
+      {"results.csv", csvOf(*results)},
+      {"report.html", htmlOf(*results)}};
   for (const auto& [name, text] : files)
-    if (auto written = haptics::writeFile(out / name, text); !written) return written;
-  return {};
+    if (auto file = haptics::writeFile(out / name, text); !file)
+      return tl::unexpected(file.error());
+  return results;
 }
 
 Expected<void> makeFolder(const fs::path& out) {
@@ -135,7 +138,7 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Expected<Results> runStudy(const Study& study, const RunOptions& options) {
+Expected<Results> runJobs(const Study& study, const RunOptions& options) {
   const Identity identity{study.name, app::versionHere(), app::buildHere(), options.depth,
                           options.seed};
   if (auto made = makeFolder(options.out); !made) return tl::unexpected(made.error());
@@ -155,6 +158,7 @@ Expected<Results> runStudy(const Study& study, const RunOptions& options) {
     const auto begun = std::chrono::steady_clock::now();
     Finished finished{job.name, job.section, 0.0, machine,
                       outcomeOf(job, seedOf(options.seed, job.name))};
+    if (!finished.outcome.whole) break;
     finished.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     if (auto written = haptics::writeFile(fileOf(options.out, job.name),
@@ -170,15 +174,11 @@ Expected<Results> runStudy(const Study& study, const RunOptions& options) {
   // of shards that share the folder, what the others have done meanwhile is there as well
   found = jobsIn(options.out, expected);
   if (!found) return tl::unexpected(found.error());
-  Results results = resultsOf(study, identity, std::move(*found));
-  if (auto written = writeResults(results, options.out); !written)
-    return tl::unexpected(written.error());
-  return results;
+  return resultsOf(study, identity, std::move(*found));
 }
 
-Expected<Results> mergeStudies(
-    const std::vector<fs::path>& folders, const fs::path& out,
-    const std::function<std::optional<Study>(const Identity&)>& studyOf) {
+Expected<Results> mergeJobs(const std::vector<fs::path>& folders, const fs::path& out,
+                            const std::function<std::optional<Study>(const Identity&)>& studyOf) {
   std::optional<Identity> identity;
   std::vector<Finished> all;
   const auto add = [&](std::vector<Finished> found) {
@@ -213,9 +213,17 @@ Expected<Results> mergeStudies(
             haptics::writeFile(fileOf(out, one.job), jsonOf(*identity, one).dump(1) + "\n");
         !written)
       return tl::unexpected(written.error());
-  Results results = resultsOf(*study, *identity, std::move(all));
-  if (auto written = writeResults(results, out); !written) return tl::unexpected(written.error());
-  return results;
+  return resultsOf(*study, *identity, std::move(all));
+}
+
+Expected<Results> runStudy(const Study& study, const RunOptions& options) {
+  return written(runJobs(study, options), options.out);
+}
+
+Expected<Results> mergeStudies(
+    const std::vector<fs::path>& folders, const fs::path& out,
+    const std::function<std::optional<Study>(const Identity&)>& studyOf) {
+  return written(mergeJobs(folders, out, studyOf), out);
 }
 
 }  // namespace study

@@ -27,14 +27,22 @@ struct RunOptions {
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
-/// Runs the jobs of a shard that have not been run yet, each into a file of its own under `out`,
-/// then writes results.json, results.csv and report.html of all that is there. So a run that was
-/// stopped goes on, shards may share a folder, and to run one again changes nothing. Refuses a
-/// folder with jobs of another study, build, depth or seed.
-haptics::Expected<Results> runStudy(const Study& study, const RunOptions& options);
+/// Runs the jobs of a shard that have not been run yet, each into a file of its own under `out`.
+/// So a run that was stopped goes on, shards may share a folder, and to run one again changes
+/// nothing. Returns all that is there. Refuses a folder with jobs of another study, build, depth or
+/// seed.
+haptics::Expected<Results> runJobs(const Study& study, const RunOptions& options);
 
 /// Puts the jobs of several folders together into `out`, as if they had been run there. The same
-/// job from two folders is taken from the first. Refuses a mix as runStudy does.
+/// job from two folders is taken from the first. Refuses a mix as runJobs does.
+haptics::Expected<Results> mergeJobs(
+    const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
+    const std::function<std::optional<Study>(const Identity&)>& studyOf);
+
+/// runJobs, and then results.json, results.csv and report.html of all that is there.
+haptics::Expected<Results> runStudy(const Study& study, const RunOptions& options);
+
+/// mergeJobs, and then the same three files.
 haptics::Expected<Results> mergeStudies(
     const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
     const std::function<std::optional<Study>(const Identity&)>& studyOf);
