@@ -10,6 +10,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QPainter>
+#include <QTableWidget>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -177,6 +178,21 @@ TEST(Style, SymbolsAreDrawnInTheThemesColourAndCanBeToldApartAt16Pixels) {
   }
   painter.end();
   window::keep(sheet, "style_symbols");
+}
+
+TEST(Style, AListWithoutLinesSaysSo) {
+  QTableWidget list;
+  ui::style::makeLines(list, "Nothing yet");
+  list.setColumnCount(1);
+  list.show();
+  auto* words = list.findChild<QLabel*>();
+  ASSERT_NE(words, nullptr);
+  EXPECT_EQ(words->text(), "Nothing yet");
+  EXPECT_TRUE(words->isVisible());
+  list.setRowCount(2);
+  EXPECT_FALSE(words->isVisible());
+  list.setRowCount(0);
+  EXPECT_TRUE(words->isVisible());
 }
 
 TEST(Style, ATextThatIsSmallerThanTheDesktopsIsNotForced) {

@@ -50,8 +50,7 @@ ForcePanel::ForcePanel(QWidget* parent)
   force_->setObjectName("forceNow");
   style::setType(*force_, style::Type::Force);
   // the unit stays where it is
-  force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("00.00")) + 2);
-  force_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("0.00")) + 2);
   auto* unit = new QLabel(tr("N"));
   style::setDim(*unit);
   torque_->setObjectName("torqueNow");

@@ -117,7 +117,7 @@ void MarksPanel::buildList() {
   list_->setAccessibleName(tr("Measures, marks and notes"));
   list_->setColumnCount(kMarkColumns);
   list_->setHorizontalHeaderLabels({tr("Name or note"), tr("Value")});
-  style::makeLines(*list_);
+  style::makeLines(*list_, tr("No measures or marks yet: choose one above, then click in a view"));
   list_->setMinimumHeight(160);
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setSectionResizeMode(MarkText, QHeaderView::Stretch);

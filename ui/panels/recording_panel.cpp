@@ -185,7 +185,7 @@ QWidget* RecordingPanel::buildList() {
   list_->setAccessibleName(tr("Recordings"));
   list_->setColumnCount(kColumns);
   list_->setItemDelegate(new RecordingLines(list_));
-  style::makeLines(*list_);
+  style::makeLines(*list_, tr("No recordings yet"));
   list_->setMinimumHeight(180);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   list_->setToolTip(tr("Enter or a double-click opens a recording"));

@@ -23,6 +23,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 #include <QToolTip>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -265,7 +266,7 @@ void setType(QLabel& label, Type type) { label.setFont(font(type)); }
 
 void setDim(QWidget& widget) { widget.setForegroundRole(QPalette::PlaceholderText); }
 
-void makeLines(QTableWidget& table) {
+void makeLines(QTableWidget& table, const QString& empty) {
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
   table.setSelectionMode(QAbstractItemView::SingleSelection);
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -275,6 +276,16 @@ void makeLines(QTableWidget& table) {
   table.verticalHeader()->hide();
   table.verticalHeader()->setDefaultSectionSize(table.fontMetrics().lineSpacing() + 6);
   table.horizontalHeader()->setHighlightSections(false);
+  if (empty.isEmpty()) return;
+  auto* words = new QLabel(empty);
+  words->setAlignment(Qt::AlignCenter);
+  words->setWordWrap(true);
+  setDim(*words);
+  auto* over = new QVBoxLayout(table.viewport());
+  over->addWidget(words);
+  const auto show = [words, &table] { words->setVisible(table.rowCount() == 0); };
+  QObject::connect(table.model(), &QAbstractItemModel::rowsInserted, words, show);
+  QObject::connect(table.model(), &QAbstractItemModel::rowsRemoved, words, show);
 }
 
 QIcon icon(const char* name) {

@@ -41,8 +41,8 @@ void setType(QLabel& label, Type type);
 /// Words that step back: units, explanations.
 void setDim(QWidget& widget);
 
-/// A list of lines, of which one is chosen; Tab leaves it.
-void makeLines(QTableWidget& table);
+/// A list of lines, of which one is chosen; Tab leaves it. While it has none, `empty` stands there.
+void makeLines(QTableWidget& table, const QString& empty = {});
 
 /// A symbol of resources/icons in the colours of the theme that is worn when it is painted: of
 /// words, or of the accent while it is on.
