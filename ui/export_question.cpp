@@ -185,8 +185,8 @@ void ExportDialog::showRange() {
   export_->setEnabled(sound);
   if (!sound) return range_->setText(tr("The end does not come after the beginning."));
   const double length = wished.to - wished.from;
-  QString words = whole ? tr("All of it: %1 min").arg(clockTime(length, 3))
-                        : tr("A part of it: %1 min").arg(clockTime(length, 3));
+  QString words = whole ? tr("All of it: %1 (minutes and seconds)").arg(clockTime(length, 3))
+                        : tr("A part of it: %1 (minutes and seconds)").arg(clockTime(length, 3));
   if (!wished.table)
     words = tr("%1, %2 pictures").arg(words).arg(qRound64(length * wished.film.frames_per_second));
   range_->setText(words);

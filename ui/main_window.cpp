@@ -41,6 +41,7 @@
 namespace ui {
 namespace {
 
+constexpr int kFrame = 40;     // px that a desktop takes for the title of a window
 constexpr int kWordsMs = 100;  // between two changes of force and status in words
 
 QString sizeWords(const haptics::Volume& volume) {
@@ -98,7 +99,8 @@ MainWindow::MainWindow(QWidget* parent)
   connect(tour_, &Tour::ended, this, &MainWindow::tourEnded);
   bar_->force().show(Mark::Off, tr("Nothing to touch yet"));
   view_->setFocus();  // where Space stops the force
-  resize(1280, 840);
+  // with its frame on a small screen, too
+  resize(QSize(1280, 840).boundedTo(screen()->availableSize() - QSize(0, kFrame)));
 }
 
 void MainWindow::buildBanners() {

@@ -61,6 +61,8 @@ void MainWindow::buildFileMenu() {
         &MainWindow::recordingWanted);
   });
   recording->setObjectName("openRecordingFile");
+  file->addAction(tr("&Export recording…"), this, &MainWindow::exportWanted)
+      ->setObjectName("exportRecordingAction");
   file->addSeparator();
   QAction* view = file->addAction(tr("Open &view…"), this, [ask] {
     ask(QFileDialog::ExistingFile, tr("Open a view"), tr("Views (*.palpate-view)"),

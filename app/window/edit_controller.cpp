@@ -112,6 +112,7 @@ void EditController::buildMenu() {
   addTool(tr("P&ieces"), EditTool::Pieces);
   addTool(tr("Table and &holder"), EditTool::Holder);
   addTool(tr("&Scalpel"), EditTool::Scalpel);
+  showSteps();
 }
 
 void EditController::addTool(const QString& text, EditTool tool) {
@@ -120,6 +121,7 @@ void EditController::addTool(const QString& text, EditTool tool) {
     panel_->setTool(tool);
     panel_->setFocus();
   });
+  tools_.push_back(action);
   if (tool != EditTool::Crop) return;
   action->setObjectName("cropBox");
   window_.bar().add(ui::BarGroup::Tools, *action, "crop");
@@ -231,6 +233,7 @@ void EditController::showSteps() {
   undo_->setEnabled(steps.undo && !replaying_);
   redo_->setEnabled(steps.redo && !replaying_);
   reset_->setEnabled(in_force > 0 && !replaying_);
+  for (QAction* tool : tools_) tool->setEnabled(shared_.shown.has_value() && !replaying_);
   window_.setEdited(in_force > 0);
 }
 

@@ -94,6 +94,7 @@ class EditController : public QObject {
   ui::PlacePick pick_;
   ui::RemovalShade shade_;
   QAction *undo_ = nullptr, *redo_ = nullptr, *reset_ = nullptr;
+  std::vector<QAction*> tools_;
   bool replaying_ = false;
 
   std::shared_ptr<const haptics::Volume> scan_;  ///< of the volume on view

@@ -56,8 +56,9 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
   window.setPhantoms(phantoms);
   connect(&window, &ui::MainWindow::openWanted, this, &OpeningController::open);
   connect(&window, &ui::MainWindow::dropped, this, &OpeningController::openDropped);
-  connect(&window, &ui::MainWindow::phantomWanted, this,
-          [this](const QString& name) { load({.phantom = name.toStdString()}, tr("Making")); });
+  connect(&window, &ui::MainWindow::phantomWanted, this, [this](const QString& name) {
+    load({.phantom = name.toStdString()}, tr("Making the phantom"));
+  });
   connect(&window, &ui::MainWindow::cancelWanted, &loader_, &Loader::cancel);
   connect(&window, &ui::MainWindow::recentPlacesSought, this, &OpeningController::showPlaces);
   const auto remember = [this](bool remembered) {

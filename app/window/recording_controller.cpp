@@ -45,6 +45,12 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
   connect(&curves_, &ForceCurves::read, panel_, &ui::RecordingPanel::showCurve);
   connect(&window, &ui::MainWindow::recordingWanted, this,
           [this](const QString& path) { emit openWanted(path.toStdString()); });
+  connect(&window, &ui::MainWindow::exportWanted, this, [this] {
+    if (panel_->exportChosen()) return;
+    window_.reveal(panel_);
+    window_.showMessage(
+        tr("Choose a recording in the list on the tab Record; then it can be exported."));
+  });
   connect(&recording_, &SessionRecording::statusChanged, panel_,
           qOverload<const ui::RecordingStatus&>(&ui::RecordingPanel::show));
   connect(&recording_, &SessionRecording::statusChanged, &window,
@@ -55,6 +61,8 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
           });
   connect(&recording_, &SessionRecording::finished, this, [this](bool well, const QString& what) {
     showRecordings();
+    // the newest stands first
+    if (!finished_.isEmpty()) panel_->choose(finished_.front());
     if (!well) window_.showMessage(what);
   });
   showRecordings();

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QFile>
@@ -120,6 +121,8 @@ TEST_F(StartPage, AnEmptyWindowOffersThreeWaysToBeginAndTheDemoIsOneClickAway) {
     EXPECT_FALSE(button->toolTip().isEmpty()) << name;
   }
   EXPECT_EQ(window().windowTitle(), "Palpate");
+  for (const char* name : {"undo", "redo", "cropBox"})
+    EXPECT_FALSE(named<QAction>(name)->isEnabled()) << name;
   EXPECT_FALSE(application_->shown());
   window::keep(window::pictureOf(window()), "start_page");
   click("startDemo");

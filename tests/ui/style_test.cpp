@@ -5,12 +5,19 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFontMetricsF>
 #include <QImage>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
+#include <QSlider>
 #include <QTableWidget>
+#include <QTest>
+#include <QVBoxLayout>
+#include <QWheelEvent>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -178,6 +185,45 @@ TEST(Style, SymbolsAreDrawnInTheThemesColourAndCanBeToldApartAt16Pixels) {
   }
   painter.end();
   window::keep(sheet, "style_symbols");
+}
+
+TEST(Style, TheWheelChangesNoFieldWithoutTheFocusAndNoClosedBox) {
+  QWidget panel;
+  auto* number = new QDoubleSpinBox;
+  auto* slider = new QSlider(Qt::Horizontal);
+  auto* box = new QComboBox;
+  box->addItems({"Mouse", "Slide", "Tap"});
+  auto* first = new QPushButton("First");
+  auto* column = new QVBoxLayout(&panel);
+  for (QWidget* part : std::initializer_list<QWidget*>{first, number, slider, box})
+    column->addWidget(part);
+  number->setValue(50.0);
+  slider->setValue(50);
+  box->setCurrentIndex(1);
+  panel.show();
+  first->setFocus();
+  const auto turn = [](QWidget& widget) {
+    const QPointF at = widget.rect().center();
+    QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&widget, &event);
+    return event.isAccepted();
+  };
+  for (QWidget* part : std::initializer_list<QWidget*>{number, slider, box}) {
+    EXPECT_FALSE(turn(*part)) << part->metaObject()->className();
+    EXPECT_FALSE(part->focusPolicy() == Qt::WheelFocus);
+  }
+  EXPECT_EQ(number->value(), 50.0);
+  EXPECT_EQ(slider->value(), 50);
+  EXPECT_EQ(box->currentIndex(), 1);
+  panel.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel, 20'000));
+  number->setFocus();
+  EXPECT_TRUE(turn(*number));
+  EXPECT_EQ(number->value(), 49.0);
+  box->setFocus();
+  turn(*box);
+  EXPECT_EQ(box->currentIndex(), 1);
 }
 
 TEST(Style, AListWithoutLinesSaysSo) {

@@ -330,6 +330,17 @@ void RecordingPanel::takeLabel() {
   emit labelChanged(labelled_, label);
 }
 
+void RecordingPanel::choose(const QString& id) {
+  for (int row = 0; row < list_->rowCount(); ++row)
+    if (recordings_[row].id == id) list_->selectRow(row);
+}
+
+bool RecordingPanel::exportChosen() {
+  if (!export_->isEnabled()) return false;
+  export_->click();
+  return true;
+}
+
 const PastRecording* RecordingPanel::selected() const {
   const QList<QTableWidgetSelectionRange> ranges = list_->selectedRanges();
   if (ranges.isEmpty() || ranges.first().topRow() >= recordings_.size()) return nullptr;

@@ -68,6 +68,10 @@ class RecordingPanel : public QWidget {
   /// Sets a mark. Its key is M, in the window to which the action is added. Enabled during a
   /// recording.
   QAction* markAction() { return mark_action_; }
+  /// Chooses a recording of the list.
+  void choose(const QString& id);
+  /// Asks for an export of the chosen recording; false: none is chosen that can be exported.
+  bool exportChosen();
 
  signals:
   void recordWanted(bool record);

@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
@@ -302,6 +303,22 @@ void Style::polish(QWidget* widget) {
       qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
       qobject_cast<QLineEdit*>(widget) != nullptr || qobject_cast<QScrollBar*>(widget) != nullptr)
     widget->setAttribute(Qt::WA_Hover);
+  if (qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
+      qobject_cast<QComboBox*>(widget) != nullptr ||
+      (qobject_cast<QAbstractSlider*>(widget) != nullptr &&
+       qobject_cast<QScrollBar*>(widget) == nullptr)) {
+    if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
+    widget->installEventFilter(this);
+  }
+}
+
+bool Style::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::Wheel) return QProxyStyle::eventFilter(watched, event);
+  const auto* field = qobject_cast<const QWidget*>(watched);
+  if (field != nullptr && field->hasFocus() && qobject_cast<const QComboBox*>(field) == nullptr)
+    return false;
+  event->ignore();  // what it lies in may be scrolled
+  return true;
 }
 
 void Style::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
@@ -369,6 +386,16 @@ void Style::drawPrimitive(PrimitiveElement element, const QStyleOption* option, 
       };
       painter->drawPolyline(QPolygonF({at(0.25, 0.53), at(0.43, 0.71), at(0.76, 0.32)}));
       painter->restore();
+      return;
+    }
+    case PE_IndicatorRadioButton: {
+      const bool enabled = option->state & State_Enabled, on = option->state & State_On;
+      const QRectF box = QRectF(option->rect);
+      drawRound(*painter, box, 0.5 * box.height(), c.control,
+                on ? (enabled ? c.accent : c.line) : edgeOf(*option));
+      if (on)
+        drawRound(*painter, box.adjusted(4.0, 4.0, -4.0, -4.0), 0.5 * box.height() - 4.0,
+                  enabled ? c.accent : c.off, none());
       return;
     }
     case PE_IndicatorArrowDown:

@@ -72,6 +72,11 @@ class Style : public QProxyStyle {
                 QStyleHintReturn* data) const override;
   void polish(QWidget* widget) override;
   using QProxyStyle::polish;
+
+ protected:
+  /// Keeps the wheel from fields without the focus, and from closed boxes of choices: a panel that
+  /// is scrolled changes nothing.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
 }  // namespace ui::style
