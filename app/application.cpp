@@ -72,6 +72,7 @@ void Application::start() {
 
 void Application::begin() {
   LoadRequest request = arguments_.load;
+  if (!arguments_.paths.isEmpty()) return opening_.openTogether(arguments_.paths, request);
   if (request.path && request.path->extension() == kViewEnding)
     return view_file_.open(*request.path);  // a view may know its scan
   if (request.path || request.phantom) return opening_.load(std::move(request), tr("Loading"));

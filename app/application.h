@@ -11,6 +11,7 @@
 #include "app/window/edit_controller.h"
 #include "app/window/export_controller.h"
 #include "app/window/hand_controller.h"
+#include "app/window/help_controller.h"
 #include "app/window/isosurface_controller.h"
 #include "app/window/marks_controller.h"
 #include "app/window/measurement_controller.h"
@@ -32,7 +33,8 @@ namespace app {
 
 /// The options of the command line.
 struct Arguments {
-  LoadRequest load = {};  ///< default: none, an empty window
+  LoadRequest load = {};   ///< default: none, an empty window
+  QStringList paths = {};  ///< files or folders to open, instead of load.path; empty: none
   std::string hand = "mouse";
   std::optional<ui::SurfaceMode> surface = {};
   std::string screenshot = {};    ///< PNG to write before quitting; empty: none
@@ -111,6 +113,7 @@ class Application : public QObject {
   EditController edit_{window_, shared_};
   ExportController export_;
   ScreenshotController screenshot_;
+  HelpController help_{window_};
 };
 
 }  // namespace app

@@ -33,14 +33,18 @@ int main(int argc, char** argv) {
   haptics::installCrashStop();
   app::blockEndingSignals();
   app::Arguments arguments;
-  std::string path, phantom, tool, tool_unit = "mm", surface;
+  std::vector<std::string> paths;
+  std::string phantom, tool, tool_unit = "mm", surface;
   double isovalue = 0.0;
   int series = 0;
   bool no_notice = false, correct = false;
   CLI::App cli{"Palpate: see a CT scan, and feel it through a haptic device."};
   cli.set_version_flag("--version", PALPATE_VERSION);
   auto* path_given =
-      cli.add_option("path", path, "A scan: DICOM folder or file, NRRD, MetaImage or NIfTI");
+      cli.add_option("path", paths,
+                     "A scan: DICOM folder or files, NRRD, MetaImage or NIfTI; or a recording or a "
+                     "view of Palpate's. Several files of one folder open the folder")
+          ->allow_extra_args(false);  // or a folder "[name]" would be taken for a list
   auto* phantom_given = cli.add_option("--phantom", phantom, "A volume made by formula")
                             ->check(oneOf(datasets::phantomNames()));
   path_given->excludes(phantom_given);
@@ -67,7 +71,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : kUsage;
   }
-  if (*path_given) arguments.load.path = path;
+  for (const std::string& path : paths) arguments.paths.append(QString::fromStdString(path));
   if (*phantom_given) arguments.load.phantom = phantom;
   if (*isovalue_given) arguments.load.isovalue = isovalue;
   if (*series_given) arguments.load.series = series;

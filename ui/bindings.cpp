@@ -89,7 +89,8 @@ std::vector<Binding> allBindings() {
       key(Anywhere, CTRL | Key_Q, WORDS("quits"), Quit, "quit"),
       key(Anywhere, Key_Escape,
           WORDS("force off; puts away the tool of an edit and a measure that is being placed")),
-      key(Anywhere, Key_F1, WORDS("shows all controls"), ShowControls, "controls"),
+      key(Anywhere, Key_F1, WORDS("shows the help for what has the focus"), ShowHelp, "help"),
+      key(Anywhere, SHIFT | Key_F1, WORDS("shows all controls"), ShowControls, "controls"),
       key(Anywhere, Key_F6, WORDS("goes to the next view"), NextView, "next_view"),
       key(Anywhere, Key_M, WORDS("while recording: sets a mark"), SetMark, "mark"),
 

@@ -52,6 +52,7 @@ enum class Action {
   Redo,
   ShowPreferences,
   Quit,
+  ShowHelp,
   ShowControls,
   NextView,
   ViewAlone,

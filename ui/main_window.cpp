@@ -107,6 +107,14 @@ void MainWindow::buildBanners() {
   connect(bar_, &TopBar::stopWanted, this, [this] { stopForce(tr("Force stopped")); });
   connect(resume_, &QPushButton::clicked, this, &MainWindow::forceOnWanted);
   resume_->setToolTip(tr("The force may come back: hold the handle"));
+  more_of_fault_ = fault_->addButton("faultMore");
+  more_of_message_ = message_->addButton("messageMore");
+  for (QPushButton* more : {more_of_fault_, more_of_message_}) {
+    more->setText(tr("More"));
+    more->setToolTip(tr("Shows in the help what lies behind this, and what helps"));
+    connect(more, &QPushButton::clicked, this,
+            [this, more] { emit helpWanted(more->property("place").toString()); });
+  }
   fault_->addClose();
   message_->addClose();
   QPushButton* folder = done_->addButton("showInFolder");
@@ -466,6 +474,7 @@ void MainWindow::displayWords() {
 
 void MainWindow::showMessage(const QString& sentence) {
   done_->hide();
+  explain(*more_of_message_, sentence);
   message_->setSentence(sentence);
   message_->show();
 }
@@ -482,7 +491,14 @@ void MainWindow::showDone(const QString& sentence, const QString& folder) {
   done_->show();
 }
 
+void MainWindow::explain(QPushButton& more, const QString& sentence) {
+  const QString place = explainer_ ? explainer_(sentence) : QString{};
+  more.setProperty("place", place);
+  more.setVisible(!place.isEmpty());
+}
+
 void MainWindow::showFault(const QString& sentence) {
+  explain(*more_of_fault_, sentence);
   fault_->setSentence(sentence);
   fault_->show();
 }

@@ -117,6 +117,10 @@ class MainWindow : public QMainWindow {
   void showDone(const QString& sentence, const QString& folder);
   /// Shows a sentence in a separate bar, which only the user closes.
   void showFault(const QString& sentence);
+  /// Names the place in the help that explains a sentence; empty: none. Where it names one, the bar
+  /// with the sentence has the button "More".
+  using Explainer = std::function<QString(const QString& sentence)>;
+  void setExplainer(Explainer explainer) { explainer_ = std::move(explainer); }
   void showLoading(const QString& what);
   void showProgress(double fraction);
   void endLoading();
@@ -179,6 +183,8 @@ class MainWindow : public QMainWindow {
   /// The menu of recent places is about to open.
   void recentPlacesSought();
   void preferencesWanted();
+  /// The user wants to read a place of the help; empty: that of the part with the focus.
+  void helpWanted(const QString& place);
   /// The user hid the hints, or brought them back.
   void hintsChanged();
   /// The user chose another theme, tab or layout of the panels.
@@ -222,6 +228,8 @@ class MainWindow : public QMainWindow {
   void buildViews();
   void buildStartPage();
   void buildBanners();
+  /// Gives a bar with a sentence the button "More", for as long as the help explains it.
+  void explain(QPushButton& more, const QString& sentence);
   void buildMenus();
   void buildThemeMenu(QMenu& menu);
   void buildLayoutMenu(QMenu& menu);
@@ -260,6 +268,9 @@ class MainWindow : public QMainWindow {
   QToolButton* details_;
   Banner* fault_;
   Banner* message_;
+  QPushButton* more_of_fault_;
+  QPushButton* more_of_message_;
+  Explainer explainer_;
   Banner* done_;
   QString done_folder_;  ///< of what done_ tells
   Banner* stopped_;

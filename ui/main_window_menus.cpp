@@ -128,6 +128,11 @@ void MainWindow::buildMenus() {
   surface->addAction(tr("Mesh"), this, [this] { view_->setSurfaceWish(SurfaceMode::Mesh); });
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
+  QAction* pages = help->addAction(tr("&Help"), this, [this] { emit helpWanted({}); });
+  pages->setObjectName("showHelp");
+  giveKeys(*pages, Action::ShowHelp);
+  // in the windows beside this one too
+  pages->setShortcutContext(Qt::ApplicationShortcut);
   giveKeys(*help->addAction(tr("&Controls"), this, &MainWindow::showControls),
            Action::ShowControls);
   help->addAction(tr("&First steps"), this, &MainWindow::showTour)->setObjectName("showTour");
@@ -280,10 +285,15 @@ void MainWindow::showControls() {
 }
 
 void MainWindow::showAbout() {
-  QMessageBox::about(this, tr("About Palpate"),
-                     tr("<p><b>Palpate %1</b></p><p>See a CT scan, and feel it through a haptic "
-                        "device.</p><p><b>%2</b></p><p>BSD-3-Clause licence.</p>")
-                         .arg(QCoreApplication::applicationVersion(), noticeText()));
+  QMessageBox::about(
+      this, tr("About Palpate"),
+      tr("<p><b>Palpate %1</b></p><p>See a CT scan, and feel it through a haptic "
+         "device.</p><p><b>%2</b></p><p>BSD-3-Clause licence. Palpate uses Qt (LGPL-3), "
+         "VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, "
+         "libdeflate, hidapi and libusb (LGPL-2.1), libseccomp (LGPL-2.1), SQLite "
+         "and others, as Debian packages them. The help lists all of them, with "
+         "their licences.</p>")
+          .arg(QCoreApplication::applicationVersion(), noticeText()));
 }
 
 }  // namespace ui

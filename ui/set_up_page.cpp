@@ -10,7 +10,7 @@ namespace ui {
 namespace {
 
 QString resource(const QString& name) {
-  QFile file(QStringLiteral(":/set_up/%1.md").arg(name));
+  QFile file(QStringLiteral(":/help/device-%1.md").arg(name));
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
 }
 
@@ -27,7 +27,7 @@ SetUpDialog::SetUpDialog(const QString& device, const QString& name, bool has_mo
   page->setObjectName("setUpPage");
   page->setAccessibleName(windowTitle());
   QString text = setUpPage(device);
-  if (has_motors) text += '\n' + resource("every-device");
+  if (has_motors) text += '\n' + resource("every");
   page->setMarkdown(text);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

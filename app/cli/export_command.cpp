@@ -25,11 +25,15 @@ struct ExportCommand {
 std::vector<std::string> formatNames() {
   std::vector<std::string> names;
   for (const exporting::Format& format : exporting::kFormats) names.emplace_back(format.name);
-#ifdef PALPATE_FILM
   names.emplace_back("video");
-#endif
   return names;
 }
+
+#ifndef PALPATE_FILM
+constexpr const char* kNoFilms =
+    "Films are made by palpate-draw, which is not installed; install the package palpate, or build "
+    "Palpate with its window.";
+#endif
 
 Outcome run(ExportCommand command) {
   if (command.options.from > command.options.to) return usage("--from must not be after --to.");
@@ -41,6 +45,8 @@ Outcome run(ExportCommand command) {
     command.film.to = command.options.to;
     return exportFilm(command.film);
   }
+#else
+  if (command.format == "video") return failed(kNoFilms);
 #endif
   const exporting::Format& format = *std::ranges::find_if(
       exporting::kFormats, [&](const auto& one) { return one.name == command.format; });

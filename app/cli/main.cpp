@@ -1,18 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string_view>
 
+#include "app/build_info/build_info.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/terminal.h"
+#include "haptics/core/helper_program.h"
 #ifdef PALPATE_READERS
 #include "app/recording/volume_hash.h"
 #include "datasets/readers/files/archive.h"
 #endif
 
 namespace {
+
+#ifndef PALPATE_FILM
+/// What films and a study's pictures need is in palpate-draw, where it is installed: the same
+/// program with the window's libraries. It takes the place of this one and reads the same line.
+void handOver(int argc, char** argv) {
+  if (argc < 2) return;
+  const std::string_view command = argv[1];
+  if (command != "export" && command != "study") return;
+  const std::filesystem::path draw = haptics::helperProgram("palpate-draw");
+  if (!draw.empty()) ::execv(draw.c_str(), argv);
+}
+#endif
 
 /// --json is wanted even when the rest of the line cannot be parsed.
 bool asksForJson(int argc, char** argv) {
@@ -43,6 +60,9 @@ std::string sentenceOf(const CLI::ParseError& error, const CLI::App& program) {
 int main(int argc, char** argv) {
   using namespace app::cli;
   openStandardStreams();
+#ifndef PALPATE_FILM
+  handOver(argc, argv);
+#endif
 #ifdef PALPATE_READERS
   app::nameApplication();
 #endif
@@ -52,6 +72,7 @@ int main(int argc, char** argv) {
       "Palpate without a window: describe scans and tools, and touch scans with tools.\n"
       "Not a medical device, not for diagnosis.",
       "palpate-cli"};
+  program.set_version_flag("--version", app::versionHere());
   program.require_subcommand(1);
   Chosen chosen;
 #ifdef PALPATE_READERS
@@ -76,7 +97,7 @@ int main(int argc, char** argv) {
   }
   try {
     program.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
+  } catch (const CLI::Success& help) {
     program.exit(help);
     std::cout.flush();
     return static_cast<int>(std::cout ? Exit::Done : Exit::Failed);

@@ -54,8 +54,9 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
   for (const std::string& name : datasets::phantomNames())
     phantoms.append(QString::fromStdString(name));
   window.setPhantoms(phantoms);
-  connect(&window, &ui::MainWindow::openWanted, this, &OpeningController::open);
-  connect(&window, &ui::MainWindow::dropped, this, &OpeningController::openDropped);
+  connect(&window, &ui::MainWindow::openWanted, this, [this](const QString& path) { open(path); });
+  connect(&window, &ui::MainWindow::dropped, this,
+          [this](const QStringList& paths) { openTogether(paths); });
   connect(&window, &ui::MainWindow::phantomWanted, this, [this](const QString& name) {
     load({.phantom = name.toStdString()}, tr("Making the phantom"));
   });
@@ -95,10 +96,11 @@ void OpeningController::load(LoadRequest request, const QString& what) {
   loader_.start(std::move(request));
 }
 
-void OpeningController::open(const QString& path) {
+void OpeningController::open(const QString& path, LoadRequest request) {
   if (path.endsWith(".palpate")) return emit recordingWanted(path.toStdString());
   if (path.endsWith(kViewEnding)) return emit viewWanted(path.toStdString());
-  load({.path = std::filesystem::path(path.toStdString())}, tr("Reading"));
+  request.path = path.toStdString();
+  load(std::move(request), tr("Reading"));
 }
 
 void OpeningController::replace(const Loaded& loaded) {
@@ -164,19 +166,19 @@ void OpeningController::refuse(const LoadRequest& request, const haptics::Error&
     window_.showMessage(refusalOf(request, sentenceOf(error), shared_.shown));
 }
 
-void OpeningController::openDropped(const QStringList& paths) {
-  if (paths.size() == 1) return open(paths.first());
+void OpeningController::openTogether(const QStringList& paths, const LoadRequest& request) {
+  if (paths.size() == 1) return open(paths.first(), request);
   // the slices of a series, say, with whatever lies between them: their folder lists them all
   const QString folder = QFileInfo(paths.first()).absolutePath();
   if (std::ranges::all_of(paths, [&](const QString& path) {
         const QFileInfo file(path);
         return file.isFile() && file.absolutePath() == folder;
       }))
-    return open(folder);
-  open(paths.first());
+    return open(folder, request);
+  open(paths.first(), request);
   window_.showMessage(
-      tr("%1 things were dropped that are not files of one folder: only the first, \"%2\", is "
-         "opened; drop the folder that holds them all to choose among its series.")
+      tr("%1 things are not files of one folder: only the first, \"%2\", is opened; open the "
+         "folder that holds them all to choose among its series.")
           .arg(paths.size())
           .arg(QDir(paths.first()).dirName()));
 }

@@ -30,8 +30,11 @@ class OpeningController : public QObject {
   /// Takes another volume and scene of the scan on view, after an edit. Its picture may follow.
   void replace(const app::Loaded& loaded);
   void replacePicture(const ui::Picture& picture);
-  /// A path of volumes, of a recording or of a view.
-  void open(const QString& path);
+  /// A path of volumes, of a recording or of a view. `request`: the options of the command line.
+  void open(const QString& path, LoadRequest request = {});
+  /// One or more paths. Several files of one folder open the folder, whose series are listed; of
+  /// other paths the first is opened, and a message says so.
+  void openTogether(const QStringList& paths, const LoadRequest& request = {});
   /// Asked before another scan takes the place of the one on view. Its answer is given to the
   /// argument, at once or later.
   using Guard = std::function<void(std::function<void(bool may_go)> answer)>;
@@ -53,7 +56,6 @@ class OpeningController : public QObject {
   void failed(const haptics::Error& error);
 
  private:
-  void openDropped(const QStringList& paths);
   void take(const Loaded& loaded);
   void adopt(const Loaded& loaded);
   void refuse(const LoadRequest& request, const haptics::Error& error);

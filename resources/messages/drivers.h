@@ -27,8 +27,8 @@ inline constexpr Row kDrivers[] = {
     {"falcon-not-plugged-in",
      "No Novint Falcon is plugged in; plug in its USB cable and its power supply."},
     {"falcon-not-permitted",
-     "The system does not let you use the Novint Falcon; install packaging/70-palpate.rules in "
-     "/etc/udev/rules.d and plug it in again."},
+     "The system does not let you use the Novint Falcon; install Palpate's rules for devices, "
+     "70-palpate.rules, and plug it in again."},
     {"falcon-in-use", "The Novint Falcon is in use; close the program that has it."},
     {"falcon-firmware-unreadable",
      "The Novint Falcon's firmware file '%1' cannot be read; choose the one that came with the "
@@ -75,12 +75,12 @@ inline constexpr Row kDrivers[] = {
     {"force-dimension-in-use",
      "Another program uses the Force Dimension device; close that program first."},
     {"force-dimension-not-permitted",
-     "The system does not let you use the Force Dimension device; install "
-     "packaging/70-palpate.rules in /etc/udev/rules.d and plug it in again."},
+     "The system does not let you use the Force Dimension device; install Palpate's rules for "
+     "devices, 70-palpate.rules, and plug it in again."},
     {"force-dimension-gone", "The Force Dimension device is gone; plug it in and switch it on."},
     {"force-dimension-no-answer",
-     "The Force Dimension device does not answer; switch it on, and see that "
-     "packaging/70-palpate.rules is installed in /etc/udev/rules.d."},
+     "The Force Dimension device does not answer; switch it on, and see that Palpate's rules for "
+     "devices, 70-palpate.rules, are installed."},
     {"force-dimension-not-opened",
      "The Force Dimension device could not be opened (error %1); switch it off and on again."},
     {"force-dimension-not-found",
@@ -90,8 +90,8 @@ inline constexpr Row kDrivers[] = {
     {"force-dimension-open-already",
      "Palpate has a Force Dimension device open; close that one first."},
     {"hid-not-permitted",
-     "The system does not let you use the %1; install packaging/70-palpate.rules in "
-     "/etc/udev/rules.d and plug it in again."},
+     "The system does not let you use the %1; install Palpate's rules for devices, "
+     "70-palpate.rules, and plug it in again."},
     {"hid-in-use",
      "Another program, or another part of Palpate, uses the %1; close that one first."},
     {"hid-gone", "The %1 is gone; plug it in again."},
@@ -125,7 +125,7 @@ inline constexpr Row kDrivers[] = {
      "from 3D Systems' site."},
     {"openhaptics-no-answer",
      "The Touch or PHANTOM does not answer; see that it is plugged in and switched on, that "
-     "packaging/70-palpate.rules is installed in /etc/udev/rules.d, and pair it in the maker's "
+     "Palpate's rules for devices, 70-palpate.rules, are installed, and pair it in the maker's "
      "setup tool."},
     {"openhaptics-not-found",
      "OpenHaptics finds no Touch or PHANTOM; plug it in, switch it on, and set it up with the "

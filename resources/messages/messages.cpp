@@ -25,6 +25,14 @@ std::vector<Row> together() {
 
 bool isDigit(char c) { return c >= '1' && c <= '9'; }
 
+/// Where the next place of an argument begins, or the end.
+std::size_t placeIn(std::string_view text) {
+  std::size_t at = text.find('%');
+  while (at + 1 < text.size() && !isDigit(text[at + 1]) && text[at + 1] != '(')
+    at = text.find('%', at + 1);
+  return std::min(at, text.size());
+}
+
 /// In one pass: a "%1" in an argument, which may be the name of a file, stays as it is.
 std::string filled(std::string_view english, const std::vector<haptics::Message>& arguments) {
   std::string words;
@@ -63,6 +71,32 @@ std::string sentence(const haptics::Message& message) {
   for (std::size_t i = 0; i < message.arguments.size(); ++i)
     words += (i == 0 ? ": " : ", ") + sentence(message.arguments[i]);
   return words;
+}
+
+std::string_view idOf(std::string_view words) {
+  constexpr std::size_t kTooLittle = 12;  // "%1: %2" stands in nearly every sentence
+  std::string_view best;
+  std::size_t most = kTooLittle;
+  for (const Row& row : rows()) {
+    // the parts between the arguments, in their order
+    std::size_t at = 0, matched = 0;
+    bool all = true;
+    for (std::string_view rest = row.english; all && !rest.empty();) {
+      const std::size_t end = placeIn(rest);
+      const std::string_view part = rest.substr(0, end);
+      const std::size_t found = words.find(part, at);
+      all = found != std::string_view::npos;
+      at = found + part.size();
+      matched += part.size();
+      rest.remove_prefix(end);
+      if (!rest.empty()) rest.remove_prefix(rest.starts_with("%(") ? 4 : 2);
+    }
+    if (all && matched > most) {
+      most = matched;
+      best = row.id;
+    }
+  }
+  return best;
 }
 
 std::string sentence(const haptics::Error& error) { return sentence(error.message); }

@@ -42,8 +42,8 @@ inline constexpr Row kReaders[] = {
     {"codestream-syntax-unknown", "its transfer syntax is not known here"},
     {"codestream-too-many-pixels", "it has %1 pixels, more than any slice does"},
     {"decoder-missing",
-     "Compressed images are decoded by the program %1, which is not beside this one; install "
-     "Palpate again, or export the images as explicit little endian."},
+     "Compressed images are decoded by the program %1, which is not installed; install Palpate "
+     "again, or export the images as explicit little endian."},
     {"decoder-no-memory",
      "Compressed images are decoded by the program %1, which could not be given memory; install "
      "Palpate again, or export the images as explicit little endian."},

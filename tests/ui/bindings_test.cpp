@@ -244,7 +244,8 @@ TEST(Bindings, AreShownInAWindowThatFitsTheScreen) {
     QTest::keyClick(open, Qt::Key_Escape);
   });
   const auto actions = window.findChildren<QAction*>();
-  const auto controls = std::ranges::find(actions, QKeySequence(Qt::Key_F1), &QAction::shortcut);
+  const auto controls =
+      std::ranges::find(actions, QKeySequence(Qt::SHIFT | Qt::Key_F1), &QAction::shortcut);
   ASSERT_NE(controls, actions.end());
   (*controls)->trigger();
   EXPECT_GT(shown.width(), 400);

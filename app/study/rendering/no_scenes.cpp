@@ -6,7 +6,7 @@ namespace study {
 Outcome drawScene(const std::string& scene, Depth) {
   return notDrawn(
       scene,
-      "Not measured: this build draws nothing (PALPATE_DESKTOP is off, or a sanitizer is on).");
+      "Not measured: this program draws nothing (palpate-draw is not installed or was not built).");
 }
 
 }  // namespace study

@@ -21,6 +21,7 @@
 
 #include "datasets/readers/dicom/decode_protocol.h"
 #include "datasets/readers/files/refusal.h"
+#include "haptics/core/helper_program.h"
 
 namespace datasets {
 
@@ -52,13 +53,6 @@ class Descriptor {
 
 tl::unexpected<haptics::Error> notStarted(haptics::Message why) {
   return unsupported("no-decoder", std::move(why));
-}
-
-/// Beside the running program.
-std::filesystem::path programPath() {
-  std::error_code error;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::filesystem::path{} : self.parent_path() / kProgram;
 }
 
 bool sendWhole(int socket, const void* bytes, std::size_t size) {
@@ -134,8 +128,8 @@ pid_t spawn(const std::filesystem::path& program, int socket, int memory) {
 }  // namespace
 
 Expected<Decoder> Decoder::start(std::size_t codestream_bytes, std::size_t pixel_bytes) {
-  const std::filesystem::path program = programPath();
-  if (access(program.c_str(), X_OK) != 0) return notStarted({"decoder-missing", {kProgram}});
+  const std::filesystem::path program = haptics::helperProgram(kProgram);
+  if (program.empty()) return notStarted({"decoder-missing", {kProgram}});
   Decoder decoder;
   // the pixels begin where a number of any width may
   decoder.codestream_bytes_ = (codestream_bytes + 63) / 64 * 64;

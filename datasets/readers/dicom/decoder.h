@@ -26,8 +26,8 @@ class Decoder {
     Cancelled,  ///< the user cancelled and it was ended
   };
 
-  /// Starts the palpate-decode beside the running program, with room for frames of these sizes,
-  /// coded and decoded. Thread-safe; runs no code between fork and exec.
+  /// Starts the palpate-decode of this installation (haptics::helperProgram()), with room for
+  /// frames of these sizes, coded and decoded. Thread-safe; runs no code between fork and exec.
   static haptics::Expected<Decoder> start(std::size_t codestream_bytes, std::size_t pixel_bytes);
   ~Decoder();
   Decoder(Decoder&& other) noexcept;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "ui/help_window.h"
+#include "ui/main_window.h"
+
+namespace app {
+
+/// The place in the help of a sentence that the program shows: the entry of the message of which it
+/// is made; empty if it is none of resources/messages.
+QString helpPlaceOf(const QString& sentence);
+
+/// Shows the help: the page of the part of the window that has the focus, or the entry of a
+/// message.
+class HelpController : public QObject {
+  Q_OBJECT
+ public:
+  explicit HelpController(ui::MainWindow& window);
+
+ private:
+  void open(const QString& place);
+
+  ui::MainWindow& window_;
+  ui::HelpWindow* shown_ = nullptr;  ///< the main window's; null before it is opened
+};
+
+}  // namespace app

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Made by generate.py from --help; not to be changed by hand.
+_palpate_cli() {
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}
+  local command= i
+  for ((i = 1; i < COMP_CWORD; ++i)); do
+    case "$command ${COMP_WORDS[i]}" in
+      " info") command="info" ;;
+      " convert") command="convert" ;;
+      " devices") command="devices" ;;
+      " tool") command="tool" ;;
+      " run") command="run" ;;
+      " replay") command="replay" ;;
+      " recover") command="recover" ;;
+      " export") command="export" ;;
+      " study") command="study" ;;
+      "study accuracy") command="study accuracy" ;;
+      "study stability") command="study stability" ;;
+      "study plan") command="study plan" ;;
+      "study merge") command="study merge" ;;
+      *) ;;
+    esac
+  done
+  case "$command $before" in
+    "info --series") compopt -o default; return ;;
+    "info --every") compopt -o default; return ;;
+    "info --box") compopt -o default; return ;;
+    "convert --phantom") compopt -o default; return ;;
+    "convert --series") compopt -o default; return ;;
+    "convert --every") compopt -o default; return ;;
+    "convert --box") compopt -o default; return ;;
+    "tool --points") compopt -o default; return ;;
+    "tool --tool-unit") mapfile -t COMPREPLY < <(compgen -W "m mm cm in" -- "$word"); return ;;
+    "tool --out") compopt -o default; return ;;
+    "run --volume") compopt -o default; return ;;
+    "run --phantom") compopt -o default; return ;;
+    "run --series") compopt -o default; return ;;
+    "run --every") compopt -o default; return ;;
+    "run --box") compopt -o default; return ;;
+    "run --isovalue") compopt -o default; return ;;
+    "run --tool") mapfile -t COMPREPLY < <(compgen -W "burr-2 burr-4 burr-6 drill probe curved-probe hook elevator needle sphere cane wrench peg" -- "$word"); compopt -o default; return ;;
+    "run --points") compopt -o default; return ;;
+    "run --tool-unit") mapfile -t COMPREPLY < <(compgen -W "m mm cm in" -- "$word"); return ;;
+    "run --hand") mapfile -t COMPREPLY < <(compgen -W "tap slide wedge pry hook jerk twist" -- "$word"); compopt -o default; return ;;
+    "run --seconds") compopt -o default; return ;;
+    "run --stiffness") compopt -o default; return ;;
+    "run --angular-stiffness") compopt -o default; return ;;
+    "run --friction") compopt -o default; return ;;
+    "run --field") mapfile -t COMPREPLY < <(compgen -W "spline trilinear" -- "$word"); return ;;
+    "run --normal") mapfile -t COMPREPLY < <(compgen -W "cell central spline" -- "$word"); return ;;
+    "run --device") compopt -o default; return ;;
+    "run --trace") compopt -o default; return ;;
+    "run --record") compopt -o default; return ;;
+    "run --seed") compopt -o default; return ;;
+    "replay --volume") compopt -o default; return ;;
+    "replay --phantom") compopt -o default; return ;;
+    "replay --series") compopt -o default; return ;;
+    "replay --every") compopt -o default; return ;;
+    "replay --box") compopt -o default; return ;;
+    "export --format") mapfile -t COMPREPLY < <(compgen -W "csv hdf5 mcap video" -- "$word"); return ;;
+    "export --out") compopt -o default; return ;;
+    "export --from") compopt -o default; return ;;
+    "export --to") compopt -o default; return ;;
+    "export --rate") compopt -o default; return ;;
+    "export --volume") compopt -o default; return ;;
+    "export --phantom") compopt -o default; return ;;
+    "export --series") compopt -o default; return ;;
+    "export --every") compopt -o default; return ;;
+    "export --box") compopt -o default; return ;;
+    "export --size") compopt -o default; return ;;
+    "export --fps") compopt -o default; return ;;
+    "export --speed") compopt -o default; return ;;
+    "export --camera") mapfile -t COMPREPLY < <(compgen -W "recorded fixed" -- "$word"); return ;;
+    "export --surface") mapfile -t COMPREPLY < <(compgen -W "raycast mesh" -- "$word"); return ;;
+    "study accuracy --seed") compopt -o default; return ;;
+    "study accuracy --shard") compopt -o default; return ;;
+    "study accuracy --out") compopt -o default; return ;;
+    "study stability --seed") compopt -o default; return ;;
+    "study stability --shard") compopt -o default; return ;;
+    "study stability --out") compopt -o default; return ;;
+    "study plan --seed") compopt -o default; return ;;
+    "study plan --shard") compopt -o default; return ;;
+    "study plan --out") compopt -o default; return ;;
+    "study merge --out") compopt -o default; return ;;
+    *) ;;
+  esac
+  case "$command" in
+    "") mapfile -t COMPREPLY < <(compgen -W "info convert devices tool run replay recover export study -h --help" -- "$word") ;;
+    "info") mapfile -t COMPREPLY < <(compgen -W "-h --help --series --correct --largest-part --every --box --json" -- "$word") ;;
+    "convert") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
+    "devices") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
+    "tool") mapfile -t COMPREPLY < <(compgen -W "-h --help --points --tool-unit --out --json" -- "$word") ;;
+    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --field --normal --device --trace --record --seed --json" -- "$word") ;;
+    "replay") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
+    "recover") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
+    "export") mapfile -t COMPREPLY < <(compgen -W "-h --help --format --out --from --to --rate --no-contacts --volume --phantom --series --correct --largest-part --every --box --size --fps --speed --burn-in --camera --surface --json" -- "$word") ;;
+    "study") mapfile -t COMPREPLY < <(compgen -W "accuracy stability plan merge -h --help" -- "$word") ;;
+    "study accuracy") mapfile -t COMPREPLY < <(compgen -W "-h --help --quick --seed --shard --out --json" -- "$word") ;;
+    "study stability") mapfile -t COMPREPLY < <(compgen -W "-h --help --quick --seed --shard --out --json" -- "$word") ;;
+    "study plan") mapfile -t COMPREPLY < <(compgen -W "-h --help --quick --seed --shard --out --json" -- "$word") ;;
+    "study merge") mapfile -t COMPREPLY < <(compgen -W "-h --help --out --json" -- "$word") ;;
+    *) ;;
+  esac
+  [[ ${#COMPREPLY[@]} -gt 0 ]] || compopt -o default
+}
+complete -F _palpate_cli palpate-cli

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Made by generate.py from --help; not to be changed by hand.
+complete -c palpate -l help -s h -d 'Print this help message and exit'
+complete -c palpate -l version -d 'Display program version information and exit'
+complete -c palpate -l phantom -x -a 'demo sphere halfspace torus gyroid wedge hole slot cylinder marker' -d 'A volume made by formula'
+complete -c palpate -l isovalue -r -F -d 'Intensity of the surface, in the volume'\''s unit'
+complete -c palpate -l tool -x -a 'burr-2 burr-4 burr-6 drill probe curved-probe hook elevator needle sphere cane wrench peg' -d 'burr-2, burr-4, burr-6, drill, probe, curved-probe, hook, elevator, needle, sphere, cane, wrench, peg, or an STL, OBJ or PLY file'
+complete -c palpate -l tool-unit -x -a 'm mm cm in' -d 'Unit of a tool file'
+complete -c palpate -l hand -x -a 'mouse tap slide wedge pry hook jerk twist' -d 'The hand that holds the device'
+complete -c palpate -l surface -x -a 'raycast mesh' -d 'How the surface is drawn'
+complete -c palpate -l series -r -F -d 'Number of a series of a folder'
+complete -c palpate -l correct -d 'Resample slices that are tilted or unevenly spaced'
+complete -c palpate -l screenshot -r -F -d 'Write the window as a PNG and quit'
+complete -c palpate -l after -r -F -d 'Seconds before the screenshot'
+complete -c palpate -l no-notice -d 'Do not show the notice of the first start'

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What `cmake --install` puts somewhere works there, and says nothing of where it was built.
+
+Usage: installed_test.py CMAKE BUILD SOURCE SCRATCH
+
+The programs run from a copy under another prefix than the one that they were built for; the helpers
+that the build leaves beside its programs are not there.
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+cmake, build, source, scratch = sys.argv[1], *map(pathlib.Path, sys.argv[2:5])
+shutil.rmtree(scratch, ignore_errors=True)
+stage = scratch / "stage"
+subprocess.run([cmake, "--install", build, "--prefix", "/opt/palpate"], check=True, stdout=subprocess.DEVNULL,
+               env={**os.environ, "DESTDIR": str(stage)})
+prefix = scratch / "moved"
+(stage / "opt/palpate").rename(prefix)
+assert not list(stage.rglob("*.*")), "something was installed outside the prefix"
+
+files = {path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if path.is_file()}
+wanted = {
+    "bin/palpate", "bin/palpate-cli", "libexec/palpate/palpate-decode", "libexec/palpate/palpate-draw",
+    "lib/udev/rules.d/70-palpate.rules", "share/applications/palpate.desktop",
+    "share/metainfo/org.palpate.palpate.metainfo.xml", "share/mime/packages/palpate.xml",
+    "share/man/man1/palpate.1", "share/man/man1/palpate-cli.1",
+    "share/bash-completion/completions/palpate", "share/bash-completion/completions/palpate-cli",
+    "share/zsh/site-functions/_palpate", "share/zsh/site-functions/_palpate-cli",
+    "share/fish/vendor_completions.d/palpate.fish", "share/fish/vendor_completions.d/palpate-cli.fish",
+    "share/icons/hicolor/scalable/apps/palpate.svg", "share/icons/hicolor/symbolic/apps/palpate-symbolic.svg",
+    "share/doc/palpate/help/index.md", "share/doc/palpate/LICENSE"}
+wanted |= {f"share/icons/hicolor/{s}x{s}/apps/palpate.png" for s in (16, 22, 24, 32, 48, 64, 128, 256, 512)}
+assert not wanted - files, f"not installed: {sorted(wanted - files)}"
+for name in sorted(files):
+    content = (prefix / name).read_bytes()
+    for place in (str(build), str(source)):
+        assert place.encode() not in content or name.startswith(("bin/", "libexec/")), f"{name} names {place}"
+
+cli = prefix / "bin/palpate-cli"
+
+
+def said(*words, code=0, environment=None):
+    ran = subprocess.run([cli, *map(str, words)], capture_output=True, text=True, env=environment)
+    assert ran.returncode == code, (words, ran.returncode, ran.stdout, ran.stderr)
+    return ran.stdout
+
+
+# a compressed slice: the decoder is found from the program's own place
+slice_ = source / "tests/fuzz/corpus/dicom/rle"
+out = scratch / "out.nrrd"
+said("convert", slice_, out)
+assert out.stat().st_size > 0
+(prefix / "libexec/palpate/palpate-decode").rename(scratch / "palpate-decode")
+refused = json.loads(said("convert", slice_, out, "--json", code=3))
+assert "no-decoder" in refused["reasons"], refused
+(scratch / "palpate-decode").rename(prefix / "libexec/palpate/palpate-decode")
+
+# films are another program's, and without it the sentence says so
+said("run", "--phantom", "sphere", "--isovalue", 1000, "--tool", "sphere", "--hand", "tap", "--seconds", 0.2,
+     "--stiffness", 500, "--record", scratch / "t.palpate")
+assert "--burn-in" in said("export", "--help")
+said("export", scratch / "t.palpate", "--format", "csv", "--out", scratch / "t")
+(prefix / "libexec/palpate/palpate-draw").rename(scratch / "palpate-draw")
+assert "--burn-in" not in said("export", "--help")
+told = json.loads(said("export", scratch / "t.palpate", "--format", "video", "--out", scratch / "t.mp4", "--json",
+                       code=4))
+assert "palpate-draw" in told["error"]["message"], told
+
+# the window's program asks for nothing but a display
+quiet = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+ran = subprocess.run([prefix / "bin/palpate", "--version"], capture_output=True, text=True, env=quiet)
+assert ran.returncode == 0 and ran.stdout.strip(), ran
+# and palpate-cli needs no library of the window
+libraries = subprocess.run(["ldd", cli], capture_output=True, text=True).stdout
+assert "libQt6Widgets" not in libraries and "libGL.so" not in libraries, libraries
+print(f"{len(files)} files, installed and moved.")

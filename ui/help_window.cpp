@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/help_window.h"
+
+#include <QFile>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QShortcut>
+#include <QSplitter>
+#include <QTextBlock>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace ui {
+namespace {
+
+constexpr int kPlace = Qt::UserRole;
+
+/// The part of a window, by its object's name, and its page.
+constexpr std::pair<const char*, const char*> kPages[] = {
+    {"surfaceSection", "isovalue"},        {"toolSection", "tools"},
+    {"performanceSection", "performance"}, {"editSection", "edits"},
+    {"marksSection", "measures"},          {"deviceSection", "devices"},
+    {"recordingSection", "recording"},     {"replayBar", "recording"},
+    {"startPage", "first-touch"},          {"views", "views"},
+    {"preferencesWindow", "preferences"},  {"series", "opening"}};
+
+QString textOf(const QString& page) {
+  QFile file(QStringLiteral(":/help/%1.md").arg(page));
+  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
+}
+
+QString titleOf(const QString& page) { return textOf(page).section('\n', 0, 0).mid(2); }
+
+QUrl urlOf(const QString& place) {
+  QUrl url(QStringLiteral("qrc:/help/%1.md").arg(place.section('#', 0, 0)));
+  if (place.contains('#')) url.setFragment(place.section('#', 1));
+  return url;
+}
+
+/// A heading as links name it.
+QString anchorOf(const QString& heading) {
+  static const QRegularExpression other(QStringLiteral("[^\\w\\- ]"),
+                                        QRegularExpression::UseUnicodePropertiesOption);
+  return heading.toLower().remove(other).replace(' ', '-');
+}
+
+}  // namespace
+
+QString helpPageOf(const QWidget* widget) {
+  for (; widget != nullptr; widget = widget->parentWidget())
+    for (const auto& [part, page] : kPages)
+      if (widget->objectName() == QLatin1String(part)) return page;
+  return QStringLiteral("index");
+}
+
+QStringList helpPages() {
+  static const QRegularExpression link(QStringLiteral("\\]\\(([a-z-]+)\\.md"));
+  QStringList pages{"index"};
+  for (auto found = link.globalMatch(textOf("index")); found.hasNext();)
+    pages.append(found.next().captured(1));
+  pages.removeDuplicates();
+  return pages;
+}
+
+HelpPage::HelpPage(QWidget* parent) : QTextBrowser(parent) {
+  setObjectName("helpPage");
+  setAccessibleName(tr("Page of the help"));
+  setToolTip(tr("The arrow keys move through the page, Tab goes from link to link"));
+}
+
+bool HelpPage::open(const QString& place) {
+  if (textOf(place.section('#', 0, 0)).isEmpty()) return false;
+  setSource(urlOf(place), QTextDocument::MarkdownResource);
+  return found_;
+}
+
+QString HelpPage::page() const { return source().fileName().section('.', 0, 0); }
+
+void HelpPage::doSetSource(const QUrl& url, QTextDocument::ResourceType) {
+  QTextBrowser::doSetSource(url, QTextDocument::MarkdownResource);
+  found_ = goTo(source().fragment());
+}
+
+bool HelpPage::goTo(const QString& anchor) {
+  if (anchor.isEmpty()) return true;
+  for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+    const bool heading = block.blockFormat().headingLevel() > 0;
+    if (heading ? anchorOf(block.text()) != anchor : !block.text().startsWith(anchor + ':'))
+      continue;
+    QTextCursor cursor(block);
+    if (!heading) cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+    // from the end, so that the place comes to the top of the page
+    moveCursor(QTextCursor::End);
+    setTextCursor(cursor);
+    verticalScrollBar()->setValue(verticalScrollBar()->value() + cursorRect(cursor).top());
+    return true;
+  }
+  return false;
+}
+
+HelpWindow::HelpWindow(QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      back_(new QToolButton),
+      forward_(new QToolButton),
+      search_(new QLineEdit),
+      contents_(new QListWidget),
+      page_(new HelpPage) {
+  setObjectName("helpWindow");
+  setWindowTitle(tr("Help"));
+  const auto button = [](QToolButton* made, const char* name, const QString& text,
+                         const QString& tip) {
+    made->setObjectName(name);
+    made->setText(text);
+    made->setToolTip(tip);
+    made->setAccessibleName(tip);
+    made->setEnabled(false);
+  };
+  button(back_, "helpBack", tr("Back"), tr("The page before (Alt+Left)"));
+  button(forward_, "helpForward", tr("Forward"), tr("The page after (Alt+Right)"));
+  connect(back_, &QToolButton::clicked, page_, &QTextBrowser::backward);
+  connect(forward_, &QToolButton::clicked, page_, &QTextBrowser::forward);
+  connect(page_, &QTextBrowser::backwardAvailable, back_, &QWidget::setEnabled);
+  connect(page_, &QTextBrowser::forwardAvailable, forward_, &QWidget::setEnabled);
+  connect(page_, &QTextBrowser::sourceChanged, this, &HelpWindow::showWhere);
+  search_->setObjectName("helpSearch");
+  search_->setPlaceholderText(tr("Search"));
+  search_->setClearButtonEnabled(true);
+  search_->setAccessibleName(tr("Words to look for in all pages"));
+  search_->setToolTip(
+      tr("Lists the pages that have all these words; Enter goes to the next place"));
+  connect(search_, &QLineEdit::textChanged, this, &HelpWindow::search);
+  connect(search_, &QLineEdit::returnPressed, this, &HelpWindow::markFound);
+  contents_->setObjectName("helpContents");
+  contents_->setAccessibleName(tr("Contents of the help"));
+  contents_->setToolTip(tr("The pages of the help"));
+  connect(contents_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (item != nullptr) page_->open(item->data(kPlace).toString());
+  });
+  for (const auto& [keys, target] : {std::pair{QKeySequence(Qt::ALT | Qt::Key_Left), back_},
+                                     std::pair{QKeySequence(Qt::ALT | Qt::Key_Right), forward_}})
+    connect(new QShortcut(keys, this), &QShortcut::activated, target, &QToolButton::click);
+
+  auto* left = new QWidget;
+  auto* column = new QVBoxLayout(left);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(search_);
+  column->addWidget(contents_, 1);
+  auto* right = new QWidget;
+  auto* page_column = new QVBoxLayout(right);
+  page_column->setContentsMargins(0, 0, 0, 0);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(back_);
+  buttons->addWidget(forward_);
+  buttons->addStretch(1);
+  page_column->addLayout(buttons);
+  page_column->addWidget(page_, 1);
+  auto* split = new QSplitter;
+  split->addWidget(left);
+  split->addWidget(right);
+  split->setStretchFactor(1, 1);
+  split->setSizes({240, 640});
+  auto* whole = new QVBoxLayout(this);
+  whole->addWidget(split);
+  search();
+  resize(920, 680);
+}
+
+void HelpWindow::open(const QString& place) {
+  search_->clear();
+  page_->open(place);
+  show();
+  raise();
+  activateWindow();
+  page_->setFocus();
+}
+
+void HelpWindow::search() {
+  const QStringList words = search_->text().split(' ', Qt::SkipEmptyParts);
+  const QSignalBlocker block(contents_);
+  contents_->clear();
+  for (const QString& page : helpPages()) {
+    const QString text = textOf(page);
+    if (!std::ranges::all_of(
+            words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); }))
+      continue;
+    auto* item = new QListWidgetItem(titleOf(page), contents_);
+    item->setData(kPlace, page);
+  }
+  showWhere();
+}
+
+void HelpWindow::markFound() {
+  const QStringList words = search_->text().split(' ', Qt::SkipEmptyParts);
+  if (words.isEmpty() || contents_->count() == 0) return;
+  if (contents_->currentItem() == nullptr) {
+    contents_->setCurrentRow(0);
+  } else if (page_->find(words.first())) {
+    return;
+  } else {
+    contents_->setCurrentRow((contents_->currentRow() + 1) % contents_->count());
+  }
+  page_->moveCursor(QTextCursor::Start);
+  page_->find(words.first());
+}
+
+void HelpWindow::showWhere() {
+  const QSignalBlocker block(contents_);
+  contents_->setCurrentItem(nullptr);
+  for (int row = 0; row < contents_->count(); ++row)
+    if (contents_->item(row)->data(kPlace) == page_->page()) contents_->setCurrentRow(row);
+}
+
+}  // namespace ui
