@@ -104,6 +104,8 @@ void Application::wireOpening() {
   connect(&opening_, &Opening::failed, &measurement_, &MeasurementController::resume);
   connect(&opening_, &Opening::failed, &screenshot_, &ScreenshotController::fail);
   connect(&screenshot_, &ScreenshotController::finished, this, &Application::finished);
+  connect(&pacs_, &PacsController::openWanted, &opening_,
+          [this](const QString& folder) { opening_.open(folder); });
 }
 
 void Application::wireStart() {

@@ -16,6 +16,7 @@
 #include "app/window/marks_controller.h"
 #include "app/window/measurement_controller.h"
 #include "app/window/opening_controller.h"
+#include "app/window/pacs_controller.h"
 #include "app/window/picture_controller.h"
 #include "app/window/preferences_controller.h"
 #include "app/window/recording_controller.h"
@@ -114,6 +115,7 @@ class Application : public QObject {
   ExportController export_;
   ScreenshotController screenshot_;
   HelpController help_{window_};
+  PacsController pacs_{window_};
 };
 
 }  // namespace app

@@ -170,6 +170,7 @@ class MainWindow : public QMainWindow {
   void openWanted(const QString& path);
   /// The user wants to open a recording.
   void recordingWanted(const QString& path);
+  void pacsWanted();  ///< a scan from an archive of a hospital
   void exportWanted();  ///< of the recording that is chosen in their list
   /// The user wants the edited volume in this file.
   void saveEditedWanted(const QString& path);

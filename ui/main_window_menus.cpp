@@ -51,6 +51,7 @@ void MainWindow::buildFileMenu() {
   });
   folder->setObjectName("openFolder");
   giveKeys(*folder, Action::OpenFolder);
+  file->addAction(tr("From &PACS…"), this, &MainWindow::pacsWanted)->setObjectName("fromPacs");
   recent_ = file->addMenu(tr("Open &recent"));
   recent_->setObjectName("recent");
   recent_->setToolTipsVisible(true);

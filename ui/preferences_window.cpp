@@ -243,7 +243,8 @@ void PreferencesWindow::buildPrivacy() {
   column->addWidget(places_said_);
   column->addLayout(row);
   column->addWidget(
-      explained(tr("Palpate keeps no name, no date and no picture of a scan, and uses no network. "
+      explained(tr("Palpate keeps no name, no date and no picture of a scan, and uses the network only "
+                   "where you open a scan from a PACS. "
                    "Before a picture leaves it that may show a face, it asks.")));
   column->addStretch();
   connect(places_, &QCheckBox::clicked, this, [this](bool on) {

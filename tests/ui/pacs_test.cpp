@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scans from a PACS: what the window asks of palpate-fetch, and what it makes of the answers. The
+// program that answers here is a script that says what palpate-fetch says.
+#include "app/window/pacs_controller.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "window_support.h"
+
+namespace {
+
+using window::waitFor;
+
+constexpr const char* kScript = R"(#!/usr/bin/python3
+import json, os, shutil, signal, sys, time
+work = os.path.dirname(os.path.abspath(__file__))
+given = json.loads(sys.stdin.readline())
+with open(work + "/asked", "a") as log:
+    log.write(json.dumps({"arguments": sys.argv[1:], "given": given}) + "\n")
+def say(answer):
+    print(json.dumps(answer), flush=True)
+command = sys.argv[1]
+if "--dicomweb" in sys.argv and "wrong" in sys.argv[sys.argv.index("--dicomweb") + 1]:
+    say({"error": {"code": 4, "reason": "host", "message": "There is no host \"wrong\"."}})
+    sys.exit(4)
+if command == "echo":
+    say({"answers": True})
+elif command == "find":
+    series = []
+    for n in range(2):
+        one = {"index": n, "study": n + 1, "modality": "CT", "study_date": "20240305", "number": 3,
+               "images": 120 if n == 0 else None, "bytes": None, "check": "abc%d" % n}
+        if "--names" in sys.argv:
+            one.update(patient_name="MUSTER^HANS", patient_id="4711", study_description="Head",
+                       series_description="Bone")
+        series.append(one)
+    say({"series": series, "left_out": 0})
+elif given["index"] == 1:
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(130))
+    say({"event": "progress", "images": 7, "of": 120, "bytes": 3700000})
+    time.sleep(60)
+else:
+    folder = work + "/fetched"
+    os.mkdir(folder)
+    say({"event": "progress", "images": 60, "of": 120, "bytes": 31000000})
+    say({"event": "done", "folder": folder, "images": 120, "bytes": 62000000, "missing": 0, "not_kept": 0,
+         "warnings": []})
+    sys.stdin.read()
+    shutil.rmtree(folder)
+)";
+
+class Pacs : public testing::Test {
+ protected:
+  Pacs() {
+    QSettings().clear();
+    QFile script(folder_.filePath("palpate-fetch"));
+    EXPECT_TRUE(script.open(QFile::WriteOnly));
+    script.write(kScript);
+    script.setPermissions(script.permissions() | QFile::ExeOwner);
+    script.close();
+    app::savePacsServers({{.name = "Archive",
+                           .url = "https://pacs.example.org/dicom-web",
+                           .login = ui::PacsServer::Login::Basic,
+                           .user = "reader"},
+                          {.name = "Wrong", .url = "https://wrong"}});
+    controller_ = std::make_unique<app::PacsController>(window_, folder_.filePath("palpate-fetch"));
+    window::showAndWait(window_, {1000, 700});
+    window_.findChild<QAction*>("fromPacs")->trigger();
+  }
+  ~Pacs() override { QSettings().clear(); }
+
+  template <class Widget>
+  Widget& part(const char* name) {
+    auto* found = window_.findChild<Widget*>(name);
+    EXPECT_NE(found, nullptr) << name;
+    return *found;
+  }
+  void click(const char* name) {
+    auto& button = part<QPushButton>(name);
+    ASSERT_TRUE(button.isEnabled()) << name;
+    QTest::mouseClick(&button, Qt::LeftButton);
+  }
+  bool answers(const char* words) {
+    return waitFor([&] { return part<QLabel>("pacsAnswer").text().contains(words); }, 20.0);
+  }
+  QString asked() {
+    QFile file(folder_.filePath("asked"));
+    return file.open(QFile::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
+  }
+  void search() {
+    part<QLineEdit>("pacsPatientId").setText("4711");
+    part<QLineEdit>("pacsSecret").setText("s3cret");
+    click("pacsSearch");
+    ASSERT_TRUE(answers("2 series match")) << part<QLabel>("pacsAnswer").text().toStdString();
+  }
+  QTableWidget& list() { return part<QTableWidget>("pacsSeries"); }
+
+  QTemporaryDir folder_;
+  ui::MainWindow window_;
+  std::unique_ptr<app::PacsController> controller_;
+};
+
+TEST_F(Pacs, AServerIsTestedAndASentenceSaysWhatIsWrong) {
+  click("pacsTest");
+  EXPECT_TRUE(answers("The server answers"));
+  auto& servers = part<QComboBox>("pacsServers");
+  servers.setCurrentIndex(1);
+  emit servers.activated(1);
+  click("pacsTest");
+  EXPECT_TRUE(answers("There is no host \"wrong\"."));
+  EXPECT_TRUE(waitFor([&] { return part<QPushButton>("pacsTest").isEnabled(); }));
+}
+
+TEST_F(Pacs, SeriesAreListedWithoutNamesUntilTheirSwitchIsOn) {
+  search();
+  ASSERT_EQ(list().rowCount(), 2);
+  EXPECT_EQ(list().item(0, 4)->text(), "120");
+  EXPECT_EQ(list().item(1, 4)->text(), "");
+  for (int column = 0; column < list().columnCount(); ++column)
+    EXPECT_FALSE(list().item(0, column)->text().contains("MUSTER"));
+  EXPECT_TRUE(list().isColumnHidden(5));
+  window::keep(window::pictureOf(*list().window()), "pacs_window");
+  part<QCheckBox>("pacsNames").click();
+  EXPECT_TRUE(waitFor([&] { return list().rowCount() == 2 && !list().isColumnHidden(5); }, 20.0));
+  EXPECT_EQ(list().item(0, 5)->text(), "MUSTER^HANS");
+  // neither what is searched nor a secret stands in a list of processes or in the preferences
+  const QStringList lines = asked().split('\n', Qt::SkipEmptyParts);
+  ASSERT_EQ(lines.size(), 2);
+  for (const QString& line : lines) {
+    const QString arguments = line.section("\"given\"", 0, 0), given = line.section("\"given\"", 1);
+    for (const char* word : {"4711", "s3cret"}) {
+      EXPECT_FALSE(arguments.contains(word)) << line.toStdString();
+      EXPECT_TRUE(given.contains(word)) << line.toStdString();
+    }
+  }
+  QSettings().sync();
+  QFile settings(QSettings().fileName());
+  ASSERT_TRUE(settings.open(QFile::ReadOnly));
+  const QByteArray stored = settings.readAll();
+  for (const char* word : {"4711", "s3cret", "MUSTER"}) EXPECT_FALSE(stored.contains(word)) << word;
+}
+
+TEST_F(Pacs, ASeriesIsFetchedAndItsFolderStaysToTheEnd) {
+  search();
+  QSignalSpy opened(controller_.get(), &app::PacsController::openWanted);
+  list().selectRow(0);
+  click("pacsFetch");
+  ASSERT_TRUE(waitFor([&] { return opened.count() == 1; }, 20.0));
+  const QString folder = opened.at(0).at(0).toString();
+  EXPECT_TRUE(QDir(folder).exists());
+  EXPECT_TRUE(answers("120 images"));
+  EXPECT_TRUE(asked().contains("\"check\": \"abc0\""));
+  QTest::qWait(300);
+  EXPECT_TRUE(QDir(folder).exists());
+  controller_.reset();
+  EXPECT_TRUE(waitFor([&] { return !QDir(folder).exists(); }, 20.0));
+}
+
+TEST_F(Pacs, AFetchIsCancelledAndTheNextSearchWorks) {
+  search();
+  QSignalSpy opened(controller_.get(), &app::PacsController::openWanted);
+  list().selectRow(1);
+  click("pacsFetch");
+  ASSERT_TRUE(waitFor(
+      [&] { return part<QLabel>("pacsProgress").text().contains("7 of 120 images"); }, 20.0));
+  window::keep(window::pictureOf(*list().window()), "pacs_fetching");
+  click("pacsCancel");
+  EXPECT_TRUE(answers("Cancelled."));
+  EXPECT_EQ(opened.count(), 0);
+  search();
+}
+
+TEST_F(Pacs, ServersAreDescribedAndKept) {
+  QTimer::singleShot(0, &window_, [&] {
+    auto* dialog = qobject_cast<ui::PacsServerDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QLineEdit*>("pacsName")->setText("Ward");
+    dialog->findChild<QComboBox*>("pacsKind")->setCurrentIndex(1);
+    EXPECT_FALSE(dialog->findChild<QLineEdit*>("pacsUrl")->isVisible());
+    dialog->findChild<QLineEdit*>("pacsHost")->setText("10.0.0.7");
+    dialog->findChild<QLineEdit*>("pacsCalled")->setText("ARCHIVE");
+    dialog->findChild<QCheckBox*>("pacsTls")->setChecked(true);
+    dialog->accept();
+  });
+  click("pacsAdd");
+  const QList<ui::PacsServer> kept = app::loadPacsServers();
+  ASSERT_EQ(kept.size(), 3);
+  EXPECT_EQ(kept[2].name, "Ward");
+  EXPECT_FALSE(kept[2].web);
+  EXPECT_EQ(kept[2].host, "10.0.0.7");
+  EXPECT_EQ(kept[2].port, 104);
+  EXPECT_EQ(kept[2].called, "ARCHIVE");
+  EXPECT_TRUE(kept[2].tls);
+  EXPECT_EQ(kept[0].user, "reader");
+  EXPECT_EQ(part<QComboBox>("pacsServers").currentText(), "Ward");
+  click("pacsTest");
+  EXPECT_TRUE(answers("The server answers"));
+  EXPECT_TRUE(asked().contains("\"--dimse\", \"10.0.0.7:104\", \"--called\", \"ARCHIVE\""))
+      << asked().toStdString();
+}
+
+TEST_F(Pacs, WithoutTheProgramTheMenuSaysSo) {
+  ui::MainWindow other;
+  const app::PacsController controller(other);
+  other.findChild<QAction*>("fromPacs")->trigger();
+  EXPECT_TRUE(other.findChild<QLabel*>("message")->text().contains("palpate-fetch"));
+}
+
+}  // namespace
