@@ -97,6 +97,7 @@ int main(int argc, char** argv) {
   ui::Viewport::prepareApplication();
   app::nameApplication();
   QCoreApplication::setApplicationVersion(PALPATE_VERSION);
+  QGuiApplication::setDesktopFileName("palpate");
   int qt_argc = 1;  // the arguments are ours
   QApplication qt(qt_argc, argv);
   ui::style::dress(qt, ui::style::themeOf(app::loadPreferences().theme));

@@ -97,7 +97,8 @@ bool HelpPage::goTo(const QString& anchor) {
     // from the end, so that the place comes to the top of the page
     moveCursor(QTextCursor::End);
     setTextCursor(cursor);
-    verticalScrollBar()->setValue(verticalScrollBar()->value() + cursorRect(cursor).top());
+    verticalScrollBar()->setValue(verticalScrollBar()->value() +
+                                  cursorRect(QTextCursor(block)).top());
     return true;
   }
   return false;

@@ -27,10 +27,9 @@ bool isDigit(char c) { return c >= '1' && c <= '9'; }
 
 /// Where the next place of an argument begins, or the end.
 std::size_t placeIn(std::string_view text) {
-  std::size_t at = text.find('%');
-  while (at + 1 < text.size() && !isDigit(text[at + 1]) && text[at + 1] != '(')
-    at = text.find('%', at + 1);
-  return std::min(at, text.size());
+  for (std::size_t at = text.find('%'); at != text.npos; at = text.find('%', at + 1))
+    if (at + 1 < text.size() && (isDigit(text[at + 1]) || text[at + 1] == '(')) return at;
+  return text.size();
 }
 
 /// In one pass: a "%1" in an argument, which may be the name of a file, stays as it is.

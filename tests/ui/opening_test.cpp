@@ -291,6 +291,16 @@ TEST_F(Opening, ACorrectableSeriesOfSeveralAsksFirst) {
   EXPECT_TRUE(volume().resampled);
 }
 
+TEST_F(Opening, SeveralFilesOnTheCommandLineStandForTheirFolder) {
+  NEED(kMixed);
+  app::Arguments arguments;
+  for (const char* name : {"IM0003", "IM0005"})
+    arguments.paths.append(QString::fromStdString((kMixed / name).string()));
+  start(std::move(arguments));
+  ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }, 60.0));
+  EXPECT_EQ(browser()->findChild<QTableWidget*>("series")->rowCount(), 4);
+}
+
 TEST_F(Opening, DroppedFilesOfOneFolderStandForTheFolderAndOthersAreSaid) {
   NEED(kMixed);
   started();
