@@ -127,7 +127,8 @@ HelpWindow::HelpWindow(QWidget* parent)
   connect(forward_, &QToolButton::clicked, page_, &QTextBrowser::forward);
   connect(page_, &QTextBrowser::backwardAvailable, back_, &QWidget::setEnabled);
   connect(page_, &QTextBrowser::forwardAvailable, forward_, &QWidget::setEnabled);
-  connect(page_, &QTextBrowser::sourceChanged, this, &HelpWindow::showWhere);
+  // the source is the new one only once the history has it
+  connect(page_, &QTextBrowser::historyChanged, this, &HelpWindow::showWhere);
   search_->setObjectName("helpSearch");
   search_->setPlaceholderText(tr("Search"));
   search_->setClearButtonEnabled(true);
