@@ -7,6 +7,8 @@ _palpate_cli() {
     case "$command ${COMP_WORDS[i]}" in
       " info") command="info" ;;
       " convert") command="convert" ;;
+      " cohort") command="cohort" ;;
+      "cohort merge") command="cohort merge" ;;
       " devices") command="devices" ;;
       " tool") command="tool" ;;
       " run") command="run" ;;
@@ -29,6 +31,22 @@ _palpate_cli() {
     "convert --series") compopt -o default; return ;;
     "convert --every") compopt -o default; return ;;
     "convert --box") compopt -o default; return ;;
+    "cohort --isovalue") mapfile -t COMPREPLY < <(compgen -W "bone skin" -- "$word"); return ;;
+    "cohort --tool") compopt -o default; return ;;
+    "cohort --hand") compopt -o default; return ;;
+    "cohort --repetitions") compopt -o default; return ;;
+    "cohort --seconds") compopt -o default; return ;;
+    "cohort --stiffness") compopt -o default; return ;;
+    "cohort --shard") compopt -o default; return ;;
+    "cohort --jobs") compopt -o default; return ;;
+    "cohort merge --out") compopt -o default; return ;;
+    "cohort merge --before") compopt -o default; return ;;
+    "cohort merge --isovalue") mapfile -t COMPREPLY < <(compgen -W "bone skin" -- "$word"); return ;;
+    "cohort merge --tool") compopt -o default; return ;;
+    "cohort merge --hand") compopt -o default; return ;;
+    "cohort merge --repetitions") compopt -o default; return ;;
+    "cohort merge --seconds") compopt -o default; return ;;
+    "cohort merge --stiffness") compopt -o default; return ;;
     "tool --points") compopt -o default; return ;;
     "tool --tool-unit") mapfile -t COMPREPLY < <(compgen -W "m mm cm in" -- "$word"); return ;;
     "tool --out") compopt -o default; return ;;
@@ -85,9 +103,11 @@ _palpate_cli() {
     *) ;;
   esac
   case "$command" in
-    "") mapfile -t COMPREPLY < <(compgen -W "info convert devices tool run replay recover export study -h --help" -- "$word") ;;
+    "") mapfile -t COMPREPLY < <(compgen -W "info convert cohort devices tool run replay recover export study -h --help --version" -- "$word") ;;
     "info") mapfile -t COMPREPLY < <(compgen -W "-h --help --series --correct --largest-part --every --box --json" -- "$word") ;;
     "convert") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
+    "cohort") mapfile -t COMPREPLY < <(compgen -W "merge -h --help --isovalue --tool --hand --repetitions --seconds --stiffness --shard --jobs --plan --json" -- "$word") ;;
+    "cohort merge") mapfile -t COMPREPLY < <(compgen -W "-h --help --out --before --isovalue --tool --hand --repetitions --seconds --stiffness --json" -- "$word") ;;
     "devices") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "tool") mapfile -t COMPREPLY < <(compgen -W "-h --help --points --tool-unit --out --json" -- "$word") ;;
     "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --field --normal --device --trace --record --seed --json" -- "$word") ;;

@@ -130,7 +130,7 @@ def check_icons():
 
 
 def check_versions():
-    version = re.search(r"VERSION (\S+)", (root / "CMakeLists.txt").read_text()).group(1)
+    version = re.search(r"project\(\w+ VERSION (\S+)", (root / "CMakeLists.txt").read_text()).group(1)
     assert tree(METAINFO).find("releases/release").get("version") == version
     assert re.search(r"^## (\S+?),", (root / "CHANGELOG.md").read_text(), re.M).group(1) == version
     assert f"version: {version}\n" in (root / "CITATION.cff").read_text()
