@@ -82,7 +82,7 @@ def main():
     if bad := [name for name, row in LINKED.items() if re.match(r"A?GPL", row[1])]:
         print("licences that must not be linked:", *bad)
         return 1
-    release = re.search(r"VERSION (\S+)", (HERE.parent / "CMakeLists.txt").read_text()).group(1)
+    release = re.search(r"project\(\w+ VERSION (\S+)", (HERE.parent / "CMakeLists.txt").read_text()).group(1)
     page = ["# What Palpate is made of", "",
             "Made by `packaging/components.py` from the list of packages that Palpate is built with. Palpate itself is BSD-3-Clause. "
             "No library under the GPL is linked; those under the LGPL are linked as shared libraries. All of them are Debian 12's own packages, "

@@ -9,7 +9,7 @@ root = pathlib.Path(__file__).resolve().parents[2]
 project = "Palpate"
 author = "The Palpate authors"
 copyright = author
-release = version = re.search(r"VERSION (\S+)", (root / "CMakeLists.txt").read_text()).group(1)
+release = version = re.search(r"project\(\w+ VERSION (\S+)", (root / "CMakeLists.txt").read_text()).group(1)
 today = release  # a date would make every build another one
 extensions = ["myst_parser"]
 myst_heading_anchors = 3
