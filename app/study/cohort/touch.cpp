@@ -177,8 +177,10 @@ class ScanAtHand {
     if (*isovalue <= volume_->least || *isovalue > volume_->greatest)
       return refuse("isovalue-outside-the-range");
     scan_["isovalue"] = word(*isovalue);
-    const comparison::Touched touched{
-        .name = line_.label, .volume = volume_, .isovalue = *isovalue};
+    comparison::Touched touched;
+    touched.name = line_.label;
+    touched.volume = volume_;
+    touched.isovalue = *isovalue;
     const comparison::FreeBlocks blocks(*volume_, *isovalue);
     std::shared_ptr<const Scene> scene;
     for (const std::string& name : line_.touching.tools) {
@@ -210,7 +212,10 @@ class ScanAtHand {
     cells["repetition"] = word(repetition);
     cells["seconds"] = word(how.seconds);
     cells["stiffness_N_m"] = word(how.stiffness);
-    haptics::ClosedLoop loop{shared(scene), {.isovalue = isovalue, .stiffness = how.stiffness}};
+    haptics::ClosedLoop loop;
+    loop.scene = shared(scene);
+    loop.settings.isovalue = isovalue;
+    loop.settings.stiffness = how.stiffness;
     loop.grip.gyration = std::sqrt(scene.tool.shell.inertia.trace() / 3.0);
     const double reach = haptics::Hand::reachFor(kDepth, how.stiffness, loop.grip.stiffness);
     auto aimed = haptics::Hand::aimed(motionOf(hand), scene, isovalue, reach,
