@@ -48,6 +48,11 @@ install_missing() {
   fi
   say "Installing ${#missing[@]} packages: ${missing[*]}"
   export DEBIAN_FRONTEND=noninteractive
+  if [ -n "$(dpkg --audit)" ]; then
+    say "An installation before this one was cut off: dpkg ends it first."
+    followed "$root/build/install.log" "configured" "${as_root[@]}" dpkg --configure -a ||
+      fail "dpkg could not end an installation that was cut off; the reason stands above."
+  fi
   "${as_root[@]}" apt-get -qq update ||
     fail "The package lists could not be fetched: check the network and /etc/apt."
   followed "$root/build/install.log" "installed" \
