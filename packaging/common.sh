@@ -78,6 +78,26 @@ fetch_kernel() {
   rm -rf "$folder/coming"
 }
 
+# fetch_pacs FOLDER: unpacks Debian's Orthanc there, with its DICOMweb plugin and what of their
+# libraries is not installed, for the tests of palpate-fetch; does nothing, and asks no network, where
+# it lies there. It is not installed: a PACS would start and listen. Without one those tests are skipped.
+fetch_pacs() {
+  local folder="$1" packages package
+  [ ! -x "$folder/usr/sbin/Orthanc" ] || return 0
+  say "Fetching Debian's Orthanc for the tests with a PACS, 5 MB."
+  rm -rf "$folder"
+  mkdir -p "$folder/coming"
+  mapfile -t packages < <(apt-get install -s --no-install-recommends orthanc orthanc-dicomweb 2> /dev/null |
+    sed -n 's/^Inst \([^ ]*\).*/\1/p')
+  if [ ${#packages[@]} -gt 0 ] &&
+    (cd "$folder/coming" && timeout 300 apt-get -qq download "${packages[@]}") > /dev/null 2>&1; then
+    for package in "$folder/coming"/*.deb; do dpkg-deb -x "$package" "$folder"; done
+  else
+    echo "It could not be fetched: the tests with a PACS will be skipped." >&2
+  fi
+  rm -rf "$folder/coming"
+}
+
 # minutes SECONDS: as people say it
 minutes() { printf '%d:%02d' "$(($1 / 60))" "$(($1 % 60))"; }
 

@@ -8,6 +8,7 @@
 #include "resources/messages/app.h"
 #include "resources/messages/drivers.h"
 #include "resources/messages/exports.h"
+#include "resources/messages/fetch.h"
 #include "resources/messages/readers.h"
 #include "resources/messages/recordings.h"
 #include "resources/messages/scenes.h"
@@ -18,7 +19,7 @@ namespace {
 std::vector<Row> together() {
   std::vector<Row> all;
   for (const std::span<const Row> table : std::initializer_list<std::span<const Row>>{
-           kReaders, kDrivers, kRecordings, kScenes, kExports, kApp})
+           kReaders, kDrivers, kRecordings, kScenes, kExports, kApp, kFetch})
     all.insert(all.end(), table.begin(), table.end());
   return all;
 }

@@ -41,6 +41,11 @@ rule(FOLDERS "app/(study|cli)" EXCEPT "app/study/rendering" FORBIDS "^(Q[A-Za-z]
      WHY "the command line and the studies build without Qt and VTK")
 rule(FOLDERS "app/study/rendering" FORBIDS "^(Q[A-Za-z]|ui/)" PERMITS "^ui/props/"
      WHY "the study of rendering uses only the props of the window")
+rule(FOLDERS "app/fetch" FORBIDS "^(vtk|ui/|datasets/|QtWidgets|Q(Widget|Application|Dialog)$)"
+     WHY "palpate-fetch has neither window nor readers")
+rule(FOLDERS "(haptics|ui|datasets|resources|app)" EXCEPT "app/fetch"
+     FORBIDS "^(Q(Network|Tcp|Udp|Ssl|Local(Socket|Server))|dcmtk/(dcmnet|dcmtls)/)"
+     WHY "palpate-fetch alone speaks to a network")
 rule(FOLDERS "(haptics|ui|datasets|resources|app)" FORBIDS "^[.][.]/"
      WHY "an include names its path from the root, so that these rules can read it")
 

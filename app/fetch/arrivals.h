@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/fetch/archive.h"
+
+namespace app::fetch {
+
+/// The images of one series as they come: each is written to part(), then kept or not. Names of files
+/// are numbers that this class counts; nothing that a server sent becomes a part of a path.
+class Arrivals {
+ public:
+  /// Images, of how many if that is known, and bytes so far.
+  using Progress =
+      std::function<void(std::size_t images, std::optional<std::size_t> of, std::uint64_t bytes)>;
+  Arrivals(std::filesystem::path folder, FoundSeries wanted, Progress progress);
+
+  /// Where the next image is written; a file that is there is of no worth.
+  const std::filesystem::path& part() const { return part_; }
+  /// Looks at part(), which is whole, and keeps it if it is an image of the wanted series that has
+  /// not come yet. Else it goes, and is counted. An error ends the transfer.
+  haptics::Expected<void> keep();
+  /// Removes part().
+  void drop();
+  /// Bytes of part() came; bounds the whole transfer.
+  haptics::Expected<void> came(std::size_t bytes);
+
+  /// The identifiers of all images, if the server listed them.
+  void expect(std::vector<std::string> images);
+  /// Those that were listed and have not come.
+  std::vector<std::string> missing() const;
+  bool listed() const { return !expected_.empty(); }
+  std::optional<std::size_t> of() const;
+
+  std::size_t images() const { return have_.size(); }
+  std::uint64_t bytes() const { return bytes_; }
+  std::size_t strangers() const { return strangers_; }  ///< of other series, not kept
+  std::size_t unreadable() const { return unreadable_; }
+
+ private:
+  std::filesystem::path folder_, part_;
+  FoundSeries wanted_;
+  Progress progress_;
+  std::set<std::string> have_, expected_;
+  std::uint64_t bytes_ = 0;
+  std::size_t strangers_ = 0, unreadable_ = 0;
+};
+
+}  // namespace app::fetch

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmnet/dcmlayer.h>
+
+#include "app/fetch/archive.h"
+#include "app/fetch/pace.h"
+
+namespace app::fetch {
+
+/// The connections of DIMSE, watched by a thread: DCMTK's calls may wait as long as a server likes,
+/// so this shuts the sockets down when the server is silent or too slow, and 0.3 s after one asked to
+/// stop. One in a process.
+class Wire {
+ public:
+  explicit Wire(const Server& server);
+  ~Wire();
+  Wire(const Wire&) = delete;
+  Wire& operator=(const Wire&) = delete;
+
+  /// What makes DCMTK's connections, by plain TCP or TLS as the server has it.
+  haptics::Expected<std::unique_ptr<DcmTransportLayer>> layer(const std::string& key_passphrase,
+                                                              bool acceptor);
+  /// While it lives, the server is waited for, and timed.
+  class Waiting {
+   public:
+    explicit Waiting(Wire& wire) : wire_{wire} { wire_.wait(true); }
+    ~Waiting() { wire_.wait(false); }
+    Waiting(const Waiting&) = delete;
+    Waiting& operator=(const Waiting&) = delete;
+
+   private:
+    Wire& wire_;
+  };
+
+  /// Whether SIGTERM came.
+  static bool stopping();
+  /// Shuts all connections down.
+  void end();
+  /// Why a call of DCMTK failed, if that is known here: stopped, silent, slow, or TLS. Clears it.
+  std::optional<haptics::Error> trouble();
+
+  // for the connections
+  void took(int socket);
+  void lost(int socket);
+  void came(std::size_t bytes) { pace_.came(bytes); }
+  /// The socket of the connection that was made last.
+  int newest();
+  const Server& server() const { return server_; }
+
+ private:
+  Server server_;
+  Pace pace_;
+  std::mutex mutex_;
+  std::set<int> sockets_;
+  int newest_ = -1;
+  bool waiting_ = false, over_ = false;
+  Pace::Verdict verdict_ = Pace::Verdict::Fine;
+  std::thread thread_;
+
+  void wait(bool begins);
+  void watch();
+  void shutDown();
+};
+
+}  // namespace app::fetch

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Slices of a real scan as DICOM files, byte by byte, of somebody whose names are nowhere else."""
+import gzip
+import pathlib
+import secrets
+import struct
+import subprocess
+
+CT = "1.2.840.10008.5.1.4.1.1.2"
+EXPLICIT = "1.2.840.10008.1.2.1"
+
+# other transfer syntaxes, by the programs that make them
+CONVERTED = {
+    "implicit": ["dcmconv", "+ti"],
+    "big-endian": ["dcmconv", "+tb"],
+    "deflated": ["dcmconv", "+td"],
+    "jpeg-lossless": ["dcmcjpeg", "+e1"],
+    "jpeg-ls": ["dcmcjpls", "+el"],
+    "rle": ["dcmcrle"],
+    "jpeg-2000": ["gdcmconv", "--j2k"],
+}
+
+
+class Person:
+    """Somebody whose every text is found again where it is written."""
+
+    def __init__(self):
+        word = lambda: secrets.token_hex(5).upper()
+        self.name, self.id = f"PLANTED{word()}^{word()}", f"ID{word()}"
+        self.accession, self.birth = f"AN{word()}", "19410203"
+        self.study, self.series = f"STUDY{word()}", f"SERIES{word()}"
+
+    def texts(self):
+        return [*self.name.split("^"), self.id, self.accession, self.birth, self.study, self.series]
+
+
+def uid():
+    return f"2.25.{secrets.randbits(100)}"
+
+
+def element(group, number, kind, value):
+    if isinstance(value, str):
+        value = value.encode()
+    if len(value) % 2:
+        value += b"\0" if kind in ("UI", "OB") else b" "
+    head = struct.pack("<HH", group, number) + kind.encode()
+    long = kind in ("OB", "OW", "SQ", "UN")
+    return head + (struct.pack("<HI", 0, len(value)) if long else struct.pack("<H", len(value))) + value
+
+
+def us(value):
+    return struct.pack("<H", value)
+
+
+def dicom(person, study, series, instance, k, columns, rows, pixels, modality="CT", sop_class=CT, extra=b"",
+          number=1):
+    """One slice as a file: explicit little endian, signed 16 bits."""
+    meta = (element(2, 1, "OB", b"\0\1") + element(2, 2, "UI", sop_class) + element(2, 3, "UI", instance)
+            + element(2, 0x10, "UI", EXPLICIT) + element(2, 0x12, "UI", "1.2.3.4"))
+    body = (element(8, 8, "CS", "ORIGINAL\\PRIMARY\\AXIAL") + element(8, 0x16, "UI", sop_class)
+            + element(8, 0x18, "UI", instance) + element(8, 0x20, "DA", "20240305")
+            + element(8, 0x50, "SH", person.accession) + element(8, 0x60, "CS", modality)
+            + element(8, 0x1030, "LO", person.study) + element(8, 0x103e, "LO", person.series)
+            + element(0x10, 0x10, "PN", person.name) + element(0x10, 0x20, "LO", person.id)
+            + element(0x10, 0x30, "DA", person.birth)
+            + element(0x18, 0x50, "DS", "1") + element(0x20, 0xd, "UI", study)
+            + element(0x20, 0xe, "UI", series) + element(0x20, 0x11, "IS", str(number))
+            + element(0x20, 0x13, "IS", str(k + 1)) + element(0x20, 0x32, "DS", f"0\\0\\{k}")
+            + element(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0") + element(0x20, 0x52, "UI", study + ".9") + extra
+            + element(0x28, 2, "US", us(1)) + element(0x28, 4, "CS", "MONOCHROME2")
+            + element(0x28, 0x10, "US", us(rows)) + element(0x28, 0x11, "US", us(columns))
+            + element(0x28, 0x30, "DS", "1\\1") + element(0x28, 0x100, "US", us(16))
+            + element(0x28, 0x101, "US", us(16)) + element(0x28, 0x102, "US", us(15))
+            + element(0x28, 0x103, "US", us(1)) + element(0x28, 0x1052, "DS", "0")
+            + element(0x28, 0x1053, "DS", "1") + element(0x7fe0, 0x10, "OW", pixels))
+    return bytes(128) + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(meta))) + meta + body
+
+
+class Head:
+    """The voxels of the head that is beside the checkout: signed 16 bits, little endian."""
+
+    def __init__(self, scans):
+        data = (pathlib.Path(scans) / "visible_human_female_head/vhf_head_512x512x234.nrrd").read_bytes()
+        header, voxels = data.split(b"\n\n", 1)
+        assert b"int16" in header or b"short" in header, header
+        self.side = 512
+        if b"encoding: gz" in header:
+            voxels = gzip.decompress(voxels)
+        self.voxels = voxels
+
+    def plane(self, k):
+        size = self.side * self.side * 2
+        return self.voxels[k * size:(k + 1) * size]
+
+    def crop(self, k, side):
+        plane, row = self.plane(k), self.side * 2
+        at = (self.side - side) // 2
+        return b"".join(plane[(at + j) * row + 2 * at:(at + j) * row + 2 * (at + side)] for j in range(side))
+
+
+class Series:
+    """A folder of slices, and who they are."""
+
+    def __init__(self, folder, head, person, slices, side, syntax="explicit", study=None, number=1):
+        self.folder, self.person, self.count = pathlib.Path(folder), person, slices
+        self.study, self.series = study or uid(), uid()
+        self.instances = []
+        self.folder.mkdir(parents=True)
+        for k in range(slices):
+            self.instances.append(uid())
+            pixels = head.plane(k + 60) if side == head.side else head.crop(k + 60, side)
+            path = self.folder / f"{k:04}.dcm"
+            path.write_bytes(dicom(person, self.study, self.series, self.instances[-1], k, side, side, pixels,
+                                   number=number))
+            if syntax != "explicit":
+                made = path.with_suffix(".made")
+                subprocess.run([*CONVERTED[syntax], path, made], check=True, capture_output=True)
+                made.replace(path)
+
+    def files(self):
+        return sorted(self.folder.iterdir())
