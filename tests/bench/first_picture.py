@@ -31,6 +31,7 @@ LINES = [(320, y, 480, 1) for y in range(140, 740, 40)]  # of the 3-D view: x, y
 GROUND = 60  # brighter than this is no ground of the view
 SURFACE = 0.05  # share of such pixels that is a surface, and more than a bar of progress
 LONGEST = 120.0  # s
+SETTLES = 2.0  # s: what a start keeps for the next one is written by then
 
 
 class XImage(ctypes.Structure):
@@ -85,26 +86,26 @@ class Screen:
         return sum(value > GROUND for value in green) > SURFACE * len(green)
 
 
-def first_picture(screen, palpate, what):
+def first_picture(screen, palpate, what, home):
     """Seconds to the first picture, and the most memory of the process by then, MB."""
-    with tempfile.TemporaryDirectory() as home:
-        env = dict(os.environ, DISPLAY=screen.name, XDG_CONFIG_HOME=home, XDG_STATE_HOME=home,
-                   XDG_DATA_HOME=home, XDG_CACHE_HOME=home, XDG_RUNTIME_DIR=home)
-        begun = time.perf_counter()
-        process = subprocess.Popen([palpate, "--no-notice", *what], env=env,
-                                   stderr=subprocess.DEVNULL)
-        while not screen.shows_surface():
-            if process.poll() is not None or time.perf_counter() - begun > LONGEST:
-                process.kill()
-                process.wait()
-                sys.exit(f"{palpate} {' '.join(what)} showed no surface")
-            time.sleep(0.005)
-        seconds = time.perf_counter() - begun
-        status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
-        process.terminate()
-        process.wait()
-        while screen.shows_surface():  # the window goes
-            time.sleep(0.02)
+    env = dict(os.environ, DISPLAY=screen.name, XDG_CONFIG_HOME=home, XDG_STATE_HOME=home,
+               XDG_DATA_HOME=home, XDG_CACHE_HOME=home, XDG_RUNTIME_DIR=home)
+    begun = time.perf_counter()
+    process = subprocess.Popen([palpate, "--no-notice", *what], env=env,
+                               stderr=subprocess.DEVNULL)
+    while not screen.shows_surface():
+        if process.poll() is not None or time.perf_counter() - begun > LONGEST:
+            process.kill()
+            process.wait()
+            sys.exit(f"{palpate} {' '.join(what)} showed no surface")
+        time.sleep(0.005)
+    seconds = time.perf_counter() - begun
+    status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
+    time.sleep(SETTLES)
+    process.terminate()
+    process.wait()
+    while screen.shows_surface():  # the window goes
+        time.sleep(0.02)
     return seconds, int(re.search(r"VmHWM:\s*(\d+)", status).group(1)) / 1024
 
 
@@ -157,26 +158,33 @@ def main():
     what = [args.scan] if args.scan else ["--phantom", args.phantom]
     builds = {"palpate": args.palpate} | ({"before": args.before} if args.before else {})
     screen = Screen()
+    homes = {name: tempfile.TemporaryDirectory() for name in builds}
     try:
+        first = {}
         seconds = {name: [] for name in builds}
         memory = {name: 0.0 for name in builds}
         read = []
         for run in range(args.runs + 1):
             for name, program in builds.items():
-                took, most = first_picture(screen, program, what)
+                took, most = first_picture(screen, program, what, homes[name].name)
                 if run > 0:
                     seconds[name].append(took)
+                else:
+                    first[name] = took
                 memory[name] = max(memory[name], most)
             took = read_apart(args.scan) if args.scan else None
             if run > 0 and took is not None:
                 read.append(took)
     finally:
         screen.close()
+        for home in homes.values():
+            home.cleanup()
     result = {"machine": machine(), "of": pathlib.Path(what[-1]).name, "runs": args.runs,
               "read_s": round(statistics.median(read), 3) if read else None}
     for name, all_runs in seconds.items():
         result[name] = {"first_picture_s": round(statistics.median(all_runs), 3),
-                        "least_s": round(min(all_runs), 3), "most_memory_MB": round(memory[name])}
+                        "least_s": round(min(all_runs), 3), "first_start_s": round(first[name], 3),
+                        "most_memory_MB": round(memory[name])}
         if read:
             # of neighbours, which had the same share of the machine
             result[name]["over_reading"] = round(
