@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "ui/bindings.h"
+#include "ui/save_dialog.h"
 #include "ui/start_page.h"
 #include "ui/style/style.h"
 #include "ui/tour.h"
@@ -122,7 +123,7 @@ void MainWindow::buildMenus() {
   for (QAction* action : slice_set_->menu().actions())
     if (action->objectName() == QLatin1String("showCrosshair"))
       bar_->add(BarGroup::Views, *action, "crosshair");
-  QMenu* surface = look->addMenu(tr("&Surface"));
+  QMenu* surface = look->addMenu(tr("Drawing of the &surface"));
   surface->addAction(tr("Automatic"), this, [this] { view_->setSurfaceWish(std::nullopt); });
   surface->addAction(tr("Ray casting"), this,
                      [this] { view_->setSurfaceWish(SurfaceMode::RayCast); });
@@ -213,12 +214,8 @@ bool MainWindow::hintsShown() const { return hints_->isChecked(); }
 void MainWindow::setHintsShown(bool shown) { hints_->setChecked(shown); }
 
 void MainWindow::askWhereToSave() {
-  // Qt's own dialog: in a foreign one Escape would not reach the application
   QFileDialog dialog(this, tr("Save edited volume as"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setOption(QFileDialog::DontUseNativeDialog);
-  dialog.setNameFilter(tr("NRRD (*.nrrd)"));
-  dialog.setDefaultSuffix("nrrd");
+  askForOutput(dialog, tr("NRRD (*.nrrd)"), "nrrd");
   if (dialog.exec() == QDialog::Accepted) emit saveEditedWanted(dialog.selectedFiles().value(0));
 }
 

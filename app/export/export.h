@@ -76,7 +76,7 @@ struct Format {
 /// All formats. Command line and window read this table. To add a format, add its row.
 inline constexpr Format kFormats[] = {
     {"csv", "", "CSV (Motion-BIDS)", "Tables as text, laid out as Motion-BIDS asks.",
-     "Motion-BIDS: the beginning of the names", exportCsv, kCsvEndings},
+     "Motion-BIDS: files that begin with this name (*)", exportCsv, kCsvEndings},
     {"hdf5", ".h5", "HDF5", "One file of arrays, for programs that compute.", "HDF5 (*.h5)",
      exportHdf5},
     {"mcap", ".mcap", "MCAP", "One file of messages over time, for viewers of robots' logs.",

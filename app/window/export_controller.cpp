@@ -10,6 +10,7 @@
 #include "app/window/sentence.h"
 #include "app/window/view_camera.h"
 #include "ui/export_question.h"
+#include "ui/save_dialog.h"
 #include "ui/volume_view.h"
 
 namespace app {
@@ -65,12 +66,9 @@ void ExportController::exportRecording(const QString& id) {
       return;
   }
   const QString ending = table != nullptr ? table->ending : ".mp4";
-  // Qt's own dialog: in a foreign one Escape would not reach the application
   QFileDialog dialog(&window_, tr("Export to"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setOption(QFileDialog::DontUseNativeDialog);
-  dialog.setNameFilter(table != nullptr ? translated(table->filter) : tr("Film (*.mp4 *.ogv)"));
-  dialog.setDefaultSuffix(ending.mid(1));
+  ui::askForOutput(dialog, table != nullptr ? translated(table->filter) : tr("Film (*.mp4 *.ogv)"),
+                   ending.mid(1));
   dialog.selectFile(QString::fromStdString(path.stem().string()) + ending);
   if (dialog.exec() != QDialog::Accepted) return;
   QString out = dialog.selectedFiles().value(0);

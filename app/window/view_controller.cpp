@@ -15,6 +15,7 @@
 #include "haptics/core/budget.h"
 #include "haptics/core/output_file.h"
 #include "haptics/scene/legal_pose.h"
+#include "ui/save_dialog.h"
 #include "ui/volume_view.h"
 
 namespace app {
@@ -109,12 +110,8 @@ void ViewController::savePicture(const ui::SliceView* first) {
   if (picture.isNull())
     return window_.showMessage(
         tr("The graphics cannot draw a picture of this size; choose a smaller one."));
-  // Qt's own dialog: in a foreign one Escape would not reach the application
   QFileDialog dialog(&window_, tr("Save picture as"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setOption(QFileDialog::DontUseNativeDialog);
-  dialog.setNameFilter(tr("Picture (*.png)"));
-  dialog.setDefaultSuffix("png");
+  ui::askForOutput(dialog, tr("Picture (*.png)"), "png");
   dialog.selectFile("palpate.png");
   if (dialog.exec() != QDialog::Accepted) return;
   const QString path = dialog.selectedFiles().value(0);

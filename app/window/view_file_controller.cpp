@@ -17,6 +17,7 @@
 #include "haptics/recording/recording.h"
 #include "resources/named_tools.h"
 #include "ui/panels/isosurface_panel.h"
+#include "ui/save_dialog.h"
 
 namespace app {
 namespace {
@@ -257,13 +258,9 @@ bool ViewFileController::askAndSave() {
     window_.showMessage(tr("There is no view to save; open a scan first."));
     return false;
   }
-  // Qt's own dialog: in a foreign one Escape would not reach the application
   QFileDialog dialog(&window_, tr("Save the view as"));
   dialog.setObjectName("saveViewDialog");
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setOption(QFileDialog::DontUseNativeDialog);
-  dialog.setNameFilter(tr("Views (*.palpate-view)"));
-  dialog.setDefaultSuffix(QString(kViewEnding).mid(1));
+  ui::askForOutput(dialog, tr("Views (*.palpate-view)"), QString(kViewEnding).mid(1));
   auto* words = new QLabel(tr("Notes are saved as you wrote them: do not name the patient."));
   words->setObjectName("notesWarning");
   words->setWordWrap(true);

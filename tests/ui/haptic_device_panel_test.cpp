@@ -119,19 +119,22 @@ TEST(HapticDevicePanel, EachTroubleHasItsWordsAndSentenceAndOnlySomeLetConnect) 
 TEST(HapticDevicePanel, TheListIsAsLongAsThePanelHasRoomFor) {
   Shown shown;
   QList<DeviceLine> many;
-  for (int n = 0; n < 9; ++n)
+  for (int n = 0; n < 16; ++n)
     many << DeviceLine{.id = QString("d%1").arg(n), .name = QString("Device %1").arg(n)};
   shown.panel.show(many);
   shown.panel.resize(330, 1100);
   QTest::qWait(50);
   window::keep(window::pictureOf(shown.panel), "haptic_device_list");
-  const QRect last = shown.list->visualItemRect(shown.list->topLevelItem(8));
+  const QRect last = shown.list->visualItemRect(shown.list->topLevelItem(15));
   EXPECT_TRUE(shown.list->viewport()->rect().contains(last));
   // where there is none, it scrolls, and four are seen
   shown.panel.resize(330, shown.panel.minimumSizeHint().height());
   QTest::qWait(50);
   EXPECT_TRUE(shown.list->viewport()->rect().contains(
       shown.list->visualItemRect(shown.list->topLevelItem(3))));
+  const int height = shown.list->sizeHint().height();
+  shown.panel.show(many.first(8));
+  EXPECT_LT(shown.list->sizeHint().height(), height);
 }
 
 TEST(HapticDevicePanel, EveryDriverHasItsPageOfHowToSetItUp) {

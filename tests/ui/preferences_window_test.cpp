@@ -223,22 +223,30 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
   EXPECT_EQ(kept.theme, "light");
   EXPECT_FALSE(kept.hints || kept.places_remembered);
   EXPECT_EQ(kept.lengths, ui::LengthUnit::Centimetres);
+  EXPECT_EQ(kept.mouse,
+            (ui::MouseChoices{.at_first = ui::MouseMode::Hand, .slices_reversed = true}));
   EXPECT_EQ(kept.stiffness_always, 320.0);
   EXPECT_EQ(kept.recordings, folder.path());
   EXPECT_EQ(kept.keys, (ui::OwnKeys{{"take_tool", "B"}}));
   // the next start begins with them
   ui::setOwnKeys({});
   ui::setLengthUnit(ui::LengthUnit::Millimetres);
+  ui::style::dress(*qApp, ui::style::Theme::Dark);
   app::Arguments arguments = window::sphereInHand("mouse");
   arguments.screenshot = {};
   app::Application application(arguments);
   application.start();
   EXPECT_EQ(ui::keyOf(ui::Action::TakeTool), "B");
   EXPECT_EQ(ui::lengthUnit(), ui::LengthUnit::Centimetres);
+  EXPECT_EQ(ui::style::theme(), ui::style::Theme::Light);
+  EXPECT_FALSE(application.window().hintsShown());
   EXPECT_EQ(part<QDoubleSpinBox>(application.window(), "stiffnessTyped").value(), 320.0);
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   EXPECT_TRUE(waitFor(
       [&] { return application.window().view().mouseMode() == ui::MouseMode::Hand; }, 10.0));
+  part<QPushButton>(application.window(), "record").click();
+  ASSERT_TRUE(waitFor([&] { return application.recording().isRecording(); }, 20.0));
+  EXPECT_EQ(application.recording().present().parent_path(), folder.path().toStdString());
   application.end();
 }
 

@@ -283,7 +283,8 @@ TEST(RecordedSession, ALabelAndACurveStandInTheListAndInNoFileOfARecording) {
       haptics::Step step;
       step.sequence = std::uint64_t(i) + 1;
       step.time_ns = i * 1'000'000;
-      step.sent_W.force = haptics::Vec3(i < steps / 2 ? 0.5 : 2.0, 0.0, 0.0);
+      step.sent_W.force =
+          haptics::Vec3((i < steps / 2 ? 0.5 : 2.0) * (i % 2 == 0 ? 0.25 : 1.0), 0.0, 0.0);
       ASSERT_TRUE((*recorder)->ring().push(step));
     }
     ASSERT_TRUE((*recorder)->finish());
@@ -294,6 +295,7 @@ TEST(RecordedSession, ALabelAndACurveStandInTheListAndInNoFileOfARecording) {
   QList<ui::PastRecording> listed = recordings.list({});
   ASSERT_EQ(listed.size(), 1);
   EXPECT_EQ(listed[0].label, "");
+  ASSERT_TRUE(listed[0].changed.isValid());
   EXPECT_LT(std::abs(listed[0].changed.secsTo(QDateTime::currentDateTime())), 600);
   ASSERT_TRUE(recordings.setLabel(listed[0].id, "Rim of the window"));
   EXPECT_EQ(recordings.list({})[0].label, "Rim of the window");

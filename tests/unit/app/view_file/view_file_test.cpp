@@ -149,6 +149,8 @@ TEST(ViewFile, KeepsEveryWordAndTheEndsOfTheThickness) {
     view.look.colours = colours;
     EXPECT_EQ(again().colours, colours);
   }
+  view.look.voxels.interpolation = ui::Interpolation::Linear;
+  EXPECT_EQ(again().voxels.interpolation, ui::Interpolation::Linear);
   for (const auto slab : {ui::SlabKind::None, ui::SlabKind::Maximum}) {
     view.look.voxels.slab = slab;
     EXPECT_EQ(again().voxels.slab, slab);

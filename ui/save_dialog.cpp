@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/save_dialog.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace ui {
+
+void askForOutput(QFileDialog& dialog, const QString& filter, const QString& ending) {
+  static QString folder;
+  if (folder.isEmpty())
+    folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setNameFilter(filter);
+  dialog.setDefaultSuffix(ending);
+  dialog.setDirectory(folder);
+  QObject::connect(&dialog, &QFileDialog::fileSelected,
+                   [](const QString& file) { folder = QFileInfo(file).absolutePath(); });
+}
+
+}  // namespace ui
