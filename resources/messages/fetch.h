@@ -9,6 +9,7 @@ namespace resources {
 inline constexpr Row kFetch[] = {
     // options, and what comes on standard input
     {"fetch-host-and-port", "\"%1\" is no host and port; write it as pacs.example.org:104."},
+    {"fetch-one-server", "Name one server: --dicomweb with a URL, or --dimse with host and port."},
     {"fetch-called-missing", "A server of DIMSE has an AE title; name it with --called."},
     {"fetch-login-of-web",
      "A login belongs to DICOMweb; DIMSE knows this program by its AE title, and by its certificate "
@@ -136,6 +137,8 @@ inline constexpr Row kFetch[] = {
      "\"%1\" answered with DIMSE status %2 (hexadecimal); ask its administrator."},
     {"fetch-dimse-senseless",
      "\"%1\" answered with a message that has no place there; ask its administrator."},
+    {"fetch-dimse-too-long",
+     "\"%1\" sent a message that is longer than any it was asked for; ask its administrator."},
     {"fetch-packed",
      "\"%1\" packed its answer although it was asked not to; ask its administrator."},
     {"fetch-multipart-senseless",
