@@ -114,7 +114,8 @@ haptics::Error rejection(const Wire& wire, T_ASC_Parameters* parameters) {
 std::span<const char* const> imageClasses() { return kImageClasses; }
 std::span<const char* const> transferSyntaxes() { return kTransferSyntaxes; }
 
-haptics::Error reachError(const Server& server) {
+haptics::Error reachError(Wire& wire, DcmTransportLayer& layer) {
+  const Server& server = wire.server();
   const haptics::Message name = server.name();
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
@@ -132,7 +133,10 @@ haptics::Error reachError(const Server& server) {
       getsockopt(probe, SOL_SOCKET, SO_ERROR, &why, &size);
     }
   }
+  std::optional<haptics::Error> known;
+  if (why == 0 && server.tls) known = wire.refusalOn(layer, probe);
   if (probe >= 0) close(probe);
+  if (known) return std::move(*known);
   if (why == ECONNREFUSED) return failed("port", {"fetch-port-closed", {name}}).value();
   if (why != 0) return failed("host", {"fetch-host-unreachable", {name}}).value();
   if (server.tls) return refused("tls", {"fetch-no-tls", {name}}).value();
@@ -177,7 +181,7 @@ Expected<std::unique_ptr<Association>> Association::open(Wire& wire, Purpose pur
     // without an association the parameters are this function's
     if (made->association_ == nullptr) ASC_destroyAssociationParameters(&parameters);
     if (auto known = wire.trouble()) return tl::unexpected(std::move(*known));
-    return tl::unexpected(reachError(server));
+    return tl::unexpected(reachError(wire, *made->layer_));
   }
   made->socket_ = wire.newest();
   return made;

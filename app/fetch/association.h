@@ -87,6 +87,6 @@ haptics::Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
 bool awaitData(T_ASC_Association* association, int socket, int milliseconds);
 
 /// Why no connection could be made, or what else is wrong.
-haptics::Error reachError(const Server& server);
+haptics::Error reachError(Wire& wire, DcmTransportLayer& layer);
 
 }  // namespace app::fetch

@@ -6,6 +6,7 @@
 #include <dcmtk/dcmnet/dcmtrans.h>
 #include <dcmtk/dcmtls/tlslayer.h>
 #include <dcmtk/dcmtls/tlstrans.h>
+#include <fcntl.h>
 #include <openssl/ssl.h>
 #include <openssl/x509v3.h>
 #include <sys/socket.h>
@@ -258,6 +259,19 @@ std::optional<haptics::Error> Wire::trouble() {
   if (verdict == Pace::Verdict::Slow)
     return failed("slow", {"fetch-slow", {name, std::to_string(kLeastRate_B_s)}}).value();
   return tlsTrouble(server_);
+}
+
+std::optional<haptics::Error> Wire::refusalOn(DcmTransportLayer& tls_layer, int socket) {
+  const std::unique_ptr<SSL, decltype(&SSL_free)> quiet{
+      SSL_new(static_cast<TlsLayer&>(tls_layer).getNativeHandle()), &SSL_free};
+  const timeval most{2, 0};
+  setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &most, sizeof most);
+  setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &most, sizeof most);
+  fcntl(socket, F_SETFL, fcntl(socket, F_GETFL) & ~O_NONBLOCK);
+  char unused = 0;
+  if (quiet && SSL_set_fd(quiet.get(), socket) == 1 && SSL_connect(quiet.get()) == 1)
+    SSL_read(quiet.get(), &unused, 1);
+  return trouble();
 }
 
 haptics::Expected<std::unique_ptr<DcmTransportLayer>> Wire::layer(const std::string& passphrase,

@@ -61,6 +61,10 @@ class Wire {
   /// than the bound, or TLS. Clears it.
   std::optional<haptics::Error> trouble();
 
+  /// Why a server ends TLS, on a new socket and without a request: behind one, what the server says
+  /// of this program's certificate may be lost. Waits two seconds at most.
+  std::optional<haptics::Error> refusalOn(DcmTransportLayer& tls_layer, int socket);
+
   // for the connections
   void took(int socket);
   void lost(int socket);
