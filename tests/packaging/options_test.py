@@ -24,7 +24,7 @@ def helped(*command):
 def described(text):
     """The options that lines of a page name first: "- `-h`, `--help`: …"."""
     found = set()
-    for line in re.findall(r"^- (`-.*?):", text, re.M):
+    for line in re.findall(r"^- (`-.*?`):", text, re.M):
         found |= {name.split()[0] for name in re.findall(r"`(-[^`]*)`", line)}
     return found
 
