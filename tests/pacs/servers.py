@@ -228,4 +228,4 @@ def found(unpacked):
 
 def missing_programs():
     return [name for name in ("dcmqrscp", "dcmsend", "getscu", "movescu", "dcmconv", "dcmcjpeg", "dcmcjpls",
-                              "dcmcrle", "gdcmconv", "openssl", "unshare", "ss", "ip") if shutil.which(name) is None]
+                              "dcmcrle", "gdcmconv", "curl", "openssl", "unshare", "ss", "ip") if shutil.which(name) is None]
