@@ -159,7 +159,8 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   url.setPath(base_.path() + QString::fromStdString(path));
   if (!query.isEmpty()) url.setQuery(query);
   QNetworkRequest asked{url};
-  asked.setSslConfiguration(tls_);
+  // without https Qt needs no TLS library, whose start takes longer than a search
+  if (base_.scheme() == "https") asked.setSslConfiguration(tls_);
   asked.setRawHeader("Accept", accept);
   // whoever packs a body may pack a small one that becomes large
   asked.setRawHeader("Accept-Encoding", "identity");
@@ -430,8 +431,9 @@ Expected<std::unique_ptr<Archive>> openWeb(const Server& server, const Login& lo
   if (login.kind == Login::Kind::Bearer)
     authorization = "Bearer " + QByteArray::fromStdString(login.password);
 
-  QSslConfiguration tls = QSslConfiguration::defaultConfiguration();
+  QSslConfiguration tls;
   if (https) {
+    tls = QSslConfiguration::defaultConfiguration();
     tls.setProtocol(QSsl::TlsV1_2OrLater);
     tls.setPeerVerifyMode(QSslSocket::VerifyPeer);
     if (!server.authority.empty() &&
