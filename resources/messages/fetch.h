@@ -124,7 +124,7 @@ inline constexpr Row kFetch[] = {
      "\"%1\" does not know where to send images for \"%2\"; ask its administrator to enter this "
      "program's AE title with its address and port."},
     {"fetch-not-listening",
-     "\"%1\" cannot be listened on (%2); give an address of this machine and a port that is free."},
+     "\"%1\" cannot be listened on: %2; give an address of this machine and a port that is free."},
     {"fetch-answers", "\"%1\" answers, and lets this program search."},
     // while it answers
     {"fetch-silent", "\"%1\" was silent for %2 s, and the transfer was ended; try again later."},
