@@ -217,6 +217,7 @@ PacsWindow::PacsWindow(QWidget* parent) : QDialog(parent) {
   column->addWidget(buildResults(), 1);
   resize(820, 620);
   setBusy({});
+  showSeries({}, false);
   showServers({}, 0);
 }
 
@@ -290,7 +291,7 @@ QWidget* PacsWindow::buildSearch() {
   };
   add(0, 0, tr("Patient's n&umber"), patient_id_);
   add(0, 1, tr("Patient's na&me"), patient_name_);
-  add(1, 0, tr("Acc&ession number"), accession_);
+  add(1, 0, tr("A&ccession number"), accession_);
   add(1, 1, tr("&Date"), date_);
   add(2, 0, tr("M&odality"), modality_);
   grid->addWidget(search_, 2, 3);
@@ -318,6 +319,7 @@ QWidget* PacsWindow::buildResults() {
   style::makeLines(*list_, tr("No series yet: choose a server, then search"));
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setStretchLastSection(true);
+  list_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   answer_ = new WarningLabel;
   answer_->setObjectName("pacsAnswer");
   answer_->setWordWrap(true);

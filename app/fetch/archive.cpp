@@ -18,8 +18,8 @@ std::string Server::name() const {
 }
 
 bool Query::isEmpty() const {
-  for (const std::string* field : {&patient_id, &patient_name, &accession_number, &study_date,
-                                   &study_description, &modality})
+  for (const std::string* field :
+       {&patient_id, &patient_name, &accession_number, &study_date, &study_description, &modality})
     if (field->find_first_not_of("*? ") != std::string::npos) return false;
   return true;
 }
@@ -32,17 +32,16 @@ bool isUid(const std::string& text) {
 
 std::string modalityOf(const std::string& text) {
   static constexpr std::array<std::string_view, 24> kKnown{
-      "CR", "CT", "DX", "ES", "IO", "KO", "MG", "MR", "NM", "OCT", "OP", "PR",
-      "PT", "PX", "RF", "RTDOSE", "RTPLAN", "RTSTRUCT", "SC", "SEG", "SR", "US", "XA", "XC"};
+      "CR", "CT", "DX", "ES",     "IO",     "KO",       "MG", "MR",  "NM", "OCT", "OP", "PR",
+      "PT", "PX", "RF", "RTDOSE", "RTPLAN", "RTSTRUCT", "SC", "SEG", "SR", "US",  "XA", "XC"};
   const auto end = text.find_last_not_of(" \0");
   const std::string word = text.substr(0, end == std::string::npos ? 0 : end + 1);
   return std::ranges::find(kKnown, word) != kKnown.end() ? word : "OT";
 }
 
 std::string dateOf(const std::string& text) {
-  const bool date = text.size() == 8 && std::ranges::all_of(text, [](char c) {
-                      return c >= '0' && c <= '9';
-                    });
+  const bool date =
+      text.size() == 8 && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
   return date ? text : std::string{};
 }
 
@@ -54,11 +53,12 @@ void sortSeries(std::vector<FoundSeries>& series) {
     if (a.study_date != b.study_date) return a.study_date > b.study_date;
     return key(a) < key(b);
   });
+  // clang 14 does not take the subrange of libstdc++'s std::ranges::unique
   const auto repeated =
-      std::ranges::unique(series, [](const FoundSeries& a, const FoundSeries& b) {
-        return a.study_uid == b.study_uid && a.series_uid == b.series_uid;
+      std::unique(series.begin(), series.end(), [](const FoundSeries& x, const FoundSeries& y) {
+        return x.study_uid == y.study_uid && x.series_uid == y.series_uid;
       });
-  series.erase(repeated.begin(), repeated.end());
+  series.erase(repeated, series.end());
 }
 
 std::string checkOf(const FoundSeries& series) {

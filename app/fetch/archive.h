@@ -13,27 +13,29 @@ namespace app::fetch {
 class Arrivals;
 
 // Limits that hold for every server.
-inline constexpr std::size_t kMostStudies = 500;      ///< of one search
-inline constexpr std::size_t kMostSeries = 5'000;     ///< of one search
-inline constexpr std::size_t kMostImages = 100'000;   ///< of one series
-inline constexpr double kConnectTime_s = 10.0;        ///< until a connection stands
-inline constexpr std::uint64_t kLeastRate_B_s = 1024; ///< averaged over the patience
-inline constexpr int kAttempts = 5;                   ///< of one transfer, the first included
+inline constexpr std::size_t kMostStudies = 500;       ///< of one search
+inline constexpr std::size_t kMostSeries = 5'000;      ///< of one search
+inline constexpr std::size_t kMostImages = 100'000;    ///< of one series
+inline constexpr double kConnectTime_s = 10.0;         ///< until a connection stands
+inline constexpr std::uint64_t kLeastRate_B_s = 1024;  ///< averaged over the patience
+inline constexpr int kAttempts = 5;                    ///< of one transfer, the first included
 
 /// Where a server is and how this program presents itself there. Without secrets.
 struct Server {
   std::string url;   ///< of DICOMweb; empty: DIMSE
   std::string host;  ///< of DIMSE
   std::uint16_t port = 0;
-  std::string called, calling = "PALPATE";   ///< AE titles: the server's, ours
-  bool tls = false;                          ///< of DIMSE; a URL says it itself
-  std::string authority, certificate, key;   ///< PEM files, or empty
-  bool move = false;                         ///< C-MOVE instead of C-GET
-  std::string listen_address;                ///< of C-MOVE: numeric, as the user named it
+  std::string called, calling = "PALPATE";  ///< AE titles: the server's, ours
+  bool tls = false;                         ///< of DIMSE; a URL says it itself
+  std::string authority, certificate, key;  ///< PEM files, or empty
+  bool move = false;                        ///< C-MOVE instead of C-GET
+  std::string listen_address;               ///< of C-MOVE: numeric, as the user named it
   std::uint16_t listen_port = 0;
   double patience_s = 30.0;  ///< how long a server may be silent, or slower than kLeastRate_B_s
 
   bool isWeb() const { return !url.empty(); }
+  /// How long to wait before another attempt [s]: a server that starts again takes a moment.
+  double pauseAfter(int attempt) const { return attempt * patience_s / 30.0; }
   /// As the user typed it, for sentences.
   std::string name() const;
 };
@@ -80,12 +82,13 @@ class Archive {
   virtual haptics::Expected<void> echo() = 0;
   /// The series that match, in no order.
   virtual haptics::Expected<Findings> find(const Query& query) = 0;
-  /// Brings the images of a series, and goes on after a lost connection with those that are missing.
+  /// Brings the images of a series, and goes on after a lost connection with those that are
+  /// missing.
   virtual haptics::Expected<void> get(const FoundSeries& series, Arrivals& arrivals) = 0;
 };
 
-/// 1 to 64 characters, digits and single dots between them. Nothing else may become a part of a URL,
-/// and no identifier ever becomes the name of a file.
+/// 1 to 64 characters, digits and single dots between them. Nothing else may become a part of a
+/// URL, and no identifier ever becomes the name of a file.
 bool isUid(const std::string& text);
 /// The standard's word for a modality that is touched, or "OT". A server's own words may name
 /// somebody.

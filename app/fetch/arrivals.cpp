@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 30;
 constexpr std::size_t kMostWaste = 10'000;  // files that are not kept, and the server is given up
-constexpr Uint32 kLongestValue = 4096;      // bytes of a value that is read; longer ones stay on disk
+constexpr Uint32 kLongestValue = 4096;  // bytes of a value that is read; longer ones stay on disk
 
 struct Identity {
   std::string study, series, image;
@@ -28,15 +28,14 @@ struct Identity {
 /// identifier only.
 std::optional<Identity> identityOf(const fs::path& path) {
   DcmFileFormat file;
-  const OFCondition read = file.loadFileUntilTag(
-      OFFilename(path.c_str()), EXS_Unknown, EGL_noChange, kLongestValue, ERM_autoDetect,
-      DcmTagKey(0x0020, 0x0010));
+  const OFCondition read =
+      file.loadFileUntilTag(OFFilename(path.c_str()), EXS_Unknown, EGL_noChange, kLongestValue,
+                            ERM_autoDetect, DcmTagKey(0x0020, 0x0010));
   if (read.bad()) return {};
   Identity identity;
-  for (const auto& [tag, text] :
-       {std::pair{DCM_StudyInstanceUID, &identity.study},
-        std::pair{DCM_SeriesInstanceUID, &identity.series},
-        std::pair{DCM_SOPInstanceUID, &identity.image}}) {
+  for (const auto& [tag, text] : {std::pair{DCM_StudyInstanceUID, &identity.study},
+                                  std::pair{DCM_SeriesInstanceUID, &identity.series},
+                                  std::pair{DCM_SOPInstanceUID, &identity.image}}) {
     OFString value;
     if (file.getDataset()->findAndGetOFString(tag, value).bad()) return {};
     *text = value.c_str();
@@ -65,8 +64,7 @@ Expected<void> Arrivals::keep() {
     std::error_code error;
     fs::rename(part_, folder_ / name.data(), error);
     if (error)
-      return failed("unwritable",
-                    {"output-unwritable", {folder_.string(), error.message()}});
+      return failed("unwritable", {"output-unwritable", {folder_.string(), error.message()}});
     have_.insert(identity->image);
     progress_(have_.size(), of(), bytes_);
     if (have_.size() > kMostImages)
@@ -105,6 +103,7 @@ std::vector<std::string> Arrivals::missing() const {
 
 std::optional<std::size_t> Arrivals::of() const {
   if (listed()) return expected_.size();
+  if (const std::size_t announced = announced_; announced > 0) return announced;
   if (wanted_.images) return static_cast<std::size_t>(*wanted_.images);
   return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -13,8 +14,8 @@
 
 namespace app::fetch {
 
-/// The images of one series as they come: each is written to part(), then kept or not. Names of files
-/// are numbers that this class counts; nothing that a server sent becomes a part of a path.
+/// The images of one series as they come: each is written to part(), then kept or not. Names of
+/// files are numbers that this class counts; nothing that a server sent becomes a part of a path.
 class Arrivals {
  public:
   /// Images, of how many if that is known, and bytes so far.
@@ -32,6 +33,8 @@ class Arrivals {
   /// Bytes of part() came; bounds the whole transfer.
   haptics::Expected<void> came(std::size_t bytes);
 
+  /// How many images the server says there are. Any thread.
+  void announce(std::size_t images) { announced_ = images; }
   /// The identifiers of all images, if the server listed them.
   void expect(std::vector<std::string> images);
   /// Those that were listed and have not come.
@@ -49,6 +52,7 @@ class Arrivals {
   FoundSeries wanted_;
   Progress progress_;
   std::set<std::string> have_, expected_;
+  std::atomic<std::size_t> announced_{0};
   std::uint64_t bytes_ = 0;
   std::size_t strangers_ = 0, unreadable_ = 0;
 };

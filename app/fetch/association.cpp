@@ -24,29 +24,22 @@ namespace {
 
 constexpr int kLook_ms = 20;
 
-constexpr std::array<const char*, 8> kImageClasses{
-    UID_CTImageStorage,
-    UID_EnhancedCTImageStorage,
-    UID_LegacyConvertedEnhancedCTImageStorage,
-    UID_MRImageStorage,
-    UID_EnhancedMRImageStorage,
-    UID_LegacyConvertedEnhancedMRImageStorage,
-    UID_PositronEmissionTomographyImageStorage,
-    UID_XRay3DAngiographicImageStorage};
+constexpr std::array<const char*, 8> kImageClasses{UID_CTImageStorage,
+                                                   UID_EnhancedCTImageStorage,
+                                                   UID_LegacyConvertedEnhancedCTImageStorage,
+                                                   UID_MRImageStorage,
+                                                   UID_EnhancedMRImageStorage,
+                                                   UID_LegacyConvertedEnhancedMRImageStorage,
+                                                   UID_PositronEmissionTomographyImageStorage,
+                                                   UID_XRay3DAngiographicImageStorage};
 
 constexpr std::array<const char*, 13> kTransferSyntaxes{
-    UID_LittleEndianExplicitTransferSyntax,
-    UID_LittleEndianImplicitTransferSyntax,
-    UID_BigEndianExplicitTransferSyntax,
-    UID_DeflatedExplicitVRLittleEndianTransferSyntax,
-    UID_JPEGProcess1TransferSyntax,
-    UID_JPEGProcess2_4TransferSyntax,
-    UID_JPEGProcess14TransferSyntax,
-    UID_JPEGProcess14SV1TransferSyntax,
-    UID_JPEGLSLosslessTransferSyntax,
-    UID_JPEGLSLossyTransferSyntax,
-    UID_JPEG2000LosslessOnlyTransferSyntax,
-    UID_JPEG2000TransferSyntax,
+    UID_LittleEndianExplicitTransferSyntax, UID_LittleEndianImplicitTransferSyntax,
+    UID_BigEndianExplicitTransferSyntax,    UID_DeflatedExplicitVRLittleEndianTransferSyntax,
+    UID_JPEGProcess1TransferSyntax,         UID_JPEGProcess2_4TransferSyntax,
+    UID_JPEGProcess14TransferSyntax,        UID_JPEGProcess14SV1TransferSyntax,
+    UID_JPEGLSLosslessTransferSyntax,       UID_JPEGLSLossyTransferSyntax,
+    UID_JPEG2000LosslessOnlyTransferSyntax, UID_JPEG2000TransferSyntax,
     UID_RLELosslessTransferSyntax};
 
 constexpr std::array<const char*, 2> kPlain{UID_LittleEndianExplicitTransferSyntax,
@@ -59,6 +52,16 @@ int seconds(const Wire& wire) { return static_cast<int>(wire.server().patience_s
 tl::unexpected<haptics::Error> lossOf(Wire& wire) {
   if (auto known = wire.trouble()) return tl::unexpected(std::move(*known));
   return failed("lost", {"fetch-lost", {wire.server().name()}});
+}
+
+/// The counts of a response to C-GET or C-MOVE; `options` say which it has.
+Retrieved countsOf(unsigned int options, unsigned int has_sent, unsigned int has_failed,
+                   unsigned int sent, unsigned int warned, unsigned int failed) {
+  Retrieved counts;
+  // an image with a warning was sent too
+  if ((options & has_sent) != 0) counts.sent = std::size_t{sent} + warned;
+  if ((options & has_failed) != 0) counts.failed = failed;
+  return counts;
 }
 
 Expected<void> addContexts(T_ASC_Parameters* parameters, Association::Purpose purpose) {
@@ -111,7 +114,8 @@ haptics::Error rejection(const Wire& wire, T_ASC_Parameters* parameters) {
 std::span<const char* const> imageClasses() { return kImageClasses; }
 std::span<const char* const> transferSyntaxes() { return kTransferSyntaxes; }
 
-haptics::Error reachError(const Server& server) {
+haptics::Error reachError(Wire& wire, DcmTransportLayer& layer) {
+  const Server& server = wire.server();
   const haptics::Message name = server.name();
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
@@ -129,7 +133,10 @@ haptics::Error reachError(const Server& server) {
       getsockopt(probe, SOL_SOCKET, SO_ERROR, &why, &size);
     }
   }
+  std::optional<haptics::Error> known;
+  if (why == 0 && server.tls) known = wire.refusalOn(layer, probe);
   if (probe >= 0) close(probe);
+  if (known) return std::move(*known);
   if (why == ECONNREFUSED) return failed("port", {"fetch-port-closed", {name}}).value();
   if (why != 0) return failed("host", {"fetch-host-unreachable", {name}}).value();
   if (server.tls) return refused("tls", {"fetch-no-tls", {name}}).value();
@@ -165,16 +172,16 @@ Expected<std::unique_ptr<Association>> Association::open(Wire& wire, Purpose pur
     return tl::unexpected(added.error());
   }
   const Wire::Waiting waiting{wire};
-  const OFCondition asked =
-      ASC_requestAssociation(made->network_, parameters, &made->association_, nullptr, nullptr,
-                             DUL_NOBLOCK, seconds(wire));
+  const Wire::Bound bound{kLongestMessage};
+  const OFCondition asked = ASC_requestAssociation(made->network_, parameters, &made->association_,
+                                                   nullptr, nullptr, DUL_NOBLOCK, seconds(wire));
   if (asked.bad()) {
     made->released_ = true;  // there is nothing to abort
     if (asked == DUL_ASSOCIATIONREJECTED) return tl::unexpected(rejection(wire, parameters));
     // without an association the parameters are this function's
     if (made->association_ == nullptr) ASC_destroyAssociationParameters(&parameters);
     if (auto known = wire.trouble()) return tl::unexpected(std::move(*known));
-    return tl::unexpected(reachError(server));
+    return tl::unexpected(reachError(wire, *made->layer_));
   }
   made->socket_ = wire.newest();
   return made;
@@ -182,7 +189,11 @@ Expected<std::unique_ptr<Association>> Association::open(Wire& wire, Purpose pur
 
 Association::~Association() {
   if (association_ != nullptr) {
-    if (!released_) ASC_abortAssociation(association_);
+    if (!released_) {
+      // DCMTK waits until the server closes; what it still sends is of no worth
+      ::shutdown(socket_, SHUT_RD);
+      ASC_abortAssociation(association_);
+    }
     ASC_destroyAssociation(&association_);
   }
   if (network_ != nullptr) ASC_dropNetwork(&network_);
@@ -197,7 +208,8 @@ void Association::release() {
 tl::unexpected<haptics::Error> Association::lossOf(const OFCondition& why) {
   auto lost = fetch::lossOf(wire_);
   if (lost.value().reason == "lost" && why == DUL_PEERABORTEDASSOCIATION && !heard_)
-    return refused("permission", {"fetch-aborted", {wire_.server().name(), wire_.server().calling}});
+    return refused("permission",
+                   {"fetch-aborted", {wire_.server().name(), wire_.server().calling}});
   return lost;
 }
 
@@ -210,6 +222,7 @@ Expected<T_ASC_PresentationContextID> Association::contextOf(const char* abstrac
 
 Expected<void> Association::send(T_ASC_PresentationContextID context, T_DIMSE_Message& message,
                                  DcmDataset* keys) {
+  heard_ = false;
   if (DIMSE_sendMessageUsingMemoryData(association_, context, &message, nullptr, keys, nullptr,
                                        nullptr)
           .bad())
@@ -228,6 +241,7 @@ Expected<T_DIMSE_Message> Association::next(T_ASC_PresentationContextID request,
   }
   T_DIMSE_Message message{};
   DcmDataset* detail = nullptr;
+  const Wire::Bound bound{kLongestMessage};
   const OFCondition received = DIMSE_receiveCommand(association_, DIMSE_NONBLOCKING, seconds(wire_),
                                                     &context, &message, &detail);
   const std::unique_ptr<DcmDataset> unused{detail};
@@ -238,6 +252,7 @@ Expected<T_DIMSE_Message> Association::next(T_ASC_PresentationContextID request,
 
 Expected<std::unique_ptr<DcmDataset>> Association::dataset(T_ASC_PresentationContextID context) {
   DcmDataset* received = nullptr;
+  const Wire::Bound bound{kLongestMessage};
   const OFCondition done = DIMSE_receiveDataSetInMemory(
       association_, DIMSE_NONBLOCKING, seconds(wire_), &context, &received, nullptr, nullptr);
   std::unique_ptr<DcmDataset> owned{received};
@@ -260,10 +275,11 @@ Expected<void> Association::finalOf(DIC_US status) const {
 }
 
 Expected<void> Association::echo() {
-  const auto context = contextOf(UID_VerificationSOPClass,
-                                 {"fetch-no-echo", {wire_.server().name(), wire_.server().calling}});
+  const auto context = contextOf(
+      UID_VerificationSOPClass, {"fetch-no-echo", {wire_.server().name(), wire_.server().calling}});
   if (!context) return tl::unexpected(context.error());
   const Wire::Waiting waiting{wire_};
+  const Wire::Bound bound{kLongestMessage};
   DIC_US status = 0;
   DcmDataset* detail = nullptr;
   const OFCondition answered = DIMSE_echoUser(association_, association_->nextMsgID++,
@@ -311,7 +327,7 @@ Expected<void> Association::find(DcmDataset& keys, std::size_t most,
   }
 }
 
-Expected<void> Association::get(DcmDataset& keys, Arrivals& arrivals) {
+Expected<Retrieved> Association::get(DcmDataset& keys, Arrivals& arrivals) {
   const auto context = contextOf(UID_GETStudyRootQueryRetrieveInformationModel,
                                  {"fetch-no-get", {wire_.server().name()}});
   if (!context) return tl::unexpected(context.error());
@@ -323,7 +339,7 @@ Expected<void> Association::get(DcmDataset& keys, Arrivals& arrivals) {
   std::strcpy(request.AffectedSOPClassUID, UID_GETStudyRootQueryRetrieveInformationModel);
   request.Priority = DIMSE_PRIORITY_MEDIUM;
   request.DataSetType = DIMSE_DATASET_PRESENT;
-  if (auto sent = send(*context, message, &keys); !sent) return sent;
+  if (auto sent = send(*context, message, &keys); !sent) return tl::unexpected(sent.error());
   for (;;) {
     T_ASC_PresentationContextID came = 0;
     auto answer = next(*context, request.MessageID, came, {});
@@ -331,7 +347,7 @@ Expected<void> Association::get(DcmDataset& keys, Arrivals& arrivals) {
     if (answer->CommandField == DIMSE_C_STORE_RQ) {
       if (auto stored = receiveImage(wire_, association_, came, answer->msg.CStoreRQ, arrivals);
           !stored)
-        return stored;
+        return tl::unexpected(stored.error());
       if (Wire::stopping() && !std::exchange(cancel_sent_, true))
         DIMSE_sendCancelRequest(association_, *context, request.MessageID);
       continue;
@@ -341,12 +357,22 @@ Expected<void> Association::get(DcmDataset& keys, Arrivals& arrivals) {
     const T_DIMSE_C_GetRSP& response = answer->msg.CGetRSP;
     if (response.DataSetType != DIMSE_DATASET_NULL)
       if (auto unused = dataset(came); !unused) return tl::unexpected(unused.error());
-    if (!DICOM_PENDING_STATUS(response.DimseStatus)) return finalOf(response.DimseStatus);
+    if (DICOM_PENDING_STATUS(response.DimseStatus)) {
+      arrivals.announce(std::size_t{response.NumberOfRemainingSubOperations} +
+                        response.NumberOfCompletedSubOperations +
+                        response.NumberOfWarningSubOperations +
+                        response.NumberOfFailedSubOperations);
+      continue;
+    }
+    if (auto ended = finalOf(response.DimseStatus); !ended) return tl::unexpected(ended.error());
+    return countsOf(response.opts, O_GET_NUMBEROFCOMPLETEDSUBOPERATIONS,
+                    O_GET_NUMBEROFFAILEDSUBOPERATIONS, response.NumberOfCompletedSubOperations,
+                    response.NumberOfWarningSubOperations, response.NumberOfFailedSubOperations);
   }
 }
 
-Expected<void> Association::move(DcmDataset& keys,
-                                 const std::function<Expected<void>()>& healthy) {
+Expected<Retrieved> Association::move(DcmDataset& keys, Arrivals& arrivals,
+                                      const std::function<Expected<void>()>& healthy) {
   const auto context = contextOf(UID_MOVEStudyRootQueryRetrieveInformationModel,
                                  {"fetch-no-move", {wire_.server().name()}});
   if (!context) return tl::unexpected(context.error());
@@ -359,7 +385,7 @@ Expected<void> Association::move(DcmDataset& keys,
   std::strcpy(request.MoveDestination, wire_.server().calling.c_str());
   request.Priority = DIMSE_PRIORITY_MEDIUM;
   request.DataSetType = DIMSE_DATASET_PRESENT;
-  if (auto sent = send(*context, message, &keys); !sent) return sent;
+  if (auto sent = send(*context, message, &keys); !sent) return tl::unexpected(sent.error());
   for (;;) {
     T_ASC_PresentationContextID came = 0;
     auto answer = next(*context, request.MessageID, came, healthy);
@@ -369,7 +395,17 @@ Expected<void> Association::move(DcmDataset& keys,
     const T_DIMSE_C_MoveRSP& response = answer->msg.CMoveRSP;
     if (response.DataSetType != DIMSE_DATASET_NULL)
       if (auto unused = dataset(came); !unused) return tl::unexpected(unused.error());
-    if (!DICOM_PENDING_STATUS(response.DimseStatus)) return finalOf(response.DimseStatus);
+    if (DICOM_PENDING_STATUS(response.DimseStatus)) {
+      arrivals.announce(std::size_t{response.NumberOfRemainingSubOperations} +
+                        response.NumberOfCompletedSubOperations +
+                        response.NumberOfWarningSubOperations +
+                        response.NumberOfFailedSubOperations);
+      continue;
+    }
+    if (auto ended = finalOf(response.DimseStatus); !ended) return tl::unexpected(ended.error());
+    return countsOf(response.opts, O_MOVE_NUMBEROFCOMPLETEDSUBOPERATIONS,
+                    O_MOVE_NUMBEROFFAILEDSUBOPERATIONS, response.NumberOfCompletedSubOperations,
+                    response.NumberOfWarningSubOperations, response.NumberOfFailedSubOperations);
   }
 }
 
@@ -387,8 +423,7 @@ Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
                                                      association, context, 1, &opened);
   std::unique_ptr<DcmOutputFileStream> file{opened};
   if (created.bad() || !file)
-    return failed("unwritable",
-                  {"fetch-disk", {arrivals.part().parent_path().string()}});
+    return failed("unwritable", {"fetch-disk", {arrivals.part().parent_path().string()}});
   const OFCondition received = DIMSE_receiveDataSetInFile(
       association, DIMSE_NONBLOCKING, seconds(wire), &context, file.get(),
       [](void* to, unsigned long bytes) {
@@ -402,7 +437,8 @@ Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
   if (!counter.fine) return counter.fine;
   if (received.bad() || !written) {
     arrivals.drop();
-    if (!written) return failed("unwritable", {"fetch-disk", {arrivals.part().parent_path().string()}});
+    if (!written)
+      return failed("unwritable", {"fetch-disk", {arrivals.part().parent_path().string()}});
     return lossOf(wire);
   }
   const auto kept = arrivals.keep();

@@ -3,24 +3,36 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "app/fetch/wire.h"
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmnet/dimse.h>
+#include "app/fetch/wire.h"
 
 namespace app::fetch {
 
 class Arrivals;
 
-/// The classes of images that are fetched, and the transfer syntaxes in which a server may have them.
+/// The classes of images that are fetched, and the transfer syntaxes in which a server may have
+/// them.
 std::span<const char* const> imageClasses();
 std::span<const char* const> transferSyntaxes();
 
-/// One association that this program asked for. Calls return an error when the connection is lost, and
-/// then the association is of no more use.
+/// Bytes of a command, of a match and of the answer to a request for an association. A command may
+/// come in one PDU with the begin of an image.
+inline constexpr std::size_t kLongestMessage = ASC_MAXIMUMPDUSIZE + (std::size_t{64} << 10);
+
+/// What a server says of a retrieval: images that it sent, and that it did not send. Nothing where
+/// it does not say it.
+struct Retrieved {
+  std::optional<std::size_t> sent, failed;
+};
+
+/// One association that this program asked for. Calls return an error when the connection is lost,
+/// and then the association is of no more use.
 class Association {
  public:
   enum class Purpose { Echo, Find, Get, Move };
@@ -35,10 +47,10 @@ class Association {
   haptics::Expected<void> find(DcmDataset& keys, std::size_t most,
                                const std::function<void(DcmDataset&)>& found);
   /// C-GET: the images come on this association.
-  haptics::Expected<void> get(DcmDataset& keys, Arrivals& arrivals);
+  haptics::Expected<Retrieved> get(DcmDataset& keys, Arrivals& arrivals);
   /// C-MOVE to this program's AE title. `healthy` is asked between messages.
-  haptics::Expected<void> move(DcmDataset& keys,
-                               const std::function<haptics::Expected<void>()>& healthy);
+  haptics::Expected<Retrieved> move(DcmDataset& keys, Arrivals& arrivals,
+                                    const std::function<haptics::Expected<void>()>& healthy);
   void release();
 
  private:
@@ -65,8 +77,8 @@ class Association {
   tl::unexpected<haptics::Error> lossOf(const OFCondition& why);
 };
 
-/// Receives the image of a C-STORE request into `arrivals` and answers the request. An error ends the
-/// transfer.
+/// Receives the image of a C-STORE request into `arrivals` and answers the request. An error ends
+/// the transfer.
 haptics::Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
                                      T_ASC_PresentationContextID context,
                                      const T_DIMSE_C_StoreRQ& request, Arrivals& arrivals);
@@ -75,6 +87,6 @@ haptics::Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
 bool awaitData(T_ASC_Association* association, int socket, int milliseconds);
 
 /// Why no connection could be made, or what else is wrong.
-haptics::Error reachError(const Server& server);
+haptics::Error reachError(Wire& wire, DcmTransportLayer& layer);
 
 }  // namespace app::fetch

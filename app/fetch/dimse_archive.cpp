@@ -3,12 +3,12 @@
 
 #include <cstdlib>
 
-#include "app/fetch/arrivals.h"
-#include "app/fetch/association.h"
-#include "app/fetch/incoming.h"
 #include <dcmtk/dcmnet/dcmtrans.h>
 #include <dcmtk/dcmnet/dul.h>
 #include <dcmtk/oflog/oflog.h>
+#include "app/fetch/arrivals.h"
+#include "app/fetch/association.h"
+#include "app/fetch/incoming.h"
 
 namespace app::fetch {
 namespace {
@@ -46,8 +46,12 @@ DcmDataset keysOf(const char* level, const FoundSeries& series) {
 
 class DimseArchive final : public Archive {
  public:
-  DimseArchive(const Server& server, std::string key_passphrase)
-      : wire_{server}, key_passphrase_{std::move(key_passphrase)} {}
+  DimseArchive(const Server& server, std::string key_passphrase, bool fetches)
+      : wire_{server},
+        key_passphrase_{std::move(key_passphrase)},
+        found_for_{!fetches      ? Purpose::Find
+                   : server.move ? Purpose::Move
+                                 : Purpose::Get} {}
 
   Expected<void> echo() override {
     auto association = Association::open(wire_, Purpose::Echo, key_passphrase_);
@@ -71,12 +75,29 @@ class DimseArchive final : public Archive {
  private:
   Wire wire_;
   std::string key_passphrase_;
+  Purpose found_for_;
+  std::unique_ptr<Association> open_;  ///< of a search, for the transfer that follows
 
   Expected<void> attempt(const FoundSeries& series, Arrivals& arrivals, bool all);
 };
 
+/// Asks which images there are. A server that cannot say is no error.
+Expected<void> list(Association& association, const FoundSeries& series, Arrivals& arrivals) {
+  DcmDataset keys = keysOf("IMAGE", series);
+  put(keys, DCM_SOPInstanceUID, "");
+  std::vector<std::string> images;
+  auto listed = association.find(keys, kMostImages, [&](DcmDataset& match) {
+    if (std::string uid = valueOf(match, DCM_SOPInstanceUID); isUid(uid))
+      images.push_back(std::move(uid));
+  });
+  if (!listed && listed.error().reason != "answer" && listed.error().reason != "permission")
+    return listed;
+  if (listed) arrivals.expect(std::move(images));
+  return {};
+}
+
 Expected<Findings> DimseArchive::find(const Query& query) {
-  auto association = Association::open(wire_, Purpose::Find, key_passphrase_);
+  auto association = Association::open(wire_, found_for_, key_passphrase_);
   if (!association) return tl::unexpected(association.error());
   DcmDataset keys;
   put(keys, DCM_SpecificCharacterSet, "ISO_IR 192");
@@ -111,75 +132,75 @@ Expected<Findings> DimseArchive::find(const Query& query) {
     put(narrowed, DCM_SeriesNumber, "");
     put(narrowed, DCM_SeriesDescription, "");
     put(narrowed, DCM_NumberOfSeriesRelatedInstances, "");
-    searched = (*association)->find(narrowed, kMostSeries - all.series.size(), [&](DcmDataset& match) {
-      match.convertToUTF8();
-      FoundSeries series = study;
-      series.series_uid = valueOf(match, DCM_SeriesInstanceUID);
-      const std::string of = valueOf(match, DCM_StudyInstanceUID);
-      if (!isUid(series.series_uid) || (!of.empty() && of != study.study_uid)) {
-        ++all.refused;
-        return;
-      }
-      series.modality = modalityOf(valueOf(match, DCM_Modality));
-      series.number = numberOf(match, DCM_SeriesNumber);
-      series.images = numberOf(match, DCM_NumberOfSeriesRelatedInstances);
-      series.series_description = valueOf(match, DCM_SeriesDescription);
-      all.series.push_back(std::move(series));
-    });
+    searched =
+        (*association)->find(narrowed, kMostSeries - all.series.size(), [&](DcmDataset& match) {
+          match.convertToUTF8();
+          FoundSeries series = study;
+          series.series_uid = valueOf(match, DCM_SeriesInstanceUID);
+          const std::string of = valueOf(match, DCM_StudyInstanceUID);
+          if (!isUid(series.series_uid) || (!of.empty() && of != study.study_uid)) {
+            ++all.refused;
+            return;
+          }
+          series.modality = modalityOf(valueOf(match, DCM_Modality));
+          series.number = numberOf(match, DCM_SeriesNumber);
+          series.images = numberOf(match, DCM_NumberOfSeriesRelatedInstances);
+          series.series_description = valueOf(match, DCM_SeriesDescription);
+          all.series.push_back(std::move(series));
+        });
     if (!searched) return tl::unexpected(searched.error());
   }
-  (*association)->release();
+  if (found_for_ == Purpose::Find)
+    (*association)->release();
+  else
+    open_ = std::move(*association);
   return all;
 }
 
 /// All images of the series, or those that are missing.
 Expected<void> DimseArchive::attempt(const FoundSeries& series, Arrivals& arrivals, bool all) {
   const bool moves = wire_.server().move;
-  auto association =
-      Association::open(wire_, moves ? Purpose::Move : Purpose::Get, key_passphrase_);
+  Expected<std::unique_ptr<Association>> association = std::move(open_);
+  if (!*association) association = Association::open(wire_, found_for_, key_passphrase_);
   if (!association) return tl::unexpected(association.error());
-  if (!arrivals.listed()) {
-    // which images there are, to go on with those that are missing; a server that cannot say sends all
-    DcmDataset keys = keysOf("IMAGE", series);
-    put(keys, DCM_SOPInstanceUID, "");
-    std::vector<std::string> images;
-    const auto listed = (*association)->find(keys, kMostImages, [&](DcmDataset& match) {
-      if (std::string uid = valueOf(match, DCM_SOPInstanceUID); isUid(uid))
-        images.push_back(std::move(uid));
-    });
-    if (listed)
-      arrivals.expect(std::move(images));
-    else if (listed.error().reason != "answer" && listed.error().reason != "permission")
-      return listed;
-  }
+  if (!all && !arrivals.listed())
+    if (auto listed = list(**association, series, arrivals); !listed) return listed;
   std::vector<DcmDataset> requests;
   if (all || !arrivals.listed()) {
     requests.push_back(keysOf("SERIES", series));
   } else {
     const std::vector<std::string> missing = arrivals.missing();
     for (std::size_t at = 0; at < missing.size(); at += kUidsOfARequest) {
-      std::string list;
+      std::string list_of_uids;
       for (std::size_t i = at; i < std::min(missing.size(), at + kUidsOfARequest); ++i)
-        list += (list.empty() ? "" : "\\") + missing[i];
+        list_of_uids += (list_of_uids.empty() ? "" : "\\") + missing[i];
       DcmDataset keys = keysOf("IMAGE", series);
-      put(keys, DCM_SOPInstanceUID, list);
+      put(keys, DCM_SOPInstanceUID, list_of_uids);
       requests.push_back(keys);
     }
   }
+  bool whole = true;
   for (DcmDataset& keys : requests) {
+    const std::size_t had = arrivals.images();
+    Expected<Retrieved> brought;
     if (!moves) {
-      if (auto got = (*association)->get(keys, arrivals); !got) return got;
-      continue;
+      brought = (*association)->get(keys, arrivals);
+      if (!brought) return tl::unexpected(brought.error());
+    } else {
+      auto incoming = Incoming::open(wire_, arrivals, key_passphrase_);
+      if (!incoming) return tl::unexpected(incoming.error());
+      brought = (*association)->move(keys, arrivals, [&] { return (*incoming)->health(); });
+      if (brought) (*incoming)->settle(brought->sent);
+      const auto health = (*incoming)->health();
+      incoming->reset();
+      if (!health) return health;
+      if (!brought) return tl::unexpected(brought.error());
     }
-    auto incoming = Incoming::open(wire_, arrivals, key_passphrase_);
-    if (!incoming) return tl::unexpected(incoming.error());
-    auto moved = (*association)->move(keys, [&] { return (*incoming)->health(); });
-    if (moved) (*incoming)->settle();
-    const auto health = (*incoming)->health();
-    incoming->reset();
-    if (!health) return health;
-    if (!moved) return moved;
+    whole = whole && brought->failed == 0 && brought->sent == arrivals.images() - had;
   }
+  // which images there are is asked where the server's count does not say that all have come
+  if (!whole && !arrivals.listed())
+    if (auto listed = list(**association, series, arrivals); !listed) return listed;
   (*association)->release();
   return {};
 }
@@ -189,12 +210,13 @@ Expected<void> DimseArchive::get(const FoundSeries& series, Arrivals& arrivals) 
     const auto brought = attempt(series, arrivals, number == 1);
     if (brought && (!arrivals.listed() || arrivals.missing().empty() || number > 1)) return {};
     // a server that starts again may close connections at once
-    const bool lost = !brought && (isLoss(brought.error()) ||
-                                   (number > 1 && brought.error().reason == "closed"));
+    const bool lost =
+        !brought && (isLoss(brought.error()) || (number > 1 && brought.error().reason == "closed"));
     if (!brought && (number == kAttempts || !lost)) return brought;
     if (brought) continue;
-    // a server that starts again takes a moment
-    for (int i = 0; i < number * 20 && !Wire::stopping(); ++i)
+    const auto until =
+        Pace::Clock::now() + std::chrono::duration<double>(wire_.server().pauseAfter(number));
+    while (Pace::Clock::now() < until && !Wire::stopping())
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     if (Wire::stopping()) return cancelled();
   }
@@ -202,7 +224,8 @@ Expected<void> DimseArchive::get(const FoundSeries& series, Arrivals& arrivals) 
 
 }  // namespace
 
-Expected<std::unique_ptr<Archive>> openDimse(const Server& server, const Login& login) {
+Expected<std::unique_ptr<Archive>> openDimse(const Server& server, const Login& login,
+                                             bool fetches) {
   // DCMTK's own words hold what a server sent
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   setenv("TCP_NODELAY", "1", 1);
@@ -211,7 +234,7 @@ Expected<std::unique_ptr<Archive>> openDimse(const Server& server, const Login& 
   const auto patience = static_cast<Sint32>(server.patience_s);
   dcmSocketReceiveTimeout.set(patience + 2);
   dcmSocketSendTimeout.set(patience + 2);
-  return std::make_unique<DimseArchive>(server, login.key_passphrase);
+  return std::make_unique<DimseArchive>(server, login.key_passphrase, fetches);
 }
 
 }  // namespace app::fetch

@@ -53,8 +53,9 @@ bool acceptContexts(T_ASC_Parameters* parameters) {
         if (known(transferSyntaxes(), context.proposedTransferSyntaxes[t]))
           chosen = context.proposedTransferSyntaxes[t];
     if (chosen != nullptr)
-      any = ASC_acceptPresentationContext(parameters, context.presentationContextID, chosen).good() ||
-            any;
+      any =
+          ASC_acceptPresentationContext(parameters, context.presentationContextID, chosen).good() ||
+          any;
     else
       ASC_refusePresentationContext(parameters, context.presentationContextID,
                                     ASC_P_ABSTRACTSYNTAXNOTSUPPORTED);
@@ -97,8 +98,7 @@ Expected<std::unique_ptr<Incoming>> Incoming::open(Wire& wire, Arrivals& arrival
 
   // an address, not a name: which one is listened on is not for a name server to say
   wanted.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV | AI_PASSIVE;
-  const haptics::Message place =
-      server.listen_address + ":" + std::to_string(server.listen_port);
+  const haptics::Message place = server.listen_address + ":" + std::to_string(server.listen_port);
   if (getaddrinfo(server.listen_address.c_str(), std::to_string(server.listen_port).c_str(),
                   &wanted, &found) != 0)
     return refused("usage", {"fetch-listen-address", {server.listen_address}});
@@ -110,14 +110,14 @@ Expected<std::unique_ptr<Incoming>> Incoming::open(Wire& wire, Arrivals& arrival
   const int why = errno;
   freeaddrinfo(found);
   if (!bound)
-    return failed("listen",
-                  {"fetch-not-listening", {place, std::generic_category().message(why)}});
+    return failed("listen", {"fetch-not-listening", {place, std::generic_category().message(why)}});
   made->thread_ = std::thread{[in = made.get()] { in->listen(); }};
   return made;
 }
 
 Incoming::~Incoming() {
   over_ = true;
+  if (listening_ >= 0) ::shutdown(listening_, SHUT_RDWR);  // wakes the thread
   if (thread_.joinable()) thread_.join();
   if (listening_ >= 0) close(listening_);
 }
@@ -127,15 +127,18 @@ Expected<void> Incoming::health() {
   return health_;
 }
 
-void Incoming::settle() {
+void Incoming::settle(std::optional<std::size_t> sent) {
   using Clock = std::chrono::steady_clock;
   const auto begun = Clock::now();
   // what is in the backlog is taken within a look or two; an association that stays open is not
   // waited for longer than the server is
   const auto least = begun + std::chrono::milliseconds(3 * kLook_ms);
   const auto most = begun + std::chrono::duration<double>(wire_.server().patience_s);
-  while ((busy_ || Clock::now() < least) && Clock::now() < most && !Wire::stopping())
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  while (Clock::now() < most && !Wire::stopping()) {
+    const bool all = sent && taken_ >= *sent, late = Clock::now() > least;
+    if ((all && late) || (!busy_ && (all || late))) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 void Incoming::listen() {
@@ -145,8 +148,7 @@ void Incoming::listen() {
     sockaddr_storage from{};
     socklen_t size = sizeof from;
     busy_ = true;
-    const int socket =
-        accept4(listening_, reinterpret_cast<sockaddr*>(&from), &size, SOCK_CLOEXEC);
+    const int socket = accept4(listening_, reinterpret_cast<sockaddr*>(&from), &size, SOCK_CLOEXEC);
     if (socket >= 0) {
       const std::string peer = numeric(reinterpret_cast<sockaddr*>(&from), size);
       if (std::ranges::find(peers_, peer) == peers_.end()) {
@@ -172,10 +174,13 @@ Expected<void> Incoming::take(int socket) {
     close(socket);
     return failed("memory", {"fetch-memory", {}});
   }
-  if (ASC_receiveAssociation(accepted.network, &accepted.association, ASC_MAXIMUMPDUSIZE, nullptr,
-                             nullptr, server.tls, DUL_NOBLOCK, patience)
-          .bad())
-    return {};
+  {
+    const Wire::Bound bound{kLongestMessage};
+    if (ASC_receiveAssociation(accepted.network, &accepted.association, ASC_MAXIMUMPDUSIZE, nullptr,
+                               nullptr, server.tls, DUL_NOBLOCK, patience)
+            .bad())
+      return {};
+  }
   T_ASC_Association* association = accepted.association;
   std::array<char, 17> calling{}, called{}, unused{};
   ASC_getAPTitles(association->params, calling.data(), calling.size(), called.data(), called.size(),
@@ -183,10 +188,9 @@ Expected<void> Incoming::take(int socket) {
   const bool from_server = trimmed(calling.data()) == server.called;
   if (!from_server || trimmed(called.data()) != server.calling ||
       !acceptContexts(association->params)) {
-    const T_ASC_RejectParameters why{
-        ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER,
-        from_server ? ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED
-                    : ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED};
+    const T_ASC_RejectParameters why{ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER,
+                                     from_server ? ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED
+                                                 : ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED};
     ASC_rejectAssociation(association, &why);
     return {};
   }
@@ -197,8 +201,11 @@ Expected<void> Incoming::take(int socket) {
       if (over_ || Wire::stopping()) return {};
     T_DIMSE_Message message{};
     T_ASC_PresentationContextID context = 0;
-    const OFCondition received =
-        DIMSE_receiveCommand(association, DIMSE_NONBLOCKING, patience, &context, &message, nullptr);
+    const OFCondition received = [&] {
+      const Wire::Bound bound{kLongestMessage};
+      return DIMSE_receiveCommand(association, DIMSE_NONBLOCKING, patience, &context, &message,
+                                  nullptr);
+    }();
     if (received == DUL_PEERREQUESTEDRELEASE)
       accepted.released = ASC_acknowledgeRelease(association).good();
     if (received.bad() || message.CommandField != DIMSE_C_STORE_RQ) return {};
@@ -208,6 +215,7 @@ Expected<void> Incoming::take(int socket) {
       if (isLoss(stored.error())) return {};
       return stored;
     }
+    ++taken_;
   }
 }
 

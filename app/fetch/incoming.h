@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -14,8 +15,8 @@ namespace app::fetch {
 
 /// Takes the images of one C-MOVE. While it lives, a socket listens on the address that the user
 /// named. Only connections from the server's own addresses are taken, one after another, and only
-/// associations from its AE title to ours; others are closed at once. Images come on a thread of its
-/// own, which alone uses `arrivals` meanwhile.
+/// associations from its AE title to ours; others are closed at once. Images come on a thread of
+/// its own, which alone uses `arrivals` meanwhile.
 class Incoming {
  public:
   static haptics::Expected<std::unique_ptr<Incoming>> open(Wire& wire, Arrivals& arrivals,
@@ -27,9 +28,9 @@ class Incoming {
 
   /// The error that ended the taking, if there is one. Any thread.
   haptics::Expected<void> health();
-  /// Waits until no association is open: the last image may come after the server said that it is
-  /// done.
-  void settle();
+  /// Waits until so many images were taken and no association is open: the last image may come
+  /// after the server said that it is done.
+  void settle(std::optional<std::size_t> sent);
 
  private:
   Incoming(Wire& wire, Arrivals& arrivals, std::unique_ptr<DcmTransportLayer> layer)
@@ -41,6 +42,7 @@ class Incoming {
   std::vector<std::string> peers_;  ///< numeric addresses of the server
   int listening_ = -1;
   std::atomic<bool> over_{false}, busy_{false};
+  std::atomic<std::size_t> taken_{0};
   std::mutex mutex_;
   haptics::Expected<void> health_ = {};
   std::thread thread_;

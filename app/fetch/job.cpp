@@ -66,7 +66,7 @@ Expected<std::unique_ptr<Archive>> opened(Job& job) {
     job.login.password = std::move(*secret);
   }
   if (job.server.isWeb()) return openWeb(job.server, job.login);
-  return openDimse(job.server, job.login);
+  return openDimse(job.server, job.login, job.command == Job::Command::Get);
 }
 
 Outcome listed(const Job& job, const Findings& findings) {
@@ -107,9 +107,8 @@ Outcome listed(const Job& job, const Findings& findings) {
   outcome.json["left_out"] = findings.refused;
   if (findings.series.empty()) outcome.text = "The server has no series that match.\n";
   if (findings.refused > 0)
-    outcome.text += resources::sentence(
-                        {"fetch-entries-left-out", {std::to_string(findings.refused)}}) +
-                    "\n";
+    outcome.text +=
+        resources::sentence({"fetch-entries-left-out", {std::to_string(findings.refused)}}) + "\n";
   return outcome;
 }
 
@@ -131,9 +130,12 @@ Outcome fetched(const Job& job, Archive& archive, const FoundSeries& series) {
   }
   const std::size_t missing = arrivals.missing().size();
   Outcome outcome;
-  outcome.json = {{"event", "done"},          {"folder", job.folder.string()},
-                  {"images", arrivals.images()}, {"bytes", arrivals.bytes()},
-                  {"missing", missing},       {"not_kept", arrivals.strangers() + arrivals.unreadable()}};
+  outcome.json = {{"event", "done"},
+                  {"folder", job.folder.string()},
+                  {"images", arrivals.images()},
+                  {"bytes", arrivals.bytes()},
+                  {"missing", missing},
+                  {"not_kept", arrivals.strangers() + arrivals.unreadable()}};
   outcome.text = std::to_string(arrivals.images()) + " images (" + megabytes(arrivals.bytes()) +
                  " MB) are in \"" + job.folder.string() + "\".\n";
   ordered_json warnings = ordered_json::array();
@@ -180,10 +182,9 @@ Outcome done(Job job) {
   if (job.command == Job::Command::Find) return listed(job, *findings);
   const std::size_t count = findings->series.size();
   if (*job.index >= count)
-    return outcomeOf(
-        refused("usage", {"fetch-no-such-series",
-                          {std::to_string(*job.index), std::to_string(count)}})
-            .value());
+    return outcomeOf(refused("usage", {"fetch-no-such-series",
+                                       {std::to_string(*job.index), std::to_string(count)}})
+                         .value());
   const FoundSeries& series = findings->series[*job.index];
   if (!job.check.empty() && job.check != checkOf(series))
     return outcomeOf(refused("changed", {"fetch-list-changed", {}}).value());

@@ -57,26 +57,29 @@ CLI::Validator aeTitle() {
 
 void addServer(CLI::App& command, Options& options) {
   Server& server = options.job.server;
-  auto* kind = command.add_option_group("server", "Exactly one");
-  kind->add_option("--dicomweb", options.web, "URL of a server of DICOMweb");
-  kind->add_option("--dimse", options.dimse, "Host and port of a server of DIMSE")->type_name("HOST:PORT");
-  kind->require_option(1);
+  command.add_option("--dicomweb", options.web, "URL of a server of DICOMweb");
+  command.add_option("--dimse", options.dimse, "Host and port of a server of DIMSE")
+      ->type_name("HOST:PORT");
   command.add_option("--called", server.called, "AE title of the server (DIMSE)")->check(aeTitle());
-  command.add_option("--calling", server.calling, "AE title of this program (DIMSE); PALPATE by default")
+  command
+      .add_option("--calling", server.calling,
+                  "AE title of this program (DIMSE); PALPATE by default")
       ->check(aeTitle());
   command.add_flag("--tls", server.tls, "TLS with DIMSE; a URL says it itself");
   command.add_option("--authority", server.authority,
                      "Certificates (PEM) to trust beside the system's");
-  auto* certificate = command.add_option("--certificate", server.certificate,
-                                         "Certificate (PEM) of this program");
+  auto* certificate =
+      command.add_option("--certificate", server.certificate, "Certificate (PEM) of this program");
   command.add_option("--key", server.key, "Its private key (PEM)")->needs(certificate);
-  command.add_option("--login", options.login,
-                     "basic or bearer: user and password or a token on standard input; keyring: the "
-                     "desktop's")
+  command
+      .add_option("--login", options.login,
+                  "basic or bearer: user and password or a token on standard input; keyring: the "
+                  "desktop's")
       ->check(CLI::IsMember({"none", "basic", "bearer", "keyring"}));
   command.add_option("--user", options.job.keyring_user, "Whose password the keyring has");
-  command.add_option("--patience", server.patience_s,
-                     "Seconds that the server may be silent; 30 by default")
+  command
+      .add_option("--patience", server.patience_s,
+                  "Seconds that the server may be silent; 30 by default")
       ->check(CLI::Range(1.0, 600.0));
   command.add_flag("--attached", options.attached,
                    "A parent program holds standard input; its end stops this one");
@@ -89,6 +92,7 @@ haptics::Expected<void> complete(Options& options) {
     return tl::unexpected(
         haptics::Error{haptics::Error::Kind::Unsupported, std::move(message), "usage"});
   };
+  if (options.web.empty() == options.dimse.empty()) return usage({"fetch-one-server", {}});
   server.url = options.web;
   if (!options.dimse.empty()) {
     if (!split(options.dimse, server.host, server.port))
@@ -121,8 +125,9 @@ haptics::Expected<void> complete(Options& options) {
   job.login.user = input->user;
   job.login.password = job.login.kind == Login::Kind::Bearer ? input->token : input->password;
   job.login.key_passphrase = input->key_passphrase;
-  if (job.login.kind == Login::Kind::Bearer ? input->token.empty()
-                                            : job.login.kind == Login::Kind::Basic && input->user.empty())
+  if (job.login.kind == Login::Kind::Bearer
+          ? input->token.empty()
+          : job.login.kind == Login::Kind::Basic && input->user.empty())
     return usage({"fetch-login-missing", {}});
   if (job.command != Job::Command::Echo && job.query.isEmpty())
     return usage({"fetch-query-empty", {}});
@@ -145,8 +150,7 @@ int print(const Outcome& outcome, bool json) {
     std::cout << app::cli::printable(outcome.text, true);
   }
   std::cout.flush();
-  return static_cast<int>(std::cout ? outcome.code
-                                    : std::max(outcome.code, Exit::Failed));
+  return static_cast<int>(std::cout ? outcome.code : std::max(outcome.code, Exit::Failed));
 }
 
 int run(Options& options) {
@@ -186,9 +190,11 @@ int main(int argc, char** argv) {
   app::cli::openStandardStreams();
   Options options;
   CLI::App program{
-      "Fetches scans for Palpate from a PACS. What to search for, and every secret, comes as JSON on\n"
+      "Fetches scans for Palpate from a PACS. What to search for, and every secret, comes as JSON "
+      "on\n"
       "standard input. Not a medical device, not for diagnosis.",
       "palpate-fetch"};
+  program.set_version_flag("--version", PALPATE_VERSION);
   program.require_subcommand(1);
   auto* echo = program.add_subcommand("echo", "Say whether the server answers and lets one search");
   auto* find = program.add_subcommand("find", "List the series that match, each with an index");
@@ -204,8 +210,8 @@ int main(int argc, char** argv) {
       ->type_name("ADDRESS:PORT");
   try {
     program.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return program.exit(help);
+  } catch (const CLI::Success& asked) {  // --help, --version
+    return program.exit(asked);
   } catch (const CLI::ParseError& error) {
     for (int i = 1; i < argc; ++i)
       options.json = options.json || std::string_view(argv[i]) == "--json";
@@ -214,8 +220,6 @@ int main(int argc, char** argv) {
     outcome.reason = "usage";
     return print(outcome, options.json);
   }
-  options.job.command = *echo   ? Job::Command::Echo
-                        : *find ? Job::Command::Find
-                                : Job::Command::Get;
+  options.job.command = *echo ? Job::Command::Echo : *find ? Job::Command::Find : Job::Command::Get;
   return run(options);
 }

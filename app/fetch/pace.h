@@ -9,8 +9,8 @@
 
 namespace app::fetch {
 
-/// Whether a server is silent, or slower than is waited for. Bytes may be counted on any thread; one
-/// thread looks.
+/// Whether a server is silent, or slower than is waited for. Bytes may be counted on any thread;
+/// one thread looks.
 class Pace {
  public:
   enum class Verdict { Fine, Silent, Slow };
@@ -33,6 +33,8 @@ class Pace {
     if (now - window_at_ <= patience_) return Verdict::Fine;
     const double seconds = std::chrono::duration<double>(now - window_at_).count();
     const bool slow = static_cast<double>(bytes - window_) < seconds * double(kLeastRate_B_s);
+    // one that has stopped is silent, which shows a little later
+    if (slow && now - heard_at_ > patience_ / 2) return Verdict::Fine;
     window_ = bytes, window_at_ = now;
     return slow ? Verdict::Slow : Verdict::Fine;
   }

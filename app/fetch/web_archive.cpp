@@ -31,8 +31,7 @@ constexpr int kLook_ms = 100;
 constexpr int kRedirects = 3;
 constexpr const char* kWild = "*?";  // some servers do not decode these
 constexpr const char* kJson = "application/dicom+json";
-constexpr const char* kImages =
-    "multipart/related; type=\"application/dicom\"; transfer-syntax=*";
+constexpr const char* kImages = "multipart/related; type=\"application/dicom\"; transfer-syntax=*";
 
 /// Where the body of an answer goes, as it comes.
 struct Body {
@@ -73,6 +72,7 @@ class WebArchive final : public Archive {
                          const Body& body);
   Expected<std::string> json(const std::string& path, const QUrlQuery& query);
   Expected<void> images(const std::string& path, Arrivals& arrivals);
+  Expected<void> list(const std::string& path, Arrivals& arrivals);
   tl::unexpected<haptics::Error> troubleOf(const QNetworkReply& reply,
                                            const QList<QSslError>& errors, bool arrived) const;
   tl::unexpected<haptics::Error> statusTrouble(int status) const;
@@ -159,7 +159,8 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   url.setPath(base_.path() + QString::fromStdString(path));
   if (!query.isEmpty()) url.setQuery(query);
   QNetworkRequest asked{url};
-  asked.setSslConfiguration(tls_);
+  // without https Qt needs no TLS library, whose start takes longer than a search
+  if (base_.scheme() == "https") asked.setSslConfiguration(tls_);
   asked.setRawHeader("Accept", accept);
   // whoever packs a body may pack a small one that becomes large
   asked.setRawHeader("Accept-Encoding", "identity");
@@ -185,8 +186,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
 
   const auto give = [&] {
     while (!trouble && reply->bytesAvailable() > 0) {
-      const int status =
-          reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
+      const int status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
       const QByteArray bytes = reply->read(kBuffer);
       pace.came(static_cast<std::uint64_t>(bytes.size()));
       if (status < 200 || status > 299) continue;  // words for people, in an error
@@ -196,8 +196,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
           trouble = refused("answer", {"fetch-packed", {name()}}).value();
           break;
         }
-        if (auto begins = body.begins(
-                reply->header(QNetworkRequest::ContentTypeHeader).toString());
+        if (auto begins = body.begins(reply->header(QNetworkRequest::ContentTypeHeader).toString());
             !begins) {
           trouble = begins.error();
           break;
@@ -222,9 +221,9 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
         since.count() > std::min(kConnectTime_s, server_.patience_s)) {
       trouble = failed("host", {"fetch-host-unreachable", {name()}}).value();
     } else if (const auto verdict = pace.look(); verdict == Pace::Verdict::Silent) {
-      trouble = failed("silent", {"fetch-silent",
-                                  {name(), std::to_string(int(server_.patience_s))}})
-                    .value();
+      trouble =
+          failed("silent", {"fetch-silent", {name(), std::to_string(int(server_.patience_s))}})
+              .value();
     } else if (verdict == Pace::Verdict::Slow) {
       trouble = failed("slow", {"fetch-slow", {name(), std::to_string(kLeastRate_B_s)}}).value();
     }
@@ -250,18 +249,18 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
 
 Expected<std::string> WebArchive::json(const std::string& path, const QUrlQuery& query) {
   std::string text;
-  const Body body{
-      .begins = [&](const QString& type) -> Expected<void> {
-        if (type.isEmpty() || type.startsWith("application/dicom+json") ||
-            type.startsWith("application/json"))
-          return {};
-        return refused("path", {"fetch-no-dicomweb", {name()}});
-      },
-      .bytes = [&](std::span<const char> bytes) -> Expected<void> {
-        text.append(bytes.data(), bytes.size());
-        if (text.size() > kMostJson) return refused("too-many", {"fetch-answer-too-large", {}});
-        return {};
-      }};
+  const Body body{.begins = [&](const QString& type) -> Expected<void> {
+                    if (type.isEmpty() || type.startsWith("application/dicom+json") ||
+                        type.startsWith("application/json"))
+                      return {};
+                    return refused("path", {"fetch-no-dicomweb", {name()}});
+                  },
+                  .bytes = [&](std::span<const char> bytes) -> Expected<void> {
+                    text.append(bytes.data(), bytes.size());
+                    if (text.size() > kMostJson)
+                      return refused("too-many", {"fetch-answer-too-large", {}});
+                    return {};
+                  }};
   if (auto answered = request(path, query, kJson, body); !answered)
     return tl::unexpected(answered.error());
   return text;
@@ -271,8 +270,8 @@ Expected<Findings> WebArchive::find(const Query& query) {
   QUrlQuery asked;
   const auto add = [&](const char* key, const std::string& value) {
     if (!value.empty())
-      asked.addQueryItem(key,
-                         QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(value), kWild)));
+      asked.addQueryItem(
+          key, QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(value), kWild)));
   };
   add("PatientID", query.patient_id);
   add("PatientName", query.patient_name);
@@ -294,8 +293,9 @@ Expected<Findings> WebArchive::find(const Query& query) {
   for (const FoundSeries& study : studies->series) {
     QUrlQuery narrowed;
     if (!query.modality.empty())
-      narrowed.addQueryItem("Modality", QString::fromLatin1(QUrl::toPercentEncoding(
-                                            QString::fromStdString(query.modality))));
+      narrowed.addQueryItem(
+          "Modality",
+          QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(query.modality))));
     narrowed.addQueryItem("includefield", "00201209");
     narrowed.addQueryItem("includefield", "0008103E");
     const auto series_text = json("/studies/" + study.study_uid + "/series", narrowed);
@@ -325,27 +325,27 @@ Expected<Findings> WebArchive::find(const Query& query) {
 Expected<void> WebArchive::images(const std::string& path, Arrivals& arrivals) {
   QFile file{QString::fromStdString(arrivals.part().string())};
   const auto unwritable = [&] {
-    return failed("unwritable", {"output-unwritable", {arrivals.part().parent_path().string(),
-                                                       file.errorString().toStdString()}});
+    return failed("unwritable",
+                  {"output-unwritable",
+                   {arrivals.part().parent_path().string(), file.errorString().toStdString()}});
   };
-  const Multipart::Sink sink{
-      .began = [&]() -> Expected<void> {
-        file.close();
-        if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate,
-                       QFileDevice::ReadOwner | QFileDevice::WriteOwner))
-          return unwritable();
-        return {};
-      },
-      .bytes = [&](std::span<const char> bytes) -> Expected<void> {
-        const auto size = static_cast<qint64>(bytes.size());
-        if (file.write(bytes.data(), size) != size) return unwritable();
-        return arrivals.came(bytes.size());
-      },
-      .ended = [&]() -> Expected<void> {
-        if (!file.flush()) return unwritable();
-        file.close();
-        return arrivals.keep();
-      }};
+  const Multipart::Sink sink{.began = [&]() -> Expected<void> {
+                               file.close();
+                               if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate,
+                                              QFileDevice::ReadOwner | QFileDevice::WriteOwner))
+                                 return unwritable();
+                               return {};
+                             },
+                             .bytes = [&](std::span<const char> bytes) -> Expected<void> {
+                               const auto size = static_cast<qint64>(bytes.size());
+                               if (file.write(bytes.data(), size) != size) return unwritable();
+                               return arrivals.came(bytes.size());
+                             },
+                             .ended = [&]() -> Expected<void> {
+                               if (!file.flush()) return unwritable();
+                               file.close();
+                               return arrivals.keep();
+                             }};
   std::optional<Multipart> parts;
   bool single = false;
   const Body body{
@@ -369,30 +369,41 @@ Expected<void> WebArchive::images(const std::string& path, Arrivals& arrivals) {
   return answered;
 }
 
-Expected<void> WebArchive::get(const FoundSeries& series, Arrivals& arrivals) {
-  const std::string path = "/studies/" + series.study_uid + "/series/" + series.series_uid;
-  // which images there are, to go on with those that are missing; a server that cannot say sends all
-  if (const auto text = json(path + "/instances", {}); text) {
-    const auto listed = imagesFrom(*text);
-    if (!listed) return tl::unexpected(listed.error());
-    arrivals.expect(*listed);
-  } else if (text.error().reason != "path" && text.error().reason != "too-many") {
+/// Asks which images there are. A server that cannot say is no error.
+Expected<void> WebArchive::list(const std::string& path, Arrivals& arrivals) {
+  const auto text = json(path + "/instances", {});
+  if (!text) {
+    if (text.error().reason == "path" || text.error().reason == "too-many") return {};
     return tl::unexpected(text.error());
   }
+  auto listed = imagesFrom(*text);
+  if (!listed) return tl::unexpected(listed.error());
+  arrivals.expect(std::move(*listed));
+  return {};
+}
+
+Expected<void> WebArchive::get(const FoundSeries& series, Arrivals& arrivals) {
+  const std::string path = "/studies/" + series.study_uid + "/series/" + series.series_uid;
+  const auto whole = [&] {
+    return series.images && arrivals.images() == static_cast<std::size_t>(*series.images);
+  };
   for (int attempt = 1;; ++attempt) {
     Expected<void> brought;
-    if (attempt == 1 || !arrivals.listed()) {
+    if (attempt > 1 && !arrivals.listed()) brought = list(path, arrivals);
+    if (brought && (attempt == 1 || !arrivals.listed())) {
       brought = images(path, arrivals);
-    } else {
+    } else if (brought) {
       for (const std::string& image : arrivals.missing())
         if (brought = images(path + "/instances/" + image, arrivals); !brought) break;
     }
+    // which images there are is asked where the server's count does not say that all have come
+    if (brought && !whole() && !arrivals.listed()) brought = list(path, arrivals);
     if (brought && (!arrivals.listed() || arrivals.missing().empty() || attempt > 1)) return {};
     if (!brought && (attempt == kAttempts || !isLoss(brought.error()))) return brought;
     if (brought) continue;
-    // a server that starts again takes a moment
     QEventLoop pause;
-    QTimer::singleShot(attempt * 1000, &pause, &QEventLoop::quit);
+    QTimer::singleShot(static_cast<int>(server_.pauseAfter(attempt) * 1000), &pause,
+                       &QEventLoop::quit);
     pause.exec();
   }
 }
@@ -406,8 +417,8 @@ Expected<std::unique_ptr<Archive>> openWeb(const Server& server, const Login& lo
       !url.userInfo().isEmpty() || url.hasQuery() || url.hasFragment())
     return refused("usage", {"fetch-url", {}});
   QHostAddress address;
-  const bool here = url.host() == "localhost" ||
-                    (address.setAddress(url.host()) && address.isLoopback());
+  const bool here =
+      url.host() == "localhost" || (address.setAddress(url.host()) && address.isLoopback());
   if (!https && !here && login.kind != Login::Kind::None)
     return refused("login", {"fetch-login-readable", {server.url}});
 
@@ -415,12 +426,14 @@ Expected<std::unique_ptr<Archive>> openWeb(const Server& server, const Login& lo
   if (base.path() == "/") base.setPath({});
   QByteArray authorization;
   if (login.kind == Login::Kind::Basic)
-    authorization = "Basic " + QByteArray::fromStdString(login.user + ":" + login.password).toBase64();
+    authorization =
+        "Basic " + QByteArray::fromStdString(login.user + ":" + login.password).toBase64();
   if (login.kind == Login::Kind::Bearer)
     authorization = "Bearer " + QByteArray::fromStdString(login.password);
 
-  QSslConfiguration tls = QSslConfiguration::defaultConfiguration();
+  QSslConfiguration tls;
   if (https) {
+    tls = QSslConfiguration::defaultConfiguration();
     tls.setProtocol(QSsl::TlsV1_2OrLater);
     tls.setPeerVerifyMode(QSslSocket::VerifyPeer);
     if (!server.authority.empty() &&

@@ -6,12 +6,15 @@
 #include <dcmtk/dcmnet/dcmtrans.h>
 #include <dcmtk/dcmtls/tlslayer.h>
 #include <dcmtk/dcmtls/tlstrans.h>
+#include <fcntl.h>
 #include <openssl/ssl.h>
 #include <openssl/x509v3.h>
 #include <sys/socket.h>
 
 #include <chrono>
 #include <csignal>
+#include <limits>
+#include <utility>
 
 namespace app::fetch {
 namespace {
@@ -24,18 +27,33 @@ std::atomic<bool> stop_asked{false};
 std::atomic<int> certificate_fault{X509_V_OK};
 std::atomic<int> alert_read{-1};
 
+// what this thread may still receive
+constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max();
+thread_local std::size_t may_come = kUnbounded;
+thread_local bool too_much = false;
+
 /// A connection that tells the wire what it is and what came.
 template <class Base>
 class Watched final : public Base {
  public:
   template <class... Rest>
-  Watched(Wire& wire, int socket, Rest... rest) : Base(socket, rest...), wire_{wire}, socket_{socket} {
+  Watched(Wire& wire, int socket, Rest... rest)
+      : Base(socket, rest...), wire_{wire}, socket_{socket} {
     wire_.took(socket);
   }
   ~Watched() override { wire_.lost(socket_); }
   ssize_t read(void* to, size_t most) override {
     const ssize_t size = Base::read(to, most);
-    if (size > 0) wire_.came(static_cast<std::size_t>(size));
+    if (size <= 0) return size;
+    const auto came = static_cast<std::size_t>(size);
+    wire_.came(came);
+    if (may_come == kUnbounded) return size;
+    if (came > may_come) {
+      too_much = true;
+      ::shutdown(socket_, SHUT_RDWR);
+      return 0;
+    }
+    may_come -= came;
     return size;
   }
   void close() override {
@@ -165,6 +183,7 @@ Wire::~Wire() {
     const std::scoped_lock lock(mutex_);
     over_ = true;
   }
+  ended_.notify_one();
   thread_.join();
 }
 
@@ -172,10 +191,8 @@ bool Wire::stopping() { return stop_asked; }
 
 void Wire::watch() {
   Pace::Clock::time_point asked{};
-  for (;;) {
-    std::this_thread::sleep_for(kLook);
-    const std::scoped_lock lock(mutex_);
-    if (over_) return;
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_for(lock, kLook, [this] { return over_; })) {
     const auto now = Pace::Clock::now();
     if (stop_asked && asked == Pace::Clock::time_point{}) asked = now;
     if (stop_asked && now - asked > kToCancel) shutDown();
@@ -188,8 +205,17 @@ void Wire::watch() {
 void Wire::wait(bool begins) {
   const std::scoped_lock lock(mutex_);
   waiting_ = begins;
-  if (begins) pace_.restart();
+  if (!begins) return;
+  pace_.restart();
+  verdict_ = Pace::Verdict::Fine;
 }
+
+Wire::Bound::Bound(std::size_t most) {
+  may_come = most;
+  too_much = false;
+}
+
+Wire::Bound::~Bound() { may_come = kUnbounded; }
 
 void Wire::shutDown() {
   for (const int socket : sockets_) ::shutdown(socket, SHUT_RDWR);
@@ -224,6 +250,8 @@ std::optional<haptics::Error> Wire::trouble() {
     verdict = std::exchange(verdict_, Pace::Verdict::Fine);
   }
   if (stop_asked) return cancelled().value();
+  if (std::exchange(too_much, false))
+    return refused("answer", {"fetch-dimse-too-long", {name}}).value();
   if (verdict == Pace::Verdict::Silent)
     return failed("silent",
                   {"fetch-silent", {name, std::to_string(static_cast<int>(server_.patience_s))}})
@@ -231,6 +259,19 @@ std::optional<haptics::Error> Wire::trouble() {
   if (verdict == Pace::Verdict::Slow)
     return failed("slow", {"fetch-slow", {name, std::to_string(kLeastRate_B_s)}}).value();
   return tlsTrouble(server_);
+}
+
+std::optional<haptics::Error> Wire::refusalOn(DcmTransportLayer& tls_layer, int socket) {
+  const std::unique_ptr<SSL, decltype(&SSL_free)> quiet{
+      SSL_new(static_cast<TlsLayer&>(tls_layer).getNativeHandle()), &SSL_free};
+  const timeval most{2, 0};
+  setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &most, sizeof most);
+  setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &most, sizeof most);
+  fcntl(socket, F_SETFL, fcntl(socket, F_GETFL) & ~O_NONBLOCK);
+  char unused = 0;
+  if (quiet && SSL_set_fd(quiet.get(), socket) == 1 && SSL_connect(quiet.get()) == 1)
+    SSL_read(quiet.get(), &unused, 1);
+  return trouble();
 }
 
 haptics::Expected<std::unique_ptr<DcmTransportLayer>> Wire::layer(const std::string& passphrase,

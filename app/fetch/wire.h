@@ -2,6 +2,8 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -17,8 +19,8 @@
 namespace app::fetch {
 
 /// The connections of DIMSE, watched by a thread: DCMTK's calls may wait as long as a server likes,
-/// so this shuts the sockets down when the server is silent or too slow, and 0.3 s after one asked to
-/// stop. One in a process.
+/// so this shuts the sockets down when the server is silent or too slow, and 0.3 s after one asked
+/// to stop. One in a process.
 class Wire {
  public:
   explicit Wire(const Server& server);
@@ -41,12 +43,27 @@ class Wire {
     Wire& wire_;
   };
 
+  /// While it lives, its thread receives so many bytes at most; with more its connection ends.
+  /// DCMTK takes commands and matches of any length.
+  class Bound {
+   public:
+    explicit Bound(std::size_t most);
+    ~Bound();
+    Bound(const Bound&) = delete;
+    Bound& operator=(const Bound&) = delete;
+  };
+
   /// Whether SIGTERM came.
   static bool stopping();
   /// Shuts all connections down.
   void end();
-  /// Why a call of DCMTK failed, if that is known here: stopped, silent, slow, or TLS. Clears it.
+  /// Why a call of DCMTK failed on this thread, if that is known here: stopped, silent, slow, more
+  /// than the bound, or TLS. Clears it.
   std::optional<haptics::Error> trouble();
+
+  /// Why a server ends TLS, on a new socket and without a request: behind one, what the server says
+  /// of this program's certificate may be lost. Waits two seconds at most.
+  std::optional<haptics::Error> refusalOn(DcmTransportLayer& tls_layer, int socket);
 
   // for the connections
   void took(int socket);
@@ -60,6 +77,7 @@ class Wire {
   Server server_;
   Pace pace_;
   std::mutex mutex_;
+  std::condition_variable ended_;
   std::set<int> sockets_;
   int newest_ = -1;
   bool waiting_ = false, over_ = false;

@@ -219,6 +219,8 @@ void PacsController::fetch(int series) {
                 ? tr("%1 images were fetched and are opened.").arg(answer["images"].toInteger())
                 : told.join(' '),
             told.isEmpty());
+        // nothing stands before the scan, unless there is something to read
+        if (told.isEmpty()) shown_->hide();
         // the program keeps the folder until its standard input ends
         release(std::exchange(holds_folder_, std::move(process_)));
         holds_folder_->disconnect(this);

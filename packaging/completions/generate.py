@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes the completions of bash, zsh and fish from what the programs print with --help.
 
-Usage: generate.py PALPATE PALPATE-CLI          fails where the files here are not current
-       generate.py PALPATE PALPATE-CLI --write  writes them
+Usage: generate.py PALPATE PALPATE-CLI PALPATE-FETCH          fails where the files here are not current
+       generate.py PALPATE PALPATE-CLI PALPATE-FETCH --write  writes them
 """
 import pathlib
 import re
@@ -34,7 +34,7 @@ def options(text):
             *short, name = names.split(",")
             choices = re.search(r"\{([^}]*)\}", kind)
             last = [short[0] if short else "", choices.group(1).split(",") if choices else [],
-                    bool(re.match(r"(TEXT|INT|UINT|FLOAT)", kind)), words or ""]
+                    bool(re.match(r"(TEXT|INT|UINT|FLOAT|HOST:PORT|ADDRESS:PORT)", kind)), words or ""]
             found[name] = last
         elif part == "Options" and last and re.match(r"^ {20,}\S", line):
             last[3] = (last[3] + " " + line.strip()).strip()
@@ -148,7 +148,7 @@ def fish(program, commands):
 
 def main():
     wrong = 0
-    for path in sys.argv[1:3]:
+    for path in sys.argv[1:4]:
         program = pathlib.Path(path).name
         commands = tree(path)
         for name, text in ((f"{program}.bash", bash(program, commands)), (f"_{program}", zsh(program, commands)),

@@ -22,7 +22,8 @@ html_theme_options = {"sidebarwidth": 280, "body_max_width": "60em"}
 man_show_urls = False
 man_pages = [
     ("palpate", "palpate", "see a CT scan, and feel it through a haptic device", author, 1),
-    ("palpate-cli", "palpate-cli", "describe, convert and touch scans without a window", author, 1)]
+    ("palpate-cli", "palpate-cli", "describe, convert and touch scans without a window", author, 1),
+    ("palpate-fetch", "palpate-fetch", "fetch scans from a PACS", author, 1)]
 nitpicky = True
 
 

@@ -8,4 +8,4 @@ scratch="$(mktemp -d)"
 trap 'rm -rf "$scratch"' EXIT
 sphinx-build -q -W -c "$here" -b man -d "$scratch/doctrees" "$here/../../resources/help" "$scratch/man"
 mkdir -p "$out"
-cp "$scratch/man/palpate.1" "$scratch/man/palpate-cli.1" "$out"
+cp "$scratch/man/palpate.1" "$scratch/man/palpate-cli.1" "$scratch/man/palpate-fetch.1" "$out"

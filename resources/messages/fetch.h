@@ -9,6 +9,7 @@ namespace resources {
 inline constexpr Row kFetch[] = {
     // options, and what comes on standard input
     {"fetch-host-and-port", "\"%1\" is no host and port; write it as pacs.example.org:104."},
+    {"fetch-one-server", "Name one server: --dicomweb with a URL, or --dimse with host and port."},
     {"fetch-called-missing", "A server of DIMSE has an AE title; name it with --called."},
     {"fetch-login-of-web",
      "A login belongs to DICOMweb; DIMSE knows this program by its AE title, and by its certificate "
@@ -123,7 +124,7 @@ inline constexpr Row kFetch[] = {
      "\"%1\" does not know where to send images for \"%2\"; ask its administrator to enter this "
      "program's AE title with its address and port."},
     {"fetch-not-listening",
-     "\"%1\" cannot be listened on (%2); give an address of this machine and a port that is free."},
+     "\"%1\" cannot be listened on: %2; give an address of this machine and a port that is free."},
     {"fetch-answers", "\"%1\" answers, and lets this program search."},
     // while it answers
     {"fetch-silent", "\"%1\" was silent for %2 s, and the transfer was ended; try again later."},
@@ -136,6 +137,8 @@ inline constexpr Row kFetch[] = {
      "\"%1\" answered with DIMSE status %2 (hexadecimal); ask its administrator."},
     {"fetch-dimse-senseless",
      "\"%1\" answered with a message that has no place there; ask its administrator."},
+    {"fetch-dimse-too-long",
+     "\"%1\" sent a message that is longer than any it was asked for; ask its administrator."},
     {"fetch-packed",
      "\"%1\" packed its answer although it was asked not to; ask its administrator."},
     {"fetch-multipart-senseless",

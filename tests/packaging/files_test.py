@@ -148,7 +148,7 @@ def check_pages():
           root / "resources/help", out / "html")
     assert (out / "html/messages-devices.html").read_text().count('<a id="') > 60
     clean("env", "PATH=/usr/bin:/bin", root / "packaging/help/man.sh", out / "man")
-    for page in ("palpate.1", "palpate-cli.1"):
+    for page in ("palpate.1", "palpate-cli.1", "palpate-fetch.1"):
         assert (out / "man" / page).read_text() == (root / "packaging/man" / page).read_text(), \
             f"{page} is not that of the help; run packaging/help/man.sh"
 

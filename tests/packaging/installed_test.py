@@ -26,11 +26,13 @@ assert not list(stage.rglob("*.*")), "something was installed outside the prefix
 
 files = {path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if path.is_file()}
 wanted = {
-    "bin/palpate", "bin/palpate-cli", "libexec/palpate/palpate-decode", "libexec/palpate/palpate-draw",
+    "bin/palpate", "bin/palpate-cli", "bin/palpate-fetch", "libexec/palpate/palpate-decode", "libexec/palpate/palpate-draw",
     "lib/udev/rules.d/70-palpate.rules", "share/applications/palpate.desktop",
     "share/metainfo/org.palpate.palpate.metainfo.xml", "share/mime/packages/palpate.xml",
-    "share/man/man1/palpate.1", "share/man/man1/palpate-cli.1",
+    "share/man/man1/palpate.1", "share/man/man1/palpate-cli.1", "share/man/man1/palpate-fetch.1",
     "share/bash-completion/completions/palpate", "share/bash-completion/completions/palpate-cli",
+    "share/bash-completion/completions/palpate-fetch", "share/zsh/site-functions/_palpate-fetch",
+    "share/fish/vendor_completions.d/palpate-fetch.fish",
     "share/zsh/site-functions/_palpate", "share/zsh/site-functions/_palpate-cli",
     "share/fish/vendor_completions.d/palpate.fish", "share/fish/vendor_completions.d/palpate-cli.fish",
     "share/icons/hicolor/scalable/apps/palpate.svg", "share/icons/hicolor/symbolic/apps/palpate-symbolic.svg",
@@ -102,7 +104,14 @@ assert "palpate-draw" in told["error"]["message"], told
 quiet = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
 ran = subprocess.run([prefix / "bin/palpate", "--version"], capture_output=True, text=True, env=quiet)
 assert ran.returncode == 0 and ran.stdout.strip(), ran
-# and palpate-cli needs no library of the window
-libraries = subprocess.run(["ldd", cli], capture_output=True, text=True).stdout
-assert "libQt6Widgets" not in libraries and "libGL.so" not in libraries, libraries
+# and neither of the commands needs a library of the window, and the window and palpate-cli none of the network
+for name, not_needed in (("palpate-cli", ("libQt6Widgets", "libGL.so", "libQt6Network", "libdcmnet")),
+                         ("palpate-fetch", ("libQt6Widgets", "libGL.so", "libvtk")),
+                         ("palpate", ("libQt6Network", "libdcmnet"))):
+    libraries = subprocess.run(["ldd", prefix / "bin" / name], capture_output=True, text=True).stdout
+    assert not any(library in libraries for library in not_needed), (name, libraries)
+# what fetches scans runs where it was moved to, and its child too
+ran = subprocess.run([prefix / "bin/palpate-fetch", "echo", "--dimse", "127.0.0.1:1", "--called", "NOBODY", "--json"],
+                     capture_output=True, text=True)
+assert ran.returncode == 4 and json.loads(ran.stdout)["error"]["reason"] == "port", ran
 print(f"{len(files)} files, installed and moved.")

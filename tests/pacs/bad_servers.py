@@ -301,8 +301,8 @@ class BadDimse:
             for byte in answer:
                 peer.sendall(bytes([byte]))
                 time.sleep(1)
-        if self.how == "rejects":
-            peer.sendall(pdu(3, bytes([0, 1, 1, 1])))
+        if self.how.startswith("rejects"):
+            peer.sendall(pdu(3, bytes([0, 1, 1, 3 if self.how == "rejects-caller" else 1])))
             time.sleep(0.5)
             return
         if self.how == "long-association":
@@ -372,7 +372,7 @@ class BadDimse:
                 time.sleep(1)
         if how == "endless-command":
             while True:
-                self.send(peer, context, b"\0" * 16000, True, last=False)
+                self.send(peer, context, bytes(16000), True, last=False)
         if how == "wrong-message":
             self.send(peer, context, command(0x8030, number, 0), True)
             return
@@ -393,6 +393,10 @@ class BadDimse:
             self.send(peer, context, command(0x8020, number, 0xff00, dataset=True), True)
             self.send(peer, context, elements, False)
 
+        if self.how == "endless-match":
+            self.send(peer, context, command(0x8020, number, 0xff00, dataset=True), True)
+            while True:
+                self.send(peer, context, bytes(16000), False, last=False)
         if self.how == "many":
             for n in range(100_000):
                 match(implicit(8, 0x52, "STUDY ") + implicit(0x20, 0xd, f"1.2.3.{n}"))
@@ -412,6 +416,7 @@ class BadDimse:
 
     def get(self, peer, context, number):
         how = self.how
+        half = self.image[:len(self.image) // 4 * 2]  # a fragment has an even length
         images = [n for n, (abstract, syntax) in self.contexts.items()
                   if abstract == self.CT and syntax == "1.2.840.10008.1.2"]
         store = images[0]
@@ -425,10 +430,10 @@ class BadDimse:
             self.send(peer, context, command(0x8010, number, 0xff00), True)
             return
         if how == "dies-midway":
-            image(self.image[:len(self.image) // 2], last=False)
+            image(half, last=False)
             raise EOFError
         if how == "silent-midway":
-            image(self.image[:len(self.image) // 2], last=False)
+            image(half, last=False)
             time.sleep(60)
         if how == "lying-lengths":
             # a PDV that is longer than its PDU

@@ -102,7 +102,7 @@ class Series:
     """A folder of slices, and who they are."""
 
     def __init__(self, folder, head, person, slices, side, syntax="explicit", study=None, number=1):
-        self.folder, self.person, self.count = pathlib.Path(folder), person, slices
+        self.folder, self.person, self.count, self.side = pathlib.Path(folder), person, slices, side
         self.study, self.series = study or uid(), uid()
         self.instances = []
         self.folder.mkdir(parents=True)

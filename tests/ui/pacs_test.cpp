@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -115,6 +116,20 @@ class Pacs : public testing::Test {
   std::unique_ptr<app::PacsController> controller_;
 };
 
+TEST_F(Pacs, HidesNamesFromTheStartAndEachLetterIsOneKey) {
+  for (int column = 5; column < list().columnCount(); ++column)
+    EXPECT_TRUE(list().isColumnHidden(column)) << column;
+  QStringList letters;
+  const auto take = [&](const QString& words) {
+    const qsizetype at = words.indexOf('&');
+    if (at >= 0) letters << words.mid(at + 1, 1).toUpper();
+  };
+  for (const auto* one : list().window()->findChildren<QAbstractButton*>()) take(one->text());
+  for (const auto* one : list().window()->findChildren<QLabel*>()) take(one->text());
+  EXPECT_GE(letters.size(), 11);
+  EXPECT_EQ(letters.removeDuplicates(), 0) << letters.join(' ').toStdString();
+}
+
 TEST_F(Pacs, AServerIsTestedAndASentenceSaysWhatIsWrong) {
   click("pacsTest");
   EXPECT_TRUE(answers("The server answers"));
@@ -164,6 +179,7 @@ TEST_F(Pacs, ASeriesIsFetchedAndItsFolderStaysToTheEnd) {
   const QString folder = opened.at(0).at(0).toString();
   EXPECT_TRUE(QDir(folder).exists());
   EXPECT_TRUE(answers("120 images"));
+  EXPECT_FALSE(list().window()->isVisible());
   EXPECT_TRUE(asked().contains("\"check\": \"abc0\""));
   QTest::qWait(300);
   EXPECT_TRUE(QDir(folder).exists());
