@@ -7,9 +7,9 @@ class QFileDialog;
 
 namespace ui {
 
-/// Makes the dialog ask for a file to write, with this filter and this ending ("png"). It begins in the
-/// folder where a file was last written since the program's start, or else in the user's documents. GUI
-/// thread.
+/// Makes the dialog ask for a file to write, with this filter and this ending ("png"). It begins in
+/// the folder where a file was last written since the program's start, or else in the user's
+/// documents. GUI thread.
 void askForOutput(QFileDialog& dialog, const QString& filter, const QString& ending);
 
 }  // namespace ui

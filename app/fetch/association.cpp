@@ -54,16 +54,6 @@ tl::unexpected<haptics::Error> lossOf(Wire& wire) {
   return failed("lost", {"fetch-lost", {wire.server().name()}});
 }
 
-/// The counts of a response to C-GET or C-MOVE; `options` say which it has.
-Retrieved countsOf(unsigned int options, unsigned int has_sent, unsigned int has_failed,
-                   unsigned int sent, unsigned int warned, unsigned int failed) {
-  Retrieved counts;
-  // an image with a warning was sent too
-  if ((options & has_sent) != 0) counts.sent = std::size_t{sent} + warned;
-  if ((options & has_failed) != 0) counts.failed = failed;
-  return counts;
-}
-
 Expected<void> addContexts(T_ASC_Parameters* parameters, Association::Purpose purpose) {
   using Purpose = Association::Purpose;
   T_ASC_PresentationContextID id = 1;
@@ -327,6 +317,29 @@ Expected<void> Association::find(DcmDataset& keys, std::size_t most,
   }
 }
 
+/// What a response to C-GET or C-MOVE says: nothing yet, while images are still to come.
+template <class Response>
+Expected<std::optional<Retrieved>> Association::endOf(const Response& response,
+                                                      T_ASC_PresentationContextID context,
+                                                      Arrivals& arrivals, unsigned int sent_given,
+                                                      unsigned int failed_given) {
+  if (response.DataSetType != DIMSE_DATASET_NULL)
+    if (auto unused = dataset(context); !unused) return tl::unexpected(unused.error());
+  // an image with a warning was sent too
+  const std::size_t done =
+      std::size_t{response.NumberOfCompletedSubOperations} + response.NumberOfWarningSubOperations;
+  if (DICOM_PENDING_STATUS(response.DimseStatus)) {
+    arrivals.announce(done + response.NumberOfRemainingSubOperations +
+                      response.NumberOfFailedSubOperations);
+    return std::nullopt;
+  }
+  if (auto ended = finalOf(response.DimseStatus); !ended) return tl::unexpected(ended.error());
+  Retrieved all;
+  if ((response.opts & sent_given) != 0) all.sent = done;
+  if ((response.opts & failed_given) != 0) all.failed = response.NumberOfFailedSubOperations;
+  return all;
+}
+
 Expected<Retrieved> Association::get(DcmDataset& keys, Arrivals& arrivals) {
   const auto context = contextOf(UID_GETStudyRootQueryRetrieveInformationModel,
                                  {"fetch-no-get", {wire_.server().name()}});
@@ -354,20 +367,10 @@ Expected<Retrieved> Association::get(DcmDataset& keys, Arrivals& arrivals) {
     }
     if (answer->CommandField != DIMSE_C_GET_RSP)
       return refused("answer", {"fetch-dimse-senseless", {wire_.server().name()}});
-    const T_DIMSE_C_GetRSP& response = answer->msg.CGetRSP;
-    if (response.DataSetType != DIMSE_DATASET_NULL)
-      if (auto unused = dataset(came); !unused) return tl::unexpected(unused.error());
-    if (DICOM_PENDING_STATUS(response.DimseStatus)) {
-      arrivals.announce(std::size_t{response.NumberOfRemainingSubOperations} +
-                        response.NumberOfCompletedSubOperations +
-                        response.NumberOfWarningSubOperations +
-                        response.NumberOfFailedSubOperations);
-      continue;
-    }
-    if (auto ended = finalOf(response.DimseStatus); !ended) return tl::unexpected(ended.error());
-    return countsOf(response.opts, O_GET_NUMBEROFCOMPLETEDSUBOPERATIONS,
-                    O_GET_NUMBEROFFAILEDSUBOPERATIONS, response.NumberOfCompletedSubOperations,
-                    response.NumberOfWarningSubOperations, response.NumberOfFailedSubOperations);
+    auto ended = endOf(answer->msg.CGetRSP, came, arrivals, O_GET_NUMBEROFCOMPLETEDSUBOPERATIONS,
+                       O_GET_NUMBEROFFAILEDSUBOPERATIONS);
+    if (!ended) return tl::unexpected(ended.error());
+    if (*ended) return **ended;
   }
 }
 
@@ -392,20 +395,10 @@ Expected<Retrieved> Association::move(DcmDataset& keys, Arrivals& arrivals,
     if (!answer) return tl::unexpected(answer.error());
     if (answer->CommandField != DIMSE_C_MOVE_RSP)
       return refused("answer", {"fetch-dimse-senseless", {wire_.server().name()}});
-    const T_DIMSE_C_MoveRSP& response = answer->msg.CMoveRSP;
-    if (response.DataSetType != DIMSE_DATASET_NULL)
-      if (auto unused = dataset(came); !unused) return tl::unexpected(unused.error());
-    if (DICOM_PENDING_STATUS(response.DimseStatus)) {
-      arrivals.announce(std::size_t{response.NumberOfRemainingSubOperations} +
-                        response.NumberOfCompletedSubOperations +
-                        response.NumberOfWarningSubOperations +
-                        response.NumberOfFailedSubOperations);
-      continue;
-    }
-    if (auto ended = finalOf(response.DimseStatus); !ended) return tl::unexpected(ended.error());
-    return countsOf(response.opts, O_MOVE_NUMBEROFCOMPLETEDSUBOPERATIONS,
-                    O_MOVE_NUMBEROFFAILEDSUBOPERATIONS, response.NumberOfCompletedSubOperations,
-                    response.NumberOfWarningSubOperations, response.NumberOfFailedSubOperations);
+    auto ended = endOf(answer->msg.CMoveRSP, came, arrivals, O_MOVE_NUMBEROFCOMPLETEDSUBOPERATIONS,
+                       O_MOVE_NUMBEROFFAILEDSUBOPERATIONS);
+    if (!ended) return tl::unexpected(ended.error());
+    if (*ended) return **ended;
   }
 }
 

@@ -74,6 +74,11 @@ class Association {
                                           const std::function<haptics::Expected<void>()>& healthy);
   haptics::Expected<std::unique_ptr<DcmDataset>> dataset(T_ASC_PresentationContextID context);
   haptics::Expected<void> finalOf(DIC_US status) const;
+  template <class Response>
+  haptics::Expected<std::optional<Retrieved>> endOf(const Response& response,
+                                                    T_ASC_PresentationContextID context,
+                                                    Arrivals& arrivals, unsigned int sent_given,
+                                                    unsigned int failed_given);
   tl::unexpected<haptics::Error> lossOf(const OFCondition& why);
 };
 

@@ -38,8 +38,8 @@ int lockOf(const fs::path& folder) {
 }
 
 tl::unexpected<haptics::Error> unwritable(const fs::path& path, int why) {
-  return failed("unwritable", {"output-unwritable",
-                               {path.string(), std::generic_category().message(why)}});
+  return failed("unwritable",
+                {"output-unwritable", {path.string(), std::generic_category().message(why)}});
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ Expected<Folder> Folder::temporary() {
   std::error_code error;
   const fs::path place = fs::temp_directory_path(error);
   for (int n = 0; n < kLooks && !error; ++n) {
-    std::string name = (place / (std::string(kName) + "XXXXXX")).string();
+    std::string name = (place / (std::string(kName) + std::string(6, 'X'))).string();
     if (mkdtemp(name.data()) == nullptr) return unwritable(place, errno);
     // a sweep may have it for a moment, and takes it
     if (const int lock = lockOf(name); lock >= 0) return Folder{name, lock};
@@ -61,8 +61,8 @@ Expected<Folder> Folder::at(const fs::path& path) {
   if (errno != EEXIST) return unwritable(path, errno);
   std::error_code error;
   struct stat status {};
-  const bool ours = lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
-                    status.st_uid == geteuid();
+  const bool ours =
+      lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid();
   if (!ours || !fs::is_empty(path, error) || error)
     return refused("usage", {"fetch-folder-not-empty", {path.string()}});
   if (chmod(path.c_str(), 0700) != 0) return unwritable(path, errno);

@@ -15,7 +15,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kMostBytes = 65536;
-constexpr std::size_t kLongestField = 64;    // characters, as the standard has it for most
+constexpr std::size_t kLongestField = 64;      // characters, as the standard has it for most
 constexpr std::size_t kLongestSecret = 16384;  // a token may be long
 
 tl::unexpected<haptics::Error> wrong(const char* field) {
@@ -24,8 +24,8 @@ tl::unexpected<haptics::Error> wrong(const char* field) {
 
 bool isPlain(const std::string& text) {
   // a backslash separates values, and whoever asks for one thing gets two
-  return std::ranges::none_of(
-      text, [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '\\'; });
+  return std::ranges::none_of(text,
+                              [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '\\'; });
 }
 
 bool isDateRange(const std::string& text) {
@@ -68,11 +68,10 @@ Expected<Input> inputFrom(const std::string& text) {
                                    kLongestField))
         return wrong(field);
     } else if (name == "login" && value.is_object()) {
-      if (const char* field = take(value,
-                                   {{"user", &input.user},
-                                    {"password", &input.password},
-                                    {"token", &input.token}},
-                                   kLongestSecret))
+      if (const char* field =
+              take(value,
+                   {{"user", &input.user}, {"password", &input.password}, {"token", &input.token}},
+                   kLongestSecret))
         return wrong(field);
     } else if (name == "key_passphrase" && value.is_string()) {
       input.key_passphrase = value.get<std::string>();
@@ -91,7 +90,8 @@ Expected<Input> inputFrom(const std::string& text) {
     if (!isPlain(*field)) return wrong("query");
   if (!isDateRange(q.study_date)) return wrong("study_date");
   for (const std::string* field : {&input.user, &input.password, &input.token})
-    if (std::ranges::any_of(*field, [](unsigned char c) { return c < 0x20; })) return wrong("login");
+    if (std::ranges::any_of(*field, [](unsigned char c) { return c < 0x20; }))
+      return wrong("login");
   if (input.user.find(':') != std::string::npos) return wrong("user");
   return input;
 }

@@ -16,14 +16,21 @@ haptics::Expected<std::string> secretOf(const std::string& server, const std::st
                                    {{"application", SECRET_SCHEMA_ATTRIBUTE_STRING},
                                     {"server", SECRET_SCHEMA_ATTRIBUTE_STRING},
                                     {"user", SECRET_SCHEMA_ATTRIBUTE_STRING}},
-                                   0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+                                   0,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr};
   GError* error = nullptr;
   char* found =
       user.empty()
-          ? secret_password_lookup_sync(&schema, nullptr, &error, "application", "palpate", "server",
-                                        server.c_str(), nullptr)
-          : secret_password_lookup_sync(&schema, nullptr, &error, "application", "palpate", "server",
-                                        server.c_str(), "user", user.c_str(), nullptr);
+          ? secret_password_lookup_sync(&schema, nullptr, &error, "application", "palpate",
+                                        "server", server.c_str(), nullptr)
+          : secret_password_lookup_sync(&schema, nullptr, &error, "application", "palpate",
+                                        "server", server.c_str(), "user", user.c_str(), nullptr);
   if (error != nullptr) {
     g_error_free(error);
     return failed("keyring", {"fetch-no-keyring", {}});

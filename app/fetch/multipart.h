@@ -43,8 +43,8 @@ class Multipart {
   haptics::Expected<bool> step();
 };
 
-/// The boundary that a Content-Type states; empty for a single body of application/dicom; nothing if
-/// it is neither. At most 70 characters.
+/// The boundary that a Content-Type states; empty for a single body of application/dicom; nothing
+/// if it is neither. At most 70 characters.
 std::optional<std::string> boundaryOf(std::string_view content_type);
 
 }  // namespace app::fetch

@@ -13,9 +13,7 @@ namespace {
 constexpr int kDeepest = 32;                // sequences in sequences
 constexpr std::size_t kLongestText = 1024;  // bytes of a value that is kept
 
-tl::unexpected<haptics::Error> noList() {
-  return refused("answer", {"fetch-json-senseless", {}});
-}
+tl::unexpected<haptics::Error> noList() { return refused("answer", {"fetch-json-senseless", {}}); }
 
 /// The array of an answer; an empty answer is an empty array.
 Expected<json> parsed(std::string_view text) {
@@ -70,10 +68,10 @@ Expected<Findings> findingsFrom(std::string_view text, Level level) {
     found.study_uid = valueOf(entry, "0020000D");
     found.series_uid = valueOf(entry, "0020000E");
     // an answer about the series of a study need not repeat the study
-    const bool named = level == Level::Study
-                           ? isUid(found.study_uid)
-                           : isUid(found.series_uid) &&
-                                 (found.study_uid.empty() || isUid(found.study_uid));
+    const bool named =
+        level == Level::Study
+            ? isUid(found.study_uid)
+            : isUid(found.series_uid) && (found.study_uid.empty() || isUid(found.study_uid));
     if (!named) {
       ++findings.refused;
       continue;

@@ -15,53 +15,36 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <new>
 #include <utility>
 
+#include "haptics/core/process_limits.h"
 #include "resources/messages/messages.h"
 
 namespace app::fetch {
 namespace {
 
+using haptics::limitResource;
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kGrace{700};  // from SIGTERM to SIGKILL
 constexpr int kLook_ms = 50;
-constexpr rlim_t kMoreMemory = rlim_t{1} << 30;   // bytes, beyond what the program begins with
-constexpr rlim_t kMostTime_s = 1800;              // of the processor
+constexpr rlim_t kMoreMemory = rlim_t{1} << 30;  // bytes, beyond what the program begins with
+constexpr rlim_t kMostTime_s = 1800;             // of the processor
 constexpr rlim_t kLargestFile = rlim_t{64} << 30;
 constexpr rlim_t kMostFiles = 256;
 constexpr std::size_t kLongestAnswer = std::size_t{64} << 20;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-
-bool limit(__rlimit_resource which, rlim_t most) {
-  const rlimit both{most, most};
-  return setrlimit(which, &both) == 0;
-}
-
 bool withoutDumps() {
-  return limit(RLIMIT_CORE, 0) && prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) == 0;
-}
-
-/// Address space in use, bytes.
-rlim_t addressSpace() {
-  std::ifstream file("/proc/self/statm");
-  rlim_t pages = 0;
-  file >> pages;
-  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  return limitResource(RLIMIT_CORE, 0) && prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) == 0;
 }
 
 bool confine() {
-  bool sound = prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && limit(RLIMIT_CPU, kMostTime_s) &&
-               limit(RLIMIT_FSIZE, kLargestFile) && limit(RLIMIT_NOFILE, kMostFiles);
-  if constexpr (!kSanitized) {
+  bool sound =
+      prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && limitResource(RLIMIT_CPU, kMostTime_s) &&
+      limitResource(RLIMIT_FSIZE, kLargestFile) && limitResource(RLIMIT_NOFILE, kMostFiles);
+  if constexpr (!haptics::kSanitized) {
     // each arena of the C library's takes 64 MiB of addresses, however little is in it
-    sound = sound && mallopt(M_ARENA_MAX, 2) == 1 && limit(RLIMIT_AS, addressSpace() + kMoreMemory);
+    sound = sound && mallopt(M_ARENA_MAX, 2) == 1 && haptics::limitAddresses(kMoreMemory);
   }
   return sound;
 }
@@ -195,8 +178,7 @@ Outcome Supervisor::run(const std::function<Outcome()>& work, double longest_s) 
       kill(child, SIGTERM);
     }
     late = late || now > until || text.size() > kLongestAnswer;
-    if (!killed && (late || (stopped_ && now - asked > kGrace)))
-      killed = kill(child, SIGKILL) == 0;
+    if (!killed && (late || (stopped_ && now - asked > kGrace))) killed = kill(child, SIGKILL) == 0;
   }
   close(ends[0]);
   int status = 0;

@@ -23,8 +23,8 @@ struct Outcome {
 
 Outcome outcomeOf(const haptics::Error& error);
 
-/// Waits for SIGINT, SIGTERM and SIGHUP, and for the end of standard input where it is watched. Make
-/// it before any thread exists.
+/// Waits for SIGINT, SIGTERM and SIGHUP, and for the end of standard input where it is watched.
+/// Make it before any thread exists.
 class Supervisor {
  public:
   /// `attached`: a parent program holds standard input, and its end asks to stop.
@@ -32,8 +32,8 @@ class Supervisor {
 
   /// Runs `work` in a child process with limits of memory, processor time and open files, without
   /// core dumps, deaf and dumb on the standard streams save standard output. The child is asked to
-  /// stop with SIGTERM and killed 0.7 s later, and killed after `longest_s`. Whatever becomes of it,
-  /// this returns, with a sentence.
+  /// stop with SIGTERM and killed 0.7 s later, and killed after `longest_s`. Whatever becomes of
+  /// it, this returns, with a sentence.
   Outcome run(const std::function<Outcome()>& work, double longest_s);
   /// Waits until one asks to stop.
   void waitForStop();

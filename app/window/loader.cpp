@@ -7,6 +7,8 @@
 #include <future>
 #include <variant>
 
+#include "app/build_info/build_info.h"
+#include "app/window/kept_phantom.h"
 #include "app/window/sentence.h"
 #include "app/window/start_pose.h"
 #include "datasets/phantoms/phantoms.h"
@@ -38,6 +40,8 @@ void addTo(QString& note, const QString& sentence) {
   note += sentence;
 }
 
+constexpr const char* kDemo = "demo";  // the phantom that is kept
+
 struct Source {
   std::shared_ptr<const haptics::Volume> volume;
   std::optional<ui::Picture> picture = {};  ///< of a volume that is on view already
@@ -57,6 +61,7 @@ double firstIsovalue(const haptics::Volume& volume) {
 struct Watch {
   std::function<void(double)> advanced;
   std::function<void(Surveyed)> surveyed;
+  std::function<void(const datasets::Phantom&)> made;  ///< one that is to be kept
   std::function<double()> free_memory;
   const std::atomic<bool>& cancel;
 };
@@ -213,8 +218,12 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
   Source source;
   if (request.phantom) {
     watch.advanced(kSurveyed);  // a bar without a fraction is in motion, beside the making
-    auto phantom = datasets::makePhantom(*request.phantom, &watch.cancel);
+    std::optional<datasets::Phantom> kept;
+    if (*request.phantom == kDemo) kept = keptPhantom(fileOfDemo(), buildHere());
+    auto phantom = kept ? haptics::Expected<datasets::Phantom>(std::move(*kept))
+                        : datasets::makePhantom(*request.phantom, &watch.cancel);
     if (!phantom) return tl::unexpected(phantom.error());
+    if (*request.phantom == kDemo && !kept) watch.made(*phantom);
     source.isovalue = phantom->isovalue;
     source.tool = phantom->tool;
     source.title = QString::fromStdString(*request.phantom);
@@ -344,6 +353,10 @@ void Loader::start(LoadRequest request) {
                          [&](Surveyed found) {
                            watch.tell([this, found = std::move(found)] { emit surveyed(found); });
                          },
+                     .made =
+                         [&](const datasets::Phantom& phantom) {
+                           watch.tell([this, phantom] { keep(phantom); });
+                         },
                      .free_memory = free_memory,
                      .cancel = watch.cancel});
       },
@@ -351,6 +364,16 @@ void Loader::start(LoadRequest request) {
         if (result) return emit loaded(*result);
         emit failed(*wanted, inWords(std::move(result.error())));
       });
+}
+
+/// Beside the first picture, which does not wait for the disk.
+void Loader::keep(const datasets::Phantom& phantom) {
+  keeping_.start(
+      [phantom](const background::Watch&) -> Expected<bool> {
+        keepPhantom(fileOfDemo(), buildHere(), phantom);
+        return true;
+      },
+      [](const Expected<bool>&) {});
 }
 
 }  // namespace app

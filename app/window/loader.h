@@ -15,6 +15,10 @@
 #include "haptics/scene/scene.h"
 #include "ui/props/picture.h"
 
+namespace datasets {
+struct Phantom;
+}
+
 namespace app {
 
 /// A tool: a named one, or a file.
@@ -117,6 +121,9 @@ class Loader : public QObject {
  private:
   std::function<double()> free_memory_;
   background::Task<Loaded> task_;
+  background::Task<bool> keeping_;
+
+  void keep(const datasets::Phantom& phantom);
 };
 
 }  // namespace app

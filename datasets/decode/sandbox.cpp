@@ -7,32 +7,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <memory>
+
+#include "haptics/core/process_limits.h"
 
 namespace datasets::decode {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kSanitized = false;
-#endif
-
-bool limit(__rlimit_resource which, rlim_t most) {
-  const rlimit both{most, most};
-  return setrlimit(which, &both) == 0;
-}
-
-/// Address space in use, bytes; 0 if it cannot be told.
-std::uint64_t addressSpace() {
-  std::ifstream file("/proc/self/statm");
-  std::uint64_t pages = 0;
-  if (!(file >> pages)) return 0;
-  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
 
 struct Releases {
   void operator()(void* filter) const { seccomp_release(filter); }
@@ -70,11 +50,11 @@ bool forbidSystemCalls() {
 }  // namespace
 
 bool confine(std::uint64_t more_bytes) {
-  if (!limit(RLIMIT_CORE, 0)) return false;
-  if constexpr (kSanitized) return true;
-  const std::uint64_t now = addressSpace();
-  return now > 0 && limit(RLIMIT_AS, now + more_bytes) && limit(RLIMIT_FSIZE, 0) &&
-         limit(RLIMIT_NOFILE, 0) && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+  using haptics::limitResource;
+  if (!limitResource(RLIMIT_CORE, 0)) return false;
+  if constexpr (haptics::kSanitized) return true;
+  return haptics::limitAddresses(more_bytes) && limitResource(RLIMIT_FSIZE, 0) &&
+         limitResource(RLIMIT_NOFILE, 0) && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
          forbidSystemCalls();
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sentences about a PACS, in the order of what a user does: options, connection, search, images.
+// The sentences about a PACS, in the order of what a user does: options, connection, search,
+// images.
 #pragma once
 
 #include "resources/messages/row.h"
@@ -12,13 +13,15 @@ inline constexpr Row kFetch[] = {
     {"fetch-one-server", "Name one server: --dicomweb with a URL, or --dimse with host and port."},
     {"fetch-called-missing", "A server of DIMSE has an AE title; name it with --called."},
     {"fetch-login-of-web",
-     "A login belongs to DICOMweb; DIMSE knows this program by its AE title, and by its certificate "
+     "A login belongs to DICOMweb; DIMSE knows this program by its AE title, and by its "
+     "certificate "
      "with --tls."},
     {"fetch-options-of-dimse",
      "--called, --tls and --move belong to DIMSE; a server of DICOMweb has a URL alone."},
     {"fetch-key-missing", "A certificate needs its private key: give --certificate and --key."},
     {"fetch-out-missing",
-     "Name a new folder for the images with --out; without one, a parent program must hold standard "
+     "Name a new folder for the images with --out; without one, a parent program must hold "
+     "standard "
      "input (--attached)."},
     {"fetch-url",
      "The URL of a server of DICOMweb is https:// or http:// with a host and a path, without user, "
@@ -102,7 +105,8 @@ inline constexpr Row kFetch[] = {
     {"fetch-called-ae",
      "\"%1\" does not have the AE title \"%2\"; ask its administrator for the server's title."},
     {"fetch-calling-ae",
-     "\"%1\" does not know this program's AE title \"%2\"; ask its administrator to add it, or give "
+     "\"%1\" does not know this program's AE title \"%2\"; ask its administrator to add it, or "
+     "give "
      "one that it knows with --calling."},
     {"fetch-rejected",
      "\"%1\" rejects the association from \"%3\" to \"%2\" without a reason; ask its administrator "
@@ -116,7 +120,8 @@ inline constexpr Row kFetch[] = {
     {"fetch-no-find",
      "\"%1\" does not permit \"%2\" to search; ask its administrator for permission."},
     {"fetch-no-get",
-     "\"%1\" offers no C-GET to this program; ask its administrator for permission, or switch C-MOVE "
+     "\"%1\" offers no C-GET to this program; ask its administrator for permission, or switch "
+     "C-MOVE "
      "on for it."},
     {"fetch-no-move",
      "\"%1\" offers no C-MOVE to this program; ask its administrator for permission."},

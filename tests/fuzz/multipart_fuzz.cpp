@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// By the first byte how the rest comes in pieces: a Content-Type, and bytes as the body of an answer
-// of DICOMweb.
+// By the first byte how the rest comes in pieces: a Content-Type, and bytes as the body of an
+// answer of DICOMweb.
 #include <algorithm>
 #include <cstdint>
 #include <string>

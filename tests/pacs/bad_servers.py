@@ -8,6 +8,8 @@ import struct
 import threading
 import time
 
+from servers import Listener
+
 STUDY, SERIES = "1.2.3.4.50", "1.2.3.4.60"
 
 
@@ -210,33 +212,19 @@ def implicit(group, number, text):
     return struct.pack("<HHI", group, number, len(data)) + data
 
 
-class BadDimse:
+class BadDimse(Listener):
     """`image`: the data set of an image of STUDY and SERIES in implicit little endian."""
 
     CT = "1.2.840.10008.5.1.4.1.1.2"
 
     def __init__(self, how, image=b"", strange=b""):
         self.how, self.image, self.strange = how, image, strange
-        self.cancelled, self.statuses, self.connections = False, [], 0
-        self.listener = socket.create_server(("127.0.0.1", 0))
-        self.port = self.listener.getsockname()[1]
-        threading.Thread(target=self.accept, daemon=True).start()
+        self.cancelled, self.statuses = False, []
+        self.listen()
 
-    def close(self):
-        self.listener.close()
-
-    def accept(self):
-        while True:
-            try:
-                peer, _ = self.listener.accept()
-            except OSError:
-                return
-            self.connections += 1
-            threading.Thread(target=self.guarded, args=(peer,), daemon=True).start()
-
-    def guarded(self, peer):
+    def serve(self, peer):
         try:
-            self.serve(peer)
+            self.answer(peer)
         except (OSError, EOFError):
             pass
         finally:
@@ -256,7 +244,7 @@ class BadDimse:
         kind, _, length = struct.unpack(">BBI", self.exactly(peer, 6))
         return kind, self.exactly(peer, length)
 
-    def serve(self, peer):
+    def answer(self, peer):
         if self.how == "silent":
             time.sleep(60)
             return

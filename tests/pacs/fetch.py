@@ -11,6 +11,8 @@ import subprocess
 import threading
 import time
 
+from servers import Listener
+
 
 class Answer:
     def __init__(self, code, out, err, seconds):
@@ -112,23 +114,13 @@ def read_until(process, wanted, seconds=60):
     return lines
 
 
-class Proxy:
+class Proxy(Listener):
     """Stands before a server: slows what it sends [bytes/s], or cuts connections. `cuts`: after so many
     bytes of the server's each, the first connections are cut; further ones are whole."""
 
-    def __init__(self, port, rate=None, cuts=(), address="127.0.0.1"):
+    def __init__(self, port, rate=None, cuts=()):
         self.to, self.rate, self.cuts, self.carried = port, rate, list(cuts), []
-        self.listener = socket.create_server((address, 0))
-        self.port = self.listener.getsockname()[1]
-        threading.Thread(target=self.accept, daemon=True).start()
-
-    def accept(self):
-        while True:
-            try:
-                client, _ = self.listener.accept()
-            except OSError:
-                return
-            threading.Thread(target=self.serve, args=(client,), daemon=True).start()
+        self.listen()
 
     def serve(self, client):
         try:
@@ -167,9 +159,6 @@ class Proxy:
             except OSError:
                 pass
             one.close()
-
-    def close(self):
-        self.listener.close()
 
 
 def is_named_by_number(folder):

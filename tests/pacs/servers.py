@@ -74,7 +74,27 @@ class Authority:
         return certificate, key
 
 
-class Front:
+class Listener:
+    """Listens on a free port, and calls serve() for each connection on a thread of its own."""
+
+    def listen(self):
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.port = self.listener.getsockname()[1]
+        threading.Thread(target=self.accept, daemon=True).start()
+
+    def accept(self):
+        while True:
+            try:
+                peer, _ = self.listener.accept()
+            except OSError:
+                return
+            threading.Thread(target=self.serve, args=(peer,), daemon=True).start()
+
+    def close(self):
+        self.listener.close()
+
+
+class Front(Listener):
     """Takes https for a server of http. `authority`: only with a certificate of this one."""
 
     def __init__(self, port, pair, authority=None):
@@ -84,17 +104,7 @@ class Front:
         if authority:
             self.context.verify_mode = ssl.CERT_REQUIRED
             self.context.load_verify_locations(authority)
-        self.listener = socket.create_server(("127.0.0.1", 0))
-        self.port = self.listener.getsockname()[1]
-        threading.Thread(target=self.accept, daemon=True).start()
-
-    def accept(self):
-        while True:
-            try:
-                client, _ = self.listener.accept()
-            except OSError:
-                return
-            threading.Thread(target=self.serve, args=(client,), daemon=True).start()
+        self.listen()
 
     def serve(self, raw):
         try:
@@ -114,9 +124,6 @@ class Front:
                 if not data:
                     return
                 (server if one is client else client).sendall(data)
-
-    def close(self):
-        self.listener.close()
 
 
 class Server:

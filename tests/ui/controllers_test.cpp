@@ -4,15 +4,21 @@
 
 #include <QAbstractButton>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
+#include "app/window/kept_phantom.h"
 #include "app/window/measurement_controller.h"
+#include "datasets/phantoms/phantoms.h"
 #include "panelled_window.h"
 #include "ui/panels/force_words.h"
 #include "ui/panels/performance_panel.h"
@@ -32,6 +38,51 @@ app::Loaded loadedSphere() {
   loader.start({.phantom = "sphere"});
   EXPECT_TRUE(waitFor([&] { return loaded.has_value(); }));
   return loaded.value_or(app::Loaded{});
+}
+
+TEST(Controllers, APhantomIsKeptForTheNextStartOfTheSameBuild) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file =
+      std::filesystem::path(folder.path().toStdString()) / "a" / "demo";
+  EXPECT_FALSE(app::keptPhantom(file, "build"));
+  const auto made = datasets::makePhantom("demo");
+  ASSERT_TRUE(made);
+  app::keepPhantom(file, "build", *made);
+  const auto kept = app::keptPhantom(file, "build");
+  ASSERT_TRUE(kept);
+  const haptics::Volume &is = kept->volume, &was = made->volume;
+  EXPECT_EQ(is.grid.dims, was.grid.dims);
+  EXPECT_EQ(is.grid.spacing, was.grid.spacing);
+  EXPECT_EQ(is.grid.origin, was.grid.origin);
+  EXPECT_EQ(is.grid.direction, was.grid.direction);
+  ASSERT_EQ(is.type, was.type);
+  const auto bytes = std::size_t(was.grid.voxelCount()) * haptics::sizeOf(was.type);
+  EXPECT_EQ(std::memcmp(is.voxels.get(), was.voxels.get(), bytes), 0);
+  EXPECT_EQ(std::tuple(is.least, is.greatest, is.unit, is.modality, is.orientation_known),
+            std::tuple(was.least, was.greatest, was.unit, was.modality, was.orientation_known));
+  EXPECT_EQ(std::tuple(kept->isovalue, kept->tool), std::tuple(made->isovalue, made->tool));
+
+  // another build would make another one, perhaps
+  EXPECT_FALSE(app::keptPhantom(file, "another build"));
+  QFile stored(QString::fromStdString(file.string()));
+  ASSERT_TRUE(stored.open(QFile::ReadWrite));
+  const QByteArray whole = stored.readAll();
+  const auto isTaken = [&](const QByteArray& changed) {
+    stored.resize(0);
+    stored.seek(0);
+    stored.write(changed);
+    stored.flush();
+    return app::keptPhantom(file, "build").has_value();
+  };
+  QByteArray damaged = whole;
+  damaged[damaged.size() / 2] = char(damaged[damaged.size() / 2] ^ 1);
+  EXPECT_FALSE(isTaken(damaged));
+  EXPECT_FALSE(isTaken(whole.first(whole.size() - 1)));
+  EXPECT_FALSE(isTaken(QByteArray(whole).replace("\"dims\":[", "\"dims\":[-")));
+  EXPECT_FALSE(isTaken(QByteArray(whole).replace("\"dims\":[", "\"dims\":[\"x\",")));
+  EXPECT_FALSE(isTaken("{\"build\":\"build\"}\n"));
+  EXPECT_FALSE(isTaken("\n"));
+  EXPECT_TRUE(isTaken(whole));
 }
 
 TEST(Controllers, AToolAndAFieldAreWantedForTheVolumeOnView) {

@@ -44,9 +44,10 @@ std::optional<std::vector<std::string>> partsOf(const std::string& body, std::si
 TEST(Multipart, HasTheSamePartsInPiecesOfAnySize) {
   // a part that nearly holds the boundary, an empty one, and one without header fields
   const std::string near = "a\r\n--edg\r\n-\r\n--\r\n\r\n--edgf";
-  const std::string body = "preamble\r\n--edge\r\nContent-Type: application/dicom\r\nMIME: 1\r\n\r\n" +
-                           near + "\r\n--edge  \r\nContent-Length: 12345\r\n\r\n\r\n--edge\r\n\r\nlast" +
-                           "\r\n--edge--\r\nepilogue\r\n--edge\r\n\r\nno part";
+  const std::string body =
+      "preamble\r\n--edge\r\nContent-Type: application/dicom\r\nMIME: 1\r\n\r\n" + near +
+      "\r\n--edge  \r\nContent-Length: 12345\r\n\r\n\r\n--edge\r\n\r\nlast" +
+      "\r\n--edge--\r\nepilogue\r\n--edge\r\n\r\nno part";
   for (std::size_t piece = 1; piece <= body.size(); ++piece) {
     SCOPED_TRACE(piece);
     const auto parts = partsOf(body, piece);
@@ -97,10 +98,10 @@ std::string study(const std::string& uid) {
 }
 
 TEST(Qido, LeavesOutWhatHasNoIdentifier) {
-  const auto found = findingsFrom(
-      "[" + study("1.2.3") + "," + study("../../etc") + "," + study("1..2") + "," + study("") + "," +
-          study("1.2/3") + "," + study(std::string(65, '1')) + ",{},{\"0020000D\":7}]",
-      Level::Study);
+  const auto found = findingsFrom("[" + study("1.2.3") + "," + study("../../etc") + "," +
+                                      study("1..2") + "," + study("") + "," + study("1.2/3") + "," +
+                                      study(std::string(65, '1')) + ",{},{\"0020000D\":7}]",
+                                  Level::Study);
   ASSERT_TRUE(found);
   ASSERT_EQ(found->series.size(), 1U);
   EXPECT_EQ(found->series[0].study_uid, "1.2.3");
@@ -127,7 +128,8 @@ TEST(Qido, RefusesWhatIsNoList) {
     EXPECT_FALSE(findingsFrom(text, Level::Study)) << text;
   EXPECT_FALSE(findingsFrom(std::string(1'000'000, '['), Level::Study));
   EXPECT_TRUE(findingsFrom("", Level::Study));
-  const auto images = imagesFrom(R"([{"00080018":{"vr":"UI","Value":["1.2"]}},{"00080018":{"Value":["x"]}}])");
+  const auto images =
+      imagesFrom(R"([{"00080018":{"vr":"UI","Value":["1.2"]}},{"00080018":{"Value":["x"]}}])");
   ASSERT_TRUE(images);
   EXPECT_EQ(*images, std::vector<std::string>{"1.2"});
 }

@@ -41,7 +41,8 @@ TEST(FetchSupervisor, LimitsTheWork) {
         getrlimit(RLIMIT_CORE, &core);
         getrlimit(RLIMIT_NOFILE, &files);
         Outcome made;
-        made.json = {{"core", core.rlim_max}, {"files", files.rlim_max},
+        made.json = {{"core", core.rlim_max},
+                     {"files", files.rlim_max},
                      {"dumpable", prctl(PR_GET_DUMPABLE, 0, 0, 0, 0)}};
         return made;
       },
