@@ -282,8 +282,6 @@ TEST_F(StartPage, TheTourShowsThreeControlsOnceAndHelpShowsItAgain) {
   EXPECT_EQ(tour().step(), 0);
   EXPECT_TRUE(beside(named<QToolButton>("openFileButton")));
   window::keep(window::pictureOf(window()), "tour_1");
-  // the tour opens the tab of its control
-  window().findChild<ui::SidePanel*>("sidePanel")->setTab(ui::Tab::Record);
   click("tourNext");
   EXPECT_EQ(tour().step(), 1);
   auto* histogram = named<ui::HistogramSlider>("isovalueSlider");
@@ -304,10 +302,13 @@ TEST_F(StartPage, TheTourShowsThreeControlsOnceAndHelpShowsItAgain) {
   ASSERT_TRUE(isTouched());
   QTest::qWait(300);
   EXPECT_FALSE(tour().isVisible());
+  // it opens the tab of its control
+  window().findChild<ui::SidePanel*>("sidePanel")->setTab(ui::Tab::Record);
   window().findChild<QAction*>("showTour")->trigger();
   ASSERT_TRUE(tour().isVisible());
   // it stays in the window that becomes smaller, and its rest can be skipped
   click("tourNext");
+  EXPECT_TRUE(window().findChild<ui::HistogramSlider*>("isovalueSlider")->isVisible());
   window().resize(1000, 640);
   QTest::qWait(200);
   EXPECT_TRUE(window().rect().contains(tour().geometry()));
