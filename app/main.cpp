@@ -13,6 +13,7 @@
 #include "app/window/preferences.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/files/archive.h"
+#include "datasets/readers/volume_file.h"
 #include "haptics/servo/emergency.h"
 #include "resources/named_tools.h"
 #include "ui/style/style.h"
@@ -72,6 +73,8 @@ int main(int argc, char** argv) {
     return cli.exit(error) == 0 ? 0 : kUsage;
   }
   for (const std::string& path : paths) arguments.paths.append(QString::fromStdString(path));
+  if (paths.size() == 1 && datasets::isVolumeFile(paths.front()))
+    arguments.load.ahead = std::make_shared<app::ReadAhead>(paths.front());
   if (*phantom_given) arguments.load.phantom = phantom;
   if (*isovalue_given) arguments.load.isovalue = isovalue;
   if (*series_given) arguments.load.series = series;

@@ -201,10 +201,16 @@ Expected<Source> readChosen(const LoadRequest& request, const Watch& watch) {
   const datasets::ReadProgress progress{
       .advanced = [&](double f) { watch.advanced(kSurveyed + (kRead - kSurveyed) * f); },
       .cancel = &watch.cancel};
-  auto volume = datasets::readVolume(
-      series,
-      {.geometry = request.geometry, .largest_part = request.largest_part, .part = request.part},
-      progress);
+  const bool as_stored = request.geometry == datasets::Geometry::AsStored &&
+                         !request.largest_part && request.part.isWhole();
+  std::optional<haptics::Volume> ahead;
+  if (request.ahead && as_stored) ahead = request.ahead->take(progress);
+  auto volume = ahead ? Expected<haptics::Volume>(std::move(*ahead))
+                      : datasets::readVolume(series,
+                                             {.geometry = request.geometry,
+                                              .largest_part = request.largest_part,
+                                              .part = request.part},
+                                             progress);
   if (!volume) return tl::unexpected(volume.error());
   Source source;
   source.title = titleOf(request, *volume);

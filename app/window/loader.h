@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/background/task.h"
+#include "app/window/read_ahead.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"
@@ -49,7 +50,8 @@ struct Kept {
 /// A request to load. Of path, phantom and keep, the first that is set is used.
 struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
-  std::optional<int> series = {};  ///< index of the entry in the path's survey
+  std::shared_ptr<ReadAhead> ahead = {};  ///< that of the path; null: none
+  std::optional<int> series = {};         ///< index of the entry in the path's survey
   /// The entry itself. If not set, the path is surveyed and the only sound entry is taken, unless
   /// another is larger or correctable.
   std::optional<ChosenSeries> chosen = {};

@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <stop_token>
 #include <string>
 #include <system_error>
@@ -154,10 +156,22 @@ constexpr std::int64_t kMostAtOnce = std::int64_t{1} << 29;    // bytes: some te
 constexpr std::int64_t kPackedAtOnce = std::int64_t{1} << 23;  // bytes read between looks at Cancel
 constexpr std::chrono::milliseconds kLook{20};                 // between looks at Cancel
 
+/// Memory in large pages, where the system has them: to be given one costs as much as to be given a
+/// small one.
+using LargePages = std::unique_ptr<char, decltype(&std::free)>;
+LargePages largePages(std::size_t bytes) {
+  constexpr std::size_t kPage = std::size_t{1} << 21;
+  const std::size_t whole = (bytes + kPage - 1) / kPage * kPage;
+  LargePages memory(static_cast<char*>(std::aligned_alloc(kPage, whole)), &std::free);
+  if (memory == nullptr) throw std::bad_alloc();
+  madvise(memory.get(), whole, MADV_HUGEPAGE);
+  return memory;
+}
+
 /// The rest of a file, one gzip stream, inflated in one call. The thread that does it has a share
 /// of all that it touches, so it can be left behind: the call cannot be stopped.
 struct Inflating {
-  std::unique_ptr<char[]> packed;
+  LargePages packed;
   std::size_t size = 0;
   std::shared_ptr<void> to;
   std::size_t bytes = 0;
@@ -188,8 +202,7 @@ bool inflateAtOnce(const StoredVoxels& stored, const std::shared_ptr<void>& to, 
   std::error_code error;
   const auto size = static_cast<std::int64_t>(fs::file_size(stored.file, error)) - stored.offset;
   if (error || size <= 0 || size > kMostAtOnce) return false;
-  const auto work = std::make_shared<Inflating>();
-  work->packed = std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size));
+  const auto work = std::make_shared<Inflating>(largePages(static_cast<std::size_t>(size)));
   work->size = static_cast<std::size_t>(size);
   work->to = to;
   work->bytes = static_cast<std::size_t>(bytes);
