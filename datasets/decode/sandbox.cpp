@@ -70,7 +70,8 @@ bool forbidSystemCalls() {
 }  // namespace
 
 bool confine(std::uint64_t more_bytes) {
-  if (!limit(RLIMIT_CORE, 0)) return false;
+  // a dump that is piped to a program heeds no limit
+  if (!limit(RLIMIT_CORE, 0) || prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) return false;
   if constexpr (kSanitized) return true;
   const std::uint64_t now = addressSpace();
   return now > 0 && limit(RLIMIT_AS, now + more_bytes) && limit(RLIMIT_FSIZE, 0) &&
