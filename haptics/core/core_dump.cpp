@@ -19,7 +19,7 @@ constexpr std::uintptr_t kSmall = 128 * 1024;  // malloc gives from here on a ma
 // a line of /proc/self/maps: first-end perms offset device inode name
 struct Mapping {
   std::uintptr_t first = 0, end = 0;
-  bool writable = false, of_file = false, heap = false, first_stack = false, memory_file = false;
+  bool writable = false, of_file = false, first_stack = false, memory_file = false;
 };
 
 /// Reads a number; `at` is then behind it.
@@ -50,7 +50,6 @@ Mapping mappingOf(const char* line) {
   for (int word = 0; word < 3; ++word) skipWord(line);  // perms, offset, device
   mapping.of_file = numberAt(line, 10) != 0;
   while (*line == ' ') ++line;
-  mapping.heap = std::strncmp(line, "[heap]", 6) == 0;
   mapping.first_stack = std::strncmp(line, "[stack]", 7) == 0;
   // memory that is shared has a name that nobody gave it
   mapping.memory_file =
@@ -63,7 +62,7 @@ void keepOut(const Mapping& mapping, std::uintptr_t stack) noexcept {
   if (!mapping.writable || mapping.first_stack) return;
   if (mapping.first <= stack && stack < mapping.end) return;
   if (mapping.of_file && !mapping.memory_file) return;
-  if (!mapping.heap && mapping.end - mapping.first < kSmall) return;
+  if (mapping.end - mapping.first < kSmall) return;
   madvise(reinterpret_cast<void*>(mapping.first), mapping.end - mapping.first, MADV_DONTDUMP);
 }
 

@@ -11,10 +11,10 @@ void keepOutOfCoreDumps(void* first, std::size_t bytes) noexcept;
 /// This process leaves no core dump. For the programs that do one piece of work for another.
 void forbidCoreDumps() noexcept;
 
-/// Keeps out of this process's core dump what may hold a voxel and was not kept out before: the
-/// heap, and all other memory that belongs to no file, from 128 KiB on. What stays are the stacks
-/// of the first and of the calling thread, variables of program and libraries, and small pieces.
-/// For a signal handler: allocates nothing, takes no lock and changes no errno.
+/// Keeps out of this process's core dump what may hold a voxel and was not kept out before: all
+/// memory that belongs to no file, such as the heap, in pieces from 128 KiB on. What stays are the
+/// stacks of the first and of the calling thread, variables of program and libraries, and small
+/// pieces. For a signal handler: allocates nothing, takes no lock and changes no errno.
 void keepHeapOutOfCoreDump() noexcept;
 
 }  // namespace haptics

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -222,32 +223,46 @@ TEST(VoxelMemory, CoreDumpsHoldNoView) {
   EXPECT_FALSE(isKeptOut(plain.data()));
 }
 
-TEST(CoreDump, OfACrashHoldsNeitherHeapNorLargeMemory) {
-  const pid_t process = fork();  // what is done there lasts
-  if (process == 0) {
-    const auto small = std::make_unique<int>(1);
-    std::vector<char> large(1'000'000);
-    void* const shared =
-        mmap(nullptr, 64 * kPage, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    static int variable = 1;
-    int on_stack = 1;
-    if (isKeptOut(small.get()) || isKeptOut(large.data() + 500'000) || isKeptOut(shared)) _exit(1);
-    haptics::keepHeapOutOfCoreDump();
-    if (!isKeptOut(small.get())) _exit(2);
-    if (!isKeptOut(large.data() + 500'000)) _exit(3);
-    if (!isKeptOut(shared)) _exit(4);
-    if (isKeptOut(&variable) || isKeptOut(&on_stack)) _exit(5);
-    std::thread{[] {
-      const int there = 1;
-      haptics::keepHeapOutOfCoreDump();
-      if (isKeptOut(&there)) _exit(6);
-    }}.join();
-    _exit(0);
-  }
+/// What a process of its own returns, since what is done there lasts.
+template <class Work>
+int returnedBy(Work work) {
+  const pid_t process = fork();
+  if (process == 0) _exit(work());
   int status = 0;
   waitpid(process, &status, 0);
-  EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(CoreDump, OfACrashHoldsNeitherHeapNorLargeMemory) {
+  EXPECT_EQ(returnedBy([] {
+              const auto small = std::make_unique<int>(1);
+              const std::vector<char> large(1'000'000);
+              const void* const shared = mmap(nullptr, 64 * kPage, PROT_READ | PROT_WRITE,
+                                              MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+              const std::array<const void*, 3> out{small.get(), large.data() + 500'000, shared};
+              static int variable = 1;
+              int on_stack = 1;
+              for (const void* place : out)
+                if (isKeptOut(place)) return 1;
+              haptics::keepHeapOutOfCoreDump();
+              for (const void* place : out)
+                if (!isKeptOut(place)) return 2;
+              return isKeptOut(&variable) || isKeptOut(&on_stack) ? 3 : 0;
+            }),
+            0);
+}
+
+TEST(CoreDump, HoldsTheStacksOfTheFirstThreadAndOfTheOneThatCrashes) {
+  EXPECT_EQ(returnedBy([] {
+              bool is_kept_out = true;
+              std::thread{[&] {
+                const int there = 1;
+                haptics::keepHeapOutOfCoreDump();
+                is_kept_out = isKeptOut(&there) || isKeptOut(&is_kept_out);
+              }}.join();
+              return is_kept_out ? 1 : 0;
+            }),
+            0);
 }
 
 }  // namespace
