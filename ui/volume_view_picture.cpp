@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/volume_view.h"
 
+#include <vtkProperty.h>
+
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/props/held_pass.h"
 #include "ui/props/veil_pass.h"
 #include "ui/style/scene_colours.h"
 
