@@ -18,7 +18,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "scenario"))
 import nobody_test as nobody  # noqa: E402  (it reads the same arguments, and empties the folder)
 
-program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+program, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).absolute()
 LONG = 180  # s: far more than it takes on a machine that is busy
 home = folder / "PLNTHOME"
 home.mkdir(parents=True)
