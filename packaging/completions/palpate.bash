@@ -22,7 +22,7 @@ _palpate() {
     *) ;;
   esac
   case "$command" in
-    "") mapfile -t COMPREPLY < <(compgen -W "-h --help --version --phantom --isovalue --tool --tool-unit --hand --surface --series --correct --screenshot --after --log-level --no-notice" -- "$word") ;;
+    "") mapfile -t COMPREPLY < <(compgen -W "-h --help --version --phantom --isovalue --tool --tool-unit --hand --surface --series --correct --screenshot --after --no-notice --log-level" -- "$word") ;;
     *) ;;
   esac
   [[ ${#COMPREPLY[@]} -gt 0 ]] || compopt -o default
