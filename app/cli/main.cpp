@@ -11,6 +11,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/terminal.h"
+#include "haptics/core/core_dump.h"
 #include "haptics/core/helper_program.h"
 #ifdef PALPATE_READERS
 #include "app/recording/volume_hash.h"
@@ -58,6 +59,9 @@ std::string sentenceOf(const CLI::ParseError& error, const CLI::App& program) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef PALPATE_FILM
+  haptics::forbidCoreDumps();  // a picture's copies of the voxels lie anywhere
+#endif
   using namespace app::cli;
   openStandardStreams();
 #ifndef PALPATE_FILM

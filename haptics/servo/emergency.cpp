@@ -15,6 +15,9 @@ namespace {
 std::atomic<bool> stopped{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
+std::atomic<AfterCrashStop> after_crash_stop{nullptr};
+static_assert(std::atomic<AfterCrashStop>::is_always_lock_free);
+
 constexpr long kGraceNs = 20'000'000;
 constexpr std::size_t kStackBytes = 65'536;
 
@@ -29,9 +32,11 @@ extern "C" void onExit() {
   if (!motorsAreStopped()) stopAndWait();
 }
 
-extern "C" void onCrash(int signal) {
+extern "C" void onCrash(int signal, siginfo_t*, void* context) {
   const int error = errno;
   stopAndWait();
+  // if it crashes as well, the kernel or this function again ends the process
+  if (const AfterCrashStop call = after_crash_stop.exchange(nullptr)) call(signal, context);
   errno = error;
   // what was done before happens again, now without us; abort() and kill() do not come back
   std::signal(signal, SIG_DFL);
@@ -42,6 +47,8 @@ extern "C" void onCrash(int signal) {
 
 void stopAllMotors() noexcept { stopped.store(true, std::memory_order_release); }
 bool motorsAreStopped() noexcept { return stopped.load(std::memory_order_acquire); }
+
+void setAfterCrashStop(AfterCrashStop call) noexcept { after_crash_stop.store(call); }
 
 // the display's library ends the process so when the display is gone
 void stopAtExit() noexcept { std::atexit(onExit); }
@@ -54,8 +61,8 @@ void installCrashStop() noexcept {
   stack.ss_size = spare.size();
   sigaltstack(&stack, nullptr);
   struct sigaction action {};
-  action.sa_handler = onCrash;
-  action.sa_flags = SA_ONSTACK;
+  action.sa_sigaction = onCrash;
+  action.sa_flags = SA_ONSTACK | SA_SIGINFO;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
     sigaction(signal, &action, nullptr);

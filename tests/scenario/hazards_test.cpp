@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
@@ -579,6 +580,19 @@ TEST(Emergency, ACrashStopsTheMotorsAndThenGoesItsWay) {
     EXPECT_EXIT(endUnderWay([signal] { raise(signal); }), testing::KilledBySignal(signal),
                 "motors stopped")
         << signal;
+}
+
+// what a crash leaves for its report comes after that
+TEST(Emergency, TheMotorsAreStoppedBeforeACrashIsWrittenDown) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  haptics::setAfterCrashStop([](int signal, void* context) {
+    if (signal != SIGSEGV || context == nullptr) _exit(1);
+    constexpr std::string_view kWords = "written down\n";
+    if (write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) _exit(1);
+  });
+  EXPECT_EXIT(endUnderWay([] { raise(SIGSEGV); }), testing::KilledBySignal(SIGSEGV),
+              "motors stopped\nwritten down");
+  haptics::setAfterCrashStop(nullptr);
 }
 
 // as Xlib does when the display is gone
