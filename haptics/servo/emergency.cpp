@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/servo/emergency.h"
 
+#include <unistd.h>
+
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -17,8 +19,11 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 
 std::atomic<AfterCrashStop> after_crash_stop{nullptr};
 static_assert(std::atomic<AfterCrashStop>::is_always_lock_free);
+std::atomic<pid_t> crashed{0};  // the first thread that did
+static_assert(std::atomic<pid_t>::is_always_lock_free);
 
 constexpr long kGraceNs = 20'000'000;
+constexpr unsigned kMostSeconds = 5;  // of what a crash does besides
 constexpr std::size_t kStackBytes = 65'536;
 
 void stopAndWait() noexcept {
@@ -35,8 +40,16 @@ extern "C" void onExit() {
 extern "C" void onCrash(int signal, siginfo_t*, void* context) {
   const int error = errno;
   stopAndWait();
-  // if it crashes as well, the kernel or this function again ends the process
-  if (const AfterCrashStop call = after_crash_stop.exchange(nullptr)) call(signal, context);
+  // a thread that crashes meanwhile does not end the process: the first one does
+  pid_t first = 0;
+  if (!crashed.compare_exchange_strong(first, gettid()) && first != gettid())
+    for (;;) pause();
+  // if it crashes as well, the kernel or this function again ends the process; if it waits for
+  // ever, for a lock or a disk, the alarm does
+  if (const AfterCrashStop call = after_crash_stop.exchange(nullptr)) {
+    alarm(kMostSeconds);
+    call(signal, context);
+  }
   errno = error;
   // what was done before happens again, now without us; abort() and kill() do not come back
   std::signal(signal, SIG_DFL);

@@ -17,7 +17,7 @@ void installCrashStop() noexcept;
 
 /// What a crash does besides, after the motors were stopped and before the process ends: once, in
 /// the thread that crashed, for the first crash. `context`: as sigaction() has it. It may do only
-/// what a signal handler may. Null: nothing.
+/// what a signal handler may; after 5 s the process ends. Null: nothing.
 using AfterCrashStop = void (*)(int signal, void* context);
 void setAfterCrashStop(AfterCrashStop call) noexcept;
 

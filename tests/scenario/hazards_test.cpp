@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string_view>
 #include <thread>
 
@@ -592,6 +594,38 @@ TEST(Emergency, TheMotorsAreStoppedBeforeACrashIsWrittenDown) {
   });
   EXPECT_EXIT(endUnderWay([] { raise(SIGSEGV); }), testing::KilledBySignal(SIGSEGV),
               "motors stopped\nwritten down");
+  haptics::setAfterCrashStop(nullptr);
+}
+
+TEST(Emergency, AThreadThatCrashesMeanwhileDoesNotEndTheFirstsWords) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  static std::atomic<bool> under_way{false};
+  haptics::setAfterCrashStop([](int, void*) {
+    under_way = true;
+    const timespec time{0, 300'000'000};
+    nanosleep(&time, nullptr);
+    constexpr std::string_view kWords = "written down\n";
+    if (write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) _exit(1);
+  });
+  EXPECT_EXIT(endUnderWay([] {
+                std::thread{[] {
+                  while (!under_way) std::this_thread::yield();
+                  raise(SIGBUS);
+                }}.detach();
+                raise(SIGSEGV);
+              }),
+              testing::KilledBySignal(SIGSEGV), "written down");
+  haptics::setAfterCrashStop(nullptr);
+}
+
+// as where a lock or a disk is waited for
+TEST(Emergency, ACrashEndsTheProcessWhateverIsWaitedFor) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  haptics::setAfterCrashStop([](int, void*) {
+    for (;;) pause();
+  });
+  EXPECT_EXIT(endUnderWay([] { raise(SIGSEGV); }), testing::KilledBySignal(SIGALRM),
+              "motors stopped");
   haptics::setAfterCrashStop(nullptr);
 }
 
