@@ -71,16 +71,14 @@ void keepOut(const Mapping& mapping, std::uintptr_t stack) noexcept {
 void keepOutOfCoreDumps(void* first, std::size_t bytes) noexcept {
   const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   const auto at = reinterpret_cast<std::uintptr_t>(first);
-  const std::uintptr_t begin = (at + page - 1) / page * page, end = (at + bytes) / page * page;
-  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTDUMP);
+  const std::uintptr_t begin = at / page * page, end = (at + bytes + page - 1) / page * page;
+  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTDUMP);
 }
-
-void forbidCoreDumps() noexcept { prctl(PR_SET_DUMPABLE, 0); }
 
 void keepHeapOutOfCoreDump() noexcept {
   const int error = errno;
   const int file = open("/proc/self/maps", O_RDONLY | O_CLOEXEC);
-  if (file < 0) return;
+  if (file < 0) prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
   std::array<char, 512> line;
   std::array<char, 4096> read_ahead;
   const auto stack = reinterpret_cast<std::uintptr_t>(line.data());

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -248,6 +249,25 @@ TEST(CoreDump, OfACrashHoldsNeitherHeapNorLargeMemory) {
               for (const void* place : out)
                 if (!isKeptOut(place)) return 2;
               return isKeptOut(&variable) || isKeptOut(&on_stack) ? 3 : 0;
+            }),
+            0);
+}
+
+TEST(CoreDump, HoldsNoByteOfWhatIsKeptOut) {
+  std::vector<char> plain(16 * kPage);
+  haptics::keepOutOfCoreDumps(plain.data() + 100, 10 * kPage);  // amid pages
+  EXPECT_TRUE(isKeptOut(plain.data() + 100));
+  EXPECT_TRUE(isKeptOut(plain.data() + 10 * kPage + 99));
+  EXPECT_FALSE(isKeptOut(plain.data() + 13 * kPage));
+}
+
+TEST(CoreDump, IsNotMadeWhereItsContentsCannotBeChosen) {
+  EXPECT_EQ(returnedBy([] {
+              const rlimit none{};
+              setrlimit(RLIMIT_NOFILE, &none);
+              if (prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) != 1) return 1;
+              haptics::keepHeapOutOfCoreDump();
+              return prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0 ? 0 : 2;
             }),
             0);
 }
