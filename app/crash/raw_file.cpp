@@ -17,7 +17,9 @@
 #include <cstring>
 #include <system_error>
 
+#include "app/build_info/build_identity.h"
 #include "app/build_info/build_info.h"
+#include "app/log/log.h"
 #include "haptics/core/core_dump.h"
 #include "haptics/servo/emergency.h"
 
@@ -74,21 +76,10 @@ bool addIdentity(Line& line, const char* first, std::uintptr_t bias) {
     std::memcpy(&segment, first + head.e_phoff + n * sizeof segment, sizeof segment);
     if (segment.p_type != PT_NOTE) continue;
     const auto* at = reinterpret_cast<const char*>(bias + segment.p_vaddr);
-    const char* const end = at + segment.p_memsz;
-    const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
-    while (at + sizeof(ElfW(Nhdr)) < end) {
-      ElfW(Nhdr) note;
-      std::memcpy(&note, at, sizeof note);
-      const char* const name = at + sizeof note;
-      const char* const content = name + padded(note.n_namesz);
-      if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && note.n_descsz <= 32 &&
-          std::memcmp(name, "GNU", 4) == 0) {
-        for (std::size_t b = 0; b < note.n_descsz; ++b)
-          line.addByte(static_cast<unsigned char>(content[b]));
-        return true;
-      }
-      at = content + padded(note.n_descsz);
-    }
+    const auto identity = buildIdentityIn(at, at + segment.p_memsz);
+    if (identity.empty() || identity.size() > raw::kLongestIdentity) continue;
+    for (const unsigned char byte : identity) line.addByte(byte);
+    return true;
   }
   return false;
 }
@@ -154,6 +145,8 @@ _Unwind_Reason_Code step(_Unwind_Context* context, void* state) {
 }
 
 void onCrash(int signal, void* context) {
+  // first, since what follows may fail
+  haptics::keepHeapOutOfCoreDump();
   Line line;
   line.add(raw::kSignal);
   line.addHex(static_cast<unsigned>(signal));
@@ -165,7 +158,6 @@ void onCrash(int signal, void* context) {
     walk.frames = raw::kMostFrames;
   }
   if (walk.frames < raw::kMostFrames) _Unwind_Backtrace(step, &walk);
-  haptics::keepHeapOutOfCoreDump();
 }
 
 // ----------------------------------------------------------------------------------------------
@@ -183,9 +175,8 @@ RawFile::RawFile(const fs::path& folder) {
   std::string made = (folder / "crash-XXXXXX").string();
   file_ = mkostemp(made.data(), O_CLOEXEC | O_APPEND);  // for its owner's eyes
   if (file_ < 0) return;
-  const std::string process = std::to_string(getpid());
   const std::string head = std::string{raw::kHead} + '\n' + raw::kVersion + versionHere() + '\n' +
-                           raw::kBuild + buildHere() + '\n' + raw::kProcess + process + '\n';
+                           raw::kBuild + buildHere() + '\n' + raw::kSession + log::session() + '\n';
   path_ = made + raw::kEnding;
   // the next start takes only those that nobody holds
   if (flock(file_, LOCK_EX | LOCK_NB) != 0 ||

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
@@ -23,8 +24,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/build_info/build_identity.h"
 #include "app/crash/raw_file.h"
 #include "app/log/log.h"
+#include "haptics/core/output_file.h"
 
 namespace app::crash {
 namespace {
@@ -44,10 +47,12 @@ constexpr std::string_view kVersionLetters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.+~-";
 
 template <class Number>
-bool readNumber(std::string_view text, Number& number, int base) {
+std::optional<Number> hexIn(std::string_view text) {
+  Number number{};
   const auto end = text.data() + text.size();
-  const auto [behind, failed] = std::from_chars(text.data(), end, number, base);
-  return failed == std::errc{} && behind == end;
+  const auto [behind, failed] = std::from_chars(text.data(), end, number, 16);
+  if (failed != std::errc{} || behind != end) return {};
+  return number;
 }
 
 struct Frame {
@@ -57,8 +62,8 @@ struct Frame {
 };
 
 struct Raw {
-  std::string version = "?", build = "?";
-  int process = 0, signal = 0;
+  std::string version = "?", build = "?", session;
+  int signal = 0;  ///< 0: none
   std::vector<Frame> frames;
 };
 
@@ -68,11 +73,12 @@ std::optional<Frame> frameOf(std::string_view line) {
   if (first == std::string_view::npos || second == std::string_view::npos) return {};
   const std::string_view identity = line.substr(0, first), last = line.substr(second + 1);
   if (identity != "-") {
-    if (!isWord(identity, kHexDigits, 64) || identity.size() < 4) return {};
+    if (!isWord(identity, kHexDigits, 2 * raw::kLongestIdentity)) return {};
     frame.identity = identity;
   }
-  if (!readNumber(line.substr(first + 1, second - first - 1), frame.address, 16)) return {};
-  if (last != "0" && last != "1") return {};
+  const auto address = hexIn<std::uint64_t>(line.substr(first + 1, second - first - 1));
+  if (!address || (last != "0" && last != "1")) return {};
+  frame.address = *address;
   frame.is_instruction = last == "1";
   return frame;
 }
@@ -80,6 +86,7 @@ std::optional<Frame> frameOf(std::string_view line) {
 Raw rawOf(std::string_view text) {
   Raw raw;
   text = text.substr(0, raw::kMostBytes);
+  if (!text.starts_with(std::string{raw::kHead} + '\n')) return raw;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
     if (end == std::string_view::npos) break;  // cut off
@@ -93,10 +100,10 @@ Raw rawOf(std::string_view text) {
       if (isWord(*version, kVersionLetters, 32)) raw.version = *version;
     } else if (const auto build = after(raw::kBuild)) {
       if (isWord(*build, kHexDigits, 64)) raw.build = *build;
-    } else if (const auto process = after(raw::kProcess)) {
-      readNumber(*process, raw.process, 10);
+    } else if (const auto session = after(raw::kSession)) {
+      if (isWord(*session, "0123456789abcdef-", 40)) raw.session = *session;
     } else if (const auto signal = after(raw::kSignal)) {
-      readNumber(*signal, raw.signal, 16);
+      if (const auto number = hexIn<int>(*signal)) raw.signal = *number;
     } else if (const auto at = after(raw::kAt)) {
       const auto frame = frameOf(*at);
       if (frame && raw.frames.size() < raw::kMostFrames) raw.frames.push_back(*frame);
@@ -107,48 +114,19 @@ Raw rawOf(std::string_view text) {
 
 // --- symbols -----------------------------------------------------------------------------------
 
-std::string identityIn(const char* at, const char* end) {
-  std::string identity;
-  const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
-  while (at + sizeof(ElfW(Nhdr)) < end) {
-    ElfW(Nhdr) note;
-    std::memcpy(&note, at, sizeof note);
-    const char* name = at + sizeof note;
-    const char* content = name + padded(note.n_namesz);
-    if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(name, "GNU", 4) == 0) {
-      for (std::size_t b = 0; b < note.n_descsz; ++b) {
-        const auto byte = static_cast<unsigned char>(content[b]);
-        identity += kHexDigits[byte / 16];
-        identity += kHexDigits[byte % 16];
-      }
-      return identity;
-    }
-    at = content + padded(note.n_descsz);
-  }
-  return identity;
-}
-
 /// The modules of this process: build identity and file. A program that crashed a start ago has the
 /// same.
 std::map<std::string, std::string> modulesHere() {
   std::map<std::string, std::string> modules;
   dl_iterate_phdr(
       [](dl_phdr_info* module, std::size_t, void* out) {
-        for (int n = 0; n < module->dlpi_phnum; ++n) {
-          const ElfW(Phdr)& segment = module->dlpi_phdr[n];
-          if (segment.p_type != PT_NOTE) continue;
-          const auto* at = reinterpret_cast<const char*>(module->dlpi_addr + segment.p_vaddr);
-          const std::string identity = identityIn(at, at + segment.p_memsz);
-          if (identity.empty()) continue;
-          const bool is_program = module->dlpi_name == nullptr || *module->dlpi_name == '\0';
-          std::string file = module->dlpi_name == nullptr ? "" : module->dlpi_name;
-          if (is_program) {
-            std::error_code failed;
-            file = fs::read_symlink("/proc/self/exe", failed).string();
-          }
-          static_cast<std::map<std::string, std::string>*>(out)->emplace(identity, file);
-          break;
-        }
+        const bool is_program = module->dlpi_name == nullptr || *module->dlpi_name == '\0';
+        const std::string identity = buildIdentityOf(*module);
+        std::error_code failed;
+        if (!identity.empty())
+          static_cast<std::map<std::string, std::string>*>(out)->emplace(
+              identity,
+              is_program ? fs::read_symlink("/proc/self/exe", failed).string() : module->dlpi_name);
         return 0;
       },
       &modules);
@@ -156,8 +134,10 @@ std::map<std::string, std::string> modulesHere() {
 }
 
 /// Debug symbols of this identity on this machine; the library's own search may ask a server.
-int findSymbols(Dwfl_Module* module, void**, const char*, Dwarf_Addr, const char*, const char*,
-                GElf_Word, char**) {
+/// `called`: a path where a file that several modules share is sought, which we do without.
+int findSymbols(Dwfl_Module* module, void**, const char*, Dwarf_Addr, const char*,
+                const char* called, GElf_Word, char**) {
+  if (called != nullptr && std::strchr(called, '/') != nullptr) return -1;
   const unsigned char* bytes = nullptr;
   GElf_Addr where = 0;
   const int count = dwfl_module_build_id(module, &bytes, &where);
@@ -223,11 +203,12 @@ std::string hexOf(std::uint64_t number) {
   return digits;
 }
 
-std::string framesOf(const std::vector<Frame>& frames) {
+std::string framesOf(const std::vector<Frame>& frames, Names names,
+                     const std::atomic<bool>& cancel) {
   const std::map<std::string, std::string> modules = modulesHere();
   std::map<std::string, Symbols> symbols;
   std::string words;
-  for (std::size_t n = 0; n < frames.size(); ++n) {
+  for (std::size_t n = 0; n < frames.size() && !cancel; ++n) {
     const Frame& frame = frames[n];
     words += "  #" + std::to_string(n) + ' ';
     const auto module = modules.find(frame.identity);
@@ -239,7 +220,9 @@ std::string framesOf(const std::vector<Frame>& frames) {
     words += fs::path{module->second}.filename().string() + "+0x" + hexOf(frame.address);
     // behind a call lies the next line, or the next function
     const std::uint64_t place = frame.address - (frame.is_instruction ? 0 : 1);
-    words += symbols.try_emplace(frame.identity, module->second).first->second.at(place) + '\n';
+    if (names == Names::Sought)
+      words += symbols.try_emplace(frame.identity, module->second).first->second.at(place);
+    words += '\n';
   }
   return words;
 }
@@ -261,76 +244,105 @@ std::string systemHere() {
   return system;
 }
 
-class OpenFile {
+/// A raw file that no process holds, held while the object lives.
+class LeftFile {
  public:
-  OpenFile(const fs::path& path, int flags)
-      : file_{open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR)} {}
-  ~OpenFile() {
+  explicit LeftFile(fs::path path)
+      : path_{std::move(path)},
+        file_{open(path_.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW)} {
+    struct stat facts {};
+    // one without a name was another start's until now
+    if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) != 0 || fstat(file_, &facts) != 0 ||
+        !S_ISREG(facts.st_mode) || facts.st_nlink == 0)
+      return;
+    text_.emplace(raw::kMostBytes, '\0');
+    const ssize_t count = read(file_, text_->data(), text_->size());
+    text_->resize(count < 0 ? 0 : static_cast<std::size_t>(count));
+  }
+  ~LeftFile() {
     if (file_ >= 0) close(file_);
   }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int get() const { return file_; }
+  LeftFile(LeftFile&& other) noexcept
+      : path_{std::move(other.path_)},
+        file_{std::exchange(other.file_, -1)},
+        text_{std::move(other.text_)} {}
+  LeftFile& operator=(LeftFile&&) = delete;
+
+  const std::optional<std::string>& text() const { return text_; }
+  void remove() const {
+    std::error_code failed;
+    fs::remove(path_, failed);
+  }
 
  private:
+  fs::path path_;
   int file_;
+  std::optional<std::string> text_;  ///< empty: not ours
 };
 
-/// The text of a raw file that no process holds.
-std::optional<std::string> textOf(const fs::path& path) {
-  const OpenFile file{path, O_RDWR | O_NONBLOCK};
-  struct stat facts {};
-  if (file.get() < 0 || fstat(file.get(), &facts) != 0 || !S_ISREG(facts.st_mode)) return {};
-  if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) return {};
-  std::string text(raw::kMostBytes, '\0');
-  const ssize_t count = read(file.get(), text.data(), text.size());
-  text.resize(count < 0 ? 0 : static_cast<std::size_t>(count));
-  return text;
+/// Those that tell of a crash. Those of processes that were killed are removed.
+std::vector<LeftFile> crashesIn(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code failed;
+  for (fs::directory_iterator entry{folder, failed}, end; !failed && entry != end;
+       entry.increment(failed))
+    if (entry->path().extension() == raw::kEnding) paths.push_back(entry->path());
+  std::ranges::sort(paths);
+  std::vector<LeftFile> left;
+  for (fs::path& path : paths) {
+    LeftFile file{std::move(path)};
+    if (!file.text()) continue;
+    if (rawOf(*file.text()).signal > 0)
+      left.push_back(std::move(file));
+    else
+      file.remove();
+  }
+  return left;
+}
+
+void keep(const std::string& report, const fs::path& path) {
+  auto file = haptics::OutputFile::open(path);
+  if (file && file->write(report) && file->close()) (void)file->finish();
 }
 
 }  // namespace
 
-std::optional<std::string> reportOf(std::string_view raw_text, const fs::path& folder) {
+std::optional<std::string> reportOf(std::string_view raw_text, const fs::path& folder, Names names,
+                                    const std::atomic<bool>& cancel) {
   const Raw raw = rawOf(raw_text);
   if (raw.signal <= 0) return {};
   const char* name = sigabbrev_np(raw.signal);
   std::string words = "Palpate " + raw.version + ", build " + raw.build + '\n' + systemHere() +
                       "\nEnded by signal " + std::to_string(raw.signal) +
-                      (name == nullptr ? "" : std::string{", SIG"} + name) + "\n\nFunctions:\n";
-  words += framesOf(raw.frames);
-  words += "\nThe log before:\n";
-  if (raw.process > 0)
-    for (const std::string& line : log::lines(folder, kLogLines, raw.process))
+                      (name == nullptr ? "" : std::string{", SIG"} + name) + "\n\nFunctions";
+  if (names == Names::LeftOut) words += " (names were not sought: the last time that did not end)";
+  words += ":\n" + framesOf(raw.frames, names, cancel) + "\nThe log before:\n";
+  if (!raw.session.empty())
+    for (const std::string& line : log::lines(folder, kLogLines, raw.session))
       words += "  " + line + '\n';
   return words;
 }
 
 fs::path reportFile(const fs::path& folder) { return folder / "crash-report.txt"; }
 
-std::optional<std::string> takeReport(const fs::path& folder) {
+std::optional<std::string> takeReport(const fs::path& folder, const std::atomic<bool>& cancel) {
+  if (folder.empty()) return {};
+  const std::vector<LeftFile> left = crashesIn(folder);
+  if (left.empty()) return {};
+  // libdw may crash on a damaged module; it would do so at every start
+  const fs::path attempt = folder / "crash-names";
+  const int mark = open(attempt.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR);
+  const Names names = mark < 0 && errno == EEXIST ? Names::LeftOut : Names::Sought;
+  if (mark >= 0) close(mark);
   std::string all;
+  for (const LeftFile& file : left)
+    if (const auto report = reportOf(*file.text(), folder, names, cancel))
+      all += (all.empty() ? "" : "\n") + *report;
   std::error_code failed;
-  std::vector<fs::path> left;
-  if (!folder.empty())
-    for (fs::directory_iterator entry{folder, failed}, end; !failed && entry != end;
-         entry.increment(failed))
-      if (entry->path().extension() == raw::kEnding) left.push_back(entry->path());
-  std::ranges::sort(left);
-  for (const fs::path& path : left) {
-    const auto text = textOf(path);
-    if (!text) continue;
-    if (const auto report = reportOf(*text, folder)) all += (all.empty() ? "" : "\n") + *report;
-    fs::remove(path, failed);
-  }
-  if (all.empty()) return {};
-  fs::remove(reportFile(folder), failed);
-  const OpenFile file{reportFile(folder), O_WRONLY | O_CREAT | O_EXCL};
-  // where it cannot be kept it is shown all the same
-  for (std::string_view rest = all; !rest.empty();) {
-    const ssize_t count = write(file.get(), rest.data(), rest.size());
-    if (count <= 0) break;
-    rest.remove_prefix(static_cast<std::size_t>(count));
-  }
+  fs::remove(attempt, failed);
+  if (cancel) return {};
+  keep(all, reportFile(folder));  // where that cannot be, it is shown all the same
+  for (const LeftFile& file : left) file.remove();
   return all;
 }
 

@@ -4,10 +4,12 @@
 #include <spdlog/logger.h>
 #include <spdlog/sinks/rotating_file_sink.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <ctime>
 #include <deque>
 #include <exception>
 #include <fstream>
@@ -80,7 +82,7 @@ bool open(const fs::path& folder, Level level) {
     };
     auto sink = std::make_shared<spdlog::sinks::rotating_file_sink_mt>(
         (folder / kFile).string(), kFileBytes, kOlderFiles, false, events);
-    sink->set_pattern("%Y-%m-%d %H:%M:%S.%e [%P] %l %v");
+    sink->set_pattern("%Y-%m-%d %H:%M:%S.%e [" + session() + "] %l %v");
     auto made = std::make_shared<spdlog::logger>("palpate", std::move(sink));
     made->set_level(kSpdlog.at(static_cast<std::size_t>(level)));
     made->flush_on(spdlog::level::debug);  // a crash leaves what was written
@@ -108,13 +110,19 @@ void write(Level level, Word event, std::initializer_list<Field> fields) {
   logger->log(at, spdlog::string_view_t{line});
 }
 
-std::vector<std::string> lines(const fs::path& folder, std::size_t most, int process) {
-  const std::string of = '[' + std::to_string(process) + ']';
+std::string session() {
+  static const std::time_t began = std::time(nullptr);
+  return fmt::format("{:x}-{:x}", getpid(), began);
+}
+
+std::vector<std::string> lines(const fs::path& folder, std::size_t most,
+                               const std::string& session) {
+  const std::string of = " [" + session + "] ";
   std::deque<std::string> kept;
   for (const char* name : {"palpate.2.log", "palpate.1.log", kFile}) {
     std::ifstream file{folder / name};
     for (std::string line; std::getline(file, line);) {
-      if (process != 0 && line.find(of) == std::string::npos) continue;
+      if (!session.empty() && line.find(of) == std::string::npos) continue;
       kept.push_back(std::move(line));
       if (kept.size() > most) kept.pop_front();
     }

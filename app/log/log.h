@@ -69,14 +69,17 @@ struct Field {
 bool open(const std::filesystem::path& folder, Level level);
 void close();
 
-/// Writes one line: time, process, level, event and fields. Any thread but the servo's: it locks,
+/// Writes one line: time, session, level, event and fields. Any thread but the servo's: it locks,
 /// allocates and uses a file. A full disk costs the line, and nothing else.
 void write(Level level, Word event, std::initializer_list<Field> fields = {});
 
-/// The lines of the log in this folder, oldest first; of one process, or of all (0). At most the
+/// One word for this process, which later ones with the same number do not have.
+std::string session();
+
+/// The lines of the log in this folder, oldest first; of one session, or of all (""). At most the
 /// newest `most`.
 std::vector<std::string> lines(const std::filesystem::path& folder, std::size_t most,
-                               int process = 0);
+                               const std::string& session = {});
 
 /// The user's folder for logs and crash reports: palpate in XDG_STATE_HOME, or in ~/.local/state if
 /// that is not an absolute path. Empty where there is no home.

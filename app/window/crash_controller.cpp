@@ -16,9 +16,9 @@ CrashController::CrashController(ui::MainWindow& window, std::filesystem::path f
 void CrashController::look() {
   if (folder_.empty()) return;
   task_.start(
-      [folder = folder_](const background::Watch&) -> haptics::Expected<std::string> {
+      [folder = folder_](const background::Watch& watch) -> haptics::Expected<std::string> {
         background::goLast();
-        return crash::takeReport(folder).value_or(std::string{});
+        return crash::takeReport(folder, watch.cancel).value_or(std::string{});
       },
       [this](const haptics::Expected<std::string>& report) {
         if (!report || report->empty()) return;

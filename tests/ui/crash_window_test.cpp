@@ -43,7 +43,7 @@ QDialog* dialogOf(app::Application& application, const char* name) {
 }
 
 TEST_F(CrashWindow, ACrashIsOfferedShownCopiedAndDeleted) {
-  folder_.write("crash-a.raw", "palpate-crash 1\nversion 0.1.0\nprocess 1\nsignal b\nat - 0 1\n");
+  folder_.write("crash-a.raw", "palpate-crash 1\nversion 0.1.0\nsession 1-1\nsignal b\nat - 0 1\n");
   app::Application application(arguments());
   application.start();
   auto* offer = application.window().findChild<QLabel*>("offer");
@@ -70,7 +70,7 @@ TEST_F(CrashWindow, ACrashIsOfferedShownCopiedAndDeleted) {
 }
 
 TEST_F(CrashWindow, WithoutACrashNothingIsOffered) {
-  folder_.write("crash-b.raw", "palpate-crash 1\nversion 0.1.0\nprocess 1\n");  // was killed
+  folder_.write("crash-b.raw", "palpate-crash 1\nversion 0.1.0\nsession 1-1\n");  // was killed
   app::Application application(arguments());
   application.start();
   ASSERT_TRUE(waitFor([&] { return folder_.names().empty(); }));

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
+#include <climits>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -82,6 +87,10 @@ class Crash : public testing::Test {
     for (int n = 0; n < 70; ++n) log::write(log::Level::Info, "step", {{"number", n}});
     end();
   }
+  std::optional<std::string> takeReport() const { return crash::takeReport(folder(), cancel_); }
+  std::optional<std::string> reportOf(const std::string& raw) const {
+    return crash::reportOf(raw, folder(), crash::Names::Sought, cancel_);
+  }
   std::vector<fs::path> rawFiles() const {
     std::vector<fs::path> found;
     for (const auto& entry : fs::directory_iterator{folder()})
@@ -90,6 +99,7 @@ class Crash : public testing::Test {
   }
 
   support::ScratchFolder scratch_;
+  std::atomic<bool> cancel_ = false;
 };
 
 TEST_F(Crash, TheNextStartNamesTheFunctionsAndNoPath) {
@@ -97,7 +107,7 @@ TEST_F(Crash, TheNextStartNamesTheFunctionsAndNoPath) {
   ASSERT_EQ(rawFiles().size(), 1U);
   EXPECT_EQ(fs::status(rawFiles().front()).permissions(),
             fs::perms::owner_read | fs::perms::owner_write);
-  const auto report = crash::takeReport(folder());
+  const auto report = takeReport();
   ASSERT_TRUE(report);
   const std::size_t here = report->find("#0 crash_test+0x"),
                     name = report->find("crash_places::touchNothing()"),
@@ -121,15 +131,14 @@ TEST_F(Crash, TheNextStartNamesTheFunctionsAndNoPath) {
   std::stringstream kept;
   kept << std::ifstream{crash::reportFile(folder())}.rdbuf();
   EXPECT_EQ(kept.str(), *report);
-  EXPECT_EQ(fs::status(crash::reportFile(folder())).permissions(),
-            fs::perms::owner_read | fs::perms::owner_write);
-  EXPECT_FALSE(crash::takeReport(folder()));
+  EXPECT_EQ(fs::status(folder()).permissions(), fs::perms::owner_all);
+  EXPECT_FALSE(takeReport());
 }
 
 TEST_F(Crash, EverySignalIsKeptAndReported) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
     EXPECT_EQ(signalOf([signal] { raise(signal); }), signal);
-    const auto report = crash::takeReport(folder());
+    const auto report = takeReport();
     ASSERT_TRUE(report) << signal;
     EXPECT_NE(report->find(std::string{"SIG"} + sigabbrev_np(signal)), std::string::npos);
   }
@@ -137,11 +146,11 @@ TEST_F(Crash, EverySignalIsKeptAndReported) {
 
 TEST_F(Crash, AbortAndACallToNowhereNameTheCaller) {
   EXPECT_EQ(signalOf(crash_places::giveUp), SIGABRT);
-  auto report = crash::takeReport(folder());
+  auto report = takeReport();
   ASSERT_TRUE(report);
   EXPECT_NE(report->find("crash_places::giveUp()"), std::string::npos) << *report;
   EXPECT_EQ(signalOf(crash_places::callNowhere), SIGSEGV);
-  report = crash::takeReport(folder());
+  report = takeReport();
   ASSERT_TRUE(report);
   EXPECT_NE(report->find("#0 no module 0x0"), std::string::npos) << *report;
   EXPECT_NE(report->find("crash_places::callNowhere()"), std::string::npos) << *report;
@@ -149,11 +158,11 @@ TEST_F(Crash, AbortAndACallToNowhereNameTheCaller) {
 
 TEST_F(Crash, AThreadAndTheEndOfTheStackAreReported) {
   EXPECT_EQ(signalOf([] { std::thread{crash_places::touchNothing}.join(); }), SIGSEGV);
-  auto report = crash::takeReport(folder());
+  auto report = takeReport();
   ASSERT_TRUE(report);
   EXPECT_NE(report->find("crash_places::touchNothing()"), std::string::npos) << *report;
   EXPECT_EQ(signalOf([] { std::exit(crash_places::fallFor(100'000'000)); }), SIGSEGV);
-  report = crash::takeReport(folder());
+  report = takeReport();
   ASSERT_TRUE(report);
   EXPECT_NE(report->find("crash_places::fallFor(int)"), std::string::npos) << *report;
   EXPECT_EQ(report->find("#64 "), std::string::npos) << "more frames than are kept";
@@ -165,15 +174,80 @@ TEST_F(Crash, AnEndWithoutACrashLeavesNothing) {
   // killed: nothing was written, and nothing is told
   EXPECT_EQ(signalOf([] { raise(SIGKILL); }), SIGKILL);
   EXPECT_EQ(rawFiles().size(), 1U);
-  EXPECT_FALSE(crash::takeReport(folder()));
+  EXPECT_FALSE(takeReport());
   EXPECT_TRUE(rawFiles().empty());
 }
 
 TEST_F(Crash, TheFileOfAProcessThatRunsIsLeftAlone) {
   const crash::RawFile raw{folder()};
   ASSERT_EQ(rawFiles().size(), 1U);
-  EXPECT_FALSE(crash::takeReport(folder()));
+  EXPECT_FALSE(takeReport());
   EXPECT_EQ(rawFiles().size(), 1U);
+  // a second one crashes
+  EXPECT_EQ(signalOf(crash_places::touchNothing), SIGSEGV);
+  EXPECT_TRUE(takeReport());
+  EXPECT_EQ(rawFiles().size(), 1U);
+}
+
+TEST_F(Crash, TwoCrashesAreOneReport) {
+  EXPECT_EQ(signalOf(crash_places::touchNothing), SIGSEGV);
+  EXPECT_EQ(signalOf(crash_places::giveUp), SIGABRT);
+  EXPECT_EQ(rawFiles().size(), 2U);
+  const auto report = takeReport();
+  ASSERT_TRUE(report);
+  EXPECT_NE(report->find("crash_places::touchNothing()"), std::string::npos) << *report;
+  EXPECT_NE(report->find("crash_places::giveUp()"), std::string::npos) << *report;
+  EXPECT_TRUE(rawFiles().empty());
+}
+
+TEST_F(Crash, AReportThatIsCancelledIsMadeByTheNextStart) {
+  EXPECT_EQ(signalOf(crash_places::touchNothing), SIGSEGV);
+  cancel_ = true;
+  EXPECT_FALSE(takeReport());
+  EXPECT_EQ(rawFiles().size(), 1U);
+  EXPECT_FALSE(fs::exists(crash::reportFile(folder())));
+  cancel_ = false;
+  const auto report = takeReport();
+  ASSERT_TRUE(report);
+  EXPECT_NE(report->find("crash_places::touchNothing()"), std::string::npos) << *report;
+}
+
+// or a module that libdw cannot bear would end every start
+TEST_F(Crash, WhereLookingForNamesEndedTheProcessTheNextReportHasNone) {
+  const fs::path mark = folder() / "crash-names";
+  EXPECT_EQ(signalOf(crash_places::touchNothing), SIGSEGV);
+  const int watch = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+  ASSERT_GE(inotify_add_watch(watch, folder().c_str(), IN_CREATE), 0);
+  auto report = takeReport();
+  ASSERT_TRUE(report);
+  EXPECT_NE(report->find("crash_places::touchNothing()"), std::string::npos) << *report;
+  alignas(inotify_event) std::array<char, sizeof(inotify_event) + NAME_MAX + 1> event{};
+  ASSERT_GT(read(watch, event.data(), event.size()), 0);
+  close(watch);
+  EXPECT_EQ(reinterpret_cast<const inotify_event*>(event.data())->name, mark.filename());
+  EXPECT_FALSE(fs::exists(mark));
+
+  EXPECT_EQ(signalOf(crash_places::touchNothing), SIGSEGV);
+  std::ofstream{mark};
+  report = takeReport();
+  ASSERT_TRUE(report);
+  EXPECT_NE(report->find("#0 crash_test+0x"), std::string::npos) << *report;
+  EXPECT_EQ(report->find("touchNothing"), std::string::npos) << *report;
+  EXPECT_NE(report->find("names were not sought"), std::string::npos) << *report;
+  EXPECT_FALSE(fs::exists(mark));
+}
+
+TEST_F(Crash, AFullDiskCostsTheReportAlone) {
+  EXPECT_EQ(signalOf([] {
+              std::signal(SIGXFSZ, SIG_IGN);
+              const rlimit none{};
+              setrlimit(RLIMIT_FSIZE, &none);
+              crash_places::touchNothing();
+            }),
+            SIGSEGV);
+  EXPECT_EQ(rawFiles().size(), 1U);
+  EXPECT_FALSE(takeReport());
+  EXPECT_TRUE(rawFiles().empty());
 }
 
 TEST_F(Crash, WhereNothingCanBeWrittenTheSignalIsKept) {
@@ -184,8 +258,8 @@ TEST_F(Crash, WhereNothingCanBeWrittenTheSignalIsKept) {
             }),
             SIGSEGV);
   fs::remove(rawFiles().front());
-  EXPECT_FALSE(crash::takeReport(folder() / "file"));
-  EXPECT_FALSE(crash::takeReport({}));
+  EXPECT_FALSE(crash::takeReport(folder() / "file", cancel_));
+  EXPECT_FALSE(crash::takeReport({}, cancel_));
 }
 
 TEST_F(Crash, ADamagedFileIsReadAsFarAsItGoes) {
@@ -199,15 +273,14 @@ TEST_F(Crash, ADamagedFileIsReadAsFarAsItGoes) {
   for (std::size_t length = 0; length <= text.size(); ++length) {
     // symbols take a while: of the frames only a few ends
     if (length > told + 80 && length % 97 != 0) continue;
-    EXPECT_EQ(crash::reportOf(text.substr(0, length), folder()).has_value(), length > told)
-        << length;
+    EXPECT_EQ(reportOf(text.substr(0, length)).has_value(), length > told) << length;
   }
   std::mt19937 random{7};
   int told_of = 0;
   for (int trial = 0; trial < 300; ++trial) {
     std::string damaged = text.substr(0, told + 200);
     for (int n = 0; n < 4; ++n) damaged[random() % damaged.size()] = static_cast<char>(random());
-    const auto report = crash::reportOf(damaged, folder());
+    const auto report = reportOf(damaged);
     if (!report) continue;
     ++told_of;
     EXPECT_LT(report->size(), 100'000U);
@@ -215,14 +288,16 @@ TEST_F(Crash, ADamagedFileIsReadAsFarAsItGoes) {
   EXPECT_GT(told_of, 100);
   for (const char* line :
        {"at", "at ", "at - ", "at - 0", "at - 0 2", "at zz 0 1", "at - 10000000000000000 1",
-        "at abcdef 0 1", "at a 0 1", "version /home/x", "process -1", "signal 999999999999"})
-    EXPECT_TRUE(crash::reportOf(std::string{"signal b\n"} + line + "\n", folder())) << line;
+        "at abcdef 0 1", "at a 0 1", "version /home/x", "session /home/x", "signal 999999999999"})
+    EXPECT_TRUE(reportOf("palpate-crash 1\nsignal b\n" + std::string{line} + "\n")) << line;
+  EXPECT_FALSE(reportOf("palpate-crash 2\nsignal b\n"));
+  EXPECT_FALSE(reportOf("palpate-crash 1\nsignal -b\n"));
   const auto planted =
-      crash::reportOf("signal b\nversion ../../home\nbuild /home\nat /home/x 1 1\n", folder());
+      reportOf("palpate-crash 1\nsignal b\nversion ../../home\nbuild /home\nat /home/x 1 1\n");
   ASSERT_TRUE(planted);
   EXPECT_EQ(planted->find("home"), std::string::npos);
   std::ofstream{folder() / "garbage.raw"} << std::string(200'000, '\xff');
-  EXPECT_TRUE(crash::takeReport(folder()));  // of the whole one
+  EXPECT_TRUE(takeReport());  // of the whole one
   EXPECT_TRUE(rawFiles().empty());
 }
 
@@ -231,7 +306,7 @@ TEST_F(Crash, AsksNoServerForSymbols) {
   EXPECT_EQ(signalOf(crash_places::touchNothing), SIGSEGV);
   ASSERT_EQ(setenv("DEBUGINFOD_URLS", "http://127.0.0.1:1", 1), 0);
   ASSERT_EQ(setenv("DEBUGINFOD_CACHE_PATH", (folder() / "cache").c_str(), 1), 0);
-  ASSERT_TRUE(crash::takeReport(folder()));
+  ASSERT_TRUE(takeReport());
   // its client makes its folder before it asks
   EXPECT_FALSE(fs::exists(folder() / "cache"));
 }

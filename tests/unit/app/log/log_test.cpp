@@ -2,9 +2,10 @@
 #include "app/log/log.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -42,7 +43,7 @@ TEST_F(Log, ALineIsTheEventAndItsFacts) {
       line.ends_with(" warning scan-opened columns=512 spacing_mm=0.625 type=int16 "
                      "renderer=\"Mesa llvmpipe?(LLVM)\" hand=mouse"))
       << line;
-  EXPECT_NE(line.find('[' + std::to_string(getpid()) + ']'), std::string::npos) << line;
+  EXPECT_NE(line.find('[' + log::session() + ']'), std::string::npos) << line;
 }
 
 TEST_F(Log, AnErrorIsItsIdentifierWithoutWhatItNames) {
@@ -105,14 +106,14 @@ TEST_F(Log, RotatesThroughThreeFilesOfAMegabyte) {
   EXPECT_TRUE(lines.back().ends_with("number=19999")) << lines.back();
 }
 
-TEST_F(Log, GoesOnWhereItEndedAndTellsProcessesApart) {
+TEST_F(Log, GoesOnWhereItEndedAndTellsSessionsApart) {
   for (int n = 0; n < 2; ++n) {
     ASSERT_TRUE(log::open(folder_, Level::Info));
     log::write(Level::Info, "start");
   }
   EXPECT_EQ(log::lines(folder_, 10).size(), 2U);
-  EXPECT_EQ(log::lines(folder_, 10, getpid()).size(), 2U);
-  EXPECT_TRUE(log::lines(folder_, 10, 1).empty());
+  EXPECT_EQ(log::lines(folder_, 10, log::session()).size(), 2U);
+  EXPECT_TRUE(log::lines(folder_, 10, "1-1").empty());
 }
 
 TEST_F(Log, WhereItCannotBeWrittenNothingFails) {
@@ -124,11 +125,20 @@ TEST_F(Log, WhereItCannotBeWrittenNothingFails) {
 }
 
 TEST_F(Log, AFullDiskCostsTheLineAlone) {
-  fs::create_directories(folder_);
-  fs::create_symlink("/dev/full", folder_ / "palpate.log");
-  log::open(folder_, Level::Info);
-  log::write(Level::Error, "nothing");
-  log::write(Level::Error, "nothing");
+  ASSERT_TRUE(log::open(folder_, Level::Info));
+  log::write(Level::Error, "first");
+  const auto size = fs::file_size(folder_ / "palpate.log");
+  rlimit most{};
+  getrlimit(RLIMIT_FSIZE, &most);
+  const rlimit full{.rlim_cur = size, .rlim_max = most.rlim_max};
+  const auto before = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &full);
+  log::write(Level::Error, "second");
+  setrlimit(RLIMIT_FSIZE, &most);
+  std::signal(SIGXFSZ, before);
+  EXPECT_EQ(fs::file_size(folder_ / "palpate.log"), size);
+  log::write(Level::Error, "third");
+  EXPECT_TRUE(last().ends_with("third")) << last();
 }
 
 TEST_F(Log, TheFolderFollowsTheDesktopsRules) {
