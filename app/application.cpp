@@ -32,6 +32,7 @@ Application::Application(Arguments arguments)
   wireEdits();
   wireMarks();
   wireLeaving();
+  wireLog();
   wirePreferences();
   connect(&window_, &ui::MainWindow::folderWanted, this, [this](const QString& folder) {
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
@@ -68,6 +69,7 @@ void Application::start() {
     begin();
   }
   recording_.offerRecovery();
+  if (arguments_.screenshot.empty()) crash_.look();
 }
 
 void Application::begin() {
@@ -221,6 +223,21 @@ void Application::wireLeaving() {
     const Leave now = view_file_.leave(Leaving::Scan, answer);
     if (now != Leave::AfterSaving) answer(now == Leave::Now);
   });
+}
+
+void Application::wireLog() {
+  connect(&opening_, &OpeningController::loading, &log_, &LogController::noteLoading);
+  connect(&opening_, &OpeningController::shown, &log_, &LogController::noteScene);
+  connect(&opening_, &OpeningController::failed, &log_, &LogController::noteRefusal);
+  connect(&hand_, &HandController::changed, &log_, &LogController::noteHand);
+  connect(&device_, &DeviceController::taken, &log_, &LogController::noteHand);
+  connect(&device_, &DeviceController::forceChanged, &log_, &LogController::noteForce);
+  connect(&device_, &DeviceController::forgotten, &log_, &LogController::noteServo);
+  connect(&recording_.recording(), &SessionRecording::statusChanged, &log_,
+          &LogController::noteRecording);
+  connect(&recording_.recording(), &SessionRecording::finished, &log_,
+          &LogController::noteRecorded);
+  connect(&window_, &ui::MainWindow::closing, &log_, &LogController::noteServo);
 }
 
 void Application::wirePreferences() {

@@ -7,12 +7,14 @@
 #include <optional>
 #include <string>
 
+#include "app/window/crash_controller.h"
 #include "app/window/device_controller.h"
 #include "app/window/edit_controller.h"
 #include "app/window/export_controller.h"
 #include "app/window/hand_controller.h"
 #include "app/window/help_controller.h"
 #include "app/window/isosurface_controller.h"
+#include "app/window/log_controller.h"
 #include "app/window/marks_controller.h"
 #include "app/window/measurement_controller.h"
 #include "app/window/opening_controller.h"
@@ -44,6 +46,7 @@ struct Arguments {
   std::function<double()> free_memory = datasets::freeMemory;  ///< bytes; any thread
   DeviceCatalogue devices = builtInCatalogue();
   std::filesystem::path recordings = {};  ///< folder of recordings; empty: that of the preferences
+  std::filesystem::path state = {};       ///< folder of log and crash reports; empty: none
 };
 
 /// Makes the window and its controllers, and connects them. The controllers do the work.
@@ -86,6 +89,7 @@ class Application : public QObject {
   void wireEdits();
   void wireMarks();
   void wireLeaving();
+  void wireLog();
   void wirePreferences();
   void noteHand(const QString& id);
   /// Ends touch, recording and measurement.
@@ -116,6 +120,8 @@ class Application : public QObject {
   ScreenshotController screenshot_;
   HelpController help_{window_};
   PacsController pacs_{window_};
+  LogController log_{window_, shared_, arguments_.state};
+  CrashController crash_{window_, arguments_.state};
 };
 
 }  // namespace app

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 
+#include <vtkVersion.h>
+
 #include <QApplication>
 #include <csignal>
 #include <cstdio>
 #include <optional>
 
 #include "app/application.h"
+#include "app/build_info/build_info.h"
+#include "app/crash/raw_file.h"
 #include "app/display.h"
+#include "app/log/log.h"
 #include "app/recording/volume_hash.h"
 #include "app/signals.h"
 #include "app/window/preferences.h"
@@ -35,7 +40,7 @@ int main(int argc, char** argv) {
   app::blockEndingSignals();
   app::Arguments arguments;
   std::vector<std::string> paths;
-  std::string phantom, tool, tool_unit = "mm", surface;
+  std::string phantom, tool, tool_unit = "mm", surface, log_level = "info";
   double isovalue = 0.0;
   int series = 0;
   bool no_notice = false, correct = false;
@@ -67,6 +72,8 @@ int main(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber)
       ->needs(screenshot_given);
   cli.add_flag("--no-notice", no_notice, "Do not show the notice of the first start");
+  cli.add_option("--log-level", log_level, "What goes into the log: this and what is graver")
+      ->check(CLI::IsMember({"error", "warning", "info", "debug", "off"}));
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -86,8 +93,16 @@ int main(int argc, char** argv) {
   }
   if (*surface_given)
     arguments.surface = surface == "mesh" ? ui::SurfaceMode::Mesh : ui::SurfaceMode::RayCast;
+  arguments.state = app::log::stateFolder();
   arguments.notice = !no_notice && arguments.screenshot.empty();
 
+  const app::crash::RawFile crash_file{arguments.state};
+  app::log::open(arguments.state, app::log::levelOf(log_level));
+  app::log::write(app::log::Level::Info, "start",
+                  {{"version", app::log::nameOfProgram(PALPATE_VERSION)},
+                   {"build", app::log::nameOfProgram(app::buildHere())},
+                   {"qt", app::log::nameOfProgram(qVersion())},
+                   {"vtk", app::log::nameOfProgram(vtkVersion::GetVTKVersion())}});
   std::optional<app::HeldDisplay> display{std::in_place};
   if (!display->showsWindows()) {
     std::fprintf(stderr,

@@ -43,6 +43,8 @@ LINKED = {
     "libssl-dev": ("OpenSSL", "Apache-2.0", "shared", "a connection of palpate-fetch is refused, or a certificate is trusted that should not be"),
     "libsecret-1-dev": ("libsecret", "LGPL-2.1-or-later", "shared", "a password is not found; palpate-fetch asks for another login"),
     "zlib1g-dev": ("zlib", "Zlib", "shared", "a compressed volume is refused"),
+    "libspdlog-dev": ("spdlog and fmt", "MIT", "shared", "the log is missing; the program goes on"),
+    "libdw-dev": ("elfutils, libdw", "LGPL-3.0-or-later OR GPL-2.0-or-later", "shared", "a crash report is missing or damaged, or the program ends while it makes one"),
     "qt6-base-dev": ("Qt 6 base", "LGPL-3.0-only", "shared", "the window ends; the motors are stopped first"),
     "qt6-svg-dev": ("Qt 6 SVG", "LGPL-3.0-only", "shared", "symbols are missing"),
     "libgl-dev": ("GLVND, OpenGL", "MIT", "shared", "no picture; the window says so"),

@@ -75,6 +75,8 @@ MainWindow::MainWindow(QWidget* parent)
       fault_(new Banner(Banner::Kind::Fault, "fault")),
       message_(new Banner(Banner::Kind::Attention, "message")),
       done_(new Banner(Banner::Kind::Done, "done")),
+      offer_(new Banner(Banner::Kind::Attention, "offer")),
+      take_offer_(offer_->addButton("takeOffer")),
       stopped_(new Banner(Banner::Kind::Stopped, "stopped")),
       resume_(stopped_->addButton("forceOn")),
       loading_(new QFrame),
@@ -121,6 +123,11 @@ void MainWindow::buildBanners() {
   folder->setText(tr("Show in folder"));
   connect(folder, &QPushButton::clicked, this, [this] { emit folderWanted(done_folder_); });
   done_->addClose();
+  connect(take_offer_, &QPushButton::clicked, this, [this] {
+    offer_->hide();
+    offered_();
+  });
+  offer_->addClose();
 }
 
 void MainWindow::buildViews() {
@@ -153,6 +160,7 @@ void MainWindow::buildViews() {
   column->addWidget(stopped_);
   column->addWidget(message_);
   column->addWidget(done_);
+  column->addWidget(offer_);
   // in the same place: the page covers the views until there is something to see
   auto* views = new QGridLayout;
   views->addWidget(views_, 0, 0);
@@ -489,6 +497,14 @@ void MainWindow::showDone(const QString& sentence, const QString& folder) {
   done_->setSentence(sentence);
   done_folder_ = folder;
   done_->show();
+}
+
+void MainWindow::showOffer(const QString& sentence, const QString& button,
+                           std::function<void()> take) {
+  offer_->setSentence(sentence);
+  take_offer_->setText(button);
+  offered_ = std::move(take);
+  offer_->show();
 }
 
 void MainWindow::explain(QPushButton& more, const QString& sentence) {

@@ -115,6 +115,8 @@ class MainWindow : public QMainWindow {
   void clearMessage();
   /// Shows in place of a message that something was written, with a button for its folder.
   void showDone(const QString& sentence, const QString& folder);
+  /// Shows a sentence in a bar of its own, with a button that hides the bar and calls `take`.
+  void showOffer(const QString& sentence, const QString& button, std::function<void()> take);
   /// Shows a sentence in a separate bar, which only the user closes.
   void showFault(const QString& sentence);
   /// Names the place in the help that explains a sentence; empty: none. Where it names one, the bar
@@ -170,7 +172,7 @@ class MainWindow : public QMainWindow {
   void openWanted(const QString& path);
   /// The user wants to open a recording.
   void recordingWanted(const QString& path);
-  void pacsWanted();  ///< a scan from an archive of a hospital
+  void pacsWanted();    ///< a scan from an archive of a hospital
   void exportWanted();  ///< of the recording that is chosen in their list
   /// The user wants the edited volume in this file.
   void saveEditedWanted(const QString& path);
@@ -186,6 +188,7 @@ class MainWindow : public QMainWindow {
   void preferencesWanted();
   /// The user wants to read a place of the help; empty: that of the part with the focus.
   void helpWanted(const QString& place);
+  void logWanted();  ///< the user wants to read the log
   /// The user hid the hints, or brought them back.
   void hintsChanged();
   /// The user chose another theme, tab or layout of the panels.
@@ -274,6 +277,9 @@ class MainWindow : public QMainWindow {
   Explainer explainer_;
   Banner* done_;
   QString done_folder_;  ///< of what done_ tells
+  Banner* offer_;
+  QPushButton* take_offer_;
+  std::function<void()> offered_;
   Banner* stopped_;
   QPushButton* resume_;
   Feel feel_ = Feel::Shown;

@@ -138,6 +138,7 @@ void MainWindow::buildMenus() {
   giveKeys(*help->addAction(tr("&Controls"), this, &MainWindow::showControls),
            Action::ShowControls);
   help->addAction(tr("&First steps"), this, &MainWindow::showTour)->setObjectName("showTour");
+  help->addAction(tr("Show &log"), this, &MainWindow::logWanted)->setObjectName("showLog");
   help->addAction(tr("&About Palpate"), this, &MainWindow::showAbout);
 }
 
@@ -288,8 +289,8 @@ void MainWindow::showAbout() {
       tr("<p><b>Palpate %1</b></p><p>See a CT scan, and feel it through a haptic "
          "device.</p><p><b>%2</b></p><p>BSD-3-Clause licence. Palpate uses Qt (LGPL-3), "
          "VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, "
-         "libdeflate, hidapi and libusb (LGPL-2.1), libseccomp (LGPL-2.1), SQLite "
-         "and others, as Debian packages them. The help lists all of them, with "
+         "libdeflate, hidapi and libusb (LGPL-2.1), libseccomp (LGPL-2.1), elfutils (LGPL-3), "
+         "SQLite and others, as Debian packages them. The help lists all of them, with "
          "their licences.</p>")
           .arg(QCoreApplication::applicationVersion(), noticeText()));
 }

@@ -11,7 +11,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/terminal.h"
+#include "haptics/core/core_dump.h"
 #include "haptics/core/helper_program.h"
+#include "haptics/core/process_limits.h"
+#include "haptics/servo/emergency.h"
 #ifdef PALPATE_READERS
 #include "app/recording/volume_hash.h"
 #include "datasets/readers/files/archive.h"
@@ -58,6 +61,11 @@ std::string sentenceOf(const CLI::ParseError& error, const CLI::App& program) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // a sanitizer has handlers of its own
+  if constexpr (!haptics::kSanitized) {
+    haptics::installCrashStop();
+    haptics::setAfterCrashStop([](int, void*) { haptics::keepHeapOutOfCoreDump(); });
+  }
   using namespace app::cli;
   openStandardStreams();
 #ifndef PALPATE_FILM

@@ -34,10 +34,6 @@ constexpr rlim_t kLargestFile = rlim_t{64} << 30;
 constexpr rlim_t kMostFiles = 256;
 constexpr std::size_t kLongestAnswer = std::size_t{64} << 20;
 
-bool withoutDumps() {
-  return limitResource(RLIMIT_CORE, 0) && prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) == 0;
-}
-
 bool confine() {
   bool sound =
       prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && limitResource(RLIMIT_CPU, kMostTime_s) &&
@@ -70,7 +66,7 @@ bool writeWhole(int descriptor, const std::string& bytes) {
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   // libraries say on standard error what a server sent
   if (nowhere < 0 || dup2(nowhere, STDIN_FILENO) < 0 || dup2(nowhere, STDERR_FILENO) < 0 ||
-      !withoutDumps() || !confine())
+      !haptics::forbidCoreDumps() || !confine())
     _exit(1);
   Outcome outcome;
   try {
@@ -115,7 +111,7 @@ Outcome outcomeOf(const haptics::Error& error) {
 }
 
 Supervisor::Supervisor(bool attached) : attached_{attached} {
-  withoutDumps();
+  haptics::forbidCoreDumps();
   sigset_t set;
   sigemptyset(&set);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "app/log/log.h"
 #include "app/window/sentence.h"
 #include "ui/panels/force_words.h"
 #include "ui/volume_view.h"
@@ -77,6 +78,9 @@ void DeviceController::connectPanel() {
   connect(&watch_, &DeviceWatch::opened, this, &DeviceController::take);
   connect(&watch_, &DeviceWatch::refused, this,
           [this](const ui::DeviceWish& wish, haptics::Trouble trouble, const QString& sentence) {
+            log::write(log::Level::Warning, "device-refused",
+                       {{"kind", log::nameOfProgram(wish.id.section(':', 0, 0).toStdString())},
+                        {"trouble", log::nameOfProgram(haptics::wordOf(trouble))}});
             panel_->showRefused(wish.id, trouble, sentence);
             window_.showMessage(sentence);
           });

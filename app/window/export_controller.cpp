@@ -6,6 +6,7 @@
 
 #include "app/export/export.h"
 #include "app/film/face.h"
+#include "app/log/log.h"
 #include "app/window/edited_volume.h"
 #include "app/window/sentence.h"
 #include "app/window/view_camera.h"
@@ -37,6 +38,7 @@ ExportController::ExportController(ui::MainWindow& window, SharedState& shared,
   connect(&task_, &ExportTask::progressed, &window, &ui::MainWindow::showProgress);
   connect(&task_, &ExportTask::finished, this, [this](bool well, const QString& what) {
     window_.endLoading();
+    log::write(log::Level::Info, "export-ended", {{"whole", well}, {"cancelled", what.isEmpty()}});
     if (well) return window_.showDone(what, folder_);
     if (!what.isEmpty()) window_.showMessage(what);
   });

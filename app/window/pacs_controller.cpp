@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <utility>
 
+#include "app/log/log.h"
 #include "haptics/core/helper_program.h"
 
 namespace app {
@@ -277,7 +278,10 @@ void PacsController::take(const QJsonObject& line) {
   if (answered_) return;
   answered_ = true;
   if (line.contains("error")) {
-    const QString sentence = line["error"].toObject()["message"].toString();
+    const QJsonObject error = line["error"].toObject();
+    const QString sentence = error["message"].toString();
+    log::write(log::Level::Warning, "pacs-refused",
+               {{"reason", log::nameOfProgram(error["reason"].toString().toStdString())}});
     return end(cancelled_ || sentence.isEmpty() ? tr("Cancelled.") : sentence);
   }
   const Answer done = std::exchange(done_, {});

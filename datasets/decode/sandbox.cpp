@@ -51,7 +51,7 @@ bool forbidSystemCalls() {
 
 bool confine(std::uint64_t more_bytes) {
   using haptics::limitResource;
-  if (!limitResource(RLIMIT_CORE, 0)) return false;
+  if (!haptics::forbidCoreDumps()) return false;
   if constexpr (haptics::kSanitized) return true;
   return haptics::limitAddresses(more_bytes) && limitResource(RLIMIT_FSIZE, 0) &&
          limitResource(RLIMIT_NOFILE, 0) && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/core/process_limits.h"
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -11,6 +12,11 @@ namespace haptics {
 bool limitResource(int resource, std::uint64_t most) {
   const rlimit both{most, most};
   return setrlimit(static_cast<__rlimit_resource>(resource), &both) == 0;
+}
+
+bool forbidCoreDumps() {
+  // a dump that is piped to a program heeds no limit
+  return limitResource(RLIMIT_CORE, 0) && prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) == 0;
 }
 
 bool limitAddresses(std::uint64_t more_bytes) {

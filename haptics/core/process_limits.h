@@ -19,6 +19,9 @@ inline constexpr bool kSanitized = false;
 /// Limits a resource (RLIMIT_CORE and so on) of this process for good. False if that failed.
 bool limitResource(int resource, std::uint64_t most);
 
+/// This process leaves no core dump, and who runs it cannot read its memory. False if that failed.
+bool forbidCoreDumps();
+
 /// Limits the address space to what is in use and this much more, bytes. False if that failed.
 bool limitAddresses(std::uint64_t more_bytes);
 

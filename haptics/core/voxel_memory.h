@@ -11,7 +11,7 @@ namespace haptics {
 
 /// The memory object that the voxels of a scan lie in: anonymous memory, or a part of a file that
 /// is used directly. A view of it is one mapping; it keeps the object, and the object keeps no
-/// view. Views may be made on any thread.
+/// view. Views may be made on any thread. Core dumps hold none.
 class VoxelMemory : public std::enable_shared_from_this<VoxelMemory> {
  public:
   /// Memory for this many bytes, all zero; untouched pages cost nothing. Refuses 0 bytes and more

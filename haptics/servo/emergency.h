@@ -15,6 +15,12 @@ bool motorsAreStopped() noexcept;
 /// device crashes, the device keeps the last force written.
 void installCrashStop() noexcept;
 
+/// What a crash does besides, after the motors were stopped and before the process ends: once, in
+/// the thread that crashed, for the first crash. `context`: as sigaction() has it. It may do only
+/// what a signal handler may; after 5 s the process ends. Null: nothing.
+using AfterCrashStop = void (*)(int signal, void* context);
+void setAfterCrashStop(AfterCrashStop call) noexcept;
+
 /// Stops all motors in exit(), whoever calls it, before exit handlers and static destructors that
 /// were registered earlier. So each watchdog calls this when it starts.
 void stopAtExit() noexcept;

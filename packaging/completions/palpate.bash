@@ -18,10 +18,11 @@ _palpate() {
     " --series") compopt -o default; return ;;
     " --screenshot") compopt -o default; return ;;
     " --after") compopt -o default; return ;;
+    " --log-level") mapfile -t COMPREPLY < <(compgen -W "error warning info debug off" -- "$word"); return ;;
     *) ;;
   esac
   case "$command" in
-    "") mapfile -t COMPREPLY < <(compgen -W "-h --help --version --phantom --isovalue --tool --tool-unit --hand --surface --series --correct --screenshot --after --no-notice" -- "$word") ;;
+    "") mapfile -t COMPREPLY < <(compgen -W "-h --help --version --phantom --isovalue --tool --tool-unit --hand --surface --series --correct --screenshot --after --no-notice --log-level" -- "$word") ;;
     *) ;;
   esac
   [[ ${#COMPREPLY[@]} -gt 0 ]] || compopt -o default

@@ -46,6 +46,8 @@ rule(FOLDERS "app/fetch" FORBIDS "^(vtk|ui/|datasets/|QtWidgets|Q(Widget|Applica
 rule(FOLDERS "(haptics|ui|datasets|resources|app)" EXCEPT "app/fetch"
      FORBIDS "^(Q(Network|Tcp|Udp|Ssl|Local(Socket|Server))|dcmtk/(dcmnet|dcmtls)/)"
      WHY "palpate-fetch alone speaks to a network")
+rule(FOLDERS "(haptics|ui|datasets|resources|app)" EXCEPT "app/log" FORBIDS "^(spdlog|fmt)/"
+     WHY "a line of the log is made in app/log, which the servo thread and patient text do not reach")
 rule(FOLDERS "(haptics|ui|datasets|resources|app)" FORBIDS "^[.][.]/"
      WHY "an include names its path from the root, so that these rules can read it")
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string_view>
 #include <thread>
 
@@ -579,6 +582,51 @@ TEST(Emergency, ACrashStopsTheMotorsAndThenGoesItsWay) {
     EXPECT_EXIT(endUnderWay([signal] { raise(signal); }), testing::KilledBySignal(signal),
                 "motors stopped")
         << signal;
+}
+
+// what a crash leaves for its report comes after that
+TEST(Emergency, TheMotorsAreStoppedBeforeACrashIsWrittenDown) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  haptics::setAfterCrashStop([](int signal, void* context) {
+    if (signal != SIGSEGV || context == nullptr) _exit(1);
+    constexpr std::string_view kWords = "written down\n";
+    if (write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) _exit(1);
+  });
+  EXPECT_EXIT(endUnderWay([] { raise(SIGSEGV); }), testing::KilledBySignal(SIGSEGV),
+              "motors stopped\nwritten down");
+  haptics::setAfterCrashStop(nullptr);
+}
+
+TEST(Emergency, AThreadThatCrashesMeanwhileDoesNotEndTheFirstsWords) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  static std::atomic<bool> under_way{false};
+  haptics::setAfterCrashStop([](int, void*) {
+    under_way = true;
+    const timespec time{0, 300'000'000};
+    nanosleep(&time, nullptr);
+    constexpr std::string_view kWords = "written down\n";
+    if (write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) _exit(1);
+  });
+  EXPECT_EXIT(endUnderWay([] {
+                std::thread{[] {
+                  while (!under_way) std::this_thread::yield();
+                  raise(SIGBUS);
+                }}.detach();
+                raise(SIGSEGV);
+              }),
+              testing::KilledBySignal(SIGSEGV), "written down");
+  haptics::setAfterCrashStop(nullptr);
+}
+
+// as where a lock or a disk is waited for
+TEST(Emergency, ACrashEndsTheProcessWhateverIsWaitedFor) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  haptics::setAfterCrashStop([](int, void*) {
+    for (;;) pause();
+  });
+  EXPECT_EXIT(endUnderWay([] { raise(SIGSEGV); }), testing::KilledBySignal(SIGALRM),
+              "motors stopped");
+  haptics::setAfterCrashStop(nullptr);
 }
 
 // as Xlib does when the display is gone

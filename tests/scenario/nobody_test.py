@@ -207,4 +207,5 @@ def main():
     print(f"{len(planted)} planted values, {len(files)} files, {looked} bytes: none found")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The window crashes while it shows a scan. Its core dump holds no slice, its log and its report name
+nobody, and the next start says what happened. The core dump of palpate-cli holds no slice either.
+
+Use: crash_test.py PALPATE FOLDER PALPATE-CLI (with a display)
+"""
+import os
+import pathlib
+import random
+import resource
+import signal
+import struct
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "scenario"))
+import nobody_test as nobody  # noqa: E402  (it reads the same arguments, and empties the folder)
+
+program, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).absolute()
+LONG = 180  # s: far more than it takes on a machine that is busy
+home = folder / "PLNTHOME"
+home.mkdir(parents=True)
+state = folder / "state" / "palpate"
+environment = dict(os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"), XDG_DATA_HOME=str(home / "data"),
+                   XDG_STATE_HOME=str(folder / "state"))
+
+
+def log():
+    return "".join(path.read_text() for path in sorted(state.glob("palpate*.log"), reverse=True))
+
+
+def begun(*words):
+    def allow_core():
+        resource.setrlimit(resource.RLIMIT_CORE, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+    return subprocess.Popen(list(map(str, words)), env=environment, cwd=folder, preexec_fn=allow_core)
+
+
+def started(*options):
+    return begun(program, "--no-notice", *options)
+
+
+def wait_for(process, what, count=1):
+    end = time.monotonic() + LONG
+    while log().count(what) < count:
+        assert process.poll() is None, (what, process.returncode, log())
+        assert time.monotonic() < end, (what, log())
+        time.sleep(0.05)
+
+
+def ended(process):
+    process.send_signal(signal.SIGTERM)
+    code = process.wait(timeout=LONG)
+    assert code == 0, code
+
+
+# a scan with a person in it, and a file that is refused
+who = nobody.unmistakable()
+words = nobody.planted + ["PLNT", "Jane", str(folder), home.name]
+scan = folder / "PLNTFOLDER_Jane"
+scan.mkdir()
+for k in range(nobody.N):
+    (scan / f"PLNTFILE_{k}.dcm").write_bytes(nobody.slice_of(k, who))
+process = started(scan, "--isovalue", 300, "--log-level", "debug")
+wait_for(process, " scan-opened from=file columns=24 rows=24 slices=24 ")
+ended(process)
+refused = folder / "PLNTFILE_Jane.nrrd"
+refused.write_text("NRRD0004\ntype: PLNTTYPE\n\n")
+process = started(refused)
+wait_for(process, " not-opened id=")
+ended(process)
+assert " start version=" in log() and " graphics " in log(), log()
+for word in words:
+    assert word not in log(), (word, log())
+assert [path.name for path in state.iterdir()] == ["palpate.log"], list(state.iterdir())
+
+# what is not wanted is not written
+before = log()
+process = started(refused, "--log-level", "off")
+time.sleep(3)
+ended(process)
+assert log() == before, log()
+assert subprocess.run([program, "--log-level", "loud"], env=environment, capture_output=True).returncode == 2
+
+# slices that are nowhere else
+chance = random.Random(7)
+SIDE, SLICES = 96, 80
+slices = [[chance.randrange(-1000, 3000) for _ in range(SIDE * SIDE)] for _ in range(SLICES)]
+volume = folder / "PLNTVOLUME.nrrd"
+volume.write_bytes(f"NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\nsizes: {SIDE} {SIDE} {SLICES}\n"
+                   "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nendian: little\n\n"
+                   .encode() + b"".join(struct.pack(f"<{SIDE * SIDE}h", *one) for one in slices))
+pattern = pathlib.Path("/proc/sys/kernel/core_pattern").read_text().strip()
+cores_are_here = not pattern.startswith(("|", "/"))
+
+
+def crash(process):
+    process.send_signal(signal.SIGSEGV)
+    code = process.wait(timeout=LONG)
+    assert code == -signal.SIGSEGV, code
+    if not cores_are_here:
+        return
+    [path] = folder.glob("core*")
+    core = path.read_bytes()
+    path.unlink()
+    # it can be read: the first stack holds the environment
+    assert f"XDG_STATE_HOME={folder / 'state'}".encode() in core, len(core)
+    looked = 0
+    for one in slices:
+        for first in range(0, SIDE * SIDE, 16 * SIDE):
+            row = one[first:first + 16]
+            for kind in "hf":
+                looked += 1
+                assert struct.pack(f"<16{kind}", *row) not in core, f"a row of a slice is in the core dump, as {kind}"
+    print(f"{looked} pieces of slices sought in {len(core) / 1e6:.0f} MB: none found")
+
+
+process = begun(os.path.abspath(sys.argv[3]), "run", "--volume", volume, "--isovalue", 1500, "--tool", "sphere", "--hand", "slide",
+                "--stiffness", 500, "--seconds", 3600)
+time.sleep(5)  # it touches by then
+crash(process)
+process = started(volume, "--isovalue", 1500, "--surface", "raycast")
+wait_for(process, " scan-opened ", 2)
+time.sleep(5)  # it is drawn by then, and its textures are made
+crash(process)
+assert len(list(state.glob("crash-*.raw"))) == 1, list(state.iterdir())
+
+# the next start makes a report of it, and leaves the crash itself no longer there
+process = started("--phantom", "sphere")
+wait_for(process, " crash-report")
+ended(process)
+report = (state / "crash-report.txt").read_text()
+assert "SIGSEGV" in report and "palpate+0x" in report and " main" in report, report
+assert " scan-opened from=file columns=96 " in report, report
+assert not list(state.glob("*.raw")), list(state.iterdir())
+for word in words:
+    assert word not in report, (word, report)
+print(report.partition("\nThe log before:")[0])
+if not cores_are_here:
+    print(f"SKIPPED in part: core dumps go elsewhere here (core_pattern is {pattern!r})")
+    sys.exit(77)
