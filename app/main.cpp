@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <csignal>
 #include <cstdio>
+#include <memory>
 #include <optional>
 
 #include "app/application.h"
@@ -80,8 +81,6 @@ int main(int argc, char** argv) {
     return cli.exit(error) == 0 ? 0 : kUsage;
   }
   for (const std::string& path : paths) arguments.paths.append(QString::fromStdString(path));
-  if (paths.size() == 1 && datasets::isVolumeFile(paths.front()))
-    arguments.load.ahead = std::make_shared<app::ReadAhead>(paths.front());
   if (*phantom_given) arguments.load.phantom = phantom;
   if (*isovalue_given) arguments.load.isovalue = isovalue;
   if (*series_given) arguments.load.series = series;
@@ -103,6 +102,8 @@ int main(int argc, char** argv) {
                    {"build", app::log::nameOfProgram(app::buildHere())},
                    {"qt", app::log::nameOfProgram(qVersion())},
                    {"vtk", app::log::nameOfProgram(vtkVersion::GetVTKVersion())}});
+  if (paths.size() == 1 && datasets::isVolumeFile(paths.front()))
+    arguments.load.ahead = std::make_shared<app::ReadAhead>(paths.front());
   std::optional<app::HeldDisplay> display{std::in_place};
   if (!display->showsWindows()) {
     std::fprintf(stderr,
