@@ -302,7 +302,7 @@ void RecordingPanel::fillRow(int row) {
   const QString force =
       recording.curve.isEmpty()
           ? tr("force not known")
-          : tr("force up to %1 N").arg(static_cast<double>(greatestOf(recording.curve)), 0, 'f', 1);
+          : tr("force up to %L1 N").arg(static_cast<double>(greatestOf(recording.curve)), 0, 'f', 1);
   QTableWidgetItem* curve = itemOf({}, force);
   curve->setData(Qt::AccessibleTextRole, force);
   if (!recording.curve.isEmpty())
