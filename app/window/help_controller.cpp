@@ -9,7 +9,7 @@
 namespace app {
 
 QString helpPlaceOf(const QString& sentence) {
-  const std::string id{resources::idOf(sentence.toStdString(), inWindowsLanguage)};
+  const std::string id{resources::idOf(sentence.toStdString(), windowsLanguage())};
   if (id.empty()) return {};
   const QString entry = QStringLiteral("- `%1`:").arg(QString::fromStdString(id));
   for (const QString& page : ui::helpPages()) {

@@ -2,20 +2,26 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QString>
 
 #include "resources/messages/messages.h"
 
 namespace app {
 
-/// A row of resources/messages in the language of the window. Any thread.
-inline std::string inWindowsLanguage(std::string_view english) {
-  return QCoreApplication::translate("Messages", std::string{english}.c_str()).toStdString();
+/// The language of the window, for the rows of resources/messages. Any thread.
+inline resources::Wording windowsLanguage() {
+  return {.row =
+              [](std::string_view english) {
+                return QCoreApplication::translate("Messages", std::string{english}.c_str())
+                    .toStdString();
+              },
+          .decimal_mark = QLocale().decimalPoint().toStdString()};
 }
 
 /// What a user reads of an error, or of a sentence of the libraries.
 inline QString sentenceOf(const haptics::Message& message) {
-  return QString::fromStdString(resources::sentence(message, inWindowsLanguage));
+  return QString::fromStdString(resources::sentence(message, windowsLanguage()));
 }
 inline QString sentenceOf(const haptics::Error& error) { return sentenceOf(error.message); }
 

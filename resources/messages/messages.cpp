@@ -34,7 +34,17 @@ std::size_t placeIn(std::string_view text) {
 }
 
 std::string worded(const Row& row, const Wording& wording) {
-  return wording ? wording(row.english) : std::string{row.english};
+  return wording.row ? wording.row(row.english) : std::string{row.english};
+}
+
+std::string marked(std::string_view numbers, std::string_view decimal_mark) {
+  std::string text;
+  for (const char c : numbers)
+    if (c == '.')
+      text += decimal_mark;
+    else
+      text += c;
+  return text;
 }
 
 /// In one pass: a "%1" in an argument, which may be the name of a file, stays as it is.
@@ -68,11 +78,11 @@ std::span<const Row> rows() {
 }
 
 std::string sentence(const haptics::Message& message, const Wording& wording) {
-  if (message.id.empty()) return message.text;
+  if (message.id.empty())
+    return message.of_numbers ? marked(message.text, wording.decimal_mark) : message.text;
   const std::span<const Row> all = rows();
   const auto row = std::ranges::find(all, message.id, &Row::id);
-  if (row != all.end())
-    return filled(worded(*row, wording), message.arguments, wording);
+  if (row != all.end()) return filled(worded(*row, wording), message.arguments, wording);
   std::string words = message.id;
   for (std::size_t i = 0; i < message.arguments.size(); ++i)
     words += (i == 0 ? ": " : ", ") + sentence(message.arguments[i], wording);

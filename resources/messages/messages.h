@@ -14,8 +14,12 @@ namespace resources {
 /// All sentences, table by table in the order of the source.
 std::span<const Row> rows();
 
-/// A row in another language, with the same places of arguments. None: English.
-using Wording = std::function<std::string(std::string_view english)>;
+/// Another language.
+struct Wording {
+  /// A row in it, with the same places of arguments. None: English.
+  std::function<std::string(std::string_view english)> row = {};
+  std::string decimal_mark = ".";
+};
 
 /// The message in words. A row that is not there gives its id and its arguments.
 std::string sentence(const haptics::Message& message, const Wording& wording = {});
