@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <utility>
 
+#include "app/window/sentence.h"
 #include "haptics/core/helper_program.h"
 
 namespace app {
@@ -49,6 +50,20 @@ QStringList optionsOf(const ui::PacsServer& server) {
   add("--certificate", server.certificate);
   add("--key", server.key);
   return options;
+}
+
+haptics::Message messageIn(const QJsonValue& words) {
+  if (!words.isObject()) return words.toString().toStdString();
+  haptics::Message message;
+  message.id = words["id"].toString().toStdString();
+  for (const QJsonValue& argument : words["arguments"].toArray())
+    message.arguments.push_back(messageIn(argument));
+  return message;
+}
+
+/// Of an error or a warning. An earlier palpate-fetch tells the English sentence alone.
+QString sentenceIn(const QJsonObject& told) {
+  return sentenceOf(messageIn(told.contains("words") ? told["words"] : told["message"]));
 }
 
 QJsonObject objectOf(const ui::PacsQuery& query) {
@@ -213,7 +228,7 @@ void PacsController::fetch(int series) {
       [this](const QJsonObject& answer) {
         QStringList told;
         const QJsonArray warnings = answer["warnings"].toArray();
-        for (const QJsonValue& warning : warnings) told << warning.toString();
+        for (const QJsonValue& warning : warnings) told << sentenceIn(warning.toObject());
         shown_->showAnswer(
             told.isEmpty()
                 ? tr("%1 images were fetched and are opened.").arg(answer["images"].toInteger())
@@ -277,7 +292,7 @@ void PacsController::take(const QJsonObject& line) {
   if (answered_) return;
   answered_ = true;
   if (line.contains("error")) {
-    const QString sentence = line["error"].toObject()["message"].toString();
+    const QString sentence = sentenceIn(line["error"].toObject());
     return end(cancelled_ || sentence.isEmpty() ? tr("Cancelled.") : sentence);
   }
   const Answer done = std::exchange(done_, {});
