@@ -28,13 +28,14 @@ QString refusalOf(const LoadRequest& request, const QString& why,
     if (!request.tool || (shown && tool == labelOf(shown->tool))) return why + stays;
     return OpeningController::tr("The tool \"%1\" was not taken. %2").arg(tool, why) + stays;
   }
-  QString name = QString::fromStdString(request.phantom.value_or(std::string{}));
+  QString name = request.phantom ? phantomTitle(*request.phantom) : QString{};
   if (request.path) {
     const std::filesystem::path& path = *request.path;
     name = QString::fromStdString(
         (path.has_filename() ? path : path.parent_path()).filename().string());
   }
-  const QString what = name.isEmpty() ? why : OpeningController::tr("\"%1\" was not opened. %2").arg(name, why);
+  const QString what =
+      name.isEmpty() ? why : OpeningController::tr("\"%1\" was not opened. %2").arg(name, why);
   return shown ? OpeningController::tr("%1 Still shown: %2.").arg(what, shown->title) : what;
 }
 
@@ -49,9 +50,9 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
       asks_(asks),
       loader_(free_memory),
       choice_(window, free_memory) {
-  QStringList phantoms;
+  QList<std::pair<QString, QString>> phantoms;
   for (const std::string& name : datasets::phantomNames())
-    phantoms.append(QString::fromStdString(name));
+    phantoms.append({QString::fromStdString(name), phantomTitle(name)});
   window.setPhantoms(phantoms);
   connect(&window, &ui::MainWindow::openWanted, this, [this](const QString& path) { open(path); });
   connect(&window, &ui::MainWindow::dropped, this,

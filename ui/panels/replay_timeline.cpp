@@ -103,7 +103,7 @@ QString wordsOf(const ReplayMark& mark) {
   if (mark.kind == QLatin1String("force") && mark.value) {
     const double state = *mark.value;
     if (state >= 0.0 && state <= static_cast<double>(haptics::ForceState::Fault))
-      return text + ' ' + nameOf(static_cast<haptics::ForceState>(state)).toLower();
+      return text + QStringLiteral(": ") + nameOf(static_cast<haptics::ForceState>(state));
   }
   if (mark.value)
     text += QStringLiteral(" %L1").arg(*mark.value, 0, 'g', 6) +
