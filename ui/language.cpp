@@ -7,6 +7,8 @@
 #include <QTranslator>
 #include <algorithm>
 #include <clocale>
+#include <memory>
+#include <vector>
 
 // of a static library, whose resources nobody else asks for
 static void initTranslations() { Q_INIT_RESOURCE(translations); }
@@ -19,37 +21,39 @@ bool isSpoken(const QString& code) {
       kLanguages, [&](const Language& language) { return code == QLatin1String(language.code); });
 }
 
-void install(const QString& name, const QString& folder) {
-  auto* translator = new QTranslator(QCoreApplication::instance());
-  if (translator->load(name, folder))
-    QCoreApplication::installTranslator(translator);
-  else
-    delete translator;
+/// The translators in use; one that is gone is asked no more.
+void install(std::vector<std::unique_ptr<QTranslator>>& spoken, const QString& name,
+             const QString& folder) {
+  auto translator = std::make_unique<QTranslator>();
+  if (!translator->load(name, folder)) return;
+  QCoreApplication::installTranslator(translator.get());
+  spoken.push_back(std::move(translator));
 }
 
 }  // namespace
 
-QString systemLanguage() {
-  for (const QString& preferred : QLocale::system().uiLanguages()) {
-    const QString code = preferred.section('-', 0, 0);
-    if (isSpoken(code)) return code;
-  }
+QString languageFor(const QString& chosen, const QStringList& system_prefers) {
+  if (isSpoken(chosen)) return chosen;
+  for (const QString& preferred : system_prefers)
+    if (const QString code = preferred.section('-', 0, 0); isSpoken(code)) return code;
   return QStringLiteral("en");
 }
 
 void speak(const QString& code) {
   initTranslations();
-  const bool chosen = isSpoken(code);
-  const QString language = chosen ? code : systemLanguage();
   QLocale locale = QLocale::system();
-  if (chosen && locale.language() != QLocale(language).language()) locale = QLocale(language);
+  const QString language = languageFor(code, locale.uiLanguages());
+  if (isSpoken(code) && locale.language() != QLocale(language).language())
+    locale = QLocale(language);
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   QLocale::setDefault(locale);
   // Qt has set it from the environment, where it changes what readers take for a number
   std::setlocale(LC_NUMERIC, "C");
+  static std::vector<std::unique_ptr<QTranslator>> spoken;
+  spoken.clear();
   if (language == QLatin1String("en")) return;
-  install("qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-  install("palpate_" + language, QStringLiteral(":/translations"));
+  install(spoken, "qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  install(spoken, "palpate_" + language, QStringLiteral(":/translations"));
 }
 
 }  // namespace ui

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kUsualStiffness = 1000.0;  // N/m
 constexpr int kSystemLanguage = -1;
-constexpr int kTitlesWidth = 132;           // px
+constexpr int kTitlesWidth = 132;  // px
 
 QLabel* explained(const QString& sentence) {
   auto* label = new QLabel(sentence);
@@ -255,10 +255,10 @@ void PreferencesWindow::buildPrivacy() {
   column->addWidget(places_);
   column->addWidget(places_said_);
   column->addLayout(row);
-  column->addWidget(
-      explained(tr("Palpate keeps no name, no date and no picture of a scan, and uses the network only "
-                   "where you open a scan from a PACS. "
-                   "Before a picture leaves it that may show a face, it asks.")));
+  column->addWidget(explained(
+      tr("Palpate keeps no name, no date and no picture of a scan, and uses the network only "
+         "where you open a scan from a PACS. "
+         "Before a picture leaves it that may show a face, it asks.")));
   column->addStretch();
   connect(places_, &QCheckBox::clicked, this, [this](bool on) {
     choices_.places_remembered = on;
