@@ -22,6 +22,7 @@
 #include "datasets/readers/volume_file.h"
 #include "haptics/servo/emergency.h"
 #include "resources/named_tools.h"
+#include "ui/language.h"
 #include "ui/style/style.h"
 
 namespace {
@@ -119,7 +120,9 @@ int main(int argc, char** argv) {
   QGuiApplication::setDesktopFileName("palpate");
   int qt_argc = 1;  // the arguments are ours
   QApplication qt(qt_argc, argv);
-  ui::style::dress(qt, ui::style::themeOf(app::loadPreferences().theme));
+  const app::Preferences preferences = app::loadPreferences();
+  ui::speak(preferences.language);
+  ui::style::dress(qt, ui::style::themeOf(preferences.theme));
   display.reset();  // Qt holds its own
   datasets::sweepTemporaryFolders();
   // a file that may not grow further is an error like any other

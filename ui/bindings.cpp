@@ -231,8 +231,6 @@ std::vector<Binding> allBindings() {
   };
 }
 
-#undef WORDS
-
 std::vector<Binding>& table() {
   static std::vector<Binding> all = allBindings();
   return all;
@@ -285,16 +283,18 @@ QKeyCombination plainKey(int key, Qt::KeyboardModifiers modifiers) {
 
 QString nameOfKey(QKeyCombination keys) {
   // as they are written on keyboards
-  static const std::pair<const char*, const char*> kNames[] = {{"Esc", "Escape"},
-                                                               {"Del", "Delete"},
-                                                               {"Return", "Enter"},
-                                                               {"PgUp", "Page Up"},
-                                                               {"PgDown", "Page Down"}};
-  QString key = QKeySequence(keys).toString(QKeySequence::PortableText);
-  for (const auto& [short_name, name] : kNames)
-    if (key == QLatin1String(short_name)) key = QLatin1String(name);
-  return key;
+  static constexpr std::pair<Qt::Key, const char*> kNames[] = {
+      {Qt::Key_Escape, WORDS("Escape")},
+      {Qt::Key_Delete, WORDS("Delete")},
+      {Qt::Key_Return, WORDS("Enter")},
+      {Qt::Key_PageUp, WORDS("Page Up")},
+      {Qt::Key_PageDown, WORDS("Page Down")}};
+  for (const auto& [key, name] : kNames)
+    if (keys == QKeyCombination(key)) return bindingWords(name);
+  return QKeySequence(keys).toString(QKeySequence::NativeText);
 }
+
+#undef WORDS
 
 QKeyCombination keysOf(const Binding& binding) {
   return QKeyCombination(binding.modifiers, static_cast<Qt::Key>(binding.key));

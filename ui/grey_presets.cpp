@@ -7,14 +7,14 @@
 namespace ui {
 
 std::vector<GreyPreset> hounsfieldPresets() {
-  const auto tr = [](const char* name) {
+  const auto words = [](const char* name) {
     return QCoreApplication::translate("ui::GreyPreset", name);
   };
-  return {{tr("Bone"), {.level = 500.0, .width = 2000.0}},
-          {tr("Temporal bone"), {.level = 700.0, .width = 4000.0}},
-          {tr("Soft tissue"), {.level = 40.0, .width = 400.0}},
-          {tr("Lung"), {.level = -600.0, .width = 1500.0}},
-          {tr("Brain"), {.level = 40.0, .width = 80.0}}};
+  return {{words("Bone"), {.level = 500.0, .width = 2000.0}},
+          {words("Temporal bone"), {.level = 700.0, .width = 4000.0}},
+          {words("Soft tissue"), {.level = 40.0, .width = 400.0}},
+          {words("Lung"), {.level = -600.0, .width = 1500.0}},
+          {words("Brain"), {.level = 40.0, .width = 80.0}}};
 }
 
 GreyWindow fullRange(const haptics::Volume& volume) {

@@ -47,7 +47,7 @@ constexpr int kWordsMs = 100;  // between two changes of force and status in wor
 QString sizeWords(const haptics::Volume& volume) {
   const auto& dims = volume.grid.dims;
   const haptics::Vec3 mm = volume.grid.spacing * 1e3;
-  return MainWindow::tr("%1 × %2 × %3 voxels · %4 × %5 × %6 mm")
+  return MainWindow::tr("%1 × %2 × %3 voxels · %L4 × %L5 × %L6 mm")
       .arg(dims[0])
       .arg(dims[1])
       .arg(dims[2])

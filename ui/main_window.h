@@ -92,7 +92,8 @@ class MainWindow : public QMainWindow {
   void display(const haptics::Snapshot& snapshot);
   /// Shows only the state of the force, because the poses belong to another volume.
   void displayForce(const haptics::Snapshot& snapshot);
-  void setPhantoms(const QStringList& names);
+  /// Each with what it is called in the menu.
+  void setPhantoms(const QList<std::pair<QString, QString>>& names);
   /// Adds a panel as a section below those of its tab, with an entry in the View menu unless it is
   /// empty. `name` is the name of the section, under which the preferences know it.
   void addPanel(QWidget* panel, const QString& title, const QString& entry, const char* name,

@@ -220,10 +220,10 @@ void MainWindow::askWhereToSave() {
   if (dialog.exec() == QDialog::Accepted) emit saveEditedWanted(dialog.selectedFiles().value(0));
 }
 
-void MainWindow::setPhantoms(const QStringList& names) {
+void MainWindow::setPhantoms(const QList<std::pair<QString, QString>>& names) {
   phantoms_->clear();
-  for (const QString& name : names)
-    phantoms_->addAction(name, this, [this, name] { emit phantomWanted(name); });
+  for (const auto& [name, title] : names)
+    phantoms_->addAction(title, this, [this, name = name] { emit phantomWanted(name); });
 }
 
 void MainWindow::setRecentPlaces(const QList<Place>& places, bool remembered) {

@@ -13,10 +13,10 @@
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
-#include <initializer_list>
 #include <utility>
 
 #include "haptics/settings.h"
+#include "ui/language.h"
 #include "ui/number_box.h"
 #include "ui/shortcut_list.h"
 #include "ui/style/style.h"
@@ -26,7 +26,8 @@ namespace ui {
 namespace {
 
 constexpr double kUsualStiffness = 1000.0;  // N/m
-constexpr int kTitlesWidth = 132;           // px
+constexpr int kSystemLanguage = -1;
+constexpr int kTitlesWidth = 132;  // px
 
 QLabel* explained(const QString& sentence) {
   auto* label = new QLabel(sentence);
@@ -37,7 +38,7 @@ QLabel* explained(const QString& sentence) {
 
 /// A choice of a few words, each with the value that it stands for.
 QComboBox* choiceOf(const char* name, const QString& what, const QString& tip,
-                    std::initializer_list<std::pair<QString, int>> entries) {
+                    const QList<std::pair<QString, int>>& entries) {
   auto* box = new QComboBox;
   box->setObjectName(name);
   box->setAccessibleName(what);
@@ -102,6 +103,11 @@ void PreferencesWindow::buildGeneral() {
                      {tr("Light"), int(style::Theme::Light)},
                      {tr("High contrast"), int(style::Theme::HighContrast)},
                      {tr("As the desktop"), int(style::Theme::System)}});
+  QList<std::pair<QString, int>> languages{{tr("As the system"), kSystemLanguage}};
+  for (const Language& language : kLanguages)
+    languages.append({QString::fromUtf8(language.own_name), int(&language - kLanguages)});
+  language_ = choiceOf("languageChoice", tr("Language"),
+                       tr("The language of the window; the help is in English"), languages);
   lengths_ = choiceOf("lengthChoice", tr("Lengths"),
                       tr("The unit of measures, positions, slabs and rulers"),
                       {{tr("Millimetres"), int(LengthUnit::Millimetres)},
@@ -110,6 +116,8 @@ void PreferencesWindow::buildGeneral() {
   hints_->setObjectName("hintsChoice");
   hints_->setToolTip(tr("Shows a line of hints at the foot of each view"));
   form->addRow(tr("&Theme"), theme_);
+  form->addRow(tr("L&anguage"), language_);
+  form->addRow(explained(tr("Another language comes with the next start.")));
   form->addRow(tr("&Lengths"), lengths_);
   form->addRow(
       explained(tr("In measures and slices. Voxels, tools and the fields of edits stay in "
@@ -117,6 +125,11 @@ void PreferencesWindow::buildGeneral() {
   form->addRow(hints_);
   connect(theme_, &QComboBox::activated, this, [this] {
     choices_.theme = static_cast<style::Theme>(theme_->currentData().toInt());
+    tell();
+  });
+  connect(language_, &QComboBox::activated, this, [this] {
+    const int chosen = language_->currentData().toInt();
+    choices_.language = chosen == kSystemLanguage ? "" : kLanguages[chosen].code;
     tell();
   });
   connect(lengths_, &QComboBox::activated, this, [this] {
@@ -242,10 +255,10 @@ void PreferencesWindow::buildPrivacy() {
   column->addWidget(places_);
   column->addWidget(places_said_);
   column->addLayout(row);
-  column->addWidget(
-      explained(tr("Palpate keeps no name, no date and no picture of a scan, and uses the network only "
-                   "where you open a scan from a PACS. "
-                   "Before a picture leaves it that may show a face, it asks.")));
+  column->addWidget(explained(
+      tr("Palpate keeps no name, no date and no picture of a scan, and uses the network only "
+         "where you open a scan from a PACS. "
+         "Before a picture leaves it that may show a face, it asks.")));
   column->addStretch();
   connect(places_, &QCheckBox::clicked, this, [this](bool on) {
     choices_.places_remembered = on;
@@ -270,6 +283,10 @@ void PreferencesWindow::show(const PreferenceChoices& choices, const QString& ow
 
 void PreferencesWindow::showChoices() {
   choose(*theme_, int(choices_.theme));
+  int language = kSystemLanguage;
+  for (const Language& known : kLanguages)
+    if (choices_.language == QLatin1String(known.code)) language = int(&known - kLanguages);
+  choose(*language_, language);
   choose(*lengths_, int(choices_.lengths));
   hints_->setChecked(choices_.hints);
   choose(*mouse_at_first_, int(choices_.mouse.at_first));

@@ -23,6 +23,7 @@ class WarningLabel;
 /// What the user can choose in the preferences, apart from keys.
 struct PreferenceChoices {
   style::Theme theme = style::Theme::Dark;
+  QString language = {};  ///< a code of kLanguages; empty: the system's
   bool hints = true;
   LengthUnit lengths = LengthUnit::Millimetres;
   MouseChoices mouse = {};
@@ -72,6 +73,7 @@ class PreferencesWindow : public QDialog {
   QListWidget* titles_;
   QStackedWidget* pages_;
   QComboBox* theme_;
+  QComboBox* language_;
   QComboBox* lengths_;
   QCheckBox* hints_;
   QComboBox* mouse_at_first_;

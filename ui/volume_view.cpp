@@ -165,7 +165,7 @@ void VolumeView::showContacts(bool on) {
 QString VolumeView::spokenName() const {
   const auto& volume = picture().volume;
   if (volume == nullptr) return tr("%1: nothing is open").arg(accessibleName());
-  QString isovalue = QString::number(isovalue_, 'g', 6);
+  QString isovalue = QLocale().toString(isovalue_, 'g', 6);
   if (!volume->unit.empty()) isovalue += ' ' + QString::fromStdString(volume->unit);
   return tr("%1: surface at %2").arg(accessibleName(), isovalue);
 }

@@ -97,7 +97,7 @@ void VolumeView::paintContacts(QPainter& painter) const {
       painter.drawPath(arrow);
     }
     paintOutlined(painter, head + QPointF{8.0, -6.0}, painter.font(), style::kContact,
-                  tr("%1 N").arg(force.norm(), 0, 'f', 1));
+                  tr("%L1 N").arg(force.norm(), 0, 'f', 1));
   }
   painter.restore();
 }

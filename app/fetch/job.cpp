@@ -140,8 +140,9 @@ Outcome fetched(const Job& job, Archive& archive, const FoundSeries& series) {
                  " MB) are in \"" + job.folder.string() + "\".\n";
   ordered_json warnings = ordered_json::array();
   const auto warn = [&](const haptics::Message& message) {
-    warnings.push_back(resources::sentence(message));
-    outcome.text += resources::sentence(message) + "\n";
+    const std::string sentence = resources::sentence(message);
+    warnings.push_back({{"message", sentence}, {"words", jsonOf(message)}});
+    outcome.text += sentence + "\n";
   };
   if (missing > 0) warn({"fetch-images-missing", {std::to_string(missing)}});
   if (arrivals.strangers() > 0)

@@ -136,13 +136,15 @@ haptics::Expected<void> complete(Options& options) {
 }
 
 int print(const Outcome& outcome, bool json) {
-  if (!outcome.error.empty()) app::cli::tell(outcome.error);
+  const std::string sentence = resources::sentence(outcome.error);
+  if (!sentence.empty()) app::cli::tell(sentence);
   if (json) {
     ordered_json object = outcome.json;
     if (outcome.code != Exit::Done)
       object["error"] = {{"code", static_cast<int>(outcome.code)},
                          {"reason", outcome.reason},
-                         {"message", outcome.error}};
+                         {"message", sentence},
+                         {"words", jsonOf(outcome.error)}};
     std::cout << app::cli::printable(
                      object.dump(-1, ' ', false, ordered_json::error_handler_t::replace))
               << '\n';

@@ -19,7 +19,6 @@
 #include <utility>
 
 #include "haptics/core/process_limits.h"
-#include "resources/messages/messages.h"
 
 namespace app::fetch {
 namespace {
@@ -77,11 +76,21 @@ bool writeWhole(int descriptor, const std::string& bytes) {
   const nlohmann::ordered_json told{{"code", static_cast<int>(outcome.code)},
                                     {"json", outcome.json},
                                     {"text", outcome.text},
-                                    {"error", outcome.error},
+                                    {"error", jsonOf(outcome.error)},
                                     {"reason", outcome.reason}};
   const bool sent =
       writeWhole(answers, told.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   _exit(sent ? 0 : 1);
+}
+
+haptics::Message messageIn(const nlohmann::ordered_json& told, int deepest = 8) {
+  if (told.is_string()) return told.get<std::string>();
+  haptics::Message message;
+  if (!told.is_object() || deepest == 0) return message;
+  message.id = told.value("id", "");
+  for (const auto& argument : told.value("arguments", nlohmann::ordered_json::array()))
+    message.arguments.push_back(messageIn(argument, deepest - 1));
+  return message;
 }
 
 /// What the child told; nothing if it is not whole.
@@ -89,7 +98,8 @@ bool understood(const std::string& text, Outcome& outcome) {
   const auto told = nlohmann::ordered_json::parse(text, nullptr, false);
   if (!told.is_object()) return false;
   outcome = {static_cast<Exit>(told.value("code", 4)), told.value("json", outcome.json),
-             told.value("text", ""), told.value("error", ""), told.value("reason", "")};
+             told.value("text", ""), messageIn(told.value("error", nlohmann::ordered_json(""))),
+             told.value("reason", "")};
   return true;
 }
 
@@ -101,13 +111,20 @@ Outcome stopped() {
 
 Outcome outcomeOf(const haptics::Error& error) {
   Outcome outcome;
-  outcome.error = resources::sentence(error);
+  outcome.error = error.message;
   outcome.reason = error.reason;
   outcome.code = error.kind == haptics::Error::Kind::Cancelled  ? Exit::Interrupted
                  : error.kind == haptics::Error::Kind::NotFound ? Exit::Failed
                  : error.reason == "usage"                      ? Exit::Usage
                                                                 : Exit::Refused;
   return outcome;
+}
+
+nlohmann::ordered_json jsonOf(const haptics::Message& message) {
+  if (message.id.empty()) return message.text;
+  auto arguments = nlohmann::ordered_json::array();
+  for (const haptics::Message& argument : message.arguments) arguments.push_back(jsonOf(argument));
+  return {{"id", message.id}, {"arguments", std::move(arguments)}};
 }
 
 Supervisor::Supervisor(bool attached) : attached_{attached} {

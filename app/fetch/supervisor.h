@@ -18,10 +18,14 @@ struct Outcome {
   Exit code = Exit::Done;
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   std::string text = {};
-  std::string error = {}, reason = {};
+  haptics::Message error = {};
+  std::string reason = {};
 };
 
 Outcome outcomeOf(const haptics::Error& error);
+
+/// A message for a program that puts it into words itself: {"id", "arguments"}, or plain text.
+nlohmann::ordered_json jsonOf(const haptics::Message& message);
 
 /// Waits for SIGINT, SIGTERM and SIGHUP, and for the end of standard input where it is watched.
 /// Make it before any thread exists.

@@ -4,12 +4,12 @@
 #include <QApplication>
 #include <QFile>
 
-#include "resources/messages/messages.h"
+#include "app/window/sentence.h"
 
 namespace app {
 
 QString helpPlaceOf(const QString& sentence) {
-  const std::string id{resources::idOf(sentence.toStdString())};
+  const std::string id{resources::idOf(sentence.toStdString(), windowsLanguage())};
   if (id.empty()) return {};
   const QString entry = QStringLiteral("- `%1`:").arg(QString::fromStdString(id));
   for (const QString& page : ui::helpPages()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/loader.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
@@ -232,7 +233,7 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
     if (*request.phantom == kDemo && !kept) watch.made(*phantom);
     source.isovalue = phantom->isovalue;
     source.tool = phantom->tool;
-    source.title = QString::fromStdString(*request.phantom);
+    source.title = phantomTitle(*request.phantom);
     source.volume = std::make_shared<const haptics::Volume>(std::move(phantom->volume));
   } else if (request.keep) {
     source.volume = request.keep->volume;
@@ -339,8 +340,15 @@ Error inWords(Error error) {
 }  // namespace
 
 QString labelOf(const ToolSource& tool) {
-  return tool.file ? QString::fromStdString(tool.file->filename().string())
-                   : QString::fromStdString(tool.name);
+  if (tool.file) return QString::fromStdString(tool.file->filename().string());
+  const resources::NamedTool* named = resources::findNamedTool(tool.name);
+  return named == nullptr
+             ? QString::fromStdString(tool.name)
+             : QCoreApplication::translate("app::ToolController", named->title.c_str());
+}
+
+QString phantomTitle(const std::string& name) {
+  return QCoreApplication::translate("app::phantomTitle", name.c_str());
 }
 
 Loader::Loader(std::function<double()> free_memory, QObject* parent)

@@ -31,6 +31,8 @@ struct ToolSource {
 
 /// The label of a tool for the user: its name, or its file's name.
 QString labelOf(const ToolSource& tool);
+/// What the window calls a phantom.
+QString phantomTitle(const std::string& name);
 
 /// An entry of a survey. It can be loaded without another survey.
 struct ChosenSeries {

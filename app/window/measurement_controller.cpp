@@ -42,10 +42,10 @@ void MeasurementController::measure() {
   conditions_ =
       tr("Touched with %1 at the isovalue %2, %3 N/m: simulated hands slid, tapped, hooked and "
          "wedged, on one thread of ordinary priority. Carried is what keeps the tool, on "
-         "average, within %4 of a voxel of where ticks without a budget would bring it, with at "
+         "average, within %L4 of a voxel of where ticks without a budget would bring it, with at "
          "most one tick in a thousand longer than its period.")
-          .arg(labelOf(shown.tool),
-               QString::number(settings.isovalue) + (unit.isEmpty() ? QString() : ' ' + unit))
+          .arg(labelOf(shown.tool), QLocale().toString(settings.isovalue, 'g', 6) +
+                                        (unit.isEmpty() ? QString() : ' ' + unit))
           .arg(settings.stiffness, 0, 'f', 0)
           .arg(study::kMostLag);
   before_ = shared_.snapshot;

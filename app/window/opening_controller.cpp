@@ -20,23 +20,23 @@ namespace {
 /// What was refused, why, and what is shown or held as before.
 QString refusalOf(const LoadRequest& request, const QString& why,
                   const std::optional<Loaded>& shown) {
-  using Words = OpeningController;
   if (request.keep) {
     const QString tool = request.tool ? labelOf(*request.tool) : QString{};
     const QString stays =
-        shown ? Words::tr(" The tool is still %1.").arg(labelOf(shown->tool)) : "";
+        shown ? OpeningController::tr(" The tool is still %1.").arg(labelOf(shown->tool)) : "";
     // another field with the same tool
     if (!request.tool || (shown && tool == labelOf(shown->tool))) return why + stays;
-    return Words::tr("The tool \"%1\" was not taken. %2").arg(tool, why) + stays;
+    return OpeningController::tr("The tool \"%1\" was not taken. %2").arg(tool, why) + stays;
   }
-  QString name = QString::fromStdString(request.phantom.value_or(std::string{}));
+  QString name = request.phantom ? phantomTitle(*request.phantom) : QString{};
   if (request.path) {
     const std::filesystem::path& path = *request.path;
     name = QString::fromStdString(
         (path.has_filename() ? path : path.parent_path()).filename().string());
   }
-  const QString what = name.isEmpty() ? why : Words::tr("\"%1\" was not opened. %2").arg(name, why);
-  return shown ? Words::tr("%1 Still shown: %2.").arg(what, shown->title) : what;
+  const QString what =
+      name.isEmpty() ? why : OpeningController::tr("\"%1\" was not opened. %2").arg(name, why);
+  return shown ? OpeningController::tr("%1 Still shown: %2.").arg(what, shown->title) : what;
 }
 
 }  // namespace
@@ -50,9 +50,9 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
       asks_(asks),
       loader_(free_memory),
       choice_(window, free_memory) {
-  QStringList phantoms;
+  QList<std::pair<QString, QString>> phantoms;
   for (const std::string& name : datasets::phantomNames())
-    phantoms.append(QString::fromStdString(name));
+    phantoms.append({QString::fromStdString(name), phantomTitle(name)});
   window.setPhantoms(phantoms);
   connect(&window, &ui::MainWindow::openWanted, this, [this](const QString& path) { open(path); });
   connect(&window, &ui::MainWindow::dropped, this,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/log/log.h"
+#include "app/window/sentence.h"
 #include "haptics/core/helper_program.h"
 
 namespace app {
@@ -50,6 +51,20 @@ QStringList optionsOf(const ui::PacsServer& server) {
   add("--certificate", server.certificate);
   add("--key", server.key);
   return options;
+}
+
+haptics::Message messageIn(const QJsonValue& words) {
+  if (!words.isObject()) return words.toString().toStdString();
+  haptics::Message message;
+  message.id = words["id"].toString().toStdString();
+  for (const QJsonValue& argument : words["arguments"].toArray())
+    message.arguments.push_back(messageIn(argument));
+  return message;
+}
+
+/// Of an error or a warning. An earlier palpate-fetch tells the English sentence alone.
+QString sentenceIn(const QJsonObject& told) {
+  return sentenceOf(messageIn(told.contains("words") ? told["words"] : told["message"]));
 }
 
 QJsonObject objectOf(const ui::PacsQuery& query) {
@@ -214,7 +229,7 @@ void PacsController::fetch(int series) {
       [this](const QJsonObject& answer) {
         QStringList told;
         const QJsonArray warnings = answer["warnings"].toArray();
-        for (const QJsonValue& warning : warnings) told << warning.toString();
+        for (const QJsonValue& warning : warnings) told << sentenceIn(warning.toObject());
         shown_->showAnswer(
             told.isEmpty()
                 ? tr("%1 images were fetched and are opened.").arg(answer["images"].toInteger())
@@ -279,7 +294,7 @@ void PacsController::take(const QJsonObject& line) {
   answered_ = true;
   if (line.contains("error")) {
     const QJsonObject error = line["error"].toObject();
-    const QString sentence = error["message"].toString();
+    const QString sentence = sentenceIn(error);
     log::write(log::Level::Warning, "pacs-refused",
                {{"reason", log::nameOfProgram(error["reason"].toString().toStdString())}});
     return end(cancelled_ || sentence.isEmpty() ? tr("Cancelled.") : sentence);

@@ -68,6 +68,7 @@ Preferences loadPreferences() {
                         .panel_width = settings.value("window/panel_width", 0).toInt(),
                         .details = settings.value("window/details", false).toBool()};
   preferences.theme = settings.value("window/theme").toString();
+  preferences.language = settings.value("window/language").toString();
   preferences.hints = settings.value("window/hints", true).toBool();
   preferences.notice_seen = settings.value("notice/seen", false).toBool();
   preferences.tour_seen = settings.value("tour/seen", false).toBool();
@@ -102,6 +103,7 @@ void savePreferences(const Preferences& preferences) {
   settings.setValue("window/panel_width", layout.panel_width);
   settings.setValue("window/details", layout.details);
   settings.setValue("window/theme", preferences.theme);
+  setOrRemove(settings, "window/language", !preferences.language.isEmpty(), preferences.language);
   settings.setValue("window/hints", preferences.hints);
   settings.setValue("notice/seen", preferences.notice_seen);
   settings.setValue("tour/seen", preferences.tour_seen);

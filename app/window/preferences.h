@@ -21,6 +21,7 @@ struct Preferences {
   QByteArray geometry = {};      ///< geometry of the window, as Qt writes it
   ui::WindowLayout layout = {};  ///< views, borders, panels
   QString theme = {};            ///< as ui::style::nameOf() has it; empty: dark
+  QString language = {};         ///< a code of ui::kLanguages; empty: the system's
   bool hints = true;             ///< each view says what the mouse does in it
   bool notice_seen = false;
   bool tour_seen = false;                       ///< of the first steps

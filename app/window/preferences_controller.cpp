@@ -64,6 +64,7 @@ void PreferencesController::open() {
 
 ui::PreferenceChoices PreferencesController::choices() const {
   return {.theme = ui::style::theme(),
+          .language = preferences_.language,
           .hints = window_.hintsShown(),
           .lengths = preferences_.lengths,
           .mouse = preferences_.mouse,
@@ -81,6 +82,7 @@ void PreferencesController::apply(const ui::PreferenceChoices& wanted) {
     preferences_.recordings = wanted.recordings;
     emit recordingsChosen(wanted.recordings);
   }
+  preferences_.language = wanted.language;
   preferences_.lengths = wanted.lengths;
   ui::setLengthUnit(wanted.lengths);
   preferences_.mouse = wanted.mouse;

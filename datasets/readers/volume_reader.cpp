@@ -48,8 +48,9 @@ Message listed(const SeriesVerdict& v) {
       v.modality.empty() ? Message{"series-no-modality", {}} : Message{v.modality};
   const std::string dims = std::to_string(v.dims[0]) + " x " + std::to_string(v.dims[1]) + " x " +
                            std::to_string(v.dims[2]);
-  const std::string spacing_mm =
-      brief(v.spacing_mm.x()) + " x " + brief(v.spacing_mm.y()) + " x " + brief(v.spacing_mm.z());
+  const Message spacing_mm =
+      Message::numbers(brief(v.spacing_mm.x()).text + " x " + brief(v.spacing_mm.y()).text + " x " +
+                       brief(v.spacing_mm.z()).text);
   switch (v.verdict) {
     case Verdict::Sound:
       return {"series-listed", {number, modality, dims, spacing_mm}};

@@ -15,11 +15,19 @@ struct Message {
   std::string id;                  ///< of the row: "nrrd-data-cut-off"; empty: plain text
   std::vector<Message> arguments;  ///< for %1, %2, …
   std::string text;                ///< the plain text, without a row
+  bool of_numbers = false;         ///< the text's points are decimal marks
 
   Message() = default;
   Message(const char* plain) : text(plain) {}
   Message(std::string plain) : text(std::move(plain)) {}
   Message(const char* row, std::vector<Message> with) : id(row), arguments(std::move(with)) {}
+
+  /// Plain text of numbers, as C writes them: "0.5", "0.5 x 0.5".
+  static Message numbers(std::string plain) {
+    Message message{std::move(plain)};
+    message.of_numbers = true;
+    return message;
+  }
 
   bool empty() const { return id.empty() && text.empty(); }
 };

@@ -13,10 +13,10 @@ namespace haptics {
 namespace {
 
 /// The isovalue as a person would write it.
-std::string plain(double value) {
+Message plain(double value) {
   char text[32];
   const auto [end, error] = std::to_chars(text, text + sizeof text, value);
-  return {text, end};
+  return Message::numbers({text, end});
 }
 
 constexpr double kTurn = 2.0 * std::numbers::pi;

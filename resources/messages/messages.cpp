@@ -33,11 +33,26 @@ std::size_t placeIn(std::string_view text) {
   return text.size();
 }
 
+std::string worded(const Row& row, const Wording& wording) {
+  return wording.row ? wording.row(row.english) : std::string{row.english};
+}
+
+std::string marked(std::string_view numbers, std::string_view decimal_mark) {
+  std::string text;
+  for (const char c : numbers)
+    if (c == '.')
+      text += decimal_mark;
+    else
+      text += c;
+  return text;
+}
+
 /// In one pass: a "%1" in an argument, which may be the name of a file, stays as it is.
-std::string filled(std::string_view english, const std::vector<haptics::Message>& arguments) {
+std::string filled(std::string_view row, const std::vector<haptics::Message>& arguments,
+                   const Wording& wording) {
   std::string words;
-  for (std::size_t at = 0; at < english.size();) {
-    const std::string_view rest = english.substr(at);
+  for (std::size_t at = 0; at < row.size();) {
+    const std::string_view rest = row.substr(at);
     const bool plain = rest.size() > 1 && rest[0] == '%' && isDigit(rest[1]);
     const bool unstopped =
         rest.size() > 3 && rest.starts_with("%(") && isDigit(rest[2]) && rest[3] == ')';
@@ -48,7 +63,7 @@ std::string filled(std::string_view english, const std::vector<haptics::Message>
       ++at;
       continue;
     }
-    words += sentence(arguments[which]);
+    words += sentence(arguments[which], wording);
     if (unstopped && words.ends_with('.')) words.pop_back();
     at += plain ? 2 : 4;
   }
@@ -62,18 +77,19 @@ std::span<const Row> rows() {
   return all;
 }
 
-std::string sentence(const haptics::Message& message) {
-  if (message.id.empty()) return message.text;
+std::string sentence(const haptics::Message& message, const Wording& wording) {
+  if (message.id.empty())
+    return message.of_numbers ? marked(message.text, wording.decimal_mark) : message.text;
   const std::span<const Row> all = rows();
   const auto row = std::ranges::find(all, message.id, &Row::id);
-  if (row != all.end()) return filled(row->english, message.arguments);
+  if (row != all.end()) return filled(worded(*row, wording), message.arguments, wording);
   std::string words = message.id;
   for (std::size_t i = 0; i < message.arguments.size(); ++i)
-    words += (i == 0 ? ": " : ", ") + sentence(message.arguments[i]);
+    words += (i == 0 ? ": " : ", ") + sentence(message.arguments[i], wording);
   return words;
 }
 
-std::string_view idOf(std::string_view words) {
+std::string_view idOf(std::string_view words, const Wording& wording) {
   constexpr std::size_t kTooLittle = 12;  // "%1: %2" stands in nearly every sentence
   std::string_view best;
   std::size_t most = kTooLittle;
@@ -81,7 +97,8 @@ std::string_view idOf(std::string_view words) {
     // the parts between the arguments, in their order
     std::size_t at = 0, matched = 0;
     bool all = true;
-    for (std::string_view rest = row.english; all && !rest.empty();) {
+    const std::string text = worded(row, wording);
+    for (std::string_view rest = text; all && !rest.empty();) {
       const std::size_t end = placeIn(rest);
       const std::string_view part = rest.substr(0, end);
       const std::size_t found = words.find(part, at);
@@ -99,6 +116,8 @@ std::string_view idOf(std::string_view words) {
   return best;
 }
 
-std::string sentence(const haptics::Error& error) { return sentence(error.message); }
+std::string sentence(const haptics::Error& error, const Wording& wording) {
+  return sentence(error.message, wording);
+}
 
 }  // namespace resources

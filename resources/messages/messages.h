@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,12 +14,19 @@ namespace resources {
 /// All sentences, table by table in the order of the source.
 std::span<const Row> rows();
 
+/// Another language.
+struct Wording {
+  /// A row in it, with the same places of arguments. None: English.
+  std::function<std::string(std::string_view english)> row = {};
+  std::string decimal_mark = ".";
+};
+
 /// The message in words. A row that is not there gives its id and its arguments.
-std::string sentence(const haptics::Message& message);
-std::string sentence(const haptics::Error& error);
+std::string sentence(const haptics::Message& message, const Wording& wording = {});
+std::string sentence(const haptics::Error& error, const Wording& wording = {});
 
 /// The id of the message whose words stand in `words`, which may have more around them; of several
-/// the one of which most stands there. Empty if there is none.
-std::string_view idOf(std::string_view words);
+/// the one of which most stands there. Empty if there is none. `wording`: as they were worded.
+std::string_view idOf(std::string_view words, const Wording& wording = {});
 
 }  // namespace resources

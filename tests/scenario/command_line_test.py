@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """palpate-cli among other programs: interrupted, with nowhere to answer to, given files that it
-would write over, names that steer a terminal and numbers that are none, and thirty of it at once.
+would write over, names that steer a terminal and numbers that are none, thirty of it at once, and a
+system that speaks German.
 
 Use: command_line_test.py PALPATE-CLI FOLDER
 """
@@ -389,8 +390,34 @@ def keeps_one_key():
     shutil.rmtree(place)
 
 
+def speaks_one_language():
+    place = folder / "locale"
+    place.mkdir()
+    made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", place / "de_DE.UTF-8"], capture_output=True)
+    check(made.returncode == 0, f"no German locale (packaging/dependencies: locales): {made}")
+    call(*touch(SPHERE, "--record", place / "r.palpate"))  # two touches differ in the time of their ticks
+    answers = []
+    for name in ("C", "de_DE.UTF-8"):
+        env = dict(environment, LOCPATH=str(place), LC_ALL=name, LANGUAGE=name)
+        volume, trace, exported = place / "v.nrrd", place / "t.csv", place / "e"
+        call("convert", *SPHERE, volume, env=env)
+        call(*touch(("--volume", volume), "--trace", trace), env=env)
+        exported.mkdir()
+        call("export", place / "r.palpate", "--out", exported / "e", "--format", "csv", env=env)
+        answers.append([path.read_bytes() for path in (volume, trace, exported / "e_motion.tsv")] +
+                       [call("info", volume, "--json", env=env).stdout,
+                        call("info", place / "none.nrrd", env=env, code=3).stderr])
+        check(b"0." in answers[-1][1] and b"0." in answers[-1][2], "no decimals were compared")
+        shutil.rmtree(exported)
+        volume.unlink()
+        trace.unlink()
+    for part, c, german in zip(("volume", "trace", "export", "answer", "refusal"), *answers):
+        check(c == german, f"the {part} follows the system's language")
+    shutil.rmtree(place)
+
+
 for test in (is_interrupted, answers_or_fails, is_whole_or_not_there, loses_no_input,
-             steers_no_terminal, reads_numbers_whole, keeps_one_key):
+             steers_no_terminal, reads_numbers_whole, keeps_one_key, speaks_one_language):
     begun = time.monotonic()
     test()
     print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)

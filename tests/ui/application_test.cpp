@@ -34,6 +34,7 @@
 namespace {
 
 using haptics::ForceState;
+using window::expectNothingCut;
 using window::sphereInHand;
 using window::waitFor;
 
@@ -83,84 +84,30 @@ TEST(Application, NothingInAPanelIsCutAtTheFirstSizeOfTheWindow) {
   window.resize(1280, 900);
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
   int looked = 0;
-  const auto lookAt = [&](QWidget& panel, const char* what) {
-    for (const QWidget* child : panel.findChildren<QWidget*>()) {
-      if (!child->isVisible() || child->width() == 0) continue;
-      // lists scroll what is in them; what is in a panel has the room that is seen
-      const QWidget* room = &panel;
-      bool in_list = false;
-      for (const QWidget* above = child->parentWidget(); above != &panel;
-           above = above->parentWidget()) {
-        if (qobject_cast<const QAbstractItemView*>(above) != nullptr) in_list = true;
-        if (const auto* scroll = qobject_cast<const QScrollArea*>(above)) room = scroll->viewport();
-        if (room != &panel) break;
-      }
-      // the scroll bars lie beside that room
-      if (in_list || (room != &panel && !room->isAncestorOf(child))) continue;
-      ++looked;
-      const int left = child->mapTo(&panel, QPoint{}).x();
-      const int first = room == &panel ? 0 : room->mapTo(&panel, QPoint{}).x();
-      EXPECT_GE(left, first) << what << " " << child->objectName().toStdString();
-      EXPECT_LE(left + child->width(), first + room->width())
-          << what << " " << child->metaObject()->className() << " "
-          << child->objectName().toStdString();
-    }
-  };
   auto* side = window.findChild<ui::SidePanel*>("sidePanel");
   for (ui::Section* section : window.findChildren<ui::Section*>()) section->setFolded(false);
   for (const char* tab : {"scanTab", "touchTab", "deviceTab", "recordTab"}) {
     QTest::mouseClick(window.findChild<QAbstractButton*>(tab), Qt::LeftButton);
     QTest::qWait(100);
-    lookAt(*side, tab);
+    looked += window::expectNothingBeside(*side, tab);
     window::keep(window::pictureOf(window), QString("application_%1").arg(tab).toUtf8());
   }
   window.reveal(window.findChild<ui::EditPanel*>());
   for (const char* tool : {"cropTool", "planeTool", "piecesTool", "holderTool", "scalpelTool"}) {
     QTest::mouseClick(window.findChild<QToolButton*>(tool), Qt::LeftButton);
     QTest::qWait(100);
-    lookAt(*side, tool);
+    looked += window::expectNothingBeside(*side, tool);
     window::keep(window::pictureOf(window), tool);
   }
   // with every choice that can come up
   for (const ui::EditConfirm confirm : {ui::EditConfirm::Piece, ui::EditConfirm::Removal}) {
     window.findChild<ui::EditPanel*>()->showPreview("This piece is as large as it is.", confirm);
     QTest::qWait(100);
-    lookAt(*side, "preview");
+    looked += window::expectNothingBeside(*side, "preview");
   }
   EXPECT_GT(looked, 150);
   // the views keep most of the window
   EXPECT_GT(window.views().width(), 0.7 * window.width());
-}
-
-/// No word of what is seen in `parent` is cut off.
-void expectNothingCut(const QWidget& parent, const char* where) {
-  int seen = 0;
-  for (const QWidget* part : parent.findChildren<QWidget*>()) {
-    if (part->visibleRegion().isEmpty()) continue;
-    const std::string name = std::string(where) + ", " + part->metaObject()->className() + " " +
-                             part->objectName().toStdString();
-    int wanted = 0;
-    if (const auto* label = qobject_cast<const QLabel*>(part)) {
-      // what is longer than its place is cut on purpose, and said in full by its tool tip
-      if (label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored ||
-          label->objectName() == "viewHint" || label->text().isEmpty())
-        continue;
-      wanted = label->wordWrap() ? 0 : label->minimumSizeHint().width();
-      if (label->wordWrap()) {
-        EXPECT_GE(label->height(), label->heightForWidth(label->width())) << name;
-      }
-    } else if (const auto* button = qobject_cast<const QAbstractButton*>(part)) {
-      if (button->text().isEmpty()) continue;
-      wanted = button->fontMetrics().horizontalAdvance(button->text().remove('&')) + 8;
-      if (const auto* tool = qobject_cast<const QToolButton*>(button))
-        if (tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()) wanted = 0;
-    } else {
-      continue;
-    }
-    ++seen;
-    EXPECT_GE(part->width(), wanted) << name;
-  }
-  EXPECT_GT(seen, 3) << where;
 }
 
 // ctest runs it at other scales, too

@@ -9,6 +9,9 @@
 #include "ui/viewport.h"
 
 int main(int argc, char** argv) {
+  // in English, with its numbers, wherever the tests run
+  qputenv("LC_ALL", "C.UTF-8");
+  qunsetenv("LANGUAGE");
   ui::Viewport::prepareApplication();
   QApplication application(argc, argv);
   ui::style::dress(application, ui::style::Theme::Dark);

@@ -252,16 +252,30 @@ def find_window():
                 None)
 
 
-with tempfile.TemporaryDirectory() as home:
+def german():
+    wait("the surface, in German", lambda: find("canvas", "3-D-Ansicht: Oberfläche bei "))
+    the("slider", "Isowert")
+    wait("the state of the force, in German", lambda: find("notification", "Zustand der Kraft: Kraft"))
+
+
+def run(phantom, test, home, **locale):
+    known.clear()
     environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home + "/config", XDG_DATA_HOME=home + "/data",
-                       QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", LC_ALL="C.UTF-8")
-    process = subprocess.Popen([sys.argv[1], "--phantom", "demo", "--no-notice", "--surface", "mesh"],
+                       QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", **locale)
+    process = subprocess.Popen([sys.argv[1], "--phantom", phantom, "--no-notice", "--surface", "mesh"],
                                env=environment)
     try:
-        Atspi.init()
-        main()
+        test()
     finally:
         process.terminate()
         code = process.wait(timeout=LONG)
     assert code == 0, code
+
+
+os.environ.pop("LANGUAGE", None)
+Atspi.init()
+with tempfile.TemporaryDirectory() as home:
+    run("demo", main, home, LC_ALL="C.UTF-8")
+    step("speaks the language of the system")
+    run("sphere", german, home, LC_ALL="de_DE.UTF-8")
 print("the first touch was done by keyboard, and was said")

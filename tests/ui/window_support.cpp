@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window_support.h"
 
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QDeadlineTimer>
 #include <QDir>
+#include <QLabel>
+#include <QScrollArea>
 #include <QTest>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -148,6 +155,62 @@ bool deviceColoured(QColor c) { return c.red() > 150 && c.red() > 2 * c.green() 
 bool surfaceColoured(QColor c) {
   return c.red() > 45 && c.red() >= c.green() && c.green() > c.blue() &&
          c.red() < 1.5 * c.blue() + 20;
+}
+
+int expectNothingBeside(const QWidget& panel, const char* where) {
+  int looked = 0;
+  for (const QWidget* child : panel.findChildren<QWidget*>()) {
+    if (!child->isVisible() || child->width() == 0) continue;
+    // lists scroll what is in them; what is in a panel has the room that is seen
+    const QWidget* room = &panel;
+    bool in_list = false;
+    for (const QWidget* above = child->parentWidget(); above != &panel;
+         above = above->parentWidget()) {
+      if (qobject_cast<const QAbstractItemView*>(above) != nullptr) in_list = true;
+      if (const auto* scroll = qobject_cast<const QScrollArea*>(above)) room = scroll->viewport();
+      if (room != &panel) break;
+    }
+    // the scroll bars lie beside that room
+    if (in_list || (room != &panel && !room->isAncestorOf(child))) continue;
+    ++looked;
+    const int left = child->mapTo(&panel, QPoint{}).x();
+    const int first = room == &panel ? 0 : room->mapTo(&panel, QPoint{}).x();
+    const std::string name = std::string(where) + ", " + child->metaObject()->className() + " " +
+                             child->objectName().toStdString();
+    EXPECT_GE(left, first) << name;
+    EXPECT_LE(left + child->width(), first + room->width()) << name;
+  }
+  return looked;
+}
+
+void expectNothingCut(const QWidget& parent, const char* where) {
+  int seen = 0;
+  for (const QWidget* part : parent.findChildren<QWidget*>()) {
+    if (part->visibleRegion().isEmpty()) continue;
+    const std::string name = std::string(where) + ", " + part->metaObject()->className() + " " +
+                             part->objectName().toStdString();
+    int wanted = 0;
+    if (const auto* label = qobject_cast<const QLabel*>(part)) {
+      // what is longer than its place is cut on purpose, and said in full by its tool tip
+      if (label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored ||
+          label->objectName() == "viewHint" || label->text().isEmpty())
+        continue;
+      wanted = label->wordWrap() ? 0 : label->minimumSizeHint().width();
+      if (label->wordWrap()) {
+        EXPECT_GE(label->height(), label->heightForWidth(label->width())) << name;
+      }
+    } else if (const auto* button = qobject_cast<const QAbstractButton*>(part)) {
+      if (button->text().isEmpty()) continue;
+      wanted = button->fontMetrics().horizontalAdvance(button->text().remove('&')) + 8;
+      if (const auto* tool = qobject_cast<const QToolButton*>(button))
+        if (tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()) wanted = 0;
+    } else {
+      continue;
+    }
+    ++seen;
+    EXPECT_GE(part->width(), wanted) << name;
+  }
+  EXPECT_GT(seen, 3) << where;
 }
 
 }  // namespace window

@@ -59,6 +59,11 @@ QPointF centroid(const QImage& image, const std::function<bool(QColor)>& wanted,
 int neighboursApart(const QImage& image, const QRect& where);
 int count(const QImage& image, const std::function<bool(QColor)>& wanted);
 
+/// Nothing in a panel reaches beyond the width that is seen of it. Returns how much was looked at.
+int expectNothingBeside(const QWidget& panel, const char* where);
+/// No word of what is seen in `parent` is cut off.
+void expectNothingCut(const QWidget& parent, const char* where);
+
 bool proxyColoured(QColor colour);
 bool deviceColoured(QColor colour);
 bool surfaceColoured(QColor colour);

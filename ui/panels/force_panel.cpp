@@ -81,7 +81,7 @@ ForcePanel::ForcePanel(QWidget* parent)
 }
 
 void ForcePanel::display(const haptics::Snapshot& snapshot) {
-  say(force_, QString::number(snapshot.felt_W.force.norm(), 'f', 2));
+  say(force_, QLocale().toString(snapshot.felt_W.force.norm(), 'f', 2));
   say(torque_, tr("%1 mN·m").arg(snapshot.felt_W.torque.norm() * 1000.0, 0, 'f', 0));
   say(touch_, touchWords(snapshot));
   sayForce(snapshot);

@@ -159,10 +159,10 @@ void ForcePlot::draw() {
 
   painter.setFont(style::font(style::Type::Small));
   painter.setPen(force);
-  painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop, tr("force to %1 N").arg(force_top_));
+  painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop, tr("force to %L1 N").arg(force_top_));
   painter.setPen(torque);
   painter.drawText(rect(), Qt::AlignRight | Qt::AlignTop,
-                   tr("torque to %1 mN·m").arg(torque_top_ * 1000.0));
+                   tr("torque to %L1 mN·m").arg(torque_top_ * 1000.0));
 }
 
 }  // namespace ui

@@ -141,7 +141,7 @@ QComboBox* buttonBox(const char* name, Action action) {
 // what tells it from others of its name
 QString placeOf(const DeviceLine& device) { return device.id.section(':', 1); }
 
-QString shownNumber(double value) { return QString::number(value, 'g', 5); }
+QString shownNumber(double value) { return QLocale().toString(value, 'g', 5); }
 
 }  // namespace
 

@@ -69,7 +69,7 @@ QString HistogramSlider::spokenName() const {
 }
 
 QString HistogramSlider::spokenValue() const {
-  QString number = QString::number(intensity_, 'g', 6);
+  QString number = QLocale().toString(intensity_, 'g', 6);
   return unit_.isEmpty() ? number : number + ' ' + unit_;
 }
 

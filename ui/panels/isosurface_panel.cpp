@@ -110,7 +110,7 @@ void IsosurfacePanel::show(const Picture& picture, double isovalue) {
   typed_->setSingleStep(stepsOf(volume).coarse);
   typed_->setFineStep(stepsOf(volume).fine);
   typed_->setSuffix(volume.unit.empty() ? QString() : " " + QString::fromStdString(volume.unit));
-  range_->setText(tr("%1 to %2 %3")
+  range_->setText(tr("%L1 to %L2 %3")
                       .arg(volume.least, 0, 'g', 6)
                       .arg(volume.greatest, 0, 'g', 6)
                       .arg(QString::fromStdString(volume.unit)));
@@ -130,10 +130,10 @@ void IsosurfacePanel::choose(double isovalue) {
   if (!volume_) return;
   const double possible = allowedIsovalue(*volume_, isovalue);
   if (isovalue <= volume_->least)
-    emit refused(tr("The isovalue must lie above the volume's least value, %1.")
+    emit refused(tr("The isovalue must lie above the volume's least value, %L1.")
                      .arg(volume_->least, 0, 'g', 6));
   else if (isovalue > volume_->greatest)
-    emit refused(tr("Nothing in this volume is above %1.").arg(volume_->greatest, 0, 'g', 6));
+    emit refused(tr("Nothing in this volume is above %L1.").arg(volume_->greatest, 0, 'g', 6));
   showValue(possible);
   if (possible == isovalue_) return;
   isovalue_ = possible;

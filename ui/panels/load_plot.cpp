@@ -26,7 +26,7 @@ struct Decades {
 
 /// 0.01, 0.1, 1, 10: a decade of milliseconds, written out.
 QString plainDecade(int exponent) {
-  return QString::number(std::pow(10.0, exponent), 'f', std::max(0, -exponent));
+  return QLocale().toString(std::pow(10.0, exponent), 'f', std::max(0, -exponent));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace ui {
 namespace {
 
-QString millimetres(double metres) { return QString::number(metres * 1e3, 'g', 2); }
+QString millimetres(double metres) { return QLocale().toString(metres * 1e3, 'g', 2); }
 
 QString missesOf(std::int64_t missed) {
   if (missed == 0) return PerformancePanel::tr("no misses");
@@ -19,14 +19,14 @@ QString missesOf(std::int64_t missed) {
 }  // namespace
 
 QString counted(std::int64_t number) {
-  QLocale locale = QLocale::c();
+  QLocale locale;
   locale.setNumberOptions(QLocale::DefaultNumberOptions);
   return locale.toString(static_cast<qlonglong>(number));
 }
 
 QString milliseconds(double seconds) {
   const double ms = seconds * 1e3;
-  return QString::number(ms, 'f', ms < 0.0995 ? 3 : 2);
+  return QLocale().toString(ms, 'f', ms < 0.0995 ? 3 : 2);
 }
 
 QString headlineOf(const Performance& p) {
@@ -57,7 +57,7 @@ QString detailsOf(const Performance& p) {
                      "from the hand in the mean.")
                      .arg(counted(p.cut), counted(p.ticks), milliseconds(p.budget),
                           p.lag < 1e-6 ? PerformancePanel::tr("less than 0.001")
-                                       : QString::number(p.lag * 1e3, 'f', 3));
+                                       : QLocale().toString(p.lag * 1e3, 'f', 3));
   if (!p.present.carried)
     sentences << PerformancePanel::tr("That is more than this machine carries.");
   if (p.live_ticks > 0)

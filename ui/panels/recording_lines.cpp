@@ -23,7 +23,7 @@ void drawCurve(QPainter& painter, const QRect& place, const QList<float>& forces
   const int line = painter.fontMetrics().height();
   painter.setPen(c.dim);
   painter.drawText(place, Qt::AlignRight | Qt::AlignTop,
-                   RecordingLines::tr("%1 N").arg(static_cast<double>(greatest), 0, 'f', 1));
+                   RecordingLines::tr("%L1 N").arg(static_cast<double>(greatest), 0, 'f', 1));
   const QRectF area = QRectF(place).adjusted(0.0, line, 0.0, -1.0);
   painter.drawLine(area.bottomLeft(), area.bottomRight());
   if (!(greatest > 0.0F)) return;

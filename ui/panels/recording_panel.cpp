@@ -299,10 +299,10 @@ void RecordingPanel::fillRow(int row) {
   const PastRecording& recording = recordings_[row];
   const QString words = linesOf(recording);
   list_->setItem(row, Words, itemOf(words, words));
-  const QString force =
-      recording.curve.isEmpty()
-          ? tr("force not known")
-          : tr("force up to %1 N").arg(static_cast<double>(greatestOf(recording.curve)), 0, 'f', 1);
+  const QString force = recording.curve.isEmpty()
+                            ? tr("force not known")
+                            : tr("force up to %L1 N")
+                                  .arg(static_cast<double>(greatestOf(recording.curve)), 0, 'f', 1);
   QTableWidgetItem* curve = itemOf({}, force);
   curve->setData(Qt::AccessibleTextRole, force);
   if (!recording.curve.isEmpty())

@@ -56,7 +56,7 @@ ReplayBar::ReplayBar(QWidget* parent)
   speeds_->setObjectName("replaySpeed");
   speeds_->setAccessibleName(tr("Speed"));
   speeds_->setToolTip(tr("How fast the recording plays"));
-  for (const double speed : kSpeeds) speeds_->addItem(tr("%1 ×").arg(speed), speed);
+  for (const double speed : kSpeeds) speeds_->addItem(tr("%L1 ×").arg(speed), speed);
   speeds_->setCurrentIndex(speeds_->findData(1.0));
   marks_->setObjectName("replayMarks");
   marks_->setAccessibleName(tr("Marks"));

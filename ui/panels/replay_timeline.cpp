@@ -103,10 +103,10 @@ QString wordsOf(const ReplayMark& mark) {
   if (mark.kind == QLatin1String("force") && mark.value) {
     const double state = *mark.value;
     if (state >= 0.0 && state <= static_cast<double>(haptics::ForceState::Fault))
-      return text + ' ' + nameOf(static_cast<haptics::ForceState>(state)).toLower();
+      return text + QStringLiteral(": ") + nameOf(static_cast<haptics::ForceState>(state));
   }
   if (mark.value)
-    text += QStringLiteral(" %1").arg(*mark.value, 0, 'g', 6) +
+    text += QStringLiteral(" %L1").arg(*mark.value, 0, 'g', 6) +
             (words == nullptr ? QString{} : QString::fromUtf8(words->unit));
   if (!mark.note.isEmpty())
     text += QStringLiteral(": ") + (mark.note.size() > kLongestMark
@@ -251,7 +251,7 @@ void ReplayTimeline::drawForce(QPainter& painter) const {
   const double top = roundedUp(greatest);
   painter.drawLine(area.topLeft(), area.topRight());
   painter.setPen(QPen(style::colours().dim, 1.0));
-  painter.drawText(beside, Qt::AlignRight | Qt::AlignTop, tr("%1 N").arg(top));
+  painter.drawText(beside, Qt::AlignRight | Qt::AlignTop, tr("%L1 N").arg(top));
 
   // a column holds all parts that touch it, so that the shortest peak is seen
   const auto y = [&](float force) {
@@ -275,7 +275,7 @@ void ReplayTimeline::drawForce(QPainter& painter) const {
     painter.drawLine(QPointF{x, y(std::max(0.0F, least)) + 0.5}, QPointF{x, y(most) - 0.5});
   }
   // on a ground of its own: the curve goes on below it
-  const QString scale = tr("greatest force %1 N").arg(static_cast<double>(greatest), 0, 'f', 2);
+  const QString scale = tr("greatest force %L1 N").arg(static_cast<double>(greatest), 0, 'f', 2);
   const QRectF place = painter.boundingRect(area.adjusted(3.0, 0.0, -3.0, 0.0),
                                             Qt::AlignRight | Qt::AlignTop, scale);
   QColor ground = palette().color(QPalette::Base);

@@ -40,7 +40,7 @@ StatusLine::StatusLine(QWidget* parent) : QLabel(parent) {
 
 void StatusLine::display(const haptics::Snapshot& snapshot) {
   touch_ =
-      tr("%1 N · %2 contacts").arg(snapshot.felt_W.force.norm(), 0, 'f', 2).arg(snapshot.contacts);
+      tr("%L1 N · %2 contacts").arg(snapshot.felt_W.force.norm(), 0, 'f', 2).arg(snapshot.contacts);
   // no loop runs: what is shown is of another time
   if (snapshot.policy == haptics::SchedulingPolicy::NotStarted)
     loop_.clear();

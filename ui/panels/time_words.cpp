@@ -17,7 +17,8 @@ QString clockTime(double seconds, int decimals) {
   const QString text =
       QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
   if (decimals == 0) return text;
-  return text + QStringLiteral(".%1").arg(all % parts, decimals, 10, QLatin1Char('0'));
+  return text + QLocale().decimalPoint() +
+         QStringLiteral("%1").arg(all % parts, decimals, 10, QLatin1Char('0'));
 }
 
 }  // namespace ui

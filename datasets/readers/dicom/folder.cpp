@@ -268,10 +268,10 @@ int fileCount(const DicomSeries& series) {
 }
 
 /// A number with one decimal.
-std::string tenths(double number) {
+haptics::Message tenths(double number) {
   char text[64];
   const auto end = std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, 1);
-  return {text, end.ptr};
+  return haptics::Message::numbers({text, end.ptr});
 }
 
 UnbrokenPart partOf(const DicomSeries& series) {

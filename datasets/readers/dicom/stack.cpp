@@ -175,7 +175,7 @@ Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered
   Crooked crooked{{}, {}, first.columns, first.rows};
   const bool tilted = advance.tilt() > kParallel;
   if (tilted) {
-    const std::string angle_deg = brief(advance.tilt() / kDegree);
+    const haptics::Message angle_deg = brief(advance.tilt() / kDegree);
     crooked.why = {haptics::Error::Kind::Correctable,
                    uneven ? haptics::Message{"dicom-tilted-and-uneven", {angle_deg}}
                           : haptics::Message{"dicom-tilted", {angle_deg}},

@@ -37,10 +37,10 @@ std::string quoted(const std::filesystem::path& path) {
   return "\"" + name.string() + "\"";
 }
 
-std::string brief(double number) {
+Message brief(double number) {
   char text[64];
   const auto end = std::to_chars(text, text + sizeof text, number, std::chars_format::general, 4);
-  return {text, end.ptr};
+  return Message::numbers({text, end.ptr});
 }
 
 std::string exact(double number) {

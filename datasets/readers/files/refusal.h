@@ -23,7 +23,7 @@ haptics::Message bothOf(haptics::Message first, haptics::Message second);
 /// The path's last part in quotes, for messages to the person who typed it.
 std::string quoted(const std::filesystem::path& path);
 /// A number with at most four significant digits: "0.3379", "16.5".
-std::string brief(double number);
+haptics::Message brief(double number);
 /// The shortest text that reads back as the same double, whatever the locale.
 std::string exact(double number);
 

@@ -61,6 +61,22 @@ TEST(Messages, WithTooFewArgumentsKeepThePlaces) {
             "\"/out\" cannot be written (%2); choose a folder that can be written and has room.");
 }
 
+TEST(Messages, ArePutIntoAnotherLanguage) {
+  const Wording other{
+      .row = [](std::string_view english) { return "«" + std::string{english} + "»"; },
+      .decimal_mark = ","};
+  const Message aside{"dicom-slice-aside", {Message::numbers("0.5")}};
+  EXPECT_EQ(sentence(aside),
+            "A slice of the series lies 0.5 mm beside the others; ask for a reconstruction as one "
+            "straight stack.");
+  EXPECT_EQ(sentence(aside, other),
+            "«A slice of the series lies 0,5 mm beside the others; ask for a reconstruction as one "
+            "straight stack.»");
+  EXPECT_EQ(idOf(sentence(aside, other), other), "dicom-slice-aside");
+  // the name of a file is no number
+  EXPECT_EQ(sentence(Message{"table-empty", {"a.1.csv"}}, other), "«\"a.1.csv\" is empty.»");
+}
+
 TEST(Messages, AreListed) {
   EXPECT_GT(rows().size(), 300u);
   for (const Row& row : rows()) {

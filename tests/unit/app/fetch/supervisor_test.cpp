@@ -22,14 +22,16 @@ TEST(FetchSupervisor, HandsOnWhatTheWorkAnswers) {
       [] {
         Outcome made{Exit::Refused};
         made.json["series"] = {1, 2};
-        made.error = "A sentence.";
+        made.error = {"output-unwritable", {"a.dcm", {"disk-full", {}}}};
         made.reason = "word";
         return made;
       },
       kLong_s);
   EXPECT_EQ(outcome.code, Exit::Refused);
   EXPECT_EQ(outcome.json.dump(), R"({"series":[1,2]})");
-  EXPECT_EQ(outcome.error, "A sentence.");
+  EXPECT_EQ(
+      jsonOf(outcome.error).dump(),
+      R"({"id":"output-unwritable","arguments":["a.dcm",{"id":"disk-full","arguments":[]}]})");
   EXPECT_EQ(outcome.reason, "word");
 }
 
