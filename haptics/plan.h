@@ -2,7 +2,8 @@
 #pragma once
 
 #include <array>
-#include <string>
+
+#include "haptics/core/error.h"
 
 namespace haptics {
 
@@ -37,9 +38,9 @@ struct Plan {
 /// One omission of the plan, in words.
 struct PlanLine {
   bool Plan::*omission;
-  std::string what;  ///< the work that it leaves out: "central differences"
+  Message what;  ///< the work that it leaves out: "central differences"
   bool left_out = true;
-  std::string why;  ///< a clause after "because": why the work is left out here, or why not
+  Message why;  ///< a clause after "because": why the work is left out here, or why not
 };
 
 /// One line for each omission, in the order of Plan.

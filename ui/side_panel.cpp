@@ -16,7 +16,8 @@
 namespace ui {
 namespace {
 
-constexpr int kRail = 60;  // px wide
+constexpr int kRail = 60;  // px wide at least
+constexpr int kBesideButton = 4, kBesideWord = 4;
 constexpr int kRailButton = 54;
 constexpr Tab kFirstTab = Tab::Touch;
 constexpr std::array<const char*, kTabs.size()> kNames{"scan", "touch", "device", "record"};
@@ -54,7 +55,10 @@ void RailButton::spokenState(QAccessible::State& state) const {
   state.selected = isChecked();
 }
 
-QSize RailButton::sizeHint() const { return {kRail - 8, kRailButton}; }
+QSize RailButton::sizeHint() const {
+  const int word = fontMetrics().horizontalAdvance(text()) + 2 * kBesideWord;
+  return {std::max(kRail - 2 * kBesideButton, word), kRailButton};
+}
 
 void RailButton::paintEvent(QPaintEvent*) {
   const style::Colours& c = style::colours();
@@ -83,9 +87,9 @@ SidePanel::SidePanel(QWidget* parent)
     : QWidget(parent), rail_(new Rail), pages_(new QStackedWidget) {
   setObjectName("sidePanel");
   rail_->setObjectName("rail");
-  rail_->setFixedWidth(kRail);
+  rail_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
   auto* column = new QVBoxLayout(rail_);
-  column->setContentsMargins(4, style::kGap, 4, style::kGap);
+  column->setContentsMargins(kBesideButton, style::kGap, kBesideButton, style::kGap);
   column->setSpacing(style::kStep);
   auto* group = new QButtonGroup(this);
   const std::array<QString, kTabs.size()> words{tr("Scan"), tr("Touch"), tr("Device"),

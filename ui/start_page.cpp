@@ -30,9 +30,8 @@ constexpr int kLoadingWidth = 320;
 class Card : public QFrame {
  public:
   Card(const char* icon, const QString& title, const QString& sentence) : icon_(style::icon(icon)) {
-    setMinimumWidth(kCardWidth);
-    setMaximumWidth(kCardWidth + kCardWidth / 4);
     auto* head = new QLabel(title);
+    head->setWordWrap(true);
     style::setType(*head, style::Type::Figure);
     auto* words = new QLabel(sentence);
     words->setWordWrap(true);
@@ -58,7 +57,13 @@ class Card : public QFrame {
     if (first_ == nullptr) first_ = button;
     return button;
   }
-  void finish() { buttons_->addStretch(1); }
+  void finish() {
+    buttons_->addStretch(1);
+    // a word or a button may need more
+    const int width = std::max(kCardWidth, minimumSizeHint().width());
+    setMinimumWidth(width);
+    setMaximumWidth(width + width / 4);
+  }
 
  protected:
   void mouseReleaseEvent(QMouseEvent* event) override {

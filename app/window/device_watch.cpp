@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/device_watch.h"
 
+#include <QCoreApplication>
+#include <QRegularExpression>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -22,13 +24,22 @@ using haptics::Trouble;
 constexpr std::chrono::seconds kPeriod{1};
 constexpr std::chrono::seconds kLongestGoodbye{2};
 
+/// What the window calls a device; a second one of its kind has a number behind it.
+QString titleOf(const std::string& name) {
+  const QString whole = QString::fromStdString(name).simplified();
+  static const QRegularExpression number(QStringLiteral(" \\d+$"));
+  const QString stem = QString(whole).remove(number);
+  return QCoreApplication::translate("app::DeviceWatch", stem.toUtf8().constData()) +
+         whole.mid(stem.size());
+}
+
 ui::DeviceLine lineOf(const haptics::DeviceEntry& entry) {
   const haptics::DeviceRating* rating = nullptr;
 #ifdef PALPATE_DEVICES
   rating = haptics::ratingOf(entry);
 #endif
   return {.id = QString::fromStdString(entry.id),
-          .name = QString::fromStdString(entry.name).simplified(),
+          .name = titleOf(entry.name),
           .sensed = entry.sensed,
           .actuated = entry.actuated,
           .present = entry.present,

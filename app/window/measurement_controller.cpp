@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/measurement_controller.h"
 
+#include "app/window/sentence.h"
+
 namespace app {
 
 MeasurementController::MeasurementController(ui::MainWindow& window, SharedState& shared)
@@ -28,8 +30,7 @@ void MeasurementController::showScene() {
   panel_->showNothing({});  // what was measured was another scene
   QList<ui::LeftOut> left_out;
   for (const haptics::PlanLine& line : shared_.shown->scene->planned)
-    if (line.left_out)
-      left_out.push_back({QString::fromStdString(line.what), QString::fromStdString(line.why)});
+    if (line.left_out) left_out.push_back({sentenceOf(line.what), sentenceOf(line.why)});
   panel_->showLeftOut(left_out);
   panel_->setReady(true);
 }

@@ -8,7 +8,8 @@ Usage: update.py ROOT           (writes: new sentences come as unfinished, gone 
 
 lupdate finds what is in tr(). The rest is listed here for it: the rows of resources/messages (context
 "Messages"), the arguments of functions that call translate() with one of their own parameters, and of
-macros that stand for QT_TRANSLATE_NOOP, the formats of exports, and the names of tools and phantoms.
+macros that stand for QT_TRANSLATE_NOOP, the formats of exports, and the names of
+tools, phantoms and devices.
 """
 import pathlib
 import re
@@ -26,6 +27,7 @@ OWN = re.compile(r'translate\(\s*"([^"]+)"\s*,\s*(\w+)\)')
 MACRO = re.compile(r'#define (\w+)\(\w+\) QT_TRANSLATE_NOOP\("([^"]+)"')
 FORMAT = re.compile(r'\{\s*"\w+",\s*"[^"]*",\s*%s,\s*%s,\s*%s' % (STRINGS, STRINGS, STRINGS))
 TOOL = re.compile(r'^\s*"[a-z0-9-]+\|([^|"]+)\|([^|"]+)\|[0-9.]+"', re.M)
+DEVICE = re.compile(r'\bkName(?: = |\{)("[^"]+")')
 PHANTOM = re.compile(r'\{("\w+"), \w+Phantom\}')
 PLACE = re.compile(r"%(?:L?[1-9]|\([1-9]\)|n)")
 TAG = re.compile(r"</?\w+>")
@@ -67,6 +69,8 @@ def unseen(root):
         found += [("app::ToolController", f'"{word}"') for word in (use, title)]
     for name in PHANTOM.findall((root / "datasets/phantoms/phantoms.cpp").read_text()):
         found.append(("app::phantomTitle", name))
+    for path in sorted((root / "haptics/devices").glob("*.cpp")):
+        found += [("app::DeviceWatch", name) for name in DEVICE.findall(path.read_text())]
     return list(dict.fromkeys(found))
 
 
@@ -143,7 +147,7 @@ def check(root, folder):
 
 def plant(root, scratch):
     shutil.rmtree(scratch, ignore_errors=True)
-    for name in (*FOLDERS, "datasets/phantoms", "resources/messages", "resources/translations"):
+    for name in (*FOLDERS, "datasets/phantoms", "haptics/devices", "resources/messages", "resources/translations"):
         shutil.copytree(root / name, scratch / name)
     shutil.copy(root / "resources/CMakeLists.txt", scratch / "resources")
     ts = scratch / "resources/translations/palpate_de.ts"

@@ -1979,6 +1979,74 @@
         <source>There is no tool named &apos;%1&apos;; known tools are %2.</source>
         <translation>Es gibt kein Werkzeug namens „%1“; bekannt sind die Werkzeuge %2.</translation>
     </message>
+    <message>
+        <source>collision detection and contact rows in free space</source>
+        <translation>Kollisionserkennung und Kontaktzeilen im freien Raum</translation>
+    </message>
+    <message>
+        <source>in a tick in which every point of the tool has more room than the hand moved, nothing can be met; so it is always above %1, the greatest value of the volume</source>
+        <translation>in einem Takt, in dem jeder Punkt des Werkzeugs mehr Raum hat, als die Hand sich bewegte, kann nichts getroffen werden; so ist es immer über %1, dem größten Wert des Volumens</translation>
+    </message>
+    <message>
+        <source>it rests on another that was switched off</source>
+        <translation>es beruht auf etwas anderem, das abgeschaltet wurde</translation>
+    </message>
+    <message>
+        <source>it was switched off</source>
+        <translation>es wurde abgeschaltet</translation>
+    </message>
+    <message>
+        <source>sampling where the pyramid&apos;s bounds prove the volume free</source>
+        <translation>Abtasten, wo die Schranken der Pyramide das Volumen als frei beweisen</translation>
+    </message>
+    <message>
+        <source>a block below the isovalue proves whole branches of the tool free (%1 points in %2 leaves), and paths</source>
+        <translation>ein Block unter dem Isowert beweist ganze Zweige des Werkzeugs als frei (%1 Punkte in %2 Blättern) und Wege</translation>
+    </message>
+    <message>
+        <source>a block below the isovalue proves what lies in it free, points and paths; branches there are none, the tool is one leaf of %1 points</source>
+        <translation>ein Block unter dem Isowert beweist, was in ihm liegt, als frei, Punkte und Wege; Zweige gibt es nicht, das Werkzeug ist ein Blatt mit %1 Punkten</translation>
+    </message>
+    <message>
+        <source>a block below the isovalue proves what lies in it free, points and paths; branches there are none, the tool is one leaf of 1 point</source>
+        <translation>ein Block unter dem Isowert beweist, was in ihm liegt, als frei, Punkte und Wege; Zweige gibt es nicht, das Werkzeug ist ein Blatt mit 1 Punkt</translation>
+    </message>
+    <message>
+        <source>another look at points whose room is not used up</source>
+        <translation>noch ein Blick auf Punkte, deren Raum nicht aufgebraucht ist</translation>
+    </message>
+    <message>
+        <source>what was proven free stays so until the tool has moved that far</source>
+        <translation>was als frei bewiesen wurde, bleibt es, bis sich das Werkzeug so weit bewegt hat</translation>
+    </message>
+    <message>
+        <source>gradients of points beyond the contact band</source>
+        <translation>Gradienten von Punkten jenseits des Kontaktbands</translation>
+    </message>
+    <message>
+        <source>only a point within a tenth of a voxel of the surface has a row</source>
+        <translation>nur ein Punkt, der höchstens ein Zehntel eines Voxels von der Oberfläche entfernt ist, hat eine Zeile</translation>
+    </message>
+    <message>
+        <source>central differences</source>
+        <translation>zentrale Differenzen</translation>
+    </message>
+    <message>
+        <source>the rows take another normal: six of a point&apos;s seven samples would be for nothing</source>
+        <translation>die Zeilen nehmen eine andere Normale: Sechs der sieben Abtastungen eines Punktes wären umsonst</translation>
+    </message>
+    <message>
+        <source>the rows take them for their normals</source>
+        <translation>die Zeilen nehmen sie für ihre Normalen</translation>
+    </message>
+    <message>
+        <source>rows anew while the tool is still</source>
+        <translation>neue Zeilen, während das Werkzeug ruht</translation>
+    </message>
+    <message>
+        <source>at the same pose they are the same</source>
+        <translation>bei derselben Pose sind sie dieselben</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -2096,6 +2164,22 @@
     <message>
         <source>This Palpate was built without drivers of haptic devices.</source>
         <translation>Dieses Palpate wurde ohne Treiber für haptische Geräte gebaut.</translation>
+    </message>
+    <message>
+        <source>Force Dimension device</source>
+        <translation>Gerät von Force Dimension</translation>
+    </message>
+    <message>
+        <source>Haply Inverse3</source>
+        <translation>Haply Inverse3</translation>
+    </message>
+    <message>
+        <source>Touch or PHANTOM (OpenHaptics)</source>
+        <translation>Touch oder PHANTOM (OpenHaptics)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse through spacenavd</source>
+        <translation>SpaceMouse über spacenavd</translation>
     </message>
 </context>
 <context>
@@ -6020,7 +6104,7 @@
     </message>
     <message>
         <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>How fast the recording plays</source>

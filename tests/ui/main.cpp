@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLocale>
 #include <QSettings>
 #include <QTemporaryDir>
 
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
   qunsetenv("LANGUAGE");
   ui::Viewport::prepareApplication();
   QApplication application(argc, argv);
+  QLocale::setDefault(QLocale::c());
   ui::style::dress(application, ui::style::Theme::Dark);
   // preferences of nobody
   const QTemporaryDir home;

@@ -158,11 +158,15 @@ void ForcePlot::draw() {
   trace(force, force_top_, &Column::least_force, &Column::greatest_force);
 
   painter.setFont(style::font(style::Type::Small));
+  const QString force_words = tr("force to %L1 N").arg(force_top_);
+  const QString torque_words = tr("torque to %L1 mN·m").arg(torque_top_ * 1000.0);
+  const QFontMetrics metrics = painter.fontMetrics();
+  const bool beside = metrics.horizontalAdvance(force_words + "  " + torque_words) <= width();
   painter.setPen(force);
-  painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop, tr("force to %L1 N").arg(force_top_));
+  painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop, force_words);
   painter.setPen(torque);
-  painter.drawText(rect(), Qt::AlignRight | Qt::AlignTop,
-                   tr("torque to %L1 mN·m").arg(torque_top_ * 1000.0));
+  painter.drawText(rect().adjusted(0, beside ? 0 : metrics.lineSpacing(), 0, 0),
+                   Qt::AlignRight | Qt::AlignTop, torque_words);
 }
 
 }  // namespace ui

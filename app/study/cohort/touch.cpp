@@ -17,6 +17,7 @@
 #include "datasets/readers/volume_reader.h"
 #include "haptics/recording/replay.h"
 #include "haptics/simulation/closed_loop.h"
+#include "resources/messages/messages.h"
 #include "resources/named_tools.h"
 
 namespace cohort {
@@ -257,7 +258,8 @@ class ScanAtHand {
     cells["cut_share"] = word(double(tally.cut) / ticks);
     std::string left_out;
     for (const haptics::PlanLine& line : scene.planned)
-      if (line.left_out) left_out += (left_out.empty() ? "" : "; ") + line.what;
+      if (line.left_out)
+        left_out += (left_out.empty() ? "" : "; ") + resources::sentence(line.what);
     cells["left_out"] = left_out;
     table(0).rows.push_back(rowOf(touchColumns(), cells));
 

@@ -10,6 +10,7 @@
 #include "haptics/scene/legal_pose.h"
 #include "haptics/servo/tick.h"
 #include "haptics/simulation/grip.h"
+#include "resources/messages/messages.h"
 
 namespace study::plan {
 namespace {
@@ -163,12 +164,12 @@ Outcome examined(const Course& course, int runs) {
     if (!line.left_out) {
       std::vector<std::string> row(kHead.size());
       row[0] = course.name;
-      row[1] = "not left out here: " + line.what;
-      row[2] = line.why;
+      row[1] = "not left out here: " + resources::sentence(line.what);
+      row[2] = resources::sentence(line.why);
       outcome.tables.front().rows.push_back(row);
       continue;
     }
-    report(course, line.what, line.why,
+    report(course, resources::sentence(line.what), resources::sentence(line.why),
            compared(course, *course.scene, *without(*course.scene, line.omission), runs), outcome);
   }
   const Comparison all = compared(course, *course.scene, *withEverything(*course.scene), runs);

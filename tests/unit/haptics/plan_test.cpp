@@ -10,6 +10,7 @@
 #include "haptics/servo/tick.h"
 #include "tests/support/made.h"
 #include "tests/support/millimetre.h"
+#include "tests/support/sentence.h"
 
 namespace {
 
@@ -35,6 +36,9 @@ const PlanLine& lineOf(const Scene& scene, bool Plan::*omission) {
     if (line.omission == omission) return line;
   throw std::logic_error{"no line"};
 }
+std::string whyOf(const Scene& scene, bool Plan::*omission) {
+  return sentence(lineOf(scene, omission).why);
+}
 
 TEST(Plan, HasALineWithAReasonForEachOmission) {
   for (const NormalKind normal : {NormalKind::Central, NormalKind::Cell, NormalKind::Spline}) {
@@ -42,9 +46,9 @@ TEST(Plan, HasALineWithAReasonForEachOmission) {
         sceneOf(made::tool(datasets::ballPoints(200, 3e-3)), {FieldKind::Trilinear, normal, {}});
     std::set<std::string> what;
     for (const PlanLine& line : scene->planned) {
-      EXPECT_EQ(line.left_out, scene->plan.*line.omission) << line.what;
-      EXPECT_FALSE(line.why.empty()) << line.what;
-      what.insert(line.what);
+      EXPECT_EQ(line.left_out, scene->plan.*line.omission) << line.what.id;
+      EXPECT_FALSE(line.why.empty()) << line.what.id;
+      what.insert(line.what.id);
     }
     EXPECT_EQ(what.size(), scene->planned.size());
     EXPECT_EQ(scene->plan.central_differences, normal != NormalKind::Central);
@@ -54,11 +58,10 @@ TEST(Plan, HasALineWithAReasonForEachOmission) {
 TEST(Plan, GivesTheReasonsOfThisScene) {
   const auto ball = sceneOf(made::tool(datasets::ballPoints(200, 3e-3))),
              point = sceneOf(made::point());
-  EXPECT_NE(lineOf(*ball, &Plan::empty_space).why.find("200 points in 13 leaves"),
-            std::string::npos);
-  EXPECT_NE(lineOf(*point, &Plan::empty_space).why.find("one leaf of 1 point"), std::string::npos);
+  EXPECT_NE(whyOf(*ball, &Plan::empty_space).find("200 points in 13 leaves"), std::string::npos);
+  EXPECT_NE(whyOf(*point, &Plan::empty_space).find("one leaf of 1 point"), std::string::npos);
   // the greatest voxel: three voxels deep
-  EXPECT_NE(lineOf(*ball, &Plan::free_space).why.find("above 13000"), std::string::npos);
+  EXPECT_NE(whyOf(*ball, &Plan::free_space).find("above 13000"), std::string::npos);
 }
 
 TEST(Plan, SwitchesOffWhatRestsOnWhatIsSwitchedOff) {
@@ -68,8 +71,8 @@ TEST(Plan, SwitchesOffWhatRestsOnWhatIsSwitchedOff) {
     const auto scene = sceneOf(made::point(), {FieldKind::Trilinear, NormalKind::Central, plan});
     EXPECT_FALSE(scene->plan.*omission);
     EXPECT_FALSE(scene->plan.free_space);
-    EXPECT_NE(lineOf(*scene, omission).why.find("switched off"), std::string::npos);
-    EXPECT_NE(lineOf(*scene, &Plan::free_space).why.find("rests on"), std::string::npos);
+    EXPECT_NE(whyOf(*scene, omission).find("switched off"), std::string::npos);
+    EXPECT_NE(whyOf(*scene, &Plan::free_space).find("rests on"), std::string::npos);
   }
 }
 
