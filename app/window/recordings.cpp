@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "app/window/loader.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 
@@ -133,7 +134,7 @@ QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
                                 .changed = changedAt(path)};
     if (summary) {
       recording.duration = summary->duration;
-      recording.tool = QString::fromStdString(summary->tool);
+      recording.tool = labelOf({.name = summary->tool});
       recording.bytes = summary->bytes;
     } else {
       recording.tool = QCoreApplication::translate("app::Recordings", "(cannot be read)");

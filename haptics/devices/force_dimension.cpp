@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::string_view kDriver = "force-dimension";
 constexpr const char* kName = "Force Dimension device";
-constexpr const char* kProduct = "The Force Dimension SDK";
 
 constexpr std::tuple kOldest{3, 3, 2};           // with the watchdog
 constexpr int kNewestMajor = 3;                  // another one may have other functions
@@ -106,7 +105,8 @@ Mat3 axes() {
 }
 
 Expected<Dhd> load(std::span<const std::string> libraries) {
-  auto library = SharedLibrary::open(libraries, kProduct, {"force-dimension-install-library", {}});
+  auto library = SharedLibrary::open(libraries, {"force-dimension-product", {}},
+                                     {"force-dimension-install-library", {}});
   if (!library) return tl::unexpected(library.error());
   Dhd dhd{std::move(*library)};
   SharedLibrary& of = dhd.library;

@@ -14,7 +14,7 @@ void SharedLibrary::Close::operator()(void* handle) const { dlclose(handle); }
 void* SharedLibrary::address(const char* symbol) const { return dlsym(handle_.get(), symbol); }
 
 Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names,
-                                            const std::string& product, const Message& advice) {
+                                            const Message& product, const Message& advice) {
   std::string looked_for;
   std::optional<Message> fault;
   for (const std::string& name : names) {

@@ -19,8 +19,8 @@ class SharedLibrary {
   /// The first of `names` that the system's loader finds and can load; a name with a slash is a
   /// path. Refused as Trouble::NoLibrary, in words that begin with what it is a library of and end
   /// with `advice`: none is installed, or one is that cannot be loaded, and why.
-  static Expected<SharedLibrary> open(std::span<const std::string> names,
-                                      const std::string& product, const Message& advice);
+  static Expected<SharedLibrary> open(std::span<const std::string> names, const Message& product,
+                                      const Message& advice);
 
   /// The name that was found.
   const std::string& name() const { return name_; }

@@ -136,6 +136,7 @@ inline constexpr Row kDrivers[] = {
     {"openhaptics-open", "Palpate has a Touch or PHANTOM open."},
     {"openhaptics-installed", "OpenHaptics is installed; opening tells whether a device is there."},
     {"openhaptics-open-already", "Palpate has a Touch or PHANTOM open; close that one first."},
+    {"force-dimension-product", "The Force Dimension SDK"},
     {"library-not-loadable", "%1: %2 cannot be loaded (%3); %4"},
     {"library-not-installed", "%1 is not installed (looked for %2); %3"},
     {"space-mouse-not-plugged-in", "No SpaceMouse is plugged in; plug it or its receiver in."},

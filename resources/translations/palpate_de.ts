@@ -2047,6 +2047,10 @@
         <source>at the same pose they are the same</source>
         <translation>bei derselben Pose sind sie dieselben</translation>
     </message>
+    <message>
+        <source>The Force Dimension SDK</source>
+        <translation>Das SDK von Force Dimension</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
