@@ -65,7 +65,10 @@ Expected<std::unique_ptr<Archive>> opened(Job& job) {
     job.login.user = job.keyring_user;
     job.login.password = std::move(*secret);
   }
-  if (job.server.isWeb()) return openWeb(job.server, job.login);
+  if (job.server.isWeb()) {
+    shortenDictionary();
+    return openWeb(job.server, job.login);
+  }
   return openDimse(job.server, job.login, job.command == Job::Command::Get);
 }
 

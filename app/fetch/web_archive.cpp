@@ -41,7 +41,8 @@ struct Body {
 
 class WebArchive final : public Archive {
  public:
-  WebArchive(const Server& server, QUrl base, QByteArray authorization, QSslConfiguration tls)
+  WebArchive(const Server& server, QUrl base, QByteArray authorization,
+             std::optional<QSslConfiguration> tls)
       : server_{server},
         base_{std::move(base)},
         authorization_{std::move(authorization)},
@@ -64,8 +65,9 @@ class WebArchive final : public Archive {
   Server server_;
   QUrl base_;
   QByteArray authorization_;
-  QSslConfiguration tls_;
+  std::optional<QSslConfiguration> tls_;  ///< of https alone: making one starts a TLS library
   QNetworkAccessManager network_;
+  std::vector<char> piece_ = std::vector<char>(kBuffer);  ///< of an answer, on its way
 
   haptics::Message name() const { return server_.name(); }
   Expected<void> request(const std::string& path, const QUrlQuery& query, const char* accept,
@@ -159,8 +161,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   url.setPath(base_.path() + QString::fromStdString(path));
   if (!query.isEmpty()) url.setQuery(query);
   QNetworkRequest asked{url};
-  // without https Qt needs no TLS library, whose start takes longer than a search
-  if (base_.scheme() == "https") asked.setSslConfiguration(tls_);
+  if (tls_) asked.setSslConfiguration(*tls_);
   asked.setRawHeader("Accept", accept);
   // whoever packs a body may pack a small one that becomes large
   asked.setRawHeader("Accept-Encoding", "identity");
@@ -187,8 +188,10 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   const auto give = [&] {
     while (!trouble && reply->bytesAvailable() > 0) {
       const int status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
-      const QByteArray bytes = reply->read(kBuffer);
-      pace.came(static_cast<std::uint64_t>(bytes.size()));
+      const qint64 size = reply->read(piece_.data(), kBuffer);
+      if (size <= 0) break;
+      const std::span<const char> bytes{piece_.data(), static_cast<std::size_t>(size)};
+      pace.came(bytes.size());
       if (status < 200 || status > 299) continue;  // words for people, in an error
       if (!std::exchange(begun, true)) {
         const QByteArray packed = reply->rawHeader("Content-Encoding").toLower();
@@ -202,8 +205,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
           break;
         }
       }
-      if (auto taken = body.bytes({bytes.data(), static_cast<std::size_t>(bytes.size())}); !taken)
-        trouble = taken.error();
+      if (auto taken = body.bytes(bytes); !taken) trouble = taken.error();
     }
     if (trouble) loop.quit();
   };
@@ -431,13 +433,13 @@ Expected<std::unique_ptr<Archive>> openWeb(const Server& server, const Login& lo
   if (login.kind == Login::Kind::Bearer)
     authorization = "Bearer " + QByteArray::fromStdString(login.password);
 
-  QSslConfiguration tls;
+  std::optional<QSslConfiguration> tls;
   if (https) {
     tls = QSslConfiguration::defaultConfiguration();
-    tls.setProtocol(QSsl::TlsV1_2OrLater);
-    tls.setPeerVerifyMode(QSslSocket::VerifyPeer);
+    tls->setProtocol(QSsl::TlsV1_2OrLater);
+    tls->setPeerVerifyMode(QSslSocket::VerifyPeer);
     if (!server.authority.empty() &&
-        !tls.addCaCertificates(QString::fromStdString(server.authority)))
+        !tls->addCaCertificates(QString::fromStdString(server.authority)))
       return refused("certificate-file", {"fetch-certificate-file", {server.authority}});
     if (!server.certificate.empty()) {
       const auto chain = QSslCertificate::fromPath(QString::fromStdString(server.certificate));
@@ -453,8 +455,8 @@ Expected<std::unique_ptr<Archive>> openWeb(const Server& server, const Login& lo
           key = QSslKey(pem, algorithm, QSsl::Pem, QSsl::PrivateKey,
                         QByteArray::fromStdString(login.key_passphrase));
       if (key.isNull()) return refused("certificate-file", {"fetch-key-file", {server.key}});
-      tls.setLocalCertificateChain(chain);
-      tls.setPrivateKey(key);
+      tls->setLocalCertificateChain(chain);
+      tls->setPrivateKey(key);
     }
   }
   return std::make_unique<WebArchive>(server, base, authorization, tls);
