@@ -87,6 +87,13 @@ Expected<void> Arrivals::keep() {
   return {};
 }
 
+bool Arrivals::isWhole() const {
+  DcmFileFormat file;
+  return file
+      .loadFile(OFFilename(part_.c_str()), EXS_Unknown, EGL_noChange, kLongestValue, ERM_autoDetect)
+      .good();
+}
+
 void Arrivals::drop() {
   std::error_code ignored;
   fs::remove(part_, ignored);

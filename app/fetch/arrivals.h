@@ -32,6 +32,8 @@ class Arrivals {
   /// Looks at part(), which is whole, and keeps it if it is an image of the wanted series that has
   /// not come yet. Else it goes, and is counted. An error ends the transfer.
   haptics::Expected<void> keep();
+  /// Whether part() ends where its data set does, for where nothing else says so.
+  bool isWhole() const;
   /// Removes part().
   void drop();
   /// Bytes of part() came; bounds the whole transfer.

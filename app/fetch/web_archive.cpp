@@ -29,6 +29,7 @@ using haptics::Expected;
 constexpr qint64 kBuffer = qint64{1} << 20;  // bytes that wait to be read, at most
 constexpr int kLook_ms = 100;
 constexpr int kRedirects = 3;
+constexpr int kNoContent = 204;      // HTTP status
 constexpr const char* kWild = "*?";  // some servers do not decode these
 constexpr const char* kJson = "application/dicom+json";
 constexpr const char* kImages = "multipart/related; type=\"application/dicom\"; transfer-syntax=*";
@@ -182,6 +183,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   QList<QSslError> errors;
   std::optional<haptics::Error> trouble;
   bool begun = false, sent = false;
+  qint64 read = 0;
   Pace pace{server_.patience_s};
   const auto begun_at = Pace::Clock::now();
 
@@ -191,6 +193,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
       const qint64 size = reply->read(piece_.data(), kBuffer);
       if (size <= 0) break;
       const std::span<const char> bytes{piece_.data(), static_cast<std::size_t>(size)};
+      read += size;
       pace.came(bytes.size());
       if (status < 200 || status > 299) continue;  // words for people, in an error
       if (!std::exchange(begun, true)) {
@@ -244,6 +247,10 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   if (status >= 300 && status < 400) return refused("redirect", {"fetch-redirect", {name()}});
   if (status >= 400) return statusTrouble(status);
   if (reply->error() != QNetworkReply::NoError) return troubleOf(*reply, errors, begun || sent);
+  // Qt may take a connection that broke off for the end of an answer
+  const QVariant length = reply->header(QNetworkRequest::ContentLengthHeader);
+  if (length.isValid() ? length.toLongLong() != read : !begun && status != kNoContent)
+    return failed("lost", {"fetch-lost", {name()}});
   if (!begun)
     if (auto begins = body.begins({}); !begins) return tl::unexpected(begins.error());
   return {};
@@ -344,8 +351,8 @@ Expected<void> WebArchive::images(const std::string& path, Arrivals& arrivals) {
                                return arrivals.came(bytes.size());
                              },
                              .ended = [&]() -> Expected<void> {
-                               if (!file.flush()) return unwritable();
                                file.close();
+                               if (file.error() != QFileDevice::NoError) return unwritable();
                                return arrivals.keep();
                              }};
   std::optional<Multipart> parts;
@@ -364,7 +371,10 @@ Expected<void> WebArchive::images(const std::string& path, Arrivals& arrivals) {
         return single ? sink.bytes(bytes) : parts ? parts->feed(bytes) : Expected<void>{};
       }};
   auto answered = request(path, {}, kImages, body);
-  if (answered && single) answered = sink.ended();
+  if (answered && single) {
+    file.close();
+    answered = arrivals.isWhole() ? sink.ended() : failed("lost", {"fetch-cut-off", {}});
+  }
   if (answered && parts) answered = parts->finish();
   file.close();
   arrivals.drop();

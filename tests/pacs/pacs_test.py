@@ -580,6 +580,7 @@ def hostile(stage):
             ("good", "get", "done"), ("bare", "get", "done"), ("repeated-headers", "get", "done"),
             ("unquoted", "get", "done"), ("lying-part-length", "get", "done"), ("lying-length", "get", "lost|done"),
             ("short-length", "get", "lost"), ("cut", "get", "lost"), ("dies", "get", "lost"),
+            ("bare-dies", "get", "lost"), ("list-dies", "find", "lost"),
             ("no-boundary", "get", "answer"), ("header-without-end", "get", "answer"),
             ("junk-parts", "get", "answer"), ("text", "get", "answer"), ("stranger", "get", "other-images"),
             ("stranger-too", "get", "done"), ("silent-midway", "get", "silent"),
