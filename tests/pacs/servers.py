@@ -141,11 +141,7 @@ class Server:
         self.process.wait()
 
     def stop(self):
-        self.process.terminate()
-        try:
-            self.process.wait(20)
-        except subprocess.TimeoutExpired:
-            self.kill()
+        self.kill()
         self.log.close()
 
 
@@ -170,7 +166,7 @@ class Orthanc(Server):
                 "AllowFindWorklist": False, "AllowGet": True, "AllowMove": True, "AllowStore": True}},
             "DicomWeb": {"Enable": True, "Root": "/dicom-web/"},
             "HttpsCACertificates": "", "StorageCompression": False, "SynchronousCMove": True,
-            "KeepAlive": True, "TcpNoDelay": True, **(more or {})}
+            "KeepAlive": True, "TcpNoDelay": True, "SyncStorageArea": False, **(more or {})}
         if tls:
             settings |= {"DicomTlsEnabled": True, "DicomTlsCertificate": str(tls[0]),
                          "DicomTlsPrivateKey": str(tls[1]), "DicomTlsTrustedCertificates": str(authority),
