@@ -250,8 +250,7 @@ QWidget* PacsWindow::buildServers() {
   column->addLayout(row);
   column->addLayout(second);
   connect(server_, &QComboBox::activated, this, [this](int chosen) {
-    secret_->clear();
-    showChosen();
+    showOther();
     emit serversChanged(servers_, chosen);
   });
   connect(add_, &QPushButton::clicked, this, [this] { edit(true); });
@@ -382,8 +381,15 @@ void PacsWindow::showServers(const QList<PacsServer>& servers, int chosen) {
   server_->clear();
   for (const PacsServer& server : servers_) server_->addItem(server.name);
   server_->setCurrentIndex(servers_.isEmpty() ? -1 : chosen);
-  showChosen();
+  showOther();
   if (servers_.isEmpty()) showAnswer(tr("Add the server of your archive first."), true);
+}
+
+/// Nothing stays that was typed for, or said of, another server or other settings.
+void PacsWindow::showOther() {
+  secret_->clear();
+  showAnswer({}, true);
+  showChosen();
 }
 
 void PacsWindow::showAnswer(const QString& sentence, bool well) {

@@ -23,17 +23,17 @@ class WarningLabel;
 struct PacsServer {
   enum class Login { None, Basic, Bearer, Keyring };
 
-  QString name;  ///< what the user calls it
+  QString name = {};  ///< what the user calls it
   bool web = true;
-  QString url;   ///< of DICOMweb
-  QString host;  ///< of DIMSE
+  QString url = {};   ///< of DICOMweb
+  QString host = {};  ///< of DIMSE
   int port = 104;
-  QString called, calling = QStringLiteral("PALPATE");  ///< AE titles: the server's, ours
-  bool tls = false;                                     ///< of DIMSE
-  QString authority, certificate, key;                  ///< PEM files, or empty
-  Login login = Login::None;                            ///< of DICOMweb
-  QString user;
-  QString move;  ///< C-MOVE: ADDRESS:PORT at which the server reaches this computer; empty: C-GET
+  QString called = {}, calling = QStringLiteral("PALPATE");  ///< AE titles: the server's, ours
+  bool tls = false;                                          ///< of DIMSE
+  QString authority = {}, certificate = {}, key = {};        ///< PEM files, or empty
+  Login login = Login::None;                                 ///< of DICOMweb
+  QString user = {};
+  QString move = {};  ///< C-MOVE: ADDRESS:PORT of this computer for the server; empty: C-GET
 
   bool operator==(const PacsServer&) const = default;
 };
@@ -108,6 +108,7 @@ class PacsWindow : public QDialog {
   void remove();
   void fill();
   void showChosen();
+  void showOther();
 
   QList<PacsServer> servers_;
   QList<PacsSeries> series_;

@@ -49,6 +49,7 @@ struct Kept {
 /// A request to load. Of path, phantom and keep, the first that is set is used.
 struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
+  QString name = {};               ///< of the path, for the user; empty: its own
   std::optional<int> series = {};  ///< index of the entry in the path's survey
   /// The entry itself. If not set, the path is surveyed and the only sound entry is taken, unless
   /// another is larger or correctable.
@@ -65,12 +66,16 @@ struct LoadRequest {
   std::shared_ptr<const haptics::Scene> previous = {};
 };
 
+/// The name of what is read, for the user; empty if nothing is.
+QString nameOf(const LoadRequest& request);
+
 /// The series found at a path.
 struct Surveyed {
   std::filesystem::path path;
   /// The place to remember: the path itself if it is a folder, an archive or a volume; for a slice,
   /// its folder.
   std::filesystem::path place;
+  QString name;  ///< as in LoadRequest
   datasets::Survey survey;
 };
 

@@ -29,12 +29,7 @@ QString refusalOf(const LoadRequest& request, const QString& why,
     if (!request.tool || (shown && tool == labelOf(shown->tool))) return why + stays;
     return Words::tr("The tool \"%1\" was not taken. %2").arg(tool, why) + stays;
   }
-  QString name = QString::fromStdString(request.phantom.value_or(std::string{}));
-  if (request.path) {
-    const std::filesystem::path& path = *request.path;
-    name = QString::fromStdString(
-        (path.has_filename() ? path : path.parent_path()).filename().string());
-  }
+  const QString name = nameOf(request);
   const QString what = name.isEmpty() ? why : Words::tr("\"%1\" was not opened. %2").arg(name, why);
   return shown ? Words::tr("%1 Still shown: %2.").arg(what, shown->title) : what;
 }

@@ -224,7 +224,7 @@ void PacsController::fetch(int series) {
         // the program keeps the folder until its standard input ends
         release(std::exchange(holds_folder_, std::move(process_)));
         holds_folder_->disconnect(this);
-        emit openWanted(answer["folder"].toString());
+        emit openWanted(answer["folder"].toString(), tr("From the PACS"));
       });
 }
 
