@@ -89,6 +89,7 @@ class PacsWindow : public QDialog {
   void setBusy(const QString& what);
   /// The password or token as it was typed; kept in this window alone.
   QString secret() const;
+  void clearSecret();
   PacsQuery query() const;
   bool namesWanted() const;
   int chosenServer() const;
@@ -96,6 +97,8 @@ class PacsWindow : public QDialog {
  signals:
   void serversChanged(const QList<ui::PacsServer>& servers, int chosen);
   void testWanted();
+  void rememberWanted();  ///< what was typed goes into the keyring
+  void forgetWanted();    ///< what the keyring has goes
   void searchWanted();
   void fetchWanted(int series);
   void cancelWanted();
@@ -115,7 +118,7 @@ class PacsWindow : public QDialog {
   bool names_ = false;
   QString busy_;
   QComboBox *server_, *modality_;
-  QPushButton *add_, *edit_, *remove_, *test_, *search_, *fetch_, *cancel_;
+  QPushButton *add_, *edit_, *remove_, *test_, *search_, *fetch_, *cancel_, *remember_, *forget_;
   QLineEdit *secret_, *patient_id_, *patient_name_, *accession_, *date_;
   QLabel* secret_words_;
   QCheckBox* names_wanted_;

@@ -43,6 +43,8 @@ if "--dicomweb" in sys.argv and "wrong" in sys.argv[sys.argv.index("--dicomweb")
     sys.exit(4)
 if command == "echo":
     say({"answers": True})
+elif command in ("remember", "forget"):
+    say({command: True})
 elif command == "find":
     series = []
     for n in range(2):
@@ -245,6 +247,40 @@ TEST_F(Pacs, NothingStaysOfAServerThatWasEdited) {
   servers.setCurrentIndex(1);
   emit servers.activated(1);
   EXPECT_EQ(part<QLabel>("pacsAnswer").text(), "");
+}
+
+TEST_F(Pacs, ALoginGoesIntoTheKeyringAndOutOfIt) {
+  QTimer::singleShot(0, &window_, [&] {
+    auto* dialog = qobject_cast<ui::PacsServerDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    auto* login = dialog->findChild<QComboBox*>("pacsLogin");
+    login->setCurrentIndex(login->findData(int(ui::PacsServer::Login::Keyring)));
+    dialog->accept();
+  });
+  EXPECT_FALSE(part<QPushButton>("pacsRemember").isVisible());
+  click("pacsEdit");
+  EXPECT_FALSE(part<QPushButton>("pacsRemember").isEnabled());
+  part<QLineEdit>("pacsSecret").setText("s3cret");
+  window::keep(window::pictureOf(*list().window()), "pacs_keyring");
+  click("pacsRemember");
+  ASSERT_TRUE(answers("The keyring has it now."));
+  EXPECT_EQ(part<QLineEdit>("pacsSecret").text(), "");
+  click("pacsForget");
+  ASSERT_TRUE(answers("The keyring has it no more."));
+  const QStringList lines = asked().split('\n', Qt::SkipEmptyParts);
+  ASSERT_EQ(lines.size(), 2);
+  EXPECT_TRUE(lines[0].contains("\"remember\"")) << lines[0].toStdString();
+  EXPECT_TRUE(lines[0].contains("\"given\": {\"login\": {\"password\": \"s3cret\"}}"))
+      << lines[0].toStdString();
+  EXPECT_EQ(lines[0].count("s3cret"), 1);
+  EXPECT_TRUE(lines[1].contains("\"forget\"")) << lines[1].toStdString();
+  for (const QString& line : lines)
+    EXPECT_TRUE(line.contains("\"--login\", \"keyring\", \"--user\", \"reader\""))
+        << line.toStdString();
+  QSettings().sync();
+  QFile settings(QSettings().fileName());
+  ASSERT_TRUE(settings.open(QFile::ReadOnly));
+  EXPECT_FALSE(settings.readAll().contains("s3cret"));
 }
 
 TEST_F(Pacs, AFetchIsCancelledAndTheNextSearchWorks) {
