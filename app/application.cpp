@@ -107,7 +107,9 @@ void Application::wireOpening() {
   connect(&opening_, &Opening::failed, &screenshot_, &ScreenshotController::fail);
   connect(&screenshot_, &ScreenshotController::finished, this, &Application::finished);
   connect(&pacs_, &PacsController::openWanted, &opening_,
-          [this](const QString& folder) { opening_.open(folder); });
+          [this](const QString& folder, const QString& name) {
+            opening_.open(folder, {.name = name});
+          });
 }
 
 void Application::wireStart() {

@@ -45,6 +45,7 @@ struct Arguments {
   bool notice = true;             ///< shows notice and tour, each until it was seen once
   std::function<double()> free_memory = datasets::freeMemory;  ///< bytes; any thread
   DeviceCatalogue devices = builtInCatalogue();
+  QString fetch_program = {};             ///< palpate-fetch; empty: it is looked for
   std::filesystem::path recordings = {};  ///< folder of recordings; empty: that of the preferences
   std::filesystem::path state = {};       ///< folder of log and crash reports; empty: none
 };
@@ -119,7 +120,7 @@ class Application : public QObject {
   ExportController export_;
   ScreenshotController screenshot_;
   HelpController help_{window_};
-  PacsController pacs_{window_};
+  PacsController pacs_{window_, arguments_.fetch_program};
   LogController log_{window_, shared_, arguments_.state};
   CrashController crash_{window_, arguments_.state};
 };

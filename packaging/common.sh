@@ -78,22 +78,29 @@ fetch_kernel() {
   rm -rf "$folder/coming"
 }
 
-# fetch_pacs FOLDER: unpacks Debian's Orthanc there, with its DICOMweb plugin and what of their
-# libraries is not installed, for the tests of palpate-fetch; does nothing, and asks no network, where
-# it lies there. It is not installed: a PACS would start and listen. Without one those tests are skipped.
+# fetch_pacs FOLDER: unpacks Debian's Orthanc there, with its DICOMweb plugin, and gnome-keyring, for the
+# tests of palpate-fetch. They are not installed: a PACS would start and listen, a keyring would be
+# started with every session. Without them those tests are skipped.
 fetch_pacs() {
-  local folder="$1" packages package
-  [ ! -x "$folder/usr/sbin/Orthanc" ] || return 0
-  say "Fetching Debian's Orthanc for the tests with a PACS, 5 MB."
-  rm -rf "$folder"
+  unpack "$1" usr/sbin/Orthanc "Orthanc for the tests with a PACS, 5 MB" orthanc orthanc-dicomweb
+  unpack "$1" usr/bin/gnome-keyring-daemon "gnome-keyring for a test with a PACS, 2 MB" gnome-keyring
+}
+
+# unpack FOLDER PROGRAM WHAT PACKAGE…: unpacks Debian's packages in a folder, with what of their libraries
+# is not installed; does nothing, and asks no network, where the program lies there or is installed.
+unpack() {
+  local folder="$1" program="$2" what="$3" packages package
+  shift 3
+  [ ! -x "$folder/$program" ] && ! command -v "${program##*/}" > /dev/null || return 0
+  say "Fetching Debian's $what."
   mkdir -p "$folder/coming"
-  mapfile -t packages < <(apt-get install -s --no-install-recommends orthanc orthanc-dicomweb 2> /dev/null |
+  mapfile -t packages < <(apt-get install -s --no-install-recommends "$@" 2> /dev/null |
     sed -n 's/^Inst \([^ ]*\).*/\1/p')
   if [ ${#packages[@]} -gt 0 ] &&
     (cd "$folder/coming" && timeout 300 apt-get -qq download "${packages[@]}") > /dev/null 2>&1; then
     for package in "$folder/coming"/*.deb; do dpkg-deb -x "$package" "$folder"; done
   else
-    echo "It could not be fetched: the tests with a PACS will be skipped." >&2
+    echo "It could not be fetched: these tests will be skipped." >&2
   fi
   rm -rf "$folder/coming"
 }

@@ -235,8 +235,11 @@ QWidget* PacsWindow::buildServers() {
                  tr("Asks the server whether it answers; a sentence says what is wrong"));
   secret_words_ = new QLabel;
   secret_ = line("pacsSecret", tr("Password or token"),
-                 tr("For the server; it is stored nowhere, and forgotten when the window closes"));
+                 tr("For the server; it is stored in no file of Palpate, and forgotten when the "
+                    "window closes"));
   secret_->setEchoMode(QLineEdit::Password);
+  remember_ = button("pacsRemember", tr("&Keep"), tr("Stores it in the desktop's keyring"));
+  forget_ = button("pacsForget", tr("For&get"), tr("Removes it from the desktop's keyring"));
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("Server")));
   row->addWidget(server_, 1);
@@ -244,20 +247,24 @@ QWidget* PacsWindow::buildServers() {
   auto* second = new QHBoxLayout;
   second->addWidget(secret_words_);
   second->addWidget(secret_, 1);
+  second->addWidget(remember_);
+  second->addWidget(forget_);
   auto* part = new QWidget;
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row);
   column->addLayout(second);
   connect(server_, &QComboBox::activated, this, [this](int chosen) {
-    secret_->clear();
-    showChosen();
+    showOther();
     emit serversChanged(servers_, chosen);
   });
   connect(add_, &QPushButton::clicked, this, [this] { edit(true); });
   connect(edit_, &QPushButton::clicked, this, [this] { edit(false); });
   connect(remove_, &QPushButton::clicked, this, &PacsWindow::remove);
   connect(test_, &QPushButton::clicked, this, &PacsWindow::testWanted);
+  connect(remember_, &QPushButton::clicked, this, &PacsWindow::rememberWanted);
+  connect(forget_, &QPushButton::clicked, this, &PacsWindow::forgetWanted);
+  connect(secret_, &QLineEdit::textChanged, this, &PacsWindow::showChosen);
   return part;
 }
 
@@ -382,8 +389,15 @@ void PacsWindow::showServers(const QList<PacsServer>& servers, int chosen) {
   server_->clear();
   for (const PacsServer& server : servers_) server_->addItem(server.name);
   server_->setCurrentIndex(servers_.isEmpty() ? -1 : chosen);
-  showChosen();
+  showOther();
   if (servers_.isEmpty()) showAnswer(tr("Add the server of your archive first."), true);
+}
+
+/// Nothing stays that was typed for, or said of, another server or other settings.
+void PacsWindow::showOther() {
+  clearSecret();
+  showAnswer({}, true);
+  showChosen();
 }
 
 void PacsWindow::showAnswer(const QString& sentence, bool well) {
@@ -450,14 +464,21 @@ void PacsWindow::showChosen() {
   fetch_->setEnabled(known && !busy && list_->currentRow() >= 0 &&
                      !list_->selectedItems().isEmpty());
   const Login login = known && servers_[at].web ? servers_[at].login : Login::None;
-  const bool asks = login == Login::Basic || login == Login::Bearer;
-  secret_->setVisible(asks);
-  secret_words_->setVisible(asks);
-  secret_words_->setText(
-      login == Login::Bearer ? tr("Token") : tr("Password of %1").arg(servers_.value(at).user));
+  const QString user = servers_.value(at).user;
+  for (QWidget* one : {static_cast<QWidget*>(secret_), static_cast<QWidget*>(secret_words_)})
+    one->setVisible(login != Login::None);
+  for (QPushButton* one : {remember_, forget_}) {
+    one->setVisible(login == Login::Keyring);
+    one->setEnabled(!busy);
+  }
+  remember_->setEnabled(!busy && !secret_->text().isEmpty());
+  const bool token = login == Login::Bearer || (login == Login::Keyring && user.isEmpty());
+  secret_words_->setText(token ? tr("Token") : tr("Password of %1").arg(user));
+  secret_->setPlaceholderText(login == Login::Keyring ? tr("comes from the keyring") : QString{});
 }
 
 QString PacsWindow::secret() const { return secret_->text(); }
+void PacsWindow::clearSecret() { secret_->clear(); }
 int PacsWindow::chosenServer() const { return server_->currentIndex(); }
 bool PacsWindow::namesWanted() const { return names_wanted_->isChecked(); }
 

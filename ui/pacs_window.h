@@ -23,17 +23,17 @@ class WarningLabel;
 struct PacsServer {
   enum class Login { None, Basic, Bearer, Keyring };
 
-  QString name;  ///< what the user calls it
+  QString name = {};  ///< what the user calls it
   bool web = true;
-  QString url;   ///< of DICOMweb
-  QString host;  ///< of DIMSE
+  QString url = {};   ///< of DICOMweb
+  QString host = {};  ///< of DIMSE
   int port = 104;
-  QString called, calling = QStringLiteral("PALPATE");  ///< AE titles: the server's, ours
-  bool tls = false;                                     ///< of DIMSE
-  QString authority, certificate, key;                  ///< PEM files, or empty
-  Login login = Login::None;                            ///< of DICOMweb
-  QString user;
-  QString move;  ///< C-MOVE: ADDRESS:PORT at which the server reaches this computer; empty: C-GET
+  QString called = {}, calling = QStringLiteral("PALPATE");  ///< AE titles: the server's, ours
+  bool tls = false;                                          ///< of DIMSE
+  QString authority = {}, certificate = {}, key = {};        ///< PEM files, or empty
+  Login login = Login::None;                                 ///< of DICOMweb
+  QString user = {};
+  QString move = {};  ///< C-MOVE: ADDRESS:PORT of this computer for the server; empty: C-GET
 
   bool operator==(const PacsServer&) const = default;
 };
@@ -89,6 +89,7 @@ class PacsWindow : public QDialog {
   void setBusy(const QString& what);
   /// The password or token as it was typed; kept in this window alone.
   QString secret() const;
+  void clearSecret();
   PacsQuery query() const;
   bool namesWanted() const;
   int chosenServer() const;
@@ -96,6 +97,8 @@ class PacsWindow : public QDialog {
  signals:
   void serversChanged(const QList<ui::PacsServer>& servers, int chosen);
   void testWanted();
+  void rememberWanted();  ///< what was typed goes into the keyring
+  void forgetWanted();    ///< what the keyring has goes
   void searchWanted();
   void fetchWanted(int series);
   void cancelWanted();
@@ -108,13 +111,14 @@ class PacsWindow : public QDialog {
   void remove();
   void fill();
   void showChosen();
+  void showOther();
 
   QList<PacsServer> servers_;
   QList<PacsSeries> series_;
   bool names_ = false;
   QString busy_;
   QComboBox *server_, *modality_;
-  QPushButton *add_, *edit_, *remove_, *test_, *search_, *fetch_, *cancel_;
+  QPushButton *add_, *edit_, *remove_, *test_, *search_, *fetch_, *cancel_, *remember_, *forget_;
   QLineEdit *secret_, *patient_id_, *patient_name_, *accession_, *date_;
   QLabel* secret_words_;
   QCheckBox* names_wanted_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <system_error>
 
 namespace app::fetch {
@@ -46,6 +47,15 @@ std::optional<Identity> identityOf(const fs::path& path) {
 
 }  // namespace
 
+void shortenDictionary() {
+  setenv(DCM_DICT_ENVIRONMENT_VARIABLE, "/dev/null", 1);
+  DcmDataDictionary& dictionary = dcmDataDict.wrlock();
+  for (const DcmTagKey& tag : {DCM_SOPInstanceUID, DCM_StudyInstanceUID, DCM_SeriesInstanceUID})
+    dictionary.addEntry(new DcmDictEntry(tag.getGroup(), tag.getElement(), DcmVR{EVR_UI}, "UID", 1,
+                                         1, nullptr, OFFalse, nullptr));
+  dcmDataDict.wrunlock();
+}
+
 Arrivals::Arrivals(fs::path folder, FoundSeries wanted, Progress progress)
     : folder_{std::move(folder)},
       part_{folder_ / "coming"},
@@ -75,6 +85,13 @@ Expected<void> Arrivals::keep() {
   if (strangers_ + unreadable_ > kMostWaste)
     return refused("answer", {"fetch-other-images-only", {std::to_string(kMostWaste)}});
   return {};
+}
+
+bool Arrivals::isWhole() const {
+  DcmFileFormat file;
+  return file
+      .loadFile(OFFilename(part_.c_str()), EXS_Unknown, EGL_noChange, kLongestValue, ERM_autoDetect)
+      .good();
 }
 
 void Arrivals::drop() {

@@ -59,14 +59,33 @@ std::string placeOf(const Server& server) {
 
 Expected<std::unique_ptr<Archive>> opened(Job& job) {
   if (job.from_keyring) {
-    auto secret = secretOf(placeOf(job.server), job.keyring_user);
+    auto secret = secretOf({placeOf(job.server), job.keyring_user});
     if (!secret) return tl::unexpected(secret.error());
     job.login.kind = job.keyring_user.empty() ? Login::Kind::Bearer : Login::Kind::Basic;
     job.login.user = job.keyring_user;
     job.login.password = std::move(*secret);
   }
-  if (job.server.isWeb()) return openWeb(job.server, job.login);
+  if (job.server.isWeb()) {
+    shortenDictionary();
+    return openWeb(job.server, job.login);
+  }
   return openDimse(job.server, job.login, job.command == Job::Command::Get);
+}
+
+/// Puts a secret into the keyring, or takes it out.
+Outcome withKeyring(const Job& job) {
+  // a URL that is none has no place
+  if (const auto archive = openWeb(job.server, {}); !archive) return outcomeOf(archive.error());
+  const KeyringEntry entry{placeOf(job.server), job.keyring_user};
+  const bool stores = job.command == Job::Command::Remember;
+  if (const auto sound = stores ? remember(entry, job.login.password) : forget(entry); !sound)
+    return outcomeOf(sound.error());
+  Outcome outcome;
+  outcome.json[stores ? "remembered" : "forgotten"] = true;
+  const haptics::Message done = stores ? haptics::Message{"fetch-remembered", {entry.server}}
+                                       : haptics::Message{"fetch-forgotten", {entry.server}};
+  outcome.text = resources::sentence(done) + "\n";
+  return outcome;
 }
 
 Outcome listed(const Job& job, const Findings& findings) {
@@ -158,6 +177,8 @@ Outcome fetched(const Job& job, Archive& archive, const FoundSeries& series) {
 double longestOf(const Job& job) {
   switch (job.command) {
     case Job::Command::Echo:
+    case Job::Command::Remember:
+    case Job::Command::Forget:
       return 2.0 * kConnectTime_s + 3.0 * job.server.patience_s;
     case Job::Command::Find:
       return kFind_s;
@@ -168,6 +189,8 @@ double longestOf(const Job& job) {
 }
 
 Outcome done(Job job) {
+  if (job.command == Job::Command::Remember || job.command == Job::Command::Forget)
+    return withKeyring(job);
   auto archive = opened(job);
   if (!archive) return outcomeOf(archive.error());
   if (job.command == Job::Command::Echo) {

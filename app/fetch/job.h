@@ -12,10 +12,10 @@ namespace app::fetch {
 
 /// One command, whole.
 struct Job {
-  enum class Command { Echo, Find, Get };
+  enum class Command { Echo, Find, Get, Remember, Forget };
   Command command = Command::Echo;
   Server server;
-  Login login;
+  Login login;  ///< of Remember its password alone, whatever it is
   bool from_keyring = false;
   std::string keyring_user;  ///< empty: the keyring has a token
   Query query;

@@ -7,9 +7,17 @@
 
 namespace app::fetch {
 
-/// The secret that the desktop's keyring has for a server, under the attributes `application`
-/// (palpate), `server` (host and port) and, unless it is empty, `user`. Waits while the desktop
-/// asks to unlock it.
-haptics::Expected<std::string> secretOf(const std::string& server, const std::string& user);
+/// An entry of the desktop's keyring, found by its attributes: `application` (palpate), `server`
+/// (host and port) and `user`, which is empty for a token. The functions wait while the desktop
+/// asks to unlock the keyring.
+struct KeyringEntry {
+  std::string server, user;
+};
+
+haptics::Expected<std::string> secretOf(const KeyringEntry& entry);
+/// Replaces what the keyring has for the entry.
+haptics::Expected<void> remember(const KeyringEntry& entry, const std::string& secret);
+/// Refused if there is no such entry.
+haptics::Expected<void> forget(const KeyringEntry& entry);
 
 }  // namespace app::fetch

@@ -109,14 +109,18 @@ haptics::Expected<void> complete(Options& options) {
       return usage({"fetch-host-and-port", {options.move}});
   }
   Job& job = options.job;
+  const bool remembers = job.command == Job::Command::Remember;
+  const bool of_keyring = remembers || job.command == Job::Command::Forget;
+  if (of_keyring && (!server.isWeb() || (options.login != "none" && options.login != "keyring")))
+    return usage({"fetch-keyring-of-web", {}});
   job.from_keyring = options.login == "keyring";
   if (options.login == "basic") job.login.kind = Login::Kind::Basic;
   if (options.login == "bearer") job.login.kind = Login::Kind::Bearer;
   if (job.command == Job::Command::Get && options.out.empty() && !options.attached)
     return usage({"fetch-out-missing", {}});
   // what is secret, or names somebody, comes on standard input
-  const bool asks = job.command != Job::Command::Echo || job.login.kind != Login::Kind::None;
-  if (!asks) return {};
+  const bool searches = job.command == Job::Command::Find || job.command == Job::Command::Get;
+  if (!searches && !remembers && job.login.kind == Login::Kind::None) return {};
   const auto input = readInput(STDIN_FILENO);
   if (!input) return tl::unexpected(input.error());
   job.query = input->query;
@@ -125,12 +129,16 @@ haptics::Expected<void> complete(Options& options) {
   job.login.user = input->user;
   job.login.password = job.login.kind == Login::Kind::Bearer ? input->token : input->password;
   job.login.key_passphrase = input->key_passphrase;
+  if (remembers) {
+    job.login.password = job.keyring_user.empty() ? input->token : input->password;
+    if (job.login.password.empty()) return usage({"fetch-login-missing", {}});
+    return {};
+  }
   if (job.login.kind == Login::Kind::Bearer
           ? input->token.empty()
           : job.login.kind == Login::Kind::Basic && input->user.empty())
     return usage({"fetch-login-missing", {}});
-  if (job.command != Job::Command::Echo && job.query.isEmpty())
-    return usage({"fetch-query-empty", {}});
+  if (searches && job.query.isEmpty()) return usage({"fetch-query-empty", {}});
   if (job.command == Job::Command::Get && !job.index) return usage({"fetch-index-missing", {}});
   return {};
 }
@@ -201,7 +209,10 @@ int main(int argc, char** argv) {
   auto* echo = program.add_subcommand("echo", "Say whether the server answers and lets one search");
   auto* find = program.add_subcommand("find", "List the series that match, each with an index");
   auto* get = program.add_subcommand("get", "Fetch the series of an index");
-  for (auto* command : {echo, find, get}) addServer(*command, options);
+  auto* remember = program.add_subcommand(
+      "remember", "Store a password or token for a server in the desktop's keyring");
+  auto* forget = program.add_subcommand("forget", "Remove it from there");
+  for (auto* command : {echo, find, get, remember, forget}) addServer(*command, options);
   find->add_flag("--names", options.job.names, "Show patients and descriptions too");
   get->add_option("--out", options.out,
                   "A new or empty folder for the images. Without it they lie in a temporary one, "
@@ -222,6 +233,10 @@ int main(int argc, char** argv) {
     outcome.reason = "usage";
     return print(outcome, options.json);
   }
-  options.job.command = *echo ? Job::Command::Echo : *find ? Job::Command::Find : Job::Command::Get;
+  options.job.command = *echo       ? Job::Command::Echo
+                        : *find     ? Job::Command::Find
+                        : *get      ? Job::Command::Get
+                        : *remember ? Job::Command::Remember
+                                    : Job::Command::Forget;
   return run(options);
 }

@@ -34,27 +34,52 @@ Multipart::Multipart(std::string boundary, Sink sink)
     : delimiter_{"\r\n--" + std::move(boundary)}, sink_{std::move(sink)}, held_{"\r\n"} {}
 
 Expected<void> Multipart::feed(std::span<const char> bytes) {
-  held_.append(bytes.data(), bytes.size());
+  std::string_view fresh{bytes.data(), bytes.size()};
+  // what is held goes on with a few of the fresh bytes, until none of it is left
+  while (!held_.empty() && !fresh.empty()) {
+    const std::string_view next = fresh.substr(0, delimiter_.size());
+    held_ += next;
+    std::string_view rest = held_;
+    if (auto consumed = consume(rest); !consumed) return consumed;
+    if (rest.size() <= next.size()) {
+      fresh.remove_prefix(next.size() - rest.size());
+      held_.clear();
+    } else {
+      fresh.remove_prefix(next.size());
+      held_.erase(0, held_.size() - rest.size());
+    }
+  }
+  if (!held_.empty()) return {};
+  if (auto consumed = consume(fresh); !consumed) return consumed;
+  held_ = fresh;
+  return {};
+}
+
+/// Consumes from the front of `bytes` until more are needed.
+Expected<void> Multipart::consume(std::string_view& bytes) {
   for (;;) {
-    const auto more = step();
+    const auto more = step(bytes);
     if (!more) return tl::unexpected(more.error());
     if (!*more) return {};
   }
 }
 
-/// Consumes from held_; false if it needs more bytes.
-Expected<bool> Multipart::step() {
+/// Consumes one thing; false if it needs more bytes.
+Expected<bool> Multipart::step(std::string_view& bytes) {
   switch (state_) {
     case State::Preamble:
     case State::Body: {
-      const auto at = held_.find(delimiter_);
-      const bool found = at != std::string::npos;
-      // what is left may be the beginning of a delimiter
+      const auto at = bytes.find(delimiter_);
+      const bool found = at != bytes.npos;
+      // what is left may be the beginning of a delimiter, which has one CR
       const std::size_t sure =
-          found ? at : held_.size() - std::min(held_.size(), delimiter_.size() - 1);
+          found ? at
+                : std::min(bytes.size(),
+                           bytes.find(
+                               '\r', bytes.size() - std::min(bytes.size(), delimiter_.size() - 1)));
       if (state_ == State::Body) {
         if (sure > 0)
-          if (auto taken = sink_.bytes({held_.data(), sure}); !taken)
+          if (auto taken = sink_.bytes({bytes.data(), sure}); !taken)
             return tl::unexpected(taken.error());
         if (found) {
           if (auto ended = sink_.ended(); !ended) return tl::unexpected(ended.error());
@@ -63,37 +88,37 @@ Expected<bool> Multipart::step() {
       } else if ((preamble_ += sure) > kMostPreamble) {
         return noMultipart();
       }
-      held_.erase(0, sure + (found ? delimiter_.size() : 0));
+      bytes.remove_prefix(sure + (found ? delimiter_.size() : 0));
       if (found) state_ = State::AfterBoundary;
       return found;
     }
     case State::AfterBoundary: {
       // "--" closes; else white space, and the end of the line
-      if (held_.size() >= 2 && held_.starts_with("--")) {
+      if (bytes.size() >= 2 && bytes.starts_with("--")) {
         state_ = State::Epilogue;
-        held_.clear();
+        bytes = {};
         return true;
       }
-      const auto end = held_.find("\r\n");
-      if (held_.find_first_not_of(" \t\r\n-") < end || std::min(end, held_.size()) > kMostHeader)
+      const auto end = bytes.find("\r\n");
+      if (bytes.find_first_not_of(" \t\r\n-") < end || std::min(end, bytes.size()) > kMostHeader)
         return noMultipart();
-      if (end == std::string::npos) return false;
+      if (end == bytes.npos) return false;
       // the line's end stays: a part without header fields goes on with an empty line
-      held_.erase(0, end);
+      bytes.remove_prefix(end);
       state_ = State::Header;
       return true;
     }
     case State::Header: {
-      const auto end = held_.find("\r\n\r\n");
-      if (std::min(end, held_.size()) > kMostHeader) return noMultipart();
-      if (end == std::string::npos) return false;
-      held_.erase(0, end + 4);
+      const auto end = bytes.find("\r\n\r\n");
+      if (std::min(end, bytes.size()) > kMostHeader) return noMultipart();
+      if (end == bytes.npos) return false;
+      bytes.remove_prefix(end + 4);
       state_ = State::Body;
       if (auto began = sink_.began(); !began) return tl::unexpected(began.error());
       return true;
     }
     case State::Epilogue:
-      held_.clear();
+      bytes = {};
       return false;
   }
   return false;

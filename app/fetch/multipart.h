@@ -14,7 +14,8 @@ namespace app::fetch {
 
 /// Splits a multipart/related body (RFC 2046) as its bytes come, without keeping a part in memory.
 /// Only the boundary ends a part: lengths that a server states are not used. Between two calls it
-/// holds the last bytes that may begin a boundary, or the header of a part, 8 KiB at most.
+/// holds the last bytes that may begin a boundary, or the header of a part, 8 KiB at most; all else
+/// goes on from where it lies.
 class Multipart {
  public:
   /// Each may refuse, which ends the reading. `ended` is called only after the boundary behind a
@@ -40,7 +41,8 @@ class Multipart {
   State state_ = State::Preamble;
   std::uint64_t parts_ = 0, preamble_ = 0;
 
-  haptics::Expected<bool> step();
+  haptics::Expected<void> consume(std::string_view& bytes);
+  haptics::Expected<bool> step(std::string_view& bytes);
 };
 
 /// The boundary that a Content-Type states; empty for a single body of application/dicom; nothing

@@ -28,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kGrace{700};  // from SIGTERM to SIGKILL
 constexpr int kLook_ms = 50;
 constexpr rlim_t kMoreMemory = rlim_t{1} << 30;  // bytes, beyond what the program begins with
+constexpr int kKept = 16 << 20;                  // bytes that are free and not given back
 constexpr rlim_t kMostTime_s = 1800;             // of the processor
 constexpr rlim_t kLargestFile = rlim_t{64} << 30;
 constexpr rlim_t kMostFiles = 256;
@@ -38,8 +39,10 @@ bool confine() {
       prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && limitResource(RLIMIT_CPU, kMostTime_s) &&
       limitResource(RLIMIT_FSIZE, kLargestFile) && limitResource(RLIMIT_NOFILE, kMostFiles);
   if constexpr (!haptics::kSanitized) {
-    // each arena of the C library's takes 64 MiB of addresses, however little is in it
-    sound = sound && mallopt(M_ARENA_MAX, 2) == 1 && haptics::limitAddresses(kMoreMemory);
+    // each arena of the C library's takes 64 MiB of addresses, however little is in it; and memory
+    // that it gives back and takes again costs more than what is done with it
+    sound = sound && mallopt(M_ARENA_MAX, 1) == 1 && mallopt(M_TRIM_THRESHOLD, kKept) == 1 &&
+            mallopt(M_MMAP_THRESHOLD, kKept) == 1 && haptics::limitAddresses(kMoreMemory);
   }
   return sound;
 }

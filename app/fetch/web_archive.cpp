@@ -29,6 +29,7 @@ using haptics::Expected;
 constexpr qint64 kBuffer = qint64{1} << 20;  // bytes that wait to be read, at most
 constexpr int kLook_ms = 100;
 constexpr int kRedirects = 3;
+constexpr int kNoContent = 204;      // HTTP status
 constexpr const char* kWild = "*?";  // some servers do not decode these
 constexpr const char* kJson = "application/dicom+json";
 constexpr const char* kImages = "multipart/related; type=\"application/dicom\"; transfer-syntax=*";
@@ -41,7 +42,8 @@ struct Body {
 
 class WebArchive final : public Archive {
  public:
-  WebArchive(const Server& server, QUrl base, QByteArray authorization, QSslConfiguration tls)
+  WebArchive(const Server& server, QUrl base, QByteArray authorization,
+             std::optional<QSslConfiguration> tls)
       : server_{server},
         base_{std::move(base)},
         authorization_{std::move(authorization)},
@@ -64,8 +66,9 @@ class WebArchive final : public Archive {
   Server server_;
   QUrl base_;
   QByteArray authorization_;
-  QSslConfiguration tls_;
+  std::optional<QSslConfiguration> tls_;  ///< of https alone: making one starts a TLS library
   QNetworkAccessManager network_;
+  std::vector<char> piece_ = std::vector<char>(kBuffer);  ///< of an answer, on its way
 
   haptics::Message name() const { return server_.name(); }
   Expected<void> request(const std::string& path, const QUrlQuery& query, const char* accept,
@@ -159,8 +162,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   url.setPath(base_.path() + QString::fromStdString(path));
   if (!query.isEmpty()) url.setQuery(query);
   QNetworkRequest asked{url};
-  // without https Qt needs no TLS library, whose start takes longer than a search
-  if (base_.scheme() == "https") asked.setSslConfiguration(tls_);
+  if (tls_) asked.setSslConfiguration(*tls_);
   asked.setRawHeader("Accept", accept);
   // whoever packs a body may pack a small one that becomes large
   asked.setRawHeader("Accept-Encoding", "identity");
@@ -181,14 +183,18 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   QList<QSslError> errors;
   std::optional<haptics::Error> trouble;
   bool begun = false, sent = false;
+  qint64 read = 0;
   Pace pace{server_.patience_s};
   const auto begun_at = Pace::Clock::now();
 
   const auto give = [&] {
     while (!trouble && reply->bytesAvailable() > 0) {
       const int status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
-      const QByteArray bytes = reply->read(kBuffer);
-      pace.came(static_cast<std::uint64_t>(bytes.size()));
+      const qint64 size = reply->read(piece_.data(), kBuffer);
+      if (size <= 0) break;
+      const std::span<const char> bytes{piece_.data(), static_cast<std::size_t>(size)};
+      read += size;
+      pace.came(bytes.size());
       if (status < 200 || status > 299) continue;  // words for people, in an error
       if (!std::exchange(begun, true)) {
         const QByteArray packed = reply->rawHeader("Content-Encoding").toLower();
@@ -202,8 +208,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
           break;
         }
       }
-      if (auto taken = body.bytes({bytes.data(), static_cast<std::size_t>(bytes.size())}); !taken)
-        trouble = taken.error();
+      if (auto taken = body.bytes(bytes); !taken) trouble = taken.error();
     }
     if (trouble) loop.quit();
   };
@@ -242,6 +247,10 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   if (status >= 300 && status < 400) return refused("redirect", {"fetch-redirect", {name()}});
   if (status >= 400) return statusTrouble(status);
   if (reply->error() != QNetworkReply::NoError) return troubleOf(*reply, errors, begun || sent);
+  // Qt may take a connection that broke off for the end of an answer
+  const QVariant length = reply->header(QNetworkRequest::ContentLengthHeader);
+  if (length.isValid() ? length.toLongLong() != read : !begun && status != kNoContent)
+    return failed("lost", {"fetch-lost", {name()}});
   if (!begun)
     if (auto begins = body.begins({}); !begins) return tl::unexpected(begins.error());
   return {};
@@ -342,8 +351,8 @@ Expected<void> WebArchive::images(const std::string& path, Arrivals& arrivals) {
                                return arrivals.came(bytes.size());
                              },
                              .ended = [&]() -> Expected<void> {
-                               if (!file.flush()) return unwritable();
                                file.close();
+                               if (file.error() != QFileDevice::NoError) return unwritable();
                                return arrivals.keep();
                              }};
   std::optional<Multipart> parts;
@@ -362,7 +371,10 @@ Expected<void> WebArchive::images(const std::string& path, Arrivals& arrivals) {
         return single ? sink.bytes(bytes) : parts ? parts->feed(bytes) : Expected<void>{};
       }};
   auto answered = request(path, {}, kImages, body);
-  if (answered && single) answered = sink.ended();
+  if (answered && single) {
+    file.close();
+    answered = arrivals.isWhole() ? sink.ended() : failed("lost", {"fetch-cut-off", {}});
+  }
   if (answered && parts) answered = parts->finish();
   file.close();
   arrivals.drop();
@@ -431,13 +443,13 @@ Expected<std::unique_ptr<Archive>> openWeb(const Server& server, const Login& lo
   if (login.kind == Login::Kind::Bearer)
     authorization = "Bearer " + QByteArray::fromStdString(login.password);
 
-  QSslConfiguration tls;
+  std::optional<QSslConfiguration> tls;
   if (https) {
     tls = QSslConfiguration::defaultConfiguration();
-    tls.setProtocol(QSsl::TlsV1_2OrLater);
-    tls.setPeerVerifyMode(QSslSocket::VerifyPeer);
+    tls->setProtocol(QSsl::TlsV1_2OrLater);
+    tls->setPeerVerifyMode(QSslSocket::VerifyPeer);
     if (!server.authority.empty() &&
-        !tls.addCaCertificates(QString::fromStdString(server.authority)))
+        !tls->addCaCertificates(QString::fromStdString(server.authority)))
       return refused("certificate-file", {"fetch-certificate-file", {server.authority}});
     if (!server.certificate.empty()) {
       const auto chain = QSslCertificate::fromPath(QString::fromStdString(server.certificate));
@@ -453,8 +465,8 @@ Expected<std::unique_ptr<Archive>> openWeb(const Server& server, const Login& lo
           key = QSslKey(pem, algorithm, QSsl::Pem, QSsl::PrivateKey,
                         QByteArray::fromStdString(login.key_passphrase));
       if (key.isNull()) return refused("certificate-file", {"fetch-key-file", {server.key}});
-      tls.setLocalCertificateChain(chain);
-      tls.setPrivateKey(key);
+      tls->setLocalCertificateChain(chain);
+      tls->setPrivateKey(key);
     }
   }
   return std::make_unique<WebArchive>(server, base, authorization, tls);

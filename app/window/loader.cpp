@@ -70,11 +70,6 @@ struct Watch {
 // shares of the whole
 constexpr double kSurveyed = 0.1, kRead = 0.8;
 
-QString nameOf(const std::filesystem::path& path) {
-  const auto name = path.has_filename() ? path.filename() : path.parent_path().filename();
-  return QString::fromStdString(name.string());
-}
-
 std::filesystem::path placeOf(const std::filesystem::path& path, const datasets::Survey& survey) {
   std::error_code error;
   std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
@@ -107,7 +102,7 @@ Expected<datasets::SeriesVerdict> entryOf(const LoadRequest& request,
         Error::Kind::NotFound,
         Loader::tr("There is no series %1 in \"%2\": it holds %n, counted from 0.", nullptr, count)
             .arg(*request.series)
-            .arg(nameOf(*request.path)),
+            .arg(nameOf(request)),
         "no-such-series");
   if (request.series) return all[static_cast<std::size_t>(*request.series)];
   const bool correct = request.geometry == datasets::Geometry::Corrected;
@@ -130,12 +125,12 @@ Expected<datasets::SeriesVerdict> entryOf(const LoadRequest& request,
   if (std::ranges::all_of(all, [](const auto& s) { return s.verdict == Verdict::Refused; }))
     return refused(Error::Kind::Unsupported,
                    Loader::tr("None of the %n series in \"%1\" can be loaded.", nullptr, count)
-                       .arg(nameOf(*request.path)),
+                       .arg(nameOf(request)),
                    kWhichSeries);
   return refused(
       Error::Kind::Unsupported,
       Loader::tr("\"%1\" holds %n series; choose one of those that can be loaded.", nullptr, count)
-          .arg(nameOf(*request.path)),
+          .arg(nameOf(request)),
       kWhichSeries);
 }
 
@@ -148,7 +143,7 @@ Expected<void> choose(LoadRequest& request, const Watch& watch) {
   auto entry = entryOf(request, survey->series);
   const std::filesystem::path place = placeOf(*request.path, *survey);
   const bool among_others = survey->series.size() > 1;
-  watch.surveyed({*request.path, place, std::move(*survey)});
+  watch.surveyed({*request.path, place, request.name, std::move(*survey)});
   if (!entry) return tl::unexpected(entry.error());
   request.chosen = ChosenSeries{std::move(*entry), among_others, place};
   return {};
@@ -175,7 +170,7 @@ Expected<void> checkMemory(const datasets::SeriesVerdict& series, bool in_part,
 }
 
 QString titleOf(const LoadRequest& request, const haptics::Volume& volume) {
-  QString title = nameOf(*request.path);
+  QString title = nameOf(request);
   if (request.chosen->among_others) {
     const QString series = QString::fromStdString(request.chosen->series.labels.series);
     title = Loader::tr("%1: %2").arg(
@@ -233,7 +228,7 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
     if (*request.phantom == kDemo && !kept) watch.made(*phantom);
     source.isovalue = phantom->isovalue;
     source.tool = phantom->tool;
-    source.title = phantomTitle(*request.phantom);
+    source.title = nameOf(request);
     source.volume = std::make_shared<const haptics::Volume>(std::move(phantom->volume));
   } else if (request.keep) {
     source.volume = request.keep->volume;
@@ -338,6 +333,14 @@ Error inWords(Error error) {
 }
 
 }  // namespace
+
+QString nameOf(const LoadRequest& request) {
+  if (!request.path) return request.phantom ? phantomTitle(*request.phantom) : QString{};
+  if (!request.name.isEmpty()) return request.name;
+  const std::filesystem::path& path = *request.path;
+  const auto name = path.has_filename() ? path.filename() : path.parent_path().filename();
+  return QString::fromStdString(name.string());
+}
 
 QString labelOf(const ToolSource& tool) {
   if (tool.file) return QString::fromStdString(tool.file->filename().string());

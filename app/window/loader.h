@@ -53,6 +53,7 @@ struct Kept {
 struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
   std::shared_ptr<ReadAhead> ahead = {};  ///< that of the path; null: none
+  QString name = {};                      ///< of the path, for the user; empty: its own
   std::optional<int> series = {};         ///< index of the entry in the path's survey
   /// The entry itself. If not set, the path is surveyed and the only sound entry is taken, unless
   /// another is larger or correctable.
@@ -69,12 +70,16 @@ struct LoadRequest {
   std::shared_ptr<const haptics::Scene> previous = {};
 };
 
+/// The name of what is read, for the user; empty if nothing is.
+QString nameOf(const LoadRequest& request);
+
 /// The series found at a path.
 struct Surveyed {
   std::filesystem::path path;
   /// The place to remember: the path itself if it is a folder, an archive or a volume; for a slice,
   /// its folder.
   std::filesystem::path place;
+  QString name;  ///< as in LoadRequest
   datasets::Survey survey;
 };
 

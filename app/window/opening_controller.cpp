@@ -28,12 +28,7 @@ QString refusalOf(const LoadRequest& request, const QString& why,
     if (!request.tool || (shown && tool == labelOf(shown->tool))) return why + stays;
     return OpeningController::tr("The tool \"%1\" was not taken. %2").arg(tool, why) + stays;
   }
-  QString name = request.phantom ? phantomTitle(*request.phantom) : QString{};
-  if (request.path) {
-    const std::filesystem::path& path = *request.path;
-    name = QString::fromStdString(
-        (path.has_filename() ? path : path.parent_path()).filename().string());
-  }
+  const QString name = nameOf(request);
   const QString what =
       name.isEmpty() ? why : OpeningController::tr("\"%1\" was not opened. %2").arg(name, why);
   return shown ? OpeningController::tr("%1 Still shown: %2.").arg(what, shown->title) : what;

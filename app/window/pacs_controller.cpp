@@ -177,6 +177,19 @@ void PacsController::open() {
         shown_->showAnswer(tr("The server answers, and lets Palpate search."), true);
       });
     });
+    connect(shown_, &ui::PacsWindow::rememberWanted, this, [this] {
+      const bool token = servers_.value(shown_->chosenServer()).user.isEmpty();
+      ask("remember", {{"login", QJsonObject{{token ? "token" : "password", shown_->secret()}}}},
+          {}, tr("Storing"), [this](const QJsonObject&) {
+            shown_->clearSecret();
+            shown_->showAnswer(tr("The keyring has it now."), true);
+          });
+    });
+    connect(shown_, &ui::PacsWindow::forgetWanted, this, [this] {
+      ask("forget", {}, {}, tr("Removing"), [this](const QJsonObject&) {
+        shown_->showAnswer(tr("The keyring has it no more."), true);
+      });
+    });
     connect(shown_, &ui::PacsWindow::searchWanted, this, &PacsController::search);
     connect(shown_, &ui::PacsWindow::fetchWanted, this, &PacsController::fetch);
     connect(shown_, &ui::PacsWindow::cancelWanted, this, [this] {
@@ -240,7 +253,7 @@ void PacsController::fetch(int series) {
         // the program keeps the folder until its standard input ends
         release(std::exchange(holds_folder_, std::move(process_)));
         holds_folder_->disconnect(this);
-        emit openWanted(answer["folder"].toString());
+        emit openWanted(answer["folder"].toString(), tr("From the PACS"));
       });
 }
 

@@ -28,8 +28,9 @@ class PacsController : public QObject {
   ~PacsController() override;
 
  signals:
-  /// A folder of slices that was fetched. It stays until another is fetched, or to the end.
-  void openWanted(const QString& folder);
+  /// A folder of slices that was fetched, and what it is called. It stays until another is fetched,
+  /// or to the end.
+  void openWanted(const QString& folder, const QString& name);
 
  private:
   using Answer = std::function<void(const QJsonObject& answer)>;

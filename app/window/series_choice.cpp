@@ -93,7 +93,9 @@ void SeriesChoice::browse() {
   close();
   QList<ui::SeriesRow> rows;
   for (const datasets::SeriesVerdict& series : surveyed_->survey.series) rows << rowOf(series);
-  const QString place = QString::fromStdString(surveyed_->place.filename().string());
+  const QString place = surveyed_->name.isEmpty()
+                            ? QString::fromStdString(surveyed_->place.filename().string())
+                            : surveyed_->name;
   browser_ = new ui::SeriesBrowser(place, rows, &window_);
   browser_->setAttribute(Qt::WA_DeleteOnClose);
   connect(browser_, &ui::SeriesBrowser::loadWanted, this, &SeriesChoice::loadChosen);
@@ -112,6 +114,7 @@ void SeriesChoice::close() {
 void SeriesChoice::loadChosen(int row) {
   const datasets::SeriesVerdict& series = surveyed_->survey.series[static_cast<std::size_t>(row)];
   LoadRequest request{.path = surveyed_->path,
+                      .name = surveyed_->name,
                       .chosen = ChosenSeries{.series = series,
                                              .among_others = surveyed_->survey.series.size() > 1,
                                              .place = surveyed_->place}};

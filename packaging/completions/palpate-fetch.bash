@@ -8,6 +8,8 @@ _palpate_fetch() {
       " echo") command="echo" ;;
       " find") command="find" ;;
       " get") command="get" ;;
+      " remember") command="remember" ;;
+      " forget") command="forget" ;;
       *) ;;
     esac
   done
@@ -44,13 +46,35 @@ _palpate_fetch() {
     "get --patience") compopt -o default; return ;;
     "get --out") compopt -o default; return ;;
     "get --move") compopt -o default; return ;;
+    "remember --dicomweb") compopt -o default; return ;;
+    "remember --dimse") compopt -o default; return ;;
+    "remember --called") compopt -o default; return ;;
+    "remember --calling") compopt -o default; return ;;
+    "remember --authority") compopt -o default; return ;;
+    "remember --certificate") compopt -o default; return ;;
+    "remember --key") compopt -o default; return ;;
+    "remember --login") mapfile -t COMPREPLY < <(compgen -W "none basic bearer keyring" -- "$word"); return ;;
+    "remember --user") compopt -o default; return ;;
+    "remember --patience") compopt -o default; return ;;
+    "forget --dicomweb") compopt -o default; return ;;
+    "forget --dimse") compopt -o default; return ;;
+    "forget --called") compopt -o default; return ;;
+    "forget --calling") compopt -o default; return ;;
+    "forget --authority") compopt -o default; return ;;
+    "forget --certificate") compopt -o default; return ;;
+    "forget --key") compopt -o default; return ;;
+    "forget --login") mapfile -t COMPREPLY < <(compgen -W "none basic bearer keyring" -- "$word"); return ;;
+    "forget --user") compopt -o default; return ;;
+    "forget --patience") compopt -o default; return ;;
     *) ;;
   esac
   case "$command" in
-    "") mapfile -t COMPREPLY < <(compgen -W "echo find get -h --help --version" -- "$word") ;;
+    "") mapfile -t COMPREPLY < <(compgen -W "echo find get remember forget -h --help --version" -- "$word") ;;
     "echo") mapfile -t COMPREPLY < <(compgen -W "-h --help --dicomweb --dimse --called --calling --tls --authority --certificate --key --login --user --patience --attached --json" -- "$word") ;;
     "find") mapfile -t COMPREPLY < <(compgen -W "-h --help --dicomweb --dimse --called --calling --tls --authority --certificate --key --login --user --patience --attached --json --names" -- "$word") ;;
     "get") mapfile -t COMPREPLY < <(compgen -W "-h --help --dicomweb --dimse --called --calling --tls --authority --certificate --key --login --user --patience --attached --json --out --move" -- "$word") ;;
+    "remember") mapfile -t COMPREPLY < <(compgen -W "-h --help --dicomweb --dimse --called --calling --tls --authority --certificate --key --login --user --patience --attached --json" -- "$word") ;;
+    "forget") mapfile -t COMPREPLY < <(compgen -W "-h --help --dicomweb --dimse --called --calling --tls --authority --certificate --key --login --user --patience --attached --json" -- "$word") ;;
     *) ;;
   esac
   [[ ${#COMPREPLY[@]} -gt 0 ]] || compopt -o default

@@ -55,6 +55,11 @@ inline constexpr Row kFetch[] = {
      "The desktop's keyring does not answer; unlock it, or log in with --login basic."},
     {"fetch-not-in-keyring",
      "The keyring has no entry for %1; store one, or log in with --login basic."},
+    {"fetch-keyring-of-web",
+     "The keyring has logins of DICOMweb; name its server with --dicomweb, and --user unless it is "
+     "a token."},
+    {"fetch-remembered", "The keyring has the login for %1 now."},
+    {"fetch-forgotten", "The keyring has no login for %1 any more."},
     // the program itself
     {"fetch-cancelled", "Stopped; nothing of the transfer was kept."},
     {"fetch-not-started", "The transfer could not be started; close other programs and try again."},

@@ -2051,6 +2051,18 @@
         <source>The Force Dimension SDK</source>
         <translation>Das SDK von Force Dimension</translation>
     </message>
+    <message>
+        <source>The keyring has logins of DICOMweb; name its server with --dicomweb, and --user unless it is a token.</source>
+        <translation>Der Schlüsselbund hat Anmeldungen für DICOMweb; nennen Sie den Server mit --dicomweb und, außer bei einem Token, den Benutzer mit --user.</translation>
+    </message>
+    <message>
+        <source>The keyring has the login for %1 now.</source>
+        <translation>Der Schlüsselbund hat die Anmeldung für %1 jetzt.</translation>
+    </message>
+    <message>
+        <source>The keyring has no login for %1 any more.</source>
+        <translation>Der Schlüsselbund hat keine Anmeldung für %1 mehr.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -2695,6 +2707,26 @@
     <message>
         <source>palpate-fetch cannot be started; install it again.</source>
         <translation>palpate-fetch lässt sich nicht starten; installieren Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Storing</source>
+        <translation>Wird gespeichert</translation>
+    </message>
+    <message>
+        <source>The keyring has it now.</source>
+        <translation>Der Schlüsselbund hat sie jetzt.</translation>
+    </message>
+    <message>
+        <source>Removing</source>
+        <translation>Wird entfernt</translation>
+    </message>
+    <message>
+        <source>The keyring has it no more.</source>
+        <translation>Der Schlüsselbund hat sie nicht mehr.</translation>
+    </message>
+    <message>
+        <source>From the PACS</source>
+        <translation>Vom PACS</translation>
     </message>
 </context>
 <context>
@@ -5313,10 +5345,6 @@
         <translation>Passwort oder Token</translation>
     </message>
     <message>
-        <source>For the server; it is stored nowhere, and forgotten when the window closes</source>
-        <translation>Für den Server; es wird nirgends gespeichert und mit dem Schließen des Fensters vergessen</translation>
-    </message>
-    <message>
         <source>; * and ? stand for any letters</source>
         <translation>; * und ? stehen für beliebige Buchstaben</translation>
     </message>
@@ -5487,6 +5515,30 @@
     <message>
         <source>Password of %1</source>
         <translation>Passwort von %1</translation>
+    </message>
+    <message>
+        <source>For the server; it is stored in no file of Palpate, and forgotten when the window closes</source>
+        <translation>Für den Server; in keiner Datei von Palpate gespeichert und vergessen, wenn das Fenster schließt</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>Stores it in the desktop&apos;s keyring</source>
+        <translation>Speichert es im Schlüsselbund der Arbeitsumgebung</translation>
+    </message>
+    <message>
+        <source>For&amp;get</source>
+        <translation>&amp;Vergessen</translation>
+    </message>
+    <message>
+        <source>Removes it from the desktop&apos;s keyring</source>
+        <translation>Entfernt es aus dem Schlüsselbund der Arbeitsumgebung</translation>
+    </message>
+    <message>
+        <source>comes from the keyring</source>
+        <translation>kommt aus dem Schlüsselbund</translation>
     </message>
 </context>
 <context>

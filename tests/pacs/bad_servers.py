@@ -101,7 +101,16 @@ class BadWeb:
             return self.send(handler, json.dumps([{"00080018": {"vr": "UI", "Value": [uid]}}]).encode())
         return self.images(handler)
 
+    @staticmethod
+    def die(handler, kind, chunks=b""):
+        handler.close_connection = True
+        handler.connection.sendall(b"HTTP/1.1 200 OK\r\nContent-Type: " + kind.encode()
+                                   + b"\r\nTransfer-Encoding: chunked\r\n\r\n" + chunks)
+        handler.connection.shutdown(socket.SHUT_RDWR)
+
     def list(self, handler, path):
+        if self.how == "list-dies":
+            return self.die(handler, "application/dicom+json")
         value = lambda *texts: {"vr": "UI", "Value": list(texts)}
         if "/series" in path:
             uid = "../../escape" if self.how == "series-path" else SERIES
@@ -152,10 +161,10 @@ class BadWeb:
         if how == "text":
             return self.send(handler, b"no images here", "text/plain")
         if how == "dies":
-            handler.connection.sendall(b"HTTP/1.1 200 OK\r\nContent-Type: " + kind.encode()
-                                       + b"\r\nTransfer-Encoding: chunked\r\n\r\n")
-            handler.connection.shutdown(socket.SHUT_RDWR)
-            return None
+            return self.die(handler, kind)
+        if how == "bare-dies":
+            half = image[:len(image) // 2]
+            return self.die(handler, "application/dicom", b"%x\r\n%b\r\n" % (len(half), half))
         if how == "silent-midway":
             handler.send_response(200)
             handler.send_header("Content-Type", kind)

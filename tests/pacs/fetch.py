@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Calls palpate-fetch as a user or a parent program does, and keeps all that it says."""
+import itertools
 import json
 import os
 import pathlib
@@ -12,6 +13,9 @@ import threading
 import time
 
 from servers import Listener
+
+
+HANGS = 200  # s: no call takes so long, on a busy machine either
 
 
 class Answer:
@@ -39,11 +43,10 @@ class Fetch:
         self.temporary = self.folder / "temporary"
         self.temporary.mkdir(parents=True)
         self.environment = {**os.environ, "TMPDIR": str(self.temporary), "QT_LOGGING_RULES": "*=true"}
-        self.outs = 0
+        self.outs = itertools.count(1)
 
     def out(self):
-        self.outs += 1
-        return self.folder / f"out-{self.outs}"
+        return self.folder / f"out-{next(self.outs)}"
 
     def start(self, command, server, request, *options):
         process = subprocess.Popen([self.program, command, *server, "--json", *map(str, options)],
@@ -59,7 +62,11 @@ class Fetch:
         begun = time.monotonic()
         process = self.start(command, server, request, *options)
         listing = "\n".join(self.listing(process))
-        out, err = process.communicate()
+        try:
+            out, err = process.communicate(timeout=HANGS)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            out, err = process.communicate()
         if not show:
             self.said += [out, err, listing]
         return Answer(process.returncode, out, err, time.monotonic() - begun)

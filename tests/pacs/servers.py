@@ -141,11 +141,7 @@ class Server:
         self.process.wait()
 
     def stop(self):
-        self.process.terminate()
-        try:
-            self.process.wait(20)
-        except subprocess.TimeoutExpired:
-            self.kill()
+        self.kill()
         self.log.close()
 
 
@@ -170,7 +166,7 @@ class Orthanc(Server):
                 "AllowFindWorklist": False, "AllowGet": True, "AllowMove": True, "AllowStore": True}},
             "DicomWeb": {"Enable": True, "Root": "/dicom-web/"},
             "HttpsCACertificates": "", "StorageCompression": False, "SynchronousCMove": True,
-            "KeepAlive": True, "TcpNoDelay": True, **(more or {})}
+            "KeepAlive": True, "TcpNoDelay": True, "SyncStorageArea": False, **(more or {})}
         if tls:
             settings |= {"DicomTlsEnabled": True, "DicomTlsCertificate": str(tls[0]),
                          "DicomTlsPrivateKey": str(tls[1]), "DicomTlsTrustedCertificates": str(authority),
@@ -222,6 +218,41 @@ class Qrscp(Server):
         for folder in folders:
             subprocess.run(["dcmsend", "-nh", "-aet", "PALPATE", "-aec", self.called, "127.0.0.1", str(self.dimse),
                             "--scan-directories", str(folder)], check=True, capture_output=True)
+
+
+class Keyring:
+    """gnome-keyring on the session's own bus, unlocked, with a home of its own."""
+
+    @staticmethod
+    def program(unpacked):
+        """Unpacked by packaging/test, or installed."""
+        return shutil.which("gnome-keyring-daemon", path=f"{unpacked}/usr/bin:{os.environ['PATH']}")
+
+    @classmethod
+    def missing(cls, unpacked):
+        programs = [name for name in ("dbus-run-session", "secret-tool", "gdbus") if shutil.which(name) is None]
+        return programs + ([] if cls.program(unpacked) else ["gnome-keyring-daemon"])
+
+    def __init__(self, unpacked, home):
+        self.home = pathlib.Path(home)
+        self.environment = {"HOME": str(self.home)}
+        for name in ("DATA_HOME", "CONFIG_HOME", "CACHE_HOME", "RUNTIME_DIR"):
+            folder = self.home / name.lower()
+            folder.mkdir(parents=True, mode=0o700)
+            self.environment[f"XDG_{name}"] = str(folder)
+        # it goes on by itself, and ends with the bus
+        subprocess.run([self.program(unpacked), "--unlock", "--components=secrets"], input="x", text=True, check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={
+                           **os.environ, **self.environment,
+                           "LD_LIBRARY_PATH": str(pathlib.Path(unpacked) / "usr/lib/x86_64-linux-gnu")})
+
+    def lock(self):
+        subprocess.run(["gdbus", "call", "--session", "--dest", "org.freedesktop.secrets", "--object-path",
+                        "/org/freedesktop/secrets", "--method", "org.freedesktop.Secret.Service.Lock",
+                        "[objectpath '/org/freedesktop/secrets/collection/login']"], check=True, capture_output=True)
+
+    def files(self):
+        return [path for path in self.home.rglob("*") if path.is_file()]
 
 
 def found(unpacked):

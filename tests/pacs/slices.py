@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Slices of a real scan as DICOM files, byte by byte, of somebody whose names are nowhere else."""
+import concurrent.futures
 import gzip
+import io
 import pathlib
 import secrets
 import struct
@@ -78,19 +80,20 @@ def dicom(person, study, series, instance, k, columns, rows, pixels, modality="C
 
 class Head:
     """The voxels of the head that is beside the checkout: signed 16 bits, little endian."""
+    side = 512
 
     def __init__(self, scans):
         data = (pathlib.Path(scans) / "visible_human_female_head/vhf_head_512x512x234.nrrd").read_bytes()
         header, voxels = data.split(b"\n\n", 1)
         assert b"int16" in header or b"short" in header, header
-        self.side = 512
-        if b"encoding: gz" in header:
-            voxels = gzip.decompress(voxels)
-        self.voxels = voxels
+        file = io.BytesIO(voxels)
+        self.rest = gzip.GzipFile(fileobj=file) if b"encoding: gz" in header else file
+        self.voxels = bytearray()
 
     def plane(self, k):
         size = self.side * self.side * 2
-        return self.voxels[k * size:(k + 1) * size]
+        self.voxels += self.rest.read(max(0, (k + 1) * size - len(self.voxels)))
+        return bytes(self.voxels[k * size:(k + 1) * size])
 
     def crop(self, k, side):
         plane, row = self.plane(k), self.side * 2
@@ -112,10 +115,16 @@ class Series:
             path = self.folder / f"{k:04}.dcm"
             path.write_bytes(dicom(person, self.study, self.series, self.instances[-1], k, side, side, pixels,
                                    number=number))
-            if syntax != "explicit":
-                made = path.with_suffix(".made")
-                subprocess.run([*CONVERTED[syntax], path, made], check=True, capture_output=True)
-                made.replace(path)
+        if syntax == "explicit":
+            return
+
+        def convert(path):
+            made = path.with_suffix(".made")
+            subprocess.run([*CONVERTED[syntax], path, made], check=True, capture_output=True)
+            made.replace(path)
+
+        with concurrent.futures.ThreadPoolExecutor(4) as beside:
+            list(beside.map(convert, self.files()))
 
     def files(self):
         return sorted(self.folder.iterdir())

@@ -21,6 +21,8 @@
 #include <QTest>
 #include <QTimer>
 
+#include "app/application.h"
+#include "tests/support/dicom_bytes.h"
 #include "window_support.h"
 
 namespace {
@@ -41,6 +43,8 @@ if "--dicomweb" in sys.argv and "wrong" in sys.argv[sys.argv.index("--dicomweb")
     sys.exit(4)
 if command == "echo":
     say({"answers": True})
+elif command in ("remember", "forget"):
+    say({command: True})
 elif command == "find":
     series = []
     for n in range(2):
@@ -56,8 +60,8 @@ elif given["index"] == 1:
     say({"event": "progress", "images": 7, "of": 120, "bytes": 3700000})
     time.sleep(60)
 else:
-    folder = work + "/fetched"
-    os.mkdir(folder)
+    folder = work + "/palpate-fetch-1a2b3c"
+    shutil.copytree(work + "/scan", folder)
     say({"event": "progress", "images": 60, "of": 120, "bytes": 31000000})
     say({"event": "done", "folder": folder, "images": 120, "bytes": 62000000, "missing": 0, "not_kept": 0,
          "warnings": []})
@@ -74,6 +78,7 @@ class Pacs : public testing::Test {
     script.write(kScript);
     script.setPermissions(script.permissions() | QFile::ExeOwner);
     script.close();
+    writeScan();
     app::savePacsServers({{.name = "Archive",
                            .url = "https://pacs.example.org/dicom-web",
                            .login = ui::PacsServer::Login::Basic,
@@ -85,9 +90,27 @@ class Pacs : public testing::Test {
   }
   ~Pacs() override { QSettings().clear(); }
 
+  /// What is fetched: four slices of somebody.
+  void writeScan() {
+    QDir(folder_.path()).mkdir("scan");
+    for (int k = 0; k < 4; ++k) {
+      datasets::testing::DicomSlice slice;
+      slice.instance += "." + std::to_string(k);
+      slice.position_mm = {0, 0, double(k)};
+      slice.rows = slice.columns = 8;
+      for (int n = 0; n < 64; ++n) slice.pixels.push_back(std::int16_t(n % 8 < 4 ? -1000 : 500));
+      const std::string bytes = datasets::testing::edited(
+          bytesOf(slice),
+          {{0x8, 0x103e, "LO", "Bone of MUSTER"}, {0x10, 0x10, "PN", "MUSTER^HANS"}});
+      QFile file(folder_.filePath(QString("scan/%1.dcm").arg(k)));
+      EXPECT_TRUE(file.open(QFile::WriteOnly));
+      file.write(bytes.data(), qint64(bytes.size()));
+    }
+  }
+
   template <class Widget>
   Widget& part(const char* name) {
-    auto* found = window_.findChild<Widget*>(name);
+    auto* found = shown_->findChild<Widget*>(name);
     EXPECT_NE(found, nullptr) << name;
     return *found;
   }
@@ -113,6 +136,7 @@ class Pacs : public testing::Test {
 
   QTemporaryDir folder_;
   ui::MainWindow window_;
+  ui::MainWindow* shown_ = &window_;  ///< whose parts are meant
   std::unique_ptr<app::PacsController> controller_;
 };
 
@@ -185,6 +209,78 @@ TEST_F(Pacs, ASeriesIsFetchedAndItsFolderStaysToTheEnd) {
   EXPECT_TRUE(QDir(folder).exists());
   controller_.reset();
   EXPECT_TRUE(waitFor([&] { return !QDir(folder).exists(); }, 20.0));
+}
+
+TEST_F(Pacs, AScanThatWasFetchedIsCalledSoAndByNoName) {
+  app::Application application({.surface = ui::SurfaceMode::Mesh,
+                                .notice = false,
+                                .fetch_program = folder_.filePath("palpate-fetch")});
+  application.start();
+  shown_ = &application.window();
+  shown_->findChild<QAction*>("fromPacs")->trigger();
+  search();
+  list().selectRow(0);
+  click("pacsFetch");
+  ASSERT_TRUE(waitFor([&] { return application.shown().has_value(); }));
+  EXPECT_TRUE(shown_->windowTitle().startsWith("From the PACS"))
+      << shown_->windowTitle().toStdString();
+  for (const char* word : {"palpate-fetch", "MUSTER", "Bone"})
+    EXPECT_FALSE(shown_->windowTitle().contains(word)) << word;
+}
+
+TEST_F(Pacs, NothingStaysOfAServerThatWasEdited) {
+  part<QLineEdit>("pacsSecret").setText("s3cret");
+  click("pacsTest");
+  ASSERT_TRUE(answers("The server answers"));
+  QTimer::singleShot(0, &window_, [&] {
+    auto* dialog = qobject_cast<ui::PacsServerDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QLineEdit*>("pacsUrl")->setText("https://other.example.org/dicom-web");
+    dialog->accept();
+  });
+  click("pacsEdit");
+  EXPECT_EQ(part<QLabel>("pacsAnswer").text(), "");
+  EXPECT_EQ(part<QLineEdit>("pacsSecret").text(), "");
+  click("pacsTest");
+  ASSERT_TRUE(answers("The server answers"));
+  auto& servers = part<QComboBox>("pacsServers");
+  servers.setCurrentIndex(1);
+  emit servers.activated(1);
+  EXPECT_EQ(part<QLabel>("pacsAnswer").text(), "");
+}
+
+TEST_F(Pacs, ALoginGoesIntoTheKeyringAndOutOfIt) {
+  QTimer::singleShot(0, &window_, [&] {
+    auto* dialog = qobject_cast<ui::PacsServerDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    auto* login = dialog->findChild<QComboBox*>("pacsLogin");
+    login->setCurrentIndex(login->findData(int(ui::PacsServer::Login::Keyring)));
+    dialog->accept();
+  });
+  EXPECT_FALSE(part<QPushButton>("pacsRemember").isVisible());
+  click("pacsEdit");
+  EXPECT_FALSE(part<QPushButton>("pacsRemember").isEnabled());
+  part<QLineEdit>("pacsSecret").setText("s3cret");
+  window::keep(window::pictureOf(*list().window()), "pacs_keyring");
+  click("pacsRemember");
+  ASSERT_TRUE(answers("The keyring has it now."));
+  EXPECT_EQ(part<QLineEdit>("pacsSecret").text(), "");
+  click("pacsForget");
+  ASSERT_TRUE(answers("The keyring has it no more."));
+  const QStringList lines = asked().split('\n', Qt::SkipEmptyParts);
+  ASSERT_EQ(lines.size(), 2);
+  EXPECT_TRUE(lines[0].contains("\"remember\"")) << lines[0].toStdString();
+  EXPECT_TRUE(lines[0].contains("\"given\": {\"login\": {\"password\": \"s3cret\"}}"))
+      << lines[0].toStdString();
+  EXPECT_EQ(lines[0].count("s3cret"), 1);
+  EXPECT_TRUE(lines[1].contains("\"forget\"")) << lines[1].toStdString();
+  for (const QString& line : lines)
+    EXPECT_TRUE(line.contains("\"--login\", \"keyring\", \"--user\", \"reader\""))
+        << line.toStdString();
+  QSettings().sync();
+  QFile settings(QSettings().fileName());
+  ASSERT_TRUE(settings.open(QFile::ReadOnly));
+  EXPECT_FALSE(settings.readAll().contains("s3cret"));
 }
 
 TEST_F(Pacs, AFetchIsCancelledAndTheNextSearchWorks) {
