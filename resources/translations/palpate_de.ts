@@ -5526,7 +5526,7 @@
     </message>
     <message>
         <source>Stores it in the desktop&apos;s keyring</source>
-        <translation>Speichert es im Schlüsselbund der Arbeitsumgebung</translation>
+        <translation>Speichert es im Schlüsselbund des Desktops</translation>
     </message>
     <message>
         <source>For&amp;get</source>
@@ -5534,7 +5534,7 @@
     </message>
     <message>
         <source>Removes it from the desktop&apos;s keyring</source>
-        <translation>Entfernt es aus dem Schlüsselbund der Arbeitsumgebung</translation>
+        <translation>Entfernt es aus dem Schlüsselbund des Desktops</translation>
     </message>
     <message>
         <source>comes from the keyring</source>
