@@ -15,7 +15,9 @@ int main(int argc, char** argv) {
   qunsetenv("LANGUAGE");
   ui::Viewport::prepareApplication();
   QApplication application(argc, argv);
-  QLocale::setDefault(QLocale::c());
+  QLocale english = QLocale::c();
+  english.setNumberOptions(QLocale::DefaultNumberOptions);  // with commas between thousands
+  QLocale::setDefault(english);
   ui::style::dress(application, ui::style::Theme::Dark);
   // preferences of nobody
   const QTemporaryDir home;

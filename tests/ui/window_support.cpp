@@ -197,6 +197,8 @@ void expectNothingCut(const QWidget& parent, const char* where) {
         continue;
       wanted = label->wordWrap() ? 0 : label->minimumSizeHint().width();
       if (label->wordWrap()) {
+        // a text that was set just now is laid out soon
+        waitFor([&] { return label->height() >= label->heightForWidth(label->width()); }, 5.0);
         EXPECT_GE(label->height(), label->heightForWidth(label->width())) << name;
       }
     } else if (const auto* button = qobject_cast<const QAbstractButton*>(part)) {
