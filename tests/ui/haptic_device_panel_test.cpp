@@ -352,12 +352,12 @@ TEST(HapticDevicePanel, TheStiffnessIsShownAtBothEndsAndWhetherItIsCapped) {
   auto* twice = shown.find<QLabel>("stiffnessTwice");
   auto* capped = shown.find<QLabel>("stiffnessCapped");
   shown.panel.showStiffness(wished, std::nullopt);
-  EXPECT_EQ(twice->text(), "1000 N/m at the hand\n1000 N/m in the scan");
+  EXPECT_EQ(twice->text(), "1,000 N/m at the hand\n1,000 N/m in the scan");
   EXPECT_FALSE(capped->isVisible());
   // half the scale, half the stiffness at the hand
   wished.position_scale = 1.0;
   shown.panel.showStiffness(wished, std::nullopt);
-  EXPECT_EQ(twice->text(), "500 N/m at the hand\n1000 N/m in the scan");
+  EXPECT_EQ(twice->text(), "500 N/m at the hand\n1,000 N/m in the scan");
   // in force its force scale is taken into it: 3 x 2000 N/m are not rendered by 3000 N/m
   wished = {};
   wished.stiffness = 2'000.0;
@@ -365,9 +365,9 @@ TEST(HapticDevicePanel, TheStiffnessIsShownAtBothEndsAndWhetherItIsCapped) {
   haptics::Settings in_force = wished;
   in_force.stiffness = 1'000.0;
   shown.panel.showStiffness(wished, in_force);
-  EXPECT_EQ(twice->text(), "3000 N/m at the hand\n1000 N/m in the scan");
+  EXPECT_EQ(twice->text(), "3,000 N/m at the hand\n1,000 N/m in the scan");
   EXPECT_TRUE(capped->isVisible());
-  EXPECT_TRUE(capped->text().contains("6000 N/m")) << capped->text().toStdString();
+  EXPECT_TRUE(capped->text().contains("6,000 N/m")) << capped->text().toStdString();
   in_force.stiffness = 2'000.0;
   shown.panel.showStiffness(wished, in_force);
   EXPECT_FALSE(capped->isVisible());

@@ -117,7 +117,7 @@ TEST(ReplayBar, ATickSaysWhatItIs) {
   Bar b;
   const auto words = [&](double time) { return b.line.wordsAt(b.place(time) + 2.0).toStdString(); };
   EXPECT_EQ(words(2.5), "0:02.500  Isovalue 300");
-  EXPECT_EQ(words(22.5), "0:22.500  Stiffness 1500 N/m");
+  EXPECT_EQ(words(22.5), "0:22.500  Stiffness 1,500 N/m");
   EXPECT_EQ(words(42.5), "0:42.500  Force: On");
   EXPECT_EQ(words(52.5), "0:52.500  Gap: samples lost 12");
   EXPECT_EQ(words(72.5), "1:12.500  Mark: the <b>rim</b> & hole");
