@@ -179,6 +179,8 @@ struct Inflating {
   std::condition_variable has_ended;
   bool ended = false, well = false;
 
+  explicit Inflating(LargePages file) : packed(std::move(file)) {}
+
   void run() {
     const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> with(
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
