@@ -3430,8 +3430,8 @@
         <translation>Behält oder entfernt zusammenhängende Stücke</translation>
     </message>
     <message>
-        <source>Holder</source>
-        <translation>Halter</translation>
+        <source>Table and holder</source>
+        <translation>Tisch und Halter</translation>
     </message>
     <message>
         <source>Removes table and head holder</source>
@@ -3630,8 +3630,8 @@
         <translation>Zeigt, was wegfiele, mit seinem Volumen</translation>
     </message>
     <message>
-        <source>Finds table and head holder by rule, and shows them before anything is taken away. Look whether it is all holder.</source>
-        <translation>Findet Tisch und Kopfhalter nach einer Regel und zeigt sie, bevor etwas weggenommen wird. Sehen Sie nach, ob alles davon Halter ist.</translation>
+        <source>Finds table and head holder by rule, and shows them before anything is taken away. Check that nothing of the patient goes with them.</source>
+        <translation>Findet Tisch und Kopfhalter nach einer Regel und zeigt sie, bevor etwas weggenommen wird. Prüfen Sie, dass nichts vom Patienten dabei ist.</translation>
     </message>
     <message>
         <source>Depth of the cut</source>
