@@ -1,148 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
+#include <dlfcn.h>
 
-#include <vtkVersion.h>
-
-#include <QApplication>
-#include <csignal>
 #include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <memory>
-#include <optional>
+#include <string>
 
-#include "app/application.h"
-#include "app/build_info/build_info.h"
-#include "app/crash/raw_file.h"
-#include "app/display.h"
-#include "app/log/log.h"
-#include "app/recording/volume_hash.h"
-#include "app/signals.h"
-#include "app/window/preferences.h"
-#include "datasets/phantoms/phantoms.h"
-#include "datasets/readers/files/archive.h"
-#include "datasets/readers/volume_file.h"
-#include "haptics/servo/emergency.h"
-#include "resources/named_tools.h"
-#include "ui/language.h"
-#include "ui/style/style.h"
+#include "app/program.h"
+#include "app/read_ahead.h"
 
 namespace {
 
-constexpr int kUsage = 2, kFailed = 4;
+namespace fs = std::filesystem;
 
-// a list of names as CLI11 wants it
-template <class Names>
-CLI::Validator oneOf(const Names& names) {
-  return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
+constexpr int kFailed = 4;
+constexpr const char* kLibrary = "palpate-window.so";
+
+/// The library beside the program, as in a build folder, or that of the same installation.
+fs::path library() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path beside = folder / kLibrary;
+  return fs::exists(beside, error) ? beside
+                                   : (folder / PALPATE_LIBRARIES / kLibrary).lexically_normal();
+}
+
+/// The only argument that is a file of volumes. The program itself reads the command line, and
+/// takes what was read only for the path that is given there.
+std::shared_ptr<app::ReadAhead> readAhead(int argc, char** argv) {
+  try {
+    if (argc < 2) return {};
+    fs::path file;
+    for (int i = 1; i < argc; ++i) {
+      std::error_code error;
+      if (argv[i][0] == '-' || !fs::is_regular_file(argv[i], error)) continue;
+      if (!file.empty()) return {};
+      file = argv[i];
+    }
+    return file.empty() ? nullptr : std::make_shared<app::ReadAhead>(file);
+  } catch (const std::exception&) {  // no memory: the loader reads, and says so
+    return {};
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  haptics::installCrashStop();
-  app::blockEndingSignals();
-  app::Arguments arguments;
-  std::vector<std::string> paths;
-  std::string phantom, tool, tool_unit = "mm", surface, log_level = "info";
-  double isovalue = 0.0;
-  int series = 0;
-  bool no_notice = false, correct = false;
-  CLI::App cli{"Palpate: see a CT scan, and feel it through a haptic device."};
-  cli.set_version_flag("--version", PALPATE_VERSION);
-  auto* path_given =
-      cli.add_option("path", paths,
-                     "A scan: DICOM folder or files, NRRD, MetaImage or NIfTI; or a recording or a "
-                     "view of Palpate's. Several files of one folder open the folder")
-          ->allow_extra_args(false);  // or a folder "[name]" would be taken for a list
-  auto* phantom_given = cli.add_option("--phantom", phantom, "A volume made by formula")
-                            ->check(oneOf(datasets::phantomNames()));
-  path_given->excludes(phantom_given);
-  auto* isovalue_given =
-      cli.add_option("--isovalue", isovalue, "Intensity of the surface, in the volume's unit");
-  auto* tool_given =
-      cli.add_option("--tool", tool, resources::namesOfTools() + ", or an STL, OBJ or PLY file");
-  cli.add_option("--tool-unit", tool_unit, "Unit of a tool file")
-      ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
-  cli.add_option("--hand", arguments.hand, "The hand that holds the device")
-      ->check(CLI::IsMember({"mouse", "tap", "slide", "wedge", "pry", "hook", "jerk", "twist"}));
-  auto* surface_given = cli.add_option("--surface", surface, "How the surface is drawn")
-                            ->check(CLI::IsMember({"raycast", "mesh"}));
-  auto* series_given = cli.add_option("--series", series, "Number of a series of a folder");
-  cli.add_flag("--correct", correct, "Resample slices that are tilted or unevenly spaced");
-  auto* screenshot_given =
-      cli.add_option("--screenshot", arguments.screenshot, "Write the window as a PNG and quit");
-  cli.add_option("--after", arguments.screenshot_after, "Seconds before the screenshot")
-      ->check(CLI::NonNegativeNumber)
-      ->needs(screenshot_given);
-  cli.add_flag("--no-notice", no_notice, "Do not show the notice of the first start");
-  cli.add_option("--log-level", log_level, "What goes into the log: this and what is graver")
-      ->check(CLI::IsMember({"error", "warning", "info", "debug", "off"}));
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? 0 : kUsage;
-  }
-  for (const std::string& path : paths) arguments.paths.append(QString::fromStdString(path));
-  if (*phantom_given) arguments.load.phantom = phantom;
-  if (*isovalue_given) arguments.load.isovalue = isovalue;
-  if (*series_given) arguments.load.series = series;
-  if (correct) arguments.load.geometry = datasets::Geometry::Corrected;
-  if (*tool_given) {
-    app::ToolSource source{.name = tool, .unit = tool_unit};
-    if (resources::findNamedTool(tool) == nullptr) source.file = tool;
-    arguments.load.tool = source;
-  }
-  if (*surface_given)
-    arguments.surface = surface == "mesh" ? ui::SurfaceMode::Mesh : ui::SurfaceMode::RayCast;
-  arguments.state = app::log::stateFolder();
-  arguments.notice = !no_notice && arguments.screenshot.empty();
-
-  const app::crash::RawFile crash_file{arguments.state};
-  app::log::open(arguments.state, app::log::levelOf(log_level));
-  app::log::write(app::log::Level::Info, "start",
-                  {{"version", app::log::nameOfProgram(PALPATE_VERSION)},
-                   {"build", app::log::nameOfProgram(app::buildHere())},
-                   {"qt", app::log::nameOfProgram(qVersion())},
-                   {"vtk", app::log::nameOfProgram(vtkVersion::GetVTKVersion())}});
-  if (paths.size() == 1 && datasets::isVolumeFile(paths.front()))
-    arguments.load.ahead = std::make_shared<app::ReadAhead>(paths.front());
-  std::optional<app::HeldDisplay> display{std::in_place};
-  if (!display->showsWindows()) {
-    std::fprintf(stderr,
-                 "There is no X display to open a window on; set DISPLAY, or use "
-                 "palpate-cli, which needs none.\n");
+  auto ahead = readAhead(argc, argv);
+  void* const loaded = dlopen(library().c_str(), RTLD_NOW);
+  auto* const program =
+      loaded == nullptr
+          ? nullptr
+          : reinterpret_cast<decltype(&palpateProgram)>(dlsym(loaded, "palpateProgram"));
+  if (program == nullptr) {
+    std::fprintf(stderr, "Palpate is not installed as a whole; install it anew. (%s)\n", dlerror());
     return kFailed;
   }
-  // VTK's windows are X windows, also where Qt would choose Wayland
-  qputenv("QT_QPA_PLATFORM", "xcb");
-  ui::Viewport::prepareApplication();
-  app::nameApplication();
-  QCoreApplication::setApplicationVersion(PALPATE_VERSION);
-  QGuiApplication::setDesktopFileName("palpate");
-  int qt_argc = 1;  // the arguments are ours
-  QApplication qt(qt_argc, argv);
-  const app::Preferences preferences = app::loadPreferences();
-  ui::speak(preferences.language);
-  ui::style::dress(qt, ui::style::themeOf(preferences.theme));
-  display.reset();  // Qt holds its own
-  datasets::sweepTemporaryFolders();
-  // a file that may not grow further is an error like any other
-  std::signal(SIGXFSZ, SIG_IGN);
-  app::Application application(std::move(arguments));
-  QObject::connect(
-      &application, &app::Application::finished, &qt,
-      [](int code) { QCoreApplication::exit(code); }, Qt::QueuedConnection);
-  bool ended = false;  // in the loop of a question, before the one below
-  // as if the user had closed the window, whatever question stands open; none is asked
-  const app::EndingSignals ending([&] {
-    QMetaObject::invokeMethod(
-        &application,
-        [&] {
-          ended = true;
-          application.end();
-          QCoreApplication::exit(0);
-        },
-        Qt::QueuedConnection);
-  });
-  application.start();
-  return ended ? 0 : QApplication::exec();
+  return program(argc, argv, std::move(ahead));
 }

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/background/task.h"
-#include "app/window/read_ahead.h"
+#include "app/read_ahead.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"

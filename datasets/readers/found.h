@@ -9,7 +9,7 @@
 
 namespace datasets {
 
-struct VolumeHeader;  // volume_file.h
+struct VolumeHeader;  // volume_header.h
 
 /// One volume of a file of whole volumes.
 struct VolumeInFile {

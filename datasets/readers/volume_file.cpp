@@ -14,11 +14,9 @@
 #include "datasets/readers/files/thumbnail.h"
 #include "datasets/readers/files/vtk_errors.h"
 #include "datasets/readers/found.h"
-#include "datasets/readers/meta_image/header.h"
-#include "datasets/readers/nifti/header.h"
 #include "datasets/readers/nrrd/header.h"
-#include "datasets/readers/nrrd/voxels.h"
 #include "datasets/readers/nrrd/vtk_reader.h"
+#include "datasets/readers/volume_header.h"
 
 namespace datasets {
 
@@ -86,61 +84,10 @@ Expected<haptics::Volume> readNrrd(std::shared_ptr<const ParsedNrrd> nrrd, int n
   return reader->volume();
 }
 
-using HeaderPtr = std::shared_ptr<const VolumeHeader>;
-
-HeaderPtr withStamps(FileStamp of_header, const std::vector<fs::path>& data_files,
-                     VolumeHeader header) {
-  header.files.push_back(std::move(of_header));
-  for (const fs::path& file : data_files) header.files.push_back(stampOf(file));
-  return std::make_shared<const VolumeHeader>(std::move(header));
-}
-
-Expected<HeaderPtr> nrrdHeader(const fs::path& path) {
-  FileStamp stamp = stampOf(path);  // before the parse, so that a change during it is seen
-  auto nrrd = parseNrrd(path);
-  if (!nrrd) return tl::unexpected(std::move(nrrd.error()));
-  auto parsed = std::make_shared<const ParsedNrrd>(std::move(*nrrd));
-  return withStamps(std::move(stamp), parsed->header.data_files, {parsed, {}});
-}
-
-/// The header of a format whose parser gives StoredVolumes.
-template <Expected<StoredVolumes> (*describe)(const fs::path&)>
-Expected<HeaderPtr> storedHeader(const fs::path& path) {
-  FileStamp stamp = stampOf(path);  // before the parse, as above
-  auto stored = describe(path);
-  if (!stored) return tl::unexpected(std::move(stored.error()));
-  const std::vector<fs::path> data_files{stored->voxels.file};
-  return withStamps(std::move(stamp), data_files, {std::move(*stored), {}});
-}
-
-bool isNrrd(const Beginning& file) {
-  const fs::path extension = file.path.extension();
-  return looksLikeNrrd(file) || extension == ".nrrd" || extension == ".nhdr";
-}
-
-}  // namespace
-
-struct VolumeFormat {
-  bool (*recognises)(const Beginning& file);
-  Expected<HeaderPtr> (*header)(const fs::path& path);
-};
-
-namespace {
-
-/// All formats of whole volumes; the first that recognises a file reads it. To add a format, add
-/// its row.
-constexpr VolumeFormat kVolumeFormats[] = {
-    {isNrrd, nrrdHeader},
-    {looksLikeMetaImage, storedHeader<describeMetaImage>},
-    {looksLikeNifti, storedHeader<describeNifti>},
-};
-
 /// As the survey parsed it, or anew.
 Expected<HeaderPtr> headerOf(const VolumeInFile& chosen) {
   if (chosen.header && chosen.header->isUpToDate()) return chosen.header;
-  const VolumeFormat* const format = formatOf(Beginning(chosen.path));
-  // a file that is none of them any more: the NRRD's parser says why
-  return (format != nullptr ? *format : kVolumeFormats[0]).header(chosen.path);
+  return headerOf(chosen.path);
 }
 
 Expected<haptics::Volume> readVolume(const VolumeHeader& header, int number, const Part& part,
@@ -151,24 +98,6 @@ Expected<haptics::Volume> readVolume(const VolumeHeader& header, int number, con
 }
 
 }  // namespace
-
-const VolumeFormat* formatOf(const Beginning& file) {
-  const auto* const found = std::ranges::find_if(
-      kVolumeFormats, [&](const VolumeFormat& format) { return format.recognises(file); });
-  return found != std::end(kVolumeFormats) ? found : nullptr;
-}
-
-bool isVolumeFile(const fs::path& path) { return formatOf(Beginning(path)) != nullptr; }
-
-const StoredVolumes& VolumeHeader::stored() const {
-  if (const auto* nrrd = std::get_if<std::shared_ptr<const ParsedNrrd>>(&parsed))
-    return (*nrrd)->stored;
-  return std::get<StoredVolumes>(parsed);
-}
-
-bool VolumeHeader::isUpToDate() const {
-  return std::ranges::all_of(files, [](const FileStamp& f) { return stampOf(f.path) == f; });
-}
 
 std::vector<SeriesVerdict> verdictsOf(const fs::path& path, const VolumeFormat& format) {
   const auto header = format.header(path);

@@ -19,9 +19,9 @@
 #include <tuple>
 #include <vector>
 
+#include "app/read_ahead.h"
 #include "app/window/kept_phantom.h"
 #include "app/window/measurement_controller.h"
-#include "app/window/read_ahead.h"
 #include "datasets/phantoms/phantoms.h"
 #include "panelled_window.h"
 #include "ui/panels/force_words.h"

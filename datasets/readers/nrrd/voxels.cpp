@@ -231,11 +231,6 @@ Expected<StoredVoxels> voxelsOf(const std::filesystem::path& path, const NrrdHea
   return stored;
 }
 
-bool isReadHere(const NrrdHeader& header) {
-  return header.data_files.size() < 2 &&
-         (header.encoding == NrrdEncoding::Raw || header.encoding == NrrdEncoding::Gzip);
-}
-
 /// Puts lines that are to be skipped behind us, and of plain voxels also what precedes the last.
 Expected<void> findVoxels(const NrrdHeader& header, StoredVoxels& stored) {
   std::ifstream in(stored.file, std::ios::binary);
@@ -381,6 +376,11 @@ Expected<std::shared_ptr<void>> windowByTeem(const std::filesystem::path& path,
 
 }  // namespace
 
+bool needsTeem(const NrrdHeader& header) {
+  return header.data_files.size() > 1 ||
+         (header.encoding != NrrdEncoding::Raw && header.encoding != NrrdEncoding::Gzip);
+}
+
 Expected<ParsedNrrd> parseNrrd(const std::filesystem::path& path) {
   auto header = readNrrdHeader(path);
   if (!header) return tl::unexpected(std::move(header.error()));
@@ -401,7 +401,7 @@ Expected<haptics::Volume> decodeNrrd(const ParsedNrrd& nrrd, int number, const P
   if (progress.isCancelled()) return cancelled();
   StoredVolumes stored = nrrd.stored;
   const VoxelLayout& layout = stored.voxels.layout;
-  if (isReadHere(header)) {
+  if (!needsTeem(header)) {
     if (auto found = findVoxels(header, stored.voxels); !found)
       return tl::unexpected(std::move(found.error()));
     return readVolume(stored, number, part, progress);

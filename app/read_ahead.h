@@ -6,25 +6,30 @@
 #include <future>
 #include <optional>
 
-#include "datasets/readers/volume_reader.h"
+#include "datasets/readers/scan.h"
 #include "haptics/core/volume.h"
 
 namespace app {
 
-/// Reads the volume file of the command line while Qt and the window begin, on a thread of its own.
-/// It reads a file of one sound volume, as it is stored. Anything else is left to the loader, which
-/// also says what is wrong.
+/// Reads the volume file of the command line while the window is loaded and begins, on a thread of
+/// its own. It reads a file of one volume whose voxels lie plain or deflated. Anything else is left
+/// to the loader, which also says what is wrong.
 class ReadAhead {
  public:
+  /// The header is parsed here, the voxels are read on the thread: so nothing else of this process
+  /// may parse another one meanwhile, since teem holds its state in one place.
   explicit ReadAhead(std::filesystem::path file);
   /// Cancels and waits.
   ~ReadAhead();
+
+  const std::filesystem::path& file() const { return file_; }
 
   /// The volume, after waiting for it; only once. None if it was not read, or on Cancel. Any
   /// thread.
   std::optional<haptics::Volume> take(const datasets::ReadProgress& progress);
 
  private:
+  std::filesystem::path file_;
   std::atomic<bool> cancel_{false};
   std::atomic<double> fraction_{0.0};
   std::future<std::optional<haptics::Volume>> volume_;
