@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/build_info/build_info.h"
 
+#include <cstdint>
 #include <fstream>
+#include <string>
 #include <thread>
 
 #include "app/build_info/build_identity.h"
@@ -27,15 +29,26 @@ nlohmann::ordered_json machineHere() {
 std::string versionHere() { return PALPATE_VERSION; }
 
 std::string buildHere() {
-  std::string identity;
-  // the first module is the program itself
+  // of the module with this code: the program, or the library of the window
+  struct Sought {
+    std::uintptr_t place;
+    std::string identity;
+  } sought{reinterpret_cast<std::uintptr_t>(&buildHere), {}};
   dl_iterate_phdr(
-      [](dl_phdr_info* program, std::size_t, void* out) {
-        *static_cast<std::string*>(out) = buildIdentityOf(*program);
-        return 1;
+      [](dl_phdr_info* module, std::size_t, void* out) {
+        auto& wanted = *static_cast<Sought*>(out);
+        for (int n = 0; n < module->dlpi_phnum; ++n) {
+          const ElfW(Phdr)& segment = module->dlpi_phdr[n];
+          if (segment.p_type != PT_LOAD ||
+              wanted.place - module->dlpi_addr - segment.p_vaddr >= segment.p_memsz)
+            continue;
+          wanted.identity = buildIdentityOf(*module);
+          return 1;
+        }
+        return 0;
       },
-      &identity);
-  return identity.empty() ? "unknown" : identity;
+      &sought);
+  return sought.identity.empty() ? "unknown" : sought.identity;
 }
 
 }  // namespace app

@@ -27,6 +27,7 @@ assert not list(stage.rglob("*.*")), "something was installed outside the prefix
 files = {path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if path.is_file()}
 wanted = {
     "bin/palpate", "bin/palpate-cli", "bin/palpate-fetch", "libexec/palpate/palpate-decode", "libexec/palpate/palpate-draw",
+    "libexec/palpate/palpate-window.so",
     "lib/udev/rules.d/70-palpate.rules", "share/applications/palpate.desktop",
     "share/metainfo/org.palpate.palpate.metainfo.xml", "share/mime/packages/palpate.xml",
     "share/man/man1/palpate.1", "share/man/man1/palpate-cli.1", "share/man/man1/palpate-fetch.1",
@@ -104,10 +105,19 @@ assert "palpate-draw" in told["error"]["message"], told
 quiet = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
 ran = subprocess.run([prefix / "bin/palpate", "--version"], capture_output=True, text=True, env=quiet)
 assert ran.returncode == 0 and ran.stdout.strip(), ran
+# and says so where its library is not there
+window = prefix / "libexec/palpate/palpate-window.so"
+window.rename(scratch / "palpate-window.so")
+alone = subprocess.run([prefix / "bin/palpate", "--version"], capture_output=True, text=True, env=quiet)
+assert alone.returncode == 4 and "install it anew" in alone.stderr, alone
+(scratch / "palpate-window.so").rename(window)
+# a scan is read while the library is loaded, so what reads it needs none of that
+libraries = subprocess.run(["ldd", prefix / "bin/palpate"], capture_output=True, text=True).stdout
+assert not any(library in libraries for library in ("libQt6", "libvtk", "libGL.so")), libraries
 # and neither of the commands needs a library of the window, and the window and palpate-cli none of the network
 for name, not_needed in (("palpate-cli", ("libQt6Widgets", "libGL.so", "libQt6Network", "libdcmnet")),
                          ("palpate-fetch", ("libQt6Widgets", "libGL.so", "libvtk")),
-                         ("palpate", ("libQt6Network", "libdcmnet"))):
+                         ("../libexec/palpate/palpate-window.so", ("libQt6Network", "libdcmnet"))):
     libraries = subprocess.run(["ldd", prefix / "bin" / name], capture_output=True, text=True).stdout
     assert not any(library in libraries for library in not_needed), (name, libraries)
 # what fetches scans runs where it was moved to, and its child too
