@@ -87,7 +87,7 @@ Expected<haptics::Volume> readNrrd(std::shared_ptr<const ParsedNrrd> nrrd, int n
 /// As the survey parsed it, or anew.
 Expected<HeaderPtr> headerOf(const VolumeInFile& chosen) {
   if (chosen.header && chosen.header->isUpToDate()) return chosen.header;
-  return headerOf(chosen.path);
+  return datasets::headerOf(chosen.path);
 }
 
 Expected<haptics::Volume> readVolume(const VolumeHeader& header, int number, const Part& part,
