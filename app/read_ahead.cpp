@@ -8,12 +8,11 @@
 #include <exception>
 #include <utility>
 
-#include "datasets/readers/volume_header.h"
-
 namespace app {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{20};  // between looks at Cancel
+constexpr std::chrono::milliseconds kUnderWay{100};
 
 /// Threads that begin meanwhile leave the signals that end a program to others.
 class SignalsBlocked {
@@ -40,20 +39,32 @@ ReadAhead::ReadAhead(std::filesystem::path file) : file_(std::move(file)) {
     auto header = datasets::headerOf(file_);
     if (!header || !(*header)->isReadAlone()) return;
     const SignalsBlocked blocked;
-    volume_ = std::async(std::launch::async,
-                         [this, header = std::move(*header)]() -> std::optional<haptics::Volume> {
-                           const datasets::ReadProgress progress{
-                               .advanced = [this](double f) { fraction_ = f; }, .cancel = &cancel_};
-                           try {
-                             auto volume = datasets::readOnly(*header, progress);
-                             if (!volume || !header->isUpToDate()) return {};
-                             return std::move(*volume);
-                           } catch (const std::exception&) {  // no memory, say
-                             return {};
-                           }
-                         });
+    std::future<void> under_way = under_way_.get_future();
+    volume_ = std::async(std::launch::async, [this, header = std::move(*header)] {
+      auto volume = read(*header);
+      advanced(1.0);
+      return volume;
+    });
+    // a thread that is to begin while a library is being loaded waits until it is loaded
+    under_way.wait_for(kUnderWay);
   } catch (const std::exception&) {
     // no thread, or a file that cannot be looked at: the loader reads
+  }
+}
+
+void ReadAhead::advanced(double fraction) {
+  fraction_ = fraction;
+  if (!is_under_way_.exchange(true)) under_way_.set_value();
+}
+
+std::optional<haptics::Volume> ReadAhead::read(const datasets::VolumeHeader& header) {
+  try {
+    auto volume = datasets::readOnly(
+        header, {.advanced = [this](double f) { advanced(f); }, .cancel = &cancel_});
+    if (!volume || !header.isUpToDate()) return {};
+    return std::move(*volume);
+  } catch (const std::exception&) {  // no memory, say
+    return {};
   }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "datasets/readers/scan.h"
+#include "datasets/readers/volume_header.h"
 #include "haptics/core/volume.h"
 
 namespace app {
@@ -16,8 +17,8 @@ namespace app {
 /// to the loader, which also says what is wrong.
 class ReadAhead {
  public:
-  /// The header is parsed here, the voxels are read on the thread: so nothing else of this process
-  /// may parse another one meanwhile, since teem holds its state in one place.
+  /// The header is parsed here, since teem holds its state in one place, and the voxels are read on
+  /// the thread. Returns when all threads of the reading have begun, after 0.1 s at most.
   explicit ReadAhead(std::filesystem::path file);
   /// Cancels and waits.
   ~ReadAhead();
@@ -29,9 +30,14 @@ class ReadAhead {
   std::optional<haptics::Volume> take(const datasets::ReadProgress& progress);
 
  private:
+  void advanced(double fraction);
+  std::optional<haptics::Volume> read(const datasets::VolumeHeader& header);
+
   std::filesystem::path file_;
   std::atomic<bool> cancel_{false};
   std::atomic<double> fraction_{0.0};
+  std::atomic<bool> is_under_way_{false};
+  std::promise<void> under_way_;
   std::future<std::optional<haptics::Volume>> volume_;
 };
 

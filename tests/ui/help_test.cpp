@@ -76,9 +76,10 @@ TEST(Help, KnowsEachMessageByItsWordsAndHasItsEntry) {
     EXPECT_TRUE(page.textCursor().selectedText().startsWith(place.section('#', 1) + ':'));
     // of messages with the same words the entry is in the same section
     const QString own = page.page();
-    if (place.section('#', 1) != QString::fromUtf8(row.id.data(), qsizetype(row.id.size())))
+    if (place.section('#', 1) != QString::fromUtf8(row.id.data(), qsizetype(row.id.size()))) {
       EXPECT_TRUE(page.open(own + '#' + QString::fromUtf8(row.id.data(), qsizetype(row.id.size()))))
           << row.id << " was taken for " << place.toStdString();
+    }
   }
   EXPECT_GT(known, 380);
   EXPECT_EQ(app::helpPlaceOf("The view was saved."), "");

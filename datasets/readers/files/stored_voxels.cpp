@@ -222,6 +222,7 @@ bool inflateAtOnce(const StoredVoxels& stored, const std::shared_ptr<void>& to, 
   } catch (const std::system_error&) {
     work->run();
   }
+  progress.advanced(0.0);  // all threads have begun
   std::unique_lock lock(work->guards);
   while (!work->has_ended.wait_for(lock, kLook, [&] { return work->ended; }))
     if (progress.isCancelled()) return false;
