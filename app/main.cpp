@@ -48,7 +48,8 @@ std::shared_ptr<app::ReadAhead> readAhead(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   auto ahead = readAhead(argc, argv);
-  void* const loaded = dlopen(library().c_str(), RTLD_NOW);
+  // functions of other libraries are sought when they are first called, as in any program
+  void* const loaded = dlopen(library().c_str(), RTLD_LAZY);
   auto* const program =
       loaded == nullptr
           ? nullptr
