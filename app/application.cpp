@@ -74,6 +74,7 @@ void Application::start() {
 
 void Application::begin() {
   LoadRequest request = arguments_.load;
+  arguments_.load.ahead.reset();  // what is not taken does not stay in memory
   if (!arguments_.paths.isEmpty()) return opening_.openTogether(arguments_.paths, request);
   if (request.path && request.path->extension() == kViewEnding)
     return view_file_.open(*request.path);  // a view may know its scan

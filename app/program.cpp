@@ -106,7 +106,7 @@ int palpateProgram(int argc, char** argv, std::shared_ptr<app::ReadAhead> ahead)
                    {"qt", app::log::nameOfProgram(qVersion())},
                    {"vtk", app::log::nameOfProgram(vtkVersion::GetVTKVersion())}});
   if (ahead && paths.size() == 1 && ahead->file() == paths.front())
-    arguments.load.ahead = std::move(ahead);
+    arguments.load.ahead = std::make_shared<app::ScanAhead>(std::move(ahead));
   ahead.reset();
   std::optional<app::HeldDisplay> display{std::in_place};
   if (!display->showsWindows()) {

@@ -45,7 +45,8 @@ constexpr const char* kDemo = "demo";  // the phantom that is kept
 
 struct Source {
   std::shared_ptr<const haptics::Volume> volume;
-  std::optional<ui::Picture> picture = {};  ///< of a volume that is on view already
+  std::optional<ui::Picture> picture = {};           ///< one that was made already
+  std::shared_ptr<const haptics::Scene> scene = {};  ///< one of this volume; null: none
   std::optional<double> isovalue = {};
   std::string tool = "probe";
   QString title;
@@ -199,19 +200,23 @@ Expected<Source> readChosen(const LoadRequest& request, const Watch& watch) {
       .cancel = &watch.cancel};
   const bool as_stored = request.geometry == datasets::Geometry::AsStored &&
                          !request.largest_part && request.part.isWhole();
-  std::optional<haptics::Volume> ahead;
-  if (request.ahead && as_stored) ahead = request.ahead->take(progress);
-  auto volume = ahead ? Expected<haptics::Volume>(std::move(*ahead))
-                      : datasets::readVolume(series,
-                                             {.geometry = request.geometry,
-                                              .largest_part = request.largest_part,
-                                              .part = request.part},
-                                             progress);
-  if (!volume) return tl::unexpected(volume.error());
   Source source;
-  source.title = titleOf(request, *volume);
   source.place = request.chosen->place;
-  source.volume = std::make_shared<const haptics::Volume>(std::move(*volume));
+  if (request.ahead && as_stored)
+    if (auto ahead = request.ahead->take(progress)) {
+      source.volume = std::move(ahead->volume);
+      source.picture = std::move(ahead->picture);
+      source.scene = std::move(ahead->scene);
+    }
+  if (!source.volume) {
+    auto volume = datasets::readVolume(
+        series,
+        {.geometry = request.geometry, .largest_part = request.largest_part, .part = request.part},
+        progress);
+    if (!volume) return tl::unexpected(volume.error());
+    source.volume = std::make_shared<const haptics::Volume>(std::move(*volume));
+  }
+  source.title = titleOf(request, *source.volume);
   return source;
 }
 
@@ -302,8 +307,8 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
   watch.advanced(0.9);
   haptics::SceneOptions options = request.options;
   options.cancel = &watch.cancel;
-  auto scene =
-      haptics::makeScene(source->volume, std::move(*tool), options, request.previous.get());
+  auto scene = haptics::makeScene(source->volume, std::move(*tool), options,
+                                  source->scene ? source->scene.get() : request.previous.get());
   if (!scene) return tl::unexpected(scene.error());
   if (watch.cancel) return cancelled();
   watch.advanced(0.98);

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/background/task.h"
-#include "app/read_ahead.h"
+#include "app/window/scan_ahead.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"
@@ -52,7 +52,7 @@ struct Kept {
 /// A request to load. Of path, phantom and keep, the first that is set is used.
 struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
-  std::shared_ptr<ReadAhead> ahead = {};  ///< that of the path; null: none
+  std::shared_ptr<ScanAhead> ahead = {};  ///< that of the path; null: none
   QString name = {};                      ///< of the path, for the user; empty: its own
   std::optional<int> series = {};         ///< index of the entry in the path's survey
   /// The entry itself. If not set, the path is surveyed and the only sound entry is taken, unless

@@ -121,20 +121,23 @@ TEST(Controllers, AVolumeIsReadWhileTheWindowBegins) {
     return loaded.has_value();
   };
   write(ball);
-  auto ahead = std::make_shared<app::ReadAhead>(file);
+  const auto readAhead = [&] {
+    return std::make_shared<app::ScanAhead>(std::make_shared<app::ReadAhead>(file));
+  };
+  auto ahead = readAhead();
   ASSERT_TRUE(load({.path = file, .ahead = ahead}));
   EXPECT_EQ(std::memcmp(loaded->volume()->voxels.get(), ball.data(), std::size_t(ball.size())), 0);
   EXPECT_FALSE(ahead->take({})) << "it was not taken";
   EXPECT_TRUE(load({.path = file, .ahead = ahead})) << "it is read where it was taken before";
 
   // another request than that of the whole file as it is stored
-  ahead = std::make_shared<app::ReadAhead>(file);
+  ahead = readAhead();
   ASSERT_TRUE(load({.path = file, .ahead = ahead, .part = {.step = 2}}));
   EXPECT_EQ(loaded->volume()->grid.dims[0], 16);
   EXPECT_TRUE(ahead->take({}));
 
   write(ball.first(1000));
-  ahead = std::make_shared<app::ReadAhead>(file);
+  ahead = readAhead();
   EXPECT_FALSE(load({.path = file, .ahead = ahead}));
   EXPECT_TRUE(error && error->kind == haptics::Error::Kind::Malformed);
 }
