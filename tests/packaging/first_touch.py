@@ -83,9 +83,13 @@ def step(what):
 
 
 def press(name):
-    button = wait(f"the button '{name}'", lambda: find("push button", name) or find("toggle button", name))
+    button = wait(f"the button '{name}'", lambda: find("push button", name) or find("check box", name))
     step(name)
     assert Atspi.Action.do_action(button, 0), name
+
+
+def touched():
+    return any("Touching at" in name for name in heard)
 
 
 def touch():
@@ -97,14 +101,16 @@ def touch():
     press("Take tool")
     box = Atspi.Component.get_extents(view, Atspi.CoordType.SCREEN)
     x, y = box.x + box.width // 2, box.y + box.height // 2
-    Atspi.generate_mouse_event(x - 20, y, "abs")
+    Atspi.generate_mouse_event(x, y, "abs")
+    Atspi.generate_mouse_event(x, y, "b1p")
 
-    def touched():
+    def pushed():
         Atspi.generate_mouse_event(x + int(time.time() * 10) % 9, y, "abs")
         Atspi.generate_mouse_event(x, y, "b4c")  # the wheel: towards the bone
-        return any(name.startswith("Touching at") for name in heard)
+        return touched()
 
-    wait("a touch", touched)
+    wait("a touch", pushed)
+    Atspi.generate_mouse_event(x, y, "b1r")
     step("the first touch")
 
 
@@ -130,6 +136,6 @@ ended(window)
 heard.clear()
 assert Gio.DesktopAppInfo.new("palpate.desktop").launch_action("demo", None) is None
 window = wait("the window of the menu's action", program).get_process_id()
-wait("a touch by the simulated hand", lambda: any(name.startswith("Touching at") for name in heard))
+wait("a touch by the simulated hand", touched)
 ended(window)
 print(f"{took:.1f}")
