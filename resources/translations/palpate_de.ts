@@ -3430,8 +3430,8 @@
         <translation>Behält oder entfernt zusammenhängende Stücke</translation>
     </message>
     <message>
-        <source>Table and holder</source>
-        <translation>Tisch und Halter</translation>
+        <source>Holder</source>
+        <translation>Halter</translation>
     </message>
     <message>
         <source>Removes table and head holder</source>

@@ -88,7 +88,7 @@ EditPanel::EditPanel(QWidget* parent)
   tool(EditTool::Crop, tr("Crop"), tr("Keeps what is inside a box"), "cropTool");
   tool(EditTool::Plane, tr("Plane"), tr("Cuts along a plane"), "planeTool");
   tool(EditTool::Pieces, tr("Pieces"), tr("Keeps or removes connected pieces"), "piecesTool");
-  tool(EditTool::Holder, tr("Table and holder"), tr("Removes table and head holder"), "holderTool");
+  tool(EditTool::Holder, tr("Holder"), tr("Removes table and head holder"), "holderTool");
   tool(EditTool::Scalpel, tr("Scalpel"), tr("Cuts along an outline that you draw"), "scalpelTool");
 
   pages_->addWidget(emptyPage());
