@@ -37,6 +37,15 @@ CLI::Validator oneOf(const Names& names) {
   return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
 }
 
+// The arguments as CLI11 reads them. Where several paths may come, it takes a path "[name]" for a
+// list, so such a path is "./[name]".
+std::vector<std::string> wordsOf(int argc, char** argv) {
+  std::vector<std::string> words(argv, argv + argc);
+  for (std::string& word : words)
+    if (word.starts_with('[')) word.insert(0, "./");
+  return words;
+}
+
 }  // namespace
 
 int palpateProgram(int argc, char** argv, std::shared_ptr<app::ReadAhead> ahead) {
@@ -53,8 +62,7 @@ int palpateProgram(int argc, char** argv, std::shared_ptr<app::ReadAhead> ahead)
   auto* path_given =
       cli.add_option("path", paths,
                      "A scan: DICOM folder or files, NRRD, MetaImage or NIfTI; or a recording or a "
-                     "view of Palpate's. Several files of one folder open the folder")
-          ->allow_extra_args(false);  // or a folder "[name]" would be taken for a list
+                     "view of Palpate's. Several files of one folder open the folder");
   auto* phantom_given = cli.add_option("--phantom", phantom, "A volume made by formula")
                             ->check(oneOf(datasets::phantomNames()));
   path_given->excludes(phantom_given);
@@ -79,7 +87,10 @@ int palpateProgram(int argc, char** argv, std::shared_ptr<app::ReadAhead> ahead)
   cli.add_option("--log-level", log_level, "What goes into the log: this and what is graver")
       ->check(CLI::IsMember({"error", "warning", "info", "debug", "off"}));
   try {
-    cli.parse(argc, argv);
+    const std::vector<std::string> words = wordsOf(argc, argv);
+    std::vector<const char*> read;
+    for (const std::string& word : words) read.push_back(word.c_str());
+    cli.parse(static_cast<int>(read.size()), read.data());
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : kUsage;
   }

@@ -105,6 +105,10 @@ assert "palpate-draw" in told["error"]["message"], told
 quiet = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
 ran = subprocess.run([prefix / "bin/palpate", "--version"], capture_output=True, text=True, env=quiet)
 assert ran.returncode == 0 and ran.stdout.strip(), ran
+# several files, as a file manager names them, are taken, and brackets in a name are no list
+for paths in (["a.dcm", "b.dcm"], ["[a]", "b.dcm"]):
+    ran = subprocess.run([prefix / "bin/palpate", *paths], capture_output=True, text=True, env=quiet)
+    assert ran.returncode == 4 and "X display" in ran.stderr, ran
 # and says so where its library is not there
 window = prefix / "libexec/palpate/palpate-window.so"
 window.rename(scratch / "palpate-window.so")
