@@ -217,8 +217,9 @@ void MainWindow::buildStartPage() {
 
 void MainWindow::showTour() {
   std::vector<TourStep> steps;
-  const auto add = [&](QWidget* target, const QString& title, const QString& sentence) {
-    if (target != nullptr) steps.push_back({target, title, sentence});
+  const auto add = [&](QWidget* target, const QString& title, const QString& sentence,
+                       std::function<void()> revealed = {}) {
+    if (target != nullptr) steps.push_back({target, title, sentence, std::move(revealed)});
   };
   add(findChild<QToolButton*>("openFileButton"), tr("Open a scan"),
       tr("Here, with File > Open folder, or by dropping it on the window. Left and right come from "
@@ -226,12 +227,12 @@ void MainWindow::showTour() {
   // of an empty window there is nothing else to tell
   if (start_->isHidden()) {
     auto* surface = findChild<IsosurfacePanel*>();
-    if (surface != nullptr) {
-      reveal(surface);
+    // the user may have gone to another tab meanwhile
+    if (surface != nullptr)
       add(surface->findChild<HistogramSlider*>(), tr("Choose the surface"),
           tr("Drag the line: what you see and touch is where the scan has this value. Picture and "
-             "touch change at once."));
-    }
+             "touch change at once."),
+          [this, surface] { reveal(surface); });
     add(view_, tr("Touch it"),
         tr("Press %1 and the mouse holds the tool, or drag the tool itself. The tool stops at the "
            "surface, and the card shows the force. Escape stops the force at any time.")

@@ -68,6 +68,7 @@ void Tour::show(int step) {
   if (target_) target_->removeEventFilter(this);
   step_ = step;
   const TourStep& now = steps_[static_cast<std::size_t>(step)];
+  if (now.reveal) now.reveal();
   target_ = now.target;
   target_->installEventFilter(this);
   title_->setText(now.title);

@@ -3,6 +3,7 @@
 
 #include <QPointer>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 class QLabel;
@@ -14,6 +15,7 @@ namespace ui {
 struct TourStep {
   QWidget* target;  ///< the control, a part of the window
   QString title, sentence;
+  std::function<void()> reveal = {};  ///< brings the control into view; empty: it is in view
 };
 
 /// Short explanations, one after another, each in a bubble beside the control that it is about. The

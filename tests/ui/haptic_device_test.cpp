@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
@@ -14,6 +15,7 @@
 #include <thread>
 
 #include "app/application.h"
+#include "app/window/preferences.h"
 #include "hand_device.h"
 #include "sphere_in_hand.h"
 #include "ui/panels/device_panel.h"
@@ -81,7 +83,8 @@ struct Bench {
 /// The whole application on the sphere, with a fake Falcon in its catalogue and the panel in view.
 class Session {
  public:
-  explicit Session(Bench& bench) : bench_(bench), application(arguments(bench)) {
+  explicit Session(Bench& bench, bool kept = false)
+      : bench_(bench), application(arguments(bench, kept)) {
     application.start();
     EXPECT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
     for (QAction* action : window().findChildren<QAction*>())
@@ -161,8 +164,9 @@ class Session {
   }
 
  private:
-  static app::Arguments arguments(Bench& bench) {
+  static app::Arguments arguments(Bench& bench, bool kept) {
     app::Arguments made = window::sphereInHand("mouse");
+    if (kept) made.screenshot = {};  // with preferences, of nobody
     made.devices = bench.catalogue();
     return made;
   }
@@ -337,6 +341,7 @@ TEST(HapticDevice, EveryRefusalIsSaidInTheWindow) {
 TEST(HapticDevice, UnpluggedUnderForceIsAFaultThatStaysUntilItIsSeen) {
   Bench bench;
   Session session(bench);
+  const double own = session.application.session().inForce().stiffness;
   session.connectDevice();
   session.leadToSphere(kDepth);
   session.armUntilItPushes();
@@ -363,8 +368,9 @@ TEST(HapticDevice, UnpluggedUnderForceIsAFaultThatStaysUntilItIsSeen) {
   EXPECT_EQ(session.handle().lastForce(), 0.0);
   session.click("faultClose");
   EXPECT_FALSE(fault->isVisible());
-  // connected again it is as new
+  // let go of, the stiffness is again what was set before; connected again it is as new
   session.click("connectDevice");
+  EXPECT_EQ(session.application.session().inForce().stiffness, own);
   bench.plugged = true;
   session.handle().status = DeviceStatus::Ok;
   ASSERT_TRUE(waitFor(
@@ -479,12 +485,29 @@ TEST(HapticDevice, TurningTheCameraTurnsTheHandsDirectionsAndMovesNothing) {
   EXPECT_NEAR((session.handle().led() - hand).norm(), 0.02, 1e-9);
 }
 
+TEST(HapticDevice, TheStiffnessThatIsRememberedIsTheUsersAndNotTheDevices) {
+  QSettings().clear();
+  Bench bench;
+  Session session(bench, true);
+  const double own = session.application.session().inForce().stiffness;
+  session.connectDevice();
+  EXPECT_NE(session.application.session().inForce().stiffness, own);
+  emit session.window().panelsChanged();  // the preferences are saved
+  EXPECT_EQ(app::loadPreferences().stiffness, own);
+  session.click("connectDevice");
+  EXPECT_EQ(session.application.session().inForce().stiffness, own);
+  QSettings().clear();
+}
+
 TEST(HapticDevice, AnotherHandTakesItsPlaceAndClosesIt) {
   Bench bench;
   Session session(bench);
+  const double own = session.application.session().inForce().stiffness;
   session.connectDevice();
+  EXPECT_NE(session.application.session().inForce().stiffness, own);
   emit window::panelOf<ui::DevicePanel>(session.window()).handChosen("mouse");
   EXPECT_FALSE(bench.handle->open);
+  EXPECT_EQ(session.application.session().inForce().stiffness, own);
   EXPECT_TRUE(session.label("deviceLink")->text().contains("disconnected"));
   EXPECT_EQ(session.window().findChild<QAbstractButton*>("connectDevice")->text(), "Connect");
 }

@@ -429,6 +429,7 @@ TEST_F(Opening, TheNewestEightPlacesAreKept) {
   ASSERT_EQ(places.size(), 8);
   EXPECT_EQ(places.mid(0, 3), (QStringList{"/scan7", "/scan11", "/scan10"}));
   EXPECT_EQ(app::withPlace(places, disk.tmp()), places);
+  EXPECT_EQ(app::withPlace(places, {}), places);
   EXPECT_TRUE(app::isTemporary(disk.tmp()));
   EXPECT_FALSE(app::isTemporary(disk.own()));
 }

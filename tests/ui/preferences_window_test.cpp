@@ -125,6 +125,16 @@ TEST(PreferencesWindow, TheListOfShortcutsIsSearchedAndItsKeysAreChangedByPressi
   const int take = rowOf(list, "takes the tool with the mouse, or lets it go", "3-D view");
   ASSERT_GE(take, 0);
   EXPECT_FALSE(list.isRowHidden(take));
+  // each of the words counts, the first and the last
+  const int both = shownRows(list);
+  QTest::keyClicks(&search, " takes");
+  EXPECT_FALSE(list.isRowHidden(take));
+  EXPECT_LT(shownRows(list), both);
+  for (const char* const words : {"zzz tool mouse", "tool zzz mouse", "tool mouse zzz"}) {
+    search.clear();
+    QTest::keyClicks(&search, words);
+    EXPECT_EQ(shownRows(list), 0) << words;
+  }
   search.clear();
   EXPECT_EQ(shownRows(list), list.rowCount());
 

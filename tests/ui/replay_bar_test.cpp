@@ -165,6 +165,24 @@ TEST(ReplayBar, LateTicksAreDimAndShortAndHideNothing) {
   EXPECT_EQ(window::count(picture.copy(from, 0, to - from, picture.height()), isLoss), 0);
   EXPECT_GT(window::count(picture.copy(to, 0, 40, 15), isLoss), 5);
   EXPECT_TRUE(b.line.wordsAt(b.line.xOf(30.0)).contains("late"));
+  // one lies below the line of what was lost at the same time
+  const int lost = int(b.line.xOf(50.0));
+  EXPECT_EQ(window::count(picture.copy(lost, picture.height() - 20, 1, 3), isDim), 0);
+  // and all lie below the force, however small it is
+  const auto forceSeen = [&](const ui::ReplayTrack& track) {
+    b.bar.show(track);
+    b.bar.setTime(100.0);
+    return window::count(window::pictureOf(b.line).copy(from, 0, to - from, picture.height()),
+                         isForce);
+  };
+  ui::ReplayTrack touched{.begin = 0.0, .end = 100.0};
+  touched.force_least.assign(1'000, 0.0F);
+  touched.force_most.assign(1'000, 0.3F);
+  touched.force_most[900] = 4.0F;
+  const int without = forceSeen(touched);
+  EXPECT_GT(without, to - from - 10);
+  touched.marks = busy.marks;
+  EXPECT_EQ(forceSeen(touched), without);
 }
 
 TEST(ReplayBar, TheAxesHaveNumbers) {
@@ -187,6 +205,9 @@ TEST(ReplayBar, TheAxesHaveNumbers) {
   EXPECT_GT(window::count(times.copy(qRound(b.place(10.0)) - 2, 0, 5, 2), isDim), 0);
   EXPECT_EQ(window::count(times.copy(qRound(b.place(10.0)) + 4, 0, 40, 2), isDim), 0);
   EXPECT_GT(window::count(times.copy(qRound(b.place(100.0)) - 2, 0, 5, 2), isDim), 0);
+  const QImage words = picture.copy(0, foot + 5, picture.width(), 11);
+  for (const double time : {10.0, 50.0})
+    EXPECT_GT(window::count(words.copy(qRound(b.place(time)) - 15, 0, 30, 11), isDim), 10) << time;
   // a recording of a moment, and one of a day
   for (const double length : {0.02, 86'400.0}) {
     b.bar.show(ui::ReplayTrack{.begin = 0.0, .end = length});

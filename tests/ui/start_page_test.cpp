@@ -17,6 +17,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 #include <memory>
 
 #include "app/application.h"
@@ -24,6 +25,7 @@
 #include "ui/panels/haptic_device_panel.h"
 #include "ui/panels/histogram_slider.h"
 #include "ui/side_panel.h"
+#include "ui/style/style.h"
 #include "ui/tour.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
@@ -133,6 +135,8 @@ TEST_F(StartPage, AnEmptyWindowOffersThreeWaysToBeginAndTheDemoIsOneClickAway) {
   ASSERT_TRUE(isTouched());
   EXPECT_FALSE(page().isVisible());
   EXPECT_TRUE(window().windowTitle().startsWith("demo"));
+  // it has no place to which one could come back
+  EXPECT_TRUE(app::loadPreferences().places.isEmpty());
 }
 
 TEST_F(StartPage, AClickBesideTheButtonsOfACardIsOneOnTheFirst) {
@@ -198,15 +202,57 @@ TEST_F(StartPage, TheLastScansHavePicturesThatAreMadeAgainAndKeptNowhere) {
   EXPECT_TRUE(waitFor([&] { return pictureAt(0) != pictureAt(1) && middle() > 200; }, 60.0));
   window::keep(window::pictureOf(window()), "start_page_last_scans");
   EXPECT_EQ(folder.files(), before);
-  const QString stored = QSettings().fileName();
-  QFile settings(stored);
-  ASSERT_TRUE(settings.open(QFile::ReadOnly));
-  for (const QByteArray& line : settings.readAll().split('\n'))
-    EXPECT_LT(line.size(), 2'000) << line.left(60).toStdString();
+  // in the preferences there are their paths, and of the window its geometry
+  emit window().panelsChanged();  // they are saved
+  QSettings settings;
+  for (const QString& key : settings.allKeys()) {
+    if (key == "window/geometry") continue;
+    EXPECT_NE(settings.value(key).typeId(), QMetaType::QByteArray) << key.toStdString();
+    EXPECT_LT(settings.value(key).toStringList().join(' ').size(), 500) << key.toStdString();
+  }
+  settings.beginGroup("places");
+  EXPECT_EQ(settings.allKeys(), (QStringList{"recent", "remembered"}));
+  EXPECT_EQ(settings.value("recent").toStringList(), (QStringList{folder.scan(), folder.gone()}));
   // one click opens it again
   QTest::mouseClick(tiles()[0], Qt::LeftButton);
   ASSERT_TRUE(isTouched());
   EXPECT_TRUE(window().windowTitle().startsWith("ball.nrrd"));
+}
+
+TEST_F(StartPage, APictureIsWholeAndStandsInItsOwnTileAlone) {
+  ui::StartPage alone;
+  alone.setPlaces({{.path = "/wide", .exists = true}, {.path = "/other", .exists = true}}, true);
+  const auto tiles = alone.findChildren<QToolButton*>("lastScan");
+  ASSERT_EQ(tiles.size(), 2);
+  const auto iconOf = [&](int tile) {
+    constexpr int kSide = ui::StartPage::kThumbnail;
+    return tiles[tile]->icon().pixmap(kSide, kSide).toImage().scaled(kSide, kSide);
+  };
+  const QImage symbol = iconOf(0);
+  EXPECT_GT(window::count(symbol, [&](QColor c) { return c != symbol.pixelColor(1, 1); }), 50);
+  // twice as wide as high, its left half dark
+  QImage picture(96, 48, QImage::Format_Grayscale8);
+  picture.fill(200);
+  for (int y = 0; y < 48; ++y) std::fill_n(picture.scanLine(y), 48, uchar{90});
+  alone.setThumbnail("/wide", picture);
+  alone.setThumbnail("/wide", {});  // one that could not be made leaves the tile as it is
+  alone.setThumbnail("/elsewhere", picture);
+  const QImage shown = iconOf(0);
+  const int side = shown.width();
+  const auto grey = [&](double x, double y) {
+    const QColor c = shown.pixelColor(int(x * side), int(y * side));
+    return c.red() == c.green() && c.green() == c.blue() ? c.red() : -1;
+  };
+  for (const double y : {0.3, 0.5, 0.7}) {
+    EXPECT_NEAR(grey(0.05, y), 90, 3) << y;
+    EXPECT_NEAR(grey(0.45, y), 90, 3) << y;
+    EXPECT_NEAR(grey(0.55, y), 200, 3) << y;
+    EXPECT_NEAR(grey(0.95, y), 200, 3) << y;
+  }
+  const QColor ground = ui::style::colours().ground;
+  for (const double y : {0.05, 0.2, 0.8, 0.95})
+    EXPECT_EQ(shown.pixelColor(side / 4, int(y * side)).rgb(), ground.rgb()) << y;
+  EXPECT_EQ(iconOf(1), symbol);
 }
 
 TEST_F(StartPage, NoScanIsNamedOnceTheyAreForgotten) {
@@ -272,7 +318,11 @@ TEST_F(StartPage, TheTourShowsThreeControlsOnceAndHelpShowsItAgain) {
   start(arguments);
   ASSERT_TRUE(isTouched());
   ASSERT_TRUE(waitFor([&] { return tour().isVisible(); }));
-  EXPECT_FALSE(tour().isAncestorOf(window().focusWidget()));
+  // the focus stays where it is, also after a click on its button: Space takes the force away
+  window().view().setFocus();
+  const auto leavesTheFocus = [&] {
+    EXPECT_EQ(window().focusWidget(), &window().view()) << tour().step();
+  };
   const auto beside = [&](const QWidget* control) {
     // the bubble touches its control and leaves it free
     const QRect bubble = tour().geometry();
@@ -282,14 +332,21 @@ TEST_F(StartPage, TheTourShowsThreeControlsOnceAndHelpShowsItAgain) {
   EXPECT_EQ(tour().step(), 0);
   EXPECT_TRUE(beside(named<QToolButton>("openFileButton")));
   window::keep(window::pictureOf(window()), "tour_1");
+  leavesTheFocus();
+  // it opens the tab of its control when it comes to it, and not before
+  auto* side = window().findChild<ui::SidePanel*>("sidePanel");
+  side->setTab(ui::Tab::Record);
   click("tourNext");
   EXPECT_EQ(tour().step(), 1);
+  leavesTheFocus();
+  EXPECT_EQ(window().layoutState().panels.tab, "touch");
   auto* histogram = named<ui::HistogramSlider>("isovalueSlider");
   EXPECT_TRUE(histogram->isVisible());
-  EXPECT_TRUE(beside(histogram));
+  EXPECT_TRUE(waitFor([&] { return beside(histogram); }));
   window::keep(window::pictureOf(window()), "tour_2");
   click("tourNext");
   EXPECT_EQ(tour().step(), 2);
+  leavesTheFocus();
   EXPECT_TRUE(tourSentence().contains("Escape")) << tourSentence().toStdString();
   EXPECT_TRUE(window().rect().contains(tour().geometry()));
   window::keep(window::pictureOf(window()), "tour_3");
@@ -302,13 +359,13 @@ TEST_F(StartPage, TheTourShowsThreeControlsOnceAndHelpShowsItAgain) {
   ASSERT_TRUE(isTouched());
   QTest::qWait(300);
   EXPECT_FALSE(tour().isVisible());
-  // it opens the tab of its control
   window().findChild<ui::SidePanel*>("sidePanel")->setTab(ui::Tab::Record);
   window().findChild<QAction*>("showTour")->trigger();
   ASSERT_TRUE(tour().isVisible());
+  EXPECT_EQ(window().layoutState().panels.tab, "record");
   // it stays in the window that becomes smaller, and its rest can be skipped
   click("tourNext");
-  EXPECT_TRUE(window().findChild<ui::HistogramSlider*>("isovalueSlider")->isVisible());
+  EXPECT_EQ(window().layoutState().panels.tab, "touch");
   window().resize(1000, 640);
   QTest::qWait(200);
   EXPECT_TRUE(window().rect().contains(tour().geometry()));

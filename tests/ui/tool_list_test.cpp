@@ -360,6 +360,11 @@ TEST(ToolList, TheUnitThatIsLikelyIsOfferedAndEachHasItsSizeBesideAHand) {
   EXPECT_EQ(ui::likelyUnit(Sides{0.012, 0.16, 0.009}), "m");
   EXPECT_EQ(ui::likelyUnit(Sides{1.2, 6.0, 0.9}), "cm");
   EXPECT_EQ(ui::likelyUnit(Sides{0.0, 0.0, 0.0}), "mm");
+  // where several would do, in this order: mm, m, cm, in
+  EXPECT_EQ(ui::likelyUnit(Sides{3.0, 30.0, 2.0}), "mm");
+  EXPECT_EQ(ui::likelyUnit(Sides{1.0, 15.0, 1.0}), "mm");
+  EXPECT_EQ(ui::likelyUnit(Sides{0.1, 0.45, 0.1}), "m");
+  EXPECT_EQ(ui::likelyUnit(Sides{1.0, 5.0, 1.0}), "cm");
   const QRectF hand = ui::handOutline().boundingRect();
   EXPECT_NEAR(hand.height(), ui::kHandLength, 0.5);
   EXPECT_NEAR(hand.bottom(), 0.0, 0.5);

@@ -31,8 +31,8 @@ constexpr int kLongestMark = 160;
 
 /// Ticks that look alike.
 enum class Look { Note, Setting, Scene, Force, Loss, Late };
-constexpr std::array<Look, 6> kLooks{Look::Late,  Look::Setting, Look::Scene,
-                                     Look::Force, Look::Loss,    Look::Note};
+constexpr std::array<Look, 5> kLooks{Look::Setting, Look::Scene, Look::Force, Look::Loss,
+                                     Look::Note};  // without what lies below the curve
 
 struct KindWords {
   const char* kind;
@@ -138,7 +138,7 @@ void drawHead(QPainter& painter, Look look, QPointF at) {
       painter.drawLine(corner(-1, -1), corner(1, 1));
       painter.drawLine(corner(-1, 1), corner(1, -1));
       break;
-    case Look::Late:  // a short line at the foot alone: there may be thousands
+    case Look::Late:
       break;
   }
 }
@@ -306,6 +306,17 @@ void ReplayTimeline::drawTimes(QPainter& painter) const {
     draw(n * step, step);
 }
 
+/// Short lines at the foot alone: there may be thousands.
+void ReplayTimeline::drawLate(QPainter& painter) const {
+  double last = -1.0;
+  for (const ReplayMark& mark : track_.marks) {
+    const double x = std::floor(xOf(mark.time));
+    if (lookOf(mark.kind) != Look::Late || x == last) continue;
+    last = x;
+    painter.fillRect(QRectF(x, curveArea().bottom() - kLate, 1.0, kLate), colourOf(Look::Late));
+  }
+}
+
 void ReplayTimeline::drawMarks(QPainter& painter) const {
   // one look after the other: the user's own marks lie on top, and at one place each look but once
   for (const Look look : kLooks) {
@@ -314,11 +325,6 @@ void ReplayTimeline::drawMarks(QPainter& painter) const {
       const double x = xOf(mark.time);
       if (lookOf(mark.kind) != look || (last >= 0.0 && x - last < 0.5)) continue;
       last = x;
-      if (look == Look::Late) {
-        painter.fillRect(QRectF(std::floor(x), curveArea().bottom() - kLate, 1.0, kLate),
-                         colourOf(look));
-        continue;
-      }
       QColor line = colourOf(look);
       if (look != Look::Note) line.setAlpha(130);
       painter.setPen(QPen(line, 1.0));
@@ -335,6 +341,7 @@ void ReplayTimeline::drawGround() {
   ground_.fill(palette().color(QPalette::Base));
   QPainter painter(&ground_);
   painter.setFont(font());
+  drawLate(painter);  // it hides no force
   drawForce(painter);
   drawTimes(painter);
   painter.setRenderHint(QPainter::Antialiasing);

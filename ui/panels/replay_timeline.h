@@ -80,6 +80,7 @@ class ReplayTimeline : public QWidget, public Spoken {
   QRectF curveArea() const;
   void drawForce(QPainter& painter) const;
   void drawTimes(QPainter& painter) const;
+  void drawLate(QPainter& painter) const;
   void drawMarks(QPainter& painter) const;
 
   ReplayTrack track_;

@@ -38,6 +38,24 @@ std::shared_ptr<const haptics::Volume> cropped(const haptics::Grid& grid) {
   return std::make_shared<const haptics::Volume>(std::move(volume));
 }
 
+TEST(Slice, OfASlabBelowAMillimetreIsAsThinAsIsChosen) {
+  haptics::Grid grid = straightGrid();
+  grid.spacing = {0.1e-3, 0.1e-3, 0.1e-3};
+  // one bright layer, 0.4 mm from the plane
+  const auto volume = std::make_shared<const haptics::Volume>(
+      volumes::made(grid, [](const Vec3& u) { return u.y() == 12.0 ? 100.0 : 0.0; }));
+  ui::Slice slice;
+  slice.show(ui::pictureOf(volume));
+  const auto greatestWithin = [&](double thickness_mm) {
+    slice.cut(ui::axesOf(ui::Plane::Coronal), grid.worldOf({9.5, 8.0, 5.5}) * 1e3, {20, 12}, 0.1,
+              {.slab = SlabKind::Maximum, .thickness_mm = thickness_mm});
+    return slice.valueAt({10, 6}).value_or(-1.0);
+  };
+  EXPECT_NEAR(greatestWithin(0.1), 0.0, 1e-3);
+  EXPECT_NEAR(greatestWithin(0.6), 0.0, 1e-3);
+  EXPECT_NEAR(greatestWithin(0.8), 100.0, 1e-3);
+}
+
 TEST(Slice, OfASlabIsTheGreatestOrTheMeanOfItsPlanes) {
   const haptics::Grid grid = straightGrid();
   const auto volume = std::make_shared<const haptics::Volume>(volumes::made(grid, waves));
