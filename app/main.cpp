@@ -9,6 +9,7 @@
 
 #include "app/program.h"
 #include "app/read_ahead.h"
+#include "datasets/readers/volume_header.h"
 
 namespace {
 
@@ -30,11 +31,12 @@ fs::path library() {
 /// takes what was read only for the path that is given there.
 std::shared_ptr<app::ReadAhead> readAhead(int argc, char** argv) {
   try {
-    if (argc < 2) return {};
     fs::path file;
     for (int i = 1; i < argc; ++i) {
       std::error_code error;
-      if (argv[i][0] == '-' || !fs::is_regular_file(argv[i], error)) continue;
+      if (argv[i][0] == '-' || !fs::is_regular_file(argv[i], error) ||
+          !datasets::isVolumeFile(argv[i]))
+        continue;
       if (!file.empty()) return {};
       file = argv[i];
     }

@@ -11,8 +11,7 @@
 namespace app {
 namespace {
 
-constexpr std::chrono::milliseconds kLook{20};  // between looks at Cancel
-constexpr std::chrono::milliseconds kUnderWay{100};
+constexpr std::chrono::milliseconds kUnderWay{100};  // waited for the threads of a reading
 
 /// Threads that begin meanwhile leave the signals that end a program to others.
 class SignalsBlocked {
@@ -35,9 +34,8 @@ class SignalsBlocked {
 
 ReadAhead::ReadAhead(std::filesystem::path file) : file_(std::move(file)) {
   try {
-    if (!datasets::isVolumeFile(file_)) return;
     auto header = datasets::headerOf(file_);
-    if (!header || !(*header)->isReadAlone()) return;
+    if (!header || !(*header)->isReadDirectly()) return;
     const SignalsBlocked blocked;
     std::future<void> under_way = under_way_.get_future();
     volume_ = std::async(std::launch::async, [this, header = std::move(*header)] {
@@ -59,7 +57,7 @@ void ReadAhead::advanced(double fraction) {
 
 std::optional<haptics::Volume> ReadAhead::read(const datasets::VolumeHeader& header) {
   try {
-    auto volume = datasets::readOnly(
+    auto volume = datasets::readDirectly(
         header, {.advanced = [this](double f) { advanced(f); }, .cancel = &cancel_});
     if (!volume || !header.isUpToDate()) return {};
     return std::move(*volume);
@@ -71,12 +69,7 @@ std::optional<haptics::Volume> ReadAhead::read(const datasets::VolumeHeader& hea
 ReadAhead::~ReadAhead() { cancel_ = true; }
 
 std::optional<haptics::Volume> ReadAhead::take(const datasets::ReadProgress& progress) {
-  if (!volume_.valid()) return {};
-  while (volume_.wait_for(kLook) != std::future_status::ready) {
-    if (progress.isCancelled()) return {};
-    progress.advanced(fraction_);
-  }
-  return volume_.get();
+  return takeWhenMade(volume_, fraction_, progress);
 }
 
 }  // namespace app

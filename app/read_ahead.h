@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <future>
 #include <optional>
@@ -11,6 +12,21 @@
 #include "haptics/core/volume.h"
 
 namespace app {
+
+/// What a thread makes ahead, after waiting for it; only once. `fraction` is how far it is. None if
+/// nothing came of it, or on Cancel.
+template <class T>
+std::optional<T> takeWhenMade(std::future<std::optional<T>>& made,
+                              const std::atomic<double>& fraction,
+                              const datasets::ReadProgress& progress) {
+  constexpr std::chrono::milliseconds kLook{20};  // between looks at Cancel
+  if (!made.valid()) return {};
+  while (made.wait_for(kLook) != std::future_status::ready) {
+    if (progress.isCancelled()) return {};
+    progress.advanced(fraction);
+  }
+  return made.get();
+}
 
 /// Reads the volume file of the command line while the window is loaded and begins, on a thread of
 /// its own. It reads a file of one volume whose voxels lie plain or deflated. Anything else is left

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/scan_ahead.h"
 
-#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -9,11 +8,6 @@
 #include "resources/named_tools.h"
 
 namespace app {
-namespace {
-
-constexpr std::chrono::milliseconds kLook{20};  // between looks at Cancel
-
-}  // namespace
 
 ScanAhead::ScanAhead(std::shared_ptr<ReadAhead> file) : file_(std::move(file)) {
   try {
@@ -47,12 +41,7 @@ std::optional<ScanAhead::Scan> ScanAhead::make() {
 }
 
 std::optional<ScanAhead::Scan> ScanAhead::take(const datasets::ReadProgress& progress) {
-  if (!scan_.valid()) return {};
-  while (scan_.wait_for(kLook) != std::future_status::ready) {
-    if (progress.isCancelled()) return {};
-    progress.advanced(fraction_);
-  }
-  return scan_.get();
+  return takeWhenMade(scan_, fraction_, progress);
 }
 
 }  // namespace app

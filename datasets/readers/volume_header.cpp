@@ -79,12 +79,12 @@ bool VolumeHeader::isUpToDate() const {
   return std::ranges::all_of(files, [](const FileStamp& f) { return stampOf(f.path) == f; });
 }
 
-bool VolumeHeader::isReadAlone() const {
+bool VolumeHeader::isReadDirectly() const {
   const auto* nrrd = std::get_if<std::shared_ptr<const ParsedNrrd>>(&parsed);
   return stored().count() == 1 && (nrrd == nullptr || !needsTeem((*nrrd)->header));
 }
 
-Expected<haptics::Volume> readOnly(const VolumeHeader& header, const ReadProgress& progress) {
+Expected<haptics::Volume> readDirectly(const VolumeHeader& header, const ReadProgress& progress) {
   if (const auto* nrrd = std::get_if<std::shared_ptr<const ParsedNrrd>>(&header.parsed))
     return decodeNrrd(**nrrd, 0, {}, progress);
   return readVolume(header.stored(), 0, {}, progress);

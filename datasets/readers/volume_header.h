@@ -23,8 +23,9 @@ struct VolumeHeader {
   const StoredVolumes& stored() const;
   /// Whether all files are as they were.
   bool isUpToDate() const;
-  /// Whether the file holds one volume, whose voxels lie plain or deflated: what readOnly() takes.
-  bool isReadAlone() const;
+  /// Whether the file holds one volume, whose voxels lie plain or deflated: what readDirectly()
+  /// takes.
+  bool isReadDirectly() const;
 };
 
 using HeaderPtr = std::shared_ptr<const VolumeHeader>;
@@ -45,8 +46,8 @@ bool isVolumeFile(const std::filesystem::path& path);
 /// why.
 haptics::Expected<HeaderPtr> headerOf(const std::filesystem::path& path);
 
-/// The volume of a header that isReadAlone(), without VTK and teem.
-haptics::Expected<haptics::Volume> readOnly(const VolumeHeader& header,
-                                            const ReadProgress& progress);
+/// The volume of a header that isReadDirectly(), without VTK and teem. Any thread.
+haptics::Expected<haptics::Volume> readDirectly(const VolumeHeader& header,
+                                                const ReadProgress& progress);
 
 }  // namespace datasets

@@ -10,6 +10,7 @@ that the build leaves beside its programs are not there.
 import json
 import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -103,6 +104,7 @@ assert "palpate-draw" in told["error"]["message"], told
 
 # the window's program asks for nothing but a display
 quiet = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+quiet["XDG_STATE_HOME"] = str(scratch / "state")
 ran = subprocess.run([prefix / "bin/palpate", "--version"], capture_output=True, text=True, env=quiet)
 assert ran.returncode == 0 and ran.stdout.strip(), ran
 # several files, as a file manager names them, are taken, and brackets in a name are no list
@@ -115,6 +117,10 @@ window.rename(scratch / "palpate-window.so")
 alone = subprocess.run([prefix / "bin/palpate", "--version"], capture_output=True, text=True, env=quiet)
 assert alone.returncode == 4 and "install it anew" in alone.stderr, alone
 (scratch / "palpate-window.so").rename(window)
+# the build that its log names is the library's, which is what computes
+log = next(scratch.rglob("palpate.log")).read_text()
+build = bytes.fromhex(re.search(r"build\W+([0-9a-f]{40})", log).group(1))
+assert build in window.read_bytes() and build not in (prefix / "bin/palpate").read_bytes(), log
 # a scan is read while the library is loaded, so what reads it needs none of that
 libraries = subprocess.run(["ldd", prefix / "bin/palpate"], capture_output=True, text=True).stdout
 assert not any(library in libraries for library in ("libQt6", "libvtk", "libGL.so")), libraries
