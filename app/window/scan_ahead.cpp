@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/background/task.h"
 #include "haptics/tool/point_shell.h"
 #include "resources/named_tools.h"
 
@@ -28,6 +29,7 @@ ScanAhead::~ScanAhead() { cancel_ = true; }
 std::optional<ScanAhead::Scan> ScanAhead::make() {
   auto read = file_->take({.advanced = [this](double f) { fraction_ = f; }, .cancel = &cancel_});
   if (!read) return {};
+  background::goLast();  // the window's first drawing takes longer than this
   Scan scan{.volume = std::make_shared<const haptics::Volume>(std::move(*read))};
   auto picture = std::async(
       std::launch::async, [this, volume = scan.volume] { return ui::pictureOf(volume, &cancel_); });
