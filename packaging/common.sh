@@ -60,10 +60,12 @@ install_missing() {
     fail "apt-get could not install what is missing; the reason stands above."
 }
 
-# fetch_kernel FOLDER: puts Debian's package of its kernel there, which the drivers' tests boot; does
-# nothing, and asks no network, where one is there. Without one those tests are skipped.
+# fetch_kernel FOLDER: puts Debian's package of its kernel there, which the drivers' tests boot, and unpacks
+# udev in FOLDER/udev; does nothing, and asks no network, where they are there. Without them those tests are
+# skipped.
 fetch_kernel() {
   local folder="$1" package
+  unpack "$folder/udev" bin/udevadm "udev for the tests of its rules, 5 MB" udev systemd
   ! compgen -G "$folder/linux-image-*.deb" > /dev/null || return 0
   say "Fetching Debian's kernel for the drivers' tests, 70 MB."
   package="$(apt-cache depends linux-image-amd64 2> /dev/null | sed -n 's/^ *Depends: *//p' | head -n 1)"

@@ -13,7 +13,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
 #include <utility>
+#include <vector>
 
 namespace ui {
 namespace {
@@ -49,6 +51,24 @@ QString anchorOf(const QString& heading) {
   return heading.toLower().remove(other).replace(' ', '-');
 }
 
+/// How well a page answers these words: 0 where one of them is not there at all, more for each that
+/// stands as a word by itself, in a heading, or in the title.
+int fitOf(const QStringList& words, const QString& text) {
+  int fit = 1;
+  for (const QString& word : words) {
+    if (!text.contains(word, Qt::CaseInsensitive)) return 0;
+    const QString alone = QStringLiteral("\\b%1\\b").arg(QRegularExpression::escape(word));
+    for (const auto& [where, weight] :
+         {std::pair{QStringLiteral(""), 1}, std::pair{QStringLiteral("^#.*"), 2},
+          std::pair{QStringLiteral("\\A# .*"), 4}})
+      if (text.contains(QRegularExpression(
+              where + alone,
+              QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption)))
+        fit += weight;
+  }
+  return fit;
+}
+
 }  // namespace
 
 QString helpPageOf(const QWidget* widget) {
@@ -59,7 +79,7 @@ QString helpPageOf(const QWidget* widget) {
 }
 
 QStringList helpPages() {
-  static const QRegularExpression link(QStringLiteral("\\]\\(([a-z-]+)\\.md"));
+  static const QRegularExpression link(QStringLiteral("\\]\\(([a-z0-9-]+)\\.md"));
   QStringList pages{"index"};
   for (auto found = link.globalMatch(textOf("index")); found.hasNext();)
     pages.append(found.next().captured(1));
@@ -165,17 +185,18 @@ HelpWindow::HelpWindow(QWidget* parent)
   split->addWidget(left);
   split->addWidget(right);
   split->setStretchFactor(1, 1);
-  split->setSizes({240, 640});
+  split->setSizes({290, 670});
   auto* whole = new QVBoxLayout(this);
   whole->addWidget(split);
   search();
-  resize(920, 680);
+  resize(980, 680);
 }
 
 void HelpWindow::open(const QString& place) {
   search_->clear();
-  page_->open(place);
+  // first: a text that is shown goes to an anchor of Qt's own, or to the top
   show();
+  page_->open(place);
   raise();
   activateWindow();
   page_->setFocus();
@@ -185,13 +206,14 @@ void HelpWindow::search() {
   const QStringList words = search_->text().split(' ', Qt::SkipEmptyParts);
   const QSignalBlocker block(contents_);
   contents_->clear();
-  for (const QString& page : helpPages()) {
-    const QString text = textOf(page);
-    if (!std::ranges::all_of(
-            words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); }))
-      continue;
+  std::vector<std::pair<int, QString>> found;
+  for (const QString& page : helpPages())
+    if (const int fit = fitOf(words, textOf(page))) found.emplace_back(fit, page);
+  std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<int, QString>::first);
+  for (const auto& [fit, page] : found) {
     auto* item = new QListWidgetItem(titleOf(page), contents_);
     item->setData(kPlace, page);
+    item->setToolTip(item->text());
   }
   showWhere();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/save_dialog.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -11,6 +12,8 @@ void askForOutput(QFileDialog& dialog, const QString& filter, const QString& end
   static QString folder;
   if (folder.isEmpty())
     folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  // an account without one; the dialog would begin in the folder that the program was started from
+  if (!QFileInfo(folder).isDir()) folder = QDir::homePath();
   // Qt's own dialog: in a foreign one Escape would not reach the application
   dialog.setOption(QFileDialog::DontUseNativeDialog);
   dialog.setAcceptMode(QFileDialog::AcceptSave);

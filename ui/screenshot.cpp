@@ -65,8 +65,8 @@ std::optional<ScreenshotWish> askForScreenshot(MainWindow& window, const SliceVi
 
 QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wish) {
   if (wish.slice) return wish.slice->picture(wish.scale);
-  // beside a slice that is shown alone the 3-D view has no place
-  const bool is_seen = !wish.whole_window || view.isVisible();
+  // beside a slice that is shown alone the 3-D view has no place, and cards cover an empty one
+  const bool is_seen = !wish.whole_window || !view.visibleRegion().isEmpty();
   const QImage seen = is_seen ? view.picture(wish.scale) : QImage();
   if (!wish.whole_window || (is_seen && seen.isNull())) return seen;
   QImage image(window.size() * wish.scale, QImage::Format_RGB32);

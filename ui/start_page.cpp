@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/start_page.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QFrame>
@@ -263,14 +264,19 @@ void StartPage::setThumbnail(const QString& path, const QImage& picture) {
 }
 
 void StartPage::setLoading(const QString& what) {
-  if (what == loading_what_->text()) return;
   const bool loading = !what.isEmpty();
-  loading_what_->setText(what);
-  progress_->setRange(0, 0);  // busy, until a fraction is known
+  if (loading ? what == loading_what_->text() && !loading_->isHidden() : loading_->isHidden())
+    return;
+  if (loading) {
+    loading_what_->setText(what);
+    progress_->setRange(0, 0);  // busy, until a fraction is known; paints the window at once
+  }
+  const bool led = isAncestorOf(QApplication::focusWidget());
+  loading_->setVisible(loading);
+  if (loading && led) loading_->findChild<QPushButton*>("startCancel")->setFocus();
   cards_->setVisible(!loading);
   last_->setVisible(!loading);
   tiles_->setVisible(!loading && tiles_->minimumSizeHint().height() > 0);
-  loading_->setVisible(loading);
 }
 
 void StartPage::setProgress(double fraction) {

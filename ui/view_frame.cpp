@@ -57,6 +57,16 @@ QIcon iconOf(Sign sign) {
   return icon;
 }
 
+/// As many sentences as fit into so many pixels, and a sign that there are more.
+QString wholeSentences(const QString& text, const QFontMetrics& metrics, int width) {
+  static const QString kMore = QStringLiteral(" …");
+  if (metrics.horizontalAdvance(text) <= width) return text;
+  qsizetype end = 0;
+  for (qsizetype next = 0; (next = text.indexOf(QLatin1String(". "), next)) >= 0; ++next)
+    if (metrics.horizontalAdvance(text.left(next + 1) + kMore) <= width) end = next + 1;
+  return end > 0 ? text.left(end) + kMore : metrics.elidedText(text, Qt::ElideRight, width);
+}
+
 /// A button over a view, which is dark in every theme.
 class ViewButton : public QToolButton {
  public:
@@ -170,8 +180,7 @@ void ViewFrame::place() {
   if (hint_shown_) {
     inner.setBottom(inner.bottom() - kHint);
     hint_->setGeometry(inner.left(), inner.bottom() + 1, inner.width(), kHint);
-    hint_->setText(
-        hint_->fontMetrics().elidedText(hint_words_, Qt::ElideRight, inner.width() - kHint - 10));
+    hint_->setText(wholeSentences(hint_words_, hint_->fontMetrics(), inner.width() - kHint - 10));
     hide_hint_->setGeometry(inner.right() + 1 - kHint, inner.bottom() + 1, kHint, kHint);
     hide_hint_->raise();
   }

@@ -251,11 +251,10 @@ ui::SliceLook voxelsFrom(const Field& field) {
   SliceLook look;
   look.interpolation = field.at("interpolation").oneOf(kInterpolations);
   look.slab = field.at("slab").oneOf(kSlabs);
-  // a thickness at the end of the range may be rounded beyond it in metres
-  constexpr double kRounded = 1e-9;
-  look.thickness_mm = kMmPerMetre * field.at("thickness_m")
-                                        .number(SliceLook::kThinnest_mm / kMmPerMetre - kRounded,
-                                                SliceLook::kThickest_mm / kMmPerMetre + kRounded);
+  look.thickness_mm =
+      kMmPerMetre *
+      field.at("thickness_m")
+          .number(SliceLook::kThinnest_mm / kMmPerMetre, SliceLook::kThickest_mm / kMmPerMetre);
   return look;
 }
 

@@ -376,7 +376,8 @@ inline constexpr Row kReaders[] = {
     {"nrrd-data-cut-off",
      "%1 is too short for the %2 voxels that its header states; copy or fetch it again."},
     {"nrrd-no-magic",
-     "The header of %1 does not begin with NRRD0001 to NRRD0005; export it again."},
+     "%1 is no NRRD file: it does not begin with NRRD0001 to NRRD0005. Open the file itself, or "
+     "export it again."},
     {"nrrd-too-many-files", "The header of %1 lists too many files; export it again."},
     {"nrrd-field-too-long", "The header of %1 has a field that is too long; export it again."},
     {"nrrd-unit-unknown",

@@ -1568,8 +1568,8 @@
         <translation>%1 ist zu kurz für die %2 Voxel, die der Kopf nennt; kopieren oder holen Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>The header of %1 does not begin with NRRD0001 to NRRD0005; export it again.</source>
-        <translation>Der Kopf von %1 beginnt nicht mit NRRD0001 bis NRRD0005; exportieren Sie die Datei noch einmal.</translation>
+        <source>%1 is no NRRD file: it does not begin with NRRD0001 to NRRD0005. Open the file itself, or export it again.</source>
+        <translation>%1 ist keine NRRD-Datei: Sie beginnt nicht mit NRRD0001 bis NRRD0005. Öffnen Sie die Datei selbst, oder exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>The header of %1 lists too many files; export it again.</source>

@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# mkinit.sh MODULES PROGRAM OUT: writes an initial file system for the guest, gzipped, to OUT: busybox,
-# the kernel modules that the buses need, found anywhere below MODULES, the program with the libraries
-# that it is linked with, and init.
+# mkinit.sh MODULES UDEV PROGRAM OUT: writes an initial file system for the guest, gzipped, to OUT: busybox,
+# the kernel modules that the buses need, found anywhere below MODULES, the program, udevadm with the rules
+# of Debian and Palpate's, from UDEV or from this machine, the libraries that both are linked with, and init.
 set -eu
-modules="$1" program="$2" out="$3"
+modules="$1" udev="$2" program="$3" out="$4"
 here="$(cd "$(dirname "$0")" && pwd)"
 root="$(mktemp -d)"
 trap 'rm -rf "$root"' EXIT
@@ -28,10 +28,20 @@ for module in usb-common usbcore hid hid-generic usbhid ff-memless hid-logitech 
   echo "$module" >> "$root/modules/order"
 done
 
+set -- "$program"
+udevadm="$(PATH="$udev/bin:$PATH" command -v udevadm || true)"
+if [ -n "$udevadm" ]; then
+  cp "$udevadm" "$root/bin/"
+  mkdir -p "$root/lib/udev/rules.d"
+  for rules in "$udev"/lib/udev/rules.d/*.rules /lib/udev/rules.d/*.rules "$here/../../packaging/70-palpate.rules"; do
+    [ ! -f "$rules" ] || cp "$rules" "$root/lib/udev/rules.d/"
+  done
+  set -- "$program" "$udevadm"
+fi
 cp "$program" "$root/test/bus_test"
 strip "$root/test/bus_test"
 # "libusb-1.0.so.0 => /lib/x86_64-linux-gnu/libusb-1.0.so.0 (0x…)", and the loader without an arrow
-ldd "$program" | grep -o '/[^ ]*' | while read -r library; do
+ldd "$@" | grep -o '/[^ :]*' | grep -F .so | sort -u | while read -r library; do
   mkdir -p "$root$(dirname "$library")"
   cp -L "$library" "$root$library"
 done

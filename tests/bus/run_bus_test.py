@@ -3,8 +3,8 @@
 """Boots Debian's own kernel under emulation, runs bus_test in it and says what became of it.
 
 run_bus_test.py PROGRAM KERNELS WORK: PROGRAM is bus_test, KERNELS the folder in which packaging/test
-puts Debian's package of a kernel (linux-image-*.deb), WORK a folder for what is unpacked of it, the
-guest's file system and its words. Ends with 77 where something is missing to boot with.
+puts Debian's package of a kernel (linux-image-*.deb) and udev, unpacked; WORK a folder for what is
+unpacked of the kernel, the guest's file system and its words. Ends with 77 where something is missing to boot with.
 """
 import pathlib
 import platform
@@ -54,8 +54,8 @@ def main():
         skip(f"there is no Debian kernel package in {kernels}; packaging/test fetches it.")
 
     kernel = unpacked(packages[-1], work)
-    subprocess.run([pathlib.Path(__file__).with_name("mkinit.sh"), kernel, program, work / "init.gz"],
-                   check=True)
+    subprocess.run([pathlib.Path(__file__).with_name("mkinit.sh"), kernel, kernels / "udev", program,
+                    work / "init.gz"], check=True)
     said, console = work / "said.txt", work / "console.txt"
     said.unlink(missing_ok=True)
     # time by counted instructions: what is slow on a busy host is not slow in the guest

@@ -43,6 +43,7 @@ TEST_F(Editing, ACropBoxIsDraggedInSlicesAndInThreeD) {
   EXPECT_EQ(volume().crop->first[0], 0);
   EXPECT_TRUE(window().windowTitle().contains("(edited)"));
   EXPECT_EQ(number("crop0High"), -10.0);
+  EXPECT_EQ(window().findChild<QDoubleSpinBox*>("crop0High")->suffix(), " mm");
   // what stays ends at the face, to the touch too
   EXPECT_GT(felt({-10.3, 0, 0}), isovalue_);
   EXPECT_LT(felt({-9.7, 0, 0}), isovalue_);

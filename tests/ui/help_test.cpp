@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDir>
+#include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTextBlock>
 #include <QToolButton>
@@ -18,6 +22,8 @@
 #include "sphere_in_hand.h"
 #include "ui/help_window.h"
 #include "ui/main_window.h"
+#include "ui/side_panel.h"
+#include "ui/volume_view.h"
 #include "window_support.h"
 
 namespace {
@@ -42,7 +48,8 @@ QString filled(const resources::Row& row) {
 
 TEST(Help, HasAllPagesAndEachLinkLeadsToAPlace) {
   ui::HelpPage page;
-  ASSERT_GT(ui::helpPages().size(), 25);
+  // all are in the contents
+  EXPECT_EQ(ui::helpPages().size(), QDir(":/help").entryList({"*.md"}).size());
   int links = 0;
   for (const QString& name : ui::helpPages()) {
     ASSERT_TRUE(page.open(name)) << name.toStdString();
@@ -103,8 +110,81 @@ TEST(Help, MoreBesideAMessageLeadsToItsEntry) {
   EXPECT_TRUE(shown->isVisible());
   EXPECT_EQ(shown->page().page(), "messages-devices");
   EXPECT_TRUE(shown->page().textCursor().selectedText().startsWith("hid-gone:"));
+  // where it is read, also once the window was closed: at the top, or as near as the page's end
+  // lets it
+  const auto isRead = [&] {
+    QApplication::processEvents();
+    const int top = shown->page().cursorRect().top(), height = shown->page().viewport()->height();
+    const QScrollBar& bar = *shown->page().verticalScrollBar();
+    EXPECT_GT(bar.value(), 0);
+    EXPECT_TRUE(top >= 0 && top < (bar.value() == bar.maximum() ? height : 60)) << top;
+  };
+  isRead();
+  shown->close();
+  QTest::mouseClick(more, Qt::LeftButton);
+  isRead();
   window.showFault(QString::fromStdString(resources::sentence(lost)));
   EXPECT_TRUE(window.findChild<QPushButton*>("faultMore")->isVisible());
+}
+
+/// Stored are what packaging/help/pictures.sh keeps of this test.
+TEST(Help, PicturesShowTheWindowAsItIs) {
+  constexpr int kWidest = 640;  // px, of a page
+  QStringList made;
+  const auto isStored = [&](const QString& name, QImage image) {
+    if (image.width() > kWidest) image = image.scaledToWidth(kWidest, Qt::SmoothTransformation);
+    window::keep(image, qPrintable("help_" + name));
+    made << name;
+    EXPECT_LT(window::differing(QImage(":/help/pictures/" + name + ".png"), image, 60), 0.15)
+        << name.toStdString() << ": run packaging/help/pictures.sh, and look";
+  };
+  {
+    app::Arguments arguments = window::sphereInHand("mouse");
+    arguments.load.phantom = {};
+    app::Application application(std::move(arguments));
+    application.start();
+    window::showAndWait(application.window(), {1000, 660});
+    isStored("start", window::pictureOf(application.window()));
+  }
+  const QTemporaryDir folder;
+  app::Arguments arguments = window::recordedSphere(folder);
+  arguments.load.phantom = "demo";
+  arguments.load.tool = app::ToolSource{.name = "drill"};
+  arguments.load.isovalue = 300.0;
+  app::Application application(std::move(arguments));
+  application.start();
+  ui::MainWindow& window = application.window();
+  window::showAndWait(window, {1000, 660});
+  ASSERT_TRUE(window::waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }));
+  window::pictureAtRest(window.view());
+  isStored("touching", window::pictureOf(window));
+  auto* record = window.findChild<QPushButton*>("record");
+  auto& panel = *window.findChild<ui::SidePanel*>();
+  panel.setTab(ui::Tab::Record);
+  QTest::mouseClick(record, Qt::LeftButton);
+  QTest::qWait(2'000);
+  QTest::mouseClick(record, Qt::LeftButton);
+  ASSERT_TRUE(window::waitFor([&] { return !application.recording().isRecording(); }));
+  QTest::qWait(1'000);
+  for (const auto& [section, tab] : {std::pair{"surfaceSection", ui::Tab::Touch},
+                                     {"toolSection", ui::Tab::Touch},
+                                     {"editSection", ui::Tab::Scan},
+                                     {"deviceSection", ui::Tab::Device},
+                                     {"recordingSection", ui::Tab::Record}}) {
+    panel.setTab(tab);
+    auto* shown = window.findChild<QWidget*>(section);
+    ASSERT_NE(shown, nullptr) << section;
+    isStored(section, window::pictureOf(*shown));
+  }
+  // and each is on a page
+  QString pages;
+  for (const QString& name : ui::helpPages()) {
+    QFile file(":/help/" + name + ".md");
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    pages += QString::fromUtf8(file.readAll());
+  }
+  EXPECT_EQ(pages.count("](pictures/"), made.size());
+  for (const QString& name : made) EXPECT_TRUE(pages.contains("](pictures/" + name + ".png)"));
 }
 
 TEST(Help, OpensAtThePartThatHasTheFocus) {
@@ -146,6 +226,10 @@ TEST(Help, IsSearchedAndGoesBackAndForward) {
   EXPECT_EQ(window.page().page(), "index");
   QTest::mouseClick(forward, Qt::LeftButton);
   EXPECT_EQ(window.page().page(), "force-safety");
+  // what fits best comes first
+  search->setText("stop force");
+  auto* found = window.findChild<QListWidget*>("helpContents");
+  EXPECT_EQ(found->item(0)->text(), "Safety of the force");
   search->setText("inkwell");
   EXPECT_GE(contents->count(), 2);
   EXPECT_LT(contents->count(), all / 2);

@@ -310,6 +310,14 @@ TEST(Layout, HintsSayWhatTheMouseDoesAndCanBeHiddenForEver) {
     w.window.view().setMouseHand(false);
     EXPECT_EQ(hint->accessibleName(), looking);
     window::keep(window::pictureOf(w.window), "layout_hints");
+    // a narrow view has fewer sentences, each of them whole
+    for (const Plane plane : {Plane::Axial, Plane::Coronal, Plane::Sagittal}) {
+      const QLabel& below = *hintOf(w.window.slice(plane));
+      const QString whole = below.accessibleName(), read = below.text();
+      ASSERT_NE(read, whole) << below.width();
+      EXPECT_TRUE(read.endsWith(". …")) << read.toStdString();
+      EXPECT_TRUE(whole.startsWith(read.chopped(2))) << read.toStdString();
+    }
 
     const int height = w.window.view().height();
     auto* axial = w.window.slice(Plane::Axial).parentWidget();

@@ -231,6 +231,7 @@ TEST(Slices, AreAsThickAsIsTypedWithEitherMarkInEitherUnit) {
       auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
       ASSERT_NE(dialog, nullptr);
       auto* field = dialog->findChild<QDoubleSpinBox*>();
+      EXPECT_EQ(field->suffix(), QString(" %1").arg(ui::lengthUnitName()));
       field->selectAll();
       QTest::keyClicks(field, text);
       QTest::keyClick(dialog, Qt::Key_Return);

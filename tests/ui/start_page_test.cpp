@@ -24,6 +24,7 @@
 #include "app/window/preferences.h"
 #include "ui/panels/haptic_device_panel.h"
 #include "ui/panels/histogram_slider.h"
+#include "ui/screenshot.h"
 #include "ui/side_panel.h"
 #include "ui/style/style.h"
 #include "ui/tour.h"
@@ -127,11 +128,17 @@ TEST_F(StartPage, AnEmptyWindowOffersThreeWaysToBeginAndTheDemoIsOneClickAway) {
   for (const char* name : {"undo", "redo", "cropBox"})
     EXPECT_FALSE(named<QAction>(name)->isEnabled()) << name;
   EXPECT_FALSE(application_->shown());
-  window::keep(window::pictureOf(window()), "start_page");
+  const QImage seen = window::pictureOf(window());
+  window::keep(seen, "start_page");
+  // a picture of the window has the cards, not the view that they cover
+  const QImage picture = ui::screenshotOf(window(), window().view(), {.whole_window = true});
+  EXPECT_LT(window::differing(picture, seen, 8), 0.002);
   click("startDemo");
   // its progress takes the place of the cards
   EXPECT_FALSE(named<QPushButton>("startDemo")->isVisible());
   EXPECT_TRUE(named<QPushButton>("startCancel")->isVisible());
+  // who leads by keys goes on there
+  EXPECT_TRUE(named<QPushButton>("startCancel")->hasFocus());
   ASSERT_TRUE(isTouched());
   EXPECT_FALSE(page().isVisible());
   EXPECT_TRUE(window().windowTitle().startsWith("demo"));

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstring>
+#include <ctime>
 
 #include "datasets/phantoms/noise.h"
 #include "datasets/phantoms/phantoms.h"
@@ -29,6 +30,13 @@ TEST(Phantoms, CancelEndsTheMakingWithinALayer) {
     ASSERT_FALSE(phantom.has_value()) << name;
     EXPECT_EQ(phantom.error().kind, haptics::Error::Kind::Cancelled) << name;
   }
+  // the skull, which takes longest, is hardly begun
+  const auto used = [](const std::atomic<bool>* cancel) {
+    const std::clock_t begun = std::clock();  // the processor time of all threads
+    EXPECT_EQ(makePhantom("demo", cancel).has_value(), cancel == nullptr);
+    return std::clock() - begun;
+  };
+  EXPECT_LT(4 * used(&cancelled), used(nullptr));
   // counted: what is sampled after the cancel is the rest of its layer
   std::atomic<bool> cancel = false;
   int taken = 0;
