@@ -219,9 +219,17 @@ QWidget* StartPage::makeCards() {
   connect(device->add("startDevice", tr("Show devices"),
                       tr("Shows the list of haptic devices on the tab Device")),
           &QPushButton::clicked, this, &StartPage::deviceWanted);
+  auto* purpose = new QLabel(tr("See a CT scan, and feel its surface."));
+  purpose->setObjectName("purpose");
+  purpose->setWordWrap(true);
+  style::setType(*purpose, style::Type::Figure);
   auto* cards = new QWidget;
-  auto* row = new QHBoxLayout(cards);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* column = new QVBoxLayout(cards);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(style::kEdge);
+  column->addWidget(purpose);
+  auto* row = new QHBoxLayout;
+  column->addLayout(row);
   row->setSpacing(style::kEdge);
   for (Card* card : {open, demo, device}) {
     card->finish();

@@ -6823,6 +6823,10 @@
         <source>Last scans</source>
         <translation>Letzte Aufnahmen</translation>
     </message>
+    <message>
+        <source>See a CT scan, and feel its surface.</source>
+        <translation>Einen CT-Scan sehen und seine Oberfläche fühlen.</translation>
+    </message>
 </context>
 <context>
     <name>ui::StateChip</name>

@@ -49,7 +49,7 @@ class Udev : public testing::Test {
 };
 
 TEST_F(Udev, GivesAFalconToWhoeverSitsThere) {
-  bus::FalconEmulator falcon;
+  bus::FalconEmulator falcon{true};
   const bus::UsbPort port{0, falcon};
   ASSERT_TRUE(comesTrue([&] { return !port.node().empty(); }));
   const std::string said = saidOf(port.node());

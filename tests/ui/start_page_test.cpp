@@ -119,6 +119,7 @@ class StartPage : public testing::Test {
 TEST_F(StartPage, AnEmptyWindowOffersThreeWaysToBeginAndTheDemoIsOneClickAway) {
   startEmpty();
   EXPECT_TRUE(page().isVisible());
+  EXPECT_TRUE(named<QLabel>("purpose")->isVisible());
   for (const char* name : {"startFolder", "startFile", "startDemo", "startDevice"}) {
     auto* button = named<QPushButton>(name);
     EXPECT_TRUE(button->isVisible()) << name;
