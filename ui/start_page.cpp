@@ -280,11 +280,11 @@ void StartPage::setLoading(const QString& what) {
     progress_->setRange(0, 0);  // busy, until a fraction is known; paints the window at once
   }
   const bool led = isAncestorOf(QApplication::focusWidget());
-  loading_->setVisible(loading);
-  if (loading && led) loading_->findChild<QPushButton*>("startCancel")->setFocus();
   cards_->setVisible(!loading);
   last_->setVisible(!loading);
   tiles_->setVisible(!loading && tiles_->minimumSizeHint().height() > 0);
+  loading_->setVisible(loading);
+  if (loading && led) loading_->findChild<QPushButton*>("startCancel")->setFocus();
 }
 
 void StartPage::setProgress(double fraction) {

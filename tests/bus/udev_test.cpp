@@ -25,6 +25,8 @@ constexpr const char* kUdev = "/bin/udevadm";
 std::string saidOf(const std::string& node) {
   struct stat about {};
   if (stat(node.c_str(), &about) != 0) return "there is no " + node;
+  // it remembers tags of an earlier device with this number
+  std::filesystem::remove_all("/run/udev");
   const std::string place = "/sys/dev/char/" + std::to_string(major(about.st_rdev)) + ':' +
                             std::to_string(minor(about.st_rdev));
   FILE* const words =

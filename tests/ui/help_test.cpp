@@ -13,6 +13,7 @@
 #include <QTest>
 #include <QTextBlock>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <algorithm>
 #include <set>
 
@@ -143,7 +144,7 @@ TEST(Help, PicturesShowTheWindowAsItIs) {
     arguments.load.phantom = {};
     app::Application application(std::move(arguments));
     application.start();
-    window::showAndWait(application.window(), {1000, 660});
+    window::showAndWait(application.window(), {1280, 800});
     isStored("start", window::pictureOf(application.window()));
   }
   const QTemporaryDir folder;
@@ -154,7 +155,7 @@ TEST(Help, PicturesShowTheWindowAsItIs) {
   app::Application application(std::move(arguments));
   application.start();
   ui::MainWindow& window = application.window();
-  window::showAndWait(window, {1000, 660});
+  window::showAndWait(window, {1280, 800});
   ASSERT_TRUE(window::waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }));
   window::pictureAtRest(window.view());
   isStored("touching", window::pictureOf(window));
@@ -174,6 +175,9 @@ TEST(Help, PicturesShowTheWindowAsItIs) {
     panel.setTab(tab);
     auto* shown = window.findChild<QWidget*>(section);
     ASSERT_NE(shown, nullptr) << section;
+    if (auto* list = shown->findChild<QTreeWidget*>("deviceList")) {
+      EXPECT_TRUE(window::waitFor([&] { return list->topLevelItemCount() > 0; }, 20.0));
+    }
     isStored(section, window::pictureOf(*shown));
   }
   // and each is on a page
