@@ -172,8 +172,8 @@ RawFile::RawFile(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   fs::permissions(folder, fs::perms::owner_all, failed);
-  std::string made = (folder / "crash-XXXXXX").string();
-  file_ = mkostemp(made.data(), O_CLOEXEC | O_APPEND);  // for its owner's eyes
+  std::string made = (folder / "crash-").string() + std::string(6, 'X');  // a name of mkostemp's
+  file_ = mkostemp(made.data(), O_CLOEXEC | O_APPEND);                    // for its owner's eyes
   if (file_ < 0) return;
   const std::string head = std::string{raw::kHead} + '\n' + raw::kVersion + versionHere() + '\n' +
                            raw::kBuild + buildHere() + '\n' + raw::kSession + log::session() + '\n';

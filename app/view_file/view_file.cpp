@@ -251,10 +251,9 @@ ui::SliceLook voxelsFrom(const Field& field) {
   SliceLook look;
   look.interpolation = field.at("interpolation").oneOf(kInterpolations);
   look.slab = field.at("slab").oneOf(kSlabs);
-  look.thickness_mm =
-      kMmPerMetre *
-      field.at("thickness_m")
-          .number(SliceLook::kThinnest_mm / kMmPerMetre, SliceLook::kThickest_mm / kMmPerMetre);
+  look.thickness_mm = kMmPerMetre * field.at("thickness_m")
+                                        .number(SliceLook::kThinnest_mm / kMmPerMetre,
+                                                SliceLook::kThickest_mm / kMmPerMetre);
   return look;
 }
 

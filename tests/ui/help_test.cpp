@@ -232,8 +232,7 @@ TEST(Help, IsSearchedAndGoesBackAndForward) {
   EXPECT_EQ(window.page().page(), "force-safety");
   // what fits best comes first
   search->setText("stop force");
-  auto* found = window.findChild<QListWidget*>("helpContents");
-  EXPECT_EQ(found->item(0)->text(), "Safety of the force");
+  EXPECT_EQ(contents->item(0)->text(), "Safety of the force");
   search->setText("inkwell");
   EXPECT_GE(contents->count(), 2);
   EXPECT_LT(contents->count(), all / 2);
