@@ -185,11 +185,11 @@ HelpWindow::HelpWindow(QWidget* parent)
   split->addWidget(left);
   split->addWidget(right);
   split->setStretchFactor(1, 1);
-  split->setSizes({290, 670});
+  split->setSizes({340, 680});
   auto* whole = new QVBoxLayout(this);
   whole->addWidget(split);
   search();
-  resize(980, 680);
+  resize(1040, 680);
 }
 
 void HelpWindow::open(const QString& place) {

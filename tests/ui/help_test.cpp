@@ -130,13 +130,16 @@ TEST(Help, MoreBesideAMessageLeadsToItsEntry) {
 
 /// Stored are what packaging/help/pictures.sh keeps of this test.
 TEST(Help, PicturesShowTheWindowAsItIs) {
-  constexpr int kWidest = 640;  // px, of a page
+  constexpr int kWidest = 600;  // px, of a page
   QStringList made;
   const auto isStored = [&](const QString& name, QImage image) {
     if (image.width() > kWidest) image = image.scaledToWidth(kWidest, Qt::SmoothTransformation);
     window::keep(image, qPrintable("help_" + name));
     made << name;
-    EXPECT_LT(window::differing(QImage(":/help/pictures/" + name + ".png"), image, 60), 0.15)
+    const QImage stored(":/help/pictures/" + name + ".png");
+    // what is said of devices depends on the machine, and so does the height of the list
+    if (name == "deviceSection") image = image.copy(0, 0, stored.width(), 180);
+    EXPECT_LT(window::differing(stored.copy(image.rect()), image, 60), 0.15)
         << name.toStdString() << ": run packaging/help/pictures.sh, and look";
   };
   {
@@ -189,6 +192,16 @@ TEST(Help, PicturesShowTheWindowAsItIs) {
   }
   EXPECT_EQ(pages.count("](pictures/"), made.size());
   for (const QString& name : made) EXPECT_TRUE(pages.contains("](pictures/" + name + ".png)"));
+  ui::HelpWindow help;
+  help.open("first-touch");
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));
+  window::keep(window::pictureOf(help), "first_touch_page");
+  const QVariant found =
+      help.page().loadResource(QTextDocument::ImageResource, QUrl("pictures/start.png"));
+  EXPECT_EQ(QImage::fromData(found.toByteArray()).width(), kWidest);
+  // all of page and contents is seen without a bar at the foot
+  EXPECT_EQ(help.page().horizontalScrollBar()->maximum(), 0);
+  EXPECT_EQ(help.findChild<QListWidget*>("helpContents")->horizontalScrollBar()->maximum(), 0);
 }
 
 TEST(Help, OpensAtThePartThatHasTheFocus) {
