@@ -250,6 +250,7 @@ QWidget* StartPage::makeLoading() {
   connect(cancel, &QPushButton::clicked, this, &StartPage::cancelWanted);
   auto* loading = new QWidget;
   loading->setFixedWidth(kLoadingWidth);
+  loading->setFocusProxy(cancel);
   auto* column = new QVBoxLayout(loading);
   column->setSpacing(style::kEdge);
   column->addWidget(loading_what_);
@@ -284,7 +285,7 @@ void StartPage::setLoading(const QString& what) {
   last_->setVisible(!loading);
   tiles_->setVisible(!loading && tiles_->minimumSizeHint().height() > 0);
   loading_->setVisible(loading);
-  if (loading && led) loading_->findChild<QPushButton*>("startCancel")->setFocus();
+  if (loading && led) loading_->setFocus();
 }
 
 void StartPage::setProgress(double fraction) {
