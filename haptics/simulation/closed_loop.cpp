@@ -72,8 +72,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     held = link.carry(result.sent_W, device.X_WD);
     if (!each({time, X_WD, proxy.X_WP, result.sent_W, result.tick.wrench_W, result.tick.contacts,
                ended - begun, device.X_WD, observer.energy(), budget.cutAt(), budget.spent(),
-               proxy.bearing,
-               safety.state(), safety.stiffnessShare()}))
+               proxy.bearing, safety.state(), safety.stiffnessShare()}))
       break;
   }
   return {};
