@@ -35,8 +35,9 @@ tl::unexpected<Error> cancelled() {
   return tl::unexpected(Error{Error::Kind::Cancelled, {"film-cancelled", {}}, "cancelled"});
 }
 
-std::vector<std::string> argumentsFor(const std::string& program, const std::filesystem::path& file,
-                                      const FilmFormat& format) {
+constexpr int kFilm = 3;  // its descriptor of the file
+
+std::vector<std::string> argumentsFor(const std::string& program, const FilmFormat& format) {
   const std::string size = std::to_string(format.width) + "x" + std::to_string(format.height);
   const std::string rate = std::to_string(format.frames_per_second);
   return {program, "-hide_banner", "-nostdin", "-loglevel", "error", "-xerror", "-y",
@@ -49,7 +50,7 @@ std::vector<std::string> argumentsFor(const std::string& program, const std::fil
           "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv",
           // no dates, no program's name
           "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-movflags",
-          "+faststart", "-f", "mp4", "file:" + file.string()};
+          "+faststart", "-f", "mp4", "file:/proc/self/fd/" + std::to_string(kFilm)};
 }
 
 /// Whether a file is boxes without a gap to its end, its table of frames among them. ffmpeg may say
@@ -88,10 +89,14 @@ std::optional<FfmpegFile> FfmpegFile::start(const std::string& program,
                                             const std::filesystem::path& file,
                                             const FilmFormat& format) {
   if (program.empty()) return {};
+  // by its descriptor: where the name was removed, an encoder that begins late makes no file anew
+  int film = open(file.c_str(), O_RDWR | O_CLOEXEC);
+  if (film < 0) return {};
   // a socket and no pipe: that nobody reads any more is told by send, not by a signal
   int frames[2] = {-1, -1}, words[2] = {-1, -1};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, frames) != 0) return {};
-  if (pipe2(words, O_CLOEXEC) != 0) {
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, frames) != 0 ||
+      pipe2(words, O_CLOEXEC) != 0) {
+    shut(film);
     shut(frames[0]);
     shut(frames[1]);
     return {};
@@ -103,12 +108,14 @@ std::optional<FfmpegFile> FfmpegFile::start(const std::string& program,
   posix_spawn_file_actions_adddup2(&files, frames[1], STDIN_FILENO);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&files, words[1], STDERR_FILENO);
+  // the last: another may have had the number
+  posix_spawn_file_actions_adddup2(&files, film, kFilm);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   // in a group of its own: Ctrl+C on the terminal is for us, and we end it; what we have blocked it
   // need not have
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-  auto arguments = argumentsFor(program, file, format);
+  auto arguments = argumentsFor(program, format);
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
@@ -119,6 +126,7 @@ std::optional<FfmpegFile> FfmpegFile::start(const std::string& program,
   posix_spawn_file_actions_destroy(&files);
   shut(frames[1]);
   shut(words[1]);
+  shut(film);
   if (failed != 0) {
     shut(frames[0]);
     shut(words[0]);

@@ -166,6 +166,29 @@ def main():
         said = json.loads(process.communicate(timeout=60)[0])
         assert process.returncode == 130 and said["error"]["code"] == 130, said
         assert os.listdir(out) == [], os.listdir(out)
+
+        # interrupted while a frame is drawn that takes long, before ffmpeg has opened its file
+        late = work / "late"
+        late.mkdir()
+        (late / "ffmpeg").write_text(
+            f"#!/bin/sh\nsleep 3\n{shutil.which('ffmpeg')} \"$@\"\ntouch {late}/done\n")
+        (late / "ffmpeg").chmod(0o755)
+        large = ["3840x2160" if a == f"{SIZE[0]}x{SIZE[1]}" else a for a in film]
+        process = subprocess.Popen(
+            [str(a) for a in (cli, *large, "--out", out / "film", "--json")],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            env={**os.environ, "PATH": f"{late}:{os.environ['PATH']}"})
+        while not any(entry.startswith("film.mp4.part") for entry in os.listdir(out)):
+            assert process.poll() is None, process.stderr.read()
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        assert process.returncode == 130
+        for _ in range(60):  # ended with the program, or still to find that nobody draws
+            if (late / "done").exists():
+                break
+            time.sleep(0.1)
+        assert os.listdir(out) == [], os.listdir(out)
     print("a recording becomes a film")
     return 0
 
