@@ -8,6 +8,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -63,7 +64,7 @@ class PacsServerDialog : public QDialog {
   QLineEdit* field(const char* name, const QString& words, const QString& tip, const QString& text);
   QLineEdit* file(const char* name, const QString& words, const QString& tip, const QString& text);
 
-  class QFormLayout* form_;
+  QFormLayout* form_;
   QLineEdit *name_, *url_, *host_, *called_, *calling_, *authority_, *certificate_, *key_, *user_,
       *move_;
   QComboBox *kind_, *login_;

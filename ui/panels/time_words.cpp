@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/time_words.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 

@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+class QColor;
+class QFont;
 class QPainter;
 
 namespace ui {
