@@ -246,6 +246,9 @@ void Application::wireLog() {
 void Application::wirePreferences() {
   using Choices = PreferencesController;
   connect(&preferences_, &Choices::stiffnessChosen, &device_, &DeviceController::setStiffness);
+  const auto chooseRate = [this] { shared_.session.chooseRate(preferences_.servoRate()); };
+  chooseRate();
+  connect(&preferences_, &Choices::servoRateChosen, this, chooseRate);
   connect(&preferences_, &Choices::recordingsChosen, &recording_, [this](const QString& folder) {
     recordings_.setFolder(folder.toStdString());
     recording_.showRecordings();

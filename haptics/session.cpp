@@ -37,16 +37,15 @@ Settings withinRange(Settings settings, const Settings& before) {
 
 /// N/m and N·m/rad that do not pass what the device may render stably: K at the hand is K at the
 /// volume times both scales, and no more than allowed, or where that is `lifted`, than rated.
-Settings underRating(Settings settings, const DeviceRating& rating, const Scene* scene,
-                     bool lifted) {
+Settings underRating(Settings settings, const DeviceRating& rating, ServoRate rate,
+                     const Scene* scene, bool lifted) {
   settings.stiffness *= settings.force_scale;
   settings.angular_stiffness *= settings.force_scale;
   if (rating.stiffness > 0.0) {
     const PointShell none;
     const PointShell& shell = scene == nullptr ? none : scene->tool.shell;
-    const double most = lifted
-                            ? rating.stiffness
-                            : allowedStiffness(rating, shell, {ServoLoop::kPeriod, rating.delay});
+    const double most =
+        lifted ? rating.stiffness : allowedStiffness(rating, shell, {rate.period(), rating.delay});
     settings.stiffness = std::min(settings.stiffness, most / settings.position_scale);
   }
   if (rating.torque > 0.0 && rating.angular_stiffness > 0.0) {
@@ -59,10 +58,10 @@ Settings underRating(Settings settings, const DeviceRating& rating, const Scene*
 }
 
 /// What the grip of the mouse and of the simulated hands carries.
-Settings underGrip(Settings settings, const Scene* scene) {
+Settings underGrip(Settings settings, ServoRate rate, const Scene* scene) {
   if (scene != nullptr)
-    settings.stiffness = std::min(settings.stiffness,
-                                  allowedStiffness(Grip{}, scene->tool.shell, ServoLoop::kPeriod));
+    settings.stiffness =
+        std::min(settings.stiffness, allowedStiffness(Grip{}, scene->tool.shell, rate.period()));
   return settings;
 }
 
@@ -115,6 +114,8 @@ class Session::Loop {
   std::optional<DeviceRating> rating;  ///< of the real device that is open
   bool lifted = false;                 ///< it may have all that it is rated for
   Warmth warmth;                       ///< of the one before
+  std::optional<ServoRate> wished;     ///< of the next hand
+  ServoRate rate;                      ///< of the open hand
   Handling handling;
 
   /// Takes over, with the proxy at X_WP.
@@ -133,7 +134,8 @@ Session::~Session() = default;
 
 Expected<void> Session::open(HandKind hand, const std::optional<Pose>& from) {
   if (!loop_->scene) return tl::unexpected(nothingToTouch());
-  const Settings settings = underGrip(loop_->settings, loop_->scene.get());
+  const ServoRate rate = loop_->wished.value_or(ServoRate{});
+  const Settings settings = underGrip(loop_->settings, rate, loop_->scene.get());
   Grip grip;
   grip.gyration = std::sqrt(loop_->scene->tool.shell.inertia.trace() / 3.0);
   Pose X_start = from.value_or(loop_->X_start);
@@ -152,16 +154,18 @@ Expected<void> Session::open(HandKind hand, const std::optional<Pose>& from) {
 
   // from here on nothing can fail: the old hand lets go, the new one takes over
   close();
+  loop_->rate = rate;
   loop_->X_start = X_start;
   grip.X_WD = X_start;
   std::unique_ptr<Device> device;
   if (path) {
-    device = openSimulated(std::move(*path), grip, ServoLoop::kPeriod);
+    device = openSimulated(std::move(*path), grip, rate.period());
   } else {
     loop_->mouse.publish(X_start);
-    device = openMouse(loop_->mouse, grip, ServoLoop::kPeriod);
+    device = openMouse(loop_->mouse, grip, rate.period());
   }
-  loop_->begin(std::make_unique<ServoLoop>(std::move(device), settings, loop_->armed), *legal);
+  loop_->begin(std::make_unique<ServoLoop>(std::move(device), settings, loop_->armed, rate),
+               *legal);
   return {};
 }
 
@@ -172,8 +176,10 @@ Expected<void> Session::open(std::unique_ptr<Device> device) {
   if (!legal) return tl::unexpected(noRoom());
   close();
   loop_->rating = device->rating();
+  const ServoRate most = rateOf(*loop_->rating);
+  loop_->rate = {std::min(loop_->wished.value_or(most).hz, most.hz)};
   auto servo = std::make_unique<ServoLoop>(std::move(device), inForce(), *legal,
-                                           loop_->warmth.of(*loop_->rating));
+                                           loop_->warmth.of(*loop_->rating), loop_->rate);
   servo->handling.publish(loop_->handling);
   loop_->begin(std::move(servo), *legal);
   return {};
@@ -221,8 +227,15 @@ void Session::set(const Settings& settings) {
 
 Settings Session::inForce() const {
   const Scene* scene = loop_->scene.get();
-  if (loop_->rating) return underRating(loop_->settings, *loop_->rating, scene, loop_->lifted);
-  return underGrip(loop_->settings, scene);
+  if (loop_->rating)
+    return underRating(loop_->settings, *loop_->rating, loop_->rate, scene, loop_->lifted);
+  return underGrip(loop_->settings, rate(), scene);
+}
+
+void Session::chooseRate(std::optional<ServoRate> rate) { loop_->wished = rate; }
+
+ServoRate Session::rate() const {
+  return isOpen() ? loop_->rate : loop_->wished.value_or(ServoRate{});
 }
 
 void Session::liftStiffness(bool lifted) {

@@ -9,6 +9,7 @@
 #include "haptics/core/error.h"
 #include "haptics/core/geometry.h"
 #include "haptics/scene/scene.h"
+#include "haptics/servo/rate.h"
 #include "haptics/settings.h"
 #include "haptics/snapshot.h"
 
@@ -71,6 +72,12 @@ class Session {
   /// Allows a real device the whole stiffness of its rating, although the loop may shake, until the
   /// device is closed or another is opened.
   void liftStiffness(bool lifted);
+  /// The servo loop's rate of hands that are opened from now on: this one, but for a real device no
+  /// more than its link carries. None: 1 kHz, and for a real device the most that its link carries.
+  /// A rate needs the processor as often as it has ticks.
+  void chooseRate(std::optional<ServoRate> rate);
+  /// The rate of the open hand; without one, of the mouse.
+  ServoRate rate() const;
   /// Sets how a real device is held, from the next tick on.
   void handle(const Handling& handling);
   /// Sets the pose to which the mouse pulls the tool, W.

@@ -77,7 +77,7 @@ struct Snapshot {
   SchedulingPolicy policy = SchedulingPolicy::NotStarted;
   double servo_rate = 0.0;         ///< Hz over the last second
   double tick_p99 = 0.0;           ///< s of CPU, over the last second or so
-  std::uint64_t late_ticks = 0;    ///< ticks that began over 100 us late
+  std::uint64_t late_ticks = 0;    ///< ticks that began over a tenth of a period late
   std::uint64_t missed_ticks = 0;  ///< periods in which no tick began
 };
 

@@ -9,12 +9,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <utility>
 
+#include "haptics/servo/rate.h"
 #include "haptics/settings.h"
 #include "ui/language.h"
 #include "ui/number_box.h"
@@ -189,6 +191,22 @@ void PreferencesWindow::buildTouch() {
   form->addRow(stiffness_always_);
   form->addRow(stiffness_);
   form->addRow(explained(tr("A haptic device begins with half of what it is rated for.")));
+  servo_rate_ = new QComboBox;
+  servo_rate_->setObjectName("servoRate");
+  servo_rate_->setToolTip(tr("How often in a second the touch is computed"));
+  servo_rate_->addItem(tr("As the device allows"), 0);
+  for (const haptics::ServoRate rate : haptics::kServoRates)
+    servo_rate_->addItem(tr("%1 times a second").arg(QLocale().toString(rate.hz)), rate.hz);
+  form->addRow(tr("Touch is &computed"), servo_rate_);
+  form->addRow(explained(
+      tr("More often carries a stiffer touch, and needs as much more of the processor. It "
+         "holds from the next device or hand that is opened; a device gets no more than "
+         "its link carries, the mouse 1 kHz unless you choose.")));
+  connect(servo_rate_, &QComboBox::activated, this, [this] {
+    const int hz = servo_rate_->currentData().toInt();
+    choices_.servo_rate = hz > 0 ? std::optional{hz} : std::nullopt;
+    tell();
+  });
   const auto take = [this] {
     stiffness_->setEnabled(stiffness_always_->isChecked());
     choices_.stiffness =
@@ -296,6 +314,7 @@ void PreferencesWindow::showChoices() {
   stiffness_always_->setChecked(choices_.stiffness.has_value());
   stiffness_->setValue(choices_.stiffness.value_or(kUsualStiffness));
   stiffness_->setEnabled(choices_.stiffness.has_value());
+  choose(*servo_rate_, choices_.servo_rate.value_or(0));
   places_->setChecked(choices_.places_remembered);
   showFolder();
 }

@@ -29,6 +29,8 @@ struct PreferenceChoices {
   MouseChoices mouse = {};
   /// N/m with which each start begins; none: the last that was set.
   std::optional<double> stiffness = {};
+  /// Hz of the servo loop; none: as the device's link carries.
+  std::optional<int> servo_rate = {};
   QString recordings = {};  ///< folder of recordings; empty: the user's own
   bool places_remembered = true;
   bool operator==(const PreferenceChoices&) const = default;
@@ -76,6 +78,7 @@ class PreferencesWindow : public QDialog {
   QComboBox* language_;
   QComboBox* lengths_;
   QCheckBox* hints_;
+  QComboBox* servo_rate_;
   QComboBox* mouse_at_first_;
   QComboBox* slice_wheel_;
   QComboBox* zoom_wheel_;

@@ -42,13 +42,14 @@ Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& pat
   if (error || (fs::exists(target, error) && !fs::is_regular_file(target, error)))
     return tl::unexpected(haptics::Error{
         haptics::Error::Kind::Unsupported, {"recording-no-regular-file", {path}}, "unwritable"});
-  auto recorder = haptics::Recorder::create(target, recordingFacts());
+  auto recorder = haptics::Recorder::create(target, recordingFacts(), {.rate = loop.rate});
   if (!recorder) return tl::unexpected(recorder.error());
   const auto id = static_cast<std::uint32_t>(loop.scene->id);
   (*recorder)->describe(loop.scene, std::move(tool));
   if (const auto hash = hashHere(*loop.scene->volume)) (*recorder)->identify(id, *hash);
-  loop.on_start = [&ring = (*recorder)->ring(), id, limits = loop.limits](const haptics::Pose& X) {
-    ring.start({.scene = id, .X_WP = X, .limits = limits, .safety = {}});
+  loop.on_start = [&ring = (*recorder)->ring(), id, limits = loop.limits,
+                   rate = loop.rate](const haptics::Pose& X) {
+    ring.start({.scene = id, .X_WP = X, .limits = limits, .safety = {}, .rate = rate});
   };
   return std::unique_ptr<RecordedRun>(new RecordedRun(std::move(*recorder), loop));
 }
@@ -60,7 +61,7 @@ void RecordedRun::write(const haptics::TraceRow& row) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   haptics::Step step;
-  step.time_ns = std::llround(double(ticks_++) * loop_.period * 1e9);
+  step.time_ns = std::llround(double(ticks_++) * loop_.rate.period() * 1e9);
   step.X_WD = row.X_WD;
   step.X_WP = row.X_WP;
   step.sent_W = row.sent_W;

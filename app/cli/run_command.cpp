@@ -39,6 +39,7 @@ struct RunOptions {
   std::string field = "trilinear";
   std::string normal = "central";
   std::string device = {};
+  int rate = haptics::ServoRate{}.hz;
   std::string trace = {};
   std::string record = {};
   std::uint64_t seed = 1;
@@ -72,6 +73,12 @@ std::vector<std::string> namesIn(const std::map<std::string, T>& kinds) {
   std::vector<std::string> names;
   for (const auto& [name, kind] : kinds) names.push_back(name);
   return names;
+}
+
+std::vector<int> servoRates() {
+  std::vector<int> rates;
+  for (const haptics::ServoRate rate : haptics::kServoRates) rates.push_back(rate.hz);
+  return rates;
 }
 
 CLI::Range within(haptics::Range range) { return {range.least, range.most}; }
@@ -150,9 +157,10 @@ std::optional<double> allowedIn(const haptics::ClosedLoop& loop,
                                 const haptics::DeviceRating* rating) {
   if (loop.hand_is_device) return {};
   const haptics::PointShell& shell = loop.scene->tool.shell;
-  const double gripped = haptics::allowedStiffness(loop.grip, shell, loop.period);
+  const double gripped = haptics::allowedStiffness(loop.grip, shell, loop.rate.period());
   if (rating == nullptr) return gripped;
-  return std::min(gripped, haptics::allowedStiffness(*rating, shell, {loop.period, rating->delay}));
+  return std::min(gripped,
+                  haptics::allowedStiffness(*rating, shell, {loop.rate.period(), rating->delay}));
 }
 
 std::string shown(double stiffness) {
@@ -187,6 +195,9 @@ Outcome run(const RunOptions& options) {
       return usage("No model with motors is called '" + options.device + "'; choose one of " +
                    names + ".");
     }
+    if (options.rate > haptics::rateOf(*rating).hz)
+      return usage("The link of " + std::string{rating->name} + " carries " +
+                   std::to_string(haptics::rateOf(*rating).hz) + " Hz at most; lower --rate.");
     limits = haptics::limitsOf(*rating);
   }
   if (const auto wrong = contradictionIn(options.tool)) return usage(*wrong);
@@ -218,7 +229,7 @@ Outcome run(const RunOptions& options) {
                            limits,
                            {},
                            !motions().contains(options.hand),
-                           1e-3};
+                           {options.rate}};
   loop.grip.gyration = std::sqrt((*scene)->tool.shell.inertia.trace() / 3.0);
   auto hand = handFor(options, **scene, loop.grip);
   if (!hand) return refused(hand.error());
@@ -243,7 +254,7 @@ Outcome run(const RunOptions& options) {
   }
   Tally tally;
   bool stopped = false;
-  const auto ticks = static_cast<std::int64_t>(std::llround(options.seconds * 1000.0));
+  const auto ticks = static_cast<std::int64_t>(std::llround(options.seconds * options.rate));
   const auto done = loop.run(*hand, ticks, [&](const haptics::TraceRow& row) {
     tally.add(row, **scene, options.isovalue);
     if (trace) trace->write(row);
@@ -338,6 +349,9 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->add_option("--device", options->device,
                    "Apply the limits of this device model (an unknown name lists all)")
       ->check(notEmpty());
+  command->add_option("--rate", options->rate, "Ticks of the servo loop in a second [Hz]")
+      ->check(CLI::IsMember(servoRates()))
+      ->capture_default_str();
   command->add_option("--trace", options->trace, "CSV to write, one row per tick")
       ->check(notEmpty());
   command->add_option("--record", options->record, "Recording to write, NAME.palpate")

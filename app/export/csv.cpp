@@ -26,7 +26,6 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr const char* kMissing = "n/a";
-constexpr double kServoRate = 1000.0;  // Hz, nominal
 constexpr const char* kFrame = "scan";
 
 void append(std::string& line, double number) {
@@ -191,12 +190,21 @@ std::string softwareOf(const haptics::Recording& recording) {
          ", vectors " + plain(recording.vectors()) + ", on " + plain(recording.machine());
 }
 
+/// Hz, nominal: the highest at which the servo loop ran.
+double servoRateOf(const haptics::Recording& recording) {
+  double highest = haptics::ServoRate{}.hz;
+  for (const haptics::ProxyStart& start : recording.starts())
+    highest = std::max(highest, double(start.rate.hz));
+  return highest;
+}
+
 ordered_json motionFacts(const haptics::Recording& recording, const std::vector<Channel>& channels,
                          const Rows& rows, double rate) {
+  const double most = servoRateOf(recording);
   ordered_json facts;
   facts["TaskName"] = "touch";
   facts["TaskDescription"] = "A tool is led by hand over a surface of a scan, which is felt.";
-  facts["SamplingFrequency"] = rate > 0.0 ? std::min(rate, kServoRate) : kServoRate;
+  facts["SamplingFrequency"] = rate > 0.0 ? std::min(rate, most) : most;
   if (rows.duration() > 0.0)
     facts["SamplingFrequencyEffective"] = double(rows.count - 1) / rows.duration();
   facts["RecordingDuration"] = rows.duration();

@@ -51,10 +51,12 @@ void MeasurementController::measure() {
           .arg(study::kMostLag);
   before_ = shared_.snapshot;
   panel_->showMeasuring();
+  const haptics::ServoRate rate = shared_.session.rate();
   measurement_.start(
       {.scene = shown.scene,
        .isovalue = settings.isovalue,
-       .coupling = {settings.stiffness, settings.angular_stiffness, settings.friction}});
+       .coupling = {settings.stiffness, settings.angular_stiffness, settings.friction},
+       .allowance = {.nanoseconds = rate.budget_ns(), .period = rate.period(), .rate = rate}});
 }
 
 void MeasurementController::end(const QString& why) {

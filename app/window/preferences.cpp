@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include "app/window/recent_places.h"
+#include "haptics/servo/rate.h"
 #include "haptics/settings.h"
 
 namespace app {
@@ -76,6 +77,8 @@ Preferences loadPreferences() {
   if (haptics::kStiffnessRange.holds(stiffness)) preferences.stiffness = stiffness;
   const double always = settings.value("coupling/stiffness_always", -1.0).toDouble();
   if (haptics::kStiffnessRange.holds(always)) preferences.stiffness_always = always;
+  const int hz = settings.value("servo/rate", 0).toInt();
+  if (haptics::isServoRate(hz)) preferences.servo_rate = hz;
   if (settings.value("units/lengths").toString() == QLatin1String("cm"))
     preferences.lengths = ui::LengthUnit::Centimetres;
   if (settings.value("mouse/at_first").toString() == QLatin1String("hand"))
@@ -110,6 +113,8 @@ void savePreferences(const Preferences& preferences) {
   settings.setValue("coupling/stiffness", preferences.stiffness);
   setOrRemove(settings, "coupling/stiffness_always", preferences.stiffness_always.has_value(),
               preferences.stiffness_always.value_or(0.0));
+  setOrRemove(settings, "servo/rate", preferences.servo_rate.has_value(),
+              preferences.servo_rate.value_or(0));
   const bool centimetres = preferences.lengths == ui::LengthUnit::Centimetres;
   settings.setValue("units/lengths", centimetres ? "cm" : "mm");
   const bool hand = preferences.mouse.at_first == ui::MouseMode::Hand;

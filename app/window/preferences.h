@@ -27,6 +27,7 @@ struct Preferences {
   bool tour_seen = false;                       ///< of the first steps
   double stiffness = 1000.0;                    ///< N/m, as it was last
   std::optional<double> stiffness_always = {};  ///< N/m with which each start begins instead
+  std::optional<int> servo_rate = {};           ///< Hz; none: as the device's link carries
   ui::LengthUnit lengths = ui::LengthUnit::Millimetres;
   ui::MouseChoices mouse = {};
   ui::OwnKeys keys = {};     ///< keys that the user changed

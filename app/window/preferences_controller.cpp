@@ -19,6 +19,11 @@ double PreferencesController::firstStiffness() const {
   return preferences_.stiffness_always.value_or(preferences_.stiffness);
 }
 
+std::optional<haptics::ServoRate> PreferencesController::servoRate() const {
+  if (!preferences_.servo_rate) return {};
+  return haptics::ServoRate{*preferences_.servo_rate};
+}
+
 void PreferencesController::restoreWindow() {
   if (!kept_) return;
   ui::setOwnKeys(preferences_.keys);
@@ -69,6 +74,7 @@ ui::PreferenceChoices PreferencesController::choices() const {
           .lengths = preferences_.lengths,
           .mouse = preferences_.mouse,
           .stiffness = preferences_.stiffness_always,
+          .servo_rate = preferences_.servo_rate,
           .recordings = preferences_.recordings,
           .places_remembered = preferences_.places_remembered};
 }
@@ -90,6 +96,8 @@ void PreferencesController::apply(const ui::PreferenceChoices& wanted) {
   preferences_.stiffness_always = wanted.stiffness;
   if (wanted.stiffness && wanted.stiffness != before.stiffness)
     emit stiffnessChosen(*wanted.stiffness);
+  preferences_.servo_rate = wanted.servo_rate;
+  if (wanted.servo_rate != before.servo_rate) emit servoRateChosen();
   window_.setHintsShown(wanted.hints);
   window_.setTheme(wanted.theme);
   if (wanted.places_remembered != before.places_remembered)

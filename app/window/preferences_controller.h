@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include "app/window/preferences.h"
+#include "haptics/servo/rate.h"
 #include "ui/main_window.h"
 #include "ui/preferences_window.h"
 
@@ -20,6 +21,8 @@ class PreferencesController : public QObject {
   Preferences& present() { return preferences_; }
   /// N/m with which a start begins.
   double firstStiffness() const;
+  /// Of the hands that are opened; none: as a device's link carries.
+  std::optional<haptics::ServoRate> servoRate() const;
   /// Restores the window's geometry, layout, theme and hints, and keys, units and mouse.
   void restoreWindow();
   /// Shows the notice, which counts as read once it is closed.
@@ -34,6 +37,8 @@ class PreferencesController : public QObject {
   void saving(app::Preferences& preferences);
   /// The user chose the stiffness [N/m] that holds at the start, and from now on.
   void stiffnessChosen(double stiffness);
+  /// The user chose another servoRate().
+  void servoRateChosen();
   /// The user chose another folder of recordings; empty: the own one.
   void recordingsChosen(const QString& folder);
   void rememberPlacesChosen(bool remember);

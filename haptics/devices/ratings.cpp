@@ -9,8 +9,8 @@ namespace {
 // CHAI3D's device tables (CDeltaDevices.cpp, CPhantomDevices.cpp and others) give force, torque,
 // stiffness, damping and workspace unless a row says otherwise. What its motors stand for hours is
 // public for few devices: where `source` has no word on it, a third of the most is taken. A force
-// comes late where a thread of the driver's carries it a round of 1 ms later (devices/threaded.h);
-// Force Dimension's makes 4000 rounds a second, and the maker's calls ours for Touch and Phantom.
+// comes late where a thread of the driver's carries it a round later (devices/threaded.h): of 1 ms,
+// or of Force Dimension's 4000 a second. The maker's thread calls ours for Touch and Phantom.
 constexpr std::array kRatings{
     DeviceRating{.id = "spacemouse",
                  .name = "3Dconnexion SpaceMouse",
@@ -27,7 +27,7 @@ constexpr std::array kRatings{
                  .damping = 20.0,
                  .workspace = 0.04,
                  .resolution = 0.038e-3,
-                 .delay = 1,
+                 .delay = 1e-3,
                  .source = "CHAI3D; resolution from 0.0364 degrees at an arm of 60 mm"},
     DeviceRating{.id = "delta.3",
                  .name = "Force Dimension delta.3",
@@ -40,6 +40,7 @@ constexpr std::array kRatings{
                  .workspace = 0.15,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
+                 .delay = 0.25e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "omega.3",
                  .name = "Force Dimension omega.3",
@@ -52,6 +53,7 @@ constexpr std::array kRatings{
                  .workspace = 0.075,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
+                 .delay = 0.25e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "omega.6",
                  .name = "Force Dimension omega.6",
@@ -64,6 +66,7 @@ constexpr std::array kRatings{
                  .workspace = 0.075,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
+                 .delay = 0.25e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "omega.7",
                  .name = "Force Dimension omega.7",
@@ -76,6 +79,7 @@ constexpr std::array kRatings{
                  .workspace = 0.075,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
+                 .delay = 0.25e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "sigma.7",
                  .name = "Force Dimension sigma.7",
@@ -90,6 +94,7 @@ constexpr std::array kRatings{
                  .workspace = 0.075,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
+                 .delay = 0.25e-3,
                  .source = "CHAI3D, which is below the datasheet's 20 N and 0.4 N·m; not verified"},
     DeviceRating{.id = "lambda.7",
                  .name = "Force Dimension lambda.7",
@@ -104,6 +109,7 @@ constexpr std::array kRatings{
                  .workspace = 0.1125,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
+                 .delay = 0.25e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "touch",
                  .name = "3D Systems Touch",
@@ -179,7 +185,7 @@ constexpr std::array kRatings{
                  .damping = 6.0,
                  .workspace = 0.10,
                  .resolution = 0.01e-3,
-                 .delay = 1,
+                 .delay = 1e-3,
                  .source =
                      "the maker's fork of CHAI3D; workspace: the safe radius of its tutorial; "
                      "resolution not verified"},
@@ -193,7 +199,7 @@ constexpr std::array kRatings{
                  .damping = 1.0,
                  .workspace = 0.15,
                  .resolution = 0.033e-3,
-                 .delay = 1,
+                 .delay = 1e-3,
                  .source = "its makers' open parameters (polhem_v3); resolution from its geometry"},
     DeviceRating{.id = "woodenhaptics",
                  .name = "WoodenHaptics",
@@ -205,7 +211,7 @@ constexpr std::array kRatings{
                  .damping = 8.0,
                  .workspace = 0.10,
                  .resolution = 0.06e-3,
-                 .delay = 1,
+                 .delay = 1e-3,
                  .source = "its makers' open parameters (woodenhaptics_v2015); resolution from its "
                            "geometry"},
 };

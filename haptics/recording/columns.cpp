@@ -178,8 +178,8 @@ const StepColumn kColumns[] = {
     column(
         "flags", "", "tick/flags", kChanging,
         "sum of 1 another scene, 2 a setting changed, 4 armed by the user, 8 no reading from the "
-        "device, 16 the last reading again, 32 the last reading for at least the third time in a "
-        "row, 64 device not homed, 128 clutch held, 256 hold-to-run key released, 512 no tick for "
+        "device, 16 the last reading again, 32 no other reading for 1.5 ms or "
+        "more, 64 device not homed, 128 clutch held, 256 hold-to-run key released, 512 no tick for "
         "5 ms before this one, 1024 device too fast for force, 2048 device faster than a hand, "
         "4096 third gap in ten seconds, 8192 stiffness changed",
         [](auto& row) -> auto& { return row.step.flags; }),

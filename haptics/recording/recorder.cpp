@@ -81,8 +81,8 @@ class Recorder::Writer {
       : target_{std::move(target)},
         database_{std::move(database)},
         options_{options},
-        ring{monotonicNs()} {
-    steps_.reserve(StepRing::kCapacity);
+        ring{monotonicNs(), options.rate} {
+    steps_.reserve(ring.capacity());
     thread_ = std::thread{[this] { run(); }};
   }
   ~Writer() {
@@ -323,7 +323,7 @@ void Recorder::Writer::takeStarts() {
 
 bool Recorder::Writer::writeSteps() {
   steps_.clear();
-  for (Step step; steps_.size() < StepRing::kCapacity && ring.take(step);) {
+  for (Step step; steps_.size() < ring.capacity() && ring.take(step);) {
     noteChanges(step);
     steps_.push_back(step);
     last_ = step;

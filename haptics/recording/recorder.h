@@ -39,6 +39,7 @@ class Recorder {
   struct Options {
     std::chrono::milliseconds commit_every{250};
     const char* vfs = nullptr;  ///< as in Database::open
+    ServoRate rate = {};        ///< of the servo loop as the recording begins
   };
   /// Refuses if the file cannot be made. If `NAME.part` exists, which is the unfinished file of
   /// another recording, refuses with reason "unfinished".

@@ -9,7 +9,6 @@
 
 #include "haptics/edit/edited.h"
 #include "haptics/servo/engagement.h"
-#include "haptics/servo/servo_loop.h"
 #include "haptics/servo/servo_tick.h"
 
 namespace haptics {
@@ -59,6 +58,7 @@ Expected<ReplayDifference> replay(
   std::map<std::uint32_t, std::shared_ptr<const Scene>> scenes;
   std::unique_ptr<Engagement> touched;
   std::uint32_t scene_touched = 0;
+  ServoRate rate;
   std::optional<Safety> safety;
   auto start = recording.starts().begin();
   const double span = std::max(1e-9, recording.end() - recording.begin());
@@ -78,6 +78,7 @@ Expected<ReplayDifference> replay(
     while (start != recording.starts().end() && start->sequence <= step.sequence) {
       if (start->sequence == step.sequence) {
         safety.emplace(start->limits, start->safety);
+        rate = start->rate;
         touched.reset();
         if (!scenes.contains(start->scene))
           scenes[start->scene] = start->scene == 0 ? nullptr : scene(start->scene);
@@ -102,7 +103,7 @@ Expected<ReplayDifference> replay(
     Engagement* const engaged = step.scene == 0 ? nullptr : touched.get();
     const ServoResult result =
         servoTick({step.X_WD, step.settings, step.flags}, engaged ? engaged->scene.get() : nullptr,
-                  engaged ? &engaged->proxy : nullptr, *safety, ServoLoop::kPeriod, budget);
+                  engaged ? &engaged->proxy : nullptr, *safety, rate.period(), budget);
     compare(recorded, engaged ? engaged->proxy.X_WP : step.X_WD, result.sent_W, difference);
     return true;
   };

@@ -263,6 +263,7 @@ std::string wordsOf(const ProxyStart& start) {
   return json{{"scene", start.scene},
               {"proxy", listOf(start.X_WP.matrix().topRows<3>().eval())},
               {"turn", listOf(start.turn)},
+              {"rate", start.rate.hz},
               {"limits",
                {{"force", limitWord(limits.force)},
                 {"torque", limitWord(limits.torque)},
@@ -311,6 +312,9 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     take(words.at("proxy"), pose);
     start.X_WP.matrix().topRows<3>() = pose;
     take(words.at("turn"), start.turn);
+    // of the first recordings, which were all at 1 kHz, none has it
+    if (words.contains("rate")) start.rate.hz = whole<int>(words.at("rate"));
+    if (!isServoRate(start.rate.hz)) return damagedWords({"recording-start-damaged", {}});
     const json& limit = words.at("limits");
     limits = {limitFrom(limit.at("force")),           limitFrom(limit.at("torque")),
               limit.at("ramp_time").get<double>(),    limit.at("slew_time").get<double>(),

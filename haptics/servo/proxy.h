@@ -21,7 +21,7 @@ namespace haptics {
 /// legal pose, so it never goes deeper.
 struct Recovery {
   bool active = false;
-  int ticks = 0;                 ///< since the proxy was found inside
+  double time = 0.0;             ///< s since the proxy was found inside
   int candidate = 0;             ///< next pose of the search around the proxy
   Pose X_WT = Pose::Identity();  ///< the trial pose
 };

@@ -11,9 +11,9 @@
 namespace haptics {
 namespace {
 
-constexpr int kPushTicks = 6;  // ticks of following the gradients
-constexpr int kLastTick = 17;  // then the certain way out
-constexpr int kPushes = 4;     // pushes a tick
+constexpr double kPushTime = 0.006;  // s of following the gradients
+constexpr double kLongest = 0.017;   // s, then the certain way out
+constexpr int kPushes = 4;           // pushes a tick
 constexpr std::size_t kRows = 48;
 
 /// Moves the trial pose by the least motion that takes its deepest points out, to first order.
@@ -89,7 +89,8 @@ Pose outsideGrid(const Scene& scene, const Pose& X_WP) HAPTICS_RT {
 
 }  // namespace
 
-bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, Budget& budget) HAPTICS_RT {
+bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, double period,
+             Budget& budget) HAPTICS_RT {
   Recovery& recovery = proxy.recovery;
   const PointShell& shell = scene.tool.shell;
   if (!recovery.active) {
@@ -97,16 +98,17 @@ bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, Budget& 
     recovery.active = true;
     recovery.X_WT = proxy.X_WP;
   }
-  const int tick = recovery.ticks++;
+  const double time = recovery.time + 0.5 * period;  // a sum of periods is never quite what it is
+  recovery.time += period;
   bool found = false;
   Pose X = recovery.X_WT;
-  if (tick < kPushTicks) {
+  if (time < kPushTime) {
     for (int i = 0; i < kPushes && !found && budget.left(); ++i) {
       push(scene, solid, recovery.X_WT, budget);
       X = recovery.X_WT;
       found = legal(solid, shell, X, budget);
     }
-  } else if (tick < kLastTick) {
+  } else if (time < kLongest) {
     while (!found && budget.left()) {
       placeAround(proxy.X_WP, solid.field.voxel(), recovery.candidate++, X);
       found = legal(solid, shell, X, budget);

@@ -6,10 +6,11 @@
 
 namespace haptics {
 
-/// One tick of the search for a legal pose. In the first 6 ticks the trial pose is pushed along the
-/// gradients at its inside points. In the next 11 ticks poses around the proxy are tried. In the
-/// 18th tick the proxy is put outside the grid, where it is always legal. Returns true once the
-/// proxy is outside.
-bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, Budget& budget) HAPTICS_RT;
+/// One tick, of `period` [s], of the search for a legal pose. For 6 ms the trial pose is pushed
+/// along the gradients at its inside points. For the next 11 ms poses around the proxy are tried.
+/// Then the proxy is put outside the grid, where it is always legal. Returns true once the proxy is
+/// outside.
+bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, double period,
+             Budget& budget) HAPTICS_RT;
 
 }  // namespace haptics

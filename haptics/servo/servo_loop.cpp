@@ -14,21 +14,21 @@
 namespace haptics {
 namespace {
 
-constexpr std::int64_t kPeriodNs = 1'000'000;
-constexpr std::int64_t kLateNs = 100'000;
 constexpr int kServoPriority = 80;
 
 }  // namespace
 
-ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bool arm)
+ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bool arm,
+                     ServoRate rate)
     : armed{arm},
       device_{std::move(device)},
+      rate_{rate},
       in_force_{initial},
       safety_{limitsOf(device_->rating())} {}
 
 ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD,
-                     double heat)
-    : ServoLoop{std::move(device), initial, false} {
+                     double heat, ServoRate rate)
+    : ServoLoop{std::move(device), initial, false, rate} {
   guard_ = std::make_unique<Guard>(*device_, X_WD);
   X_WD_ = X_WD;
   Safety::Memory warm;
@@ -61,18 +61,18 @@ void ServoLoop::run() {
   std::int64_t due = begun;
   while (!ending_.load(std::memory_order_relaxed)) {
     step(double(due - begun) * 1e-9, Watchdog::clock());
-    due += kPeriodNs;
+    due += rate_.period_ns();
     // a period in which no tick can begin any more is missed, not made up for
     const std::int64_t behind = monotonicNs() - due;
-    if (behind > kPeriodNs) {
-      const std::int64_t missed = behind / kPeriodNs;
+    if (behind > rate_.period_ns()) {
+      const std::int64_t missed = behind / rate_.period_ns();
       snapshot_.missed_ticks += static_cast<std::uint64_t>(missed);
-      due += missed * kPeriodNs;
+      due += missed * rate_.period_ns();
     }
     const timespec wake{due / 1'000'000'000, due % 1'000'000'000};
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) != 0) {
     }
-    if (monotonicNs() - due > kLateNs) ++snapshot_.late_ticks;
+    if (monotonicNs() - due > rate_.late_ns()) ++snapshot_.late_ticks;
   }
   device_->write({});
 }
@@ -91,9 +91,12 @@ void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {
   if (handling.take(guard_->handling)) guard_->handled_ns = now;
   if (period.has(StepFlags::kAdopted) && period.engaged != nullptr)
     guard_->mapping.place(X_WD_ = period.engaged->proxy.X_WP);
-  constexpr int kSilent = 3;
-  guard_->silent = read == DeviceStatus::Stale ? guard_->silent + 1 : 0;
-  period.raise(StepFlags::kSilent, guard_->silent >= kSilent);
+  constexpr std::int64_t kSilent = 1'500'000;  // ns; at 1 kHz the third reading
+  if (read != DeviceStatus::Stale)
+    guard_->silent_ns = 0;
+  else if (guard_->silent_ns == 0)
+    guard_->silent_ns = now;
+  period.raise(StepFlags::kSilent, guard_->silent_ns != 0 && now - guard_->silent_ns >= kSilent);
   // poses that mean nothing are neither followed nor judged
   if (read == DeviceStatus::Lost || read == DeviceStatus::NotReady) {
     guard_->mapping.lift();
@@ -123,7 +126,7 @@ void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   Period period = takeWishes(now);
   readDevice(period, now);
   period.read_at = period.ring != nullptr ? monotonicNs() : 0;
-  Budget budget = Budget::timed(kTickBudget);
+  Budget budget = Budget::timed(rate_.budget_ns());
   const ServoResult result = feel(period, budget);
   push(result.sent_W, period);
   noteTransitions(time);
@@ -164,7 +167,7 @@ ServoResult ServoLoop::feel(Period& period, Budget& budget) HAPTICS_RT {
   Engagement* const engaged = period.engaged;
   return servoTick({X_WD_, in_force_, period.flags},
                    engaged != nullptr ? engaged->scene.get() : nullptr,
-                   engaged != nullptr ? &engaged->proxy : nullptr, safety_, kPeriod, budget);
+                   engaged != nullptr ? &engaged->proxy : nullptr, safety_, rate_.period(), budget);
 }
 
 void ServoLoop::push(const Wrench& sent_W, const Period& period) HAPTICS_RT {
@@ -228,6 +231,7 @@ void ServoLoop::startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT {
   ProxyStart start;
   start.limits = safety_.limits();
   start.safety = safety_.memory();
+  start.rate = rate_;
   if (touched != nullptr) {
     touched->proxy.forget();
     start.scene = static_cast<std::uint32_t>(touched->scene->id);

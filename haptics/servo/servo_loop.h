@@ -13,6 +13,7 @@
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/mapping.h"
 #include "haptics/servo/motion_guard.h"
+#include "haptics/servo/rate.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/servo/step_ring.h"
 #include "haptics/servo/tick_stats.h"
@@ -22,20 +23,18 @@
 
 namespace haptics {
 
-/// The servo thread reads the device, runs a tick and writes the device, a thousand times a second
-/// at absolute times. It asks for real-time priority and reports the one it got. Missed periods are
-/// counted, not repeated.
+/// The servo thread reads the device, runs a tick and writes the device, once in each period of its
+/// rate, at absolute times. It asks for real-time priority and reports the one it got. Missed
+/// periods are counted, not repeated.
 class ServoLoop {
  public:
-  static constexpr double kPeriod = 1e-3;               ///< s
-  static constexpr std::int64_t kTickBudget = 200'000;  ///< ns of CPU time for the proxy
-
   /// For a device without motors: its base B is W, and it has no watchdog and no guard.
-  ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bool arm = true);
+  ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bool arm = true,
+            ServoRate rate = {});
   /// For a real device, not armed: with watchdog, guard, and a mapping that takes its first pose to
   /// X_WD. `heat`: heat() of the device's previous loop.
   ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD,
-            double heat = 0.0);
+            double heat = 0.0, ServoRate rate = {});
   ~ServoLoop();  ///< calls end()
   /// Sets the force to zero and ends the thread.
   void end();
@@ -72,7 +71,7 @@ class ServoLoop {
     MotionGuard motion;
     Mapping mapping;
     Handling handling;
-    int silent = 0;               ///< readings in a row without a new measurement
+    std::int64_t silent_ns = 0;   ///< when the last reading first came again; 0: it is new
     std::int64_t handled_ns = 0;  ///< when `handling` was received
   };
 
@@ -104,6 +103,7 @@ class ServoLoop {
   void record(const Period& period, const Budget& budget) HAPTICS_RT;
 
   std::unique_ptr<Device> device_;
+  const ServoRate rate_;
   Settings in_force_;
   Safety safety_;
   TickStats stats_;

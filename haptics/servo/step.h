@@ -7,6 +7,7 @@
 #include "haptics/core/geometry.h"
 #include "haptics/coupling/safety.h"
 #include "haptics/servo/proxy.h"
+#include "haptics/servo/rate.h"
 #include "haptics/settings.h"
 
 namespace haptics {
@@ -18,7 +19,7 @@ struct StepFlags {
   static constexpr std::uint16_t kArmed = 4;         ///< armed by the user
   static constexpr std::uint16_t kLost = 8;          ///< the device gave no reading
   static constexpr std::uint16_t kStale = 16;        ///< the device gave its last reading again
-  /// The last reading for at least the third time in a row.
+  /// Nothing but the last reading for 1.5 ms or more.
   static constexpr std::uint16_t kSilent = 32;
   static constexpr std::uint16_t kNotReady = 64;  ///< the device is not homed
   /// The clutch is held: the hand moves, the tool does not.
@@ -58,6 +59,7 @@ struct ProxyStart {
   Vec3 turn = Vec3::Zero();  ///< Proxy::turn
   ForceLimits limits;
   Safety::Memory safety;  ///< state before the step
+  ServoRate rate;         ///< of the step and those that follow
 };
 
 }  // namespace haptics

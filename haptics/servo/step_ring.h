@@ -16,10 +16,12 @@ namespace haptics {
 /// and a gap in the sequence numbers shows it.
 class StepRing {
  public:
-  static constexpr std::size_t kCapacity = 8192;  ///< steps: eight seconds
-
-  /// `begun_ns`: CLOCK_MONOTONIC when the recording began.
-  explicit StepRing(std::int64_t begun_ns) : begun_ns_{begun_ns} {
+  /// `begun_ns`: CLOCK_MONOTONIC when the recording began. It has room for eight seconds at this
+  /// rate.
+  explicit StepRing(std::int64_t begun_ns, ServoRate rate = {})
+      : capacity_{8192 * static_cast<std::size_t>(rate.hz) / 1000},
+        steps_{capacity_},
+        begun_ns_{begun_ns} {
     // touches every page, so that no tick causes a page fault
     while (steps_.try_enqueue({})) {
     }
@@ -36,7 +38,7 @@ class StepRing {
   /// Whether a ProxyStart must be recorded before the next step: at the beginning, and once there
   /// is room again after a loss.
   bool startIsDue() const HAPTICS_RT {
-    return next_ == 0 || (lost_ && steps_.size_approx() < kCapacity / 2);
+    return next_ == 0 || (lost_ && steps_.size_approx() < capacity_ / 2);
   }
   bool start(ProxyStart start) HAPTICS_RT {
     start.sequence = next_;
@@ -52,8 +54,9 @@ class StepRing {
     lost_ = true;
     return false;
   }
-  bool full() const HAPTICS_RT { return steps_.size_approx() >= kCapacity; }
+  bool full() const HAPTICS_RT { return steps_.size_approx() >= capacity_; }
   std::int64_t begun() const HAPTICS_RT { return begun_ns_; }
+  std::size_t capacity() const { return capacity_; }  ///< steps
 
   // For the writing thread.
 
@@ -64,7 +67,8 @@ class StepRing {
   std::uint64_t numbered() const { return next_; }
 
  private:
-  moodycamel::ReaderWriterQueue<Step> steps_{kCapacity};
+  std::size_t capacity_;
+  moodycamel::ReaderWriterQueue<Step> steps_;
   moodycamel::ReaderWriterQueue<ProxyStart> starts_{64};
   std::int64_t begun_ns_;
   std::uint64_t next_ = 0;

@@ -434,7 +434,7 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
   if (!result.outside || proxy.recovery.active) {
     // even when it succeeds at once: the force fades before it follows the proxy elsewhere
     result.outside = false;
-    recover(scene, {scene.field, isovalue}, proxy, budget);
+    recover(scene, {scene.field, isovalue}, proxy, period, budget);
   }
 
   // 6  what the hand feels; in free space exactly nothing

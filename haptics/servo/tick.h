@@ -48,6 +48,6 @@ struct TickResult {
 /// solid allows. A proxy that was in contact and has not been at the device since follows the
 /// device's motion, and approaches the device by at most releaseSpeed() times `period` [s].
 TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling,
-                const Pose& X_WD, Proxy& proxy, Budget& budget, double period = 1e-3) HAPTICS_RT;
+                const Pose& X_WD, Proxy& proxy, Budget& budget, double period) HAPTICS_RT;
 
 }  // namespace haptics

@@ -12,7 +12,7 @@ constexpr double kShare = 0.45;   // of the limit of a sampled spring
 constexpr double kMissing = 0.9;  // N·m/rad about the pivot: more gives over 0.8 mJ a turn
 
 double shareOfLimit(double damping, const Timing& timing) {
-  return kShare * 2.0 * damping / (timing.period * (1.0 + 2.0 * timing.delay));
+  return kShare * 2.0 * damping / (timing.period + 2.0 * timing.delay);
 }
 
 /// How much softer the angular spring must be about the axis across which the tool is longest.

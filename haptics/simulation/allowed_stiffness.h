@@ -10,11 +10,11 @@ namespace haptics {
 /// Period and delay of a force.
 struct Timing {
   double period = 1e-3;  ///< s for which a force is held
-  int delay = 0;         ///< delay of the force in periods
+  double delay = 0.0;    ///< s by which it comes late
 };
 
 /// The stiffest spring [N/m, at the hand] that a device may render with a tool of these points: the
-/// smaller of its rating and 0.45 of the limit of a sampled spring, 2 b / (T (1 + 2 delay)), where
+/// smaller of its rating and 0.45 of the limit of a sampled spring, 2 b / (T + 2 delay), where
 /// b is the damping of device and hand in simulation/device_model.h. With 0.5 instead of 0.45,
 /// presses on noise of 10 % gave up to 1.06 mJ, and the bound is 1 mJ (app/study/stability).
 ///

@@ -50,6 +50,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   Safety safety{limits};
   Damping hook{*this, X_WD};
   const bool hooked = damping > 0.0 || passivity_damping > 0.0;
+  const double period = rate.period();
   PassivityObserver observer;  // at the handle, of what really acts there
   Wrench held;
   for (std::int64_t n = 0; n < ticks; ++n) {
@@ -63,7 +64,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     observer.add(held, motionBetween(X_WH_before, device.X_WD));
     X_WD = link.read(device.X_WD);
 
-    Budget budget = Budget::counted(kTickWork);
+    Budget budget = Budget::counted(rate.budget_work());
     const std::int64_t begun = Budget::threadTime();
     const ServoResult result =
         servoTick({X_WD, settings, StepFlags::kArmed, hooked ? &hook : nullptr}, scene.get(),

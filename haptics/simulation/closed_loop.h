@@ -9,6 +9,7 @@
 #include "haptics/coupling/safety.h"
 #include "haptics/scene/scene.h"
 #include "haptics/servo/proxy.h"
+#include "haptics/servo/rate.h"
 #include "haptics/settings.h"
 #include "haptics/simulation/device_model.h"
 #include "haptics/simulation/grip.h"
@@ -43,7 +44,7 @@ struct ClosedLoop {
   Grip grip;
   /// True for a recorded device path: its poses are read as the device's, without a grip.
   bool hand_is_device = false;
-  double period = 1e-3;  ///< s
+  ServoRate rate = {};
   Linkage linkage = {};
   double damping = 0.0;  ///< N·s/m, virtual damping while the wrench is not zero
   /// Damping that a passivity controller may use, N·s/m; 0: no controller.

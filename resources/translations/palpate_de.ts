@@ -5940,6 +5940,26 @@
         <source>Another language comes with the next start.</source>
         <translation>Eine andere Sprache kommt mit dem nächsten Start.</translation>
     </message>
+    <message>
+        <source>How often in a second the touch is computed</source>
+        <translation>Wie oft in der Sekunde die Berührung berechnet wird</translation>
+    </message>
+    <message>
+        <source>As the device allows</source>
+        <translation>Wie es das Gerät erlaubt</translation>
+    </message>
+    <message>
+        <source>%1 times a second</source>
+        <translation>%1-mal in der Sekunde</translation>
+    </message>
+    <message>
+        <source>Touch is &amp;computed</source>
+        <translation>Berührung wird &amp;berechnet</translation>
+    </message>
+    <message>
+        <source>More often carries a stiffer touch, and needs as much more of the processor. It holds from the next device or hand that is opened; a device gets no more than its link carries, the mouse 1 kHz unless you choose.</source>
+        <translation>Öfter trägt eine steifere Berührung und braucht entsprechend mehr vom Prozessor. Es gilt ab dem nächsten Gerät oder der nächsten Hand, die geöffnet wird; ein Gerät bekommt nicht mehr, als seine Verbindung trägt, die Maus 1 kHz, wenn Sie nichts wählen.</translation>
+    </message>
 </context>
 <context>
     <name>ui::RecordingLines</name>

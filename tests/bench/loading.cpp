@@ -249,7 +249,8 @@ Json measureDisturbance(const fs::path& path, double seconds) {
   if (const auto opened = touch.open(haptics::HandKind::Slide); !opened)
     return {{"failed", sentence(opened.error())}};
   haptics::LatestValue<haptics::Pose> nowhere;
-  haptics::ServoLoop empty{haptics::openMouse(nowhere, {}, haptics::ServoLoop::kPeriod), settings};
+  haptics::ServoLoop empty{haptics::openMouse(nowhere, {}, haptics::ServoRate{}.period()),
+                           settings};
   empty.start();
   haptics::Snapshot touching, turning;
   const auto counted = [&] {

@@ -17,7 +17,7 @@ namespace bench {
 namespace {
 
 struct Options {
-  bool json = false, quick = false, counted = false, no_sweep = false;
+  bool json = false, quick = false, counted = false, no_sweep = false, rates = false;
   std::string scans, out;
   std::vector<std::string> only;
   double seconds = 0.0;  ///< 0: 3, or less when quick
@@ -36,6 +36,28 @@ haptics::Expected<Touched> caseOf(const std::string& name, const Options& option
   static_cast<void>(options);
 #endif
   return makeScene(name);
+}
+
+/// Ours alone along the same hands, at each rate of the servo and with its budget.
+haptics::Expected<std::vector<Summary>> atEveryRate(const Touched& scene, const Options& options,
+                                                    const Judge& judge) {
+  const auto built = haptics::makeScene(scene.volume, toolOf(scene),
+                                        {haptics::FieldKind::Trilinear, options.normal});
+  if (!built) return tl::unexpected(built.error());
+  const double seconds = options.seconds > 0.0 ? options.seconds : options.quick ? 0.3 : 3.0;
+  std::vector<Summary> summaries;
+  for (const haptics::ServoRate rate : haptics::kServoRates) {
+    const auto courses = coursesIn(**built, scene, seconds, rate);
+    if (!courses) return tl::unexpected(courses.error());
+    std::vector<std::unique_ptr<Method>> methods;
+    methods.push_back(ours(*built, scene.isovalue,
+                           {rate.budget_ns(), options.counted ? rate.budget_work() : 0, rate}));
+    const Track track = std::move(follow(methods, *courses).front());
+    summaries.push_back(
+        summaryOf(track, *courses, (*built)->tool.shell, judge, options.quick ? 20 : 5));
+    summaries.back().method = "ours, " + std::to_string(rate.hz / 1000) + " kHz";
+  }
+  return summaries;
 }
 
 haptics::Expected<SceneReport> measured(const Touched& scene, const Options& options) {
@@ -72,12 +94,18 @@ haptics::Expected<SceneReport> measured(const Touched& scene, const Options& opt
   // a tooth is small: a small ball, slower
   if (scene.name == "scan-tooth") slide = {0.001, 0.005, 0.002, 0.008};
   report.feel = compareFeel(scene, **built, blocks, slide, limit);
+  if (!options.rates) return report;
+  auto rates = atEveryRate(scene, options, judge);
+  if (!rates) return tl::unexpected(rates.error());
+  report.rates = std::move(*rates);
   return report;
 }
 
 /// A line for each method, on standard error: what is known before the whole is done.
 void tell(const SceneReport& report) {
-  for (const Summary& s : report.summaries)
+  std::vector<Summary> lines = report.summaries;
+  lines.insert(lines.end(), report.rates.begin(), report.rates.end());
+  for (const Summary& s : lines)
     std::fprintf(
         stderr,
         "%-12s %-13s mean %6.1f p50 %6.1f p99 %7.1f p99.9 %8.1f max %9.1f us | coupling "
@@ -182,6 +210,7 @@ int main(int argc, char** argv) {
   app.add_flag("--counted", options.counted,
                "Counted work in place of the clock, so that all but the times repeat");
   app.add_flag("--no-sweep", options.no_sweep, "Leave out the sweep over points and budgets");
+  app.add_flag("--rates", options.rates, "Ours at 1, 2 and 4 kHz as well, each with its budget");
   app.add_option("--budget", options.budget_us, "Of a tick of ours [us]")
       ->check(CLI::Range(1, 100000));
   const std::map<std::string, haptics::NormalKind> normals{

@@ -121,12 +121,13 @@ std::string whyNotHonest(const SceneReport& report) {
 }
 
 Json jsonOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>& sweep) {
-  Json json{{"machine", app::machineHere()}, {"results", Json::array()},
-            {"ratios", Json::array()},       {"scenes", Json::array()},
-            {"sweep", Json::array()},        {"long_ticks", Json::array()}};
+  Json json{{"machine", app::machineHere()}, {"results", Json::array()}, {"rates", Json::array()},
+            {"ratios", Json::array()},       {"scenes", Json::array()},  {"sweep", Json::array()},
+            {"long_ticks", Json::array()}};
   for (const SceneReport& report : reports) {
     for (const Summary& summary : report.summaries)
       json["results"].push_back(resultOf(report, summary));
+    for (const Summary& summary : report.rates) json["rates"].push_back(resultOf(report, summary));
     if (!isScan(report)) json["ratios"].push_back(ratioOf(report));
     const Summary& literal = report.summaries.front();
     Json scene{{"scene", report.scene},

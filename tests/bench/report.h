@@ -27,6 +27,7 @@ struct SceneReport {
   std::vector<haptics::Structure> structures = {};  ///< of that Scene
   std::optional<double> literal_us = {};
   std::vector<Summary> summaries = {};
+  std::vector<Summary> rates = {};      ///< ours alone at each rate of the servo; may be empty
   std::vector<HoldSummary> holds = {};  ///< empty: not measured
   std::vector<FeelSummary> feel = {};   ///< empty: not measured
 };

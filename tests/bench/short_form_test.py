@@ -19,7 +19,7 @@ METHODS = ["literal", "charitable", "accept-inside", "ours"]
 
 
 def main():
-    command = [sys.argv[1], "--quick", "--json", "--counted", "--no-sweep", "--only", "hole",
+    command = [sys.argv[1], "--quick", "--json", "--counted", "--no-sweep", "--rates", "--only", "hole",
                "--seconds", "0.3"]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     wrong = []
@@ -43,6 +43,14 @@ def main():
     for ratio in report["ratios"]:
         for field in RATIO:
             expect(field in ratio, f"ratio has no {field}")
+    rates = report["rates"]
+    expect([r["method"] for r in rates] == [f"ours, {k} kHz" for k in (1, 2, 4)], "three rates")
+    for result in rates:
+        expect(result["penetration_mm"] == 0.0, f"{result['method']} is inside")
+        expect(result["wall_passages"] == 0, f"{result['method']} passes walls")
+        expect(result["ticks"] % (1000 * int(result["method"][6]) // 10) == 0, "ticks by the rate")
+    # the same hand, the same proxy: as far from it and as much at rest
+    expect(rates[2]["coupling_mm"] < 1.05 * rates[0]["coupling_mm"], "coupling at 4 kHz")
     ours, literal, inside = results[3], results[0], results[2]
     expect(ours["penetration_mm"] == 0.0, f"ours is {ours['penetration_mm']} mm inside")
     expect(ours["wall_passages"] == 0, f"ours passes {ours['wall_passages']} walls")

@@ -47,7 +47,7 @@ const Touch& touch(int points) {
   haptics::Proxy proxy{*t.scene, hand.at(0.0)};
   for (int n = 0; n < 1500; ++n) {
     haptics::Budget budget = haptics::Budget::counted(kNoLimit);
-    haptics::tick(*t.scene, t.isovalue, {}, hand.at(1e-3 * n), proxy, budget);
+    haptics::tick(*t.scene, t.isovalue, {}, hand.at(1e-3 * n), proxy, budget, 1e-3);
     if (n < 800) continue;
     t.device.push_back(hand.at(1e-3 * n));
     t.proxy.push_back(proxy.X_WP);
@@ -204,7 +204,8 @@ void WholeTick(benchmark::State& state) {
   bool ahead = true;
   for (auto _ : state) {
     haptics::Budget budget = haptics::Budget::timed(200'000);
-    benchmark::DoNotOptimize(haptics::tick(*t.scene, t.isovalue, {}, t.device[n], *proxy, budget));
+    benchmark::DoNotOptimize(
+        haptics::tick(*t.scene, t.isovalue, {}, t.device[n], *proxy, budget, 1e-3));
     if (n + 1 == t.device.size()) ahead = false;
     if (n == 0) ahead = true;
     n = ahead ? n + 1 : n - 1;

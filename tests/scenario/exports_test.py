@@ -539,6 +539,29 @@ def stays_small(folder):
     check(cancelled > 0, "no export was still going on when it was stopped")
 
 
+def keeps_the_rate(folder):
+    """Four times the steps, each a quarter of a millisecond: in every export, and again to the bit."""
+    fast = folder / "fast.palpate"
+    run = ("run", "--phantom", "sphere", "--isovalue", 0, "--tool", "probe", "--hand", "slide",
+           "--seconds", 1, "--stiffness", 1000)
+    said = cli(*run, "--rate", 4000, "--record", fast)
+    check(said["ticks"] == 4000 and said["max_penetration_mm"] == 0.0, f"at 4 kHz: {said}")
+    check(said["recording"]["steps"] == 4000, f"steps at 4 kHz: {said['recording']}")
+    steps = from_rows(fast)["time"]
+    check([b - a for a, b in zip(steps, steps[1:])] == [250_000] * 3999, "the times of the steps")
+    for format, (ending, _) in FORMATS.items():
+        said = export(fast, format, folder / f"fast{ending}")
+        check(said["steps"] == 4000, f"{format} at 4 kHz: {said}")
+    facts = json.load(open(folder / "fast_motion.json", encoding="utf-8"))
+    check(facts["SamplingFrequency"] == 4000.0 and
+          abs(facts["SamplingFrequencyEffective"] - 4000.0) < 1e-6, f"the rate: {facts}")
+    again = cli("replay", fast, "--phantom", "sphere")
+    check(again["steps"] == 4000 and again["differing"] == 0, f"replayed: {again}")
+    cli(*run, "--rate", 3000, expect=2)
+    cli(*run, "--rate", 4000, "--device", "falcon", expect=2)
+    cli(*run, "--rate", 4000, "--device", "omega.6")
+
+
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
@@ -550,6 +573,7 @@ def main():
         chooses(folder, recording, truth)
         refuses(folder, recording)
         names_no_file(folder)
+        keeps_the_rate(folder)
         stays_small(folder)
     return outcome()
 

@@ -122,25 +122,31 @@ TEST(Feel, WhatTheSurfaceHeldFollowsWithoutABlow) {
       datasets::sampledFloat(datasets::centredGrid(50, h),
                              [](const Vec3& p) { return 1000.0 - 4e6 * std::max(p.x(), p.z()); }),
       ballTool(200, 1e-3));
-  for (const double friction : {0.0, 1.0}) {
+  for (const auto& [friction, rate] :
+       {std::pair{0.0, haptics::ServoRate{1000}}, std::pair{1.0, haptics::ServoRate{1000}},
+        std::pair{0.0, haptics::ServoRate{2000}}, std::pair{0.0, haptics::ServoRate{4000}}}) {
+    SCOPED_TRACE(rate.hz);
+    const int fine = rate.hz / 1000;
     Trial trial{scene, datasets::kSolidIso, at(-8e-3, 0, 3e-3)};
     trial.coupling = {.stiffness = 3000.0, .friction = friction};
-    trial.carry(at(-8e-3, 0, 3e-3), at(-8e-3, 0, -3e-3), 100);
-    constexpr double kStep = 2e-5;  // m: 20 mm/s
-    const double most = 3000.0 * (1e-3 * haptics::releaseSpeed(3000.0) + 2.1 * kStep);  // N
+    trial.rate = rate;
+    trial.allowance = rate.budget_work();
+    trial.carry(at(-8e-3, 0, 3e-3), at(-8e-3, 0, -3e-3), 100 * fine);
+    const double step = 0.02 * rate.period();  // m: 20 mm/s
+    const double most = 3000.0 * (rate.period() * haptics::releaseSpeed(3000.0) + 2.1 * step);  // N
     Vec3 last = trial.last.wrench_W.force;
     double strongest = 0.0;
     int felt = 0, n = 0;
-    for (; n < 1500 && !(n > 400 && last.isZero(0.0)); ++n) {
-      trial.step(at(-8e-3 + kStep * n, 0, -3e-3));
+    for (; n < 1500 * fine && !(n > 400 * fine && last.isZero(0.0)); ++n) {
+      trial.step(at(-8e-3 + step * n, 0, -3e-3));
       const Vec3 force = trial.last.wrench_W.force;
       EXPECT_LE((force - last).norm(), most) << friction << ", tick " << n;
       strongest = std::max(strongest, force.norm());
       felt += trial.last.contacts == 0 && !force.isZero(0.0);
       last = force;
     }
-    EXPECT_GT(strongest, 8.0);  // N
-    EXPECT_GT(felt, 50);        // ticks, off the edge
+    EXPECT_GT(strongest, 8.0);   // N
+    EXPECT_GT(felt, 50 * fine);  // ticks, off the edge
     EXPECT_TRUE(last.isZero(0.0));
     // and then it has no lag
     trial.step(at(0.5, 0, 0.05));

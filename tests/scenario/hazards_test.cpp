@@ -48,18 +48,20 @@ struct Held {
   static constexpr double kScale = 3.0;
   const Mat3 R_WB = Quat{Eigen::AngleAxisd{0.7, Vec3(1, 2, -1).normalized()}}.toRotationMatrix();
 
-  Held() : stage{stageOf("sphere", ballTool(200, 3e-3))} {
+  explicit Held(haptics::ServoRate at = {})
+      : rate{at}, stage{stageOf("sphere", ballTool(200, 3e-3))} {
     settings.isovalue = stage.isovalue;
     settings.stiffness = 1000.0;
     settings.position_scale = kScale;
     auto made = std::make_unique<FakeDevice>(X_B);
     device = made.get();
-    loop = std::make_unique<haptics::ServoLoop>(std::move(made), settings, kAbove);
+    loop = std::make_unique<haptics::ServoLoop>(std::move(made), settings, kAbove, 0.0, rate);
     handling.R_WB = R_WB;
     loop->handling.publish(handling);
     loop->scenes.offer(std::make_unique<haptics::Engagement>(stage.scene, kAbove));
   }
-  const Wrench& step(std::int64_t pause_ns = 1'000'000) {
+  const Wrench& step() { return step(rate.period_ns()); }
+  const Wrench& step(std::int64_t pause_ns) {
     now += pause_ns;
     loop->step(1e-9 * double(now), now);
     return device->writes.back();
@@ -67,6 +69,7 @@ struct Held {
   void steps(int n) {
     for (int i = 0; i < n; ++i) step();
   }
+  int ticksIn(double seconds) const { return int(std::lround(seconds / rate.period())); }
   /// The hand moves by this much of the world in so many ticks.
   void move(const Vec3& by_W, int ticks) {
     for (int n = 0; n < ticks; ++n) {
@@ -78,8 +81,8 @@ struct Held {
   void press() {
     step();
     loop->armed = true;
-    move({0, 0, -0.009}, 60);
-    steps(1200);
+    move({0, 0, -0.009}, ticksIn(0.06));
+    steps(ticksIn(1.2));
     ASSERT_EQ(snapshot().force_state, ForceState::On);
     ASSERT_GT(device->writes.back().force.norm(), 1.5);
   }
@@ -111,6 +114,7 @@ struct Held {
       ASSERT_LE(step().force.norm(), 8.0 * n * 1e-3 + 1e-9) << "tick " << n;
   }
 
+  const haptics::ServoRate rate;
   const Pose kAbove = at(0, 0, 0.030);
   const Pose X_B = at(Vec3(0.4, -0.2, 0.1), Quat{Eigen::AngleAxisd{0.3, Vec3::UnitY()}});
   Stage stage;
@@ -180,6 +184,90 @@ TEST(Hazards, ThreeReadingsWithNothingNewAreZeroAndTwoAreNot) {
   for (int n = 1; n <= 1000; ++n) ASSERT_LE(held.step().force.norm(), 8.0 * n * 1e-3 + 1e-9);
   EXPECT_GT(held.step().force.norm(), 1.5);
 }
+
+// what were counted in ticks would be over four times as soon at 4 kHz
+class EveryRate : public testing::TestWithParam<haptics::ServoRate> {
+ protected:
+  /// s until a force is felt again, from now on; what comes may not come faster than the ramp.
+  static double untilFelt(Held& held) {
+    int n = 0, zero = 0;
+    for (; n < held.ticksIn(1.1); ++n) {
+      const double force = held.step().force.norm();
+      if (force == 0.0) zero = n + 1;
+      EXPECT_LE(force, 8.0 * (n - zero + 2) * held.rate.period() + 1e-9) << n;
+    }
+    EXPECT_EQ(held.snapshot().force_state, ForceState::On);
+    return zero * held.rate.period();
+  }
+};
+
+TEST_P(EveryRate, ReadingsWithNothingNewAreZeroAfterTwoMilliseconds) {
+  Held held{GetParam()};
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  held.device->status = DeviceStatus::Stale;
+  for (int n = 0; n < held.ticksIn(0.0015); ++n) ASSERT_GT(held.step().force.norm(), 1.5) << n;
+  held.steps(1);
+  EXPECT_TRUE(isZero(held.step()));
+  EXPECT_EQ(held.snapshot().reason, ForceReason::Stale);
+  held.device->status = DeviceStatus::Ok;
+  EXPECT_LE(untilFelt(held), held.rate.period());
+}
+
+TEST_P(EveryRate, ADeviceIsLetGoOfAtTheSameSpeed) {
+  Held held{GetParam()};
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  const auto pushed = [&](double speed, double seconds) {
+    double least = INFINITY;
+    for (int n = 0; n < held.ticksIn(seconds); ++n) {
+      held.device->X_BD.translation() +=
+          held.R_WB.transpose() * Vec3(0, 0, -speed * held.rate.period());
+      least = std::min(least, held.step().force.norm());
+    }
+    return least;
+  };
+  EXPECT_GT(pushed(1.4, 0.005), 1.5);
+  EXPECT_GT(pushed(-1.4, 0.005), 1.5);
+  EXPECT_EQ(pushed(1.6, 0.002), 0.0);
+  EXPECT_EQ(held.snapshot().reason, ForceReason::TooFast);
+  EXPECT_NEAR(untilFelt(held), haptics::MotionGuard::kCalm, 0.0015);
+}
+
+TEST_P(EveryRate, TheClutchFadesAsLong) {
+  Held held{GetParam()};
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  held.handling.clutch = true;
+  held.loop->handling.publish(held.handling);
+  int n = 0;
+  while (!isZero(held.step())) ASSERT_LT(++n, held.ticksIn(0.1));
+  EXPECT_NEAR(n * held.rate.period(), haptics::Safety::kFade, 0.0015);
+}
+
+TEST_P(EveryRate, AGapIsFiveMilliseconds) {
+  Held held{GetParam()};
+  ASSERT_NO_FATAL_FAILURE(held.press());
+  EXPECT_FALSE(isZero(held.step(4'900'000)));
+  EXPECT_TRUE(isZero(held.step(5'100'000)));
+  EXPECT_EQ(held.snapshot().reason, ForceReason::Gap);
+  EXPECT_LE(untilFelt(held), 2 * held.rate.period());
+}
+
+TEST_P(EveryRate, TheSearchForAWayOutTakesAsLong) {
+  // inside wherever it is, but beyond the grid
+  const auto scene = made::scene(
+      datasets::sampledFloat(datasets::centredGrid(60, 1e-3), [](const Vec3&) { return 1000.0; }),
+      ballTool(20, 1e-3));
+  haptics::Proxy proxy{*scene, at(0, 0, 0)};
+  int n = 0;
+  for (bool outside = false; !outside; ++n) {
+    ASSERT_LT(n, 1000);
+    haptics::Budget budget = haptics::Budget::counted(50);  // or it is found sooner
+    haptics::tick(*scene, 500.0, {}, at(0, 0, 0), proxy, budget, GetParam().period());
+    outside = !proxy.recovery.active;
+  }
+  EXPECT_NEAR(n * GetParam().period(), 0.018, 0.0011);
+}
+INSTANTIATE_TEST_SUITE_P(Hazards, EveryRate, testing::ValuesIn(haptics::kServoRates),
+                         [](const auto& with) { return std::to_string(with.param.hz) + "Hz"; });
 
 TEST(Hazards, AnEncoderThatJumpsIsAFault) {
   for (const bool turn : {false, true}) {
@@ -460,6 +548,51 @@ TEST(Session, TakesNoSettingBeyondItsRangeAndNoStiffnessBeyondTheRating) {
   // of what nobody has rated no limit is known
   ASSERT_TRUE(session.open(std::make_unique<FakeDevice>(at(0, 0, 0))));
   EXPECT_EQ(inForce(5000.0, 1.0, 1.0).stiffness, 5000.0);
+}
+
+TEST(Session, RunsAtTheRateOfTheLinkAndNeverAtMore) {
+  using haptics::ServoRate;
+  const Stage stage = stageOf("sphere", ballTool(50, 3e-3));
+  haptics::Session session;
+  session.set({.isovalue = stage.isovalue, .stiffness = 20'000.0});
+  session.adopt(stage.scene, at(0, 0, 0.03));
+  const auto rateWith = [&](const char* model, std::optional<ServoRate> wish) {
+    session.chooseRate(wish);
+    auto device = std::make_unique<FakeDevice>(at(0, 0, 0));
+    device->rated = *haptics::findRating(model);
+    EXPECT_TRUE(session.open(std::move(device)));
+    // what is allowed is by the period and by what the link costs
+    const haptics::DeviceRating& rating = *haptics::findRating(model);
+    const ServoRate rate = session.rate();
+    EXPECT_EQ(
+        session.inForce().stiffness,
+        haptics::allowedStiffness(rating, stage.scene->tool.shell, {rate.period(), rating.delay}));
+    return rate.hz;
+  };
+  EXPECT_EQ(rateWith("omega.6", {}), 4000);
+  EXPECT_EQ(rateWith("omega.6", ServoRate{2000}), 2000);
+  EXPECT_EQ(rateWith("omega.6", ServoRate{1000}), 1000);
+  EXPECT_EQ(rateWith("falcon", {}), 1000);
+  EXPECT_EQ(rateWith("falcon", ServoRate{4000}), 1000);
+  session.chooseRate({});
+  ASSERT_TRUE(session.open(haptics::HandKind::Mouse));
+  EXPECT_EQ(session.rate().hz, 1000);
+  const double stiffest = session.inForce().stiffness;
+  session.chooseRate(ServoRate{4000});
+  EXPECT_EQ(session.rate().hz, 1000);  // until it is opened anew
+  ASSERT_TRUE(session.open(haptics::HandKind::Mouse));
+  EXPECT_EQ(session.rate().hz, 4000);
+  EXPECT_GT(session.inForce().stiffness, 2.0 * stiffest);
+  // it keeps the pace, with what is late made up for by what is missed
+  Snapshot first, last;
+  const auto waited = [&](Snapshot& snapshot) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{300});
+    ASSERT_TRUE(session.latest(snapshot));
+  };
+  waited(first);
+  waited(last);
+  const auto ticks = double(last.tick - first.tick + last.missed_ticks - first.missed_ticks);
+  EXPECT_NEAR(ticks, 4000.0 * (last.time - first.time), 2.0);
 }
 
 TEST(Session, LetsNobodySetWhatShakesUnlessItIsLiftedAndForOneConnection) {

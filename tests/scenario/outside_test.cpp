@@ -106,7 +106,7 @@ TEST(ClosedLoop, IsServoTickToTheBit) {
     haptics::Budget budget = haptics::Budget::counted(haptics::kTickWork);
     const haptics::ServoResult live =
         haptics::servoTick({row.X_WD, loop.settings, haptics::StepFlags::kArmed}, stage.scene.get(),
-                           &*proxy, safety, loop.period, budget);
+                           &*proxy, safety, loop.rate.period(), budget);
     differ += live.sent_W.force != row.sent_W.force || live.sent_W.torque != row.sent_W.torque ||
               (proxy->X_WP.matrix().array() != row.X_WP.matrix().array()).any();
     felt += !row.sent_W.force.isZero(0.0);

@@ -98,9 +98,9 @@ Calls guarded(ServoLoop& loop, double time) {
 
 long checked = 0;
 
-void run(ServoLoop& loop, std::int64_t& tick, int ticks) {
+void run(ServoLoop& loop, haptics::ServoRate rate, std::int64_t& tick, int ticks) {
   for (int n = 0; n < ticks; ++n) {
-    const Calls calls = guarded(loop, 1e-3 * double(tick++));
+    const Calls calls = guarded(loop, rate.period() * double(tick++));
     ASSERT_EQ(calls.all(), 0) << calls.first << " in tick " << tick;
     ++checked;
     haptics::ForceSample sample;
@@ -147,12 +147,14 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
     haptics::Grip grip;
     haptics::Settings settings{.isovalue = made.isovalue, .friction = with.friction};
     haptics::StepRing ring{0};
-    ServoLoop loop{haptics::openSimulated(std::move(*hand), grip, ServoLoop::kPeriod), settings};
+    const haptics::ServoRate rate = haptics::kServoRates[std::size_t(motion) % 3];
+    ServoLoop loop{haptics::openSimulated(std::move(*hand), grip, rate.period()), settings, true,
+                   rate};
     loop.scenes.offer(std::make_unique<haptics::Engagement>(scene, start));
     std::int64_t tick = 0;
     haptics::Snapshot snapshot;
     for (int part = 0; part < 12; ++part) {
-      run(loop, tick, 100);
+      run(loop, rate, tick, 100 * rate.hz / 1000);
       if (HasFatalFailure()) return;
       loop.snapshots.take(snapshot);
       touching += snapshot.contacts > 0;
@@ -163,7 +165,7 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
           part % 3 == 0 ? volume->least + 0.2 * (made.isovalue - volume->least) : made.isovalue;
       settings.friction = part % 2 == 0 ? 0.4 : with.friction;
       loop.settings.publish(settings);
-      run(loop, tick, 5);
+      run(loop, rate, tick, 5 * rate.hz / 1000);
       loop.snapshots.take(snapshot);
       recovering += snapshot.reason == haptics::ForceReason::Inside;
       if (part % 4 == 3)
@@ -199,18 +201,18 @@ TEST(EveryTick, NeitherAllocatesNorLocksWhereNobodyEmptiesTheRing) {
   ASSERT_TRUE(hand);
   const Pose start = hand->at(0.0);
   haptics::StepRing ring{0};
-  ServoLoop loop{haptics::openSimulated(std::move(*hand), {}, ServoLoop::kPeriod),
+  ServoLoop loop{haptics::openSimulated(std::move(*hand), {}, haptics::ServoRate{}.period()),
                  {.isovalue = stage.isovalue}};
   loop.scenes.offer(std::make_unique<haptics::Engagement>(stage.scene, start));
   loop.recording = &ring;
   std::int64_t tick = 0;
-  run(loop, tick, 12'000);
+  run(loop, {}, tick, 12'000);
   EXPECT_TRUE(ring.full());
   haptics::Step step;
   long kept = 0;
   while (ring.take(step)) ++kept;
   EXPECT_LT(kept, 12'000);
-  run(loop, tick, 10);
+  run(loop, {}, tick, 10);
   while (ring.take(step)) ++kept;
   EXPECT_EQ(step.sequence, 12'009U);
 }

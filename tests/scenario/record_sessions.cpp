@@ -56,7 +56,7 @@ void record(const Session& session, const std::filesystem::path& target) {
   Hand hand = Hand::aimed(session.motion, *scene, settings.isovalue, reach, 1).value();
   const Pose X_start = hand.at(0.0);
   grip.X_WD = X_start;
-  auto device = openSimulated(std::move(hand), grip, ServoLoop::kPeriod);
+  auto device = openSimulated(std::move(hand), grip, ServoRate{}.period());
   const auto made = session.limited
                         ? std::make_unique<ServoLoop>(std::move(device), settings, X_start)
                         : std::make_unique<ServoLoop>(std::move(device), settings);

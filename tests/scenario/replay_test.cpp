@@ -46,10 +46,11 @@ TEST(Replay, OfTicksThatTheClockCutIsTheSameToTheBit) {
       const double isovalue = n % 500 > 480 ? -150.0 : 0.0;
       // from a few microseconds to more than it needs
       Budget clock = Budget::timed(random.below(4) == 0 ? 10'000'000 : 1000 * random.below(150));
-      const haptics::TickResult first = haptics::tick(*scene, isovalue, felt, D, live, clock);
+      const haptics::TickResult first = haptics::tick(*scene, isovalue, felt, D, live, clock, 1e-3);
       Budget count =
           Budget::counted(clock.cut() ? clock.cutAt() : std::numeric_limits<std::int64_t>::max());
-      const haptics::TickResult again = haptics::tick(*scene, isovalue, felt, D, replayed, count);
+      const haptics::TickResult again =
+          haptics::tick(*scene, isovalue, felt, D, replayed, count, 1e-3);
       ASSERT_EQ(replayed.X_WP.matrix(), live.X_WP.matrix()) << "tick " << n;
       ASSERT_EQ(again.wrench_W.force, first.wrench_W.force);
       ASSERT_EQ(again.wrench_W.torque, first.wrench_W.torque);

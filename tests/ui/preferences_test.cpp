@@ -36,12 +36,14 @@ TEST(Preferences, RememberUnitsMouseKeysStiffnessAndFolder) {
   EXPECT_EQ(preferences.lengths, ui::LengthUnit::Millimetres);
   EXPECT_EQ(preferences.mouse, ui::MouseChoices{});
   EXPECT_EQ(preferences.stiffness_always, std::nullopt);
+  EXPECT_EQ(preferences.servo_rate, std::nullopt);
   EXPECT_TRUE(preferences.keys.isEmpty());
   EXPECT_TRUE(preferences.recordings.isEmpty());
   preferences.lengths = ui::LengthUnit::Centimetres;
   preferences.mouse = {
       .at_first = ui::MouseMode::Hand, .slices_reversed = true, .zoom_reversed = true};
   preferences.stiffness_always = 0.0;
+  preferences.servo_rate = 2000;
   preferences.keys = {{"take_tool", "B"}, {"grey_left", "Ctrl+Shift+Left"}};
   preferences.recordings = "/home/somebody/recordings";
   app::savePreferences(preferences);
@@ -49,11 +51,15 @@ TEST(Preferences, RememberUnitsMouseKeysStiffnessAndFolder) {
   EXPECT_EQ(loaded.lengths, preferences.lengths);
   EXPECT_EQ(loaded.mouse, preferences.mouse);
   EXPECT_EQ(loaded.stiffness_always, 0.0);
+  EXPECT_EQ(loaded.servo_rate, 2000);
   EXPECT_EQ(loaded.keys, preferences.keys);
   EXPECT_EQ(loaded.recordings, preferences.recordings);
   app::savePreferences({});
   EXPECT_TRUE(app::loadPreferences().keys.isEmpty());
   EXPECT_EQ(app::loadPreferences().stiffness_always, std::nullopt);
+  EXPECT_EQ(app::loadPreferences().servo_rate, std::nullopt);
+  QSettings().setValue("servo/rate", "3000");
+  EXPECT_EQ(app::loadPreferences().servo_rate, std::nullopt);
   EXPECT_FALSE(QSettings().contains("recordings/folder"));
   for (const char* const odd : {"-1", "1e9", "nan", "inf", "", "much"}) {
     QSettings().setValue("coupling/stiffness_always", odd);

@@ -91,14 +91,16 @@ TEST(PreferencesWindow, EveryChoiceIsToldAtOnceAndTheDefaultsComeBack) {
   EXPECT_EQ(told.last().stiffness, 1000.0);
   stiffness.setValue(450.0);
   EXPECT_EQ(told.last().stiffness, 450.0);
+  choose(part<QComboBox>(window, "servoRate"), 3);
+  EXPECT_EQ(told.last().servo_rate, 4000);
   part<QCheckBox>(window, "placesChoice").click();
   EXPECT_FALSE(told.last().places_remembered);
-  EXPECT_EQ(told.size(), 9);
+  EXPECT_EQ(told.size(), 10);
   // what it is given is shown, and not told
   window.show(told.last(), "/own");
-  EXPECT_EQ(told.size(), 9);
-  part<QPushButton>(window, "resetPreferences").click();
   EXPECT_EQ(told.size(), 10);
+  part<QPushButton>(window, "resetPreferences").click();
+  EXPECT_EQ(told.size(), 11);
   EXPECT_EQ(told.last(), PreferenceChoices{});
   EXPECT_EQ(part<QComboBox>(window, "themeChoice").currentIndex(), 0);
   EXPECT_FALSE(stiffness.isEnabled());
@@ -204,6 +206,7 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
                              .lengths = ui::LengthUnit::Centimetres,
                              .mouse = {.at_first = ui::MouseMode::Hand, .slices_reversed = true},
                              .stiffness = 320.0,
+                             .servo_rate = 4000,
                              .recordings = folder.path(),
                              .places_remembered = false};
     emit window->changed(wanted);
@@ -236,6 +239,7 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
   EXPECT_EQ(kept.mouse,
             (ui::MouseChoices{.at_first = ui::MouseMode::Hand, .slices_reversed = true}));
   EXPECT_EQ(kept.stiffness_always, 320.0);
+  EXPECT_EQ(kept.servo_rate, 4000);
   EXPECT_EQ(kept.recordings, folder.path());
   EXPECT_EQ(kept.keys, (ui::OwnKeys{{"take_tool", "B"}}));
   // the next start begins with them

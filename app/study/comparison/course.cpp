@@ -29,15 +29,16 @@ Pose movedTo(const Pose& X_place, const haptics::Hand& hand) {
 }
 
 haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene,
-                                                 const Touched& touched, double seconds) {
+                                                 const Touched& touched, double seconds,
+                                                 haptics::ServoRate rate) {
   std::vector<Course> courses;
   for (const auto& [name, motion] : kHands) {
     const auto hand = haptics::Hand::aimed(motion, scene, touched.isovalue, kReach, 1);
     if (!hand) return tl::unexpected(hand.error());
-    Course course{name, {}, motion == HandMotion::Jerk};
-    const auto ticks = static_cast<int>(std::lround(1e3 * (kLeadIn + seconds)));
+    Course course{name, {}, motion == HandMotion::Jerk, rate};
+    const auto ticks = static_cast<int>(std::lround((kLeadIn + seconds) / rate.period()));
     const Pose X_to = touched.place ? movedTo(*touched.place, *hand) : Pose::Identity();
-    for (int n = 0; n < ticks; ++n) course.device.push_back(X_to * hand->at(1e-3 * n));
+    for (int n = 0; n < ticks; ++n) course.device.push_back(X_to * hand->at(rate.period() * n));
     courses.push_back(std::move(course));
   }
   return courses;
@@ -81,6 +82,8 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
   for (const Course& course : courses) ticks_in_all += course.device.size();
   for (std::size_t c = 0; c < courses.size(); ++c) {
     const Course& course = courses[c];
+    // a proxy that rests between two poses a quarter of a millisecond apart is not frozen yet
+    const auto millisecond = static_cast<std::size_t>(course.rate.hz / 1000);
     const bool is_guided = course.hand == "tap" || course.hand == "slide" || course.hand == "hook";
     const std::size_t rows_before = records.size(), coupled_before = coupling.size();
     double part_us = 0.0;
@@ -97,11 +100,13 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
 
       if (!course.jerk) {
         const auto apart = coupledBy(tick, course.device[n], shell);
-        reference::Record record;
-        record.X_WP = tick.X_WP;
-        record.contacts = apart.has_value();
-        records.push_back(record);
-        led.push_back(course.device[n]);
+        if (n % millisecond == 0) {
+          reference::Record record;
+          record.X_WP = tick.X_WP;
+          record.contacts = apart.has_value();
+          records.push_back(record);
+          led.push_back(course.device[n]);
+        }
         if (apart) {
           coupling.push_back(1e3 * *apart);
           if (is_guided) guided.push_back(coupling.back());

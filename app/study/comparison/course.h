@@ -12,17 +12,19 @@
 
 namespace comparison {
 
-/// What one hand did: the device's poses, one a tick of 1 ms, from free space on.
+/// What one hand did: the device's poses, one a tick, from free space on.
 struct Course {
   std::string hand;
   std::vector<Pose> device;
   bool jerk = false;  ///< counts for time and walls, not for coupling and freezing
+  haptics::ServoRate rate = {};
 };
 
 /// tap, slide, wedge, pry, hook and jerk, each for so many seconds after a lead-in of half a
 /// second. The device is the hand itself, so that every method is led along the same path.
 haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene,
-                                                 const Touched& touched, double seconds);
+                                                 const Touched& touched, double seconds,
+                                                 haptics::ServoRate rate = {});
 
 /// What moves an aimed hand so that it does at X_place, a scene's own place for the tool, what it
 /// does where it aimed.
@@ -60,7 +62,7 @@ struct Summary {
   double mean_us = 0.0, p50_us = 0.0, p99_us = 0.0, p999_us = 0.0, p9999_us = 0.0, max_us = 0.0;
   double coupling_mm = 0.0;  ///< mean distance in the mass metric over contact ticks, jerk left out
   double guided_mm = 0.0;    ///< the same over tap, slide and hook
-  double frozen = 0.0;       ///< share of contact ticks, jerk left out
+  double frozen = 0.0;       ///< share of milliseconds in contact, jerk left out
   MeanCounts counts;         ///< of a tick
   int contacts_max = 0;
   double cut = 0.0;             ///< share of ticks that the budget ended

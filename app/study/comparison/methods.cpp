@@ -30,7 +30,7 @@ class Ours final : public Method {
     haptics::Budget budget = limit_.work > 0 ? haptics::Budget::counted(limit_.work)
                                              : haptics::Budget::timed(limit_.nanoseconds);
     const haptics::TickResult result =
-        haptics::tick(*scene_, isovalue_, coupling_, X_WD, *proxy_, budget);
+        haptics::tick(*scene_, isovalue_, coupling_, X_WD, *proxy_, budget, limit_.rate.period());
     tick.X_WP = proxy_->X_WP;
     tick.force = result.wrench_W.force;
     tick.contacts = result.contacts;

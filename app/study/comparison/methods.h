@@ -10,6 +10,7 @@
 #include "app/study/reference/tick.h"
 #include "haptics/core/budget.h"
 #include "haptics/scene/scene.h"
+#include "haptics/servo/rate.h"
 
 namespace comparison {
 
@@ -21,6 +22,7 @@ using haptics::Wrench;
 struct Limit {
   std::int64_t nanoseconds = 200'000;
   std::int64_t work = 0;  ///< > 0 takes this instead of the time
+  haptics::ServoRate rate = {};
 };
 
 /// What one tick came to.

@@ -29,7 +29,7 @@ tl::unexpected<Error> cancelled() {
 }
 
 Expected<std::vector<Path>> aimedPaths(const HereRequest& request, std::stop_token stop) {
-  constexpr double period = haptics::ServoLoop::kPeriod;
+  const double period = request.allowance.rate.period();
   std::vector<Path> paths;
   for (const HandMotion motion : kHands) {
     if (stop.stop_requested()) return cancelled();

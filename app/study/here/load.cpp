@@ -34,6 +34,7 @@ std::optional<Load> loadOf(const haptics::Scene& scene, double isovalue,
     return allowance.work > 0 ? Budget::counted(times * allowance.work)
                               : Budget::timed(times * allowance.nanoseconds);
   };
+  const double period = allowance.rate.period();
   Load load;
   std::vector<double> times;  // s
   double lag = 0.0, samples = 0.0;
@@ -45,7 +46,7 @@ std::optional<Load> loadOf(const haptics::Scene& scene, double isovalue,
       const haptics::Pose& X_WD = path.poses[n];
       const std::int64_t begun = Budget::threadTime();
       Budget hurried = budget(1);
-      const bool cut = haptics::tick(scene, isovalue, coupling, X_WD, proxy, hurried).cut;
+      const bool cut = haptics::tick(scene, isovalue, coupling, X_WD, proxy, hurried, period).cut;
       const std::int64_t ended = Budget::threadTime();
       // a copy of the proxy has driven the scene out of the caches, which is not the tick's fault
       const bool counts = n >= path.lead_in && !std::exchange(sampled, false);
@@ -58,7 +59,7 @@ std::optional<Load> loadOf(const haptics::Scene& scene, double isovalue,
       sampled = true;
       haptics::Proxy unhurried = proxy;
       Budget ample = budget(kAmple);
-      haptics::tick(scene, isovalue, coupling, X_WD, unhurried, ample);
+      haptics::tick(scene, isovalue, coupling, X_WD, unhurried, ample, period);
       // where that is not enough to tell, all of the distance may be lag
       const double least = ample.cut() ? 0.0 : distance(scene, unhurried, X_WD);
       lag += std::max(0.0, distance(scene, proxy, X_WD) - least);

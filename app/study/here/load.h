@@ -8,7 +8,7 @@
 
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/scene/scene.h"
-#include "haptics/servo/servo_loop.h"
+#include "haptics/servo/rate.h"
 
 namespace study {
 
@@ -20,9 +20,10 @@ struct Path {
 
 /// What a tick may spend, as in the live loop.
 struct Allowance {
-  std::int64_t nanoseconds = haptics::ServoLoop::kTickBudget;  ///< CPU time of the thread
+  std::int64_t nanoseconds = haptics::ServoRate{}.budget_ns();  ///< CPU time of the thread
   std::int64_t work = 0;  ///< > 0 takes this instead of the time: counted, so that it repeats
-  double period = haptics::ServoLoop::kPeriod;  ///< s: a tick that takes longer is a miss
+  double period = haptics::ServoRate{}.period();  ///< s: a tick that takes longer is a miss
+  haptics::ServoRate rate = {};                   ///< of the poses of the paths
 };
 
 /// A machine carries a tool if, on the paths, no larger share of ticks is longer than the period,
@@ -45,7 +46,7 @@ struct Load {
   bool carried = false;
 };
 
-/// Leads a tool along the paths at 1 kHz of their time and as fast as it goes by the clock. `goOn`
+/// Leads a tool along the paths, a pose a tick, as fast as it goes by the clock. `goOn`
 /// is asked every few milliseconds; once it says no, there is no load.
 std::optional<Load> loadOf(const haptics::Scene& scene, double isovalue,
                            const haptics::VirtualCoupling& coupling, const std::vector<Path>& paths,

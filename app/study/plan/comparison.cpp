@@ -32,7 +32,7 @@ struct Side {
     Budget budget = Budget::counted(std::numeric_limits<std::int64_t>::max());
     const std::int64_t begun = Budget::threadTime();
     const haptics::TickResult result =
-        haptics::tick(scene, course.isovalue, course.coupling, grip.X_WD, proxy, budget);
+        haptics::tick(scene, course.isovalue, course.coupling, grip.X_WD, proxy, budget, kPeriod);
     spent += Budget::threadTime() - begun;
     work += budget.spent();
     felt = result.wrench_W;

@@ -80,13 +80,14 @@ struct Trial {
   int contact = 0;                  ///< ticks in contact
   int non_finite = 0;               ///< ticks with a pose or wrench that is no number
   bool judged = true;
+  haptics::ServoRate rate = {};
   std::int64_t allowance = haptics::kTickWork;  ///< units of work a tick may spend
   std::int64_t most_work = 0;                   ///< spent in any tick
   std::vector<float> behind = {};               ///< m, how far from the device, after each tick
 
   const haptics::TickResult& step(const Pose& X_WD) {
     haptics::Budget budget = haptics::Budget::counted(allowance);
-    last = haptics::tick(*scene, isovalue, coupling, X_WD, proxy, budget);
+    last = haptics::tick(*scene, isovalue, coupling, X_WD, proxy, budget, rate.period());
     most_work = std::max(most_work, budget.spent());
     contact += last.contacts > 0;
     behind.push_back(float((place() - X_WD.translation()).norm()));

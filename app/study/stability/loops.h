@@ -22,6 +22,7 @@ struct Wall {
   double damping = 0.0;     ///< N·s/m, virtual
   double controller = 0.0;  ///< N·s/m that the passivity controller may use; 0: none
 
+  haptics::ServoRate rate() const { return {int(std::lround(1.0 / period))}; }
   /// N·s/m: of device, hand and virtual damper.
   double totalDamping() const { return device.damping + hand.damping + damping; }
   /// 2 b / (T (1 + 2 delay)) [N/m]: the limit of a sampled spring, to first order in b T / m. A

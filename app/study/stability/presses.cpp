@@ -139,7 +139,7 @@ haptics::ClosedLoop loopOf(const Way& way, std::shared_ptr<const haptics::Scene>
                             : haptics::ForceLimits{device.rating.force, device.rating.torque};
   loop.grip = device.heldBy(wall.hand, std::sqrt(scene->tool.shell.inertia.trace() / 3.0));
   loop.linkage = device.linkage;
-  loop.period = wall.period;
+  loop.rate = wall.rate();
   loop.damping = wall.damping;
   loop.passivity_damping = wall.controller;
   loop.scene = std::move(scene);
@@ -149,14 +149,14 @@ haptics::ClosedLoop loopOf(const Way& way, std::shared_ptr<const haptics::Scene>
 double allowedFor(const Wall& wall, const haptics::Scene& scene) {
   const haptics::Linkage& linkage = wall.device.linkage;
   return haptics::allowedStiffness(wall.device.rating, scene.tool.shell,
-                                   {wall.period, linkage.delay}, linkage.arm.norm());
+                                   {wall.period, linkage.delay * wall.period}, linkage.arm.norm());
 }
 
 LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::int64_t ticks,
                    double from, double until) {
   const haptics::Scene& scene = *loop.scene;
   const double K = loop.settings.stiffness;
-  LoopResult result{.balance = {K, loop.grip, loop.period}};
+  LoopResult result{.balance = {K, loop.grip, loop.rate.period()}};
   haptics::PassivityObserver program, lost;
   Vec3 lowest = Vec3::Constant(INFINITY), highest = -lowest;
   const auto stretch = [&](const Pose& X_WP, const Pose& X_WD) {

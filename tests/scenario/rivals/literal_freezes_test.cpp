@@ -41,7 +41,7 @@ TEST_P(Rivals, LiteralFreezesWhereOursMovesAndAcceptInsideEnters) {
   ASSERT_TRUE(scene);
 
   // ours, with the hand in its grip; the rivals are given the device's path as it came out
-  haptics::ClosedLoop loop{*scene, {.isovalue = scan.isovalue}, {}, {}, false, 1e-3};
+  haptics::ClosedLoop loop{*scene, {.isovalue = scan.isovalue}, {}, {}};
   auto hand = haptics::Hand::aimed(scan.motion, **scene, scan.isovalue, 0.018, 1);
   ASSERT_TRUE(hand) << sentence(hand.error());
   std::vector<haptics::Pose> device;

@@ -234,7 +234,8 @@ TEST(Crop, LetsNoToolIntoItsCutFace) {
     for (int tick = 0; tick < 400; ++tick) {
       const Vec3 hand{8e-3 - 4e-5 * tick, 2e-3 * std::sin(0.05 * tick), -10e-3};
       Budget budget = Budget::counted(haptics::kTickWork);
-      haptics::tick(*scene, datasets::kSolidIso, {.stiffness = 1000.0}, at(hand), proxy, budget);
+      haptics::tick(*scene, datasets::kSolidIso, {.stiffness = 1000.0}, at(hand), proxy, budget,
+                    1e-3);
       const Vec3 p = proxy.X_WP.translation();
       ASSERT_EQ(haptics::penetration(*scene, datasets::kSolidIso, proxy.X_WP), 0.0) << tick;
       if (hand.x() > kRadius + 0.6e-3) {

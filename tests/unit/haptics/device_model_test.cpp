@@ -146,7 +146,7 @@ TEST(AllowedStiffness, IsTheRatingAndAtMostSomeOfTheSampledSpringsLimit) {
   const haptics::DeviceRating falcon = *haptics::findRating("falcon"),
                               omega = *haptics::findRating("omega.6");
   const auto allowed = [&](const haptics::DeviceRating& rating, double period, int delay) {
-    return haptics::allowedStiffness(rating, round, {period, delay});
+    return haptics::allowedStiffness(rating, round, {period, period * delay});
   };
   EXPECT_DOUBLE_EQ(allowed(falcon, 1e-3, 0), 3000.0);
   EXPECT_DOUBLE_EQ(allowed(falcon, 1e-3, 1), 1500.0);

@@ -167,7 +167,7 @@ struct Bench {
     Budget budget = Budget::counted(haptics::kTickWork);
     const haptics::VirtualCoupling coupling{.stiffness = 1000.0, .friction = mu};
     const TickResult result =
-        haptics::tick(*scene, datasets::kSolidIso, coupling, at(p), proxy, budget);
+        haptics::tick(*scene, datasets::kSolidIso, coupling, at(p), proxy, budget, 1e-3);
     EXPECT_EQ(haptics::penetration(*scene, datasets::kSolidIso, proxy.X_WP), 0.0);
     return result;
   }

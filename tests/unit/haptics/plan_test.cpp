@@ -84,7 +84,7 @@ TEST(Plan, LooksAtNothingInFreeSpace) {
   for (int n = 1; n <= 400; ++n) {
     haptics::Budget budget = haptics::Budget::counted(haptics::kTickWork);
     const haptics::Pose X_WD = at(2e-4 * n, 0, 0.5 - 1e-4 * n);
-    const auto result = haptics::tick(*scene, datasets::kSolidIso, {}, X_WD, proxy, budget);
+    const auto result = haptics::tick(*scene, datasets::kSolidIso, {}, X_WD, proxy, budget, 1e-3);
     EXPECT_EQ((proxy.X_WP.matrix() - X_WD.matrix()).norm(), 0.0);
     EXPECT_EQ(result.wrench_W.force.norm(), 0.0);
     work += budget.spent();

@@ -230,7 +230,7 @@ struct Bench {
     grip.gyration = std::sqrt(first->tool.shell.inertia.trace() / 3.0);
     const Pose X_start = hand->at(0.0);
     grip.X_WD = X_start;
-    loop = std::make_unique<ServoLoop>(openSimulated(std::move(*hand), grip, ServoLoop::kPeriod),
+    loop = std::make_unique<ServoLoop>(openSimulated(std::move(*hand), grip, ServoRate{}.period()),
                                        settings);
     loop->scenes.offer(std::make_unique<Engagement>(first, X_start));
   }
@@ -263,6 +263,47 @@ int formatOf(const fs::path& path) {
   std::array<char, 4> bytes{};
   file.read(bytes.data(), 4);
   return bytes[3];
+}
+
+// a loop at 4 kHz, limited and guarded as for a device: only at its own rate is it the same again
+TEST(Recording, HoldsTheRateAndIsReplayedAtIt) {
+  const ScratchFolder scratch;
+  for (const ServoRate rate : kServoRates) {
+    SCOPED_TRACE(rate.hz);
+    const auto path = scratch / (std::to_string(rate.hz) + ".palpate");
+    ClosedLoop loop{scene(), {.stiffness = 800.0}, limitsOf(*findRating("omega.6")), {}};
+    loop.rate = rate;
+    auto recorder = Recorder::create(path, {"test", "a build", "a machine"}, {.rate = rate});
+    ASSERT_TRUE(recorder) << sentence(recorder.error());
+    StepRing& ring = (*recorder)->ring();
+    EXPECT_EQ(ring.capacity(), 8192U * std::size_t(rate.hz) / 1000U);
+    (*recorder)->describe(loop.scene, "");
+    loop.on_start = [&](const Pose& X_WP) {
+      ring.start({.scene = std::uint32_t(loop.scene->id),
+                  .X_WP = X_WP,
+                  .limits = loop.limits,
+                  .safety = {},
+                  .rate = rate});
+    };
+    const auto hand = Hand::aimed(HandMotion::Slide, *loop.scene, 0.0, 0.012, 1);
+    ASSERT_TRUE(hand);
+    std::int64_t n = 0;
+    const std::int64_t ticks = std::llround(1.5 / rate.period());
+    ASSERT_TRUE(loop.run(*hand, ticks, [&](const TraceRow& row) {
+      Step step = stepOf(row, loop, n++);
+      step.time_ns = std::llround(row.time * 1e9);
+      return ring.push(step);
+    }));
+    ASSERT_TRUE((*recorder)->finish());
+    auto recording = Recording::open(path);
+    ASSERT_TRUE(recording) << sentence(recording.error());
+    ASSERT_EQ(recording->starts().size(), 1U);
+    EXPECT_EQ(recording->starts().front().rate, rate);
+    EXPECT_NEAR(recording->end(), 1.5, 1.1 * rate.period());
+    const ReplayDifference same = replayed(*recording, loop.scene->volume);
+    EXPECT_EQ(same.steps, ticks);
+    EXPECT_EQ(same.differing, 0);
+  }
 }
 
 TEST(Recording, OfAnEditedVolumeIsReplayedFromTheScanToTheBit) {
@@ -405,7 +446,7 @@ TEST(Recording, BegunAtAnyMomentIsReplayedToTheBit) {
       grip.X_WD = hand->at(0.0);
       Settings settings;
       settings.friction = moment % 500 == 0 ? 0.0 : 0.3;
-      ServoLoop loop(openMouse(mouse, grip, ServoLoop::kPeriod), settings);
+      ServoLoop loop(openMouse(mouse, grip, ServoRate{}.period()), settings);
       loop.scenes.offer(std::make_unique<Engagement>(touched, hand->at(0.0)));
       for (int n = 0; n < moment + 300; ++n) {
         // it rests from a hundred ticks before the recording begins
@@ -461,7 +502,7 @@ TEST(Recording, AFullRingLosesStepsCountsThemAndGoesOnExactly) {
   Grip grip;
   const Pose X_start = hand->at(0.0);
   grip.X_WD = X_start;
-  ServoLoop loop(openSimulated(std::move(*hand), grip, ServoLoop::kPeriod), {});
+  ServoLoop loop(openSimulated(std::move(*hand), grip, ServoRate{}.period()), {});
   loop.scenes.offer(std::make_unique<Engagement>(touched, X_start));
   loop.recording.store(&(*recorder)->ring());
   constexpr std::int64_t kTicks = 12'000;

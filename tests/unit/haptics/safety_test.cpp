@@ -361,7 +361,8 @@ TEST(Safety, WithoutLimitsPassesTheWrenchAsItIs) {
 struct Shaken {
   double stiffness, scale = 1.0;
   bool guarded = true;
-  double exchange = kSafetyPeriod;  // s between two readings: a link of its own pace
+  double period = kSafetyPeriod;
+  double exchange = period;  // s between two readings: a link of its own pace
   double share = 1.0, last_swing = 0.0, most_swing = 0.0;
 
   void run(double seconds) {
@@ -370,29 +371,52 @@ struct Shaken {
     double x = 0.005, v = 0.0;                // m: the hand comes to the wall at 0.2 m/s, and in
     Wrench sent;
     double read = x, read_at = 0.0;
-    const int ticks = static_cast<int>(seconds / kSafetyPeriod);
+    const int ticks = static_cast<int>(seconds / period);
     for (int n = 0; n < ticks; ++n) {
       for (int k = 0; k < 20; ++k) {
-        const double dt = kSafetyPeriod / 20;
-        const double hand = std::max(-0.004, 0.005 - 0.2 * kSafetyPeriod * n);
+        const double dt = period / 20;
+        const double hand = std::max(-0.004, 0.005 - 0.2 * period * n);
         v += dt / mass * (sent.force.z() - damping * v - 500.0 * (x - hand));
         x += dt * v;
       }
       // at the hand; in the volume it is scale times as far
-      if (n * kSafetyPeriod >= read_at - 1e-9) {
+      if (n * period >= read_at - 1e-9) {
         read = x;
         read_at += exchange;
       }
       const double wanted = read < 0.0 ? -gate.safety.stiffnessShare() * stiffness * read : 0.0;
       gate.safety.begin(kArmed);
-      gate.safety.moved(at(0, 0, scale * read), scale, kSafetyPeriod);
-      sent = gate.safety.pass({{0, 0, wanted}, Vec3::Zero()}, true, kSafetyPeriod);
+      gate.safety.moved(at(0, 0, scale * read), scale, period);
+      sent = gate.safety.pass({{0, 0, wanted}, Vec3::Zero()}, true, period);
       most_swing = std::max(most_swing, std::abs(v));
-      if (n > ticks - 500) last_swing = std::max(last_swing, std::abs(v));
+      if (n > ticks - int(0.5 / period)) last_swing = std::max(last_swing, std::abs(v));
     }
     share = gate.safety.stiffnessShare();
   }
 };
+
+// the limit is 2 b / T. What a hard tap shakes is a matter of the stiffness, whatever the rate
+TEST(Safety, GuardsEveryRateAlike) {
+  for (const double period : {0.5e-3, 0.25e-3}) {
+    const double limit = 8.0 / period;
+    for (const double stiffness : {500.0, 2000.0, 5300.0}) {
+      Shaken still{stiffness, 1.0, true, period};
+      still.run(3.0);
+      EXPECT_EQ(still.share, 1.0) << stiffness;
+      EXPECT_LT(still.last_swing, 1e-3) << stiffness;
+    }
+    for (const double share : {1.5, 2.0}) {
+      Shaken shaking{share * limit, 1.0, true, period};
+      shaking.run(3.0);
+      EXPECT_LT(shaking.share * share, 1.0) << share;
+      EXPECT_GT(shaking.share * share, 0.25) << share;
+      EXPECT_LT(shaking.last_swing, 1e-3) << share;
+      Shaken unguarded{share * limit, 1.0, false, period};
+      unguarded.run(3.0);
+      EXPECT_GT(unguarded.last_swing, 0.02) << share;
+    }
+  }
+}
 
 TEST(Safety, LowersTheStiffnessOfALoopThatShakesAndNotOfOneThatDoesNot) {
   // the sampled spring's limit is 2 b / T = 8,000 N/m

@@ -111,7 +111,7 @@ TEST(SceneHandOver, UnderAHammerEverySceneIsWholeAndNoneIsLeftBehind) {
         last = touched->scene->id;
         haptics::Budget budget = haptics::Budget::counted(haptics::kTickWork);
         haptics::tick(*touched->scene, datasets::kSolidIso, {}, at(0, 0, 5e-3), touched->proxy,
-                      budget);
+                      budget, 1e-3);
         ++ticks;
       }
     }};
