@@ -67,6 +67,7 @@ _palpate_cli() {
     "run --field") mapfile -t COMPREPLY < <(compgen -W "spline trilinear" -- "$word"); return ;;
     "run --normal") mapfile -t COMPREPLY < <(compgen -W "cell central spline" -- "$word"); return ;;
     "run --device") compopt -o default; return ;;
+    "run --rate") mapfile -t COMPREPLY < <(compgen -W "1000 2000 4000" -- "$word"); return ;;
     "run --trace") compopt -o default; return ;;
     "run --record") compopt -o default; return ;;
     "run --seed") compopt -o default; return ;;
@@ -110,7 +111,7 @@ _palpate_cli() {
     "cohort merge") mapfile -t COMPREPLY < <(compgen -W "-h --help --out --before --isovalue --tool --hand --repetitions --seconds --stiffness --json" -- "$word") ;;
     "devices") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "tool") mapfile -t COMPREPLY < <(compgen -W "-h --help --points --tool-unit --out --json" -- "$word") ;;
-    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --field --normal --device --trace --record --seed --json" -- "$word") ;;
+    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --field --normal --device --rate --trace --record --seed --json" -- "$word") ;;
     "replay") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
     "recover") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "export") mapfile -t COMPREPLY < <(compgen -W "-h --help --format --out --from --to --rate --no-contacts --volume --phantom --series --correct --largest-part --every --box --size --fps --speed --burn-in --camera --surface --json" -- "$word") ;;

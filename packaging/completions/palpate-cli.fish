@@ -76,6 +76,7 @@ complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l friction -r -F -
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l field -x -a 'spline trilinear' -d 'How voxels become a field - trilinear, spline'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l normal -x -a 'cell central spline' -d 'Normals of points near the surface - central, cell, spline'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l device -r -F -d 'Apply the limits of this device model (an unknown name lists all)'
+complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l rate -x -a '1000 2000 4000' -d 'Ticks of the servo loop in a second (Hz)'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l trace -r -F -d 'CSV to write, one row per tick'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l record -r -F -d 'Recording to write, NAME.palpate'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l seed -r -F -d 'Seed of the hand'\''s aim'
