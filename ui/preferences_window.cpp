@@ -16,7 +16,6 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "haptics/servo/rate.h"
 #include "haptics/settings.h"
 #include "ui/language.h"
 #include "ui/number_box.h"
@@ -195,8 +194,8 @@ void PreferencesWindow::buildTouch() {
   servo_rate_->setObjectName("servoRate");
   servo_rate_->setToolTip(tr("How often in a second the touch is computed"));
   servo_rate_->addItem(tr("As the device allows"), 0);
-  for (const haptics::ServoRate rate : haptics::kServoRates)
-    servo_rate_->addItem(tr("%1 times a second").arg(QLocale().toString(rate.hz)), rate.hz);
+  for (const int hz : kServoRateChoices)
+    servo_rate_->addItem(tr("%1 times a second").arg(QLocale().toString(hz)), hz);
   form->addRow(tr("Touch is &computed"), servo_rate_);
   form->addRow(explained(
       tr("More often carries a stiffer touch, and needs as much more of the processor. It "

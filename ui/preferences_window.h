@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <array>
 #include <optional>
 
 #include "ui/lengths.h"
@@ -19,6 +20,9 @@ namespace ui {
 
 class NumberBox;
 class WarningLabel;
+
+/// The servo loop's rates that can be chosen [Hz].
+inline constexpr std::array kServoRateChoices{1000, 2000, 4000};
 
 /// What the user can choose in the preferences, apart from keys.
 struct PreferenceChoices {

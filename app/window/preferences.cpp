@@ -4,7 +4,7 @@
 #include <QSettings>
 
 #include "app/window/recent_places.h"
-#include "haptics/servo/rate.h"
+#include "haptics/session.h"
 #include "haptics/settings.h"
 
 namespace app {

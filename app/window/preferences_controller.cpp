@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/preferences_controller.h"
 
+#include <algorithm>
+
 #include "app/window/recordings.h"
 #include "ui/style/style.h"
 
@@ -20,6 +22,8 @@ double PreferencesController::firstStiffness() const {
 }
 
 std::optional<haptics::ServoRate> PreferencesController::servoRate() const {
+  static_assert(std::ranges::all_of(ui::kServoRateChoices, haptics::isServoRate) &&
+                ui::kServoRateChoices.size() == haptics::kServoRates.size());
   if (!preferences_.servo_rate) return {};
   return haptics::ServoRate{*preferences_.servo_rate};
 }

@@ -4,7 +4,7 @@
 #include <QObject>
 
 #include "app/window/preferences.h"
-#include "haptics/servo/rate.h"
+#include "haptics/session.h"
 #include "ui/main_window.h"
 #include "ui/preferences_window.h"
 
