@@ -9,6 +9,8 @@
 namespace haptics {
 namespace {
 
+static_assert(ServoRate{}.budget_work() == kTickWork);  // what the studies at 1 kHz count
+
 /// Virtual damping, and the passivity controller behind it.
 class Damping final : public WrenchHook {
  public:
