@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/field/spline_lanes.h"
 
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "haptics/field/spline_lanes.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for every target

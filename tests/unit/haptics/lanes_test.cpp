@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
 #include <iostream>
 #include <set>
