@@ -75,8 +75,7 @@ bool Clearance::look(const Isosurface& solid, const ShellTree& tree, Batch& batc
   const int n = batch.count;
   batch.count = 0;
   if (n == 0) return true;
-  // sixteen at a time, a point costs a quarter of a cell fetched alone
-  budget.spend(solid.field.kind() == FieldKind::Trilinear ? n : n * solid.field.work());
+  budget.spend(n * solid.field.lanesWork().value);
   lanes::Places u;
   lanes::place(batch.map, batch.x, batch.y, batch.z, n, u);
   lanes::Survey found;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace haptics {
 namespace {
@@ -40,6 +41,31 @@ MotionRow rowOf(const Isosurface& solid, const Candidate& point,
           room(below / std::max(wide_slope, along), lengths)};
 }
 
+/// Central differences for those of the candidates that are chosen, sixteen at a time.
+template <class Chosen>
+void widen(const ScalarField& field, const Chosen& chosen, std::span<Candidate> within,
+           Budget& budget) HAPTICS_RT {
+  for (std::size_t first = 0; first < chosen.size(); first += lanes::kLanes) {
+    const auto n = static_cast<int>(std::min<std::size_t>(lanes::kLanes, chosen.size() - first));
+    const auto point = [&](int l) HAPTICS_RT -> Candidate& {
+      return within[static_cast<std::size_t>(chosen[first + static_cast<std::size_t>(l)])];
+    };
+    lanes::Places u;
+    for (int l = 0; l < n; ++l) {
+      u.x[l] = point(l).u.x();
+      u.y[l] = point(l).u.y();
+      u.z[l] = point(l).u.z();
+    }
+    lanes::Slopes found;
+    field.slopes(u, n, true, found);
+    budget.spend(n * field.lanesWork().central_slopes);
+    budget.counts.samples += 6 * n;
+    budget.counts.gradients += n;
+    for (int l = 0; l < n; ++l)
+      point(l).wide_W = {found.central.x[l], found.central.y[l], found.central.z[l]};
+  }
+}
+
 }  // namespace
 
 void gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind normal,
@@ -59,14 +85,12 @@ void gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind norm
   lanes::Numbers x{}, y{}, z{};
   int count = 0;
   const lanes::Affine map = solid.field.affine(tool.X_WP);
+  // differences of a spline are dear, so they wait until the points are chosen
+  const bool later = normal == NormalKind::Central && solid.field.kind() == FieldKind::CubicSpline;
+  const bool central = !later && (normal == NormalKind::Central || !plan.central_differences);
   const auto look = [&]() HAPTICS_RT {
-    // alone a sample, and for the central difference six values
-    const bool together = solid.field.kind() == FieldKind::Trilinear;
-    const bool central = normal == NormalKind::Central || !plan.central_differences;
-    if (central)
-      budget.spend(count * (together ? 3 : 7 * solid.field.work()));
-    else
-      budget.spend(count * (together ? 1 : solid.field.work()));
+    const ScalarField::LanesWork work = solid.field.lanesWork();
+    budget.spend(count * (central ? work.central_slopes : work.slopes));
     budget.counts.samples += count * (central ? 7 : 1);
     budget.counts.gradients += count * (central ? 2 : 1);
     lanes::Places u;
@@ -79,13 +103,15 @@ void gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind norm
       const double gap = slope > 0.0 ? (solid.ceiling() - found.value[l]) / slope
                                      : std::numeric_limits<double>::infinity();
       if (gap > lengths.band || within_count == within.size()) continue;
-      const Vec3 wide{found.central.x[l], found.central.y[l], found.central.z[l]};
-      within[within_count++] = {tool.X_WP.linear() * Vec3{x[l], y[l], z[l]},
-                                Vec3{u.x[l], u.y[l], u.z[l]},
-                                gap,
-                                found.value[l],
-                                exact,
-                                normal == NormalKind::Central ? wide : exact};
+      within[within_count++] = {
+          tool.X_WP.linear() * Vec3{x[l], y[l], z[l]},
+          Vec3{u.x[l], u.y[l], u.z[l]},
+          gap,
+          found.value[l],
+          exact,
+          normal == NormalKind::Central && central
+              ? Vec3{found.central.x[l], found.central.y[l], found.central.z[l]}
+              : exact};
     }
     count = 0;
   };
@@ -134,6 +160,7 @@ void gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind norm
     for (const Slot& slot : nearest) choose(slot.index);
     for (const int i : outermost) choose(i);
   }
+  if (later) widen(solid.field, chosen, within, budget);
   for (const int i : chosen) {
     Candidate& point = within[static_cast<std::size_t>(i)];
     if (normal == NormalKind::Spline) {

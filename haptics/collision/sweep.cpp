@@ -89,7 +89,7 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
   lanes::Survey found;
   if (!first) {
     solid.survey(start, count, found);
-    budget.spend(count);
+    budget.spend(count * field.lanesWork().value);
     budget.counts.samples += found.lookedUp(count);
   }
 
@@ -135,8 +135,8 @@ void Sweep::look(const Isosurface& solid, const ShellTree& tree, const Clearance
   if (left == 0) return;
   lanes::Numbers until;
   std::int64_t cells = 0;
-  solid.field.clear(chords, left, until, cells);
-  budget.spend(2 * cells);
+  field.clear(chords, left, until, cells);
+  budget.spend(field.lanesWork().cell * cells);
   budget.counts.samples += cells;
 
   // the rest of each chord, exactly

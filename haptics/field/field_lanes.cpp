@@ -4,6 +4,7 @@
 
 #include "haptics/field/isosurface.h"
 #include "haptics/field/scalar_field.h"
+#include "haptics/field/spline_lanes.h"
 
 namespace haptics {
 namespace {
@@ -31,22 +32,16 @@ lanes::Affine ScalarField::affine(const Pose& X_WP) const HAPTICS_RT {
 
 void ScalarField::clear(const lanes::Chords& chords, int n, lanes::Numbers& until,
                         std::int64_t& cells) const HAPTICS_RT {
-  if (kind_ == FieldKind::Trilinear) {
-    lanes::clear(lattice_, chords, n, until, cells);
-    return;
-  }
-  for (int l = 0; l < n; ++l) until[l] = chords.from[l];
+  const auto clear = kind_ == FieldKind::Trilinear ? lanes::clear : lanes::spline::clear;
+  clear(lattice_, chords, n, until, cells);
 }
 
 void ScalarField::slopes(const lanes::Places& u, int n, bool central,
                          lanes::Slopes& found) const HAPTICS_RT {
-  std::uint32_t alone = ~0U;
-  if (kind_ == FieldKind::Trilinear) {
-    lanes::slopes(lattice_, u, n, central, found);
-    alone = found.edge;
-  }
+  const auto slopes = kind_ == FieldKind::Trilinear ? lanes::slopes : lanes::spline::slopes;
+  slopes(lattice_, u, n, central, found);
   for (int l = 0; l < n; ++l) {
-    if (!(alone >> l & 1)) {
+    if (!(found.edge >> l & 1)) {
       put(worldGradient(placeIn(found.exact, l)), l, found.exact);
       if (central) put(worldGradient(placeIn(found.central, l)), l, found.central);
       continue;
@@ -59,15 +54,11 @@ void ScalarField::slopes(const lanes::Places& u, int n, bool central,
 }
 
 void Isosurface::survey(const lanes::Places& u, int n, lanes::Survey& found) const HAPTICS_RT {
-  std::uint32_t alone = ~0U;
-  found.empty = 0;
-  if (field.kind() == FieldKind::Trilinear) {
-    lanes::survey(field.lattice(), u, n, ceiling(), found);
-    alone = found.edge;
-  }
+  const auto survey = field.kind() == FieldKind::Trilinear ? lanes::survey : lanes::spline::survey;
+  survey(field.lattice(), u, n, ceiling(), found);
   for (int l = 0; l < n; ++l) {
     const bool empty = found.empty >> l & 1;
-    if (!empty && !(alone >> l & 1)) continue;
+    if (!empty && !(found.edge >> l & 1)) continue;
     // the coarser levels, and what the lanes leave out
     const Vec3 place = placeIn(u, l);
     const MaxPyramid::Bound bound = field.pyramid().bound(place, ceiling());

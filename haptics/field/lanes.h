@@ -7,9 +7,10 @@
 #include "haptics/core/realtime.h"
 #include "haptics/core/volume.h"
 
-/// The trilinear field at sixteen places at a time, with the machine's vector instructions
-/// (Highway, chosen at run time). All arithmetic is in double, in the order of the scalar code in
-/// Cell, without contraction. So every target gives the results of the scalar code, to the bit.
+/// The trilinear field at sixteen places at a time (the spline: spline_lanes.h), with the machine's
+/// vector instructions (Highway, chosen at run time). All arithmetic is in double, in the order of
+/// the scalar code in Cell, without contraction. So every target gives the results of the scalar
+/// code, to the bit.
 namespace haptics::lanes {
 
 inline constexpr int kLanes = 16;

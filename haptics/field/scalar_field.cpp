@@ -147,9 +147,8 @@ FieldSample ScalarField::sample(const Vec3& u) const HAPTICS_RT {
 }
 
 Vec3 ScalarField::splineGradient(const Vec3& u) const HAPTICS_RT {
-  Vec3 per_index;
-  splineCellAround(u).sample(u, per_index);
-  return worldGradient(per_index);
+  if (kind_ == FieldKind::CubicSpline) return sample(u).gradient_W;
+  return worldGradient(splineCellAround(u).normalSlope(u));
 }
 
 Vec3 ScalarField::centralGradient(const Vec3& u) const HAPTICS_RT {

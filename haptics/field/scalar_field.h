@@ -62,8 +62,15 @@ class ScalarField {
   double firstReach(const Vec3& a, const Vec3& b, double level, double tolerance,
                     Budget& budget) const HAPTICS_RT;
   static constexpr int kSplineWork = 12;  ///< work of 64 voxels, their weights and sum
-  /// Units of work of one value or sample (core/budget.h).
+  /// Units of work of one value or sample, fetched alone (core/budget.h).
   int work() const HAPTICS_RT { return kind_ == FieldKind::Trilinear ? kCellWork : kSplineWork; }
+  /// The same for a place, or a cell of a chord, among sixteen.
+  struct LanesWork {
+    int value, slopes, central_slopes, cell;
+  };
+  LanesWork lanesWork() const HAPTICS_RT {
+    return kind_ == FieldKind::Trilinear ? LanesWork{1, 1, 3, 2} : LanesWork{2, 3, 8, 6};
+  }
 
   /// The voxels of a cell, and their trilinear field whatever the kind.
   Cell cellAt(const std::array<std::int64_t, 3>& at) const HAPTICS_RT;
@@ -81,7 +88,7 @@ class ScalarField {
 
   /// Points of a tool at this pose, from the tool frame to index coordinates.
   lanes::Affine affine(const Pose& X_WP) const HAPTICS_RT;
-  /// As lanes::clear. Chords of a spline are not examined here: use firstReach() from the start.
+  /// As lanes::clear.
   void clear(const lanes::Chords& chords, int n, lanes::Numbers& until,
              std::int64_t& cells) const HAPTICS_RT;
   /// F, its own gradient, and if asked for central differences, per metre in W.

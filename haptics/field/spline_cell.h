@@ -23,8 +23,9 @@ struct SplineCell {
 
   std::array<std::int64_t, 3> at{};  ///< index of its lowest corner; one below the box is the ring
                                      ///< outside the box, where F falls to the background
-  std::array<double, 64> voxel;      ///< from at - 1 to at + 2 on each axis, i fastest
-  std::array<int, 3> face{};         ///< -1, 1: outside beyond the low, high face of the axis
+  /// [k][j][i], each from at - 1 to at + 2.
+  std::array<std::array<std::array<double, 4>, 4>, 4> voxel;
+  std::array<int, 3> face{};  ///< -1, 1: outside beyond the low, high face of the axis
   double background = 0.0;
   bool beyond = false;  ///< the whole cell is background
 
@@ -32,6 +33,9 @@ struct SplineCell {
   double value(const Vec3& u) const HAPTICS_RT;  ///< at index coordinates u within the cell
   /// Value, and gradient per index step.
   double sample(const Vec3& u, Vec3& gradient) const HAPTICS_RT;
+  /// The same gradient, summed along i first: the order to which recordings of a trilinear field
+  /// with normals of this kind are held.
+  Vec3 normalSlope(const Vec3& u) const HAPTICS_RT;
   /// The field along the segment a→b of index coordinates.
   Along alongSegment(const Vec3& a, const Vec3& b) const HAPTICS_RT;
 };

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "haptics/collision/motion.h"
+#include "haptics/field/spline_lanes.h"
 
 namespace study::plan {
 namespace {
@@ -41,14 +42,11 @@ struct Sixteen {
 /// The values at places, whatever the pyramid says of them.
 void sampled(const ScalarField& field, const lanes::Places& u, int n,
              lanes::Survey& found) HAPTICS_RT {
-  std::uint32_t alone = ~0U;
-  if (field.kind() == FieldKind::Trilinear) {
-    // no block is below a level that none can be below
-    lanes::survey(field.lattice(), u, n, -std::numeric_limits<double>::infinity(), found);
-    alone = found.edge;
-  }
+  const auto survey = field.kind() == FieldKind::Trilinear ? lanes::survey : lanes::spline::survey;
+  // no block is below a level that none can be below
+  survey(field.lattice(), u, n, -std::numeric_limits<double>::infinity(), found);
   for (int l = 0; l < n; ++l)
-    if (alone >> l & 1) found.value[l] = field.value({u.x[l], u.y[l], u.z[l]});
+    if (found.edge >> l & 1) found.value[l] = field.value({u.x[l], u.y[l], u.z[l]});
 }
 
 /// A slice of a motion's time, and the tool at its two ends.
@@ -85,7 +83,7 @@ void follow(const NearTool& tool, const Slab& slab, const Twist& motion, const S
   lanes::Numbers until;
   std::int64_t cells = 0;
   field.clear(chords, n, until, cells);
-  budget.spend(n + 2 * cells);
+  budget.spend(n + field.lanesWork().cell * cells);
   budget.counts.samples += cells;
   for (int l = 0; l < n; ++l) {
     if (until[l] >= 1.0) continue;
@@ -119,7 +117,7 @@ bool LeftOutWork::collected(const NearTool& tool, double reach, Budget& budget) 
   const auto look = [&]() HAPTICS_RT {
     const int n = sixteen.count;
     sixteen.count = 0;
-    budget.spend(field.kind() == FieldKind::Trilinear ? n : n * field.work());
+    budget.spend(n * field.lanesWork().value);
     lanes::Places u;
     lanes::place(map, sixteen.x.lane, sixteen.y.lane, sixteen.z.lane, n, u);
     lanes::Survey found;
@@ -153,7 +151,7 @@ void LeftOutWork::gathered(const NearTool& tool, const Tolerances& lengths,
   const auto look = [&]() HAPTICS_RT {
     const int n = sixteen.count;
     sixteen.count = 0;
-    budget.spend(field.kind() == FieldKind::Trilinear ? n : n * field.work());
+    budget.spend(n * field.lanesWork().slopes);
     budget.counts.samples += n;
     budget.counts.gradients += n;
     lanes::Places u;
