@@ -129,7 +129,7 @@ Json measureFast(const Touched& touched, const Options& options) {
   loop.grip.gyration = std::sqrt(touched.scene->tool.shell.inertia.trace() / 3.0);
   const auto id = static_cast<std::uint32_t>(touched.scene->id);
   loop.on_start = [&](const haptics::Pose& X) {
-    ring.start({.scene = id, .X_WP = X, .limits = {}, .safety = {}});
+    ring.start({.scene = id, .X_WP = X, .limits = {}, .safety = {}, .rate = {}});
   };
   const auto hand =
       haptics::Hand::aimed(haptics::HandMotion::Slide, *touched.scene, touched.isovalue, 0.012, 1);
