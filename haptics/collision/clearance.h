@@ -10,6 +10,7 @@
 #include "haptics/core/budget.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
+#include "haptics/field/cell_covers.h"
 #include "haptics/field/isosurface.h"
 #include "haptics/tool/shell_tree.h"
 
@@ -28,10 +29,16 @@ struct NearPoint {
 /// bounds prove it, and motion uses it up. Points and whole branches of the shell's tree with
 /// clearance left are skipped, in every tick.
 ///
+/// A dense tool may have so many points on a surface that even one look at each is too much. Then
+/// a node of the tree is *carried*: its box lies beyond the covers of all cells that it reaches
+/// (CellCovers), so all of its points are free. Only one point of a carried node is looked at, the
+/// one that is nearest to the surface.
+///
 /// A search that the budget cuts continues in the next call, if the tool has not moved.
 class Clearance {
  public:
-  explicit Clearance(const ShellTree& tree);
+  /// `band` [m]: points nearer than this get rows. At 0 no node is carried.
+  explicit Clearance(const ShellTree& tree, double band = 0.0);
 
   /// Discards all clearance. Call it when the isovalue changed, or the pose changed without
   /// moved().
@@ -42,10 +49,17 @@ class Clearance {
 
   enum class Verdict { Legal, Inside, Cut };
   /// Finds all points with less than `reach` [m] of clearance at this pose and puts them into
-  /// near(), which may hold other points too. Returns Inside at the first point with F at or above
-  /// the ceiling. Returns Cut if the budget ran out; near() is then incomplete.
+  /// near(), which may hold other points too. Of the nodes that it carries, one point is in near().
+  /// Returns Inside at the first point with F at or above the ceiling. Returns Cut if the budget
+  /// ran out; near() is then incomplete.
   Verdict collect(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP, double reach,
                   Budget& budget) HAPTICS_RT;
+  /// Call it before carry() for another motion.
+  void aim() HAPTICS_RT { aimed_ = 0; }
+  /// After collect(): carries the carried nodes along the motion from X_WP, too. Of the nodes for
+  /// which that is not proven, the points with less than that reach are put into near().
+  Verdict carry(const Isosurface& solid, const ShellTree& tree, const Pose& X_WP,
+                const Twist& motion, Budget& budget) HAPTICS_RT;
 
   /// m that every point of the tool may move in any direction: proven, less the part used up.
   double room(const ShellTree& tree) const HAPTICS_RT {
@@ -58,6 +72,7 @@ class Clearance {
   std::uint32_t search() const HAPTICS_RT { return search_; }
   std::size_t size() const HAPTICS_RT { return found_; }
   const NearPoint& near(std::size_t i) const HAPTICS_RT { return near_[i]; }
+  bool carriesAny() const HAPTICS_RT { return carried_count_ > 0; }
   double farthestArm() const HAPTICS_RT { return arm_; }  ///< m, of the points in near()
 
   /// Calls f with those of the first `count` points of near() that constrain the motion. These are
@@ -77,9 +92,16 @@ class Clearance {
 
   /// Whether near() holds the point at this place of the shell's tree.
   bool holds(std::size_t place) const HAPTICS_RT { return found_in_[place] == search_; }
+  /// Whether the point at this place belongs to a node that is carried.
+  bool carries(const ShellTree& tree, std::size_t place) const HAPTICS_RT;
 
  private:
   struct Batch;
+  struct Ride;
+  bool carried(const Isosurface& solid, const ShellTree& tree, int n, const Ride& ride, int& nearest,
+               Budget& budget) HAPTICS_RT;
+  Verdict walk(const Isosurface& solid, const ShellTree& tree, const Ride& ride,
+               Budget& budget) HAPTICS_RT;
   void restart() HAPTICS_RT;
   bool look(const Isosurface& solid, const ShellTree& tree, Batch& batch,
             Budget& budget) HAPTICS_RT;
@@ -108,8 +130,17 @@ class Clearance {
   double complete_ = -1.0;   ///< m: near() holds all with less clearance than this; -1: none
   double goal_ = -1.0;       ///< m: reach of the pass that was cut; -1: none
   int cursor_ = 0;           ///< node at which to continue
+  int end_ = 0;              ///< node at which this pass ends
+  int open_ = -1;            ///< node that is not carried in this pass
   std::vector<int> opened_;  ///< inner nodes whose children were looked at, in order
   std::size_t opened_count_ = 0;
+
+  CellCovers covers_;
+  std::vector<std::uint32_t> carried_in_;  ///< the search in which a node is carried
+  std::vector<int> carried_;  ///< nodes carried in this search, and some that no longer are
+  std::size_t carried_count_ = 0;
+  std::size_t aimed_ = 0;  ///< number of them that were carried along the motion, or opened
+  double band_;            ///< m
 };
 
 /// The tool at a pose, and its points near the surface there.

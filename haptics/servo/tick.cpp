@@ -216,6 +216,7 @@ class Tick {
     at_.motion = at_.length < length ? scaled(way, at_.length / length) : way;
     at_.whole = arrives && at_.length == length && inOneStep(free);
     at_.stage = Search::Stage::Reach;
+    proxy_.clearance.aim();
     return true;
   }
 
@@ -234,10 +235,12 @@ class Tick {
     at_.motion = share < 1.0 ? scaled(free, share) : free;
     at_.length = reachOf(at_.motion, radius_);
     at_.whole = share == 1.0;
-    if (scene_.plan.looksAgain())
+    if (scene_.plan.looksAgain()) {
       at_.stage = Search::Stage::Reach;
-    else
+      proxy_.clearance.aim();
+    } else {
       arrive(1.0);
+    }
     return true;
   }
 
@@ -253,6 +256,12 @@ class Tick {
     } else {
       const double slabs = std::max(1.0, (kProofWork / std::max(1.0, many) - 1.0) / 3.0);
       shorten(std::min(close, slabs * slab));
+    }
+    if (proxy_.clearance.carriesAny()) {
+      shorten(kCarriedWay * lengths().voxel);
+      if (proxy_.clearance.carry(solid_, scene_.tree, at_.X, at_.motion, budget_) !=
+          Clearance::Verdict::Legal)
+        return false;
     }
     proxy_.sweep.begin(scene_.field, proxy_.clearance, at_.X, at_.motion, lengths());
     at_.stage = Search::Stage::Sweep;
@@ -385,6 +394,7 @@ class Tick {
 
   static constexpr double kMany = 4096;  // near points: then a motion is proven bit by bit
   static constexpr double kProofWork = 32.0 * double(kTickWork);  // of one sub-step at most
+  static constexpr double kCarriedWay = 0.5;  // voxels: of a sub-step with carried nodes at most
   static constexpr int kMoreTries = 3;
   // How long a sub-step is tried: a quarter where one was blocked and nothing new was learned;
   // three times what an impact left of it, so that a slide along a wavy surface does not creep;

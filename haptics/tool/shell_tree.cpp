@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/tool/shell_tree.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace haptics {
@@ -47,6 +49,49 @@ void append(const std::vector<Vec3>& points, std::vector<int>& order, int first,
   nodes[at] = node;
 }
 
+/// The box of a node with all its points.
+ShellTree::Box boxOf(const ShellTree& tree, const ShellTree::Node& node) {
+  const auto first = static_cast<std::size_t>(node.first);
+  const auto point = [&](int i) {
+    const auto at = first + static_cast<std::size_t>(i);
+    return Vec3{tree.x[at], tree.y[at], tree.z[at]};
+  };
+  Vec3 mean = Vec3::Zero();
+  Mat3 squares = Mat3::Zero();
+  for (int i = 0; i < node.count; ++i) {
+    const Vec3 p = point(i) - node.centre;
+    mean += p;
+    squares += p * p.transpose();
+  }
+  mean /= node.count;
+  const Mat3 spread = squares / node.count - mean * mean.transpose();
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver{spread};
+  const Mat3 axes = solver.eigenvectors().rowwise().reverse();  // the thinnest last
+
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  ShellTree::Box box;
+  std::array<double, ShellTree::Box::kOutermost> farthest;
+  farthest.fill(-std::numeric_limits<double>::infinity());
+  for (int i = 0; i < node.count; ++i) {
+    const Vec3 p = axes.transpose() * (point(i) - node.centre);
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+    for (std::size_t k = 0; k < farthest.size(); ++k) {
+      const Vec3 way = k < 8 ? Vec3{k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0}
+                             : Vec3{0.0, 0.0, k == 8 ? 1.0 : -1.0};
+      const double far = way.dot(p);
+      if (far <= farthest[k]) continue;
+      farthest[k] = far;
+      box.outermost[k] = node.first + i;
+    }
+  }
+  box.centre = node.centre + axes * (0.5 * (low + high));
+  // a little wider than rounding could make a point lie
+  const Vec3 half = 0.5 * (high - low) + Vec3::Constant(1e-9 * node.radius);
+  box.half = axes * half.asDiagonal();
+  return box;
+}
+
 }  // namespace
 
 ShellTree::ShellTree(const std::vector<Vec3>& points) : index(points.size()) {
@@ -64,10 +109,14 @@ ShellTree::ShellTree(const std::vector<Vec3>& points) : index(points.size()) {
     z[i] = p.z();
     arm[i] = p.norm();
   }
+  if (size() <= kDense) return;
+  boxes.resize(nodes.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    if (nodes[n].count >= kLeastBox) boxes[n] = boxOf(*this, nodes[n]);
 }
 
 std::size_t ShellTree::bytes() const {
-  return nodes.size() * sizeof(Node) + index.size() * sizeof(int) + 4 * x.size() * sizeof(double);
+  return nodes.size() * sizeof(Node) + boxes.size() * sizeof(Box) + index.size() * sizeof(int) + 4 * x.size() * sizeof(double);
 }
 
 }  // namespace haptics

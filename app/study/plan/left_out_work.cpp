@@ -180,7 +180,7 @@ void LeftOutWork::gathered(const NearTool& tool, const Tolerances& lengths,
     if (tool.near.near(i).free > lengths.band)
       add(static_cast<std::size_t>(tool.near.near(i).place));
   for (std::size_t place = 0; place < follow_.size(); ++place)
-    if (!tool.near.holds(place)) add(place);
+    if (!tool.near.holds(place) && !tool.near.carries(tool.tree, place)) add(place);
   if (sixteen.count > 0) look();
 }
 
