@@ -10,8 +10,8 @@
 namespace haptics {
 namespace {
 
-constexpr std::int64_t kCarryWork = 3;  // of a look at a node's box; a unit more for each cell
-constexpr double kLargest = 2.0;        // voxels: radius of a node that may be carried
+constexpr std::int64_t kCarryWork = 3;   // of a look at a node's box; a unit more for each cell
+constexpr double kLargest = 2.0;         // voxels: radius of a node that may be carried
 constexpr std::int64_t kMostCells = 27;  // that it may reach
 constexpr double kAlike = 0.25;  // of the band: how much nearer than its one point a node may be
 

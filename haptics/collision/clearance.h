@@ -98,8 +98,8 @@ class Clearance {
  private:
   struct Batch;
   struct Ride;
-  bool carried(const Isosurface& solid, const ShellTree& tree, int n, const Ride& ride, int& nearest,
-               Budget& budget) HAPTICS_RT;
+  bool carried(const Isosurface& solid, const ShellTree& tree, int n, const Ride& ride,
+               int& nearest, Budget& budget) HAPTICS_RT;
   Verdict walk(const Isosurface& solid, const ShellTree& tree, const Ride& ride,
                Budget& budget) HAPTICS_RT;
   void restart() HAPTICS_RT;

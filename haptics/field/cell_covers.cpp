@@ -11,7 +11,7 @@ namespace haptics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kDeepest = 5;           // halvings of a cell
+constexpr int kDeepest = 5;            // halvings of a cell
 constexpr int kMostParts = 400;        // of a cell
 constexpr std::int64_t kPartWork = 2;  // of a look at one
 
@@ -27,7 +27,9 @@ struct Part {
 void halve(const Part& part, const std::array<double, 8>& corner_along,
            std::array<Part, 8>& halves) HAPTICS_RT {
   std::array<double, 27> at;  // 3^3 places
-  const auto place = [](int x, int y, int z) { return static_cast<std::size_t>(x + 3 * y + 9 * z); };
+  const auto place = [](int x, int y, int z) {
+    return static_cast<std::size_t>(x + 3 * y + 9 * z);
+  };
   for (std::size_t c = 0; c < 8; ++c)
     at[place(2 * int(c & 1), 2 * int(c >> 1 & 1), 2 * int(c >> 2))] = part.above[c];
   for (int z = 0; z < 3; z += 2)
@@ -80,15 +82,15 @@ double heightAlong(const Cell& cell, const Vec3& n, double level, Budget& budget
     const std::array<double, 8>& F = part.above;
     const double most = *std::max_element(F.begin(), F.end());
     if (most < 0.0) continue;
-    const double slope =
-        0.25 / part.size *
-        (n.x() * (F[1] - F[0] + F[3] - F[2] + F[5] - F[4] + F[7] - F[6]) +
-         n.y() * (F[2] - F[0] + F[3] - F[1] + F[6] - F[4] + F[7] - F[5]) +
-         n.z() * (F[4] - F[0] + F[5] - F[1] + F[6] - F[2] + F[7] - F[3]));
+    const double slope = 0.25 / part.size *
+                         (n.x() * (F[1] - F[0] + F[3] - F[2] + F[5] - F[4] + F[7] - F[6]) +
+                          n.y() * (F[2] - F[0] + F[3] - F[1] + F[6] - F[4] + F[7] - F[5]) +
+                          n.z() * (F[4] - F[0] + F[5] - F[1] + F[6] - F[2] + F[7] - F[3]));
     double bound = farthest * part.size;
     if (slope < 0.0) {
       double dual = -kInfinity;
-      for (std::size_t c = 0; c < 8; ++c) dual = std::max(dual, part.size * along[c] - F[c] / slope);
+      for (std::size_t c = 0; c < 8; ++c)
+        dual = std::max(dual, part.size * along[c] - F[c] / slope);
       bound = std::min(bound, dual);
     }
     // the surface on the four edges that are steepest, and the corners inside
@@ -97,8 +99,7 @@ double heightAlong(const Cell& cell, const Vec3& n, double level, Budget& budget
       const std::size_t beside = c ^ up;
       double reach = along[c];
       if (along[beside] > along[c])
-        reach += (along[beside] - along[c]) *
-                 (F[beside] < 0.0 ? F[c] / (F[c] - F[beside]) : 1.0);
+        reach += (along[beside] - along[c]) * (F[beside] < 0.0 ? F[c] / (F[c] - F[beside]) : 1.0);
       known = std::max(known, part.foot + part.size * reach);
     }
     bound += part.foot;
@@ -110,7 +111,8 @@ double heightAlong(const Cell& cell, const Vec3& n, double level, Budget& budget
     std::array<Part, 8> halves;
     halve(part, along, halves);
     // the farthest along n is looked at first: what is known soon spares the others
-    const unsigned mirror = (n.x() > 0.0 ? 0U : 1U) | (n.y() > 0.0 ? 0U : 2U) | (n.z() > 0.0 ? 0U : 4U);
+    const unsigned mirror =
+        (n.x() > 0.0 ? 0U : 1U) | (n.y() > 0.0 ? 0U : 2U) | (n.z() > 0.0 ? 0U : 4U);
     for (unsigned h = 0; h < 8; ++h) open.push(halves[h ^ mirror]);
   }
   return height;
@@ -125,12 +127,13 @@ Vec3 slopeAround(const ScalarField& field, const std::array<std::int64_t, 3>& at
   Vec3 slope = Vec3::Zero();
   for (int c = 0; c < 8; ++c) {
     const int first[3] = {2 * (c & 1), 2 * (c >> 1 & 1), 2 * (c >> 2)};
-    const Cell cell = field.cellAt({at[0] - 1 + first[0], at[1] - 1 + first[1], at[2] - 1 + first[2]});
+    const Cell cell =
+        field.cellAt({at[0] - 1 + first[0], at[1] - 1 + first[1], at[2] - 1 + first[2]});
     for (int k = 0; k < 8; ++k) {
       const int x = first[0] + (k & 1), y = first[1] + (k >> 1 & 1), z = first[2] + (k >> 2);
-      slope += cell.corner[static_cast<std::size_t>(k)] *
-               Vec3{kRise[x] * kShare[y] * kShare[z], kShare[x] * kRise[y] * kShare[z],
-                    kShare[x] * kShare[y] * kRise[z]};
+      slope += cell.corner[static_cast<std::size_t>(k)] * Vec3{kRise[x] * kShare[y] * kShare[z],
+                                                               kShare[x] * kRise[y] * kShare[z],
+                                                               kShare[x] * kShare[y] * kRise[z]};
     }
   }
   budget.spend(8 * field.work());
@@ -160,8 +163,7 @@ CellCover coverOf(const Isosurface& solid, const std::array<std::int64_t, 3>& at
 const CellCover& CellCovers::at(const Isosurface& solid, const std::array<std::int64_t, 3>& at,
                                 Budget& budget) HAPTICS_RT {
   constexpr std::int64_t kHalf = std::int64_t{1} << 20;
-  const std::int64_t key =
-      ((at[2] + kHalf) << 42) | ((at[1] + kHalf) << 21) | (at[0] + kHalf);
+  const std::int64_t key = ((at[2] + kHalf) << 42) | ((at[1] + kHalf) << 21) | (at[0] + kHalf);
   // the high bits of a product with a large odd number: neighbours fall into different sets
   const std::uint64_t hash = static_cast<std::uint64_t>(key) * 0x9e3779b97f4a7c15U;
   Entry* const set = entries_.data() + (hash >> 52) * kWays;

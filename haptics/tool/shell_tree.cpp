@@ -116,7 +116,8 @@ ShellTree::ShellTree(const std::vector<Vec3>& points) : index(points.size()) {
 }
 
 std::size_t ShellTree::bytes() const {
-  return nodes.size() * sizeof(Node) + boxes.size() * sizeof(Box) + index.size() * sizeof(int) + 4 * x.size() * sizeof(double);
+  return nodes.size() * sizeof(Node) + boxes.size() * sizeof(Box) + index.size() * sizeof(int) +
+         4 * x.size() * sizeof(double);
 }
 
 }  // namespace haptics

@@ -30,43 +30,94 @@ haptics::Tool plate(int count) {
   return made::tool(datasets::platePoints(int(std::lround(std::sqrt(double(count)))), 0.04));
 }
 
+/// A blurred wall with this normal, under noise, whose surface is at 500.
+std::shared_ptr<const haptics::Volume> wall(const Vec3& normal, double noise, unsigned seed) {
+  auto grain = datasets::grains(seed);
+  return made::shared(datasets::sampledFloat(datasets::centredGrid(64, h), [&](const Vec3& p) {
+    return 500.0 - 500.0 * std::tanh(normal.dot(p) / (1.2 * h)) + noise * grain();
+  }));
+}
+
+// straight, the voxels' facets are none; aslant, the proxy of few points lags by 0.045 mm too
 TEST(Starving, ManyPointsAllInFlatContactKeepUp) {
-  const auto volume = made::shared(datasets::sampledFloat(
-      datasets::centredGrid(64, h), [](const Vec3& p) { return 1000.0 - 4e6 * p.z(); }));
   struct Row {
     int count;
-    double lag;   // m: at most, in a slide at 20 mm/s
-    int arrives;  // ticks: in which it is where it belongs once the device rests
+    double lag;     // m: in the mean, in a slide at 50 mm/s
+    double aslant;  // the same on a wall that cuts the voxels aslant
+    int arrives;    // ticks: in which it is where it belongs once the device rests
   };
-  for (const auto& [count, lag, arrives] : {Row{100'489, 2e-3, 100}, Row{1'000'000, 12e-3, 2500}}) {
-    const auto scene = haptics::makeScene(volume, plate(count)).value();
-    Trial trial{scene, 1000.0, at(-0.006, 0, 2e-3)};
-    // the evaluator takes its time over a million points: looked at now and then
-    trial.judged = false;
-    trial.carry(at(-0.006, 0, 2e-3), at(-0.006, 0, -1e-3), 30);
-    double worst = 0.0;
-    const int ticks = count < 500'000 ? made::trials(600) : made::trials(300);
-    for (int n = 1; n <= ticks; ++n) {
-      const double x = -0.006 + 20e-6 * n;
-      trial.step(at(x, 0, -1e-3));
-      worst = std::max(worst, std::abs(trial.place().x() - x));
-      if (n % 100 == 0) {
-        EXPECT_TRUE(trial.isLegal());
+  for (const auto& [count, lag, aslant, arrives] :
+       {Row{10'000, 0.02e-3, 0.065e-3, 3}, Row{100'489, 0.2e-3, 0.2e-3, 10},
+        Row{1'000'000, 2e-3, 2e-3, 60}}) {
+    for (const bool straight : {true, false}) {
+      const Vec3 n = straight ? Vec3{0, 0, 1} : Vec3{0.3, 0.2, 1}.normalized();
+      const haptics::Mat3 R = Quat::FromTwoVectors(Vec3::UnitZ(), n).toRotationMatrix();
+      const auto scene = haptics::makeScene(wall(n, 0.0, 0), plate(count)).value();
+      const auto device = [&](double x, double z) {
+        Pose X = Pose::Identity();
+        X.linear() = R;
+        X.translation() = R * Vec3{x, 0, z};
+        return X;
+      };
+      Trial trial{scene, 500.0, device(-0.006, 2e-3)};
+      // the evaluator takes its time over a million points: looked at now and then
+      trial.judged = false;
+      trial.carry(device(-0.006, 2e-3), device(-0.006, -1e-3), 100);
+      trial.hold(device(-0.006, -1e-3), 40);
+      double mean = 0.0;
+      const int ticks = made::trials(240);
+      for (int n_tick = 1; n_tick <= ticks; ++n_tick) {
+        const Pose D = device(-0.006 + 50e-6 * n_tick, -1e-3);
+        trial.step(D);
+        const Vec3 apart = R.transpose() * (trial.place() - D.translation());
+        mean += apart.head<2>().norm() / ticks;
+        if (n_tick % 80 == 0) {
+          EXPECT_TRUE(trial.isLegal());
+        }
       }
+      const Pose D = device(-0.006 + 50e-6 * ticks, -1e-3);
+      int took = 0;
+      while (trial.last.cut || took == 0) {
+        trial.step(D);
+        if (++took == 500) break;
+      }
+      std::cout << count << " points" << (straight ? "" : ", aslant") << ": " << 1e3 * mean
+                << " mm behind, at rest after " << took << " ticks, " << trial.most_work
+                << " units at most\n";
+      EXPECT_LE(mean, straight ? lag : aslant) << count;
+      EXPECT_LE(took, arrives) << count;
+      EXPECT_LE(trial.most_work, haptics::kTickWork + kOverrun) << count;
+      EXPECT_TRUE(trial.isLegal());
     }
-    const Pose D = at(-0.006 + 20e-6 * ticks, 0, -1e-3);
-    const Vec3 rest = D.translation() + Vec3{0, 0, 1e-3 + scene->lengths.rest_gap};
-    int took = 0;
-    while ((trial.place() - rest).norm() > 0.01 * h && took < 3000) {
-      trial.step(D);
-      ++took;
+  }
+}
+
+// every pose by the evaluator; the surface moves, too
+TEST(Starving, DenseToolsNeverEnterRoughWalls) {
+  Random random{207};
+  for (const bool flat : {true, false}) {
+    const Vec3 n = random.direction();
+    const auto scene =
+        haptics::makeScene(wall(n, 20.0, 208), flat ? plate(5'000) : ballTool(5'000, 8e-3)).value();
+    const auto device = [&](double out) {
+      Pose X = Pose::Identity();
+      const Vec3 aside = random.box(8e-3);
+      X.linear() = Quat::FromTwoVectors(Vec3::UnitZ(), n).toRotationMatrix() *
+                   Quat{Eigen::AngleAxisd{0.1, random.direction()}}.toRotationMatrix();
+      X.translation() = aside - n.dot(aside) * n + (out + (flat ? 0.0 : 8e-3)) * n;
+      return X;
+    };
+    Pose from = device(8e-3);
+    Trial trial{scene, 500.0, from};
+    for (int k = 0; k < made::trials(20); ++k) {
+      const Pose to = device(random.in(-3e-3, 0.5e-3));
+      trial.carry(from, to, 40);
+      // the surface moves away, so the proxy stays outside
+      if (k % 5 == 4) trial.isovalue += 20.0;
+      from = to;
     }
-    std::cout << count << " points: at most " << 1e3 * worst << " mm behind, at rest after " << took
-              << " ticks, " << trial.most_work << " units at most\n";
-    EXPECT_LE(worst, lag) << count;
-    EXPECT_LE(took, arrives) << count;
-    EXPECT_LE(trial.most_work, haptics::kTickWork + kOverrun) << count;
-    EXPECT_TRUE(trial.isLegal());
+    EXPECT_EQ(trial.illegal, 0);
+    EXPECT_GT(trial.contact, made::trials(400));
   }
 }
 

@@ -181,7 +181,8 @@ TEST(CarriedNodes, HoldNoPointThatMeetsTheSurface) {
         k += 9 - k % 10;
         continue;
       }
-      Twist motion{random.in(0.0, 0.3) * h * random.direction(), random.in(0.0, 0.01) * random.direction()};
+      Twist motion{random.in(0.0, 0.3) * h * random.direction(),
+                   random.in(0.0, 0.01) * random.direction()};
       motion.linear -= 0.9 * n.dot(motion.linear) * n;
       const double length = motion.linear.norm() + motion.angular.norm() * tool.shell.radius;
       ASSERT_EQ(clearance.collect(solid, tree, X, length, budget), Clearance::Verdict::Legal);
@@ -197,7 +198,8 @@ TEST(CarriedNodes, HoldNoPointThatMeetsTheSurface) {
         }
         carried += clearance.carries(tree, place);
         const haptics::PointPath path{
-            X.translation(), X.linear() * Vec3{tree.x[place], tree.y[place], tree.z[place]}, motion};
+            X.translation(), X.linear() * Vec3{tree.x[place], tree.y[place], tree.z[place]},
+            motion};
         for (const double share : {0.0, 0.5, 1.0})
           ASSERT_LT(evaluator::fieldAt(*volume, path.at(share * sweep.time())), 500.0);
       }
