@@ -13,6 +13,7 @@ namespace {
 constexpr std::int64_t kCarryWork = 3;   // of a look at a node's box; a unit more for each cell
 constexpr double kLargest = 2.0;         // voxels: radius of a node that may be carried
 constexpr std::int64_t kMostCells = 27;  // that it may reach
+constexpr int kCrowd = 4096;  // points looked at or carried in a search, from which on nodes are
 constexpr double kAlike = 0.25;  // of the band: how much nearer than its one point a node may be
 
 }  // namespace
@@ -82,6 +83,8 @@ void Clearance::restart() HAPTICS_RT {
   complete_ = goal_ = -1.0;
   cursor_ = 0;
   opened_count_ = carried_count_ = aimed_ = 0;
+  crowded_ = crowd_ > kCrowd;
+  crowd_ = 0;
   // a number of its own for each search; after 2^32 of them a stale mark could look fresh
   if (++search_ == 0) {
     std::fill(found_in_.begin(), found_in_.end(), 0);
@@ -94,6 +97,7 @@ void Clearance::forget() HAPTICS_RT {
   covers_.forget();
   ++epoch_;
   translated_ = rotated_ = 0.0;
+  crowd_ = 0;
   restart();
 }
 
@@ -124,6 +128,7 @@ bool Clearance::look(const Isosurface& solid, const ShellTree& tree, Batch& batc
   const int n = batch.count;
   batch.count = 0;
   if (n == 0) return true;
+  crowd_ += n;
   budget.spend(n * solid.field.lanesWork().value);
   lanes::Places u;
   lanes::place(batch.map, batch.x, batch.y, batch.z, n, u);
@@ -327,7 +332,7 @@ Clearance::Verdict Clearance::walk(const Isosurface& solid, const ShellTree& tre
       cursor_ = n;
       return Verdict::Cut;
     }
-    if (covers_.used() && n != open_ && node.count >= ShellTree::kLeastBox &&
+    if (covers_.used() && (crowded_ || crowd_ > kCrowd) && n != open_ && node.count >= ShellTree::kLeastBox &&
         node.radius < ride.largest) {
       int nearest = -1;
       const bool already = carried_in_[at] == search_;
@@ -335,6 +340,7 @@ Clearance::Verdict Clearance::walk(const Isosurface& solid, const ShellTree& tre
         if (!already) {
           carried_in_[at] = search_;
           carried_[carried_count_++] = n;
+          crowd_ += node.count;
         }
         if (nearest >= 0 && !holds(static_cast<std::size_t>(nearest)) && !add(nearest, n)) {
           restart();
