@@ -18,18 +18,9 @@ double room(double gap, const Tolerances& lengths) HAPTICS_RT {
   return gap >= 0.0 ? gap - lengths.rest_gap : -std::min(lengths.rest_gap - gap, 2.0 * h);
 }
 
-/// A near point within the band.
-struct Candidate {
-  Vec3 r_W;
-  Vec3 u;      // index coordinates
-  double gap;  // to first order [m]
-  double value;
-  Vec3 exact_W, wide_W;  // gradients, per metre
-};
-
 /// The row of a near point. A wide gradient smooths the facets of the field; where it
 /// vanishes, or points elsewhere than the cell's own gradient, that is taken (thin plates).
-MotionRow rowOf(const Isosurface& solid, const Candidate& point,
+MotionRow rowOf(const Isosurface& solid, const RowCandidate& point,
                 const Tolerances& lengths) HAPTICS_RT {
   const double slope = point.exact_W.norm(), wide_slope = point.wide_W.norm();
   const double along = wide_slope > 0.0 ? point.wide_W.dot(point.exact_W) / wide_slope : 0.0;
@@ -41,135 +32,207 @@ MotionRow rowOf(const Isosurface& solid, const Candidate& point,
           room(below / std::max(wide_slope, along), lengths)};
 }
 
-/// Central differences for those of the candidates that are chosen, sixteen at a time.
-template <class Chosen>
-void widen(const ScalarField& field, const Chosen& chosen, std::span<Candidate> within,
+/// Central differences for some of the chosen candidates, sixteen at most.
+void widen(const ScalarField& field, std::span<const int> chosen, SurfaceRows& surface,
            Budget& budget) HAPTICS_RT {
-  for (std::size_t first = 0; first < chosen.size(); first += lanes::kLanes) {
-    const auto n = static_cast<int>(std::min<std::size_t>(lanes::kLanes, chosen.size() - first));
-    const auto point = [&](int l) HAPTICS_RT -> Candidate& {
-      return within[static_cast<std::size_t>(chosen[first + static_cast<std::size_t>(l)])];
-    };
-    lanes::Places u;
-    for (int l = 0; l < n; ++l) {
-      u.x[l] = point(l).u.x();
-      u.y[l] = point(l).u.y();
-      u.z[l] = point(l).u.z();
-    }
-    lanes::Slopes found;
-    field.slopes(u, n, true, found);
-    budget.spend(n * field.lanesWork().central_slopes);
-    budget.counts.samples += 6 * n;
-    budget.counts.gradients += n;
-    for (int l = 0; l < n; ++l)
-      point(l).wide_W = {found.central.x[l], found.central.y[l], found.central.z[l]};
+  const auto n = static_cast<int>(chosen.size());
+  const auto point = [&](int l) HAPTICS_RT -> RowCandidate& {
+    return surface.candidates[static_cast<std::size_t>(chosen[static_cast<std::size_t>(l)])];
+  };
+  lanes::Places u;
+  for (int l = 0; l < n; ++l) {
+    u.x[l] = point(l).u.x();
+    u.y[l] = point(l).u.y();
+    u.z[l] = point(l).u.z();
   }
+  lanes::Slopes found;
+  field.slopes(u, n, true, found);
+  budget.spend(n * field.lanesWork().central_slopes);
+  budget.counts.samples += 6 * n;
+  budget.counts.gradients += n;
+  for (int l = 0; l < n; ++l)
+    point(l).wide_W = {found.central.x[l], found.central.y[l], found.central.z[l]};
 }
 
-}  // namespace
+/// Makes rows, and continues with what a cut left. Every stage returns false if cut.
+class Gathering {
+ public:
+  Gathering(const NearTool& tool, const Tolerances& lengths, NormalKind normal, const Plan& plan,
+            SurfaceRows& surface, Budget& budget) HAPTICS_RT
+      : tool_{tool},
+        field_{tool.solid.field},
+        lengths_{lengths},
+        normal_{normal},
+        // differences of a spline are dear, so they wait until the points are chosen
+        later_{normal == NormalKind::Central && field_.kind() == FieldKind::CubicSpline},
+        central_{!later_ && (normal == NormalKind::Central || !plan.central_differences)},
+        surface_{surface},
+        budget_{budget} {}
 
-void gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind normal,
-                const Plan& plan, SurfaceRows& surface, Budget& budget) HAPTICS_RT {
-  const Isosurface& solid = tool.solid;
-  const ShellTree& tree = tool.tree;
-  const Clearance& near = tool.near;
-  const bool still = surface.search == near.search();
-  if (still && plan.still_rows) return;
-  if (!still) surface.near = near.size();
-  surface.search = near.search();
-  surface.rows.clear();
+  /// The nearest points of each patch of the shell whose first-order gap lies in the band.
+  bool look() HAPTICS_RT {
+    Sixteen sixteen;
+    std::size_t seen = 0;
+    bool cut = false;
+    const auto through = [&]() HAPTICS_RT {
+      cut = !budget_.left();
+      if (cut) return;
+      lookAt(sixteen);
+      sixteen.count = 0;
+      surface_.looked = seen;
+    };
+    tool_.near.eachNearest(surface_.near, [&](const NearPoint& point) HAPTICS_RT {
+      if (cut || seen++ < surface_.looked || point.free > lengths_.band) return;
+      const auto place = static_cast<std::size_t>(point.place);
+      sixteen.x[sixteen.count] = tool_.tree.x[place];
+      sixteen.y[sixteen.count] = tool_.tree.y[place];
+      sixteen.z[sixteen.count] = tool_.tree.z[place];
+      if (++sixteen.count == lanes::kLanes) through();
+    });
+    if (!cut && sixteen.count > 0) through();
+    return !cut;
+  }
 
-  // the nearest point of each patch of the shell, if its first-order gap lies in the band
-  std::array<Candidate, Clearance::kFew> within;
-  std::size_t within_count = 0;
-  lanes::Numbers x{}, y{}, z{};
-  int count = 0;
-  const lanes::Affine map = solid.field.affine(tool.X_WP);
-  // differences of a spline are dear, so they wait until the points are chosen
-  const bool later = normal == NormalKind::Central && solid.field.kind() == FieldKind::CubicSpline;
-  const bool central = !later && (normal == NormalKind::Central || !plan.central_differences);
-  const auto look = [&]() HAPTICS_RT {
-    const ScalarField::LanesWork work = solid.field.lanesWork();
-    budget.spend(count * (central ? work.central_slopes : work.slopes));
-    budget.counts.samples += count * (central ? 7 : 1);
-    budget.counts.gradients += count * (central ? 2 : 1);
-    lanes::Places u;
-    lanes::place(map, x.lane, y.lane, z.lane, count, u);
-    lanes::Slopes found;
-    solid.field.slopes(u, count, central, found);
-    for (int l = 0; l < count; ++l) {
-      const Vec3 exact{found.exact.x[l], found.exact.y[l], found.exact.z[l]};
-      const double slope = exact.norm();
-      const double gap = slope > 0.0 ? (solid.ceiling() - found.value[l]) / slope
-                                     : std::numeric_limits<double>::infinity();
-      if (gap > lengths.band || within_count == within.size()) continue;
-      within[within_count++] = {
-          tool.X_WP.linear() * Vec3{x[l], y[l], z[l]},
-          Vec3{u.x[l], u.y[l], u.z[l]},
-          gap,
-          found.value[l],
-          exact,
-          normal == NormalKind::Central && central
-              ? Vec3{found.central.x[l], found.central.y[l], found.central.z[l]}
-              : exact};
+  /// Of too many candidates, those with the least gaps and the outermost.
+  bool choose() HAPTICS_RT {
+    const auto& candidates = surface_.candidates;
+    const std::size_t count = candidates.size();
+    FixedVector<int, kMostSurfaceRows>& chosen = surface_.chosen;
+    if (count <= kMostSurfaceRows) {
+      for (std::size_t i = 0; i < count; ++i) chosen.push(static_cast<int>(i));
+      return true;
     }
-    count = 0;
-  };
-  near.eachNearest(surface.near, [&](const NearPoint& point) HAPTICS_RT {
-    if (point.free > lengths.band) return;
-    const auto place = static_cast<std::size_t>(point.place);
-    x[count] = tree.x[place];
-    y[count] = tree.y[place];
-    z[count] = tree.z[place];
-    if (++count == lanes::kLanes) look();
-  });
-  if (count > 0) look();
-
-  // of too many, those with the least gaps and the outermost
-  FixedVector<int, kMostSurfaceRows> chosen;
-  const auto choose = [&](int i) HAPTICS_RT {
-    if (std::find(chosen.begin(), chosen.end(), i) == chosen.end()) chosen.push(i);
-  };
-  if (within_count <= kNearest + 26) {
-    for (std::size_t i = 0; i < within_count; ++i) chosen.push(static_cast<int>(i));
-  } else {
+    // the outermost along the thirteen axes of a cube, either way
+    std::array<double, Clearance::kFew> along;
+    for (; surface_.directions < 26; surface_.directions += 2) {
+      if (!budget_.left()) return false;
+      budget_.spend(static_cast<std::int64_t>(count) / kCandidatesOfAUnit);
+      const std::size_t d = surface_.directions / 2;
+      const double ax = double(d % 3) - 1, ay = double(d / 3 % 3) - 1, az = double(d / 9) - 1;
+      for (std::size_t i = 0; i < count; ++i)
+        along[i] =
+            ax * candidates[i].r_W.x() + ay * candidates[i].r_W.y() + az * candidates[i].r_W.z();
+      const auto [low, high] =
+          std::minmax_element(along.begin(), along.begin() + std::ptrdiff_t(count));
+      surface_.outermost[surface_.directions] = static_cast<int>(low - along.begin());
+      surface_.outermost[surface_.directions + 1] = static_cast<int>(high - along.begin());
+    }
+    if (!budget_.left()) return false;
+    budget_.spend(static_cast<std::int64_t>(count) / kCandidatesOfAUnit);
     struct Slot {
       double measure = std::numeric_limits<double>::infinity();
       int index = -1;
     };
     std::array<Slot, kNearest> nearest;
-    for (std::size_t i = 0; i < within_count; ++i) {
-      const double gap = within[i].gap;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double gap = candidates[i].gap;
       if (gap >= nearest.back().measure) continue;
       auto slot = nearest.end() - 1;
       for (; slot != nearest.begin() && (slot - 1)->measure > gap; --slot) *slot = *(slot - 1);
       *slot = {gap, static_cast<int>(i)};
     }
-    // the outermost along the thirteen axes of a cube, either way
-    std::array<double, Clearance::kFew> along;
-    std::array<int, 26> outermost;
-    for (int d = 0; d < 13; ++d) {
-      const double ax = d % 3 - 1, ay = d / 3 % 3 - 1, az = d / 9 - 1;
-      for (std::size_t i = 0; i < within_count; ++i)
-        along[i] = ax * within[i].r_W.x() + ay * within[i].r_W.y() + az * within[i].r_W.z();
-      const auto [low, high] =
-          std::minmax_element(along.begin(), along.begin() + std::ptrdiff_t(within_count));
-      outermost[static_cast<std::size_t>(2 * d)] = static_cast<int>(low - along.begin());
-      outermost[static_cast<std::size_t>(2 * d + 1)] = static_cast<int>(high - along.begin());
-    }
-    for (const Slot& slot : nearest) choose(slot.index);
-    for (const int i : outermost) choose(i);
+    const auto take = [&](int i) HAPTICS_RT {
+      if (std::find(chosen.begin(), chosen.end(), i) == chosen.end()) chosen.push(i);
+    };
+    for (const Slot& slot : nearest) take(slot.index);
+    for (const int i : surface_.outermost) take(i);
+    return true;
   }
-  if (later) widen(solid.field, chosen, within, budget);
-  for (const int i : chosen) {
-    Candidate& point = within[static_cast<std::size_t>(i)];
-    if (normal == NormalKind::Spline) {
-      budget.spend(ScalarField::kSplineWork);
-      ++budget.counts.gradients;
-      point.wide_W = solid.field.splineGradient(point.u);
+
+  /// The rows of the chosen, sixteen at a time.
+  bool write() HAPTICS_RT {
+    const std::span<const int> chosen{surface_.chosen.begin(), surface_.chosen.size()};
+    while (surface_.rows.size() < chosen.size()) {
+      if (!budget_.left()) return false;
+      const std::size_t first = surface_.rows.size();
+      const auto some =
+          chosen.subspan(first, std::min<std::size_t>(lanes::kLanes, chosen.size() - first));
+      if (later_) widen(field_, some, surface_, budget_);
+      for (const int i : some) {
+        RowCandidate& point = surface_.candidates[static_cast<std::size_t>(i)];
+        if (normal_ == NormalKind::Spline) {
+          budget_.spend(ScalarField::kSplineWork);
+          ++budget_.counts.gradients;
+          point.wide_W = field_.splineGradient(point.u);
+        }
+        surface_.rows.push(rowOf(tool_.solid, point, lengths_));
+      }
     }
-    surface.rows.push(rowOf(solid, point, lengths));
+    return true;
   }
+
+ private:
+  /// Some near points, sixteen at most, by coordinate.
+  struct Sixteen {
+    lanes::Numbers x{}, y{}, z{};
+    int count = 0;
+  };
+
+  void lookAt(const Sixteen& some) HAPTICS_RT {
+    const int n = some.count;
+    const ScalarField::LanesWork work = field_.lanesWork();
+    budget_.spend(n * (central_ ? work.central_slopes : work.slopes));
+    budget_.counts.samples += n * (central_ ? 7 : 1);
+    budget_.counts.gradients += n * (central_ ? 2 : 1);
+    lanes::Places u;
+    lanes::place(field_.affine(tool_.X_WP), some.x.lane, some.y.lane, some.z.lane, n, u);
+    lanes::Slopes found;
+    field_.slopes(u, n, central_, found);
+    for (int l = 0; l < n; ++l) {
+      const Vec3 exact{found.exact.x[l], found.exact.y[l], found.exact.z[l]};
+      const double slope = exact.norm();
+      const double gap = slope > 0.0 ? (tool_.solid.ceiling() - found.value[l]) / slope
+                                     : std::numeric_limits<double>::infinity();
+      if (gap > lengths_.band) continue;
+      surface_.candidates.push(
+          {tool_.X_WP.linear() * Vec3{some.x[l], some.y[l], some.z[l]},
+           Vec3{u.x[l], u.y[l], u.z[l]}, gap, found.value[l], exact,
+           normal_ == NormalKind::Central && central_
+               ? Vec3{found.central.x[l], found.central.y[l], found.central.z[l]}
+               : exact});
+    }
+  }
+
+  /// A unit of work is that many candidates, looked at along a direction.
+  static constexpr std::int64_t kCandidatesOfAUnit = 4;
+
+  const NearTool& tool_;
+  const ScalarField& field_;
+  const Tolerances& lengths_;
+  const NormalKind normal_;
+  const bool later_, central_;
+  SurfaceRows& surface_;
+  Budget& budget_;
+};
+
+}  // namespace
+
+bool gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind normal,
+                const Plan& plan, SurfaceRows& surface, Budget& budget) HAPTICS_RT {
+  using Stage = SurfaceRows::Stage;
+  const bool still = surface.search == tool.near.search();
+  if (!still || surface.stage == Stage::Done) {
+    if (still && plan.still_rows) return true;
+    if (!still) surface.near = tool.near.size();
+    surface.search = tool.near.search();
+    surface.stage = Stage::Look;
+    surface.looked = surface.directions = 0;
+    surface.rows.clear();
+    surface.candidates.clear();
+    surface.chosen.clear();
+  }
+  Gathering gathering{tool, lengths, normal, plan, surface, budget};
+  if (surface.stage == Stage::Look) {
+    if (!gathering.look()) return false;
+    surface.stage = Stage::Choose;
+  }
+  if (surface.stage == Stage::Choose) {
+    if (!gathering.choose()) return false;
+    surface.stage = Stage::Write;
+  }
+  if (!gathering.write()) return false;
+  surface.stage = Stage::Done;
+  return true;
 }
 
 void joinRows(const Contacts& contacts, const SurfaceRows& surface, const Tolerances& lengths,

@@ -53,6 +53,7 @@ void push(const Scene& scene, const Isosurface& solid, Pose& X_WT, Budget& budge
   const ConstrainedMotion out =
       constrainedMotion({}, {rows.begin(), rows.size()}, scene.metric, X_WT.linear());
   budget.counts.pivots += out.pivots;
+  budget.spend(out.work);
   if (out.status == ConstrainedMotion::Status::Exact) {
     const double size = out.whitened.norm();
     X_WT = moved(X_WT, out.twist, size > 4.0 * h ? 4.0 * h / size : 1.0);

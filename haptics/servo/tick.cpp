@@ -172,15 +172,19 @@ class Tick {
       case Clearance::Verdict::Legal:
         break;
     }
-    gatherRows(tool(), lengths(), scene_.normal, scene_.plan, proxy_.surface, budget_);
+    if (!gatherRows(tool(), lengths(), scene_.normal, scene_.plan, proxy_.surface, budget_))
+      return false;
     if (proxy_.second_look != nullptr)
       proxy_.second_look->gathered(tool(), lengths(), proxy_.surface, budget_);
     joinRows(proxy_.contacts, proxy_.surface, lengths(), rows_);
 
-    // 3  the nearest motion that leaves every contact its room
+    // 3  the nearest motion that leaves every contact its room; not cut once begun, and what it
+    // finds is used in this tick, so that a small budget gets on
+    if (!budget_.left()) return false;
     ConstrainedMotion allowed =
         constrainedMotion(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear());
     budget_.counts.pivots += allowed.pivots;
+    budget_.spend(allowed.work);
     if (coupling_.friction > 0.0 && allowed.active > 0)
       allowed = withFriction(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear(),
                              coupling_.friction, allowed, budget_);
@@ -209,7 +213,8 @@ class Tick {
       result.followed = !tried || inOneStep(free) || gone_ < lengths().step_free;
       return true;
     }
-    if (!budget_.left()) return false;
+    // what friction does is not known to the end
+    if (budget_.cut()) return false;
     at_.X_goal = X_WD_;
     if (arrives && !inOneStep(free) && advance(free)) return true;
     at_.length = std::min(most * length, at_.trust);

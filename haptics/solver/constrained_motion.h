@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include "haptics/core/geometry.h"
@@ -29,6 +30,7 @@ struct ConstrainedMotion {
   int active = 0;                ///< active rows: at most six
   std::array<int, 6> bearing{};  ///< indices of the active rows; the first `active` are valid
   int pivots = 0;                ///< rows that entered or left the active set
+  std::int64_t work = 0;         ///< units of a Budget that the caller has to spend on it
   /// Reaction of each active row: M (V - V_free) = sum of reaction · (n, r x n) [m, metric of mass
   /// 1].
   std::array<double, 6> reaction{};

@@ -158,6 +158,7 @@ ConstrainedMotion withFriction(const Twist& free, std::span<const MotionRow> row
       y_held += b.tangential.x() * b.t1 + b.tangential.y() * b.t2;
     held = constrainedMotion(metric.twist(y_held, R_WP), rows, metric, R_WP);
     budget.counts.pivots += held.pivots;
+    budget.spend(held.work);
     if (held.status == ConstrainedMotion::Status::Infeasible) return frictionless;
     if (!bear(held)) break;
   }

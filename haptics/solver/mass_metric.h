@@ -32,6 +32,8 @@ class MassMetric {
     return a;
   }
   const Mat3& inertia() const HAPTICS_RT { return I_P_; }
+  /// L^-1, of which row() makes use.
+  const Mat3& shape() const HAPTICS_RT { return L_inverse_; }
 
  private:
   Mat3 I_P_, L_, L_inverse_;

@@ -175,7 +175,7 @@ void FirstHit(benchmark::State& state) {
 }
 BENCHMARK(FirstHit)->RangeMultiplier(10)->Range(1000, 100'000)->Unit(benchmark::kMicrosecond);
 
-/// Budget: 2 us at 60 rows, of a tick's 200.
+/// Budget: 4 us at 60 rows, of a tick's 200.
 void Projection(benchmark::State& state) {
   std::mt19937 random{5};
   std::normal_distribution<double> normal;

@@ -184,4 +184,46 @@ TEST(Starving, SpecksEverywhereDoNotHoldTheProxy) {
   EXPECT_LT(lag[1], 1.3 * lag[0] + 1e-3);
 }
 
+// rows of four hundred points and their projection take some 3,000 units: cut anywhere in them, the
+// next tick goes on, and the plate gets to where one of an ample budget gets
+TEST(Starving, ATickTooShortForItsRowsAndTheirProjectionGetsOn) {
+  for (const bool noisy : {false, true}) {
+    Random grain{207};
+    const auto volume =
+        made::shared(datasets::sampledFloat(datasets::centredGrid(48, h), [&](const Vec3& p) {
+          return 1000.0 - 4e5 * p.z() + (noisy ? grain.in(-40.0, 40.0) : 0.0);
+        }));
+    const auto scene = haptics::makeScene(volume, plate(400)).value();
+    Vec3 rest = Vec3::Zero();
+    for (const std::int64_t allowance :
+         {haptics::kTickWork, std::int64_t{700}, std::int64_t{100}}) {
+      SCOPED_TRACE(std::to_string(allowance) + (noisy ? " in noise" : ""));
+      Trial trial{scene, 1000.0, at(-0.002, 0, 3e-3)};
+      trial.allowance = allowance;
+      trial.carry(at(-0.002, 0, 3e-3), at(-0.002, 0, -1e-3), 60);
+      trial.carry(at(-0.002, 0, -1e-3), at(0.002, 0, -1e-3), 200);
+      int cut = 0;
+      for (int n = 0; n < 3000; ++n) cut += trial.step(at(0.002, 0, -1e-3)).cut;
+      EXPECT_EQ(trial.illegal, 0);
+      EXPECT_GT(trial.contact, 3000);
+      // a projection, or what is done between two looks at the budget
+      EXPECT_LE(trial.most_work, allowance + 600);
+      if (allowance == haptics::kTickWork) {
+        rest = trial.place();
+        // at rest it does little else than the projection
+        haptics::Budget budget = haptics::Budget::counted(allowance);
+        haptics::tick(*scene, 1000.0, trial.coupling, at(0.002, 0, -1e-3), trial.proxy, budget,
+                      1e-3);
+        EXPECT_GT(budget.counts.pivots, 0);
+        EXPECT_GE(budget.spent(), 15 * budget.counts.pivots);
+        continue;
+      }
+      std::cout << allowance << " units: " << cut << " ticks cut at rest, "
+                << 1e3 * (trial.place() - rest).norm() << " mm from where it ends otherwise\n";
+      // in noise it may find rest in another dent
+      EXPECT_LT((trial.place() - rest).norm(), (noisy ? 0.3 : 0.01) * h);
+    }
+  }
+}
+
 }  // namespace

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <vector>
 
 #include "datasets/phantoms/making.h"
+#include "haptics/solver/row_lanes.h"
 #include "tests/support/made.h"
+#include "tests/unit/haptics/every_target.h"
 
 namespace {
 
@@ -253,6 +256,77 @@ TEST(ConstrainedMotion, RowsThatContradictEachOtherAreRelaxedAndNoneIsApproached
     relaxed.rows[0].room = relaxed.rows[1].room = 0.0;
     EXPECT_LT(karushKuhnTucker(relaxed, motion), 1e-12);
     EXPECT_GT(c.inner(motion.twist, motion.twist), 0.0);  // along the slit it may go
+  }
+}
+
+/// A few hundred problems, with any number of rows, rows that are equal, and rows that say nothing.
+std::vector<Case> manyCases() {
+  Random random{27};
+  std::vector<Case> cases;
+  for (int trial = 0; trial < 300; ++trial) {
+    Case c = someCase(random, 1 + trial % 80);
+    if (trial % 3 == 0) c.rows.insert(c.rows.end(), c.rows.begin(), c.rows.begin() + 1);
+    if (trial % 5 == 0) c.rows.front().n_W.setZero();
+    cases.push_back(std::move(c));
+  }
+  return cases;
+}
+
+TEST(ConstrainedMotion, EveryKindOfVectorGivesTheSameBits) {
+  const std::vector<Case> cases = manyCases();
+  std::vector<ConstrainedMotion> first;
+  onEveryTarget([&](const std::string& target) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      SCOPED_TRACE(target + ", case " + std::to_string(i));
+      const ConstrainedMotion motion = cases[i].solve();
+      if (first.size() == i) first.push_back(motion);
+      ASSERT_EQ(motion.status, first[i].status);
+      ASSERT_EQ(motion.pivots, first[i].pivots);
+      ASSERT_EQ(motion.active, first[i].active);
+      ASSERT_EQ(motion.bearing, first[i].bearing);
+      ASSERT_EQ(motion.reaction, first[i].reaction);
+      ASSERT_EQ(motion.whitened, first[i].whitened);
+      ASSERT_EQ(motion.twist.linear, first[i].twist.linear);
+      ASSERT_EQ(motion.twist.angular, first[i].twist.angular);
+    }
+  });
+}
+
+TEST(ConstrainedMotion, TheMostViolatedRowIsTheFirstOfEquals) {
+  namespace lanes = haptics::row_lanes;
+  Random random{28};
+  onEveryTarget([&](const std::string& target) {
+    SCOPED_TRACE(target);
+    for (int trial = 0; trial < 500; ++trial) {
+      lanes::Rows rows;
+      rows.count = lanes::kWidest * (1 + trial % (lanes::kMostRows / lanes::kWidest));
+      // few values, so that there are equals; of each row one coordinate
+      for (int i = 0; i < rows.count; ++i) {
+        for (auto& coordinate : rows.a) coordinate[i] = 0.0;
+        rows.a[i % 6][i] = 1.0;
+        rows.b[i] = random.below(5);
+      }
+      double y[6];
+      for (double& at : y) at = random.below(3);
+      const double tolerance = random.below(3);
+      int best = -1;
+      double least = -tolerance;
+      for (int i = 0; i < rows.count; ++i)
+        if (y[i % 6] - rows.b[i] < least) {
+          least = y[i % 6] - rows.b[i];
+          best = i;
+        }
+      ASSERT_EQ(lanes::mostViolated(rows, rows.b, y, tolerance), best);
+    }
+  });
+}
+
+TEST(ConstrainedMotion, SaysWhatItCost) {
+  for (const Case& c : manyCases()) {
+    const ConstrainedMotion motion = c.solve();
+    EXPECT_GT(motion.work, 15 * motion.pivots);
+    // 10 ns a unit: what a tick does between two looks at its budget
+    EXPECT_LT(motion.work, 1000);
   }
 }
 

@@ -2,14 +2,11 @@
 #include "haptics/field/lanes.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
-#include <iostream>
-#include <set>
 #include <vector>
 
 #include "datasets/phantoms/making.h"
@@ -17,6 +14,7 @@
 #include "haptics/field/isosurface.h"
 #include "haptics/field/spline_lanes.h"
 #include "tests/support/made.h"
+#include "tests/unit/haptics/every_target.h"
 #include "tests/unit/haptics/spline_reference.h"
 
 namespace {
@@ -29,23 +27,6 @@ using haptics::Pose;
 using haptics::ScalarField;
 using haptics::Vec3;
 namespace lanes = haptics::lanes;
-
-/// Runs `f` once for every kind of vector this machine has, and none.
-template <class F>
-void onEveryTarget(F&& f) {
-  std::set<std::string> names;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    names.insert(lanes::targetName());
-    f(std::string{lanes::targetName()});
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  std::cout << "on";
-  for (const std::string& name : names) std::cout << ' ' << name;
-  std::cout << '\n';
-}
 
 /// What every target has to find, to the bit: what the first one found.
 class SameOnEveryTarget {

@@ -185,6 +185,61 @@ double offTruth(const Scene& scene, NormalKind kind, const Pose& X_WP, Normal&& 
   return sum;
 }
 
+// a tick cut anywhere in the rows goes on with them in the next: the same rows, to the bit
+TEST(Rows, AreTheSameWhereverTheyWereCut) {
+  Random random{64};
+  int chosen = 0;
+  for (const haptics::FieldKind field :
+       {haptics::FieldKind::Trilinear, haptics::FieldKind::CubicSpline})
+    for (const NormalKind kind : {NormalKind::Central, NormalKind::Cell, NormalKind::Spline}) {
+      const auto scene =
+          makeScene(
+              made::shared(datasets::sampledFloat(
+                  datasets::centredGrid(40, h),
+                  [&](const Vec3& p) { return 1e5 * (0.0103 - p.norm()) + random.in(-2, 2); })),
+              made::tool(datasets::ballPoints(500, 12.35e-3)), {.field = field})
+              .value();
+      const Isosurface solid{scene->field, -200.0};
+      const Pose X = Pose::Identity();
+      haptics::Clearance clearance{scene->tree};
+      Budget budget = unlimited();
+      ASSERT_EQ(clearance.collect(solid, scene->tree, X, scene->lengths.band, budget),
+                haptics::Clearance::Verdict::Legal);
+      const auto gather = [&](haptics::SurfaceRows& surface, Budget& some) {
+        return haptics::gatherRows({solid, scene->tree, X, clearance}, scene->lengths, kind, {},
+                                   surface, some);
+      };
+      haptics::SurfaceRows whole;
+      budget = unlimited();
+      ASSERT_TRUE(gather(whole, budget));
+      chosen += whole.candidates.size() > haptics::kMostSurfaceRows;
+      for (const int least : {2, 50, 300}) {
+        haptics::SurfaceRows parts;
+        int cuts = 0;
+        for (;; ++cuts) {
+          ASSERT_LT(cuts, 2000);
+          const int work = least + random.below(least);
+          Budget some = Budget::counted(work);
+          const bool through = gather(parts, some);
+          ASSERT_LE(some.spent(), work + 250);  // what is done between two looks at the budget
+          if (through) break;
+        }
+        EXPECT_GT(cuts, 0);
+        ASSERT_EQ(parts.candidates.size(), whole.candidates.size());
+        ASSERT_EQ(parts.rows.size(), whole.rows.size());
+        for (std::size_t i = 0; i < whole.rows.size(); ++i) {
+          ASSERT_EQ(parts.rows[i].n_W, whole.rows[i].n_W);
+          ASSERT_EQ(parts.rows[i].r_W, whole.rows[i].r_W);
+          ASSERT_EQ(parts.rows[i].room, whole.rows[i].room);
+        }
+        // and they are kept
+        Budget none = Budget::counted(0);
+        EXPECT_TRUE(gather(parts, none));
+      }
+    }
+  EXPECT_GT(chosen, 0);
+}
+
 TEST(Normals, AreThoseOfALinearFieldWhateverTheKind) {
   Random random{61};
   for (int k = 0; k < 8; ++k) {
