@@ -18,7 +18,7 @@ struct Plan {
   /// Collision detection and rows, in a tick in which every point of the tool is proven to have
   /// more room than the hand moved. It needs the next two omissions, and is off if either is off.
   bool free_space = true;
-  /// Sampling of points, branches of the shell and paths that the pyramid's bounds prove free. Off:
+  /// Sampling of points, branches of the shell and paths that bounds of the field prove free. Off:
   /// every point is sampled at every pose, and every cell of its path is examined.
   bool empty_space = true;
   /// New checks of points and branches whose room motion has not used up.
