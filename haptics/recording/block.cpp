@@ -23,9 +23,12 @@ struct ContactColumn {
   const char* unit;
   double per_unit;  ///< as StepColumn::per_unit
 };
+// a tenth of a micrometre, a twentieth of a milliradian, a tenth of a millinewton
+constexpr double kPerArm = 1e7, kPerNormal = 1e4, kPerPush = 1e4;
 constexpr ContactColumn kContactColumns[] = {
-    {"arm_x", "m", 1e8},    {"arm_y", "m", 1e8},    {"arm_z", "m", 1e8}, {"normal_x", "1", 1e5},
-    {"normal_y", "1", 1e5}, {"normal_z", "1", 1e5}, {"push", "N", 1e5},
+    {"arm_x", "m", kPerArm},       {"arm_y", "m", kPerArm},       {"arm_z", "m", kPerArm},
+    {"normal_x", "1", kPerNormal}, {"normal_y", "1", kPerNormal}, {"normal_z", "1", kPerNormal},
+    {"push", "N", kPerPush},
 };
 /// Of a number of a contact, as it is stored.
 std::size_t contactBytes(Layout layout) {
@@ -251,6 +254,7 @@ std::string stepLayout(Layout layout) {
   if (layout == Layout::Rounded) columns.push_back({"check", nameOf(ColumnType::Uint32), ""});
   return columns.dump();
 }
+
 std::string contactLayout(Layout layout) {
   nlohmann::json columns = nlohmann::json::array();
   for (const ContactColumn& column : kContactColumns) {

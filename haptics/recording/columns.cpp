@@ -225,15 +225,16 @@ PoseNumbers numbersOf(const Pose& X) {
 
 std::uint32_t checkOf(const PoseNumbers& proxy, const Wrench& sent_W) {
   constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;  // 2^64 divided by the golden ratio
+  constexpr int kBits = 23;
   std::uint64_t mixed = 0;
   const auto mix = [&](double number) {
-    mixed = (mixed ^ std::bit_cast<std::uint64_t>(number)) * kOdd;
-    mixed ^= mixed >> 32;
+    // the upper bits are those of the product that depend on all others
+    mixed = (mixed ^ (mixed >> 32) ^ std::bit_cast<std::uint64_t>(number)) * kOdd;
   };
   for (const double number : proxy) mix(number);
   for (const double number : sent_W.force) mix(number);
   for (const double number : sent_W.torque) mix(number);
-  return static_cast<std::uint32_t>(mixed);
+  return static_cast<std::uint32_t>(mixed >> (64 - kBits));
 }
 
 std::span<const StepColumn> stepColumns() { return kColumns; }

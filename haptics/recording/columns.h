@@ -26,8 +26,8 @@ struct RecordedStep {
   std::optional<std::uint32_t> check = {};
 };
 
-/// A number of 32 bits that tells results apart: if any bit of them differs, it differs, but for
-/// one case in four thousand million.
+/// A number of 23 bits, three bytes in a recording, that tells results apart: if any bit of them
+/// differs, it differs, but for one case in eight million.
 std::uint32_t checkOf(const PoseNumbers& proxy, const Wrench& sent_W);
 
 enum class ColumnType : std::uint8_t {

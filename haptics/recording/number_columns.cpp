@@ -8,7 +8,8 @@
 namespace haptics {
 namespace {
 
-constexpr std::uint8_t kMostOrder = 5;  // a sixth difference is hardly ever smaller
+constexpr std::size_t kMostOrder = 5;  // a sixth difference is hardly ever smaller
+constexpr std::size_t kWhole = sizeof(std::uint64_t);
 
 /// Signed numbers so that small ones have few bits.
 std::uint64_t folded(std::uint64_t value) {
@@ -36,7 +37,7 @@ void putPlanes(std::span<const std::uint64_t> values, std::size_t width,
 bool takePlanes(std::span<const std::uint8_t>& bytes, std::size_t width,
                 std::span<std::uint64_t> values) {
   const std::size_t count = values.size();
-  if (width > sizeof(std::uint64_t) || bytes.size() < width * count) return false;
+  if (width > kWhole || bytes.size() < width * count) return false;
   std::ranges::fill(values, 0);
   for (std::size_t k = 0; k < width; ++k)
     for (std::size_t i = 0; i < count; ++i)
@@ -49,8 +50,8 @@ void putDifferences(std::span<const std::uint64_t> values, std::vector<std::uint
   std::vector<std::uint64_t> differences(values.begin(), values.end());
   std::vector<std::uint64_t> best(values.size()), tried(values.size());
   std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
-  std::uint8_t order = 0;
-  for (std::uint8_t n = 0; n <= kMostOrder; ++n) {
+  std::size_t order = 0;
+  for (std::size_t n = 0; n <= std::min(kMostOrder, values.size()); ++n) {
     if (n > 0) difference(differences);
     std::ranges::transform(differences, tried.begin(), folded);
     std::int64_t bits = 0;
@@ -60,21 +61,26 @@ void putDifferences(std::span<const std::uint64_t> values, std::vector<std::uint
     order = n;
     best.swap(tried);
   }
+  const auto first = std::span{best}.first(order), rest = std::span{best}.subspan(order);
   std::uint64_t any = 0;
-  for (const std::uint64_t value : best) any |= value;
-  const auto width = static_cast<std::uint8_t>((std::bit_width(any) + 7) / 8);
-  bytes.push_back(order);
-  bytes.push_back(width);
-  putPlanes(best, width, bytes);
+  for (const std::uint64_t value : rest) any |= value;
+  const auto width = static_cast<std::size_t>((std::bit_width(any) + 7) / 8);
+  bytes.push_back(static_cast<std::uint8_t>(order));
+  bytes.push_back(static_cast<std::uint8_t>(width));
+  putPlanes(first, kWhole, bytes);
+  putPlanes(rest, width, bytes);
 }
 
 bool takeDifferences(std::span<const std::uint8_t>& bytes, std::span<std::uint64_t> values) {
   if (bytes.size() < 2) return false;
-  const std::uint8_t order = bytes[0], width = bytes[1];
+  const std::size_t order = bytes[0], width = bytes[1];
   bytes = bytes.subspan(2);
-  if (order > kMostOrder || !takePlanes(bytes, width, values)) return false;
+  if (order > std::min(kMostOrder, values.size()) ||
+      !takePlanes(bytes, kWhole, values.first(order)) ||
+      !takePlanes(bytes, width, values.subspan(order)))
+    return false;
   std::ranges::transform(values, values.begin(), unfolded);
-  for (std::uint8_t n = 0; n < order; ++n) sum(values);
+  for (std::size_t n = 0; n < order; ++n) sum(values);
   return true;
 }
 

@@ -20,9 +20,10 @@ bool takePlanes(std::span<const std::uint8_t>& bytes, std::size_t width,
                 std::span<std::uint64_t> values);
 
 /// The differences from value to value, as often differenced as makes them small: a hand moves
-/// smoothly, and the bits of a double, read as a whole number, do too. Two bytes (how often, and
-/// the width), then the planes of the differences. A difference d is stored as 2d, or as -2d - 1 if
-/// it is negative.
+/// smoothly, and the bits of a double, read as a whole number, do too. Two bytes, how often (n) and
+/// the width; the first n differences in eight bytes each, as they have nothing before them; then
+/// the others in this width; both as planes. A difference d is stored as 2d, or as -2d - 1 if it is
+/// negative.
 void putDifferences(std::span<const std::uint64_t> values, std::vector<std::uint8_t>& bytes);
 bool takeDifferences(std::span<const std::uint8_t>& bytes, std::span<std::uint64_t> values);
 
