@@ -166,9 +166,9 @@ bool readContacts(std::span<const std::uint8_t> bytes, Layout layout,
     if (!take(bytes, contactBytes(layout), layout, values)) return false;
     for (std::size_t i = 0; i < places.size(); ++i)
       numberOf(steps[places[i].step].row.step.contacts[places[i].slot], k) =
-          layout == Layout::Rounded
-              ? unrounded(values[i], kContactColumns[k].per_unit)
-              : double(std::bit_cast<float>(static_cast<std::uint32_t>(values[i])));
+          double(layout == Layout::Rounded
+                     ? static_cast<float>(unrounded(values[i], kContactColumns[k].per_unit))
+                     : std::bit_cast<float>(static_cast<std::uint32_t>(values[i])));
   }
   return bytes.empty();
 }

@@ -57,7 +57,8 @@ def _rows(packed, count, layout, rounding):
         values, at = _column(data, at, count, kind, rounding)
         columns[name] = _typed(values, "int64" if rounded else kind)
         for per_unit in rounded:
-            columns[name] = [math.nan if n == -2**63 else n / per_unit for n in columns[name]]
+            numbers = [math.nan if n == -2**63 else n / per_unit for n in columns[name]]
+            columns[name] = array.array(TYPES[kind], numbers)
     return [dict(zip(columns, row)) for row in zip(*columns.values())]
 
 

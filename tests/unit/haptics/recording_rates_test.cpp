@@ -29,8 +29,9 @@ constexpr ServoRate kFast{4000};
 constexpr double kSlack = 1.0 + 1e-6;
 constexpr double kHalfMetre = 0.5e-10 * kSlack, kHalfQuaternion = 0.5e-9 * kSlack;
 constexpr double kHalfNewton = 0.5e-6 * kSlack, kHalfNewtonMetre = 0.5e-7 * kSlack;
-constexpr double kHalfArm = 0.5e-7 * kSlack, kHalfNormal = 0.5e-4 * kSlack;
-constexpr double kHalfPush = 0.5e-4 * kSlack;
+constexpr double kFloatSlack = 1.05;  // contacts are float32 besides
+constexpr double kHalfArm = 0.5e-7 * kFloatSlack, kHalfNormal = 0.5e-4 * kFloatSlack;
+constexpr double kHalfPush = 0.5e-4 * kFloatSlack;
 
 double farthest(const Vec3& a, const Vec3& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
