@@ -224,7 +224,7 @@ TEST(RecordingRates, ASecondTakesAtMostTwiceTheBytesOf1Kilohertz) {
 
 TEST(RecordingRates, WhatIsNoNumberIsReadAsNone) {
   Step step;
-  step.sent_W.force = {std::numeric_limits<double>::infinity(), 1e300, 3.25};
+  step.sent_W.force = {std::numeric_limits<double>::infinity(), 1e12, 3.25};
   step.sent_W.torque.x() = std::numeric_limits<double>::quiet_NaN();
   const auto read = decoded(encoded(std::span{&step, 1}, Layout::Rounded), Layout::Rounded);
   ASSERT_TRUE(read);
@@ -267,6 +267,12 @@ TEST(NumberColumns, DamageIsRefused) {
     std::span<const std::uint8_t> rest{bytes};
     EXPECT_FALSE(takeDifferences(rest, read)) << bytes.size();
   }
+  // often enough for the values, but oftener than is ever written
+  Bytes often(2 + 6 * sizeof(std::uint64_t));
+  often[0] = 6;
+  std::span<const std::uint8_t> rest{often};
+  read.resize(10);
+  EXPECT_FALSE(takeDifferences(rest, read));
 }
 
 TEST(RecordingRates, ADamagedBlockIsRefusedOrHasAsManyStepsAsItSays) {
