@@ -11,9 +11,15 @@
 
 namespace haptics {
 
-/// Compressed steps with consecutive sequence numbers. Each column has the values of all steps,
-/// little endian: the lowest bytes of all values, then the next bytes, and so on. So bytes that
-/// hardly change are adjacent.
+/// How the numbers of a block are stored. README.md has the reasons and the sizes.
+enum class Layout : std::uint8_t {
+  Exact,  ///< every number of a step to the bit, as planes of bytes
+  /// What went into a tick to the bit. What came out is rounded, with RecordedStep::check of its
+  /// bits. All as differences. For rates above 1 kHz.
+  Rounded,
+};
+
+/// Compressed steps with consecutive sequence numbers, column by column (number_columns.h).
 struct Block {
   std::uint64_t first = 0;  ///< sequence of the first step
   std::int64_t count = 0;
@@ -26,13 +32,14 @@ struct Block {
 inline constexpr std::int64_t kMostStepsInBlock = 1024;
 
 /// At least one and at most kMostStepsInBlock steps, their sequences without a gap.
-Block encoded(std::span<const Step> steps);
+Block encoded(std::span<const Step> steps, Layout layout);
 /// Refuses an invalid block, reason "damaged".
-Expected<std::vector<RecordedStep>> decoded(const Block& block);
+Expected<std::vector<RecordedStep>> decoded(const Block& block, Layout layout);
 
-/// The columns of both parts in order, as JSON: [name, type, unit] each. It is written into every
-/// recording, so that a recording can be read without Palpate.
-std::string stepLayout();
-std::string contactLayout();
+/// The columns of both parts in order, as JSON: [name, type, unit] each, and if it is rounded, how
+/// many roundings are one unit. It is written into every recording, so that a recording can be read
+/// without Palpate.
+std::string stepLayout(Layout layout);
+std::string contactLayout(Layout layout);
 
 }  // namespace haptics

@@ -52,6 +52,19 @@ constexpr StepColumn part(const char* name, const char* unit, const char* meanin
   return column(name, unit, nullptr, kChanging, meaning, member);
 }
 
+// a tenth of a nanometre, and what moves a point a hand's breadth away as little; a micronewton,
+// and a micronewton at a tenth of a metre
+constexpr double kPerMetre = 1e10, kPerQuaternion = 1e9, kPerNewton = 1e6, kPerNewtonMetre = 1e7;
+
+/// Part of a result of the tick.
+template <class Member>
+constexpr StepColumn result(const char* name, const char* unit, const char* meaning,
+                            double per_unit, Member member) {
+  StepColumn column = part(name, unit, meaning, member);
+  column.per_unit = per_unit;
+  return column;
+}
+
 template <int k>
 constexpr StepColumn devicePart(const char* name) {
   return part(
@@ -60,20 +73,20 @@ constexpr StepColumn devicePart(const char* name) {
 }
 template <int k>
 constexpr StepColumn proxyPart(const char* name) {
-  return part(
-      name, k < 3 ? "m" : "1", "proxy after the tick",
+  return result(
+      name, k < 3 ? "m" : "1", "proxy after the tick", k < 3 ? kPerMetre : kPerQuaternion,
       [](auto& row) -> auto& { return row.proxy[k]; });
 }
 template <int axis>
 constexpr StepColumn forcePart(const char* name) {
-  return part(
-      name, "N", "force sent to the hand",
+  return result(
+      name, "N", "force sent to the hand", kPerNewton,
       [](auto& row) -> auto& { return row.step.sent_W.force[axis]; });
 }
 template <int axis>
 constexpr StepColumn torquePart(const char* name) {
-  return part(
-      name, "N.m", "torque sent to the hand, about the device's origin",
+  return result(
+      name, "N.m", "torque sent to the hand, about the device's origin", kPerNewtonMetre,
       [](auto& row) -> auto& { return row.step.sent_W.torque[axis]; });
 }
 
@@ -208,6 +221,20 @@ PoseNumbers numbersOf(const Pose& X) {
   const Vec3 p = X.translation();
   const Quat q = rotationOf(X);
   return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+}
+
+std::uint32_t checkOf(const PoseNumbers& proxy, const Wrench& sent_W) {
+  constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;  // 2^64 divided by the golden ratio
+  constexpr int kBits = 23;
+  std::uint64_t mixed = 0;
+  const auto mix = [&](double number) {
+    // the upper bits are those of the product that depend on all others
+    mixed = (mixed ^ (mixed >> 32) ^ std::bit_cast<std::uint64_t>(number)) * kOdd;
+  };
+  for (const double number : proxy) mix(number);
+  for (const double number : sent_W.force) mix(number);
+  for (const double number : sent_W.torque) mix(number);
+  return static_cast<std::uint32_t>(mixed >> (64 - kBits));
 }
 
 std::span<const StepColumn> stepColumns() { return kColumns; }

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -18,10 +19,16 @@ PoseNumbers numbersOf(const Pose& X);
 
 /// A step read from a recording.
 struct RecordedStep {
-  Step step;  ///< X_WD exact to the bit; X_WP and contacts with the precision of their columns
+  Step step;             ///< X_WD exact to the bit; the results with the precision of their columns
   PoseNumbers device{};  ///< numbersOf X_WD
   PoseNumbers proxy{};   ///< numbersOf X_WP as recorded
+  /// checkOf the proxy and the wrench as they were, if they are recorded rounded.
+  std::optional<std::uint32_t> check = {};
 };
+
+/// A number of 23 bits, three bytes in a recording, that tells results apart: if any bit of them
+/// differs, it differs, but for one case in eight million.
+std::uint32_t checkOf(const PoseNumbers& proxy, const Wrench& sent_W);
 
 enum class ColumnType : std::uint8_t {
   Int64,
@@ -56,9 +63,11 @@ struct StepColumn {
   std::uint64_t (*bits)(const RecordedStep&);
   /// Sets the value. Returns false if a step cannot have it.
   bool (*set)(PartlyRead&, std::uint64_t bits);
+  /// Of a result, a float64, which Layout::Rounded rounds: roundings in a unit. 0: always exact.
+  double per_unit = 0.0;
 };
 
-/// The columns, in the order of a recording. To add a column, add its row and increase kFormat
+/// The columns, in the order of a recording. To add a column, add its row and add a format
 /// (schema.h).
 std::span<const StepColumn> stepColumns();
 

@@ -35,6 +35,11 @@ Message complaintOf(const Database& database) {
   return database.isFull() ? Message{"disk-full", {}} : Message{database.complaint()};
 }
 
+/// Above 1 kHz the steps are so many that they are stored with less.
+Layout layoutAt(ServoRate rate) {
+  return rate.hz > ServoRate{}.hz ? Layout::Rounded : Layout::Exact;
+}
+
 std::int64_t bytesOf(const fs::path& path) {
   std::error_code error;
   const auto size = fs::file_size(path, error);
@@ -81,6 +86,7 @@ class Recorder::Writer {
       : target_{std::move(target)},
         database_{std::move(database)},
         options_{options},
+        layout_{layoutAt(options.rate)},
         ring{monotonicNs(), options.rate} {
     steps_.reserve(ring.capacity());
     thread_ = std::thread{[this] { run(); }};
@@ -162,6 +168,7 @@ class Recorder::Writer {
   fs::path target_;
   std::optional<Database> database_;
   Options options_;
+  Layout layout_;
 
  public:
   StepRing ring;
@@ -295,8 +302,8 @@ bool Recorder::Writer::writeScenes(const std::vector<Described>& scenes) {
       "triangles) VALUES (?, ?, ?, ?, NULL, ?, ?, ?)");
   for (const auto& [scene, tool] : scenes) {
     // who knows no edits would replay over the scan
-    if (scene->volume->edited &&
-        !database_->run(("PRAGMA user_version = " + std::to_string(kFormat)).c_str()))
+    if (scene->volume->edited && layout_ == Layout::Exact &&
+        !database_->run(("PRAGMA user_version = " + std::to_string(kFormatOfEdits)).c_str()))
       return false;
     const SceneWords words = wordsOf(*scene);
     if (!insert.bind(1, static_cast<std::int64_t>(scene->id))
@@ -338,7 +345,7 @@ bool Recorder::Writer::writeSteps() {
     while (end < all.size() && end - begin < std::size_t{kMostStepsInBlock} &&
            all[end].sequence == all[end - 1].sequence + 1)
       ++end;
-    const Block block = encoded(all.subspan(begin, end - begin));
+    const Block block = encoded(all.subspan(begin, end - begin), layout_);
     const auto first = static_cast<std::int64_t>(block.first);
     if (!insert_steps.bind(1, first)
              .bind(2, block.count)
@@ -452,11 +459,13 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
   auto opened = Database::open(part, Database::Mode::Create, options.vfs);
   if (!opened) return unwritable(opened.error().message);
   std::optional<Database> database{std::move(*opened)};
+  const Layout layout = layoutAt(options.rate);
+  const int format = layout == Layout::Exact ? kFormatOfScans : kFormatOfRounding;
   const std::string setup =
       "PRAGMA page_size = " + std::to_string(kPageBytes) +
       "; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA application_id = " +
-      std::to_string(kApplicationId) +
-      "; PRAGMA user_version = " + std::to_string(kFormatWithoutEdits) + "; BEGIN;" + kSchema;
+      std::to_string(kApplicationId) + "; PRAGMA user_version = " + std::to_string(format) +
+      "; BEGIN;" + kSchema;
   const auto say = [&](const char* key, std::string_view value) {
     return database->prepare("INSERT INTO meta (key, value) VALUES (?, ?)")
         .bind(1, std::string_view{key})
@@ -465,8 +474,8 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
   };
   if (!database->run(setup.c_str()) || !say("palpate", facts.version) ||
       !say("build", facts.build) || !say("machine", facts.machine) ||
-      !say("vectors", lanes::targetName()) || !say("step_layout", stepLayout()) ||
-      !say("contact_layout", contactLayout()) || !database->run("COMMIT")) {
+      !say("vectors", lanes::targetName()) || !say("step_layout", stepLayout(layout)) ||
+      !say("contact_layout", contactLayout(layout)) || !database->run("COMMIT")) {
     const Message why = complaintOf(*database);
     database.reset();
     std::error_code error;

@@ -42,7 +42,7 @@ Expected<Database> opened(const fs::path& path) {
   if (database->integer("PRAGMA application_id") != kApplicationId)
     return refused(Error::Kind::Unsupported, {"recording-of-another-program", {path.string()}},
                    "no-recording");
-  if (database->integer("PRAGMA user_version") > kFormat)
+  if (database->integer("PRAGMA user_version") > kHighestFormat)
     return refused(Error::Kind::Unsupported, {"recording-of-later-palpate", {path.string()}},
                    "newer");
   return database;
@@ -54,6 +54,8 @@ Expected<Recording> Recording::open(const fs::path& path) {
   auto database = opened(path);
   if (!database) return tl::unexpected(database.error());
   Recording recording{std::move(*database)};
+  if (recording.database_.integer("PRAGMA user_version") >= kFormatOfRounding)
+    recording.layout_ = Layout::Rounded;
   Statement meta = recording.database_.prepare("SELECT key, value FROM meta LIMIT 100");
   while (meta.step() == Statement::Step::Row) {
     const std::string key = meta.text(0);
@@ -180,7 +182,7 @@ Expected<std::vector<RecordedStep>> Recording::block(std::size_t index) {
     block.contact_count = contacts.integer(0);
     block.contacts = contacts.blob(1);
   }
-  return decoded(block);
+  return decoded(block, layout_);
 }
 
 Expected<void> Recording::forEach(double from, double to,

@@ -68,6 +68,7 @@ class Recording {
   Expected<void> readScenes();
 
   Database database_;
+  Layout layout_ = Layout::Exact;
   std::string version_, build_, machine_, vectors_;
   std::int64_t step_count_ = 0, lost_ = 0;
   std::vector<Entry> blocks_;

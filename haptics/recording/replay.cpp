@@ -23,9 +23,11 @@ void compare(const RecordedStep& recorded, const Pose& X_WP, const Wrench& sent_
   ++difference.steps;
   const PoseNumbers proxy = numbersOf(X_WP);
   const Wrench& then = recorded.step.sent_W;
-  const bool same = std::memcmp(&proxy, &recorded.proxy, sizeof proxy) == 0 &&
-                    std::memcmp(&then.force, &sent_W.force, sizeof(Vec3)) == 0 &&
-                    std::memcmp(&then.torque, &sent_W.torque, sizeof(Vec3)) == 0;
+  const bool same = recorded.check
+                        ? *recorded.check == checkOf(proxy, sent_W)
+                        : std::memcmp(&proxy, &recorded.proxy, sizeof proxy) == 0 &&
+                              std::memcmp(&then.force, &sent_W.force, sizeof(Vec3)) == 0 &&
+                              std::memcmp(&then.torque, &sent_W.torque, sizeof(Vec3)) == 0;
   if (same) return;
   ++difference.differing;
   if (!difference.first) difference.first = recorded.step.sequence;

@@ -20,10 +20,12 @@ struct ReplayDifference {
   std::int64_t skipped = 0;
   std::int64_t differing = 0;          ///< steps in which a bit of any number differs
   std::optional<std::uint64_t> first;  ///< sequence of the first differing step
-  double distance = 0.0;               ///< m: greatest distance between proxy and recorded proxy
-  double angle = 0.0;                  ///< rad
-  double force = 0.0;                  ///< N
-  double torque = 0.0;                 ///< N·m
+  // The greatest differences from what was recorded, in the differing steps. A recording that
+  // rounds adds its rounding.
+  double distance = 0.0;  ///< m, between proxy and recorded proxy
+  double angle = 0.0;     ///< rad
+  double force = 0.0;     ///< N
+  double torque = 0.0;    ///< N·m
 };
 
 /// The volume of a recorded scene: the scan after the scene's edits. Refuses edits that do not fit

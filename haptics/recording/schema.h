@@ -4,9 +4,11 @@
 namespace haptics {
 
 inline constexpr int kApplicationId = 0x50414c50;  ///< "PALP"
-inline constexpr int kFormat = 3;                  ///< user_version: the highest that is read
-/// user_version until a scene with an edited volume is written. Who knows no edits can read it.
-inline constexpr int kFormatWithoutEdits = 2;
+// user_version. Each lets those read a recording who would read it rightly.
+inline constexpr int kFormatOfScans = 2;
+inline constexpr int kFormatOfEdits = 3;     ///< from the first scene with an edited volume on
+inline constexpr int kFormatOfRounding = 4;  ///< Layout::Rounded; volumes edited or not
+inline constexpr int kHighestFormat = kFormatOfRounding;
 
 /// The tables of a recording; README.md of this folder documents them.
 inline constexpr const char* kSchema = R"(

@@ -19,6 +19,9 @@ SCHEMA = re.search(r'R"\((.*?)\)"', (HERE / "../../haptics/recording/schema.h").
 # widths of the columns of a step and of a contact, as haptics/recording/block.cpp has them
 STEP_WIDTH = 38 * 8 + 3 * 4 + 4
 CONTACT_WIDTH = 7 * 4
+STEP_COLUMNS = 38 + 3 + 3
+CONTACT_COLUMNS = 7
+NOTHING = bytes([0, 0])  # a column of differences that are all zero
 
 START = json.dumps({
     "scene": 1, "proxy": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], "turn": [0, 0, 0],
@@ -45,20 +48,32 @@ VOLUME = json.dumps({
 POINT = struct.pack("<3d", 0.0, 0.0, 0.001)
 
 
-def recording(steps=3, contacts=2):
+def rounded_steps(count, contacts):
+    """Zeros but for the number of contacts, each, and the check, once differenced."""
+    return (NOTHING * (STEP_COLUMNS - 1) + bytes([0, 1]) + bytes([2 * contacts] * count) +
+            bytes([1, 1]) + struct.pack("<Q", 10) + bytes([1] * (count - 1)))
+
+
+def recording(steps=3, contacts=2, rounded=False):
     """A whole file, of the smallest pages."""
+    if rounded:
+        version, contacts = 4, steps
+        step_data, contact_data = rounded_steps(steps, 1), NOTHING * CONTACT_COLUMNS
+    else:
+        version = 2
+        step_data, contact_data = bytes(steps * STEP_WIDTH), bytes(contacts * CONTACT_WIDTH)
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "r"
         base = sqlite3.connect(path)
         base.executescript("PRAGMA page_size = 512; PRAGMA application_id = 1346456656;"
-                           "PRAGMA user_version = 2;" + SCHEMA)
+                           f"PRAGMA user_version = {version};" + SCHEMA)
         base.executemany("INSERT INTO meta VALUES (?, ?)",
                          [("palpate", "0.1.0"), ("build", "x"), ("vectors", "AVX2")])
         base.execute("INSERT INTO step VALUES (0, ?, 0, ?, ?)",
-                     (steps, steps, zlib.compress(bytes(steps * STEP_WIDTH))))
+                     (steps, steps, zlib.compress(step_data)))
         if contacts:
             base.execute("INSERT INTO contact VALUES (0, ?, ?)",
-                         (contacts, zlib.compress(bytes(contacts * CONTACT_WIDTH))))
+                         (contacts, zlib.compress(contact_data)))
         base.execute("INSERT INTO event VALUES (1, 0, 0, 'start', NULL, ?)", (START,))
         base.execute("INSERT INTO event VALUES (2, 0, 0, 'isovalue', 300.0, NULL)")
         point = zlib.compress(POINT)
@@ -88,6 +103,10 @@ def main():
         "scene": b"\3" + SETTINGS.encode() + b"\n" + VOLUME.encode() + b"\n" + POINT,
         "block": b"\4" + bytes([2, 0, 0, 0]) + bytes(2 * STEP_WIDTH),
         "block-contacts": b"\4" + bytes([1, 1, 0, 7]) + bytes(CONTACT_WIDTH + STEP_WIDTH - 1) + b"\1",
+        "file-rounded": b"\0" + recording(rounded=True),
+        "block-rounded": b"\6" + bytes([3, 0, 0, 0]) + rounded_steps(3, 0),
+        "block-rounded-contacts": b"\6" + bytes([2, 2, 0, 4]) + bytes([0, 1, 4, 6]) +
+                                  NOTHING * (CONTACT_COLUMNS - 1) + rounded_steps(2, 1),
         "edit-crop": b"\5" + CROP.encode(),
         "edit-lasso": b"\5" + LASSO.encode(),
         "text": b"\0this is no recording",

@@ -77,7 +77,7 @@ void readEdit(std::string_view text) {
   fuzz::require(again && haptics::textOf(*again) == haptics::textOf(*edit), "an edit is its text");
 }
 
-void readBlock(std::string_view bytes) {
+void readBlock(std::string_view bytes, haptics::Layout layout) {
   if (bytes.size() < 4) return;
   const auto at = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
   haptics::Block block;
@@ -86,7 +86,7 @@ void readBlock(std::string_view bytes) {
   const std::size_t cut = std::min<std::size_t>(bytes.size() - 4, at(3) * 4U);
   if (cut > 0) block.contacts = compressed(bytes.substr(4, cut));
   block.steps = compressed(bytes.substr(4 + cut));
-  const auto steps = haptics::decoded(block);
+  const auto steps = haptics::decoded(block, layout);
   if (!steps) return requireWords(steps.error());
   fuzz::require(static_cast<std::int64_t>(steps->size()) == block.count, "as many as it says");
 }
@@ -96,7 +96,7 @@ void readBlock(std::string_view bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view rest(reinterpret_cast<const char*>(bytes) + 1, size - 1);
-  switch (bytes[0] % 6) {
+  switch (bytes[0] % 7) {
     case 0:
       readFile(rest);
       break;
@@ -111,10 +111,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       readScene(rest);
       break;
     case 4:
-      readBlock(rest);
+      readBlock(rest, haptics::Layout::Exact);
+      break;
+    case 5:
+      readEdit(rest);
       break;
     default:
-      readEdit(rest);
+      readBlock(rest, haptics::Layout::Rounded);
       break;
   }
   return 0;

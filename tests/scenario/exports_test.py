@@ -128,6 +128,14 @@ def from_rows(path):
             "contacts": contacts, "events": events}
 
 
+def bytes_of_steps(path):
+    file = sqlite3.connect(path)
+    size = sum(file.execute(f"SELECT sum(length(data)) FROM {table}").fetchone()[0]
+               for table in ("step", "contact"))
+    file.close()
+    return size
+
+
 def table(path):
     with open(path, encoding="utf-8", newline="") as file:
         return list(csv.reader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
@@ -540,23 +548,39 @@ def stays_small(folder):
 
 
 def keeps_the_rate(folder):
-    """Four times the steps, each a quarter of a millisecond: in every export, and again to the bit."""
+    """Four times the steps, each a quarter of a millisecond: in every export, and again to the bit.
+    Bytes of a second: at most twice those at 1 kHz."""
     fast = folder / "fast.palpate"
     run = ("run", "--phantom", "sphere", "--isovalue", 0, "--tool", "probe", "--hand", "slide",
            "--seconds", 1, "--stiffness", 1000)
-    said = cli(*run, "--rate", 4000, "--record", fast)
+    said = cli(*run, "--rate", 4000, "--record", fast, "--trace", folder / "fast.csv")
     check(said["ticks"] == 4000 and said["max_penetration_mm"] == 0.0, f"at 4 kHz: {said}")
     check(said["recording"]["steps"] == 4000, f"steps at 4 kHz: {said['recording']}")
-    steps = from_rows(fast)["time"]
+    truth = from_rows(fast)
+    steps = truth["time"]
     check([b - a for a, b in zip(steps, steps[1:])] == [250_000] * 3999, "the times of the steps")
-    for format, (ending, _) in FORMATS.items():
+    # what went in is exact, what came out is rounded
+    with open(folder / "fast.csv") as trace:
+        lines = [list(map(float, line)) for line in list(csv.reader(trace))[1:]]
+    same("device at 4 kHz", truth["device"], [line[1:8] for line in lines])
+    for name, begin, halves in (("proxy", 8, [0.5e-10] * 3 + [0.5e-9] * 4), ("force", 15, [0.5e-6] * 3),
+                                ("torque", 18, [0.5e-7] * 3)):
+        off = max(abs(a - b) / half for row, line in zip(truth[name], lines)
+                  for a, b, half in zip(row, line[begin:], halves))
+        check(0.9 < off < 1.000001, f"{name} at 4 kHz is off by {off} of half its rounding")
+    check([len(c) for c in truth["contacts"]] == [int(line[21]) for line in lines], "contacts at 4 kHz")
+    for format, (ending, read) in FORMATS.items():
         said = export(fast, format, folder / f"fast{ending}")
         check(said["steps"] == 4000, f"{format} at 4 kHz: {said}")
+        compare(f"{format} at 4 kHz", read(folder / f"fast{ending}"), truth)
     facts = json.load(open(folder / "fast_motion.json", encoding="utf-8"))
     check(facts["SamplingFrequency"] == 4000.0 and
           abs(facts["SamplingFrequencyEffective"] - 4000.0) < 1e-6, f"the rate: {facts}")
     again = cli("replay", fast, "--phantom", "sphere")
     check(again["steps"] == 4000 and again["differing"] == 0, f"replayed: {again}")
+    slow = cli(*run, "--record", folder / "slow.palpate")
+    grown = bytes_of_steps(fast) / bytes_of_steps(folder / "slow.palpate")
+    check(slow["ticks"] == 1000 and 1.0 < grown <= 2.0, f"at 4 kHz a second has {grown} times the bytes")
     cli(*run, "--rate", 3000, expect=2)
     cli(*run, "--rate", 4000, "--device", "falcon", expect=2)
     cli(*run, "--rate", 4000, "--device", "omega.6")

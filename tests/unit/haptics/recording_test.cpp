@@ -23,120 +23,13 @@
 #include "haptics/simulation/simulated.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/sentence.h"
+#include "tests/unit/haptics/recorded_hand.h"
 
 namespace haptics {
 namespace {
 
 namespace fs = std::filesystem;
 using support::ScratchFolder;
-constexpr double kEver = 1e9;  // s
-
-/// A ball of 15 mm in a volume of 48 mm, rippled so that contacts come and go.
-std::shared_ptr<const Scene> scene(double radius = 0.015) {
-  constexpr std::int64_t kSide = 48;
-  Grid grid;
-  grid.dims = {kSide, kSide, kSide};
-  grid.spacing = Vec3::Constant(0.001);
-  auto voxels = *allocateVoxels(grid.voxelCount(), ScalarType::Float32);
-  auto* f = static_cast<float*>(voxels.get());
-  for (std::int64_t n = 0; n < grid.voxelCount(); ++n) {
-    const Vec3 index(double(n % kSide), double(n / kSide % kSide), double(n / kSide / kSide));
-    const Vec3 p = (index - Vec3::Constant(0.5 * double(kSide - 1))) * 0.001;
-    const double ripple = 0.0005 * std::sin(p.x() * 3000.0) * std::sin(p.y() * 2000.0);
-    f[n] = static_cast<float>((radius - p.norm() + ripple) * 1e4);
-  }
-  auto volume = std::make_shared<const Volume>(*makeVolume(grid, ScalarType::Float32, voxels));
-  std::vector<Vec3> points;
-  for (int i = 0; i < 400; ++i) {
-    const double z = 1.0 - 2.0 * (i + 0.5) / 400.0, phi = 2.399963 * i;
-    const double r = std::sqrt(1.0 - z * z);
-    points.emplace_back(0.004 * r * std::cos(phi), 0.004 * r * std::sin(phi), 0.006 * z);
-  }
-  Tool tool;
-  tool.name = "egg";
-  tool.shell = *makeShell(points);
-  return *makeScene(volume, tool);
-}
-
-Step stepOf(const TraceRow& row, const ClosedLoop& loop, std::int64_t n) {
-  Step step;
-  step.time_ns = n * 1'000'000;
-  step.X_WD = row.X_WD;
-  step.X_WP = row.X_WP;
-  step.sent_W = row.sent_W;
-  step.settings = loop.settings;
-  step.scene = static_cast<std::uint32_t>(loop.scene->id);
-  step.cut_at = row.cut_at;
-  step.cpu_ns = row.cpu_ns;
-  step.flags = StepFlags::kArmed;
-  step.force_state = ForceState::On;
-  step.contacts = row.bearing;
-  return step;
-}
-
-/// A hand at work on the ball, in closed loop, every tick kept and recorded.
-std::vector<TraceRow> recorded(const fs::path& path, HandMotion motion, std::int64_t ticks,
-                               double friction = 0.0,
-                               std::shared_ptr<const Scene> touched = scene()) {
-  auto recorder = Recorder::create(path, {"test", "a build", "a machine"});
-  EXPECT_TRUE(recorder) << sentence(recorder.error());
-  StepRing& ring = (*recorder)->ring();
-  ClosedLoop loop{std::move(touched), {.friction = friction}, {}, {}};
-  loop.grip.gyration = std::sqrt(loop.scene->tool.shell.inertia.trace() / 3.0);
-  (*recorder)->describe(loop.scene, "egg");
-  loop.on_start = [&](const Pose& X_WP) {
-    ProxyStart start;
-    start.scene = static_cast<std::uint32_t>(loop.scene->id);
-    start.X_WP = X_WP;
-    start.limits = loop.limits;
-    ring.start(start);
-  };
-  std::vector<TraceRow> rows;
-  const auto hand = Hand::aimed(motion, *loop.scene, 0.0, 0.012, 1);
-  EXPECT_TRUE(hand);
-  const auto done = loop.run(*hand, ticks, [&](const TraceRow& row) {
-    while (ring.full()) {
-      (*recorder)->hurry();
-      std::this_thread::yield();
-    }
-    Step step = stepOf(row, loop, std::int64_t(rows.size()));
-    EXPECT_TRUE(ring.push(step));
-    rows.push_back(row);
-    return true;
-  });
-  EXPECT_TRUE(done);
-  const auto finished = (*recorder)->finish();
-  EXPECT_TRUE(finished) << sentence(finished.error());
-  return rows;
-}
-
-std::vector<RecordedStep> stepsIn(Recording& recording) {
-  std::vector<RecordedStep> steps;
-  const auto read = recording.forEach(-kEver, kEver, [&](const RecordedStep& step) {
-    steps.push_back(step);
-    return true;
-  });
-  EXPECT_TRUE(read) << sentence(read.error());
-  return steps;
-}
-
-/// Replays over a volume of its own making, as a later program would.
-ReplayDifference replayed(Recording& recording, std::shared_ptr<const Volume> volume) {
-  const auto difference = replay(
-      recording,
-      [&](std::uint32_t id) {
-        const RecordedScene* then = recording.scene(id);
-        return then == nullptr ? nullptr : *makeScene(volume, then->tool, then->options);
-      },
-      [](double) { return true; });
-  EXPECT_TRUE(difference) << sentence(difference.error());
-  return difference.value_or(ReplayDifference{});
-}
-
-bool same(const Pose& a, const Pose& b) {
-  return std::memcmp(a.matrix().data(), b.matrix().data(), 16 * sizeof(double)) == 0;
-}
-
 TEST(Recording, HoldsEveryTickToTheBit) {
   const ScratchFolder scratch;
   const auto rows = recorded(scratch / "r.palpate", HandMotion::Slide, 3000);
@@ -254,56 +147,6 @@ std::vector<Edit> someEdits() {
   lasso.until = 0.1;
   return {PlaneCut{{0.0235, 0.0235, 0.0315}, Vec3{0.1, 0.2, 1.0}.normalized(), 0.0}, lasso,
           Crop{{{0, 0, 0}, {48, 48, 46}}}};
-}
-
-/// user_version, where SQLite has it.
-int formatOf(const fs::path& path) {
-  std::ifstream file{path, std::ios::binary};
-  file.seekg(60);
-  std::array<char, 4> bytes{};
-  file.read(bytes.data(), 4);
-  return bytes[3];
-}
-
-// a loop at 4 kHz, limited and guarded as for a device: only at its own rate is it the same again
-TEST(Recording, HoldsTheRateAndIsReplayedAtIt) {
-  const ScratchFolder scratch;
-  for (const ServoRate rate : kServoRates) {
-    SCOPED_TRACE(rate.hz);
-    const auto path = scratch / (std::to_string(rate.hz) + ".palpate");
-    ClosedLoop loop{scene(), {.stiffness = 800.0}, limitsOf(*findRating("omega.6")), {}};
-    loop.rate = rate;
-    auto recorder = Recorder::create(path, {"test", "a build", "a machine"}, {.rate = rate});
-    ASSERT_TRUE(recorder) << sentence(recorder.error());
-    StepRing& ring = (*recorder)->ring();
-    EXPECT_EQ(ring.capacity(), 8192U * std::size_t(rate.hz) / 1000U);
-    (*recorder)->describe(loop.scene, "");
-    loop.on_start = [&](const Pose& X_WP) {
-      ring.start({.scene = std::uint32_t(loop.scene->id),
-                  .X_WP = X_WP,
-                  .limits = loop.limits,
-                  .safety = {},
-                  .rate = rate});
-    };
-    const auto hand = Hand::aimed(HandMotion::Slide, *loop.scene, 0.0, 0.012, 1);
-    ASSERT_TRUE(hand);
-    std::int64_t n = 0;
-    const std::int64_t ticks = std::llround(1.5 / rate.period());
-    ASSERT_TRUE(loop.run(*hand, ticks, [&](const TraceRow& row) {
-      Step step = stepOf(row, loop, n++);
-      step.time_ns = std::llround(row.time * 1e9);
-      return ring.push(step);
-    }));
-    ASSERT_TRUE((*recorder)->finish());
-    auto recording = Recording::open(path);
-    ASSERT_TRUE(recording) << sentence(recording.error());
-    ASSERT_EQ(recording->starts().size(), 1U);
-    EXPECT_EQ(recording->starts().front().rate, rate);
-    EXPECT_NEAR(recording->end(), 1.5, 1.1 * rate.period());
-    const ReplayDifference same = replayed(*recording, loop.scene->volume);
-    EXPECT_EQ(same.steps, ticks);
-    EXPECT_EQ(same.differing, 0);
-  }
 }
 
 TEST(Recording, OfAnEditedVolumeIsReplayedFromTheScanToTheBit) {
