@@ -25,9 +25,9 @@ using millimetre::h;
 /// What a tick may spend beyond its allowance before it looks at the budget again.
 constexpr std::int64_t kOverrun = haptics::kTickWork / 5;
 
-/// A square of points, flat, 40 mm wide.
+/// A square of points, flat, 20 mm wide.
 haptics::Tool plate(int count) {
-  return made::tool(datasets::platePoints(int(std::lround(std::sqrt(double(count)))), 0.04));
+  return made::tool(datasets::platePoints(int(std::lround(std::sqrt(double(count)))), 0.02));
 }
 
 /// A blurred wall with this normal, under noise, whose surface is at 500.

@@ -48,21 +48,34 @@ Volume noise(Random& random) {
                                 [&](const Vec3&) { return random.in(0.0, 1000.0); });
 }
 
-/// Looks at many places of the cell; how far the cover is above the solid [voxels], or infinity.
+/// Looks at many lines through the cell, along which F is linear; how far the cover is above the
+/// solid on them [voxels], or infinity.
 double slackOf(const Isosurface& solid, const Index& at, const CellCover& cover) {
   const haptics::Cell cell = solid.field.cellAt(at);
+  const Vec3 low{double(at[0]), double(at[1]), double(at[2])};
   constexpr int kAcross = 24;
   double highest = -kInfinity;
-  for (int k = 0; k <= kAcross; ++k)
+  for (int axis = 0; axis < 3; ++axis)
     for (int j = 0; j <= kAcross; ++j)
       for (int i = 0; i <= kAcross; ++i) {
-        const Vec3 u{double(at[0]) + double(i) / kAcross, double(at[1]) + double(j) / kAcross,
-                     double(at[2]) + double(k) / kAcross};
-        if (cell.value(u) < solid.ceiling()) continue;
-        const double height = cover.normal.dot(u);
-        EXPECT_LE(height, cover.height + 1e-9) << u.transpose();
-        highest = std::max(highest, height);
+        std::array<Vec3, 2> end;
+        std::array<double, 2> above;
+        for (std::size_t e = 0; e < 2; ++e) {
+          end[e] = low;
+          end[e][axis] += double(e);
+          end[e][(axis + 1) % 3] += double(i) / kAcross;
+          end[e][(axis + 2) % 3] += double(j) / kAcross;
+          above[e] = cell.value(end[e]) - solid.ceiling();
+        }
+        for (std::size_t e = 0; e < 2; ++e) {
+          if (above[e] < 0.0) continue;
+          highest = std::max(highest, cover.normal.dot(end[e]));
+          if (above[1 - e] >= 0.0) continue;
+          const double share = above[e] / (above[e] - above[1 - e]);
+          highest = std::max(highest, cover.normal.dot(end[e] + share * (end[1 - e] - end[e])));
+        }
       }
+  EXPECT_LE(highest, cover.height + 1e-9);
   return cover.height - highest;
 }
 
@@ -115,15 +128,14 @@ TEST(CellCovers, OfAWallIsTight) {
       const CellCover cover = covers.at(solid, at, budget);
       work += budget.spent();
       if (cover.height == -kInfinity) continue;
-      // the samples miss the highest place by up to a hundredth of a voxel
       const double slack = slackOf(solid, at, cover);
       most = std::max(most, slack);
       mean += slack / kCells;
     }
     std::cout << "cover above the solid: " << mean << " voxels in the mean, " << most
               << " at most, " << double(work) / kCells << " units of work\n";
-    EXPECT_LT(mean, CellCovers::kTightness + 0.004);
-    EXPECT_LT(most, 0.05);
+    EXPECT_LT(mean, 2.0 * CellCovers::kTightness);
+    EXPECT_LT(most, 4.0 * CellCovers::kTightness);
     EXPECT_LT(work, 400 * kCells);
   }
 }
@@ -173,7 +185,7 @@ TEST(CarriedNodes, HoldNoPointThatMeetsTheSurface) {
         X.linear() = facing * haptics::Quat{Eigen::AngleAxisd{0.02, random.direction()}};
         X.translation() = random.box(2e-3);
         X.translation() -= n.dot(X.translation()) * n;
-        X.translation() += (round % 2 == 0 ? 0.0 : 6e-3) * n + random.in(0.05, 0.4) * h * n;
+        X.translation() += (round % 2 == 0 ? 0.0 : 6e-3) * n + random.in(0.05, 0.2) * h * n;
         clearance.forget();
       }
       haptics::Budget budget = millimetre::unlimited();
@@ -183,7 +195,7 @@ TEST(CarriedNodes, HoldNoPointThatMeetsTheSurface) {
       }
       Twist motion{random.in(0.0, 0.3) * h * random.direction(),
                    random.in(0.0, 0.01) * random.direction()};
-      motion.linear -= 0.9 * n.dot(motion.linear) * n;
+      motion.linear -= 0.5 * n.dot(motion.linear) * n;
       const double length = motion.linear.norm() + motion.angular.norm() * tool.shell.radius;
       ASSERT_EQ(clearance.collect(solid, tree, X, length, budget), Clearance::Verdict::Legal);
       clearance.aim();
