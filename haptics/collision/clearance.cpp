@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kCarryWork = 3;   // of a look at a node's box; a unit more for each cell
 constexpr double kLargest = 2.0;         // voxels: radius of a node that may be carried
 constexpr std::int64_t kMostCells = 27;  // that it may reach
-constexpr int kCrowd = 4096;  // points looked at or carried in a search, from which on nodes are
+constexpr int kCrowd = 4096;     // points looked at or carried in a search, from which on nodes are
 constexpr double kAlike = 0.25;  // of the band: how much nearer than its one point a node may be
 
 }  // namespace
@@ -83,7 +83,7 @@ void Clearance::restart() HAPTICS_RT {
   complete_ = goal_ = -1.0;
   cursor_ = 0;
   opened_count_ = carried_count_ = aimed_ = 0;
-  crowded_ = crowd_ > kCrowd;
+  if (crowd_ > 0) crowded_ = crowd_ > kCrowd;
   crowd_ = 0;
   // a number of its own for each search; after 2^32 of them a stale mark could look fresh
   if (++search_ == 0) {
@@ -97,8 +97,8 @@ void Clearance::forget() HAPTICS_RT {
   covers_.forget();
   ++epoch_;
   translated_ = rotated_ = 0.0;
-  crowd_ = 0;
   restart();
+  crowded_ = false;
 }
 
 void Clearance::moved(double translation, double rotation) HAPTICS_RT {
@@ -268,16 +268,6 @@ bool Clearance::carried(const Isosurface& solid, const ShellTree& tree, int n, c
         normal = cover.normal;
       }
   const double gap = least / ride.steps;
-  // within the cells, at this pose
-  const Vec3 reach = half[0].cwiseAbs().rowwise().sum();
-  double aside = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<std::size_t>(axis);
-    aside = std::min({aside, u[0][axis] - reach[axis] - double(first[k]),
-                      double(last[k] + 1) - u[0][axis] - reach[axis]});
-  }
-  node_until_[at] = std::min(gap, aside / ride.steps) + travelled(node.arm);
-  node_epoch_[at] = epoch_;
   nearest = -1;
   if (gap > ride.band) return true;
   const Vec3 down = -(ride.A[0].transpose() * normal);  // in the tool frame
@@ -332,24 +322,6 @@ Clearance::Verdict Clearance::walk(const Isosurface& solid, const ShellTree& tre
       cursor_ = n;
       return Verdict::Cut;
     }
-    if (covers_.used() && (crowded_ || crowd_ > kCrowd) && n != open_ && node.count >= ShellTree::kLeastBox &&
-        node.radius < ride.largest) {
-      int nearest = -1;
-      const bool already = carried_in_[at] == search_;
-      if (already || carried(solid, tree, n, ride, nearest, budget)) {
-        if (!already) {
-          carried_in_[at] = search_;
-          carried_[carried_count_++] = n;
-          crowd_ += node.count;
-        }
-        if (nearest >= 0 && !holds(static_cast<std::size_t>(nearest)) && !add(nearest, n)) {
-          restart();
-          return Verdict::Inside;
-        }
-        n = node.next;
-        continue;
-      }
-    }
     if (!node.leaf) {
       budget.spend(2);
       const MaxPyramid::Bound bound = solid.field.pyramid().bound(
@@ -360,6 +332,28 @@ Clearance::Verdict Clearance::walk(const Isosurface& solid, const ShellTree& tre
         node_epoch_[at] = epoch_;
         n = node.next;
         continue;
+      }
+      static_assert(ShellTree::kLeastBox > ShellTree::kLeaf, "a leaf is never carried");
+      if (covers_.used() && (crowded_ || crowd_ > kCrowd) && n != open_ &&
+          node.count >= ShellTree::kLeastBox && node.radius < ride.largest) {
+        int nearest = -1;
+        const bool already = carried_in_[at] == search_;
+        if (already || carried(solid, tree, n, ride, nearest, budget)) {
+          if (!already) {
+            carried_in_[at] = search_;
+            carried_[carried_count_++] = n;
+            crowd_ += node.count;
+          }
+          // free here; a step aside might not be
+          node_until_[at] = spent;
+          node_epoch_[at] = epoch_;
+          if (nearest >= 0 && !holds(static_cast<std::size_t>(nearest)) && !add(nearest, n)) {
+            restart();
+            return Verdict::Inside;
+          }
+          n = node.next;
+          continue;
+        }
       }
       opened_[opened_count_++] = n++;
       node_until_[at] = -std::numeric_limits<double>::infinity();
