@@ -104,7 +104,7 @@ TEST(CellCovers, NothingOfTheSolidIsBeyondACover) {
     }
     EXPECT_GT(covered, made::trials(300));
     EXPECT_GT(empty, rough ? 0 : made::trials(100));
-    EXPECT_LT(none, made::trials(10));
+    EXPECT_LT(none, 10);
   }
 }
 
@@ -179,7 +179,7 @@ TEST(CarriedNodes, HoldNoPointThatMeetsTheSurface) {
     haptics::Sweep sweep{tool.shell.points.size()};
     const haptics::Mat3 facing = haptics::Quat::FromTwoVectors(Vec3::UnitZ(), n).toRotationMatrix();
     Pose X = Pose::Identity();
-    for (int k = 0; k < made::trials(150); ++k) {
+    for (int k = 0; k < std::max(made::trials(150), 60); ++k) {
       // mostly a step on, sometimes elsewhere
       if (k % 10 == 0) {
         X.linear() = facing * haptics::Quat{Eigen::AngleAxisd{0.02, random.direction()}};
@@ -222,7 +222,7 @@ TEST(CarriedNodes, HoldNoPointThatMeetsTheSurface) {
   std::cout << carried << " points carried, " << looked << " looked at, " << met
             << " motions met the surface\n";
   EXPECT_GT(carried, 2 * looked);
-  EXPECT_GT(met, made::trials(40));
+  EXPECT_GT(met, 10);
 }
 
 }  // namespace
