@@ -14,6 +14,7 @@
 #include "haptics/recording/recorder.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/device_model.h"
+#include "tests/support/made.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/sentence.h"
 #include "tests/unit/haptics/recorded_hand.h"
