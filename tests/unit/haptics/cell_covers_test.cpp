@@ -225,4 +225,25 @@ TEST(CarriedNodes, HoldNoPointThatMeetsTheSurface) {
   EXPECT_GT(met, 10);
 }
 
+// one corner of a tilted plate, each time another, beyond the band: no point of it is looked at
+TEST(CarriedNodes, AreNotCarriedOnASurfaceThatHasRisen) {
+  const ScalarField field{made::shared(wall({0, 0, 1}, 0.0, 0))};
+  const haptics::Tool tool = made::tool(datasets::platePoints(80, 0.01));
+  const ShellTree tree{tool.shell.points};
+  const haptics::Tolerances lengths{h};
+  for (const Vec3& axis : {Vec3{1, 1, 0}, Vec3{1, -1, 0}, Vec3{-1, 1, 0}, Vec3{-1, -1, 0}}) {
+    Clearance clearance{tree, lengths.band};
+    const haptics::Quat tilt{Eigen::AngleAxisd{0.06, axis.normalized()}};
+    const Pose X = datasets::at(Vec3{0, 0, 0.55 * h}, tilt);
+    haptics::Budget budget = millimetre::unlimited();
+    ASSERT_EQ(clearance.collect({field, 500.0}, tree, X, h, budget), Clearance::Verdict::Legal);
+    // the first search has no crowd before it
+    clearance.moved(1e-9, 0.0);
+    ASSERT_EQ(clearance.collect({field, 500.0}, tree, X, h, budget), Clearance::Verdict::Legal);
+    EXPECT_TRUE(clearance.carriesAny());
+    clearance.forget();
+    EXPECT_EQ(clearance.collect({field, 400.0}, tree, X, h, budget), Clearance::Verdict::Inside);
+  }
+}
+
 }  // namespace
