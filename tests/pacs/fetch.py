@@ -106,18 +106,20 @@ class Fetch:
 
 def read_until(process, wanted, seconds=60):
     """The lines of output until one for which `wanted` holds; that one is the last."""
-    lines, until = [], time.monotonic() + seconds
+    # byte by byte from the pipe: a buffered reader may hold lines for which select then waits
+    pipe, lines, line, until = process.stdout.fileno(), [], b"", time.monotonic() + seconds
     while time.monotonic() < until:
-        if not select.select([process.stdout], [], [], 0.1)[0]:
-            if process.poll() is not None:
-                break
+        if not select.select([pipe], [], [], 0.1)[0]:
             continue
-        line = process.stdout.readline()
-        if not line:
+        read = os.read(pipe, 1)
+        line += read
+        if not read:
             break
-        lines.append(json.loads(line))
-        if wanted(lines[-1]):
-            return lines
+        if read == b"\n":
+            lines.append(json.loads(line))
+            line = b""
+            if wanted(lines[-1]):
+                break
     return lines
 
 

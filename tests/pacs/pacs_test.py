@@ -434,6 +434,7 @@ def move(stage):
     bad = BadDimse("move-waits")
     process = stage.fetch.start("get", ["--dimse", f"127.0.0.1:{bad.port}", "--called", "BAD"],
                                 {"query": {"patient_id": "1"}, "index": 0}, "--attached", *options)
+    until = time.monotonic() + 60
     while not stage.fetch.listening(process) and time.monotonic() < until and process.poll() is None:
         time.sleep(0.01)
     check(stage.fetch.listening(process) == [f"127.0.0.1:{port}"], f"listens: {stage.fetch.listening(process)}")
