@@ -104,7 +104,8 @@ struct Way {
   bool shipped = false;
   const char* name = "";
 };
-/// The loop of a wall, touching a scene instead.
+/// The loop of a wall, touching a scene instead. As shipped, its angular stiffness is no more than
+/// rated, as in a session.
 haptics::ClosedLoop loopOf(const Way& way, std::shared_ptr<const haptics::Scene> scene,
                            double isovalue);
 

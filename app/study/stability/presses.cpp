@@ -144,6 +144,10 @@ haptics::ClosedLoop loopOf(const Way& way, std::shared_ptr<const haptics::Scene>
   loop.grip = device.heldBy(wall.hand, std::sqrt(scene->tool.shell.inertia.trace() / 3.0));
   loop.linkage = device.linkage;
   loop.rate = wall.rate();
+  const double angular = device.rating.angular_stiffness;
+  if (way.shipped && device.rating.torque > 0.0 &&
+      way.stiffness * haptics::largestInertia(scene->tool.shell.inertia) > angular)
+    loop.settings.angular_stiffness = angular;
   loop.damping = wall.damping;
   loop.passivity_damping = wall.controller;
   loop.scene = std::move(scene);
@@ -178,7 +182,12 @@ LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::in
   haptics::PassivityObserver program, lost;
   Vec3 lowest = Vec3::Constant(INFINITY), highest = -lowest;
   const auto stretch = [&](const Pose& X_WP, const Pose& X_WD) {
-    return scene.metric.whitened(haptics::motionBetween(X_WP, X_WD), X_WP.linear());
+    const haptics::Twist apart = haptics::motionBetween(X_WP, X_WD);
+    haptics::Vector6 stretched = scene.metric.whitened(apart, X_WP.linear());
+    // of a spring that turns as softly as is rated
+    const double angular = loop.settings.angular_stiffness;
+    if (angular > 0.0) stretched.tail<3>() = std::sqrt(angular / K) * apart.angular;
+    return stretched;
   };
   std::optional<haptics::TraceRow> before;
   std::deque<haptics::Wrench> under_way(std::size_t(loop.linkage.delay));
