@@ -165,8 +165,6 @@ struct LoopResult {
   double rise = 0.0;        ///< m, the largest in a tick: its energy over the spring's pull
   double amplitude = 0.0;   ///< m, of the handle while it is watched, half its range
   double force_step = 0.0;  ///< N, the largest in a tick of that time
-  /// At the handle; without torque motors that of the program, force and torque together, since
-  /// what a missing torque gives is bounded by the lever instead.
   EnergyBalance balance = {};
   std::vector<PlotPoint> given = {};  ///< s; mJ given to the hand until then
   std::optional<haptics::Error> refused = {};

@@ -214,8 +214,7 @@ LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::in
       const haptics::Twist motion = haptics::motionBetween(last->X_WH, row.X_WH);
       const haptics::Vector6 stretched = stretch(row.X_WP, row.X_WD);
       program.add(held, haptics::motionBetween(last->X_WD, row.X_WD));
-      result.balance.add(loop.linkage.torque ? row.energy : program.energy(), held, motion,
-                         stretched);
+      result.balance.add(row.energy, held, motion, stretched);
       const Vec3 arm = last->X_WD.translation() - last->X_WH.translation();
       if (!loop.linkage.torque) lost.add({Vec3::Zero(), arm.cross(held.force)}, motion);
 
