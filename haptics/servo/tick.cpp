@@ -34,7 +34,11 @@ Twist scaled(const Twist& motion, double factor) HAPTICS_RT {
 MassMetric metricOf(const Scene& scene, const VirtualCoupling& coupling) HAPTICS_RT {
   const bool own = coupling.angular_stiffness > 0.0 && coupling.stiffness > 0.0;
   if (!own) return scene.metric;
-  return MassMetric{Mat3::Identity() * (coupling.angular_stiffness / coupling.stiffness)};
+  // as well conditioned as the tool's own, however soft the spring
+  const double radius = scene.tool.shell.radius;
+  const double least = std::max(1e-6 * radius * radius, 1e-12);  // m^2
+  return MassMetric{Mat3::Identity() *
+                    std::max(coupling.angular_stiffness / coupling.stiffness, least)};
 }
 
 /// One tick at work. What a cut may interrupt lives in proxy.search; the rest is the tick's own.
