@@ -16,6 +16,26 @@ constexpr std::int64_t kMostCells = 27;  // that it may reach
 constexpr int kCrowd = 4096;     // points looked at or carried in a search, from which on nodes are
 constexpr double kAlike = 0.25;  // of the band: how much nearer than its one point a node may be
 
+/// The outermost point of the box's along `down` (tool frame), as `nearest`; whether none of the
+/// box can be farther along it by more than `alike` [m].
+bool standsFor(const ShellTree& tree, const ShellTree::Box& box, const Vec3& down, double alike,
+               int& nearest) HAPTICS_RT {
+  const double steep = down.norm();
+  double most = -std::numeric_limits<double>::infinity(), depth = most;
+  for (const int place : box.outermost) {
+    const auto p = static_cast<std::size_t>(place);
+    const double deep = down.dot(Vec3{tree.x[p], tree.y[p], tree.z[p]});
+    // of points that are equally deep, the one farthest from the tool's origin
+    const double measure = deep + 1e-6 * steep * tree.arm[p];
+    if (measure <= most) continue;
+    most = measure;
+    depth = deep;
+    nearest = place;
+  }
+  const double deepest = down.dot(box.centre) + (down.transpose() * box.half).cwiseAbs().sum();
+  return deepest - depth <= alike * steep;
+}
+
 }  // namespace
 
 /// The tool at a pose, and at the end of a motion if there is one, in index coordinates.
@@ -269,23 +289,8 @@ bool Clearance::carried(const Isosurface& solid, const ShellTree& tree, int n, c
       }
   const double gap = least / ride.steps;
   nearest = -1;
-  if (gap > ride.band) return true;
-  const Vec3 down = -(ride.A[0].transpose() * normal);  // in the tool frame
-  const double steep = down.norm();
-  // of points that are equally near, the outermost
-  double most = -std::numeric_limits<double>::infinity(), depth = most;
-  for (const int place : box.outermost) {
-    const auto p = static_cast<std::size_t>(place);
-    const double deep = down.dot(Vec3{tree.x[p], tree.y[p], tree.z[p]});
-    const double measure = deep + 1e-6 * steep * tree.arm[p];
-    if (measure <= most) continue;
-    most = measure;
-    depth = deep;
-    nearest = place;
-  }
-  // it stands for the node if none can be much nearer
-  const double deepest = down.dot(box.centre) + (down.transpose() * box.half).cwiseAbs().sum();
-  return deepest - depth <= kAlike * ride.band * steep;
+  return gap > ride.band ||
+         standsFor(tree, box, -(ride.A[0].transpose() * normal), kAlike * ride.band, nearest);
 }
 
 /// From cursor_ to end_: finds the points with less than goal_ of clearance.

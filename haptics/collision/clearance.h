@@ -136,8 +136,8 @@ class Clearance {
   std::size_t opened_count_ = 0;
 
   CellCovers covers_;
-  int crowd_ = 0;         ///< points looked at or carried in this search
-  bool crowded_ = false;  ///< they were many in the search before
+  int crowd_ = 0;                          ///< points looked at or carried in this search
+  bool crowded_ = false;                   ///< they were many in the search before
   std::vector<std::uint32_t> carried_in_;  ///< the search in which a node is carried
   std::vector<int> carried_;  ///< nodes carried in this search, and some that no longer are
   std::size_t carried_count_ = 0;

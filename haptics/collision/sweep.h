@@ -31,7 +31,7 @@ class Sweep {
   explicit Sweep(std::size_t points) : clear_until_(points, 0.0) {}
 
   /// Call it before a motion from X_WP. `near` must hold all points with less clearance than the
-  /// length of the motion.
+  /// length of the motion, but for those of nodes that are carried along it.
   void begin(const ScalarField& field, const Clearance& near, const Pose& X_WP, const Twist& motion,
              const Tolerances& lengths) HAPTICS_RT;
   /// Continues the sweep. Returns false if the budget ran out before the impact was known.

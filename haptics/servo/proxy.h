@@ -81,7 +81,9 @@ using Bearing = FixedVector<BearingContact, 6>;
 /// The proxy and its memory between ticks. The constructor allocates all memory.
 struct Proxy {
   Proxy(const Scene& scene, const Pose& X_start)
-      : X_WP{X_start}, clearance{scene.tree, scene.lengths.band}, sweep{scene.tool.shell.points.size()} {}
+      : X_WP{X_start},
+        clearance{scene.tree, scene.lengths.band},
+        sweep{scene.tool.shell.points.size()} {}
 
   Pose X_WP;
   Vec3 turn = Vec3::Zero();  ///< unwrapped rotation from proxy to device [rad]

@@ -60,8 +60,7 @@ struct Ran {
 
 Ran run(const std::shared_ptr<const haptics::Scene>& scene, const Place& place, HandMotion motion,
         int ticks) {
-  haptics::ClosedLoop loop{
-      scene, {.isovalue = place.isovalue, .stiffness = kStiffness}, {}, {}};
+  haptics::ClosedLoop loop{scene, {.isovalue = place.isovalue, .stiffness = kStiffness}, {}, {}};
   loop.grip.gyration = std::sqrt(scene->tool.shell.inertia.trace() / 3.0);
   const double reach = haptics::Hand::reachFor(kDepth, kStiffness, loop.grip.stiffness);
   const auto hand = haptics::Hand::aimed(motion, *scene, place.isovalue, reach, 1).value();

@@ -49,6 +49,7 @@ TEST(Starving, ManyPointsAllInFlatContactKeepUp) {
   for (const auto& [count, lag, aslant, arrives] :
        {Row{10'000, 0.02e-3, 0.065e-3, 3}, Row{100'489, 0.2e-3, 0.2e-3, 10},
         Row{1'000'000, 2e-3, 2e-3, 60}}) {
+    if (made::kSanitized && count > 200'000) continue;  // it would take minutes
     for (const bool straight : {true, false}) {
       const Vec3 n = straight ? Vec3{0, 0, 1} : Vec3{0.3, 0.2, 1}.normalized();
       const haptics::Mat3 R = Quat::FromTwoVectors(Vec3::UnitZ(), n).toRotationMatrix();
@@ -109,7 +110,8 @@ TEST(Starving, DenseToolsNeverEnterRoughWalls) {
     };
     Pose from = device(8e-3);
     Trial trial{scene, 500.0, from};
-    for (int k = 0; k < made::trials(20); ++k) {
+    const int moves = std::max(made::trials(20), 6);
+    for (int k = 0; k < moves; ++k) {
       const Pose to = device(random.in(-3e-3, 0.5e-3));
       trial.carry(from, to, 40);
       // the surface moves away, so the proxy stays outside
@@ -117,7 +119,7 @@ TEST(Starving, DenseToolsNeverEnterRoughWalls) {
       from = to;
     }
     EXPECT_EQ(trial.illegal, 0);
-    EXPECT_GT(trial.contact, made::trials(400));
+    EXPECT_GT(trial.contact, 15 * moves);
   }
 }
 

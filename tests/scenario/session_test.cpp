@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <thread>
+
+#include "haptics/simulation/allowed_stiffness.h"
+#include "tests/scenario/fake_device.h"
+#include "tests/scenario/trial.h"
+#include "tests/support/made.h"
+
+// What a session lets a user set for a device, and what it keeps of one.
+
+namespace {
+
+using haptics::DeviceStatus;
+using haptics::Settings;
+using haptics::Snapshot;
+using haptics::Wrench;
+using made::at;
+
+TEST(Session, TakesNoSettingBeyondItsRangeAndNoStiffnessBeyondTheRating) {
+  const Stage stage = stageOf("sphere", ballTool(50, 3e-3));
+  haptics::Session session;
+  session.set({.isovalue = stage.isovalue});
+  session.adopt(stage.scene, at(0, 0, 0.03));
+  auto device = std::make_unique<FakeDevice>(at(0, 0, 0));
+  device->rated = {.sensed = 6,
+                   .actuated = 6,
+                   .force = 8.0,
+                   .torque = 0.2,
+                   .stiffness = 1000.0,
+                   .angular_stiffness = 0.001};
+  ASSERT_TRUE(session.open(std::move(device)));
+  const auto inForce = [&](double stiffness, double force_scale, double position_scale) {
+    session.set({.isovalue = stage.isovalue,
+                 .stiffness = stiffness,
+                 .force_scale = force_scale,
+                 .position_scale = position_scale});
+    return session.inForce();
+  };
+  EXPECT_EQ(inForce(400.0, 1.0, 2.0).stiffness, 400.0);
+  EXPECT_EQ(inForce(800.0, 1.0, 2.0).stiffness, 500.0);  // 1000 N/m at the hand
+  EXPECT_EQ(inForce(400.0, 2.0, 1.0).stiffness, 800.0);
+  EXPECT_EQ(inForce(400.0, 5.0, 0.5).stiffness, 2000.0);
+  EXPECT_EQ(inForce(400.0, 1.0, 1.0).angular_stiffness, 0.001);
+  const double nan = std::nan("");
+  for (const double odd : {nan, 0.0, -1.0, 1e300, -1e300}) {
+    const Settings settings = inForce(odd, odd, odd);
+    EXPECT_GE(settings.stiffness, 0.0);
+    EXPECT_LE(settings.stiffness * settings.position_scale, 1000.0 + 1e-9) << odd;
+    EXPECT_GE(settings.position_scale, 0.1);
+    EXPECT_LE(settings.position_scale, 10.0);
+  }
+  // of what nobody has rated no limit is known
+  ASSERT_TRUE(session.open(std::make_unique<FakeDevice>(at(0, 0, 0))));
+  EXPECT_EQ(inForce(5000.0, 1.0, 1.0).stiffness, 5000.0);
+}
+
+TEST(Session, RunsAtTheRateOfTheLinkAndNeverAtMore) {
+  using haptics::ServoRate;
+  const Stage stage = stageOf("sphere", ballTool(50, 3e-3));
+  haptics::Session session;
+  session.set({.isovalue = stage.isovalue, .stiffness = 20'000.0});
+  session.adopt(stage.scene, at(0, 0, 0.03));
+  const auto rateWith = [&](const char* model, std::optional<ServoRate> wish) {
+    session.chooseRate(wish);
+    auto device = std::make_unique<FakeDevice>(at(0, 0, 0));
+    device->rated = *haptics::findRating(model);
+    EXPECT_TRUE(session.open(std::move(device)));
+    // what is allowed is by the period and by what the link costs
+    const haptics::DeviceRating& rating = *haptics::findRating(model);
+    const ServoRate rate = session.rate();
+    EXPECT_EQ(
+        session.inForce().stiffness,
+        haptics::allowedStiffness(rating, stage.scene->tool.shell, {rate.period(), rating.delay}));
+    return rate.hz;
+  };
+  EXPECT_EQ(rateWith("omega.6", {}), 4000);
+  EXPECT_EQ(rateWith("omega.6", ServoRate{2000}), 2000);
+  EXPECT_EQ(rateWith("omega.6", ServoRate{1000}), 1000);
+  EXPECT_EQ(rateWith("falcon", {}), 1000);
+  EXPECT_EQ(rateWith("falcon", ServoRate{4000}), 1000);
+  session.chooseRate({});
+  ASSERT_TRUE(session.open(haptics::HandKind::Mouse));
+  EXPECT_EQ(session.rate().hz, 1000);
+  const double stiffest = session.inForce().stiffness;
+  session.chooseRate(ServoRate{4000});
+  EXPECT_EQ(session.rate().hz, 1000);  // until it is opened anew
+  ASSERT_TRUE(session.open(haptics::HandKind::Mouse));
+  EXPECT_EQ(session.rate().hz, 4000);
+  EXPECT_GT(session.inForce().stiffness, 2.0 * stiffest);
+  // it keeps the pace, with what is late made up for by what is missed
+  Snapshot first, last;
+  const auto waited = [&](Snapshot& snapshot) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{300});
+    ASSERT_TRUE(session.latest(snapshot));
+  };
+  waited(first);
+  waited(last);
+  const auto ticks = double(last.tick - first.tick + last.missed_ticks - first.missed_ticks);
+  EXPECT_NEAR(ticks, 4000.0 * (last.time - first.time), 2.0);
+}
+
+TEST(Session, LetsNobodySetWhatShakesUnlessItIsLiftedAndForOneConnection) {
+  const Stage stage = stageOf("sphere", ballTool(50, 3e-3));
+  haptics::Session session;
+  const Settings stiff{.isovalue = stage.isovalue, .stiffness = 20'000.0};
+  session.set(stiff);
+  session.adopt(stage.scene, at(0, 0, 0.03));
+  const haptics::DeviceRating falcon = *haptics::findRating("falcon");
+  const double allowed =
+      haptics::allowedStiffness(falcon, stage.scene->tool.shell, {1e-3, falcon.delay});
+  ASSERT_LT(allowed, 0.9 * falcon.stiffness);
+  for (int connection = 0; connection < 2; ++connection) {
+    auto device = std::make_unique<FakeDevice>(at(0, 0, 0));
+    device->rated = falcon;
+    ASSERT_TRUE(session.open(std::move(device)));
+    EXPECT_EQ(session.inForce().stiffness, allowed);
+    session.liftStiffness(true);
+    EXPECT_EQ(session.inForce().stiffness, falcon.stiffness);
+  }
+  session.liftStiffness(false);
+  EXPECT_EQ(session.inForce().stiffness, allowed);
+  // nor what the grip of the mouse does not carry, which nothing lifts
+  ASSERT_TRUE(session.open(haptics::HandKind::Mouse));
+  session.liftStiffness(true);
+  EXPECT_LE(session.inForce().stiffness, 8000.0);
+  EXPECT_GT(session.inForce().stiffness, 7000.0);
+}
+
+/// A real device whose hand goes down into the ball and stays there.
+class Diver final : public haptics::Device {
+ public:
+  explicit Diver(std::string_view id) {
+    rated_ = {.id = id, .force = 8.0, .continuous_force = 0.5, .torque = 0.2};
+  }
+  const haptics::DeviceRating& rating() const noexcept override { return rated_; }
+  DeviceStatus read(haptics::DeviceReading& reading) noexcept override {
+    reading.X_BD.translation().z() = -std::min(5e-5 * ++reads_, 0.012);
+    return DeviceStatus::Ok;
+  }
+  DeviceStatus write(const Wrench&) noexcept override { return DeviceStatus::Ok; }
+  void stop() noexcept override {}
+  void resume() noexcept override {}
+
+ private:
+  haptics::DeviceRating rated_;
+  int reads_ = 0;
+};
+
+TEST(Session, MotorsThatWereHotAreSoWhenTheirDeviceIsOpenedAnew) {
+  const Stage stage = stageOf("sphere", ballTool(50, 3e-3));
+  haptics::Session session;
+  session.set({.isovalue = stage.isovalue, .stiffness = 1000.0});
+  session.adopt(stage.scene, at(0, 0, 0.03));
+  // N, the most that is felt until `done`, or for a minute: a busy machine's loop is at fault, and
+  // armed again
+  const auto strongest = [&](std::string_view id, auto&& done) {
+    EXPECT_TRUE(session.open(std::make_unique<Diver>(id)));
+    Snapshot snapshot;
+    double most = 0.0;
+    std::uint64_t calm_since = 0;  // ticks: since then the force is what motors stand for ever
+    for (int n = 0; n < 60'000 && !done(most, snapshot.tick - calm_since); ++n) {
+      session.arm();
+      std::this_thread::sleep_for(std::chrono::milliseconds{1});
+      session.latest(snapshot);
+      const double force = snapshot.felt_W.force.norm();
+      most = std::max(most, force);
+      if (!(force > 0.4 && force < 0.6)) calm_since = snapshot.tick;
+    }
+    return most;
+  };
+  constexpr std::uint64_t kLong = 100;
+  const auto spared = [](double most, std::uint64_t calm) { return most > 1.5 && calm > kLong; };
+  EXPECT_GT(strongest("one", spared), 1.5);
+  EXPECT_LT(strongest("one", [](double, std::uint64_t calm) { return calm > kLong; }), 1.0);
+  EXPECT_GT(strongest("another", [](double most, std::uint64_t) { return most > 1.5; }), 1.5);
+}
+
+}  // namespace
