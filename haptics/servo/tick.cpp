@@ -29,12 +29,25 @@ Twist scaled(const Twist& motion, double factor) HAPTICS_RT {
   return {motion.linear * factor, motion.angular * factor};
 }
 
+/// What is near: by the energy of the coupling over its stiffness. A proxy that were near by
+/// another measure would give way to a contact against the spring, and so give energy to the hand.
+MassMetric metricOf(const Scene& scene, const VirtualCoupling& coupling) HAPTICS_RT {
+  const bool own = coupling.angular_stiffness > 0.0 && coupling.stiffness > 0.0;
+  if (!own) return scene.metric;
+  // as well conditioned as the tool's own, however soft the spring
+  const double radius = scene.tool.shell.radius;
+  const double least = std::max(1e-6 * radius * radius, 1e-12);  // m^2
+  return MassMetric{Mat3::Identity() *
+                    std::max(coupling.angular_stiffness / coupling.stiffness, least)};
+}
+
 /// One tick at work. What a cut may interrupt lives in proxy.search; the rest is the tick's own.
 class Tick {
  public:
   Tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling, const Pose& X_WD,
        double period, Proxy& proxy, Budget& budget) HAPTICS_RT : scene_{scene},
                                                                  solid_{scene.field, isovalue},
+                                                                 metric_{metricOf(scene, coupling)},
                                                                  coupling_{coupling},
                                                                  X_WD_{X_WD},
                                                                  proxy_{proxy},
@@ -88,7 +101,7 @@ class Tick {
   NearTool tool() const HAPTICS_RT { return {solid_, scene_.tree, at_.X, proxy_.clearance}; }
 
   double distanceFrom(const Pose& X, Vec3 turn) const HAPTICS_RT {
-    return scene_.metric.whitened(unconstrainedMotion(X, X_WD_, turn), X.linear()).norm();
+    return metric_.whitened(unconstrainedMotion(X, X_WD_, turn), X.linear()).norm();
   }
 
   /// How a proxy that was held follows: what it is behind changes by `most` [m, by the metric] and
@@ -96,8 +109,8 @@ class Tick {
   void follow(double most) HAPTICS_RT {
     Vec3 turn = proxy_.turn;
     const Mat3 R = proxy_.X_WP.linear();
-    const Vector6 now = scene_.metric.whitened(unconstrainedMotion(proxy_.X_WP, X_WD_, turn), R);
-    behind_ = scene_.metric.whitened(proxy_.behind, R);
+    const Vector6 now = metric_.whitened(unconstrainedMotion(proxy_.X_WP, X_WD_, turn), R);
+    behind_ = metric_.whitened(proxy_.behind, R);
     const double distance = behind_.norm();
     most = std::max(most, distance - kMostReleased / coupling_.stiffness);
     most_change_ = most;
@@ -138,7 +151,7 @@ class Tick {
     const bool nothing = scene_.volume->greatest < solid_.ceiling();
     if (!nothing && proxy_.clearance.room(scene_.tree) < length + lengths().band) return false;
     ++budget_.counts.sub_steps;
-    const double distance = scene_.metric.whitened(way, proxy_.X_WP.linear()).norm();
+    const double distance = metric_.whitened(way, proxy_.X_WP.linear()).norm();
     proxy_.acceptance.start(distance, distance);
     proxy_.acceptance.take(0.0, 0.0);
     proxy_.clearance.moved(way.linear.norm(), way.angular.norm());
@@ -154,7 +167,7 @@ class Tick {
     // 1  where the proxy would go if nothing were in the way
     Vec3 turn = proxy_.turn;
     const Twist free = unconstrainedMotion(at_.X, X_WD_, turn);
-    const double distance = scene_.metric.whitened(free, at_.X.linear()).norm();
+    const double distance = metric_.whitened(free, at_.X.linear()).norm();
     const Twist aimed = limited(free);
 
     // 2  which of its contacts still stand in that way, and which points are near the surface
@@ -182,11 +195,11 @@ class Tick {
     // finds is used in this tick, so that a small budget gets on
     if (!budget_.left()) return false;
     ConstrainedMotion allowed =
-        constrainedMotion(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear());
+        constrainedMotion(aimed, {rows_.begin(), rows_.size()}, metric_, at_.X.linear());
     budget_.counts.pivots += allowed.pivots;
     budget_.spend(allowed.work);
     if (coupling_.friction > 0.0 && allowed.active > 0)
-      allowed = withFriction(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear(),
+      allowed = withFriction(aimed, {rows_.begin(), rows_.size()}, metric_, at_.X.linear(),
                              coupling_.friction, allowed, budget_);
     const double step = allowed.whitened.norm();
     if (at_.fresh) judge(distance, step, turn);
@@ -197,13 +210,13 @@ class Tick {
     double most = 1.0;  // of it
     bool arrives = !at_.bears;
     if (proxy_.held) {
-      const Vector6 whole = scene_.metric.whitened(free, at_.X.linear());
+      const Vector6 whole = metric_.whitened(free, at_.X.linear());
       change_ = behind_ - whole;
       arrives = arrives && left_behind_.isZero(0.0);
       if (at_.bears)
         most = shareToFollow(allowed.whitened);
       else
-        way = limited(arrives ? free : scene_.metric.twist(whole - left_behind_, at_.X.linear()));
+        way = limited(arrives ? free : metric_.twist(whole - left_behind_, at_.X.linear()));
     }
     // even the last billionth of a metre of free space is gone
     const double length = reachOf(way, radius_), least = arrives ? 0.0 : lengths().least_way;
@@ -314,7 +327,7 @@ class Tick {
   /// Moves on by this share of the motion.
   void arrive(double advance) HAPTICS_RT {
     if (proxy_.held)
-      least_change_ = leastChange(advance * scene_.metric.whitened(at_.motion, at_.X.linear()));
+      least_change_ = leastChange(advance * metric_.whitened(at_.motion, at_.X.linear()));
     at_.X_before = at_.X;
     at_.advance = advance;
     at_.halvings = 0;
@@ -409,6 +422,7 @@ class Tick {
 
   const Scene& scene_;
   const Isosurface solid_;
+  const MassMetric metric_;
   const VirtualCoupling& coupling_;
   const Pose& X_WD_;
   Proxy& proxy_;

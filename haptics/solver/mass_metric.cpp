@@ -6,7 +6,8 @@
 
 namespace haptics {
 
-MassMetric::MassMetric(const Mat3& inertia_P)
-    : I_P_{inertia_P}, L_{inertia_P.llt().matrixL()}, L_inverse_{L_.inverse()} {}
+MassMetric::MassMetric(const Mat3& inertia_P) HAPTICS_RT : I_P_{inertia_P},
+                                                           L_{inertia_P.llt().matrixL()},
+                                                           L_inverse_{L_.inverse()} {}
 
 }  // namespace haptics

@@ -13,7 +13,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 /// y·y is twice the energy.
 class MassMetric {
  public:
-  explicit MassMetric(const Mat3& inertia_P);
+  explicit MassMetric(const Mat3& inertia_P) HAPTICS_RT;
 
   Vector6 whitened(const Twist& V, const Mat3& R_WP) const HAPTICS_RT {
     Vector6 y;

@@ -11,22 +11,8 @@ namespace {
 
 using haptics::HandMotion;
 
-/// The hand, at another place if there is one, once the force has ramped in: what rises while
-/// something is pressed gives energy by itself.
-haptics::Hand waiting(const haptics::Hand& hand, const std::optional<Pose>& place, double wait,
-                      double seconds) {
-  const Pose X_to = place ? comparison::movedTo(*place, hand) : Pose::Identity();
-  std::vector<double> times{0.0};
-  std::vector<Pose> poses{X_to * hand.at(0.0)};
-  for (double t = 0.0; t <= seconds; t += 1e-3) {
-    times.push_back(wait + 1e-3 + t);
-    poses.push_back(X_to * hand.at(t));
-  }
-  return haptics::Hand::along(std::move(times), std::move(poses)).value();
-}
-
-/// What the paper's devices were driven at, on scenes with edges, holes and hooks: as shipped, and
-/// for the table at the paper's 5000 N/m.
+/// Hands on scenes with edges, holes and hooks: as shipped, and for the table at the paper's 5000
+/// N/m and 1 kHz, each force in time.
 Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_t seed) {
   static constexpr std::pair<const char*, HandMotion> kMotions[] = {
       {"wedge", HandMotion::Wedge}, {"pry", HandMotion::Pry}, {"hook", HandMotion::Hook}};
@@ -36,10 +22,11 @@ Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_
                           "start: a passive loop stays at zero or below",
                           {"time [s]"}, {"energy [mJ]"});
   const auto scene = haptics::makeScene(touched.volume, toolOf(touched)).value();
-  const Wall plain{haptics::findDeviceModel("lambda.7").value()};
-  const double allowed = allowedFor(plain, *scene);
+  const haptics::DeviceModel device = haptics::findDeviceModel("lambda.7").value();
+  const Wall plain{device}, shipped = asShipped(device);
+  const double allowed = allowedFor(shipped, *scene);
   for (const Way& way :
-       {Way{plain, allowed, true, "as shipped"}, Way{plain, 5000.0, false, kLoops[0].unguarded},
+       {Way{shipped, allowed, true, "as shipped"}, Way{plain, 5000.0, false, kLoops[0].unguarded},
         Way{withLoop(plain, kLoops[2]), 5000.0, false, kLoops[2].unguarded}})
     for (const auto& [name, motion] : kMotions) {
       haptics::ClosedLoop loop = loopOf(way, scene, touched.isovalue);
@@ -47,9 +34,11 @@ Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_
           motion, *scene, touched.isovalue,
           haptics::Hand::reachFor(1e-3, way.stiffness, loop.grip.stiffness), 1 + seed);
       const double wait = loop.limits.ramp_time;
-      const LoopResult run = hand ? runLoop(loop, waiting(*hand, touched.place, wait, seconds),
-                                            std::int64_t(1e3 * (seconds + wait)))
-                                  : LoopResult{.refused = hand.error()};
+      const double period = way.wall.period;
+      const LoopResult run =
+          hand ? runLoop(loop, waiting(*hand, touched.place, wait, seconds, period),
+                         std::lround((seconds + wait) / period))
+               : LoopResult{.refused = hand.error()};
       const auto mJ = [&](double energy) { return run.refused ? NAN : 1e3 * energy; };
       if (way.wall.controller == 0.0)
         plot.series.push_back({std::string{name} + ", " + way.name, run.given});
@@ -58,6 +47,7 @@ Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_
                   {{"scene", touched.name},
                    {"hand", name},
                    {"loop", way.name},
+                   {"rate", rateOf(period)},
                    {"K [N/m]", shortly(way.stiffness)},
                    {"allowed [N/m]", shortly(allowed)},
                    {"energy given, most [mJ]", shortly(mJ(run.balance.most_given))},
@@ -69,18 +59,20 @@ Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_
       found.subject = "hands/" + touched.name + "/" + name;
       found.atMost(
           "energy given beyond what damping takes, most", mJ(run.balance.most_left), 1.0, "mJ",
-          run.refused ? resources::sentence(*run.refused)
-                      : "at " + shortly(allowed) + " N/m, which is allowed; the guard left " +
-                            shortly(run.share) + " of it; largest step of force in a tick " +
-                            shortly(run.force_step) + " N; given in all at most " +
-                            shortly(mJ(run.balance.most_given)) + " mJ");
+          run.refused
+              ? resources::sentence(*run.refused)
+              : rateOf(period) + ", " + std::to_string(loop.linkage.delay) + " periods late, at " +
+                    shortly(allowed) + " N/m, which is allowed; the guard left " +
+                    shortly(run.share) + " of it; largest step of force in a tick " +
+                    shortly(run.force_step) + " N; given in all at most " +
+                    shortly(mJ(run.balance.most_given)) + " mJ");
       found.atMost("energy given beyond what sampling gives, most", mJ(run.balance.most_own), 1.0,
                    "mJ",
                    "which a held force gives at each stroke, without end: in all " +
                        shortly(mJ(run.balance.sampled)) + " mJ here");
       found.none("not finite", run.non_finite);
       found.none("looks that found it inside", run.inside);
-      found.atLeast("ticks in contact", run.contact, 100.0);
+      found.atLeast("milliseconds in contact", 1e3 * period * run.contact, 100.0);
     }
   return std::move(found.outcome);
 }
@@ -135,7 +127,7 @@ Outcome turnedHandle(int turns) {
         Lever{0.1, 0.0, true}, Lever{0.2, 0.0, false}, Lever{0.2, 0.0, true},
         Lever{0.0, 0.05, false}, Lever{0.0, 0.1, false}, Lever{0.0, 0.2, false}}) {
     const bool is_arm = lever.arm > 0.0;
-    Wall wall{haptics::findDeviceModel(is_arm ? "omni-arm-200" : "omega.6").value()};
+    Wall wall = asShipped(haptics::findDeviceModel(is_arm ? "omni-arm-200" : "omega.6").value());
     wall.device.linkage.arm = {0.0, 0.0, -lever.arm};
     wall.device.linkage.torque = lever.torque;
     const auto scene = sceneOf(ramp(0.0, 1, datasets::shapes::HalfSpace{}), toolAt(lever));
@@ -148,10 +140,12 @@ Outcome turnedHandle(int turns) {
       // the handle's own extent, not that of the ball 200 mm away
       loop.grip.gyration = 0.03;
       const double wait = loop.limits.ramp_time;
-      LoopResult r =
-          runLoop(loop, turning(lever, wait, turns), std::lround(1e3 * wait) + 500 * turns);
+      LoopResult r = runLoop(loop, turning(lever, wait, turns),
+                             std::lround((wait + 0.5 * turns) / wall.period));
       found.row(caption, {{"lever", (is_arm ? "arm of " : "tool that reaches ") + length},
                           {"torque motors", lever.torque ? "yes" : "no"},
+                          {"rate", rateOf(wall.period)},
+                          {"delay", std::to_string(wall.device.linkage.delay)},
                           {"K [N/m]", shortly(stiffness)},
                           {"given at the handle [mJ a turn]", shortly(mJ * r.energy)},
                           {"given by the program [mJ a turn]", shortly(mJ * r.program)},

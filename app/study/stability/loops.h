@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,6 +32,18 @@ struct Wall {
     return 2.0 * totalDamping() / (period * (1.0 + 2.0 * device.linkage.delay));
   }
 };
+
+/// A device driven at a rate, by whatever carries its force: late by its rating's delay, in whole
+/// periods. At 1 kHz a quarter of a millisecond is none of them.
+inline Wall drivenAt(haptics::DeviceModel device, haptics::ServoRate rate) {
+  device.linkage.delay = int(std::lround(device.rating.delay / rate.period()));
+  return {std::move(device), {}, rate.period()};
+}
+/// As the program drives it unless the user chooses another rate: at the highest of its link.
+inline Wall asShipped(haptics::DeviceModel device) {
+  const haptics::ServoRate rate = haptics::rateOf(device.rating);
+  return drivenAt(std::move(device), rate);
+}
 
 /// What is added to the spring, as shares of the rated damping.
 struct Loop {
@@ -91,7 +104,8 @@ struct Way {
   bool shipped = false;
   const char* name = "";
 };
-/// The loop of a wall, touching a scene instead.
+/// The loop of a wall, touching a scene instead. As shipped, its angular stiffness is no more than
+/// rated, as in a session.
 haptics::ClosedLoop loopOf(const Way& way, std::shared_ptr<const haptics::Scene> scene,
                            double isovalue);
 
@@ -100,25 +114,30 @@ double allowedFor(const Wall& wall, const haptics::Scene& scene);
 
 /// What a loop gives to the hand, against what is unavoidable and what is taken away, tick by tick.
 ///
-/// A sampled spring gives K/2 times the square of the change of its stretch in a tick. Device and
+/// A sampled spring gives K/2 times the square of the change of its stretch in a tick. One that is
+/// d ticks late also gives K times that change times the d changes before it. Device and
 /// hand take b/T times the square of the motion along the force. Up to the limit of a sampled
 /// spring, K = 2 b / T, more is taken than given; beyond it a loop that shakes gives ever more.
 struct EnergyBalance {
   double stiffness;  ///< N/m
   haptics::Grip grip;
   double period;                       ///< s
+  int delay = 0;                       ///< ticks
   double most_given = 0.0;             ///< J
   double most_own = 0.0;               ///< J, beyond what sampling gives: the method's own share
   double most_left = 0.0;              ///< J, beyond what damping takes: what makes a loop shake
   double sampled = 0.0, damped = 0.0;  ///< J
-  haptics::Vector6 stretch_before = haptics::Vector6::Zero();
+  std::deque<haptics::Vector6> stretches = {haptics::Vector6::Zero()};  ///< m, the latest last
 
   /// `given` [J]: to the hand since the start. `motion`: the handle's since the last tick, while
   /// `held` acted. `stretch` [m]: of the spring now, by the tool's metric.
   void add(double given, const haptics::Wrench& held, const haptics::Twist& motion,
            const haptics::Vector6& stretch) {
-    sampled += 0.5 * stiffness * (stretch - stretch_before).squaredNorm();
-    stretch_before = stretch;
+    const haptics::Vector6 change = stretch - stretches.back();
+    const haptics::Vector6 lag = stretches.back() - stretches.front();
+    sampled += stiffness * (0.5 * change.squaredNorm() + change.dot(lag));
+    stretches.push_back(stretch);
+    if (int(stretches.size()) > delay + 1) stretches.pop_front();
     const double force = held.force.norm(), torque = held.torque.norm();
     const double along = force > 0.0 ? motion.linear.dot(held.force) / force : 0.0;
     const double about =
@@ -138,7 +157,9 @@ struct LoopResult {
   double share = 1.0;       ///< of the stiffness that the guard of passivity left
   int non_finite = 0;       ///< ticks; all of them where the loop was refused
   int inside = 0;           ///< looks that found a shell point inside: one in ten ticks
+  int looks = 0;            ///< at the shell, for that
   int contact = 0;          ///< ticks
+  int cut = 0;              ///< ticks that the budget ended
   double force = 0.0;       ///< N, the largest
   double risen = 0.0;       ///< J by which the proxy's moves raised the spring, drops not counted
   double rise = 0.0;        ///< m, the largest in a tick: its energy over the spring's pull
@@ -148,6 +169,11 @@ struct LoopResult {
   std::vector<PlotPoint> given = {};  ///< s; mJ given to the hand until then
   std::optional<haptics::Error> refused = {};
 };
+/// The hand, at another place if there is one, once the force has ramped in: what rises while
+/// something is pressed gives energy by itself. A pose for every period, for so many seconds after
+/// the wait [s]. `turns`: the handle's turns are sensed; else the tool keeps its own.
+haptics::Hand waiting(const haptics::Hand& hand, const std::optional<haptics::Pose>& place,
+                      double wait, double seconds, double period, bool turns = true);
 /// Runs a loop and watches the handle between two times [s].
 LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::int64_t ticks,
                    double from = 0.0, double until = INFINITY);

@@ -2,6 +2,7 @@
 #include <numbers>
 #include <set>
 
+#include "app/study/comparison/course.h"
 #include "app/study/stability/failures.h"
 #include "app/study/stability/loops.h"
 #include "haptics/coupling/passivity.h"
@@ -56,6 +57,8 @@ Outcome pressesOf(const std::string& job, const std::string& stage, Wall wall, c
   for (const double noise : sweep.noises) stages.push_back(makeStage(stage, noise, 301 + seed));
   for (const int delay : sweep.delays) {
     wall.device.linkage.delay = delay;
+    const Wall shipped = asShipped(wall.device);
+    const bool own = wall.period == shipped.period && delay == shipped.device.linkage.delay;
     const double allowed = allowedFor(wall, *stages.front().scene);
     // the worst of each figure up to what is allowed, as it comes
     found.subject = job + "/delay " + std::to_string(delay);
@@ -88,6 +91,7 @@ Outcome pressesOf(const std::string& job, const std::string& stage, Wall wall, c
                    {"rate", rateOf(wall.period)},
                    {"loop", way.name},
                    {"delay", std::to_string(delay)},
+                   {"its own", own ? "yes" : ""},
                    {"noise [%]", shortly(100.0 * noise)},
                    {"K [N/m]", shortly(K)},
                    {"of what is allowed", shortly(K / allowed)},
@@ -140,6 +144,10 @@ haptics::ClosedLoop loopOf(const Way& way, std::shared_ptr<const haptics::Scene>
   loop.grip = device.heldBy(wall.hand, std::sqrt(scene->tool.shell.inertia.trace() / 3.0));
   loop.linkage = device.linkage;
   loop.rate = wall.rate();
+  const double angular = device.rating.angular_stiffness;
+  if (way.shipped && device.rating.torque > 0.0 &&
+      way.stiffness * haptics::largestInertia(scene->tool.shell.inertia) > angular)
+    loop.settings.angular_stiffness = angular;
   loop.damping = wall.damping;
   loop.passivity_damping = wall.controller;
   loop.scene = std::move(scene);
@@ -152,37 +160,61 @@ double allowedFor(const Wall& wall, const haptics::Scene& scene) {
                                    {wall.period, linkage.delay * wall.period}, linkage.arm.norm());
 }
 
+haptics::Hand waiting(const haptics::Hand& hand, const std::optional<Pose>& place, double wait,
+                      double seconds, double period, bool turns) {
+  const Pose X_to = place ? comparison::movedTo(*place, hand) : Pose::Identity();
+  std::vector<double> times{0.0};
+  std::vector<Pose> poses{X_to * hand.at(0.0)};
+  for (std::int64_t n = 0; double(n) * period <= seconds; ++n) {
+    const double t = double(n) * period;
+    times.push_back(wait + period + t);
+    poses.push_back(X_to * hand.at(t));
+    if (!turns) poses.back().linear() = poses.front().linear();
+  }
+  return haptics::Hand::along(std::move(times), std::move(poses)).value();
+}
+
 LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::int64_t ticks,
                    double from, double until) {
   const haptics::Scene& scene = *loop.scene;
   const double K = loop.settings.stiffness;
-  LoopResult result{.balance = {K, loop.grip, loop.rate.period()}};
+  LoopResult result{.balance = {K, loop.grip, loop.rate.period(), loop.linkage.delay}};
   haptics::PassivityObserver program, lost;
   Vec3 lowest = Vec3::Constant(INFINITY), highest = -lowest;
   const auto stretch = [&](const Pose& X_WP, const Pose& X_WD) {
-    return scene.metric.whitened(haptics::motionBetween(X_WP, X_WD), X_WP.linear());
+    const haptics::Twist apart = haptics::motionBetween(X_WP, X_WD);
+    haptics::Vector6 stretched = scene.metric.whitened(apart, X_WP.linear());
+    // of a spring that turns as softly as is rated
+    const double angular = loop.settings.angular_stiffness;
+    if (angular > 0.0) stretched.tail<3>() = std::sqrt(angular / K) * apart.angular;
+    return stretched;
   };
   std::optional<haptics::TraceRow> before;
+  std::deque<haptics::Wrench> under_way(std::size_t(loop.linkage.delay));
   std::int64_t tick = 0;
   const auto done = loop.run(hand, ticks, [&](const haptics::TraceRow& row) {
     result.energy = row.energy;
     result.share = row.stiffness_share;
     result.contact += row.contacts > 0;
+    result.cut += row.cut_at > 0;
     result.non_finite += !row.X_WP.matrix().allFinite() || !row.X_WH.matrix().allFinite() ||
                          !std::isfinite(row.coupling_W.force.norm()) ||
                          !std::isfinite(row.coupling_W.torque.norm());
     result.force = worse(result.force, row.sent_W.force.norm());
     if (tick++ % 10 == 0) {
+      ++result.looks;
       result.inside += !evaluator::isLegal(*scene.volume, loop.settings.isovalue,
                                            scene.tool.shell.points, row.X_WP);
       result.given.push_back({row.time, 1e3 * row.energy});
     }
     if (const std::optional<haptics::TraceRow> last = std::exchange(before, row)) {
-      const haptics::Wrench& held = last->sent_W;
+      under_way.push_back(last->sent_W);
+      const haptics::Wrench held = under_way.front();
+      under_way.pop_front();
       const haptics::Twist motion = haptics::motionBetween(last->X_WH, row.X_WH);
       const haptics::Vector6 stretched = stretch(row.X_WP, row.X_WD);
-      result.balance.add(row.energy, held, motion, stretched);
       program.add(held, haptics::motionBetween(last->X_WD, row.X_WD));
+      result.balance.add(row.energy, held, motion, stretched);
       const Vec3 arm = last->X_WD.translation() - last->X_WH.translation();
       if (!loop.linkage.torque) lost.add({Vec3::Zero(), arm.cross(held.force)}, motion);
 
@@ -195,7 +227,8 @@ LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::in
       if (row.time < from || row.time >= until) return true;
       lowest = lowest.cwiseMin(row.X_WH.translation());
       highest = highest.cwiseMax(row.X_WH.translation());
-      result.force_step = std::max(result.force_step, (row.sent_W.force - held.force).norm());
+      result.force_step =
+          std::max(result.force_step, (row.sent_W.force - last->sent_W.force).norm());
     }
     return true;
   });
@@ -277,7 +310,9 @@ std::vector<Job> pressJobs(Depth depth) {
       for (const Sweep& sweep : sweeps) {
         const bool other_loops = varied.contains(device.name) && (full || stage == "ball");
         if (sweep.depth != depth) continue;
-        if (!full && !(sweep.period == 1e-3 ? quick.contains(device.name) : other_loops)) continue;
+        // at 4 kHz on one stage in the quick form, what runs at it
+        const bool own = sweep.period == asShipped(device).period && stage == "ball";
+        if (!full && !(quick.contains(device.name) && (sweep.period == 1e-3 || own))) continue;
         const std::string name = "press/" + device.name + "/" + stage +
                                  (sweep.period < 1e-3 ? "/" + rateOf(sweep.period) : "");
         jobs.push_back(

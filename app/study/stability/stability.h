@@ -10,7 +10,7 @@
 
 namespace study::stability {
 
-/// The study: stiff and extreme input. Its jobs are those of the four parts below.
+/// The study: stiff and extreme input. Its jobs are those of the five parts below.
 Study stabilityStudy(Depth depth);
 
 /// Situations in which the paper's method, or a plausible step beyond it, fails: each a case with
@@ -22,6 +22,10 @@ std::vector<Job> limitJobs(Depth depth);
 std::vector<Job> pressJobs(Depth depth);
 /// Hands that wedge, pry and hook, and a handle that is turned while a long lever touches.
 std::vector<Job> handJobs(Depth depth);
+
+/// Every device at every rate that its link carries, through hands that tap, wedge, pry and hook:
+/// twenty minutes a device in full.
+std::vector<Job> rateJobs(Depth depth);
 
 /// What a job finds, as it comes up. A case is named "subject/what".
 struct Findings {
