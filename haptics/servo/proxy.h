@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -78,6 +79,9 @@ struct BearingContact {
 };
 using Bearing = FixedVector<BearingContact, 6>;
 
+/// The ticks before one that are within a millisecond of it, at the highest rate.
+inline constexpr int kTicksReleased = 3;
+
 /// The proxy and its memory between ticks. The constructor allocates all memory.
 struct Proxy {
   Proxy(const Scene& scene, const Pose& X_start)
@@ -102,6 +106,9 @@ struct Proxy {
   Twist behind;          ///< while held: motion from proxy to device after the last tick with
                          ///< TickResult::followed
   int ticks_behind = 0;  ///< ticks since then
+  /// While held: by how much more than by the hand's motion `behind` changed in the last ticks [m,
+  /// by the metric], the latest first.
+  std::array<double, kTicksReleased> released = {};
   /// Does the work that ticks leave out; null except in studies and tests.
   SecondLook* second_look = nullptr;
 
@@ -116,6 +123,7 @@ struct Proxy {
     isovalue = std::numeric_limits<double>::quiet_NaN();
     held = false;
     ticks_behind = 0;
+    released = {};
   }
 };
 

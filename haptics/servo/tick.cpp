@@ -54,11 +54,21 @@ class Tick {
                                                                  at_{proxy.search},
                                                                  budget_{budget},
                                                                  radius_{scene.tool.shell.radius} {
-    if (proxy.held) follow(releaseSpeed(coupling.stiffness) * period * (1 + proxy.ticks_behind));
+    if (proxy.held)
+      follow(releaseSpeed(coupling.stiffness), period);
+    else
+      proxy.released = {};
   }
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
   void run(TickResult& result) HAPTICS_RT {
+    takeSubSteps(result);
+    std::shift_right(proxy_.released.begin(), proxy_.released.end(), 1);
+    proxy_.released.front() = released_;
+  }
+
+ private:
+  void takeSubSteps(TickResult& result) HAPTICS_RT {
     proxy_.acceptance.begin(X_WD_, proxy_.X_WP, radius_, lengths().epsilon);
     if (at_.stage == Search::Stage::Done) {
       at_.begin(proxy_);
@@ -95,7 +105,6 @@ class Tick {
     result.cut = budget_.cut();
   }
 
- private:
   const Tolerances& lengths() const HAPTICS_RT { return scene_.lengths; }
   /// The tool at the pose that the sub-steps have got to.
   NearTool tool() const HAPTICS_RT { return {solid_, scene_.tree, at_.X, proxy_.clearance}; }
@@ -104,20 +113,29 @@ class Tick {
     return metric_.whitened(unconstrainedMotion(X, X_WD_, turn), X.linear()).norm();
   }
 
-  /// How a proxy that was held follows: what it is behind changes by `most` [m, by the metric] and
-  /// by what the hand's own motion makes of it.
-  void follow(double most) HAPTICS_RT {
+  /// How a proxy that was held follows: what it is behind changes by this speed [m/s, by the
+  /// metric] and by what the hand's own motion makes of it. In contact a step may take the way of a
+  /// whole millisecond at once, if the ticks before it did not: the way of a shorter period is too
+  /// short for what stands up between two facets, and the proxy would be held there.
+  void follow(double speed, double period) HAPTICS_RT {
     Vec3 turn = proxy_.turn;
     const Mat3 R = proxy_.X_WP.linear();
     const Vector6 now = metric_.whitened(unconstrainedMotion(proxy_.X_WP, X_WD_, turn), R);
     behind_ = metric_.whitened(proxy_.behind, R);
     const double distance = behind_.norm();
-    most = std::max(most, distance - kMostReleased / coupling_.stiffness);
-    most_change_ = most;
+    most_ = std::max(speed * period * (1 + proxy_.ticks_behind),
+                     distance - kMostReleased / coupling_.stiffness);
+    double spare = 0.0, before = period;  // s: how long before the end of this tick
+    for (const double released : proxy_.released) {
+      if (before > kMillisecond - 0.5 * period) break;
+      spare += speed * period - released;
+      before += period;
+    }
+    most_change_ = std::max(0.0, most_ + spare);
     least_change_ = INFINITY;
     // the hand may bring the two together faster by itself
     const double nearer = (behind_ - now).dot(behind_) / distance;
-    left_behind_ = std::max(0.0, 1.0 - std::max(most, nearer) / distance) * behind_;
+    left_behind_ = std::max(0.0, 1.0 - std::max(most_, nearer) / distance) * behind_;
   }
 
   /// What the proxy is behind has changed by `change_`; how little that comes to along a motion,
@@ -202,6 +220,11 @@ class Tick {
       allowed = withFriction(aimed, {rows_.begin(), rows_.size()}, metric_, at_.X.linear(),
                              coupling_.friction, allowed, budget_);
     const double step = allowed.whitened.norm();
+    Vector6 whole = Vector6::Zero();
+    if (proxy_.held) {
+      whole = metric_.whitened(free, at_.X.linear());
+      change_ = behind_ - whole;
+    }
     if (at_.fresh) judge(distance, step, turn);
     at_.fresh = false;
     if (at_.atTaken()) bear(allowed);
@@ -210,8 +233,6 @@ class Tick {
     double most = 1.0;  // of it
     bool arrives = !at_.bears;
     if (proxy_.held) {
-      const Vector6 whole = metric_.whitened(free, at_.X.linear());
-      change_ = behind_ - whole;
       arrives = arrives && left_behind_.isZero(0.0);
       if (at_.bears)
         most = shareToFollow(allowed.whitened);
@@ -240,7 +261,8 @@ class Tick {
 
   /// A proxy that stops short while the hand moves on is felt as a blow: then it tries for longer.
   int mostTries() const HAPTICS_RT {
-    const bool behind = proxy_.held && change_.squaredNorm() > most_change_ * most_change_;
+    const double most = std::max(most_, most_change_);
+    const bool behind = proxy_.held && change_.squaredNorm() > most * most;
     return (behind ? kMoreTries : 1) * scene_.fineness.sub_steps;
   }
 
@@ -396,6 +418,8 @@ class Tick {
       proxy_.acceptance.start(distance, step);
     else if (!proxy_.acceptance.take(distance, step))
       return;
+    if (proxy_.held)
+      released_ = std::sqrt(std::max(0.0, change_.squaredNorm() - leastChange(Vector6::Zero())));
     proxy_.X_WP = at_.X;
     proxy_.turn = turn;
     at_.way = at_.turned = 0.0;
@@ -414,6 +438,7 @@ class Tick {
   static constexpr double kProofWork = 32.0 * double(kTickWork);  // of one sub-step at most
   static constexpr double kCarriedWay = 0.5;  // voxels: of a sub-step with carried nodes at most
   static constexpr int kMoreTries = 3;
+  static constexpr double kMillisecond = 1e-3;  // s
   // How long a sub-step is tried: a quarter where one was blocked and nothing new was learned;
   // three times what an impact left of it, so that a slide along a wavy surface does not creep;
   // twice as long where nothing was met.
@@ -436,8 +461,10 @@ class Tick {
   // of a proxy that was held, whitened: the way to the device before it moved, what of that is left
   // in this tick even where nothing is in the way, and how much of it may change
   Vector6 behind_ = Vector6::Zero(), left_behind_ = Vector6::Zero();
+  double most_ = INFINITY;                                   // of it, in this tick alone
   double most_change_ = INFINITY, least_change_ = INFINITY;  // the second squared
   Vector6 change_ = Vector6::Zero();                         // by now
+  double released_ = 0.0;                                    // m, at the pose taken
 };
 
 }  // namespace
