@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// palpate-session: what a window, a recording and a touch cost each other in real time, at any rate
+// of the servo.
+
+#include <QApplication>
+#include <QTemporaryDir>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/application.h"
+#include "app/build_info/build_info.h"
+#include "haptics/recording/recording.h"
+#include "haptics/servo/servo_loop.h"
+#include "haptics/simulation/simulated.h"
+#include "tests/bench/window.h"
+#include "tests/support/sentence.h"
+#include "ui/volume_view.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using bench::waitFor;
+using Json = nlohmann::ordered_json;
+
+Json ticksOf(const haptics::Snapshot& before, const haptics::Snapshot& after) {
+  const auto ticks = after.tick - before.tick;
+  const double each = 1e4 / double(std::max<std::uint64_t>(ticks, 1));
+  return {{"ticks", ticks},
+          {"late_in_10000", double(after.late_ticks - before.late_ticks) * each},
+          {"missed_in_10000", double(after.missed_ticks - before.missed_ticks) * each}};
+}
+
+/// The only recording in the folder of recordings.
+Json fileIn(const fs::path& folder, double seconds) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".palpate") continue;
+    const auto recording = haptics::Recording::open(entry.path());
+    if (!recording) return {{"failed", sentence(recording.error())}};
+    const auto bytes = fs::file_size(entry.path());
+    return {{"steps", recording->stepCount()},
+            {"gaps", recording->lostCount()},
+            {"bytes_per_step", double(bytes) / double(recording->stepCount())},
+            {"bytes_per_second", double(bytes) / seconds}};
+  }
+  return {{"failed", "no recording was found"}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App cli{"A window in which a simulated hand slides, recorded, beside an empty loop."};
+  std::string path, out;
+  double isovalue = 0.0, seconds = 600.0;
+  int hz = 4000;
+  cli.add_option("scan", path, "A scan to open; default: the demo phantom");
+  cli.add_option("--isovalue", isovalue, "Isovalue of the scan's surface");
+  cli.add_option("--rate", hz, "Of both loops [Hz]")->check(CLI::IsMember({1000, 2000, 4000}));
+  cli.add_option("--seconds", seconds, "Of touching")->check(CLI::Range(1.0, 36'000.0));
+  cli.add_option("--out", out, "JSON, besides what is printed");
+  CLI11_PARSE(cli, argc, argv);
+
+  ui::Viewport::prepareApplication();
+  int qt_argc = 1;
+  QApplication qt(qt_argc, argv);
+  const QTemporaryDir home;
+  app::Arguments arguments = bench::unattended(home);
+  if (path.empty()) {
+    arguments.load.phantom = "demo";
+  } else {
+    arguments.load.path = path;
+    arguments.load.isovalue = isovalue;
+    arguments.load.tool = app::ToolSource{};
+  }
+  arguments.hand = "slide";
+  app::Application application(std::move(arguments));
+  const haptics::ServoRate rate{hz};
+  application.session().chooseRate(rate);
+  application.window().resize(1280, 900);
+  application.start();
+  if (!waitFor([&] {
+        return application.snapshot().scene != 0 && application.snapshot().contacts > 0;
+      })) {
+    std::fprintf(stderr, "No hand touched the surface within two minutes.\n");
+    return 4;
+  }
+
+  haptics::LatestValue<haptics::Pose> nowhere;
+  haptics::Settings settings;
+  settings.isovalue = application.snapshot().isovalue;
+  haptics::ServoLoop empty{haptics::openMouse(nowhere, {}, rate.period()), settings, true, rate};
+  empty.start();
+  if (const auto begun = application.recording().start(application.shown()->scene, ""); !begun) {
+    std::fprintf(stderr, "%s\n", sentence(begun.error()).c_str());
+    return 4;
+  }
+  haptics::Snapshot turning;
+  waitFor([&] { return empty.snapshots.take(turning) && turning.tick > 0; });
+  const haptics::Snapshot touch_before = application.snapshot(), empty_before = turning;
+  const int drawn = application.window().view().frames();
+  std::vector<double> p99_us;
+  const auto begun = bench::Clock::now();
+  while (bench::msSince(begun) < 1e3 * seconds) {
+    waitFor([] { return false; }, 1.0);
+    p99_us.push_back(1e6 * application.snapshot().tick_p99);
+  }
+  empty.snapshots.take(turning);
+  const int pictures = application.window().view().frames() - drawn;
+  Json json{{"machine", app::machineHere()},
+            {"version", app::versionHere()},
+            {"rate_hz", hz},
+            {"seconds", seconds},
+            {"real_time_policy", turning.policy == haptics::SchedulingPolicy::RealTime},
+            {"touch", ticksOf(touch_before, application.snapshot())},
+            {"empty_loop", ticksOf(empty_before, turning)},
+            {"median_of_p99_us", bench::median(p99_us)},
+            {"pictures_per_second", pictures / seconds}};
+  application.recording().stop();
+  waitFor([&] { return application.recording().present().empty(); });
+  json["file"] = fileIn(home.path().toStdString(), seconds);
+  std::puts(json.dump(2).c_str());
+  if (!out.empty()) std::ofstream(out) << json.dump(2) << '\n';
+  application.end();
+  return 0;
+}
