@@ -41,7 +41,7 @@ class Tick {
                                                                  at_{proxy.search},
                                                                  budget_{budget},
                                                                  radius_{scene.tool.shell.radius} {
-    if (proxy.held) follow(releaseSpeed(coupling.stiffness) * period * (1 + proxy.ticks_behind));
+    if (proxy.held) follow(period * (1 + proxy.ticks_behind));
   }
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
@@ -91,37 +91,110 @@ class Tick {
     return scene_.metric.whitened(unconstrainedMotion(X, X_WD_, turn), X.linear()).norm();
   }
 
-  /// How a proxy that was held follows: what it is behind changes by `most` [m, by the metric] and
-  /// by what the hand's own motion makes of it.
-  void follow(double most) HAPTICS_RT {
+  /// How a proxy that was held follows, within `time` [s]: what it is behind changes by
+  /// releaseSpeed [by the metric] and by what the hand's own motion makes of it.
+  void follow(double time) HAPTICS_RT {
     Vec3 turn = proxy_.turn;
     const Mat3 R = proxy_.X_WP.linear();
     const Vector6 now = scene_.metric.whitened(unconstrainedMotion(proxy_.X_WP, X_WD_, turn), R);
     behind_ = scene_.metric.whitened(proxy_.behind, R);
-    const double distance = behind_.norm();
-    most = std::max(most, distance - kMostReleased / coupling_.stiffness);
+    const double distance = behind_.norm(), rendered = kMostReleased / coupling_.stiffness;
+    const double most = std::max(releaseSpeed(coupling_.stiffness) * time, distance - rendered);
     most_change_ = most;
-    least_change_ = INFINITY;
+    most_fall_ =
+        std::max(kMostFall / coupling_.stiffness * time, proxy_.behind.linear.norm() - rendered);
+    least_change_ = least_fall_ = INFINITY;
     // the hand may bring the two together faster by itself
     const double nearer = (behind_ - now).dot(behind_) / distance;
     left_behind_ = std::max(0.0, 1.0 - std::max(most, nearer) / distance) * behind_;
   }
 
-  /// What the proxy is behind has changed by `change_`; how little that comes to along a motion,
-  /// squared.
-  double leastChange(const Vector6& motion) const HAPTICS_RT {
+  /// How little `change` comes to along a motion, squared.
+  template <class V>
+  static double leastAlong(const V& change, const V& motion) HAPTICS_RT {
     const double squares = motion.squaredNorm();
     const double nearest =
-        squares > 0.0 ? std::clamp(-change_.dot(motion) / squares, 0.0, 1.0) : 0.0;
-    return std::min(least_change_, (change_ + nearest * motion).squaredNorm());
+        squares > 0.0 ? std::clamp(-change.dot(motion) / squares, 0.0, 1.0) : 0.0;
+    return (change + nearest * motion).squaredNorm();
   }
-  /// The share of a motion after which what the proxy is behind has changed by more than it may:
-  /// as little as it can on the way, and most_change_ across that.
-  double shareToFollow(const Vector6& motion) const HAPTICS_RT {
-    const double squares = motion.squaredNorm(), along = change_.dot(motion);
-    const double most = leastChange(motion) + most_change_ * most_change_;
-    const double root = along * along - squares * (change_.squaredNorm() - most);
+  /// The share of a motion after which `change` is more than it may be: `least` squared, as little
+  /// as it was on the way, and `most` across that.
+  template <class V>
+  static double shareWithin(double most, double least, const V& change,
+                            const V& motion) HAPTICS_RT {
+    const double squares = motion.squaredNorm(), along = change.dot(motion);
+    const double root = along * along - squares * (change.squaredNorm() - least - most * most);
     return root > 0.0 ? std::clamp((std::sqrt(root) - along) / squares, 0.0, 1.0) : 0.0;
+  }
+  /// What the proxy is behind has changed by `change_`; the least of that by the end of a motion.
+  double leastChange(const Vector6& motion) const HAPTICS_RT {
+    return std::min(least_change_, leastAlong(change_, motion));
+  }
+  double shareToFollow(const Vector6& motion) const HAPTICS_RT {
+    return shareWithin(most_change_, leastChange(motion), change_, motion);
+  }
+
+  /// A part of the way since the pose taken last; the whole of it is proven free.
+  struct Leg {
+    Pose X = Pose::Identity();
+    Twist motion;  ///< of which the tool went `advance`
+    double advance = 0.0;
+    Vec3 change = Vec3::Zero();  ///< of what the proxy is behind at X, along a line [m]
+    bool bears = false;
+  };
+  /// Stops short on the way to a pose that the filter would take, if the force changes too fast
+  /// there: at the place where it has changed by as much as it may. The next look takes that place.
+  /// False if the pose may be taken, or if no place on the way can be held.
+  bool easeTo(double distance, double step, const Twist& free) HAPTICS_RT {
+    if (!proxy_.held || !legs_known_ || at_.atTaken()) return false;
+    if (!proxy_.acceptance.takes(distance, step)) return false;
+    double least = least_fall_;
+    for (const Leg& leg : legs_)
+      least = std::min(least, leastAlong(leg.change, Vec3{leg.advance * leg.motion.linear}));
+    const Vec3 change = proxy_.behind.linear - free.linear;
+    if (change.squaredNorm() <= least + most_fall_ * most_fall_) {
+      least_fall_ = least;
+      return false;
+    }
+    least = least_fall_;
+    for (std::size_t n = 0; n < legs_.size(); ++n) {
+      const Leg& leg = legs_[n];
+      const Vec3 way = leg.advance * leg.motion.linear;
+      least = std::min(least, leastAlong(leg.change, way));
+      const double share = shareWithin(most_fall_, least, leg.change, way);
+      if (leg.bears && share < 1.0) return stopOn(n, share);
+    }
+    return false;
+  }
+  /// Goes back to a share of a leg, if the energy allows that place.
+  bool stopOn(std::size_t n, double share) HAPTICS_RT {
+    const Leg& leg = legs_[n];
+    const double advance = share * leg.advance;
+    if (n == 0 && advance * reachOf(leg.motion, radius_) < lengths().least_way) {
+      // the force has changed enough in this tick: what was taken stays
+      at_.stage = Search::Stage::Done;
+      return true;
+    }
+    const Pose X = moved(leg.X, leg.motion, advance);
+    if (!proxy_.acceptance.affords(distanceFrom(X, proxy_.turn))) return false;
+    // the way back is motion, too
+    double back = 0.0, turned_back = 0.0;
+    for (std::size_t k = n; k < legs_.size(); ++k) {
+      const double part = legs_[k].advance - (k == n ? advance : 0.0);
+      back += part * legs_[k].motion.linear.norm();
+      turned_back += part * legs_[k].motion.angular.norm();
+    }
+    proxy_.clearance.moved(back, turned_back);
+    at_.way += back;
+    at_.turned += turned_back;
+    at_.X_before = leg.X;
+    at_.motion = leg.motion;
+    at_.advance = advance;
+    at_.halvings = 0;
+    at_.X = X;
+    at_.whole = false;
+    eased_ = true;
+    return true;
   }
 
   /// Goes to the device if the whole tool has more room than the way there asks for, in one
@@ -189,9 +262,14 @@ class Tick {
       allowed = withFriction(aimed, {rows_.begin(), rows_.size()}, scene_.metric, at_.X.linear(),
                              coupling_.friction, allowed, budget_);
     const double step = allowed.whitened.norm();
+    if (at_.fresh && !eased_ && easeTo(distance, step, free)) return true;
     if (at_.fresh) judge(distance, step, turn);
     at_.fresh = false;
     if (at_.atTaken()) bear(allowed);
+    if (eased_) {
+      at_.stage = Search::Stage::Done;
+      return true;
+    }
     at_.bears = allowed.active > 0;
     Twist way = allowed.twist;
     double most = 1.0;  // of it
@@ -199,6 +277,7 @@ class Tick {
     if (proxy_.held) {
       const Vector6 whole = scene_.metric.whitened(free, at_.X.linear());
       change_ = behind_ - whole;
+      fall_ = proxy_.behind.linear - free.linear;
       arrives = arrives && left_behind_.isZero(0.0);
       if (at_.bears)
         most = shareToFollow(allowed.whitened);
@@ -315,6 +394,11 @@ class Tick {
   void arrive(double advance) HAPTICS_RT {
     if (proxy_.held)
       least_change_ = leastChange(advance * scene_.metric.whitened(at_.motion, at_.X.linear()));
+    if (at_.atTaken()) {
+      legs_.clear();
+      legs_known_ = true;
+    }
+    legs_known_ = legs_known_ && legs_.push({at_.X, at_.motion, advance, fall_, at_.bears});
     at_.X_before = at_.X;
     at_.advance = advance;
     at_.halvings = 0;
@@ -381,7 +465,8 @@ class Tick {
   void judge(double distance, double step, const Vec3& turn) HAPTICS_RT {
     if (at_.atTaken())
       proxy_.acceptance.start(distance, step);
-    else if (!proxy_.acceptance.take(distance, step))
+    else if (eased_ ? !proxy_.acceptance.takeOnTheWay(distance, step)
+                    : !proxy_.acceptance.take(distance, step))
       return;
     proxy_.X_WP = at_.X;
     proxy_.turn = turn;
@@ -416,14 +501,20 @@ class Tick {
   Budget& budget_;
   MotionRows rows_;
   double radius_;
-  int tries_ = 0;      // motions that a contact shaped or stopped
-  double gone_ = 0.0;  // m: the farthest point, in it
+  FixedVector<Leg, 32> legs_;  // since the pose taken last
+  bool legs_known_ = false;    // all of them
+  bool eased_ = false;         // the pose is a place to wait, on the way to a better one
+  int tries_ = 0;              // motions that a contact shaped or stopped
+  double gone_ = 0.0;          // m: the farthest point, in it
 
   // of a proxy that was held, whitened: the way to the device before it moved, what of that is left
   // in this tick even where nothing is in the way, and how much of it may change
   Vector6 behind_ = Vector6::Zero(), left_behind_ = Vector6::Zero();
   double most_change_ = INFINITY, least_change_ = INFINITY;  // the second squared
   Vector6 change_ = Vector6::Zero();                         // by now
+  // the same along a line, which is what changes the force
+  double most_fall_ = INFINITY, least_fall_ = INFINITY;  // the second squared
+  Vec3 fall_ = Vec3::Zero();                             // by now
 };
 
 }  // namespace

@@ -24,6 +24,10 @@ inline double releaseSpeed(double stiffness) HAPTICS_RT {
   const double softer = std::max(1.0, kStiff / stiffness);
   return kFall / stiffness * softer * softer;
 }
+/// N/s: fastest change of the force in contact by the proxy's own motion. A proxy whose place at an
+/// edge is no longer the nearest falls to another place, often over a tenth of a millimetre or
+/// more.
+inline constexpr double kMostFall = 150.0;
 /// N: a proxy pulled by a larger force approaches at once until this is left, because no device
 /// renders more.
 inline constexpr double kMostReleased = 50.0;
@@ -46,7 +50,9 @@ struct TickResult {
 /// One period of the servo loop: the six steps of [Chan 2011], 2.1, with changes
 /// (haptics/README.md, "One tick, in order"). The proxy moves towards the device as far as the
 /// solid allows. A proxy that was in contact and has not been at the device since follows the
-/// device's motion, and approaches the device by at most releaseSpeed() times `period` [s].
+/// device's motion, and approaches the device by at most releaseSpeed() times `period` [s]. In
+/// contact it moves so that the force changes by at most kMostFall beside what the device's motion
+/// makes of it, where the way there has a place to wait.
 TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling,
                 const Pose& X_WD, Proxy& proxy, Budget& budget, double period) HAPTICS_RT;
 
