@@ -70,6 +70,18 @@ struct Search {
   }
 };
 
+/// A part of the way since the last accepted pose. All of it is proven free.
+struct Leg {
+  Pose X = Pose::Identity();  ///< where it begins
+  Twist motion;               ///< of which the tool went `advance`
+  double advance = 0.0;
+  Vec3 change = Vec3::Zero();  ///< m: by how much the lag has changed at X in this tick
+  bool bears = false;          ///< contacts shaped the motion
+};
+/// Room for the 24 motions that a tick tries at most, and for free stretches between them. With
+/// more, the tick does not know the way.
+using Legs = FixedVector<Leg, 32>;
+
 /// A contact that bears force on the tool.
 struct BearingContact {
   Vec3 r_W = Vec3::Zero();  ///< the point about the tool's origin, in W [m]
@@ -93,6 +105,7 @@ struct Proxy {
   SurfaceRows surface;  ///< rows of the points near the surface
   Sweep sweep;
   Search search;
+  Legs legs;  ///< of this tick; kept here so that no tick has to make room for them
   Acceptance acceptance;
   Recovery recovery;
   double isovalue = std::numeric_limits<double>::quiet_NaN();  ///< isovalue of the last tick

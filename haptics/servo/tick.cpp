@@ -134,14 +134,6 @@ class Tick {
     return shareWithin(most_change_, leastChange(motion), change_, motion);
   }
 
-  /// A part of the way since the pose taken last; the whole of it is proven free.
-  struct Leg {
-    Pose X = Pose::Identity();
-    Twist motion;  ///< of which the tool went `advance`
-    double advance = 0.0;
-    Vec3 change = Vec3::Zero();  ///< of what the proxy is behind at X, along a line [m]
-    bool bears = false;
-  };
   /// Stops short on the way to a pose that the filter would take, if the force changes too fast
   /// there: at the place where it has changed by as much as it may. The next look takes that place.
   /// False if the pose may be taken, or if no place on the way can be held.
@@ -149,16 +141,13 @@ class Tick {
     if (!proxy_.held || !legs_known_ || at_.atTaken()) return false;
     if (!proxy_.acceptance.takes(distance, step)) return false;
     double least = least_fall_;
-    for (const Leg& leg : legs_)
-      least = std::min(least, leastAlong(leg.change, Vec3{leg.advance * leg.motion.linear}));
+    for (const Leg& leg : proxy_.legs)
+      least_fall_ =
+          std::min(least_fall_, leastAlong(leg.change, Vec3{leg.advance * leg.motion.linear}));
     const Vec3 change = proxy_.behind.linear - free.linear;
-    if (change.squaredNorm() <= least + most_fall_ * most_fall_) {
-      least_fall_ = least;
-      return false;
-    }
-    least = least_fall_;
-    for (std::size_t n = 0; n < legs_.size(); ++n) {
-      const Leg& leg = legs_[n];
+    if (change.squaredNorm() <= least_fall_ + most_fall_ * most_fall_) return false;
+    for (std::size_t n = 0; n < proxy_.legs.size(); ++n) {
+      const Leg& leg = proxy_.legs[n];
       const Vec3 way = leg.advance * leg.motion.linear;
       least = std::min(least, leastAlong(leg.change, way));
       const double share = shareWithin(most_fall_, least, leg.change, way);
@@ -168,7 +157,7 @@ class Tick {
   }
   /// Goes back to a share of a leg, if the energy allows that place.
   bool stopOn(std::size_t n, double share) HAPTICS_RT {
-    const Leg& leg = legs_[n];
+    const Leg& leg = proxy_.legs[n];
     const double advance = share * leg.advance;
     if (n == 0 && advance * reachOf(leg.motion, radius_) < lengths().least_way) {
       // the force has changed enough in this tick: what was taken stays
@@ -179,10 +168,10 @@ class Tick {
     if (!proxy_.acceptance.affords(distanceFrom(X, proxy_.turn))) return false;
     // the way back is motion, too
     double back = 0.0, turned_back = 0.0;
-    for (std::size_t k = n; k < legs_.size(); ++k) {
-      const double part = legs_[k].advance - (k == n ? advance : 0.0);
-      back += part * legs_[k].motion.linear.norm();
-      turned_back += part * legs_[k].motion.angular.norm();
+    for (std::size_t k = n; k < proxy_.legs.size(); ++k) {
+      const double part = proxy_.legs[k].advance - (k == n ? advance : 0.0);
+      back += part * proxy_.legs[k].motion.linear.norm();
+      turned_back += part * proxy_.legs[k].motion.angular.norm();
     }
     proxy_.clearance.moved(back, turned_back);
     at_.way += back;
@@ -395,10 +384,10 @@ class Tick {
     if (proxy_.held)
       least_change_ = leastChange(advance * scene_.metric.whitened(at_.motion, at_.X.linear()));
     if (at_.atTaken()) {
-      legs_.clear();
+      proxy_.legs.clear();
       legs_known_ = true;
     }
-    legs_known_ = legs_known_ && legs_.push({at_.X, at_.motion, advance, fall_, at_.bears});
+    legs_known_ = legs_known_ && proxy_.legs.push({at_.X, at_.motion, advance, fall_, at_.bears});
     at_.X_before = at_.X;
     at_.advance = advance;
     at_.halvings = 0;
@@ -501,11 +490,10 @@ class Tick {
   Budget& budget_;
   MotionRows rows_;
   double radius_;
-  FixedVector<Leg, 32> legs_;  // since the pose taken last
-  bool legs_known_ = false;    // all of them
-  bool eased_ = false;         // the pose is a place to wait, on the way to a better one
-  int tries_ = 0;              // motions that a contact shaped or stopped
-  double gone_ = 0.0;          // m: the farthest point, in it
+  bool legs_known_ = false;  // all the legs since the pose taken last
+  bool eased_ = false;       // the pose is a place to wait, on the way to a better one
+  int tries_ = 0;            // motions that a contact shaped or stopped
+  double gone_ = 0.0;        // m: the farthest point, in it
 
   // of a proxy that was held, whitened: the way to the device before it moved, what of that is left
   // in this tick even where nothing is in the way, and how much of it may change
