@@ -110,7 +110,7 @@ void noiseOnASphere(Trials& found) {
   };
   for (const auto& [noise, bound, grains] :
        {Row{0.0, 0.1e-3, 1}, Row{0.005, 0.1e-3, 1}, Row{0.02, 0.2e-3, 1}, Row{0.05, 0.6e-3, 3},
-        Row{0.1, 1.6e-3, 12}}) {
+        Row{0.1, 1.7e-3, 12}}) {
     const std::string name = shortly(100.0 * noise) + " % noise";
     const int ticks = found.tries > 1 ? 3000 : 2000;
     std::vector<double> distances;  // m, the mean of each grain
