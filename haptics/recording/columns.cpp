@@ -52,9 +52,9 @@ constexpr StepColumn part(const char* name, const char* unit, const char* meanin
   return column(name, unit, nullptr, kChanging, meaning, member);
 }
 
-// a tenth of a nanometre, and what moves a point a hand's breadth away as little; a micronewton,
+// a nanometre, and what moves a point a hand's breadth away as little; a micronewton,
 // and a micronewton at a tenth of a metre
-constexpr double kPerMetre = 1e10, kPerQuaternion = 1e9, kPerNewton = 1e6, kPerNewtonMetre = 1e7;
+constexpr double kPerMetre = 1e9, kPerQuaternion = 1e8, kPerNewton = 1e6, kPerNewtonMetre = 1e7;
 
 /// Part of a result of the tick.
 template <class Member>

@@ -65,21 +65,33 @@ class Acceptance {
       nearest_ = last_ = saved_ = 0.0;
       return true;
     }
+    if (!takes(distance, step)) return false;
+    keep(distance, step);
+    return true;
+  }
+  /// Whether take() would take it.
+  bool takes(double distance, double step) const HAPTICS_RT {
+    if (distance == 0.0) return true;
+    if (!affords(distance)) return false;
     const double resolution = kResolution * tolerance_;
-    const bool nearer = distance < nearest_ - resolution;
-    const double squared = distance * distance, rise = 0.5 * (squared - last_ * last_);
-    const double farthest = nearest_ * (nearest_ + 2.0 * tolerance_);
-    if (!nearer && (rise > saved_ + kLent * tolerance_ * last_ || squared > farthest)) return false;
     for (const Visit& earlier : visited_)
       if (distance > earlier.distance - resolution && step > earlier.step - resolution)
         return false;
-    if (!nearer && (detours_ >= kDetours || visited_.full())) return false;
-    if (!nearer) ++detours_;
-    if (nearer) nearest_ = distance;
-    saved_ = std::min(saved_ - rise, kMostSaved * tolerance_ * last_);
-    last_ = distance;
-    visited_.push({distance, step});
     return true;
+  }
+  /// Takes a pose on a proven way to one that take() would take, whatever earlier poses were, if
+  /// the energy allows it.
+  bool takeOnTheWay(double distance, double step) HAPTICS_RT {
+    if (!affords(distance)) return false;
+    keep(distance, step);
+    return true;
+  }
+  /// Whether the energy and the detours allow a pose at this distance.
+  bool affords(double distance) const HAPTICS_RT {
+    if (nearer(distance)) return true;
+    const double farthest = nearest_ * (nearest_ + 2.0 * tolerance_);
+    return riseTo(distance) <= saved_ + kLent * tolerance_ * last_ &&
+           distance * distance <= farthest && detours_ < kDetours && !visited_.full();
   }
   /// Records the pose at which the tick starts. The tick before has taken it.
   void start(double distance, double step) HAPTICS_RT {
@@ -104,6 +116,21 @@ class Acceptance {
   // for
   static constexpr double kForgiven = 0.1;
 
+  bool nearer(double distance) const HAPTICS_RT {
+    return distance < nearest_ - kResolution * tolerance_;
+  }
+  double riseTo(double distance) const HAPTICS_RT {
+    return 0.5 * (distance * distance - last_ * last_);
+  }
+  void keep(double distance, double step) HAPTICS_RT {
+    if (nearer(distance))
+      nearest_ = distance;
+    else
+      ++detours_;
+    saved_ = std::min(saved_ - riseTo(distance), kMostSaved * tolerance_ * last_);
+    last_ = distance;
+    visited_.push({distance, step});
+  }
   void clear() HAPTICS_RT {
     visited_.clear();
     nearest_ = INFINITY;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "haptics/core/geometry.h"
 #include "haptics/scene/scene.h"
 #include "haptics/servo/acceptance.h"
+#include "haptics/servo/release.h"
 
 namespace haptics {
 
@@ -79,9 +79,6 @@ struct BearingContact {
 };
 using Bearing = FixedVector<BearingContact, 6>;
 
-/// The ticks before one that are within a millisecond of it, at the highest rate.
-inline constexpr int kTicksReleased = 3;
-
 /// The proxy and its memory between ticks. The constructor allocates all memory.
 struct Proxy {
   Proxy(const Scene& scene, const Pose& X_start)
@@ -103,12 +100,7 @@ struct Proxy {
   /// True from contact until the proxy is at the device again. While true, tick() limits the speed
   /// at which the proxy approaches the device.
   bool held = false;
-  Twist behind;          ///< while held: motion from proxy to device after the last tick with
-                         ///< TickResult::followed
-  int ticks_behind = 0;  ///< ticks since then
-  /// While held: by how much more than by the hand's motion `behind` changed in the last ticks [m,
-  /// by the metric], the latest first.
-  std::array<double, kTicksReleased> released = {};
+  Release release;  ///< while held
   /// Does the work that ticks leave out; null except in studies and tests.
   SecondLook* second_look = nullptr;
 
@@ -122,8 +114,7 @@ struct Proxy {
     recovery = {};
     isovalue = std::numeric_limits<double>::quiet_NaN();
     held = false;
-    ticks_behind = 0;
-    released = {};
+    release.forget();
   }
 };
 

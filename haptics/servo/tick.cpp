@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "haptics/collision/free_way.h"
 #include "haptics/collision/motion.h"
@@ -54,21 +55,14 @@ class Tick {
                                                                  at_{proxy.search},
                                                                  budget_{budget},
                                                                  radius_{scene.tool.shell.radius} {
-    if (proxy.held)
-      follow(releaseSpeed(coupling.stiffness), period);
-    else
-      proxy.released = {};
+    if (!proxy.held) return;
+    Vec3 turn = proxy.turn;
+    proxy.release.begin(unconstrainedMotion(proxy.X_WP, X_WD, turn), metric_, proxy.X_WP.linear(),
+                        coupling.stiffness, period);
   }
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
   void run(TickResult& result) HAPTICS_RT {
-    takeSubSteps(result);
-    std::shift_right(proxy_.released.begin(), proxy_.released.end(), 1);
-    proxy_.released.front() = released_;
-  }
-
- private:
-  void takeSubSteps(TickResult& result) HAPTICS_RT {
     proxy_.acceptance.begin(X_WD_, proxy_.X_WP, radius_, lengths().epsilon);
     if (at_.stage == Search::Stage::Done) {
       at_.begin(proxy_);
@@ -105,6 +99,7 @@ class Tick {
     result.cut = budget_.cut();
   }
 
+ private:
   const Tolerances& lengths() const HAPTICS_RT { return scene_.lengths; }
   /// The tool at the pose that the sub-steps have got to.
   NearTool tool() const HAPTICS_RT { return {solid_, scene_.tree, at_.X, proxy_.clearance}; }
@@ -113,46 +108,42 @@ class Tick {
     return metric_.whitened(unconstrainedMotion(X, X_WD_, turn), X.linear()).norm();
   }
 
-  /// How a proxy that was held follows: what it is behind changes by this speed [m/s, by the
-  /// metric] and by what the hand's own motion makes of it. In contact a step may take the way of a
-  /// whole millisecond at once, if the ticks before it did not: the way of a shorter period is too
-  /// short for what stands up between two facets, and the proxy would be held there.
-  void follow(double speed, double period) HAPTICS_RT {
-    Vec3 turn = proxy_.turn;
-    const Mat3 R = proxy_.X_WP.linear();
-    const Vector6 now = metric_.whitened(unconstrainedMotion(proxy_.X_WP, X_WD_, turn), R);
-    behind_ = metric_.whitened(proxy_.behind, R);
-    const double distance = behind_.norm();
-    most_ = std::max(speed * period * (1 + proxy_.ticks_behind),
-                     distance - kMostReleased / coupling_.stiffness);
-    double spare = 0.0, before = period;  // s: how long before the end of this tick
-    for (const double released : proxy_.released) {
-      if (before > kMillisecond - 0.5 * period) break;
-      spare += speed * period - released;
-      before += period;
+  /// Stops short on the way to a pose that the filter would take, if the force changes too fast
+  /// there. The next look takes the place to wait. False if the pose may be taken, or if the energy
+  /// allows no such place.
+  bool easeTo(double distance, double step) HAPTICS_RT {
+    if (!proxy_.held || eased_ || at_.atTaken()) return false;
+    if (!proxy_.acceptance.takes(distance, step)) return false;
+    const std::optional<Release::Place> place = proxy_.release.placeToWait();
+    if (!place) return false;
+    const Legs& legs = proxy_.release.legs();
+    const Leg& leg = legs[place->leg];
+    const double advance = place->share * leg.advance;
+    if (place->leg == 0 && advance * reachOf(leg.motion, radius_) < lengths().least_way) {
+      // the force has changed enough in this tick: what was taken stays
+      at_.stage = Search::Stage::Done;
+      return true;
     }
-    most_change_ = std::max(0.0, most_ + spare);
-    least_change_ = INFINITY;
-    // the hand may bring the two together faster by itself
-    const double nearer = (behind_ - now).dot(behind_) / distance;
-    left_behind_ = std::max(0.0, 1.0 - std::max(most_, nearer) / distance) * behind_;
-  }
-
-  /// What the proxy is behind has changed by `change_`; how little that comes to along a motion,
-  /// squared.
-  double leastChange(const Vector6& motion) const HAPTICS_RT {
-    const double squares = motion.squaredNorm();
-    const double nearest =
-        squares > 0.0 ? std::clamp(-change_.dot(motion) / squares, 0.0, 1.0) : 0.0;
-    return std::min(least_change_, (change_ + nearest * motion).squaredNorm());
-  }
-  /// The share of a motion after which what the proxy is behind has changed by more than it may:
-  /// as little as it can on the way, and most_change_ across that.
-  double shareToFollow(const Vector6& motion) const HAPTICS_RT {
-    const double squares = motion.squaredNorm(), along = change_.dot(motion);
-    const double most = leastChange(motion) + most_change_ * most_change_;
-    const double root = along * along - squares * (change_.squaredNorm() - most);
-    return root > 0.0 ? std::clamp((std::sqrt(root) - along) / squares, 0.0, 1.0) : 0.0;
+    const Pose X = moved(leg.X, leg.motion, advance);
+    if (!proxy_.acceptance.affords(distanceFrom(X, proxy_.turn))) return false;
+    // the way back is motion, too
+    double back = 0.0, turned_back = 0.0;
+    for (std::size_t n = place->leg; n < legs.size(); ++n) {
+      const double part = legs[n].advance - (n == place->leg ? advance : 0.0);
+      back += part * legs[n].motion.linear.norm();
+      turned_back += part * legs[n].motion.angular.norm();
+    }
+    proxy_.clearance.moved(back, turned_back);
+    at_.way += back;
+    at_.turned += turned_back;
+    at_.X_before = leg.X;
+    at_.motion = leg.motion;
+    at_.advance = advance;
+    at_.halvings = 0;
+    at_.X = X;
+    at_.whole = false;
+    eased_ = true;
+    return true;
   }
 
   /// Goes to the device if the whole tool has more room than the way there asks for, in one
@@ -223,21 +214,27 @@ class Tick {
     Vector6 whole = Vector6::Zero();
     if (proxy_.held) {
       whole = metric_.whitened(free, at_.X.linear());
-      change_ = behind_ - whole;
+      proxy_.release.look(free, whole);
     }
+    if (at_.fresh && easeTo(distance, step)) return true;
     if (at_.fresh) judge(distance, step, turn);
     at_.fresh = false;
     if (at_.atTaken()) bear(allowed);
+    if (eased_) {
+      at_.stage = Search::Stage::Done;
+      return true;
+    }
     at_.bears = allowed.active > 0;
     Twist way = allowed.twist;
     double most = 1.0;  // of it
     bool arrives = !at_.bears;
     if (proxy_.held) {
-      arrives = arrives && left_behind_.isZero(0.0);
+      const Vector6& left = proxy_.release.left();
+      arrives = arrives && left.isZero(0.0);
       if (at_.bears)
-        most = shareToFollow(allowed.whitened);
+        most = proxy_.release.shareOf(allowed.whitened);
       else
-        way = limited(arrives ? free : metric_.twist(whole - left_behind_, at_.X.linear()));
+        way = limited(arrives ? free : metric_.twist(whole - left, at_.X.linear()));
     }
     // even the last billionth of a metre of free space is gone
     const double length = reachOf(way, radius_), least = arrives ? 0.0 : lengths().least_way;
@@ -261,8 +258,7 @@ class Tick {
 
   /// A proxy that stops short while the hand moves on is felt as a blow: then it tries for longer.
   int mostTries() const HAPTICS_RT {
-    const double most = std::max(most_, most_change_);
-    const bool behind = proxy_.held && change_.squaredNorm() > most * most;
+    const bool behind = proxy_.held && proxy_.release.stopsShort();
     return (behind ? kMoreTries : 1) * scene_.fineness.sub_steps;
   }
 
@@ -349,7 +345,8 @@ class Tick {
   /// Moves on by this share of the motion.
   void arrive(double advance) HAPTICS_RT {
     if (proxy_.held)
-      least_change_ = leastChange(advance * metric_.whitened(at_.motion, at_.X.linear()));
+      proxy_.release.go({.X = at_.X, .motion = at_.motion, .advance = advance, .bears = at_.bears},
+                        advance * metric_.whitened(at_.motion, at_.X.linear()), at_.atTaken());
     at_.X_before = at_.X;
     at_.advance = advance;
     at_.halvings = 0;
@@ -416,10 +413,10 @@ class Tick {
   void judge(double distance, double step, const Vec3& turn) HAPTICS_RT {
     if (at_.atTaken())
       proxy_.acceptance.start(distance, step);
-    else if (!proxy_.acceptance.take(distance, step))
+    else if (eased_ ? !proxy_.acceptance.takeOnTheWay(distance, step)
+                    : !proxy_.acceptance.take(distance, step))
       return;
-    if (proxy_.held)
-      released_ = std::sqrt(std::max(0.0, change_.squaredNorm() - leastChange(Vector6::Zero())));
+    if (proxy_.held) proxy_.release.take();
     proxy_.X_WP = at_.X;
     proxy_.turn = turn;
     at_.way = at_.turned = 0.0;
@@ -438,7 +435,6 @@ class Tick {
   static constexpr double kProofWork = 32.0 * double(kTickWork);  // of one sub-step at most
   static constexpr double kCarriedWay = 0.5;  // voxels: of a sub-step with carried nodes at most
   static constexpr int kMoreTries = 3;
-  static constexpr double kMillisecond = 1e-3;  // s
   // How long a sub-step is tried: a quarter where one was blocked and nothing new was learned;
   // three times what an impact left of it, so that a slide along a wavy surface does not creep;
   // twice as long where nothing was met.
@@ -455,16 +451,9 @@ class Tick {
   Budget& budget_;
   MotionRows rows_;
   double radius_;
-  int tries_ = 0;      // motions that a contact shaped or stopped
-  double gone_ = 0.0;  // m: the farthest point, in it
-
-  // of a proxy that was held, whitened: the way to the device before it moved, what of that is left
-  // in this tick even where nothing is in the way, and how much of it may change
-  Vector6 behind_ = Vector6::Zero(), left_behind_ = Vector6::Zero();
-  double most_ = INFINITY;                                   // of it, in this tick alone
-  double most_change_ = INFINITY, least_change_ = INFINITY;  // the second squared
-  Vector6 change_ = Vector6::Zero();                         // by now
-  double released_ = 0.0;                                    // m, at the pose taken
+  bool eased_ = false;  // the pose is a place to wait, on the way to a better one
+  int tries_ = 0;       // motions that a contact shaped or stopped
+  double gone_ = 0.0;   // m: the farthest point, in it
 };
 
 }  // namespace
@@ -499,16 +488,14 @@ TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coup
     proxy.turn.setZero();
     return result;
   }
-  if (result.contacts > 0 && !proxy.held) {
+  proxy.turn = unwrappedTurn(proxy.X_WP, X_WD, proxy.turn);
+  const Twist lag{X_WD.translation() - proxy.X_WP.translation(), proxy.turn};
+  if (proxy.held) {
+    proxy.release.end(lag, result.followed);
+  } else if (result.contacts > 0) {
     proxy.held = true;
     result.followed = true;
-  }
-  proxy.turn = unwrappedTurn(proxy.X_WP, X_WD, proxy.turn);
-  if (result.followed) {
-    proxy.behind = {X_WD.translation() - proxy.X_WP.translation(), proxy.turn};
-    proxy.ticks_behind = 0;
-  } else {
-    ++proxy.ticks_behind;
+    proxy.release.hold(lag);
   }
   const Mat3 R = proxy.X_WP.linear();
   result.wrench_W =

@@ -16,18 +16,6 @@ namespace haptics {
 /// Units of work in a tick's default budget: about 200 us.
 inline constexpr std::int64_t kTickWork = 20'000;
 
-/// Largest speed [m/s] at which a released proxy approaches the device, for the coupling's
-/// stiffness [N/m]. From 3000 N/m on, the force falls by 90 N per second (haptics/MEASURED.md,
-/// "Release").
-inline double releaseSpeed(double stiffness) HAPTICS_RT {
-  constexpr double kStiff = 3000.0, kFall = 90.0;  // N/m, N/s
-  const double softer = std::max(1.0, kStiff / stiffness);
-  return kFall / stiffness * softer * softer;
-}
-/// N: a proxy pulled by a larger force approaches at once until this is left, because no device
-/// renders more.
-inline constexpr double kMostReleased = 50.0;
-
 /// Result of one tick.
 struct TickResult {
   Wrench wrench_W;   ///< wrench of the virtual coupling, before any limit
@@ -46,7 +34,9 @@ struct TickResult {
 /// One period of the servo loop: the six steps of [Chan 2011], 2.1, with changes
 /// (haptics/README.md, "One tick, in order"). The proxy moves towards the device as far as the
 /// solid allows. A proxy that was in contact and has not been at the device since follows the
-/// device's motion, and approaches the device by at most releaseSpeed() times `period` [s].
+/// device's motion, and approaches the device by at most releaseSpeed() times `period` [s]. In
+/// contact it moves so that the force changes by at most kMostFall beside what the device's motion
+/// makes of it, where the way there has a place to wait.
 TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling,
                 const Pose& X_WD, Proxy& proxy, Budget& budget, double period) HAPTICS_RT;
 

@@ -124,8 +124,12 @@ void tell(const SceneReport& report) {
                  h.settled_mean_mm, 1e3 * h.rest_p99_mm, 1e3 * h.rest_max_mm, h.slack_mm,
                  h.slack_mm / report.rest_gap_mm, h.legal);
   for (const FeelSummary& f : report.feel)
-    std::fprintf(stderr, "  %-13s slow slide: fine %.4f N, largest step %.3f N/ms, mean %.2f N\n",
-                 f.method.c_str(), f.fine_noise_N, f.largest_step_N, f.mean_force_N);
+    std::fprintf(
+        stderr,
+        "  %-13s slow slide: fine %.4f N, largest step %.3f N/ms (lowered ball %.4f, ideal "
+        "proxy %.3f), mean %.2f N\n",
+        f.method.c_str(), f.fine_noise_N, f.largest_step_N, f.surface_step_N, f.ideal_step_N,
+        f.mean_force_N);
   for (const LongTick& tick : report.summaries.back().long_ticks)
     std::fprintf(stderr, "  long tick: %s %zu, %.0f us, work %lld, %ld faults, %ld switches\n",
                  tick.hand.c_str(), tick.tick, tick.us, static_cast<long long>(tick.work),

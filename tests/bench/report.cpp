@@ -50,6 +50,8 @@ Json resultOf(const SceneReport& report, const Summary& s) {
   json["ticks"] = s.ticks;
   if (feel) {
     json["force_step_N"] = feel->largest_step_N;
+    json["surface_step_N"] = feel->surface_step_N;
+    json["ideal_step_N"] = feel->ideal_step_N;
     json["slide_force_N"] = feel->mean_force_N;
     json["surface_fine_mm"] = feel->surface_fine_mm;
   }
@@ -249,17 +251,17 @@ std::string tableOf(const std::vector<SceneReport>& reports, const std::vector<S
                                over(own(r).guided_mm, r.summaries[2].guided_mm));
                  }));
   for (const bool scans : {true, false})
-    table +=
-        row(std::string{scans ? "scans" : "scenes"} +
-                ": fine force noise [N] and largest step [N/ms] in a slow slide (the surface's "
-                "own noise at 1000 N/m)",
-            "0.02 head, 0.005 smooth, 0.035 bunny; 0.15", "half; 0.05",
-            each(reports, scans, [&](const SceneReport& r) {
-              if (r.feel.empty()) return std::string{};
-              const FeelSummary& feel = r.feel.back();
-              return text("%.4f and %.3f (%.4f)", feel.fine_noise_N, feel.largest_step_N,
-                          feel.surface_fine_mm);
-            }));
+    table += row(
+        std::string{scans ? "scans" : "scenes"} +
+            ": fine force noise [N] and largest step [N/ms] in a slow slide (the surface's "
+            "own noise; the steps of a lowered ball and of an ideal proxy)",
+        "0.02 head, 0.005 smooth, 0.035 bunny; 0.15", "half; 0.05",
+        each(reports, scans, [&](const SceneReport& r) {
+          if (r.feel.empty()) return std::string{};
+          const FeelSummary& feel = r.feel.back();
+          return text("%.4f and %.3f (%.4f; %.3f and %.3f)", feel.fine_noise_N, feel.largest_step_N,
+                      feel.surface_fine_mm, feel.surface_step_N, feel.ideal_step_N);
+        }));
   table +=
       row("mean tick on the scans [us] (head bone)", "100", "50",
           each(reports, true, [&](const SceneReport& r) { return text("%.0f", own(r).mean_us); }));

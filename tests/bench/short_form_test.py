@@ -54,6 +54,9 @@ def main():
     ours, literal, inside = results[3], results[0], results[2]
     expect(ours["penetration_mm"] == 0.0, f"ours is {ours['penetration_mm']} mm inside")
     expect(ours["wall_passages"] == 0, f"ours passes {ours['wall_passages']} walls")
+    # the slow slide is on the flat top, where nothing falls: proxy, ideal proxy and ball agree
+    steps = [ours.get(field, math.inf) for field in ("force_step_N", "ideal_step_N", "surface_step_N")]
+    expect(0.0 < min(steps) and max(steps) < 0.002, f"the steps of a slow slide are {steps} N")
     # never vacuous: the peg touches, the judge sees who enters and who freezes
     expect(ours["contacts_max"] >= 3, "the peg touches the hole")
     expect(inside["penetration_mm"] > 0.0, "accept-inside penetrates, and is seen to")

@@ -189,6 +189,49 @@ TEST(Feel, AHigherRateHoldsNoProxyForLonger) {
     }
 }
 
+TEST(Feel, AFallToTheOtherSideOfARidgeIsNoBlow) {
+  // flanks of 20 degrees; the device crosses the ridge 3 mm below it
+  const Vec3 normal{0.0, std::sin(0.35), std::cos(0.35)};
+  const auto scene = made::scene(
+      datasets::sampledFloat(datasets::centredGrid(50, h),
+                             [&](const Vec3& p) {
+                               return 1000.0 - 4e6 * normal.dot(Vec3{0.0, std::abs(p.y()), p.z()});
+                             }),
+      ballTool(200, 1e-3));
+  for (const int hz : {1000, 2000, 4000}) {
+    SCOPED_TRACE(hz);
+    const haptics::ServoRate rate{hz};
+    const int fine = hz / 1000;
+    constexpr double stiffness = 1000.0;  // N/m
+    Trial trial{scene, datasets::kSolidIso, at(0, -6e-3, 3e-3)};
+    trial.coupling.stiffness = stiffness;
+    trial.rate = rate;
+    trial.allowance = rate.budget_work();
+    trial.carry(at(0, -6e-3, 3e-3), at(0, -6e-3, -3e-3), 100 * fine);
+    const double step = 0.02 * rate.period();  // m: 20 mm/s
+    const double fall = haptics::kMostFall * rate.period(), by_hand = stiffness * step;  // N
+    Vec3 last = trial.last.wrench_W.force;
+    double largest = 0.0, seconds = 0.0, deepest = 0.0;
+    for (int n = 0; n < 450 * fine; ++n) {
+      trial.step(at(0, -6e-3 + step * n, -3e-3));
+      const Vec3 force = trial.last.wrench_W.force;
+      const double change = (force - last).norm();
+      largest = std::max(largest, change);
+      if (change > 0.5 * fall) seconds += rate.period();
+      deepest = std::max(deepest, trial.penetration_mm());
+      last = force;
+    }
+    // it falls over about 2 mm, as fast as it may, and no slower
+    EXPECT_LE(largest, fall + 2.1 * by_hand);
+    EXPECT_GE(largest, fall - by_hand);
+    EXPECT_GT(seconds, 0.008);
+    EXPECT_LT(seconds, 0.020);
+    EXPECT_GT(last.normalized().dot(normal), std::cos(0.03));
+    EXPECT_EQ(trial.illegal, 0);
+    EXPECT_EQ(deepest, 0.0);
+  }
+}
+
 TEST(Feel, ASlideHasNoLagHoweverFast) {
   const Stage stage = stageOf("halfspace", made::point());
   Trial trial{stage.scene, stage.isovalue, at(-0.02, 0, 4e-3)};

@@ -47,6 +47,38 @@ double rmsOfFine(const std::vector<T>& values, double deviation, std::size_t edg
   return std::sqrt(squares / count);
 }
 
+/// Largest change from one value to the next, without so many at either edge.
+double largestStep(const std::vector<Vec3>& values, std::size_t edge) {
+  double largest = 0.0;
+  for (std::size_t n = edge; n + edge < values.size(); ++n)
+    largest = std::max(largest, (values[n] - values[n - 1]).norm());
+  return largest;
+}
+
+/// The forces of a proxy that is always at its nearest legal pose (FeelSummary::ideal_step_N).
+std::vector<Vec3> idealForces(std::shared_ptr<const haptics::Scene> built, double isovalue,
+                              const std::vector<Pose>& device) {
+  constexpr int kParts = 20, kMostRests = 50;
+  // a tick of a second: no limit of the speed at which it falls
+  const auto unhurried = ours(std::move(built), isovalue, {0, 1'000'000'000, {1}});
+  unhurried->start(device.front());
+  std::vector<Vec3> forces;
+  for (std::size_t n = 0; n < device.size(); ++n) {
+    const Pose& X_from = device[n == 0 ? 0 : n - 1];
+    Tick tick;
+    for (int part = 1; part <= kParts; ++part)
+      tick = unhurried->tick(part < kParts ? between(X_from, device[n], double(part) / kParts)
+                                           : device[n]);
+    for (int rest = 0; rest < kMostRests; ++rest) {
+      const Pose X_WP = tick.X_WP;
+      tick = unhurried->tick(device[n]);
+      if ((tick.X_WP.translation() - X_WP.translation()).norm() < 1e-9) break;
+    }
+    forces.push_back(tick.force);
+  }
+  return forces;
+}
+
 /// A row of places along which the ball would just touch.
 struct Path {
   std::vector<double> height;    ///< m along `in` from the first touch, one for each step
@@ -132,12 +164,18 @@ std::vector<FeelSummary> compareFeel(const Touched& scene, const haptics::Scene&
   const double deviation = 0.5 * voxel / (1e-3 * plan.speed);
   const auto edge = static_cast<std::size_t>(std::ceil(3.0 * deviation));
   std::vector<double> height;
+  std::vector<Vec3> lowered;  // N: what a ball at that height makes felt, but for a constant
   for (std::size_t n = kFirst; n < device.size(); ++n) {
     const double above = plan.depth + 0.0015;
     height.push_back(touchFrom(judge, device[n].translation() - above * in, in, voxel, 0.004));
+    // along the path of the device, which rises and falls with the smoothed surface
+    lowered.push_back(kStiffness * height.back() * in);
   }
   const double surface = rmsOfFine(height, deviation, edge);
   if (std::isnan(surface)) return {};
+
+  std::vector<Vec3> ideal = idealForces(*built, scene.isovalue, device);
+  ideal.erase(ideal.begin(), ideal.begin() + kFirst);
 
   auto methods = allMethods(scene, *built, limit);
   const std::vector<Track> tracks = follow(methods, {{"slide", device, false}});
@@ -147,10 +185,11 @@ std::vector<FeelSummary> compareFeel(const Touched& scene, const haptics::Scene&
     for (std::size_t n = kFirst; n < device.size(); ++n)
       force.push_back(track.ticks.front()[n].force);
     FeelSummary summary{track.method};
-    for (std::size_t n = edge; n + edge < force.size(); ++n) {
+    for (std::size_t n = edge; n + edge < force.size(); ++n)
       summary.mean_force_N += force[n].norm() / double(force.size() - 2 * edge);
-      summary.largest_step_N = std::max(summary.largest_step_N, (force[n] - force[n - 1]).norm());
-    }
+    summary.largest_step_N = largestStep(force, edge);
+    summary.surface_step_N = largestStep(lowered, edge);
+    summary.ideal_step_N = largestStep(ideal, edge);
     summary.fine_noise_N = rmsOfFine(force, deviation, edge);
     summary.surface_fine_mm = 1e3 * surface;
     summaries.push_back(summary);

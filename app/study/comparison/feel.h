@@ -19,6 +19,13 @@ struct FeelSummary {
   /// rms of the heights at which the ball just touches along the same path, less their mean
   /// likewise [mm]; of the surface, not of the method, which feels it times the stiffness
   double surface_fine_mm = 0.0;
+  /// Largest change of these heights from one tick to the next, times the stiffness [N]: the step
+  /// of a ball that only goes up and down.
+  double surface_step_N = 0.0;
+  /// Largest step of a proxy that is always at its nearest legal pose [N]: the device goes a
+  /// twentieth of a tick's way at a time, the proxy follows each time without a budget, at any
+  /// speed, and rests before the next. It falls at once where its pose is no longer the nearest.
+  double ideal_step_N = 0.0;
 };
 
 /// How the slide goes.

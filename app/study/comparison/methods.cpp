@@ -12,8 +12,6 @@
 namespace comparison {
 namespace {
 
-constexpr double kStiffness = 1000.0;  // N/m
-
 class Ours final : public Method {
  public:
   Ours(std::shared_ptr<const haptics::Scene> scene, double isovalue, Limit limit)

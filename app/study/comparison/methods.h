@@ -69,7 +69,9 @@ class Method {
   virtual void step(const Pose& X_WD, Tick& tick) = 0;
 };
 
-/// haptics::tick with 1000 N/m.
+inline constexpr double kStiffness = 1000.0;  ///< N/m, of every method
+
+/// haptics::tick with this stiffness.
 std::unique_ptr<Method> ours(std::shared_ptr<const haptics::Scene> scene, double isovalue,
                              Limit limit);
 /// One reading of the paper's words (app/study/reference), with the same stiffness.

@@ -102,37 +102,42 @@ void plateWithNoise(Trials& found) {
 void noiseOnASphere(Trials& found) {
   const double radius = 0.015, size = 3e-3;
   struct Row {
-    double noise, bound;  // share of the range; m, mean distance to the ideal proxy
-    std::vector<unsigned> seeds;
+    double noise, bound;  // share of the range; m, distance to the ideal proxy
+    unsigned grains;
   };
   const auto device = [&](int n) {
     return at((radius + size - 3e-3) * Vec3{std::sin(n * 1e-3), 0.0, std::cos(n * 1e-3)});
   };
-  for (const auto& [noise, bound, seeds] :
-       {Row{0.0, 0.1e-3, {128}}, Row{0.005, 0.1e-3, {128}}, Row{0.02, 0.2e-3, {128}},
-        Row{0.05, 0.6e-3, {128}}, Row{0.1, 1.8e-3, {1, 3, 4}}}) {
+  for (const auto& [noise, bound, grains] :
+       {Row{0.0, 0.1e-3, 1}, Row{0.005, 0.1e-3, 1}, Row{0.02, 0.2e-3, 1}, Row{0.05, 0.6e-3, 3},
+        Row{0.1, 1.7e-3, 12}}) {
     const std::string name = shortly(100.0 * noise) + " % noise";
     const int ticks = found.tries > 1 ? 3000 : 2000;
-    double sum = 0.0;
+    std::vector<double> distances;  // m, the mean of each grain
     int frozen = 0;
-    for (const unsigned grain : seeds) {
-      auto volume = ramp(noise, found.seed + grain, datasets::shapes::Sphere{radius});
+    for (unsigned grain = 0; grain < grains; ++grain) {
+      auto volume = ramp(noise, found.seed + 128 + grain, datasets::shapes::Sphere{radius});
       Trial& trial = found.brought(sceneOf(std::move(volume), ballTool(200, size)), 0.0,
                                    at(0, 0, 0.03), device(0), 60);
       trial.name = name;
+      double sum = 0.0;
       for (int n = 0; n < ticks; ++n) {
         const Vec3 before = trial.place();
         trial.step(device(n));
         sum += (trial.place() - (radius + size) * device(n).translation().normalized()).norm();
         frozen += (trial.place() - before).norm() < 1e-9;  // m: 1e-6 mm
       }
+      distances.push_back(sum / ticks);
     }
-    const double all = double(ticks) * double(seeds.size());
+    std::ranges::sort(distances);
+    const double all = double(ticks) * double(grains);
     found.subject = "F3 freezing, " + name;
-    found.atMost("from ideal, mean", 1e3 * sum / all, 1e3 * bound, "mm",
-                 noise > 0.05
-                     ? "Grains differ: single voxels stand off the surface, and some hold the ball."
-                     : "");
+    found.atMost("from ideal, median of grains", 1e3 * distances[distances.size() / 2], 1e3 * bound,
+                 "mm",
+                 noise > 0.05 ? "In some grains single voxels stand off the surface and hold the "
+                                "ball: there the mean is up to " +
+                                    shortly(1e3 * distances.back()) + " mm."
+                              : "");
     found.atMost("ticks frozen", 100.0 * frozen / all, 20.0, "%");
   }
 }

@@ -150,7 +150,13 @@ TEST(Acceptance, RaisesTheSpringByNoMoreThanMovesLetGoOf) {
       const double first = distance;
       for (int n = 0; n < 10; ++n) {
         const double next = random.in(0.8, 1.2) * distance;
-        if (!filter.take(next, random.in(0.0, 1e-3))) {
+        const double step = random.in(0.0, 1e-3);
+        // a place on the way counts like any other
+        const bool on_the_way = n % 3 == 2;
+        const bool takes = on_the_way ? filter.affords(next) : filter.takes(next, step);
+        const bool took = on_the_way ? filter.takeOnTheWay(next, step) : filter.take(next, step);
+        ASSERT_EQ(took, takes);
+        if (!took) {
           ++refused;
           continue;
         }
