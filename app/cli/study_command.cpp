@@ -87,7 +87,7 @@ void addStudy(CLI::App& program, Chosen& chosen) {
     CLI::App* one =
         command->add_subcommand(name, study::makeStudy(name, study::Depth::Quick)->title);
     one->add_flag("--quick", options->quick,
-                  "About a minute; the full form takes 2 (plan) to 29 minutes (stability)");
+                  "About a minute; the full form takes 2 (plan) to 40 minutes (stability)");
     one->add_option("--seed", options->seed, "Seed of all random numbers")
         ->check(wholeNumber(0, std::numeric_limits<std::uint64_t>::max()));
     one->add_option("--shard", options->shard, "i/n: run only the i-th of n equal parts")
