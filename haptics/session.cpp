@@ -41,6 +41,8 @@ Settings underRating(Settings settings, const DeviceRating& rating, ServoRate ra
                      const Scene* scene, bool lifted) {
   settings.stiffness *= settings.force_scale;
   settings.angular_stiffness *= settings.force_scale;
+  // without motors for torque no hand feels it, and the limit below is that of the tool's own
+  if (rating.stiffness > 0.0 && rating.torque == 0.0) settings.angular_stiffness = 0.0;
   if (rating.stiffness > 0.0) {
     const PointShell none;
     const PointShell& shell = scene == nullptr ? none : scene->tool.shell;

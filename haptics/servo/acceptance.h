@@ -65,29 +65,29 @@ class Acceptance {
       nearest_ = last_ = saved_ = 0.0;
       return true;
     }
-    if (!takes(distance, step)) return false;
+    if (!wouldTake(distance, step)) return false;
     keep(distance, step);
     return true;
   }
   /// Whether take() would take it.
-  bool takes(double distance, double step) const HAPTICS_RT {
+  bool wouldTake(double distance, double step) const HAPTICS_RT {
     if (distance == 0.0) return true;
-    if (!affords(distance)) return false;
+    if (!canAfford(distance)) return false;
     const double resolution = kResolution * tolerance_;
     for (const Visit& earlier : visited_)
       if (distance > earlier.distance - resolution && step > earlier.step - resolution)
         return false;
     return true;
   }
-  /// Takes a pose on a proven way to one that take() would take, whatever earlier poses were, if
-  /// the energy allows it.
+  /// Takes a pose on a proven way to one that take() would take, if the energy allows it. Poses
+  /// visited earlier do not count.
   bool takeOnTheWay(double distance, double step) HAPTICS_RT {
-    if (!affords(distance)) return false;
+    if (!canAfford(distance)) return false;
     keep(distance, step);
     return true;
   }
   /// Whether the energy and the detours allow a pose at this distance.
-  bool affords(double distance) const HAPTICS_RT {
+  bool canAfford(double distance) const HAPTICS_RT {
     if (nearer(distance)) return true;
     const double farthest = nearest_ * (nearest_ + 2.0 * tolerance_);
     return riseTo(distance) <= saved_ + kLent * tolerance_ * last_ &&

@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include "haptics/core/fixed_vector.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
+#include "haptics/servo/rate.h"
 #include "haptics/solver/mass_metric.h"
 
 namespace haptics {
@@ -37,7 +37,7 @@ struct Leg {
   Pose X = Pose::Identity();  ///< where it begins
   Twist motion;               ///< of which the tool went `advance`
   double advance = 0.0;
-  Vec3 change = Vec3::Zero();  ///< m: by how much the lag has changed at X in this tick
+  Vec3 change = Vec3::Zero();  ///< m: by how much the centre's lag has changed at X in this tick
   bool bears = false;          ///< contacts shaped the motion
 };
 /// Room for the 24 motions that a tick tries at most, and for free stretches between them. With
@@ -50,8 +50,8 @@ using Legs = FixedVector<Leg, 32>;
 /// what changes the force.
 ///
 /// In contact a step may take the way of a whole millisecond at once, if the ticks before it did
-/// not. The way of a shorter period is too short for what stands up between two facets, and the
-/// proxy would be held there.
+/// not. A facet often meets the next one at a low ridge. The way of a shorter period may end on the
+/// ridge, at a pose that the filter refuses, and the proxy would be held there.
 class Release {
  public:
   /// Begins a tick of a held proxy. `now`: its motion to the device. `R`: its rotation.
@@ -74,7 +74,9 @@ class Release {
   /// Ends it. `lag`: the motion to the device now. `followed`: TickResult::followed.
   void end(const Twist& lag, bool followed) HAPTICS_RT {
     std::shift_right(recent_.begin(), recent_.end(), 1);
-    recent_.front() = std::exchange(released_, 0.0);
+    // what a tick did not follow is counted by the one that does
+    recent_.front() = followed ? released_ : 0.0;
+    released_ = 0.0;
     if (followed) behind_ = lag;
     ticks_behind_ = followed ? 0 : ticks_behind_ + 1;
   }
@@ -117,6 +119,10 @@ class Release {
     leg.change = fall_;
     legs_known_ = legs_known_ && legs_.push(leg);
   }
+  /// The last leg went no further than this share of its motion.
+  void shorten(double advance) HAPTICS_RT {
+    if (legs_known_) legs_[legs_.size() - 1].advance = advance;
+  }
   /// Takes the pose looked at.
   void take() HAPTICS_RT {
     released_ = std::sqrt(std::max(0.0, change_.squaredNorm() - leastChange(Vector6::Zero())));
@@ -148,13 +154,12 @@ class Release {
  private:
   static Vec3 wayOf(const Leg& leg) HAPTICS_RT { return leg.advance * leg.motion.linear; }
   /// How much more of the last millisecond's way the ticks before left to this one; less than
-  /// nothing if they took more than theirs.
+  /// nothing if they took more than theirs. What the ticks since behind_ may take is this one's.
   double spare(double speed, double period) const HAPTICS_RT {
     constexpr double kMillisecond = 1e-3;  // s
     double spare = 0.0, before = period;   // s: how long before the end of this tick
-    for (const double released : recent_) {
-      if (before > kMillisecond - 0.5 * period) break;
-      spare += speed * period - released;
+    for (std::size_t n = 0; n < kRecent && before < kMillisecond - 0.5 * period; ++n) {
+      if (int(n) >= ticks_behind_) spare += speed * period - recent_[n];
       before += period;
     }
     return spare;
@@ -173,15 +178,19 @@ class Release {
   static double shareWithin(double most, double least, const V& change,
                             const V& motion) HAPTICS_RT {
     const double squares = motion.squaredNorm(), along = change.dot(motion);
+    if (squares == 0.0) return 1.0;
     const double root = along * along - squares * (change.squaredNorm() - least - most * most);
-    return root > 0.0 ? std::clamp((std::sqrt(root) - along) / squares, 0.0, 1.0) : 0.0;
+    // a motion back to what was least is allowed, whatever the last bits of a root of 0 are
+    if (root < -1e-9 * along * along) return 0.0;
+    return std::clamp((std::sqrt(std::max(0.0, root)) - along) / squares, 0.0, 1.0);
   }
   /// The least of the change by the end of a motion from the pose looked at, squared.
   double leastChange(const Vector6& motion) const HAPTICS_RT {
     return std::min(least_change_, leastAlong(change_, motion));
   }
 
-  static constexpr std::size_t kRecent = 3;  ///< ticks within a millisecond of one, at 4 kHz
+  static constexpr std::size_t kRecent = 3;  ///< ticks before one within a millisecond, at most
+  static_assert(int(kRecent) == kServoRates.back().hz / 1000 - 1);
 
   Twist behind_;          ///< the lag after the last tick that followed
   int ticks_behind_ = 0;  ///< ticks since then

@@ -30,16 +30,21 @@ Twist scaled(const Twist& motion, double factor) HAPTICS_RT {
   return {motion.linear * factor, motion.angular * factor};
 }
 
+/// m^2: how soft the coupling is in rotation, by a setting of its own; 0: as the tool's inertia.
+double turningOf(const VirtualCoupling& coupling) HAPTICS_RT {
+  const bool own = coupling.angular_stiffness > 0.0 && coupling.stiffness > 0.0;
+  return own ? coupling.angular_stiffness / coupling.stiffness : 0.0;
+}
+
 /// What is near: by the energy of the coupling over its stiffness. A proxy that were near by
 /// another measure would give way to a contact against the spring, and so give energy to the hand.
 MassMetric metricOf(const Scene& scene, const VirtualCoupling& coupling) HAPTICS_RT {
-  const bool own = coupling.angular_stiffness > 0.0 && coupling.stiffness > 0.0;
-  if (!own) return scene.metric;
+  const double turning = turningOf(coupling);
+  if (turning == 0.0) return scene.metric;
   // as well conditioned as the tool's own, however soft the spring
   const double radius = scene.tool.shell.radius;
   const double least = std::max(1e-6 * radius * radius, 1e-12);  // m^2
-  return MassMetric{Mat3::Identity() *
-                    std::max(coupling.angular_stiffness / coupling.stiffness, least)};
+  return MassMetric{Mat3::Identity() * std::max(turning, least)};
 }
 
 /// One tick at work. What a cut may interrupt lives in proxy.search; the rest is the tick's own.
@@ -55,6 +60,10 @@ class Tick {
                                                                  at_{proxy.search},
                                                                  budget_{budget},
                                                                  radius_{scene.tool.shell.radius} {
+    // the filter compares distances by one metric
+    const double turning = turningOf(coupling);
+    if (!(std::abs(turning - proxy.turning) <= 1e-9 * turning)) proxy.acceptance = {};
+    proxy.turning = turning;
     if (!proxy.held) return;
     Vec3 turn = proxy.turn;
     proxy.release.begin(unconstrainedMotion(proxy.X_WP, X_WD, turn), metric_, proxy.X_WP.linear(),
@@ -113,7 +122,7 @@ class Tick {
   /// allows no such place.
   bool easeTo(double distance, double step) HAPTICS_RT {
     if (!proxy_.held || eased_ || at_.atTaken()) return false;
-    if (!proxy_.acceptance.takes(distance, step)) return false;
+    if (!proxy_.acceptance.wouldTake(distance, step)) return false;
     const std::optional<Release::Place> place = proxy_.release.placeToWait();
     if (!place) return false;
     const Legs& legs = proxy_.release.legs();
@@ -125,7 +134,7 @@ class Tick {
       return true;
     }
     const Pose X = moved(leg.X, leg.motion, advance);
-    if (!proxy_.acceptance.affords(distanceFrom(X, proxy_.turn))) return false;
+    if (!proxy_.acceptance.canAfford(distanceFrom(X, proxy_.turn))) return false;
     // the way back is motion, too
     double back = 0.0, turned_back = 0.0;
     for (std::size_t n = place->leg; n < legs.size(); ++n) {
@@ -361,6 +370,7 @@ class Tick {
     if (at_.advance == 0.0) return false;
     const double advance = at_.halvings < 5 ? 0.5 * at_.advance : 0.0;
     travel(at_.advance - advance);
+    if (proxy_.held && !eased_) proxy_.release.shorten(advance);
     at_.advance = advance;
     ++at_.halvings;
     at_.X = advance > 0.0 ? moved(at_.X_before, at_.motion, advance) : at_.X_before;

@@ -36,7 +36,7 @@ struct TickResult {
 /// solid allows. A proxy that was in contact and has not been at the device since follows the
 /// device's motion, and approaches the device by at most releaseSpeed() times `period` [s]. In
 /// contact it moves so that the force changes by at most kMostFall beside what the device's motion
-/// makes of it, where the way there has a place to wait.
+/// makes of it, where the way there has a place to wait and began in this tick.
 TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling,
                 const Pose& X_WD, Proxy& proxy, Budget& budget, double period) HAPTICS_RT;
 

@@ -158,7 +158,7 @@ TEST(Rated, AStifferLoopShakesAndItsGuardEasesIt) {
                 1e3 * bare.shaking[1], 1e3 * eased.shaking[0], 1e3 * eased.shaking[1], eased.share);
     if (motion == HandMotion::Tap) {
       EXPECT_GT(bare.shaking[0], 0.07);
-    } else {  // what a tap strikes up is no fault of the loop
+    } else {  // not of a tap: each blow shakes the handle anew, with any stiffness
       EXPECT_GT(bare.shaking[1], 0.04);
       EXPECT_LT(eased.shaking[1], 0.4 * bare.shaking[1]);
     }
@@ -166,8 +166,8 @@ TEST(Rated, AStifferLoopShakesAndItsGuardEasesIt) {
   }
 }
 
-// Nor does a rotation that is stiffer than a session allows pass. With the session's cap the same
-// stiffness is calm: the tip of the drill gives way by turning.
+// The tests above would also find a rotation that is stiffer than a session allows. With the
+// session's cap the same stiffness is calm: the tip of the drill gives way by turning.
 TEST(Rated, AStifferRotationShakesAndItsGuardEasesIt) {
   const DeviceModel device = *haptics::findDeviceModel("sigma.7");
   DeviceModel stiffer = device;

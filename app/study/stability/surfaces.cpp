@@ -138,6 +138,9 @@ void noiseOnASphere(Trials& found) {
                                 "ball: there the mean is up to " +
                                     shortly(1e3 * distances.back()) + " mm."
                               : "");
+    const auto held = std::ranges::count_if(distances, [&](double d) { return d > 1.5 * bound; });
+    found.atMost("grains that hold the ball", double(held), grains / 4, "",
+                 "in which it is behind by more than 1.5 times the bound");
     found.atMost("ticks frozen", 100.0 * frozen / all, 20.0, "%");
   }
 }

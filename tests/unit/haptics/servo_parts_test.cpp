@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "datasets/phantoms/making.h"
 #include "haptics/core/budget.h"
 #include "haptics/core/fixed_vector.h"
 #include "haptics/servo/acceptance.h"
+#include "haptics/servo/rate.h"
+#include "haptics/servo/release.h"
 #include "haptics/servo/tick_stats.h"
 #include "tests/support/made.h"
 
@@ -153,7 +157,7 @@ TEST(Acceptance, RaisesTheSpringByNoMoreThanMovesLetGoOf) {
         const double step = random.in(0.0, 1e-3);
         // a place on the way counts like any other
         const bool on_the_way = n % 3 == 2;
-        const bool takes = on_the_way ? filter.affords(next) : filter.takes(next, step);
+        const bool takes = on_the_way ? filter.canAfford(next) : filter.wouldTake(next, step);
         const bool took = on_the_way ? filter.takeOnTheWay(next, step) : filter.take(next, step);
         ASSERT_EQ(took, takes);
         if (!took) {
@@ -216,6 +220,116 @@ TEST(Acceptance, ForgivesWhatDetoursRaisedAsTheDeviceTravelsAcrossThePull) {
   EXPECT_GT(slide, 0.08 * pull * travel);
   EXPECT_LT(slide, 0.11 * pull * travel + lent);
   EXPECT_LE(raisedAlong(-Eigen::Vector3d::UnitZ(), ticks), lent);
+}
+
+/// A released proxy in contact, whose centre is some way from a device that rests.
+struct Released {
+  Released(double away, double of_coupling, double of_servo)
+      : stiffness{of_coupling}, period{of_servo}, lag{{away, 0.0, 0.0}, haptics::Vec3::Zero()} {
+    release.hold(lag);
+  }
+  /// Begins a tick after the hand has moved; the share of a motion that is allowed.
+  double begin(const haptics::Vec3& by, const haptics::Vec3& motion) {
+    lag.linear += by;
+    release.begin(lag, metric, haptics::Mat3::Identity(), stiffness, period);
+    release.look(lag, whole());
+    return release.shareOf(whitened(motion));
+  }
+  /// Goes so much of the motion, and ends the tick.
+  void end(const haptics::Vec3& motion, double share) {
+    const haptics::Twist step{motion, haptics::Vec3::Zero()};
+    release.go({.motion = step, .advance = share}, whitened(share * motion), true);
+    lag.linear -= share * motion;
+    release.look(lag, whole());
+    release.take();
+    release.end(lag, true);
+  }
+  haptics::Vector6 whole() const { return metric.whitened(lag, haptics::Mat3::Identity()); }
+  haptics::Vector6 whitened(const haptics::Vec3& motion) const {
+    return metric.whitened({motion, haptics::Vec3::Zero()}, haptics::Mat3::Identity());
+  }
+  double stiffness, period;
+  haptics::Twist lag;
+  haptics::MassMetric metric{haptics::Mat3::Identity() * 1e-4};
+  haptics::Release release;
+};
+
+TEST(Release, GoesTheWayOfAMillisecondAtOnceAndNoMoreInAnyMillisecond) {
+  for (const haptics::ServoRate rate : haptics::kServoRates) {
+    SCOPED_TRACE(rate.hz);
+    const auto fine = static_cast<std::size_t>(rate.hz / 1000);
+    constexpr double stiffness = 3000.0;                          // N/m
+    const double most = 1e-3 * haptics::releaseSpeed(stiffness);  // m in a millisecond
+    Released proxy{0.01, stiffness, rate.period()};
+    for (int n = 0; n < 4; ++n) {  // it rests in contact, and its way is saved up
+      proxy.begin(haptics::Vec3::Zero(), haptics::Vec3::Zero());
+      proxy.end(haptics::Vec3::Zero(), 0.0);
+    }
+    std::vector<double> ways;
+    for (std::size_t n = 0; n < 20 * fine; ++n) {
+      const haptics::Vec3 motion = proxy.lag.linear;
+      const double share = proxy.begin(haptics::Vec3::Zero(), motion);
+      ways.push_back(share * motion.norm());
+      proxy.end(motion, share);
+    }
+    EXPECT_NEAR(ways.front(), most, 1e-6 * most);
+    double all = 0.0;
+    for (std::size_t n = 0; n < ways.size(); ++n) {
+      double last = 0.0;
+      for (std::size_t k = 0; k < fine; ++k) last += n >= k ? ways[n - k] : 0.0;
+      EXPECT_LE(last, (1.0 + 1e-6) * most) << n;
+      all += ways[n];
+    }
+    EXPECT_NEAR(all, 20.0 * most, 0.05 * most);
+  }
+}
+
+TEST(Release, FollowsTheHandWhenNothingIsSpare) {
+  Random random{7};
+  int all = 0;
+  for (int n = 0; n < 200; ++n) {
+    Released proxy{0.01, 4000.0, 0.25e-3};
+    for (int k = 0; k < 4; ++k) {
+      proxy.begin(haptics::Vec3::Zero(), haptics::Vec3::Zero());
+      proxy.end(haptics::Vec3::Zero(), 0.0);
+    }
+    const haptics::Vec3 towards = proxy.lag.linear;
+    proxy.end(towards, proxy.begin(haptics::Vec3::Zero(), towards));
+    // the proxy is now as near as it may be in a millisecond; a step of the hand is still followed
+    const haptics::Vec3 step = 1e-5 * random.direction();
+    all += proxy.begin(step, step) > 1.0 - 1e-3;
+  }
+  EXPECT_EQ(all, 200);
+}
+
+TEST(Release, ATickThatDidNotFollowLeavesItsWayToTheNextAndNoMore) {
+  const double most = 0.25e-3 * haptics::releaseSpeed(3000.0);  // m in a tick
+  Released proxy{0.01, 3000.0, 0.25e-3};
+  for (int n = 0; n < 4; ++n) {
+    proxy.begin(haptics::Vec3::Zero(), haptics::Vec3::Zero());
+    proxy.end(haptics::Vec3::Zero(), 0.0);
+  }
+  proxy.begin(haptics::Vec3::Zero(), haptics::Vec3::Zero());
+  proxy.release.end(proxy.lag, false);
+  const haptics::Vec3 motion = proxy.lag.linear;
+  EXPECT_NEAR(proxy.begin(haptics::Vec3::Zero(), motion) * motion.norm(), 4.0 * most, 1e-6 * most);
+}
+
+TEST(Release, ALegIsAsLongAsTheToolWentAlongIt) {
+  Released proxy{0.01, 1000.0, 1e-3};
+  const haptics::Vec3 motion = proxy.lag.linear;
+  proxy.begin(haptics::Vec3::Zero(), motion);
+  proxy.release.go({.motion = {motion, haptics::Vec3::Zero()}, .advance = 1.0, .bears = true},
+                   proxy.whitened(motion), true);
+  proxy.release.shorten(0.5);
+  ASSERT_EQ(proxy.release.legs().size(), 1U);
+  EXPECT_EQ(proxy.release.legs()[0].advance, 0.5);
+  // and the place to wait is on what it went
+  proxy.lag.linear *= 0.5;
+  proxy.release.look(proxy.lag, proxy.whole());
+  const auto place = proxy.release.placeToWait();
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(place->share * 0.5 * motion.norm(), haptics::kMostFall / 1000.0 * 1e-3, 1e-9);
 }
 
 TEST(TickStats, GivesRateAndTheTimeThatOneTickInAHundredExceeds) {
