@@ -563,7 +563,7 @@ def keeps_the_rate(folder):
     with open(folder / "fast.csv") as trace:
         lines = [list(map(float, line)) for line in list(csv.reader(trace))[1:]]
     same("device at 4 kHz", truth["device"], [line[1:8] for line in lines])
-    for name, begin, halves in (("proxy", 8, [0.5e-10] * 3 + [0.5e-9] * 4), ("force", 15, [0.5e-6] * 3),
+    for name, begin, halves in (("proxy", 8, [0.5e-9] * 3 + [0.5e-8] * 4), ("force", 15, [0.5e-6] * 3),
                                 ("torque", 18, [0.5e-7] * 3)):
         off = max(abs(a - b) / half for row, line in zip(truth[name], lines)
                   for a, b, half in zip(row, line[begin:], halves))
