@@ -97,9 +97,9 @@ struct Proxy {
   Acceptance acceptance;
   Recovery recovery;
   double isovalue = std::numeric_limits<double>::quiet_NaN();  ///< isovalue of the last tick
-  /// m^2: angular stiffness over stiffness in the last tick, 0 for the tool's own inertia; by it
-  /// the acceptance measures distances
-  double turning = 0.0;
+  /// m^2: of the metric in the last tick, by which `acceptance` measures: angular stiffness over
+  /// stiffness; 0: the tool's own
+  double squared_gyration = 0.0;
   /// True from contact until the proxy is at the device again. While true, tick() limits the speed
   /// at which the proxy approaches the device.
   bool held = false;

@@ -30,8 +30,9 @@ Twist scaled(const Twist& motion, double factor) HAPTICS_RT {
   return {motion.linear * factor, motion.angular * factor};
 }
 
-/// m^2: how soft the coupling is in rotation, by a setting of its own; 0: as the tool's inertia.
-double turningOf(const VirtualCoupling& coupling) HAPTICS_RT {
+/// m^2: squared radius of gyration that the coupling's own angular stiffness stands for; 0: it has
+/// none, and the tool's inertia counts.
+double squaredGyrationOf(const VirtualCoupling& coupling) HAPTICS_RT {
   const bool own = coupling.angular_stiffness > 0.0 && coupling.stiffness > 0.0;
   return own ? coupling.angular_stiffness / coupling.stiffness : 0.0;
 }
@@ -39,12 +40,12 @@ double turningOf(const VirtualCoupling& coupling) HAPTICS_RT {
 /// What is near: by the energy of the coupling over its stiffness. A proxy that were near by
 /// another measure would give way to a contact against the spring, and so give energy to the hand.
 MassMetric metricOf(const Scene& scene, const VirtualCoupling& coupling) HAPTICS_RT {
-  const double turning = turningOf(coupling);
-  if (turning == 0.0) return scene.metric;
+  const double squared_gyration = squaredGyrationOf(coupling);
+  if (squared_gyration == 0.0) return scene.metric;
   // as well conditioned as the tool's own, however soft the spring
   const double radius = scene.tool.shell.radius;
   const double least = std::max(1e-6 * radius * radius, 1e-12);  // m^2
-  return MassMetric{Mat3::Identity() * std::max(turning, least)};
+  return MassMetric{Mat3::Identity() * std::max(squared_gyration, least)};
 }
 
 /// One tick at work. What a cut may interrupt lives in proxy.search; the rest is the tick's own.
@@ -61,9 +62,10 @@ class Tick {
                                                                  budget_{budget},
                                                                  radius_{scene.tool.shell.radius} {
     // the filter compares distances by one metric
-    const double turning = turningOf(coupling);
-    if (!(std::abs(turning - proxy.turning) <= 1e-9 * turning)) proxy.acceptance = {};
-    proxy.turning = turning;
+    const double squared_gyration = squaredGyrationOf(coupling);
+    if (!(std::abs(squared_gyration - proxy.squared_gyration) <= 1e-9 * squared_gyration))
+      proxy.acceptance = {};
+    proxy.squared_gyration = squared_gyration;
     if (!proxy.held) return;
     Vec3 turn = proxy.turn;
     proxy.release.begin(unconstrainedMotion(proxy.X_WP, X_WD, turn), metric_, proxy.X_WP.linear(),
