@@ -237,6 +237,33 @@ TEST(Feel, AFallToTheOtherSideOfARidgeIsNoBlow) {
   }
 }
 
+// what was near by one metric says nothing of what is near by another
+TEST(Feel, AProxyThatRestsGoesOnWhenTheCouplingTurnsSofter) {
+  const Stage stage = stageOf("sphere", namedTool("drill"));
+  const auto hand =
+      haptics::Hand::aimed(haptics::HandMotion::Wedge, *stage.scene, stage.isovalue, 5e-3, 1)
+          .value();
+  for (const double angular : {0.05, 50.0}) {
+    SCOPED_TRACE(angular);
+    Pose settled[2];
+    for (const bool fresh : {false, true}) {
+      Trial trial{stage.scene, stage.isovalue, hand.at(0.0)};
+      trial.coupling.angular_stiffness = 1.0;
+      for (int n = 0; n < 900; ++n) trial.step(hand.at(1e-3 * n));
+      const Pose D = hand.at(0.9);
+      trial.hold(D, 200);
+      trial.coupling.angular_stiffness = angular;
+      if (fresh) trial.proxy.acceptance = {};
+      trial.hold(D, 400);
+      settled[fresh] = trial.proxy.X_WP;
+      EXPECT_GT(trial.last.contacts, 0);
+      EXPECT_EQ(trial.illegal, 0);
+    }
+    EXPECT_TRUE((settled[0].matrix().array() == settled[1].matrix().array()).all())
+        << 1e3 * (settled[0].translation() - settled[1].translation()).norm() << " mm apart";
+  }
+}
+
 TEST(Feel, ASlideHasNoLagHoweverFast) {
   const Stage stage = stageOf("halfspace", made::point());
   Trial trial{stage.scene, stage.isovalue, at(-0.02, 0, 4e-3)};

@@ -59,6 +59,12 @@ TEST(Session, TakesNoSettingBeyondItsRangeAndNoStiffnessBeyondTheRating) {
     EXPECT_GE(settings.position_scale, 0.1);
     EXPECT_LE(settings.position_scale, 10.0);
   }
+  // where no motor turns the hand, an angular stiffness would only change where the proxy goes
+  device = std::make_unique<FakeDevice>(at(0, 0, 0));
+  device->rated = *haptics::findRating("omega.6");
+  ASSERT_TRUE(session.open(std::move(device)));
+  session.set({.isovalue = stage.isovalue, .angular_stiffness = 5.0});
+  EXPECT_EQ(session.inForce().angular_stiffness, 0.0);
   // of what nobody has rated no limit is known
   ASSERT_TRUE(session.open(std::make_unique<FakeDevice>(at(0, 0, 0))));
   EXPECT_EQ(inForce(5000.0, 1.0, 1.0).stiffness, 5000.0);
