@@ -31,6 +31,7 @@
 #include "haptics/session.h"
 #include "haptics/simulation/simulated.h"
 #include "resources/named_tools.h"
+#include "tests/bench/ticks.h"
 #include "tests/support/dicom_bytes.h"
 #include "tests/support/sentence.h"
 #include "ui/props/picture.h"
@@ -209,27 +210,6 @@ Json measureCancel(const fs::path& path, int count) {
     json.update({{"median_s", median(waits)}, {"longest_s", *std::ranges::max_element(waits)}});
   json["left_over_MB"] = (anonymousMemory() - before) / 1e6;
   return json;
-}
-
-/// What a session counted since it was last asked.
-struct Ticks {
-  std::uint64_t ticks = 0, late = 0, missed = 0;
-  Ticks operator-(const Ticks& o) const {
-    return {ticks - o.ticks, late - o.late, missed - o.missed};
-  }
-  Ticks& operator+=(const Ticks& o) {
-    ticks += o.ticks, late += o.late, missed += o.missed;
-    return *this;
-  }
-};
-
-Ticks ticksOf(const haptics::Snapshot& s) { return {s.tick, s.late_ticks, s.missed_ticks}; }
-
-Json jsonOf(const Ticks& t) {
-  const double each = 1e4 / double(std::max<std::uint64_t>(t.ticks, 1));
-  return {{"ticks", t.ticks},
-          {"late_in_10000", double(t.late) * each},
-          {"missed_in_10000", double(t.missed) * each}};
 }
 
 /// A touch and an empty loop of the same policy, beside each other in the same minute, with a scan

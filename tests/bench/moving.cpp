@@ -134,11 +134,7 @@ int main(int argc, char** argv) {
   int qt_argc = 1;
   TimedApplication qt(qt_argc, argv);
   const QTemporaryDir home;
-  app::Arguments arguments = bench::unattended(home);
-  arguments.load.path = path;
-  arguments.load.isovalue = isovalue;
-  arguments.load.tool = app::ToolSource{};
-  app::Application application(std::move(arguments));
+  app::Application application(bench::unattended(home, path, isovalue));
   application.window().resize(1280, 900);
   application.start();
   ui::VolumeView& view = application.window().view();

@@ -17,6 +17,7 @@
 #include "haptics/session.h"
 #include "haptics/simulation/closed_loop.h"
 #include "resources/named_tools.h"
+#include "tests/bench/ticks.h"
 #include "tests/support/sentence.h"
 
 namespace bench {
@@ -67,11 +68,9 @@ struct Sliding {
     if (session.latest(now) && now.tick_p99 > 0.0) p99_us.push_back(now.tick_p99 * 1e6);
   }
   Json report() const {
-    const double each = 1e4 / double(std::max<std::uint64_t>(now.tick, 1));
-    return {{"ticks", now.tick},
-            {"late_in_10000", double(now.late_ticks) * each},
-            {"missed_in_10000", double(now.missed_ticks) * each},
-            {"median_of_p99_us", median(p99_us)}};
+    Json json = jsonOf(ticksOf(now));
+    json["median_of_p99_us"] = median(p99_us);
+    return json;
   }
   haptics::Session session;
   haptics::Snapshot now;

@@ -19,6 +19,7 @@
 #include "haptics/recording/recording.h"
 #include "haptics/servo/servo_loop.h"
 #include "haptics/simulation/simulated.h"
+#include "tests/bench/ticks.h"
 #include "tests/bench/window.h"
 #include "tests/support/sentence.h"
 #include "ui/volume_view.h"
@@ -26,16 +27,10 @@
 namespace {
 
 namespace fs = std::filesystem;
+using bench::jsonOf;
+using bench::ticksOf;
 using bench::waitFor;
 using Json = nlohmann::ordered_json;
-
-Json ticksOf(const haptics::Snapshot& before, const haptics::Snapshot& after) {
-  const auto ticks = after.tick - before.tick;
-  const double each = 1e4 / double(std::max<std::uint64_t>(ticks, 1));
-  return {{"ticks", ticks},
-          {"late_in_10000", double(after.late_ticks - before.late_ticks) * each},
-          {"missed_in_10000", double(after.missed_ticks - before.missed_ticks) * each}};
-}
 
 bool isRealTime(const haptics::Snapshot& snapshot) {
   return snapshot.policy == haptics::SchedulingPolicy::RealTime;
@@ -74,14 +69,9 @@ int main(int argc, char** argv) {
   int qt_argc = 1;
   QApplication qt(qt_argc, argv);
   const QTemporaryDir home;
-  app::Arguments arguments = bench::unattended(home);
-  if (path.empty()) {
-    arguments.load.phantom = "demo";
-  } else {
-    arguments.load.path = path;
-    arguments.load.isovalue = isovalue;
-    arguments.load.tool = app::ToolSource{};
-  }
+  app::Arguments arguments =
+      path.empty() ? bench::unattended(home) : bench::unattended(home, path, isovalue);
+  if (path.empty()) arguments.load.phantom = "demo";
   arguments.hand = "slide";
   app::Application application(std::move(arguments));
   const haptics::ServoRate rate{hz};
@@ -109,7 +99,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "The empty loop does not run.\n");
     return 4;
   }
-  const haptics::Snapshot touch_before = application.snapshot(), empty_before = turning;
+  const bench::Ticks touch_before = ticksOf(application.snapshot()),
+                     empty_before = ticksOf(turning);
   const int drawn = application.window().view().frames();
   std::vector<double> p99_us;
   const auto begun = bench::Clock::now();
@@ -125,8 +116,8 @@ int main(int argc, char** argv) {
             {"seconds", seconds},
             {"real_time_policy",
              {{"touch", isRealTime(application.snapshot())}, {"empty_loop", isRealTime(turning)}}},
-            {"touch", ticksOf(touch_before, application.snapshot())},
-            {"empty_loop", ticksOf(empty_before, turning)},
+            {"touch", jsonOf(ticksOf(application.snapshot()) - touch_before)},
+            {"empty_loop", jsonOf(ticksOf(turning) - empty_before)},
             {"median_of_p99_us", bench::median(p99_us)},
             {"pictures_per_second", pictures / seconds}};
   application.recording().stop();

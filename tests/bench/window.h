@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -50,6 +51,16 @@ inline app::Arguments unattended(const QTemporaryDir& home) {
   arguments.screenshot_after = 1e6;
   arguments.notice = false;
   arguments.recordings = home.path().toStdString();
+  return arguments;
+}
+
+/// The same, with a scan and the probe.
+inline app::Arguments unattended(const QTemporaryDir& home, const std::string& path,
+                                 double isovalue) {
+  app::Arguments arguments = unattended(home);
+  arguments.load.path = path;
+  arguments.load.isovalue = isovalue;
+  arguments.load.tool = app::ToolSource{};
   return arguments;
 }
 
