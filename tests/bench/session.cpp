@@ -95,7 +95,11 @@ int main(int argc, char** argv) {
     return 4;
   }
   haptics::Snapshot turning;
-  if (!waitFor([&] { return empty.snapshots.take(turning) && turning.tick > 0; }, 10.0)) {
+  const auto turns = [&] {
+    empty.snapshots.take(turning);
+    return turning.tick > 0;
+  };
+  if (!waitFor(turns, 10.0)) {
     std::fprintf(stderr, "The empty loop does not run.\n");
     return 4;
   }
