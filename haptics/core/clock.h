@@ -15,6 +15,18 @@ inline std::int64_t monotonicNs() HAPTICS_RT {
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
+/// A time of it, as the calls of the system take it.
+inline timespec timeOf(std::int64_t ns) noexcept {
+  return {static_cast<time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
+}
+
+/// Waits until a time of it; no signal ends that early.
+inline void sleepUntil(std::int64_t ns) noexcept {
+  const timespec until = timeOf(ns);
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) != 0) {
+  }
+}
+
 /// A function that returns ns: monotonicNs, or the clock of a test.
 using MonotonicClock = std::int64_t (*)() noexcept;
 

@@ -44,6 +44,10 @@ class Combined final : public Device {
   DeviceStatus write(const Wrench& wrench_B) noexcept override {
     return position_->write({wrench_B.force, Vec3::Zero()});
   }
+  bool inStep() const noexcept override { return position_->inStep(); }
+  bool awaitReading(std::int64_t until_ns) noexcept override {
+    return position_->awaitReading(until_ns);
+  }
 
   void stop() noexcept override {
     position_->stop();

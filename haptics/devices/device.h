@@ -37,6 +37,15 @@ class Device {
   // last reading. After `Lost` there is no force until the device is opened again.
   virtual DeviceStatus read(DeviceReading& reading) noexcept = 0;
   virtual DeviceStatus write(const Wrench& wrench_B) noexcept = 0;
+  /// Whether the device tells when a reading comes, so that a tick can begin then.
+  virtual bool inStep() const noexcept { return false; }
+  /// Servo thread, between ticks, only where inStep(): waits for a reading that comes after this
+  /// call, until `until_ns` (monotonic). True: it came, and the next write answers it: that wrench
+  /// is sent at once.
+  virtual bool awaitReading(std::int64_t until_ns) noexcept {
+    static_cast<void>(until_ns);
+    return false;
+  }
   /// Any thread, also the watchdog's while the servo thread hangs in read or write. Sends zero to
   /// the motors at once. Later writes have no effect until resume(). Does not wait.
   virtual void stop() noexcept = 0;

@@ -26,7 +26,7 @@ constexpr int kMostUnits = 8;                    // that are counted
 constexpr unsigned char kWatchdog = 40;          // of 125 us: 5 ms
 constexpr std::int64_t kRoundNs = 250'000;       // the link's 4 kHz
 constexpr std::int64_t kCalmNs = 1'000'000'000;  // without wish, before force comes back
-constexpr std::int64_t kStaleNs = 5'000'000;     // a wish is that old at most
+constexpr std::int64_t kSlowNs = 5'000'000;      // a round that takes longer is in doubt
 constexpr unsigned kRoundsToStatus = 64;         // 16 ms and more
 constexpr std::chrono::milliseconds kFresh{15};
 constexpr double kFarthest = 1.0;  // m from the base: no model reaches so far
@@ -144,10 +144,6 @@ Expected<Dhd> load(std::span<const std::string> libraries) {
   return dhd;
 }
 
-timespec timeOf(std::int64_t ns) noexcept {
-  return {static_cast<time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
-}
-
 /// One unit. Made when it is open; closes it.
 class ForceDimension final : public Transport {
  public:
@@ -190,27 +186,24 @@ class ForceDimension final : public Transport {
   }
 
   DeviceStatus exchange(const Wrench& wrench_B, DeviceReading& reading) noexcept override {
-    pace();
-    const std::int64_t asked_for_ns = monotonicNs();
-    const bool polled = poll(reading);
+    // first, while the wrench is new; zero is the answer to every doubt of the round before
+    const bool sent = send(ready_ ? wrench_B : Wrench{});
     const std::int64_t now = monotonicNs();
     if (!wrench_B.force.isZero(0.0) || !wrench_B.torque.isZero(0.0)) asked_ns_ = now;
     const bool calm = now - asked_ns_ > kCalmNs;
-    if (rounds_++ % kRoundsToStatus == 0 || !polled || !told_) told_ = look(calm);
-    const bool answered = polled && told_;
+    if (rounds_++ % kRoundsToStatus == 0 || !answered_) told_ = look(calm);
+    pace();
+    answered_ = poll(reading) && told_;
 
     // after a pause force comes back only when none is asked for: it begins without a jump
     paused_ = state_ != Trouble::None || (paused_ && !calm);
-
-    // zero is the answer to every doubt
-    // the library has no bound, and a force that waited in it is nobody's wish any more
-    const bool late = monotonicNs() - asked_for_ns > kStaleNs;
-    const bool ready = answered && !paused_ && !late;
-    const bool sent = send(ready ? wrench_B : Wrench{});
+    // the library has no bound
+    const bool slow = monotonicNs() - now > kSlowNs;
+    ready_ = answered_ && !paused_ && !slow;
     reading.trouble = paused_ && state_ == Trouble::None ? Trouble::ForceOff : state_;
     if (state_ == Trouble::Lost) return DeviceStatus::Lost;
-    if (!sent || !answered) return DeviceStatus::Stale;
-    return ready ? DeviceStatus::Ok : DeviceStatus::NotReady;
+    if (!sent || !answered_) return DeviceStatus::Stale;
+    return ready_ ? DeviceStatus::Ok : DeviceStatus::NotReady;
   }
 
  private:
@@ -219,8 +212,7 @@ class ForceDimension final : public Transport {
   void pace() noexcept {
     const std::int64_t now = monotonicNs();
     next_ns_ = std::max(next_ns_, now);
-    const timespec until = timeOf(next_ns_);
-    if (next_ns_ > now) clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+    if (next_ns_ > now) sleepUntil(next_ns_);
     next_ns_ += kRoundNs;
   }
 
@@ -284,8 +276,10 @@ class ForceDimension final : public Transport {
   bool turns_ = false, torques_ = false;
   Trouble state_ = Trouble::NeedsCalibration;  ///< until it was looked at
   bool paused_ = true;
+  bool ready_ = false;         ///< nothing of the last round speaks against a force
   std::int64_t asked_ns_ = 0;  ///< when a wrench unlike zero was asked for last
   bool told_ = false;          ///< it has answered when it was last asked for its state
+  bool answered_ = false;      ///< that, and its pose came in the last round
   unsigned rounds_ = 0;
   std::int64_t next_ns_ = 0;
 };
@@ -328,7 +322,7 @@ Expected<std::unique_ptr<Device>> openUnit(int unit, std::span<const std::string
   auto transport = std::make_unique<ForceDimension>(std::move(*dhd), unit);
   const auto rating = transport->prepare();
   if (!rating) return tl::unexpected(rating.error());
-  return threaded(std::move(transport), *rating, kFresh);
+  return threaded(std::move(transport), *rating, kFresh, true);
 }
 
 /// The names under which the maker installs it; libdrd has all that libdhd has.

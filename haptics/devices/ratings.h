@@ -21,7 +21,7 @@ struct DeviceRating {
   double workspace = 0.0;          ///< m, radius
   double resolution = 0.0;         ///< m, of the handle's position
   double rate = 1000.0;            ///< Hz, the highest rate of its link
-  double delay = 0.0;              ///< s by which its force is late: a round of its link's thread
+  double delay = 0.0;              ///< s by which its force is late (devices/README.md)
   std::string_view source = {};    ///< where the values are from, and which are not verified
 };
 

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "haptics/devices/relay.h"
+#include "haptics/devices/turns.h"
 
 namespace haptics {
 namespace {
@@ -21,8 +22,8 @@ constexpr std::chrono::seconds kHung{2};  // not even a machine that is very bus
 /// What the device and the transport's thread share, and who ends last destroys.
 class Exchanges {
  public:
-  Exchanges(std::unique_ptr<Transport> transport, std::chrono::milliseconds fresh)
-      : relay{fresh, kHung}, transport_{std::move(transport)} {}
+  Exchanges(std::unique_ptr<Transport> transport, std::chrono::milliseconds fresh, bool in_step)
+      : relay{fresh, kHung}, in_step{in_step}, transport_{std::move(transport)} {}
 
   /// The transport's thread, from its begin to its end.
   void run() {
@@ -47,6 +48,8 @@ class Exchanges {
   }
 
   Relay relay;
+  Turns turns;
+  const bool in_step;
 
  private:
   void exchangeUntilTheEnd() {
@@ -56,7 +59,9 @@ class Exchanges {
       const auto begun = std::chrono::steady_clock::now();
       const DeviceStatus status = transport_->exchange(relay.due(), reading);
       goes_on = relay.came(status, reading);
-      std::this_thread::sleep_until(begun + kShortestRound);
+      const bool answered = in_step && goes_on && status != DeviceStatus::Stale &&
+                            turns.readingCame(std::chrono::nanoseconds{kShortestRound}.count());
+      if (!answered) std::this_thread::sleep_until(begun + kShortestRound);
     }
   }
 
@@ -70,9 +75,9 @@ class Exchanges {
 class Threaded final : public Device {
  public:
   Threaded(std::unique_ptr<Transport> transport, const DeviceRating& rating,
-           std::chrono::milliseconds fresh)
+           std::chrono::milliseconds fresh, bool in_step)
       : rating_{rating},
-        shared_{std::make_shared<Exchanges>(std::move(transport), fresh)},
+        shared_{std::make_shared<Exchanges>(std::move(transport), fresh, in_step)},
         thread_{[shared = shared_] { shared->run(); }} {}
   ~Threaded() override {
     if (shared_->end())
@@ -89,7 +94,13 @@ class Threaded final : public Device {
     return shared_->relay.read(reading);
   }
   DeviceStatus write(const Wrench& wrench_B) noexcept override {
-    return shared_->relay.write(wrench_B);
+    const DeviceStatus status = shared_->relay.write(wrench_B);
+    shared_->turns.answer();
+    return status;
+  }
+  bool inStep() const noexcept override { return shared_->in_step; }
+  bool awaitReading(std::int64_t until_ns) noexcept override {
+    return shared_->turns.awaitReading(until_ns);
   }
   void stop() noexcept override { shared_->relay.stop(); }
   void resume() noexcept override { shared_->relay.resume(); }
@@ -103,8 +114,8 @@ class Threaded final : public Device {
 }  // namespace
 
 std::unique_ptr<Device> threaded(std::unique_ptr<Transport> transport, const DeviceRating& rating,
-                                 std::chrono::milliseconds fresh) {
-  return std::make_unique<Threaded>(std::move(transport), rating, fresh);
+                                 std::chrono::milliseconds fresh, bool in_step) {
+  return std::make_unique<Threaded>(std::move(transport), rating, fresh, in_step);
 }
 
 }  // namespace haptics

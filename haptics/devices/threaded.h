@@ -30,6 +30,11 @@ class Transport {
 /// for two seconds. The Relay decides what may be sent: an exchange that begins later than 5 ms
 /// after the last write sends zero, and so does every one while the device is NotReady or Lost.
 ///
+/// `in_step`: for a transport whose exchange sends first, then waits for the time of its round, and
+/// reads at the end. A servo thread that waits for a reading is woken when it comes, and the next
+/// exchange begins once the wrench that answers it is written, or 250 us later. So this wrench is
+/// late by the time of the tick; without it, by a round of the thread.
+///
 /// stop(): every exchange that begins after it sends zero. The one that had begun, or was about to,
 /// may still carry a force; so zero is sent within kLongestWait and 250 us, and within two
 /// exchanges. What was written before resume() is never sent after it.
@@ -41,6 +46,6 @@ class Transport {
 ///
 /// `fresh`: the greatest age of a reading; 0: no limit (for a device that reports only changes).
 std::unique_ptr<Device> threaded(std::unique_ptr<Transport> transport, const DeviceRating& rating,
-                                 std::chrono::milliseconds fresh);
+                                 std::chrono::milliseconds fresh, bool in_step = false);
 
 }  // namespace haptics

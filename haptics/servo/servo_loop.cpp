@@ -5,7 +5,6 @@
 #include <sched.h>
 
 #include <cmath>
-#include <ctime>
 #include <tuple>
 
 #include "haptics/core/clock.h"
@@ -69,12 +68,20 @@ void ServoLoop::run() {
       snapshot_.missed_ticks += static_cast<std::uint64_t>(missed);
       due += missed * rate_.period_ns();
     }
-    const timespec wake{due / 1'000'000'000, due % 1'000'000'000};
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) != 0) {
-    }
-    if (monotonicNs() - due > rate_.late_ns()) ++snapshot_.late_ticks;
+    due = awaitTick(due);
   }
   device_->write({});
+}
+
+std::int64_t ServoLoop::awaitTick(std::int64_t due) {
+  // of readings that come more often than ticks, the one nearest to the time: half of 4 kHz
+  constexpr std::int64_t kBefore = 125'000;
+  const bool in_step = device_->inStep() && !lost_;
+  sleepUntil(in_step ? due - kBefore : due);
+  const bool came = in_step && device_->awaitReading(due + rate_.period_ns() / 4);
+  const std::int64_t now = monotonicNs();
+  if (now - due > rate_.late_ns()) ++snapshot_.late_ticks;
+  return came ? now : due;
 }
 
 void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {

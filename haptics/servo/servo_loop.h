@@ -24,8 +24,8 @@
 namespace haptics {
 
 /// The servo thread reads the device, runs a tick and writes the device, once in each period of its
-/// rate, at absolute times. It asks for real-time priority and reports the one it got. Missed
-/// periods are counted, not repeated.
+/// rate: at absolute times, or, where the device is in step, when a reading comes. It asks for
+/// real-time priority and reports the one it got. Missed periods are counted, not repeated.
 class ServoLoop {
  public:
   /// For a device without motors: its base B is W, and it has no watchdog and no guard.
@@ -90,6 +90,9 @@ class ServoLoop {
   };
 
   void run();
+  /// Waits for the next tick, due at `due` [ns], and returns when it is due: in step with a device,
+  /// when its reading came. One that does not come by a quarter of a period is not waited for.
+  std::int64_t awaitTick(std::int64_t due);
   /// Takes new settings, handling and scene, and the watchdog's beat.
   Period takeWishes(std::int64_t now) HAPTICS_RT;
   void readDevice(Period& period, std::int64_t now) HAPTICS_RT;

@@ -41,11 +41,24 @@ Pose Linkage::handleAt(const Pose& X_WD) const HAPTICS_RT {
   return X_WH;
 }
 
-Wrench Linkage::carry(const Wrench& sent_W, const Pose& X_WH) HAPTICS_RT {
+Wrench Linkage::late(const Wrench& sent) HAPTICS_RT {
   constexpr int kPlaces = kLongestDelay + 1;
-  under_way_[next_] = sent_W;
-  Wrench arriving = under_way_[(next_ + kPlaces - delay) % kPlaces];
+  under_way_[next_] = sent;
+  const int whole = int(delay);
+  const double share = delay - whole;
+  const auto ago = [&](int ticks) { return under_way_[(next_ + kPlaces - ticks) % kPlaces]; };
+  Wrench arriving = ago(whole);
+  if (share > 0.0) {
+    const Wrench before = ago(whole + 1);
+    arriving.force += share * (before.force - arriving.force);
+    arriving.torque += share * (before.torque - arriving.torque);
+  }
   next_ = (next_ + 1) % kPlaces;
+  return arriving;
+}
+
+Wrench Linkage::carry(const Wrench& sent_W, const Pose& X_WH) HAPTICS_RT {
+  Wrench arriving = late(sent_W);
   if (torque)
     arriving.torque += (X_WH.linear() * arm).cross(arriving.force);
   else

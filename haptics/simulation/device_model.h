@@ -22,7 +22,7 @@ struct Linkage {
 
   double encoder = 0.0;        ///< m: step of the positions read; 0: exact
   double angle_encoder = 0.0;  ///< rad: step of the rotation vectors read; 0: exact
-  int delay = 0;               ///< delay of a wrench in ticks, 0 to kLongestDelay
+  double delay = 0.0;          ///< of a wrench, in ticks, 0 to kLongestDelay
   bool torque = true;          ///< has torque motors; false: six degrees sensed, three actuated
   Vec3 arm = Vec3::Zero();     ///< m, from the handle's pivot to the tool's origin, tool frame
 
@@ -30,10 +30,13 @@ struct Linkage {
   Pose read(const Pose& X_WH) const HAPTICS_RT;
   /// The pose of the handle with the tool at X_WD, with exact encoders.
   Pose handleAt(const Pose& X_WD) const HAPTICS_RT;
+  /// Takes the wrench that the program sends. Returns the one that arrives until the next tick:
+  /// sent `delay` ticks ago. If a tick has two, it is their mean, each by the share of its time.
+  Wrench late(const Wrench& sent) HAPTICS_RT;
   /// Takes the wrench that the program sends, about the tool's origin, with the handle at X_WH.
-  /// Returns the wrench that acts on the handle, about its pivot, until the next tick: the one sent
-  /// `delay` ticks ago. Without torque motors the torque is lost, and so is the torque of the force
-  /// about the pivot.
+  /// Returns the wrench that acts on the handle, about its pivot, until the next tick: the late
+  /// one. Without torque motors the torque is lost, and so is the torque of the force about the
+  /// pivot.
   Wrench carry(const Wrench& sent_W, const Pose& X_WH) HAPTICS_RT;
 
  private:

@@ -134,7 +134,7 @@ std::vector<AtRate> rated() {
     const haptics::ServoRate most = rateOf(model.rating);
     if (most.hz == 1000 || made::kSanitized) continue;
     all.push_back({model, most});
-    all.back().device.linkage.delay = int(std::lround(model.rating.delay / most.period()));
+    all.back().device.linkage.delay = model.rating.delay / most.period();
   }
   return all;
 }

@@ -59,13 +59,12 @@ Outcome handsOn(const comparison::Touched& touched, double seconds, std::uint64_
       found.subject = "hands/" + touched.name + "/" + name;
       found.atMost(
           "energy given beyond what damping takes, most", mJ(run.balance.most_left), 1.0, "mJ",
-          run.refused
-              ? resources::sentence(*run.refused)
-              : rateOf(period) + ", " + std::to_string(loop.linkage.delay) + " periods late, at " +
-                    shortly(allowed) + " N/m, which is allowed; the guard left " +
-                    shortly(run.share) + " of it; largest step of force in a tick " +
-                    shortly(run.force_step) + " N; given in all at most " +
-                    shortly(mJ(run.balance.most_given)) + " mJ");
+          run.refused ? resources::sentence(*run.refused)
+                      : rateOf(period) + ", " + shortly(loop.linkage.delay) + " periods late, at " +
+                            shortly(allowed) + " N/m, which is allowed; the guard left " +
+                            shortly(run.share) + " of it; largest step of force in a tick " +
+                            shortly(run.force_step) + " N; given in all at most " +
+                            shortly(mJ(run.balance.most_given)) + " mJ");
       found.atMost("energy given beyond what sampling gives, most", mJ(run.balance.most_own), 1.0,
                    "mJ",
                    "which a held force gives at each stroke, without end: in all " +
@@ -145,7 +144,7 @@ Outcome turnedHandle(int turns) {
       found.row(caption, {{"lever", (is_arm ? "arm of " : "tool that reaches ") + length},
                           {"torque motors", lever.torque ? "yes" : "no"},
                           {"rate", rateOf(wall.period)},
-                          {"delay", std::to_string(wall.device.linkage.delay)},
+                          {"delay", shortly(wall.device.linkage.delay)},
                           {"K [N/m]", shortly(stiffness)},
                           {"given at the handle [mJ a turn]", shortly(mJ * r.energy)},
                           {"given by the program [mJ a turn]", shortly(mJ * r.program)},

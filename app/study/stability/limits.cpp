@@ -56,20 +56,27 @@ double spectralRadius(const Wall& wall, double stiffness) {
   const Eigen::Matrix3d rate{{0, 1, 0}, {-wall.hand.stiffness / m, -b / m, 1.0 / m}, {0, 0, 0}};
   const Eigen::Matrix3d free = (rate * wall.period).exp();
   // state: position, speed, position a period ago, forces under way (the oldest acts next)
-  const int delay = wall.device.linkage.delay, n = 3 + delay;
+  const double delay = wall.device.linkage.delay;
+  const int under_way = int(std::ceil(delay)), n = 3 + under_way;
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
   Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(n);
   force(0) = -stiffness - wall.damping / wall.period;
   force(2) = wall.damping / wall.period;
   A.topLeftCorner<2, 2>() = free.topLeftCorner<2, 2>();
   A(2, 0) = 1.0;
-  if (delay == 0) {
-    A.topRows<2>() += free.topRightCorner<2, 1>() * force;
-  } else {
-    A.block<2, 1>(0, 3) = free.topRightCorner<2, 1>();
-    for (int k = 3; k + 1 < n; ++k) A(k, k + 1) = 1.0;
-    A.row(n - 1) = force;
+  // what acts until the next period, of the forces of this one and of those before
+  const int whole = int(delay);
+  Eigen::RowVectorXd acts = Eigen::RowVectorXd::Zero(n);
+  for (const auto& [ago, share] :
+       {std::pair{whole, whole + 1.0 - delay}, std::pair{whole + 1, delay - whole}}) {
+    if (ago == 0)
+      acts += share * force;
+    else if (ago <= under_way)
+      acts(n - ago) += share;
   }
+  A.topRows<2>() += free.topRightCorner<2, 1>() * acts;
+  for (int k = 3; k + 1 < n; ++k) A(k, k + 1) = 1.0;
+  if (under_way > 0) A.row(n - 1) = force;
   return A.eigenvalues().cwiseAbs().maxCoeff();
 }
 
@@ -166,9 +173,9 @@ Outcome wallLimits(const DeviceModel& device, double period, const std::vector<i
 Outcome planeLimits(const DeviceModel& device, double period) {
   Findings found{"limit in 6-DOF/" + device.name + "/" + rateOf(period)};
   const auto measure = [&](const Loop& loop, const Wall& wall) {
-    const int delay = wall.device.linkage.delay;
+    const double delay = wall.device.linkage.delay;
     const std::string name =
-        loop.name + (delay > 0 ? ", " + std::to_string(delay) + " late" : std::string{});
+        loop.name + (delay > 0.0 ? ", " + shortly(delay) + " late" : std::string{});
     const Limit through_tick = planeLimit(wall), on_wall = measuredLimit(wall);
     const double limit = through_tick.stiffness, one = on_wall.stiffness, theory = wall.theory();
     // that of which 0.45 is allowed; what is not shipped is a row, no case

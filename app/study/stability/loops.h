@@ -33,10 +33,9 @@ struct Wall {
   }
 };
 
-/// A device driven at a rate, by whatever carries its force: late by its rating's delay, in whole
-/// periods. At 1 kHz a quarter of a millisecond is none of them.
+/// A device driven at a rate, by whatever carries its force: late by its rating's delay.
 inline Wall drivenAt(haptics::DeviceModel device, haptics::ServoRate rate) {
-  device.linkage.delay = int(std::lround(device.rating.delay / rate.period()));
+  device.linkage.delay = device.rating.delay / rate.period();
   return {std::move(device), {}, rate.period()};
 }
 /// As the program drives it unless the user chooses another rate: at the highest of its link.
@@ -122,7 +121,7 @@ struct EnergyBalance {
   double stiffness;  ///< N/m
   haptics::Grip grip;
   double period;                       ///< s
-  int delay = 0;                       ///< ticks
+  double delay = 0.0;                  ///< ticks
   double most_given = 0.0;             ///< J
   double most_own = 0.0;               ///< J, beyond what sampling gives: the method's own share
   double most_left = 0.0;              ///< J, beyond what damping takes: what makes a loop shake
@@ -134,10 +133,13 @@ struct EnergyBalance {
   void add(double given, const haptics::Wrench& held, const haptics::Twist& motion,
            const haptics::Vector6& stretch) {
     const haptics::Vector6 change = stretch - stretches.back();
-    const haptics::Vector6 lag = stretches.back() - stretches.front();
+    const int whole = int(delay);
+    const double share = delay - whole;
+    const haptics::Vector6 lag =
+        stretches.back() - (1.0 - share) * ago(whole) - share * ago(whole + 1);
     sampled += stiffness * (0.5 * change.squaredNorm() + change.dot(lag));
     stretches.push_back(stretch);
-    if (int(stretches.size()) > delay + 1) stretches.pop_front();
+    if (int(stretches.size()) > whole + 2) stretches.pop_front();
     const double force = held.force.norm(), torque = held.torque.norm();
     const double along = force > 0.0 ? motion.linear.dot(held.force) / force : 0.0;
     const double about =
@@ -146,6 +148,10 @@ struct EnergyBalance {
     most_given = worse(most_given, given);
     most_own = worse(most_own, given - sampled);
     most_left = worse(most_left, given - damped);
+  }
+  /// The stretch so many ticks before the latest, or the first.
+  const haptics::Vector6& ago(int ticks) const {
+    return stretches[std::size_t(std::max(int(stretches.size()) - 1 - ticks, 0))];
   }
 };
 

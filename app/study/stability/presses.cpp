@@ -22,8 +22,8 @@ struct Sweep {
   Depth depth;
   double period, cost;              ///< s
   std::vector<double> stiffnesses;  ///< beside the default and what is allowed
-  std::vector<int> delays;
-  std::vector<double> noises;  ///< the first is none
+  std::vector<double> delays;       ///< periods; beside the device's own, at its own rate
+  std::vector<double> noises;       ///< the first is none
 };
 
 /// All that are tried with one delay, the softest first; in `other_loops` also without the guard
@@ -55,13 +55,15 @@ Outcome pressesOf(const std::string& job, const std::string& stage, Wall wall, c
   plot.bound_name = "asked up to what is allowed";
   std::vector<Stage> stages;
   for (const double noise : sweep.noises) stages.push_back(makeStage(stage, noise, 301 + seed));
-  for (const int delay : sweep.delays) {
+  const Wall shipped = asShipped(wall.device);
+  std::set<double> delays{sweep.delays.begin(), sweep.delays.end()};
+  if (wall.period == shipped.period) delays.insert(shipped.device.linkage.delay);
+  for (const double delay : delays) {
     wall.device.linkage.delay = delay;
-    const Wall shipped = asShipped(wall.device);
     const bool own = wall.period == shipped.period && delay == shipped.device.linkage.delay;
     const double allowed = allowedFor(wall, *stages.front().scene);
     // the worst of each figure up to what is allowed, as it comes
-    found.subject = job + "/delay " + std::to_string(delay);
+    found.subject = job + "/delay " + shortly(delay);
     const std::string range = "up to " + shortly(allowed) + " N/m, which is allowed";
     const std::size_t first = found.outcome.cases.size();
     found.atMost("amplitude at rest", -INFINITY, 3e6 * wall.device.linkage.encoder, "um",
@@ -77,7 +79,7 @@ Outcome pressesOf(const std::string& job, const std::string& stage, Wall wall, c
                      "many there are, not how far");
     std::string where[4];
     std::vector<PlotPoint>& given =
-        plot.series.emplace_back(Series{"delay " + std::to_string(delay), {}}).points;
+        plot.series.emplace_back(Series{"delay " + shortly(delay), {}}).points;
     int non_finite = 0, inside = 0, untouched = 0;
     double clean = 0.0;  // J given without noise
     for (const Way& way : waysWith(sweep, wall, allowed, other_loops))
@@ -90,7 +92,7 @@ Outcome pressesOf(const std::string& job, const std::string& stage, Wall wall, c
                    {"scene", stage},
                    {"rate", rateOf(wall.period)},
                    {"loop", way.name},
-                   {"delay", std::to_string(delay)},
+                   {"delay", shortly(delay)},
                    {"its own", own ? "yes" : ""},
                    {"noise [%]", shortly(100.0 * noise)},
                    {"K [N/m]", shortly(K)},
@@ -190,7 +192,7 @@ LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::in
     return stretched;
   };
   std::optional<haptics::TraceRow> before;
-  std::deque<haptics::Wrench> under_way(std::size_t(loop.linkage.delay));
+  haptics::Linkage link{.delay = loop.linkage.delay};
   std::int64_t tick = 0;
   const auto done = loop.run(hand, ticks, [&](const haptics::TraceRow& row) {
     result.energy = row.energy;
@@ -208,9 +210,7 @@ LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::in
       result.given.push_back({row.time, 1e3 * row.energy});
     }
     if (const std::optional<haptics::TraceRow> last = std::exchange(before, row)) {
-      under_way.push_back(last->sent_W);
-      const haptics::Wrench held = under_way.front();
-      under_way.pop_front();
+      const haptics::Wrench held = link.late(last->sent_W);
       const haptics::Twist motion = haptics::motionBetween(last->X_WH, row.X_WH);
       const haptics::Vector6 stretched = stretch(row.X_WP, row.X_WD);
       program.add(held, haptics::motionBetween(last->X_WD, row.X_WD));

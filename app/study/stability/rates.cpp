@@ -3,7 +3,6 @@
 
 #include "app/study/stability/failures.h"
 #include "app/study/stability/loops.h"
-#include "haptics/simulation/allowed_stiffness.h"
 #include "resources/messages/messages.h"
 
 namespace study::stability {
@@ -23,11 +22,8 @@ Outcome handsAt(const std::string& job, const haptics::DeviceModel& device, hapt
   static const auto scene = haptics::makeScene(touched.volume, toolOf(touched)).value();
   Findings found;
   const Wall wall = drivenAt(device, rate);
-  // by the delay itself, which the loop has in whole periods
-  const double allowed =
-      haptics::allowedStiffness(device.rating, scene->tool.shell,
-                                {rate.period(), device.rating.delay}, device.linkage.arm.norm());
-  const std::string delay = std::to_string(wall.device.linkage.delay);
+  const double allowed = allowedFor(wall, *scene);
+  const std::string delay = shortly(wall.device.linkage.delay);
   const bool turns = device.rating.sensed >= 6;
   for (const auto& [name, motion] : kMotions) {
     haptics::ClosedLoop loop = loopOf({wall, allowed, true}, scene, touched.isovalue);

@@ -105,6 +105,17 @@ TEST(Linkage, CarriesAWrenchSoManyTicksLate) {
   }
 }
 
+TEST(Linkage, OfTwoWrenchesInATickEachActsForItsShare) {
+  Linkage linkage;
+  linkage.delay = 1.25;
+  for (int n = 1; n <= 20; ++n) {
+    const Wrench arriving = linkage.carry({{double(n), 0, 0}, {0, double(n), 0}}, Pose::Identity());
+    const double expected = 0.75 * std::max(0, n - 1) + 0.25 * std::max(0, n - 2);
+    EXPECT_DOUBLE_EQ(arriving.force.x(), expected);
+    EXPECT_DOUBLE_EQ(arriving.torque.y(), expected);
+  }
+}
+
 TEST(Linkage, AnArmTurnsTheToolAboutTheHandleAndItsForceTurnsTheHandleIfThereAreMotors) {
   Linkage linkage;
   linkage.arm = {0.0, 0.0, -0.2};

@@ -74,7 +74,7 @@ TEST(Wall, TheMeasuredLimitOfAWellDampedDeviceIsThatOfTheory) {
 TEST(Wall, DelayAndVirtualDampingMoveTheMeasuredLimitAsTheyMoveTheLinearOne) {
   Wall wall{findDeviceModel("falcon").value(), {}, 1e-3};
   wall.device.linkage.encoder = 1e-6;
-  for (const int delay : {0, 1, 3})
+  for (const double delay : {0.0, 0.2, 1.0, 1.5, 3.0})
     for (const double damping : {0.0, 4.0}) {
       wall.device.linkage.delay = delay;
       wall.damping = damping;

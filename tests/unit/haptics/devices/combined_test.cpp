@@ -31,6 +31,11 @@ class Told final : public haptics::Device {
     last = wrench;
     return status;
   }
+  bool inStep() const noexcept override { return in_step; }
+  bool awaitReading(std::int64_t until_ns) noexcept override {
+    awaited_until = until_ns;
+    return in_step;
+  }
   void stop() noexcept override { stopped = true; }
   void resume() noexcept override { stopped = false; }
 
@@ -39,7 +44,8 @@ class Told final : public haptics::Device {
   haptics::DeviceRating rated;
   Wrench last;
   int reads = 0, writes = 0;
-  bool stopped = false;
+  bool stopped = false, in_step = false;
+  std::int64_t awaited_until = 0;
 };
 
 Mat3 turned(double angle) {
@@ -182,6 +188,15 @@ TEST_F(Combined, TheFirstsTroubleComesBeforeTheSeconds) {
   position->gives.trouble = Trouble::MotorsHot;
   read();
   EXPECT_EQ(reading.trouble, Trouble::MotorsHot);
+}
+
+TEST_F(Both, IsInStepWithTheFirst) {
+  EXPECT_FALSE(device->inStep());
+  position->in_step = true;
+  EXPECT_TRUE(device->inStep());
+  EXPECT_TRUE(device->awaitReading(42));
+  EXPECT_EQ(position->awaited_until, 42);
+  EXPECT_EQ(rotation->awaited_until, 0);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "haptics/core/clock.h"
 #include "tests/support/sentence.h"
 #include "tests/unit/haptics/devices/stub_dhd.h"
 #include "tests/unit/haptics/devices/stub_library.h"
@@ -535,6 +536,28 @@ TEST_F(ForceDimension, AForceThatWaitedInTheLibraryIsNotSent) {
   EXPECT_EQ(stub.wrenches_unlike_zero, forces);
   EXPECT_EQ(stub.wrench(), kZero);
   stub.pose_ms = 0;
+}
+
+// else the wrench would wait for the next pose
+TEST_F(ForceDimension, SendsTheAnswerToAPoseBeforeItAsksForTheNext) {
+  const auto device = open();
+  ASSERT_TRUE(device->inStep());
+  ASSERT_TRUE(arrives(*device, push, {3.0, 1.0, 2.0, 0.03, 0.01, 0.02, 0.0}));
+  stub.pose_ms = 3;
+  int answers = 0;
+  for (int tick = 1; tick <= 100; ++tick) {
+    if (!device->awaitReading(haptics::monotonicNs() + 1'000'000'000)) continue;
+    device->read(reading);
+    const long poses = stub.poses;
+    device->write({.force = {0.01 * tick, 0.0, 0.0}, .torque = Vec3::Zero()});
+    // written in time, it is sent while no further pose has been asked for
+    if (haptics::monotonicNs() - reading.time_ns > 250'000) continue;
+    ASSERT_TRUE(comes([&] { return stub.poses > poses; }));
+    EXPECT_EQ(stub.wrench()[1], 0.01 * tick);
+    ++answers;
+  }
+  stub.pose_ms = 0;
+  EXPECT_GT(answers, 0);
 }
 
 TEST_F(ForceDimension, StopsFromAnotherThreadWhateverIsWritten) {

@@ -93,6 +93,7 @@ int dhdGetStatus(int* state, char) {
 }
 int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double (*frame)[3], char) {
   called();
+  ++stub.poses;
   if (stub.pose_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds{stub.pose_ms});
   if (stub.pose_result < 0) return stub.pose_result;
   *x = stub.p_F[0];

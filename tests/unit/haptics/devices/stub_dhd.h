@@ -26,6 +26,7 @@ struct StubDhd {
   // what it was told
   std::atomic<int> opened{-1}, opened_by_robotics{0}, closes{0}, brakes{0}, enables{0},
       watchdog{-1}, weight{-1};
+  std::atomic<long> poses{0};                 ///< how often it was asked for one
   std::atomic<long> rounds{0};                ///< wrenches that were sent
   std::atomic<long> wrenches_unlike_zero{0};  ///< of them, in force or torque
   std::atomic<bool> not_finite{false};        ///< one of them

@@ -11,6 +11,10 @@
 #include <limits>
 #include <memory>
 #include <thread>
+#include <vector>
+
+#include "haptics/core/clock.h"
+#include "haptics/servo/servo_loop.h"
 
 // To be run under the thread sanitizer too: what it says counts as a failure.
 
@@ -62,6 +66,7 @@ class FakeTransport final : public haptics::Transport {
     }
     if (status == DeviceStatus::Ok || status == DeviceStatus::NotReady) {
       reading.X_BD.translation().x() = wire_->x;
+      reading.time_ns = haptics::monotonicNs();
       reading.trouble = wire_->trouble;
     }
     return status;
@@ -430,6 +435,162 @@ TEST(Threaded, TheDestructorSendsZeroLast) {
     EXPECT_EQ(wire->force, 0.0);
     EXPECT_EQ(wire->destroyed_after, wire->exchanges);
   }
+}
+
+/// A link whose exchange takes a round of its own and whose readings are numbered, in step.
+struct InStep {
+  static constexpr int kMost = 1 << 16;
+  /// `each`: called in each exchange with its number.
+  explicit InStep(std::function<void(int)> each = [](int) {}) {
+    wire->during = [this, each = std::move(each)](const Wrench& wrench) {
+      const int n = ++round;
+      if (n < kMost) sent[std::size_t(n)] = wrench.force.x();
+      wire->x = n;
+      each(n);
+      std::this_thread::sleep_for(230us);
+    };
+    device = haptics::threaded(std::make_unique<FakeTransport>(wire), haptics::DeviceRating{}, 0ms,
+                               true);
+  }
+  /// Waits for a reading, and gives its number; 0: none came.
+  int awaited(std::chrono::nanoseconds longest) {
+    if (!device->awaitReading(haptics::monotonicNs() + longest.count())) return 0;
+    device->read(reading);
+    return int(reading.X_BD.translation().x());
+  }
+
+  std::shared_ptr<Wire> wire = std::make_shared<Wire>();
+  std::atomic<int> round{0};
+  /// By the number of the exchange: the force that it carried.
+  std::vector<std::atomic<double>> sent{std::size_t(kMost)};
+  std::unique_ptr<haptics::Device> device;
+  DeviceReading reading;
+};
+
+TEST(InStep, TheNextExchangeCarriesTheAnswerToTheLastReading) {
+  InStep it;
+  ASSERT_TRUE(it.device->inStep());
+  int answered = 0;
+  for (int tick = 0; tick < 20'000 && answered < 100; ++tick) {
+    const int n = it.awaited(1s);
+    ASSERT_LT(n + 1, InStep::kMost);
+    if (n == 0) continue;
+    it.device->write(Wrench{Vec3{double(n), 0, 0}, Vec3::Zero()});
+    // the link's thread waits for so long, and it began after it read
+    if (haptics::monotonicNs() - it.reading.time_ns > 250'000) continue;
+    ASSERT_TRUE(Threaded::until([&] { return it.round > n; }));
+    EXPECT_EQ(it.sent[std::size_t(n + 1)], n);
+    ++answered;
+  }
+  EXPECT_EQ(answered, 100);
+}
+
+TEST(InStep, AServoThreadThatDoesNotAnswerHoldsNothingUp) {
+  InStep it;
+  for (int tick = 0; tick < 20; ++tick) {
+    const int n = it.awaited(1s);
+    ASSERT_TRUE(Threaded::until([&] { return it.round > n + 2; }));
+  }
+  EXPECT_EQ(it.wire->greatest, 0.0);
+}
+
+TEST(InStep, AWaitEndsAtItsTimeWhereNothingComesAndLaterOnesGoOn) {
+  InStep it;
+  ASSERT_TRUE(Threaded::until([&] { return it.awaited(1s) > 0; }));
+  it.wire->says = kHang;
+  ASSERT_TRUE(Threaded::until([&] { return it.wire->hangs.load(); }));
+  for (int wait = 0; wait < 3; ++wait) {
+    const std::int64_t until = haptics::monotonicNs() + 5'000'000;
+    EXPECT_FALSE(it.device->awaitReading(until));
+    EXPECT_GE(haptics::monotonicNs(), until);
+    it.device->write(Wrench{Vec3{1, 0, 0}, Vec3::Zero()});
+  }
+  it.wire->says = DeviceStatus::Ok;
+  EXPECT_TRUE(Threaded::until([&] { return it.awaited(1s) > 0; }));
+}
+
+// it keeps the reading, and a tick has nothing to answer
+TEST(InStep, AnExchangeThatBroughtNothingIsNoReading) {
+  InStep it;
+  ASSERT_TRUE(Threaded::until([&] { return it.awaited(1s) > 0; }));
+  it.wire->says = DeviceStatus::Stale;
+  ASSERT_TRUE(it.wire->exchanges > 0);
+  ASSERT_TRUE(
+      Threaded::until([&] { return it.wire->destroyed_after >= 0; }));  // three make it Lost
+  EXPECT_FALSE(it.device->awaitReading(haptics::monotonicNs() + 1'000'000));
+}
+
+TEST(InStep, StopIsObeyedThoughTheAnswerIsAForce) {
+  InStep it;
+  for (int tick = 0; tick < 20; ++tick) {
+    it.awaited(1s);
+    it.device->write(Wrench{Vec3{4, 0, 0}, Vec3::Zero()});
+  }
+  EXPECT_TRUE(Threaded::until([&] { return it.wire->pushes > 0; }));
+  it.device->stop();
+  const int stopped = it.round;
+  for (int tick = 0; tick < 20; ++tick) {
+    it.awaited(1s);
+    it.device->write(Wrench{Vec3{4, 0, 0}, Vec3::Zero()});
+  }
+  ASSERT_TRUE(Threaded::until([&] { return it.round > stopped + 10; }));
+  // the one under way, and one that had looked already
+  for (int n = stopped + 2; n < it.round && n < InStep::kMost; ++n)
+    EXPECT_EQ(it.sent[std::size_t(n)], 0.0) << n - stopped;
+}
+
+TEST(Threaded, IsNotInStepUnlessItsTransportIs) {
+  Threaded it;
+  EXPECT_FALSE(it.device->inStep());
+  EXPECT_EQ(it.device->write(Wrench{}), DeviceStatus::Ok);
+}
+
+/// A device whose writes tell which reading they answer.
+class Numbered final : public haptics::Device {
+ public:
+  Numbered(std::unique_ptr<haptics::Device> device, std::atomic<int>& answered)
+      : device_{std::move(device)}, answered_{answered} {}
+  const haptics::DeviceRating& rating() const noexcept override { return device_->rating(); }
+  DeviceStatus read(DeviceReading& reading) noexcept override {
+    const DeviceStatus status = device_->read(reading);
+    number_ = int(reading.X_BD.translation().x());
+    return status;
+  }
+  DeviceStatus write(const Wrench& wrench) noexcept override {
+    answered_ = number_;
+    return device_->write(wrench);
+  }
+  bool inStep() const noexcept override { return device_->inStep(); }
+  bool awaitReading(std::int64_t until_ns) noexcept override {
+    return device_->awaitReading(until_ns);
+  }
+  void stop() noexcept override { device_->stop(); }
+  void resume() noexcept override { device_->resume(); }
+
+ private:
+  std::unique_ptr<haptics::Device> device_;
+  std::atomic<int>& answered_;
+  int number_ = 0;
+};
+
+TEST(InStep, TheServoLoopTicksWhenAReadingComesAndGoesOnWhereNoneDoes) {
+  std::atomic<int> answered{0}, in_step{0};
+  InStep it{[&](int n) {
+    if (n % 50 == 0) in_step = 0;
+    in_step += answered == n - 1;
+  }};
+  haptics::ServoLoop loop{std::make_unique<Numbered>(std::move(it.device), answered),
+                          {},
+                          true,
+                          haptics::ServoRate{4000}};
+  loop.start();
+  // of fifty; out of step next to none is, for an exchange begins when the last has ended
+  EXPECT_TRUE(Threaded::until([&] { return in_step >= 40; }));
+  it.wire->says = kHang;
+  ASSERT_TRUE(Threaded::until([&] { return it.wire->hangs.load(); }));
+  const std::uint64_t ticks = loop.boundary;
+  EXPECT_TRUE(Threaded::until([&] { return loop.boundary > ticks + 20; }));
+  it.wire->says = DeviceStatus::Ok;
 }
 
 }  // namespace
