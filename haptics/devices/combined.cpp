@@ -45,7 +45,7 @@ class Combined final : public Device {
     return position_->write({wrench_B.force, Vec3::Zero()});
   }
   bool inStep() const noexcept override { return position_->inStep(); }
-  bool awaitReading(std::int64_t until_ns) noexcept override {
+  std::int64_t awaitReading(std::int64_t until_ns) noexcept override {
     return position_->awaitReading(until_ns);
   }
 

@@ -40,11 +40,11 @@ class Device {
   /// Whether the device tells when a reading comes, so that a tick can begin then.
   virtual bool inStep() const noexcept { return false; }
   /// Servo thread, between ticks, only where inStep(): waits for a reading that comes after this
-  /// call, until `until_ns` (monotonic). True: it came, and the next write answers it: that wrench
-  /// is sent at once.
-  virtual bool awaitReading(std::int64_t until_ns) noexcept {
+  /// call, until `until_ns` (monotonic). Returns when it came [ns], and the next write answers it:
+  /// that wrench is sent at once. 0: none came.
+  virtual std::int64_t awaitReading(std::int64_t until_ns) noexcept {
     static_cast<void>(until_ns);
-    return false;
+    return 0;
   }
   /// Any thread, also the watchdog's while the servo thread hangs in read or write. Sends zero to
   /// the motors at once. Later writes have no effect until resume(). Does not wait.

@@ -210,10 +210,9 @@ class ForceDimension final : public Transport {
   /// Waits until the link can carry the next round: the library answers at once where it has data
   /// that are recent.
   void pace() noexcept {
-    const std::int64_t now = monotonicNs();
-    next_ns_ = std::max(next_ns_, now);
-    if (next_ns_ > now) sleepUntil(next_ns_);
-    next_ns_ += kRoundNs;
+    // a round that was a little late makes none after it late
+    next_ns_ = std::max(next_ns_ + kRoundNs, monotonicNs() - kRoundNs);
+    sleepUntil(next_ns_);
   }
 
   /// Reads pose and buttons. False: nothing came, or what cannot be; then `reading` stays.

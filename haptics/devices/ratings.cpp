@@ -9,8 +9,9 @@ namespace {
 // CHAI3D's device tables (CDeltaDevices.cpp, CPhantomDevices.cpp and others) give force, torque,
 // stiffness, damping and workspace unless a row says otherwise. What its motors stand for hours is
 // public for few devices: where `source` has no word on it, a third of the most is taken. A force
-// comes late where a thread of the driver's carries it a round later (devices/threaded.h): of 1 ms,
-// or of Force Dimension's 4000 a second. The maker's thread calls ours for Touch and Phantom.
+// comes a round of 1 ms late where a thread of the driver's carries it (devices/threaded.h), and
+// half a round of 0.25 ms with Force Dimension's, which is in step with the servo (README.md). The
+// maker's thread calls ours for Touch and Phantom.
 constexpr std::array kRatings{
     DeviceRating{.id = "spacemouse",
                  .name = "3Dconnexion SpaceMouse",
@@ -40,7 +41,7 @@ constexpr std::array kRatings{
                  .workspace = 0.15,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
-                 .delay = 0.25e-3,
+                 .delay = 0.125e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "omega.3",
                  .name = "Force Dimension omega.3",
@@ -53,7 +54,7 @@ constexpr std::array kRatings{
                  .workspace = 0.075,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
-                 .delay = 0.25e-3,
+                 .delay = 0.125e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "omega.6",
                  .name = "Force Dimension omega.6",
@@ -66,7 +67,7 @@ constexpr std::array kRatings{
                  .workspace = 0.075,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
-                 .delay = 0.25e-3,
+                 .delay = 0.125e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "omega.7",
                  .name = "Force Dimension omega.7",
@@ -79,7 +80,7 @@ constexpr std::array kRatings{
                  .workspace = 0.075,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
-                 .delay = 0.25e-3,
+                 .delay = 0.125e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "sigma.7",
                  .name = "Force Dimension sigma.7",
@@ -94,7 +95,7 @@ constexpr std::array kRatings{
                  .workspace = 0.075,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
-                 .delay = 0.25e-3,
+                 .delay = 0.125e-3,
                  .source = "CHAI3D, which is below the datasheet's 20 N and 0.4 N·m; not verified"},
     DeviceRating{.id = "lambda.7",
                  .name = "Force Dimension lambda.7",
@@ -109,7 +110,7 @@ constexpr std::array kRatings{
                  .workspace = 0.1125,
                  .resolution = 0.01e-3,
                  .rate = 4000.0,
-                 .delay = 0.25e-3,
+                 .delay = 0.125e-3,
                  .source = "CHAI3D; the maker calls its force continuous; resolution not verified"},
     DeviceRating{.id = "touch",
                  .name = "3D Systems Touch",

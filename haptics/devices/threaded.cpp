@@ -22,8 +22,8 @@ constexpr std::chrono::seconds kHung{2};  // not even a machine that is very bus
 /// What the device and the transport's thread share, and who ends last destroys.
 class Exchanges {
  public:
-  Exchanges(std::unique_ptr<Transport> transport, std::chrono::milliseconds fresh, bool in_step)
-      : relay{fresh, kHung}, in_step{in_step}, transport_{std::move(transport)} {}
+  Exchanges(std::unique_ptr<Transport> transport, std::chrono::milliseconds fresh, bool steps)
+      : relay{fresh, kHung}, in_step{steps}, transport_{std::move(transport)} {}
 
   /// The transport's thread, from its begin to its end.
   void run() {
@@ -99,7 +99,7 @@ class Threaded final : public Device {
     return status;
   }
   bool inStep() const noexcept override { return shared_->in_step; }
-  bool awaitReading(std::int64_t until_ns) noexcept override {
+  std::int64_t awaitReading(std::int64_t until_ns) noexcept override {
     return shared_->turns.awaitReading(until_ns);
   }
   void stop() noexcept override { shared_->relay.stop(); }

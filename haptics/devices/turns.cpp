@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/devices/turns.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <thread>
 
 #include "haptics/core/clock.h"
 
 namespace haptics {
 namespace {
+
+constexpr std::int64_t kMostTicks = 60'000;  // ns
 
 bool waitUntil(sem_t& semaphore, std::int64_t until_ns) noexcept {
   const timespec until = timeOf(until_ns);
@@ -16,7 +20,7 @@ bool waitUntil(sem_t& semaphore, std::int64_t until_ns) noexcept {
   return result == 0;
 }
 
-/// Takes away what a wait that had ended before left behind.
+/// Takes away what was for earlier waits.
 void drain(sem_t& semaphore) noexcept {
   while (sem_trywait(&semaphore) == 0) {
   }
@@ -34,25 +38,38 @@ Turns::~Turns() {
   sem_destroy(&answered_);
 }
 
-bool Turns::awaitReading(std::int64_t until_ns) noexcept {
+std::int64_t Turns::awaitReading(std::int64_t until_ns) noexcept {
   drain(came_);
-  awaited_.store(true);
+  awaited_.store(++wait_);
+  asked_ = true;
+  while (waitUntil(came_, until_ns))
+    if (came_for_.load() == wait_) return came_at_.load();
   // a reading that comes at the very end is taken, though its thread has yet to say so
-  asked_ = waitUntil(came_, until_ns) || !awaited_.exchange(false);
-  return asked_;
+  asked_ = awaited_.exchange(0) != wait_;
+  return asked_ ? monotonicNs() : 0;
 }
 
 void Turns::answer() noexcept {
   if (!asked_) return;
   asked_ = false;
+  answered_for_.store(wait_);
   sem_post(&answered_);
 }
 
 bool Turns::readingCame(std::int64_t longest_ns) noexcept {
-  if (!awaited_.exchange(false)) return false;
+  const std::uint64_t wait = awaited_.exchange(0);
+  if (wait == 0) return false;
+  const std::int64_t now = monotonicNs();
   drain(answered_);
+  came_at_.store(now);
+  came_for_.store(wait);
   sem_post(&came_);
-  waitUntil(answered_, monotonicNs() + longest_ns);
+  const auto answered = [&] { return answered_for_.load() == wait; };
+  const std::int64_t until = now + longest_ns;
+  while (!answered() && monotonicNs() < std::min(now + kMostTicks, until))
+    std::this_thread::yield();
+  while (!answered() && waitUntil(answered_, until)) {
+  }
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -74,14 +75,17 @@ void ServoLoop::run() {
 }
 
 std::int64_t ServoLoop::awaitTick(std::int64_t due) {
-  // of readings that come more often than ticks, the one nearest to the time: half of 4 kHz
-  constexpr std::int64_t kBefore = 125'000;
-  const bool in_step = device_->inStep() && !lost_;
-  sleepUntil(in_step ? due - kBefore : due);
-  const bool came = in_step && device_->awaitReading(due + rate_.period_ns() / 4);
-  const std::int64_t now = monotonicNs();
-  if (now - due > rate_.late_ns()) ++snapshot_.late_ticks;
-  return came ? now : due;
+  std::int64_t came = 0;
+  if (device_->inStep() && !lost_) {
+    // of readings that come more often than ticks, up to 4 kHz, the one nearest to the time
+    constexpr std::int64_t kAbout = 125'000;
+    if (rate_.period_ns() > 2 * kAbout) sleepUntil(due - kAbout);
+    came = device_->awaitReading(due + std::min(kAbout, rate_.period_ns() / 4));
+  } else {
+    sleepUntil(due);
+  }
+  if (monotonicNs() - due > rate_.late_ns()) ++snapshot_.late_ticks;
+  return came != 0 ? came : due;
 }
 
 void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {

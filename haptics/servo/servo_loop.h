@@ -90,8 +90,9 @@ class ServoLoop {
   };
 
   void run();
-  /// Waits for the next tick, due at `due` [ns], and returns when it is due: in step with a device,
-  /// when its reading came. One that does not come by a quarter of a period is not waited for.
+  /// Waits for the next tick, due at `due` [ns], and returns when it was due: in step with a
+  /// device, when its reading came. One that does not come by a quarter of a period is not waited
+  /// for.
   std::int64_t awaitTick(std::int64_t due);
   /// Takes new settings, handling and scene, and the watchdog's beat.
   Period takeWishes(std::int64_t now) HAPTICS_RT;
