@@ -79,7 +79,7 @@ std::int64_t ServoLoop::awaitTick(std::int64_t due) {
   if (device_->inStep() && !lost_) {
     // of readings that come more often than ticks, up to 4 kHz, the one nearest to the time
     constexpr std::int64_t kAbout = 125'000;
-    if (rate_.period_ns() > 2 * kAbout) sleepUntil(due - kAbout);
+    sleepUntil(due - kAbout);
     came = device_->awaitReading(due + std::min(kAbout, rate_.period_ns() / 4));
   } else {
     sleepUntil(due);

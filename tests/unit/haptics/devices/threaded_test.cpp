@@ -437,18 +437,20 @@ TEST(Threaded, TheDestructorSendsZeroLast) {
   }
 }
 
-/// A link whose exchange takes a round of its own and whose readings are numbered, in step.
+/// A link in step whose exchange takes a round of its own and whose readings are numbered.
 struct InStep {
   static constexpr int kMost = 1 << 16;
   /// `each`: called in each exchange with its number.
-  explicit InStep(std::function<void(int)> each = [](int) {}) {
-    wire->during = [this, each = std::move(each)](const Wrench& wrench) {
+  explicit InStep(
+      std::function<void(int)> each = [](int) {}, std::chrono::microseconds lasts = 230us) {
+    wire->during = [this, lasts, each = std::move(each)](const Wrench& wrench) {
       const int n = round + 1;
+      if (n < kMost) begun[std::size_t(n)] = haptics::monotonicNs();
       if (n < kMost) sent[std::size_t(n)] = wrench.force.x();
       round = n;
       wire->x = n;
       each(n);
-      std::this_thread::sleep_for(230us);
+      std::this_thread::sleep_for(lasts);
     };
     device = haptics::threaded(std::make_unique<FakeTransport>(wire), haptics::DeviceRating{}, 0ms,
                                true);
@@ -463,7 +465,8 @@ struct InStep {
 
   std::shared_ptr<Wire> wire = std::make_shared<Wire>();
   std::atomic<int> round{0};
-  /// By the number of the exchange: the force that it carried.
+  /// By the number of the exchange: when it began [ns], and the force that it carried.
+  std::vector<std::atomic<std::int64_t>> begun = std::vector<std::atomic<std::int64_t>>(kMost);
   std::vector<std::atomic<double>> sent = std::vector<std::atomic<double>>(kMost);
   std::unique_ptr<haptics::Device> device;
   DeviceReading reading;
@@ -474,6 +477,7 @@ TEST(InStep, TheNextExchangeCarriesTheAnswerToTheLastReading) {
   InStep it;
   ASSERT_TRUE(it.device->inStep());
   int answered = 0;
+  std::int64_t soonest = INT64_MAX;
   for (int tick = 0; tick < 20'000 && answered < 100; ++tick) {
     const int n = it.awaited(1s);
     ASSERT_LT(n + 1, InStep::kMost);
@@ -484,9 +488,11 @@ TEST(InStep, TheNextExchangeCarriesTheAnswerToTheLastReading) {
     if (haptics::monotonicNs() - it.came > 250'000) continue;
     ASSERT_TRUE(Threaded::until([&] { return it.round > n; }));
     EXPECT_EQ(it.sent[std::size_t(n + 1)], n);
+    soonest = std::min(soonest, it.begun[std::size_t(n + 1)] - it.came);
     ++answered;
   }
   EXPECT_EQ(answered, 100);
+  EXPECT_LT(soonest, 240'000) << "the answer is not what ends the wait";
 }
 
 TEST(InStep, AServoThreadThatDoesNotAnswerHoldsNothingUp) {
@@ -515,13 +521,33 @@ TEST(InStep, AWaitEndsAtItsTimeWhereNothingComesAndLaterOnesGoOn) {
 
 // it keeps the reading, and a tick has nothing to answer
 TEST(InStep, AnExchangeThatBroughtNothingIsNoReading) {
-  InStep it;
-  ASSERT_TRUE(Threaded::until([&] { return it.awaited(1s) > 0; }));
-  it.wire->says = DeviceStatus::Stale;
-  ASSERT_TRUE(it.wire->exchanges > 0);
-  ASSERT_TRUE(
-      Threaded::until([&] { return it.wire->destroyed_after >= 0; }));  // three make it Lost
-  EXPECT_EQ(it.device->awaitReading(haptics::monotonicNs() + 1'000'000), 0);
+  Wire* raw = nullptr;
+  std::atomic<bool> seldom{false};
+  InStep it{[&](int n) {
+    if (seldom) raw->says = n % 3 == 0 ? DeviceStatus::Ok : DeviceStatus::Stale;
+  }};
+  raw = it.wire.get();
+  seldom = true;
+  ASSERT_TRUE(Threaded::until([&] { return it.wire->says == DeviceStatus::Stale; }));
+  for (int tick = 0; tick < 50; ++tick) {
+    const int n = it.awaited(1s);
+    // while its thread waits for the answer it has brought nothing else
+    if (it.round == n && n > 0) {
+      EXPECT_EQ(n % 3, 0);
+    }
+    it.device->write(Wrench{});
+  }
+}
+
+// its readings come one upon another
+TEST(InStep, ALinkThatIsTooFastDrivesNoTickTooEarly) {
+  InStep it{[](int) {}, 0us};
+  haptics::ServoLoop loop{std::move(it.device), {}, true, haptics::ServoRate{4000}};
+  const std::int64_t begun = haptics::monotonicNs();
+  loop.start();
+  ASSERT_TRUE(Threaded::until([&] { return loop.boundary >= 400; }));
+  const std::uint64_t ticks = loop.boundary;
+  EXPECT_GE(haptics::monotonicNs() - begun, std::int64_t(ticks - 2) * 125'000);
 }
 
 TEST(InStep, StopIsObeyedThoughTheAnswerIsAForce) {
