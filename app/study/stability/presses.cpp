@@ -192,7 +192,8 @@ LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::in
     return stretched;
   };
   std::optional<haptics::TraceRow> before;
-  haptics::Linkage link{.delay = loop.linkage.delay};
+  haptics::Linkage link;
+  link.delay = loop.linkage.delay;
   std::int64_t tick = 0;
   const auto done = loop.run(hand, ticks, [&](const haptics::TraceRow& row) {
     result.energy = row.energy;
