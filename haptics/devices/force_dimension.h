@@ -23,8 +23,9 @@ namespace haptics {
 ///
 /// Threads: a call of the library blocks on USB, some 0.3 ms when all is well, and no bound is
 /// documented for when it is not. So all calls are made by a transport's thread (threaded.h), at
-/// most 4000 rounds a second; reading and writing take no time, a reading older than 15 ms is
-/// Stale, and stop() is obeyed by the next round.
+/// most 4000 rounds a second. It is in step: a round sends the answer to the last pose first, and
+/// then asks for the next pose. Reading and writing take no time, a reading older than 15 ms is
+/// Stale, and stop() is obeyed by the next round. A round that takes over 5 ms sends zero.
 ///
 /// Safety: the device's own watchdog turns its force off when no command has come for 5 ms, which
 /// is what a killed or hanging program leaves behind; a unit that does not take the watchdog is not
