@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "haptics/devices/relay.h"
-#include "haptics/devices/turns.h"
+#include "haptics/devices/rendezvous.h"
 
 namespace haptics {
 namespace {
@@ -22,8 +22,8 @@ constexpr std::chrono::seconds kHung{2};  // not even a machine that is very bus
 /// What the device and the transport's thread share, and who ends last destroys.
 class Exchanges {
  public:
-  Exchanges(std::unique_ptr<Transport> transport, std::chrono::milliseconds fresh, bool steps)
-      : relay{fresh, kHung}, in_step{steps}, transport_{std::move(transport)} {}
+  Exchanges(std::unique_ptr<Transport> transport, std::chrono::milliseconds fresh, bool in_step)
+      : relay{fresh, kHung}, transport_{std::move(transport)}, in_step_{in_step} {}
 
   /// The transport's thread, from its begin to its end.
   void run() {
@@ -48,8 +48,7 @@ class Exchanges {
   }
 
   Relay relay;
-  Turns turns;
-  const bool in_step;
+  Rendezvous rendezvous;
 
  private:
   void exchangeUntilTheEnd() {
@@ -59,13 +58,15 @@ class Exchanges {
       const auto begun = std::chrono::steady_clock::now();
       const DeviceStatus status = transport_->exchange(relay.due(), reading);
       goes_on = relay.came(status, reading);
-      const bool answered = in_step && goes_on && status != DeviceStatus::Stale &&
-                            turns.readingCame(std::chrono::nanoseconds{kShortestRound}.count());
+      const bool answered =
+          in_step_ && goes_on && status != DeviceStatus::Stale &&
+          rendezvous.readingCame(std::chrono::nanoseconds{kShortestRound}.count());
       if (!answered) std::this_thread::sleep_until(begun + kShortestRound);
     }
   }
 
   std::unique_ptr<Transport> transport_;
+  const bool in_step_;
   std::atomic<bool> ending_{false};
   std::mutex mutex_;  ///< of ended_
   std::condition_variable ends_;
@@ -77,6 +78,7 @@ class Threaded final : public Device {
   Threaded(std::unique_ptr<Transport> transport, const DeviceRating& rating,
            std::chrono::milliseconds fresh, bool in_step)
       : rating_{rating},
+        in_step_{in_step},
         shared_{std::make_shared<Exchanges>(std::move(transport), fresh, in_step)},
         thread_{[shared = shared_] { shared->run(); }} {}
   ~Threaded() override {
@@ -95,18 +97,19 @@ class Threaded final : public Device {
   }
   DeviceStatus write(const Wrench& wrench_B) noexcept override {
     const DeviceStatus status = shared_->relay.write(wrench_B);
-    shared_->turns.answer();
+    shared_->rendezvous.answer();
     return status;
   }
-  bool inStep() const noexcept override { return shared_->in_step; }
+  bool inStep() const noexcept override { return in_step_; }
   std::int64_t awaitReading(std::int64_t until_ns) noexcept override {
-    return shared_->turns.awaitReading(until_ns);
+    return shared_->rendezvous.awaitReading(until_ns);
   }
   void stop() noexcept override { shared_->relay.stop(); }
   void resume() noexcept override { shared_->relay.resume(); }
 
  private:
   const DeviceRating rating_;
+  const bool in_step_;
   std::shared_ptr<Exchanges> shared_;
   std::thread thread_;
 };

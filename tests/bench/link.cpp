@@ -29,6 +29,7 @@
 #include "haptics/servo/servo_loop.h"
 #include "haptics/simulation/hand.h"
 #include "tests/bench/ticks.h"
+#include "tests/support/passing_device.h"
 
 namespace {
 
@@ -78,29 +79,21 @@ class Led final : public haptics::Transport {
 };
 
 /// A device that notes which reading a wrench answers.
-class Noted final : public haptics::Device {
+class Noted final : public support::PassingDevice {
  public:
   Noted(std::unique_ptr<haptics::Device> device, std::shared_ptr<Seen> seen)
-      : device_{std::move(device)}, seen_{std::move(seen)} {}
-  const haptics::DeviceRating& rating() const noexcept override { return device_->rating(); }
+      : PassingDevice{std::move(device)}, seen_{std::move(seen)} {}
   DeviceStatus read(DeviceReading& reading) noexcept override {
-    const DeviceStatus status = device_->read(reading);
+    const DeviceStatus status = PassingDevice::read(reading);
     read_at_ = reading.time_ns;
     return status;
   }
   DeviceStatus write(const Wrench& wrench_B) noexcept override {
     seen_->answered.store(read_at_);
-    return device_->write(wrench_B);
+    return PassingDevice::write(wrench_B);
   }
-  bool inStep() const noexcept override { return device_->inStep(); }
-  std::int64_t awaitReading(std::int64_t until_ns) noexcept override {
-    return device_->awaitReading(until_ns);
-  }
-  void stop() noexcept override { device_->stop(); }
-  void resume() noexcept override { device_->resume(); }
 
  private:
-  const std::unique_ptr<haptics::Device> device_;
   const std::shared_ptr<Seen> seen_;
   std::int64_t read_at_ = 0;
 };

@@ -19,6 +19,7 @@
 #include "tests/bus/child.h"
 #include "tests/bus/falcon_emulator.h"
 #include "tests/bus/felt_sphere.h"
+#include "tests/support/passing_device.h"
 #include "tests/support/sentence.h"
 
 namespace {
@@ -138,7 +139,7 @@ std::unique_ptr<FeltSphere> pressed(PluggedFalcon& plugged) {
 
 /// A device whose next read, on demand, takes `kHang`: longer than the watchdog waits. Says what
 /// the emulator had seen before and after.
-class Hanging final : public Device {
+class Hanging final : public support::PassingDevice {
  public:
   static constexpr std::chrono::milliseconds kHang{30};
 
@@ -151,8 +152,7 @@ class Hanging final : public Device {
   };
 
   Hanging(std::unique_ptr<Device> device, const FalconEmulator& falcon, Hangs& hangs)
-      : device_{std::move(device)}, falcon_{falcon}, hangs_{hangs} {}
-  const haptics::DeviceRating& rating() const noexcept override { return device_->rating(); }
+      : PassingDevice{std::move(device)}, falcon_{falcon}, hangs_{hangs} {}
   DeviceStatus read(DeviceReading& reading) noexcept override {
     if (hangs_.wanted.exchange(false)) {
       hangs_.before = falcon_.seen();
@@ -160,17 +160,14 @@ class Hanging final : public Device {
       hangs_.after = falcon_.seen();
       ++hangs_.over;
     }
-    return device_->read(reading);
+    return PassingDevice::read(reading);
   }
-  DeviceStatus write(const Wrench& wrench_B) noexcept override { return device_->write(wrench_B); }
   void stop() noexcept override {
     ++hangs_.stops;
-    device_->stop();
+    PassingDevice::stop();
   }
-  void resume() noexcept override { device_->resume(); }
 
  private:
-  std::unique_ptr<Device> device_;
   const FalconEmulator& falcon_;
   Hangs& hangs_;
 };

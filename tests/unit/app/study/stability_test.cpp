@@ -8,6 +8,7 @@
 
 #include "app/study/stability/failures.h"
 #include "app/study/stability/loops.h"
+#include "datasets/phantoms/making.h"
 #include "tests/support/made.h"
 
 namespace {
@@ -50,6 +51,31 @@ TEST(EnergyBalance, TellsALoopThatShakesFromOneThatGivesALittleAtEachStroke) {
   // both are a sampled spring, and nothing but that
   EXPECT_LT(calm.most_own, 1e-9);
   EXPECT_LT(shaking.most_own, 1e-9);
+}
+
+// what it tells is exact: given and stored together are what sampling gave
+TEST(EnergyBalance, TellsWhatALateSpringGivesWhateverItsDelay) {
+  constexpr double kStiffness = 2000.0;  // N/m
+  for (const double delay : {0.0, 0.5, 1.0, 1.75}) {
+    haptics::Linkage link;
+    link.delay = delay;
+    study::stability::EnergyBalance balance{kStiffness, {}, 1e-3, delay};
+    datasets::Random random{5};
+    double given = 0.0;
+    haptics::Vec3 x = haptics::Vec3::Zero();
+    for (int tick = 0; tick < 200; ++tick) {
+      const haptics::Wrench held = link.late({-kStiffness * x, haptics::Vec3::Zero()});
+      const haptics::Vec3 way = random.box(1e-4);
+      x += way;
+      given += held.force.dot(way);
+      haptics::Vector6 stretch = haptics::Vector6::Zero();
+      stretch.head<3>() = x;
+      balance.add(given, held, {way, haptics::Vec3::Zero()}, stretch);
+    }
+    const double stored = 0.5 * kStiffness * x.squaredNorm();
+    EXPECT_NEAR(given + stored, balance.sampled, 1e-9 * stored) << delay;
+    EXPECT_GT(balance.sampled, 1e-6);
+  }
 }
 
 TEST(EnergyBalance, SeesAProxyThatPaysTheHand) {

@@ -11,12 +11,12 @@ namespace haptics {
 /// Lets a tick begin when a reading comes, and lets the device's thread wait for the wrench that
 /// answers it. So the force is late by the time of the tick, and not by a round of that thread.
 /// Either thread goes on without the other: each wait has an end.
-class Turns {
+class Rendezvous {
  public:
-  Turns();
-  ~Turns();
-  Turns(const Turns&) = delete;
-  Turns& operator=(const Turns&) = delete;
+  Rendezvous();
+  ~Rendezvous();
+  Rendezvous(const Rendezvous&) = delete;
+  Rendezvous& operator=(const Rendezvous&) = delete;
 
   // Servo thread.
   /// Waits for a reading that comes after this call, until `until_ns` (monotonic). Returns when it
@@ -27,8 +27,8 @@ class Turns {
 
   // The device's thread.
   /// A reading has come. If the servo thread waits for one, wakes it, waits for its answer, at most
-  /// `longest_ns`, and returns true. For as long as most ticks take it looks without a pause, since
-  /// to be woken may take longer than the tick.
+  /// `longest_ns`, and returns true. It spins for as long as most ticks take, since to be woken may
+  /// take longer than the tick.
   bool readingCame(std::int64_t longest_ns) noexcept;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/devices/turns.h"
+#include "haptics/devices/rendezvous.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -10,7 +10,7 @@
 namespace haptics {
 namespace {
 
-constexpr std::int64_t kMostTicks = 60'000;  // ns
+constexpr std::int64_t kSpin = 60'000;  // ns: most ticks take less
 
 bool waitUntil(sem_t& semaphore, std::int64_t until_ns) noexcept {
   const timespec until = timeOf(until_ns);
@@ -28,17 +28,17 @@ void drain(sem_t& semaphore) noexcept {
 
 }  // namespace
 
-Turns::Turns() {
+Rendezvous::Rendezvous() {
   sem_init(&came_, 0, 0);
   sem_init(&answered_, 0, 0);
 }
 
-Turns::~Turns() {
+Rendezvous::~Rendezvous() {
   sem_destroy(&came_);
   sem_destroy(&answered_);
 }
 
-std::int64_t Turns::awaitReading(std::int64_t until_ns) noexcept {
+std::int64_t Rendezvous::awaitReading(std::int64_t until_ns) noexcept {
   drain(came_);
   awaited_.store(++wait_);
   asked_ = true;
@@ -49,14 +49,14 @@ std::int64_t Turns::awaitReading(std::int64_t until_ns) noexcept {
   return asked_ ? monotonicNs() : 0;
 }
 
-void Turns::answer() noexcept {
+void Rendezvous::answer() noexcept {
   if (!asked_) return;
   asked_ = false;
   answered_for_.store(wait_);
   sem_post(&answered_);
 }
 
-bool Turns::readingCame(std::int64_t longest_ns) noexcept {
+bool Rendezvous::readingCame(std::int64_t longest_ns) noexcept {
   const std::uint64_t wait = awaited_.exchange(0);
   if (wait == 0) return false;
   const std::int64_t now = monotonicNs();
@@ -66,8 +66,7 @@ bool Turns::readingCame(std::int64_t longest_ns) noexcept {
   sem_post(&came_);
   const auto answered = [&] { return answered_for_.load() == wait; };
   const std::int64_t until = now + longest_ns;
-  while (!answered() && monotonicNs() < std::min(now + kMostTicks, until))
-    std::this_thread::yield();
+  while (!answered() && monotonicNs() < std::min(now + kSpin, until)) std::this_thread::yield();
   while (!answered() && waitUntil(answered_, until)) {
   }
   return true;
