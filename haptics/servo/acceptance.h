@@ -7,6 +7,8 @@
 #include "haptics/core/fixed_vector.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
+#include "haptics/solver/mass_metric.h"
+#include "haptics/solver/unconstrained_motion.h"
 
 namespace haptics {
 
@@ -19,16 +21,21 @@ namespace haptics {
 ///
 /// A detour raises the energy of the coupling's spring, and the hand receives this energy. A detour
 /// is taken only if earlier moves released as much, except for pull x tolerance / 2: a point that
-/// lies too close is lifted to the rest gap before it slides on. So the total energy that the proxy
-/// gives to a hand that stays is bounded. A single detour raises the energy by no more than pull x
-/// tolerance.
+/// lies too close is lifted to the rest gap before it slides on. A place to wait on the way to a
+/// better pose may cost twice as much. So the total energy that the proxy gives to a hand that
+/// stays is bounded. A single detour raises the energy by no more than pull x tolerance.
+///
+/// What a slide seems to release is not counted. In a tick the device moves first, against a force
+/// that is held, and then the proxy follows. When the device moves by d across the pull, the spring
+/// rises by |d|^2 / 2, and the proxy releases as much. But the held force does no work on that way,
+/// so the hand has not paid for it.
 ///
 /// The proxy gets twelve new detours for each half of a tolerance that the device travels. Travel
 /// is measured with play: the device drags an anchor once it is kPlay away from it. So a slide has
 /// as many detours as it needs, and a handle that wanders about one place has twelve in all.
 /// Without the play, detours would move the handle, and this motion would give new detours.
 ///
-/// Travel across the pull also forgives a tenth of the pull over its length of what detours raised
+/// Travel across the pull also forgives 0.05 of the pull over its length of what detours raised
 /// beyond what moves released. Otherwise a slow slide would stick and slip: normals and facets
 /// disagree for a voxel at a time, and such a slide releases next to nothing. A press goes along
 /// the pull, so nothing is forgiven in it.
@@ -38,15 +45,17 @@ namespace haptics {
 /// pose shakes at rest. The filter does neither.
 class Acceptance {
  public:
-  /// Begins a tick in which the proxy is at X_WP. `radius` [m] converts a turn of the device [rad]
-  /// to a length. `tolerance` [m] is that of contact, epsilon.
-  void begin(const Pose& X_WD, const Pose& X_WP, double radius, double tolerance) HAPTICS_RT {
+  /// Begins a tick in which the proxy is at X_WP. `metric` is that of the distances. `radius` [m]
+  /// converts a turn of the device [rad] to a length. `tolerance` [m] is that of contact, epsilon.
+  void begin(const Pose& X_WD, const Pose& X_WP, const MassMetric& metric, double radius,
+             double tolerance) HAPTICS_RT {
     tolerance_ = tolerance;
     if (fresh_) {
       X_WA_ = X_WD;
       forget();
       fresh_ = false;
     } else if (X_WD.matrix() != X_WD_.matrix()) {
+      seem(X_WD, X_WP, metric);
       drag(X_WD, X_WP.translation() - X_WD.translation(), radius);
       clear();
     }
@@ -72,27 +81,22 @@ class Acceptance {
   /// Whether take() would take it.
   bool wouldTake(double distance, double step) const HAPTICS_RT {
     if (distance == 0.0) return true;
-    if (!canAfford(distance)) return false;
+    if (!affords(distance, kLent)) return false;
     const double resolution = kResolution * tolerance_;
     for (const Visit& earlier : visited_)
       if (distance > earlier.distance - resolution && step > earlier.step - resolution)
         return false;
     return true;
   }
-  /// Takes a pose on a proven way to one that take() would take, if the energy allows it. Poses
+  /// Takes a pose on a proven way to one that take() would take, if it may wait there. Poses
   /// visited earlier do not count.
   bool takeOnTheWay(double distance, double step) HAPTICS_RT {
-    if (!canAfford(distance)) return false;
+    if (!mayWait(distance)) return false;
     keep(distance, step);
     return true;
   }
-  /// Whether the energy and the detours allow a pose at this distance.
-  bool canAfford(double distance) const HAPTICS_RT {
-    if (nearer(distance)) return true;
-    const double farthest = nearest_ * (nearest_ + 2.0 * tolerance_);
-    return riseTo(distance) <= saved_ + kLent * tolerance_ * last_ &&
-           distance * distance <= farthest && detours_ < kDetours && !visited_.full();
-  }
+  /// Whether the energy and the detours allow to wait at this distance, on such a way.
+  bool mayWait(double distance) const HAPTICS_RT { return affords(distance, kLentToWait); }
   /// Records the pose at which the tick starts. The tick before has taken it.
   void start(double distance, double step) HAPTICS_RT {
     if (!visited_.empty()) return;
@@ -112,12 +116,20 @@ class Acceptance {
   // most released energy that is kept, over the pull
   static constexpr double kMostSaved = 4.0;
   static constexpr double kLent = 0.5;  // energy a detour may add beyond that, over the pull
-  // of the pull, over the travel across it: as much as normals that are 0.1 rad off the facets ask
+  // the same for a place to wait: what bars the way there is released on the rest of it
+  static constexpr double kLentToWait = 1.0;
+  // of the pull, over the travel across it: as much as normals that are 0.05 rad off the facets ask
   // for
-  static constexpr double kForgiven = 0.1;
+  static constexpr double kForgiven = 0.05;
 
   bool nearer(double distance) const HAPTICS_RT {
     return distance < nearest_ - kResolution * tolerance_;
+  }
+  bool affords(double distance, double lent) const HAPTICS_RT {
+    if (nearer(distance)) return true;
+    const double farthest = nearest_ * (nearest_ + 2.0 * tolerance_);
+    return riseTo(distance) <= saved_ + lent * tolerance_ * last_ &&
+           distance * distance <= farthest && detours_ < kDetours && !visited_.full();
   }
   double riseTo(double distance) const HAPTICS_RT {
     return 0.5 * (distance * distance - last_ * last_);
@@ -127,13 +139,32 @@ class Acceptance {
       nearest_ = distance;
     else
       ++detours_;
-    saved_ = std::min(saved_ - riseTo(distance), kMostSaved * tolerance_ * last_);
+    double released = -riseTo(distance);
+    if (released > 0.0) {
+      const double seeming = std::min(released, seeming_);
+      seeming_ -= seeming;
+      released -= seeming;
+    }
+    saved_ = std::min(saved_ + released, kMostSaved * tolerance_ * last_);
     last_ = distance;
     visited_.push({distance, step});
   }
   void clear() HAPTICS_RT {
     visited_.clear();
     nearest_ = INFINITY;
+  }
+  /// Finds how much the proxy seems to release as it follows the device across the pull.
+  void seem(const Pose& X_WD, const Pose& X_WP, const MassMetric& metric) HAPTICS_RT {
+    seeming_ = 0.0;
+    if (last_ == 0.0) return;
+    const Mat3 R_WP = X_WP.linear();
+    Vec3 turn = Vec3::Zero(), turned = Vec3::Zero();  // half a circle at most: a direction is asked
+    const Vector6 pull = metric.whitened(unconstrainedMotion(X_WP, X_WD_, turn), R_WP);
+    const Vector6 way = metric.whitened(unconstrainedMotion(X_WD_, X_WD, turned), R_WP);
+    const double squared = pull.squaredNorm();
+    if (squared == 0.0) return;
+    const double along = way.dot(pull);
+    seeming_ = 0.5 * std::max(0.0, way.squaredNorm() - along * along / squared);
   }
   /// Keeps the anchor within the play of the device.
   void drag(const Pose& X_WD, const Vec3& pull_W, double radius) HAPTICS_RT {
@@ -163,6 +194,7 @@ class Acceptance {
   double nearest_ = INFINITY;     ///< m
   double last_ = 0.0;             ///< m: distance of the pose taken last
   double saved_ = 0.0;            ///< m^2: spring energy that moves released, over the stiffness
+  double seeming_ = 0.0;          ///< m^2: of what this tick releases, the part that is not counted
   int detours_ = 0;
   bool fresh_ = true;
 };

@@ -74,7 +74,7 @@ class Tick {
 
   /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
   void run(TickResult& result) HAPTICS_RT {
-    proxy_.acceptance.begin(X_WD_, proxy_.X_WP, radius_, lengths().epsilon);
+    proxy_.acceptance.begin(X_WD_, proxy_.X_WP, metric_, radius_, lengths().epsilon);
     if (at_.stage == Search::Stage::Done) {
       at_.begin(proxy_);
     } else if (!at_.atTaken() || !at_.fresh) {
@@ -136,7 +136,7 @@ class Tick {
       return true;
     }
     const Pose X = moved(leg.X, leg.motion, advance);
-    if (!proxy_.acceptance.canAfford(distanceFrom(X, proxy_.turn))) return false;
+    if (!proxy_.acceptance.mayWait(distanceFrom(X, proxy_.turn))) return false;
     // the way back is motion, too
     double back = 0.0, turned_back = 0.0;
     for (std::size_t n = place->leg; n < legs.size(); ++n) {

@@ -22,6 +22,7 @@ struct Options {
   std::vector<std::string> only;
   double seconds = 0.0;  ///< 0: 3, or less when quick
   int budget_us = 200;
+  unsigned hands = 1;  ///< of each kind, at the rates
   haptics::NormalKind normal = haptics::NormalKind::Central;
 };
 
@@ -38,6 +39,20 @@ haptics::Expected<Touched> caseOf(const std::string& name, const Options& option
   return makeScene(name);
 }
 
+/// One part for each kind of hand: the mean of its hands.
+std::vector<Part> byKind(const std::vector<Part>& parts, unsigned hands) {
+  std::vector<Part> kinds;
+  for (const Part& part : parts) {
+    auto kind = std::ranges::find(kinds, part.hand, &Part::hand);
+    if (kind == kinds.end()) kind = kinds.insert(kinds.end(), {part.hand});
+    kind->mean_us += part.mean_us / hands;
+    kind->coupling_mm += part.coupling_mm / hands;
+    kind->frozen += part.frozen / hands;
+    kind->contact += part.contact / hands;
+  }
+  return kinds;
+}
+
 /// Ours alone along the same hands, at each rate of the servo and with its budget.
 haptics::Expected<std::vector<Summary>> atEveryRate(const Touched& scene, const Options& options,
                                                     const Judge& judge) {
@@ -47,15 +62,21 @@ haptics::Expected<std::vector<Summary>> atEveryRate(const Touched& scene, const 
   const double seconds = options.seconds > 0.0 ? options.seconds : options.quick ? 0.3 : 3.0;
   std::vector<Summary> summaries;
   for (const haptics::ServoRate rate : haptics::kServoRates) {
-    const auto courses = coursesIn(**built, scene, seconds, rate);
-    if (!courses) return tl::unexpected(courses.error());
+    std::vector<Course> courses;
+    for (unsigned seed = 1; seed <= options.hands; ++seed) {
+      auto one = coursesIn(**built, scene, seconds, rate, seed);
+      if (!one) return tl::unexpected(one.error());
+      std::ranges::move(*one, std::back_inserter(courses));
+    }
     std::vector<std::unique_ptr<Method>> methods;
     methods.push_back(ours(*built, scene.isovalue,
                            {rate.budget_ns(), options.counted ? rate.budget_work() : 0, rate}));
-    const Track track = std::move(follow(methods, *courses).front());
-    summaries.push_back(
-        summaryOf(track, *courses, (*built)->tool.shell, judge, options.quick ? 20 : 5));
-    summaries.back().method = "ours, " + std::to_string(rate.hz / 1000) + " kHz";
+    const Track track = std::move(follow(methods, courses).front());
+    Summary summary =
+        summaryOf(track, courses, (*built)->tool.shell, judge, options.quick ? 20 : 5);
+    summary.method = "ours, " + std::to_string(rate.hz / 1000) + " kHz";
+    summary.parts = byKind(summary.parts, options.hands);
+    summaries.push_back(std::move(summary));
   }
   return summaries;
 }
@@ -215,6 +236,8 @@ int main(int argc, char** argv) {
                "Counted work in place of the clock, so that all but the times repeat");
   app.add_flag("--no-sweep", options.no_sweep, "Leave out the sweep over points and budgets");
   app.add_flag("--rates", options.rates, "Ours at 1, 2 and 4 kHz as well, each with its budget");
+  app.add_option("--hands", options.hands, "Hands of each kind at the rates")
+      ->check(CLI::Range(1, 1000));
   app.add_option("--budget", options.budget_us, "Of a tick of ours [us]")
       ->check(CLI::Range(1, 100000));
   const std::map<std::string, haptics::NormalKind> normals{

@@ -30,10 +30,10 @@ Pose movedTo(const Pose& X_place, const haptics::Hand& hand) {
 
 haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene,
                                                  const Touched& touched, double seconds,
-                                                 haptics::ServoRate rate) {
+                                                 haptics::ServoRate rate, unsigned seed) {
   std::vector<Course> courses;
   for (const auto& [name, motion] : kHands) {
-    const auto hand = haptics::Hand::aimed(motion, scene, touched.isovalue, kReach, 1);
+    const auto hand = haptics::Hand::aimed(motion, scene, touched.isovalue, kReach, seed);
     if (!hand) return tl::unexpected(hand.error());
     Course course{name, {}, motion == HandMotion::Jerk, rate};
     const auto ticks = static_cast<int>(std::lround((kLeadIn + seconds) / rate.period()));

@@ -21,10 +21,11 @@ struct Course {
 };
 
 /// tap, slide, wedge, pry, hook and jerk, each for so many seconds after a lead-in of half a
-/// second. The device is the hand itself, so that every method is led along the same path.
+/// second. The device is the hand itself, so that every method is led along the same path. Another
+/// seed, other hands of these kinds.
 haptics::Expected<std::vector<Course>> coursesIn(const haptics::Scene& scene,
                                                  const Touched& touched, double seconds,
-                                                 haptics::ServoRate rate = {});
+                                                 haptics::ServoRate rate = {}, unsigned seed = 1);
 
 /// What moves an aimed hand so that it does at X_place, a scene's own place for the tool, what it
 /// does where it aimed.
