@@ -2,9 +2,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 #include "app/study/arcs/arcs.h"
 #include "datasets/phantoms/making.h"
+#include "tests/support/every_target.h"
 
 namespace {
 
@@ -16,10 +18,39 @@ void print(const std::string& name, const char* what, const arcs::Tally& tally) 
   std::fflush(stdout);
 }
 
+/// All arcs, on the vectors in force: points and shells.
+struct All {
+  arcs::Tally points, shells;
+};
+/// Half of the arcs in noise, a third at plates, the rest at a gyroid; a fifth of each with a whole
+/// shell. A line for each where they are judged.
+All shootAll(long count, unsigned seed, arcs::Judging judging) {
+  datasets::Random random{seed};
+  All all;
+  const auto shoot = [&](const arcs::Target& target, double share) {
+    const arcs::Tally a = arcs::shootPoints(target, std::lround(0.8 * share * double(count)),
+                                            random, arcs::detected, judging);
+    const arcs::Tally b =
+        arcs::shootShells(target, std::lround(0.2 * share * double(count)), random, judging);
+    all.points += a;
+    all.shells += b;
+    if (judging == arcs::Judging::None) return;
+    print(target.name, "points", a);
+    print(target.name, "shells", b);
+  };
+  for (int k = 0; k < 5; ++k) {
+    shoot(arcs::noise(seed + unsigned(k)), 0.1);
+    shoot(arcs::slantedPlate(random), 0.04);
+  }
+  shoot(arcs::uprightPlates(), 0.14);
+  shoot(arcs::gyroid(), 0.16);
+  return all;
+}
+
 }  // namespace
 
-// palpate-arcs [--arcs N] [--seed S]: half of the arcs in noise, a third at plates, the rest at a
-// gyroid; a fifth of each with a whole shell. 1 if any was missed or late.
+// palpate-arcs [--arcs N] [--seed S]: judges the arcs by a dense sampling, then shoots them again
+// on every kind of vector. 1 if any was missed or late, or stopped elsewhere on another kind.
 int main(int argc, char** argv) {
   long count = 1'000'000;
   unsigned seed = 1;
@@ -33,27 +64,20 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  datasets::Random random{seed};
   std::printf("%-15s %-7s %9s %9s %7s %7s %10s %8s\n", "target", "of", "arcs", "met", "missed",
               "late", "latest/h", "early");
-  arcs::Tally points, shells;
-  const auto shoot = [&](const arcs::Target& target, double share) {
-    const arcs::Tally a =
-        arcs::shootPoints(target, std::lround(0.8 * share * double(count)), random);
-    const arcs::Tally b =
-        arcs::shootShells(target, std::lround(0.2 * share * double(count)), random);
-    print(target.name, "points", a);
-    print(target.name, "shells", b);
-    points += a;
-    shells += b;
-  };
-  for (int k = 0; k < 5; ++k) {
-    shoot(arcs::noise(seed + unsigned(k)), 0.1);
-    shoot(arcs::slantedPlate(random), 0.04);
-  }
-  shoot(arcs::uprightPlates(), 0.14);
-  shoot(arcs::gyroid(), 0.16);
-  print("all", "points", points);
-  print("all", "shells", shells);
-  return points.missed + points.late + shells.missed + shells.late > 0 ? 1 : 0;
+  const All judged = shootAll(count, seed, arcs::Judging::Dense);
+  print("all", "points", judged.points);
+  print("all", "shells", judged.shells);
+  bool same = true;
+  onEveryTarget([&](const std::string& vectors) {
+    const All again = shootAll(count, seed, arcs::Judging::None);
+    const bool is_same =
+        again.points.stops == judged.points.stops && again.shells.stops == judged.shells.stops;
+    std::printf("%-15s %s\n", vectors.c_str(), is_same ? "the same bits" : "OTHER STOPS");
+    std::fflush(stdout);
+    same = same && is_same;
+  });
+  const arcs::Tally &points = judged.points, &shells = judged.shells;
+  return !same || points.missed + points.late + shells.missed + shells.late > 0 ? 1 : 0;
 }

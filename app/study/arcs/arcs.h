@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -108,11 +110,17 @@ inline Target gyroid() {
 struct Tally {
   long arcs = 0;
   long met = 0;
-  long missed = 0;      ///< inside somewhere on the way, and not met
-  long late = 0;        ///< met more than 1e-3 voxel of path beyond the first place inside
-  long early = 0;       ///< stopped where F is below what sagitta, root and guard amount to
-  double latest = 0.0;  ///< voxels of path; the greatest lateness
+  long missed = 0;          ///< inside somewhere on the way, and not met
+  long late = 0;            ///< met more than 1e-3 voxel of path beyond the first place inside
+  long early = 0;           ///< stopped where F is below what sagitta, root and guard amount to
+  double latest = 0.0;      ///< voxels of path; the greatest lateness
+  std::uint64_t stops = 0;  ///< digest of every stop, to the bit
 
+  /// Adds the bits of a stop to `stops` [FNV-1a, of words].
+  void stopped(double time, std::int64_t point) {
+    for (const std::uint64_t word : {std::bit_cast<std::uint64_t>(time), std::uint64_t(point)})
+      stops = (stops ^ word) * 0x100000001b3u;
+  }
   Tally& operator+=(const Tally& other) {
     arcs += other.arcs;
     met += other.met;
@@ -120,6 +128,7 @@ struct Tally {
     late += other.late;
     early += other.early;
     latest = std::max(latest, other.latest);
+    stopped(0.0, std::int64_t(other.stops));
     return *this;
   }
 };
@@ -197,9 +206,12 @@ inline Crossing detected(const Target& target, double s, const Arc& arc) {
   return crossed({target.field, s}, arc, haptics::Tolerances{h});
 }
 
+/// Whether the dense sampling judges each stop, or stops are only found.
+enum class Judging { Dense, None };
+
 /// Arcs of one point, up to 20 mm from the tool's origin.
 inline Tally shootPoints(const Target& target, long count, datasets::Random& random,
-                         const Detect& detect = detected) {
+                         const Detect& detect = detected, Judging judging = Judging::Dense) {
   Tally tally;
   while (tally.arcs < count) {
     const double s =
@@ -210,6 +222,8 @@ inline Tally shootPoints(const Target& target, long count, datasets::Random& ran
     if (evaluator::fieldAt(*target.volume, path.at(0.0)) >= solid.ceiling()) continue;
     ++tally.arcs;
     const Crossing crossing = detect(target, s, path);
+    tally.stopped(crossing.time, crossing.met);
+    if (judging == Judging::None) continue;
     judge(target, s, firstInside(target, s, path), path.speed(),
           {path, crossing.time, crossing.met}, tally);
   }
@@ -217,7 +231,8 @@ inline Tally shootPoints(const Target& target, long count, datasets::Random& ran
 }
 
 /// Arcs of a tool of 20 points within 8 mm, each with the collision detection of the whole shell.
-inline Tally shootShells(const Target& target, long count, datasets::Random& random) {
+inline Tally shootShells(const Target& target, long count, datasets::Random& random,
+                         Judging judging = Judging::Dense) {
   Tally tally;
   haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
   while (tally.arcs < count) {
@@ -243,6 +258,8 @@ inline Tally shootShells(const Target& target, long count, datasets::Random& ran
     while (!sweep.advance(solid, tree, clearance, lengths, unlimited)) {
     }
     const haptics::Impact impact = sweep.impact(solid, tree, lengths, unlimited);
+    tally.stopped(impact.time, impact.met ? std::int64_t(impact.contact.point) : -1);
+    if (judging == Judging::None) continue;
     // the first of the points to be inside
     std::optional<double> first;
     double speed = 0.0;

@@ -9,7 +9,7 @@
 #include "datasets/phantoms/making.h"
 #include "haptics/solver/row_lanes.h"
 #include "tests/support/made.h"
-#include "tests/unit/haptics/every_target.h"
+#include "tests/support/every_target.h"
 
 namespace {
 
