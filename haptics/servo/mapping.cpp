@@ -25,9 +25,9 @@ Pose Mapping::toWorld(const Pose& X_BD) HAPTICS_RT {
   } else if (R_WB_ != R_WB_wanted_) {
     const Eigen::AngleAxisd left{R_WB_wanted_ * R_WB_.transpose()};
     R_WB_ =
-        left.angle() <= kTurn
+        left.angle() <= turn_
             ? R_WB_wanted_
-            : Quat{Eigen::AngleAxisd{kTurn, left.axis()} * R_WB_}.normalized().toRotationMatrix();
+            : Quat{Eigen::AngleAxisd{turn_, left.axis()} * R_WB_}.normalized().toRotationMatrix();
     anchor(X_BD_);
   }
   X_BD_ = X_BD;

@@ -12,14 +12,14 @@ namespace haptics {
 ///   p_WD = p_W0 + scale R_WB (p_BD - p_B0),   R_WD = R_WB R_BD R_0
 ///
 /// Each change sets p_B0, p_W0 and R_0 so that X_WD is the same before and after. R_WB turns to the
-/// value set by at most kTurn per tick, because the force on the hand turns with it. Servo thread
+/// value set at kTurn at most, because the force on the hand turns with it. Servo thread
 /// only.
 class Mapping {
  public:
-  static constexpr double kTurn = 0.002;  ///< rad per tick: 2 rad/s
+  static constexpr double kTurn = 2.0;  ///< rad/s
 
-  /// The first pose of the device becomes X_WD.
-  explicit Mapping(const Pose& X_WD) : X_WD_{X_WD} {}
+  /// The first pose of the device becomes X_WD. `period` [s] of a tick.
+  Mapping(const Pose& X_WD, double period) : turn_{kTurn * period}, X_WD_{X_WD} {}
 
   /// The pose of the tool in W, for the handle in B. While clutched, the tool does not move.
   Pose toWorld(const Pose& X_BD) HAPTICS_RT;
@@ -38,6 +38,7 @@ class Mapping {
  private:
   void anchor(const Pose& X_BD) HAPTICS_RT;
 
+  double turn_;  ///< rad in a tick
   Pose X_WD_;
   Pose X_BD_ = Pose::Identity();         ///< in the last tick
   Mat3 R_WB_ = Mat3::Identity();         ///< now

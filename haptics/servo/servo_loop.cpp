@@ -29,7 +29,7 @@ ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bo
 ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD,
                      double heat, ServoRate rate)
     : ServoLoop{std::move(device), initial, false, rate} {
-  guard_ = std::make_unique<Guard>(*device_, X_WD);
+  guard_ = std::make_unique<Guard>(*device_, X_WD, rate_);
   X_WD_ = X_WD;
   Safety::Memory warm;
   warm.heat = heat;
@@ -129,7 +129,8 @@ void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {
   period.raise(StepFlags::kLetGo, held.hold_to_run && !key && !down(held.hold_button));
   guard_->mapping.set(held.R_WB, in_force_.position_scale);
   guard_->mapping.clutch(clutched);
-  X_WD_ = guard_->mapping.toWorld(reading_.X_BD);
+  if (judged == ForceReason::Jump) guard_->lead.forget();
+  X_WD_ = guard_->mapping.toWorld(guard_->lead.ahead(reading_.X_BD, measured));
 }
 
 void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {

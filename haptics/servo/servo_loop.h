@@ -11,6 +11,7 @@
 #include "haptics/coupling/safety.h"
 #include "haptics/devices/device.h"
 #include "haptics/servo/engagement.h"
+#include "haptics/servo/lead.h"
 #include "haptics/servo/mapping.h"
 #include "haptics/servo/motion_guard.h"
 #include "haptics/servo/rate.h"
@@ -66,9 +67,11 @@ class ServoLoop {
  private:
   /// Protects the hand at a real device.
   struct Guard {
-    Guard(Device& device, const Pose& X_WD) : watchdog{device}, mapping{X_WD} {}
+    Guard(Device& device, const Pose& X_WD, ServoRate rate)
+        : watchdog{device}, lead{device.rating().lead}, mapping{X_WD, rate.period()} {}
     Watchdog watchdog;
     MotionGuard motion;
+    Lead lead;
     Mapping mapping;
     Handling handling;
     std::int64_t silent_ns = 0;   ///< when the last reading first came again; 0: it is new

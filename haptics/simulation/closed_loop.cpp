@@ -3,6 +3,7 @@
 
 #include "haptics/coupling/passivity.h"
 #include "haptics/scene/legal_pose.h"
+#include "haptics/servo/lead.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/servo/step.h"
 
@@ -44,7 +45,9 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   Grip device = grip;
   Linkage link = linkage;
   device.X_WD = link.handleAt(hand.at(0.0));
-  Pose X_WD = link.read(device.X_WD);
+  const std::int64_t period_ns = rate.period_ns();
+  Lead ahead{lead};
+  Pose X_WD = ahead.ahead(link.read(device.X_WD), 0);
   const std::optional<Pose> start = legalPoseNear(*scene, settings.isovalue, X_WD);
   if (!start) return tl::unexpected(Error{Error::Kind::Unsupported, {"hand-starts-inside", {}}});
   if (on_start) on_start(*start);
@@ -64,7 +67,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     else if (n > 0)
       device.advance(link.handleAt(hand.at(time)), held, period);
     observer.add(held, motionBetween(X_WH_before, device.X_WD));
-    X_WD = link.read(device.X_WD);
+    X_WD = ahead.ahead(link.read(device.X_WD), n * period_ns);
 
     Budget budget = Budget::counted(rate.budget_work());
     const std::int64_t begun = Budget::threadTime();

@@ -46,6 +46,7 @@ struct ClosedLoop {
   bool hand_is_device = false;
   ServoRate rate = {};
   Linkage linkage = {};
+  double lead = 0.0;     ///< s, of the pose that the tick takes (servo/lead.h)
   double damping = 0.0;  ///< N·s/m, virtual damping while the wrench is not zero
   /// Damping that a passivity controller may use, N·s/m; 0: no controller.
   double passivity_damping = 0.0;

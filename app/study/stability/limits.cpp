@@ -6,6 +6,7 @@
 #include "app/study/stability/failures.h"
 #include "app/study/stability/loops.h"
 #include "haptics/coupling/passivity.h"
+#include "haptics/servo/lead.h"
 
 namespace study::stability {
 namespace {
@@ -55,27 +56,34 @@ double spectralRadius(const Wall& wall, double stiffness) {
   const double b = wall.device.damping + wall.hand.damping;
   const Eigen::Matrix3d rate{{0, 1, 0}, {-wall.hand.stiffness / m, -b / m, 1.0 / m}, {0, 0, 0}};
   const Eigen::Matrix3d free = (rate * wall.period).exp();
-  // state: position, speed, position a period ago, forces under way (the oldest acts next)
+  // state: position, speed, positions before (the last first), forces under way (the oldest acts
+  // next)
   const double delay = wall.device.linkage.delay;
-  const int under_way = int(std::ceil(delay)), n = 3 + under_way;
+  const int window = wall.lead > 0.0 ? int(std::lround(1e-3 / wall.period)) : 0;
+  const int under_way = int(std::ceil(delay)), first = 3 + window, n = first + under_way;
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
-  Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(n);
-  force(0) = -stiffness - wall.damping / wall.period;
-  force(2) = wall.damping / wall.period;
+  // the place that the program takes it for, now and a period ago
+  Eigen::RowVectorXd now = Eigen::RowVectorXd::Zero(n), before = now;
+  const double share = wall.lead / 1e-3;
+  now(0) = before(2) = 1.0 + share;
+  now(window > 0 ? 1 + window : 0) -= share;
+  before(2 + window) -= share;
+  const Eigen::RowVectorXd force = -stiffness * now - wall.damping / wall.period * (now - before);
   A.topLeftCorner<2, 2>() = free.topLeftCorner<2, 2>();
   A(2, 0) = 1.0;
+  for (int k = 3; k < first; ++k) A(k, k - 1) = 1.0;
   // what acts until the next period, of the forces of this one and of those before
   const int whole = int(delay);
   Eigen::RowVectorXd acts = Eigen::RowVectorXd::Zero(n);
-  for (const auto& [ago, share] :
+  for (const auto& [ago, part] :
        {std::pair{whole, whole + 1.0 - delay}, std::pair{whole + 1, delay - whole}}) {
     if (ago == 0)
-      acts += share * force;
+      acts += part * force;
     else if (ago <= under_way)
-      acts(n - ago) += share;
+      acts(n - ago) += part;
   }
   A.topRows<2>() += free.topRightCorner<2, 1>() * acts;
-  for (int k = 3; k + 1 < n; ++k) A(k, k + 1) = 1.0;
+  for (int k = first; k + 1 < n; ++k) A(k, k + 1) = 1.0;
   if (under_way > 0) A.row(n - 1) = force;
   return A.eigenvalues().cwiseAbs().maxCoeff();
 }
@@ -136,7 +144,7 @@ Outcome wallLimits(const DeviceModel& device, double period, const std::vector<i
                {"loop", name},
                {"b + b_hand [N s/m]", shortly(wall.totalDamping())},
                {"measured [N/m]", toWords(limit)},
-               {"2b/(T (1 + 2 delay)) [N/m]", shortly(theory)},
+               {"2b/(T + 2 lateness) [N/m]", shortly(theory)},
                {"linear [N/m]", std::isnan(linear) ? "" : shortly(linear)},
                {"measured / theory", shortly(measured / theory)},
                {"rated [N/m]", shortly(device.rating.stiffness)}});
@@ -174,14 +182,15 @@ Outcome planeLimits(const DeviceModel& device, double period) {
   Findings found{"limit in 6-DOF/" + device.name + "/" + rateOf(period)};
   const auto measure = [&](const Loop& loop, const Wall& wall) {
     const double delay = wall.device.linkage.delay;
-    const std::string name =
-        loop.name + (delay > 0.0 ? ", " + shortly(delay) + " late" : std::string{});
+    const std::string name = loop.name +
+                             (delay > 0.0 ? ", " + shortly(delay) + " late" : std::string{}) +
+                             (wall.lead > 0.0 ? ", with a lead" : "");
     const Limit through_tick = planeLimit(wall), on_wall = measuredLimit(wall);
     const double limit = through_tick.stiffness, one = on_wall.stiffness, theory = wall.theory();
     // that of which 0.45 is allowed; what is not shipped is a row, no case
     if (&loop == &kLoops[0]) {
       found.atLeast(name, limit / theory, kLeastOfTheory, "",
-                    "over 2 (b + b_hand) / (T (1 + 2 delay)); 0.45 of it is allowed");
+                    "over 2 (b + b_hand) / (T + 2 lateness); 0.45 of it is allowed");
       found.atLeast(name + ", over one degree of freedom", limit / one, kLeastOfTheory, "",
                     "over what the same loop carries on a wall without a proxy: the tick adds no "
                     "lag, so no more than the 15 % of the theory may be lost");
@@ -193,13 +202,17 @@ Outcome planeLimits(const DeviceModel& device, double period) {
                {"b + b_hand [N s/m]", shortly(wall.totalDamping())},
                {"through the tick [N/m]", toWords(through_tick)},
                {"in one degree of freedom [N/m]", toWords(on_wall)},
-               {"2b/(T (1 + 2 delay)) [N/m]", shortly(theory)},
+               {"2b/(T + 2 lateness) [N/m]", shortly(theory)},
                {"over one degree", shortly(limit / one)},
                {"over theory", shortly(limit / theory)}});
   };
   for (const Loop& loop : kLoops) measure(loop, withLoop({device, {}, period}, loop));
-  const Wall late = drivenAt(device, Wall{device, {}, period}.rate());
+  Wall late = drivenAt(device, Wall{device, {}, period}.rate());
   if (late.device.linkage.delay > 0) measure(kLoops[0], late);
+  if (late.lead > 0.0) {
+    late.lead = 0.0;
+    measure(kLoops[0], late);
+  }
   return std::move(found.outcome);
 }
 
@@ -217,7 +230,9 @@ Pressed pressOn(const Wall& wall, double stiffness,
   haptics::PassivityObserver observer;
   haptics::Wrench held;
   Shaking shaking;
-  Pose X_WD = linkage.read(grip.X_WD);
+  const std::int64_t period_ns = wall.rate().period_ns();
+  haptics::Lead ahead{wall.lead};
+  Pose X_WD = ahead.ahead(linkage.read(grip.X_WD), 0);
   const int ticks = int(std::lround(kPressTime / wall.period));
   bool going_on = true;
   for (int n = 0; n < ticks && going_on; ++n) {
@@ -225,7 +240,7 @@ Pressed pressOn(const Wall& wall, double stiffness,
     const Pose X_WH_before = grip.X_WD, X_WD_before = X_WD;
     if (n > 0) grip.advance(X_WH, held, wall.period);
     observer.add(held, haptics::motionBetween(X_WH_before, grip.X_WD));
-    X_WD = linkage.read(grip.X_WD);
+    X_WD = ahead.ahead(linkage.read(grip.X_WD), n * period_ns);
     const haptics::Twist motion = haptics::motionBetween(X_WD_before, X_WD);
 
     haptics::Wrench wrench;

@@ -22,21 +22,24 @@ struct Wall {
   double period = 1e-3;     ///< s
   double damping = 0.0;     ///< N·s/m, virtual
   double controller = 0.0;  ///< N·s/m that the passivity controller may use; 0: none
+  double lead = 0.0;        ///< s (servo/lead.h)
 
   haptics::ServoRate rate() const { return {int(std::lround(1.0 / period))}; }
   /// N·s/m: of device, hand and virtual damper.
   double totalDamping() const { return device.damping + hand.damping + damping; }
-  /// 2 b / (T (1 + 2 delay)) [N/m]: the limit of a sampled spring, to first order in b T / m. A
-  /// delay of d periods adds d to the half that holding the force costs.
-  double theory() const {
-    return 2.0 * totalDamping() / (period * (1.0 + 2.0 * device.linkage.delay));
-  }
+  /// s by which a force is late, less the lead.
+  double lateness() const { return device.linkage.delay * period - lead; }
+  /// 2 b / (T + 2 lateness) [N/m]: the limit of a sampled spring, to first order in b T / m. What a
+  /// force is late adds to the half of a period that holding it costs.
+  double theory() const { return 2.0 * totalDamping() / (period + 2.0 * lateness()); }
 };
 
-/// A device driven at a rate, by whatever carries its force: late by its rating's delay.
+/// A device driven at a rate, by whatever carries its force: late by its rating's delay, and with
+/// its lead.
 inline Wall drivenAt(haptics::DeviceModel device, haptics::ServoRate rate) {
   device.linkage.delay = device.rating.delay / rate.period();
-  return {std::move(device), {}, rate.period()};
+  const double lead = device.rating.lead;
+  return {.device = std::move(device), .period = rate.period(), .lead = lead};
 }
 /// As the program drives it unless the user chooses another rate: at the highest of its link.
 inline Wall asShipped(haptics::DeviceModel device) {

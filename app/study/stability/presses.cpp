@@ -61,6 +61,7 @@ Outcome pressesOf(const std::string& job, const std::string& stage, Wall wall, c
   for (const double delay : delays) {
     wall.device.linkage.delay = delay;
     const bool own = wall.period == shipped.period && delay == shipped.device.linkage.delay;
+    wall.lead = own ? shipped.lead : 0.0;
     const double allowed = allowedFor(wall, *stages.front().scene);
     // the worst of each figure up to what is allowed, as it comes
     found.subject = job + "/delay " + shortly(delay);
@@ -145,6 +146,7 @@ haptics::ClosedLoop loopOf(const Way& way, std::shared_ptr<const haptics::Scene>
                             : haptics::ForceLimits{device.rating.force, device.rating.torque};
   loop.grip = device.heldBy(wall.hand, std::sqrt(scene->tool.shell.inertia.trace() / 3.0));
   loop.linkage = device.linkage;
+  loop.lead = wall.lead;
   loop.rate = wall.rate();
   const double angular = device.rating.angular_stiffness;
   if (way.shipped && device.rating.torque > 0.0 &&
@@ -180,7 +182,8 @@ LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::in
                    double from, double until) {
   const haptics::Scene& scene = *loop.scene;
   const double K = loop.settings.stiffness;
-  LoopResult result{.balance = {K, loop.grip, loop.rate.period(), loop.linkage.delay}};
+  const double lateness = loop.linkage.delay - loop.lead / loop.rate.period();
+  LoopResult result{.balance = {K, loop.grip, loop.rate.period(), std::max(0.0, lateness)}};
   haptics::PassivityObserver program, lost;
   Vec3 lowest = Vec3::Constant(INFINITY), highest = -lowest;
   const auto stretch = [&](const Pose& X_WP, const Pose& X_WD) {

@@ -111,6 +111,36 @@ TEST(Wall, DelayAndVirtualDampingMoveTheMeasuredLimitAsTheyMoveTheLinearOne) {
     }
 }
 
+// what a lead makes good is as if it came at once, through the tick as well
+TEST(Wall, ALeadTakesTheDelayAway) {
+  double limits[2];
+  for (const int hz : {1000, 4000}) {
+    Wall wall = study::stability::drivenAt(findDeviceModel("omega.3").value(), {hz});
+    ASSERT_EQ(wall.lateness(), 0.0);
+    const double measured = study::stability::measuredLimit(wall).stiffness;
+    EXPECT_NEAR(measured / wall.theory(), 1.0, 0.15) << hz;
+    EXPECT_NEAR(measured / study::stability::linearLimit(wall).stiffness, 1.0, 0.06) << hz;
+    const double through_tick = limits[hz == 4000] = study::stability::planeLimit(wall).stiffness;
+    wall.lead = 0.0;
+    EXPECT_LT(study::stability::planeLimit(wall).stiffness, 0.85 * through_tick) << hz;
+  }
+  EXPECT_GT(limits[1], 3.0 * limits[0]);
+}
+
+// a link that is earlier or later than the lead: as stiff as without it at least
+TEST(Wall, ALeadThatIsNotTheDelayDoesNoHarm) {
+  for (const int hz : {1000, 2000, 4000})
+    for (const double delay : {0.0, 0.0625e-3, 0.25e-3, 0.5e-3}) {
+      Wall wall = study::stability::drivenAt(findDeviceModel("omega.3").value(), {hz});
+      wall.device.linkage.delay = delay / wall.period;
+      Wall plain = wall;
+      plain.lead = 0.0;
+      const double limit = study::stability::measuredLimit(plain).stiffness;
+      EXPECT_FALSE(study::stability::pressOn(wall, 0.95 * limit).fed)
+          << hz << ", " << delay << " s";
+    }
+}
+
 TEST(Wall, WhatIsLightlyDampedRingsLongAndIsStable) {
   Wall wall{findDeviceModel("delta.3").value(), {}, 1e-3};
   wall.device.damping = 0.3;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/servo/lead.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "haptics/servo/servo_loop.h"
+#include "tests/scenario/fake_device.h"
+#include "tests/support/made.h"
+
+namespace {
+
+using haptics::Lead;
+using haptics::Pose;
+using haptics::Quat;
+using haptics::ServoRate;
+using haptics::Vec3;
+using made::at;
+
+constexpr double kLead = 0.125e-3;  // s
+
+double apart(const Pose& a, const Pose& b) {
+  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
+}
+
+/// A handle that moves and turns evenly.
+Pose evenly(double time) {
+  return at(time * Vec3{0.3, -0.2, 0.1} + Vec3{0.01, 0.02, 0.03},
+            Quat{Eigen::AngleAxisd{0.4 + 3.0 * time, Vec3{1.0, 2.0, -1.0}.normalized()}});
+}
+
+TEST(Lead, TakesAHandThatMovesEvenlyToWhereItWillBe) {
+  for (const ServoRate rate : haptics::kServoRates) {
+    Lead lead{kLead};
+    for (int n = 0; n < 100; ++n) {
+      // readings come up to 5 % early or late
+      const double time = rate.period() * (n + 0.05 * std::sin(2.0 * n));
+      const Pose X = lead.ahead(evenly(time), std::lround(1e9 * time));
+      const bool begins = time < 0.9e-3;
+      EXPECT_LT(apart(X, evenly(begins ? time : time + kLead)), 1e-9) << rate.hz << ", " << n;
+    }
+  }
+}
+
+TEST(Lead, IsWrongByNoMoreThanItsHandAccelerates) {
+  constexpr double kAcceleration = 10.0;  // m/s^2
+  for (const ServoRate rate : haptics::kServoRates) {
+    Lead lead{kLead};
+    const auto place = [](double t) { return at(0.5 * kAcceleration * t * t, 0, 0); };
+    for (int n = 0; n < 100; ++n) {
+      const double time = rate.period() * n;
+      const Pose X = lead.ahead(place(time), std::lround(1e9 * time));
+      if (n <= rate.hz / 1000) continue;
+      const double behind = (place(time + kLead).translation() - X.translation()).norm();
+      EXPECT_NEAR(behind, 0.5 * kAcceleration * kLead * (kLead + 1e-3), 1e-9);
+    }
+  }
+}
+
+TEST(Lead, SaysNothingOfAHandItHasNotSeen) {
+  Lead lead{kLead}, none{0.0};
+  std::int64_t now = 0;
+  const auto next = [&](Lead& one, const Pose& X) { return one.ahead(X, now += 250'000); };
+  for (int n = 0; n < 20; ++n) next(lead, evenly(1e-9 * double(now)));
+  // the same reading again
+  const Pose X = evenly(1e-9 * double(now));
+  const Pose X_ahead = next(lead, X);
+  EXPECT_GT(apart(X_ahead, X), 1e-5);
+  EXPECT_EQ(apart(lead.ahead(X, now), X_ahead), 0.0);
+  EXPECT_EQ(apart(next(none, X), X), 0.0);
+  // what is no number is passed on, for the gate to see, and is forgotten
+  Pose nowhere = X;
+  nowhere.translation().y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(next(lead, nowhere).translation().y()));
+  EXPECT_TRUE(next(lead, X).matrix().allFinite());
+  // after a gap, and after a jump
+  now += 6'000'000;
+  EXPECT_EQ(apart(next(lead, evenly(1.0)), evenly(1.0)), 0.0);
+  for (int n = 0; n < 20; ++n) next(lead, evenly(1e-9 * double(now)));
+  lead.forget();
+  EXPECT_EQ(apart(next(lead, evenly(2.0)), evenly(2.0)), 0.0);
+}
+
+// the lead is of the hand: what the mapping makes of it grows as its motion does
+TEST(Lead, ADeviceInItsRatingIsLed) {
+  constexpr double kScale = 3.0, kSpeed = 0.2;  // m/s, of the hand
+  for (const ServoRate rate : haptics::kServoRates) {
+    Vec3 places[2];
+    for (const bool led : {false, true}) {
+      auto made = std::make_unique<FakeDevice>(at(0, 0, 0));
+      made->rated.lead = led ? kLead : 0.0;
+      FakeDevice& device = *made;
+      haptics::Settings settings;
+      settings.position_scale = kScale;
+      haptics::ServoLoop loop{std::move(made), settings, at(0, 0, 0.03), 0.0, rate};
+      haptics::Snapshot taken;
+      for (int n = 1; n <= 100; ++n) {
+        device.X_BD.translation().x() = kSpeed * rate.period() * n;
+        loop.step(rate.period() * n, n * rate.period_ns());
+      }
+      loop.snapshots.take(taken);
+      places[led] = taken.X_WD.translation();
+    }
+    EXPECT_NEAR((places[1] - places[0]).x(), kScale * kSpeed * kLead, 1e-9) << rate.hz;
+  }
+}
+
+}  // namespace
