@@ -295,9 +295,13 @@ Limit linearLimit(const Wall& wall) {
 Limit planeLimit(const Wall& wall) {
   const double guess = measuredLimit(wall).stiffness;
   if (guess == 0.0) return {};
+  const auto shakesOn = [&](double stiffness) { return pressOnPlane(wall, stiffness).fed; };
+  // one press may be kept up by the steps of a coarse encoder: most of three within 0.3 % decide
+  const auto holds = [&](double stiffness) {
+    return !shakesOn(stiffness) || (!shakesOn(0.997 * stiffness) && !shakesOn(1.003 * stiffness));
+  };
   // small steps: near the limit a press now shakes on and now does not
-  return stiffestThatHolds(0.7 * guess, 2.0 * guess, 1.03, 1.01,
-                           [&](double stiffness) { return !pressOnPlane(wall, stiffness).fed; });
+  return stiffestThatHolds(0.7 * guess, 2.0 * guess, 1.03, 1.01, holds);
 }
 
 std::vector<Job> limitJobs(Depth depth) {
