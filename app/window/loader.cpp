@@ -365,6 +365,7 @@ Loader::Loader(std::function<double()> free_memory, QObject* parent)
       task_([this](double fraction) { emit progressed(fraction); }) {}
 
 void Loader::start(LoadRequest request) {
+  cancelled_ = false;
   // the work adds the entry that the survey chose; read once it has ended
   const auto wanted = std::make_shared<LoadRequest>(std::move(request));
   task_.start(
@@ -383,9 +384,16 @@ void Loader::start(LoadRequest request) {
                      .cancel = watch.cancel});
       },
       [this, wanted](Expected<Loaded> result) {
+        // its thread may have ended before the user cancelled
+        if (cancelled_) result = cancelled();
         if (result) return emit loaded(*result);
         emit failed(*wanted, inWords(std::move(result.error())));
       });
+}
+
+void Loader::cancel() {
+  cancelled_ = true;
+  task_.cancel();
 }
 
 /// Beside the first picture, which does not wait for the disk.

@@ -115,7 +115,8 @@ class Loader : public QObject {
   explicit Loader(std::function<double()> free_memory, QObject* parent = nullptr);
 
   void start(LoadRequest request);
-  void cancel() { task_.cancel(); }
+  /// The request ends with failed(), even if it was loaded but not yet delivered.
+  void cancel();
 
  signals:
   void progressed(double fraction);
@@ -131,6 +132,7 @@ class Loader : public QObject {
   std::function<double()> free_memory_;
   background::Task<Loaded> task_;
   background::Task<bool> keeping_;
+  bool cancelled_ = false;  ///< the newest request
 
   void keep(const datasets::Phantom& phantom);
 };

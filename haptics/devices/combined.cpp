@@ -18,6 +18,7 @@ class Combined final : public Device {
     rating_.sensed = std::max(rating_.sensed, 6);
     rating_.actuated = std::min(rating_.actuated, 3);
     rating_.torque = rating_.angular_stiffness = 0.0;
+    rating_.lead = 0.0;  // it would lead the other device's turns as well
   }
 
   const DeviceRating& rating() const noexcept override { return rating_; }

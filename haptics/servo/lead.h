@@ -15,7 +15,8 @@ namespace haptics {
 /// 2 b / (T + 2 d) instead of 2 b / T. If the tick takes the pose in which the handle will be when
 /// the force arrives, it carries as much as without the delay. The velocity is the mean over the
 /// last millisecond, so the error is the acceleration times d (d + 1 ms) / 2: less than a
-/// micrometre for 0.125 ms and 10 m/s^2. A step of the encoder grows by d over a millisecond.
+/// micrometre for 0.125 ms and 10 m/s^2. A step of the encoder grows by d over a millisecond, and a
+/// reading that is wrong by x comes again a millisecond later as -x d / 1 ms.
 class Lead {
  public:
   explicit Lead(double lead) : lead_{lead} {}

@@ -112,6 +112,7 @@ void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {
   if (read == DeviceStatus::Lost || read == DeviceStatus::NotReady) {
     guard_->mapping.lift();
     guard_->motion = {};
+    guard_->lead.forget();
     return;
   }
   const std::int64_t measured = reading_.time_ns != 0 ? reading_.time_ns : now;

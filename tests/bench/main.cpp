@@ -235,8 +235,10 @@ int main(int argc, char** argv) {
   app.add_flag("--counted", options.counted,
                "Counted work in place of the clock, so that all but the times repeat");
   app.add_flag("--no-sweep", options.no_sweep, "Leave out the sweep over points and budgets");
-  app.add_flag("--rates", options.rates, "Ours at 1, 2 and 4 kHz as well, each with its budget");
+  auto* rates = app.add_flag("--rates", options.rates,
+                             "Ours at 1, 2 and 4 kHz as well, each with its budget");
   app.add_option("--hands", options.hands, "Hands of each kind at the rates")
+      ->needs(rates)
       ->check(CLI::Range(1, 1000));
   app.add_option("--budget", options.budget_us, "Of a tick of ours [us]")
       ->check(CLI::Range(1, 100000));

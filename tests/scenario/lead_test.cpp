@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "haptics/servo/servo_loop.h"
@@ -73,7 +74,7 @@ TEST(Lead, SaysNothingOfAHandItHasNotSeen) {
   Pose nowhere = X;
   nowhere.translation().y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(next(lead, nowhere).translation().y()));
-  EXPECT_TRUE(next(lead, X).matrix().allFinite());
+  for (int n = 0; n < 8; ++n) EXPECT_TRUE(next(lead, X).matrix().allFinite()) << n;
   // after a gap, and after a jump
   now += 6'000'000;
   EXPECT_EQ(apart(next(lead, evenly(1.0)), evenly(1.0)), 0.0);
@@ -103,6 +104,38 @@ TEST(Lead, ADeviceInItsRatingIsLed) {
       places[led] = taken.X_WD.translation();
     }
     EXPECT_NEAR((places[1] - places[0]).x(), kScale * kSpeed * kLead, 1e-9) << rate.hz;
+  }
+}
+
+// what comes after is another motion: a velocity over the break would be one that the hand never
+// had
+TEST(Lead, BeginsAnewWhenTheDeviceWasNotReadyOrJumped) {
+  const ServoRate rate{4000};
+  for (const bool jumped : {false, true}) {
+    auto made = std::make_unique<FakeDevice>(at(0, 0, 0));
+    made->rated.lead = kLead;
+    FakeDevice& device = *made;
+    haptics::ServoLoop loop{std::move(made), {}, at(0, 0, 0.03), 0.0, rate};
+    haptics::Snapshot taken;
+    int n = 0;
+    const auto steps = [&](int count) {
+      for (int i = 0; i < count; ++i, ++n) loop.step(rate.period() * n, n * rate.period_ns());
+      loop.snapshots.take(taken);
+      return Vec3{taken.X_WD.translation()};
+    };
+    const Vec3 before = steps(20);
+    // a twentieth of a millimetre is no jump
+    const double step = jumped ? 0.02 : 0.05e-3;
+    if (!jumped) {
+      device.status = haptics::DeviceStatus::NotReady;
+      steps(1);
+      device.status = haptics::DeviceStatus::Ok;
+    }
+    device.X_BD.translation().x() += step;
+    const Vec3 after = steps(1);
+    const double moved = (after - before).x();
+    EXPECT_NEAR(moved, jumped ? step : 0.0, 1e-12) << jumped;
+    EXPECT_EQ(apart(at(steps(8)), at(after)), 0.0) << jumped;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -31,7 +32,9 @@ struct Wall {
   double lateness() const { return device.linkage.delay * period - lead; }
   /// 2 b / (T + 2 lateness) [N/m]: the limit of a sampled spring, to first order in b T / m. What a
   /// force is late adds to the half of a period that holding it costs.
-  double theory() const { return 2.0 * totalDamping() / (period + 2.0 * lateness()); }
+  double theory() const {
+    return 2.0 * totalDamping() / (period + 2.0 * std::max(0.0, lateness()));
+  }
 };
 
 /// A device driven at a rate, by whatever carries its force: late by its rating's delay, and with
@@ -94,7 +97,8 @@ Limit measuredLimit(const Wall& wall);
 /// The same from the spectral radius of the loop as a linear sampled system, without encoder, dry
 /// friction and controller, and with a wall that pulls as well. Another way to the same figure.
 Limit linearLimit(const Wall& wall);
-/// The same through the tick, to 1 %; between 0.7 and twice of what the wall carries.
+/// The same through the tick, to 1 %, by most of three presses at each stiffness; between 0.7 and
+/// twice of what the wall carries.
 Limit planeLimit(const Wall& wall);
 
 /// A way to run a loop.

@@ -302,8 +302,7 @@ std::vector<Job> pressJobs(Depth depth) {
                           {Depth::Full, 1e-3, 10.0, fine, {0, 1, 2, 4}, all},
                           {Depth::Full, 0.25e-3, 4.0, {50, 1000, 5000, 20000}, {0, 1, 2, 4}, all}};
   // one of each kind of mass, encoder and motors; full has all
-  const std::set<std::string> quick{"falcon", "delta.3",     "omega.7", "sigma.7",
-                                    "touch",  "premium-1.5", "polhem",  "omni-arm-200"};
+  const std::set<std::string> quick{"falcon", "delta.3", "sigma.7", "touch", "omni-arm-200"};
   // run in other loops as well: a coarse encoder, torque motors, the stiffest, the weakest
   const std::set<std::string> varied =
       full ? std::set<std::string>{"falcon", "sigma.7", "lambda.7", "touch"}

@@ -43,6 +43,7 @@ Outcome handsAt(const std::string& job, const haptics::DeviceModel& device, hapt
               {{"device", device.name},
                {"rate", rateOf(rate.period())},
                {"delay", delay},
+               {"lead", shortly(wall.lead / rate.period())},
                {"hand", name},
                {"allowed [N/m]", shortly(allowed)},
                {"given at the handle [mJ a second]", shortly(mJ(run.energy) / seconds)},
@@ -62,7 +63,8 @@ Outcome handsAt(const std::string& job, const haptics::DeviceModel& device, hapt
       found.atMost(
           "energy given beyond what damping takes, most", mJ(run.balance.most_left), 1.0, "mJ",
           run.refused ? resources::sentence(*run.refused)
-                      : delay + " periods late, at " + shortly(allowed) + " N/m, which is allowed");
+                      : delay + " periods late, of which " + shortly(wall.lead / rate.period()) +
+                            " are led, at " + shortly(allowed) + " N/m, which is allowed");
     found.none("not finite", run.non_finite);
     found.none("looks that found it inside", run.inside);
     found.atLeast("milliseconds in contact", 1e3 * rate.period() * run.contact, 100.0);
@@ -74,7 +76,7 @@ Outcome handsAt(const std::string& job, const haptics::DeviceModel& device, hapt
 
 std::vector<Job> rateJobs(Depth depth) {
   const bool full = depth == Depth::Full;
-  // of each kind of link one: late by a millisecond, by a round of 4 kHz, in time
+  // of each kind of link one: late by a millisecond, by half a round of 4 kHz and led, in time
   const std::set<std::string> quick{"falcon", "lambda.7", "touch"};
   constexpr double kTwentyMinutes = 1200.0;  // s for a device, all its rates and hands
   constexpr double kTickCost = 25e-6;        // s

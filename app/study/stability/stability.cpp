@@ -50,9 +50,10 @@ Study stabilityStudy(Depth depth) {
       "haptics/simulation/device_model.h for which is which. Nothing here was measured on a real "
       "device.",
       "The stiffest wall is one degree of freedom, so that what the sampled loop can carry is "
-      "known apart from the rendering: measured, by the theory 2 b / (T (1 + 2 delay)), and by the "
-      "spectral radius of the linear loop. The presses, hands and failures go through the tick "
-      "itself, with a counted budget, so that every run is the same.",
+      "known apart from the rendering: measured, by the theory 2 b / (T + 2 lateness), where the "
+      "lateness is the delay less the lead, and by the spectral radius of the linear loop. The "
+      "presses, hands and failures go through the tick itself, with a counted budget, so that "
+      "every run is the same.",
       "A case is the program as it is shipped: the guard of passivity, the ramp, the limits of the "
       "device, and no stiffer than is allowed for its device, delay and rate, which is its rating "
       "and at most half of 2 b / (T (1 + 2 delay)). What is stiffer, or runs without the guard or "

@@ -8,8 +8,8 @@
 
 #include "datasets/phantoms/making.h"
 #include "haptics/solver/row_lanes.h"
-#include "tests/support/made.h"
 #include "tests/support/every_target.h"
+#include "tests/support/made.h"
 
 namespace {
 

@@ -13,8 +13,8 @@
 #include "datasets/phantoms/sampling.h"
 #include "haptics/field/isosurface.h"
 #include "haptics/field/spline_lanes.h"
-#include "tests/support/made.h"
 #include "tests/support/every_target.h"
+#include "tests/support/made.h"
 #include "tests/unit/haptics/spline_reference.h"
 
 namespace {

@@ -263,11 +263,11 @@ TEST(StabilityStudy, HasEveryDeviceAndNamesEachJobOnce) {
     for (const DeviceModel& device : haptics::deviceModels()) {
       if (device.linkage.arm.isZero(0.0)) {
         EXPECT_TRUE(names.contains("limit/" + device.name + "/1 kHz")) << device.name;
-        EXPECT_TRUE(names.contains("limit/" + device.name + "/4 kHz")) << device.name;
       }
       if (depth == Depth::Full) {
         EXPECT_TRUE(names.contains("press/" + device.name + "/groove")) << device.name;
         if (device.linkage.arm.isZero(0.0)) {
+          EXPECT_TRUE(names.contains("limit/" + device.name + "/4 kHz")) << device.name;
           EXPECT_TRUE(names.contains("limit in 6-DOF/" + device.name + "/4 kHz")) << device.name;
         }
       }
@@ -324,6 +324,9 @@ TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
         job.name != "limit in 6-DOF/touch/1 kHz" && job.name != "hands/turned arm" &&
         job.name != "hands/slot" && job.name != "failures/saturation")
       continue;
+    // other tests press and lead hands under the sanitizers, which take minutes for these
+    if (made::kSanitized && (job.name == "press/touch/groove" || job.name == "hands/slot"))
+      continue;
     ++jobs;
     const Outcome first = job.run(1), second = made::kSanitized ? first : job.run(1);
     ASSERT_FALSE(first.cases.empty());
@@ -340,7 +343,7 @@ TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
     for (const study::Table& table : first.tables)
       for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.head.size());
   }
-  EXPECT_EQ(jobs, 6);
+  EXPECT_EQ(jobs, made::kSanitized ? 4 : 6);
 }
 
 }  // namespace

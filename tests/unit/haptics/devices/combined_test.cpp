@@ -101,6 +101,8 @@ TEST_F(Combined, IsRatedAsTheFirstWithSixSensedAndNoTorque) {
   EXPECT_EQ(strong->rating().torque, 0.0);
   EXPECT_EQ(strong->rating().angular_stiffness, 0.0);
   EXPECT_EQ(strong->rating().actuated, 3);
+  EXPECT_GT(haptics::findRating("sigma.7")->lead, 0.0);
+  EXPECT_EQ(strong->rating().lead, 0.0);
   EXPECT_EQ(strong->rating().force, haptics::findRating("sigma.7")->force);
 
   EXPECT_EQ(both->rating().sensed, 6);
