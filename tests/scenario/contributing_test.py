@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The patches of CONTRIBUTING.md, applied to a copy of the tree, build and do what they say.
 
-Use: contributing_test.py ROOT FOLDER
+Use: contributing_test.py ROOT BINARY FOLDER
 
-FOLDER keeps the copy and its headless build. So a second run compiles only what has changed; the
-first takes minutes.
+BINARY is a build of ROOT in a folder below it. The copy is built in its place, in a mount namespace
+of its own, so that only what the patches change is compiled. Where the system allows no such
+namespace, the copy has a headless build of its own, which takes minutes. FOLDER keeps copy and build.
 """
 import json
 import os
@@ -17,42 +18,50 @@ import sys
 
 from checks import check, outcome
 
-ROOT, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
-FRESH, TREE, BUILD = FOLDER / "fresh", FOLDER / "tree", FOLDER / "build"
+ROOT, BINARY, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+TREE, BUILD = FOLDER / "tree", FOLDER / "build"
 # the copy may lie within a checkout, and must not be taken for a part of it
 OUTSIDE = dict(os.environ, GIT_CEILING_DIRECTORIES=str(FOLDER))
 
 
-def files_of(folder):
-    return {path.relative_to(folder) for path in folder.rglob("*") if path.is_file()}
-
-
 def copy_tree():
-    """What git knows of, or would add, into FRESH."""
+    """What git knows of, or would add, into TREE, with the times of ROOT: it is not built again."""
     listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others",
                              "--exclude-standard"], capture_output=True)
     if listed.returncode != 0:
         print("skipped: not a checkout")
         sys.exit(77)
-    shutil.rmtree(FRESH, ignore_errors=True)
+    shutil.rmtree(TREE, ignore_errors=True)
     for name in filter(None, os.fsdecode(listed.stdout).split("\0")):
         if (ROOT / name).is_file():
-            (FRESH / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(ROOT / name, FRESH / name)
+            (TREE / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / name, TREE / name)
 
 
-def update_tree():
-    """TREE becomes FRESH; files that are the same keep their times, so they are not built again."""
-    TREE.mkdir(parents=True, exist_ok=True)
-    wanted = files_of(FRESH)
-    for name in files_of(TREE) - wanted:
-        (TREE / name).unlink()
-    for name in wanted:
-        old, new = TREE / name, FRESH / name
-        if not old.is_file() or old.read_bytes() != new.read_bytes():
-            old.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(new, old)
-    shutil.rmtree(FRESH)
+def in_place(script):
+    """Runs a shell script that sees the copy and BUILD in the places of ROOT and BINARY."""
+    new = ["unshare", "--mount"] if os.geteuid() == 0 else ["unshare", "--map-root-user", "--mount"]
+    place = TREE / BINARY.relative_to(ROOT)
+    place.mkdir(parents=True, exist_ok=True)
+    mounts = 'mount --bind "$1" "$2" && mount --rbind "$3" "$4" && cd "$4" && '
+    return run(*new, "sh", "-c", mounts + script, "sh", BUILD, place, TREE, ROOT)
+
+
+def build():
+    """Builds palpate-cli of the copy."""
+    shutil.rmtree(BUILD, ignore_errors=True)
+    BUILD.mkdir(parents=True)
+    if BINARY.is_relative_to(ROOT) and in_place("true").returncode == 0:
+        shutil.copytree(BINARY, BUILD, dirs_exist_ok=True, symlinks=True,
+                        ignore=lambda folder, names: ["tests"] if folder == str(BINARY) else [])
+        return in_place(f'cmake --build "{BINARY}" --target app/cli/palpate-cli')
+    print("no mount namespace: the copy is built from nothing")
+    # not optimised, since it touches for a second only, and with sources joined: it is compiled sooner
+    configured = run("cmake", "--preset", "headless", "-B", BUILD, "-DPALPATE_TESTS=OFF",
+                     "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_UNITY_BUILD=ON")
+    if configured.returncode != 0:
+        return configured
+    return run("cmake", "--build", BUILD, "--target", "palpate-cli")
 
 
 def run(*command):
@@ -66,16 +75,10 @@ copy_tree()
 patches = re.findall(r"^```diff\n(.*?)^```$", (ROOT / "CONTRIBUTING.md").read_text(), re.M | re.S)
 check(len(patches) == 2, f"CONTRIBUTING.md has {len(patches)} patches, for a tool and for a format")
 for patch in patches:
-    applied = subprocess.run(["git", "apply", "-"], input=patch, text=True, cwd=FRESH,
+    applied = subprocess.run(["git", "apply", "-"], input=patch, text=True, cwd=TREE,
                              capture_output=True, env=OUTSIDE)
     check(applied.returncode == 0, "a patch of CONTRIBUTING.md does not apply: " + applied.stderr)
-update_tree()
-# not optimised, since it touches for a second only, and with sources joined: it is compiled sooner
-configured = run("cmake", "--preset", "headless", "-B", BUILD, "-DPALPATE_TESTS=OFF",
-                 "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_UNITY_BUILD=ON")
-if not check(configured.returncode == 0, "the copy is not configured") or not check(
-        run("cmake", "--build", BUILD, "--target", "palpate-cli").returncode == 0,
-        "palpate-cli is not built"):
+if not check(build().returncode == 0, "palpate-cli is not built"):
     sys.exit(outcome())
 
 CLI = BUILD / "app/cli/palpate-cli"
