@@ -24,7 +24,10 @@ ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bo
       device_{std::move(device)},
       rate_{rate},
       in_force_{initial},
-      safety_{limitsOf(device_->rating())} {}
+      safety_{limitsOf(device_->rating())} {
+  touchPages(forces);
+  touchPages(transitions);
+}
 
 ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD,
                      double heat, ServoRate rate)

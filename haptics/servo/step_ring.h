@@ -11,6 +11,15 @@
 
 namespace haptics {
 
+/// Touches every page of an empty queue, so that no push causes a page fault.
+template <class Queue>
+void touchPages(Queue& queue) {
+  while (queue.try_enqueue({})) {
+  }
+  while (queue.pop()) {
+  }
+}
+
 /// Carries steps from the servo thread to the thread that writes them. The constructor allocates
 /// all memory. One thread pushes and one takes; neither waits. If the ring is full, a step is lost,
 /// and a gap in the sequence numbers shows it.
@@ -22,15 +31,8 @@ class StepRing {
       : capacity_{8192 * static_cast<std::size_t>(rate.hz) / 1000},
         steps_{capacity_},
         begun_ns_{begun_ns} {
-    // touches every page, so that no tick causes a page fault
-    while (steps_.try_enqueue({})) {
-    }
-    while (steps_.pop()) {
-    }
-    while (starts_.try_enqueue({})) {
-    }
-    while (starts_.pop()) {
-    }
+    touchPages(steps_);
+    touchPages(starts_);
   }
 
   // For the servo thread.

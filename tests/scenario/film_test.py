@@ -117,6 +117,21 @@ def main():
         again = cli_said(cli, *film, "--out", work / "again", "--burn-in")[0]
         assert decoded(again["film"]) == pictures
 
+        # at 4 kHz
+        shutil.rmtree(out)
+        out.mkdir()
+        fast = work / "fast.palpate"
+        said, done = cli_said(cli, "run", "--phantom", "sphere", "--isovalue", ISOVALUE, "--tool",
+                              "sphere", "--hand", "slide", "--seconds", 0.4, "--stiffness", 1000,
+                              "--rate", 4000, "--record", fast, "--trace", work / "fast.csv",
+                              env={**os.environ, "HOME": name})
+        assert done.returncode == 0, done.stderr
+        fast_times = trace_times(work / "fast.csv")
+        assert len(fast_times) == 1600
+        said, done = cli_said(cli, "export", fast, *film[2:], "--out", out / "fast.mp4")
+        assert done.returncode == 0, done.stderr
+        assert len(check_film(said, out, "h264", fast_times)) == 20
+
         # Ogg, where no program is found
         bare = {**os.environ, "PATH": str(work / "nothing")}
         shutil.rmtree(out)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <condition_variable>
 #include <iostream>
@@ -194,6 +197,45 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"slot", "sphere", 1, {haptics::FieldKind::Trilinear, haptics::NormalKind::Cell}},
         Case{"cylinder", "wrench", 10'000, {}, 0.5}, Case{"marker", "probe", 20'000, kSpline}),
     [](const auto& with) { return std::string{with.param.phantom}; });
+
+long pageFaults() {
+  rusage used{};
+  getrusage(RUSAGE_THREAD, &used);
+  return used.ru_minflt + used.ru_majflt;
+}
+
+// recorded, too. The system may take a page away at any time, so the median of five parts counts
+TEST(EveryTick, MeetsNoPageFaultAtAnyRate) {
+  const Stage stage = stageOf("demo", namedTool("drill"));
+  for (const haptics::ServoRate rate : haptics::kServoRates) {
+    auto hand = Hand::aimed(HandMotion::Slide, *stage.scene, stage.isovalue, 4e-3, 7);
+    ASSERT_TRUE(hand);
+    const Pose start = hand->at(0.0);
+    haptics::StepRing ring{0};
+    ServoLoop loop{haptics::openSimulated(std::move(*hand), {}, rate.period()),
+                   {.isovalue = stage.isovalue},
+                   true,
+                   rate};
+    loop.scenes.offer(std::make_unique<haptics::Engagement>(stage.scene, start));
+    loop.recording = &ring;
+    std::int64_t tick = 0;
+    run(loop, rate, tick, rate.hz);
+    std::array<long, 5> faults{};
+    for (long& part : faults) {
+      haptics::Step step;
+      while (ring.take(step)) {
+      }
+      const long before = pageFaults();
+      for (int n = 0; n < rate.hz / 5; ++n) loop.step(rate.period() * double(tick++));
+      part = pageFaults() - before;
+    }
+    haptics::Snapshot snapshot;
+    loop.snapshots.take(snapshot);
+    EXPECT_GT(snapshot.contacts, 0);
+    std::ranges::sort(faults);
+    EXPECT_EQ(faults[2], 0) << rate.hz << " Hz, at most " << faults[4];
+  }
+}
 
 TEST(EveryTick, NeitherAllocatesNorLocksWhereNobodyEmptiesTheRing) {
   const Stage stage = stageOf("sphere", namedTool("probe"));

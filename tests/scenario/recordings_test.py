@@ -106,6 +106,18 @@ if " fma " in pathlib.Path("/proc/cpuinfo").read_text():
     assert said["reasons"] == ["other-edits"] and "differing" not in said, said
     print(said["error"]["message"])
     call("replay", stored["damaged"], "--phantom", "sphere", code=3)
+
+    # the first recordings said no rate: all were at 1 kHz
+    early = folder / "early.palpate"
+    shutil.copyfile(sessions / "demo-pry.palpate", early)
+    with contextlib.closing(sqlite3.connect(early)) as file, file:
+        rows = file.execute("SELECT id, text FROM event WHERE kind = 'start'").fetchall()
+        for row, text in rows:
+            words = json.loads(text)
+            assert words.pop("rate") == 1000, words
+            file.execute("UPDATE event SET text = ? WHERE id = ?", (json.dumps(words), row))
+    said = call("replay", early, "--phantom", "demo")
+    assert rows and said["steps"] == 1600 and said["skipped"] == said["differing"] == 0, said
 else:
     print("SKIPPED: the kept sessions, which want a processor with fused multiplication")
 
