@@ -23,8 +23,8 @@ Outcome omissions(Depth depth) {
         "without the controller",
         "some seconds for a scene and a hundred thousand ticks and more a hand; noise is part of "
         "each scene"},
-       {"limits through the tick", "with delay, with dry friction, on groove and ball",
-        "on the plane, without delay",
+       {"limits through the tick", "every delay, with dry friction, on groove and ball",
+        "on the plane, in time and as late as the device's link, with and without its lead",
         "there the tick must keep 85 % of the wall's; delay and friction are swept on the wall"},
        {"devices with an arm", "limits of stiffness", "presses and a turned handle",
         "the limits are of translation, in which an arm is nothing"},
@@ -56,7 +56,7 @@ Study stabilityStudy(Depth depth) {
       "every run is the same.",
       "A case is the program as it is shipped: the guard of passivity, the ramp, the limits of the "
       "device, and no stiffer than is allowed for its device, delay and rate, which is its rating "
-      "and at most half of 2 b / (T (1 + 2 delay)). What is stiffer, or runs without the guard or "
+      "and at most 0.45 of 2 b / (T (1 + 2 delay)). What is stiffer, or runs without the guard or "
       "with what is not shipped, are rows of tables.",
       "Energy is what the loop gives to the hand less what it takes, exact for a force that is "
       "held. After a press and release nothing is stored any more: what is left was generated."};
