@@ -44,11 +44,12 @@ std::vector<Part> byKind(const std::vector<Part>& parts, unsigned hands) {
   std::vector<Part> kinds;
   for (const Part& part : parts) {
     auto kind = std::ranges::find(kinds, part.hand, &Part::hand);
-    if (kind == kinds.end()) kind = kinds.insert(kinds.end(), {part.hand});
+    if (kind == kinds.end()) kind = kinds.insert(kinds.end(), {.hand = part.hand});
     kind->mean_us += part.mean_us / hands;
     kind->coupling_mm += part.coupling_mm / hands;
     kind->frozen += part.frozen / hands;
     kind->contact += part.contact / hands;
+    kind->cut += part.cut / hands;
   }
   return kinds;
 }

@@ -24,17 +24,11 @@ const T* entry(const std::vector<T>& list, const std::string& method) {
 }
 
 Json resultOf(const SceneReport& report, const Summary& s) {
-  Json json{{"scene", report.scene},
-            {"method", s.method},
-            {"mean_us", s.mean_us},
-            {"p50_us", s.p50_us},
-            {"p99_us", s.p99_us},
-            {"p999_us", s.p999_us},
-            {"p9999_us", s.p9999_us},
-            {"max_us", s.max_us},
-            {"coupling_mm", s.coupling_mm},
-            {"frozen", s.frozen},
-            {"wall_passages", s.wall_passages}};
+  Json json{
+      {"scene", report.scene},        {"method", s.method}, {"mean_us", s.mean_us},
+      {"p50_us", s.p50_us},           {"p99_us", s.p99_us}, {"p999_us", s.p999_us},
+      {"p9999_us", s.p9999_us},       {"max_us", s.max_us}, {"p999_work", s.p999_work},
+      {"coupling_mm", s.coupling_mm}, {"frozen", s.frozen}, {"wall_passages", s.wall_passages}};
   const FeelSummary* feel = entry(report.feel, s.method);
   const HoldSummary* hold = entry(report.holds, s.method);
   const auto number = [](bool known, double value) { return known ? Json(value) : Json(); };
@@ -71,7 +65,8 @@ Json resultOf(const SceneReport& report, const Summary& s) {
                              {"mean_us", part.mean_us},
                              {"coupling_mm", part.coupling_mm},
                              {"frozen", part.frozen},
-                             {"contact", part.contact}});
+                             {"contact", part.contact},
+                             {"cut", part.cut}});
   return json;
 }
 

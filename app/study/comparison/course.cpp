@@ -74,7 +74,7 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
                   const haptics::PointShell& shell, const Judge& judge, std::size_t every) {
   Summary summary;
   summary.method = track.method;
-  std::vector<double> times, coupling, guided;
+  std::vector<double> times, work, coupling, guided;
   std::vector<reference::Record> records;
   std::vector<Pose> led;
   double cut = 0.0;
@@ -86,14 +86,15 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
     const auto millisecond = static_cast<std::size_t>(course.rate.hz / 1000);
     const bool is_guided = course.hand == "tap" || course.hand == "slide" || course.hand == "hook";
     const std::size_t rows_before = records.size(), coupled_before = coupling.size();
-    double part_us = 0.0;
+    double part_us = 0.0, part_cut = 0.0;
     for (std::size_t n = 0; n < course.device.size(); ++n) {
       const Tick& tick = track.ticks[c][n];
       const double us = 1e-3 * double(tick.cpu_ns);
       times.push_back(us);
+      work.push_back(double(tick.work));
       part_us += us;
       summary.counts.add(tick, ticks_in_all);
-      cut += tick.cut;
+      part_cut += tick.cut;
       summary.contacts_max = std::max(summary.contacts_max, tick.contacts);
       if (us > kLongTick_us)
         summary.long_ticks.push_back({course.hand, n, us, tick.work, tick.faults, tick.switches});
@@ -121,7 +122,8 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
             judge.passages(track.ticks[c][n - 1].X_WP, tick.X_WP, track.sub_steps);
     }
     const double ticks = double(course.device.size());
-    Part part{course.hand, part_us / ticks};
+    Part part{.hand = course.hand, .mean_us = part_us / ticks, .cut = part_cut / ticks};
+    cut += part_cut;
     if (!course.jerk) {
       const std::span<const double> own = std::span{coupling}.subspan(coupled_before);
       part.coupling_mm = mean(own);
@@ -139,6 +141,8 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
   summary.p999_us = quantile(times, 0.999);
   summary.p9999_us = quantile(times, 0.9999);
   summary.max_us = quantile(times, 1.0);
+  std::sort(work.begin(), work.end());
+  summary.p999_work = quantile(work, 0.999);
   summary.coupling_mm = mean(coupling);
   summary.guided_mm = mean(guided);
   summary.frozen = reference::frozenShare(records, led, shell);

@@ -54,7 +54,8 @@ struct LongTick {
 /// One hand's part of it.
 struct Part {
   std::string hand;
-  double mean_us = 0.0, coupling_mm = 0.0, frozen = 0.0, contact = 0.0;  ///< shares of ticks
+  double mean_us = 0.0, coupling_mm = 0.0;
+  double frozen = 0.0, contact = 0.0, cut = 0.0;  ///< shares of ticks
 };
 
 /// A track in numbers. Times are thread CPU.
@@ -65,6 +66,7 @@ struct Summary {
   double guided_mm = 0.0;    ///< the same over tap, slide and hook
   double frozen = 0.0;       ///< share of milliseconds in contact, jerk left out
   MeanCounts counts;         ///< of a tick
+  double p999_work = 0.0;    ///< units of a tick
   int contacts_max = 0;
   double cut = 0.0;             ///< share of ticks that the budget ended
   double penetration_mm = 0.0;  ///< deepest of the judged poses
