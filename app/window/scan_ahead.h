@@ -24,7 +24,7 @@ class ScanAhead {
 
   struct Scan {
     std::shared_ptr<const haptics::Volume> volume;
-    ui::Picture picture;
+    ui::Picture picture = {};
     std::shared_ptr<const haptics::Scene> scene = {};  ///< of a probe; null if none could be made
   };
   /// The scan, after waiting for it; only once. None if it was not read, or on Cancel. Any thread.
