@@ -28,7 +28,8 @@ namespace haptics {
 /// What a slide seems to release is not counted. In a tick the device moves first, against a force
 /// that is held, and then the proxy follows. When the device moves by d across the pull, the spring
 /// rises by |d|^2 / 2, and the proxy releases as much. But the held force does no work on that way,
-/// so the hand has not paid for it.
+/// so the hand has not paid for it. Only what the proxy releases in the same tick is left out;
+/// after a cut it may follow in a later one, and that counts.
 ///
 /// The proxy gets twelve new detours for each half of a tolerance that the device travels. Travel
 /// is measured with play: the device drags an anchor once it is kPlay away from it. So a slide has
