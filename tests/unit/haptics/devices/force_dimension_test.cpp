@@ -554,7 +554,10 @@ TEST_F(ForceDimension, SendsTheAnswerToAPoseBeforeItAsksForTheNext) {
     // written in time, it is sent while no further pose has been asked for
     if (haptics::monotonicNs() - came > 250'000) continue;
     ASSERT_TRUE(comes([&] { return stub.poses > poses; }));
-    EXPECT_EQ(stub.wrench()[1], 0.01 * tick);
+    const StubDhd::Asked next = stub.asked(poses + 1);
+    // on a busy machine the link's thread may be so late that it lets go
+    if (next.at_ns - came > 3'000'000) continue;
+    EXPECT_EQ(next.wrench[1], 0.01 * tick);
     ++answers;
   }
   stub.pose_ms = 0;

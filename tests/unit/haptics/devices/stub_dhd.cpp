@@ -6,6 +6,8 @@
 #include <cmath>
 #include <thread>
 
+#include "haptics/core/clock.h"
+
 namespace {
 StubDhd stub;
 
@@ -93,6 +95,11 @@ int dhdGetStatus(int* state, char) {
 }
 int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double (*frame)[3], char) {
   called();
+  {
+    const std::lock_guard lock{stub.mutex};
+    const auto n = static_cast<std::size_t>(stub.poses + 1);
+    stub.asks[n % stub.asks.size()] = {haptics::monotonicNs(), stub.last};
+  }
   ++stub.poses;
   if (stub.pose_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds{stub.pose_ms});
   if (stub.pose_result < 0) return stub.pose_result;

@@ -36,6 +36,17 @@ struct StubDhd {
     const std::lock_guard lock{mutex};
     return last;
   }
-  std::mutex mutex;
+  /// When it was asked for a pose, and the wrench that it had then.
+  struct Asked {
+    std::int64_t at_ns = 0;
+    std::array<double, 7> wrench{};
+  };
+  /// For the n-th pose, from 1 on: one of the last that were asked for.
+  Asked asked(long n) {
+    const std::lock_guard lock{mutex};
+    return asks[static_cast<std::size_t>(n) % asks.size()];
+  }
+  std::mutex mutex;  ///< of what follows
   std::array<double, 7> last{};
+  std::array<Asked, 4096> asks{};
 };
