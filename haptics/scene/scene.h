@@ -23,8 +23,8 @@ namespace haptics {
 struct Fineness {
   /// Distance that counts as contact, in voxels, above 0 and below 1. The rest gap is half of it.
   double epsilon = 0.05;
-  /// Most motions in one tick that contacts shape or stop, at least 1. Three times as many if the
-  /// proxy was held and stops short.
+  /// Most motions in a millisecond that contacts shape or stop, at least 1. A tick has its share of
+  /// them, and no less than one. A search of three times as many begins anew at the proxy.
   int sub_steps = 8;
 };
 

@@ -28,8 +28,8 @@ namespace haptics {
 /// What a slide seems to release is not counted. In a tick the device moves first, against a force
 /// that is held, and then the proxy follows. When the device moves by d across the pull, the spring
 /// rises by |d|^2 / 2, and the proxy releases as much. But the held force does no work on that way,
-/// so the hand has not paid for it. Only what the proxy releases in the same tick is left out;
-/// after a cut it may follow in a later one, and that counts.
+/// so the hand has not paid for it. If the proxy follows in a later tick, the same holds for the
+/// way of each tick by itself.
 ///
 /// The proxy gets twelve new detours for each half of a tolerance that the device travels. Travel
 /// is measured with play: the device drags an anchor once it is kPlay away from it. So a slide has
@@ -73,6 +73,7 @@ class Acceptance {
     // the proxy has arrived
     if (distance == 0.0) {
       nearest_ = last_ = saved_ = 0.0;
+      followed_ = true;
       return true;
     }
     if (!wouldTake(distance, step)) return false;
@@ -140,6 +141,7 @@ class Acceptance {
       nearest_ = distance;
     else
       ++detours_;
+    followed_ = true;
     double released = -riseTo(distance);
     if (released > 0.0) {
       const double seeming = std::min(released, seeming_);
@@ -156,7 +158,8 @@ class Acceptance {
   }
   /// Finds how much the proxy seems to release as it follows the device across the pull.
   void seem(const Pose& X_WD, const Pose& X_WP, const MassMetric& metric) HAPTICS_RT {
-    seeming_ = 0.0;
+    if (followed_) seeming_ = 0.0;
+    followed_ = false;
     if (last_ == 0.0) return;
     const Mat3 R_WP = X_WP.linear();
     Vec3 turn = Vec3::Zero(), turned = Vec3::Zero();  // half a circle at most: a direction is asked
@@ -165,7 +168,7 @@ class Acceptance {
     const double squared = pull.squaredNorm();
     if (squared == 0.0) return;
     const double along = way.dot(pull);
-    seeming_ = 0.5 * std::max(0.0, way.squaredNorm() - along * along / squared);
+    seeming_ += 0.5 * std::max(0.0, way.squaredNorm() - along * along / squared);
   }
   /// Keeps the anchor within the play of the device.
   void drag(const Pose& X_WD, const Vec3& pull_W, double radius) HAPTICS_RT {
@@ -195,7 +198,8 @@ class Acceptance {
   double nearest_ = INFINITY;     ///< m
   double last_ = 0.0;             ///< m: distance of the pose taken last
   double saved_ = 0.0;            ///< m^2: spring energy that moves released, over the stiffness
-  double seeming_ = 0.0;          ///< m^2: of what this tick releases, the part that is not counted
+  double seeming_ = 0.0;          ///< m^2: of what is released next, the part that is not counted
+  bool followed_ = false;         ///< a pose was taken since the device moved
   int detours_ = 0;
   bool fresh_ = true;
 };

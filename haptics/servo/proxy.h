@@ -27,9 +27,9 @@ struct Recovery {
   Pose X_WT = Pose::Identity();  ///< the trial pose
 };
 
-/// A sub-step under way. If the budget ends a tick in the middle of a sub-step, the next tick
-/// continues it. The proofs about its motion are kept, so a tool with very many points in contact
-/// moves too, though not in every tick. The proxy stays at the last accepted pose.
+/// A search under way: sub-steps from the proxy's pose on. If a tick ends in the middle of it, the
+/// next tick continues it. The proofs about a motion are kept, so a tool with very many points in
+/// contact moves too, though not in every tick. The proxy stays at the last accepted pose.
 struct Search {
   enum class Stage : std::uint8_t {
     Done,   ///< no sub-step under way
@@ -53,6 +53,7 @@ struct Search {
   int halvings = 0;
 
   double trust = INFINITY;  ///< m: longest step to try in this search
+  int tries = 0;            ///< motions in this search that contacts shaped or stopped
 
   // since the last accepted pose
   double way = 0.0, turned = 0.0;  ///< m, rad
@@ -66,6 +67,7 @@ struct Search {
     fresh = true;
     advance = 0.0;
     trust = INFINITY;
+    tries = 0;
     way = turned = 0.0;
     contacts_taken = proxy.contacts;
   }

@@ -37,11 +37,11 @@ struct Leg {
   Pose X = Pose::Identity();  ///< where it begins
   Twist motion;               ///< of which the tool went `advance`
   double advance = 0.0;
-  Vec3 change = Vec3::Zero();  ///< m: by how much the centre's lag has changed at X in this tick
+  Vec3 change = Vec3::Zero();  ///< m: by how much the centre's lag at X is less than behind_
   bool bears = false;          ///< contacts shaped the motion
 };
-/// Room for the 24 motions that a tick tries at most, and for free stretches between them. With
-/// more, the tick does not know the way.
+/// Room for the 24 motions that a search tries at most, and for free stretches between them. With
+/// more, the way is not known.
 using Legs = FixedVector<Leg, 32>;
 
 /// How a proxy that a surface held follows the device until it has caught up. Its *lag*, the motion
@@ -54,22 +54,24 @@ using Legs = FixedVector<Leg, 32>;
 /// ridge, at a pose that the filter refuses, and the proxy would be held there.
 class Release {
  public:
-  /// Begins a tick of a held proxy. `now`: its motion to the device. `R`: its rotation.
-  void begin(const Twist& now, const MassMetric& metric, const Mat3& R, double stiffness,
-             double period) HAPTICS_RT {
+  /// Begins a tick of a held proxy. `now`: its motion to the device, whose centre is at `p_WD`.
+  /// `R`: its rotation.
+  void begin(const Twist& now, const MassMetric& metric, const Mat3& R, const Vec3& p_WD,
+             double stiffness, double period) HAPTICS_RT {
     const double time = period * (1 + ticks_behind_), speed = releaseSpeed(stiffness);
     const double rendered = kMostReleased / stiffness;
     before_ = metric.whitened(behind_, R);
     const double distance = before_.norm();
-    most_ = std::max(speed * time, distance - rendered);
-    most_change_ = std::max(0.0, most_ + spare(speed, period));
+    const double most = std::max(speed * time, distance - rendered);
+    most_change_ = std::max(0.0, most + spare(speed, period));
     most_fall_ = std::max(kMostFall / stiffness * time, behind_.linear.norm() - rendered);
     least_change_ = least_fall_ = std::numeric_limits<double>::infinity();
     // the hand may bring the two together faster by itself
     const double nearer = (before_ - metric.whitened(now, R)).dot(before_) / distance;
-    left_ = std::max(0.0, 1.0 - std::max(most_, nearer) / distance) * before_;
+    left_ = std::max(0.0, 1.0 - std::max(most, nearer) / distance) * before_;
     released_ = 0.0;
-    legs_known_ = false;
+    // a search that goes on has legs of earlier ticks
+    for (Leg& leg : legs_) leg.change = behind_.linear - (p_WD - leg.X.translation());
   }
   /// Ends it. `lag`: the motion to the device now. `followed`: TickResult::followed.
   void end(const Twist& lag, bool followed) HAPTICS_RT {
@@ -90,6 +92,7 @@ class Release {
     ticks_behind_ = 0;
     recent_ = {};
     released_ = 0.0;
+    legs_known_ = false;
   }
 
   /// Looks at a pose with this lag, `whole` by the metric.
@@ -102,11 +105,6 @@ class Release {
   /// The share of a motion [by the metric] from the pose looked at that the lag allows.
   double shareOf(const Vector6& motion) const HAPTICS_RT {
     return shareWithin(most_change_, leastChange(motion), change_, motion);
-  }
-  /// Whether the lag has changed by more than it may: the hand moves on, and the proxy stops short.
-  bool stopsShort() const HAPTICS_RT {
-    const double most = std::max(most_, most_change_);
-    return change_.squaredNorm() > most * most;
   }
   /// Goes along a leg from the pose looked at, whose change it sets; `motion`: all of its way, by
   /// the metric. `first`: from the pose that was taken last.
@@ -201,7 +199,7 @@ class Release {
   // of the tick under way
   Vector6 before_ = Vector6::Zero();           ///< behind_, by the metric
   Vector6 left_ = Vector6::Zero();             ///< left()
-  double most_ = 0.0, most_change_ = 0.0;      ///< of its change, without and with the spare
+  double most_change_ = 0.0;                   ///< of its change, with the spare
   double least_change_ = 0.0;                  ///< squared
   Vector6 change_ = Vector6::Zero();           ///< at the pose looked at
   double released_ = 0.0;                      ///< by the pose taken

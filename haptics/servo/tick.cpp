@@ -60,7 +60,8 @@ class Tick {
                                                                  proxy_{proxy},
                                                                  at_{proxy.search},
                                                                  budget_{budget},
-                                                                 radius_{scene.tool.shell.radius} {
+                                                                 radius_{scene.tool.shell.radius},
+                                                                 most_tries_{triesIn(period)} {
     // the filter compares distances by one metric
     const double squared_gyration = squaredGyrationOf(coupling);
     if (!(std::abs(squared_gyration - proxy.squared_gyration) <= 1e-9 * squared_gyration))
@@ -69,10 +70,11 @@ class Tick {
     if (!proxy.held) return;
     Vec3 turn = proxy.turn;
     proxy.release.begin(unconstrainedMotion(proxy.X_WP, X_WD, turn), metric_, proxy.X_WP.linear(),
-                        coupling.stiffness, period);
+                        X_WD.translation(), coupling.stiffness, period);
   }
 
-  /// Takes sub-steps until the proxy has arrived, is held, or the budget is used up.
+  /// Takes sub-steps until the proxy has arrived, is held, or the tick's tries or its budget are
+  /// used up.
   void run(TickResult& result) HAPTICS_RT {
     proxy_.acceptance.begin(X_WD_, proxy_.X_WP, metric_, radius_, lengths().epsilon);
     if (at_.stage == Search::Stage::Done) {
@@ -101,8 +103,8 @@ class Tick {
       }
       if (!through) {
         // the search goes on in the next tick
-        result.cut = true;
-        result.followed = gone_ > 0.0;
+        result.cut = budget_.cut() || !paused_;
+        if (!paused_) result.followed = gone_ > 0.0;
         return;
       }
     }
@@ -182,7 +184,8 @@ class Tick {
     return true;
   }
 
-  /// Steps 1 to 3 at the pose reached: judges it, and says where to go next. False if cut.
+  /// Steps 1 to 3 at the pose reached: judges it, and says where to go next. False if cut, or if
+  /// the next tick tries further.
   bool look(TickResult& result) HAPTICS_RT {
     // 1  where the proxy would go if nothing were in the way
     Vec3 turn = proxy_.turn;
@@ -249,11 +252,17 @@ class Tick {
     }
     // even the last billionth of a metre of free space is gone
     const double length = reachOf(way, radius_), least = arrives ? 0.0 : lengths().least_way;
-    const bool tried = tries_ >= mostTries();
-    if (tried || most * length <= least) {
+    const bool there = most * length <= least, tried = tries_ >= most_tries_;
+    if (!there && tried) result.followed = inOneStep(free) || gone_ < lengths().step_free;
+    if (there || at_.tries >= kMilliseconds * scene_.fineness.sub_steps) {
       at_.stage = Search::Stage::Done;
-      result.followed = !tried || inOneStep(free) || gone_ < lengths().step_free;
       return true;
+    }
+    if (tried) {
+      // from there on in the next tick, for which the pose is a new one
+      at_.fresh = true;
+      paused_ = true;
+      return false;
     }
     // what friction does is not known to the end
     if (budget_.cut()) return false;
@@ -267,10 +276,9 @@ class Tick {
     return true;
   }
 
-  /// A proxy that stops short while the hand moves on is felt as a blow: then it tries for longer.
-  int mostTries() const HAPTICS_RT {
-    const bool behind = proxy_.held && proxy_.release.stopsShort();
-    return (behind ? kMoreTries : 1) * scene_.fineness.sub_steps;
+  /// As many in a second at every rate.
+  int triesIn(double period) const HAPTICS_RT {
+    return std::max(1, int(std::lround(scene_.fineness.sub_steps * period * 1e3)));
   }
 
   /// Goes as far towards the device as the pyramid proves the way free; false if that is less than
@@ -341,7 +349,10 @@ class Tick {
     double advance = impact.time;
     if (impact.time < 1.0) advance = std::max(0.0, impact.time - lengths().least_way / length);
     at_.stage = Search::Stage::Look;
-    if (at_.bears || advance < 1.0) ++tries_;
+    if (at_.bears || advance < 1.0) {
+      ++tries_;
+      ++at_.tries;
+    }
     if (advance * length < lengths().blocked && advance < 1.0) {
       // blocked: the exact normal of what blocks becomes a contact, or the step gets shorter
       if (!impact.met || !keep(impact.contact)) at_.trust = kShorter * length;
@@ -446,7 +457,7 @@ class Tick {
   static constexpr double kMany = 4096;  // near points: then a motion is proven bit by bit
   static constexpr double kProofWork = 32.0 * double(kTickWork);  // of one sub-step at most
   static constexpr double kCarriedWay = 0.5;  // voxels: of a sub-step with carried nodes at most
-  static constexpr int kMoreTries = 3;
+  static constexpr int kMilliseconds = 3;     // of a search at most
   // How long a sub-step is tried: a quarter where one was blocked and nothing new was learned;
   // three times what an impact left of it, so that a slide along a wavy surface does not creep;
   // twice as long where nothing was met.
@@ -463,9 +474,11 @@ class Tick {
   Budget& budget_;
   MotionRows rows_;
   double radius_;
-  bool eased_ = false;  // the pose is a place to wait, on the way to a better one
-  int tries_ = 0;       // motions that a contact shaped or stopped
-  double gone_ = 0.0;   // m: the farthest point, in it
+  bool eased_ = false;   // the pose is a place to wait, on the way to a better one
+  bool paused_ = false;  // the search goes on, although the budget is not used up
+  const int most_tries_;
+  int tries_ = 0;      // motions that a contact shaped or stopped, in this tick
+  double gone_ = 0.0;  // m: the farthest point, in it
 };
 
 }  // namespace

@@ -438,7 +438,7 @@ TEST(Feel, AtRestTheProxyIsStillToTheBit) {
       const Pose D =
           at(random.box(0.012) + Vec3{0, 0, 0.03}, random.rotation().slerp(0.8, Quat::Identity()));
       trial.carry(*start, D, 100);
-      trial.hold(D, 200);
+      trial.hold(D, 400);  // a long way round takes as long as a release
       if (trial.last.contacts == 0) continue;
       ++held;
       const Eigen::Matrix4d before = trial.proxy.X_WP.matrix();

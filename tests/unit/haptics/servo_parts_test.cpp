@@ -250,7 +250,7 @@ struct Released {
   /// Begins a tick after the hand has moved; the share of a motion that is allowed.
   double begin(const haptics::Vec3& by, const haptics::Vec3& motion) {
     lag.linear += by;
-    release.begin(lag, metric, haptics::Mat3::Identity(), stiffness, period);
+    release.begin(lag, metric, haptics::Mat3::Identity(), lag.linear, stiffness, period);
     release.look(lag, whole());
     return release.shareOf(whitened(motion));
   }
