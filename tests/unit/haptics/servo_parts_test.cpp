@@ -196,15 +196,18 @@ TEST(Acceptance, SavesLittleOfALongWay) {
 }
 
 /// m^2: what detours raise in all while the device travels along `along`, so many tolerances a
-/// tick. `follows`: the proxy follows it first, and so the spring releases what that way raised.
-double raisedAlong(const Eigen::Vector3d& along, double tolerances, int ticks, bool follows) {
+/// tick. In each `follows`-th tick the proxy follows it first, and so the spring releases what that
+/// way raised; 0: never.
+double raisedAlong(const Eigen::Vector3d& along, double tolerances, int ticks, int follows) {
   Acceptance filter = begun();
   const double pull = 10e-3, way = tolerances * kTolerance;
   double given = 0.0;
   for (int tick = 1; tick <= ticks; ++tick) {
     begin(filter, at(tick * way * along));
-    filter.start(follows ? std::hypot(pull, way) : pull, 2e-3);
-    if (follows) {
+    const int behind = follows > 0 ? (tick - 1) % follows + 1 : 0;
+    filter.start(std::hypot(pull, behind * way), 2e-3);
+    if (behind < follows) continue;
+    if (follows > 0) {
       EXPECT_TRUE(filter.take(pull, 1.5e-3));
     }
     for (int n = 1; n <= 10; ++n) {
@@ -223,10 +226,10 @@ TEST(Acceptance, ForgivesWhatDetoursRaisedAsTheDeviceTravelsAcrossThePull) {
   const int ticks = 20'000;
   const double pull = 10e-3, travel = (0.01 * ticks - 4.0) * kTolerance;
   const double lent = 0.5 * kTolerance * pull;
-  const double slide = raisedAlong(Eigen::Vector3d::UnitX(), 0.01, ticks, false);
+  const double slide = raisedAlong(Eigen::Vector3d::UnitX(), 0.01, ticks, 0);
   EXPECT_GT(slide, 0.04 * pull * travel);
   EXPECT_LT(slide, 0.055 * pull * travel + lent);
-  EXPECT_LE(raisedAlong(-Eigen::Vector3d::UnitZ(), 0.01, ticks, false), lent);
+  EXPECT_LE(raisedAlong(-Eigen::Vector3d::UnitZ(), 0.01, ticks, 0), lent);
 }
 
 // in a fast slide, following the device seems to release more than is forgiven
@@ -235,10 +238,14 @@ TEST(Acceptance, DoesNotCountWhatFollowingAcrossThePullReleases) {
   const double pull = 10e-3, way = 1.0 * kTolerance;
   const double seems = 0.5 * ticks * way * way, forgiven = 0.05 * pull * ticks * way;
   ASSERT_GT(seems, 1.5 * forgiven);
-  const double raised = raisedAlong(Eigen::Vector3d::UnitX(), 1.0, ticks, true);
+  const double raised = raisedAlong(Eigen::Vector3d::UnitX(), 1.0, ticks, 1);
   EXPECT_GT(raised, 0.9 * forgiven);
   // detours are up to 0.4 tolerances farther
   EXPECT_LT(raised, 1.08 * forgiven + 0.5 * kTolerance * pull);
+  // a proxy that follows two ticks at once releases twice as much, and the hand has paid for half
+  const double late = raisedAlong(Eigen::Vector3d::UnitX(), 1.0, ticks, 2);
+  EXPECT_GT(late, 0.9 * (forgiven + seems));
+  EXPECT_LT(late, 1.08 * (forgiven + seems) + 0.5 * kTolerance * pull);
 }
 
 /// A released proxy in contact, whose centre is some way from a device that rests.
@@ -349,6 +356,26 @@ TEST(Release, ALegIsAsLongAsTheToolWentAlongIt) {
   const auto place = proxy.release.placeToWait();
   ASSERT_TRUE(place);
   EXPECT_NEAR(place->share * 0.5 * motion.norm(), haptics::kMostFall / 1000.0 * 1e-3, 1e-9);
+}
+
+TEST(Release, ASearchThatGoesOnWaitsOnItsWayOfEarlierTicks) {
+  Released proxy{0.01, 1000.0, 0.25e-3};
+  const haptics::Vec3 motion = 0.5 * proxy.lag.linear, by{1e-4, 0.0, 0.0};
+  proxy.begin(haptics::Vec3::Zero(), motion);
+  proxy.release.go({.motion = {motion, haptics::Vec3::Zero()}, .advance = 1.0, .bears = true},
+                   proxy.whitened(motion), true);
+  proxy.release.end(proxy.lag, true);  // the pose that it has reached is not taken
+  // the hand goes on, and now it would be
+  proxy.begin(by, motion);
+  proxy.lag.linear -= motion;
+  proxy.release.look(proxy.lag, proxy.whole());
+  const auto place = proxy.release.placeToWait();
+  ASSERT_TRUE(place);
+  const double fall = haptics::kMostFall / 1000.0 * 0.25e-3;  // m
+  EXPECT_NEAR(place->share * motion.norm(), by.norm() + fall, 1e-9);
+  // what comes after contact was lost has no way
+  proxy.release.hold(proxy.lag);
+  EXPECT_FALSE(proxy.release.placeToWait());
 }
 
 TEST(TickStats, GivesRateAndTheTimeThatOneTickInAHundredExceeds) {
