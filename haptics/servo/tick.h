@@ -23,8 +23,8 @@ struct TickResult {
   /// False in every tick that finds the proxy inside after the isovalue moved, and searches for a
   /// legal pose.
   bool outside = true;
-  /// The budget ended the tick. The proxy keeps the last accepted pose, and the next tick continues
-  /// the search.
+  /// The budget ended the tick, before it had tried what a tick may. The proxy keeps the last
+  /// accepted pose, and the next tick continues the search.
   bool cut = false;
   /// True if the proxy went as far as contacts and the limited speed of a release allow. False if
   /// the tick was too short for its way.
@@ -36,7 +36,7 @@ struct TickResult {
 /// solid allows. A proxy that was in contact and has not been at the device since follows the
 /// device's motion, and approaches the device by at most releaseSpeed() times `period` [s]. In
 /// contact it moves so that the force changes by at most kMostFall beside what the device's motion
-/// makes of it, where the way there has a place to wait and began in this tick.
+/// makes of it, where the way there has a place to wait.
 TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling,
                 const Pose& X_WD, Proxy& proxy, Budget& budget, double period) HAPTICS_RT;
 

@@ -76,7 +76,7 @@ Study accuracyStudy(Depth depth) {
   add("plates", "Fields", quick ? 2.0 : 20.0, [=](std::uint64_t seed) {
     return plateErrors(quick ? 1 : 6, quick ? 100 : 400, narrow(seed));
   });
-  const SceneEffort effort = quick ? SceneEffort{0.2, 2, 2, false, 3} : SceneEffort{};
+  const SceneEffort effort = quick ? SceneEffort{0.2, 2, 2, false, 3, 1.1} : SceneEffort{};
   for (const std::string& scene : comparison::sceneNames()) {
     // the bunny alone takes seconds to make
     if (quick && scene != "hole") continue;

@@ -126,7 +126,7 @@ Outcome sceneStudy(const std::string& name, const SceneEffort& effort) {
   // in the hole the literal one is no measure: the peg jams for every method
   if (name == "hole")
     outcome.cases.push_back({name + ": coupling distance, ours over accept-inside",
-                             over(accept_inside), 1.05, "", Case::Sense::AtMost,
+                             over(accept_inside), effort.over_inside, "", Case::Sense::AtMost,
                              "The peg has 0.15 mm of play a side and jams when the hand tilts it, "
                              "for every method; over literal it is " +
                                  shortly(over(literal)) + "."});

@@ -14,6 +14,9 @@ struct SceneEffort {
   int detours = 12;
   bool every_setting = true;  ///< all budgets, fields, normals, …, or one or two of each
   int runs = 5;               ///< of all methods along all hands, one after the other
+  /// How far ours may be in the hole, over accept-inside. In a short run a single place where the
+  /// peg jams decides.
+  double over_inside = 1.05;
 };
 
 /// One of the paper's scenes, rebuilt: literal, charitable, accept-inside, and ours with several
