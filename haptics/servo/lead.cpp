@@ -7,29 +7,47 @@ namespace haptics {
 
 Pose Lead::ahead(const Pose& X, std::int64_t time_ns) HAPTICS_RT {
   if (lead_ == 0.0 || !X.matrix().allFinite()) return X;
-  const auto ago = [&](std::size_t n) HAPTICS_RT -> const Reading& {
-    return readings_[(count_ - n) % readings_.size()];
-  };
   if (count_ > 0) {
     const std::int64_t since = time_ns - ago(1).time_ns;
     if (since == 0) return X_ahead_;
     if (since < 0 || since > kGap_ns) forget();
   }
   X_ahead_ = X;
-  for (std::size_t n = 1; n <= std::min(count_, readings_.size()); ++n) {
-    const Reading& before = ago(n);
-    const std::int64_t age_ns = time_ns - before.time_ns;
-    if (age_ns < kWindow_ns) continue;
-    const double share = lead_ / (1e-9 * double(age_ns));
-    const Eigen::AngleAxisd turn{X.linear() * before.X.linear().transpose()};
-    X_ahead_.translation() += share * (X.translation() - before.X.translation());
+  if (const std::size_t n = beginOf(kWindow_ns, time_ns); n > 0) {
+    const auto shareOf = [&](const Reading& since) HAPTICS_RT {
+      return lead_ / (1e-9 * double(time_ns - since.time_ns));
+    };
+    const Eigen::AngleAxisd turn{X.linear() * ago(n).X.linear().transpose()};
     X_ahead_.linear() =
-        Eigen::AngleAxisd{share * turn.angle(), turn.axis()}.toRotationMatrix() * X.linear();
-    break;
+        Eigen::AngleAxisd{shareOf(ago(n)) * turn.angle(), turn.axis()}.toRotationMatrix() *
+        X.linear();
+    const std::size_t begin = straight_ > 0.0 ? beginOf(kLongWindow_ns, time_ns) : 0;
+    const bool straight = begin > 0 && isStraight(begin, X.translation(), time_ns);
+    const Reading& since = ago(straight ? begin : n);
+    X_ahead_.translation() += shareOf(since) * (X.translation() - since.X.translation());
   }
   readings_[count_ % readings_.size()] = {X, time_ns};
   ++count_;
   return X_ahead_;
+}
+
+std::size_t Lead::beginOf(std::int64_t window_ns, std::int64_t time_ns) const HAPTICS_RT {
+  for (std::size_t n = 1; n <= std::min(count_, readings_.size()); ++n)
+    if (time_ns - ago(n).time_ns >= window_ns - kEarly_ns) return n;
+  return 0;
+}
+
+bool Lead::isStraight(std::size_t n, const Vec3& p, std::int64_t time_ns) const HAPTICS_RT {
+  const Reading& begin = ago(n);
+  const Vec3 way = p - begin.X.translation();
+  const double duration = double(time_ns - begin.time_ns);
+  for (std::size_t i = 1; i < n; ++i) {
+    const Reading& between = ago(i);
+    const double share = double(between.time_ns - begin.time_ns) / duration;
+    const Vec3 off = between.X.translation() - begin.X.translation() - share * way;
+    if (off.squaredNorm() > straight_ * straight_) return false;
+  }
+  return true;
 }
 
 }  // namespace haptics

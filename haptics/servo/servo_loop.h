@@ -68,7 +68,9 @@ class ServoLoop {
   /// Protects the hand at a real device.
   struct Guard {
     Guard(Device& device, const Pose& X_WD, ServoRate rate)
-        : watchdog{device}, lead{device.rating().lead}, mapping{X_WD, rate.period()} {}
+        : watchdog{device},
+          lead{device.rating().lead, device.rating().resolution},
+          mapping{X_WD, rate.period()} {}
     Watchdog watchdog;
     MotionGuard motion;
     Lead lead;

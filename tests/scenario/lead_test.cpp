@@ -33,7 +33,7 @@ Pose evenly(double time) {
 
 TEST(Lead, TakesAHandThatMovesEvenlyToWhereItWillBe) {
   for (const ServoRate rate : haptics::kServoRates) {
-    Lead lead{kLead};
+    Lead lead{kLead, 1e-5};
     for (int n = 0; n < 100; ++n) {
       // readings come up to 5 % early or late
       const double time = rate.period() * (n + 0.05 * std::sin(2.0 * n));
@@ -47,7 +47,7 @@ TEST(Lead, TakesAHandThatMovesEvenlyToWhereItWillBe) {
 TEST(Lead, IsWrongByNoMoreThanItsHandAccelerates) {
   constexpr double kAcceleration = 10.0;  // m/s^2
   for (const ServoRate rate : haptics::kServoRates) {
-    Lead lead{kLead};
+    Lead lead{kLead, 0.0};
     const auto place = [](double t) { return at(0.5 * kAcceleration * t * t, 0, 0); };
     for (int n = 0; n < 100; ++n) {
       const double time = rate.period() * n;
@@ -59,8 +59,51 @@ TEST(Lead, IsWrongByNoMoreThanItsHandAccelerates) {
   }
 }
 
+/// A place as encoders of this step read it.
+Vec3 stepped(const Vec3& place, double step) {
+  return step * (place / step).array().round().matrix();
+}
+
+// an encoder's step is no motion of the hand
+TEST(Lead, IsNotAheadOfASlowHandByWhatItsEncoderSteps) {
+  constexpr double kStep = 1e-5;  // m
+  const Vec3 velocity{1.5e-3, -0.7e-3, 0.2e-3};
+  for (const ServoRate rate : haptics::kServoRates) {
+    Lead lead{kLead, kStep};
+    double most = 0.0;
+    for (int n = 0; n < rate.hz; ++n) {
+      const double time = rate.period() * n;
+      const Vec3 read = stepped(time * velocity, kStep);
+      const Pose X = lead.ahead(at(read), std::lround(1e9 * time));
+      if (time > 0.01) most = std::max(most, (X.translation() - read).norm());
+    }
+    // an eighth of a step over a millisecond; over eight, a 64th on each axis
+    EXPECT_LT(most, 0.04 * kStep) << rate.hz;
+    EXPECT_GT(most, 0.5 * kLead * velocity.norm()) << rate.hz;
+  }
+}
+
+// what bends by more than a step is led as if encoders were exact
+TEST(Lead, FollowsAHandThatShakes) {
+  constexpr double kStep = 1e-5, kAmplitude = 2e-4, kTurn = 2.0 * 3.14159 * 60.0;  // m, rad/s
+  for (const ServoRate rate : haptics::kServoRates) {
+    Lead lead{kLead, kStep};
+    for (int n = 0; n < rate.hz / 4; ++n) {
+      const double time = rate.period() * n;
+      const auto place = [&](double t) {
+        return Vec3{kAmplitude * std::sin(kTurn * t), kAmplitude * std::cos(kTurn * t), 0.0};
+      };
+      const Pose X = lead.ahead(at(stepped(place(time), kStep)), std::lround(1e9 * time));
+      if (time < 0.01) continue;
+      const double off = (X.translation() - place(time + kLead)).norm();
+      // acceleration times lead and half a window, and the steps
+      EXPECT_LT(off, 0.5 * kAmplitude * kTurn * kTurn * kLead * 1.2e-3 + kStep) << rate.hz;
+    }
+  }
+}
+
 TEST(Lead, SaysNothingOfAHandItHasNotSeen) {
-  Lead lead{kLead}, none{0.0};
+  Lead lead{kLead, 0.0}, none{0.0, 0.0};
   std::int64_t now = 0;
   const auto next = [&](Lead& one, const Pose& X) { return one.ahead(X, now += 250'000); };
   for (int n = 0; n < 20; ++n) next(lead, evenly(1e-9 * double(now)));

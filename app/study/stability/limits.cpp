@@ -233,7 +233,7 @@ Pressed pressOn(const Wall& wall, double stiffness,
   haptics::Wrench held;
   Shaking shaking;
   const std::int64_t period_ns = wall.rate().period_ns();
-  haptics::Lead ahead{wall.lead};
+  haptics::Lead ahead{wall.lead, linkage.encoder};
   Pose X_WD = ahead.ahead(linkage.read(grip.X_WD), 0);
   const int ticks = int(std::lround(kPressTime / wall.period));
   bool going_on = true;

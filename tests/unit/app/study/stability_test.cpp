@@ -141,6 +141,19 @@ TEST(Wall, ALeadThatIsNotTheDelayDoesNoHarm) {
     }
 }
 
+// a lead that is wrong by a share of each step of the encoder keeps this one circling by 40 um, and
+// one without a lead rests within 5
+TEST(Press, AHandleThatIsLedRestsOnTopOfABall) {
+  const Wall wall = study::stability::asShipped(findDeviceModel("lambda.7").value());
+  ASSERT_GT(wall.lead, 0.0);
+  const study::stability::Stage ball = study::stability::makeStage("ball", 0.0, 302);
+  for (const double stiffness : {3500.0, 8000.0}) {
+    const auto pressed = study::stability::press({wall, stiffness, true, ""}, ball);
+    EXPECT_LT(pressed.amplitude, 0.6 * wall.device.linkage.encoder) << stiffness;
+    EXPECT_GT(pressed.contact, 5000);
+  }
+}
+
 TEST(Wall, WhatIsLightlyDampedRingsLongAndIsStable) {
   Wall wall{findDeviceModel("delta.3").value(), {}, 1e-3};
   wall.device.damping = 0.3;
