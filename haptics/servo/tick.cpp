@@ -252,7 +252,7 @@ class Tick {
     }
     // even the last billionth of a metre of free space is gone
     const double length = reachOf(way, radius_), least = arrives ? 0.0 : lengths().least_way;
-    const bool there = most * length <= least, tried = tries_ >= most_tries_;
+    const bool there = most * length <= least, tried = triedEnough();
     if (!there && tried) result.followed = inOneStep(free) || gone_ < lengths().step_free;
     if (there || at_.tries >= kMilliseconds * scene_.fineness.sub_steps) {
       at_.stage = Search::Stage::Done;
@@ -276,6 +276,12 @@ class Tick {
     return true;
   }
 
+  /// A tick has its share of tries, and tries on, up to what a millisecond has, while little of its
+  /// budget is spent.
+  bool triedEnough() const HAPTICS_RT {
+    if (tries_ < most_tries_) return false;
+    return tries_ >= scene_.fineness.sub_steps || budget_.spent() >= kLittleWork;
+  }
   /// As many in a second at every rate.
   int triesIn(double period) const HAPTICS_RT {
     return std::max(1, int(std::lround(scene_.fineness.sub_steps * period * 1e3)));
@@ -457,7 +463,8 @@ class Tick {
   static constexpr double kMany = 4096;  // near points: then a motion is proven bit by bit
   static constexpr double kProofWork = 32.0 * double(kTickWork);  // of one sub-step at most
   static constexpr double kCarriedWay = 0.5;  // voxels: of a sub-step with carried nodes at most
-  static constexpr int kMilliseconds = 3;     // of a search at most
+  static constexpr std::int64_t kLittleWork = kTickWork / 8;  // some 25 us
+  static constexpr int kMilliseconds = 3;                     // of a search at most
   // How long a sub-step is tried: a quarter where one was blocked and nothing new was learned;
   // three times what an impact left of it, so that a slide along a wavy surface does not creep;
   // twice as long where nothing was met.

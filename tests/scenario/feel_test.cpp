@@ -191,9 +191,34 @@ TEST(Feel, AHigherRateHoldsNoProxyForLonger) {
       std::cout << hz << " Hz: held for " << fast << " ms, at 1000 Hz for " << slow << "\n";
       EXPECT_LE(fast, slow);
       // a search that begins anew in each tick is held for 30
-      EXPECT_LE(fast, 8);
+      EXPECT_LE(fast, 12);
     }
   }
+}
+
+// two tries are a tick's share at 4 kHz; without more a slide is 0.02 mm behind that at 1 kHz
+TEST(Feel, ATickThatHasSpentLittleOfItsBudgetTriesOn) {
+  const Stage stage = stageOf("demo", namedTool("drill"));
+  const haptics::ServoRate rate{4000};
+  const auto hand =
+      haptics::Hand::aimed(haptics::HandMotion::Wedge, *stage.scene, stage.isovalue, 8e-3, 1);
+  haptics::Proxy proxy{*stage.scene, hand->at(0.0)};
+  int paused = 0, more = 0;  // ticks
+  for (int n = 0; n < 3 * rate.hz / 2; ++n) {
+    const bool goes_on = proxy.search.stage != haptics::Search::Stage::Done;
+    const int before = goes_on ? proxy.search.tries : 0;
+    haptics::Budget budget = haptics::Budget::counted(rate.budget_work());
+    const auto result = haptics::tick(*stage.scene, stage.isovalue, {1000.0, 0.0},
+                                      hand->at(n * rate.period()), proxy, budget, rate.period());
+    const int tried = proxy.search.tries - before;
+    more += tried > 2;
+    if (result.cut || proxy.search.stage == haptics::Search::Stage::Done) continue;
+    ++paused;
+    EXPECT_TRUE(tried == 8 || budget.spent() >= haptics::kTickWork / 8)
+        << tried << " in tick " << n;
+  }
+  EXPECT_GT(paused, 0);
+  EXPECT_GT(more, 100);
 }
 
 TEST(Feel, AFallToTheOtherSideOfARidgeIsNoBlow) {
