@@ -220,15 +220,15 @@ double raisedAlong(const Eigen::Vector3d& along, double tolerances, int ticks, i
   return given;
 }
 
-// a slide raises the spring again and again, by 0.05 of its pull over what it travels, and no
+// a slide raises the spring again and again, by 0.03 of its pull over what it travels, and no
 // faster; a press does not
 TEST(Acceptance, ForgivesWhatDetoursRaisedAsTheDeviceTravelsAcrossThePull) {
   const int ticks = 20'000;
   const double pull = 10e-3, travel = (0.01 * ticks - 4.0) * kTolerance;
   const double lent = 0.5 * kTolerance * pull;
   const double slide = raisedAlong(Eigen::Vector3d::UnitX(), 0.01, ticks, 0);
-  EXPECT_GT(slide, 0.04 * pull * travel);
-  EXPECT_LT(slide, 0.055 * pull * travel + lent);
+  EXPECT_GT(slide, 0.024 * pull * travel);
+  EXPECT_LT(slide, 0.033 * pull * travel + lent);
   EXPECT_LE(raisedAlong(-Eigen::Vector3d::UnitZ(), 0.01, ticks, 0), lent);
 }
 
@@ -236,12 +236,12 @@ TEST(Acceptance, ForgivesWhatDetoursRaisedAsTheDeviceTravelsAcrossThePull) {
 TEST(Acceptance, DoesNotCountWhatFollowingAcrossThePullReleases) {
   const int ticks = 500;
   const double pull = 10e-3, way = 1.0 * kTolerance;
-  const double seems = 0.5 * ticks * way * way, forgiven = 0.05 * pull * ticks * way;
+  const double seems = 0.5 * ticks * way * way, forgiven = 0.03 * pull * ticks * way;
   ASSERT_GT(seems, 1.5 * forgiven);
   const double raised = raisedAlong(Eigen::Vector3d::UnitX(), 1.0, ticks, 1);
   EXPECT_GT(raised, 0.9 * forgiven);
-  // detours are up to 0.4 tolerances farther
-  EXPECT_LT(raised, 1.08 * forgiven + 0.5 * kTolerance * pull);
+  // detours are up to 0.4 tolerances farther, and are made from where the proxy is behind
+  EXPECT_LT(raised, 1.14 * forgiven + 0.5 * kTolerance * pull);
   // a proxy that follows two ticks at once releases twice as much, and the hand has paid for half
   const double late = raisedAlong(Eigen::Vector3d::UnitX(), 1.0, ticks, 2);
   EXPECT_GT(late, 0.9 * (forgiven + seems));
