@@ -122,7 +122,7 @@ class Acceptance {
   // the same for a place to wait: what bars the way there is released on the rest of it
   static constexpr double kLentToWait = 1.0;
   // of the pull, over the travel across it: as much as normals that are 0.03 rad off the facets ask
-  // for (MEASURED.md, "Searches over several ticks")
+  // for (MEASURED.md, "Filter acceptance")
   static constexpr double kForgiven = 0.03;
 
   bool nearer(double distance) const HAPTICS_RT {
