@@ -39,8 +39,8 @@ namespace haptics {
 /// Travel across the pull also forgives 0.03 of the pull over its length of what detours raised
 /// beyond what moves released. Otherwise a slow slide would stick and slip: normals and facets
 /// disagree for a voxel at a time, and such a slide releases next to nothing. The hand receives
-/// what is forgiven, as if the surface pushed it on with 0.03 of the pull at most; damping takes
-/// more. A press goes along the pull, so nothing is forgiven in it.
+/// what is forgiven, as if the surface pushed it on with 0.03 of the pull at most. A press goes
+/// along the pull, so nothing is forgiven in it.
 ///
 /// Taking only the nearest pose sticks and slips on real surfaces, since the direction of a step
 /// (a smooth normal) and the distance (the facets of the field) disagree by microns; taking every
