@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "sphere_in_hand.h"
+#include "tests/support/places.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/edit_panel.h"
 #include "ui/panels/histogram_slider.h"
@@ -195,8 +196,7 @@ TEST(Application, KeepsTheOldVolumeWhenTheNewOneCannotBeRead) {
 }
 
 TEST(Application, SaysInItsTitleThatAScanWasResampled) {
-  const std::filesystem::path scan =
-      std::filesystem::path(PALPATE_SCANS) / "dicom_oddities/series_failing/gantrytilting";
+  const std::filesystem::path scan = places::scan("dicom_oddities/series_failing/gantrytilting");
   if (!std::filesystem::exists(scan)) GTEST_SKIP() << "NOT CHECKED: no tilted scan here";
   app::Arguments arguments = sphereInHand("mouse");
   arguments.load.phantom = {};

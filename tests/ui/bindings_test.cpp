@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/bindings.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +74,7 @@ TEST(Bindings, GiveTheToolBeforeThePictureAndTheModeBeforeNothing) {
 }
 
 TEST(Bindings, AreWhatTheReadmeSays) {
-  QFile file(PALPATE_SOURCE "/ui/README.md");
+  QFile file(QString::fromStdString(places::source("ui/README.md")));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   const QString section =
       QString::fromUtf8(file.readAll()).section("## Keys and mouse", 1).section("\n## ", 0, 0);

@@ -14,6 +14,7 @@
 #include "datasets/readers/nrrd/writer.h"
 #include "editing.h"
 #include "haptics/edit/edited.h"
+#include "tests/support/places.h"
 #include "ui/number_box.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/edit_panel.h"
@@ -379,7 +380,7 @@ fs::path ballFile(const QTemporaryDir& folder, double diameter_mm) {
 
 // What a surgeon does first: the holder goes, and the mastoid that it hid is touched with a burr.
 TEST_F(Editing, TheHolderOfAScanIsRemovedAndTheMastoidBehindItTouched) {
-  const fs::path scan = fs::path(PALPATE_SCANS) / "philips_head_phantom/bone_1mm";
+  const fs::path scan = places::scan("philips_head_phantom/bone_1mm");
   if (!fs::exists(scan)) GTEST_SKIP() << "NOT CHECKED: no scan with a holder here";
   // behind the left ear canal, seen in the slices: bone begins at x = 54.6, the holder's wall lies
   // at 99 to 102, in the way from the left

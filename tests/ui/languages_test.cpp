@@ -32,6 +32,7 @@
 #include "app/window/sentence.h"
 #include "haptics/recording/recorder.h"
 #include "sphere_in_hand.h"
+#include "tests/support/places.h"
 #include "ui/bindings.h"
 #include "ui/export_question.h"
 #include "ui/help_window.h"
@@ -133,7 +134,8 @@ void expectNoEnglish(QWidget& parent, const char* where) {
 class Pseudo {
  public:
   Pseudo() {
-    if (!translator_.load(PALPATE_PSEUDO)) throw std::runtime_error("no pseudo language");
+    if (!translator_.load(QString::fromStdString(places::built("tests/ui/pseudo.qm"))))
+      throw std::runtime_error("no pseudo language");
     QCoreApplication::installTranslator(&translator_);
   }
 

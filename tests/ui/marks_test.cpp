@@ -20,6 +20,7 @@
 #include "app/application.h"
 #include "marked_scan.h"
 #include "sphere_in_hand.h"
+#include "tests/support/places.h"
 #include "ui/lengths.h"
 #include "ui/overlays/measure_words.h"
 
@@ -742,8 +743,7 @@ TEST(Marks, BelongToTheirScanAndComeBackWithIt) {
 
 /// The path of a first user: the height of the left ear canal's bony opening, by clicks.
 TEST(Marks, TheEarCanalIsMeasuredInSixActions) {
-  const std::filesystem::path path =
-      std::filesystem::path(PALPATE_SCANS) / "philips_head_phantom/bone_1mm";
+  const std::filesystem::path path = places::scan("philips_head_phantom/bone_1mm");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "NOT CHECKED: no scan here";
   app::Arguments arguments = window::sphereInHand("mouse");
   arguments.load = {.path = path};

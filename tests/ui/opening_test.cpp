@@ -28,6 +28,7 @@
 #include "app/window/recent_places.h"
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/dicom_bytes.h"
+#include "tests/support/places.h"
 #include "ui/series_browser.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
@@ -36,7 +37,7 @@ namespace {
 
 using window::waitFor;
 
-const std::filesystem::path kScans = PALPATE_SCANS;
+const std::filesystem::path kScans = places::scan();
 const std::filesystem::path kMixed = kScans / "philips_head_phantom/mixed_series_one_folder";
 const std::filesystem::path kTilted = kScans / "dicom_oddities/series_failing/gantrytilting";
 
@@ -446,7 +447,8 @@ TEST_F(Opening, AfterAKillTheWindowIsEmptyAndNothingIsAsked) {
   const QString settings = QSettings().fileName();
   environment.insert("XDG_CONFIG_HOME", QFileInfo(QFileInfo(settings).path()).path());
   program.setProcessEnvironment(environment);
-  program.start(PALPATE_PROGRAM, {scan, "--no-notice", "--surface", "mesh"});
+  program.start(QString::fromStdString(places::built("app/palpate")),
+                {scan, "--no-notice", "--surface", "mesh"});
   ASSERT_TRUE(program.waitForStarted());
   const auto known = [&] {
     QFile file(settings);

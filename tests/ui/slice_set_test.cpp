@@ -23,6 +23,7 @@
 
 #include "datasets/readers/volume_reader.h"
 #include "haptics/field/scalar_field.h"
+#include "tests/support/places.h"
 #include "tests/support/sentence.h"
 #include "ui/lengths.h"
 #include "ui/main_window.h"
@@ -440,7 +441,7 @@ TEST(Slices, BeginOnAVoxelsCentre) {
 }
 
 std::shared_ptr<const haptics::Volume> scan(const char* path) {
-  const std::filesystem::path place = std::filesystem::path(PALPATE_SCANS) / path;
+  const std::filesystem::path place = places::scan(path);
   if (!std::filesystem::exists(place)) return nullptr;
   auto volume = datasets::readVolume(place);
   EXPECT_TRUE(volume) << sentence(volume.error());
@@ -450,7 +451,7 @@ std::shared_ptr<const haptics::Volume> scan(const char* path) {
 // pictures of every state, to be looked at; and what scrolling takes
 TEST(Slices, ShowTheRealHeadInAllStates) {
   const auto volume = scan("visible_human_female_head/vhf_head_512x512x234.nrrd");
-  if (!volume) GTEST_SKIP() << "NOT RUN: the real head is not in " PALPATE_SCANS;
+  if (!volume) GTEST_SKIP() << "NOT RUN: the real head is not in " << places::scan();
   ui::MainWindow window;
   window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
   const auto field = std::make_shared<haptics::ScalarField>(volume);
@@ -551,7 +552,7 @@ TEST(Slices, ShowTheRealHeadInAllStates) {
 
 TEST(Slices, ShowABoneScanInAllStates) {
   const auto volume = scan("philips_head_phantom/bone_1mm");
-  if (!volume) GTEST_SKIP() << "NOT RUN: the head phantom is not in " PALPATE_SCANS;
+  if (!volume) GTEST_SKIP() << "NOT RUN: the head phantom is not in " << places::scan();
   ui::MainWindow window;
   window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
   const auto field =

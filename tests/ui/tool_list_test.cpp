@@ -28,6 +28,7 @@
 #include "app/application.h"
 #include "resources/named_tools.h"
 #include "sphere_in_hand.h"
+#include "tests/support/places.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/tool_picture.h"
 #include "ui/style/style.h"
@@ -312,7 +313,7 @@ TEST(ToolList, ChangesTheToolThatTouches) {
   // one from a file stands in the list while it is in the hand, and can be chosen there again
   const QTemporaryDir folder;
   const QString path = folder.filePath("mine.obj");
-  ASSERT_TRUE(QFile::copy(QString(PALPATE_SOURCE) + "/resources/tools/peg.obj", path));
+  ASSERT_TRUE(QFile::copy(QString::fromStdString(places::source("resources/tools/peg.obj")), path));
   const int named = lines->count();
   emit window::panelOf<ui::DevicePanel>(application.window()).toolFileChosen(path, "m");
   ASSERT_TRUE(waitFor([&] { return application.shown()->tool.file.has_value(); }));

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/places.h"
 #include "tests/support/sentence.h"
 #include "window_support.h"
 
@@ -266,8 +267,7 @@ TEST(VolumeView, ChoosesTheMeansByWhatTheGraphicsCan) {
 
 // the real head, from its folder beside the checkout
 std::shared_ptr<const haptics::Volume> head() {
-  const std::filesystem::path path =
-      std::filesystem::path(PALPATE_SCANS) / "visible_human_female_head";
+  const std::filesystem::path path = places::scan("visible_human_female_head");
   for (const auto& entry : std::filesystem::exists(path) ? std::filesystem::directory_iterator(path)
                                                          : std::filesystem::directory_iterator()) {
     if (entry.path().extension() != ".nrrd" && entry.path().extension() != ".nhdr") continue;
@@ -280,7 +280,7 @@ std::shared_ptr<const haptics::Volume> head() {
 
 TEST(VolumeView, ShowsBoneAndSkinOfTheHeadUnlike) {
   const auto volume = head();
-  if (!volume) GTEST_SKIP() << "NOT RUN: the real head is not in " PALPATE_SCANS;
+  if (!volume) GTEST_SKIP() << "NOT RUN: the real head is not in " << places::scan();
   const ui::Picture picture = ui::pictureOf(volume);
   ui::VolumeView view;
   view.setSurfaceWish(SurfaceMode::Mesh);
@@ -296,7 +296,7 @@ TEST(VolumeView, ShowsBoneAndSkinOfTheHeadUnlike) {
 
 TEST(VolumeView, CastsTheHeadAsTheMeshShowsIt) {
   const auto volume = head();
-  if (!volume) GTEST_SKIP() << "NOT RUN: the real head is not in " PALPATE_SCANS;
+  if (!volume) GTEST_SKIP() << "NOT RUN: the real head is not in " << places::scan();
   const ui::Picture picture = ui::pictureOf(volume);
   QImage shown[2];
   for (const SurfaceMode mode : {SurfaceMode::Mesh, SurfaceMode::RayCast}) {

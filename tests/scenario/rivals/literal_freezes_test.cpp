@@ -12,6 +12,7 @@
 #include "datasets/readers/volume_reader.h"
 #include "haptics/simulation/closed_loop.h"
 #include "resources/named_tools.h"
+#include "tests/support/places.h"
 #include "tests/support/sentence.h"
 
 namespace {
@@ -30,7 +31,7 @@ class Rivals : public testing::TestWithParam<Case> {};
 
 TEST_P(Rivals, LiteralFreezesWhereOursMovesAndAcceptInsideEnters) {
   const Case& scan = GetParam();
-  const std::filesystem::path path = std::filesystem::path(PALPATE_SCANS) / scan.path;
+  const std::filesystem::path path = places::scan(scan.path);
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no scan at " << path;
   auto read = datasets::readVolume(path);
   ASSERT_TRUE(read) << sentence(read.error());

@@ -10,6 +10,7 @@
 
 #include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
+#include "tests/support/places.h"
 #include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
@@ -69,7 +70,7 @@ void expectAlike(const haptics::Volume& a, const haptics::Volume& b) {
 }
 
 TEST(RoundTrip, EveryScanComesBackFromItsNrrdAlike) {
-  const fs::path scans(PALPATE_SCANS);
+  const fs::path scans(places::scan());
   NEEDS_SCAN(scans);
   Workshop workshop;
   const fs::path out = workshop.folder() / "out.nrrd";

@@ -11,6 +11,7 @@
 
 #include "datasets/readers/volume_reader.h"
 #include "haptics/core/volume.h"
+#include "tests/support/places.h"
 
 /// Skips the test, loudly, where the real scans do not stand beside the checkout.
 #define NEEDS_SCAN(path)              \
@@ -20,7 +21,7 @@
 namespace datasets::testing {
 
 inline std::filesystem::path scan(const std::string& name) {
-  return std::filesystem::path(PALPATE_SCANS) / name;
+  return places::scan(name);
 }
 
 /// The reason for which this file or folder is refused; empty where it is not.

@@ -21,6 +21,7 @@
 #include "haptics/servo/servo_loop.h"
 #include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/simulated.h"
+#include "tests/support/places.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/sentence.h"
 #include "tests/unit/haptics/recorded_hand.h"
@@ -67,7 +68,7 @@ TEST(Recording, ItsColumnsAreThoseOfTheReadme) {
   for (const StepColumn& column : stepColumns())
     table += std::string{"| `"} + column.name + "` | " + nameOf(column.type) + " | " + column.unit +
              " | " + column.meaning + " |\n";
-  std::ifstream file(PALPATE_RECORDING_README);
+  std::ifstream file(places::source("haptics/recording/README.md"));
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
   ASSERT_FALSE(readme.empty());
   EXPECT_NE(readme.find(table), std::string::npos) << "The list should be:\n\n" << table;

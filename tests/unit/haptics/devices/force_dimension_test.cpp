@@ -24,7 +24,7 @@ using haptics::Vec3;
 using haptics::Wrench;
 using stubs::comes;
 
-const std::vector<std::string> kStub{PALPATE_STUB_DHD};
+const std::vector<std::string> kStub{stubs::dhd()};
 
 class ForceDimension : public testing::Test {
  protected:
@@ -93,7 +93,7 @@ class ForceDimension : public testing::Test {
     return stub.wrenches_unlike_zero != before;
   }
 
-  StubDhd& stub = stubs::control<StubDhd>(PALPATE_STUB_DHD, "stubDhd");
+  StubDhd& stub = stubs::control<StubDhd>(stubs::dhd(), "stubDhd");
   DeviceReading reading;
   const Wrench push{.force = {1.0, 2.0, 3.0}, .torque = {0.01, 0.02, 0.03}};
 };
@@ -121,7 +121,7 @@ TEST_F(ForceDimension, SaysWhichFunctionTheLibraryLacks) {
         "dhdSetGravityCompensation", "dhdGetStatus", "dhdGetPositionAndOrientationFrame",
         "dhdGetButtonMask", "dhdSetForceAndTorqueAndGripperForce", "drdOpenID", "drdClose"}) {
     SCOPED_TRACE(name);
-    const std::vector<std::string> lacking{stubs::without(PALPATE_STUB_DHD, name)};
+    const std::vector<std::string> lacking{stubs::without(stubs::dhd(), name)};
     const auto device = haptics::openForceDimension({.id = "force-dimension"}, lacking);
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "no-library");
@@ -133,7 +133,7 @@ TEST_F(ForceDimension, SaysWhichFunctionTheLibraryLacks) {
 }
 
 TEST_F(ForceDimension, WorksWithoutTheRoboticsLibrary) {
-  const std::vector<std::string> plain{stubs::without(PALPATE_STUB_DHD, "drdIsInitialized")};
+  const std::vector<std::string> plain{stubs::without(stubs::dhd(), "drdIsInitialized")};
   StubDhd& other = stubs::control<StubDhd>(plain[0], "stubDhd");
   for (std::size_t n = 0; n < 9; n += 4) other.R_FD[n] = 1.0;
   other.initialised = false;  // nobody asks

@@ -27,11 +27,11 @@ support::Calls forbidden(haptics::Device& device) {
 }
 
 TEST(DriversOverLibraries, NeitherAllocateNorWaitOnTheServoThread) {
-  auto& dhd = stubs::control<StubDhd>(PALPATE_STUB_DHD, "stubDhd");
+  auto& dhd = stubs::control<StubDhd>(stubs::dhd(), "stubDhd");
   for (std::size_t n = 0; n < 9; n += 4) dhd.R_FD[n] = 1.0;
-  auto& hd = stubs::control<StubHd>(PALPATE_STUB_HD, "stubHd");
+  auto& hd = stubs::control<StubHd>(stubs::hd(), "stubHd");
   for (std::size_t n = 0; n < 16; n += 5) hd.transform[n] = 1.0;
-  const std::vector<std::string> dhd_names{PALPATE_STUB_DHD}, hd_names{PALPATE_STUB_HD};
+  const std::vector<std::string> dhd_names{stubs::dhd()}, hd_names{stubs::hd()};
   const auto force_dimension = haptics::openForceDimension({.id = "force-dimension"}, dhd_names);
   const auto open_haptics = haptics::openOpenHaptics({.id = "openhaptics"}, hd_names);
   for (const auto* device : {&force_dimension, &open_haptics}) {

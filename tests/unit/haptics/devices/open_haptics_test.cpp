@@ -21,7 +21,7 @@ using haptics::Vec3;
 using haptics::Wrench;
 using stubs::comes;
 
-const std::vector<std::string> kStubOfTouch{PALPATE_STUB_HD};
+const std::vector<std::string> kStubOfTouch{stubs::hd()};
 constexpr std::array<double, 6> kNoTorque{};
 
 class OpenHaptics : public testing::Test {
@@ -101,7 +101,7 @@ class OpenHaptics : public testing::Test {
     return stub.unlike_zero != before;
   }
 
-  StubHd& stub = stubs::control<StubHd>(PALPATE_STUB_HD, "stubHd");
+  StubHd& stub = stubs::control<StubHd>(stubs::hd(), "stubHd");
   DeviceReading reading;
   const Wrench push{.force = {1.0, 2.0, 3.0}, .torque = {0.01, 0.02, 0.03}};
   const std::array<double, 6> pushed{1.0, 2.0, 3.0, 0.0, 0.0, 0.0};
@@ -127,7 +127,7 @@ TEST_F(OpenHaptics, SaysWhichFunctionTheLibraryLacks) {
         "hdSetDoublev", "hdCheckCalibration", "hdUpdateCalibration", "hdScheduleAsynchronous",
         "hdUnschedule", "hdStartScheduler", "hdStopScheduler"}) {
     SCOPED_TRACE(name);
-    const std::vector<std::string> lacking{stubs::without(PALPATE_STUB_HD, name)};
+    const std::vector<std::string> lacking{stubs::without(stubs::hd(), name)};
     const auto device = haptics::openOpenHaptics({.id = "openhaptics"}, lacking);
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().reason, "no-library");

@@ -12,10 +12,10 @@ namespace {
 using haptics::SharedLibrary;
 
 TEST(SharedLibrary, TakesTheFirstNameThatIsThere) {
-  const std::vector<std::string> names{"libpalpate-absent.so", PALPATE_STUB_DHD};
+  const std::vector<std::string> names{"libpalpate-absent.so", stubs::dhd()};
   auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
   ASSERT_TRUE(library) << sentence(library.error());
-  EXPECT_EQ(library->name(), PALPATE_STUB_DHD);
+  EXPECT_EQ(library->name(), stubs::dhd());
 }
 
 TEST(SharedLibrary, NamesAllThatItLookedFor) {
@@ -40,7 +40,7 @@ TEST(SharedLibrary, SaysOfOneThatIsThereWhyItCannotBeLoaded) {
 }
 
 TEST(SharedLibrary, KeepsTheFirstFunctionThatIsNotThere) {
-  const std::vector<std::string> names{PALPATE_STUB_DHD};
+  const std::vector<std::string> names{stubs::dhd()};
   auto library = SharedLibrary::open(names, "", "");
   ASSERT_TRUE(library);
   int (*there)() = nullptr;

@@ -12,11 +12,16 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/places.h"
 #include "tests/support/scratch_folder.h"
 
 /// What tests of drivers over makers' libraries share: the stub's control, copies of it that lack a
 /// function, and patience.
 namespace stubs {
+
+/// The stand-ins for Force Dimension's library and for OpenHaptics' HD.
+inline std::string dhd() { return places::built("tests/unit/haptics/devices/libstub_dhd.so"); }
+inline std::string hd() { return places::built("tests/unit/haptics/devices/libstub_hd.so"); }
 
 /// What the library at `path` exports to steer it by.
 template <class Control>

@@ -11,6 +11,7 @@
 
 #include "haptics/devices/space_mouse.h"
 #include "haptics/devices/wooden_haptics.h"
+#include "tests/support/places.h"
 
 namespace {
 
@@ -22,8 +23,8 @@ struct Rule {
 
 /// The rules as udev reads them; a line that is not of this form fails the test.
 std::vector<Rule> rules() {
-  std::ifstream file{PALPATE_UDEV_RULES};
-  EXPECT_TRUE(file.is_open()) << PALPATE_UDEV_RULES;
+  std::ifstream file{places::source("packaging/70-palpate.rules")};
+  EXPECT_TRUE(file.is_open());
   std::vector<Rule> all;
   std::string line;
   while (std::getline(file, line)) {
