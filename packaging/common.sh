@@ -7,6 +7,9 @@ root="$(cd "$here/.." && pwd)"
 export LC_ALL=C.UTF-8 TZ=UTC
 export HOME="${HOME:-$(mktemp -d)}"
 
+# whether the compiler is asked through ccache
+cache=ON
+
 say() { printf '== %s\n' "$*"; }
 fail() {
   printf '%s\n' "$*" >&2
@@ -58,6 +61,12 @@ install_missing() {
   followed "$root/build/install.log" "installed" \
     "${as_root[@]}" apt-get install -y --no-install-recommends "${missing[@]}" ||
     fail "apt-get could not install what is missing; the reason stands above."
+}
+
+# fetch_for_tests: what tests need of Debian's packages without their being installed
+fetch_for_tests() {
+  fetch_kernel "$root/build/kernel"
+  fetch_pacs "$root/build/pacs"
 }
 
 # fetch_kernel FOLDER: puts Debian's package of its kernel there, which the drivers' tests boot, and unpacks
@@ -171,7 +180,7 @@ show_progress() {
 # configure PRESET OPTION…
 configure() {
   say "Configuring $1."
-  followed "$root/build/$1.configure.log" "configured" cmake --preset "$@" -S "$root" ||
+  followed "$root/build/$1.configure.log" "configured" cmake --preset "$@" -DPALPATE_CACHE="$cache" -S "$root" ||
     fail "CMake could not configure '$1'; see build/$1.configure.log."
 }
 

@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <initializer_list>
 #include <memory>
 
 #include "haptics/core/process_limits.h"
@@ -33,17 +34,18 @@ bool forbidSystemCalls() {
         SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigreturn),
         SCMP_SYS(restart_syscall), SCMP_SYS(exit), SCMP_SYS(exit_group)})
     allow(call);
+  // (the header's own macros for an argument are C)
+  const auto allowIf = [&](int call, std::initializer_list<scmp_arg_cmp> arguments) {
+    sound = sound &&
+            seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, call,
+                                   static_cast<unsigned>(arguments.size()), arguments.begin()) == 0;
+  };
+  const scmp_arg_cmp not_executable{2, SCMP_CMP_MASKED_EQ, PROT_EXEC, 0};
   // the C library gives memory back by making it inaccessible; nothing becomes executable
-  sound = sound &&
-          seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, SCMP_SYS(mprotect), 1,
-                           SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0)) == 0 &&
-          seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, SCMP_SYS(mmap), 2,
-                           SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0),
-                           SCMP_A3(SCMP_CMP_MASKED_EQ, MAP_ANONYMOUS, MAP_ANONYMOUS)) == 0 &&
-          seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, SCMP_SYS(read), 1,
-                           SCMP_A0(SCMP_CMP_EQ, STDIN_FILENO)) == 0 &&
-          seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, SCMP_SYS(write), 1,
-                           SCMP_A0(SCMP_CMP_EQ, STDOUT_FILENO)) == 0;
+  allowIf(SCMP_SYS(mprotect), {not_executable});
+  allowIf(SCMP_SYS(mmap), {not_executable, {3, SCMP_CMP_MASKED_EQ, MAP_ANONYMOUS, MAP_ANONYMOUS}});
+  allowIf(SCMP_SYS(read), {{0, SCMP_CMP_EQ, STDIN_FILENO, 0}});
+  allowIf(SCMP_SYS(write), {{0, SCMP_CMP_EQ, STDOUT_FILENO, 0}});
   return sound && seccomp_load(filter.get()) == 0;
 }
 

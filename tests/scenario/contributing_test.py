@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The patches of CONTRIBUTING.md, applied to a copy of the tree, build and do what they say.
 
-Use: contributing_test.py ROOT BINARY FOLDER
+Use: contributing_test.py ROOT BINARY FOLDER [--apply]
 
-BINARY is a build of ROOT in a folder below it. The copy is built in its place, in a mount namespace
+With --apply they are only applied. BINARY is a build of ROOT in a folder below it. The copy is built in its place, in a mount namespace
 of its own, so that only what the patches change is compiled. Where the system allows no such
 namespace, the copy has a headless build of its own, which takes minutes. FOLDER keeps copy and build.
 """
@@ -78,6 +78,8 @@ for patch in patches:
     applied = subprocess.run(["git", "apply", "-"], input=patch, text=True, cwd=TREE,
                              capture_output=True, env=OUTSIDE)
     check(applied.returncode == 0, "a patch of CONTRIBUTING.md does not apply: " + applied.stderr)
+if "--apply" in sys.argv:
+    sys.exit(outcome())
 if not check(build().returncode == 0, "palpate-cli is not built"):
     sys.exit(outcome())
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <thread>
 
+#include "datasets/phantoms/sampling.h"
 #include "haptics/session.h"
 #include "tests/scenario/fake_device.h"
 #include "tests/scenario/trial.h"

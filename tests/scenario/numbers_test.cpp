@@ -40,7 +40,7 @@ TEST(Numbers, EveryTypeOfVoxelIsFeltAtTheSamePlace) {
     const Grid grid = datasets::centredGrid(40, h);
     const auto scene = made::scene(
         datasets::filled(grid, type,
-                         [&](auto i, auto j, auto k) {
+                         [&, low = low, high = high](auto i, auto j, auto k) {
                            const Vec3 p = grid.worldOf(Vec3{double(i), double(j), double(k)});
                            return std::clamp(middle + slope * (radius - p.norm()) / h, low, high);
                          }),

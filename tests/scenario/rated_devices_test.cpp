@@ -128,11 +128,11 @@ std::vector<AtRate> rated() {
   std::vector<AtRate> all;
   for (const DeviceModel& model : haptics::deviceModels()) {
     if (model.name != model.rating.id ||
-        (made::kSanitized && model.name != "falcon" && model.name != "sigma.7"))
+        (made::fewDevices() && model.name != "falcon" && model.name != "sigma.7"))
       continue;
     all.push_back({model, {}});
     const haptics::ServoRate most = rateOf(model.rating);
-    if (most.hz == 1000 || made::kSanitized) continue;
+    if (most.hz == 1000 || made::fewDevices()) continue;
     all.push_back({model, most});
     all.back().device.linkage.delay = model.rating.delay / most.period();
   }

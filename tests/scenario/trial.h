@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/study/reference/evaluator.h"
-#include "app/study/stability/failures.h"
+#include "app/study/stability/trial.h"
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/phantoms.h"
 #include "resources/named_tools.h"

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "datasets/phantoms/making.h"
+#include "haptics/core/process_limits.h"
 #include "haptics/core/volume.h"
 #include "haptics/scene/scene.h"
 #include "haptics/tool/point_shell.h"
@@ -25,11 +27,11 @@ using haptics::Volume;
 
 /// A sanitizer looks at what is done with memory and threads, which does not depend on how often it
 /// is done, or with how many devices of a kind.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kSanitized = true;
-#else
-inline constexpr bool kSanitized = false;
-#endif
+using haptics::kSanitized;
+
+/// Whether a test takes fewer devices of a kind than there are: under a sanitizer, unless the run
+/// is to prove a release (packaging/test --all).
+inline bool fewDevices() { return kSanitized && std::getenv("PALPATE_TEST_ALL") == nullptr; }
 
 /// How often a random test repeats: a tenth under a sanitizer.
 constexpr int trials(int n) { return kSanitized ? n / 10 : n; }

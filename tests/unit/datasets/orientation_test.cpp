@@ -57,7 +57,7 @@ std::string voxelsAlong(const Mat3& axes) {
   for (int k = 0; k < kOrientedDims[2]; ++k)
     for (int j = 0; j < kOrientedDims[1]; ++j)
       for (int i = 0; i < kOrientedDims[0]; ++i)
-        bytes += testing::number(std::uint16_t(valueAt(placeOf(axes, i, j, k))), 2);
+        bytes += testing::number(std::uint16_t(std::int16_t(valueAt(placeOf(axes, i, j, k)))), 2);
   return bytes;
 }
 

@@ -183,7 +183,7 @@ TEST(Wall, AboveItsLimitItGivesEnergyAndBelowHardlyAny) {
 
 TEST(PlantedError, AForceThatLagsATickFailsTheLimitOfEveryDevice) {
   for (const DeviceModel& device : haptics::deviceModels()) {
-    if (!device.linkage.arm.isZero(0.0) || (made::kSanitized && device.name != "falcon")) continue;
+    if (!device.linkage.arm.isZero(0.0)) continue;
     Wall wall{device, {}, 1e-3};
     const double theory = wall.theory();
     const double sound = study::stability::measuredLimit(wall).stiffness / theory;
@@ -337,11 +337,8 @@ TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
         job.name != "limit in 6-DOF/touch/1 kHz" && job.name != "hands/turned arm" &&
         job.name != "hands/slot" && job.name != "failures/saturation")
       continue;
-    // other tests press and lead hands under the sanitizers, which take minutes for these
-    if (made::kSanitized && (job.name == "press/touch/groove" || job.name == "hands/slot"))
-      continue;
     ++jobs;
-    const Outcome first = job.run(1), second = made::kSanitized ? first : job.run(1);
+    const Outcome first = job.run(1), second = job.run(1);
     ASSERT_FALSE(first.cases.empty());
     ASSERT_EQ(first.cases.size(), second.cases.size());
     for (std::size_t n = 0; n < first.cases.size(); ++n) {
@@ -356,7 +353,7 @@ TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
     for (const study::Table& table : first.tables)
       for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.head.size());
   }
-  EXPECT_EQ(jobs, made::kSanitized ? 4 : 6);
+  EXPECT_EQ(jobs, 6);
 }
 
 }  // namespace

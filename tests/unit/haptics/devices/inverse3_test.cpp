@@ -36,7 +36,7 @@ using haptics::Vec3;
 using haptics::wordOf;
 using haptics::Wrench;
 using nlohmann::json;
-using Reply = Inverse3Service::Reply;
+using ServiceReply = Inverse3Service::Reply;
 using namespace std::chrono_literals;
 
 json xyz(const Vec3& v) { return {{"x", v.x()}, {"y", v.y()}, {"z", v.z()}}; }
@@ -209,8 +209,8 @@ struct Inverse3 : testing::Test {
 
   /// As the maker's does.
   void behave() {
-    service.greetWith({Reply{.text = full().dump()}});
-    service.answerWith([this](int) { return std::vector{Reply{.text = full().dump()}}; });
+    service.greetWith({ServiceReply{.text = full().dump()}});
+    service.answerWith([](int) { return std::vector{ServiceReply{.text = full().dump()}}; });
   }
   static json full(const Vec3& p_S = {0.01, 0.02, 0.03}) {
     json said = message({device(p_S)});
@@ -218,9 +218,9 @@ struct Inverse3 : testing::Test {
     return said;
   }
   /// From the nth command on it answers like this, and before as the maker's.
-  void misbehaveFrom(int n, const std::vector<Reply>& bad) {
+  void misbehaveFrom(int n, const std::vector<ServiceReply>& bad) {
     service.answerWith([n, bad](int command) {
-      return command < n ? std::vector{Reply{.text = full().dump()}} : bad;
+      return command < n ? std::vector{ServiceReply{.text = full().dump()}} : bad;
     });
   }
   Inverse3Address patient() const { return {.port = service.port(), .answer = 2s}; }
@@ -290,22 +290,22 @@ TEST_F(Inverse3, ASurveySaysWhatIsMissing) {
     EXPECT_FALSE(entries[0].why.empty());
     return entries[0];
   };
-  service.greetWith({Reply{.text = message({}).dump()}});
+  service.greetWith({ServiceReply{.text = message({}).dump()}});
   EXPECT_EQ(surveyed().trouble, Trouble::NotPluggedIn);
   EXPECT_FALSE(surveyed().present);
 
   json said = message({device(Vec3::Zero())});
   said["inverse3"][0]["config"]["basis"]["permutation"] = "XZY";
-  service.greetWith({Reply{.text = said.dump()}});
+  service.greetWith({ServiceReply{.text = said.dump()}});
   EXPECT_EQ(surveyed().trouble, Trouble::Refused);
 
   said = message({device(Vec3::Zero())});
   said["inverse3"][0]["status"]["calibrated"] = false;
-  service.greetWith({Reply{.text = said.dump()}});
+  service.greetWith({ServiceReply{.text = said.dump()}});
   EXPECT_EQ(surveyed().trouble, Trouble::NeedsCalibration);
   EXPECT_EQ(surveyed().sensed, 3);
 
-  service.greetWith({Reply{.text = "hello"}});
+  service.greetWith({ServiceReply{.text = "hello"}});
   EXPECT_EQ(surveyed().trouble, Trouble::Refused);
   service.greetWith({});
   EXPECT_EQ(surveyed().trouble, Trouble::NoService);
@@ -459,8 +459,8 @@ TEST_F(Inverse3, StopIsTheLastWord) {
 
 TEST_F(Inverse3, OpensTheOneThatIsAskedFor) {
   const auto two = message({device({0.01, 0, 0}, "A1"), device({0.02, 0, 0}, "B-2_x")}).dump();
-  service.greetWith({Reply{.text = two}});
-  service.answerWith([two](int) { return std::vector{Reply{.text = two}}; });
+  service.greetWith({ServiceReply{.text = two}});
+  service.answerWith([two](int) { return std::vector{ServiceReply{.text = two}}; });
   EXPECT_EQ(haptics::surveyInverse3(patient()).size(), 2u);
   open(patient(), "inverse3:B-2_x");
   ASSERT_TRUE(pushUntil([&](DeviceStatus status) { return status == DeviceStatus::Ok; }));
@@ -473,24 +473,24 @@ TEST_F(Inverse3, OpensTheOneThatIsAskedFor) {
 }
 
 TEST_F(Inverse3, IsNotOpenedWhereItWouldBeMisunderstood) {
-  service.greetWith({Reply{.text = message({}).dump()}});
+  service.greetWith({ServiceReply{.text = message({}).dump()}});
   expectRefused(Trouble::NotPluggedIn);
   json said = full();
   said["inverse3"][0]["config"]["basis"]["permutation"] = "X-YZ";
-  service.greetWith({Reply{.text = said.dump()}});
+  service.greetWith({ServiceReply{.text = said.dump()}});
   expectRefused(Trouble::Refused);
-  service.greetWith({Reply{.text = R"({"hello":"world"})"}});
+  service.greetWith({ServiceReply{.text = R"({"hello":"world"})"}});
   expectRefused(Trouble::Refused);
   service.greetWith({});
   expectRefused(Trouble::NoService);
-  service.greetWith({Reply{.closes = true}});
+  service.greetWith({ServiceReply{.closes = true}});
   expectRefused(Trouble::Refused);
   behave();
-  misbehaveFrom(0, {Reply{.text = R"({"state":1})"}});
+  misbehaveFrom(0, {ServiceReply{.text = R"({"state":1})"}});
   expectRefused(Trouble::Refused);
   misbehaveFrom(0, {});
   expectRefused(Trouble::NoService);
-  misbehaveFrom(0, {Reply{.closes = true}});
+  misbehaveFrom(0, {ServiceReply{.closes = true}});
   expectRefused(Trouble::Refused);
   service.refuse(true);
   expectRefused(Trouble::Refused);
@@ -509,7 +509,7 @@ TEST_F(Inverse3, NotReadyIsToldAndGoesAway) {
       said["inverse3"][0].erase("status");
     else
       said["inverse3"][0]["status"]["calibrated"] = *calibrated == 1;
-    return std::vector{Reply{.text = said.dump()}};
+    return std::vector{ServiceReply{.text = said.dump()}};
   });
   open(patient());
   ASSERT_TRUE(pushUntil([](DeviceStatus status) { return status == DeviceStatus::Ok; }));
@@ -532,7 +532,7 @@ TEST_F(Inverse3, TheRotationOfAGripThatGoesSilentIsHeld) {
     const bool now = *silent;
     json said = full({now ? 0.05 : 0.01, 0, 0});
     if (now) said.erase("wireless_verse_grip");
-    return std::vector{Reply{.text = said.dump()}};
+    return std::vector{ServiceReply{.text = said.dump()}};
   });
   open(patient());
   ASSERT_TRUE(pushUntil([](DeviceStatus status) { return status == DeviceStatus::Ok; }));
@@ -543,11 +543,11 @@ TEST_F(Inverse3, TheRotationOfAGripThatGoesSilentIsHeld) {
 }
 
 TEST_F(Inverse3, MessagesInPiecesAreWhole) {
-  service.greetWith({Reply{.text = full().dump(), .fragments = 5}});
+  service.greetWith({ServiceReply{.text = full().dump(), .fragments = 5}});
   service.answerWith([](int n) {
     json said = full();
     said["inverse3"][0]["config"]["filler"] = std::string(40'000, 'x');
-    return std::vector{Reply{.text = said.dump(), .fragments = 1 + n % 7}};
+    return std::vector{ServiceReply{.text = said.dump(), .fragments = 1 + n % 7}};
   });
   open(patient());
   ASSERT_TRUE(pushUntil([&](DeviceStatus status) {
@@ -559,7 +559,7 @@ TEST_F(Inverse3, MessagesInPiecesAreWhole) {
 
 TEST_F(Inverse3, AServiceThatAnswersTwiceIsFollowedToWhatIsNewest) {
   service.answerWith([](int n) {
-    const Reply reply{.text = full({0.001 * (n % 50), 0, 0}).dump()};
+    const ServiceReply reply{.text = full({0.001 * (n % 50), 0, 0}).dump()};
     return std::vector{reply, reply};
   });
   open(patient());
@@ -575,7 +575,7 @@ TEST_F(Inverse3, AServiceThatAnswersTwiceIsFollowedToWhatIsNewest) {
 /// What a service may do wrong while it is felt, from its 20th answer on.
 struct Wrong {
   const char* name;
-  std::vector<Reply> replies;
+  std::vector<ServiceReply> replies;
   bool hasty = false;
   bool at_once = false;  ///< after one answer, not three
 
@@ -586,21 +586,21 @@ std::vector<Wrong> wrongs() {
   const auto changed = [](const std::function<void(json&)>& change) {
     json said = Inverse3::full();
     change(said);
-    return Reply{.text = said.dump()};
+    return ServiceReply{.text = said.dump()};
   };
   std::string not_a_number = Inverse3::full().dump();
   not_a_number.replace(not_a_number.find("0.01"), 4, "NaN");
-  const Reply good{.text = Inverse3::full().dump()};
-  Reply late = good, binary = good;
+  const ServiceReply good{.text = Inverse3::full().dump()};
+  ServiceReply late = good, binary = good;
   late.delay = 150ms;
   binary.binary = true;
   return {
       {.name = "NeverAnswers", .replies = {}, .hasty = true},
       {.name = "IsAlwaysLate", .replies = {late}, .hasty = true},
-      {.name = "Garbage", .replies = {Reply{.text = "\x01{]["}}},
-      {.name = "Empty", .replies = {Reply{.text = "{}"}}},
-      {.name = "Deep", .replies = {Reply{.text = std::string(60'000, '[')}}},
-      {.name = "NaN", .replies = {Reply{.text = not_a_number}}},
+      {.name = "Garbage", .replies = {ServiceReply{.text = "\x01{]["}}},
+      {.name = "Empty", .replies = {ServiceReply{.text = "{}"}}},
+      {.name = "Deep", .replies = {ServiceReply{.text = std::string(60'000, '[')}}},
+      {.name = "NaN", .replies = {ServiceReply{.text = not_a_number}}},
       {.name = "Strings", .replies = {changed([](json& said) {
                             said["inverse3"][0]["state"]["cursor_position"]["x"] = "0.01";
                           })}},
@@ -609,13 +609,13 @@ std::vector<Wrong> wrongs() {
       {.name = "AnotherDevice",
        .replies = {changed([](json& said) { said["inverse3"][0]["device_id"] = "0000"; })}},
       {.name = "Oversized",
-       .replies = {Reply{.text = std::string(haptics::kInverse3LongestMessage + 1, ' ')}},
+       .replies = {ServiceReply{.text = std::string(haptics::kInverse3LongestMessage + 1, ' ')}},
        .at_once = true},
       {.name = "OversizedInPieces",
-       .replies = {Reply{.text = std::string(500'000, ' '), .fragments = 100}},
+       .replies = {ServiceReply{.text = std::string(500'000, ' '), .fragments = 100}},
        .at_once = true},
       {.name = "Binary", .replies = {binary}, .at_once = true},
-      {.name = "Closes", .replies = {Reply{.closes = true}}, .at_once = true},
+      {.name = "Closes", .replies = {ServiceReply{.closes = true}}, .at_once = true},
   };
 }
 
@@ -652,8 +652,8 @@ INSTANTIATE_TEST_SUITE_P(Inverse3, Misbehaving, testing::ValuesIn(wrongs()),
 
 TEST_F(Inverse3, AServiceThatDiesIsLostAndTheNextOneIsAsGood) {
   auto mortal = std::make_unique<Inverse3Service>();
-  mortal->greetWith({Reply{.text = full().dump()}});
-  mortal->answerWith([](int) { return std::vector{Reply{.text = full().dump()}}; });
+  mortal->greetWith({ServiceReply{.text = full().dump()}});
+  mortal->answerWith([](int) { return std::vector{ServiceReply{.text = full().dump()}}; });
   open({.port = mortal->port(), .answer = 2s});
   ASSERT_TRUE(pushUntil([](DeviceStatus status) { return status == DeviceStatus::Ok; }));
   mortal.reset();
