@@ -5,25 +5,119 @@
 #include <QUrl>
 #include <utility>
 
+#include "app/window/crash_controller.h"
+#include "app/window/device_controller.h"
+#include "app/window/edit_controller.h"
+#include "app/window/export_controller.h"
+#include "app/window/hand_controller.h"
+#include "app/window/help_controller.h"
+#include "app/window/isosurface_controller.h"
+#include "app/window/log_controller.h"
+#include "app/window/marks_controller.h"
+#include "app/window/measurement_controller.h"
+#include "app/window/opening_controller.h"
+#include "app/window/pacs_controller.h"
+#include "app/window/picture_controller.h"
+#include "app/window/preferences_controller.h"
+#include "app/window/recording_controller.h"
+#include "app/window/replay_controller.h"
+#include "app/window/screenshot_controller.h"
+#include "app/window/shared_state.h"
+#include "app/window/start_controller.h"
+#include "app/window/tool_controller.h"
+#include "app/window/view_controller.h"
+#include "app/window/view_file_controller.h"
+#include "ui/main_window.h"
 #include "ui/volume_view.h"
 
 namespace app {
 
+/// The window and its controllers, and what connects them.
+class Application::Parts : public QObject {
+ public:
+  Parts(Application& application_, Arguments arguments_);
+  ~Parts() override;
+
+  void start();
+  void end();
+  /// Opens what the command line names, or shows how to begin.
+  void begin();
+  void wireOpening();
+  void wireStart();
+  void wireIsosurface();
+  void wireHands();
+  void wireRecordings();
+  void wireEdits();
+  void wireMarks();
+  void wireLeaving();
+  void wireLog();
+  void wirePreferences();
+  void noteHand(const QString& id);
+  /// Ends touch, recording and measurement.
+  void close();
+
+  Application& application;
+  Arguments arguments;
+  ui::MainWindow window;
+  SharedState shared;
+  PreferencesController preferences;
+  Recordings recordings;
+  VolumeIdentity identity;
+  OpeningController opening;
+  StartController starting{window, preferences};
+  ViewController view{window, shared};
+  // from here on, panels stand in the window in the order of their controllers
+  IsosurfaceController isosurface{window, shared};
+  HandController hand;
+  ToolController tool{hand.panel(), shared};
+  PictureController picture{window, shared};
+  DeviceController device;
+  MeasurementController measurement{window, shared};
+  MarksController marks{window, shared};
+  ViewFileController view_file{window, shared, identity, marks};
+  RecordingController recording;
+  ReplayController replay;
+  EditController edit{window, shared};
+  ExportController exporting;
+  ScreenshotController screenshot;
+  HelpController help{window};
+  PacsController pacs{window, arguments.fetch_program};
+  LogController log{window, shared, arguments.state};
+  CrashController crash{window, arguments.state};
+};
+
 Application::Application(Arguments arguments)
-    : arguments_(std::move(arguments)),
-      preferences_(window_, arguments_.screenshot.empty()),
-      recordings_(arguments_.recordings.empty()
-                      ? std::filesystem::path(preferences_.present().recordings.toStdString())
-                      : arguments_.recordings),
-      opening_(window_, shared_, preferences_, arguments_.free_memory,
-               arguments_.screenshot.empty()),
-      hand_(window_, shared_, arguments_.hand, preferences_.firstStiffness()),
-      device_(window_, shared_, preferences_, arguments_.devices),
-      recording_(window_, shared_, recordings_, identity_),
-      replay_(window_, shared_, identity_),
-      export_(window_, shared_, recordings_, identity_),
-      screenshot_(window_, shared_, arguments_.screenshot, arguments_.screenshot_after) {
-  window_.view().setSurfaceWish(arguments_.surface);
+    : parts_(std::make_unique<Parts>(*this, std::move(arguments))) {}
+Application::~Application() = default;
+
+void Application::start() { parts_->start(); }
+void Application::end() { parts_->end(); }
+ui::MainWindow& Application::window() { return parts_->window; }
+haptics::Session& Application::session() { return parts_->shared.session; }
+const haptics::Snapshot& Application::snapshot() const { return parts_->shared.snapshot; }
+const std::optional<Loaded>& Application::shown() const { return parts_->shared.shown; }
+SessionRecording& Application::recording() { return parts_->recording.recording(); }
+ExportController& Application::exporting() { return parts_->exporting; }
+EditController& Application::editing() { return parts_->edit; }
+MarksController& Application::marks() { return parts_->marks; }
+ViewFileController& Application::viewFile() { return parts_->view_file; }
+Replay* Application::replay() { return parts_->replay.replay(); }
+
+Application::Parts::Parts(Application& application_, Arguments arguments_)
+    : application(application_),
+      arguments(std::move(arguments_)),
+      preferences(window, arguments.screenshot.empty()),
+      recordings(arguments.recordings.empty()
+                     ? std::filesystem::path(preferences.present().recordings.toStdString())
+                     : arguments.recordings),
+      opening(window, shared, preferences, arguments.free_memory, arguments.screenshot.empty()),
+      hand(window, shared, arguments.hand, preferences.firstStiffness()),
+      device(window, shared, preferences, arguments.devices),
+      recording(window, shared, recordings, identity),
+      replay(window, shared, identity),
+      exporting(window, shared, recordings, identity),
+      screenshot(window, shared, arguments.screenshot, arguments.screenshot_after) {
+  window.view().setSurfaceWish(arguments.surface);
   wireOpening();
   wireStart();
   wireIsosurface();
@@ -34,234 +128,236 @@ Application::Application(Arguments arguments)
   wireLeaving();
   wireLog();
   wirePreferences();
-  connect(&window_, &ui::MainWindow::folderWanted, this, [this](const QString& folder) {
+  connect(&window, &ui::MainWindow::folderWanted, this, [this](const QString& folder) {
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
-      window_.showMessage(tr("No program here shows folders. The file is in \"%1\".").arg(folder));
+      window.showMessage(
+          Application::tr("No program here shows folders. The file is in \"%1\".").arg(folder));
   });
-  connect(&window_, &ui::MainWindow::closing, this, [this] {
+  connect(&window, &ui::MainWindow::closing, this, [this] {
     close();
-    preferences_.save();
+    preferences.save();
   });
 }
 
-Application::~Application() {
+Application::Parts::~Parts() {
   // a window that goes says so, to what has gone before it
-  window_.disconnect(this);
-  picture_.stop();
+  window.disconnect(this);
+  picture.stop();
   close();
 }
 
-void Application::end() {
-  window_.setCloseGuard({});
-  window_.close();
+void Application::Parts::end() {
+  window.setCloseGuard({});
+  window.close();
 }
 
-void Application::start() {
-  preferences_.restoreWindow();
+void Application::Parts::start() {
+  preferences.restoreWindow();
   // nothing moves behind a notice that was not read yet
-  const bool notice = arguments_.notice && !preferences_.present().notice_seen;
+  const bool notice = arguments.notice && !preferences.present().notice_seen;
   if (!notice) begin();  // beside it the window is shown
-  window_.show();
-  picture_.start();
+  window.show();
+  picture.start();
   if (notice) {
-    preferences_.showNotice();
-    if (!window_.isVisible()) return;  // closed meanwhile
+    preferences.showNotice();
+    if (!window.isVisible()) return;  // closed meanwhile
     begin();
   }
-  recording_.offerRecovery();
-  if (arguments_.screenshot.empty()) crash_.look();
+  recording.offerRecovery();
+  if (arguments.screenshot.empty()) crash.look();
 }
 
-void Application::begin() {
-  LoadRequest request = arguments_.load;
-  arguments_.load.ahead.reset();  // what is not taken does not stay in memory
-  if (!arguments_.paths.isEmpty()) return opening_.openTogether(arguments_.paths, request);
+void Application::Parts::begin() {
+  LoadRequest request = arguments.load;
+  arguments.load.ahead.reset();  // what is not taken does not stay in memory
+  if (!arguments.paths.isEmpty()) return opening.openTogether(arguments.paths, request);
   if (request.path && request.path->extension() == kViewEnding)
-    return view_file_.open(*request.path);  // a view may know its scan
-  if (request.path || request.phantom) return opening_.load(std::move(request), tr("Loading"));
-  start_.drawLastScans();
-  screenshot_.prepare(true);
+    return view_file.open(*request.path);  // a view may know its scan
+  if (request.path || request.phantom)
+    return opening.load(std::move(request), Application::tr("Loading"));
+  starting.drawLastScans();
+  screenshot.prepare(true);
 }
 
-void Application::wireOpening() {
+void Application::Parts::wireOpening() {
   using Opening = OpeningController;
-  connect(&tool_, &ToolController::wanted, &opening_, &Opening::load);
-  connect(&opening_, &Opening::loading, &measurement_, &MeasurementController::pause);
+  connect(&tool, &ToolController::wanted, &opening, &Opening::load);
+  connect(&opening, &Opening::loading, &measurement, &MeasurementController::pause);
   // in this order: a recording knows a scene before the session has it
-  connect(&opening_, &Opening::loaded, &measurement_, &MeasurementController::showScene);
-  connect(&opening_, &Opening::loaded, &recording_, &RecordingController::describeScene);
-  connect(&opening_, &Opening::loaded, &hand_, &HandController::adopt);
+  connect(&opening, &Opening::loaded, &measurement, &MeasurementController::showScene);
+  connect(&opening, &Opening::loaded, &recording, &RecordingController::describeScene);
+  connect(&opening, &Opening::loaded, &hand, &HandController::adopt);
   // in this order: a view that is opened finds the panel of its scan, and a hand that cannot be
   // opened has the last word
-  connect(&opening_, &Opening::shown, &isosurface_, &IsosurfaceController::showScene);
-  connect(&opening_, &Opening::shown, &tool_, &ToolController::show);
-  connect(&opening_, &Opening::shown, &recording_,
-          [this] { recording_.setReady(!shared_.replaying); });
-  connect(&opening_, &Opening::shown, &replay_, &ReplayController::showScene);
-  connect(&opening_, &Opening::shown, &edit_, &EditController::showScene);
-  connect(&opening_, &Opening::shown, &hand_, &HandController::resume);
-  connect(&opening_, &Opening::shown, &device_, &DeviceController::openWaiting);
-  connect(&opening_, &Opening::shown, &screenshot_, &ScreenshotController::prepare);
-  connect(&opening_, &Opening::shown, this, &Application::adopted);
-  connect(&opening_, &Opening::failed, &tool_, &ToolController::show);
-  connect(&opening_, &Opening::failed, &measurement_, &MeasurementController::resume);
-  connect(&opening_, &Opening::failed, &screenshot_, &ScreenshotController::fail);
-  connect(&screenshot_, &ScreenshotController::finished, this, &Application::finished);
-  connect(&pacs_, &PacsController::openWanted, &opening_,
-          [this](const QString& folder, const QString& name) {
-            opening_.open(folder, {.name = name});
-          });
+  connect(&opening, &Opening::shown, &isosurface, &IsosurfaceController::showScene);
+  connect(&opening, &Opening::shown, &tool, &ToolController::show);
+  connect(&opening, &Opening::shown, &recording, [this] { recording.setReady(!shared.replaying); });
+  connect(&opening, &Opening::shown, &replay, &ReplayController::showScene);
+  connect(&opening, &Opening::shown, &edit, &EditController::showScene);
+  connect(&opening, &Opening::shown, &hand, &HandController::resume);
+  connect(&opening, &Opening::shown, &device, &DeviceController::openWaiting);
+  connect(&opening, &Opening::shown, &screenshot, &ScreenshotController::prepare);
+  connect(&opening, &Opening::shown, &application, &Application::adopted);
+  connect(&opening, &Opening::failed, &tool, &ToolController::show);
+  connect(&opening, &Opening::failed, &measurement, &MeasurementController::resume);
+  connect(&opening, &Opening::failed, &screenshot, &ScreenshotController::fail);
+  connect(&screenshot, &ScreenshotController::finished, &application, &Application::finished);
+  connect(
+      &pacs, &PacsController::openWanted, &opening,
+      [this](const QString& folder, const QString& name) { opening.open(folder, {.name = name}); });
 }
 
-void Application::wireStart() {
-  connect(&opening_, &OpeningController::loading, &start_, &StartController::stopDrawing);
-  connect(&opening_, &OpeningController::failed, &start_, &StartController::drawLastScans);
-  if (arguments_.notice)
-    connect(&opening_, &OpeningController::shown, &start_, &StartController::offerTour);
+void Application::Parts::wireStart() {
+  connect(&opening, &OpeningController::loading, &starting, &StartController::stopDrawing);
+  connect(&opening, &OpeningController::failed, &starting, &StartController::drawLastScans);
+  if (arguments.notice)
+    connect(&opening, &OpeningController::shown, &starting, &StartController::offerTour);
 }
 
-void Application::wireIsosurface() {
+void Application::Parts::wireIsosurface() {
   using Isosurface = IsosurfaceController;
-  connect(&isosurface_, &Isosurface::changed, &tool_, &ToolController::showFieldSoon);
-  connect(&isosurface_, &Isosurface::changed, &marks_.measures(), &ui::Measures::surfaceChanged);
-  connect(&isosurface_, &Isosurface::changed, &edit_, &EditController::endPreview);
-  connect(&replay_, &ReplayController::isovalueShown, &isosurface_, &Isosurface::show);
-  connect(&view_file_, &ViewFileController::isovalueWanted, &isosurface_, &Isosurface::set);
+  connect(&isosurface, &Isosurface::changed, &tool, &ToolController::showFieldSoon);
+  connect(&isosurface, &Isosurface::changed, &marks.measures(), &ui::Measures::surfaceChanged);
+  connect(&isosurface, &Isosurface::changed, &edit, &EditController::endPreview);
+  connect(&replay, &ReplayController::isovalueShown, &isosurface, &Isosurface::show);
+  connect(&view_file, &ViewFileController::isovalueWanted, &isosurface, &Isosurface::set);
 }
 
-void Application::wireHands() {
-  connect(&hand_, &HandController::opened, &device_,
-          [this] { device_.forget(tr("Another hand was chosen: the device was disconnected.")); });
-  connect(&hand_, &HandController::changed, this, [this](const QString& id) {
-    measurement_.end(tr("The measurement was cancelled: another hand took the device."));
+void Application::Parts::wireHands() {
+  connect(&hand, &HandController::opened, &device, [this] {
+    device.forget(Application::tr("Another hand was chosen: the device was disconnected."));
+  });
+  connect(&hand, &HandController::changed, this, [this](const QString& id) {
+    measurement.end(
+        Application::tr("The measurement was cancelled: another hand took the device."));
     // which of several is nobody's business: a device's own name may tell whose it is
     noteHand(id);
   });
-  connect(&view_, &ViewController::toolPlaced, &hand_, &HandController::bring);
-  connect(&hand_, &HandController::lookWanted, &picture_, &PictureController::look);
-  connect(&hand_, &HandController::replayEndWanted, &replay_, &ReplayController::close);
-  connect(&device_, &DeviceController::taking, &replay_, &ReplayController::close);
-  connect(&device_, &DeviceController::taken, &hand_, &HandController::takeDevice);
-  connect(&device_, &DeviceController::forgotten, &hand_, &HandController::forgetDevice);
-  connect(&device_, &DeviceController::released, &hand_, &HandController::reopen);
-  connect(&device_, &DeviceController::stiffnessWanted, &hand_, &HandController::setStiffness);
-  connect(&device_, &DeviceController::forceChanged, &recording_,
-          [this](const QString& transition) { recording_.note("force", transition); });
-  connect(&picture_, &PictureController::refreshing, &recording_, &RecordingController::refresh);
-  connect(&picture_, &PictureController::refreshing, &device_, &DeviceController::refresh);
-  connect(&picture_, &PictureController::snapshotTaken, &device_, &DeviceController::showForce);
+  connect(&view, &ViewController::toolPlaced, &hand, &HandController::bring);
+  connect(&hand, &HandController::lookWanted, &picture, &PictureController::look);
+  connect(&hand, &HandController::replayEndWanted, &replay, &ReplayController::close);
+  connect(&device, &DeviceController::taking, &replay, &ReplayController::close);
+  connect(&device, &DeviceController::taken, &hand, &HandController::takeDevice);
+  connect(&device, &DeviceController::forgotten, &hand, &HandController::forgetDevice);
+  connect(&device, &DeviceController::released, &hand, &HandController::reopen);
+  connect(&device, &DeviceController::stiffnessWanted, &hand, &HandController::setStiffness);
+  connect(&device, &DeviceController::forceChanged, &recording,
+          [this](const QString& transition) { recording.note("force", transition); });
+  connect(&picture, &PictureController::refreshing, &recording, &RecordingController::refresh);
+  connect(&picture, &PictureController::refreshing, &device, &DeviceController::refresh);
+  connect(&picture, &PictureController::snapshotTaken, &device, &DeviceController::showForce);
 }
 
-void Application::noteHand(const QString& id) {
+void Application::Parts::noteHand(const QString& id) {
   // what follows tells one device from others of its kind, and is nobody's business
-  recording_.note("hand", id.section(':', 0, 0));
+  recording.note("hand", id.section(':', 0, 0));
 }
 
-void Application::wireRecordings() {
-  connect(&opening_, &OpeningController::recordingWanted, &replay_, &ReplayController::open);
-  connect(&recording_, &RecordingController::openWanted, &replay_, &ReplayController::open);
-  connect(&recording_, &RecordingController::exportWanted, &export_,
+void Application::Parts::wireRecordings() {
+  connect(&opening, &OpeningController::recordingWanted, &replay, &ReplayController::open);
+  connect(&recording, &RecordingController::openWanted, &replay, &ReplayController::open);
+  connect(&recording, &RecordingController::exportWanted, &exporting,
           &ExportController::exportRecording);
-  connect(&recording_, &RecordingController::deleting, &replay_, &ReplayController::closeFile);
-  connect(&recording_, &RecordingController::starting, &replay_, &ReplayController::close);
-  connect(&recording_, &RecordingController::started, this,
-          [this] { noteHand(QString::fromStdString(hand_.name())); });
-  connect(&replay_, &ReplayController::forcesCleared, &picture_, &PictureController::clearForces);
-  connect(&replay_, &ReplayController::forcesAppended, &picture_, &PictureController::appendForces);
-  connect(&replay_, &ReplayController::opened, this, [this] {
-    recording_.recording().stop();
-    measurement_.end(tr("The measurement was cancelled: a recording is being replayed."));
+  connect(&recording, &RecordingController::deleting, &replay, &ReplayController::closeFile);
+  connect(&recording, &RecordingController::starting, &replay, &ReplayController::close);
+  connect(&recording, &RecordingController::started, this,
+          [this] { noteHand(QString::fromStdString(hand.name())); });
+  connect(&replay, &ReplayController::forcesCleared, &picture, &PictureController::clearForces);
+  connect(&replay, &ReplayController::forcesAppended, &picture, &PictureController::appendForces);
+  connect(&replay, &ReplayController::opened, this, [this] {
+    recording.recording().stop();
+    measurement.end(
+        Application::tr("The measurement was cancelled: a recording is being replayed."));
     // the hand lets go: what is seen is what was
-    shared_.session.close();
-    device_.forget(tr("A recording was opened: the device was disconnected."));
-    recording_.setReady(false);
+    shared.session.close();
+    device.forget(Application::tr("A recording was opened: the device was disconnected."));
+    recording.setReady(false);
   });
-  connect(&replay_, &ReplayController::closed, this, [this] {
-    recording_.setReady(shared_.shown.has_value());
-    hand_.reopen();
+  connect(&replay, &ReplayController::closed, this, [this] {
+    recording.setReady(shared.shown.has_value());
+    hand.reopen();
   });
 }
 
-void Application::wireEdits() {
-  connect(&edit_, &EditController::edited, &opening_, &OpeningController::replace);
-  connect(&edit_, &EditController::pictured, &opening_, &OpeningController::replacePicture);
-  connect(&opening_, &OpeningController::pictureReplaced, &isosurface_,
-          [this] { isosurface_.showScene(false); });
-  connect(&edit_, &EditController::noted, &recording_,
-          [this](const QString& what) { recording_.note("edit", what); });
-  connect(&picture_, &PictureController::refreshing, &edit_, &EditController::refresh);
-  connect(&replay_, &ReplayController::opened, &edit_, [this] { edit_.setReplaying(true); });
-  connect(&replay_, &ReplayController::closed, &edit_, [this] { edit_.setReplaying(false); });
+void Application::Parts::wireEdits() {
+  connect(&edit, &EditController::edited, &opening, &OpeningController::replace);
+  connect(&edit, &EditController::pictured, &opening, &OpeningController::replacePicture);
+  connect(&opening, &OpeningController::pictureReplaced, &isosurface,
+          [this] { isosurface.showScene(false); });
+  connect(&edit, &EditController::noted, &recording,
+          [this](const QString& what) { recording.note("edit", what); });
+  connect(&picture, &PictureController::refreshing, &edit, &EditController::refresh);
+  connect(&replay, &ReplayController::opened, &edit, [this] { edit.setReplaying(true); });
+  connect(&replay, &ReplayController::closed, &edit, [this] { edit.setReplaying(false); });
 }
 
-void Application::wireMarks() {
+void Application::Parts::wireMarks() {
   // in this order: the marks of a view come after those of the scan before are gone
-  connect(&opening_, &OpeningController::shown, &marks_, &MarksController::showScene);
-  connect(&opening_, &OpeningController::shown, &view_file_, &ViewFileController::showScene);
-  connect(&opening_, &OpeningController::failed, &view_file_, [this](const haptics::Error& error) {
+  connect(&opening, &OpeningController::shown, &marks, &MarksController::showScene);
+  connect(&opening, &OpeningController::shown, &view_file, &ViewFileController::showScene);
+  connect(&opening, &OpeningController::failed, &view_file, [this](const haptics::Error& error) {
     // where the user has a choice, the scan may still come
     for (const char* asked : {kWhichSeries, kTooLarge, kMissingSlices})
       if (error.reason == asked) return;
-    view_file_.drop();
+    view_file.drop();
   });
-  connect(&opening_, &OpeningController::viewWanted, &view_file_, &ViewFileController::open);
-  connect(&picture_, &PictureController::refreshing, &marks_, &MarksController::refresh);
-  connect(&view_file_, &ViewFileController::scanWanted, &opening_,
+  connect(&opening, &OpeningController::viewWanted, &view_file, &ViewFileController::open);
+  connect(&picture, &PictureController::refreshing, &marks, &MarksController::refresh);
+  connect(&view_file, &ViewFileController::scanWanted, &opening,
           [this](const std::filesystem::path& path) {
-            opening_.open(QString::fromStdString(path.string()));
+            opening.open(QString::fromStdString(path.string()));
           });
-  connect(&view_file_, &ViewFileController::editsWanted, &edit_, &EditController::restore);
-  connect(&view_file_, &ViewFileController::toolWanted, &tool_,
-          [this](const QString& name) { tool_.changeTool({.name = name.toStdString()}); });
+  connect(&view_file, &ViewFileController::editsWanted, &edit, &EditController::restore);
+  connect(&view_file, &ViewFileController::toolWanted, &tool,
+          [this](const QString& name) { tool.changeTool({.name = name.toStdString()}); });
 }
 
-void Application::wireLeaving() {
+void Application::Parts::wireLeaving() {
   using Leave = ViewFileController::Leave;
-  window_.setCloseGuard([this] {
-    return view_file_.leave(Leaving::Window, [this](bool saved) {
+  window.setCloseGuard([this] {
+    return view_file.leave(Leaving::Window, [this](bool saved) {
       if (saved) end();
     }) == Leave::Now;
   });
-  opening_.setGuard([this](const std::function<void(bool)>& answer) {
-    const Leave now = view_file_.leave(Leaving::Scan, answer);
+  opening.setGuard([this](const std::function<void(bool)>& answer) {
+    const Leave now = view_file.leave(Leaving::Scan, answer);
     if (now != Leave::AfterSaving) answer(now == Leave::Now);
   });
 }
 
-void Application::wireLog() {
-  connect(&opening_, &OpeningController::loading, &log_, &LogController::noteLoading);
-  connect(&opening_, &OpeningController::shown, &log_, &LogController::noteScene);
-  connect(&opening_, &OpeningController::failed, &log_, &LogController::noteRefusal);
-  connect(&hand_, &HandController::changed, &log_, &LogController::noteHand);
-  connect(&device_, &DeviceController::taken, &log_, &LogController::noteHand);
-  connect(&device_, &DeviceController::forceChanged, &log_, &LogController::noteForce);
-  connect(&device_, &DeviceController::forgotten, &log_, &LogController::noteServo);
-  connect(&recording_.recording(), &SessionRecording::statusChanged, &log_,
+void Application::Parts::wireLog() {
+  connect(&opening, &OpeningController::loading, &log, &LogController::noteLoading);
+  connect(&opening, &OpeningController::shown, &log, &LogController::noteScene);
+  connect(&opening, &OpeningController::failed, &log, &LogController::noteRefusal);
+  connect(&hand, &HandController::changed, &log, &LogController::noteHand);
+  connect(&device, &DeviceController::taken, &log, &LogController::noteHand);
+  connect(&device, &DeviceController::forceChanged, &log, &LogController::noteForce);
+  connect(&device, &DeviceController::forgotten, &log, &LogController::noteServo);
+  connect(&recording.recording(), &SessionRecording::statusChanged, &log,
           &LogController::noteRecording);
-  connect(&recording_.recording(), &SessionRecording::finished, &log_,
-          &LogController::noteRecorded);
-  connect(&window_, &ui::MainWindow::closing, &log_, &LogController::noteServo);
+  connect(&recording.recording(), &SessionRecording::finished, &log, &LogController::noteRecorded);
+  connect(&window, &ui::MainWindow::closing, &log, &LogController::noteServo);
 }
 
-void Application::wirePreferences() {
+void Application::Parts::wirePreferences() {
   using Choices = PreferencesController;
-  connect(&preferences_, &Choices::stiffnessChosen, &device_, &DeviceController::setStiffness);
-  const auto chooseRate = [this] { shared_.session.chooseRate(preferences_.servoRate()); };
+  connect(&preferences, &Choices::stiffnessChosen, &device, &DeviceController::setStiffness);
+  const auto chooseRate = [this] { shared.session.chooseRate(preferences.servoRate()); };
   chooseRate();
-  connect(&preferences_, &Choices::servoRateChosen, this, chooseRate);
-  connect(&preferences_, &Choices::recordingsChosen, &recording_, [this](const QString& folder) {
-    recordings_.setFolder(folder.toStdString());
-    recording_.showRecordings();
+  connect(&preferences, &Choices::servoRateChosen, this, chooseRate);
+  connect(&preferences, &Choices::recordingsChosen, &recording, [this](const QString& folder) {
+    recordings.setFolder(folder.toStdString());
+    recording.showRecordings();
   });
   // the menu has the entries of the edits by now
-  window_.offerPreferences();
+  window.offerPreferences();
 }
 
-void Application::close() {
-  measurement_.end({});
-  replay_.drop();
-  shared_.session.close();
-  recording_.recording().end();
+void Application::Parts::close() {
+  measurement.end({});
+  replay.drop();
+  shared.session.close();
+  recording.recording().end();
 }
 
 }  // namespace app

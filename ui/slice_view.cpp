@@ -95,6 +95,7 @@ SliceView::SliceView(Plane plane, QWidget* parent)
   setAttribute(Qt::WA_OpaquePaintEvent);
   whenKeysChange(*this, [this] { emit hintChanged(hint()); });
   whenLengthUnitChanges(*this, [this] { update(); });
+  refine_.setObjectName("refine");
   refine_.setSingleShot(true);
   refine_.setInterval(kRestMs);
   connect(&refine_, &QTimer::timeout, this, [this] {

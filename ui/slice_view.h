@@ -192,7 +192,7 @@ class SliceView : public QWidget, public Spoken {
   std::unique_ptr<Patch> patch_;
   std::vector<QLineF> contour_;  ///< in the patch
   QElapsedTimer contour_age_;
-  QTimer refine_;  ///< runs after the contour changed while moving
+  QTimer refine_{this};  ///< runs after the contour changed while moving
 
   std::shared_ptr<const haptics::TriangleMesh> mesh_;
   double tool_radius_mm_ = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/space_camera.h"
 
+#include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 
 #include <QWidget>
@@ -22,6 +23,9 @@ SpaceCamera::SpaceCamera(const QWidget& view)
   camera_->SetViewAngle(kViewAngle_deg);
   camera_->SetViewUp(0.0, 0.0, 1.0);
 }
+
+vtkCamera* SpaceCamera::vtk() const { return camera_; }
+bool SpaceCamera::isParallel() const { return camera_->GetParallelProjection() != 0; }
 
 QPointF SpaceCamera::projected(const Eigen::Vector3d& p_mm) const {
   const double aspect = static_cast<double>(view_.width()) / std::max(1, view_.height());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkCamera.h>
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
@@ -9,6 +8,7 @@
 #include <optional>
 
 class QWidget;
+class vtkCamera;
 
 namespace ui {
 
@@ -18,8 +18,8 @@ class SpaceCamera {
  public:
   explicit SpaceCamera(const QWidget& view);
 
-  vtkCamera* vtk() const { return camera_; }
-  bool isParallel() const { return camera_->GetParallelProjection() != 0; }
+  vtkCamera* vtk() const;
+  bool isParallel() const;
 
   QPointF projected(const Eigen::Vector3d& p_mm) const;
   Eigen::Matrix3d axes() const;  ///< columns: right, up, towards the viewer; in W

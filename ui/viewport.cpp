@@ -2,6 +2,7 @@
 #include "ui/viewport.h"
 
 #include <vtkCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
@@ -109,6 +110,8 @@ void Viewport::paintGL() {
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->Pop();
 }
+
+vtkGenericOpenGLRenderWindow* Viewport::renderWindow() const { return window_; }
 
 QImage Viewport::drawnAt(QSize pixels) {
   if (!graphics_ || context() == nullptr) return {};

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkSmartPointer.h>
 
 #include <QImage>
 #include <QOpenGLWidget>
 #include <QString>
 #include <optional>
+
+class vtkGenericOpenGLRenderWindow;
+class vtkObject;
 
 namespace ui {
 
@@ -33,7 +35,7 @@ class Viewport : public QOpenGLWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  vtkGenericOpenGLRenderWindow* renderWindow() const { return window_; }
+  vtkGenericOpenGLRenderWindow* renderWindow() const;
   /// None until the widget was first shown.
   const std::optional<Graphics>& graphics() const { return graphics_; }
   /// Draws the scene again at the next paint.

@@ -2,12 +2,14 @@
 #include "ui/volume_view.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
 #include <QKeyEvent>
+#include <QMetaMethod>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -101,6 +103,7 @@ VolumeView::VolumeView(QWidget* parent)
   veil_layer_->DrawOff();
   overlay_layer_->AddActor(tool_.device());
   tool_.showDeviceOnlyApart();
+  still_.setObjectName("still");
   still_.setSingleShot(true);
   still_.setInterval(kStillMs);
   connect(&still_, &QTimer::timeout, this, &VolumeView::settle);
@@ -193,6 +196,7 @@ void VolumeView::display(const haptics::Snapshot& snapshot) {
 }
 
 void VolumeView::showFine(vtkPolyData* mesh, double isovalue) {
+  if (isovalue == isovalue_) fine_awaited_ = false;
   surface_.showFine(mesh, isovalue);
   redrawSurface();
 }
@@ -230,7 +234,10 @@ void VolumeView::cameraMoved() {
 void VolumeView::settle() {
   surface_.setMoving(false);
   redrawSurface();
-  if (surface_.mode() == SurfaceMode::Mesh && !box_mm_.isEmpty()) emit fineMeshWanted(isovalue_);
+  fine_awaited_ = false;
+  if (surface_.mode() != SurfaceMode::Mesh || box_mm_.isEmpty()) return;
+  fine_awaited_ = isSignalConnected(QMetaMethod::fromSignal(&VolumeView::fineMeshWanted));
+  emit fineMeshWanted(isovalue_);
 }
 
 void VolumeView::aboutToDraw() {

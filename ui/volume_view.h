@@ -63,6 +63,8 @@ class VolumeView : public Viewport, public Spoken {
   void showContacts(bool on);
   /// Shows the mesh requested by fineMeshWanted.
   void showFine(vtkPolyData* mesh, double isovalue);
+  /// Whether nothing has moved for a while, and the finer mesh is shown if somebody makes it.
+  bool isAtRest() const { return !still_.isActive() && !fine_awaited_; }
   /// The surface that is touched; given with every scene.
   void setTouched(const TouchedSurface& touched) { touched_ = touched; }
   /// Draws this above the picture, and asks it first for mouse and keys.
@@ -187,7 +189,8 @@ class VolumeView : public Viewport, public Spoken {
   std::optional<Grasp> grasp_;
   std::optional<haptics::Pose> hand_target_;
   QPointF last_mouse_, press_;
-  QTimer still_;
+  QTimer still_{this};
+  bool fine_awaited_ = false;  ///< a finer mesh is being made
   TouchedSurface touched_;
   std::unique_ptr<ViewGeometry> geometry_;
   OverlayStack overlays_{*this};

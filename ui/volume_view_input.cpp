@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/volume_view.h"
 
+#include <vtkCamera.h>
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>

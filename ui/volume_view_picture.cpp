@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/volume_view.h"
 
+#include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkProperty.h>
 #include <QPainter>
 #include <QPainterPath>

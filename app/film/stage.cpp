@@ -5,6 +5,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
@@ -20,6 +21,7 @@
 #include "ui/props/held_pass.h"
 #include "ui/props/letters.h"
 #include "ui/props/tool_prop.h"
+#include "ui/viewport.h"
 
 namespace app {
 namespace {

@@ -2,29 +2,13 @@
 #pragma once
 
 #include <QObject>
-#include <functional>
 #include <memory>
 #include <vector>
 
-#include "haptics/devices/catalogue.h"
+#include "app/window/device_catalogue.h"
 #include "ui/panels/haptic_device_panel.h"
 
 namespace app {
-
-/// The functions that find and open devices. DeviceWatch calls them on its thread, one call at a
-/// time.
-struct DeviceCatalogue {
-  std::function<std::vector<haptics::DeviceEntry>()> survey;
-  std::function<haptics::Expected<std::unique_ptr<haptics::Device>>(const haptics::OpenRequest&)>
-      open;
-  /// Joins a device that senses translation and one that senses rotation.
-  std::function<std::unique_ptr<haptics::Device>(std::unique_ptr<haptics::Device> moved,
-                                                 std::unique_ptr<haptics::Device> turning)>
-      join;
-};
-
-/// All built-in drivers; may be empty.
-DeviceCatalogue builtInCatalogue();
 
 /// Finds and opens devices on its own thread. All calls come from the GUI thread and never wait for
 /// a driver. Only the destructor waits, for at most 2 s; then it abandons the thread of a driver

@@ -10,6 +10,7 @@
 
 #include "app/build_info/build_info.h"
 #include "app/window/kept_phantom.h"
+#include "app/window/scan_ahead.h"
 #include "app/window/sentence.h"
 #include "app/window/start_pose.h"
 #include "datasets/phantoms/phantoms.h"

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "app/background/task.h"
-#include "app/window/scan_ahead.h"
-#include "datasets/readers/volume_reader.h"
+#include "app/window/load_request.h"
+#include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"
 #include "ui/props/picture.h"
@@ -22,24 +22,10 @@ struct Phantom;
 
 namespace app {
 
-/// A tool: a named one, or a file.
-struct ToolSource {
-  std::string name = "probe";  ///< name of a named tool
-  std::optional<std::filesystem::path> file = {};
-  std::string unit = "mm";  ///< unit of the file: m, mm, cm, in
-};
-
 /// The label of a tool for the user: its name, or its file's name.
 QString labelOf(const ToolSource& tool);
 /// What the window calls a phantom.
 QString phantomTitle(const std::string& name);
-
-/// An entry of a survey. It can be loaded without another survey.
-struct ChosenSeries {
-  datasets::SeriesVerdict series;
-  bool among_others = false;         ///< the survey has more entries, so the title names this one
-  std::filesystem::path place = {};  ///< as in Surveyed
-};
 
 /// A volume that stays on view, with its place.
 struct Kept {
@@ -47,27 +33,6 @@ struct Kept {
   ui::Picture picture;  ///< as in Loaded
   QString title;
   std::filesystem::path place = {};  ///< as in Loaded
-};
-
-/// A request to load. Of path, phantom and keep, the first that is set is used.
-struct LoadRequest {
-  std::optional<std::filesystem::path> path = {};
-  std::shared_ptr<ScanAhead> ahead = {};  ///< that of the path; null: none
-  QString name = {};                      ///< of the path, for the user; empty: its own
-  std::optional<int> series = {};         ///< index of the entry in the path's survey
-  /// The entry itself. If not set, the path is surveyed and the only sound entry is taken, unless
-  /// another is larger or correctable.
-  std::optional<ChosenSeries> chosen = {};
-  datasets::Geometry geometry = datasets::Geometry::AsStored;
-  bool largest_part = false;  ///< as in datasets::Reading
-  datasets::Part part = {};
-  std::optional<std::string> phantom = {};
-  std::optional<Kept> keep = {};        ///< the volume already shown, with another tool or field
-  std::optional<ToolSource> tool = {};  ///< none: the tool that fits the phantom, otherwise `probe`
-  std::optional<double> isovalue = {};
-  haptics::SceneOptions options = {};
-  /// The scene whose field is reused if volume and kind are the same; may be null.
-  std::shared_ptr<const haptics::Scene> previous = {};
 };
 
 /// The name of what is read, for the user; empty if nothing is.

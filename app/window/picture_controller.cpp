@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/picture_controller.h"
 
+#include <vtkPolyData.h>
+
 #include <cstddef>
 #include <cstdint>
 

@@ -111,7 +111,8 @@ void ToolController::changeField(const QString& id) {
 
 LoadRequest ToolController::requestWith(const ToolSource& tool) const {
   const Loaded& shown = *shared_.shown;
-  return {.keep = Kept{shown.volume(), shown.picture, shown.title, shown.place},
+  return {.keep = std::make_shared<const Kept>(
+              Kept{shown.volume(), shown.picture, shown.title, shown.place}),
           .tool = tool,
           .isovalue = shared_.settings.isovalue};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/view_camera.h"
 
+#include <vtkCamera.h>
+
 #include <cmath>
 #include <numbers>
 

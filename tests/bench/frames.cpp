@@ -18,6 +18,8 @@
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkRenderer.h>
@@ -29,7 +31,10 @@
 
 #include "app/application.h"
 #include "app/build_info/build_info.h"
+#include "app/window/loader.h"
+#include "app/window/session_recording.h"
 #include "tests/bench/window.h"
+#include "ui/main_window.h"
 #include "ui/panels/device_panel.h"
 #include "ui/volume_view.h"
 

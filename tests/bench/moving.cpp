@@ -20,7 +20,9 @@
 
 #include "app/application.h"
 #include "app/build_info/build_info.h"
+#include "app/window/loader.h"
 #include "tests/bench/window.h"
+#include "ui/main_window.h"
 #include "ui/volume_view.h"
 
 namespace {

@@ -16,12 +16,16 @@
 
 #include "app/application.h"
 #include "app/build_info/build_info.h"
+#include "app/window/loader.h"
+#include "app/window/session_recording.h"
 #include "haptics/recording/recording.h"
 #include "haptics/servo/servo_loop.h"
+#include "haptics/session.h"
 #include "haptics/simulation/simulated.h"
 #include "tests/bench/ticks.h"
 #include "tests/bench/window.h"
 #include "tests/support/sentence.h"
+#include "ui/main_window.h"
 #include "ui/volume_view.h"
 
 namespace {

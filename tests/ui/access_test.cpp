@@ -30,6 +30,7 @@
 #include "ui/banner.h"
 #include "ui/bindings.h"
 #include "ui/export_question.h"
+#include "ui/main_window.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/histogram_slider.h"
 #include "ui/panels/isosurface_panel.h"
@@ -121,7 +122,7 @@ class WholeWindow {
  public:
   explicit WholeWindow(const char* hand = "mouse") : application(window::sphereInHand(hand)) {
     application.start();
-    if (!waitFor([&] { return application.snapshot().scene != 0; }, 60.0))
+    if (!waitFor([&] { return application.snapshot().scene != 0; }))
       throw std::runtime_error("nothing was loaded");
     window().resize(1280, 860);
     for (ui::Section* section : window().findChildren<ui::Section*>()) section->setFolded(false);
@@ -129,7 +130,7 @@ class WholeWindow {
   ui::MainWindow& window() { return application.window(); }
   void activate() {
     window().activateWindow();
-    EXPECT_TRUE(waitFor([&] { return window().isActiveWindow(); }, 10.0));
+    EXPECT_TRUE(waitFor([&] { return window().isActiveWindow(); }));
   }
   template <class Check>
   void inEachTab(const Check& check) {
@@ -459,7 +460,7 @@ TEST(Access, ViewsSayWhatTheyShow) {
   const QString first = spokenOf(axial).text(QAccessible::Name);
   EXPECT_TRUE(first.startsWith("Axial slice: ") && first.contains("/ 24")) << first.toStdString();
   w.window.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.window, 20'000));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.window, 120'000));
   axial.setFocus();
   const Listening listening;
   QTest::keyClick(&axial, Qt::Key_Up);

@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -21,8 +22,10 @@
 #include <thread>
 #include <vector>
 
+#include "haptics/session.h"
 #include "sphere_in_hand.h"
 #include "tests/support/places.h"
+#include "ui/main_window.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/edit_panel.h"
 #include "ui/panels/histogram_slider.h"
@@ -41,41 +44,38 @@ using window::waitFor;
 
 constexpr double kSlewOfTick_N = 12.0 / 20.0;  // rated force within 20 ms
 
-// Every tick's force, as the plot gets them, for so many seconds in which no event is handled:
-// the application's own timer would take them first.
-std::vector<double> forcesOfTicks(haptics::Session& session, double seconds) {
+// Every tick's force, as the plot gets them, of at least so many ticks, in which no event is
+// handled: the application's own timer would take them first.
+std::vector<double> forcesOfTicks(haptics::Session& session, std::size_t ticks) {
   std::vector<double> forces;
   std::vector<haptics::ForceSample> samples(1024);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   do {
     while (const std::size_t count = session.forces(samples))
       for (std::size_t i = 0; i < count; ++i) forces.push_back(samples[i].force);
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  } while (std::chrono::steady_clock::now() < end);
+    if (forces.size() < ticks) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  } while (forces.size() < ticks);
   return forces;
 }
 
 TEST(Application, AHandPressesOnASphereAndEscapeDropsTheForce) {
   app::Application application(sphereInHand("tap"));
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 20.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }));
   window::keep(window::pictureOf(application.window()), "application_touching");
-  forcesOfTicks(application.session(), 0.0);
+  forcesOfTicks(application.session(), 0);
   QTest::keyClick(&application.window().view(), Qt::Key_Escape);
   // what was sent until the key was handled; after it, a tick under way may still end
-  forcesOfTicks(application.session(), 0.0);
-  const std::vector<double> after = forcesOfTicks(application.session(), 0.3);
-  EXPECT_GT(after.size(), 50U);
+  forcesOfTicks(application.session(), 0);
+  const std::vector<double> after = forcesOfTicks(application.session(), 300);
   EXPECT_LE(std::count_if(after.begin(), after.end(), [](double f) { return f != 0.0; }), 1);
-  QTest::qWait(100);
-  EXPECT_EQ(application.snapshot().force_state, ForceState::Ready);
+  EXPECT_TRUE(waitFor([&] { return application.snapshot().force_state == ForceState::Ready; }));
   EXPECT_EQ(application.snapshot().felt_W.force.norm(), 0.0);
   // it stays off, whatever the hand does, until the user wants it again
-  QTest::qWait(1'000);
+  window::afterTicks(application, 1'000);
   EXPECT_EQ(application.snapshot().felt_W.force.norm(), 0.0);
   QTest::mouseClick(application.window().findChild<QAbstractButton*>("forceOn"), Qt::LeftButton);
-  EXPECT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }, 20.0));
+  EXPECT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }));
 }
 
 TEST(Application, NothingInAPanelIsCutAtTheFirstSizeOfTheWindow) {
@@ -83,7 +83,7 @@ TEST(Application, NothingInAPanelIsCutAtTheFirstSizeOfTheWindow) {
   application.start();
   ui::MainWindow& window = application.window();
   window.resize(1280, 900);
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   int looked = 0;
   auto* side = window.findChild<ui::SidePanel*>("sidePanel");
   for (ui::Section* section : window.findChildren<ui::Section*>()) section->setFolded(false);
@@ -116,23 +116,27 @@ TEST(Application, NothingIsCutInAnyTabAtAnyScale) {
   app::Application application(sphereInHand("tap"));
   application.start();
   ui::MainWindow& window = application.window();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   window.resize(1280, 700);
   window.showRecording(3'725.0);
   for (ui::Section* section : window.findChildren<ui::Section*>()) section->setFolded(false);
   const auto scale = int(std::lround(window.devicePixelRatioF() * 100.0));
   for (const char* tab : {"scanTab", "touchTab", "deviceTab", "recordTab"}) {
     QTest::mouseClick(window.findChild<QAbstractButton*>(tab), Qt::LeftButton);
-    QTest::qWait(1'000);  // devices are looked for, and their list changes
+    if (QString(tab) == "deviceTab") {  // devices are looked for, and their list changes
+      auto* devices = window.findChild<QTreeWidget*>("deviceList");
+      ASSERT_TRUE(waitFor([&] { return devices->topLevelItemCount() > 0; }));
+    }
+    QTest::qWait(100);
     EXPECT_EQ(window.size(), QSize(1280, 700)) << tab;
     expectNothingCut(window, tab);
     window.grab().save(QDir::tempPath() + "/palpate-window-tests/" +
                        QString("scale_%1_%2.png").arg(scale).arg(tab));
   }
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().force_state == ForceState::On; }, 20.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().force_state == ForceState::On; }));
   QTest::keyClick(&window.view(), Qt::Key_Escape);
   auto* resume = window.findChild<QAbstractButton*>("forceOn");
-  ASSERT_TRUE(waitFor([&] { return resume->isVisible(); }, 10.0));
+  ASSERT_TRUE(waitFor([&] { return resume->isVisible(); }));
   QTest::qWait(50);
   expectNothingCut(window, "stopped");
 }
@@ -140,7 +144,7 @@ TEST(Application, NothingIsCutInAnyTabAtAnyScale) {
 TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
   app::Application application(sphereInHand("mouse"));
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   ui::VolumeView& view = application.window().view();
   const auto push = [&](int notches) {
     QWheelEvent wheel({150, 150}, view.mapToGlobal(QPointF{150, 150}), {}, {0, 120 * notches}, {},
@@ -151,10 +155,10 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
   // 2 mm a notch; the tool waits some millimetres off
   for (int i = 0; i < 20 && application.snapshot().felt_W.force.norm() < 1.0; ++i) {
     push(1);
-    QTest::qWait(200);
+    window::afterTicks(application, 200);
   }
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.3; }, 5.0));
-  QTest::qWait(500);
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.3; }));
+  window::afterTicks(application, 500);
   const haptics::Snapshot snapshot = application.snapshot();
   const haptics::Vec3 between = snapshot.X_WP.translation() - snapshot.X_WD.translation();
   EXPECT_LT(between.y(), -0.5e-3);  // the proxy stays in front of the device
@@ -168,11 +172,10 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
   auto* slider = application.window().findChild<ui::HistogramSlider*>("isovalueSlider");
   slider->setFocus();
   for (const Qt::Key key : {Qt::Key_PageUp, Qt::Key_PageDown}) {
-    std::vector<double> forces = forcesOfTicks(application.session(), 0.1);
+    std::vector<double> forces = forcesOfTicks(application.session(), 100);
     QTest::keyClick(slider, key);
-    const std::vector<double> after = forcesOfTicks(application.session(), 1.5);
+    const std::vector<double> after = forcesOfTicks(application.session(), 1'500);
     forces.insert(forces.end(), after.begin(), after.end());
-    ASSERT_GT(after.size(), 200U);
     double steepest = 0.0;
     for (std::size_t i = 1; i < forces.size(); ++i)
       steepest = std::max(steepest, std::abs(forces[i] - forces[i - 1]));
@@ -185,11 +188,11 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
 TEST(Application, KeepsTheOldVolumeWhenTheNewOneCannotBeRead) {
   app::Application application(sphereInHand("mouse"));
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   const auto scene = application.snapshot().scene;
   QSignalSpy refused(&application, &app::Application::finished);
   emit application.window().openWanted("/nowhere/at/all.nrrd");
-  ASSERT_TRUE(waitFor([&] { return refused.count() > 0; }, 10.0));
+  ASSERT_TRUE(waitFor([&] { return refused.count() > 0; }));
   EXPECT_EQ(refused.first().first().toInt(), 3);
   QTest::qWait(100);
   EXPECT_EQ(application.snapshot().scene, scene);
@@ -204,7 +207,7 @@ TEST(Application, SaysInItsTitleThatAScanWasResampled) {
   arguments.load.geometry = datasets::Geometry::Corrected;
   app::Application application(arguments);
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   EXPECT_TRUE(application.window().windowTitle().startsWith("gantrytilting (resampled)"))
       << application.window().windowTitle().toStdString();
 }
@@ -214,7 +217,7 @@ TEST(Application, AnIsovalueThatTheVolumeHasNotIsReplacedEverywhereAndSaid) {
   arguments.load.isovalue = 1e9;
   app::Application application(std::move(arguments));
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   auto* typed = application.window().findChild<QDoubleSpinBox*>("isovalueTyped");
   EXPECT_LT(typed->value(), 1e9);
   EXPECT_EQ(application.snapshot().isovalue, typed->value());
@@ -226,36 +229,36 @@ TEST(Application, AnIsovalueThatTheVolumeHasNotIsReplacedEverywhereAndSaid) {
 TEST(Application, AnotherToolKeepsTheIsovalueThatMovedMeanwhile) {
   app::Application application(sphereInHand("mouse"));
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   const auto scene = application.snapshot().scene;
   emit window::panelOf<ui::DevicePanel>(application.window()).toolChosen("wrench");
   auto* slider = application.window().findChild<ui::HistogramSlider*>("isovalueSlider");
   QTest::keyClick(slider, Qt::Key_PageUp);
   const double chosen = application.window().findChild<QDoubleSpinBox*>("isovalueTyped")->value();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
-  QTest::qWait(100);
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }));
+  window::afterTicks(application, 50);
   EXPECT_EQ(application.snapshot().isovalue, chosen);
 }
 
 TEST(Application, AnotherFieldIsTouchedLiveAndItsEffectSaid) {
   app::Application application(sphereInHand("mouse"));
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   auto* effect = application.window().findChild<QLabel*>("fieldEffect");
   EXPECT_FALSE(effect->isVisible());
   auto scene = application.snapshot().scene;
   emit window::panelOf<ui::DevicePanel>(application.window()).fieldChosen("spline");
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }));
   EXPECT_TRUE(effect->isVisible());
   EXPECT_TRUE(effect->text().contains("erases")) << effect->text().toStdString();
   // it stays with another tool, and ends where the voxels themselves are wanted again
   scene = application.snapshot().scene;
   emit window::panelOf<ui::DevicePanel>(application.window()).toolChosen("wrench");
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }));
   EXPECT_TRUE(effect->isVisible());
   scene = application.snapshot().scene;
   emit window::panelOf<ui::DevicePanel>(application.window()).fieldChosen("trilinear");
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }));
   EXPECT_FALSE(effect->isVisible());
 }
 
@@ -267,7 +270,7 @@ TEST(Application, ThePictureOfTheCommandLineHasWhatIsDrawnOverTheView) {
   app::Application application(arguments);
   QSignalSpy finished(&application, &app::Application::finished);
   application.start();
-  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }));
   EXPECT_EQ(finished[0][0].toInt(), 0);
   const QImage image(folder.filePath("window.png"));
   ui::MainWindow& window = application.window();

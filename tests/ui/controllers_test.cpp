@@ -22,6 +22,7 @@
 #include "app/read_ahead.h"
 #include "app/window/kept_phantom.h"
 #include "app/window/measurement_controller.h"
+#include "app/window/scan_ahead.h"
 #include "datasets/phantoms/phantoms.h"
 #include "panelled_window.h"
 #include "ui/panels/force_words.h"
@@ -240,7 +241,7 @@ TEST(Controllers, TheForceIsShownByThePictureAndPlotted) {
   window::showAndWait(window, {1240, 840});
   auto* plot = window.findChild<ui::ForcePlot*>("forcePlot");
   const auto shows = [&](float force) {
-    return waitFor([&] { return plot->greatestForce() == force; }, 10.0);
+    return waitFor([&] { return plot->greatestForce() == force; });
   };
   controller.appendForces(std::vector<haptics::ForceSample>{{0.1, 1.5F, 0.0F}, {0.2, 2.5F, 0.0F}});
   EXPECT_TRUE(shows(2.5F));

@@ -13,6 +13,7 @@
 #include "app/application.h"
 #include "app/log/log.h"
 #include "tests/support/scratch_folder.h"
+#include "ui/main_window.h"
 #include "window_support.h"
 
 namespace {

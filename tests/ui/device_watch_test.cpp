@@ -3,13 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
-#include <condition_variable>
 #include <stdexcept>
-#include <thread>
 
 #include "hand_device.h"
 
@@ -22,36 +19,12 @@ using haptics::DeviceEntry;
 using haptics::Expected;
 using haptics::OpenRequest;
 using haptics::Trouble;
+using window::Gate;
 using window::HandDevice;
 using window::Handle;
 using Made = Expected<std::unique_ptr<Device>>;
 
-constexpr int kSoon_ms = 20'000;  // far more than it takes on a machine that is busy
-
-/// Keeps who comes to it until it is lifted.
-class Gate {
- public:
-  void lift() {
-    const std::lock_guard lock(mutex_);
-    lifted_ = true;
-    changed_.notify_all();
-  }
-  void pass() {
-    std::unique_lock lock(mutex_);
-    ++waiting_;
-    changed_.wait(lock, [this] { return lifted_; });
-  }
-  int came() {
-    const std::lock_guard lock(mutex_);
-    return waiting_;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool lifted_ = false;
-  int waiting_ = 0;
-};
+constexpr int kSoon_ms = 120'000;  // far more than it takes on a machine that is busy
 
 DeviceEntry entry(std::string id, bool present = true) {
   DeviceEntry made{.id = id, .name = "The " + id, .sensed = 3, .actuated = 3, .present = present};
@@ -68,20 +41,27 @@ DeviceCatalogue catalogueOf(std::function<Made(const OpenRequest&)> open) {
           .join = [](auto moved, auto) { return moved; }};
 }
 
-TEST(DeviceWatch, TheWindowGoesOnWhileADeviceTakesThreeSecondsToOpen) {
+TEST(DeviceWatch, TheWindowGoesOnHoweverLongADeviceTakesToOpen) {
+  Gate gate;
   auto handle = std::make_shared<Handle>();
-  DeviceWatch watch(catalogueOf([handle](const OpenRequest&) -> Made {
-    std::this_thread::sleep_for(std::chrono::seconds(3));
+  DeviceWatch watch(catalogueOf([&](const OpenRequest&) -> Made {
+    gate.pass();
     return std::make_unique<HandDevice>(handle);
   }));
   QSignalSpy opened(&watch, &DeviceWatch::opened);
   int turns = 0;
   QTimer timer;
   QObject::connect(&timer, &QTimer::timeout, [&turns] { ++turns; });
-  timer.start(10);
+  timer.start(1);
   watch.open({.id = "falcon"});
-  ASSERT_TRUE(opened.wait(kSoon_ms));
-  EXPECT_GT(turns, 60);  // of some 300
+  ASSERT_TRUE(QTest::qWaitFor([&] { return gate.came() == 1; }, kSoon_ms));
+  // the driver is at it until the window has gone on for long
+  turns = 0;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return turns > 100; }, kSoon_ms));
+  EXPECT_EQ(gate.passed(), 0);
+  EXPECT_EQ(opened.size(), 0);
+  gate.lift();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !opened.isEmpty(); }, kSoon_ms));
   EXPECT_EQ(qvariant_cast<ui::DeviceWish>(opened[0][0]).id, "falcon");
   EXPECT_TRUE(handle->open);
   opened.clear();  // nobody took it; the thread that opened it may hold it for a moment yet
@@ -103,7 +83,7 @@ TEST(DeviceWatch, AnotherWishTakesTheFirstOnesPlace) {
   watch.open({.id = "never"});
   watch.open({.id = "second"});
   gate.lift();
-  ASSERT_TRUE(opened.wait(kSoon_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !opened.isEmpty(); }, kSoon_ms));
   EXPECT_EQ(made, 2);  // the one in between was never tried
   EXPECT_FALSE(first->open);
   EXPECT_TRUE(second->open);
@@ -146,7 +126,7 @@ TEST(DeviceWatch, OneThatTurnsIsJoinedToOneThatMoves) {
   DeviceWatch watch(catalogue);
   QSignalSpy opened(&watch, &DeviceWatch::opened);
   watch.open({.id = "falcon", .turned_by = "spacemouse"});
-  ASSERT_TRUE(opened.wait(kSoon_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !opened.isEmpty(); }, kSoon_ms));
   EXPECT_EQ(joined, 1);
 }
 
@@ -161,7 +141,7 @@ TEST(DeviceWatch, EveryTroubleComesThroughWithItsSentence) {
   for (int n = 1; n <= static_cast<int>(Trouble::Lost); ++n) {
     trouble = static_cast<Trouble>(n);
     watch.open({.id = "falcon"});
-    ASSERT_TRUE(refused.wait(kSoon_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !refused.isEmpty(); }, kSoon_ms));
     const QList<QVariant> said = refused.takeFirst();
     EXPECT_EQ(qvariant_cast<Trouble>(said[1]), trouble);
     EXPECT_EQ(said[2].toString().toStdString(),
@@ -180,7 +160,7 @@ TEST(DeviceWatch, ADriverThatThrowsIsARefusalAndNoEnd) {
   DeviceWatch watch(catalogue);
   QSignalSpy refused(&watch, &DeviceWatch::refused), surveyed(&watch, &DeviceWatch::surveyed);
   watch.open({.id = "falcon"});
-  ASSERT_TRUE(refused.wait(kSoon_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !refused.isEmpty(); }, kSoon_ms));
   watch.surveyNow();
   if (surveyed.isEmpty()) watch.surveyNow();
   ASSERT_TRUE(QTest::qWaitFor(
@@ -215,7 +195,7 @@ TEST(DeviceWatch, ItLooksAgainAndAgainAndSaysOnlyWhatChanged) {
   watch.watch(false);
   QTest::qWait(200);
   const int then = surveys;
-  QTest::qWait(2'500);
+  QTest::qWait(1'500);  // it would be looked for each second
   EXPECT_EQ(surveys, then);
   watch.surveyNow();
   EXPECT_TRUE(QTest::qWaitFor([&] { return surveys == then + 1; }, kSoon_ms));
@@ -224,7 +204,6 @@ TEST(DeviceWatch, ItLooksAgainAndAgainAndSaysOnlyWhatChanged) {
 TEST(DeviceWatch, ASurveyThatHangsHoldsNobodyUp) {
   auto gate = std::make_shared<Gate>();
   auto over = std::make_shared<std::atomic<bool>>(false);
-  QElapsedTimer clock;
   {
     DeviceCatalogue catalogue = catalogueOf([](const OpenRequest&) -> Made { return nullptr; });
     catalogue.survey = [gate, over]() -> std::vector<DeviceEntry> {
@@ -235,14 +214,12 @@ TEST(DeviceWatch, ASurveyThatHangsHoldsNobodyUp) {
     DeviceWatch watch(catalogue);
     watch.watch(true);
     ASSERT_TRUE(QTest::qWaitFor([&] { return gate->came() == 1; }, kSoon_ms));
-    clock.start();
     watch.open({.id = "falcon"});
     watch.cancel();
     watch.surveyNow();
-    EXPECT_LT(clock.elapsed(), 1'000);
   }
-  // it was given two seconds to come to an end
-  EXPECT_LT(clock.elapsed(), 15'000);
+  // it is given two seconds to come to an end; whoever waited for it would wait for ever
+  EXPECT_FALSE(*over);
   gate->lift();
   EXPECT_TRUE(QTest::qWaitFor([&] { return over->load(); }, kSoon_ms));
   QTest::qWait(100);  // it finds nobody to tell, and ends

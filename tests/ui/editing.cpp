@@ -15,7 +15,10 @@
 #include <cmath>
 #include <optional>
 
+#include "app/window/edit_controller.h"
+#include "app/window/loader.h"
 #include "datasets/readers/nrrd/writer.h"
+#include "haptics/session.h"
 #include "sphere_in_hand.h"
 #include "ui/number_box.h"
 #include "ui/panels/histogram_slider.h"
@@ -49,10 +52,10 @@ void Editing::open(const std::filesystem::path& scan, double isovalue) {
   arguments.load.isovalue = isovalue;
   application_ = std::make_unique<app::Application>(arguments);
   application_->start();
-  ASSERT_TRUE(waitFor([&] { return application_->snapshot().scene != 0; }, 120.0));
+  ASSERT_TRUE(waitFor([&] { return application_->snapshot().scene != 0; }));
   // a shortcut is the active window's
   window().activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 20'000));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));
   press("View", "In the way");
 }
 
@@ -99,11 +102,11 @@ void Editing::redo() {
 }
 
 void Editing::settle() {
-  ASSERT_TRUE(waitFor([&] { return !application_->editing().isBusy(); }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return !application_->editing().isBusy(); }));
 }
 
 bool Editing::previewed() {
-  return waitFor([&] { return child<QLabel>("editPreview").isVisible(); }, 30.0);
+  return waitFor([&] { return child<QLabel>("editPreview").isVisible(); });
 }
 
 void Editing::mouse(QWidget& view, QEvent::Type type, QPointF at, Qt::MouseButtons held) {
@@ -188,18 +191,18 @@ void Editing::expectTheSameEverywhere() {
   const ui::Histogram& drawn = window().findChild<ui::HistogramSlider*>()->histogram();
   EXPECT_EQ(drawn.counts,
             ui::histogramOf(*shown.picture.volume, static_cast<int>(drawn.counts.size())).counts);
-  EXPECT_TRUE(waitFor([&] { return application_->snapshot().scene == shown.scene->id; }, 20.0));
+  EXPECT_TRUE(waitFor([&] { return application_->snapshot().scene == shown.scene->id; }));
 }
 
 Eigen::Vector3d Editing::pulledTo(const Vector3d& p_mm) {
   haptics::Pose hand = application_->snapshot().X_WD;
   const Vector3d from = hand.translation();
-  for (int n = 1; n <= 40; ++n) {
-    hand.translation() = from + (p_mm * 1e-3 - from) * (n / 40.0);
+  for (int n = 1; n <= 25; ++n) {
+    hand.translation() = from + (p_mm * 1e-3 - from) * (n / 25.0);
     application_->session().pull(hand);
-    QTest::qWait(10);
+    afterTicks(*application_, 12);
   }
-  QTest::qWait(300);
+  afterTicks(*application_, 300);
   return application_->snapshot().X_WP.translation() * 1e3;
 }
 

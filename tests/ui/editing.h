@@ -15,7 +15,9 @@
 #include <vector>
 
 #include "app/application.h"
+#include "app/window/loader.h"
 #include "haptics/scene/scene.h"
+#include "ui/main_window.h"
 #include "ui/panels/edit_panel.h"
 #include "ui/volume_view.h"
 

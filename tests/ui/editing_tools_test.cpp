@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <vtkCamera.h>
+
 #include <QComboBox>
 #include <QImage>
 #include <QLocale>
@@ -9,6 +11,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "app/window/edit_controller.h"
+#include "app/window/loader.h"
 #include "editing.h"
 #include "ui/number_box.h"
 #include "ui/style/scene_colours.h"
@@ -427,7 +431,7 @@ TEST_F(Editing, APieceIsShownWithItsVolumeAndKeptOrRemoved) {
   expectTheSameEverywhere();
   // air is no piece
   clickAt(slice(ui::Plane::Axial), slice(ui::Plane::Axial).projected({-25, 25, 12}));
-  EXPECT_TRUE(waitFor([&] { return messageIsShown(); }, 10.0));
+  EXPECT_TRUE(waitFor([&] { return messageIsShown(); }));
 }
 
 TEST_F(Editing, PiecesAreChosenAndTheScalpelIsLedByKeys) {
@@ -536,7 +540,7 @@ TEST_F(Editing, SmallPiecesAreShownAndRemoved) {
   type("smallVolume", "0.1");
   click("showSmall");
   // both are larger: a sentence
-  EXPECT_TRUE(waitFor([&] { return messageIsShown(); }, 10.0));
+  EXPECT_TRUE(waitFor([&] { return messageIsShown(); }));
   type("smallVolume", "1");
   click("showSmall");
   ASSERT_TRUE(previewed());

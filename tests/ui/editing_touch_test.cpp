@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "app/window/edit_controller.h"
+#include "app/window/loader.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "editing.h"
 #include "haptics/simulation/closed_loop.h"
@@ -173,7 +175,7 @@ TEST_F(Editing, AfterEachKindOfEditTheHandFindsWhatTheViewsShow) {
     EXPECT_EQ(haptics::penetration(*scene(), kIsovalue, after.X_WP), 0.0);
     // and of the contours in the slices through that place
     window().setCross(touched.place);
-    QTest::qWait(400);  // at rest they are fine
+    for (ui::SliceView* slice : window().slices().slices()) window::rest(*slice);
     for (const auto& [plane, axis] :
          {std::pair{ui::Plane::Axial, 2}, std::pair{ui::Plane::Coronal, 1},
           std::pair{ui::Plane::Sagittal, 0}}) {

@@ -44,9 +44,11 @@ std::optional<ui::ExportWish> answered(const std::function<void(ui::ExportDialog
     ASSERT_NE(dialog, nullptr);
     how(*dialog);
   });
-  QTimer::singleShot(20'000, qApp, [] {
+  QTimer gives_up;
+  QObject::connect(&gives_up, &QTimer::timeout, [] {
     if (auto* left = QApplication::activeModalWidget()) left->close();
   });
+  gives_up.start(120'000);
   return ui::askForExport(parent, kBegin, kEnd, window::exportFormats());
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -10,6 +12,42 @@
 #include "app/window/device_watch.h"
 
 namespace window {
+
+/// Keeps who comes to it until it is lifted.
+class Gate {
+ public:
+  void lift() {
+    const std::lock_guard lock(mutex_);
+    lifted_ = true;
+    changed_.notify_all();
+  }
+  /// From here on, who comes is kept again.
+  void shut() {
+    const std::lock_guard lock(mutex_);
+    lifted_ = false;
+  }
+  void pass() {
+    std::unique_lock lock(mutex_);
+    ++came_;
+    // whoever waits for it in the window's own thread is to fail, and not to hang
+    changed_.wait_for(lock, std::chrono::minutes(2), [this] { return lifted_; });
+    ++passed_;
+  }
+  int came() const {
+    const std::lock_guard lock(mutex_);
+    return came_;
+  }
+  int passed() const {
+    const std::lock_guard lock(mutex_);
+    return passed_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  bool lifted_ = false;
+  int came_ = 0, passed_ = 0;
+};
 
 /// The test's end of a device that is not there: where its handle is led to, and every wrench that
 /// was written to it.

@@ -19,6 +19,7 @@
 
 #include "app/application.h"
 #include "app/window/help_controller.h"
+#include "app/window/session_recording.h"
 #include "resources/messages/messages.h"
 #include "sphere_in_hand.h"
 #include "ui/help_window.h"
@@ -179,7 +180,7 @@ TEST(Help, PicturesShowTheWindowAsItIs) {
     auto* shown = window.findChild<QWidget*>(section);
     ASSERT_NE(shown, nullptr) << section;
     if (auto* list = shown->findChild<QTreeWidget*>("deviceList")) {
-      EXPECT_TRUE(window::waitFor([&] { return list->topLevelItemCount() > 0; }, 20.0));
+      EXPECT_TRUE(window::waitFor([&] { return list->topLevelItemCount() > 0; }));
     }
     isStored(section, window::pictureOf(*shown));
   }
@@ -194,7 +195,7 @@ TEST(Help, PicturesShowTheWindowAsItIs) {
   for (const QString& name : made) EXPECT_TRUE(pages.contains("](pictures/" + name + ".png)"));
   ui::HelpWindow help;
   help.open("first-touch");
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&help, 120'000));
   window::keep(window::pictureOf(help), "first_touch_page");
   const QVariant found =
       help.page().loadResource(QTextDocument::ImageResource, QUrl("pictures/start.png"));
@@ -228,7 +229,7 @@ TEST(Help, OpensAtThePartThatHasTheFocus) {
 TEST(Help, IsSearchedAndGoesBackAndForward) {
   ui::HelpWindow window;
   window.open("index");
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 120'000));
   auto* contents = window.findChild<QListWidget*>("helpContents");
   auto* search = window.findChild<QLineEdit*>("helpSearch");
   auto* back = window.findChild<QToolButton*>("helpBack");

@@ -11,6 +11,7 @@
 
 #include "app/application.h"
 #include "sphere_in_hand.h"
+#include "ui/main_window.h"
 #include "window_support.h"
 
 namespace {
@@ -35,7 +36,7 @@ TEST_F(HighDpi, TheSurfaceIsDrawnAtTheScreensPixelsWhereItIs) {
     view.setSurfaceWish(mode);
     window::showAndWait(view, {300, 240});
     view.show(ballPictureOf(0.020), 50.0);
-    QTest::qWait(500);
+    window::rest(view);
     const QImage image = view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     ASSERT_EQ(image.size(), view.size() * 2);
     const QPointF middle = view.projected(Vec3::Zero()) * 2.0;

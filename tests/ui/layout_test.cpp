@@ -2,6 +2,8 @@
 // How the views share the window.
 #include <gtest/gtest.h>
 
+#include <vtkCamera.h>
+
 #include <QAction>
 #include <QApplication>
 #include <QDoubleSpinBox>
@@ -39,7 +41,7 @@ struct Window {
     panelled.show(ballPicture(), 50.0, "Ball");
     window::showAndWait(window, {1240, 860});
     window.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&window, 20'000));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window, 120'000));
   }
   void choose(const char* action) {
     auto* found = window.findChild<QAction*>(action);

@@ -4,6 +4,8 @@
 // is told by the phantom's balls in the pixels, and the letters are read from the pixels too.
 #include <gtest/gtest.h>
 
+#include <vtkCamera.h>
+
 #include <QApplication>
 #include <QPainter>
 #include <algorithm>

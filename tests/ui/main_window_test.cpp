@@ -71,7 +71,7 @@ TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheStopButtonWishTheForceOff) {
   // with a modal dialog in front; Escape closes it as well
   QDialog dialog(&window);
   QTimer::singleShot(200, &dialog, [&] { QTest::keyClick(&dialog, Qt::Key_Escape); });
-  QTimer::singleShot(5'000, &dialog, [&] { dialog.done(77); });
+  QTimer::singleShot(120'000, &dialog, [&] { dialog.done(77); });
   EXPECT_EQ(dialog.exec(), QDialog::Rejected);
   EXPECT_TRUE(wished());
   // even in the smallest window the button is there
@@ -349,7 +349,7 @@ TEST(MainWindow, TheStopButtonFillsUnderThePointerOnlyWhileThereIsAForce) {
            }) > 1'000;
   };
   t.window.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&t.window));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&t.window, 120'000));
   t.tell(haptics::ForceState::On);
   EXPECT_FALSE(filled());
   stop->setFocus(Qt::TabFocusReason);

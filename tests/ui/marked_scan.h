@@ -57,7 +57,7 @@ struct MarkedScan : Panelled {
 inline void showActive(QWidget& widget) {
   showAndWait(widget, {1240, 840});
   widget.activateWindow();
-  EXPECT_TRUE(QTest::qWaitForWindowActive(&widget, 20'000));
+  EXPECT_TRUE(QTest::qWaitForWindowActive(&widget, 120'000));
 }
 
 inline void click(QWidget& view, QPointF at) {

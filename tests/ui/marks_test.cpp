@@ -18,10 +18,13 @@
 #include <random>
 
 #include "app/application.h"
+#include "app/window/loader.h"
+#include "app/window/marks_controller.h"
 #include "marked_scan.h"
 #include "sphere_in_hand.h"
 #include "tests/support/places.h"
 #include "ui/lengths.h"
+#include "ui/main_window.h"
 #include "ui/overlays/measure_words.h"
 
 namespace {
@@ -624,7 +627,9 @@ TEST(Marks, TheWayOfTheToolIsAddedUpAndNothingIsPaintedWhileItRests) {
     }
     int& count_;
   };
-  QTest::qWait(600);
+  window::rest(scan.window.view());
+  for (ui::SliceView* slice : scan.window.slices().slices()) window::rest(*slice);
+  QTest::qWait(200);
   {
     const PaintCount paints(painted);
     for (int i = 0; i < 40; ++i) {
@@ -638,14 +643,14 @@ TEST(Marks, TheWayOfTheToolIsAddedUpAndNothingIsPaintedWhileItRests) {
   QString shown = words->text();
   QElapsedTimer clock;
   clock.start();
-  for (int i = 0; clock.elapsed() < 1000; ++i) {
+  for (int i = 0; changes < 6; ++i) {
+    ASSERT_LT(i, 10'000);
     put({0.0, -0.05 + 1e-4 * i, 0.0});
     if (words->text() != shown) ++changes;
     shown = words->text();
     QTest::qWait(4);
   }
-  EXPECT_GE(changes, 4);
-  EXPECT_LE(changes, 11);
+  EXPECT_GE(clock.elapsed(), (changes - 1) * 95);
   // another hand begins elsewhere: no way lies between
   const double before =
       words->text().section("travelled ", 1).section(QChar(QChar::Nbsp), 0, 0).toDouble();
@@ -749,10 +754,10 @@ TEST(Marks, TheEarCanalIsMeasuredInSixActions) {
   arguments.load = {.path = path};
   app::Application application(arguments);
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.shown().has_value(); }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.shown().has_value(); }));
   ui::MainWindow& window = application.window();
   window.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 20'000));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 120'000));
   ui::Measures& measures = application.marks().measures();
   // where the walls of the canal are, along a line from front to back: at the half between bone and
   // air, in the touched field

@@ -22,7 +22,9 @@
 #include <QTimer>
 
 #include "app/application.h"
+#include "app/window/loader.h"
 #include "tests/support/dicom_bytes.h"
+#include "ui/main_window.h"
 #include "window_support.h"
 
 namespace {
@@ -120,7 +122,7 @@ class Pacs : public testing::Test {
     QTest::mouseClick(&button, Qt::LeftButton);
   }
   bool answers(const char* words) {
-    return waitFor([&] { return part<QLabel>("pacsAnswer").text().contains(words); }, 20.0);
+    return waitFor([&] { return part<QLabel>("pacsAnswer").text().contains(words); });
   }
   QString asked() {
     QFile file(folder_.filePath("asked"));
@@ -175,7 +177,7 @@ TEST_F(Pacs, SeriesAreListedWithoutNamesUntilTheirSwitchIsOn) {
   EXPECT_TRUE(list().isColumnHidden(5));
   window::keep(window::pictureOf(*list().window()), "pacs_window");
   part<QCheckBox>("pacsNames").click();
-  EXPECT_TRUE(waitFor([&] { return list().rowCount() == 2 && !list().isColumnHidden(5); }, 20.0));
+  EXPECT_TRUE(waitFor([&] { return list().rowCount() == 2 && !list().isColumnHidden(5); }));
   EXPECT_EQ(list().item(0, 5)->text(), "MUSTER^HANS");
   // neither what is searched nor a secret stands in a list of processes or in the preferences
   const QStringList lines = asked().split('\n', Qt::SkipEmptyParts);
@@ -199,7 +201,7 @@ TEST_F(Pacs, ASeriesIsFetchedAndItsFolderStaysToTheEnd) {
   QSignalSpy opened(controller_.get(), &app::PacsController::openWanted);
   list().selectRow(0);
   click("pacsFetch");
-  ASSERT_TRUE(waitFor([&] { return opened.count() == 1; }, 20.0));
+  ASSERT_TRUE(waitFor([&] { return opened.count() == 1; }));
   const QString folder = opened.at(0).at(0).toString();
   EXPECT_TRUE(QDir(folder).exists());
   EXPECT_TRUE(answers("120 images"));
@@ -208,7 +210,7 @@ TEST_F(Pacs, ASeriesIsFetchedAndItsFolderStaysToTheEnd) {
   QTest::qWait(300);
   EXPECT_TRUE(QDir(folder).exists());
   controller_.reset();
-  EXPECT_TRUE(waitFor([&] { return !QDir(folder).exists(); }, 20.0));
+  EXPECT_TRUE(waitFor([&] { return !QDir(folder).exists(); }));
 }
 
 TEST_F(Pacs, AScanThatWasFetchedIsCalledSoAndByNoName) {
@@ -288,8 +290,8 @@ TEST_F(Pacs, AFetchIsCancelledAndTheNextSearchWorks) {
   QSignalSpy opened(controller_.get(), &app::PacsController::openWanted);
   list().selectRow(1);
   click("pacsFetch");
-  ASSERT_TRUE(waitFor(
-      [&] { return part<QLabel>("pacsProgress").text().contains("7 of 120 images"); }, 20.0));
+  ASSERT_TRUE(
+      waitFor([&] { return part<QLabel>("pacsProgress").text().contains("7 of 120 images"); }));
   window::keep(window::pictureOf(*list().window()), "pacs_fetching");
   click("pacsCancel");
   EXPECT_TRUE(answers("Cancelled."));

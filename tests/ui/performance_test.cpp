@@ -14,6 +14,7 @@
 
 #include "app/application.h"
 #include "sphere_in_hand.h"
+#include "ui/main_window.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/fitting_scroll.h"
 #include "window_support.h"
@@ -190,14 +191,14 @@ struct Running {
   explicit Running(const char* hand = "tap") : application(sphereInHand(hand)) {
     EXPECT_FALSE(button->isEnabled());
     application.start();
-    EXPECT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+    EXPECT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
     for (QAction* action : application.window().findChildren<QAction*>())
       if (action->text() == "&Performance") action->trigger();
     QTest::qWait(50);
   }
   void click() { QTest::mouseClick(button, Qt::LeftButton); }
   bool isUnderWay() {
-    return waitFor([&] { return progress->value() > 0; }, 30.0) && panel.isMeasuring();
+    return waitFor([&] { return progress->value() > 0; }) && panel.isMeasuring();
   }
 };
 
@@ -210,7 +211,7 @@ TEST(Performance, OneClickMeasuresThisMachineAndSaysSo) {
   window::keep(window::pictureOf(running.application.window()), "performance_measuring");
   // the touch goes on meanwhile
   const auto tick = running.application.snapshot().tick;
-  ASSERT_TRUE(waitFor([&] { return !running.panel.isMeasuring(); }, 120.0));
+  ASSERT_TRUE(waitFor([&] { return !running.panel.isMeasuring(); }));
   EXPECT_GT(running.application.snapshot().tick, tick);
   const QString words = running.headline->text();
   EXPECT_TRUE(words.startsWith("403 points: longest tick ")) << words.toStdString();
@@ -230,7 +231,7 @@ TEST(Performance, OneClickMeasuresThisMachineAndSaysSo) {
       running.details->text().toUtf8().constData());
   // another tool: what was measured does not hold any more
   emit window::panelOf<ui::DevicePanel>(running.application.window()).toolChosen("wrench");
-  EXPECT_TRUE(waitFor([&] { return !running.headline->isVisible(); }, 60.0));
+  EXPECT_TRUE(waitFor([&] { return !running.headline->isVisible(); }));
 }
 
 TEST(Performance, ItIsCancelledByTheButtonAnotherHandAndAnotherVolume) {
@@ -254,14 +255,14 @@ TEST(Performance, ItIsCancelledByTheButtonAnotherHandAndAnotherVolume) {
   emit running.application.window().phantomWanted("torus");
   EXPECT_FALSE(running.panel.isMeasuring());
   EXPECT_FALSE(running.button->isEnabled());
-  ASSERT_TRUE(waitFor([&] { return running.application.snapshot().scene > scene; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return running.application.snapshot().scene > scene; }));
   EXPECT_TRUE(running.button->isEnabled());
   QTest::qWait(500);
   EXPECT_FALSE(running.headline->isVisible());
   // what cannot be loaded leaves the volume, and the button
   emit running.application.window().openWanted("/nowhere/at/all.nrrd");
   EXPECT_FALSE(running.button->isEnabled());
-  EXPECT_TRUE(waitFor([&] { return running.button->isEnabled(); }, 10.0));
+  EXPECT_TRUE(waitFor([&] { return running.button->isEnabled(); }));
 }
 
 TEST(Performance, ClosingTheWindowEndsItAndNothingHangs) {

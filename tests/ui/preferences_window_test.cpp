@@ -17,8 +17,10 @@
 #include <QWheelEvent>
 
 #include "app/application.h"
+#include "app/window/session_recording.h"
 #include "panelled_window.h"
 #include "sphere_in_hand.h"
+#include "ui/main_window.h"
 #include "ui/number_box.h"
 #include "ui/slice_readout.h"
 #include "ui/style/style.h"
@@ -114,7 +116,7 @@ TEST(PreferencesWindow, TheListOfShortcutsIsSearchedAndItsKeysAreChangedByPressi
   part<QListWidget>(window, "preferencePages").setCurrentRow(5);
   window::showAndWait(window, {720, 560});
   window.activateWindow();
-  ASSERT_TRUE(waitFor([&] { return window.isActiveWindow(); }, 10.0));
+  ASSERT_TRUE(waitFor([&] { return window.isActiveWindow(); }));
   auto& list = part<QTableWidget>(window, "shortcuts");
   auto& search = part<QLineEdit>(window, "shortcutSearch");
   auto& change = part<QPushButton>(window, "changeShortcut");
@@ -194,9 +196,9 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
     app::Application application(arguments);
     application.start();
     ui::MainWindow& main = application.window();
-    ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+    ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
     main.activateWindow();
-    ASSERT_TRUE(waitFor([&] { return main.isActiveWindow(); }, 10.0));
+    ASSERT_TRUE(waitFor([&] { return main.isActiveWindow(); }));
     QTest::keyClick(&main, Qt::Key_Comma, Qt::ControlModifier);
     auto* window = main.findChild<ui::PreferencesWindow*>();
     ASSERT_NE(window, nullptr);
@@ -226,10 +228,10 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
     emit window->keysChanged();
     // where the next recording goes
     part<QPushButton>(main, "record").click();
-    ASSERT_TRUE(waitFor([&] { return application.recording().isRecording(); }, 20.0));
+    ASSERT_TRUE(waitFor([&] { return application.recording().isRecording(); }));
     EXPECT_EQ(application.recording().present().parent_path(), folder.path().toStdString());
     part<QPushButton>(main, "record").click();
-    ASSERT_TRUE(waitFor([&] { return !application.recording().isRecording(); }, 20.0));
+    ASSERT_TRUE(waitFor([&] { return !application.recording().isRecording(); }));
     application.end();
   }
   const app::Preferences kept = app::loadPreferences();
@@ -255,11 +257,11 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
   EXPECT_EQ(ui::style::theme(), ui::style::Theme::Light);
   EXPECT_FALSE(application.window().hintsShown());
   EXPECT_EQ(part<QDoubleSpinBox>(application.window(), "stiffnessTyped").value(), 320.0);
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
-  EXPECT_TRUE(waitFor(
-      [&] { return application.window().view().mouseMode() == ui::MouseMode::Hand; }, 10.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
+  EXPECT_TRUE(
+      waitFor([&] { return application.window().view().mouseMode() == ui::MouseMode::Hand; }));
   part<QPushButton>(application.window(), "record").click();
-  ASSERT_TRUE(waitFor([&] { return application.recording().isRecording(); }, 20.0));
+  ASSERT_TRUE(waitFor([&] { return application.recording().isRecording(); }));
   EXPECT_EQ(application.recording().present().parent_path(), folder.path().toStdString());
   application.end();
 }

@@ -199,9 +199,13 @@ TEST(RecordingPanel, ButtonAndEnterSetAMarkWithItsNote) {
   ASSERT_EQ(marks.count(), 2);
   EXPECT_EQ(marks.at(0).at(0).toString(), "hole");
   EXPECT_EQ(marks.at(1).at(0).toString(), "");
-  // the confirmation goes by itself
-  QTest::qWait(5'500);
-  EXPECT_EQ(p.label("marked")->text(), "");
+  // the confirmation goes by itself, when it was there for long enough to be read
+  EXPECT_NE(p.label("marked")->text(), "");
+  auto* confirmation = p.panel.findChild<QTimer*>("confirmation");
+  ASSERT_TRUE(confirmation->isActive());
+  EXPECT_GE(confirmation->interval(), 3'000);
+  confirmation->start(1);
+  EXPECT_TRUE(window::waitFor([&] { return p.label("marked")->text().isEmpty(); }));
 }
 
 TEST(RecordingPanel, TheListOpensExportsRecoversAndAsksBeforeItDeletes) {
@@ -286,7 +290,7 @@ TEST(RecordingPanel, ARecordingHasALabelADateAndACurve) {
   p.choose(0);
   EXPECT_EQ(label->text(), "first try");
   p.panel.window()->activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(p.panel.window(), 20'000));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(p.panel.window(), 120'000));
   label->setFocus();
   label->selectAll();
   QTest::keyClicks(label, "Rim  of the <b>window</b>");
@@ -340,7 +344,7 @@ struct Whole {
     window.addAction(panel.markAction());
     window::showAndWait(window, {1280, 900});
     window.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window, 120'000));
   }
   QAction* action(const char* text) const {
     for (QAction* action : window.findChildren<QAction*>())
@@ -471,7 +475,7 @@ TEST(RecordingPanel, TheMenuAsksForAFileOfARecording) {
     name->setText(folder.path() + "/one.palpate");
     QTest::keyClick(name, Qt::Key_Return);
   });
-  QTimer::singleShot(5'000, &w.window, [] {
+  QTimer::singleShot(120'000, &w.window, [] {
     if (auto* left = QApplication::activeModalWidget()) left->close();
   });
   w.window.findChild<QAction*>("openRecordingFile")->trigger();

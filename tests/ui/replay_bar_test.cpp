@@ -47,7 +47,7 @@ struct Bar {
   explicit Bar(int width = 900) {
     window::showAndWait(bar, {width, 120});
     bar.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&bar));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&bar, 120'000));
     bar.show(track());
     QTest::qWait(30);
   }

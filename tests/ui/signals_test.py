@@ -15,6 +15,7 @@ import time
 
 program = sys.argv[1]
 LONG = 120  # s: far more than it takes on a machine that is busy
+SHOWN, DRAWN = " scan-opened ", " graphics "  # what the log says when a scan is on view, and when the window is
 
 
 def blocked(process):
@@ -29,16 +30,20 @@ def state(process):
     return pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[0]
 
 
-def started(home, seconds, *options):
-    """A window that has been up for so long, with preferences of its own."""
+def logged(home):
+    return "".join(file.read_text() for file in (home / "state").rglob("*.log"))
+
+
+def started(home, until, *options):
+    """A window whose log says this, with preferences of its own; empty: as soon as it listens."""
     environment = dict(os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"),
-                       XDG_DATA_HOME=str(home / "data"))
+                       XDG_DATA_HOME=str(home / "data"), XDG_STATE_HOME=str(home / "state"))
     process = subprocess.Popen([program, *options, "--phantom", "sphere"], env=environment)
     end = time.monotonic() + LONG
-    while not blocked(process) and time.monotonic() < end:
+    while not (blocked(process) and until in logged(home)):
+        assert process.poll() is None, process.returncode
+        assert time.monotonic() < end, (until, logged(home))
         time.sleep(0.01)
-    time.sleep(seconds)
-    assert process.poll() is None, process.returncode
     return process
 
 
@@ -48,11 +53,11 @@ def remembered(home):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    for number, (which, seconds) in enumerate([(signal.SIGTERM, 3), (signal.SIGINT, 3), (signal.SIGHUP, 3),
-                                               (signal.SIGQUIT, 3), (signal.SIGTERM, 0)]):
+    for number, (which, until) in enumerate([(signal.SIGTERM, SHOWN), (signal.SIGINT, SHOWN), (signal.SIGHUP, SHOWN),
+                                             (signal.SIGQUIT, SHOWN), (signal.SIGTERM, "")]):
         home = pathlib.Path(folder) / str(number)
         home.mkdir()
-        process = started(home, seconds, "--no-notice")
+        process = started(home, until, "--no-notice")
         # what stops or kills others leaves it as it is: it goes on, and can take a force back
         for harmless in (signal.SIGTSTP, signal.SIGTTIN, signal.SIGTTOU, signal.SIGPIPE):
             process.send_signal(harmless)
@@ -60,14 +65,14 @@ with tempfile.TemporaryDirectory() as folder:
         assert process.poll() is None and state(process) != "T", (process.poll(), state(process))
         process.send_signal(which)
         code = process.wait(timeout=LONG)
-        assert code == 0, (which, seconds, code)
+        assert code == 0, (which, until, code)
         # what closing the window does was done; a window that never was has nothing to remember
-        assert seconds == 0 or remembered(home), (which, list(home.rglob("*")))
+        assert not until or remembered(home), (which, list(home.rglob("*")))
 
     # with the notice of the first start still standing there too
     home = pathlib.Path(folder) / "notice"
     home.mkdir()
-    process = started(home, 3)
+    process = started(home, DRAWN)
     process.send_signal(signal.SIGTERM)
     code = process.wait(timeout=LONG)
     assert code == 0, code
@@ -79,7 +84,7 @@ with tempfile.TemporaryDirectory() as folder:
     for number in range(5):
         home = pathlib.Path(folder) / f"twice{number}"
         home.mkdir()
-        process = started(home, 3, "--no-notice")
+        process = started(home, SHOWN, "--no-notice")
         os.kill(process.pid, signal.SIGTERM)
         time.sleep(0.002)
         os.kill(process.pid, signal.SIGINT)
@@ -96,7 +101,7 @@ with tempfile.TemporaryDirectory() as folder:
     os.environ["DISPLAY"] = ":" + os.read(told, 16).decode().strip()
     home = pathlib.Path(folder) / "display"
     home.mkdir()
-    process = started(home, 3, "--no-notice")
+    process = started(home, SHOWN, "--no-notice")
     display.kill()
     display.wait()
     code = process.wait(timeout=LONG)

@@ -516,7 +516,7 @@ TEST(Slices, ShowTheRealHeadInAllStates) {
   }
   // scrolling, large
   ui::SliceView& axial = window.slice(Plane::Axial);
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 20'000));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 120'000));
   axial.setFocus();
   window.views().toggleMaximised();
   ASSERT_TRUE(axial.isVisible());

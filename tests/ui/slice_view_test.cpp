@@ -463,19 +463,19 @@ TEST(SliceView, DrawsTheContourOfTheFieldThatIsTouched) {
           EXPECT_LT(std::abs(sample.value - isovalue) / sample.gradient_W.norm(), 0.1e-3);  // m
         }
     };
-    QTest::qWait(400);
+    window::rest(view);
     const QImage at_50 = window::pictureOf(view);
     within(50.0);
     window::keep(at_50, "slice_contour");
     EXPECT_GT(window::count(at_50, contourColoured), 60);
     // another isovalue, another slice, nearer: the contour follows
     view.setIsovalue(80.0);
-    QTest::qWait(400);
+    window::rest(view);
     EXPECT_GT(window::differing(at_50, window::pictureOf(view)), 0.0005);
     within(80.0);
     view.setCross({0.0, 0.0, 3.4});
     view.zoom(4.0, view.projected({18.0, 0.0, 3.4}));
-    QTest::qWait(400);
+    window::rest(view);
     window::keep(window::pictureOf(view), "slice_contour_near");
     within(80.0);
     for (const auto& [a, b] : view.contour_W_mm()) EXPECT_NEAR(a.z(), 3.4, 1e-9);
@@ -551,6 +551,7 @@ TEST(SliceView, IsDrawnAgainOnlyIfTheToolMovedVisibly) {
   s.view.setMesh(std::make_shared<const haptics::TriangleMesh>(window::octahedron(0.008)));
   haptics::Pose pose = haptics::Pose::Identity();
   s.view.setTool(pose, pose);
+  window::rest(s.view);
   QTest::qWait(100);
   PaintsOf paints(s.view);
   const double still = 0.05e-3 * s.view.mmPerPixel();  // m: a twentieth of a pixel
@@ -562,6 +563,7 @@ TEST(SliceView, IsDrawnAgainOnlyIfTheToolMovedVisibly) {
   EXPECT_EQ(paints.count, 0);
   pose.translation().x() = 1e-3 * s.view.mmPerPixel();
   s.view.setTool(pose, pose);
+  EXPECT_TRUE(window::waitFor([&] { return paints.count > 0; }));
   QTest::qWait(50);
   EXPECT_EQ(paints.count, 1);
 }
@@ -571,6 +573,7 @@ TEST(SliceView, IsDrawnAgainOnlyWhereTheToolWasAndIs) {
   s.view.setMesh(std::make_shared<const haptics::TriangleMesh>(window::octahedron(0.004)));
   haptics::Pose proxy = haptics::Pose::Identity(), device = proxy;
   s.view.setTool(proxy, device);
+  window::rest(s.view);
   QImage before = window::pictureOf(s.view);
   int compared = 0;
   // in the plane, apart from the device, and off the plane, where a ring stands for the tool
@@ -582,7 +585,8 @@ TEST(SliceView, IsDrawnAgainOnlyWhereTheToolWasAndIs) {
     device.translation() = pulled_to;
     PaintsOf paints(s.view);
     s.view.setTool(proxy, device);
-    QTest::qWait(50);
+    ASSERT_TRUE(window::waitFor([&] { return paints.count > 0; }));
+    QTest::qWait(20);
     ASSERT_EQ(paints.count, 1);
     const QRegion painted = paints.region;
     const QImage after = window::pictureOf(s.view);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <QTemporaryDir>
+#include <cstdint>
 
 #include "app/application.h"
+#include "haptics/snapshot.h"
+#include "window_support.h"
 
 namespace window {
 
@@ -26,6 +31,12 @@ inline app::Arguments recordedSphere(const QTemporaryDir& folder, const char* ha
   arguments.load.tool = app::ToolSource{.name = "sphere"};
   arguments.recordings = folder.path().toStdString();
   return arguments;
+}
+
+/// Waits until the servo loop of the open hand has had so many ticks more, as the window sees it.
+inline void afterTicks(app::Application& application, std::uint64_t ticks) {
+  const auto first = application.snapshot().tick;
+  EXPECT_TRUE(waitFor([&] { return application.snapshot().tick >= first + ticks; }));
 }
 
 }  // namespace window

@@ -23,7 +23,11 @@
 #include <thread>
 
 #include "app/application.h"
+#include "app/window/loader.h"
 #include "app/window/preferences.h"
+#include "haptics/session.h"
+#include "ui/main_window.h"
+#include "ui/panels/device_panel.h"
 #include "ui/panels/haptic_device_panel.h"
 #include "ui/panels/histogram_slider.h"
 #include "ui/screenshot.h"
@@ -81,7 +85,7 @@ class StartPage : public testing::Test {
     app::Arguments arguments;
     arguments.notice = false;
     app::Application& application = start(std::move(arguments));
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window()));
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window(), 120'000));
     return application;
   }
 
@@ -99,7 +103,7 @@ class StartPage : public testing::Test {
     QTest::mouseClick(button, Qt::LeftButton);
   }
   bool isTouched() {
-    return waitFor([&] { return application_->snapshot().scene != 0; }, 60.0);
+    return waitFor([&] { return application_->snapshot().scene != 0; });
   }
   QList<QToolButton*> tiles() {
     QList<QToolButton*> tiles;
@@ -138,7 +142,7 @@ TEST_F(StartPage, AnEmptyWindowOffersThreeWaysToBeginAndTheDemoIsOneClickAway) {
   const QImage picture = ui::screenshotOf(window(), window().view(), {.whole_window = true});
   EXPECT_LT(window::differing(picture, seen, 8), 0.002);
   window().activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 20'000));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));
   named<QPushButton>("startDemo")->setFocus();
   click("startDemo");
   // its progress takes the place of the cards
@@ -172,7 +176,7 @@ TEST_F(StartPage, AClickBesideTheButtonsOfACardIsOneOnTheFirst) {
 TEST_F(StartPage, IsLedByTheKeyboard) {
   startEmpty();
   window().activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 20'000));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));
   // from any place in the window, Tab comes to the card
   auto* demo = named<QPushButton>("startDemo");
   for (int presses = 0; presses < 100 && !demo->hasFocus(); ++presses)
@@ -213,7 +217,7 @@ TEST_F(StartPage, TheLastScansHavePicturesThatAreMadeAgainAndKeptNowhere) {
   };
   // another one than the place that is gone has
   const auto pictureAt = [&](int tile) { return tiles()[tile]->icon().pixmap(96, 96).toImage(); };
-  EXPECT_TRUE(waitFor([&] { return pictureAt(0) != pictureAt(1) && middle() > 200; }, 60.0));
+  EXPECT_TRUE(waitFor([&] { return pictureAt(0) != pictureAt(1) && middle() > 200; }));
   window::keep(window::pictureOf(window()), "start_page_last_scans");
   EXPECT_EQ(folder.files(), before);
   // in the preferences there are their paths, and of the window its geometry
@@ -287,7 +291,7 @@ TEST_F(StartPage, AScanThatCannotBeOpenedBringsTheCardsBackUnderTheReason) {
   arguments.notice = false;
   arguments.load.path = folder.gone().toStdString();
   start(std::move(arguments));
-  EXPECT_TRUE(waitFor([&] { return named<QLabel>("message")->isVisible(); }, 60.0));
+  EXPECT_TRUE(waitFor([&] { return named<QLabel>("message")->isVisible(); }));
   EXPECT_TRUE(named<QPushButton>("startDemo")->isVisible());
   EXPECT_TRUE(named<QLabel>("message")->text().contains("gone.nrrd"));
   window::keep(window::pictureOf(window()), "start_page_refused");
@@ -300,7 +304,7 @@ TEST_F(StartPage, LoadingCanBeCancelledThere) {
     click("startDemo");
     std::this_thread::sleep_for(later);
     click("startCancel");
-    EXPECT_TRUE(waitFor([&] { return named<QPushButton>("startDemo")->isVisible(); }, 60.0));
+    EXPECT_TRUE(waitFor([&] { return named<QPushButton>("startDemo")->isVisible(); }));
     EXPECT_FALSE(application_->shown());
     EXPECT_TRUE(page().isVisible());
   }

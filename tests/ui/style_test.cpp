@@ -217,7 +217,7 @@ TEST(Style, TheWheelChangesNoFieldWithoutTheFocusAndNoClosedBox) {
   EXPECT_EQ(slider->value(), 50);
   EXPECT_EQ(box->currentIndex(), 1);
   panel.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel, 20'000));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel, 120'000));
   number->setFocus();
   EXPECT_TRUE(turn(*number));
   EXPECT_EQ(number->value(), 49.0);

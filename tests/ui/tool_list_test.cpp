@@ -26,9 +26,11 @@
 #include <string>
 
 #include "app/application.h"
+#include "app/window/loader.h"
 #include "resources/named_tools.h"
 #include "sphere_in_hand.h"
 #include "tests/support/places.h"
+#include "ui/main_window.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/tool_picture.h"
 #include "ui/style/style.h"
@@ -285,10 +287,10 @@ TEST(ToolList, IsPaintedOnlyWhenItChanges) {
   QTest::qWait(200);
   ToolPaints paints;
   shown.list.showTool("burr-4");
-  QTest::qWait(600);
+  QTest::qWait(200);
   EXPECT_EQ(paints.count, 0);
   shown.list.showTool("cane");
-  EXPECT_TRUE(waitFor([&] { return paints.count > 0; }, 5.0));
+  EXPECT_TRUE(waitFor([&] { return paints.count > 0; }));
 }
 
 TEST(ToolList, ChangesTheToolThatTouches) {
@@ -374,7 +376,7 @@ TEST(ToolList, TheUnitThatIsLikelyIsOfferedAndEachHasItsSizeBesideAHand) {
 
   ui::UnitDialog dialog("burr & handle.stl", Sides{12.0, 160.0, 9.0});
   dialog.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog, 120'000));
   window::keep(dialog.grab().toImage(), "unit-question");
   EXPECT_EQ(dialog.unit(), "mm");
   const auto size = [&](const char* name) {

@@ -2,6 +2,8 @@
 // Views saved and opened again: over the same scan, another one, and on another installation.
 #include <gtest/gtest.h>
 
+#include <vtkCamera.h>
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QCheckBox>
@@ -21,11 +23,16 @@
 #include <filesystem>
 
 #include "app/application.h"
+#include "app/window/edit_controller.h"
+#include "app/window/loader.h"
+#include "app/window/marks_controller.h"
 #include "app/window/view_file_controller.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "haptics/edit/edit_history.h"
+#include "haptics/session.h"
 #include "marked_scan.h"
 #include "sphere_in_hand.h"
+#include "ui/main_window.h"
 #include "ui/view_gap.h"
 
 namespace {
@@ -65,13 +72,13 @@ struct Views : window::MarkedScan {
   bool save(const fs::path& path, bool with_place = false) {
     QSignalSpy finished(&files, &app::ViewFileController::finished);
     files.save(path, with_place);
-    waitFor([&] { return finished.count() > 0; }, 20.0);
+    waitFor([&] { return finished.count() > 0; });
     return finished.count() == 1 && finished[0][0].toBool();
   }
   bool open(const fs::path& path) {
     QSignalSpy finished(&files, &app::ViewFileController::finished);
     files.open(path);
-    waitFor([&] { return finished.count() > 0; }, 20.0);
+    waitFor([&] { return finished.count() > 0; });
     return finished.count() == 1 && finished[0][0].toBool();
   }
   QString message() { return window.findChild<QLabel*>("message")->text(); }
@@ -216,8 +223,10 @@ TEST(ViewFiles, WhatEachViewShowsComesBackToThePixel) {
   later.window.display(tool);
   // what tells of the saved file takes its room from the views
   views.window.findChild<QAbstractButton*>("doneClose")->click();
-  for (Views* shown : {&views, &later}) window::pictureOf(shown->window);
-  QTest::qWait(400);  // at rest contours are fine
+  for (Views* shown : {&views, &later}) {
+    window::pictureOf(shown->window);
+    for (ui::SliceView* slice : shown->window.slices().slices()) window::rest(*slice);
+  }
   for (const ui::Plane plane :
        {ui::Plane::Axial, ui::Plane::Coronal, ui::Plane::Sagittal, ui::Plane::Oblique}) {
     later.slice(plane).clearFocus();
@@ -419,7 +428,7 @@ TEST(ViewFiles, TheDialogWarnsOfNamesAndOffersTheRelativePath) {
   });
   QSignalSpy finished(&views.files, &app::ViewFileController::finished);
   views.files.askAndSave();
-  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }, 20.0));
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }));
   EXPECT_TRUE(finished[0][0].toBool());
   EXPECT_TRUE(warning.contains("do not name the patient")) << warning.toStdString();
   EXPECT_FALSE(by_default);
@@ -450,7 +459,7 @@ TEST(ViewFiles, ClosingAsksAboutMarksThatAreInNoFile) {
   app::Application application(window::sphereInHand("mouse"));
   application.start();
   ui::MainWindow& window = application.window();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   QSignalSpy closing(&window, &ui::MainWindow::closing);
   application.marks().measures().replace(someMarks());
   {
@@ -474,7 +483,7 @@ TEST(ViewFiles, ClosingAsksAboutMarksThatAreInNoFile) {
     Answer answer("Save");
     const FileName name(path);
     window.close();
-    EXPECT_TRUE(waitFor([&] { return !window.isVisible(); }, 30.0));
+    EXPECT_TRUE(waitFor([&] { return !window.isVisible(); }));
   }
   EXPECT_EQ(closing.count(), 1);
   const auto read = app::readViewFile(path.toStdString());
@@ -487,12 +496,12 @@ TEST(ViewFiles, NothingIsAskedWhereNothingIsLostOrASignalEndsTheProgram) {
   {
     app::Application application(window::sphereInHand("mouse"));
     application.start();
-    ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+    ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
     EXPECT_TRUE(application.window().close());
   }
   app::Application application(window::sphereInHand("mouse"));
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   application.marks().measures().replace(someMarks());
   QSignalSpy closing(&application.window(), &ui::MainWindow::closing);
   // with the question open, too
@@ -513,12 +522,12 @@ TEST(ViewFiles, AnotherScanAsksAboutEditsAndNotAboutMarks) {
   const QTemporaryDir folder;
   app::Application application(window::sphereInHand("mouse"));
   application.start();
-  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   const auto title = [&] { return application.window().windowTitle(); };
   const auto open = [&](const char* phantom) {
     const QString before = title();
     emit application.window().phantomWanted(phantom);
-    return [&, before] { return waitFor([&] { return title() != before; }, 30.0); };
+    return [&, before] { return waitFor([&] { return title() != before; }); };
   };
   application.marks().measures().replace(someMarks());
   EXPECT_TRUE(open("demo")());
@@ -528,12 +537,12 @@ TEST(ViewFiles, AnotherScanAsksAboutEditsAndNotAboutMarks) {
 
   const auto edited = [&] { return application.shown()->picture.volume->edited != nullptr; };
   application.editing().restore({haptics::Crop{{{0, 0, 10}, {64, 64, 60}}}});
-  ASSERT_TRUE(waitFor(edited, 30.0));
+  ASSERT_TRUE(waitFor(edited));
   const QString cropped = title();
   {
     Answer answer("Cancel");
     emit application.window().phantomWanted("demo");
-    EXPECT_TRUE(waitFor([&] { return !answer.said.isEmpty(); }, 60.0));
+    EXPECT_TRUE(waitFor([&] { return !answer.said.isEmpty(); }));
     EXPECT_TRUE(answer.said.contains("edits of this scan are in no file"))
         << answer.said.toStdString();
     EXPECT_FALSE(answer.said.contains("marks"));
@@ -545,7 +554,7 @@ TEST(ViewFiles, AnotherScanAsksAboutEditsAndNotAboutMarks) {
     Answer answer("Save");
     const FileName name(folder.filePath("cropped.palpate-view"));
     emit application.window().phantomWanted("demo");
-    EXPECT_TRUE(waitFor([&] { return title() != cropped; }, 60.0));
+    EXPECT_TRUE(waitFor([&] { return title() != cropped; }));
   }
   EXPECT_FALSE(edited());
   const auto read = app::readViewFile(folder.filePath("cropped.palpate-view").toStdString());
@@ -568,11 +577,11 @@ TEST(ViewFiles, AFileThatKnowsItsScanOpensItFromTheCommandLineAndByDrop) {
     arguments.load = {.path = root / "scans/ball.nrrd"};
     app::Application application(arguments);
     application.start();
-    ASSERT_TRUE(waitFor([&] { return application.shown().has_value(); }, 60.0));
+    ASSERT_TRUE(waitFor([&] { return application.shown().has_value(); }));
     application.marks().measures().replace(someMarks());
     QSignalSpy finished(&application.viewFile(), &app::ViewFileController::finished);
     application.viewFile().save(path, true);
-    ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }, 20.0));
+    ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }));
     ASSERT_TRUE(finished[0][0].toBool());
   }
   app::Arguments arguments = window::sphereInHand("mouse");
@@ -580,7 +589,7 @@ TEST(ViewFiles, AFileThatKnowsItsScanOpensItFromTheCommandLineAndByDrop) {
   app::Application application(arguments);
   QSignalSpy finished(&application.viewFile(), &app::ViewFileController::finished);
   application.start();
-  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }));
   EXPECT_TRUE(finished[0][0].toBool());
   ASSERT_TRUE(application.shown());
   EXPECT_EQ(application.shown()->place.filename(), "ball.nrrd");
@@ -588,15 +597,15 @@ TEST(ViewFiles, AFileThatKnowsItsScanOpensItFromTheCommandLineAndByDrop) {
 
   application.marks().measures().clear();
   emit application.window().dropped({QString::fromStdString(path.string())});
-  ASSERT_TRUE(waitFor([&] { return finished.count() > 1; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 1; }));
   EXPECT_TRUE(finished[1][0].toBool());
   EXPECT_EQ(application.marks().measures().all().size(), 2U);
   // the scan is gone: the sentence tells what the file wants
   fs::remove(root / "scans/ball.nrrd");
   emit application.window().phantomWanted("sphere");
-  ASSERT_TRUE(waitFor([&] { return application.shown()->place.empty(); }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return application.shown()->place.empty(); }));
   emit application.window().dropped({QString::fromStdString(path.string())});
-  ASSERT_TRUE(waitFor([&] { return finished.count() > 2; }, 60.0));
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 2; }));
   EXPECT_FALSE(finished[2][0].toBool());
   EXPECT_TRUE(application.window().findChild<QLabel*>("message")->text().contains("48 x 48 x 48"));
 }

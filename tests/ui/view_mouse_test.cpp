@@ -2,6 +2,8 @@
 // What mouse and keys do in the 3-D view: the camera, the tool, the sides, the cube.
 #include <gtest/gtest.h>
 
+#include <vtkCamera.h>
+
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>

@@ -3,8 +3,10 @@
 // voxels, the cube, and pictures of it all.
 #include <gtest/gtest.h>
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkDataArray.h>
 #include <vtkFeatureEdges.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -281,10 +283,11 @@ TEST(ViewPicture, IsNotDrawnAtRestAndOnceForAMove) {
   view.display(placed({0.0, -0.030, 0.0}, {0.0, -0.030, 0.0}));
   window::pictureAtRest(view);
   const int before = view.frames();
-  QTest::qWait(600);
+  QTest::qWait(500);
   EXPECT_EQ(view.frames(), before);  // nothing moves, nothing is drawn
   view.display(placed({0.0, -0.031, 0.0}, {0.0, -0.031, 0.0}));
-  QTest::qWait(600);
+  ASSERT_TRUE(window::waitFor([&] { return view.frames() > before; }));
+  QTest::qWait(500);
   EXPECT_EQ(view.frames(), before + 1);
 }
 

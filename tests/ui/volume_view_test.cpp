@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ bool waitFor(const std::function<bool()>& done, double seconds) {
 void showAndWait(QWidget& widget, QSize size) {
   widget.resize(size);
   widget.show();
-  if (!QTest::qWaitForWindowExposed(&widget, 20'000)) std::fprintf(stderr, "not exposed\n");
+  EXPECT_TRUE(QTest::qWaitForWindowExposed(&widget, 120'000));
   QTest::qWait(50);
 }
 
@@ -98,8 +99,29 @@ QImage pictureOf(QWidget& widget) {
   return unscaled(widget.grab().toImage(), widget.size());
 }
 
+void rest(ui::VolumeView& view) {
+  QTest::qWait(10);
+  auto& still = *view.findChild<QTimer*>("still");
+  const int interval = still.interval();
+  if (still.isActive()) still.start(0);
+  EXPECT_TRUE(waitFor([&] { return view.isAtRest(); }));
+  still.setInterval(interval);
+}
+
+void rest(ui::SliceView& view) {
+  if (!view.isVisible()) return;
+  auto& refine = *view.findChild<QTimer*>("refine");
+  const int interval = refine.interval();
+  view.grab();  // follows the contour
+  if (refine.isActive()) refine.start(0);
+  EXPECT_TRUE(waitFor([&] { return !refine.isActive(); }));
+  refine.setInterval(interval);
+  view.grab();
+}
+
 QImage pictureAtRest(ui::VolumeView& view) {
-  QTest::qWait(500);
+  rest(view);
+  QTest::qWait(10);
   return unscaled(view.grabFramebuffer(), view.size());
 }
 
@@ -198,7 +220,8 @@ void expectNothingCut(const QWidget& parent, const char* where) {
       wanted = label->wordWrap() ? 0 : label->minimumSizeHint().width();
       if (label->wordWrap()) {
         // a text that was set just now is laid out soon
-        waitFor([&] { return label->height() >= label->heightForWidth(label->width()); }, 5.0);
+        for (int n = 0; n < 2'000 && label->height() < label->heightForWidth(label->width()); ++n)
+          QTest::qWait(10);
         EXPECT_GE(label->height(), label->heightForWidth(label->width())) << name;
       }
     } else if (const auto* button = qobject_cast<const QAbstractButton*>(part)) {

@@ -11,6 +11,7 @@
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/core/volume.h"
 #include "ui/export_question.h"
+#include "ui/slice_view.h"
 #include "ui/volume_view.h"
 
 namespace window {
@@ -38,15 +39,20 @@ Panel& panelOf(QWidget& window) {
   return *found;
 }
 
-/// Handles events until `done`, or for at most so many seconds; whether it is done.
-bool waitFor(const std::function<bool()>& done, double seconds = 60.0);
+/// Handles events until `done`; whether it is done. It gives up after far more than anything takes
+/// on a machine that is busy.
+bool waitFor(const std::function<bool()>& done, double seconds = 120.0);
 
 /// Shows the widget and waits until it has been drawn.
 void showAndWait(QWidget& widget, QSize size);
 /// Waits until nothing more is drawn, and takes the widget's picture: a pixel for each of the
 /// widget's, whatever the scale of the screen.
 QImage pictureOf(QWidget& widget);
-/// The same, of a 3-D view; waits past its time of rest.
+/// Makes the view's time of rest pass, and waits for what is drawn at rest: the finer mesh of a 3-D
+/// view, the fine contour of a slice.
+void rest(ui::VolumeView& view);
+void rest(ui::SliceView& view);
+/// The same of a 3-D view at rest.
 QImage pictureAtRest(ui::VolumeView& view);
 /// Keeps a picture in the tests' folder, so that it can be looked at.
 void keep(const QImage& image, const char* name);

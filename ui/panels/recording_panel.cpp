@@ -140,6 +140,7 @@ RecordingPanel::RecordingPanel(QWidget* parent)
 
   setFocusProxy(record_);
   confirmation_.setSingleShot(true);
+  confirmation_.setObjectName("confirmation");
   connect(&confirmation_, &QTimer::timeout, marked_, &QLabel::clear);
   connect(mark_, &QPushButton::clicked, this, &RecordingPanel::mark);
   connect(note_, &QLineEdit::returnPressed, this, &RecordingPanel::mark);

@@ -119,7 +119,7 @@ class RecordingPanel : public QWidget {
   QPushButton* open_;
   QPushButton* export_;
   QPushButton* delete_;
-  QTimer confirmation_;  ///< the last mark is shown while this timer runs
+  QTimer confirmation_{this};  ///< the last mark is shown while this timer runs
   RecordingStatus status_;
   QList<PastRecording> recordings_;
   QString labelled_;  ///< id of the recording whose label is in the field

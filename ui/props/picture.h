@@ -2,8 +2,6 @@
 #pragma once
 
 #include <vtkImageData.h>
-#include <vtkMatrix4x4.h>
-#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
@@ -15,6 +13,9 @@
 
 #include "haptics/core/geometry.h"
 #include "haptics/core/volume.h"
+
+class vtkMatrix4x4;
+class vtkPolyData;
 
 namespace ui {
 

@@ -113,6 +113,10 @@ void ToolProp::showDevice() {
   device_->SetVisibility(shown_ && (!only_apart_ || apart > limit));
 }
 
+bool ToolProp::deviceShown() const { return device_->GetVisibility() != 0; }
+vtkActor* ToolProp::proxy() const { return proxy_; }
+vtkActor* ToolProp::device() const { return device_; }
+
 bool ToolProp::move(const haptics::Pose& X_WP, const haptics::Pose& X_WD) {
   if (!visiblyApart(X_WP, X_WP_) && !visiblyApart(X_WD, X_WD_)) return false;
   X_WP_ = X_WP;

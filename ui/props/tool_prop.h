@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
 #include "haptics/core/geometry.h"
 #include "haptics/core/triangle_mesh.h"
+
+class vtkActor;
 
 namespace ui {
 
@@ -22,12 +23,12 @@ class ToolProp {
   /// Shows the wireframe only where device and proxy differ by more than a little: 0.3 mm for some
   /// point of the tool.
   void showDeviceOnlyApart() { only_apart_ = true; }
-  bool deviceShown() const { return device_->GetVisibility() != 0; }
+  bool deviceShown() const;
   /// Sets the poses. Returns true if the tool has moved visibly.
   bool move(const haptics::Pose& X_WP, const haptics::Pose& X_WD);
 
-  vtkActor* proxy() const { return proxy_; }
-  vtkActor* device() const { return device_; }
+  vtkActor* proxy() const;
+  vtkActor* device() const;
 
  private:
   void showDevice();

@@ -2,6 +2,7 @@
 #include "ui/props/volume_prop.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
 #include <vtkImageData.h>
@@ -19,6 +20,8 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+
+#include "ui/viewport.h"
 
 namespace ui {
 namespace {
@@ -344,6 +347,10 @@ vtkPolyData* VolumeProp::lightOf(Reduced& mesh) const {
   if (mesh.light == nullptr) mesh.light = budget_ ? lightMesh(mesh.whole, *budget_) : mesh.whole;
   return mesh.light;
 }
+
+vtkVolume* VolumeProp::rayCast() const { return volume_; }
+vtkActor* VolumeProp::mesh() const { return mesh_; }
+vtkActor* VolumeProp::secondMesh() const { return second_; }
 
 Eigen::AlignedBox3d VolumeProp::bounds_mm() {
   if (picture_.volume == nullptr) return {};

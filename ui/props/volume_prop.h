@@ -1,32 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkSmartPointer.h>
-#include <vtkVolume.h>
 
-#include <QString>
 #include <array>
 #include <cstdint>
 #include <optional>
 
 #include "ui/props/colouring.h"
 #include "ui/props/picture.h"
-#include "ui/viewport.h"
+#include "ui/surface_choice.h"
 
+class vtkActor;
+class vtkCamera;
 class vtkOpenGLGPUVolumeRayCastMapper;
 class vtkPolyDataMapper;
+class vtkVolume;
 
 namespace ui {
 
-enum class SurfaceMode { RayCast, Mesh };
-
-/// How the isosurface is drawn, and why, in words for the status bar.
-struct SurfaceChoice {
-  SurfaceMode mode = SurfaceMode::Mesh;
-  QString reason;
-};
+struct Graphics;
 
 /// Chooses the ray caster if the GPU has OpenGL 3.2 and textures as large as the volume, otherwise
 /// the mesh. `wish` overrides reasons that only affect the speed.
@@ -76,9 +69,9 @@ class VolumeProp {
   /// beyond the near plane of this camera.
   void cull(vtkCamera* camera);
 
-  vtkVolume* rayCast() const { return volume_; }
-  vtkActor* mesh() const { return mesh_; }
-  vtkActor* secondMesh() const { return second_; }
+  vtkVolume* rayCast() const;
+  vtkActor* mesh() const;
+  vtkActor* secondMesh() const;
 
  private:
   /// A reduced mesh, and what of it is drawn in motion; both null until they are needed.
