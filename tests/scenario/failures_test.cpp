@@ -16,11 +16,7 @@ using study::Depth;
 using study::Job;
 using study::Outcome;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr Depth kDepth = Depth::Quick;
-#else
 constexpr Depth kDepth = Depth::Full;
-#endif
 
 class Failures : public testing::TestWithParam<int> {};
 
