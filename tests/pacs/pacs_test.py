@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """palpate-fetch with real servers: Debian's Orthanc with its DICOMweb plugin, and DCMTK's dcmqrscp.
 
-pacs_test.py PALPATE_FETCH PALPATE_CLI SCANS PACKAGES WORK SECTION: PACKAGES is the folder in which
-packaging/test unpacks Orthanc, WORK a folder for what the test makes. Runs itself in a network of its
-own, since the servers listen on all addresses. Ends with 77 where something is missing.
+pacs_test.py PALPATE_FETCH PALPATE_CLI PACKAGES WORK SECTION: PACKAGES is the folder in which
+packaging/test unpacks Orthanc, WORK a folder for what the test makes. The slices are made here. The
+test runs itself in a network of its own, since the servers listen on all addresses. It ends with 77
+where something is missing.
 """
 import concurrent.futures
 import hashlib
@@ -18,12 +19,12 @@ import sys
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path += [str(HERE), str(HERE.parent / "scenario")]
+sys.path += [str(HERE), str(HERE.parent / "scenario"), str(HERE.parent / "support")]
 
 from checks import check, outcome  # noqa: E402
+from dicom_slices import CONVERTED, Head, Person, Series, dicom, enhanced, uid  # noqa: E402
 from fetch import Fetch, Proxy, interrupt, is_named_by_number, read_until  # noqa: E402
 from servers import Authority, Keyring, Orthanc, Qrscp, found, free_port, missing_programs  # noqa: E402
-from slices import CONVERTED, Head, Person, Series  # noqa: E402
 
 SKIPPED = 77
 SYNTAXES = ("explicit", *CONVERTED)
@@ -38,13 +39,13 @@ class Stage:
     """What the sections share."""
 
     def __init__(self, arguments):
-        self.program, self.cli, self.scans, packages, work, section = arguments
+        self.program, self.cli, packages, work, section = arguments
         self.unpacked = found(packages).resolve()
         self.work = pathlib.Path(work) / section
         shutil.rmtree(self.work, ignore_errors=True)
         self.work.mkdir(parents=True)
         self.fetch = Fetch(self.program, self.work)
-        self.head = Head(self.scans)
+        self.head = Head()
         self.people, self.running, self.hashes = [], [], {}
 
     def person(self):
@@ -370,13 +371,18 @@ def dimse(stage):
     other.take(plain.folder)
     fetched_whole(stage, dimse_server(other), plain, "dcmqrscp")
 
-    for name, query in (("eCT_Supplemental.dcm", {"patient_id": "0010"}), ("philips_enhanced_mr.dcm", {"study_date": "20160309"})):
-        path = pathlib.Path(stage.scans, "dicom_oddities/multiframe", name)
+    # one file of several frames
+    for modality, date in (("CT", "20240305"), ("MR", "20160309")):
+        person, path = stage.person(), stage.work / f"enhanced-{modality}.dcm"
+        person.date = date
+        query = {"patient_id": person.id} if modality == "CT" else {"study_date": date}
+        frames = [stage.head.crop(k, 128) for k in range(100, 108)]
+        path.write_bytes(enhanced(person, uid(), uid(), uid(), 128, frames, modality))
         server.take(path)
         out = stage.fetch.out()
         got = stage.fetch.call("get", orthanc, {"query": query, "index": 0}, "--out", out)
-        if check(got.code == 0 and got.last["images"] == 1, f"{name}: {got}"):
-            check(stage.voxels(out) == stage.voxels(path), f"{name}: the voxels differ")
+        if check(got.code == 0 and got.last["images"] == 1, f"enhanced {modality}: {got}"):
+            check(stage.voxels(out) == stage.voxels(path), f"enhanced {modality}: the voxels differ")
 
     # each misconfiguration has its sentence
     silent = stage.orthanc("strict", modalities={"palpate": {
@@ -612,7 +618,6 @@ def keyring(stage):
 
 def hostile(stage):
     from bad_servers import SERIES, STUDY, BadDimse, BadWeb
-    from slices import dicom, uid
     person = stage.person()
     pixels = bytes(64 * 64 * 2)
     image = dicom(person, STUDY, SERIES, "1.2.3.4.70", 0, 64, 64, pixels)
@@ -722,26 +727,24 @@ SECTIONS = {"dicomweb": dicomweb, "dimse": dimse, "move": move, "tls": tls, "key
 
 def main():
     if "--in-own-network" not in sys.argv:
-        work = sys.argv[5]
+        work = sys.argv[4]
         missing = missing_programs()
         if missing:
             skip(f"there is no {', '.join(missing)} here; packaging/dependencies names their packages.")
-        if found(sys.argv[4]) is None:
-            skip(f"Orthanc is neither installed nor in {sys.argv[4]}; packaging/test fetches it.")
-        if not pathlib.Path(sys.argv[3], "visible_human_female_head").is_dir():
-            skip(f"the scans are not in {sys.argv[3]}.")
+        if found(sys.argv[3]) is None:
+            skip(f"Orthanc is neither installed nor in {sys.argv[3]}; packaging/test fetches it.")
         if subprocess.run(["unshare", "-Urn", "true"], capture_output=True).returncode != 0:
             skip("this machine permits no network of a test's own (unshare -Urn).")
-        bus = ["dbus-run-session", "--"] if sys.argv[6] == "keyring" else []
-        if bus and (missing := Keyring.missing(sys.argv[4])):
+        bus = ["dbus-run-session", "--"] if sys.argv[5] == "keyring" else []
+        if bus and (missing := Keyring.missing(sys.argv[3])):
             skip(f"there is no {', '.join(missing)} here; packaging/test fetches them.")
         pathlib.Path(work).mkdir(parents=True, exist_ok=True)
         os.execvp("unshare", ["unshare", "-Urn", *bus, sys.executable, *sys.argv, "--in-own-network"])
     subprocess.run(["ip", "link", "set", "lo", "up"], check=True)
     sys.argv.remove("--in-own-network")
-    stage = Stage(sys.argv[1:7])
+    stage = Stage(sys.argv[1:6])
     try:
-        SECTIONS[sys.argv[6]](stage)
+        SECTIONS[sys.argv[5]](stage)
     finally:
         stage.stop()
     sys.exit(outcome())

@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What `palpate-cli info` makes of archives: a series in each form, and what must be refused.
 
-Usage: archives_test.py PALPATE_CLI SCANS
+Usage: archives_test.py PALPATE_CLI
 
 Whatever happens, nothing stays in the folder for temporary files.
 """
+import bz2
+import gzip
 import io
 import json
 import os
 import pathlib
+import random
 import resource
 import shutil
 import signal
@@ -20,7 +23,10 @@ import tempfile
 import time
 import zipfile
 
-SERIES = "philips_head_phantom/bone_1mm"
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+
+from dicom_slices import Head, Person, Series  # noqa: E402
+
 MOST_S = 20.0  # of CPU
 
 
@@ -85,15 +91,15 @@ def broken(series, to):
     locked[central + 8] |= 1
     (to / "locked.zip").write_bytes(locked)
     yield to / "locked.zip", "unreadable"
-    with zipfile.ZipFile(to / "bomb.zip", "w", zipfile.ZIP_DEFLATED) as out:
-        with out.open("zeros.raw", "w") as zeros:
-            for _ in range(1200):
-                zeros.write(bytes(1 << 20))
-    yield to / "bomb.zip", "too-large"
-    with zipfile.ZipFile(to / "many.zip", "w") as out:
-        for n in range(200_001):
-            out.writestr(zipfile.ZipInfo(f"{n}"), b"")
-    yield to / "many.zip", "too-large"
+    # 1.1 GB in 1 MB. A gzip file may consist of several streams, so one is written again and again
+    zeros = tarfile.TarInfo("zeros.raw")
+    zeros.size = 1100 << 20
+    (to / "bomb.tar.gz").write_bytes(gzip.compress(zeros.tobuf()) + gzip.compress(bytes(1 << 20)) * 1100)
+    yield to / "bomb.tar.gz", "too-large"
+    # 200,001 entries
+    entry = tarfile.TarInfo("empty").tobuf()
+    (to / "many.tar.gz").write_bytes(gzip.compress(entry * 2000) * 100 + gzip.compress(entry + bytes(1024)))
+    yield to / "many.tar.gz", "too-large"
     with zipfile.ZipFile(to / "letters.zip", "w") as out:
         out.writestr("letter.txt", "no scan")
     yield to / "letters.zip", "unreadable"
@@ -107,16 +113,27 @@ def broken(series, to):
     yield to / "nested.zip", "unreadable"
 
 
+def slow(series, path):
+    """An archive of which the first slice is out long before the rest: noise, which takes bzip2 seconds."""
+    file = sorted(series.iterdir())[0]
+    first = tarfile.TarInfo("study/slice.dcm")
+    first.size = file.stat().st_size
+    block = random.Random(1).randbytes(1 << 19)
+    rest = tarfile.TarInfo("study/noise.raw")
+    rest.size = 128 * len(block)
+    with path.open("wb") as out:
+        out.write(bz2.compress(first.tobuf() + file.read_bytes() + bytes(-first.size % 512) + rest.tobuf()))
+        out.write(bz2.compress(block) * 128)
+
+
 def main():
-    cli, series = sys.argv[1], pathlib.Path(sys.argv[2]) / SERIES
-    if not series.is_dir():
-        print(f"NOT CHECKED: the scan {SERIES} is not here")
-        return 77
+    cli = sys.argv[1]
     wrong = []
     with tempfile.TemporaryDirectory() as place:
         temporary, made = pathlib.Path(place) / "temporary", pathlib.Path(place) / "made"
         temporary.mkdir()
         made.mkdir()
+        series = Series(pathlib.Path(place) / "series", Head(), Person(), 16, 128).folder
 
         def check_empty(after):
             left = [p.name for p in temporary.iterdir()]
@@ -142,13 +159,12 @@ def main():
 
         # what a killed process leaves is swept up by the next one, and what is in use is not
         env = {**os.environ, "TMPDIR": str(temporary)}
-        for _ in range(50):
-            child = subprocess.Popen([cli, "info", str(made / "a.tar.xz")], env=env,
-                                     stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            while child.poll() is None and not list(temporary.rglob("study/*")):
-                time.sleep(0.002)
-            if child.poll() is None:
-                break
+        slow(series, made / "slow.tar.bz2")
+        child = subprocess.Popen([cli, "info", str(made / "slow.tar.bz2")], env=env,
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while child.poll() is None and not list(temporary.rglob("study/*")):
+            time.sleep(0.002)
+        child.send_signal(signal.SIGSTOP)
         info(cli, made / "a.zip", temporary)
         if not list(temporary.iterdir()):
             wrong.append("a folder in use was swept away, or the archive was read too fast to see")

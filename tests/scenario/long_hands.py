@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every hand on every real scan for a long time, soft, at the stiffness that is allowed, and beyond.
+"""Every hand on a made scan and every real one for a long time, soft, at the stiffness that is allowed, and beyond.
 
 long_hands.py CLI SCANS [--seconds S] [--stiffness 50,allowed,20000] [--only NAME] [--hands A,B] [--log FILE]
 
@@ -15,8 +15,9 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 
-from touch_scans import HANDS, SCANS
+from touch_scans import HANDS, SCANS, volume_of
 
 # N: a coupling of 7200 N/m, the stiffest that is allowed, that a hand stretches by 50 mm
 MOST_FORCE = 360.0
@@ -58,19 +59,26 @@ def main():
     parser.add_argument("--hands", default=",".join(HANDS))
     parser.add_argument("--log", type=pathlib.Path)
     args = parser.parse_args()
-    if not args.scans.is_dir():
-        print(f"SKIPPED: the real scans are not at {args.scans}")
-        return 77
-    kept = {}
+    with tempfile.TemporaryDirectory() as work:
+        return all_runs(args, pathlib.Path(work))
+
+
+def all_runs(args, work):
+    kept, volumes = {}, {}
+    for name in SCANS:
+        if args.only in (None, name):
+            volumes[name] = volume_of(name, args.scans, work)
+    if absent := [name for name, volume in volumes.items() if volume is None]:
+        print(f"NOT CHECKED: {', '.join(absent)} are not in {args.scans}")
     if args.log and args.log.exists():
         for line in args.log.read_text().splitlines():
             row = json.loads(line)
             kept[row["run"]] = row
     for wish in args.stiffness.split(","):
-        for name, (path, isovalue, tool, _) in SCANS.items():
-            if args.only and args.only != name:
+        for name, volume in volumes.items():
+            if volume is None:
                 continue
-            volume = args.scans / path
+            _, isovalue, tool, _ = SCANS[name]
             stiffness = float(wish) if wish != "allowed" else None
             for hand in args.hands.split(","):
                 run = f"{name} {hand} {wish} {args.seconds}"
@@ -90,7 +98,7 @@ def main():
                 print(f"{name:13} {hand:6} {row['stiffness']:6.0f} N/m  {row['ticks']:8} ticks  most force "
                       f"{row['max_force_N']:.4g} N  exit {row['exit']}  "
                       f"{'FAILED: ' + ', '.join(row['missed']) if row['missed'] else 'held'}", flush=True)
-    return 1 if any(row["missed"] for row in kept.values()) else 0
+    return 1 if any(row["missed"] for row in kept.values()) else 77 if absent else 0
 
 
 if __name__ == "__main__":

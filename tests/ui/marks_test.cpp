@@ -749,9 +749,14 @@ TEST(Marks, BelongToTheirScanAndComeBackWithIt) {
 /// The path of a first user: the height of the left ear canal's bony opening, by clicks.
 TEST(Marks, TheEarCanalIsMeasuredInSixActions) {
   const std::filesystem::path path = places::scan("philips_head_phantom/bone_1mm");
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "NOT CHECKED: no scan here";
+  // without the real head the made one, whose canals are cones of about 3.3 mm in radius
+  const bool real = std::filesystem::exists(path);
   app::Arguments arguments = window::sphereInHand("mouse");
-  arguments.load = {.path = path};
+  arguments.load = {};
+  if (real)
+    arguments.load.path = path;
+  else
+    arguments.load.phantom = "demo";
   app::Application application(arguments);
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.shown().has_value(); }));
@@ -761,14 +766,15 @@ TEST(Marks, TheEarCanalIsMeasuredInSixActions) {
   ui::Measures& measures = application.marks().measures();
   // where the walls of the canal are, along a line from front to back: at the half between bone and
   // air, in the touched field
-  const Eigen::Vector3d start{42.41, 109.7, 719.21};
+  const Eigen::Vector3d start =
+      real ? Eigen::Vector3d{42.41, 109.7, 719.21} : Eigen::Vector3d{54.0, 16.5, -16.5};
   const auto wall = [&](double way) {
     Eigen::Vector3d p = start;
     while (measures.scan().value(p) < 300.0) p.y() += way;
     return p;
   };
   const Eigen::Vector3d front = wall(-0.01), back = wall(0.01);
-  ASSERT_NEAR((back - front).norm(), 6.9, 0.3);
+  ASSERT_NEAR((back - front).norm(), real ? 6.9 : 6.6, real ? 0.3 : 0.5);
   QElapsedTimer clock;
   clock.start();
   int actions = 0;

@@ -29,6 +29,7 @@
 #include "app/window/recent_places.h"
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/dicom_bytes.h"
+#include "tests/support/made_scans.h"
 #include "tests/support/places.h"
 #include "ui/series_browser.h"
 #include "ui/volume_view.h"
@@ -38,9 +39,14 @@ namespace {
 
 using window::waitFor;
 
-const std::filesystem::path kScans = places::scan();
-const std::filesystem::path kMixed = kScans / "philips_head_phantom/mixed_series_one_folder";
-const std::filesystem::path kTilted = kScans / "dicom_oddities/series_failing/gantrytilting";
+using support::anyScans;
+
+std::filesystem::path mixedSeries() {
+  return anyScans() / "philips_head_phantom/mixed_series_one_folder";
+}
+std::filesystem::path tiltedSeries() {
+  return anyScans() / "dicom_oddities/series_failing/gantrytilting";
+}
 
 class Opening : public testing::Test {
  protected:
@@ -128,13 +134,9 @@ class Opening : public testing::Test {
   QString asked_;
 };
 
-#define NEED(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "NOT CHECKED: no scan here"
-
 TEST_F(Opening, AFolderOfSeveralSeriesIsListedAndOneClickLoadsTheRightOne) {
-  NEED(kMixed);
   started();
-  open(kMixed);
+  open(mixedSeries());
   ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }));
   auto* table = browser()->findChild<QTableWidget*>("series");
   ASSERT_EQ(table->rowCount(), 4);
@@ -162,7 +164,7 @@ TEST_F(Opening, AFolderOfSeveralSeriesIsListedAndOneClickLoadsTheRightOne) {
     QTest::mouseClick(browser()->findChild<QPushButton*>(QString("load%1").arg(row)),
                       Qt::LeftButton);
     EXPECT_EQ(browser(), nullptr);
-    const auto wanted = datasets::readVolume(kMixed, {.series = row});
+    const auto wanted = datasets::readVolume(mixedSeries(), {.series = row});
     ASSERT_TRUE(wanted.has_value());
     const auto same = [&] {
       return volume().grid.dims == wanted->grid.dims &&
@@ -183,11 +185,10 @@ TEST_F(Opening, AFolderOfSeveralSeriesIsListedAndOneClickLoadsTheRightOne) {
 }
 
 TEST_F(Opening, AFolderOfOneSoundSeriesLoadsAtOnceAndClosesAListThatIsOpen) {
-  NEED(kMixed);
   started();
-  open(kMixed);
+  open(mixedSeries());
   ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }));
-  open(kScans / "philips_head_phantom/bone_1mm");
+  open(anyScans() / "philips_head_phantom/bone_1mm");
   EXPECT_EQ(browser(), nullptr);
   ASSERT_TRUE(loadedBegins("bone_1mm —"));
   EXPECT_EQ(browser(), nullptr);
@@ -269,9 +270,9 @@ TEST_F(Opening, ASmallerSeriesThatIsRefusedIsNoReasonToAsk) {
 }
 
 TEST_F(Opening, ACorrectableSeriesOfSeveralAsksFirst) {
-  NEED(kTilted);
   QTemporaryDir folder;
-  for (const auto& [name, from] : {std::pair{"tilted", kTilted}, std::pair{"mixed", kMixed}})
+  for (const auto& [name, from] :
+       {std::pair{"tilted", tiltedSeries()}, std::pair{"mixed", mixedSeries()}})
     std::filesystem::copy(from, std::filesystem::path(folder.path().toStdString()) / name);
   started();
   open(folder.path().toStdString());
@@ -294,37 +295,34 @@ TEST_F(Opening, ACorrectableSeriesOfSeveralAsksFirst) {
 }
 
 TEST_F(Opening, SeveralFilesOnTheCommandLineStandForTheirFolder) {
-  NEED(kMixed);
   app::Arguments arguments;
   for (const char* name : {"IM0003", "IM0005"})
-    arguments.paths.append(QString::fromStdString((kMixed / name).string()));
+    arguments.paths.append(QString::fromStdString((mixedSeries() / name).string()));
   start(std::move(arguments));
   ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }));
   EXPECT_EQ(browser()->findChild<QTableWidget*>("series")->rowCount(), 4);
 }
 
 TEST_F(Opening, DroppedFilesOfOneFolderStandForTheFolderAndOthersAreSaid) {
-  NEED(kMixed);
   started();
-  drop({kMixed / "IM0003", kMixed / "IM0005", kMixed / "DIRFILE"});
+  drop({mixedSeries() / "IM0003", mixedSeries() / "IM0005", mixedSeries() / "DIRFILE"});
   ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }));
   EXPECT_EQ(browser()->findChild<QTableWidget*>("series")->rowCount(), 4);
   EXPECT_EQ(message(), "");
   // a single slice is enough for its series, and a folder may end with a slash
-  drop({kScans / "philips_head_phantom/bone_1mm/I100"});
+  drop({anyScans() / "philips_head_phantom/bone_1mm/I100"});
   ASSERT_TRUE(loadedBegins("I100 —"));
   EXPECT_EQ(volume().grid.dims[2], 48);
-  drop({kTilted.parent_path() / "slicecount/", kMixed});
+  drop({tiltedSeries().parent_path() / "slicecount/", mixedSeries()});
   EXPECT_TRUE(message().contains("only the first, \"slicecount\"")) << message().toStdString();
   ASSERT_TRUE(loadedBegins("slicecount —"));
 }
 
 TEST_F(Opening, WhatTheMemoryDoesNotHoldIsOfferedInPart) {
-  NEED(kMixed);
   app::Arguments arguments;
   arguments.free_memory = [] { return 1e6; };  // of 2.1 MB
   started(arguments);
-  open(kMixed);
+  open(mixedSeries());
   ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }));
   answerNext("second voxel");
   QTest::mouseClick(browser()->findChild<QPushButton*>("load1"), Qt::LeftButton);
@@ -334,7 +332,7 @@ TEST_F(Opening, WhatTheMemoryDoesNotHoldIsOfferedInPart) {
   EXPECT_NEAR(volume().grid.spacing.z(), 2e-3, 1e-9);
 
   // a box: the middle half along each axis, if nothing is changed
-  const auto whole = datasets::readVolume(kMixed, {.series = 1});
+  const auto whole = datasets::readVolume(mixedSeries(), {.series = 1});
   ASSERT_TRUE(whole.has_value());
   action("seriesOfThisFolder")->trigger();
   answerNext("box");
@@ -375,11 +373,11 @@ struct Disk {
 };
 
 TEST_F(Opening, PlacesAreOfferedAgainUntilTheyAreForgotten) {
-  NEED(kTilted.parent_path() / "slicecount");
   const Disk disk;
   const std::filesystem::path own = disk.own().toStdString();
-  std::filesystem::copy(kTilted.parent_path() / "slicecount", own / "one & two");
-  std::filesystem::copy(kScans / "nrrd_oddities/derived_from_tooth/raw_le.nrrd", own / "a.nrrd");
+  std::filesystem::copy(tiltedSeries().parent_path() / "slicecount", own / "one & two");
+  std::filesystem::copy(anyScans() / "nrrd_oddities/derived_from_tooth/raw_le.nrrd",
+                        own / "a.nrrd");
   std::filesystem::copy(own / "a.nrrd", std::filesystem::path(disk.tmp().toStdString()) / "t.nrrd");
   started();
   EXPECT_TRUE(places().isEmpty());
@@ -441,10 +439,9 @@ TEST_F(Opening, TheNewestEightPlacesAreKept) {
 }
 
 TEST_F(Opening, AfterAKillTheWindowIsEmptyAndNothingIsAsked) {
-  NEED(kScans / "nrrd_oddities/derived_from_tooth/raw_le.nrrd");
   const Disk disk;
   const QString scan = disk.own() + "/scan.nrrd";
-  std::filesystem::copy(kScans / "nrrd_oddities/derived_from_tooth/raw_le.nrrd",
+  std::filesystem::copy(anyScans() / "nrrd_oddities/derived_from_tooth/raw_le.nrrd",
                         scan.toStdString());
   // the program itself, with the preferences of these tests
   QProcess program;
@@ -483,11 +480,10 @@ TEST_F(Opening, AfterAKillTheWindowIsEmptyAndNothingIsAsked) {
 }
 
 TEST_F(Opening, AnArchiveIsListedAndLeavesNothingBehind) {
-  NEED(kMixed);
   const QTemporaryDir temporary, made;
   const QString archive = made.filePath("disk.tar");
-  ASSERT_EQ(QProcess::execute("tar",
-                              {"-cf", archive, "-C", QString::fromStdString(kMixed.string()), "."}),
+  ASSERT_EQ(QProcess::execute(
+                "tar", {"-cf", archive, "-C", QString::fromStdString(mixedSeries().string()), "."}),
             0);
   qputenv("TMPDIR", temporary.path().toLocal8Bit());
   started();
@@ -496,7 +492,7 @@ TEST_F(Opening, AnArchiveIsListedAndLeavesNothingBehind) {
   EXPECT_FALSE(QDir(temporary.path()).isEmpty());
   QTest::mouseClick(browser()->findChild<QPushButton*>("load1"), Qt::LeftButton);
   ASSERT_TRUE(loadedBegins("disk.tar: ")) << title().toStdString();
-  const auto wanted = datasets::readVolume(kMixed, {.series = 1});
+  const auto wanted = datasets::readVolume(mixedSeries(), {.series = 1});
   ASSERT_TRUE(wanted.has_value());
   EXPECT_EQ(volume().grid.dims, wanted->grid.dims);
   application_.reset();

@@ -25,7 +25,6 @@ using haptics::Vec3;
 using testing::asBytes;
 using testing::deflated;
 using testing::differing;
-using testing::scan;
 using testing::swapped;
 using testing::voxelAt;
 using testing::Workshop;

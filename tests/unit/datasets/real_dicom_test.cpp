@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// DICOM series, on real scans.
+// DICOM that others made. The same faults are looked for in made files: see dicom_folders_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
   return files;
 }
 
-TEST(DicomReader, HeadSlabIsTheSameRegionOfTheHead) {
+TEST(RealScans, HeadSlabIsTheSameRegionOfTheHead) {
   const fs::path slab_path = scan("visible_human_female_head/dicom_slab");
   const fs::path head_path = scan("visible_human_female_head/vhf_head_512x512x234.nrrd");
   NEEDS_SCAN(slab_path);
@@ -63,7 +63,7 @@ TEST(DicomReader, HeadSlabIsTheSameRegionOfTheHead) {
   EXPECT_EQ(unequal, 0);
 }
 
-TEST(DicomReader, NamesDoNotOrderTheSlices) {
+TEST(RealScans, NamesDoNotOrderTheSlices) {
   const fs::path folder = scan("visible_human_female_head/dicom_slab");
   NEEDS_SCAN(folder);
   const auto files = filesIn(folder);
@@ -76,7 +76,7 @@ TEST(DicomReader, NamesDoNotOrderTheSlices) {
   EXPECT_EQ(differing(*named, *renamed), 0);
 }
 
-TEST(DicomReader, OneFileStandsForItsSeries) {
+TEST(RealScans, OneFileStandsForItsSeries) {
   const fs::path folder = scan("visible_human_female_head/dicom_slab");
   NEEDS_SCAN(folder);
   const auto whole = readVolume(folder);
@@ -86,7 +86,7 @@ TEST(DicomReader, OneFileStandsForItsSeries) {
   EXPECT_FALSE(survey(filesIn(folder).at(7))->several);
 }
 
-TEST(DicomReader, PhantomOfOneMillimetre) {
+TEST(RealScans, PhantomOfOneMillimetre) {
   const fs::path path = scan("philips_head_phantom/bone_1mm");
   NEEDS_SCAN(path);
   const auto v = readVolume(path);
@@ -105,7 +105,7 @@ TEST(DicomReader, PhantomOfOneMillimetre) {
   EXPECT_EQ(said->series[0].verdict, Verdict::Sound);
 }
 
-TEST(DicomReader, UnequalPixelsAndFractionalRescale) {
+TEST(RealScans, UnequalPixelsAndFractionalRescale) {
   const fs::path path = scan("dicom_oddities/series_non_isotropic_slope");
   NEEDS_SCAN(path);
   const auto v = readVolume(path);
@@ -117,7 +117,7 @@ TEST(DicomReader, UnequalPixelsAndFractionalRescale) {
   EXPECT_EQ(v->unit, "");
 }
 
-TEST(DicomReader, RefusesByName) {
+TEST(RealScans, DicomIsRefusedByName) {
   const std::map<std::string, std::string> expected = {
       {"philips_head_phantom/gantry_tilt_16.5deg", "gantry-tilt"},
       {"dicom_oddities/series_failing/gantrytilting", "gantry-tilt"},
@@ -159,7 +159,7 @@ double valueIn(const haptics::Volume& slice, const Vec3& p_W) {
 }
 
 // every slice read alone, and looked up at the places that the corrected volume says it has
-TEST(DicomReader, ATiltedSeriesIsStraightenedIfTheUserAgrees) {
+TEST(RealScans, ATiltedSeriesIsStraightenedIfTheUserAgrees) {
   const fs::path path = scan("philips_head_phantom/gantry_tilt_16.5deg");
   NEEDS_SCAN(path);
   const auto said = survey(path);
@@ -209,7 +209,7 @@ TEST(DicomReader, ATiltedSeriesIsStraightenedIfTheUserAgrees) {
 
 // the frames' positions are those that another DICOM toolkit prints; one of the files has private
 // copies of them that are half a pixel off
-TEST(DicomReader, EnhancedFramesLieWhereTheirGroupsSay) {
+TEST(RealScans, EnhancedFramesLieWhereTheirGroupsSay) {
   struct Said {
     const char* name;
     std::vector<Vec3> positions_mm;  // in the order of the file
@@ -270,7 +270,7 @@ TEST(DicomReader, EnhancedFramesLieWhereTheirGroupsSay) {
   }
 }
 
-TEST(DicomReader, LosslessSyntaxesGiveEqualVoxels) {
+TEST(RealScans, LosslessSyntaxesGiveEqualVoxels) {
   const fs::path folder = scan("dicom_oddities/transfer_syntaxes");
   NEEDS_SCAN(folder);
   // name fragment, and how far its voxels may be off; -1: refused by its syntax
@@ -306,7 +306,7 @@ TEST(DicomReader, LosslessSyntaxesGiveEqualVoxels) {
   }
 }
 
-TEST(DicomReader, MixedFolderListsItsSeries) {
+TEST(RealScans, MixedFolderListsItsSeries) {
   const fs::path folder = scan("philips_head_phantom/mixed_series_one_folder");
   NEEDS_SCAN(folder);
   const auto said = survey(folder);
@@ -333,7 +333,7 @@ TEST(DicomReader, MixedFolderListsItsSeries) {
   EXPECT_EQ(readVolume(folder, {.series = 99}).error().reason, "no-such-series");
 }
 
-TEST(DicomReader, DamagedFoldersAreRefused) {
+TEST(RealScans, DamagedFoldersAreRefused) {
   const fs::path folder = scan("philips_head_phantom/bone_1mm");
   NEEDS_SCAN(folder);
   const auto files = filesIn(folder);
@@ -347,7 +347,7 @@ TEST(DicomReader, DamagedFoldersAreRefused) {
   EXPECT_EQ(reasonFor(workshop.folder() / "empty"), "unreadable");
 }
 
-TEST(DicomReader, AMissingSliceIsSeen) {
+TEST(RealScans, AMissingSliceIsSeen) {
   const fs::path folder = scan("visible_human_female_head/dicom_slab");
   NEEDS_SCAN(folder);
   Workshop workshop;
@@ -361,7 +361,7 @@ TEST(DicomReader, AMissingSliceIsSeen) {
       << sentence(v.error());
 }
 
-TEST(DicomReader, SentencesHoldNoIdentifiers) {
+TEST(RealScans, SentencesHoldNoIdentifiers) {
   for (const char* name : {"philips_head_phantom/gantry_tilt_16.5deg", "dicom_oddities/pydicom",
                            "dicom_oddities/transfer_syntaxes", "dicom_oddities/multiframe"}) {
     NEEDS_SCAN(scan(name));
@@ -372,7 +372,7 @@ TEST(DicomReader, SentencesHoldNoIdentifiers) {
   }
 }
 
-TEST(DicomReader, CancelEndsTheRead) {
+TEST(RealScans, CancelEndsTheReadOfASeries) {
   const fs::path folder = scan("philips_head_phantom/bone_1mm");
   NEEDS_SCAN(folder);
   std::atomic<bool> cancel = false;

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// NRRD files made here: ways to write the same voxels, refusals by name, and cancelling.
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <random>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include "datasets/readers/volume_reader.h"
+#include "tests/support/sentence.h"
+#include "tests/unit/datasets/packed.h"
+#include "tests/unit/datasets/scans.h"
+
+namespace datasets {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::asBytes;
+using testing::deflated;
+using testing::differing;
+using testing::reasonFor;
+using testing::voxelAt;
+using testing::Workshop;
+
+/// 5 x 4 x 3 voxels, each different from all others.
+std::string sixtyVoxels() {
+  std::string bytes;
+  for (std::int16_t v = 0; v < 60; ++v) bytes += asBytes(v);
+  return bytes;
+}
+
+/// The same, packed by bzip2 1.0.8.
+constexpr char kPackedByBzip2[] =
+    "\x42\x5a\x68\x39\x31\x41\x59\x26\x53\x59\x54\xa9\xeb\xbb\x00\x00\x00\xf8\x00\x7f"
+    "\xff\xff\xff\xff\xff\xff\xf8\x20\x00\x54\x66\x80\x00\x00\x00\x00\x00\x00\x1a\x0c"
+    "\x06\x80\x00\x06\x80\x00\x00\x00\x07\xc3\x08\x39\x04\x80\xa2\xcc\x34\xe3\xd0\x45"
+    "\x24\xd4\x55\x65\xd8\x65\xa6\xdc\x0b\xaf\x3f\x04\x31\x47\x24\xb3\x4f\x45\x35\x57"
+    "\x65\xb7\x5f\x86\x39\x67\xae\xdb\xf1\xcf\x5d\xf9\xe8\x7e\x08\x00\x20\x01\xf8\xbb"
+    "\x92\x29\xc2\x84\x82\xa5\x4f\x5d\xd8";
+
+TEST(NrrdMade, EveryWayToWriteItGivesTheSameVoxels) {
+  Workshop workshop;
+  const std::string shape = "type: short\ndimension: 3\nsizes: 5 4 3\n",
+                    raw = "endian: little\nencoding: raw\n";
+  const auto plain =
+      readVolume(workshop.write("plain.nrrd", "NRRD0005\n" + shape + raw + "\n" + sixtyVoxels()));
+  ASSERT_TRUE(plain) << sentence(plain.error());
+  std::string lines = "NRRD0004\n" + shape + raw + "\n", crlf;
+  for (const char c : lines) crlf += c == '\n' ? std::string{"\r\n"} : std::string{c};
+  for (int k = 0; k < 3; ++k)
+    workshop.write("slice" + std::to_string(k) + ".raw",
+                   sixtyVoxels().substr(std::size_t(k) * 40, 40));
+  const std::map<std::string, std::string> files{
+      {"bzip2.nrrd", "NRRD0004\n" + shape + "endian: little\nencoding: bzip2\n\n" +
+                         std::string{kPackedByBzip2, sizeof kPackedByBzip2 - 1}},
+      {"crlf.nrrd", crlf + sixtyVoxels()},
+      // what the first version of the format had
+      {"old.nrrd",
+       "NRRD0001\ncontent: ramp\n" + shape + "spacings: 1 1 1\n" + raw + "\n" + sixtyVoxels()},
+      {"keys.nrrd", "NRRD0004\n# a comment\n" + shape +
+                        "min: -7\nmax: 70\nmodality:=CT\nwho:=a: b\n" + raw + "\n" + sixtyVoxels()},
+      {"list.nhdr",
+       "NRRD0004\n" + shape + raw + "data file: LIST\nslice0.raw\nslice1.raw\nslice2.raw\n"},
+      {"pattern.nhdr", "NRRD0004\n" + shape + raw + "data file: slice%d.raw 0 2 1\n"},
+      {"packed.nrrd",
+       "NRRD0004\n" + shape + "endian: little\nencoding: gz\n\n" + deflated(sixtyVoxels())}};
+  for (const auto& [name, bytes] : files) {
+    const auto v = readVolume(workshop.write(name, bytes));
+    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
+    EXPECT_EQ(differing(*plain, *v), 0) << name;
+  }
+}
+
+TEST(NrrdMade, NonFiniteVoxelsBecomeBackgroundAndAreCounted) {
+  Workshop workshop;
+  std::string bytes;
+  for (int n = 0; n < 60; ++n) {
+    constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    bytes += asBytes(n == 7    ? std::numeric_limits<float>::quiet_NaN()
+                     : n == 20 ? kInfinite
+                     : n == 41 ? -kInfinite
+                               : float(n) - 5.0F);
+  }
+  const auto v = readVolume(workshop.write(
+      "v.nrrd",
+      "NRRD0004\ntype: float\ndimension: 3\nsizes: 5 4 3\nendian: little\nencoding: raw\n\n" +
+          bytes));
+  ASSERT_TRUE(v) << sentence(v.error());
+  EXPECT_EQ(v->replaced, 3);
+  EXPECT_EQ(v->least, -5.0);
+  EXPECT_EQ(v->greatest, 54.0);
+  for (const int n : {7, 20, 41}) EXPECT_EQ(voxelAt(*v, n % 5, n / 5 % 4, n / 20), -5.0) << n;
+}
+
+TEST(NrrdMade, RefusesByName) {
+  const std::string start = "NRRD0004\ntype: short\n", little = "endian: little\nencoding: raw\n",
+                    cube = "dimension: 3\nsizes: 5 4 3\n", voxels = "\n" + sixtyVoxels();
+  const std::string space = "space: left-posterior-superior\nspace directions: ";
+  struct Refused {
+    const char* name;
+    std::string bytes;
+    const char* reason;
+  };
+  const Refused all[] = {
+      {"flat", start + "dimension: 2\nsizes: 10 6\n" + little + voxels, "not-scalar"},
+      {"line", start + "dimension: 1\nsizes: 60\n" + little + voxels, "not-scalar"},
+      {"vectors",
+       start + "dimension: 4\nsizes: 3 5 2 2\nkinds: vector space space space\n" + little + voxels,
+       "not-scalar"},
+      {"several",
+       start + "dimension: 4\nsizes: 5 2 2 3\nkinds: space space space list\n" + little + voxels,
+       "which-series"},
+      {"nan", start + cube + "spacings: 1 nan 1\n" + little + voxels, "bad-header"},
+      {"sheared", start + cube + space + "(1,0,0) (0,1,0) (0,0.3,1)\n" + little + voxels,
+       "sheared"},
+      {"magic", "NRRD9\n" + cube + little + voxels, "bad-header"},
+      {"empty", "", "bad-header"},
+      {"header only", start + cube + little + "\n", "truncated"},
+      {"huge", start + "dimension: 3\nsizes: 50000 40000 3000\n" + little + voxels, "truncated"},
+      {"no data file", start + cube + little + "data file: absent.raw\n", "truncated"},
+      {"no sizes", start + "dimension: 3\n" + little + voxels, "bad-header"},
+      {"short", start + cube + little + voxels.substr(0, 100), "truncated"},
+      {"gzip",
+       start + cube + "endian: little\nencoding: gzip\n\n" + deflated(sixtyVoxels()).substr(0, 60),
+       "truncated"},
+      {"encoding", start + cube + "endian: little\nencoding: zip\n" + voxels, "unsupported-syntax"},
+      {"skip", start + cube + "byte skip: -5\n" + little + voxels, "bad-header"}};
+  Workshop workshop;
+  for (const Refused& file : all) {
+    const auto v = readVolume(workshop.write(std::string(file.name) + ".nhdr", file.bytes));
+    ASSERT_FALSE(v) << file.name;
+    EXPECT_EQ(v.error().reason, file.reason) << file.name << ": " << sentence(v.error());
+    EXPECT_TRUE(sentence(v.error()).ends_with('.')) << sentence(v.error());
+  }
+}
+
+/// A gzip file of 1 MB of noise, so many times: the noise is packed once, and its bytes repeated.
+std::string packedMegabytes(unsigned count) {
+  constexpr uLong kMegabyte = 1 << 20;
+  std::string noise;
+  std::mt19937 random(3);
+  while (noise.size() < kMegabyte) noise += char('a' + random() % 16);
+  const auto packed = [](const std::string& bytes, int flush) {
+    z_stream zlib{};
+    deflateInit2(&zlib, 1, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+    std::string out(deflateBound(&zlib, bytes.size()) + 64, '\0');
+    zlib.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    zlib.avail_in = static_cast<uInt>(bytes.size());
+    zlib.next_out = reinterpret_cast<Bytef*>(out.data());
+    zlib.avail_out = static_cast<uInt>(out.size());
+    deflate(&zlib, flush);
+    out.resize(zlib.total_out);
+    deflateEnd(&zlib);
+    return out;
+  };
+  const std::string once = packed(noise, Z_FULL_FLUSH);
+  const uLong check_once = crc32(0, reinterpret_cast<const Bytef*>(noise.data()), kMegabyte);
+  std::string bytes("\x1f\x8b\x08\0\0\0\0\0\0\x03", 10);
+  uLong check = 0;
+  for (unsigned n = 0; n < count; ++n) {
+    bytes += once;
+    check = crc32_combine(check, check_once, kMegabyte);
+  }
+  return bytes + packed("", Z_FINISH) + asBytes(std::uint32_t(check)) +
+         asBytes(std::uint32_t(count * kMegabyte));
+}
+
+fs::path writePackedMegabytes(const Workshop& workshop, unsigned count) {
+  return workshop.write("v.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1024 1024 " +
+                                      std::to_string(count) + "\nencoding: gzip\n\n" +
+                                      packedMegabytes(count));
+}
+
+TEST(NrrdMade, CancelEndsTheRead) {
+  Workshop workshop;
+  std::atomic<bool> cancel = false;
+  double last = 0.0;
+  // all of it would be inflated at once; a part is not
+  const auto v = readVolume(writePackedMegabytes(workshop, 40), {.part = {.step = 2}},
+                            {[&](double f) {
+                               last = f;
+                               cancel = f > 0.3;
+                             },
+                             &cancel});
+  ASSERT_FALSE(v);
+  EXPECT_EQ(v.error().kind, haptics::Error::Kind::Cancelled);
+  EXPECT_GT(last, 0.3);
+  EXPECT_LT(last, 0.4);
+}
+
+TEST(NrrdMade, CancelWhileAllIsInflatedAtOnceLeavesTheRestOfItBehind) {
+  Workshop workshop;
+  const fs::path path = writePackedMegabytes(workshop, 160);
+  // the call cannot be stopped, and has a thread of its own
+  const auto inflates = [] {
+    for (const auto& task : fs::directory_iterator("/proc/self/task")) {
+      std::string name;
+      if (std::ifstream(task.path() / "comm") >> name && name == "palpate-inflate") return true;
+    }
+    return false;
+  };
+  std::atomic<bool> cancel = false;
+  {
+    std::jthread canceller([&](const std::stop_token& stop) {
+      while (!stop.stop_requested() && !inflates())
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+      cancel = true;
+    });
+    const auto v = readVolume(path, {}, {[](double) {}, &cancel});
+    ASSERT_FALSE(v);
+    EXPECT_EQ(v.error().kind, haptics::Error::Kind::Cancelled);
+  }
+  // what was left behind, and may still be at work, is nobody else's
+  const auto whole = readVolume(path);
+  ASSERT_TRUE(whole) << sentence(whole.error());
+  const auto half = readVolume(path, {.part = {.step = 2}});  // not inflated at once
+  ASSERT_TRUE(half);
+  for (std::int64_t k = 0; k < half->grid.dims[2]; k += 20)
+    for (std::int64_t j = 0; j < half->grid.dims[1]; j += 20)
+      for (std::int64_t i = 0; i < half->grid.dims[0]; i += 20)
+        ASSERT_EQ(voxelAt(*half, i, j, k), voxelAt(*whole, 2 * i, 2 * j, 2 * k));
+}
+
+}  // namespace
+}  // namespace datasets
