@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -29,8 +31,9 @@ class Gate {
   void pass() {
     std::unique_lock lock(mutex_);
     ++came_;
-    // whoever waits for it in the window's own thread is to fail, and not to hang
-    changed_.wait_for(lock, std::chrono::minutes(2), [this] { return lifted_; });
+    // whoever keeps the window waiting for it is to fail, and not to hang
+    if (!changed_.wait_for(lock, std::chrono::minutes(2), [this] { return lifted_; }))
+      ADD_FAILURE() << "nobody lifted the gate";
     ++passed_;
   }
   int came() const {

@@ -17,6 +17,7 @@
 
 #include "app/application.h"
 #include "app/window/replay.h"
+#include "haptics/session.h"
 #include "sphere_in_hand.h"
 #include "ui/main_window.h"
 #include "ui/panels/force_plot.h"

@@ -362,7 +362,7 @@ TEST_F(German, ChangesNoRecordingAndNoExport) {
     ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }));
     auto* record = application.window().findChild<QAbstractButton*>("record");
     record->click();
-    QTest::qWait(1'500);
+    window::afterTicks(application, 800);
     record->click();
     ASSERT_TRUE(waitFor([&] { return QFile::exists(folder.filePath("session-0001.palpate")); }));
   }

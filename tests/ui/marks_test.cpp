@@ -2,6 +2,7 @@
 // Measures, marks and notes: placed, dragged, listed and read by mouse and keys.
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>

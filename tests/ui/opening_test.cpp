@@ -3,6 +3,8 @@
 // memory does not hold, places that were opened before.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <QAbstractButton>
+#include <QAction>
 
 #include <QApplication>
 #include <QDir>
@@ -28,9 +30,11 @@
 #include "app/window/loader.h"
 #include "app/window/recent_places.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/session.h"
 #include "tests/support/dicom_bytes.h"
 #include "tests/support/made_scans.h"
 #include "tests/support/places.h"
+#include "ui/main_window.h"
 #include "ui/series_browser.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
