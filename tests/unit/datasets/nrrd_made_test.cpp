@@ -198,7 +198,7 @@ TEST(NrrdMade, CancelEndsTheRead) {
 
 TEST(NrrdMade, CancelWhileAllIsInflatedAtOnceLeavesTheRestOfItBehind) {
   Workshop workshop;
-  const fs::path path = writePackedMegabytes(workshop, 160);
+  const fs::path path = writePackedMegabytes(workshop, 96);
   // the call cannot be stopped, and has a thread of its own
   const auto inflates = [] {
     for (const auto& task : fs::directory_iterator("/proc/self/task")) {
