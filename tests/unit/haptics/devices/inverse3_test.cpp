@@ -85,7 +85,7 @@ TEST(Inverse3Message, TurnsTheGripAsItTurnsTheCursor) {
     json said = message({device(Vec3::Zero())});
     Quat q = about(turn.about_S, 0.7);
     q.coeffs() *= 1.01;  // not quite of length one
-    said["wireless_verse_grip"] = {grip(q)};
+    said["wireless_verse_grip"] = json::array({grip(q)});
     const auto read = haptics::readInverse3(said.dump());
     ASSERT_TRUE(read && read->R_BD);
     EXPECT_TRUE(read->R_BD->isApprox(about(turn.about_B, 0.7).toRotationMatrix(), 1e-12));
@@ -101,7 +101,7 @@ TEST(Inverse3Message, TakesTheFirstGripThatTellsItsOrientation) {
   wired["state"].erase("buttons");
   wired["state"]["button"] = true;
   said["verse_grip"] = {silent, wired};
-  said["wireless_verse_grip"] = {grip(Quat::Identity())};
+  said["wireless_verse_grip"] = json::array({grip(Quat::Identity())});
   const auto read = haptics::readInverse3(said.dump());
   ASSERT_TRUE(read && read->R_BD);
   EXPECT_TRUE(read->R_BD->isApprox(about({0, 1, 0}, 0.2).toRotationMatrix(), 1e-12));
@@ -214,7 +214,7 @@ struct Inverse3 : testing::Test {
   }
   static json full(const Vec3& p_S = {0.01, 0.02, 0.03}) {
     json said = message({device(p_S)});
-    said["wireless_verse_grip"] = {grip(about({0, 0, 1}, 0.5))};
+    said["wireless_verse_grip"] = json::array({grip(about({0, 0, 1}, 0.5))});
     return said;
   }
   /// From the nth command on it answers like this, and before as the maker's.
