@@ -52,7 +52,7 @@ LINKED = {
 }
 # parts of a package above, or what only builds
 WITHIN = {"libqt6opengl6-dev"}
-ONLY_BUILDS = {"g++", "cmake", "ninja-build", "lld", "pkgconf", "qt6-l10n-tools"}
+ONLY_BUILDS = {"g++", "cmake", "ninja-build", "ccache", "lld", "pkgconf", "qt6-l10n-tools"}
 
 
 def listed():
