@@ -9,6 +9,7 @@
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMetaMethod>
 #include <QMouseEvent>
 #include <QPainter>
