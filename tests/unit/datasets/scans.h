@@ -20,9 +20,7 @@
 
 namespace datasets::testing {
 
-inline std::filesystem::path scan(const std::string& name) {
-  return places::scan(name);
-}
+inline std::filesystem::path scan(const std::string& name) { return places::scan(name); }
 
 /// The reason for which this file or folder is refused; empty where it is not.
 inline std::string reasonFor(const std::filesystem::path& path) {
