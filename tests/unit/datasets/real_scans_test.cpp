@@ -4,15 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <map>
 #include <set>
-#include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "datasets/readers/meshes/tool_mesh.h"
@@ -21,6 +17,7 @@
 #include "tests/support/places.h"
 #include "tests/support/sentence.h"
 #include "tests/unit/datasets/alike.h"
+#include "tests/unit/datasets/cancelled.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -30,6 +27,8 @@ namespace fs = std::filesystem;
 using haptics::ScalarType;
 using haptics::Vec3;
 using testing::differing;
+using testing::expectCancelEnds;
+using testing::expectCancelLeavesInflating;
 using testing::scan;
 using testing::voxelAt;
 using testing::Workshop;
@@ -199,52 +198,13 @@ TEST(RealScans, NrrdIsRefusedByName) {
 TEST(RealScans, CancelEndsTheReadOfAnNrrd) {
   const fs::path path = scan("stanford_bunny/bunny_512x512x361_airflat.nrrd");
   NEEDS_SCAN(path);
-  std::atomic<bool> cancel = false;
-  double last = 0.0;
-  // all of it is inflated at once; this is not
-  const auto v = readVolume(path, {.part = {.step = 2}},
-                            {[&](double f) {
-                               last = f;
-                               cancel = f > 0.3;
-                             },
-                             &cancel});
-  ASSERT_FALSE(v);
-  EXPECT_EQ(v.error().kind, haptics::Error::Kind::Cancelled);
-  EXPECT_GT(last, 0.3);
-  EXPECT_LT(last, 0.4);
+  expectCancelEnds(path);
 }
 
 TEST(RealScans, CancelWhileAllIsInflatedAtOnceLeavesTheRestOfItBehind) {
   const fs::path path = scan("stanford_bunny/bunny_512x512x361_airflat.nrrd");
   NEEDS_SCAN(path);
-  // the call cannot be stopped, and has a thread of its own
-  const auto inflates = [] {
-    for (const auto& task : fs::directory_iterator("/proc/self/task")) {
-      std::string name;
-      if (std::ifstream(task.path() / "comm") >> name && name == "palpate-inflate") return true;
-    }
-    return false;
-  };
-  std::atomic<bool> cancel = false;
-  {
-    std::jthread canceller([&](const std::stop_token& stop) {
-      while (!stop.stop_requested() && !inflates())
-        std::this_thread::sleep_for(std::chrono::milliseconds{1});
-      cancel = true;
-    });
-    const auto v = readVolume(path, {}, {[](double) {}, &cancel});
-    ASSERT_FALSE(v);
-    EXPECT_EQ(v.error().kind, haptics::Error::Kind::Cancelled);
-  }
-  // what was left behind, and may still be at work, is nobody else's
-  const auto whole = readVolume(path);
-  ASSERT_TRUE(whole) << sentence(whole.error());
-  const auto half = readVolume(path, {.part = {.step = 2}});  // not inflated at once
-  ASSERT_TRUE(half);
-  for (std::int64_t k = 0; k < half->grid.dims[2]; k += 20)
-    for (std::int64_t j = 0; j < half->grid.dims[1]; j += 20)
-      for (std::int64_t i = 0; i < half->grid.dims[0]; i += 20)
-        ASSERT_EQ(voxelAt(*half, i, j, k), voxelAt(*whole, 2 * i, 2 * j, 2 * k));
+  expectCancelLeavesInflating(path);
 }
 
 TEST(RealScans, RealTools) {
