@@ -116,7 +116,8 @@ TEST(Arm, ClosedItLeavesTheMotorsAtZero) {
     arm.lead(kPressed);
     ASSERT_TRUE(comesTrue([&] { return arm.isThere() && arm.force_B().z() > 2.5; }));
   }
-  EXPECT_EQ(arm.force_B().norm(), 0.0);
+  // the kernel hands a board its reports later than it takes them
+  EXPECT_TRUE(comesTrue([&] { return arm.force_B().norm() == 0.0; }));
 }
 
 }  // namespace

@@ -10,11 +10,13 @@ which the same is looked at. What the studies measure in time is not asserted; w
 
 import csv
 import json
+import os
 import pathlib
 import shutil
 import signal
 import subprocess
 import sys
+import time
 import xml.etree.ElementTree
 
 try:
@@ -26,6 +28,20 @@ except ImportError:
 
 def study(program, *arguments):
     return subprocess.run([program, "study", *arguments], capture_output=True, text=True)
+
+
+def filled_pipe():
+    """Both ends of a pipe into which nothing more goes: who writes waits until it is read."""
+    reading, writing = os.pipe()
+    os.set_blocking(writing, False)
+    for size in (4096, 1):
+        try:
+            while True:
+                os.write(writing, b" " * size)
+        except BlockingIOError:
+            pass
+    os.set_blocking(writing, True)
+    return reading, writing
 
 
 def read(folder):
@@ -41,10 +57,16 @@ def main():
 
     # the first of the shards: begun, stopped, and taken up again
     first, second, whole = root / "first", root / "second", root / "whole"
+    told, telling = filled_pipe()
     begun = subprocess.Popen([program, "study", name, "--quick", "--shard", f"{shards - 1}/{shards}", "--out", str(first)],
-                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    begun.stderr.readline()  # the first job is done
+                             stdout=subprocess.DEVNULL, stderr=telling)
+    os.close(telling)
+    while not list((first / "jobs").glob("*.json")):
+        assert begun.poll() is None, f"it ended with {begun.returncode} before its first job was done"
+        time.sleep(0.02)
     begun.send_signal(signal.SIGINT)
+    with open(told, "rb") as words:  # until here it could not tell of its first job, and so not go on
+        words.read()
     assert begun.wait(timeout=120) == 130, f"stopped it exits with {begun.returncode}, not 130"
     some = read(first)
     assert some["jobs"] and some["missing"], "stopped, a study keeps what is done and says what is not"
