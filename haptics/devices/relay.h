@@ -26,10 +26,13 @@ class Relay {
 
   // Servo thread: Device's four, stop() from any thread.
   DeviceStatus read(DeviceReading& reading) noexcept {
+    // in this order: who sees that it is lost sees in whose words
+    bool lost = lost_.load(std::memory_order_acquire);
     seen_.take(last_);
     const std::int64_t age = monotonicNs() - last_.at_ns;
-    if (silent_ns_ > 0 && age > silent_ns_) lost_.store(true, std::memory_order_relaxed);
-    if (lost_.load(std::memory_order_relaxed)) {
+    lost = lost || last_.status == DeviceStatus::Lost || (silent_ns_ > 0 && age > silent_ns_);
+    if (lost) {
+      lost_.store(true, std::memory_order_relaxed);
       const bool told = last_.status == DeviceStatus::Lost;
       reading.trouble = told ? last_.reading.trouble : Trouble::Lost;
       return DeviceStatus::Lost;
@@ -80,12 +83,11 @@ class Relay {
       coming_.at_ns = monotonicNs();
     }
     coming_.status = status;
-    if (status == DeviceStatus::Lost) {
-      if (coming_.reading.trouble == Trouble::None) coming_.reading.trouble = Trouble::Lost;
-      lost_.store(true, std::memory_order_relaxed);
-    }
+    const bool lost = status == DeviceStatus::Lost;
+    if (lost && coming_.reading.trouble == Trouble::None) coming_.reading.trouble = Trouble::Lost;
     seen_.publish(coming_);
-    return status != DeviceStatus::Lost;
+    if (lost) lost_.store(true, std::memory_order_release);
+    return !lost;
   }
 
  private:

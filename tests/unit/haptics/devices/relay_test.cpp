@@ -197,4 +197,19 @@ TEST(Relay, AfterLostNothingCountsAnyMore) {
   EXPECT_EQ(reading.trouble, Trouble::MotorsHot);
 }
 
+TEST(Relay, LostComesInItsOwnWordsToWhoReadsMeanwhile) {
+  for (int n = 0; n < 300; ++n) {
+    Relay relay{0ms, 0ms};
+    std::atomic<bool> reads{false};
+    std::jthread device([&] {
+      while (!reads) std::this_thread::yield();
+      relay.came(DeviceStatus::Lost, {.trouble = Trouble::MotorsHot});
+    });
+    DeviceReading reading;
+    while (relay.read(reading) != DeviceStatus::Lost) reads = true;
+    ASSERT_EQ(reading.trouble, Trouble::MotorsHot) << n;
+    ASSERT_EQ(relay.write(kPush), DeviceStatus::Lost) << n;
+  }
+}
+
 }  // namespace
