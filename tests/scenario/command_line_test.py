@@ -338,6 +338,18 @@ def reads_numbers_whole():
         call(*line, code=2)
 
 
+def reads_the_part_that_is_named():
+    place = folder / "part"
+    place.mkdir()
+    call("convert", *SPHERE, place / "v.nrrd")  # 64 voxels of 1 mm each way
+    call("convert", place / "v.nrrd", place / "part.nrrd",
+         "--box", "1", "21", "2", "33", "3", "47", "--every", "2")
+    part = json.loads(call("info", place / "part.nrrd", "--json").stdout)
+    check(part["dims"] == [10, 16, 22], f"a part of {part['dims']} voxels")
+    check(part["origin_mm"] == [-30.5, -29.5, -28.5], f"a part at {part['origin_mm']}")
+    shutil.rmtree(place)
+
+
 def ticks_of(running):
     """Of the processor, that a process has used."""
     return sum(map(int, pathlib.Path(f"/proc/{running.pid}/stat").read_text().split()[13:15]))
@@ -417,7 +429,8 @@ def speaks_one_language():
 
 
 for test in (is_interrupted, answers_or_fails, is_whole_or_not_there, loses_no_input,
-             steers_no_terminal, reads_numbers_whole, keeps_one_key, speaks_one_language):
+             steers_no_terminal, reads_numbers_whole, reads_the_part_that_is_named, keeps_one_key,
+             speaks_one_language):
     begun = time.monotonic()
     test()
     print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)
