@@ -2,10 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 
 #include "datasets/phantoms/making.h"
 #include "haptics/solver/mass_metric.h"
 #include "haptics/tool/point_shell.h"
+#include "haptics/tool/shell_tree.h"
 #include "tests/support/made.h"
 
 namespace {
@@ -166,6 +171,32 @@ TEST(Tool, RefusesIndicesOutOfRangeAndPointsWithoutTriangles) {
   EXPECT_FALSE(makeTool("bad", mesh));
   EXPECT_FALSE(makeTool("cloud", {box({1, 1, 1}).vertices, {}}, 100));
   EXPECT_FALSE(makeTool("empty", {}));
+}
+
+// what a box leaves out could go through the surface with the rest of its node
+TEST(ShellTree, BoxesOfADenseToolHoldAllPointsOfTheirNodes) {
+  const haptics::ShellTree tree{datasets::ballPoints(6000, 9e-3)};
+  ASSERT_EQ(tree.boxes.size(), tree.nodes.size());
+  int held = 0;
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    const auto& node = tree.nodes[n];
+    if (node.count < haptics::ShellTree::kLeastBox) continue;
+    const auto& around = tree.boxes[n];
+    Vec3 farthest = Vec3::Zero();
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const Vec3 p = Vec3{tree.x[at], tree.y[at], tree.z[at]} - around.centre;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double half = around.half.col(axis).norm();
+        const double far = std::abs(around.half.col(axis).dot(p)) / half;
+        ASSERT_LE(far, half * (1.0 + 1e-12)) << n;
+        farthest[axis] = std::max(farthest[axis], far / half);
+      }
+      ++held;
+    }
+    EXPECT_GT(farthest.minCoeff(), 1.0 - 1e-6) << "wider than its points: " << n;
+  }
+  EXPECT_GT(held, 6000);
 }
 
 }  // namespace
