@@ -63,6 +63,15 @@ std::vector<fs::path> filesIn(const QTemporaryDir& folder) {
   return files;
 }
 
+/// Waits until the file that is recorded has more than so many steps.
+bool isWritten(app::Application& application, qint64 steps) {
+  const QObject listener;
+  qint64 written = 0;
+  QObject::connect(&application.recording(), &app::SessionRecording::statusChanged, &listener,
+                   [&](const ui::RecordingStatus& status) { written = status.samples; });
+  return waitFor([&] { return written > steps; });
+}
+
 /// Touches, records until at least so many steps are in the file, with a mark, and stops.
 void recordSome(app::Application& application, const QTemporaryDir& folder, qint64 steps) {
   ui::RecordingPanel& panel = *application.window().findChild<ui::RecordingPanel*>();
@@ -412,7 +421,7 @@ TEST(RecordedSession, EndsWholeWhenTheWindowCloses) {
     application.start();
     ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
     emit application.window().findChild<ui::RecordingPanel*>()->recordWanted(true);
-    window::afterTicks(application, 700);
+    ASSERT_TRUE(isWritten(application, 300));
     application.window().close();
   }
   ASSERT_EQ(filesIn(folder).size(), 1U);
@@ -428,15 +437,15 @@ TEST(RecordedSession, GoesOnThroughAnotherToolVolumeAndHand) {
   ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }));
   ui::MainWindow& window = application.window();
   emit window.findChild<ui::RecordingPanel*>()->recordWanted(true);
-  QTest::qWait(500);
+  ASSERT_TRUE(isWritten(application, 0));
   emit window::panelOf<ui::DevicePanel>(window).toolChosen("drill");
   ASSERT_TRUE(waitFor([&] { return application.shown()->tool.name == "drill"; }));
-  QTest::qWait(500);
+  window::afterTicks(application, 300);
   emit window.phantomWanted("torus");
   ASSERT_TRUE(waitFor([&] { return application.shown()->title.contains("torus"); }));
-  QTest::qWait(500);
+  window::afterTicks(application, 300);
   emit window::panelOf<ui::DevicePanel>(window).handChosen("tap");
-  QTest::qWait(500);
+  window::afterTicks(application, 300);
   window.close();
   ASSERT_EQ(filesIn(folder).size(), 1U);
   const auto recording = haptics::Recording::open(filesIn(folder).front());
