@@ -116,7 +116,7 @@ class Session {
     ASSERT_TRUE(waitFor([&] { return bench_.handle->open && settled(); }));
     // half of what a Falcon is rated for, at the hand
     const haptics::Settings settings = application.session().inForce();
-    EXPECT_NEAR(settings.stiffness * settings.position_scale * settings.force_scale, 1500.0, 1e-9);
+    EXPECT_NEAR(settings.stiffness * settings.position_scale, 1500.0, 1e-9);
     // the hand is where it is; the tool is in front of the sphere
     home_B_ = handle().led();
   }
