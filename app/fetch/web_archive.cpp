@@ -76,6 +76,9 @@ class WebArchive final : public Archive {
   Expected<std::string> json(const std::string& path, const QUrlQuery& query);
   Expected<void> images(const std::string& path, Arrivals& arrivals);
   Expected<void> list(const std::string& path, Arrivals& arrivals);
+  /// What the server says where it closes a connection on which nothing is asked. Where something
+  /// was, its alert may be lost: a host that closes with unread bytes resets the connection.
+  QString lastWordOfTls() const;
   tl::unexpected<haptics::Error> troubleOf(const QNetworkReply& reply,
                                            const QList<QSslError>& errors, bool arrived) const;
   tl::unexpected<haptics::Error> statusTrouble(int status) const;
@@ -101,15 +104,34 @@ std::optional<haptics::Error> faultOf(const QList<QSslError>& errors,
   return refused("certificate", {"fetch-certificate-refused", {server}}).value();
 }
 
+/// Whether a server's alert is about the certificate of who asks. Qt passes on what a TLS library
+/// says of it as words alone.
+bool isOfOwnCertificate(const QString& words) {
+  return words.contains("certificate required") || words.contains("alert bad certificate") ||
+         words.contains("alert unknown ca") || words.contains("alert certificate") ||
+         words.contains("alert handshake failure");
+}
+
+QString WebArchive::lastWordOfTls() const {
+  constexpr int kLongest_ms = 2000;
+  QSslSocket socket;
+  QString words;  // of all, since the last is that the connection is closed
+  QObject::connect(&socket, &QAbstractSocket::errorOccurred, &socket,
+                   [&] { words += socket.errorString() + "\n"; });
+  socket.setSslConfiguration(*tls_);
+  socket.connectToHostEncrypted(base_.host(), static_cast<quint16>(base_.port(443)));
+  if (socket.waitForEncrypted(kLongest_ms)) socket.waitForReadyRead(kLongest_ms);
+  return words;
+}
+
 tl::unexpected<haptics::Error> WebArchive::troubleOf(const QNetworkReply& reply,
                                                      const QList<QSslError>& errors,
                                                      bool arrived) const {
   if (auto fault = faultOf(errors, name())) return tl::unexpected(std::move(*fault));
-  // Qt passes on what a TLS library says of a server's alert as words alone
-  const QString words = reply.errorString();
-  if (words.contains("certificate required") || words.contains("alert bad certificate") ||
-      words.contains("alert unknown ca") || words.contains("alert certificate") ||
-      words.contains("alert handshake failure")) {
+  const bool closed_at_once = reply.error() == QNetworkReply::RemoteHostClosedError &&
+                              !reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).isValid();
+  if (isOfOwnCertificate(reply.errorString()) ||
+      (closed_at_once && tls_ && isOfOwnCertificate(lastWordOfTls()))) {
     if (server_.certificate.empty())
       return refused("certificate-own", {"fetch-certificate-wanted", {name()}});
     return refused("certificate-own", {"fetch-certificate-own-refused", {name()}});
@@ -125,8 +147,7 @@ tl::unexpected<haptics::Error> WebArchive::troubleOf(const QNetworkReply& reply,
     case QNetworkReply::TooManyRedirectsError:
       return refused("redirect", {"fetch-redirect", {name()}});
     case QNetworkReply::RemoteHostClosedError:
-      if (!reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).isValid())
-        return failed("lost", {"fetch-closed-at-once", {name()}});
+      if (closed_at_once) return failed("lost", {"fetch-closed-at-once", {name()}});
       return failed("lost", {"fetch-lost", {name()}});
     case QNetworkReply::TimeoutError:
     case QNetworkReply::UnknownNetworkError:

@@ -514,6 +514,20 @@ def tls(stage):
     echoes(mutual, "certificate-own", *trust)
     echoes(mutual, "answers", *trust, *own)
     echoes(mutual, "certificate-own", *trust, "--certificate", strange[0], "--key", strange[1])
+    # its last word, where that is lost with every connection that carried a request, is asked for again
+    alert, tries = 24, 20  # bytes of TLS 1.3; more than there are
+
+    def refusal(cuts):
+        proxy = Proxy(mutual.web, cuts=cuts)
+        way = ["--dicomweb", f"https://localhost:{proxy.port}/dicom-web", *map(str, trust)]
+        return stage.fetch.call("echo", way).reason, proxy.carried
+
+    reason, (whole,) = refusal([])
+    check(reason == "certificate-own", f"heard: {reason}")
+    reason, carried = refusal([whole - alert] * tries)
+    check(reason == "lost" and 1 < len(carried) < tries, f"never heard: {reason}, {carried}")
+    reason, carried = refusal([whole - alert] * (len(carried) - 1))
+    check(reason == "certificate-own" and carried[-1] == whole, f"heard at the last: {reason}, {carried}")
     for request, reason in ((None, "certificate-file"),):
         bad = stage.fetch.call("echo", [*ways(plain)[1], "--authority", str(series.files()[0])], request)
         check(bad.reason == reason, f"no certificate: {bad}")
