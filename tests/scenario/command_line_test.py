@@ -106,7 +106,7 @@ def is_interrupted():
         recording = place / f"{number.name}.palpate"
         running = start(*touch(SPHERE, "--record", recording, "--trace", place / "t.csv",
                                seconds="600"))
-        while not recording.with_suffix(".palpate.part").exists():
+        while running.poll() is None and not recording.with_suffix(".palpate.part").exists():
             time.sleep(0.01)
         time.sleep(0.3)
         # twice, as a shell and a program between them do

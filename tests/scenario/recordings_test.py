@@ -125,7 +125,7 @@ else:
 i = folder / "i.palpate"
 running = subprocess.Popen([program, *map(str, touch(600, "--record", i))], env=environment,
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-while not i.with_suffix(".palpate.part").exists():
+while running.poll() is None and not i.with_suffix(".palpate.part").exists():
     time.sleep(0.01)
 time.sleep(1)
 running.send_signal(signal.SIGINT)
@@ -139,7 +139,7 @@ k = folder / "k.palpate"
 part = folder / "k.palpate.part"
 running = subprocess.Popen([program, *map(str, touch(600, "--record", k))], env=environment,
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-while not part.exists():
+while running.poll() is None and not part.exists():
     time.sleep(0.01)
 time.sleep(1.5)
 running.kill()
