@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/measurement_controller.h"
 
+#include <QLocale>
+
 #include "app/window/sentence.h"
 
 namespace app {

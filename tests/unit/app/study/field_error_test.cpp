@@ -5,6 +5,8 @@
 
 #include <iostream>
 
+#include "tests/support/made.h"
+
 /// How far each field is from what was scanned: the figures of haptics/MEASURED.md, "Fields".
 namespace {
 
