@@ -76,8 +76,8 @@ class WebArchive final : public Archive {
   Expected<std::string> json(const std::string& path, const QUrlQuery& query);
   Expected<void> images(const std::string& path, Arrivals& arrivals);
   Expected<void> list(const std::string& path, Arrivals& arrivals);
-  /// What the server says where it closes a connection on which nothing is asked. Where something
-  /// was, its alert may be lost: a host that closes with unread bytes resets the connection.
+  /// The server's alert, from a connection without a request. A request that the server leaves
+  /// unread makes its host reset the connection, and the alert is lost.
   QString lastWordOfTls() const;
   tl::unexpected<haptics::Error> troubleOf(const QNetworkReply& reply,
                                            const QList<QSslError>& errors, bool arrived) const;
