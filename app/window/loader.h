@@ -69,6 +69,7 @@ struct Loaded {
 inline constexpr const char* kWhichSeries = "which-series";
 inline constexpr const char* kTooLarge = "too-large";
 inline constexpr const char* kMissingSlices = "missing-slices";
+inline constexpr const char* kIdentifiersDiffer = "identifiers-differ";
 
 /// Loads each request on its own thread. A new request cancels the one before. Signals arrive on
 /// the thread that owns the loader, and only for the newest request. Only the destructor waits for

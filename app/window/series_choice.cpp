@@ -47,6 +47,10 @@ ui::SeriesRow rowOf(const datasets::SeriesVerdict& series) {
     row.spacing_mm = {part->spacing_mm.x(), part->spacing_mm.y(), part->spacing_mm.z()};
     row.bytes = row.bytes / part->of * part->slices;
   }
+  if (!series.part.empty()) {
+    if (!row.series.isEmpty()) row.series += QStringLiteral(", ");
+    row.series += sentenceOf(series.part);
+  }
   for (const haptics::Message& fault : series.faults) row.faults << sentenceOf(fault);
   return row;
 }
@@ -81,7 +85,7 @@ bool SeriesChoice::ask(const LoadRequest& request, const haptics::Error& error) 
     return true;
   }
   if (error.kind == haptics::Error::Kind::Correctable) {
-    offerCorrection(request, why);
+    offerCorrection(request, why, error.reason);
     return true;
   }
   return (error.reason == kMissingSlices && offerLargestPart(request)) ||
@@ -119,7 +123,7 @@ void SeriesChoice::loadChosen(int row) {
                                              .among_others = surveyed_->survey.series.size() > 1,
                                              .place = surveyed_->place}};
   if (series.verdict == datasets::Verdict::Correctable)
-    return offerCorrection(std::move(request), sentenceOf(series.message));
+    return offerCorrection(std::move(request), sentenceOf(series.message), series.reasons.front());
   if (series.unbroken_part) return void(offerLargestPart(std::move(request)));
   emit wanted(request);
 }
@@ -138,13 +142,19 @@ bool SeriesChoice::offerLargestPart(LoadRequest request) {
   return true;
 }
 
-void SeriesChoice::offerCorrection(LoadRequest request, const QString& why) {
-  if (!window_.askWhether(
-          why,
-          tr("What is seen and felt is then interpolated between the scan's own slices. The files "
-             "stay as they are."),
-          tr("Resample and load")))
-    return;
+void SeriesChoice::offerCorrection(LoadRequest request, const QString& why,
+                                   const std::string& reason) {
+  const bool agreed =
+      reason == kIdentifiersDiffer
+          ? window_.askWhether(why,
+                               tr("Look at the slices before you rely on what you see and feel: "
+                                  "they may be of several people. The files stay as they are."),
+                               tr("Load as one stack"))
+          : window_.askWhether(why,
+                               tr("What is seen and felt is then interpolated between the scan's "
+                                  "own slices. The files stay as they are."),
+                               tr("Resample and load"));
+  if (!agreed) return;
   request.geometry = datasets::Geometry::Corrected;
   emit wanted(request);
 }

@@ -37,7 +37,7 @@ class SeriesChoice : public QObject {
 
  private:
   void loadChosen(int row);
-  void offerCorrection(LoadRequest request, const QString& why);
+  void offerCorrection(LoadRequest request, const QString& why, const std::string& reason);
   /// Returns false if there is no part without a gap.
   bool offerLargestPart(LoadRequest request);
   /// Returns false if no part can be read either.

@@ -75,6 +75,7 @@ struct SeriesVerdict {
   Verdict verdict = Verdict::Refused;
   std::vector<std::string> reasons;  ///< codes: "gantry-tilt", "not-scalar", "truncated", …
   haptics::Message message;          ///< one sentence for the user
+  haptics::Message part = {};  ///< which volume of its series: "phase 2 of 3"; empty: the only one
   /// For a series that is refused because slices are missing: the part that can be loaded if the
   /// user agrees; or none.
   std::optional<UnbrokenPart> unbroken_part = {};

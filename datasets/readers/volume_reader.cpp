@@ -42,7 +42,7 @@ Expected<T> guarded(const fs::path& path, F&& read) {
   }
 }
 
-Message listed(const SeriesVerdict& v) {
+Message listedAlone(const SeriesVerdict& v) {
   const std::string number = std::to_string(v.index);
   const Message modality =
       v.modality.empty() ? Message{"series-no-modality", {}} : Message{v.modality};
@@ -60,6 +60,11 @@ Message listed(const SeriesVerdict& v) {
       break;
   }
   return {"series-listed-refused", {number, modality, dims, v.reasons.front()}};
+}
+
+Message listed(const SeriesVerdict& v) {
+  if (v.part.empty()) return listedAlone(v);
+  return {"series-listed-part", {listedAlone(v), v.part}};
 }
 
 Message listOf(const std::vector<SeriesVerdict>& all) {
@@ -246,12 +251,15 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     survey.series = verdictsOf(path, *format);
     survey.several = survey.series.size() > 1;
   } else if (is_dicom) {
-    auto one = seriesOf(path, std::move(header), progress);
-    if (!one) return tl::unexpected(std::move(one.error()));
+    auto all = seriesOf(path, std::move(header), progress);
+    if (!all) return tl::unexpected(std::move(all.error()));
     Closed beside = closedBeside(folderOf(path));
-    beside.damaged = one->damaged_beside;
-    survey.series.push_back(verdictWith(std::move(*one)));
-    sayClosed(survey.series.back(), beside);
+    survey.several = all->size() > 1;
+    for (DicomSeries& series : *all) {
+      beside.damaged = series.damaged_beside;
+      survey.series.push_back(verdictWith(std::move(series)));
+      sayClosed(survey.series.back(), beside);
+    }
   } else if (looksLikeArchive(path)) {
     const auto folder = unpacked(path, progress.part(0.0, 0.5));
     if (!folder) return tl::unexpected(folder.error());

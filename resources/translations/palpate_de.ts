@@ -936,14 +936,6 @@
         <translation>Die Datei %1 nennt %2 nicht so, wie DICOM Zahlen schreibt („1.5“, mit einem Punkt und ohne Einheit), oder mit zu vielen oder zu wenigen Zahlen; exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>The images are stored in a transfer syntax (that is not known here) that cannot be decoded; export them as explicit little endian.</source>
-        <translation>Die Bilder sind in einer Transfersyntax gespeichert (die hier nicht bekannt ist), die sich nicht decodieren lässt; exportieren Sie sie als Explicit Little Endian.</translation>
-    </message>
-    <message>
-        <source>The images are stored in a transfer syntax (%1) that cannot be decoded; export them as explicit little endian.</source>
-        <translation>Die Bilder sind in einer Transfersyntax gespeichert (%1), die sich nicht decodieren lässt; exportieren Sie sie als Explicit Little Endian.</translation>
-    </message>
-    <message>
         <source>The file %1 was copied as if it were text, which put bytes among its pixels; copy it again in binary mode.</source>
         <translation>Die Datei %1 wurde kopiert, als wäre sie Text, wodurch Bytes zwischen ihre Pixel gerieten; kopieren Sie sie noch einmal, im Binärmodus.</translation>
     </message>
@@ -2063,6 +2055,174 @@
         <source>The keyring has no login for %1 any more.</source>
         <translation>Der Schlüsselbund hat keine Anmeldung für %1 mehr.</translation>
     </message>
+    <message>
+        <source>The images state a transfer syntax that is no identifier; export them as explicit little endian.</source>
+        <translation>Die Bilder nennen eine Transfer-Syntax, die keine Kennung ist; exportieren Sie sie als Explicit Little Endian.</translation>
+    </message>
+    <message>
+        <source>The images are stored in the transfer syntax %1, which is not known here and cannot be decoded; export them as explicit little endian.</source>
+        <translation>Die Bilder sind in der Transfer-Syntax %1 gespeichert, die hier nicht bekannt ist und nicht dekodiert werden kann; exportieren Sie sie als Explicit Little Endian.</translation>
+    </message>
+    <message>
+        <source>The images are stored in the transfer syntax %2 (%1), which cannot be decoded; export them as explicit little endian.</source>
+        <translation>Die Bilder sind in der Transfer-Syntax %2 (%1) gespeichert, die nicht dekodiert werden kann; exportieren Sie sie als Explicit Little Endian.</translation>
+    </message>
+    <message>
+        <source>The series seems to hold %1 volumes of %2 slices, which nothing in its files tells apart; put each into a folder of its own.</source>
+        <translation>Die Serie enthält anscheinend %1 Volumen zu je %2 Schichten, die nichts in ihren Dateien unterscheidet; legen Sie jedes in einen eigenen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 files of %1 studies fit together as one stack, and no identifier says that they belong together.</source>
+        <translation>%1 Dateien aus %1 Studien passen als ein Stapel zusammen, und keine Kennung sagt, dass sie zusammengehören.</translation>
+    </message>
+    <message>
+        <source>%(1); its files state several values of %2.</source>
+        <translation>%(1); ihre Dateien nennen mehrere Werte für %2.</translation>
+    </message>
+    <message>
+        <source>The series holds several volumes; this is %1.</source>
+        <translation>Die Serie enthält mehrere Volumen; dies ist %1.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no image of this stack and is left out.</source>
+        <translation>Die Datei %1 ist kein Bild dieses Stapels und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 files are no images of this stack and are left out; the first is %2.</source>
+        <translation>%1 Dateien sind keine Bilder dieses Stapels und werden ausgelassen; die erste ist %2.</translation>
+    </message>
+    <message>
+        <source>It shows another view or has another size than the slices, as a scout has.</source>
+        <translation>Sie zeigt eine andere Ansicht oder hat eine andere Größe als die Schichten, wie ein Übersichtsbild.</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation>%1 %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3 (%4)</source>
+        <translation>%1 %2 von %3 (%4)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>turned by %1 degrees</source>
+        <translation>um %1 Grad gedreht</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>trigger delay</source>
+        <translation>Triggerverzögerung</translation>
+    </message>
+    <message>
+        <source>trigger time</source>
+        <translation>Triggerzeit</translation>
+    </message>
+    <message>
+        <source>phase of breath</source>
+        <translation>Atemphase</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>echo</source>
+        <translation>Echo</translation>
+    </message>
+    <message>
+        <source>echo time</source>
+        <translation>Echozeit</translation>
+    </message>
+    <message>
+        <source>b-value</source>
+        <translation>b-Wert</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>tube voltage</source>
+        <translation>Röhrenspannung</translation>
+    </message>
+    <message>
+        <source>acquisition</source>
+        <translation>Akquisition</translation>
+    </message>
+    <message>
+        <source>kernel</source>
+        <translation>Kernel</translation>
+    </message>
+    <message>
+        <source>image type</source>
+        <translation>Bildtyp</translation>
+    </message>
+    <message>
+        <source>frame of reference</source>
+        <translation>Bezugssystem</translation>
+    </message>
+    <message>
+        <source>stack</source>
+        <translation>Stapel</translation>
+    </message>
+    <message>
+        <source>slice thickness</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>voxel type</source>
+        <translation>Voxeltyp</translation>
+    </message>
+    <message>
+        <source>time of acquisition</source>
+        <translation>Aufnahmezeit</translation>
+    </message>
+    <message>
+        <source>time of the image</source>
+        <translation>Bildzeit</translation>
+    </message>
+    <message>
+        <source>patient&apos;s name</source>
+        <translation>Name des Patienten</translation>
+    </message>
+    <message>
+        <source>series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>The slices lie %1 mm apart in one part of the stack and %2 mm in the other.</source>
+        <translation>Die Schichten liegen in einem Teil des Stapels %1 mm auseinander und im anderen %2 mm.</translation>
+    </message>
+    <message>
+        <source>The slices drift: they lie up to %1 mm off even places, though each step is near the usual one, from %2 to %3 mm.</source>
+        <translation>Die Schichten driften: Sie liegen bis zu %1 mm neben gleichmäßigen Orten, obwohl jeder Schritt dem üblichen nahe ist, von %2 bis %3 mm.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -2811,6 +2971,14 @@
     <message>
         <source>Resample and load</source>
         <translation>Umrechnen und laden</translation>
+    </message>
+    <message>
+        <source>Look at the slices before you rely on what you see and feel: they may be of several people. The files stay as they are.</source>
+        <translation>Sehen Sie die Schichten an, bevor Sie sich auf Bild und Gefühl verlassen: Sie können von mehreren Menschen sein. Die Dateien bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Load as one stack</source>
+        <translation>Als einen Stapel laden</translation>
     </message>
 </context>
 <context>

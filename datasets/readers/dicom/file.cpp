@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "datasets/readers/dicom/codestream.h"
+#include "datasets/readers/dicom/elements.h"
 #include "datasets/readers/dicom/numbers.h"
 #include "datasets/readers/dicom/rewritten_file.h"
 #include "datasets/readers/dicom/structure.h"
@@ -40,39 +41,11 @@ constexpr std::string_view kFolderIndex = "1.2.840.10008.1.3.10";  // media stor
 constexpr unsigned int kUndefinedLength = 0xffffffffu;
 constexpr int kMostFrames = 65'535;
 
-std::string trimmedValue(const vtkDICOMValue& value) {
-  std::string text = value.AsString();
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
-  return text;
-}
-
-std::string textOf(vtkDICOMMetaData* meta, vtkDICOMTag tag) { return trimmedValue(meta->Get(tag)); }
-
 /// A text in the file's character set, as UTF-8.
 std::string shownText(vtkDICOMMetaData* meta, vtkDICOMTag tag) {
   std::string text = meta->Get(tag).AsUTF8String();
   while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
   return text;
-}
-
-/// An item of a sequence; null where there is none, which vtk-dicom itself would follow to nowhere.
-const vtkDICOMItem* itemOf(const vtkDICOMValue& sequence, int n) {
-  const vtkDICOMItem* items = sequence.GetSequenceData();
-  return items != nullptr && n < static_cast<int>(sequence.GetNumberOfValues()) ? items + n
-                                                                                : nullptr;
-}
-
-/// An attribute of a frame: from its own functional group, the shared one, or the root, where a
-/// file of one slice has it. By its full path, since private groups hold attributes of the same
-/// name.
-const vtkDICOMValue& ofFrame(vtkDICOMMetaData* meta, int frame, vtkDICOMTag group,
-                             vtkDICOMTag tag) {
-  for (const vtkDICOMItem* groups : {itemOf(meta->Get(DC::PerFrameFunctionalGroupsSequence), frame),
-                                     itemOf(meta->Get(DC::SharedFunctionalGroupsSequence), 0)}) {
-    const vtkDICOMItem* item = groups != nullptr ? itemOf(groups->Get(group), 0) : nullptr;
-    if (item != nullptr && item->Get(tag).IsValid()) return item->Get(tag);
-  }
-  return meta->Get(tag);
 }
 
 haptics::Error fault(tl::unexpected<haptics::Error> error) { return std::move(error.value()); }
@@ -103,10 +76,13 @@ bool decodable(const std::string& syntax) {
 }
 
 haptics::Error syntaxFault(const std::string& syntax) {
+  constexpr std::size_t kLongest = 64;
+  if (syntax.size() > kLongest || syntax.find_first_not_of("0123456789.") != syntax.npos)
+    return fault(unsupported("unsupported-syntax", {"dicom-syntax-no-identifier", {}}));
   const char* name = vtkDICOMUtilities::GetUIDName(syntax.c_str());
   if (name == nullptr || *name == '\0')
-    return fault(unsupported("unsupported-syntax", {"dicom-syntax-unnamed", {}}));
-  return fault(unsupported("unsupported-syntax", {"dicom-syntax-unknown", {name}}));
+    return fault(unsupported("unsupported-syntax", {"dicom-syntax-unnamed", {syntax}}));
+  return fault(unsupported("unsupported-syntax", {"dicom-syntax-unknown", {name, syntax}}));
 }
 
 /// Whether the items of compressed pixel data end before the file does.
@@ -222,7 +198,6 @@ std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file
   std::optional<std::array<double, 3>> position;
   std::optional<std::array<double, 6>> orientation;
   std::optional<std::array<double, 2>> spacing;
-  std::optional<std::array<double, 1>> thickness;
   const auto ofGroup = [&](vtkDICOMTag group, vtkDICOMTag tag) -> const vtkDICOMValue& {
     return ofFrame(meta, file.frame, group, tag);
   };
@@ -236,9 +211,6 @@ std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file
   if (auto bad = readNumbers(file, "pixel spacing",
                              ofGroup(DC::PixelMeasuresSequence, DC::PixelSpacing), spacing))
     return bad;
-  if (auto bad = readNumbers(file, "slice thickness",
-                             ofGroup(DC::PixelMeasuresSequence, DC::SliceThickness), thickness))
-    return bad;
   if (!position || !orientation || !spacing) return unplaced();
   SlicePlane& plane = file.plane;
   file.placed = true;
@@ -247,7 +219,9 @@ std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file
   plane.along_column = Vec3::Map(orientation->data() + 3);
   plane.row_step_mm = spacing->front();
   plane.column_step_mm = spacing->back();
-  if (thickness) plane.thickness_mm = thickness->front();
+  // needed of a single slice only, so a number that is none is not stated
+  const auto thickness = numbersIn(ofGroup(DC::PixelMeasuresSequence, DC::SliceThickness));
+  if (thickness && thickness->size() == 1) plane.thickness_mm = thickness->front();
   return {};
 }
 
@@ -301,12 +275,17 @@ std::optional<haptics::Error> readPadding(vtkDICOMMetaData* meta, DicomFile& fil
   return {};
 }
 
+void readAttributes(vtkDICOMMetaData* meta, DicomFile& file) {
+  file.attributes = attributesOf(meta, file.frame);
+  file.attributes[static_cast<std::size_t>(Attribute::VoxelType)] =
+      (file.is_signed ? "signed " : "unsigned ") + std::to_string(file.bits_allocated);
+}
+
 /// What differs from frame to frame, and why it cannot be used, if it cannot.
 void readFrame(vtkDICOMMetaData* meta, DicomFile& file) {
   file.fault = readRescale(meta, file);
   if (!file.fault) file.fault = readPadding(meta, file);
-  file.identity.kernel =
-      trimmedValue(ofFrame(meta, file.frame, DC::CTReconstructionSequence, DC::ConvolutionKernel));
+  readAttributes(meta, file);
   if (file.fault) return;
   // several frames at the one place that a root states are no stack
   if (file.frame_count > 1 && !meta->Has(DC::PerFrameFunctionalGroupsSequence))
@@ -405,13 +384,12 @@ DicomHeader readDicomHeader(const Beginning& beginning) {
   file.rewritten = rewritten.has_value();
   file.pixels_begin = static_cast<std::int64_t>(parser->GetFileOffset());
   file.series = textOf(meta, DC::SeriesInstanceUID);
-  file.identity = {.patient = textOf(meta, DC::PatientID) + "\n" + textOf(meta, DC::PatientName),
+  file.name = textOf(meta, DC::PatientName);
+  file.identity = {.patient = textOf(meta, DC::PatientID),
                    .study = textOf(meta, DC::StudyInstanceUID),
-                   .frame_of_reference = textOf(meta, DC::FrameOfReferenceUID),
-                   .modality = textOf(meta, DC::Modality),
-                   .kernel = textOf(meta, DC::ConvolutionKernel),
-                   .image_type = textOf(meta, DC::ImageType)};
-  file.acquisition = textOf(meta, DC::AcquisitionNumber);
+                   .modality = textOf(meta, DC::Modality)};
+  if (file.identity.patient.empty() && !file.name.empty()) file.identity.patient = "\n" + file.name;
+  file.sop_class = textOf(meta, DC::SOPClassUID);
   file.instance = textOf(meta, DC::SOPInstanceUID);
   file.modality = modalityFrom(textOf(meta, DC::Modality));
   file.labels = {shownText(meta, DC::PatientName), shownText(meta, DC::StudyDescription),
@@ -425,6 +403,7 @@ DicomHeader readDicomHeader(const Beginning& beginning) {
   file.high_bit = meta->Has(DC::HighBit) ? meta->Get(DC::HighBit).AsInt() : file.bits_stored - 1;
   file.inverted = textOf(meta, DC::PhotometricInterpretation) == "MONOCHROME1";
   file.is_signed = meta->Get(DC::PixelRepresentation).AsInt() == 1;
+  readAttributes(meta, file);
 
   file.syntax = textOf(meta, DC::TransferSyntaxUID);
   const bool understood = !file.series.empty() || !file.modality.empty() || file.plane.rows != 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/readers/dicom/attributes.h"
 #include "datasets/readers/dicom/stack.h"
 #include "datasets/readers/files/beginning.h"
 #include "datasets/readers/scan.h"
@@ -15,9 +16,11 @@
 
 namespace datasets {
 
-/// What slices of one stack have in common, beside their series. Compared, never shown.
+/// What slices of one stack have in common, beside their series. Compared, never shown. Empty where
+/// it is not stated.
 struct SliceIdentity {
-  std::string patient, study, frame_of_reference, modality, kernel, image_type;
+  std::string patient;  ///< PatientID; without one, the name behind a line break
+  std::string study, modality;
 
   auto operator<=>(const SliceIdentity&) const = default;
   bool operator==(const SliceIdentity&) const = default;
@@ -35,7 +38,9 @@ struct DicomFile {
   std::string series;             ///< SeriesInstanceUID
   std::string instance;           ///< SOPInstanceUID
   SliceIdentity identity;
-  std::string acquisition;  ///< AcquisitionNumber, as it stands
+  std::string name;       ///< of the patient; one person's is spelled in several ways
+  std::string sop_class;  ///< what kind of object it is
+  Attributes attributes;
   int series_number = 0;
   std::string modality;
   Labels labels;

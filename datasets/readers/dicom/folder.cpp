@@ -12,6 +12,8 @@
 #include <string>
 #include <utility>
 
+#include "datasets/readers/dicom/grouping.h"
+#include "datasets/readers/dicom/parts.h"
 #include "datasets/readers/files/parallel.h"
 #include "datasets/readers/files/refusal.h"
 
@@ -142,55 +144,6 @@ Expected<std::vector<DicomFile>> framesOf(const std::vector<fs::path>& paths,
   return headers;
 }
 
-/// Whether a file whose header could be read in part only may belong to these.
-bool mayBelong(const DicomFile& broken, const DicomFile& to) {
-  const auto agrees = [](const std::string& known, const std::string& other) {
-    return known.empty() || known == "\n" || known == other;
-  };
-  const SliceIdentity &a = broken.identity, &b = to.identity;
-  return !broken.series.empty() && broken.series == to.series && agrees(a.patient, b.patient) &&
-         agrees(a.study, b.study) && agrees(a.frame_of_reference, b.frame_of_reference) &&
-         agrees(a.modality, b.modality) && agrees(a.kernel, b.kernel) &&
-         agrees(a.image_type, b.image_type);
-}
-
-/// Files by series, and by all else that slices of one stack have in common, since identifiers of
-/// series are blank, or given twice, in files that are made anonymous. What is known of a broken
-/// file puts it to every series that may lack it.
-std::vector<std::vector<DicomFile>> separated(std::vector<DicomFile> files) {
-  std::map<std::pair<std::string, SliceIdentity>, std::vector<DicomFile>> by_identity;
-  std::vector<DicomFile> broken;
-  for (DicomFile& file : files) {
-    if (file.fault) {
-      broken.push_back(std::move(file));
-      continue;
-    }
-    // a series without an identifier is one of its folder
-    const std::string series =
-        file.series.empty() ? "/" + file.path.parent_path().string() : file.series;
-    by_identity[{series, file.identity}].push_back(std::move(file));
-  }
-  std::map<std::string, std::vector<DicomFile>> alone;
-  for (const DicomFile& file : broken) {
-    bool belongs = false;
-    for (auto& [key, sound] : by_identity)
-      if (mayBelong(file, sound.front())) {
-        sound.push_back(file);
-        belongs = true;
-      }
-    if (!belongs)
-      alone[file.series.empty() ? "/" + file.path.parent_path().string() : file.series].push_back(
-          file);
-  }
-  std::vector<std::vector<DicomFile>> all;
-  for (auto& [key, some] : by_identity) all.push_back(std::move(some));
-  for (auto& [key, some] : alone) all.push_back(std::move(some));
-  for (std::vector<DicomFile>& some : all)
-    std::ranges::stable_sort(some, {},
-                             [](const DicomFile& f) { return std::pair(f.path, f.frame); });
-  return all;
-}
-
 /// The largest part without a gap of files that lack slices; none where it is no sound stack.
 std::shared_ptr<const DicomSeries> unbrokenPartOf(const std::vector<DicomFile>& files) {
   std::vector<SlicePlane> planes;
@@ -203,13 +156,34 @@ std::shared_ptr<const DicomSeries> unbrokenPartOf(const std::vector<DicomFile>& 
   return std::make_shared<const DicomSeries>(std::move(part));
 }
 
-DicomSeries judgedTogether(std::vector<DicomFile> files) {
+/// What the files of a refused stack seem to be, where many lie at each place.
+void sayHowMany(DicomSeries& series) {
+  if (series.stack || series.stack.error().reason != "duplicate") return;
+  const std::size_t images = imagesAtEachPlace(series.files);
+  const std::size_t places = images > 1 ? series.files.size() / images : 0;
+  if (places < 2) return;
+  series.stack = unsupported(
+      "duplicate", {"dicom-several-volumes", {std::to_string(images), std::to_string(places)}});
+}
+
+DicomSeries judgedTogether(std::vector<DicomFile> files, const FileGroup& group) {
   DicomSeries series;
   series.files = std::move(files);
-  series.copies_left_out = leaveOutCopies(series.files);
+  std::ranges::stable_sort(series.files, {},
+                           [](const DicomFile& f) { return std::pair(f.path, f.frame); });
   series.stack = judge(series.files);
-  if (!series.stack && series.stack.error().reason == "missing-slices")
+  series.left_out = group.left_out;
+  if (series.stack) {
+    series.differences = differencesAmong(series.files);
+    if (group.join == FileGroup::Join::NothingInCommon)
+      series.question =
+          haptics::Error{haptics::Error::Kind::Correctable,
+                         {"dicom-nothing-in-common", {std::to_string(series.files.size())}},
+                         "identifiers-differ"};
+  } else if (series.stack.error().reason == "missing-slices") {
     series.unbroken = unbrokenPartOf(series.files);
+  }
+  sayHowMany(series);
   return series;
 }
 
@@ -226,39 +200,66 @@ std::pair<double, double> extentOf(const std::vector<DicomFile>& files) {
   return extent;
 }
 
-/// The series that files of one identity make: one, or one for each acquisition, where acquisitions
-/// lie in each other's place and each is an even stack. Acquisitions one after the other are turns
-/// of a scanner that counts them.
-std::vector<DicomSeries> judged(std::vector<DicomFile> files) {
+/// Whether acquisitions lie in each other's place. One after the other they are turns of a scanner
+/// that counts them.
+bool acquisitionsOverlap(const std::vector<DicomFile>& files) {
+  constexpr auto kAcquisition = static_cast<std::size_t>(Attribute::Acquisition);
   std::map<std::string, std::vector<DicomFile>> by_acquisition;
-  const bool faulty =
-      std::ranges::any_of(files, [](const DicomFile& f) { return f.fault.has_value(); });
-  if (!faulty)
-    for (const DicomFile& file : files) by_acquisition[file.acquisition].push_back(file);
-  bool overlap = false;
+  for (const DicomFile& file : files) by_acquisition[file.attributes[kAcquisition]].push_back(file);
   std::vector<std::pair<double, double>> extents;
   for (const auto& [number, some] : by_acquisition) extents.push_back(extentOf(some));
   std::ranges::sort(extents);
   double highest_mm = -std::numeric_limits<double>::infinity();
   for (const auto& [low_mm, high_mm] : extents) {
-    overlap = overlap || low_mm <= highest_mm;
+    if (low_mm <= highest_mm) return true;
     highest_mm = std::max(highest_mm, high_mm);
   }
-  if (by_acquisition.size() < 2 || !overlap) return {judgedTogether(std::move(files))};
+  return false;
+}
 
-  std::vector<DicomSeries> apart;
-  bool each_even = true;
-  for (auto& [number, some] : by_acquisition) {
-    apart.push_back(judgedTogether(std::move(some)));
-    each_even = each_even && apart.back().files.size() > 1 && apart.back().stack &&
-                !apart.back().stack->crooked;
+/// Passes that lie between each other's and are no even stack together are never one volume.
+void keepPassesApart(DicomSeries& series) {
+  const bool faulty =
+      std::ranges::any_of(series.files, [](const DicomFile& f) { return f.fault.has_value(); });
+  const bool uneven = series.stack && series.stack->crooked && series.stack->crooked->uneven;
+  if (faulty || (series.stack && !uneven) || !acquisitionsOverlap(series.files)) return;
+  series.unbroken.reset();  // it may hold slices of several
+  if (uneven)
+    series.stack = unsupported("mixed-acquisitions", {"dicom-acquisitions-interleaved", {}});
+}
+
+/// Its slices, or else what may be slices.
+const std::vector<DicomFile>& filesOf(const FileGroup& group) {
+  return group.slices.empty() ? group.faulty : group.slices;
+}
+
+/// The volumes that a group of files makes.
+std::vector<DicomSeries> judged(FileGroup group) {
+  std::ranges::move(group.faulty, std::back_inserter(group.slices));
+  const int copies = leaveOutCopies(group.slices);
+  const auto unplaced = std::ranges::stable_partition(
+      group.slices, [&](const DicomFile& f) { return f.placed || !f.fault; });
+  const std::vector<DicomFile> lacking(unplaced.begin(), unplaced.end());
+  group.slices.erase(unplaced.begin(), unplaced.end());
+  std::vector<DicomSeries> all;
+  std::vector<VolumePart> parts;
+  if (group.slices.empty())
+    parts.push_back({});
+  else
+    parts = partsOf(group.slices);
+  for (const VolumePart& part : parts) {
+    std::vector<DicomFile> files;
+    for (const std::size_t n : part.slices) files.push_back(group.slices[n]);
+    std::ranges::copy(lacking, std::back_inserter(files));
+    DicomSeries series = judgedTogether(std::move(files), group);
+    series.part = group.view.empty()  ? part.name
+                  : part.name.empty() ? group.view
+                                      : haptics::Message{"part-and", {group.view, part.name}};
+    if (parts.size() == 1) keepPassesApart(series);
+    series.copies_left_out = copies;
+    all.push_back(std::move(series));
   }
-  if (each_even) return apart;
-  DicomSeries together = judgedTogether(std::move(files));
-  together.unbroken.reset();  // it may hold slices of several
-  if (together.stack)
-    together.stack = unsupported("mixed-acquisitions", {"dicom-acquisitions-interleaved", {}});
-  return {std::move(together)};
+  return all;
 }
 
 int fileCount(const DicomSeries& series) {
@@ -285,6 +286,27 @@ UnbrokenPart partOf(const DicomSeries& series) {
           .spacing_mm = part.stack->geometry.steps_mm.colwise().norm().transpose()};
 }
 
+haptics::Message listOf(const std::vector<haptics::Message>& names) {
+  haptics::Message list = names.front();
+  for (std::size_t n = 1; n < names.size(); ++n) list = {"part-and", {std::move(list), names[n]}};
+  return list;
+}
+
+void sayPartAndLeftOut(const DicomSeries& series, SeriesVerdict& verdict) {
+  verdict.part = series.part;
+  if (!series.part.empty())
+    verdict.message = bothOf(std::move(verdict.message), {"dicom-part", {series.part}});
+  if (series.left_out.empty()) return;
+  const std::string first = quoted(series.left_out.front().path);
+  verdict.message = bothOf(std::move(verdict.message),
+                           series.left_out.size() == 1
+                               ? haptics::Message{"dicom-file-left-out", {first}}
+                               : haptics::Message{"dicom-files-left-out",
+                                                  {std::to_string(series.left_out.size()), first}});
+  for (const DicomFile& file : series.left_out)
+    verdict.faults.push_back({"file-fault", {quoted(file.path), file.fault->message}});
+}
+
 /// Of the voxels once they are read: what is not 8 bits becomes 16, or float where it must.
 std::int64_t voxelBytesOf(const DicomSeries& series) {
   const DicomFile& first = series.files.front();
@@ -305,6 +327,20 @@ std::int64_t voxelBytesOf(const DicomSeries& series) {
   return pixels * slices * each;
 }
 
+/// Copies in another encoding may be of another voxel type, and were written at another time.
+bool tellsCopiesApart(Attribute attribute) {
+  return attribute == Attribute::Acquisition ||
+         (traitsOf(attribute).strong && attribute != Attribute::VoxelType);
+}
+
+/// Whether two images differ in nothing that tells reconstructions or moments apart.
+bool isOneKind(const DicomFile& a, const DicomFile& b) {
+  for (std::size_t n = 0; n < kAttributes; ++n)
+    if (tellsCopiesApart(static_cast<Attribute>(n)) && a.attributes[n] != b.attributes[n])
+      return false;
+  return true;
+}
+
 tl::unexpected<haptics::Error> noSeries(const fs::path& path) {
   return malformed("unreadable", {"dicom-no-series", {quoted(path)}});
 }
@@ -312,12 +348,21 @@ tl::unexpected<haptics::Error> noSeries(const fs::path& path) {
 }  // namespace
 
 std::vector<DicomSeries> seriesAmong(std::vector<DicomFile> frames) {
-  std::vector<DicomSeries> all;
-  for (std::vector<DicomFile>& files : separated(std::move(frames)))
-    for (DicomSeries& series : judged(std::move(files))) all.push_back(std::move(series));
-  std::ranges::sort(all, {}, [](const DicomSeries& s) {
-    return std::pair(s.files.front().series_number, s.files.front().path);
+  std::vector<FileGroup> groups = groupsOf(std::move(frames));
+  std::map<std::string, fs::path> first;  // file of each series
+  for (const FileGroup& group : groups)
+    for (const DicomFile& file : filesOf(group)) {
+      const auto [it, is_new] = first.try_emplace(file.series, file.path);
+      if (!is_new) it->second = std::min(it->second, file.path);
+    }
+  // volumes of one series stay in their order
+  std::ranges::stable_sort(groups, {}, [&](const FileGroup& group) {
+    const DicomFile& any = filesOf(group).front();
+    return std::pair(any.series_number, first.at(any.series));
   });
+  std::vector<DicomSeries> all;
+  for (FileGroup& group : groups)
+    for (DicomSeries& series : judged(std::move(group))) all.push_back(std::move(series));
   return all;
 }
 
@@ -328,14 +373,8 @@ Expected<std::vector<DicomSeries>> seriesAmong(const std::vector<fs::path>& path
   return seriesAmong(std::move(*frames));
 }
 
-Expected<DicomSeries> seriesOf(const fs::path& path, const ReadProgress& progress) {
-  const Beginning beginning(path);
-  if (!looksLikeDicom(beginning)) return noSeries(path);
-  return seriesOf(path, readDicomHeader(beginning), progress);
-}
-
-Expected<DicomSeries> seriesOf(const fs::path& path, DicomHeader header,
-                               const ReadProgress& progress) {
+Expected<std::vector<DicomSeries>> seriesOf(const fs::path& path, DicomHeader header,
+                                            const ReadProgress& progress) {
   std::vector<DicomFile>& frames = header.frames;
   if (frames.empty()) return unsupported("no-pixels", {"dicom-index-or-no-image", {quoted(path)}});
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -345,35 +384,41 @@ Expected<DicomSeries> seriesOf(const fs::path& path, DicomHeader header,
   for (DicomFile& frame : frames) frame.path = folder / path.filename();
   auto headers = framesOf(*paths, frames, progress);
   if (!headers) return tl::unexpected(std::move(headers.error()));
-  const DicomFile& named = frames.front();
+  const DicomFile named = frames.front();
   const auto isNamed = [&](const DicomFile& file) {
     return file.path.filename() == path.filename();
   };
   const auto damaged = std::ranges::count_if(*headers, [&](const DicomFile& file) {
     return file.fault && file.series.empty() && !isNamed(file);
   });
-  for (std::vector<DicomFile>& files : separated(std::move(*headers))) {
-    if (std::ranges::none_of(files, isNamed)) continue;
-    // files without identifiers stand for themselves
-    if (named.series.empty())
-      std::erase_if(files, [&](const DicomFile& file) { return !isNamed(file); });
-    const auto copies = std::erase_if(files, [&](const DicomFile& file) {
-      // many are made anonymous by giving all images one identifier
-      const bool comparable = file.placed && named.placed;
-      const bool same_instance =
-          !comparable && !file.instance.empty() && file.instance == named.instance;
-      const bool same_place = comparable && isSamePlace(file.plane, named.plane);
-      return !isNamed(file) && file.acquisition == named.acquisition &&
-             (same_instance || same_place);
-    });
-    for (DicomSeries& series : judged(std::move(files))) {
-      if (std::ranges::none_of(series.files, isNamed)) continue;
-      series.copies_left_out += static_cast<int>(copies);
-      series.damaged_beside = static_cast<int>(damaged);
-      return std::move(series);
+  // files without identifiers stand for themselves
+  if (named.series.empty())
+    std::erase_if(*headers, [&](const DicomFile& file) { return !isNamed(file); });
+  const auto copies = std::erase_if(*headers, [&](const DicomFile& file) {
+    // many are made anonymous by giving all images one identifier
+    const bool comparable = file.placed && named.placed;
+    const bool same_instance =
+        !comparable && !file.instance.empty() && file.instance == named.instance;
+    const bool same_place = comparable && isSamePlace(file.plane, named.plane);
+    return !isNamed(file) && file.series == named.series && file.identity == named.identity &&
+           isOneKind(file, named) && (same_instance || same_place);
+  });
+  std::vector<DicomSeries> found;
+  for (DicomSeries& series : seriesAmong(std::move(*headers))) {
+    const bool holds = std::ranges::any_of(series.files, isNamed);
+    if (!holds && std::ranges::none_of(series.left_out, isNamed)) continue;
+    if (!holds) {  // it stands for itself
+      series = DicomSeries{};
+      series.files = {named};
+      series.stack = judge(series.files);
     }
+    series.copies_left_out += static_cast<int>(copies);
+    series.damaged_beside = static_cast<int>(damaged);
+    found.push_back(std::move(series));
+    if (!holds) break;
   }
-  return noSeries(path);
+  if (found.empty()) return noSeries(path);
+  return found;
 }
 
 SeriesVerdict verdictOf(const DicomSeries& series) {
@@ -401,9 +446,11 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
                                                tenths(part.from_mm), tenths(part.to_mm)}});
       verdict.unbroken_part = part;
     }
+    sayPartAndLeftOut(series, verdict);
     return verdict;
   }
-  verdict.verdict = series.stack->crooked ? Verdict::Correctable : Verdict::Sound;
+  const bool asks = series.stack->crooked || series.question;
+  verdict.verdict = asks ? Verdict::Correctable : Verdict::Sound;
   verdict.dims = series.stack->geometry.dims;
   verdict.spacing_mm = series.stack->geometry.steps_mm.colwise().norm().transpose();
   verdict.message = {"dicom-one-stack", {std::to_string(series.files.size())}};
@@ -415,6 +462,14 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
     verdict.reasons.push_back(series.stack->crooked->why.reason);
     verdict.message = series.stack->crooked->why.message;
   }
+  if (series.question) {
+    verdict.reasons.push_back(series.question->reason);
+    verdict.message = series.stack->crooked
+                          ? bothOf(series.question->message, std::move(verdict.message))
+                          : series.question->message;
+  }
+  if (!series.differences.empty())
+    verdict.message = {"dicom-differing", {verdict.message, listOf(series.differences)}};
   if (series.copies_left_out > 0) {
     verdict.reasons.push_back("duplicate");
     verdict.message =
@@ -423,6 +478,7 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
             : haptics::Message{"dicom-copies-left-out",
                                {verdict.message, std::to_string(series.copies_left_out)}};
   }
+  sayPartAndLeftOut(series, verdict);
   return verdict;
 }
 

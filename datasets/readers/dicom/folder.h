@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "datasets/readers/dicom/file.h"
@@ -20,7 +21,13 @@ struct DicomSeries {
   /// For a series that lacks slices: its largest part without a gap, if that is a sound stack;
   /// otherwise null.
   std::shared_ptr<const DicomSeries> unbroken;
-  int copies_left_out = 0;  ///< files left out because another file has the same image
+  haptics::Message part;  ///< which of its series' volumes: "phase 2 of 3"; empty: the only one
+  /// Names of the attributes in which its files differ although they make one stack.
+  std::vector<haptics::Message> differences;
+  /// The question that the user has to answer before the files count as one stack.
+  std::optional<haptics::Error> question;
+  std::vector<DicomFile> left_out;  ///< of the series, with the fault that says why
+  int copies_left_out = 0;          ///< files left out because another file has the same image
   /// In the series of one file: damaged files beside it that do not state their series.
   int damaged_beside = 0;
 };
@@ -33,13 +40,12 @@ std::vector<DicomSeries> seriesAmong(std::vector<DicomFile> frames);
 haptics::Expected<std::vector<DicomSeries>> seriesAmong(
     const std::vector<std::filesystem::path>& paths, const ReadProgress& progress = {});
 
-/// Reads the series of one file from that file's folder. If several images lie at its place (for
-/// example in other encodings), the named file is used.
-haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file,
-                                        const ReadProgress& progress = {});
-/// The same for a file whose header has been parsed.
-haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file, DicomHeader header,
-                                        const ReadProgress& progress);
+/// Reads the series of one file from that file's folder: the volume that holds the file, or all
+/// volumes of which it holds frames. If several images lie at its place (for example in other
+/// encodings), the named file is used.
+haptics::Expected<std::vector<DicomSeries>> seriesOf(const std::filesystem::path& file,
+                                                     DicomHeader header,
+                                                     const ReadProgress& progress);
 
 /// Leaves `index` and `found` unset.
 SeriesVerdict verdictOf(const DicomSeries& series);

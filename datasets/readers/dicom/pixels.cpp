@@ -293,6 +293,7 @@ Expected<haptics::Volume> readSeries(const DicomSeries& series, Geometry geometr
   if (!series.stack) return tl::unexpected(series.stack.error());
   const Stack& stack = *series.stack;
   if (stack.crooked && geometry == Geometry::AsStored) return tl::unexpected(stack.crooked->why);
+  if (series.question && geometry == Geometry::AsStored) return tl::unexpected(*series.question);
   if (stack.crooked && !part.isWhole())
     return unsupported("too-large", {"dicom-resampled-whole-only", {}});
   const auto whole = gridOf(stack.geometry);

@@ -2,10 +2,12 @@
 #include "datasets/readers/dicom/stack.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "datasets/readers/files/refusal.h"
 
@@ -19,17 +21,31 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kParallel = 0.1 * kDegree;   // rad, between planes and off the normal
 constexpr double kUnitError = 1e-3;           // of a direction's length, and of a right angle
-constexpr double kSamePosition_mm = 1e-3;     // steps below this are none
-constexpr double kEvenStep = 0.01;            // of the median
-constexpr double kEvenStep_mm = 0.05;         //
+constexpr double kSamePosition = 0.05;        // of the largest step: steps below this are none,
+constexpr double kSamePosition_mm = 1e-3;     // at most,
+constexpr double kLeastStep_mm = 1e-5;        // and at least
+constexpr double kEvenStep = 0.01;            // of the median, or
+constexpr double kEvenSmallStep = 0.05;       // of it,
+constexpr double kEvenStep_mm = 0.05;         // up to this
+constexpr double kEvenPlaces = 2.0;           // of what a step may be off
+constexpr double kRoundedStep = 0.4;          // of a step: decimals that are coarser say nothing
+constexpr double kRoundedTo_mm = 0.1;         // the coarsest
+constexpr double kLikeTheMean = 1.45;         // times: steps beyond it are no matter of rounding
+constexpr std::size_t kLeastRun = 3;          // steps of one size, to be meant so
 constexpr double kMultipleStep = 0.05;        // of the multiple
 constexpr double kEqualPixelSpacing = 1e-4;   // relative
 constexpr double kMostTilt = 45.0 * kDegree;  // rad; gantries tilt by 30 degrees at most
 constexpr double kMostAside = 8.0;            // of a slice's columns and rows together
 constexpr double kMostPlanes = 2.0;           // of a resampled box for each slice that there is
+constexpr double kMostPlanesOfTwo = 8.0;      // where a stack has two regular steps
 
 double angleBetween(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+bool hasEqualSpacing(const SlicePlane& a, const SlicePlane& b) {
+  return std::abs(a.column_step_mm / b.column_step_mm - 1.0) <= kEqualPixelSpacing &&
+         std::abs(a.row_step_mm / b.row_step_mm - 1.0) <= kEqualPixelSpacing;
 }
 
 Expected<void> checkPlane(const SlicePlane& s) {
@@ -52,18 +68,34 @@ Expected<void> checkAlike(const std::vector<SlicePlane>& slices) {
       return unsupported("mixed-size", {"dicom-sizes-mixed",
                                         {std::to_string(first.columns), std::to_string(first.rows),
                                          std::to_string(s.columns), std::to_string(s.rows)}});
-    widest = std::max({widest, angleBetween(s.along_row, first.along_row),
-                       angleBetween(s.along_column, first.along_column)});
+    widest = std::max(widest, turnBetween(s, first));
   }
   if (widest > kParallel)
     return unsupported("mixed-orientation",
                        {"dicom-orientations-mixed", {brief(widest / kDegree)}});
   for (const SlicePlane& s : slices)
-    if (std::abs(s.column_step_mm / first.column_step_mm - 1.0) > kEqualPixelSpacing ||
-        std::abs(s.row_step_mm / first.row_step_mm - 1.0) > kEqualPixelSpacing)
+    if (!hasEqualSpacing(s, first))
       return unsupported("mixed-size", {"dicom-spacings-mixed",
                                         {brief(first.column_step_mm), brief(s.column_step_mm)}});
   return {};
+}
+
+/// The last place that the positions are written to, mm: 0.01 where all have two decimals at most.
+double writtenTo(const std::vector<SlicePlane>& slices) {
+  constexpr int kMostDecimals = 6;
+  double quantum_mm = 1.0;
+  for (int decimals = 0; decimals < kMostDecimals; ++decimals, quantum_mm /= 10.0) {
+    const auto isWhole = [&](double x) {
+      const double count = x / quantum_mm;
+      return std::abs(count - std::round(count)) < 1e-6 * std::max(1.0, std::abs(count) * 1e-3);
+    };
+    if (std::ranges::all_of(slices, [&](const SlicePlane& s) {
+          return isWhole(s.position_mm.x()) && isWhole(s.position_mm.y()) &&
+                 isWhole(s.position_mm.z());
+        }))
+      break;
+  }
+  return quantum_mm;
 }
 
 /// How ordered slices follow each other.
@@ -72,6 +104,7 @@ struct Advance {
   Vec3 way_mm = Vec3::Zero();            ///< from the first slice to the last
   double extent_mm = 0.0;                ///< of it, along the normal
   std::vector<double> heights_mm;        ///< of each slice over the first, along the normal
+  double rounding_mm = 0.0;              ///< of places, by the decimals in which they are written
 
   double tilt() const { return angleBetween(way_mm, normal); }
   /// Where a slice's first pixel lies beside that of the first slice, in columns and rows.
@@ -82,40 +115,55 @@ struct Advance {
   }
 };
 
+std::vector<double> stepsOf(const std::vector<double>& heights_mm) {
+  std::vector<double> steps_mm;
+  for (std::size_t k = 1; k < heights_mm.size(); ++k)
+    steps_mm.push_back(heights_mm[k] - heights_mm[k - 1]);
+  return steps_mm;
+}
+
+/// Steps that are none.
+std::ptrdiff_t repeatedPlaces(const std::vector<double>& steps_mm) {
+  const double none_mm =
+      std::clamp(kSamePosition * std::ranges::max(steps_mm), kLeastStep_mm, kSamePosition_mm);
+  return std::ranges::count_if(steps_mm, [&](double step) { return step < none_mm; });
+}
+
 /// Of slices in order, at least two; each somewhere else, and all on one line.
 Expected<Advance> advanceOf(const std::vector<SlicePlane>& ordered, const Vec3& normal) {
   const SlicePlane& first = ordered.front();
-  Advance advance{normal, first.along_row.normalized(), {}, {}, 0.0, {}};
+  Advance advance{normal, first.along_row.normalized(), {}, {}, 0.0, {}, 0.0};
   // rounding in the orientation must not leave the axes off their right angles
   advance.along_column = normal.cross(advance.along_row);
   advance.way_mm = ordered.back().position_mm - first.position_mm;
   advance.extent_mm = normal.dot(advance.way_mm);
-  int repeated = 0;
-  for (const SlicePlane& s : ordered) {
-    const double height_mm = normal.dot(s.position_mm - first.position_mm);
-    if (!advance.heights_mm.empty())
-      repeated += height_mm - advance.heights_mm.back() < kSamePosition_mm ? 1 : 0;
-    advance.heights_mm.push_back(height_mm);
-  }
-  if (repeated > 0)
+  for (const SlicePlane& s : ordered)
+    advance.heights_mm.push_back(normal.dot(s.position_mm - first.position_mm));
+  if (const auto repeated = repeatedPlaces(stepsOf(advance.heights_mm)); repeated > 0)
     return unsupported("duplicate", {"dicom-positions-repeated",
                                      {std::to_string(repeated), std::to_string(ordered.size())}});
   if (advance.tilt() > kMostTilt)
     return unsupported("sheared", {"dicom-tilt-too-large", {brief(advance.tilt() / kDegree)}});
+  const double written_mm = writtenTo(ordered);
+  const double step_mm = advance.extent_mm / static_cast<double>(ordered.size() - 1);
+  if (written_mm <= 1.001 * std::min(kRoundedStep * step_mm, kRoundedTo_mm))
+    advance.rounding_mm = 0.5 * written_mm * normal.cwiseAbs().sum() + 1e-9;
   // within half a pixel's tenth, and what counts as straight
   const double pixel_mm = std::min(first.row_step_mm, first.column_step_mm);
   for (std::size_t k = 0; k < ordered.size(); ++k) {
     const double height_mm = advance.heights_mm[k];
     const Vec3 on_line_mm = height_mm / advance.extent_mm * advance.way_mm;
     const double aside_mm = (ordered[k].position_mm - first.position_mm - on_line_mm).norm();
-    if (aside_mm > 0.05 * pixel_mm + std::tan(kParallel) * height_mm)
+    if (aside_mm > 0.05 * pixel_mm + std::tan(kParallel) * height_mm + 2.0 * advance.rounding_mm)
       return unsupported("sheared", {"dicom-slice-aside", {brief(aside_mm)}});
   }
   return advance;
 }
 
 /// How far a step may be off the usual one, mm.
-double evenWithin(double median_mm) { return std::max(kEvenStep * median_mm, kEvenStep_mm); }
+double evenWithin(double median_mm) {
+  return std::max(kEvenStep * median_mm, std::min(kEvenSmallStep * median_mm, kEvenStep_mm));
+}
 
 double medianOf(std::vector<double> numbers) {
   std::ranges::sort(numbers);
@@ -135,11 +183,52 @@ std::vector<std::size_t> orderAlong(const Vec3& normal, const std::vector<SliceP
   return order;
 }
 
-/// Nothing where the steps are even; why they are not; or, unexpected, that slices are missing.
-Expected<std::optional<haptics::Error>> checkSteps(const std::vector<double>& steps_mm,
-                                                   double median_mm) {
+/// How far places are off the even line from the first to the last, at most, mm.
+double offTheLine(const std::vector<double>& heights_mm) {
+  const double step_mm = heights_mm.back() / static_cast<double>(heights_mm.size() - 1);
+  double most_mm = 0.0;
+  for (std::size_t k = 0; k < heights_mm.size(); ++k)
+    most_mm = std::max(most_mm, std::abs(heights_mm[k] - step_mm * static_cast<double>(k)));
+  return most_mm;
+}
+
+/// The two sizes of steps where one follows the other, in two or three runs of several steps each.
+std::optional<std::array<double, 2>> twoRegularSteps(const std::vector<double>& steps_mm,
+                                                     double rounding_mm) {
+  std::vector<std::size_t> begins;  // of the runs
+  const auto isEqual = [&](double a, double b) {
+    return std::abs(a - b) <= evenWithin(std::min(a, b)) + 2.0 * rounding_mm;
+  };
+  for (std::size_t k = 0; k < steps_mm.size(); ++k)
+    if (begins.empty() || !isEqual(steps_mm[k], steps_mm[begins.back()])) begins.push_back(k);
+  if (begins.size() < 2 || begins.size() > 3) return {};
+  begins.push_back(steps_mm.size());
+  for (std::size_t n = 1; n < begins.size(); ++n)
+    if (begins[n] - begins[n - 1] < kLeastRun) return {};
+  if (begins.size() == 4 && !isEqual(steps_mm[begins[0]], steps_mm[begins[2]])) return {};
+  return std::array{steps_mm[begins[0]], steps_mm[begins[1]]};
+}
+
+/// Why steps are not even, and the step at which they are resampled.
+struct Uneven {
+  haptics::Error why;
+  double step_mm;
+  double most_planes;  ///< of the box, for each slice
+  bool two_steps = false;
+};
+
+/// Nothing where the slices are evenly spaced; or, unexpected, that slices are missing.
+Expected<std::optional<Uneven>> checkSteps(const Advance& advance) {
+  const std::vector<double> steps_mm = stepsOf(advance.heights_mm);
+  const double median_mm = medianOf(steps_mm);
+  const double off_mm = offTheLine(advance.heights_mm), even = evenWithin(median_mm);
+  const auto correctable = [](haptics::Message message) {
+    return haptics::Error{haptics::Error::Kind::Correctable, std::move(message), "uneven-spacing"};
+  };
   const auto [least, greatest] = std::ranges::minmax(steps_mm);
-  const double even = evenWithin(median_mm);
+  const double mean_mm = advance.extent_mm / static_cast<double>(steps_mm.size());
+  const bool rounded = greatest < kLikeTheMean * mean_mm && off_mm <= 2.0 * advance.rounding_mm;
+  if (rounded) return std::nullopt;
   int odd = 0, missing = 0;
   bool multiples = true;
   for (const double step : steps_mm) {
@@ -151,7 +240,13 @@ Expected<std::optional<haptics::Error>> checkSteps(const std::vector<double>& st
     else
       missing += static_cast<int>(times) - 1;
   }
-  if (odd == 0) return std::nullopt;
+  if (odd == 0 && off_mm <= kEvenPlaces * even) return std::nullopt;
+  if (odd == 0)
+    return Uneven{correctable({"dicom-drifting", {brief(off_mm), brief(least), brief(greatest)}}),
+                  median_mm, kMostPlanes};
+  if (const auto two = twoRegularSteps(steps_mm, advance.rounding_mm))
+    return Uneven{correctable({"dicom-two-steps", {brief(two->front()), brief(two->back())}}),
+                  std::min(two->front(), two->back()), kMostPlanesOfTwo, true};
   const std::string gaps = std::to_string(odd), steps = std::to_string(steps_mm.size());
   if (multiples && missing == 1)
     return unsupported("missing-slices", {"dicom-slice-missing", {gaps, steps, brief(median_mm)}});
@@ -159,20 +254,19 @@ Expected<std::optional<haptics::Error>> checkSteps(const std::vector<double>& st
     return unsupported(
         "missing-slices",
         {"dicom-slices-missing", {std::to_string(missing), gaps, steps, brief(median_mm)}});
-  return haptics::Error{
-      haptics::Error::Kind::Correctable,
-      {"dicom-uneven", {gaps, steps, brief(median_mm), brief(least), brief(greatest)}},
-      "uneven-spacing"};
+  return Uneven{
+      correctable({"dicom-uneven", {gaps, steps, brief(median_mm), brief(least), brief(greatest)}}),
+      median_mm, kMostPlanes};
 }
 
 /// The box that tilted or uneven slices fill once they are resampled: planes at the median step,
 /// and columns and rows for all of them. The first slice keeps its pixels.
 Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered,
-                             const Advance& advance, const std::optional<haptics::Error>& uneven,
-                             double median_mm) {
+                             const Advance& advance, const std::optional<Uneven>& uneven) {
   const SlicePlane& first = ordered.front();
   FileGeometry& box = stack.geometry;
-  Crooked crooked{{}, {}, first.columns, first.rows};
+  Crooked crooked{{}, uneven.has_value(), uneven && uneven->two_steps,
+                  {}, first.columns,      first.rows};
   const bool tilted = advance.tilt() > kParallel;
   if (tilted) {
     const haptics::Message angle_deg = brief(advance.tilt() / kDegree);
@@ -181,11 +275,11 @@ Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered
                           : haptics::Message{"dicom-tilted", {angle_deg}},
                    "gantry-tilt"};
   } else {
-    crooked.why = *uneven;
+    crooked.why = uneven->why;
   }
   if (uneven) {
-    const double planes = 1.0 + std::round(advance.extent_mm / median_mm);
-    if (!(planes >= 2.0 && planes <= kMostPlanes * static_cast<double>(ordered.size())))
+    const double planes = 1.0 + std::round(advance.extent_mm / uneven->step_mm);
+    if (!(planes >= 2.0 && planes <= uneven->most_planes * static_cast<double>(ordered.size())))
       return unsupported("uneven-spacing", {"dicom-too-few-for-gaps", {crooked.why.message}});
     box.dims[2] = std::lround(planes);
   }
@@ -216,6 +310,16 @@ Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered
 
 }  // namespace
 
+double turnBetween(const SlicePlane& a, const SlicePlane& b) {
+  return std::max(angleBetween(a.along_row, b.along_row),
+                  angleBetween(a.along_column, b.along_column));
+}
+
+bool isAlike(const SlicePlane& a, const SlicePlane& b) {
+  return a.rows == b.rows && a.columns == b.columns && hasEqualSpacing(a, b) &&
+         turnBetween(a, b) <= kParallel;
+}
+
 Expected<Stack> stackOf(const std::vector<SlicePlane>& slices) {
   if (slices.empty()) return malformed("no-pixels", {"dicom-no-slice", {}});
   for (const SlicePlane& s : slices)
@@ -242,14 +346,10 @@ Expected<Stack> stackOf(const std::vector<SlicePlane>& slices) {
 
   const auto advance = advanceOf(ordered, normal);
   if (!advance) return tl::unexpected(advance.error());
-  std::vector<double> steps_mm;
-  for (std::size_t k = 1; k < ordered.size(); ++k)
-    steps_mm.push_back(advance->heights_mm[k] - advance->heights_mm[k - 1]);
-  const double median_mm = medianOf(steps_mm);
-  const auto uneven = checkSteps(steps_mm, median_mm);
+  const auto uneven = checkSteps(*advance);
   if (!uneven) return tl::unexpected(uneven.error());
   if (*uneven || advance->tilt() > kParallel)
-    return straightened(std::move(stack), ordered, *advance, *uneven, median_mm);
+    return straightened(std::move(stack), ordered, *advance, *uneven);
   box.steps_mm.col(2) = normal * (advance->extent_mm / static_cast<double>(slices.size() - 1));
   return stack;
 }

@@ -27,6 +27,8 @@ struct SlicePlane {
 /// Parallel slices that fill an even, right-angled box only after resampling.
 struct Crooked {
   haptics::Error why;  ///< "gantry-tilt" or "uneven-spacing"; the message has the angle or the gaps
+  bool uneven = false;     ///< the steps differ, whether tilted or not
+  bool two_steps = false;  ///< two regular ones, one behind the other
   /// places[k]: first pixel of the slice at k, in the box's index coordinates.
   std::vector<haptics::Vec3> places;
   std::int64_t columns = 0, rows = 0;  ///< of a slice; the box may have more
@@ -38,6 +40,13 @@ struct Stack {
   FileGeometry geometry;           ///< of the box, after resampling
   std::optional<Crooked> crooked = {};
 };
+
+/// How far one plane is turned against another, rad: the larger of the angles of rows and columns.
+double turnBetween(const SlicePlane& a, const SlicePlane& b);
+
+/// Whether two planes can be of one stack: the same rows and columns, pixel spacings equal to 1e-4,
+/// directions to 0.1 degrees.
+bool isAlike(const SlicePlane& a, const SlicePlane& b);
 
 /// Makes the stack of slices, k along the normal (row x column), or gives the reason why there is
 /// none:
@@ -51,8 +60,11 @@ struct Stack {
 ///   "uneven-spacing"     steps so uneven that resampling would make up most of the slices
 /// A stack can be straightened, and has `crooked` set, with
 ///   "gantry-tilt"        positions that advance more than 0.1 degrees off the normal
-///   "uneven-spacing"     steps off the median by more than 1 % or 0.05 mm, whichever is greater
-/// A single slice takes its thickness, or 1 mm, as its step.
+///   "uneven-spacing"     steps off the median, or places off their even line, by more than is
+///                        allowed; or two regular steps, one behind the other
+/// A step may be off the median by 5 % up to 0.05 mm, and by 1 % above that; a place off the even
+/// line by twice as much. Positions that are written with few decimals may be off by what that
+/// rounds. A single slice takes its thickness, or 1 mm, as its step.
 haptics::Expected<Stack> stackOf(const std::vector<SlicePlane>& slices);
 
 /// For slices that stackOf() refuses with "missing-slices": indices of the longest run without a

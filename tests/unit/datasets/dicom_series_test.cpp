@@ -10,6 +10,8 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "datasets/readers/dicom/straighten.h"
 #include "tests/support/sentence.h"
@@ -127,6 +129,73 @@ TEST(DicomSeries, StepsMayWanderByOnePercentOrATwentiethOfAMillimetre) {
   EXPECT_EQ(crookedFor(stack({0, 1, 2.06, 3.12, 4})), "uneven-spacing");
   EXPECT_EQ(crookedFor(stack({0, 10, 20.09, 30, 40})), "no");
   EXPECT_EQ(crookedFor(stack({0, 10, 20.11, 30, 40})), "uneven-spacing");
+}
+
+std::vector<double> scaled(std::vector<double> heights_mm, double factor) {
+  for (double& height : heights_mm) height *= factor;
+  return heights_mm;
+}
+
+// planted: steps that may be off by 0.05 mm whatever their size
+TEST(DicomSeries, WhatCountsAsEvenGoesWithTheStep) {
+  for (const double step_mm : {0.0008, 0.018, 0.5, 3.0}) {
+    EXPECT_EQ(reasonForStack(stack(scaled({0, 1, 2, 3, 5, 6, 7}, step_mm))), "missing-slices")
+        << step_mm;
+    EXPECT_EQ(reasonForStack(stack(scaled({0, 1, 2, 2.0001, 3}, step_mm))), "duplicate") << step_mm;
+    EXPECT_EQ(crookedFor(stack(scaled({0, 1, 2, 3, 4}, step_mm))), "no") << step_mm;
+    EXPECT_EQ(crookedFor(stack(scaled({0, 1, 2.2, 3, 4}, step_mm))), "uneven-spacing") << step_mm;
+  }
+}
+
+// planted: steps that are judged one by one only
+TEST(DicomSeries, ADriftIsSeenThoughEachStepIsNearTheUsualOne) {
+  std::vector<double> heights_mm{0.0};
+  for (int k = 0; k < 60; ++k) heights_mm.push_back(heights_mm.back() + (k < 30 ? 1.01 : 0.99));
+  EXPECT_EQ(crookedFor(stack(heights_mm)), "uneven-spacing");
+  EXPECT_NE(sentence(stackOf(stack(heights_mm))->crooked->why).find("drift"), std::string::npos);
+  EXPECT_EQ(crookedFor(stack({0, 1.01, 2.02, 3.01, 4})), "no");
+}
+
+/// Slices at heights that are written with so many decimals.
+std::vector<SlicePlane> written(double step_mm, int count, int decimals) {
+  const double quantum_mm = std::pow(10.0, -decimals);
+  std::vector<SlicePlane> slices;
+  for (int k = 0; k < count; ++k) {
+    SlicePlane s;
+    s.position_mm = {-41.5, -60.2, std::round((-210.07 + step_mm * k) / quantum_mm) * quantum_mm};
+    s.columns = s.rows = 4;
+    slices.push_back(s);
+  }
+  return slices;
+}
+
+TEST(DicomSeries, WhatWritingRoundsIsEven) {
+  for (const double step_mm : {0.25, 0.33, 0.625, 1.25, 0.6667})
+    EXPECT_EQ(crookedFor(written(step_mm, 40, 1)), "no") << step_mm;
+  EXPECT_EQ(crookedFor(written(0.0333, 40, 2)), "no");
+  auto lacking = written(0.33, 40, 1);
+  lacking.erase(lacking.begin() + 20);
+  EXPECT_NE(reasonForStack(lacking) + crookedFor(lacking), "no");
+}
+
+TEST(DicomSeries, TwoRegularStepsCanBeResampled) {
+  const auto heights = [](int below, double low_mm, int above, double high_mm) {
+    std::vector<double> heights_mm{0.0};
+    for (int k = 0; k < below + above; ++k)
+      heights_mm.push_back(heights_mm.back() + (k < below ? low_mm : high_mm));
+    return heights_mm;
+  };
+  for (const auto& [below, low_mm, above, high_mm] :
+       {std::tuple{9, 2.5, 6, 5.0}, std::tuple{6, 5.0, 9, 2.5}, std::tuple{5, 5.0, 3, 2.5},
+        std::tuple{4, 1.0, 8, 5.0}}) {
+    const auto verdict = stackOf(stack(heights(below, low_mm, above, high_mm)));
+    ASSERT_TRUE(verdict) << sentence(verdict.error());
+    ASSERT_TRUE(verdict->crooked);
+    EXPECT_EQ(verdict->crooked->why.reason, "uneven-spacing");
+    EXPECT_NEAR(verdict->geometry.steps_mm.col(2).norm(), std::min(low_mm, high_mm), 1e-9);
+  }
+  // two that are missing are missing
+  EXPECT_EQ(reasonForStack(stack({0, 1, 2, 3, 4, 5, 7, 9})), "missing-slices");
 }
 
 TEST(DicomSeries, TiltedAndUnevenStacksCanBeStraightened) {
