@@ -63,6 +63,7 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
   json["modality"] = volume.modality;
   json["replaced"] = volume.replaced;
   json["padded"] = volume.padded;
+  json["beyond_bits"] = volume.beyond_bits;
   json["verdict"] = volume.slices_left_out > 0 ? "part" : volume.resampled ? "corrected" : "sound";
   std::vector<std::string> reasons =
       series != nullptr ? series->reasons : std::vector<std::string>{};
@@ -76,6 +77,10 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
   if (volume.padded > 0)
     message += " " + std::to_string(volume.padded) +
                " voxels are padding, where nothing was measured, and count as air.";
+  if (volume.beyond_bits > 0)
+    message += " " + std::to_string(volume.beyond_bits) +
+               " voxels have bits beyond those that the files state as stored; their values may be "
+               "wrong.";
   json["message"] = message;
 }
 

@@ -301,6 +301,11 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
     addTo(loaded.note, Loader::tr("%1 voxels are padding, where nothing was measured, and count "
                                   "as air.")
                            .arg(volume.padded));
+  if (volume.beyond_bits > 0)
+    addTo(loaded.note,
+          Loader::tr("%1 voxels have bits beyond those that the files state as stored; their "
+                     "values may be wrong.")
+              .arg(volume.beyond_bits));
   loaded.tool = request.tool.value_or(ToolSource{.name = source->tool});
   auto tool = readTool(loaded.tool, loaded.note);
   if (!tool) return tl::unexpected(tool.error());

@@ -181,6 +181,7 @@ Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<v
   volume.modality = std::move(facts.modality);
   volume.orientation_known = facts.orientation_known;
   volume.padded = facts.padded;
+  volume.beyond_bits = facts.beyond_bits;
   volume.resampled = facts.resampled;
   return volume;
 }

@@ -61,7 +61,9 @@ struct Volume {
   bool orientation_known = true;  ///< false: left and right must not be shown
   std::int64_t replaced = 0;      ///< non-finite voxels that became background
   std::int64_t padded = 0;        ///< voxels stored as padding, where nothing was measured; now air
-  bool resampled = false;         ///< from slices that were tilted or unevenly spaced
+  /// Voxels whose words say more than the bits that the file states as stored, which alone count.
+  std::int64_t beyond_bits = 0;
+  bool resampled = false;  ///< from slices that were tilted or unevenly spaced
   /// Number of slices of the series that are not in this volume. It is above 0 if the series lacks
   /// slices and this is its largest part without a gap.
   std::int64_t slices_left_out = 0;
@@ -88,6 +90,7 @@ struct VolumeFacts {
   std::string modality = {};
   bool orientation_known = true;
   std::int64_t padded = 0;
+  std::int64_t beyond_bits = 0;
   bool resampled = false;
 };
 

@@ -2710,6 +2710,10 @@
         <source>It could not be loaded: %1</source>
         <translation>Das Laden ist gescheitert: %1</translation>
     </message>
+    <message>
+        <source>%1 voxels have bits beyond those that the files state as stored; their values may be wrong.</source>
+        <translation>%1 Voxel haben Bits jenseits derer, die die Dateien als gespeichert angeben; ihre Werte können falsch sein.</translation>
+    </message>
 </context>
 <context>
     <name>app::LogController</name>

@@ -234,7 +234,7 @@ bool isPadded(const DicomSeries& series) {
 /// `air` becomes the least value that is no padding, where there is padding: of whole slices, also
 /// where only a part of them is taken.
 Expected<Outcome> decodeAll(const Taken& taken, ScalarType type, void* voxels, double& air,
-                            const ReadProgress& progress) {
+                            UpperBits& upper, const ReadProgress& progress) {
   const bool padded = isPadded(taken.series);
   air = std::numeric_limits<double>::infinity();
   const std::vector<FileTask> tasks = tasksOf(taken);
@@ -247,6 +247,7 @@ Expected<Outcome> decodeAll(const Taken& taken, ScalarType type, void* voxels, d
     const CLocale numbers_with_points;
     std::unique_ptr<FileFrames> frames;
     std::vector<std::byte> room;
+    UpperBits of_file;
     for (const std::size_t place : tasks[n].places) {
       const DicomFile& file = taken.series.files[taken.slices[place]];
       if (!frames) frames = framesOf(file, decoders);
@@ -257,7 +258,7 @@ Expected<Outcome> decodeAll(const Taken& taken, ScalarType type, void* voxels, d
         failed_at = std::min(n, failed_at);
         return false;
       }
-      const Pixels pixels = settled(*words, file, room);
+      const Pixels pixels = settled(*words, file, room, of_file);
       if (padded) {
         const double least = leastOf(pixels, file);
         const std::scoped_lock lock(mutex);
@@ -266,6 +267,8 @@ Expected<Outcome> decodeAll(const Taken& taken, ScalarType type, void* voxels, d
       if (!rescale(pixels, file, taken.window, type, taken.sliceAt(place, type, voxels)))
         fits = false;
     }
+    const std::scoped_lock lock(mutex);
+    upper += of_file;
     return fits.load();
   };
   const bool done = onAllCores(tasks.size(), progress, decodeOne);
@@ -312,7 +315,9 @@ Expected<haptics::Volume> readSeries(const DicomSeries& series, Geometry geometr
     auto voxels = haptics::allocateVoxels(stored, type);
     if (!voxels) return tl::unexpected(std::move(voxels.error()));
     double air = 0.0;
-    const auto outcome = decodeAll(*taken, type, voxels->get(), air, progress.part(0.0, decoded));
+    UpperBits upper;
+    const auto outcome =
+        decodeAll(*taken, type, voxels->get(), air, upper, progress.part(0.0, decoded));
     if (!outcome) return tl::unexpected(outcome.error());
     if (*outcome == Outcome::DoesNotFit) continue;
     const std::int64_t padded = padWithAir(*taken, type, air, voxels->get());
@@ -329,6 +334,7 @@ Expected<haptics::Volume> readSeries(const DicomSeries& series, Geometry geometr
                                 .modality = series.files.front().modality,
                                 .orientation_known = true,
                                 .padded = padded,
+                                .beyond_bits = upper.beyond(),
                                 .resampled = stack.crooked.has_value()},
                                [&](double) { return !progress.isCancelled(); });
   }
@@ -348,7 +354,8 @@ Expected<Thumbnail> thumbnailOf(const DicomSeries& series, int longest) {
   const auto words = frames->pixelsOf(file, {});
   if (!words) return tl::unexpected(words.error());
   std::vector<std::byte> room;
-  const Pixels pixels = settled(*words, file, room);
+  UpperBits upper;
+  const Pixels pixels = settled(*words, file, room, upper);
   return thumbnailOf({.type = pixels.type,
                       .pixels = pixels.first,
                       .columns = file.plane.columns,

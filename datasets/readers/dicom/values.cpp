@@ -107,7 +107,8 @@ std::vector<ScalarType> voxelTypesFor(const DicomSeries& series) {
   return types;
 }
 
-Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byte>& room) {
+Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byte>& room,
+               UpperBits& upper) {
   const int below = file.high_bit + 1 - file.bits_stored;
   if (file.bits_stored == file.bits_allocated) return pixels;
   const auto count = static_cast<std::size_t>(file.plane.columns * file.plane.rows);
@@ -135,12 +136,22 @@ Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byt
       const auto mask = static_cast<Bits>((std::uint64_t{1} << file.bits_stored) - 1);
       const auto sign = static_cast<Bits>(
           file.is_signed ? std::uint64_t{1} << (file.bits_stored - 1) : std::uint64_t{0});
+      // one after the other: shifting by all bits of a word at once is undefined
+      const auto all_above = static_cast<Bits>(static_cast<Bits>(~Bits{0}) >> file.high_bit >> 1);
       for (std::size_t n = 0; n < count; ++n) {
         const auto bits = static_cast<Bits>(static_cast<Bits>(from[n]) >> below & mask);
+        const auto above = static_cast<Bits>(static_cast<Bits>(from[n]) >> file.high_bit >> 1);
         // what has the sign bit goes below zero
         to[n] = static_cast<T>(static_cast<Bits>((bits ^ sign) - sign));
         const auto whole = static_cast<double>(from[n]);
-        if (padding[0] <= whole && whole <= padding[1]) to[n] = from[n];
+        if (padding[0] <= whole && whole <= padding[1]) {
+          to[n] = from[n];
+          continue;
+        }
+        const bool negative = (bits & sign) != 0;
+        upper.extended += negative && above == all_above ? 1 : 0;
+        upper.bare += negative && above == 0 ? 1 : 0;
+        upper.other += above != 0 && !(negative && above == all_above) ? 1 : 0;
       }
     }
   });

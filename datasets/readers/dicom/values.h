@@ -25,9 +25,27 @@ haptics::ScalarType storedTypeOf(const DicomFile& file);
 /// fit.
 std::vector<haptics::ScalarType> voxelTypesFor(const DicomSeries& series);
 
-/// Extracts the stored bits of each word of one slice, with sign. Words that equal the padding stay
-/// unchanged. Changed pixels are written to `room`.
-Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byte>& room);
+/// Words of slices by their bits above the stored ones. These may extend the sign, or hold nothing.
+struct UpperBits {
+  std::int64_t extended = 0;  ///< negative values, with all of them set
+  std::int64_t bare = 0;      ///< negative values, with none of them set
+  std::int64_t other = 0;     ///< bits that are neither
+
+  /// Words that say more than their stored bits do. Where the sign is extended, a word without it
+  /// is a value beyond them: 2900 in 12 signed bits.
+  std::int64_t beyond() const { return other + (extended > 0 ? bare : 0); }
+  UpperBits& operator+=(const UpperBits& more) {
+    extended += more.extended;
+    bare += more.bare;
+    other += more.other;
+    return *this;
+  }
+};
+
+/// Extracts the stored bits of each word of one slice, with sign, and adds what the bits above say
+/// to `upper`. Words that equal the padding stay unchanged. Changed pixels are written to `room`.
+Pixels settled(const Pixels& pixels, const DicomFile& file, std::vector<std::byte>& room,
+               UpperBits& upper);
 
 /// The chosen pixels of one slice, with its slope and intercept; false if a value does not fit an
 /// integer type.

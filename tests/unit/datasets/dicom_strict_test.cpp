@@ -166,6 +166,27 @@ TEST(DicomStrict, TheStoredBitsAreTakenFromTheirPlace) {
   EXPECT_EQ(values(11, true, {0x0001, -100, 7, -32768}), (V{1, -100, 7, -100}));
 }
 
+// planted: bits above the stored ones that nobody looks at
+TEST(DicomStrict, ValuesBeyondTheStoredBitsAreCounted) {
+  const auto beyond = [](const char* name, std::vector<std::int16_t> pixels, bool with_sign) {
+    Workshop workshop;
+    DicomSlice slice;
+    slice.columns = int(pixels.size());
+    slice.pixels = std::move(pixels);
+    const auto path = workshop.write(
+        name, edited(bytesOf(slice), {{0x28, 0x101, "US", number(12, 2)},
+                                      {0x28, 0x102, "US", number(11, 2)},
+                                      {0x28, 0x103, "US", number(with_sign ? 1 : 0, 2)}}));
+    const auto v = readVolume(path);
+    EXPECT_TRUE(v) << sentence(v.error());
+    return v ? v->beyond_bits : -1;
+  };
+  EXPECT_EQ(beyond("enamel", {-1024, 0, 2900, 3000, 2047}, true), 2);
+  EXPECT_EQ(beyond("sound", {-1024, 0, 2047, -2048}, true), 0);
+  EXPECT_EQ(beyond("bare", {0x0c00, 0, 0x0fff}, true), 0);  // a file that extends no sign
+  EXPECT_EQ(beyond("unsigned", {4095, 4096, 5000, 0}, false), 2);
+}
+
 TEST(DicomStrict, PaddingThatIsEmptyIsNone) {
   Workshop workshop;
   writeStack(workshop, "s", 2, 0.0, {{0x28, 0x120, "SS", ""}, {0x28, 0x103, "US", number(1, 2)}});
@@ -189,7 +210,8 @@ TEST(DicomStrict, WhatLossSwingsBeyondTheStoredBitsStaysAtTheirEnd) {
   const Pixels pixels{haptics::ScalarType::UInt16, decoded.data()};
   std::vector<std::byte> room;
   const auto second = [&] {
-    return static_cast<const std::uint16_t*>(settled(pixels, file, room).first)[1];
+    UpperBits upper;
+    return static_cast<const std::uint16_t*>(settled(pixels, file, room, upper).first)[1];
   };
   file.syntax = "1.2.840.10008.1.2.4.81";
   EXPECT_EQ(second(), 4095);
