@@ -227,6 +227,8 @@ inline constexpr Row kReaders[] = {
     {"geometry-sheared",
      "The volume's axes are %1 degrees off their right angles; resample it onto a right-angled "
      "grid first."},
+    {"geometry-squared",
+     "The axes are %1 degrees off their right angles, which is taken for rounding and set right."},
     {"folder-too-many-files",
      "The folder %1 holds more than %2 files; open the folder of one study."},
     {"voxels-not-mappable",
@@ -341,6 +343,9 @@ inline constexpr Row kReaders[] = {
     {"nifti-orientation-ambiguous",
      "The header of %1 places the voxels twice, by its qform and by its sform, and not alike; "
      "export it with one of them."},
+    {"nifti-qform-used",
+     "The axes of the sform are %1 degrees off their right angles, so the qform places the "
+     "volume."},
     {"nifti-rescale",
      "The header of %1 rescales its voxels by what is no number; export it again."},
     {"nifti-no-beginning",

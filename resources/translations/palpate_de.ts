@@ -2063,6 +2063,14 @@
         <source>The keyring has no login for %1 any more.</source>
         <translation>Der Schlüsselbund hat keine Anmeldung für %1 mehr.</translation>
     </message>
+    <message>
+        <source>The axes are %1 degrees off their right angles, which is taken for rounding and set right.</source>
+        <translation>Die Achsen weichen um %1 Grad von ihren rechten Winkeln ab, was als Rundung gilt und berichtigt wird.</translation>
+    </message>
+    <message>
+        <source>The axes of the sform are %1 degrees off their right angles, so the qform places the volume.</source>
+        <translation>Die Achsen der sform weichen um %1 Grad von ihren rechten Winkeln ab; darum gilt die qform.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>

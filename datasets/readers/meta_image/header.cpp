@@ -168,10 +168,7 @@ Expected<void> readMetaGeometry(const fs::path& path, const MetaText& text, Stor
   }
   stored.spacing_stated = !spacing->empty();
   stored.facts.orientation_known = !matrix->empty() && !doubted;
-  auto grid = gridOf(geometry);
-  if (!grid) return tl::unexpected(std::move(grid.error()));
-  stored.grid = *grid;
-  return {};
+  return place(stored, geometry);
 }
 
 Expected<void> readMetaValues(const fs::path& path, const MetaText& text, StoredVolumes& stored) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -236,7 +237,10 @@ bool agree(const Affine& a, const Affine& b) {
   return true;
 }
 
-Expected<Affine> affineOf(const fs::path& path, const Fields& fields) {
+/// The sform before the qform, unless its axes are not at right angles and the qform's are: then
+/// that is used, and noted.
+Expected<Affine> affineOf(const fs::path& path, const Fields& fields,
+                          std::vector<haptics::Message>& notes) {
   const auto turned = byQuaternion(fields);
   const Affine placed = byMatrix(fields);
   const bool by_quaternion = fields.quaternion_code > 0, by_matrix = fields.matrix_code > 0;
@@ -244,6 +248,10 @@ Expected<Affine> affineOf(const fs::path& path, const Fields& fields) {
     return malformed("bad-header", {"nifti-no-rotation", {quoted(path)}});
   if (by_quaternion && by_matrix && !agree(*turned, placed))
     return unsupported("ambiguous-orientation", {"nifti-orientation-ambiguous", {quoted(path)}});
+  if (by_matrix && by_quaternion && !isSquareEnough(placed.steps)) {
+    notes.push_back({"nifti-qform-used", {brief(shear_deg(placed.steps))}});
+    return *turned;
+  }
   if (by_matrix) return placed;
   if (by_quaternion) return *turned;
   Affine plain{Mat3::Zero(), Vec3::Zero()};
@@ -260,7 +268,7 @@ Expected<void> readNiftiGeometry(const fs::path& path, const Fields& fields,
   if (!unit) return malformed("bad-header", {"header-unit-unknown", {quoted(path)}});
   FileGeometry geometry;
   geometry.dims = stored.voxels.layout.dims();
-  const auto affine = affineOf(path, fields);
+  const auto affine = affineOf(path, fields, stored.notes);
   if (!affine) return tl::unexpected(affine.error());
   const bool placed = fields.quaternion_code > 0 || fields.matrix_code > 0;
   const auto steps = std::span(fields.pixdim).subspan(1, 3);
@@ -271,10 +279,7 @@ Expected<void> readNiftiGeometry(const fs::path& path, const Fields& fields,
   geometry.origin_mm = *unit * affine->origin;
   geometry.space = placed ? FileSpace::RightAnteriorSuperior : FileSpace::Unknown;
   stored.facts.orientation_known = placed;
-  auto grid = gridOf(geometry);
-  if (!grid) return tl::unexpected(std::move(grid.error()));
-  stored.grid = *grid;
-  return {};
+  return place(stored, geometry);
 }
 
 Expected<void> readNiftiValues(const fs::path& path, const Fields& fields, StoredVolumes& stored) {

@@ -261,9 +261,8 @@ Expected<StoredVolumes> describe(const std::filesystem::path& path, const NrrdHe
                            : plainGeometry(path, header, nrrd, description.spacing_stated);
   if (!geometry) return tl::unexpected(std::move(geometry.error()));
   geometry->dims = header.dims;
-  auto grid = gridOf(*geometry);
-  if (!grid) return tl::unexpected(std::move(grid.error()));
-  description.grid = *grid;
+  if (auto done = place(description, *geometry); !done)
+    return tl::unexpected(std::move(done.error()));
   description.facts.unit = unitOf(nrrd);
   description.facts.modality = modalityFrom(valueOf(nrrd, "modality"));
   description.facts.orientation_known = geometry->space != FileSpace::Unknown;

@@ -7,7 +7,10 @@
 #include <vtkNew.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <sstream>
 
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/sentence.h"
@@ -194,6 +197,29 @@ TEST(MetaImage, TypesUnitsAndValues) {
   EXPECT_EQ(voxelAt(scaled("10000", "-5"), 4, 3, 2), 589995);
   EXPECT_EQ(scaled("0.5", "0").type, ScalarType::Float32);
   EXPECT_EQ(voxelAt(scaled("0.5", "0"), 4, 3, 2), 29.5);
+}
+
+TEST(MetaImage, AShearOfATenthOfADegreeIsRoundingAndMoreIsNot) {
+  Workshop workshop;
+  const auto found = [&](double off_deg) {
+    const double off = off_deg * std::numbers::pi / 180.0;
+    std::ostringstream matrix;
+    matrix.precision(9);
+    // the second axis leans towards the first; the third is turned about
+    matrix << "TransformMatrix = 1 0 0 " << std::sin(off) << " " << std::cos(off) << " 0 0 0 -1\n";
+    return workshop.write(
+        "v.mha",
+        metaHeader(matrix.str() + "ElementSpacing = 1 2 3\nElementDataFile = LOCAL\n") + ramp());
+  };
+  const auto v = readVolume(found(0.1));
+  ASSERT_TRUE(v) << sentence(v.error());
+  EXPECT_LT((v->grid.direction.transpose() * v->grid.direction - haptics::Mat3::Identity()).norm(),
+            1e-12);
+  EXPECT_LT(v->grid.direction.determinant(), 0.0);
+  EXPECT_LT((v->grid.direction.col(0) - Vec3(1, 0, 0)).norm(), 0.06 * std::numbers::pi / 180.0);
+  EXPECT_NE(sentence(survey(found(0.1))->series.front().message).find("0.1 degrees off"),
+            std::string::npos);
+  EXPECT_EQ(reasonFor(found(0.12)), "sheared");
 }
 
 TEST(MetaImage, RefusesByName) {
