@@ -301,6 +301,12 @@ inline constexpr Row kReaders[] = {
     {"meta-image-type-unknown", "The header of %1 states an unknown ElementType; export it again."},
     {"meta-image-no-dimensions", "The header of %1 states no NDims; export it again."},
     {"volume-axis-count", "%1 has %2 axes; export a volume of three."},
+    {"header-no-numbers",
+     "The header of %1 has something other than numbers (\"1.5\", with a point and without a unit) "
+     "in \"%2\", or too many or too few of them; correct it or export it again."},
+    {"header-no-whole-numbers",
+     "The header of %1 has something other than whole numbers in \"%2\"; correct it or export it "
+     "again."},
     {"header-no-sizes", "The header of %1 does not state a size of each axis; export it again."},
     {"meta-image-numbers",
      "The header of %1 does not state %2 numbers as its %3; export it again."},

@@ -2068,6 +2068,14 @@
         <translation>Die Achsen weichen um %1 Grad von ihren rechten Winkeln ab, was als Rundung gilt und berichtigt wird.</translation>
     </message>
     <message>
+        <source>The header of %1 has something other than numbers (&quot;1.5&quot;, with a point and without a unit) in &quot;%2&quot;, or too many or too few of them; correct it or export it again.</source>
+        <translation>Der Kopf von %1 hat in „%2“ etwas anderes als Zahlen („1.5“, mit Punkt und ohne Einheit) oder zu viele oder zu wenige davon; berichtigen Sie ihn, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The header of %1 has something other than whole numbers in &quot;%2&quot;; correct it or export it again.</source>
+        <translation>Der Kopf von %1 hat in „%2“ etwas anderes als ganze Zahlen; berichtigen Sie ihn, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
         <source>The axes of the sform are %1 degrees off their right angles, so the qform places the volume.</source>
         <translation>Die Achsen der sform weichen um %1 Grad von ihren rechten Winkeln ab; darum gilt die qform.</translation>
     </message>

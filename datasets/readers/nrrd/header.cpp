@@ -2,6 +2,8 @@
 #include "datasets/readers/nrrd/header.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -72,19 +74,86 @@ Expected<void> readNrrdType(const fs::path& path, const NrrdText& text, NrrdHead
   return malformed("bad-header", {"nrrd-type-unknown", {quoted(path)}});
 }
 
+using Words = std::vector<std::string_view>;
+
+/// What a vector "(1, 0, 0)" holds.
+Words componentsOf(std::string_view vector) {
+  Words words;
+  for (std::size_t at = 0; at <= vector.size();) {
+    const auto end = std::min(vector.find(',', at), vector.size());
+    words.push_back(trimmed(vector.substr(at, end - at)));
+    at = end + 1;
+  }
+  return words;
+}
+
+/// The components of each vector of a field; empty for "none".
+std::vector<Words> vectorsOf(std::string_view text) {
+  std::vector<Words> vectors;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const bool vector = text.front() == '(';
+    const auto end = std::min(vector ? text.find(')') : text.find_first_of(" \t("), text.size());
+    vectors.push_back(vector ? componentsOf(text.substr(1, end - 1)) : Words());
+    text.remove_prefix(std::min(vector ? end + 1 : end, text.size()));
+  }
+  return vectors;
+}
+
+/// Whether an axis leads anywhere in space. Of four components the last is a time.
+bool isDirected(const Words& vector) {
+  const bool timed = vector.size() == 4;
+  return std::any_of(vector.begin(), vector.end() - (timed ? 1 : 0), [&](std::string_view word) {
+    const double component = numberOf(word).value_or(1.0);
+    return !std::isnan(component) && (!timed || component != 0.0);
+  });
+}
+
 /// Per axis whether it has a direction in space; empty where directions are not stated.
 std::vector<bool> directedAxes(const NrrdText& text) {
   const std::string* field = text.find("space directions");
   std::vector<bool> directed;
   if (field == nullptr) return directed;
-  for (std::string_view rest = *field; !rest.empty();) {
-    const bool vector = rest.front() == '(';
-    const bool blank = rest.front() == ' ' || rest.front() == '\t';
-    if (!blank) directed.push_back(vector);
-    const auto end = vector ? rest.find(')') : blank ? 0 : rest.find_first_of(" \t(") - 1;
-    rest.remove_prefix(std::min(end, rest.size() - 1) + 1);
-  }
+  for (const Words& vector : vectorsOf(*field)) directed.push_back(isDirected(vector));
   return directed;
+}
+
+/// How many components a vector in the header's space has; 0: it states no space.
+std::int64_t spaceDimensionOf(const NrrdText& text) {
+  if (const std::string* field = text.find("space dimension")) return integerOf(*field).value_or(0);
+  const std::string* field = text.find("space");
+  if (field == nullptr) return 0;
+  const std::string name = lowered(*field);
+  const bool timed = name.ends_with("time") || name == "rast" || name == "last" || name == "lpst";
+  return timed ? 4 : 3;
+}
+
+bool areNumbers(const Words& words) {
+  return std::ranges::all_of(words, [](std::string_view w) { return numberOf(w).has_value(); });
+}
+
+/// Every number that places the voxels is one as a whole: teem takes "1,5" for 1.
+Expected<void> checkNumbers(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  constexpr std::array<const char*, 2> kPerAxis[] = {
+      {"spacings", nullptr}, {"axis mins", "axismins"}, {"axis maxs", "axismaxs"}};
+  for (const auto& [name, other] : kPerAxis) {
+    const std::string* field = text.find(name, other);
+    if (field == nullptr) continue;
+    const Words words = wordsOf(*field);
+    if (words.size() != header.sizes.size() || !areNumbers(words)) return noNumbers(path, name);
+  }
+  if (const std::string* field = text.find("space dimension"); field && !integerOf(*field))
+    return noWholeNumbers(path, "space dimension");
+  const auto dimension =
+      static_cast<std::size_t>(std::max<std::int64_t>(spaceDimensionOf(text), 0));
+  for (const char* name : {"space directions", "space origin"}) {
+    const std::string* field = text.find(name);
+    if (field == nullptr) continue;
+    for (const Words& vector : vectorsOf(*field)) {
+      const bool counted = dimension == 0 || vector.empty() || vector.size() == dimension;
+      if (!counted || !areNumbers(vector)) return noNumbers(path, name);
+    }
+  }
+  return {};
 }
 
 tl::unexpected<haptics::Error> notAPlace(const fs::path& path, std::size_t axis,
@@ -134,8 +203,9 @@ Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& 
 
 Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* dimension = text.find("dimension");
-  const auto axes = dimension ? integerOf(*dimension) : std::nullopt;
-  if (!axes) return malformed("bad-header", {"nrrd-no-dimension", {quoted(path)}});
+  if (dimension == nullptr) return malformed("bad-header", {"nrrd-no-dimension", {quoted(path)}});
+  const auto axes = integerOf(*dimension);
+  if (!axes) return noWholeNumbers(path, "dimension");
   if (*axes != 3 && *axes != 4)
     return unsupported("not-scalar", {"nrrd-dimension", {quoted(path), std::to_string(*axes)}});
   const std::string* sizes = text.find("sizes");
@@ -146,14 +216,14 @@ Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHea
   std::int64_t room = std::numeric_limits<std::int64_t>::max() / 64;
   for (const std::string_view word : words) {
     const auto size = integerOf(word);
-    if (!size || *size < 1)
-      return malformed("bad-header", {"header-size-not-positive", {quoted(path)}});
+    if (!size) return noWholeNumbers(path, "sizes");
+    if (*size < 1) return malformed("bad-header", {"header-size-not-positive", {quoted(path)}});
     if (*size > std::min<std::int64_t>(room, std::numeric_limits<std::int32_t>::max()))
       return unsupported("too-large", {"header-too-many-voxels", {quoted(path)}});
     room /= *size;
     header.sizes.push_back(*size);
   }
-  return readAxes(path, text, header);
+  return {};
 }
 
 Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
@@ -176,19 +246,24 @@ Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHead
   header.big_endian = endian != nullptr && lowered(*endian) == "big";
   if (header.encoding != NrrdEncoding::Ascii && header.bytes_per_voxel > 1 && endian == nullptr)
     return malformed("bad-header", {"nrrd-no-byte-order", {quoted(path)}});
-  const auto skip = [&](const char* name_of_field, const char* other, std::int64_t least,
-                        std::int64_t& count) {
-    const std::string* field = text.find(name_of_field, other);
-    if (field == nullptr) return true;
+  return {};
+}
+
+/// How much of each data file is none of the voxels.
+Expected<void> readSkips(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const auto skip = [&](const char* name, const char* other, std::int64_t least,
+                        std::int64_t& count) -> Expected<void> {
+    const std::string* field = text.find(name, other);
+    if (field == nullptr) return {};
     header.skip_stated = true;
     const auto number = integerOf(*field);
-    count = number.value_or(least - 1);
-    return count >= least;
+    if (!number) return noWholeNumbers(path, name);
+    count = *number;
+    if (count < least) return malformed("bad-header", {"nrrd-skips", {quoted(path)}});
+    return {};
   };
-  if (!skip("line skip", "lineskip", 0, header.line_skip) ||
-      !skip("byte skip", "byteskip", -1, header.byte_skip))
-    return malformed("bad-header", {"nrrd-skips", {quoted(path)}});
-  return {};
+  if (auto lines = skip("line skip", "lineskip", 0, header.line_skip); !lines) return lines;
+  return skip("byte skip", "byteskip", -1, header.byte_skip);
 }
 
 /// "slices/slice_%03d.raw 0 41 1": the names that teem would print; empty if it is no such form.
@@ -327,7 +402,8 @@ Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
   NrrdHeader header;
   header.header_bytes = text->bytes;
   header.text = text->lines;
-  for (const auto step : {readNrrdType, readNrrdSizes, readEncoding, readDataFiles})
+  for (const auto step : {readNrrdType, readNrrdSizes, checkNumbers, readAxes, readEncoding,
+                          readSkips, readDataFiles})
     if (auto done = step(path, *text, header); !done)
       return tl::unexpected(std::move(done.error()));
   if (auto fits = checkCapacity(path, header); !fits)

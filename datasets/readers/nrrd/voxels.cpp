@@ -299,7 +299,6 @@ Expected<std::shared_ptr<void>> narrowed(const Nrrd& nrrd, std::int64_t count) {
 /// Whether a word is a value of this type as a whole: teem takes "300" for 44 where a byte is
 /// meant, and "1,5" for 1.
 bool isValueOf(std::string_view word, ScalarType type) {
-  if (word.starts_with('+')) word.remove_prefix(1);
   if (type == ScalarType::Float32) return numberOf(word).has_value();
   const auto value = integerOf(word);
   return value && haptics::visitVoxels(type, nullptr, [&](auto* v) {

@@ -199,6 +199,44 @@ TEST(MetaImage, TypesUnitsAndValues) {
   EXPECT_EQ(voxelAt(scaled("0.5", "0"), 4, 3, 2), 29.5);
 }
 
+TEST(MetaImage, NumbersAreReadWholeOrRefusedByTheNameOfTheirField) {
+  Workshop workshop;
+  const std::string data = "ElementDataFile = LOCAL\n";
+  struct Written {
+    std::string fields;
+    const char* refused;  ///< the field that the sentence names; null: it is read
+  };
+  const Written all[] = {
+      {"ElementSpacing = +1.5 .5 1e-3\n", nullptr},
+      {"ElementSpacing = 1,5 1,5 2,5\n", "ElementSpacing"},
+      {"ElementSpacing = 1.5mm 1.5mm 2.5mm\n", "ElementSpacing"},
+      {"ElementSize = 1_5 1 1\n", "ElementSize"},
+      {"ElementSpacing = 0x10 1 1\n", "ElementSpacing"},
+      {"ElementSpacing = 1.5.5 1 1\n", "ElementSpacing"},
+      {"ElementSpacing = 1 5 1 5 2 5\n", "ElementSpacing"},
+      {"Position = 1,5 0 0\n", "Position"},
+      {"Origin = 1 0\n", "Origin"},
+      {"Offset = inf 0 0\n", "Offset"},
+      {"TransformMatrix = 1,0 0 0 0 1 0 0 0 1\n", "TransformMatrix"},
+      {"Orientation = 1 0 0 0 1 0 0 0 1mm\n", "Orientation"},
+      {"HeaderSize = 0x0\n", "HeaderSize"},
+      {"ElementToIntensityFunctionSlope = 1,5\n", "ElementToIntensityFunctionSlope"}};
+  for (const auto& [fields, refused] : all) {
+    const auto v = readVolume(workshop.write("v.mha", metaHeader(fields + data) + ramp()));
+    EXPECT_EQ(v.has_value(), refused == nullptr) << fields << (v ? "" : sentence(v.error()));
+    if (v || refused == nullptr) continue;
+    EXPECT_EQ(v.error().reason, "bad-header") << fields;
+    EXPECT_NE(sentence(v.error()).find(refused), std::string::npos)
+        << fields << sentence(v.error());
+  }
+  for (const char* counts : {"NDims = 3.0\nDimSize = 5 4 3\n", "NDims = 3\nDimSize = 5 4 3,0\n"}) {
+    const auto v =
+        readVolume(workshop.write("v.mha", counts + ("ElementType = MET_SHORT\n" + data) + ramp()));
+    ASSERT_FALSE(v) << counts;
+    EXPECT_NE(sentence(v.error()).find("whole numbers"), std::string::npos) << sentence(v.error());
+  }
+}
+
 TEST(MetaImage, AShearOfATenthOfADegreeIsRoundingAndMoreIsNot) {
   Workshop workshop;
   const auto found = [&](double off_deg) {

@@ -141,6 +141,61 @@ TEST(NrrdMade, RefusesByName) {
   }
 }
 
+/// A header of 5 x 4 x 3 voxels.
+std::string sixtyHeader(const std::string& fields, const std::string& encoding = "raw") {
+  return "NRRD0004\ntype: short\ndimension: 3\nsizes: 5 4 3\nendian: little\nencoding: " +
+         encoding + "\n" + fields;
+}
+
+TEST(NrrdMade, NumbersAreReadWholeOrRefusedByTheNameOfTheirField) {
+  const std::string space = "space: left-posterior-superior\n";
+  struct Written {
+    std::string fields;
+    const char* refused;  ///< the field that the sentence names; null: it is read
+  };
+  const Written all[] = {
+      {"spacings: 1.5 1.5 2.5\n", nullptr},
+      {"spacings: +1.5 .5 15e-1\n", nullptr},
+      {"spacings: nan nan nan\n", nullptr},
+      {"spacings: 1,5 1,5 2,5\n", "\"spacings\""},
+      {"spacings: 1.5mm 1.5mm 2.5mm\n", "\"spacings\""},
+      {"spacings: 1_5 1 1\n", "\"spacings\""},
+      {"spacings: 0x10 1 1\n", "\"spacings\""},
+      {"spacings: 1.5.5 1 1\n", "\"spacings\""},
+      {"spacings: +-1 1 1\n", "\"spacings\""},
+      {"spacings: 1 5 1 5 2 5\n", "\"spacings\""},
+      {"spacings: 1 1\n", "\"spacings\""},
+      {"axis mins: 0 0 0\naxis maxs: 5 4 3\n", nullptr},
+      {"axis mins: 0,5 0 0\naxis maxs: 5 4 3\n", "\"axis mins\""},
+      {"axismins: 0 0 0\naxismaxs: 5 4 3mm\n", "\"axis maxs\""},
+      {space + "space directions: ( 1.5 , 0,0) (0,1.5,0)(0,0,25e-1)\nspace origin: (+1,-2,.5)\n",
+       nullptr},
+      {space + "space directions: (1.5mm,0,0) (0,1,0) (0,0,1)\n", "\"space directions\""},
+      {space + "space directions: (1,5,0,0) (0,1,0) (0,0,1)\n", "\"space directions\""},
+      {space + "space directions: (1.5,0,) (0,1,0) (0,0,1)\n", "\"space directions\""},
+      {space + "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1,2,3 mm)\n",
+       "\"space origin\""},
+      {"space dimension: 3D\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n", "\"space dimension\""},
+      {"byte skip: 0x0\n", "\"byte skip\""},
+      {"lineskip: 0,0\n", "\"line skip\""}};
+  Workshop workshop;
+  for (const auto& [fields, refused] : all) {
+    const auto v = readVolume(workshop.write("v.nrrd", sixtyHeader(fields) + "\n" + sixtyVoxels()));
+    EXPECT_EQ(v.has_value(), refused == nullptr) << fields << (v ? "" : sentence(v.error()));
+    if (v || refused == nullptr) continue;
+    EXPECT_EQ(v.error().reason, "bad-header") << fields;
+    EXPECT_NE(sentence(v.error()).find(refused), std::string::npos)
+        << fields << sentence(v.error());
+  }
+  for (const char* counts : {"dimension: 3.0\nsizes: 5 4 3\n", "dimension: 3\nsizes: 5 4 3.0\n"}) {
+    const auto v = readVolume(
+        workshop.write("v.nrrd", std::string("NRRD0004\ntype: short\n") + counts +
+                                     "endian: little\nencoding: raw\n\n" + sixtyVoxels()));
+    ASSERT_FALSE(v) << counts;
+    EXPECT_NE(sentence(v.error()).find("whole numbers"), std::string::npos) << sentence(v.error());
+  }
+}
+
 /// A gzip file of 1 MB of noise, so many times: the noise is packed once, and its bytes repeated.
 std::string packedMegabytes(unsigned count) {
   constexpr uLong kMegabyte = 1 << 20;
