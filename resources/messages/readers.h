@@ -213,7 +213,8 @@ inline constexpr Row kReaders[] = {
     {"data-file-outside-folder",
      "The header %1 names a data file outside its own folder; put both into one folder and name it "
      "without a path."},
-    {"data-file-missing", "The data file that %1 names is missing; copy it beside the header."},
+    {"data-file-missing",
+     "The data file %2 that the header %1 names is missing; copy it beside the header."},
     {"geometry-axis-empty", "The volume has an axis without voxels; its header is broken."},
     {"geometry-not-finite",
      "The volume's spacing, orientation or origin is not a number; export it again with its "
@@ -381,6 +382,9 @@ inline constexpr Row kReaders[] = {
     {"nrrd-ends-with-header", "%1 ends with its header; fetch it again whole."},
     {"nrrd-data-file-names",
      "The header of %1 names its data files in a way that cannot be followed; export it again."},
+    {"nrrd-data-file-count",
+     "The header of %1 names %2 data files, which cannot share its %3 voxels evenly; complete the "
+     "list or export it again."},
     {"nrrd-bytes-unexplained",
      "The data file of %1 holds %2 bytes more than its voxels need and the header does not say "
      "which; add a byte skip to the header."},
@@ -398,6 +402,9 @@ inline constexpr Row kReaders[] = {
      "The header of %1 measures its axes in different units; export it in millimetres."},
     {"nrrd-axis-no-direction",
      "An axis of %1 has no direction in space; export it again with its geometry."},
+    {"nrrd-space-dimension",
+     "The header of %1 places its axes in a space of %2 dimensions; export it with a space of "
+     "three, such as left-posterior-superior."},
     {"nrrd-spacing-contradicts-axis",
      "The header of %1 states spacings that do not lead from its axis mins to its axis maxs; "
      "export it again with its geometry."},

@@ -1204,10 +1204,6 @@
         <translation>Der Kopf %1 nennt eine Datendatei außerhalb seines Ordners; legen Sie beide in einen Ordner, und nennen Sie sie ohne Pfad.</translation>
     </message>
     <message>
-        <source>The data file that %1 names is missing; copy it beside the header.</source>
-        <translation>Die Datendatei, die %1 nennt, fehlt; kopieren Sie sie neben den Kopf.</translation>
-    </message>
-    <message>
         <source>The volume has an axis without voxels; its header is broken.</source>
         <translation>Das Volumen hat eine Achse ohne Voxel; sein Kopf ist fehlerhaft.</translation>
     </message>
@@ -2064,6 +2060,10 @@
         <translation>Der Schlüsselbund hat keine Anmeldung für %1 mehr.</translation>
     </message>
     <message>
+        <source>The data file %2 that the header %1 names is missing; copy it beside the header.</source>
+        <translation>Die Datendatei %2, die der Kopf %1 nennt, fehlt; kopieren Sie sie neben den Kopf.</translation>
+    </message>
+    <message>
         <source>The axes are %1 degrees off their right angles, which is taken for rounding and set right.</source>
         <translation>Die Achsen weichen um %1 Grad von ihren rechten Winkeln ab, was als Rundung gilt und berichtigt wird.</translation>
     </message>
@@ -2078,6 +2078,14 @@
     <message>
         <source>The axes of the sform are %1 degrees off their right angles, so the qform places the volume.</source>
         <translation>Die Achsen der sform weichen um %1 Grad von ihren rechten Winkeln ab; darum gilt die qform.</translation>
+    </message>
+    <message>
+        <source>The header of %1 names %2 data files, which cannot share its %3 voxels evenly; complete the list or export it again.</source>
+        <translation>Der Kopf von %1 nennt %2 Datendateien, auf die sich seine %3 Voxel nicht gleich verteilen; ergänzen Sie die Liste, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The header of %1 places its axes in a space of %2 dimensions; export it with a space of three, such as left-posterior-superior.</source>
+        <translation>Der Kopf von %1 legt seine Achsen in einen Raum von %2 Dimensionen; exportieren Sie es mit einem von dreien, etwa left-posterior-superior.</translation>
     </message>
 </context>
 <context>

@@ -294,25 +294,61 @@ std::vector<std::string> expanded(std::string_view pattern) {
   return names;
 }
 
+/// "512 x 512 x 300".
+std::string inWords(const std::vector<std::int64_t>& sizes) {
+  std::string words;
+  for (const std::int64_t size : sizes)
+    words += (words.empty() ? "" : " x ") + std::to_string(size);
+  return words;
+}
+
+/// Whether so many files have a piece each: one for each place along the axes behind the first
+/// `axes`, or, where the pieces have all axes, a slab of the slowest.
+bool areShared(const std::vector<std::int64_t>& sizes, std::int64_t axes, std::int64_t files) {
+  const auto dimension = static_cast<std::int64_t>(sizes.size());
+  if (axes < 1 || axes > dimension) return false;
+  if (axes == dimension) return sizes.back() % files == 0;
+  const auto pieces = std::accumulate(sizes.begin() + static_cast<std::ptrdiff_t>(axes),
+                                      sizes.end(), std::int64_t{1}, std::multiplies<>());
+  return pieces == files;
+}
+
+/// Names of data files, and how many axes the piece in each has; no names if they cannot be
+/// followed.
+struct DataFileNames {
+  std::vector<std::string> names;
+  std::int64_t axes = 0;
+};
+
+DataFileNames namesIn(const std::string& field, const NrrdText& text, std::size_t dimension) {
+  const bool list = isList(field), pattern = !list && field.find('%') != field.npos;
+  if (!list && !pattern) return {{field}, 0};
+  // "LIST 2" and "s%d.raw 1 9 1 2"; all axes but the slowest where it is not said
+  const Words words = wordsOf(field);
+  const std::size_t said = list ? 1 : 4;
+  const auto axes = words.size() > said ? integerOf(words[said])
+                                        : std::optional(static_cast<std::int64_t>(dimension) - 1);
+  if (!axes || words.size() > said + 1) return {};
+  return {list ? text.listed_files : expanded(field), *axes};
+}
+
 Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* field = text.find("data file", "datafile");
   if (field == nullptr) {
     if (text.bytes == 0) return malformed("truncated", {"nrrd-ends-with-header", {quoted(path)}});
     return {};
   }
-  std::vector<std::string> names;
-  if (field->starts_with("LIST"))
-    names = text.listed_files;
-  else if (field->find('%') != field->npos)
-    names = expanded(*field);
-  else
-    names = {*field};
+  const auto [names, axes] = namesIn(*field, text, header.sizes.size());
   if (names.empty()) return malformed("bad-header", {"nrrd-data-file-names", {quoted(path)}});
   for (const std::string& name : names) {
     auto file = dataFileOf(path, name);
     if (!file) return tl::unexpected(std::move(file.error()));
     header.data_files.push_back(std::move(*file));
   }
+  const auto count = static_cast<std::int64_t>(names.size());
+  if (count > 1 && !areShared(header.sizes, axes, count))
+    return malformed("bad-header", {"nrrd-data-file-count",
+                                    {quoted(path), std::to_string(count), inWords(header.sizes)}});
   return {};
 }
 
@@ -346,31 +382,24 @@ std::int64_t gzipLength(const fs::path& file) {
 /// they are, unless the header says what to skip.
 Expected<void> checkNothingElse(const fs::path& path, const NrrdHeader& header,
                                 std::int64_t needed) {
-  if (header.data_files.size() != 1 || header.skip_stated) return {};
-  std::error_code error;
-  std::int64_t length = 0;
-  if (header.encoding == NrrdEncoding::Raw)
-    length = static_cast<std::int64_t>(fs::file_size(header.data_files.front(), error));
-  if (header.encoding == NrrdEncoding::Gzip) length = gzipLength(header.data_files.front());
-  if (error || length <= needed) return {};
-  return malformed("bad-header",
-                   {"nrrd-bytes-unexplained", {quoted(path), std::to_string(length - needed)}});
-}
-
-/// "512 x 512 x 300".
-std::string inWords(const std::vector<std::int64_t>& sizes) {
-  std::string words;
-  for (const std::int64_t size : sizes)
-    words += (words.empty() ? "" : " x ") + std::to_string(size);
-  return words;
+  if (header.skip_stated) return {};
+  for (const fs::path& file : header.data_files) {
+    std::error_code error;
+    std::int64_t length = 0;
+    if (header.encoding == NrrdEncoding::Raw)
+      length = static_cast<std::int64_t>(fs::file_size(file, error));
+    if (header.encoding == NrrdEncoding::Gzip) length = gzipLength(file);
+    if (!error && length > needed)
+      return malformed("bad-header",
+                       {"nrrd-bytes-unexplained", {quoted(path), std::to_string(length - needed)}});
+  }
+  return {};
 }
 
 Expected<void> checkCapacity(const fs::path& path, const NrrdHeader& header) {
   const std::vector<fs::path> files =
       header.data_files.empty() ? std::vector{path} : header.data_files;
-  const std::int64_t voxels = header.voxelCount();
-  const std::int64_t needed =
-      voxels * header.bytes_per_voxel / static_cast<std::int64_t>(files.size());
+  const std::int64_t needed = header.voxelsPerFile() * header.bytes_per_voxel;
   for (const fs::path& file : files) {
     std::error_code error;
     auto stored = static_cast<std::int64_t>(fs::file_size(file, error));
@@ -394,6 +423,10 @@ std::int64_t NrrdHeader::voxelCount() const {
   return std::accumulate(sizes.begin(), sizes.end(), std::int64_t{1}, std::multiplies<>());
 }
 
+std::int64_t NrrdHeader::voxelsPerFile() const {
+  return voxelCount() / static_cast<std::int64_t>(std::max<std::size_t>(data_files.size(), 1));
+}
+
 bool looksLikeNrrd(const Beginning& file) { return file.bytes.starts_with("NRRD"); }
 
 Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
@@ -402,6 +435,7 @@ Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
   NrrdHeader header;
   header.header_bytes = text->bytes;
   header.text = text->lines;
+  header.skips = text->skips;
   for (const auto step : {readNrrdType, readNrrdSizes, checkNumbers, readAxes, readEncoding,
                           readSkips, readDataFiles})
     if (auto done = step(path, *text, header); !done)

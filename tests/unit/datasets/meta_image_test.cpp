@@ -325,6 +325,8 @@ TEST(MetaImage, DataFilesStayInTheHeadersFolder) {
   EXPECT_EQ(reason("link.raw"), "outside-folder");
   EXPECT_EQ(reason("/dev/zero"), "outside-folder");
   EXPECT_EQ(reason("absent.raw"), "truncated");
+  EXPECT_NE(sentence(readVolume(workshop.folder() / "in/v.mhd").error()).find("\"absent.raw\""),
+            std::string::npos);
   EXPECT_EQ(reason("longer.raw"), "bad-header");
   EXPECT_EQ(reason("LIST"), "unsupported-syntax");
   EXPECT_EQ(reason("s%03d.raw 1 3 1"), "unsupported-syntax");
