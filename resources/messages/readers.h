@@ -204,6 +204,12 @@ inline constexpr Row kReaders[] = {
     {"archive-damaged", "The archive %1 is cut off or damaged; copy or fetch it again."},
     {"archive-locked",
      "The archive %1 is locked with a password; unpack it yourself and open the folder."},
+    {"archive-kind-unread",
+     "%1 is packed as %2, which is not unpacked here; unpack it yourself and open the folder, or "
+     "pack it as ZIP."},
+    {"file-packed",
+     "%1 is packed by %2 and no archive is found in it; unpack it yourself and open what comes "
+     "out."},
     {"archive-name-outside",
      "The archive %1 holds a name that leads out of it or too deep into it; unpack it yourself and "
      "open the folder."},

@@ -2060,6 +2060,14 @@
         <translation>Der Schlüsselbund hat keine Anmeldung für %1 mehr.</translation>
     </message>
     <message>
+        <source>%1 is packed as %2, which is not unpacked here; unpack it yourself and open the folder, or pack it as ZIP.</source>
+        <translation>%1 ist als %2 gepackt, was hier nicht entpackt wird; entpacken Sie es selbst, und öffnen Sie den Ordner, oder packen Sie es als ZIP.</translation>
+    </message>
+    <message>
+        <source>%1 is packed by %2 and no archive is found in it; unpack it yourself and open what comes out.</source>
+        <translation>%1 ist mit %2 gepackt, und darin ist kein Archiv zu finden; entpacken Sie es selbst, und öffnen Sie, was herauskommt.</translation>
+    </message>
+    <message>
         <source>The data file %2 that the header %1 names is missing; copy it beside the header.</source>
         <translation>Die Datendatei %2, die der Kopf %1 nennt, fehlt; kopieren Sie sie neben den Kopf.</translation>
     </message>

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -27,6 +28,7 @@ using haptics::Vec3;
 
 namespace {
 
+constexpr std::string_view kGzip = "\x1f\x8b";          // how a compressed file begins
 constexpr std::int64_t kHeader1 = 348, kHeader2 = 540;  // bytes
 constexpr std::int64_t kFirstVoxel1 = 352, kFirstVoxel2 = 544;
 
@@ -297,6 +299,7 @@ Expected<void> readNiftiValues(const fs::path& path, const Fields& fields, Store
 bool looksLikeNifti(const Beginning& file) {
   const std::string name = lowered(file.path.filename().string());
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return true;
+  if (file.bytes.starts_with(kGzip)) return readFields(file.path, true).has_value();
   // the marks of both versions
   return file.bytes.size() >= std::size_t{kHeader1} &&
          (file.bytes.compare(344, 4, std::string("n+1\0", 4)) == 0 ||
@@ -306,7 +309,7 @@ bool looksLikeNifti(const Beginning& file) {
 Expected<StoredVolumes> describeNifti(const fs::path& path) {
   const Beginning beginning(path);
   if (!beginning.is_open) return notFound(path);
-  const auto fields = readFields(path, beginning.bytes.starts_with("\x1f\x8b"));
+  const auto fields = readFields(path, beginning.bytes.starts_with(kGzip));
   if (!fields) return malformed("bad-header", {"nifti-no-beginning", {quoted(path)}});
   StoredVolumes stored;
   for (const auto step :

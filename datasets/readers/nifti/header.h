@@ -9,7 +9,7 @@
 
 namespace datasets {
 
-/// Whether a file is named as a NIfTI file (.nii, .nii.gz) or begins as one that is not compressed.
+/// Whether a file is named as a NIfTI file (.nii, .nii.gz) or begins as one, compressed or not.
 bool looksLikeNifti(const Beginning& file);
 
 /// Reads and checks the header of a NIfTI-1 or -2 file in one piece, whose world is RAS. Where both

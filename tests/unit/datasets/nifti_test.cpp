@@ -159,6 +159,18 @@ TEST(NiftiFile, AShearOfATenthOfADegreeIsRoundingAndMoreIsNot) {
       }
 }
 
+TEST(NiftiFile, IsKnownByItsContentWhateverItsName) {
+  Workshop workshop;
+  const std::string bytes = bytesOf(placedNifti());
+  for (const char* name : {"v", "V.NII", "v.hdr", "v.gz", "V.NII.GZ", "packed"}) {
+    const bool packed = std::string(name).ends_with("gz") || std::string(name).ends_with("GZ") ||
+                        std::string(name) == "packed";
+    const auto v = readVolume(workshop.write(name, packed ? deflated(bytes) : bytes));
+    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
+    EXPECT_EQ(voxelAt(*v, 4, 3, 2), 59) << name;
+  }
+}
+
 TEST(NiftiFile, WhatVtkWritesIsPlacedAsItWas) {
   Workshop workshop;
   vtkNew<vtkImageData> image;
