@@ -171,7 +171,8 @@ void Application::Parts::begin() {
   LoadRequest request = arguments.load;
   arguments.load.ahead.reset();  // what is not taken does not stay in memory
   if (!arguments.paths.isEmpty()) return opening.openTogether(arguments.paths, request);
-  if (request.path && request.path->extension() == kViewEnding)
+  if (request.path && QString::fromStdString(request.path->extension().string())
+                              .compare(QLatin1String(kViewEnding), Qt::CaseInsensitive) == 0)
     return view_file.open(*request.path);  // a view may know its scan
   if (request.path || request.phantom)
     return opening.load(std::move(request), Application::tr("Loading"));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <strings.h>
+
 #include <filesystem>
 #include <memory>
 
@@ -27,8 +29,8 @@ Outcome convert(ConvertOptions options) {
   std::error_code nothing;
   const bool file =
       !std::filesystem::exists(out, nothing) || std::filesystem::is_regular_file(out, nothing);
-  if (file && !out.ends_with(".nrrd") && !isStandardOutput(out))
-    return usage("\"" + out + "\" must end in .nrrd.");
+  const bool named = out.size() >= 5 && strcasecmp(out.c_str() + out.size() - 5, ".nrrd") == 0;
+  if (file && !named && !isStandardOutput(out)) return usage("\"" + out + "\" must end in .nrrd.");
   if (const auto wrong = overwritten({{"OUT.nrrd", out}}, options.volume, {})) return usage(*wrong);
   if (std::filesystem::is_directory(out, nothing))
     return failed("\"" + out + "\" is a folder, and is not written over; name a file.");

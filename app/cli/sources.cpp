@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/sources.h"
 
+#include <strings.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -30,8 +32,7 @@ constexpr std::uint64_t kMostIndex = 1'000'000'000;
 constexpr double kLongest = 0.5;  // m, a tool above this is probably in another unit
 
 bool isPointFile(const ToolChoice& choice) {
-  const std::string extension = std::filesystem::path(choice.name).extension().string();
-  return extension == ".csv" || extension == ".CSV";
+  return strcasecmp(std::filesystem::path(choice.name).extension().c_str(), ".csv") == 0;
 }
 
 /// The numbers of a line of a CSV; nothing where it is anything else.

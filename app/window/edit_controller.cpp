@@ -425,7 +425,7 @@ void EditController::save(const QString& path) {
   if (saver_.isRunning())
     return window_.showMessage(tr("A volume is being saved; wait for it, or cancel it first."));
   std::filesystem::path out = path.toStdString();
-  if (out.extension() != ".nrrd") out += ".nrrd";
+  if (!path.endsWith(".nrrd", Qt::CaseInsensitive)) out += ".nrrd";
   window_.clearMessage();
   window_.showLoading(tr("Saving"));
   saver_.start(

@@ -92,8 +92,11 @@ void OpeningController::load(LoadRequest request, const QString& what) {
 }
 
 void OpeningController::open(const QString& path, LoadRequest request) {
-  if (path.endsWith(".palpate")) return emit recordingWanted(path.toStdString());
-  if (path.endsWith(kViewEnding)) return emit viewWanted(path.toStdString());
+  const auto endsIn = [&](const char* ending) {
+    return path.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
+  };
+  if (endsIn(".palpate")) return emit recordingWanted(path.toStdString());
+  if (endsIn(kViewEnding)) return emit viewWanted(path.toStdString());
   request.path = path.toStdString();
   load(std::move(request), tr("Reading"));
 }

@@ -46,6 +46,8 @@ SeriesVerdict verdictOf(const StoredVolumes& stored) {
     verdict.reasons.push_back("spacing-unknown");
     verdict.message = bothOf(std::move(verdict.message), {"volume-spacing-unknown", {}});
   }
+  for (const haptics::Message& note : stored.notes)
+    verdict.message = bothOf(std::move(verdict.message), note);
   return verdict;
 }
 

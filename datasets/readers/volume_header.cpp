@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 
+#include "datasets/readers/files/header_words.h"
 #include "datasets/readers/meta_image/header.h"
 #include "datasets/readers/nifti/header.h"
 #include "datasets/readers/nrrd/header.h"
@@ -42,7 +44,7 @@ Expected<HeaderPtr> storedHeader(const fs::path& path) {
 }
 
 bool isNrrd(const Beginning& file) {
-  const fs::path extension = file.path.extension();
+  const std::string extension = lowered(file.path.extension().string());
   return looksLikeNrrd(file) || extension == ".nrrd" || extension == ".nhdr";
 }
 

@@ -269,6 +269,8 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
       return unsupported("unreadable", {"archive-no-scan", {quoted(path)}});
     survey = std::move(*found);
     for (SeriesVerdict& series : survey.series) series.place = *folder;
+  } else if (auto packed = whyNoArchive(path)) {
+    return unsupported("unreadable", std::move(*packed));
   } else {
     return unsupported("unreadable", {"file-no-scan", {quoted(path)}});
   }

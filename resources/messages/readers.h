@@ -256,6 +256,12 @@ inline constexpr Row kReaders[] = {
     {"archive-damaged", "The archive %1 is cut off or damaged; copy or fetch it again."},
     {"archive-locked",
      "The archive %1 is locked with a password; unpack it yourself and open the folder."},
+    {"archive-kind-unread",
+     "%1 is packed as %2, which is not unpacked here; unpack it yourself and open the folder, or "
+     "pack it as ZIP."},
+    {"file-packed",
+     "%1 is packed by %2 and no archive is found in it; unpack it yourself and open what comes "
+     "out."},
     {"archive-name-outside",
      "The archive %1 holds a name that leads out of it or too deep into it; unpack it yourself and "
      "open the folder."},
@@ -265,7 +271,8 @@ inline constexpr Row kReaders[] = {
     {"data-file-outside-folder",
      "The header %1 names a data file outside its own folder; put both into one folder and name it "
      "without a path."},
-    {"data-file-missing", "The data file that %1 names is missing; copy it beside the header."},
+    {"data-file-missing",
+     "The data file %2 that the header %1 names is missing; copy it beside the header."},
     {"geometry-axis-empty", "The volume has an axis without voxels; its header is broken."},
     {"geometry-not-finite",
      "The volume's spacing, orientation or origin is not a number; export it again with its "
@@ -279,6 +286,8 @@ inline constexpr Row kReaders[] = {
     {"geometry-sheared",
      "The volume's axes are %1 degrees off their right angles; resample it onto a right-angled "
      "grid first."},
+    {"geometry-squared",
+     "The axes are %1 degrees off their right angles, which is taken for rounding and set right."},
     {"folder-too-many-files",
      "The folder %1 holds more than %2 files; open the folder of one study."},
     {"voxels-not-mappable",
@@ -351,6 +360,12 @@ inline constexpr Row kReaders[] = {
     {"meta-image-type-unknown", "The header of %1 states an unknown ElementType; export it again."},
     {"meta-image-no-dimensions", "The header of %1 states no NDims; export it again."},
     {"volume-axis-count", "%1 has %2 axes; export a volume of three."},
+    {"header-no-numbers",
+     "The header of %1 has something other than numbers (\"1.5\", with a point and without a unit) "
+     "in \"%2\", or too many or too few of them; correct it or export it again."},
+    {"header-no-whole-numbers",
+     "The header of %1 has something other than whole numbers in \"%2\"; correct it or export it "
+     "again."},
     {"header-no-sizes", "The header of %1 does not state a size of each axis; export it again."},
     {"meta-image-numbers",
      "The header of %1 does not state %2 numbers as its %3; export it again."},
@@ -393,6 +408,9 @@ inline constexpr Row kReaders[] = {
     {"nifti-orientation-ambiguous",
      "The header of %1 places the voxels twice, by its qform and by its sform, and not alike; "
      "export it with one of them."},
+    {"nifti-qform-used",
+     "The axes of the sform are %1 degrees off their right angles, so the qform places the "
+     "volume."},
     {"nifti-rescale",
      "The header of %1 rescales its voxels by what is no number; export it again."},
     {"nifti-no-beginning",
@@ -422,6 +440,9 @@ inline constexpr Row kReaders[] = {
     {"nrrd-ends-with-header", "%1 ends with its header; fetch it again whole."},
     {"nrrd-data-file-names",
      "The header of %1 names its data files in a way that cannot be followed; export it again."},
+    {"nrrd-data-file-count",
+     "The header of %1 names %2 data files, which cannot share its %3 voxels evenly; complete the "
+     "list or export it again."},
     {"nrrd-bytes-unexplained",
      "The data file of %1 holds %2 bytes more than its voxels need and the header does not say "
      "which; add a byte skip to the header."},
@@ -439,6 +460,9 @@ inline constexpr Row kReaders[] = {
      "The header of %1 measures its axes in different units; export it in millimetres."},
     {"nrrd-axis-no-direction",
      "An axis of %1 has no direction in space; export it again with its geometry."},
+    {"nrrd-space-dimension",
+     "The header of %1 places its axes in a space of %2 dimensions; export it with a space of "
+     "three, such as left-posterior-superior."},
     {"nrrd-spacing-contradicts-axis",
      "The header of %1 states spacings that do not lead from its axis mins to its axis maxs; "
      "export it again with its geometry."},

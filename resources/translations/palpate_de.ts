@@ -1196,10 +1196,6 @@
         <translation>Der Kopf %1 nennt eine Datendatei außerhalb seines Ordners; legen Sie beide in einen Ordner, und nennen Sie sie ohne Pfad.</translation>
     </message>
     <message>
-        <source>The data file that %1 names is missing; copy it beside the header.</source>
-        <translation>Die Datendatei, die %1 nennt, fehlt; kopieren Sie sie neben den Kopf.</translation>
-    </message>
-    <message>
         <source>The volume has an axis without voxels; its header is broken.</source>
         <translation>Das Volumen hat eine Achse ohne Voxel; sein Kopf ist fehlerhaft.</translation>
     </message>
@@ -2222,6 +2218,42 @@
     <message>
         <source>The slices drift: they lie up to %1 mm off even places, though each step is near the usual one, from %2 to %3 mm.</source>
         <translation>Die Schichten driften: Sie liegen bis zu %1 mm neben gleichmäßigen Orten, obwohl jeder Schritt dem üblichen nahe ist, von %2 bis %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1 is packed as %2, which is not unpacked here; unpack it yourself and open the folder, or pack it as ZIP.</source>
+        <translation>%1 ist als %2 gepackt, was hier nicht entpackt wird; entpacken Sie es selbst, und öffnen Sie den Ordner, oder packen Sie es als ZIP.</translation>
+    </message>
+    <message>
+        <source>%1 is packed by %2 and no archive is found in it; unpack it yourself and open what comes out.</source>
+        <translation>%1 ist mit %2 gepackt, und darin ist kein Archiv zu finden; entpacken Sie es selbst, und öffnen Sie, was herauskommt.</translation>
+    </message>
+    <message>
+        <source>The data file %2 that the header %1 names is missing; copy it beside the header.</source>
+        <translation>Die Datendatei %2, die der Kopf %1 nennt, fehlt; kopieren Sie sie neben den Kopf.</translation>
+    </message>
+    <message>
+        <source>The axes are %1 degrees off their right angles, which is taken for rounding and set right.</source>
+        <translation>Die Achsen weichen um %1 Grad von ihren rechten Winkeln ab, was als Rundung gilt und berichtigt wird.</translation>
+    </message>
+    <message>
+        <source>The header of %1 has something other than numbers (&quot;1.5&quot;, with a point and without a unit) in &quot;%2&quot;, or too many or too few of them; correct it or export it again.</source>
+        <translation>Der Kopf von %1 hat in „%2“ etwas anderes als Zahlen („1.5“, mit Punkt und ohne Einheit) oder zu viele oder zu wenige davon; berichtigen Sie ihn, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The header of %1 has something other than whole numbers in &quot;%2&quot;; correct it or export it again.</source>
+        <translation>Der Kopf von %1 hat in „%2“ etwas anderes als ganze Zahlen; berichtigen Sie ihn, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The axes of the sform are %1 degrees off their right angles, so the qform places the volume.</source>
+        <translation>Die Achsen der sform weichen um %1 Grad von ihren rechten Winkeln ab; darum gilt die qform.</translation>
+    </message>
+    <message>
+        <source>The header of %1 names %2 data files, which cannot share its %3 voxels evenly; complete the list or export it again.</source>
+        <translation>Der Kopf von %1 nennt %2 Datendateien, auf die sich seine %3 Voxel nicht gleich verteilen; ergänzen Sie die Liste, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The header of %1 places its axes in a space of %2 dimensions; export it with a space of three, such as left-posterior-superior.</source>
+        <translation>Der Kopf von %1 legt seine Achsen in einen Raum von %2 Dimensionen; exportieren Sie es mit einem von dreien, etwa left-posterior-superior.</translation>
     </message>
 </context>
 <context>

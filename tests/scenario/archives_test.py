@@ -68,6 +68,9 @@ def archives(series, to):
             link.type, link.linkname = tarfile.SYMTYPE, "/etc/passwd"
             out.addfile(link)
         yield to / name
+    # their names do not matter
+    for name, copy in (("a.tar.gz", "A.TGZ"), ("a.zip", "A.ZIP"), ("a.tar.gz", "study"), ("a.tar.xz", "study.dat")):
+        yield pathlib.Path(shutil.copy(to / name, to / copy))
 
 
 def broken(series, to):
@@ -105,6 +108,13 @@ def broken(series, to):
     yield to / "letters.zip", "unreadable"
     (to / "empty.tar").write_bytes(b"")
     yield to / "empty.tar", "truncated"
+    # what is no archive that is unpacked is called by its name
+    for name, begins, kind in (("a.rar", b"Rar!\x1a\x07\x01\0", "RAR"), ("A.TGZ", b"Rar!\x1a\x07\0", "RAR"),
+                               ("a.cab", b"MSCF\0\0\0\0", "CAB"), ("a.lzh", b"\x20\x20-lh5-", "LHA"),
+                               ("letter.gz", gzip.compress(b"no scan"), "gzip"),
+                               ("letter.bz2", bz2.compress(b"no scan"), "bzip2")):
+        (to / name).write_bytes(begins + bytes(600))
+        yield to / name, "unreadable", f"\"{name}\" is packed", kind
     inner = io.BytesIO()
     with zipfile.ZipFile(inner, "w") as out:
         out.write(file, "slice.dcm")
@@ -147,11 +157,11 @@ def main():
             if code != 0 or without_names(said) != without_names(folder):
                 wrong.append(f"{path.name}: {code}, {without_names(said)}")
             check_empty(path.name)
-        for path, reason in broken(series, made):
+        for path, reason, *words in broken(series, made):
             said, code, seconds = info(cli, path, temporary)
             told = said.get("reasons", [said.get("error", {}).get("code")])
             sentence = said.get("message") or said["error"]["message"]
-            if code != 3 or told != [reason] or not sentence.endswith("."):
+            if code != 3 or told != [reason] or not sentence.endswith(".") or any(w not in sentence for w in words):
                 wrong.append(f"{path.name}: {code}, {told}, not {reason}: {sentence}")
             if seconds > MOST_S:
                 wrong.append(f"{path.name}: {seconds:.0f} s")

@@ -31,6 +31,9 @@ def main():
     out = folder / "out.csv"
     sound = write("sound.csv", "x,y,z\n0,0,0\n0,0,0.1\n")
     expect(0, "", "tool", sound, "--out", out)
+    expect(0, "", "tool", write("SOUND.Csv", sound.read_text()), "--out", out)
+    expect(0, "", "convert", "--phantom", "sphere", folder / "OUT.NRRD")
+    expect(2, "must end in .nrrd", "convert", "--phantom", "sphere", folder / "out.raw")
     expect(2, "leave out --points", "tool", sound, "--points", 5, "--out", out)
     expect(2, "leave out --tool-unit", "tool", sound, "--tool-unit", "mm", "--out", out)
     expect(3, "first line", "tool", write("bare.csv", "0,0,0\n0,0,0.1\n"), "--out", out)

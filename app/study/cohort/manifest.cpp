@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/cohort/manifest.h"
 
+#include <strings.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -214,6 +216,12 @@ std::string labelOf(const fs::path& file) {
   return label;
 }
 
+/// In whichever letters.
+bool endsIn(const std::string& name, const std::string& ending) {
+  return name.size() >= ending.size() &&
+         strcasecmp(name.c_str() + name.size() - ending.size(), ending.c_str()) == 0;
+}
+
 Expected<Manifest> readDataset(const fs::path& folder, const Touching& otherwise) {
   std::vector<Line> lines;
   std::error_code failed;
@@ -226,7 +234,7 @@ Expected<Manifest> readDataset(const fs::path& folder, const Touching& otherwise
       continue;
     }
     if (!entry->is_regular_file(failed) || !name.starts_with("sub-")) continue;
-    if (!name.ends_with(".nii.gz") && !name.ends_with(".nii") && !name.ends_with(".nrrd")) continue;
+    if (!endsIn(name, ".nii.gz") && !endsIn(name, ".nii") && !endsIn(name, ".nrrd")) continue;
     Line line;
     line.touching = otherwise;
     line.path = entry->path();

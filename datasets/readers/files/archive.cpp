@@ -8,16 +8,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "datasets/readers/files/beginning.h"
+#include "datasets/readers/files/header_words.h"
 #include "datasets/readers/files/refusal.h"
 
 namespace datasets {
@@ -173,6 +175,41 @@ Expected<void> extractAll(archive* a, const fs::path& folder, const fs::path& pa
   return result == ARCHIVE_EOF ? Expected<void>{} : damaged(path);
 }
 
+/// A kind of archive, or of compression, by how a file of it begins.
+struct Kind {
+  const char* name;
+  std::string_view begins;
+  std::size_t at = 0;  ///< bytes before that
+};
+
+constexpr Kind kNotUnpacked[] = {{"RAR", "Rar!\x1a\x07"},    {"CAB", {"MSCF\0\0\0\0", 8}},
+                                 {"ACE", "**ACE**", 7},      {"LHA", "-lh5-", 2},
+                                 {"StuffIt", "StuffIt (c)"}, {"compress (.Z)", "\x1f\x9d\x90"},
+                                 {"lzip", "LZIP\x01"},       {"LZ4", "\x04\x22\x4d\x18"}};
+
+/// What may hold an archive or a single file.
+constexpr Kind kPacked[] = {{"gzip", "\x1f\x8b"},
+                            {"bzip2", "BZh"},
+                            {"xz", {"\xfd\x37zXZ\0", 6}},
+                            {"Zstandard", "\x28\xb5\x2f\xfd"}};
+
+/// The kind of this list that a file is of; null if it is of none.
+const Kind* kindIn(std::span<const Kind> kinds, std::string_view file) {
+  const auto found = std::ranges::find_if(kinds, [&](const Kind& kind) {
+    return file.size() > kind.at && file.substr(kind.at).starts_with(kind.begins);
+  });
+  return found != kinds.end() ? &*found : nullptr;
+}
+
+/// Whether an entry is found in the file as an archive, whatever its name.
+bool hasEntry(const fs::path& path) {
+  const ArchivePtr a = opened(path);
+  archive_entry* entry = nullptr;
+  if (!a) return false;
+  const int result = archive_read_next_header(a.get(), &entry);
+  return result == ARCHIVE_OK || result == ARCHIVE_WARN;
+}
+
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
@@ -188,17 +225,25 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 bool looksLikeArchive(const fs::path& path) {
-  std::array<char, 262> head{};
-  std::ifstream in(path, std::ios::binary);
-  in.read(head.data(), head.size());
-  const std::string_view begin(head.data(), static_cast<std::size_t>(in.gcount()));
+  const std::string begin = Beginning(path).bytes;
   if (begin.starts_with("PK\x03\x04") || begin.starts_with("7z\xbc\xaf\x27\x1c")) return true;
-  if (begin.size() == head.size() && begin.substr(257) == "ustar") return true;
-  const std::string name = path.filename().string();
+  if (begin.size() >= 262 && begin.substr(257, 5) == "ustar") return true;
+  if (kindIn(kNotUnpacked, begin) != nullptr) return false;
+  // one that is cut off early says nothing else
+  const std::string name = lowered(path.filename().string());
   for (const std::string_view ending :
        {".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz", ".tar.zst", ".tar", ".iso"})
     if (name.size() > ending.size() && name.ends_with(ending)) return true;
-  return false;
+  return hasEntry(path);
+}
+
+std::optional<haptics::Message> whyNoArchive(const fs::path& path) {
+  const std::string begin = Beginning(path).bytes;
+  if (const Kind* kind = kindIn(kNotUnpacked, begin))
+    return haptics::Message{"archive-kind-unread", {quoted(path), kind->name}};
+  if (const Kind* kind = kindIn(kPacked, begin))
+    return haptics::Message{"file-packed", {quoted(path), kind->name}};
+  return {};
 }
 
 Expected<std::shared_ptr<const TemporaryFolder>> unpacked(const fs::path& path,

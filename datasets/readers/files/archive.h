@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
@@ -27,8 +28,13 @@ class TemporaryFolder {
   int lock_ = -1;  ///< shows other processes that it is in use
 };
 
-/// Whether a file begins as a ZIP, 7-Zip, tar (plain, or with gzip, bzip2, xz or zstd) or CD image.
+/// Whether a file is a ZIP, 7-Zip, tar (plain, or with gzip, bzip2, xz or zstd) or CD image: by its
+/// content, or, since a damaged one is refused as such, by its name.
 bool looksLikeArchive(const std::filesystem::path& path);
+
+/// Of a file that does not look like one: what else it is packed as, and what to try. Empty if it
+/// is not packed in a way that is known here.
+std::optional<haptics::Message> whyNoArchive(const std::filesystem::path& path);
 
 /// The regular files of an archive, in their folders; links, devices and archives inside the
 /// archive are not opened. Refuses names that lead outside the folder ("outside-folder"), more than

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <utility>
 
 namespace datasets {
 
@@ -13,9 +14,9 @@ namespace {
 
 constexpr std::int64_t kBlock = 1 << 18;  // bytes
 
-class FileBytes final : public ByteStream {
+class PlainBytes final : public ByteStream {
  public:
-  FileBytes(const std::filesystem::path& file, std::int64_t offset)
+  PlainBytes(const std::filesystem::path& file, std::int64_t offset)
       : file_(file, std::ios::binary) {
     file_.seekg(offset);
   }
@@ -97,6 +98,50 @@ class InflatedBytes final : public ByteStream {
   bool ended_ = false;  ///< with a checksum that is right
 };
 
+class JoinedBytes final : public ByteStream {
+ public:
+  JoinedBytes(std::vector<FileBytes> files, std::int64_t bytes_of_each)
+      : files_(std::move(files)), each_(bytes_of_each) {}
+  bool endsWell() override { return whole_; }
+
+ private:
+  std::int64_t fill(char* block, std::int64_t size) override {
+    if (left() == 0 || !whole_) return 0;
+    const auto number = static_cast<std::size_t>(at_ / each_);
+    const std::int64_t within = at_ % each_;
+    if (!open_ || number != number_) open(number);
+    const std::int64_t count = std::min(size, each_ - within);
+    whole_ = begin_ >= 0 && open_->advanceTo(begin_ + within) && open_->read(block, count);
+    if (whole_ && within + count == each_) whole_ = open_->endsWell();
+    if (!whole_) return 0;
+    at_ += count;
+    return count;
+  }
+  std::int64_t leap(std::int64_t count) override {
+    count = std::min(count, left());
+    at_ += count;
+    return count;
+  }
+  std::int64_t left() const { return each_ * static_cast<std::int64_t>(files_.size()) - at_; }
+  void open(std::size_t number) {
+    const FileBytes& file = files_[number];
+    number_ = number;
+    open_ = openBytes(file.file, file.offset, file.deflated);
+    begin_ = file.skip;
+    if (begin_ >= 0) return;
+    // where the last bytes begin is known once all have been seen
+    begin_ = open_->length() - each_;
+    open_ = openBytes(file.file, file.offset, file.deflated);
+  }
+
+  std::vector<FileBytes> files_;
+  std::int64_t each_, at_ = 0;  ///< bytes: of each file, and read or skipped of all
+  std::unique_ptr<ByteStream> open_;
+  std::size_t number_ = 0;  ///< of the open file
+  std::int64_t begin_ = 0;  ///< of its bytes
+  bool whole_ = true;       ///< so far
+};
+
 }  // namespace
 
 ByteStream::ByteStream() : block_(static_cast<std::size_t>(kBlock)) {}
@@ -152,7 +197,11 @@ std::int64_t ByteStream::length() {
 std::unique_ptr<ByteStream> openBytes(const std::filesystem::path& file, std::int64_t offset,
                                       bool deflated) {
   if (deflated) return std::make_unique<InflatedBytes>(file, offset);
-  return std::make_unique<FileBytes>(file, offset);
+  return std::make_unique<PlainBytes>(file, offset);
+}
+
+std::unique_ptr<ByteStream> joinedBytes(std::vector<FileBytes> files, std::int64_t bytes_of_each) {
+  return std::make_unique<JoinedBytes>(std::move(files), bytes_of_each);
 }
 
 std::unique_ptr<ByteStream> bytesOf(const void* memory, std::int64_t size) {

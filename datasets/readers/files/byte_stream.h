@@ -50,6 +50,16 @@ class ByteStream {
 /// there.
 std::unique_ptr<ByteStream> openBytes(const std::filesystem::path& file, std::int64_t offset,
                                       bool deflated);
+/// Bytes in a file, which is one of several.
+struct FileBytes {
+  std::filesystem::path file;
+  std::int64_t offset = 0;  ///< bytes of the file before them, or before the deflated data
+  bool deflated = false;
+  std::int64_t skip = 0;  ///< inflated bytes before them; -1: they are the last
+};
+/// So many bytes of each file, one file after the other, as one stream. A file is open only while
+/// it is read, and what is skipped is not looked at.
+std::unique_ptr<ByteStream> joinedBytes(std::vector<FileBytes> files, std::int64_t bytes_of_each);
 /// Bytes in memory, which must outlive the stream.
 std::unique_ptr<ByteStream> bytesOf(const void* memory, std::int64_t size);
 

@@ -10,7 +10,7 @@ namespace datasets {
 
 /// The file that a header names for its voxels. Refuses ("outside-folder") all but plain files
 /// below the header's own folder, whatever links lie on the way, and what is not there
-/// ("truncated").
+/// ("truncated"). Folders in the name may be parted as on Windows.
 haptics::Expected<std::filesystem::path> dataFileOf(const std::filesystem::path& header,
                                                     const std::string& name);
 

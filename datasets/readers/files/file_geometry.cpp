@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kMetresPerMillimetre = 1e-3;
 constexpr double kLeastStep_mm = 1e-6;
-constexpr double kMostStep_mm = 1e3;    // no voxel of a scan is as large as a step
-constexpr double kFarthest_mm = 1e5;    // beyond, positions have no room for their micrometres
-constexpr double kSquareEnough = 8e-5;  // cosine between two axes: 0.005 degrees
-constexpr double kRounding = 1e-12;     // cosine below which axes are left as they are
+constexpr double kMostStep_mm = 1e3;  // no voxel of a scan is as large as a step
+constexpr double kFarthest_mm = 1e5;  // beyond, positions have no room for their micrometres
+constexpr double kSquareEnough_deg = 0.10005;  // off a right angle: 0.1 in single precision
+constexpr double kRounding = 1e-12;            // cosine below which axes are left as they are
 
 /// The signs that turn a file's world into LPS.
 Vec3 signsOf(FileSpace space) {
@@ -36,7 +36,23 @@ Vec3 signsOf(FileSpace space) {
   return Vec3::Ones();
 }
 
+/// The greatest cosine between two of the axes.
+double cosineBetween(const Mat3& axes) {
+  const Mat3 gram = axes.transpose() * axes;
+  return std::max({std::abs(gram(0, 1)), std::abs(gram(0, 2)), std::abs(gram(1, 2))});
+}
+
+double offRightAngle_deg(double cosine) {
+  return std::asin(std::min(cosine, 1.0)) * 180.0 / std::numbers::pi;
+}
+
 }  // namespace
+
+double shear_deg(const Mat3& steps) {
+  return offRightAngle_deg(cosineBetween(steps.colwise().normalized()));
+}
+
+bool isSquareEnough(const Mat3& steps) { return shear_deg(steps) <= kSquareEnough_deg; }
 
 haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file) {
   if (std::ranges::any_of(file.dims, [](std::int64_t n) { return n < 1; }))
@@ -56,13 +72,9 @@ haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file) {
   for (int axis = 0; axis < 3; ++axis) direction.col(axis) /= spacing_mm[axis];
 
   // axes at right angles, up to rounding
-  const Mat3 gram = direction.transpose() * direction;
-  const double cosine =
-      std::max({std::abs(gram(0, 1)), std::abs(gram(0, 2)), std::abs(gram(1, 2))});
-  if (cosine > kSquareEnough) {
-    const double angle_deg = std::asin(std::min(cosine, 1.0)) * 180.0 / std::numbers::pi;
-    return unsupported("sheared", {"geometry-sheared", {brief(angle_deg)}});
-  }
+  const double cosine = cosineBetween(direction);
+  if (const double off_deg = offRightAngle_deg(cosine); off_deg > kSquareEnough_deg)
+    return unsupported("sheared", {"geometry-sheared", {brief(off_deg)}});
   if (cosine > kRounding) {
     const Eigen::JacobiSVD<Mat3> svd(direction, Eigen::ComputeFullU | Eigen::ComputeFullV);
     direction = svd.matrixU() * svd.matrixV().transpose();

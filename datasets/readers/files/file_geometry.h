@@ -27,10 +27,15 @@ struct FileGeometry {
   FileSpace space = FileSpace::LeftPosteriorSuperior;
 };
 
+/// How far two axes are off their right angle at most.
+double shear_deg(const haptics::Mat3& steps);
+/// Whether that is what rounding leaves, 0.1 degrees, as between slices of DICOM.
+bool isSquareEnough(const haptics::Mat3& steps);
+
 /// Converts a file's millimetres to metres in patient LPS; no other function does. Axes keep their
 /// handedness and order. Refuses steps that are zero, not finite or beyond 1 m and origins beyond
-/// 100 m ("bad-header"), and axes more than 0.005 degrees off their right angles ("sheared");
-/// smaller errors of rounding are removed.
+/// 100 m ("bad-header"), and axes more than 0.1 degrees off their right angles ("sheared"). Axes
+/// that are less off are turned into the nearest ones at right angles, of the same handedness.
 haptics::Expected<haptics::Grid> gridOf(const FileGeometry& file);
 
 }  // namespace datasets

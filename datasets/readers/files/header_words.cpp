@@ -13,6 +13,8 @@ namespace {
 
 template <class Number>
 std::optional<Number> wholeWord(std::string_view word) {
+  // as other readers take it; of two signs the second is left to be refused
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   Number number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc() || end != word.data() + word.size()) return {};
@@ -56,5 +58,14 @@ std::optional<std::int64_t> integerOf(std::string_view word) {
 }
 
 std::optional<double> numberOf(std::string_view word) { return wholeWord<double>(word); }
+
+tl::unexpected<haptics::Error> noNumbers(const std::filesystem::path& header, const char* field) {
+  return malformed("bad-header", {"header-no-numbers", {quoted(header), field}});
+}
+
+tl::unexpected<haptics::Error> noWholeNumbers(const std::filesystem::path& header,
+                                              const char* field) {
+  return malformed("bad-header", {"header-no-whole-numbers", {quoted(header), field}});
+}
 
 }  // namespace datasets

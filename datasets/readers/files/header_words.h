@@ -20,8 +20,16 @@ std::string modalityFrom(std::string_view stated);
 std::string lowered(std::string_view text);
 std::string_view trimmed(std::string_view text);
 std::vector<std::string_view> wordsOf(std::string_view text);
-/// The whole word as a number, whatever the locale; empty if it is anything else.
+/// The whole word as a number, whatever the locale: "2", "+2" or "-2", and for numberOf() also
+/// "1.5", ".5", "1e-3", "nan" and "inf". Empty if it is anything else, such as "1,5" or "1.5mm".
 std::optional<std::int64_t> integerOf(std::string_view word);
 std::optional<double> numberOf(std::string_view word);
+
+/// The refusal ("bad-header") of a header that has something else where this field needs numbers,
+/// or more or fewer of them than it needs.
+tl::unexpected<haptics::Error> noNumbers(const std::filesystem::path& header, const char* field);
+/// The same where it needs whole numbers.
+tl::unexpected<haptics::Error> noWholeNumbers(const std::filesystem::path& header,
+                                              const char* field);
 
 }  // namespace datasets

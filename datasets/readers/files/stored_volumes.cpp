@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kMostInflation = 1032.0;        // times: the most that deflate can do
 constexpr double kReading = 0.9;                 // of the progress; the rest is for the range
+constexpr double kUnsaid_deg = 0.005;            // axes less off are not spoken of
 constexpr std::int64_t kVoxelsAtOnce = 1 << 20;  // voxels between two looks at Cancel
 
 struct Values {
@@ -125,6 +126,15 @@ Expected<void> checkReplaced(const StoredVolumes& stored, const void* voxels, st
 }
 
 }  // namespace
+
+Expected<void> place(StoredVolumes& stored, const FileGeometry& geometry) {
+  auto grid = gridOf(geometry);
+  if (!grid) return tl::unexpected(std::move(grid.error()));
+  stored.grid = *grid;
+  if (const double off_deg = shear_deg(geometry.steps_mm); off_deg > kUnsaid_deg)
+    stored.notes.push_back({"geometry-squared", {brief(off_deg)}});
+  return {};
+}
 
 Expected<void> checkStored(const StoredVoxels& voxels, const std::filesystem::path& header) {
   const VoxelLayout& layout = voxels.layout;

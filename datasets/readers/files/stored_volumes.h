@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
+#include "datasets/readers/files/file_geometry.h"
 #include "datasets/readers/files/stored_voxels.h"
+#include "haptics/core/error.h"
 #include "haptics/core/volume.h"
 
 namespace datasets {
@@ -12,7 +16,8 @@ inline constexpr std::int64_t kMostVolumes = 10'000;  ///< in one file
 struct StoredVolumes {
   haptics::Grid grid;  ///< of each volume
   haptics::VolumeFacts facts;
-  bool spacing_stated = true;  ///< false: 1 mm is assumed
+  bool spacing_stated = true;           ///< false: 1 mm is assumed
+  std::vector<haptics::Message> notes;  ///< sentences that the verdict adds: what was set right
   StoredVoxels voxels;
   double slope = 1.0, intercept = 0.0;  ///< value = slope * stored + intercept
 
@@ -20,6 +25,10 @@ struct StoredVolumes {
     return voxels.layout.sizes[static_cast<std::size_t>(voxels.layout.volume_axis)];
   }
 };
+
+/// Gives the volumes their grid. Refuses what gridOf() refuses. Axes that it turns by more than
+/// 0.005 degrees, the rounding of single precision, are noted.
+haptics::Expected<void> place(StoredVolumes& stored, const FileGeometry& geometry);
 
 /// Refuses sizes that exceed any memory and more than kMostVolumes volumes ("too-large"), sizes
 /// below one ("bad-header"), and more voxels than the file can hold ("truncated"), before memory is

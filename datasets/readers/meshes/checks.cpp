@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <optional>
 #include <vector>
 
 #include "datasets/readers/files/header_words.h"
@@ -20,17 +19,12 @@ namespace {
 
 constexpr std::string_view kBlank = " \t\r\n\v\f";
 
-std::optional<double> coordinateOf(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  return numberOf(word);
-}
-
 enum class Corner { Finite, NonFinite, NoNumbers };
 
 Corner cornerOf(std::string_view& words) {
   Corner corner = Corner::Finite;
   for (int c = 0; c < 3; ++c) {
-    const auto number = coordinateOf(takeWord(words));
+    const auto number = numberOf(takeWord(words));
     if (!number) return Corner::NoNumbers;
     if (!std::isfinite(*number)) corner = Corner::NonFinite;
   }

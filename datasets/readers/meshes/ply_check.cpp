@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "datasets/readers/files/header_words.h"
 #include "datasets/readers/files/refusal.h"
 #include "datasets/readers/meshes/checks.h"
 
@@ -72,11 +72,9 @@ std::optional<PlyHeader> plyHeaderOf(std::string_view& text) {
         return {};
     } else if (word == "element") {
       PlyElement element{std::string(takeWord(line)), 0, {}};
-      const std::string_view count = takeWord(line);
-      const auto [end, error] =
-          std::from_chars(count.data(), count.data() + count.size(), element.count);
-      if (error != std::errc() || end != count.data() + count.size() || element.count < 0)
-        return {};
+      const auto count = integerOf(takeWord(line));
+      if (!count || *count < 0) return {};
+      element.count = *count;
       header.elements.push_back(std::move(element));
     } else if (word == "property") {
       if (header.elements.empty()) return {};
@@ -103,13 +101,7 @@ class Numbers {
   Numbers(std::string_view bytes, Form form) : rest_(bytes), form_(form) {}
 
   std::optional<double> next(Number type) {
-    if (form_ == Form::Ascii) {
-      const std::string_view word = takeWord(rest_);
-      double number = 0.0;
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-      if (word.empty() || error != std::errc() || end != word.data() + word.size()) return {};
-      return number;
-    }
+    if (form_ == Form::Ascii) return numberOf(takeWord(rest_));
     switch (type) {
       case Number::Int8:
         return as<std::int8_t>();

@@ -102,16 +102,20 @@ Expected<void> readMetaType(const fs::path& path, const MetaText& text, StoredVo
 
 Expected<void> readMetaSizes(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   const std::string* dims = text.find({"NDims"});
-  const auto axes = dims != nullptr ? integerOf(*dims) : std::nullopt;
-  if (!axes) return malformed("bad-header", {"meta-image-no-dimensions", {quoted(path)}});
+  if (dims == nullptr) return malformed("bad-header", {"meta-image-no-dimensions", {quoted(path)}});
+  const auto axes = integerOf(*dims);
+  if (!axes) return noWholeNumbers(path, "NDims");
   if (*axes != 3 && *axes != 4)
     return unsupported("not-scalar", {"volume-axis-count", {quoted(path), std::to_string(*axes)}});
   const std::string* sizes = text.find({"DimSize"});
   const auto words = sizes != nullptr ? wordsOf(*sizes) : std::vector<std::string_view>();
   if (static_cast<std::int64_t>(words.size()) != *axes)
     return malformed("bad-header", {"header-no-sizes", {quoted(path)}});
-  for (std::size_t a = 0; a < words.size(); ++a)
-    stored.voxels.layout.sizes[a] = integerOf(words[a]).value_or(0);
+  for (std::size_t a = 0; a < words.size(); ++a) {
+    const auto size = integerOf(words[a]);
+    if (!size) return noWholeNumbers(path, "DimSize");
+    stored.voxels.layout.sizes[a] = *size;
+  }
   return {};
 }
 
@@ -119,15 +123,17 @@ Expected<void> readMetaSizes(const fs::path& path, const MetaText& text, StoredV
 Expected<std::vector<double>> numbersOf(const fs::path& path, const MetaText& text,
                                         std::initializer_list<const char*> names,
                                         std::size_t count) {
-  const std::string* field = text.find(names);
   std::vector<double> numbers;
-  if (field == nullptr) return numbers;
+  const auto* const name = std::ranges::find_if(
+      names, [&](const char* stated) { return text.find({stated}) != nullptr; });
+  if (name == names.end()) return numbers;
+  const std::string* field = text.find({*name});
   for (const std::string_view word : wordsOf(*field))
     numbers.push_back(numberOf(word).value_or(std::nan("")));
   if (numbers.size() != count ||
       !std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }))
     return malformed("bad-header",
-                     {"meta-image-numbers", {quoted(path), std::to_string(count), *names.begin()}});
+                     {"meta-image-numbers", {quoted(path), std::to_string(count), *name}});
   return numbers;
 }
 
@@ -139,7 +145,7 @@ std::optional<double> millimetresIn(const std::string* unit) {
 }
 
 Expected<void> readMetaGeometry(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
-  const std::size_t axes = *text.find({"NDims"}) == "4" ? 4 : 3;
+  const std::size_t axes = integerOf(*text.find({"NDims"})) == 4 ? 4 : 3;
   const auto spacing = numbersOf(path, text, {"ElementSpacing", "ElementSize"}, axes);
   const auto origin = numbersOf(path, text, {"Offset", "Position", "Origin"}, axes);
   const auto matrix =
@@ -168,10 +174,7 @@ Expected<void> readMetaGeometry(const fs::path& path, const MetaText& text, Stor
   }
   stored.spacing_stated = !spacing->empty();
   stored.facts.orientation_known = !matrix->empty() && !doubted;
-  auto grid = gridOf(geometry);
-  if (!grid) return tl::unexpected(std::move(grid.error()));
-  stored.grid = *grid;
-  return {};
+  return place(stored, geometry);
 }
 
 Expected<void> readMetaValues(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
@@ -211,7 +214,8 @@ Expected<void> readMetaPlace(const fs::path& path, const MetaText& text, StoredV
   }
   const std::string* field = text.find({"HeaderSize"});
   const auto header = field != nullptr ? integerOf(*field) : std::optional<std::int64_t>(0);
-  if (!header || *header < -1 || (*header == -1 && voxels.deflated))
+  if (!header) return noWholeNumbers(path, "HeaderSize");
+  if (*header < -1 || (*header == -1 && voxels.deflated))
     return malformed("bad-header", {"meta-image-header-size", {quoted(path)}});
   if (local && *header > 0 && *header < text.bytes)
     return malformed("bad-header", {"meta-image-header-size-too-small", {quoted(path)}});

@@ -9,6 +9,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -26,6 +28,7 @@ using haptics::Vec3;
 
 namespace {
 
+constexpr std::string_view kGzip = "\x1f\x8b";          // how a compressed file begins
 constexpr std::int64_t kHeader1 = 348, kHeader2 = 540;  // bytes
 constexpr std::int64_t kFirstVoxel1 = 352, kFirstVoxel2 = 544;
 
@@ -236,7 +239,10 @@ bool agree(const Affine& a, const Affine& b) {
   return true;
 }
 
-Expected<Affine> affineOf(const fs::path& path, const Fields& fields) {
+/// The sform before the qform, unless its axes are not at right angles and the qform's are: then
+/// that is used, and noted.
+Expected<Affine> affineOf(const fs::path& path, const Fields& fields,
+                          std::vector<haptics::Message>& notes) {
   const auto turned = byQuaternion(fields);
   const Affine placed = byMatrix(fields);
   const bool by_quaternion = fields.quaternion_code > 0, by_matrix = fields.matrix_code > 0;
@@ -244,6 +250,10 @@ Expected<Affine> affineOf(const fs::path& path, const Fields& fields) {
     return malformed("bad-header", {"nifti-no-rotation", {quoted(path)}});
   if (by_quaternion && by_matrix && !agree(*turned, placed))
     return unsupported("ambiguous-orientation", {"nifti-orientation-ambiguous", {quoted(path)}});
+  if (by_matrix && by_quaternion && !isSquareEnough(placed.steps)) {
+    notes.push_back({"nifti-qform-used", {brief(shear_deg(placed.steps))}});
+    return *turned;
+  }
   if (by_matrix) return placed;
   if (by_quaternion) return *turned;
   Affine plain{Mat3::Zero(), Vec3::Zero()};
@@ -260,7 +270,7 @@ Expected<void> readNiftiGeometry(const fs::path& path, const Fields& fields,
   if (!unit) return malformed("bad-header", {"header-unit-unknown", {quoted(path)}});
   FileGeometry geometry;
   geometry.dims = stored.voxels.layout.dims();
-  const auto affine = affineOf(path, fields);
+  const auto affine = affineOf(path, fields, stored.notes);
   if (!affine) return tl::unexpected(affine.error());
   const bool placed = fields.quaternion_code > 0 || fields.matrix_code > 0;
   const auto steps = std::span(fields.pixdim).subspan(1, 3);
@@ -271,10 +281,7 @@ Expected<void> readNiftiGeometry(const fs::path& path, const Fields& fields,
   geometry.origin_mm = *unit * affine->origin;
   geometry.space = placed ? FileSpace::RightAnteriorSuperior : FileSpace::Unknown;
   stored.facts.orientation_known = placed;
-  auto grid = gridOf(geometry);
-  if (!grid) return tl::unexpected(std::move(grid.error()));
-  stored.grid = *grid;
-  return {};
+  return place(stored, geometry);
 }
 
 Expected<void> readNiftiValues(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
@@ -292,6 +299,7 @@ Expected<void> readNiftiValues(const fs::path& path, const Fields& fields, Store
 bool looksLikeNifti(const Beginning& file) {
   const std::string name = lowered(file.path.filename().string());
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return true;
+  if (file.bytes.starts_with(kGzip)) return readFields(file.path, true).has_value();
   // the marks of both versions
   return file.bytes.size() >= std::size_t{kHeader1} &&
          (file.bytes.compare(344, 4, std::string("n+1\0", 4)) == 0 ||
@@ -301,7 +309,7 @@ bool looksLikeNifti(const Beginning& file) {
 Expected<StoredVolumes> describeNifti(const fs::path& path) {
   const Beginning beginning(path);
   if (!beginning.is_open) return notFound(path);
-  const auto fields = readFields(path, beginning.bytes.starts_with("\x1f\x8b"));
+  const auto fields = readFields(path, beginning.bytes.starts_with(kGzip));
   if (!fields) return malformed("bad-header", {"nifti-no-beginning", {quoted(path)}});
   StoredVolumes stored;
   for (const auto step :

@@ -2,6 +2,8 @@
 #include "datasets/readers/nrrd/header.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -72,19 +74,86 @@ Expected<void> readNrrdType(const fs::path& path, const NrrdText& text, NrrdHead
   return malformed("bad-header", {"nrrd-type-unknown", {quoted(path)}});
 }
 
+using Words = std::vector<std::string_view>;
+
+/// What a vector "(1, 0, 0)" holds.
+Words componentsOf(std::string_view vector) {
+  Words words;
+  for (std::size_t at = 0; at <= vector.size();) {
+    const auto end = std::min(vector.find(',', at), vector.size());
+    words.push_back(trimmed(vector.substr(at, end - at)));
+    at = end + 1;
+  }
+  return words;
+}
+
+/// The components of each vector of a field; empty for "none".
+std::vector<Words> vectorsOf(std::string_view text) {
+  std::vector<Words> vectors;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const bool vector = text.front() == '(';
+    const auto end = std::min(vector ? text.find(')') : text.find_first_of(" \t("), text.size());
+    vectors.push_back(vector ? componentsOf(text.substr(1, end - 1)) : Words());
+    text.remove_prefix(std::min(vector ? end + 1 : end, text.size()));
+  }
+  return vectors;
+}
+
+/// Whether an axis leads anywhere in space. Of four components the last is a time.
+bool isDirected(const Words& vector) {
+  const bool timed = vector.size() == 4;
+  return std::any_of(vector.begin(), vector.end() - (timed ? 1 : 0), [&](std::string_view word) {
+    const double component = numberOf(word).value_or(1.0);
+    return !std::isnan(component) && (!timed || component != 0.0);
+  });
+}
+
 /// Per axis whether it has a direction in space; empty where directions are not stated.
 std::vector<bool> directedAxes(const NrrdText& text) {
   const std::string* field = text.find("space directions");
   std::vector<bool> directed;
   if (field == nullptr) return directed;
-  for (std::string_view rest = *field; !rest.empty();) {
-    const bool vector = rest.front() == '(';
-    const bool blank = rest.front() == ' ' || rest.front() == '\t';
-    if (!blank) directed.push_back(vector);
-    const auto end = vector ? rest.find(')') : blank ? 0 : rest.find_first_of(" \t(") - 1;
-    rest.remove_prefix(std::min(end, rest.size() - 1) + 1);
-  }
+  for (const Words& vector : vectorsOf(*field)) directed.push_back(isDirected(vector));
   return directed;
+}
+
+/// How many components a vector in the header's space has; 0: it states no space.
+std::int64_t spaceDimensionOf(const NrrdText& text) {
+  if (const std::string* field = text.find("space dimension")) return integerOf(*field).value_or(0);
+  const std::string* field = text.find("space");
+  if (field == nullptr) return 0;
+  const std::string name = lowered(*field);
+  const bool timed = name.ends_with("time") || name == "rast" || name == "last" || name == "lpst";
+  return timed ? 4 : 3;
+}
+
+bool areNumbers(const Words& words) {
+  return std::ranges::all_of(words, [](std::string_view w) { return numberOf(w).has_value(); });
+}
+
+/// Every number that places the voxels is one as a whole: teem takes "1,5" for 1.
+Expected<void> checkNumbers(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  constexpr std::array<const char*, 2> kPerAxis[] = {
+      {"spacings", nullptr}, {"axis mins", "axismins"}, {"axis maxs", "axismaxs"}};
+  for (const auto& [name, other] : kPerAxis) {
+    const std::string* field = text.find(name, other);
+    if (field == nullptr) continue;
+    const Words words = wordsOf(*field);
+    if (words.size() != header.sizes.size() || !areNumbers(words)) return noNumbers(path, name);
+  }
+  if (const std::string* field = text.find("space dimension"); field && !integerOf(*field))
+    return noWholeNumbers(path, "space dimension");
+  const auto dimension =
+      static_cast<std::size_t>(std::max<std::int64_t>(spaceDimensionOf(text), 0));
+  for (const char* name : {"space directions", "space origin"}) {
+    const std::string* field = text.find(name);
+    if (field == nullptr) continue;
+    for (const Words& vector : vectorsOf(*field)) {
+      const bool counted = dimension == 0 || vector.empty() || vector.size() == dimension;
+      if (!counted || !areNumbers(vector)) return noNumbers(path, name);
+    }
+  }
+  return {};
 }
 
 tl::unexpected<haptics::Error> notAPlace(const fs::path& path, std::size_t axis,
@@ -134,8 +203,9 @@ Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& 
 
 Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* dimension = text.find("dimension");
-  const auto axes = dimension ? integerOf(*dimension) : std::nullopt;
-  if (!axes) return malformed("bad-header", {"nrrd-no-dimension", {quoted(path)}});
+  if (dimension == nullptr) return malformed("bad-header", {"nrrd-no-dimension", {quoted(path)}});
+  const auto axes = integerOf(*dimension);
+  if (!axes) return noWholeNumbers(path, "dimension");
   if (*axes != 3 && *axes != 4)
     return unsupported("not-scalar", {"nrrd-dimension", {quoted(path), std::to_string(*axes)}});
   const std::string* sizes = text.find("sizes");
@@ -146,14 +216,14 @@ Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHea
   std::int64_t room = std::numeric_limits<std::int64_t>::max() / 64;
   for (const std::string_view word : words) {
     const auto size = integerOf(word);
-    if (!size || *size < 1)
-      return malformed("bad-header", {"header-size-not-positive", {quoted(path)}});
+    if (!size) return noWholeNumbers(path, "sizes");
+    if (*size < 1) return malformed("bad-header", {"header-size-not-positive", {quoted(path)}});
     if (*size > std::min<std::int64_t>(room, std::numeric_limits<std::int32_t>::max()))
       return unsupported("too-large", {"header-too-many-voxels", {quoted(path)}});
     room /= *size;
     header.sizes.push_back(*size);
   }
-  return readAxes(path, text, header);
+  return {};
 }
 
 Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
@@ -176,19 +246,24 @@ Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHead
   header.big_endian = endian != nullptr && lowered(*endian) == "big";
   if (header.encoding != NrrdEncoding::Ascii && header.bytes_per_voxel > 1 && endian == nullptr)
     return malformed("bad-header", {"nrrd-no-byte-order", {quoted(path)}});
-  const auto skip = [&](const char* name_of_field, const char* other, std::int64_t least,
-                        std::int64_t& count) {
-    const std::string* field = text.find(name_of_field, other);
-    if (field == nullptr) return true;
+  return {};
+}
+
+/// How much of each data file is none of the voxels.
+Expected<void> readSkips(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
+  const auto skip = [&](const char* name, const char* other, std::int64_t least,
+                        std::int64_t& count) -> Expected<void> {
+    const std::string* field = text.find(name, other);
+    if (field == nullptr) return {};
     header.skip_stated = true;
     const auto number = integerOf(*field);
-    count = number.value_or(least - 1);
-    return count >= least;
+    if (!number) return noWholeNumbers(path, name);
+    count = *number;
+    if (count < least) return malformed("bad-header", {"nrrd-skips", {quoted(path)}});
+    return {};
   };
-  if (!skip("line skip", "lineskip", 0, header.line_skip) ||
-      !skip("byte skip", "byteskip", -1, header.byte_skip))
-    return malformed("bad-header", {"nrrd-skips", {quoted(path)}});
-  return {};
+  if (auto lines = skip("line skip", "lineskip", 0, header.line_skip); !lines) return lines;
+  return skip("byte skip", "byteskip", -1, header.byte_skip);
 }
 
 /// "slices/slice_%03d.raw 0 41 1": the names that teem would print; empty if it is no such form.
@@ -219,25 +294,61 @@ std::vector<std::string> expanded(std::string_view pattern) {
   return names;
 }
 
+/// "512 x 512 x 300".
+std::string inWords(const std::vector<std::int64_t>& sizes) {
+  std::string words;
+  for (const std::int64_t size : sizes)
+    words += (words.empty() ? "" : " x ") + std::to_string(size);
+  return words;
+}
+
+/// Whether so many files have a piece each: one for each place along the axes behind the first
+/// `axes`, or, where the pieces have all axes, a slab of the slowest.
+bool areShared(const std::vector<std::int64_t>& sizes, std::int64_t axes, std::int64_t files) {
+  const auto dimension = static_cast<std::int64_t>(sizes.size());
+  if (axes < 1 || axes > dimension) return false;
+  if (axes == dimension) return sizes.back() % files == 0;
+  const auto pieces = std::accumulate(sizes.begin() + static_cast<std::ptrdiff_t>(axes),
+                                      sizes.end(), std::int64_t{1}, std::multiplies<>());
+  return pieces == files;
+}
+
+/// Names of data files, and how many axes the piece in each has; no names if they cannot be
+/// followed.
+struct DataFileNames {
+  std::vector<std::string> names;
+  std::int64_t axes = 0;
+};
+
+DataFileNames namesIn(const std::string& field, const NrrdText& text, std::size_t dimension) {
+  const bool list = isList(field), pattern = !list && field.find('%') != field.npos;
+  if (!list && !pattern) return {{field}, 0};
+  // "LIST 2" and "s%d.raw 1 9 1 2"; all axes but the slowest where it is not said
+  const Words words = wordsOf(field);
+  const std::size_t said = list ? 1 : 4;
+  const auto axes = words.size() > said ? integerOf(words[said])
+                                        : std::optional(static_cast<std::int64_t>(dimension) - 1);
+  if (!axes || words.size() > said + 1) return {};
+  return {list ? text.listed_files : expanded(field), *axes};
+}
+
 Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* field = text.find("data file", "datafile");
   if (field == nullptr) {
     if (text.bytes == 0) return malformed("truncated", {"nrrd-ends-with-header", {quoted(path)}});
     return {};
   }
-  std::vector<std::string> names;
-  if (field->starts_with("LIST"))
-    names = text.listed_files;
-  else if (field->find('%') != field->npos)
-    names = expanded(*field);
-  else
-    names = {*field};
+  const auto [names, axes] = namesIn(*field, text, header.sizes.size());
   if (names.empty()) return malformed("bad-header", {"nrrd-data-file-names", {quoted(path)}});
   for (const std::string& name : names) {
     auto file = dataFileOf(path, name);
     if (!file) return tl::unexpected(std::move(file.error()));
     header.data_files.push_back(std::move(*file));
   }
+  const auto count = static_cast<std::int64_t>(names.size());
+  if (count > 1 && !areShared(header.sizes, axes, count))
+    return malformed("bad-header", {"nrrd-data-file-count",
+                                    {quoted(path), std::to_string(count), inWords(header.sizes)}});
   return {};
 }
 
@@ -271,31 +382,24 @@ std::int64_t gzipLength(const fs::path& file) {
 /// they are, unless the header says what to skip.
 Expected<void> checkNothingElse(const fs::path& path, const NrrdHeader& header,
                                 std::int64_t needed) {
-  if (header.data_files.size() != 1 || header.skip_stated) return {};
-  std::error_code error;
-  std::int64_t length = 0;
-  if (header.encoding == NrrdEncoding::Raw)
-    length = static_cast<std::int64_t>(fs::file_size(header.data_files.front(), error));
-  if (header.encoding == NrrdEncoding::Gzip) length = gzipLength(header.data_files.front());
-  if (error || length <= needed) return {};
-  return malformed("bad-header",
-                   {"nrrd-bytes-unexplained", {quoted(path), std::to_string(length - needed)}});
-}
-
-/// "512 x 512 x 300".
-std::string inWords(const std::vector<std::int64_t>& sizes) {
-  std::string words;
-  for (const std::int64_t size : sizes)
-    words += (words.empty() ? "" : " x ") + std::to_string(size);
-  return words;
+  if (header.skip_stated) return {};
+  for (const fs::path& file : header.data_files) {
+    std::error_code error;
+    std::int64_t length = 0;
+    if (header.encoding == NrrdEncoding::Raw)
+      length = static_cast<std::int64_t>(fs::file_size(file, error));
+    if (header.encoding == NrrdEncoding::Gzip) length = gzipLength(file);
+    if (!error && length > needed)
+      return malformed("bad-header",
+                       {"nrrd-bytes-unexplained", {quoted(path), std::to_string(length - needed)}});
+  }
+  return {};
 }
 
 Expected<void> checkCapacity(const fs::path& path, const NrrdHeader& header) {
   const std::vector<fs::path> files =
       header.data_files.empty() ? std::vector{path} : header.data_files;
-  const std::int64_t voxels = header.voxelCount();
-  const std::int64_t needed =
-      voxels * header.bytes_per_voxel / static_cast<std::int64_t>(files.size());
+  const std::int64_t needed = header.voxelsPerFile() * header.bytes_per_voxel;
   for (const fs::path& file : files) {
     std::error_code error;
     auto stored = static_cast<std::int64_t>(fs::file_size(file, error));
@@ -319,6 +423,10 @@ std::int64_t NrrdHeader::voxelCount() const {
   return std::accumulate(sizes.begin(), sizes.end(), std::int64_t{1}, std::multiplies<>());
 }
 
+std::int64_t NrrdHeader::voxelsPerFile() const {
+  return voxelCount() / static_cast<std::int64_t>(std::max<std::size_t>(data_files.size(), 1));
+}
+
 bool looksLikeNrrd(const Beginning& file) { return file.bytes.starts_with("NRRD"); }
 
 Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
@@ -327,7 +435,9 @@ Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
   NrrdHeader header;
   header.header_bytes = text->bytes;
   header.text = text->lines;
-  for (const auto step : {readNrrdType, readNrrdSizes, readEncoding, readDataFiles})
+  header.skips = text->skips;
+  for (const auto step : {readNrrdType, readNrrdSizes, checkNumbers, readAxes, readEncoding,
+                          readSkips, readDataFiles})
     if (auto done = step(path, *text, header); !done)
       return tl::unexpected(std::move(done.error()));
   if (auto fits = checkCapacity(path, header); !fits)

@@ -26,13 +26,16 @@ struct NrrdHeader {
   NrrdEncoding encoding = NrrdEncoding::Raw;
   bool big_endian = false;
   std::int64_t header_bytes = 0;  ///< text and the empty line after it
-  bool skip_stated = false;       ///< the header states how much to skip in a data file
+  bool skip_stated = false;       ///< the header states how much to skip in each data file
   std::int64_t line_skip = 0;
   std::int64_t byte_skip = 0;                     ///< -1: the voxels are the last bytes of the file
   std::vector<std::filesystem::path> data_files;  ///< empty: the voxels follow the header
-  std::string text;  ///< the header's lines without the one that names data files
+  std::string text;   ///< the header's lines without those that name data files or skip in them
+  std::string skips;  ///< the lines that say what to skip
 
   std::int64_t voxelCount() const;  ///< of all volumes
+  /// In each file: all have as many.
+  std::int64_t voxelsPerFile() const;
 };
 
 /// Whether a file begins like an NRRD.
@@ -40,10 +43,12 @@ bool looksLikeNrrd(const Beginning& file);
 
 /// Reads the header's text and checks it against the files. The header must have three axes of
 /// space, or a fourth that counts volumes, one value per voxel and a type that can be shown
-/// ("not-scalar", "unsupported-type"). Each data file must be in the header's folder
-/// ("outside-folder"). The files must be large enough for the voxels ("truncated"), so that no
-/// broken header can make the reader allocate memory. A data file that is longer than its voxels
-/// needs a stated skip ("bad-header").
+/// ("not-scalar", "unsupported-type"). A number that places the voxels must be one as a whole
+/// ("bad-header"). Each data file must be in the header's folder ("outside-folder"); several must
+/// share the voxels as the format says ("bad-header"). The files must be large enough for the
+/// voxels
+/// ("truncated"), so that no broken header can make the reader allocate memory. A data file that is
+/// longer than its voxels needs a stated skip ("bad-header").
 haptics::Expected<NrrdHeader> readNrrdHeader(const std::filesystem::path& path);
 
 }  // namespace datasets

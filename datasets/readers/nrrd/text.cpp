@@ -14,7 +14,16 @@ namespace {
 
 constexpr std::size_t kLongestField = 400;  // characters; numbers need some hundred
 
+bool isOneOf(std::string_view name, std::string_view one, std::string_view other) {
+  return name == one || name == other;
+}
+
 }  // namespace
+
+bool isList(std::string_view data_file) {
+  const auto words = wordsOf(data_file);
+  return !words.empty() && words.front() == "LIST";
+}
 
 Expected<NrrdText> readNrrdText(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -53,8 +62,10 @@ Expected<NrrdText> readNrrdText(const fs::path& path) {
     }
     const auto colon = content.find(':');
     const std::string field = lowered(trimmed(content.substr(0, std::min(colon, content.size()))));
-    const bool names_data = field == "data file" || field == "datafile";
-    if (!names_data) text.lines.append(content).append("\n");
+    const bool names_data = isOneOf(field, "data file", "datafile");
+    const bool skips =
+        isOneOf(field, "line skip", "lineskip") || isOneOf(field, "byte skip", "byteskip");
+    if (!names_data) (skips ? text.skips : text.lines).append(content).append("\n");
     if (content.front() == '#') continue;
     const bool named = colon != content.npos;
     if (named && content.substr(colon + 1).starts_with('=')) continue;  // key and value
@@ -65,7 +76,7 @@ Expected<NrrdText> readNrrdText(const fs::path& path) {
     const std::string_view value = trimmed(content.substr(colon + 1));
     if (!text.fields.emplace(field, value).second)
       return malformed("bad-header", {"header-field-twice", {quoted(path)}});
-    listing = names_data && value.starts_with("LIST");
+    listing = names_data && isList(value);
   }
   if (!closed) in.clear();
   text.bytes = closed ? static_cast<std::int64_t>(in.tellg()) : 0;

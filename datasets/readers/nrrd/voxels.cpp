@@ -47,8 +47,9 @@ constexpr double kDecoding = 0.9;  // of the progress; the rest is for the range
 using NrrdPtr = std::unique_ptr<Nrrd, decltype(&nrrdNuke)>;
 using NrrdIoPtr = std::unique_ptr<NrrdIoState, decltype(&nrrdIoStateNix)>;
 
-/// teem's view of the file; null where it refuses. The lock must be held.
-NrrdPtr load(const std::filesystem::path& path, const NrrdHeader& header, bool with_voxels,
+/// What teem makes of a header's text, which may be empty, and the file that follows; null where it
+/// refuses. The lock must be held.
+NrrdPtr load(const std::string& text, const std::filesystem::path& file, bool with_voxels,
              const ReadProgress& progress) {
   const CLocale numbers_with_points;
   const QuietTerminal while_reading;
@@ -56,19 +57,20 @@ NrrdPtr load(const std::filesystem::path& path, const NrrdHeader& header, bool w
   const NrrdIoPtr io(nrrdIoStateNew(), nrrdIoStateNix);
   io->skipData = with_voxels ? 0 : 1;
   int failed = 1;
-  if (header.data_files.size() > 1) {
-    failed = nrrdLoad(nrrd.get(), path.c_str(), io.get());
-  } else {
-    const bool detached = header.data_files.size() == 1;
-    const NrrdStream stream(detached ? header.text + "\n" : std::string(),
-                            detached ? header.data_files.front() : path, progress);
-    if (stream.stream() != nullptr) failed = nrrdRead(nrrd.get(), stream.stream(), io.get());
-  }
+  const NrrdStream stream(text, file, progress);
+  if (stream.stream() != nullptr) failed = nrrdRead(nrrd.get(), stream.stream(), io.get());
   if (failed != 0) {
     biffDone(NRRD);
     nrrd.reset();
   }
   return nrrd;
+}
+
+/// teem's view of the header. The lock must be held.
+NrrdPtr headerByTeem(const std::filesystem::path& path, const NrrdHeader& header) {
+  const bool detached = !header.data_files.empty();
+  return load(detached ? header.text + "\n" : std::string(),
+              detached ? header.data_files.front() : path, false, {});
 }
 
 /// Millimetres in one unit of length; empty for what is no length.
@@ -86,13 +88,31 @@ std::optional<double> millimetresIn(const char* unit) {
 FileSpace spaceOf(int space) {
   switch (space) {
     case nrrdSpaceLeftPosteriorSuperior:
+    case nrrdSpaceLeftPosteriorSuperiorTime:
       return FileSpace::LeftPosteriorSuperior;
     case nrrdSpaceRightAnteriorSuperior:
+    case nrrdSpaceRightAnteriorSuperiorTime:
       return FileSpace::RightAnteriorSuperior;
     case nrrdSpaceLeftAnteriorSuperior:
+    case nrrdSpaceLeftAnteriorSuperiorTime:
       return FileSpace::LeftAnteriorSuperior;
     default:
       return FileSpace::Unknown;
+  }
+}
+
+/// Whether the first three coordinates of the space are places: those of a fourth are times.
+bool hasPlaces(const Nrrd& nrrd) {
+  switch (nrrd.space) {
+    case nrrdSpaceLeftPosteriorSuperiorTime:
+    case nrrdSpaceRightAnteriorSuperiorTime:
+    case nrrdSpaceLeftAnteriorSuperiorTime:
+    case nrrdSpaceScannerXYZTime:
+    case nrrdSpace3DRightHandedTime:
+    case nrrdSpace3DLeftHandedTime:
+      return true;
+    default:
+      return nrrd.spaceDim == 3;
   }
 }
 
@@ -123,7 +143,8 @@ Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const
   for (unsigned int a = 0; a < 3; ++a)
     for (unsigned int c = 0; c < 3; ++c)
       geometry.steps_mm(c, a) = nrrd.axis[header.axes[a]].spaceDirection[c] * scale[c];
-  if (!geometry.steps_mm.allFinite())
+  if (!geometry.steps_mm.allFinite() ||
+      (geometry.steps_mm.colwise().squaredNorm().array() == 0.0).any())
     return malformed("bad-header", {"nrrd-axis-no-direction", {quoted(path)}});
   for (unsigned int c = 0; c < 3; ++c) {
     const double origin = nrrd.spaceOrigin[c];
@@ -231,28 +252,47 @@ Expected<StoredVoxels> voxelsOf(const std::filesystem::path& path, const NrrdHea
   return stored;
 }
 
-/// Puts lines that are to be skipped behind us, and of plain voxels also what precedes the last.
-Expected<void> findVoxels(const NrrdHeader& header, StoredVoxels& stored) {
-  std::ifstream in(stored.file, std::ios::binary);
-  in.seekg(stored.offset);
+/// Where the voxels of a file lie behind `offset`: behind the lines that are to be skipped, and
+/// plain ones that are the last of the file behind all else.
+Expected<FileBytes> foundIn(const std::filesystem::path& file, std::int64_t offset,
+                            const NrrdHeader& header) {
+  FileBytes found{file, offset, header.encoding == NrrdEncoding::Gzip, header.byte_skip};
+  std::ifstream in(file, std::ios::binary);
+  in.seekg(offset);
   for (std::int64_t line = 0; line < header.line_skip && in; ++line)
     in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  if (header.line_skip > 0) stored.offset = in ? static_cast<std::int64_t>(in.tellg()) : -1;
-  if (stored.offset >= 0 && stored.skip < 0 && !stored.deflated) {
+  if (header.line_skip > 0) found.offset = in ? static_cast<std::int64_t>(in.tellg()) : -1;
+  if (found.offset >= 0 && found.skip < 0 && !found.deflated) {
     std::error_code error;
-    const auto length = static_cast<std::int64_t>(std::filesystem::file_size(stored.file, error));
-    stored.offset =
-        error ? -1 : length - stored.layout.voxelCount() * stored.layout.bytesPerVoxel();
-    stored.skip = 0;
+    const auto length = static_cast<std::int64_t>(std::filesystem::file_size(file, error));
+    found.offset = error ? -1 : length - header.voxelsPerFile() * header.bytes_per_voxel;
+    found.skip = 0;
   }
-  if (stored.offset < 0)
-    return malformed("truncated", {"nrrd-ends-within-skip", {quoted(stored.file)}});
-  return {};
+  if (found.offset < 0) return malformed("truncated", {"nrrd-ends-within-skip", {quoted(file)}});
+  return found;
+}
+
+/// Reads a window of voxels that lie plain or deflated in several files, the same part in each.
+Expected<std::shared_ptr<void>> windowOfSeveral(const ParsedNrrd& nrrd, int number,
+                                                const Window& window,
+                                                const ReadProgress& progress) {
+  std::vector<FileBytes> files;
+  for (const std::filesystem::path& file : nrrd.header.data_files) {
+    auto found = foundIn(file, 0, nrrd.header);
+    if (!found) return tl::unexpected(std::move(found.error()));
+    files.push_back(std::move(*found));
+  }
+  const auto bytes =
+      joinedBytes(std::move(files), nrrd.header.voxelsPerFile() * nrrd.header.bytes_per_voxel);
+  return pickVoxels(*bytes, 0, nrrd.stored.voxels.layout, number, window, nrrd.path, progress);
 }
 
 Expected<StoredVolumes> describe(const std::filesystem::path& path, const NrrdHeader& header,
                                  const Nrrd& nrrd) {
-  const bool oriented = nrrd.spaceDim == 3;
+  const bool oriented = nrrd.spaceDim > 0;
+  if (oriented && !hasPlaces(nrrd))
+    return unsupported("bad-header",
+                       {"nrrd-space-dimension", {quoted(path), std::to_string(nrrd.spaceDim)}});
   StoredVolumes description;
   auto voxels = voxelsOf(path, header, nrrd);
   if (!voxels) return tl::unexpected(std::move(voxels.error()));
@@ -261,9 +301,8 @@ Expected<StoredVolumes> describe(const std::filesystem::path& path, const NrrdHe
                            : plainGeometry(path, header, nrrd, description.spacing_stated);
   if (!geometry) return tl::unexpected(std::move(geometry.error()));
   geometry->dims = header.dims;
-  auto grid = gridOf(*geometry);
-  if (!grid) return tl::unexpected(std::move(grid.error()));
-  description.grid = *grid;
+  if (auto done = place(description, *geometry); !done)
+    return tl::unexpected(std::move(done.error()));
   description.facts.unit = unitOf(nrrd);
   description.facts.modality = modalityFrom(valueOf(nrrd, "modality"));
   description.facts.orientation_known = geometry->space != FileSpace::Unknown;
@@ -300,7 +339,6 @@ Expected<std::shared_ptr<void>> narrowed(const Nrrd& nrrd, std::int64_t count) {
 /// Whether a word is a value of this type as a whole: teem takes "300" for 44 where a byte is
 /// meant, and "1,5" for 1.
 bool isValueOf(std::string_view word, ScalarType type) {
-  if (word.starts_with('+')) word.remove_prefix(1);
   if (type == ScalarType::Float32) return numberOf(word).has_value();
   const auto value = integerOf(word);
   return value && haptics::visitVoxels(type, nullptr, [&](auto* v) {
@@ -315,15 +353,15 @@ Expected<void> checkText(const std::filesystem::path& path, const NrrdHeader& he
                          ScalarType type) {
   std::vector<std::filesystem::path> files = header.data_files;
   if (files.empty()) files.push_back(path);
-  const std::int64_t count = header.voxelCount();
-  std::int64_t read = 0;
+  std::int64_t read = 0, end = 0;
   for (const std::filesystem::path& file : files) {
+    end += header.voxelsPerFile();
     std::ifstream in(file, std::ios::binary);
     if (header.data_files.empty()) in.seekg(header.header_bytes);
     for (std::int64_t line = 0; line < header.line_skip && in; ++line)
       in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
     if (header.byte_skip > 0) in.ignore(header.byte_skip);
-    for (std::string word; read < count && in >> word;) {
+    for (std::string word; read < end && in >> word;) {
       if (word.back() == ',') word.pop_back();  // which teem takes as well
       if (word.empty()) continue;
       ++read;
@@ -335,6 +373,43 @@ Expected<void> checkText(const std::filesystem::path& path, const NrrdHeader& he
   return {};
 }
 
+/// A header for the voxels of one of several files, in a row.
+std::string headerOfPiece(const NrrdHeader& header) {
+  const char* encoding = header.encoding == NrrdEncoding::Ascii ? "ascii"
+                         : header.encoding == NrrdEncoding::Hex ? "hex"
+                                                                : "bzip2";
+  return "NRRD0004\ntype: " + header.type +
+         "\ndimension: 1\nsizes: " + std::to_string(header.voxelsPerFile()) +
+         "\nendian: " + (header.big_endian ? "big" : "little") + "\nencoding: " + encoding + "\n" +
+         header.skips + "\n";
+}
+
+/// The voxels of several files, each decoded by teem; null where it refuses. The lock must be held.
+NrrdPtr decodedPieces(const NrrdHeader& header, const ReadProgress& progress) {
+  NrrdPtr whole(nrrdNew(), nrrdNuke);
+  const auto count = static_cast<std::size_t>(header.voxelCount());
+  const std::string text = headerOfPiece(header);
+  char* to = nullptr;
+  for (std::size_t n = 0; n < header.data_files.size(); ++n) {
+    const double files = static_cast<double>(header.data_files.size());
+    const ReadProgress reading =
+        progress.part(static_cast<double>(n) / files, static_cast<double>(n + 1) / files);
+    const NrrdPtr piece = load(text, header.data_files[n], true, reading);
+    if (!piece || piece->data == nullptr) return {nullptr, nrrdNuke};
+    if (to == nullptr) {
+      if (nrrdAlloc_nva(whole.get(), piece->type, 1, &count) != 0) {
+        biffDone(NRRD);
+        return {nullptr, nrrdNuke};
+      }
+      to = static_cast<char*>(whole->data);
+    }
+    const std::size_t bytes = nrrdElementNumber(piece.get()) * nrrdElementSize(piece.get());
+    std::memcpy(to, piece->data, bytes);
+    to += bytes;
+  }
+  return whole;
+}
+
 /// The whole file's voxels, as teem decodes them. The lock must be held.
 Expected<NrrdPtr> decodedByTeem(const std::filesystem::path& path, const NrrdHeader& header,
                                 ScalarType type, const ReadProgress& progress) {
@@ -344,7 +419,11 @@ Expected<NrrdPtr> decodedByTeem(const std::filesystem::path& path, const NrrdHea
   if (header.encoding == NrrdEncoding::Ascii)
     if (auto text = checkText(path, header, type); !text)
       return tl::unexpected(std::move(text.error()));
-  NrrdPtr nrrd = load(path, header, true, progress);
+  const bool detached = !header.data_files.empty();
+  NrrdPtr nrrd = header.data_files.size() > 1
+                     ? decodedPieces(header, progress)
+                     : load(detached ? header.text + header.skips + "\n" : std::string(),
+                            detached ? header.data_files.front() : path, true, progress);
   if (progress.isCancelled()) return cancelled();
   if (!nrrd || nrrd->data == nullptr)
     return malformed("truncated", {"voxels-damaged", {quoted(path)}});
@@ -377,15 +456,14 @@ Expected<std::shared_ptr<void>> windowByTeem(const std::filesystem::path& path,
 }  // namespace
 
 bool needsTeem(const NrrdHeader& header) {
-  return header.data_files.size() > 1 ||
-         (header.encoding != NrrdEncoding::Raw && header.encoding != NrrdEncoding::Gzip);
+  return header.encoding != NrrdEncoding::Raw && header.encoding != NrrdEncoding::Gzip;
 }
 
 Expected<ParsedNrrd> parseNrrd(const std::filesystem::path& path) {
   auto header = readNrrdHeader(path);
   if (!header) return tl::unexpected(std::move(header.error()));
   const std::scoped_lock lock(teem());
-  const NrrdPtr nrrd = load(path, *header, false, {});
+  const NrrdPtr nrrd = headerByTeem(path, *header);
   if (!nrrd) return headerRefused(path);
   auto stored = describe(path, *header, *nrrd);
   if (!stored) return tl::unexpected(std::move(stored.error()));
@@ -401,13 +479,17 @@ Expected<haptics::Volume> decodeNrrd(const ParsedNrrd& nrrd, int number, const P
   if (progress.isCancelled()) return cancelled();
   StoredVolumes stored = nrrd.stored;
   const VoxelLayout& layout = stored.voxels.layout;
-  if (!needsTeem(header)) {
-    if (auto found = findVoxels(header, stored.voxels); !found)
-      return tl::unexpected(std::move(found.error()));
+  const bool several = header.data_files.size() > 1;
+  if (!needsTeem(header) && !several) {
+    auto found = foundIn(stored.voxels.file, stored.voxels.offset, header);
+    if (!found) return tl::unexpected(std::move(found.error()));
+    stored.voxels.offset = found->offset;
+    stored.voxels.skip = found->skip;
     return readVolume(stored, number, part, progress);
   }
   const ReadProgress decoding = progress.part(0.0, kDecoding);
   auto voxels = [&] {
+    if (!needsTeem(header)) return windowOfSeveral(nrrd, number, *window, decoding);
     const std::scoped_lock lock(teem());
     return header.volumes == 1 && part.isWhole()
                ? wholeByTeem(path, header, layout, decoding)

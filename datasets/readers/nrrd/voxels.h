@@ -20,12 +20,12 @@ struct ParsedNrrd {
 haptics::Expected<ParsedNrrd> parseNrrd(const std::filesystem::path& path);
 
 /// Whether teem, the format's reference implementation, decodes the voxels: of encodings other than
-/// raw and gzip, and where they lie in several files.
+/// raw and gzip.
 bool needsTeem(const NrrdHeader& header);
 
 /// Reads a part of one volume of an NRRD. What needsTeem() is decoded whole first. Raw volumes of
-/// 1 GiB, or of half the free memory, are mapped. double becomes float32. Progress and Cancel work
-/// during decoding, except for voxels in several files and for gzip voxels in one piece.
+/// 1 GiB, or of half the free memory, are mapped unless they lie in several files. double becomes
+/// float32. Progress and Cancel work during decoding, except for gzip voxels in one piece.
 haptics::Expected<haptics::Volume> decodeNrrd(const ParsedNrrd& nrrd, int number, const Part& part,
                                               const ReadProgress& progress);
 

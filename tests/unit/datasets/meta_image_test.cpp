@@ -7,7 +7,10 @@
 #include <vtkNew.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <sstream>
 
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/sentence.h"
@@ -196,6 +199,67 @@ TEST(MetaImage, TypesUnitsAndValues) {
   EXPECT_EQ(voxelAt(scaled("0.5", "0"), 4, 3, 2), 29.5);
 }
 
+TEST(MetaImage, NumbersAreReadWholeOrRefusedByTheNameOfTheirField) {
+  Workshop workshop;
+  const std::string data = "ElementDataFile = LOCAL\n";
+  struct Written {
+    std::string fields;
+    const char* refused;  ///< the field that the sentence names; null: it is read
+  };
+  const Written all[] = {
+      {"ElementSpacing = +1.5 .5 1e-3\n", nullptr},
+      {"ElementSpacing = 1,5 1,5 2,5\n", "ElementSpacing"},
+      {"ElementSpacing = 1.5mm 1.5mm 2.5mm\n", "ElementSpacing"},
+      {"ElementSize = 1_5 1 1\n", "ElementSize"},
+      {"ElementSpacing = 0x10 1 1\n", "ElementSpacing"},
+      {"ElementSpacing = 1.5.5 1 1\n", "ElementSpacing"},
+      {"ElementSpacing = 1 5 1 5 2 5\n", "ElementSpacing"},
+      {"Position = 1,5 0 0\n", "Position"},
+      {"Origin = 1 0\n", "Origin"},
+      {"Offset = inf 0 0\n", "Offset"},
+      {"TransformMatrix = 1,0 0 0 0 1 0 0 0 1\n", "TransformMatrix"},
+      {"Orientation = 1 0 0 0 1 0 0 0 1mm\n", "Orientation"},
+      {"HeaderSize = 0x0\n", "HeaderSize"},
+      {"ElementToIntensityFunctionSlope = 1,5\n", "ElementToIntensityFunctionSlope"}};
+  for (const auto& [fields, refused] : all) {
+    const auto v = readVolume(workshop.write("v.mha", metaHeader(fields + data) + ramp()));
+    EXPECT_EQ(v.has_value(), refused == nullptr) << fields << (v ? "" : sentence(v.error()));
+    if (v || refused == nullptr) continue;
+    EXPECT_EQ(v.error().reason, "bad-header") << fields;
+    EXPECT_NE(sentence(v.error()).find(refused), std::string::npos)
+        << fields << sentence(v.error());
+  }
+  for (const char* counts : {"NDims = 3.0\nDimSize = 5 4 3\n", "NDims = 3\nDimSize = 5 4 3,0\n"}) {
+    const auto v =
+        readVolume(workshop.write("v.mha", counts + ("ElementType = MET_SHORT\n" + data) + ramp()));
+    ASSERT_FALSE(v) << counts;
+    EXPECT_NE(sentence(v.error()).find("whole numbers"), std::string::npos) << sentence(v.error());
+  }
+}
+
+TEST(MetaImage, AShearOfATenthOfADegreeIsRoundingAndMoreIsNot) {
+  Workshop workshop;
+  const auto found = [&](double off_deg) {
+    const double off = off_deg * std::numbers::pi / 180.0;
+    std::ostringstream matrix;
+    matrix.precision(9);
+    // the second axis leans towards the first; the third is turned about
+    matrix << "TransformMatrix = 1 0 0 " << std::sin(off) << " " << std::cos(off) << " 0 0 0 -1\n";
+    return workshop.write(
+        "v.mha",
+        metaHeader(matrix.str() + "ElementSpacing = 1 2 3\nElementDataFile = LOCAL\n") + ramp());
+  };
+  const auto v = readVolume(found(0.1));
+  ASSERT_TRUE(v) << sentence(v.error());
+  EXPECT_LT((v->grid.direction.transpose() * v->grid.direction - haptics::Mat3::Identity()).norm(),
+            1e-12);
+  EXPECT_LT(v->grid.direction.determinant(), 0.0);
+  EXPECT_LT((v->grid.direction.col(0) - Vec3(1, 0, 0)).norm(), 0.06 * std::numbers::pi / 180.0);
+  EXPECT_NE(sentence(survey(found(0.1))->series.front().message).find("0.1 degrees off"),
+            std::string::npos);
+  EXPECT_EQ(reasonFor(found(0.12)), "sheared");
+}
+
 TEST(MetaImage, RefusesByName) {
   Workshop workshop;
   const auto reason = [&](const std::string& text) {
@@ -261,6 +325,8 @@ TEST(MetaImage, DataFilesStayInTheHeadersFolder) {
   EXPECT_EQ(reason("link.raw"), "outside-folder");
   EXPECT_EQ(reason("/dev/zero"), "outside-folder");
   EXPECT_EQ(reason("absent.raw"), "truncated");
+  EXPECT_NE(sentence(readVolume(workshop.folder() / "in/v.mhd").error()).find("\"absent.raw\""),
+            std::string::npos);
   EXPECT_EQ(reason("longer.raw"), "bad-header");
   EXPECT_EQ(reason("LIST"), "unsupported-syntax");
   EXPECT_EQ(reason("s%03d.raw 1 3 1"), "unsupported-syntax");

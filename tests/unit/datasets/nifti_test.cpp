@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/sentence.h"
@@ -94,12 +95,79 @@ TEST(NiftiFile, AQuaternionPlacesAsItsMatrixDoes) {
     n.matrix[3] += 30.0;
     n.matrix[6] = float(4 * mirror * std::sin(0.1));
     n.matrix[2] = float(4 * mirror * std::cos(0.1));
-    EXPECT_EQ(reasonFor(workshop, n), "sheared");  // one axis alone
+    EXPECT_EQ(reasonFor(workshop, n), "");  // one axis alone: the quaternion has none off
     n.matrix[6] = 0.0F;
     n.matrix[2] = float(4 * mirror);
     EXPECT_EQ(reasonFor(workshop, n), "");
     n.matrix[4] *= 1.01;
     EXPECT_EQ(reasonFor(workshop, n), "ambiguous-orientation");
+  }
+}
+
+/// The turn of AQuaternionPlacesAsItsMatrixDoes, by a matrix in which i leans towards k.
+Nifti shearedNifti(double off_deg, bool with_quaternion, double mirror = 1.0) {
+  Nifti n = placedNifti();
+  const double off = off_deg * std::numbers::pi / 180.0;
+  n.matrix = {2 * std::sin(off), 0, 4 * mirror, 10, 2 * std::cos(off), 0, 0, 20, 0, 3, 0, 30};
+  n.pixdim[0] = mirror;
+  if (with_quaternion) n.quaternion_code = 1;
+  n.quaternion = {0.5, 0.5, 0.5};
+  n.offset = {10, 20, 30};
+  return n;
+}
+
+TEST(NiftiFile, AShearOfATenthOfADegreeIsRoundingAndMoreIsNot) {
+  Workshop workshop;
+  struct Sheared {
+    double off_deg;
+    bool with_quaternion;
+    const char* reason;
+    const char* said;
+  };
+  const Sheared all[] = {{0.004, false, "", ""},
+                         {0.1, false, "", "0.1 degrees off their right angles, which is taken"},
+                         {0.1, true, "", "0.1 degrees off their right angles, which is taken"},
+                         {0.12, false, "sheared", "0.12 degrees off their right angles"},
+                         {0.12, true, "", "0.12 degrees off their right angles, so the qform"},
+                         {5.0, true, "", "5 degrees off their right angles, so the qform"},
+                         {25.0, true, "ambiguous-orientation", "by its qform and by its sform"}};
+  for (const double mirror : {1.0, -1.0})
+    for (const int version : {1, 2})
+      for (const auto& [off_deg, with_quaternion, reason, said] : all) {
+        Nifti n = shearedNifti(off_deg, with_quaternion, mirror);
+        n.version = version;
+        const fs::path path = workshop.write("v.nii", bytesOf(n));
+        const auto found = survey(path);
+        ASSERT_TRUE(found) << off_deg;
+        const std::string message = sentence(found->series.front().message);
+        EXPECT_NE(message.find(said), std::string::npos) << off_deg << message;
+        EXPECT_EQ(message == "One evenly spaced stack.", *said == 0) << message;
+        const auto v = readVolume(path);
+        ASSERT_EQ(v ? "" : v.error().reason, reason) << off_deg;
+        if (!v) continue;
+        // R and A become L and P, and no side is swapped
+        const haptics::Mat3& axes = v->grid.direction;
+        EXPECT_LT((axes.transpose() * axes - haptics::Mat3::Identity()).norm(), 1e-12) << off_deg;
+        EXPECT_EQ(axes.determinant() > 0.0, mirror > 0.0) << off_deg;
+        const bool by_quaternion = with_quaternion && off_deg > 0.11;
+        const double within = by_quaternion ? 1e-6 : off_deg * std::numbers::pi / 180.0;
+        EXPECT_LT((axes.col(0) - Vec3(0, -1, 0)).norm(), within) << off_deg;
+        EXPECT_LT((axes.col(1) - Vec3(0, 0, 1)).norm(), 1e-6) << off_deg;
+        EXPECT_LT((axes.col(2) - Vec3(-mirror, 0, 0)).norm(), within) << off_deg;
+        EXPECT_LT((v->grid.spacing - Vec3(0.002, 0.003, 0.004)).norm(), 1e-8) << off_deg;
+        EXPECT_EQ(voxelAt(*v, 4, 2, 1), 4 + 5 * (2 + 4 * 1));
+      }
+}
+
+TEST(NiftiFile, IsKnownByItsContentWhateverItsName) {
+  Workshop workshop;
+  const std::string bytes = bytesOf(placedNifti());
+  for (const char* name : {"v", "V.NII", "v.hdr", "v.gz", "V.NII.GZ", "packed"}) {
+    const bool packed = std::string(name).ends_with("gz") || std::string(name).ends_with("GZ") ||
+                        std::string(name) == "packed";
+    const auto v = readVolume(workshop.write(name, packed ? deflated(bytes) : bytes));
+    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
+    EXPECT_EQ(voxelAt(*v, 4, 3, 2), 59) << name;
   }
 }
 

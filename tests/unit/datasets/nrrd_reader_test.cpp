@@ -107,6 +107,24 @@ TEST(NrrdReader, EachDirectionBelongsToItsAxis) {
   EXPECT_LT((v->grid.worldOf({4, 2, 1}) - Vec3(0.005, 0.010, 0.009)).norm(), 1e-12);
 }
 
+TEST(NrrdReader, AShearOfATenthOfADegreeIsRoundingAndMoreIsNot) {
+  Workshop workshop;
+  const auto sheared = [&](const char* leaning) {
+    return workshop.write("v.nrrd", header(std::string("space: LPS\nspace directions: (2,0,0) ") +
+                                           leaning + " (0,0,-4)\n") +
+                                        "\n" + rampBytes());
+  };
+  const fs::path path = sheared("(0.0052,3,0)");
+  const auto v = readVolume(path);
+  ASSERT_TRUE(v) << sentence(v.error());
+  EXPECT_LT((v->grid.direction.transpose() * v->grid.direction - haptics::Mat3::Identity()).norm(),
+            1e-12);
+  EXPECT_LT(v->grid.direction.determinant(), 0.0);
+  EXPECT_NE(sentence(survey(path)->series.front().message).find("0.09931 degrees off"),
+            std::string::npos);
+  EXPECT_EQ(reasonFor(sheared("(0.0055,3,0)")), "sheared");
+}
+
 TEST(NrrdReader, HeadersThatLieAreRefusedBeforeMemoryIsAsked) {
   Workshop workshop;
   const auto reason = [&](const std::string& text) {
