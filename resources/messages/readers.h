@@ -323,6 +323,8 @@ inline constexpr Row kReaders[] = {
      "A facet of %1 has %2 vertices and not three; export the mesh again as triangles."},
     {"stl-cut-off", "%1 ends before its solid does; copy it again."},
     {"stl-header-cut-off", "%1 ends within its header; copy it again."},
+    {"stl-goes-on",
+     "%1 goes on for %2 bytes behind the %3 triangles that it states; export it again."},
     {"stl-too-few-triangles",
      "%1 states %2 triangles and has room for %3; copy or export it again."},
     {"obj-face-index",

@@ -2255,6 +2255,10 @@
         <source>The header of %1 places its axes in a space of %2 dimensions; export it with a space of three, such as left-posterior-superior.</source>
         <translation>Der Kopf von %1 legt seine Achsen in einen Raum von %2 Dimensionen; exportieren Sie es mit einem von dreien, etwa left-posterior-superior.</translation>
     </message>
+    <message>
+        <source>%1 goes on for %2 bytes behind the %3 triangles that it states; export it again.</source>
+        <translation>%1 geht %2 Bytes hinter den %3 Dreiecken weiter, die sie nennt; exportieren Sie sie neu.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>

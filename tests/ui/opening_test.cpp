@@ -25,6 +25,7 @@
 #include <QTimer>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "app/application.h"
 #include "app/window/loader.h"
@@ -296,6 +297,28 @@ TEST_F(Opening, ACorrectableSeriesOfSeveralAsksFirst) {
   QTest::mouseClick(load, Qt::LeftButton);
   ASSERT_TRUE(waitFor([&] { return title().contains("(resampled)"); }));
   EXPECT_TRUE(volume().resampled);
+}
+
+TEST_F(Opening, FilesOfAStudyEachAreLoadedAsOneStackIfTheUserSaysSo) {
+  QTemporaryDir folder;
+  for (int k = 0; k < 4; ++k) {
+    datasets::testing::DicomSlice slice;
+    const std::string own = std::to_string(k + 1);
+    slice.instance += "." + own;
+    slice.series += "." + own;
+    slice.position_mm = {0, 0, double(k)};
+    slice.columns = slice.rows = 2;
+    slice.pixels = {0, 100, 200, std::int16_t(300 + k)};
+    std::ofstream(std::filesystem::path(folder.path().toStdString()) / own, std::ios::binary)
+        << datasets::testing::edited(bytesOf(slice), {{0x20, 0xd, "UI", "1.9." + own}});
+  }
+  started();
+  answerNext("Load as one stack");
+  open(folder.path().toStdString());
+  ASSERT_TRUE(waitFor([&] { return !title().startsWith("sphere"); }));
+  EXPECT_TRUE(asked_.contains("4 files of 4 studies fit together")) << asked_.toStdString();
+  EXPECT_EQ(volume().grid.dims[2], 4);
+  EXPECT_FALSE(volume().resampled);
 }
 
 TEST_F(Opening, SeveralFilesOnTheCommandLineStandForTheirFolder) {

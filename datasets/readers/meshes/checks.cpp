@@ -137,6 +137,11 @@ Expected<std::int64_t> checkStl(const fs::path& path, std::string_view bytes) {
   if (lowered(takeWord(start)) == "solid" && bytes.find('\0') == bytes.npos)
     return checkAsciiStl(path, bytes);
   if (bytes.size() < kHead) return malformed("truncated", {"stl-header-cut-off", {quoted(path)}});
+  const std::size_t stated = kHead + kFacet * std::size_t{count};
+  if (bytes.size() > stated)
+    return malformed("truncated", {"stl-goes-on",
+                                   {quoted(path), std::to_string(bytes.size() - stated),
+                                    std::to_string(count)}});
   return malformed("truncated", {"stl-too-few-triangles",
                                  {quoted(path), std::to_string(count),
                                   std::to_string((bytes.size() - kHead) / kFacet)}});

@@ -42,27 +42,6 @@ struct Listed {
   bool orientation_known;
 };
 
-/// Small files made after reports to other programs, beside the scans.
-fs::path reported(const std::string& name) { return scan("../cases/reports/" + name); }
-
-TEST(RealScans, ReportedFilesGiveTheirTruth) {
-  NEEDS_SCAN(reported("truth_18x14x9.nrrd"));
-  const auto truth = readVolume(reported("truth_18x14x9.nrrd"));
-  ASSERT_TRUE(truth) << sentence(truth.error());
-  for (const char* name :
-       {"nrrd_list_which/a.nhdr", "nii_shear_0.1/a.nii", "archive_upper/A.TGZ"}) {
-    NEEDS_SCAN(reported(name));
-    const auto v = readVolume(reported(name));
-    ASSERT_TRUE(v) << name << ": " << sentence(v.error());
-    EXPECT_EQ(differing(*truth, *v), 0) << name;
-    EXPECT_LT((v->grid.spacing - truth->grid.spacing).norm(), 2e-9) << name;
-    EXPECT_TRUE(v->orientation_known) << name;
-    EXPECT_GT(v->grid.direction.determinant(), 0.0) << name;
-  }
-  const auto found = survey(reported("nii_shear_0.1/a.nii"));
-  EXPECT_NE(sentence(found->series.front().message).find("0.1 degrees off"), std::string::npos);
-}
-
 TEST(RealScans, ScansAreWhatTheirListSays) {
   const Listed expected[] = {
       {"stanford_bunny/bunny_512x512x361_airflat.nrrd",

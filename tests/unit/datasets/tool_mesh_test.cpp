@@ -124,6 +124,16 @@ TEST(ToolMesh, NumbersAreReadAlikeInEveryLanguage) {
   }
 }
 
+TEST(ToolMesh, ATailBehindTheTrianglesIsSaid) {
+  Workshop workshop;
+  const auto tool =
+      readToolMesh(workshop.write("t.stl", binaryStl() + "a tail"), MeshUnit::Millimetre);
+  ASSERT_FALSE(tool);
+  EXPECT_NE(sentence(tool.error()).find("goes on for 6 bytes behind the 4 triangles"),
+            std::string::npos)
+      << sentence(tool.error());
+}
+
 TEST(ToolMesh, PolygonsBecomeTriangles) {
   Workshop workshop;
   const auto tool =
