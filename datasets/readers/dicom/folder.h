@@ -41,6 +41,10 @@ haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file,
 haptics::Expected<DicomSeries> seriesOf(const std::filesystem::path& file, DicomHeader header,
                                         const ReadProgress& progress);
 
+/// The slice in the middle of the stack; of a series that makes none, in the order of the files. A
+/// series has at least one.
+const DicomFile& middleSliceOf(const DicomSeries& series);
+
 /// Leaves `index` and `found` unset.
 SeriesVerdict verdictOf(const DicomSeries& series);
 
