@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "ui/latin_key.h"
+
 namespace ui {
 namespace {
 
@@ -382,11 +384,12 @@ QStringList conflictsIn(std::span<const Binding> bindings) {
 }
 
 const Binding* meaningOf(Where place, const QKeyEvent& event, Gesture gesture, Over over) {
-  const QKeyCombination pressed = plainKey(event);
-  for (const Binding& binding : table())
-    if (binding.place == place && binding.gesture == gesture && binding.over == over &&
-        keysOf(binding) == pressed)
-      return &binding;
+  // a user may have chosen a letter of another script
+  for (const QKeyCombination pressed : {plainKey(event.key(), event.modifiers()), plainKey(event)})
+    for (const Binding& binding : table())
+      if (binding.place == place && binding.gesture == gesture && binding.over == over &&
+          keysOf(binding) == pressed)
+        return &binding;
   return nullptr;
 }
 
@@ -467,7 +470,7 @@ QString changeKey(const QString& name, QKeyCombination key) {
 }
 
 QKeyCombination plainKey(const QKeyEvent& event) {
-  return plainKey(event.key(), event.modifiers());
+  return plainKey(latinKey(event), event.modifiers());
 }
 
 void giveKeys(QAction& entry, Action action, const QString& sentence) {

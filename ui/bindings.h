@@ -171,8 +171,8 @@ OwnKeys ownKeys();
 void setOwnKeys(const OwnKeys& keys);
 /// Gives a binding another key. A sentence on why it may not have it; empty: it has it.
 QString changeKey(const QString& name, QKeyCombination key);
-/// The key of a key event, as changeKey() and the table have it: without what a keypad adds, and
-/// without the Shift that a sign needs on some keyboards.
+/// The key of a key event, as changeKey() and the table have it: Latin, without what a keypad adds,
+/// and without the Shift that a sign needs on some keyboards.
 QKeyCombination plainKey(const QKeyEvent& event);
 
 /// Says that keys have changed; whenKeysChange() listens.

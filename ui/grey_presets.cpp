@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "ui/slice_readout.h"
+
 namespace ui {
 
 std::vector<GreyPreset> hounsfieldPresets() {
@@ -22,8 +24,21 @@ GreyWindow fullRange(const haptics::Volume& volume) {
           .width = std::max(volume.greatest - volume.least, 1e-6)};
 }
 
-GreyWindow firstGrey(const haptics::Volume& volume) {
+GreyWindow firstGrey(const haptics::Volume& volume, const std::vector<GreyPreset>& stated) {
+  if (!stated.empty()) return stated.front().grey;
   return volume.unit == "HU" ? GreyWindow{.level = 200.0, .width = 1600.0} : fullRange(volume);
+}
+
+QString wordsOfStated(const GreyPreset& stated) {
+  constexpr int kMostLetters = 40;
+  const auto number = [](double value) { return readoutLocale().toString(value, 'g', 6); };
+  const QString width = number(stated.grey.width), level = number(stated.grey.level);
+  const QString name = stated.name.simplified().left(kMostLetters).replace('&', "&&");
+  return name.isEmpty()
+             ? QCoreApplication::translate("ui::GreyPreset", "As in the file (W %1, L %2)")
+                   .arg(width, level)
+             : QCoreApplication::translate("ui::GreyPreset", "As in the file: %1 (W %2, L %3)")
+                   .arg(name, width, level);
 }
 
 }  // namespace ui

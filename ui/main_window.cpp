@@ -23,6 +23,7 @@
 #include "ui/banner.h"
 #include "ui/bindings.h"
 #include "ui/escape_filter.h"
+#include "ui/latin_key.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/replay_bar.h"
@@ -94,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
   words_.setSingleShot(true);
   words_.setInterval(kWordsMs);
   connect(&words_, &QTimer::timeout, this, &MainWindow::displayWords);
+  new LatinShortcuts(this);
   connect(new EscapeFilter(this), &EscapeFilter::pressed, this,
           [this] { stopForce(tr("Force stopped by Escape")); });
   connect(this, &MainWindow::forceOnWanted, this, [this] { stopped_by_.clear(); });
@@ -347,7 +349,8 @@ void MainWindow::buildStatusBar() {
   statusBar()->addPermanentWidget(details_);
 }
 
-void MainWindow::show(const Picture& picture, double isovalue, const QString& title) {
+void MainWindow::show(const Picture& picture, double isovalue, const QString& title,
+                      const std::vector<GreyPreset>& stated) {
   if (!start_->isHidden()) {
     start_->hide();
     views_->setEnabled(true);
@@ -355,7 +358,7 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
   }
   view_->show(picture, isovalue);
   view_actions_->show(picture);
-  slice_set_->show(picture, isovalue);
+  slice_set_->show(picture, isovalue, stated);
   title_ = title;
   edited_ = false;
   scan_line_->setText(tr("%1 · %2").arg(title, sizeWords(*picture.volume)));

@@ -61,8 +61,10 @@ class MainWindow : public QMainWindow {
  public:
   explicit MainWindow(QWidget* parent = nullptr);
 
-  /// Shows another volume instead of the present one.
-  void show(const Picture& picture, double isovalue, const QString& title);
+  /// Shows another volume instead of the present one. `stated`: the grey windows that its file
+  /// states.
+  void show(const Picture& picture, double isovalue, const QString& title,
+            const std::vector<GreyPreset>& stated = {});
   void show(const haptics::TriangleMesh& tool);
   /// Shows other voxels of the same grid; camera, crosshair and grey window stay.
   void replace(const Picture& picture);

@@ -116,17 +116,8 @@ QTableWidgetItem* itemOf(const QString& text) {
 }
 
 // its edges are the slice's, so that a narrow slice is not taken for a wide one
-QPixmap framed(const QImage& picture, qreal scale) {
-  const int side = qRound(SeriesBrowser::kThumbnail * scale);
-  QPixmap pixmap(side, side);
-  pixmap.fill(style::kViewFrame);
-  if (!picture.isNull()) {
-    const QImage fitted = picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    QPainter painter(&pixmap);
-    painter.drawImage((side - fitted.width()) / 2, (side - fitted.height()) / 2, fitted);
-  }
-  pixmap.setDevicePixelRatio(scale);
-  return pixmap;
+QPixmap framed(const SmallPicture& picture, qreal scale) {
+  return squareOf(picture, SeriesBrowser::kThumbnail, scale, style::kViewFrame);
 }
 
 }  // namespace
@@ -278,15 +269,17 @@ void SeriesBrowser::showPatients(bool shown) {
   table_->selectRow(selected);  // with the new column
 }
 
-void SeriesBrowser::showThumbnail(int row, const QImage& picture) {
+void SeriesBrowser::showThumbnail(int row, const SmallPicture& picture) {
   QTableWidgetItem* item = table_->item(row, columnOf(Middle));
   if (item == nullptr) return;
-  if (picture.isNull()) {
+  if (picture.image.isNull()) {
     item->setIcon({});
     item->setText(tr("no picture"));
     return;
   }
   item->setIcon(plainIcon(framed(picture, devicePixelRatioF())));
+  item->setToolTip(wordsOf(picture));
+  if (!picture.sides_known) item->setData(Qt::AccessibleTextRole, wordsOf(picture));
 }
 
 void SeriesBrowser::showDetails() {

@@ -3,12 +3,13 @@
 
 #include <QDialog>
 #include <QIcon>
-#include <QImage>
 #include <QList>
 #include <QString>
 #include <QStringList>
 #include <array>
 #include <cstdint>
+
+#include "ui/small_picture.h"
 
 class QPlainTextEdit;
 class QTableWidget;
@@ -45,7 +46,7 @@ class SeriesBrowser : public QDialog {
   SeriesBrowser(const QString& place, const QList<SeriesRow>& rows, QWidget* parent = nullptr);
 
   /// The middle slice of a row; a null image if there is none.
-  void showThumbnail(int row, const QImage& picture);
+  void showThumbnail(int row, const SmallPicture& picture);
 
   static constexpr int kThumbnail = 72;  ///< pixels to a side, before the screen's own scale
 

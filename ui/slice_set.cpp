@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "ui/bindings.h"
-#include "ui/grey_presets.h"
 #include "ui/lengths.h"
 #include "ui/number_box.h"
 #include "ui/plane_colours.h"
@@ -123,6 +122,7 @@ void SliceSet::buildMenu() {
 
 void SliceSet::buildGreyMenu() {
   QMenu* menu = menu_->addMenu(tr("&Window and level"));
+  grey_menu_ = menu;
   menu->setObjectName("greyMenu");
   for (const GreyPreset& preset : hounsfieldPresets()) {
     QAction* action = menu->addAction(
@@ -136,9 +136,22 @@ void SliceSet::buildGreyMenu() {
   });
   full->setObjectName("greyFullRange");
   QAction* reset = menu->addAction(tr("&Reset"), this, [this] {
-    if (volume_) setGrey(firstGrey(*volume_));
+    if (volume_) setGrey(firstGrey(*volume_, stated_));
   });
   reset->setObjectName("greyReset");
+}
+
+/// Puts what the file states above the other windows.
+void SliceSet::offerStated() {
+  qDeleteAll(stated_actions_);
+  stated_actions_.clear();
+  QAction* const first = grey_menu_->actions().constFirst();
+  for (const GreyPreset& preset : stated_) {
+    auto* action = new QAction(wordsOfStated(preset), grey_menu_);
+    connect(action, &QAction::triggered, this, [this, grey = preset.grey] { setGrey(grey); });
+    grey_menu_->insertAction(first, action);
+    stated_actions_ << action;
+  }
 }
 
 void SliceSet::buildLookMenu() {
@@ -249,8 +262,11 @@ void SliceSet::look(const ViewLook& look) {
   for (std::size_t i = 0; i < slices_.size(); ++i) slices_[i]->setFrame(look.slices[i]);
 }
 
-void SliceSet::show(const Picture& picture, double isovalue) {
+void SliceSet::show(const Picture& picture, double isovalue,
+                    const std::vector<GreyPreset>& stated) {
   volume_ = picture.volume;
+  stated_ = stated;
+  offerStated();
   box_mm_ = boxOf_mm(volume_->grid);
   X_WP_.reset();
   placed_.reset();
@@ -259,7 +275,7 @@ void SliceSet::show(const Picture& picture, double isovalue) {
   for (SliceView* slice : slices_) slice->show(picture);
   for (QAction* preset : presets_) preset->setVisible(volume_->unit == "HU");
   setIsovalue(isovalue);
-  setGrey(firstGrey(*volume_));
+  setGrey(firstGrey(*volume_, stated_));
   // on a voxel's centre: no slice is blurred by interpolation
   haptics::Vec3 middle;
   for (int a = 0; a < 3; ++a)

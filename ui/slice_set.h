@@ -7,9 +7,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/snapshot.h"
+#include "ui/grey_presets.h"
 #include "ui/props/picture.h"
 #include "ui/slice_view.h"
 
@@ -32,7 +34,8 @@ class SliceSet : public QObject {
   /// Opens it over a slice, which gets the focus.
   void openMenu(SliceView& over, QPoint at);
 
-  void show(const Picture& picture, double isovalue);
+  /// `stated`: the grey windows that the file states. The slices begin with the first of them.
+  void show(const Picture& picture, double isovalue, const std::vector<GreyPreset>& stated = {});
   /// Shows other voxels on the same grid; crosshair, zoom and grey stay.
   void replace(const Picture& picture);
   void show(const haptics::TriangleMesh& tool);
@@ -65,6 +68,7 @@ class SliceSet : public QObject {
                   const std::function<void(bool)>& set);
   void buildMenu();
   void buildGreyMenu();
+  void offerStated();
   void buildLookMenu();
   void setLook(const SliceLook& look);
   void showLook();
@@ -75,7 +79,10 @@ class SliceSet : public QObject {
 
   std::array<SliceView*, 4> slices_{};
   QMenu* menu_;
-  QList<QAction*> presets_;  ///< in HU
+  QMenu* grey_menu_ = nullptr;
+  QList<QAction*> presets_;         ///< in HU
+  QList<QAction*> stated_actions_;  ///< one for each of `stated_`
+  std::vector<GreyPreset> stated_;  ///< by the file of the volume
   QActionGroup* interpolations_ = nullptr;
   QActionGroup* slabs_ = nullptr;
   QActionGroup* thicknesses_ = nullptr;

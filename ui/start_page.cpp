@@ -99,17 +99,15 @@ QPixmap placeholder(qreal scale) {
   return picture;
 }
 
-/// The picture in the middle of a square, so that all tiles are of one size.
-QPixmap squareOf(const QImage& picture, qreal scale) {
-  const int side = qRound(StartPage::kThumbnail * scale);
-  QPixmap square(side, side);
-  square.fill(style::colours().ground);
-  const QImage fitting = picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-  QPainter painter(&square);
-  painter.drawImage((side - fitting.width()) / 2, (side - fitting.height()) / 2, fitting);
-  painter.end();
-  square.setDevicePixelRatio(scale);
-  return square;
+/// What a tile says of its scan. `of_picture`: a sentence, or empty.
+void describe(QToolButton& tile, const QString& path, const QString& of_picture) {
+  const QString name = QFileInfo(path).fileName();
+  const QString tip = tile.isEnabled() ? PlaceTiles::tr("Opens %1 again").arg(path)
+                                       : PlaceTiles::tr("%1 is no longer there").arg(path);
+  tile.setAccessibleName(of_picture.isEmpty()
+                             ? PlaceTiles::tr("Open %1").arg(name)
+                             : PlaceTiles::tr("Open %1. %2").arg(name, of_picture));
+  tile.setToolTip(of_picture.isEmpty() ? tip : tip + QLatin1Char('\n') + of_picture);
 }
 
 }  // namespace
@@ -135,10 +133,8 @@ void PlaceTiles::setPlaces(const QList<Place>& places) {
     const QString name = QFileInfo(place.path).fileName();
     tile->setText(
         fontMetrics().elidedText(name, Qt::ElideMiddle, StartPage::kThumbnail).replace('&', "&&"));
-    tile->setAccessibleName(tr("Open %1").arg(name));
-    tile->setToolTip(place.exists ? tr("Opens %1 again").arg(place.path)
-                                  : tr("%1 is no longer there").arg(place.path));
     tile->setEnabled(place.exists);
+    describe(*tile, place.path, {});
     connect(tile, &QToolButton::clicked, this, [this, path = place.path] { emit wanted(path); });
     row_->insertWidget(int(tiles_.size()), tile);
     tiles_ << tile;
@@ -146,9 +142,13 @@ void PlaceTiles::setPlaces(const QList<Place>& places) {
   showThoseThatFit();
 }
 
-void PlaceTiles::setThumbnail(const QString& path, const QImage& picture) {
-  for (QToolButton* tile : tiles_)
-    if (tile->property("path") == path) tile->setIcon(squareOf(picture, devicePixelRatioF()));
+void PlaceTiles::setThumbnail(const QString& path, const SmallPicture& picture) {
+  for (QToolButton* tile : tiles_) {
+    if (tile->property("path") != path) continue;
+    tile->setIcon(
+        squareOf(picture, StartPage::kThumbnail, devicePixelRatioF(), style::colours().ground));
+    describe(*tile, path, wordsOf(picture));
+  }
 }
 
 QSize PlaceTiles::minimumSizeHint() const {
@@ -268,8 +268,8 @@ void StartPage::setPlaces(const QList<Place>& places, bool remembered) {
                                     : tr("Last scans"));
 }
 
-void StartPage::setThumbnail(const QString& path, const QImage& picture) {
-  if (!picture.isNull()) tiles_->setThumbnail(path, picture);
+void StartPage::setThumbnail(const QString& path, const SmallPicture& picture) {
+  if (!picture.image.isNull()) tiles_->setThumbnail(path, picture);
 }
 
 void StartPage::setLoading(const QString& what) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QImage>
 #include <QList>
 #include <QScrollArea>
 #include <QString>
+
+#include "ui/small_picture.h"
 
 class QHBoxLayout;
 class QLabel;
@@ -27,7 +28,7 @@ class PlaceTiles : public QWidget {
   explicit PlaceTiles(QWidget* parent = nullptr);
 
   void setPlaces(const QList<Place>& places);
-  void setThumbnail(const QString& path, const QImage& picture);
+  void setThumbnail(const QString& path, const SmallPicture& picture);
   QSize minimumSizeHint() const override;
 
  signals:
@@ -58,7 +59,7 @@ class StartPage : public QScrollArea {
   /// the scans are others.
   void setPlaces(const QList<Place>& places, bool remembered);
   /// Shows a picture on the tile of a place; a null image leaves the tile as it is.
-  void setThumbnail(const QString& path, const QImage& picture);
+  void setThumbnail(const QString& path, const SmallPicture& picture);
   /// Shows what is being loaded; empty: the cards.
   void setLoading(const QString& what);
   /// 0 to 1.

@@ -3,6 +3,7 @@
 
 #include <QImage>
 #include <QTimer>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -154,6 +155,9 @@ class VolumeView : public Viewport, public Spoken {
   std::optional<SurfacePlace> surfaceUnder(QPointF at) const;
   /// Does what a key means here; false: nothing.
   bool perform(const Binding& meaning);
+  /// Where the key of the clutch or of hold-to-run is held: its scan code; 0: nowhere, or unknown.
+  quint32& heldPlace(Action action);
+  void hold(Action action, bool on, quint32 place);
   void dragBy(QPointF by, Qt::KeyboardModifiers modifiers);
   void bringTool(QPointF at);
   haptics::Pose& handTarget();
@@ -187,6 +191,7 @@ class VolumeView : public Viewport, public Spoken {
   MouseMode mode_ = MouseMode::Look;
   MouseChoices mouse_;
   std::optional<Grasp> grasp_;
+  std::array<quint32, 2> held_places_{};  ///< heldPlace()
   std::optional<haptics::Pose> hand_target_;
   QPointF last_mouse_, press_;
   QTimer still_{this};

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/latin_key.h"
+
 namespace ui {
 namespace {
 
@@ -310,32 +312,51 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
     return;
   const Binding* held = meaningOf(Where::Space, *event, Gesture::HeldKey);
   const Binding* meaning = meaningOf(Where::Space, *event);
-  if (held != nullptr && held->action == Action::Clutch)
-    emit clutchHeld(true);
-  else if (held != nullptr)
-    emit forceHeld(true);
-  else if (meaning == nullptr || !perform(*meaning))
+  // the layout may have changed since it was pressed
+  const bool still_held = event->isAutoRepeat() && event->nativeScanCode() != 0 &&
+                          std::ranges::count(held_places_, event->nativeScanCode()) > 0;
+  if (held != nullptr)
+    hold(held->action, true, event->nativeScanCode());
+  else if (!still_held && (meaning == nullptr || !perform(*meaning)))
     Viewport::keyPressEvent(event);
 }
 
 void VolumeView::keyReleaseEvent(QKeyEvent* event) {
   // a key that is held repeats itself as releases and presses
   if (event->isAutoRepeat()) return Viewport::keyReleaseEvent(event);
+  const quint32 place = event->nativeScanCode();
   // whatever else is held meanwhile
-  const QKeyEvent alone(event->type(), event->key(), Qt::NoModifier);
+  const QKeyEvent alone(event->type(), event->key(), Qt::NoModifier, place,
+                        event->nativeVirtualKey(), event->nativeModifiers());
   const Binding* held = meaningOf(Where::Space, alone, Gesture::HeldKey);
-  if (held != nullptr && held->action == Action::Clutch)
-    emit clutchHeld(false);
-  else if (held != nullptr)
-    emit forceHeld(false);
+  // a letter that could be any: what is in doubt is let go
+  const bool unknown = place == 0 && latinKey(alone) >= 0x80 && latinKey(alone) < Qt::Key_Escape;
+  bool released = false;
+  for (const Action action : {Action::Clutch, Action::HoldToRun}) {
+    const quint32 at = heldPlace(action);
+    const bool of_key = held != nullptr && held->action == action;
+    if (!of_key && !unknown && (at == 0 || at != place)) continue;
+    hold(action, false, 0);
+    released = true;
+  }
+  if (!released) Viewport::keyReleaseEvent(event);
+}
+
+quint32& VolumeView::heldPlace(Action action) {
+  return held_places_[action == Action::Clutch ? 0 : 1];
+}
+
+void VolumeView::hold(Action action, bool on, quint32 place) {
+  heldPlace(action) = place;
+  if (action == Action::Clutch)
+    emit clutchHeld(on);
   else
-    Viewport::keyReleaseEvent(event);
+    emit forceHeld(on);
 }
 
 void VolumeView::focusOutEvent(QFocusEvent* event) {
   // the release would go elsewhere
-  emit clutchHeld(false);
-  emit forceHeld(false);
+  for (const Action action : {Action::Clutch, Action::HoldToRun}) hold(action, false, 0);
   Viewport::focusOutEvent(event);
 }
 

@@ -50,6 +50,7 @@ struct Source {
   std::shared_ptr<const haptics::Scene> scene = {};  ///< one of this volume; null: none
   std::optional<double> isovalue = {};
   std::string tool = "probe";
+  std::vector<ui::GreyPreset> greys = {};  ///< as in Loaded
   QString title;
   std::filesystem::path place = {};
 };
@@ -171,6 +172,14 @@ Expected<void> checkMemory(const datasets::SeriesVerdict& series, bool in_part,
                  kTooLarge);
 }
 
+std::vector<ui::GreyPreset> greysOf(const datasets::SeriesVerdict& series) {
+  std::vector<ui::GreyPreset> greys;
+  for (const datasets::StatedWindow& window : series.windows)
+    greys.push_back(
+        {QString::fromStdString(window.name), {.level = window.level, .width = window.width}});
+  return greys;
+}
+
 QString titleOf(const LoadRequest& request, const haptics::Volume& volume) {
   QString title = nameOf(request);
   if (request.chosen->among_others) {
@@ -217,6 +226,7 @@ Expected<Source> readChosen(const LoadRequest& request, const Watch& watch) {
     if (!volume) return tl::unexpected(volume.error());
     source.volume = std::make_shared<const haptics::Volume>(std::move(*volume));
   }
+  source.greys = greysOf(series);
   source.title = titleOf(request, *source.volume);
   return source;
 }
@@ -239,6 +249,7 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
   } else if (request.keep) {
     source.volume = request.keep->volume;
     source.picture = request.keep->picture;
+    source.greys = request.keep->greys;
     source.title = request.keep->title;
     source.place = request.keep->place;
   } else {
@@ -281,6 +292,7 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
     });
 
   Loaded loaded;
+  loaded.greys = source->greys;
   loaded.title = source->title;
   loaded.place = source->place;
   const haptics::Volume& volume = *source->volume;

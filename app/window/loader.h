@@ -8,12 +8,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/background/task.h"
 #include "app/window/load_request.h"
 #include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"
+#include "ui/grey_presets.h"
 #include "ui/props/picture.h"
 
 namespace datasets {
@@ -32,7 +34,8 @@ struct Kept {
   std::shared_ptr<const haptics::Volume> volume;
   ui::Picture picture;  ///< as in Loaded
   QString title;
-  std::filesystem::path place = {};  ///< as in Loaded
+  std::filesystem::path place = {};        ///< as in Loaded
+  std::vector<ui::GreyPreset> greys = {};  ///< likewise
 };
 
 /// The name of what is read, for the user; empty if nothing is.
@@ -59,6 +62,7 @@ struct Loaded {
   ToolSource tool;
   double isovalue = 0.0;
   haptics::Pose start = haptics::Pose::Identity();  ///< a legal pose in front of the surface, W
+  std::vector<ui::GreyPreset> greys = {};           ///< the grey windows that the file states
   QString title;
   QString note;  ///< a sentence for the user although loading succeeded; or empty
   /// The path from which it was read; empty for a phantom, which shows no person.

@@ -132,11 +132,12 @@ void OpeningController::adopt(const Loaded& loaded) {
   // an edit came while another tool or field was prepared: the same with the edited volume
   if (shared_.shown && shared_.shown->volume() != loaded.volume() &&
       scanOf(shared_.shown->volume()) == scanOf(loaded.volume()))
-    return load({.keep = std::make_shared<const Kept>(Kept{
-                     shared_.shown->volume(), shared_.shown->picture, loaded.title, loaded.place}),
-                 .tool = loaded.tool,
-                 .isovalue = shared_.settings.isovalue},
-                tr("Preparing the tool"));
+    return load(
+        {.keep = std::make_shared<const Kept>(Kept{shared_.shown->volume(), shared_.shown->picture,
+                                                   loaded.title, loaded.place, loaded.greys}),
+         .tool = loaded.tool,
+         .isovalue = shared_.settings.isovalue},
+        tr("Preparing the tool"));
   const bool new_volume = !shared_.shown || shared_.shown->volume() != loaded.volume();
   const bool placed = !new_volume && shared_.snapshot.scene == shared_.shown->scene->id;
   // an edit's picture may have come while another tool was prepared
@@ -149,7 +150,8 @@ void OpeningController::adopt(const Loaded& loaded) {
   // with another tool the isovalue is the slider's, which may have moved meanwhile
   if (new_volume) shared_.settings.isovalue = loaded.isovalue;
   emit this->loaded(new_volume, placed);
-  if (new_volume) window_.show(loaded.picture, shared_.settings.isovalue, loaded.title);
+  if (new_volume)
+    window_.show(loaded.picture, shared_.settings.isovalue, loaded.title, loaded.greys);
   window_.show(loaded.scene->tool.mesh);
   window_.setTouched(touchedSurfaceOf(loaded.scene));
   emit shown(new_volume);

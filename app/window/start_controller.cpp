@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/start_controller.h"
 
-#include <QImage>
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -26,12 +25,12 @@ const datasets::SeriesVerdict* largestOf(const datasets::Survey& survey) {
   return largest;
 }
 
-QImage pictureOfPlace(const QString& place, int longest, const background::Watch& watch) {
+ui::SmallPicture pictureOfPlace(const QString& place, int longest, const background::Watch& watch) {
   try {
     const auto survey = datasets::survey(place.toStdString(), {.cancel = &watch.cancel});
     if (!survey) return {};
     const datasets::SeriesVerdict* series = largestOf(*survey);
-    return series == nullptr ? QImage() : pictureOf(*series, longest);
+    return series == nullptr ? ui::SmallPicture{} : pictureOf(*series, longest);
   } catch (const std::exception&) {  // no memory: then there is no picture
     return {};
   }

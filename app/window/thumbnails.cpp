@@ -7,7 +7,7 @@
 
 namespace app {
 
-QImage pictureOf(const datasets::SeriesVerdict& series, int longest) {
+ui::SmallPicture pictureOf(const datasets::SeriesVerdict& series, int longest) {
   try {
     const auto small = datasets::thumbnailOf(series, longest);
     if (!small) return {};
@@ -15,7 +15,7 @@ QImage pictureOf(const datasets::SeriesVerdict& series, int longest) {
     auto from = small->grey.begin();
     for (int y = 0; y < small->height; ++y, from += small->width)
       std::copy_n(from, small->width, picture.scanLine(y));
-    return picture;
+    return {.image = picture, .sides_known = small->plane.has_value()};
   } catch (const std::exception&) {  // no memory: then there is no picture
     return {};
   }

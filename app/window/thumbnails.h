@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QImage>
 #include <QObject>
 #include <vector>
 
 #include "app/background/task.h"
 #include "datasets/readers/volume_reader.h"
+#include "ui/small_picture.h"
 
 namespace app {
 
 /// The middle slice of a series, at most `longest` pixels per side; a null image if it cannot be
 /// drawn. Any thread.
-QImage pictureOf(const datasets::SeriesVerdict& series, int longest);
+ui::SmallPicture pictureOf(const datasets::SeriesVerdict& series, int longest);
 
 /// Draws the middle slices of a survey, one after another, on a thread of low priority. Signals
 /// arrive on the thread that owns it, and only for the newest survey, unless stopped. start() and
@@ -28,7 +28,7 @@ class Thumbnails : public QObject {
 
  signals:
   /// `picture` is a null image if none can be drawn.
-  void ready(int series, const QImage& picture);
+  void ready(int series, const ui::SmallPicture& picture);
 
  private:
   background::Task<void> task_;

@@ -47,6 +47,14 @@ struct Reading {
   Part part = {};
 };
 
+/// A grey window that a file states, in the unit of its voxels: black at level - width / 2 and
+/// below, white at level + width / 2 and above.
+struct StatedWindow {
+  double level = 0.0;
+  double width = 1.0;  ///< above 0
+  std::string name;    ///< in UTF-8, for the screen only; empty: not stated
+};
+
 /// The names in a file, in UTF-8. They may be shown only on the screen of the person who opened the
 /// file. A name that is not stated is empty.
 struct Labels {
@@ -80,6 +88,9 @@ struct SeriesVerdict {
   /// user agrees; or none.
   std::optional<UnbrokenPart> unbroken_part = {};
   Labels labels;
+  /// The windows of the slice in the middle, in the order of the file; the first is meant to be
+  /// shown at first.
+  std::vector<StatedWindow> windows = {};
   int file_count = 0;
   std::int64_t bytes = 0;                ///< estimated size of the voxels in memory; 0: unknown
   std::vector<haptics::Message> faults;  ///< a sentence for each file that cannot be used
@@ -107,11 +118,19 @@ struct ReadProgress {
   }
 };
 
-/// A small picture of the middle slice in the orientation of the file. The 2nd to the 98th
-/// percentile of its values become 0 to 255. At most `longest` pixels per side.
+/// A plane of the patient.
+enum class AnatomicalPlane { Axial, Coronal, Sagittal };
+
+/// A small picture of the middle one of the slices that the file stores, by the convention of the
+/// window's slices: the patient's right is at the left of axial and coronal pictures, the front at
+/// the left of sagittal ones; above is the front in axial pictures, else the head. An oblique slice
+/// is turned by the nearest of the patient's axes. The 2nd to the 98th percentile of its values
+/// become 0 to 255.
 struct Thumbnail {
-  int width = 0, height = 0;  ///< pixels, square ones
-  std::vector<std::uint8_t> grey;
+  int width = 0, height = 0;       ///< pixels, square ones
+  std::vector<std::uint8_t> grey;  ///< upper rows first
+  /// Nearest to the slice; none: the file does not say how it lies, and the picture is as stored.
+  std::optional<AnatomicalPlane> plane = {};
 };
 
 }  // namespace datasets

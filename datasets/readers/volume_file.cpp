@@ -138,8 +138,12 @@ Expected<haptics::Volume> readVolume(const VolumeInFile& chosen, const Part& par
 Expected<Thumbnail> thumbnailOf(const VolumeInFile& chosen, int longest) {
   const auto header = headerOf(chosen);
   if (!header) return tl::unexpected(header.error());
-  const auto& dims = (*header)->stored().grid.dims;
-  const Part middle{.box = Part::Box{{0, 0, dims[2] / 2}, {dims[0], dims[1], dims[2] / 2 + 1}}};
+  const StoredVolumes& stored = (*header)->stored();
+  const auto& dims = stored.grid.dims;
+  std::optional<haptics::Mat3> direction;
+  if (stored.facts.orientation_known) direction = stored.grid.direction;
+  const std::int64_t k = middleOf(dims[2], direction);
+  const Part middle{.box = Part::Box{{0, 0, k}, {dims[0], dims[1], k + 1}}};
   const auto slice = readVolume(**header, chosen.number, middle, {});
   if (!slice) return tl::unexpected(slice.error());
   return thumbnailOf({.type = slice->type,
@@ -147,7 +151,8 @@ Expected<Thumbnail> thumbnailOf(const VolumeInFile& chosen, int longest) {
                       .columns = dims[0],
                       .rows = dims[1],
                       .column_step = slice->grid.spacing.x(),
-                      .row_step = slice->grid.spacing.y()},
+                      .row_step = slice->grid.spacing.y(),
+                      .direction = direction},
                      longest);
 }
 

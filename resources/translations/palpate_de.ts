@@ -4331,6 +4331,14 @@
         <source>Brain</source>
         <translation>Gehirn</translation>
     </message>
+    <message>
+        <source>As in the file (W %1, L %2)</source>
+        <translation>Wie in der Datei (W %1, C %2)</translation>
+    </message>
+    <message>
+        <source>As in the file: %1 (W %2, L %3)</source>
+        <translation>Wie in der Datei: %1 (W %2, C %3)</translation>
+    </message>
 </context>
 <context>
     <name>ui::HapticDevicePanel</name>
@@ -5869,6 +5877,10 @@
         <source>%1 is no longer there</source>
         <translation>%1 ist nicht mehr da</translation>
     </message>
+    <message>
+        <source>Open %1. %2</source>
+        <translation>%1 öffnen. %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::PreferencesWindow</name>
@@ -6971,6 +6983,13 @@
     <message>
         <source>left/right unknown</source>
         <translation>links/rechts unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SmallPicture</name>
+    <message>
+        <source>The file does not state its orientation: the slice is shown as it is stored, and left and right are unknown.</source>
+        <translation>Die Datei nennt ihre Ausrichtung nicht: Die Schicht ist gezeigt, wie sie gespeichert ist; links und rechts sind unbekannt.</translation>
     </message>
 </context>
 <context>

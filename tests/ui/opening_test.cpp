@@ -35,7 +35,9 @@
 #include "tests/support/dicom_bytes.h"
 #include "tests/support/made_scans.h"
 #include "tests/support/places.h"
+#include "tests/support/turned_scan.h"
 #include "ui/main_window.h"
+#include "ui/panels/device_panel.h"
 #include "ui/series_browser.h"
 #include "ui/volume_view.h"
 #include "window_support.h"
@@ -202,7 +204,8 @@ TEST_F(Opening, AFolderOfOneSoundSeriesLoadsAtOnceAndClosesAListThatIsOpen) {
 
 /// A series of small slices at these heights.
 void writeSeries(const QTemporaryDir& folder, const char* number,
-                 const std::vector<double>& heights_mm) {
+                 const std::vector<double>& heights_mm,
+                 const std::vector<datasets::testing::Element>& more = {}) {
   for (std::size_t k = 0; k < heights_mm.size(); ++k) {
     datasets::testing::DicomSlice slice;
     slice.series += number;
@@ -210,11 +213,64 @@ void writeSeries(const QTemporaryDir& folder, const char* number,
     slice.position_mm = {0, 0, heights_mm[k]};
     slice.rows = slice.columns = 8;
     for (int n = 0; n < 64; ++n) slice.pixels.push_back(std::int16_t(n % 8 < 4 ? -1000 : 500));
-    const std::string bytes = bytesOf(slice);
+    const std::string bytes = edited(bytesOf(slice), more);
     QFile file(folder.filePath(QString("%1-%2").arg(number).arg(k)));
     ASSERT_TRUE(file.open(QFile::WriteOnly));
     file.write(bytes.data(), qint64(bytes.size()));
   }
+}
+
+TEST_F(Opening, TheListShowsTheFrontAboveHoweverTheFilesAreStored) {
+  const QTemporaryDir folder;
+  for (const auto& [name, bytes] : turned::frontFiles()) {
+    QFile file(folder.filePath(QString::fromStdString(name)));
+    ASSERT_TRUE(file.open(QFile::WriteOnly));
+    file.write(bytes.data(), qint64(bytes.size()));
+  }
+  started();
+  open(folder.path().toStdString());
+  ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }));
+  auto* table = browser()->findChild<QTableWidget*>("series");
+  ASSERT_EQ(table->rowCount(), 3);
+  const auto pictureAt = [&](int row) {
+    return table->item(row, 0)->icon().pixmap(ui::SeriesBrowser::kThumbnail).toImage();
+  };
+  const auto lightness = [&](int row, double x, double y) {
+    const QImage seen = pictureAt(row);
+    return seen.pixelColor(int(x * seen.width()), int(y * seen.height())).lightness();
+  };
+  const auto drawn = [&](int row) { return lightness(row, 0.3, 0.25) > 240; };
+  EXPECT_TRUE(waitFor([&] { return drawn(0) && drawn(1) && drawn(2); }));
+  window::keep(window::pictureOf(*browser()), "series_browser_turned");
+  EXPECT_EQ(pictureAt(0), pictureAt(1));
+  EXPECT_NEAR(lightness(0, 0.7, 0.25), 127, 6);
+  EXPECT_LT(lightness(0, 0.3, 0.75), 15);
+  EXPECT_TRUE(table->item(0, 0)->toolTip().isEmpty());
+  EXPECT_TRUE(table->item(2, 0)->toolTip().contains("left and right are unknown"));
+}
+
+TEST_F(Opening, SlicesBeginWithTheWindowThatTheSeriesStates) {
+  const QTemporaryDir folder;
+  writeSeries(folder, ".1", {0, 1, 2, 3},
+              {{0x28, 0x1050, "DS", "-50\\40"},
+               {0x28, 0x1051, "DS", "1200\\400"},
+               {0x28, 0x1055, "LO", "WIDE\\SOFT"}});
+  started();
+  open(folder.path().toStdString());
+  ASSERT_TRUE(waitFor([&] { return !title().startsWith("sphere"); }));
+  ui::SliceSet& slices = application_->window().slices();
+  EXPECT_EQ(slices.grey().level, -50.0);
+  EXPECT_EQ(slices.grey().width, 1200.0);
+  const auto presets = slices.menu().findChild<QMenu*>("greyMenu")->actions();
+  EXPECT_EQ(presets[0]->text(), "As in the file: WIDE (W 1200, L -50)");
+  EXPECT_EQ(presets[1]->text(), "As in the file: SOFT (W 400, L 40)");
+  // what was chosen stays when another tool is taken
+  presets[1]->trigger();
+  emit window::panelOf<ui::DevicePanel>(application_->window()).toolChosen("sphere");
+  ASSERT_TRUE(waitFor([&] { return application_->shown()->tool.name == "sphere"; }));
+  EXPECT_EQ(slices.grey().width, 400.0);
+  action("greyReset")->trigger();
+  EXPECT_EQ(slices.grey().width, 1200.0);
 }
 
 TEST_F(Opening, TheOnlySoundSeriesIsNotLoadedWithoutAWordAboutALargerOne) {

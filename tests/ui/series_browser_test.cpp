@@ -100,7 +100,7 @@ TEST(SeriesBrowser, PatientsAreNotThereUntilTheyAreAskedFor) {
 TEST(SeriesBrowser, SaysWhatEachSeriesIs) {
   ui::SeriesBrowser browser("CD", kRows);
   browser.showThumbnail(0, {});
-  browser.showThumbnail(1, slope(72, 72));
+  browser.showThumbnail(1, {.image = slope(72, 72)});
   window::showAndWait(browser, {1000, 480});
   for (const char* text : {"Bone 1 mm, sharp", "512 × 512 × 361", "0.4512 × 0.4512 × 1 mm", "sound",
                            "correctable", "refused", "189.3 MB", "MR", "no picture"})
@@ -116,6 +116,25 @@ TEST(SeriesBrowser, SaysWhatEachSeriesIs) {
             500);
 }
 
+TEST(SeriesBrowser, APictureOfAScanThatDoesNotSayHowItLiesSaysSo) {
+  ui::SeriesBrowser browser("CD", kRows);
+  browser.showThumbnail(1, {.image = slope(72, 72)});
+  browser.showThumbnail(2, {.image = slope(72, 60), .sides_known = false});
+  window::showAndWait(browser, {1000, 480});
+  window::keep(window::pictureOf(browser), "series_browser_unknown_sides");
+  auto* table = browser.findChild<QTableWidget*>("series");
+  const auto coloured = [&](int row) {
+    const QImage icon = table->item(row, 0)->icon().pixmap(ui::SeriesBrowser::kThumbnail).toImage();
+    return window::count(icon, [](QColor c) { return c.saturation() > 60; });
+  };
+  EXPECT_EQ(coloured(1), 0);
+  EXPECT_GT(coloured(2), 60);
+  EXPECT_EQ(table->item(1, 0)->toolTip(), "");
+  EXPECT_TRUE(table->item(2, 0)->toolTip().contains("left and right are unknown"));
+  EXPECT_EQ(table->item(2, 0)->data(Qt::AccessibleTextRole).toString(),
+            table->item(2, 0)->toolTip());
+}
+
 TEST(SeriesBrowser, LargeLettersAndADarkDesktopLeaveTheButtonsInSight) {
   const QFont font = QApplication::font();
   QFont large = font;
@@ -124,7 +143,7 @@ TEST(SeriesBrowser, LargeLettersAndADarkDesktopLeaveTheButtonsInSight) {
   QPalette dark(QColor(0x30, 0x30, 0x30), QColor(0x24, 0x24, 0x24));
   ui::SeriesBrowser browser("CD", kRows);
   browser.setPalette(dark);
-  browser.showThumbnail(1, slope(72, 50));
+  browser.showThumbnail(1, {.image = slope(72, 50)});
   window::showAndWait(browser, browser.size());
   window::keep(window::pictureOf(browser), "series_browser_dark");
   for (const char* name : {"load1", "load2"}) {
@@ -173,7 +192,7 @@ TEST(SeriesBrowser, ARefusedSeriesSaysWhyAndCannotBeLoaded) {
 TEST(SeriesBrowser, ThousandsOfVolumesAreListedToo) {
   ui::SeriesBrowser browser("Volumes", QList<ui::SeriesRow>(10'000, kRows[1]));
   window::showAndWait(browser, {1000, 480});
-  for (int row = 0; row < 10'000; row += 100) browser.showThumbnail(row, slope(72, 72));
+  for (int row = 0; row < 10'000; row += 100) browser.showThumbnail(row, {.image = slope(72, 72)});
   int wanted = -1;
   QObject::connect(&browser, &ui::SeriesBrowser::loadWanted, [&](int row) { wanted = row; });
   auto* table = browser.findChild<QTableWidget*>("series");

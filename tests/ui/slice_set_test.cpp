@@ -148,6 +148,42 @@ TEST(Slices, HavePresetsOfTheGreyWindowForHounsfieldUnitsAndFullRangeForAll) {
   EXPECT_GT(w.slices().grey().width, 1900.0);  // the full range
 }
 
+TEST(Slices, BeginWithTheWindowOfTheFileAndOfferAllThatItStates) {
+  Window w;
+  const auto offered = [&] {
+    QStringList texts;
+    for (QAction* action : w.slices().menu().findChild<QMenu*>("greyMenu")->actions())
+      if (action->text().startsWith("As in the file")) texts << action->text();
+    return texts;
+  };
+  EXPECT_TRUE(offered().isEmpty());
+  const std::vector<ui::GreyPreset> stated{{"", {.level = 35.0, .width = 350.0}},
+                                           {"  BONE &\n%2 ", {.level = 450.5, .width = 1500.0}}};
+  for (const char* unit : {"HU", ""}) {
+    SCOPED_TRACE(unit);
+    w.window.show(ctPicture(unit), 300.0, "Ball", stated);
+    EXPECT_EQ(w.slices().grey().level, 35.0);
+    EXPECT_EQ(w.slices().grey().width, 350.0);
+    for (ui::SliceView* slice : w.slices().slices())
+      EXPECT_EQ(slice->readout().grey, "W 350  L 35");
+    EXPECT_EQ(offered(), (QStringList{"As in the file (W 350, L 35)",
+                                      "As in the file: BONE && %2 (W 1500, L 450.5)"}));
+    // above the usual ones
+    QAction* const second = w.slices().menu().findChild<QMenu*>("greyMenu")->actions()[1];
+    second->trigger();
+    EXPECT_EQ(w.slices().grey().level, 450.5);
+    EXPECT_EQ(w.slices().grey().width, 1500.0);
+    // what was chosen stays while the voxels are edited; a reset goes back to the file's
+    w.window.replace(ctPicture(unit));
+    EXPECT_EQ(w.slices().grey().width, 1500.0);
+    w.action("greyReset")->trigger();
+    EXPECT_EQ(w.slices().grey().width, 350.0);
+  }
+  w.window.show(ctPicture(), 300.0, "Another");
+  EXPECT_TRUE(offered().isEmpty());
+  EXPECT_EQ(w.slices().grey().width, 1600.0);
+}
+
 TEST(Slices, AreInterpolatedOrNotAndThickByChoice) {
   Window w;
   ui::SliceView& axial = w.window.slice(Plane::Axial);

@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
@@ -26,6 +27,7 @@
 #include "app/window/loader.h"
 #include "app/window/preferences.h"
 #include "haptics/session.h"
+#include "tests/support/turned_scan.h"
 #include "ui/main_window.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/haptic_device_panel.h"
@@ -252,9 +254,9 @@ TEST_F(StartPage, APictureIsWholeAndStandsInItsOwnTileAlone) {
   QImage picture(96, 48, QImage::Format_Grayscale8);
   picture.fill(200);
   for (int y = 0; y < 48; ++y) std::fill_n(picture.scanLine(y), 48, uchar{90});
-  alone.setThumbnail("/wide", picture);
+  alone.setThumbnail("/wide", {.image = picture});
   alone.setThumbnail("/wide", {});  // one that could not be made leaves the tile as it is
-  alone.setThumbnail("/elsewhere", picture);
+  alone.setThumbnail("/elsewhere", {.image = picture});
   const QImage shown = iconOf(0);
   const int side = shown.width();
   const auto grey = [&](double x, double y) {
@@ -271,6 +273,60 @@ TEST_F(StartPage, APictureIsWholeAndStandsInItsOwnTileAlone) {
   for (const double y : {0.05, 0.2, 0.8, 0.95})
     EXPECT_EQ(shown.pixelColor(side / 4, int(y * side)).rgb(), ground.rgb()) << y;
   EXPECT_EQ(iconOf(1), symbol);
+}
+
+TEST_F(StartPage, PicturesOfTheLastScansShowTheFrontAboveHoweverTheyAreStored) {
+  const OwnFolder folder;
+  QStringList places;
+  for (const auto& [name, bytes] : turned::frontFiles()) {
+    places << QFileInfo(folder.scan()).dir().filePath(QString::fromStdString(name));
+    QFile file(places.back());
+    ASSERT_TRUE(file.open(QFile::WriteOnly));
+    file.write(bytes.data(), qint64(bytes.size()));
+  }
+  remember(places);
+  startEmpty();
+  ASSERT_EQ(tiles().size(), 3);
+  const auto lightness = [&](int tile, double x, double y) {
+    const QImage seen = tiles()[tile]->icon().pixmap(96).toImage();
+    return seen.pixelColor(int(x * seen.width()), int(y * seen.height())).lightness();
+  };
+  // the patient's right is at the left
+  const auto drawn = [&](int tile) { return lightness(tile, 0.3, 0.25) > 240; };
+  EXPECT_TRUE(waitFor([&] { return drawn(0) && drawn(1) && drawn(2); }));
+  window::keep(window::pictureOf(window()), "start_page_turned_scans");
+  for (const int tile : {0, 1}) {
+    EXPECT_NEAR(lightness(tile, 0.7, 0.25), 127, 6) << tile;
+    EXPECT_LT(lightness(tile, 0.3, 0.75), 15) << tile;
+    EXPECT_FALSE(tiles()[tile]->toolTip().contains("left and right")) << tile;
+  }
+  EXPECT_TRUE(tiles()[2]->toolTip().contains("left and right are unknown"));
+}
+
+TEST_F(StartPage, APictureOfAScanThatDoesNotSayHowItLiesSaysSo) {
+  ui::StartPage alone;
+  alone.setPlaces({{.path = "/known", .exists = true}, {.path = "/unknown", .exists = true}}, true);
+  const auto tiles = alone.findChildren<QToolButton*>("lastScan");
+  ASSERT_EQ(tiles.size(), 2);
+  QImage picture(96, 96, QImage::Format_Grayscale8);
+  picture.fill(120);
+  alone.setThumbnail("/known", {.image = picture});
+  alone.setThumbnail("/unknown", {.image = picture, .sides_known = false});
+  const auto coloured = [&](int tile) {
+    const QImage icon = tiles[tile]->icon().pixmap(ui::StartPage::kThumbnail).toImage();
+    return window::count(icon, [](QColor c) { return c.saturation() > 60; });
+  };
+  EXPECT_EQ(coloured(0), 0);
+  EXPECT_GT(coloured(1), 100);
+  for (const QString& told : {tiles[1]->toolTip(), tiles[1]->accessibleName()})
+    EXPECT_TRUE(told.contains("unknown") && told.contains("left and right are unknown"))
+        << told.toStdString();
+  EXPECT_FALSE(tiles[0]->toolTip().contains("left and right"));
+  EXPECT_EQ(tiles[0]->accessibleName(), "Open known");
+  // one that is drawn later, and says it
+  alone.setThumbnail("/unknown", {.image = picture});
+  EXPECT_EQ(tiles[1]->accessibleName(), "Open unknown");
+  EXPECT_EQ(coloured(1), 0);
 }
 
 TEST_F(StartPage, NoScanIsNamedOnceTheyAreForgotten) {

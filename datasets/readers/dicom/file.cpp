@@ -14,8 +14,11 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <span>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -253,6 +256,32 @@ std::optional<haptics::Error> readRescale(vtkDICOMMetaData* meta, DicomFile& fil
   return {};
 }
 
+/// What an element names, in UTF-8, one name for each of its values.
+std::vector<std::string> namesIn(const vtkDICOMValue& value) {
+  std::istringstream all(value.AsUTF8String());
+  std::vector<std::string> names;
+  for (std::string name; std::getline(all, name, '\\');) names.push_back(std::move(name));
+  return names;
+}
+
+/// The windows that a frame states. Nothing is refused for what cannot be read of them.
+std::vector<StatedWindow> windowsOf(vtkDICOMMetaData* meta, int frame) {
+  constexpr std::size_t kMost = 8;  // no menu needs more
+  using Voxel = std::numeric_limits<float>;
+  const auto stated = [&](vtkDICOMTag tag) -> const vtkDICOMValue& {
+    return ofFrame(meta, frame, DC::FrameVOILUTSequence, tag);
+  };
+  const auto levels = eachNumberIn(stated(DC::WindowCenter));
+  const auto widths = eachNumberIn(stated(DC::WindowWidth));
+  const auto names = namesIn(stated(DC::WindowCenterWidthExplanation));
+  std::vector<StatedWindow> windows;
+  for (std::size_t n = 0; n < std::min({levels.size(), widths.size(), kMost}); ++n)
+    if (levels[n] && widths[n] && std::abs(*levels[n]) <= Voxel::max() &&
+        *widths[n] >= Voxel::min() && *widths[n] <= Voxel::max())
+      windows.push_back({*levels[n], *widths[n], n < names.size() ? names[n] : std::string()});
+  return windows;
+}
+
 /// A stored value of the file's own sign, whatever sign its attribute was written with.
 double storedValue(const DicomFile& file, double number) {
   const double all = std::ldexp(1.0, file.bits_allocated);
@@ -286,6 +315,7 @@ void readFrame(vtkDICOMMetaData* meta, DicomFile& file) {
   file.fault = readRescale(meta, file);
   if (!file.fault) file.fault = readPadding(meta, file);
   readAttributes(meta, file);
+  file.windows = windowsOf(meta, file.frame);
   if (file.fault) return;
   // several frames at the one place that a root states are no stack
   if (file.frame_count > 1 && !meta->Has(DC::PerFrameFunctionalGroupsSequence))

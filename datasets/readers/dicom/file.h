@@ -54,7 +54,8 @@ struct DicomFile {
   bool rescaled = false;  ///< slope and intercept are stated
   double slope = 1.0;
   double intercept = 0.0;
-  bool hounsfield = false;  ///< CT, rescaled, and the file says or implies HU
+  std::vector<StatedWindow> windows = {};  ///< of the values after the rescale; sound ones alone
+  bool hounsfield = false;                 ///< CT, rescaled, and the file says or implies HU
   /// The first and last of the stored values that mean "nothing was measured here".
   std::optional<std::array<double, 2>> padding;
   /// Why this file cannot be a slice, if it cannot.

@@ -16,6 +16,7 @@
 #include "datasets/readers/dicom/parts.h"
 #include "datasets/readers/files/parallel.h"
 #include "datasets/readers/files/refusal.h"
+#include "datasets/readers/files/thumbnail.h"
 
 namespace datasets {
 
@@ -421,10 +422,19 @@ Expected<std::vector<DicomSeries>> seriesOf(const fs::path& path, DicomHeader he
   return found;
 }
 
+const DicomFile& middleSliceOf(const DicomSeries& series) {
+  const std::size_t count = series.files.size();
+  if (!series.stack) return series.files[count / 2];
+  const auto direction = directionOf(series.files.front().plane);
+  const std::int64_t middle = middleOf(static_cast<std::int64_t>(count), direction);
+  return series.files[series.stack->order[static_cast<std::size_t>(middle)]];
+}
+
 SeriesVerdict verdictOf(const DicomSeries& series) {
   const DicomFile& first = series.files.front();
   SeriesVerdict verdict;
   verdict.labels = first.labels;
+  verdict.windows = middleSliceOf(series.unbroken ? *series.unbroken : series).windows;
   verdict.file_count = fileCount(series);
   verdict.bytes = voxelBytesOf(series);
   for (const DicomFile& file : series.files)

@@ -47,6 +47,10 @@ haptics::Expected<std::vector<DicomSeries>> seriesOf(const std::filesystem::path
                                                      DicomHeader header,
                                                      const ReadProgress& progress);
 
+/// The slice in the middle of the stack; of a series that makes none, in the order of the files. A
+/// series has at least one.
+const DicomFile& middleSliceOf(const DicomSeries& series);
+
 /// Leaves `index` and `found` unset.
 SeriesVerdict verdictOf(const DicomSeries& series);
 

@@ -53,20 +53,29 @@ std::optional<int> integerString(std::string_view text) {
 
 std::optional<std::vector<double>> numbersIn(const vtkDICOMValue& value) {
   std::vector<double> numbers;
-  if (!value.IsValid()) return numbers;
+  for (const std::optional<double>& number : eachNumberIn(value)) {
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::vector<std::optional<double>> eachNumberIn(const vtkDICOMValue& value) {
+  if (!value.IsValid()) return {};
   if (isBinary(value.GetVR())) {
-    numbers.resize(value.GetNumberOfValues());
+    std::vector<double> numbers(value.GetNumberOfValues());
     if (!numbers.empty()) value.GetValues(numbers.data(), numbers.size());
-    if (!std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); })) return {};
-    return numbers;
+    std::vector<std::optional<double>> finite;
+    for (const double x : numbers)
+      finite.push_back(std::isfinite(x) ? std::optional(x) : std::nullopt);
+    return finite;
   }
   const std::string text = value.AsString();
+  std::vector<std::optional<double>> numbers;
   if (withoutPadding(text).empty()) return numbers;
   for (std::string_view rest = text;;) {
     const auto end = rest.find('\\');
-    const auto number = decimalString(rest.substr(0, end));
-    if (!number) return {};
-    numbers.push_back(*number);
+    numbers.push_back(decimalString(rest.substr(0, end)));
     if (end == rest.npos) return numbers;
     rest.remove_prefix(end + 1);
   }

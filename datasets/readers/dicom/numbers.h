@@ -21,5 +21,7 @@ std::optional<int> integerString(std::string_view text);
 /// The numbers of an element, text or binary. Returns an empty vector if the element is absent or
 /// empty, and nullopt if a value is not a finite number.
 std::optional<std::vector<double>> numbersIn(const vtkDICOMValue& value);
+/// The same, with nullopt in the place of each value that is not a finite number.
+std::vector<std::optional<double>> eachNumberIn(const vtkDICOMValue& value);
 
 }  // namespace datasets

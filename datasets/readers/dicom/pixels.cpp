@@ -343,9 +343,7 @@ Expected<haptics::Volume> readSeries(const DicomSeries& series, Geometry geometr
 
 Expected<Thumbnail> thumbnailOf(const DicomSeries& series, int longest) {
   const CLocale numbers_with_points;
-  std::size_t middle = series.files.size() / 2;
-  if (series.stack) middle = series.stack->order[middle];
-  const DicomFile& file = series.files[middle];
+  const DicomFile& file = middleSliceOf(series);
   if (file.fault) return tl::unexpected(*file.fault);
   if (const auto room = checkRoom(file.plane.columns * file.plane.rows, 4); !room)
     return tl::unexpected(room.error());
@@ -362,6 +360,7 @@ Expected<Thumbnail> thumbnailOf(const DicomSeries& series, int longest) {
                       .rows = file.plane.rows,
                       .column_step = file.plane.column_step_mm,
                       .row_step = file.plane.row_step_mm,
+                      .direction = file.placed ? directionOf(file.plane) : std::nullopt,
                       .padding = file.padding,
                       .inverted = file.inverted},
                      longest);

@@ -320,6 +320,13 @@ bool isAlike(const SlicePlane& a, const SlicePlane& b) {
          turnBetween(a, b) <= kParallel;
 }
 
+std::optional<haptics::Mat3> directionOf(const SlicePlane& slice) {
+  if (!checkPlane(slice)) return {};
+  haptics::Mat3 direction;
+  direction << slice.along_row, slice.along_column, slice.along_row.cross(slice.along_column);
+  return direction;
+}
+
 Expected<Stack> stackOf(const std::vector<SlicePlane>& slices) {
   if (slices.empty()) return malformed("no-pixels", {"dicom-no-slice", {}});
   for (const SlicePlane& s : slices)

@@ -48,6 +48,10 @@ double turnBetween(const SlicePlane& a, const SlicePlane& b);
 /// directions to 0.1 degrees.
 bool isAlike(const SlicePlane& a, const SlicePlane& b);
 
+/// The directions in which columns, rows and slices (along row x column) grow; none of a plane that
+/// stackOf() refuses as "bad-header".
+std::optional<haptics::Mat3> directionOf(const SlicePlane& slice);
+
 /// Makes the stack of slices, k along the normal (row x column), or gives the reason why there is
 /// none:
 ///   "bad-header"         an orientation that is not two perpendicular unit vectors, or a

@@ -312,8 +312,10 @@ TEST(NrrdThumbnail, IsTheMiddleSlice) {
   EXPECT_EQ(small->width, 22);
   EXPECT_EQ(small->height, 21);
   ASSERT_EQ(small->grey.size(), 22U * 21U);
-  EXPECT_EQ(small->grey.front(), 0);
-  EXPECT_EQ(small->grey.back(), 255);
+  // its slices are sagittal, and their rows run towards the head, which is above
+  EXPECT_EQ(small->plane, AnatomicalPlane::Sagittal);
+  EXPECT_EQ(small->grey.at(20 * 22), 0);
+  EXPECT_EQ(small->grey.at(21), 255);
   EXPECT_TRUE(std::is_sorted(small->grey.begin(), small->grey.begin() + 22));
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tests/support/turned_scan.h"
 #include "tests/unit/ui/volumes.h"
 #include "ui/grey_presets.h"
 #include "ui/lengths.h"
@@ -180,6 +181,40 @@ TEST(GreyPresets, AreTheUsualWindowsAndTheFullRange) {
   const haptics::Volume volume = volumes::made(straightGrid(), waves);
   EXPECT_EQ(black(ui::fullRange(volume)), volume.least);
   EXPECT_EQ(white(ui::fullRange(volume)), volume.greatest);
+}
+
+TEST(Slice, FollowsTheConventionHoweverTheFileTurnsItsAxes) {
+  // grows towards L, P and S, each at its own rate
+  const auto rampAt = [](const Vec3& p_mm) {
+    return Vec3(10.0, 25.0, 60.0).dot(p_mm - turned::kFirst_mm);
+  };
+  const Vec3 middle = turned::placeOf_mm({5.0, 7.0, 9.0});
+  struct Shown {
+    ui::Plane plane;
+    Vec3 right, down;  // of the picture, in L, P and S
+  };
+  const Shown all[] = {{ui::Plane::Axial, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}},
+                       {ui::Plane::Coronal, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}},
+                       {ui::Plane::Sagittal, {0.0, 1.0, 0.0}, {0.0, 0.0, -1.0}}};
+  constexpr int kPixels = 9;
+  constexpr double kPixel_mm = 1.5;
+  for (const haptics::Mat3& axes : turned::orientations()) {
+    const haptics::Grid grid = turned::gridAlong(axes);
+    const auto volume = std::make_shared<const haptics::Volume>(
+        volumes::made(grid, [&](const Vec3& index) { return rampAt(1e3 * grid.worldOf(index)); }));
+    ui::Slice slice;
+    slice.show(ui::pictureOf(volume));
+    for (const Shown& shown : all) {
+      slice.cut(ui::axesOf(shown.plane), middle, {kPixels, kPixels}, kPixel_mm, {});
+      for (int y = 0; y < kPixels; ++y)
+        for (int x = 0; x < kPixels; ++x) {
+          const Vec3 p_mm = middle + kPixel_mm * ((x - 4) * shown.right + (y - 4) * shown.down);
+          ASSERT_NEAR(slice.valueAt({x, y}).value_or(-1e9), rampAt(p_mm), 0.1)
+              << int(shown.plane) << " " << x << " " << y << "\n"
+              << axes;
+        }
+    }
+  }
 }
 
 }  // namespace
