@@ -157,6 +157,7 @@ inline constexpr Row kReaders[] = {
     {"attribute-image-type", "image type"},
     {"attribute-frame-of-reference", "frame of reference"},
     {"attribute-stack", "stack"},
+    {"attribute-dimension", "dimension index"},
     {"attribute-thickness", "slice thickness"},
     {"attribute-voxel-type", "voxel type"},
     {"attribute-acquisition-time", "time of acquisition"},

@@ -2259,6 +2259,10 @@
         <source>%1 goes on for %2 bytes behind the %3 triangles that it states; export it again.</source>
         <translation>%1 geht %2 Bytes hinter den %3 Dreiecken weiter, die sie nennt; exportieren Sie sie neu.</translation>
     </message>
+    <message>
+        <source>dimension index</source>
+        <translation>Dimensionsindex</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>

@@ -2,6 +2,7 @@
 #include "datasets/readers/dicom/attributes.h"
 
 #include <vtkDICOMDictionary.h>
+#include <vtkDICOMItem.h>
 #include <vtkDICOMMetaData.h>
 #include <vtkDICOMValue.h>
 
@@ -61,6 +62,23 @@ std::string comparable(const vtkDICOMValue& value) {
   return text;
 }
 
+/// The frame's index along the dimensions that its object declares, but for that of its place.
+std::string dimensionOf(vtkDICOMMetaData* meta, int frame) {
+  const vtkDICOMValue& indices =
+      ofFrame(meta, frame, DC::FrameContentSequence, DC::DimensionIndexValues);
+  const vtkDICOMValue& dimensions = meta->Get(DC::DimensionIndexSequence);
+  const auto all = numbersIn(indices);
+  std::string text;
+  for (int n = 0; all && n < static_cast<int>(all->size()); ++n) {
+    const vtkDICOMItem* dimension = itemOf(dimensions, n);
+    if (dimension == nullptr) return {};
+    const vtkDICOMTag pointer = dimension->Get(DC::DimensionIndexPointer).AsTag();
+    if (pointer == DC::InStackPositionNumber || pointer == DC::ImagePositionPatient) continue;
+    text += (text.empty() ? "" : "\\") + exact((*all)[static_cast<std::size_t>(n)]);
+  }
+  return text;
+}
+
 }  // namespace
 
 Attributes attributesOf(vtkDICOMMetaData* meta, int frame) {
@@ -71,6 +89,7 @@ Attributes attributesOf(vtkDICOMMetaData* meta, int frame) {
     value = comparable(source.group == kRoot ? meta->Get(source.tag)
                                              : ofFrame(meta, frame, source.group, source.tag));
   }
+  all[static_cast<std::size_t>(Dimension)] = dimensionOf(meta, frame);
   return all;
 }
 
@@ -92,6 +111,7 @@ const AttributeTraits& traitsOf(Attribute attribute) {
       {{"attribute-image-type", {}}, nullptr, true, true, false},
       {{"attribute-frame-of-reference", {}}, nullptr, true, true, false},
       {{"attribute-stack", {}}, nullptr, true, false, false},
+      {{"attribute-dimension", {}}, nullptr, true, false, false},
       {{"attribute-thickness", {}}, "mm", false, false, false},
       {{"attribute-voxel-type", {}}, nullptr, true, false, false},
       {{"attribute-acquisition-time", {}}, nullptr, false, false, true},

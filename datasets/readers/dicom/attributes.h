@@ -30,6 +30,7 @@ enum class Attribute : std::size_t {
   ImageType,
   FrameOfReference,
   Stack,
+  Dimension,
   SliceThickness,
   VoxelType,
   AcquisitionTime,

@@ -240,6 +240,36 @@ TEST(DicomFolder, EnhancedFramesLieWhereTheirGroupsSay) {
   }
 }
 
+TEST(DicomFolder, EnhancedFramesAreVolumesByTheDimensionsThatTheirFileDeclares) {
+  constexpr int kSlices = 4, kVolumes = 2;
+  DicomSlice all;
+  for (int n = 0; n < kSlices * kVolumes; ++n) all.pixels.push_back(std::int16_t(n));
+  std::string bytes = edited(
+      bytesOf(all), {{0x20, 0x32, "", ""}, {0x28, 8, "IS", std::to_string(kSlices * kVolumes)}});
+  const auto pointer = [](unsigned group, unsigned tag) {
+    return element(0x20, 0x9165, "AT", number(group, 2) + number(tag, 2));
+  };
+  std::vector<std::string> frames;
+  for (int n = 0; n < kSlices * kVolumes; ++n)
+    frames.push_back(
+        sequence(0x20, 0x9111,
+                 {element(0x20, 0x9157, "UL",
+                          number(std::size_t(n / kSlices + 1), 4) +
+                              number(std::size_t(n % kSlices + 1), 4))}) +
+        sequence(0x20, 0x9113, {element(0x20, 0x32, "DS", decimals({0, 0, 1.0 * (n % kSlices)}))}));
+  bytes.insert(bytes.find(element(0x28, 2, "US", number(1, 2))),
+               sequence(0x20, 0x9222, {pointer(0x18, 0x9074), pointer(0x20, 0x9057)}));
+  bytes.insert(bytes.rfind(number(0x7fe0, 2) + number(0x10, 2)), sequence(0x5200, 0x9230, frames));
+  Workshop workshop;
+  const auto path = workshop.write("enhanced", bytes);
+  for (int volume = 0; volume < kVolumes; ++volume) {
+    const auto v = readVolume(path, {.series = volume});
+    ASSERT_TRUE(v) << sentence(v.error());
+    ASSERT_EQ(v->grid.dims[2], kSlices);
+    EXPECT_EQ(voxelAt(*v, 0, 0, 1), kSlices * volume + 1);
+  }
+}
+
 TEST(DicomFolder, EveryTransferSyntaxGivesEqualVoxels) {
   const DicomSlice slice = sliceOfStack(2);
   const std::string plain = bytesOf(slice), data = plain.substr(dataSetOf(plain));
