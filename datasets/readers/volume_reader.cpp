@@ -227,6 +227,11 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
   return survey;
 }
 
+/// Whether a file is an archive though it is named as a volume.
+bool isArchiveOfThatName(const fs::path& path, const VolumeFormat& format) {
+  return !format.header(path) && looksLikeArchive(path);
+}
+
 Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
   std::error_code error;
   Survey survey;
@@ -247,7 +252,7 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     survey = std::move(*found);
   } else if (!fs::is_regular_file(path, error)) {
     return notFound(path);
-  } else if (format != nullptr) {
+  } else if (format != nullptr && !isArchiveOfThatName(path, *format)) {
     survey.series = verdictsOf(path, *format);
     survey.several = survey.series.size() > 1;
   } else if (is_dicom) {

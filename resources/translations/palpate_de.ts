@@ -1024,10 +1024,6 @@
         <translation>%(1) (%2 von %3 Dateien).</translation>
     </message>
     <message>
-        <source>The series mixes voxel types; put them into folders of their own.</source>
-        <translation>Die Serie mischt Arten von Voxeln; legen Sie jede in einen eigenen Ordner.</translation>
-    </message>
-    <message>
         <source>The series holds several acquisitions whose slices lie between each other&apos;s, and it cannot be told which belong together; put each acquisition into a folder of its own.</source>
         <translation>Die Serie enthält mehrere Akquisitionen, deren Schichten zwischeneinander liegen, und es ist nicht zu erkennen, welche zusammengehören; legen Sie jede Akquisition in einen eigenen Ordner.</translation>
     </message>
@@ -2064,14 +2060,6 @@
         <translation>Die Bilder sind in der Transfer-Syntax %2 (%1) gespeichert, die nicht dekodiert werden kann; exportieren Sie sie als Explicit Little Endian.</translation>
     </message>
     <message>
-        <source>The series seems to hold %1 volumes of %2 slices, which nothing in its files tells apart; put each into a folder of its own.</source>
-        <translation>Die Serie enthält anscheinend %1 Volumen zu je %2 Schichten, die nichts in ihren Dateien unterscheidet; legen Sie jedes in einen eigenen Ordner.</translation>
-    </message>
-    <message>
-        <source>%1 files of %1 studies fit together as one stack, and no identifier says that they belong together.</source>
-        <translation>%1 Dateien aus %1 Studien passen als ein Stapel zusammen, und keine Kennung sagt, dass sie zusammengehören.</translation>
-    </message>
-    <message>
         <source>%(1); its files state several values of %2.</source>
         <translation>%(1); ihre Dateien nennen mehrere Werte für %2.</translation>
     </message>
@@ -2262,6 +2250,50 @@
     <message>
         <source>dimension index</source>
         <translation>Dimensionsindex</translation>
+    </message>
+    <message>
+        <source>The series seems to hold %1 volumes of %2 slices, which cannot be told apart; put each into a folder of its own.</source>
+        <translation>Die Serie enthält anscheinend %1 Volumen zu je %2 Schichten, die sich nicht unterscheiden lassen; legen Sie jedes in einen eigenen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 files of %1 studies fit together as one stack, though their identifiers do not say that they belong together.</source>
+        <translation>%1 Dateien aus %1 Studien passen als ein Stapel zusammen, obwohl ihre Kennungen nicht sagen, dass sie zusammengehören.</translation>
+    </message>
+    <message>
+        <source>diffusion direction</source>
+        <translation>Diffusionsrichtung</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>Exposition</translation>
+    </message>
+    <message>
+        <source>series description</source>
+        <translation>Serienbeschreibung</translation>
+    </message>
+    <message>
+        <source>A single slice whose thickness is no number that can be read, taken to be 1 mm thick.</source>
+        <translation>Eine einzelne Schicht, deren Dicke keine lesbare Zahl ist; sie gilt als 1 mm dick.</translation>
+    </message>
+    <message>
+        <source>%1 holds a dose and no image; choose the series of the scan.</source>
+        <translation>%1 enthält eine Dosis und kein Bild; wählen Sie die Serie des Scans.</translation>
+    </message>
+    <message>
+        <source>The sform places nothing, so the qform places the volume.</source>
+        <translation>Die sform gibt keinen Ort an, deshalb gibt ihn die qform.</translation>
+    </message>
+    <message>
+        <source>patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>modality</source>
+        <translation>Modalität</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ enum class Attribute : std::size_t {
   Echo,
   EchoTime,
   DiffusionWeighting,
+  DiffusionDirection,
   Energy,
   Voltage,
   Acquisition,
@@ -33,6 +34,8 @@ enum class Attribute : std::size_t {
   Dimension,
   SliceThickness,
   VoxelType,
+  Exposure,
+  Description,
   AcquisitionTime,
   ContentTime,
   Count

@@ -41,6 +41,7 @@ namespace {
 
 constexpr std::string_view kDeflatedSyntax = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view kFolderIndex = "1.2.840.10008.1.3.10";  // media storage directory
+constexpr std::string_view kDose = "1.2.840.10008.5.1.4.1.1.481.2";
 constexpr unsigned int kUndefinedLength = 0xffffffffu;
 constexpr int kMostFrames = 65'535;
 
@@ -224,7 +225,9 @@ std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file
   plane.column_step_mm = spacing->back();
   // needed of a single slice only, so a number that is none is not stated
   const auto thickness = numbersIn(ofGroup(DC::PixelMeasuresSequence, DC::SliceThickness));
-  if (thickness && thickness->size() == 1) plane.thickness_mm = thickness->front();
+  const bool stated = thickness && thickness->size() == 1 && thickness->front() > 0.0;
+  if (stated) plane.thickness_mm = thickness->front();
+  file.thickness_unreadable = !stated && !(thickness && thickness->empty());
   return {};
 }
 
@@ -317,8 +320,10 @@ void readFrame(vtkDICOMMetaData* meta, DicomFile& file) {
   readAttributes(meta, file);
   file.windows = windowsOf(meta, file.frame);
   if (file.fault) return;
+  if (file.sop_class == kDose)
+    file.fault = fault(unsupported("bad-header", {"dicom-dose", {quoted(file.path)}}));
   // several frames at the one place that a root states are no stack
-  if (file.frame_count > 1 && !meta->Has(DC::PerFrameFunctionalGroupsSequence))
+  else if (file.frame_count > 1 && !meta->Has(DC::PerFrameFunctionalGroupsSequence))
     file.fault = unplaced();
   else
     file.fault = placeSlice(meta, file);
@@ -454,8 +459,10 @@ DicomHeader readDicomHeader(const Beginning& beginning) {
     return {.frames = {file}};
   }
   file.fault = readFrameCount(meta, file);
-  if (!file.fault) file.fault = bitsFault(file, meta);
-  if (auto pixels = pixelFault(file, meta, parser)) file.fault = std::move(pixels);
+  if (!file.fault) {
+    file.fault = bitsFault(file, meta);
+    if (auto pixels = pixelFault(file, meta, parser)) file.fault = std::move(pixels);
+  }
   if (file.fault) {
     placeSlice(meta, file);  // to know what it is a copy of
     return {.frames = {file}};

@@ -40,12 +40,7 @@ Expected<Stack> judge(const std::vector<DicomFile>& files) {
   }
   std::vector<SlicePlane> planes;
   planes.reserve(files.size());
-  for (const DicomFile& file : files) {
-    if (file.bits_allocated != files.front().bits_allocated ||
-        file.is_signed != files.front().is_signed)
-      return unsupported("mixed-size", {"dicom-voxel-types-mixed", {}});
-    planes.push_back(file.plane);
-  }
+  for (const DicomFile& file : files) planes.push_back(file.plane);
   auto stack = stackOf(planes);
   if (!stack) return stack;
   if (const auto grid = gridOf(stack->geometry); !grid) return tl::unexpected(grid.error());
@@ -321,7 +316,8 @@ std::int64_t voxelBytesOf(const DicomSeries& series) {
     return f.slope != std::nearbyint(f.slope) || f.intercept != std::nearbyint(f.intercept);
   };
   const bool rescaled = std::ranges::any_of(series.files, &DicomFile::rescaled);
-  const std::int64_t stored = first.bits_allocated / 8;
+  const std::int64_t stored =
+      std::ranges::max_element(series.files, {}, &DicomFile::bits_allocated)->bits_allocated / 8;
   const std::int64_t each = std::ranges::any_of(series.files, is_fraction)
                                 ? 4
                                 : std::max<std::int64_t>(stored, rescaled ? 2 : 1);
@@ -465,8 +461,9 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
   verdict.spacing_mm = series.stack->geometry.steps_mm.colwise().norm().transpose();
   verdict.message = {"dicom-one-stack", {std::to_string(series.files.size())}};
   if (series.files.size() == 1)
-    verdict.message = first.plane.thickness_mm > 0.0
-                          ? haptics::Message{"dicom-single-slice", {}}
+    verdict.message = first.plane.thickness_mm > 0.0 ? haptics::Message{"dicom-single-slice", {}}
+                      : first.thickness_unreadable
+                          ? haptics::Message{"dicom-single-slice-unreadable", {}}
                           : haptics::Message{"dicom-single-slice-unstated", {}};
   if (series.stack->crooked) {
     verdict.reasons.push_back(series.stack->crooked->why.reason);

@@ -33,15 +33,21 @@ bool isNoSlice(const DicomFile& file) {
   const std::string& reason = file.fault->reason;
   const bool describes_slice = file.placed && file.plane.rows > 0 && file.plane.columns > 0;
   return reason == "localizer" || reason == "not-scalar" ||
-         (reason == "no-pixels" && !describes_slice);
+         file.fault->message.id == "dicom-dose" || (reason == "no-pixels" && !describes_slice);
+}
+
+/// Whether a file without a place says itself that it is a picture of the screen.
+bool isScreen(const DicomFile& file) {
+  return file.attributes[static_cast<std::size_t>(Attribute::ImageType)].find("SCREEN") !=
+         std::string::npos;
 }
 
 /// Whether a file that has no place is an object of another kind than the slices, such as a picture
 /// of the screen or a dose.
 bool isOtherObject(const DicomFile& file, const DicomFile& slice) {
   return file.fault->message.id == "dicom-place-missing" &&
-         (file.sop_class != slice.sop_class || file.plane.rows != slice.plane.rows ||
-          file.plane.columns != slice.plane.columns);
+         (isScreen(file) || file.sop_class != slice.sop_class ||
+          file.plane.rows != slice.plane.rows || file.plane.columns != slice.plane.columns);
 }
 
 /// Whether a file whose header could be read in part only may belong to the slices of this one.
@@ -218,8 +224,57 @@ void joinSingles(std::vector<FileGroup>& groups) {
   if (groups.empty()) return;
   joinSingles(groups, FileGroup::Join::SeriesOfOneSlice,
               [](const DicomFile& f) { return f.identity; });
+  joinSingles(groups, FileGroup::Join::NothingInCommon, [](const DicomFile& f) {
+    return std::pair(f.identity.modality, f.identity.patient);
+  });
   joinSingles(groups, FileGroup::Join::NothingInCommon,
               [](const DicomFile& f) { return f.identity.modality; });
+}
+
+bool lacksIdentifiers(const DicomFile& file) {
+  return file.series.empty() || file.identity.study.empty() || file.identity.modality.empty() ||
+         file.identity.patient.empty() || file.identity.patient.starts_with('\n');
+}
+
+/// Whether what one series states of itself is what the other does, or blank: a patient without an
+/// identifier by the name.
+bool isBlankOf(const Slices& blank, const Slices& full) {
+  const DicomFile &a = blank.front(), &b = full.front();
+  const auto agrees = [](const std::string& known, const std::string& other) {
+    return known.empty() || known == other;
+  };
+  const bool same_person = a.identity.patient.starts_with('\n')
+                               ? a.name == b.name
+                               : agrees(a.identity.patient, b.identity.patient);
+  const bool same_series =
+      a.series.empty() ? a.path.parent_path() == b.path.parent_path() : a.series == b.series;
+  return same_series && same_person && agrees(a.identity.study, b.identity.study) &&
+         agrees(a.identity.modality, b.identity.modality);
+}
+
+/// Series by their identifiers, and the files of those that lack some with the only one to which
+/// they can belong, where all are one even stack together.
+std::vector<Slices> seriesBy(std::map<std::pair<std::string, SliceIdentity>, Slices> by_series) {
+  std::vector<Slices> all;
+  for (auto& [key, slices] : by_series) all.push_back(std::move(slices));
+  for (Slices& blank : all) {
+    if (!blank.empty() && !lacksIdentifiers(blank.front())) continue;
+    Slices* only = nullptr;
+    int count = 0;
+    for (Slices& full : all)
+      if (&full != &blank && !full.empty() && !blank.empty() && isBlankOf(blank, full)) {
+        only = &full;
+        ++count;
+      }
+    if (count != 1) continue;
+    Slices together = *only;
+    std::ranges::copy(blank, std::back_inserter(together));
+    if (!isEven(together)) continue;
+    *only = std::move(together);
+    blank.clear();
+  }
+  std::erase_if(all, [](const Slices& slices) { return slices.empty(); });
+  return all;
 }
 
 /// Puts a file that is no slice, or nobody knows where one, to the groups that may lack it.
@@ -253,7 +308,7 @@ std::vector<FileGroup> groupsOf(std::vector<DicomFile> frames) {
     return true;
   });
   std::vector<FileGroup> groups;
-  for (auto& [key, slices] : by_series)
+  for (Slices& slices : seriesBy(std::move(by_series)))
     std::ranges::move(byGeometry(std::move(slices)), std::back_inserter(groups));
   std::map<std::string, FileGroup> alone;
   for (DicomFile& file : aside)

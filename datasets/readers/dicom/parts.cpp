@@ -66,11 +66,6 @@ std::vector<SlicePlane> planesOf(const std::vector<DicomFile>& slices,
 }
 
 bool isEven(const std::vector<DicomFile>& slices, const std::vector<std::size_t>& some) {
-  const std::string& type = slices[some.front()].attributes[indexOf(Attribute::VoxelType)];
-  if (!std::ranges::all_of(some, [&](std::size_t n) {
-        return slices[n].attributes[indexOf(Attribute::VoxelType)] == type;
-      }))
-    return false;
   const auto stack = stackOf(planesOf(slices, some));
   return stack && (!stack->crooked || !stack->crooked->uneven);
 }
@@ -221,6 +216,67 @@ std::optional<Parting> partsInTime(const Union& all) {
   return {};
 }
 
+/// Numbers of parts for images in the order of a time: a new part begins where the images turn back
+/// along the normal, or, if `at_pause`, behind the longest pause.
+std::vector<std::size_t> passesOf(const Union& all, std::size_t attribute, bool at_pause) {
+  std::vector<double> height_mm(all.slices.size());
+  for (const auto& [height, n] : heightsOf(all.slices)) height_mm[n] = height;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t n = 0; n < all.slices.size(); ++n) {
+    const auto time = decimalString(all.slices[n].attributes[attribute]);
+    if (!time) return {};
+    order.emplace_back(*time, n);
+  }
+  std::ranges::sort(order);
+  std::size_t longest = 1, part = 0;
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const double pause = order[k].first - order[k - 1].first;
+    if (pause <= 0.0) return {};  // not a time of each image
+    if (pause > order[longest].first - order[longest - 1].first) longest = k;
+  }
+  std::vector<std::size_t> which(order.size());
+  double ahead = 0.0;  // the way of the part so far
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const double way = height_mm[order[k].second] - height_mm[order[k - 1].second];
+    const bool begins = at_pause ? k == longest : ahead * way < 0.0;
+    part += begins ? 1 : 0;
+    ahead = begins ? 0.0 : way;
+    which[order[k].second] = part;
+  }
+  return which;
+}
+
+/// Passes of a scanner, one after the other in time.
+std::optional<Parting> passesInTime(const Union& all) {
+  for (std::size_t a = 0; a < kAttributes; ++a) {
+    if (!traitsOf(static_cast<Attribute>(a)).timed) continue;
+    for (const bool at_pause : {false, true}) {
+      const auto which = passesOf(all, a, at_pause);
+      if (which.empty()) continue;
+      Parting parting = partedBy(all, which, {}, Wanted::AllEven);
+      if (parting.parts.size() > 1 && parting.isWhole(all.slices.size()) &&
+          !arePieces(all, parting))
+        return parting;
+    }
+  }
+  return {};
+}
+
+/// By one attribute, so that no part has two images at one place, though none may be even.
+std::optional<Parting> partsOfOneImageEach(const Union& all, const std::vector<Values>& values) {
+  if (!all.repeated) return {};
+  std::optional<Parting> best;
+  for (const Values& one : values) {
+    Parting parting = partedBy(all, one.which, {&one}, Wanted::SomeEven);
+    const bool apart = std::ranges::all_of(parting.parts, [&](const auto& part) {
+      const auto stack = stackOf(planesOf(all.slices, part));
+      return part.size() > 1 && (stack || stack.error().reason != "duplicate");
+    });
+    if (apart && (!best || parting.parts.size() < best->parts.size())) best = std::move(parting);
+  }
+  return best;
+}
+
 /// By one attribute, of which some parts are even stacks, and the others none that could lack the
 /// slices of these.
 std::optional<Parting> someEvenParts(const Union& all, const std::vector<Values>& values) {
@@ -288,7 +344,9 @@ std::vector<VolumePart> partsOf(const std::vector<DicomFile>& slices) {
     if (auto some = valuesOf(static_cast<Attribute>(a), slices)) values.push_back(std::move(*some));
   if (const auto parting = evenParts(all, values)) return named(*parting);
   if (const auto parting = partsInTime(all)) return named(*parting);
+  if (const auto parting = passesInTime(all)) return named(*parting);
   if (const auto parting = someEvenParts(all, values)) return named(*parting);
+  if (const auto parting = partsOfOneImageEach(all, values)) return named(*parting);
   return {{allOf(slices), {}}};
 }
 
@@ -305,6 +363,9 @@ std::vector<Message> differencesAmong(const std::vector<DicomFile>& slices) {
     if (traits.told) tell(traits.name, [&](const DicomFile& f) { return f.attributes[a]; });
   }
   tell({"attribute-name", {}}, [](const DicomFile& f) { return f.name; });
+  tell({"attribute-patient", {}}, [](const DicomFile& f) { return f.identity.patient; });
+  tell({"attribute-study", {}}, [](const DicomFile& f) { return f.identity.study; });
+  tell({"attribute-modality", {}}, [](const DicomFile& f) { return f.identity.modality; });
   tell({"attribute-series", {}}, [](const DicomFile& f) { return f.series; });
   return names;
 }

@@ -43,6 +43,11 @@ double angleBetween(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+haptics::Message spacingOf(const SlicePlane& s) {
+  return haptics::Message::numbers(brief(s.column_step_mm).text + " x " +
+                                   brief(s.row_step_mm).text);
+}
+
 bool hasEqualSpacing(const SlicePlane& a, const SlicePlane& b) {
   return std::abs(a.column_step_mm / b.column_step_mm - 1.0) <= kEqualPixelSpacing &&
          std::abs(a.row_step_mm / b.row_step_mm - 1.0) <= kEqualPixelSpacing;
@@ -75,8 +80,7 @@ Expected<void> checkAlike(const std::vector<SlicePlane>& slices) {
                        {"dicom-orientations-mixed", {brief(widest / kDegree)}});
   for (const SlicePlane& s : slices)
     if (!hasEqualSpacing(s, first))
-      return unsupported("mixed-size", {"dicom-spacings-mixed",
-                                        {brief(first.column_step_mm), brief(s.column_step_mm)}});
+      return unsupported("mixed-size", {"dicom-spacings-mixed", {spacingOf(first), spacingOf(s)}});
   return {};
 }
 
@@ -96,6 +100,14 @@ double writtenTo(const std::vector<SlicePlane>& slices) {
       break;
   }
   return quantum_mm;
+}
+
+/// How far off places may be, mm, by the decimals in which they are written; 0 where these are so
+/// few, or the steps so small, that they say nothing.
+double roundingOf(const std::vector<SlicePlane>& slices, const Vec3& normal, double step_mm) {
+  const double written_mm = writtenTo(slices);
+  if (written_mm > 1.001 * std::min(kRoundedStep * step_mm, kRoundedTo_mm)) return 0.0;
+  return 0.5 * written_mm * normal.cwiseAbs().sum() + 1e-9;
 }
 
 /// How ordered slices follow each other.
@@ -144,10 +156,8 @@ Expected<Advance> advanceOf(const std::vector<SlicePlane>& ordered, const Vec3& 
                                      {std::to_string(repeated), std::to_string(ordered.size())}});
   if (advance.tilt() > kMostTilt)
     return unsupported("sheared", {"dicom-tilt-too-large", {brief(advance.tilt() / kDegree)}});
-  const double written_mm = writtenTo(ordered);
-  const double step_mm = advance.extent_mm / static_cast<double>(ordered.size() - 1);
-  if (written_mm <= 1.001 * std::min(kRoundedStep * step_mm, kRoundedTo_mm))
-    advance.rounding_mm = 0.5 * written_mm * normal.cwiseAbs().sum() + 1e-9;
+  advance.rounding_mm =
+      roundingOf(ordered, normal, advance.extent_mm / static_cast<double>(ordered.size() - 1));
   // within half a pixel's tenth, and what counts as straight
   const double pixel_mm = std::min(first.row_step_mm, first.column_step_mm);
   for (std::size_t k = 0; k < ordered.size(); ++k) {
@@ -221,13 +231,14 @@ struct Uneven {
 Expected<std::optional<Uneven>> checkSteps(const Advance& advance) {
   const std::vector<double> steps_mm = stepsOf(advance.heights_mm);
   const double median_mm = medianOf(steps_mm);
-  const double off_mm = offTheLine(advance.heights_mm), even = evenWithin(median_mm);
+  const double off_mm = offTheLine(advance.heights_mm), rounding_mm = 2.0 * advance.rounding_mm;
+  const double even = evenWithin(median_mm) + rounding_mm;
   const auto correctable = [](haptics::Message message) {
     return haptics::Error{haptics::Error::Kind::Correctable, std::move(message), "uneven-spacing"};
   };
   const auto [least, greatest] = std::ranges::minmax(steps_mm);
   const double mean_mm = advance.extent_mm / static_cast<double>(steps_mm.size());
-  const bool rounded = greatest < kLikeTheMean * mean_mm && off_mm <= 2.0 * advance.rounding_mm;
+  const bool rounded = greatest < kLikeTheMean * mean_mm && off_mm <= rounding_mm;
   if (rounded) return std::nullopt;
   int odd = 0, missing = 0;
   bool multiples = true;
@@ -235,7 +246,8 @@ Expected<std::optional<Uneven>> checkSteps(const Advance& advance) {
     if (std::abs(step - median_mm) <= even) continue;
     ++odd;
     const double times = std::round(step / median_mm);
-    if (times < 2.0 || std::abs(step - times * median_mm) > kMultipleStep * times * median_mm)
+    if (times < 2.0 || std::abs(step - times * median_mm) >
+                           kMultipleStep * times * median_mm + times * rounding_mm)
       multiples = false;
     else
       missing += static_cast<int>(times) - 1;
@@ -369,9 +381,10 @@ std::vector<std::size_t> longestRun(const std::vector<SlicePlane>& slices) {
   for (std::size_t k = 1; k < order.size(); ++k)
     steps_mm.push_back(normal.dot(slices[order[k]].position_mm - slices[order[k - 1]].position_mm));
   const double median_mm = medianOf(steps_mm);
+  const double even = evenWithin(median_mm) + 2.0 * roundingOf(slices, normal, median_mm);
   std::size_t first = 0, best = 0, longest = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k > 0 && std::abs(steps_mm[k - 1] - median_mm) > evenWithin(median_mm)) first = k;
+    if (k > 0 && std::abs(steps_mm[k - 1] - median_mm) > even) first = k;
     if (k + 1 - first <= longest) continue;
     longest = k + 1 - first;
     best = first;

@@ -78,9 +78,12 @@ ScalarType storedTypeOf(const DicomFile& file) {
 }
 
 std::vector<ScalarType> voxelTypesFor(const DicomSeries& series) {
-  const DicomFile& first = series.files.front();
-  const ScalarType stored = storedTypeOf(first);
-  bool plain = true, integers = true;
+  const ScalarType stored = storedTypeOf(series.files.front());
+  const bool alike = std::ranges::all_of(
+      series.files, [&](const DicomFile& file) { return storedTypeOf(file) == stored; });
+  const bool small = std::ranges::all_of(
+      series.files, [](const DicomFile& file) { return file.bits_allocated <= 16; });
+  bool plain = alike, integers = true;
   Interval values{std::numeric_limits<double>::infinity(),
                   -std::numeric_limits<double>::infinity()};
   for (const DicomFile& file : series.files) {
@@ -97,9 +100,9 @@ std::vector<ScalarType> voxelTypesFor(const DicomSeries& series) {
   if (plain) return {stored};
   std::vector<ScalarType> types;
   if (integers) {
-    if (covers(stored, values)) types.push_back(stored);
-    if (haptics::sizeOf(stored) <= 2 && values.least < 0.0) types.push_back(ScalarType::Int16);
-    if (haptics::sizeOf(stored) <= 2 && values.least >= 0.0) types.push_back(ScalarType::UInt16);
+    if (alike && covers(stored, values)) types.push_back(stored);
+    if (small && (values.least < 0.0 || !alike)) types.push_back(ScalarType::Int16);
+    if (small && values.least >= 0.0) types.push_back(ScalarType::UInt16);
     if (values.least >= 0.0) types.push_back(ScalarType::UInt32);
     types.push_back(ScalarType::Int32);
   }

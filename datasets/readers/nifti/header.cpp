@@ -248,6 +248,13 @@ Expected<Affine> affineOf(const fs::path& path, const Fields& fields,
   const bool by_quaternion = fields.quaternion_code > 0, by_matrix = fields.matrix_code > 0;
   if (by_quaternion && !turned)
     return malformed("bad-header", {"nifti-no-rotation", {quoted(path)}});
+  constexpr double kLeastStep = 1e-9;  // of the file's unit
+  const bool places = placed.steps.allFinite() && placed.origin.allFinite() &&
+                      placed.steps.colwise().norm().minCoeff() > kLeastStep;
+  if (by_quaternion && by_matrix && !places) {
+    notes.push_back({"nifti-sform-senseless", {}});
+    return *turned;
+  }
   if (by_quaternion && by_matrix && !agree(*turned, placed))
     return unsupported("ambiguous-orientation", {"nifti-orientation-ambiguous", {quoted(path)}});
   if (by_matrix && by_quaternion && !isSquareEnough(placed.steps)) {

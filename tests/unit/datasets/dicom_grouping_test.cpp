@@ -140,7 +140,6 @@ TEST(DicomGrouping, NorDoTwoThatDiffer) {
 
 TEST(DicomGrouping, WhatLiesAtTheSamePlacesIsPartedByWhatTellsItApart) {
   for (const Soft& soft : softAttributes()) {
-    const bool known = std::string(soft.name) != "exposure";
     const auto listed = [&](Pattern pattern) {
       Workshop workshop;
       write(workshop, {0, 1, 2, 3, 0, 1, 2, 3},
@@ -149,7 +148,7 @@ TEST(DicomGrouping, WhatLiesAtTheSamePlacesIsPartedByWhatTellsItApart) {
     };
     EXPECT_EQ(listed(Pattern::Constant), "duplicate") << soft.name;
     EXPECT_EQ(listed(Pattern::Alternating), "duplicate") << soft.name;
-    EXPECT_EQ(listed(Pattern::Halves), known ? "4 4" : "duplicate") << soft.name;
+    EXPECT_EQ(listed(Pattern::Halves), "4 4") << soft.name;
     EXPECT_EQ(listed(Pattern::Unique), soft.timed ? "4 4" : "duplicate") << soft.name;
   }
 }
@@ -163,10 +162,60 @@ TEST(DicomGrouping, PassesThatOverlapAreNeverOne) {
             [&](int n) { return std::vector{elementFor(soft, pattern, n, 8)}; });
       return listOf(workshop.folder());
     };
-    EXPECT_EQ(listed(Pattern::Halves), name == "exposure" ? "8?" : "4 4") << name;
+    EXPECT_EQ(listed(Pattern::Halves), "4 4") << name;
     EXPECT_EQ(listed(Pattern::Constant), "8?") << name;
     EXPECT_EQ(listed(Pattern::Alternating), name == "acquisition" ? "mixed-acquisitions" : "8?")
         << name;
+  }
+}
+
+TEST(DicomGrouping, PassesOneAfterTheOtherInTimeAreTwo) {
+  const std::vector<std::vector<double>> passes{
+      {0, 1.5, 3, 4.5, 6, 4, 5.5, 7, 8.5, 10},  // up, and up again
+      {0, 1.5, 3, 4.5, 6, 10, 8.5, 7, 5.5, 4},  // up and down
+      {0, 1.5, 3, 4.5, 6, 3, 4.5, 6, 7.5, 9}};  // some at the same places
+  for (const std::vector<double>& heights_mm : passes) {
+    Workshop workshop;
+    write(workshop, heights_mm, [](int n) {
+      return std::vector{Element{8, 0x33, "TM", std::to_string(101000 + n + (n < 5 ? 0 : 500))}};
+    });
+    EXPECT_EQ(listOf(workshop.folder()), "5 5");
+    EXPECT_NE(messageOf(workshop.folder(), 1).find("moment 2 of 2"), std::string::npos);
+  }
+}
+
+TEST(DicomGrouping, VolumesThatLackSlicesAreToldApartAllTheSame) {
+  Workshop workshop;
+  write(workshop, {0, 1, 3, 4, 5, 0, 1, 3, 4, 5}, [](int n) {
+    return std::vector{Element{0x20, 0x9241, "DS", n < 5 ? "10" : "40"}};
+  });
+  EXPECT_EQ(listOf(workshop.folder()), "missing-slices missing-slices");
+  EXPECT_NE(messageOf(workshop.folder(), 1).find("phase 2 of 2 (40 %)"), std::string::npos);
+}
+
+TEST(DicomGrouping, ABlankIdentifierIsNoOtherOne) {
+  const std::vector<Element> identifiers{
+      {0x10, 0x20, "LO", ""}, {0x20, 0xd, "UI", ""}, {8, 0x60, "CS", ""}, {0x20, 0xe, "UI", ""}};
+  for (const Element& blank : identifiers) {
+    Workshop workshop;
+    write(workshop, {0, 1, 2, 3, 4, 5},
+          [&](int n) { return n % 2 == 1 ? std::vector{blank} : std::vector<Element>(); });
+    EXPECT_EQ(listOf(workshop.folder()), "6") << blank.group << "," << blank.number;
+    EXPECT_NE(messageOf(workshop.folder()).find("several values of"), std::string::npos);
+  }
+}
+
+TEST(DicomGrouping, StoredTypesThatDifferAreOneStack) {
+  Workshop workshop;
+  write(workshop, {0, 1, 2, 3, 4}, [](int n) {
+    return std::vector{Element{0x28, 0x103, "US", number(std::size_t(n % 2), 2)}};
+  });
+  EXPECT_EQ(listOf(workshop.folder()), "5");
+  const auto v = readVolume(workshop.folder());
+  ASSERT_TRUE(v) << sentence(v.error());
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_EQ(voxelAt(*v, 0, 1, k), 3.0);
+    EXPECT_EQ(voxelAt(*v, 1, 1, k), k);
   }
 }
 
@@ -261,6 +310,16 @@ TEST(DicomGrouping, WhatHasNoIdentifierInCommonIsAskedAbout) {
     EXPECT_EQ(v->grid.dims[2], 5);
     EXPECT_FALSE(v->resampled);
   }
+  {
+    Workshop workshop;  // of two patients
+    write(workshop, {0, 1, 2, 3, 4, 5, 6, 7}, [&](int n) {
+      const std::string own = std::to_string(n);
+      return std::vector{Element{0x20, 0xe, "UI", "1.3." + own},
+                         Element{0x20, 0xd, "UI", "1.4." + own},
+                         Element{0x10, 0x20, "LO", n < 4 ? "A1" : "B2"}};
+    });
+    EXPECT_EQ(listOf(workshop.folder()), "4? 4?");
+  }
   Workshop workshop;  // two studies of several slices
   write(workshop, {0, 1, 2, 3, 4, 5}, [&](int n) {
     return std::vector{Element{0x20, 0xd, "UI", n < 3 ? "1.4.1" : "1.4.2"}};
@@ -290,6 +349,7 @@ TEST(DicomGrouping, WhatIsNoImageIsLeftOutAndNamed) {
   EXPECT_EQ(with({{8, 8, "CS", "ORIGINAL\\PRIMARY\\LOCALIZER"}}), "4");
   EXPECT_EQ(with({{0x28, 2, "US", number(3, 2)}, {0x28, 4, "CS", "RGB"}}), "4");
   EXPECT_EQ(with({no_place, {8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.7"}}), "4");
+  EXPECT_EQ(with({no_place, {8, 8, "CS", "DERIVED\\SECONDARY\\SCREEN SAVE"}}), "4");
   EXPECT_EQ(with({wide, tall}), "4");                               // a scout without its mark
   EXPECT_EQ(with({{0x20, 0x37, "DS", "1\\0\\0\\0\\0\\-1"}}), "4");  // likewise
   // the last slice, whose pixels are lost, is none of these

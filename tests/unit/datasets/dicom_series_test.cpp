@@ -175,7 +175,13 @@ TEST(DicomSeries, WhatWritingRoundsIsEven) {
   EXPECT_EQ(crookedFor(written(0.0333, 40, 2)), "no");
   auto lacking = written(0.33, 40, 1);
   lacking.erase(lacking.begin() + 20);
-  EXPECT_NE(reasonForStack(lacking) + crookedFor(lacking), "no");
+  EXPECT_EQ(reasonForStack(lacking), "missing-slices");
+  for (const double step_mm : {0.625, 0.75, 1.25}) {
+    lacking = written(step_mm, 30, 1);
+    lacking.erase(lacking.begin() + 11);
+    EXPECT_EQ(reasonForStack(lacking), "missing-slices") << step_mm;
+    EXPECT_EQ(longestRun(lacking).size(), 18u) << step_mm;
+  }
 }
 
 TEST(DicomSeries, TwoRegularStepsCanBeResampled) {
