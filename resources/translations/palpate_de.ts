@@ -2113,7 +2113,7 @@
     </message>
     <message>
         <source>phase of breath</source>
-        <translation>Atemphase</translation>
+        <translation>Phase der Atmung</translation>
     </message>
     <message>
         <source>time</source>
@@ -2157,7 +2157,7 @@
     </message>
     <message>
         <source>frame of reference</source>
-        <translation>Bezugssystem</translation>
+        <translation>Bezugskoordinatensystem</translation>
     </message>
     <message>
         <source>stack</source>
@@ -2165,7 +2165,7 @@
     </message>
     <message>
         <source>slice thickness</source>
-        <translation>Schichtdicke</translation>
+        <translation>Dicke der Schicht</translation>
     </message>
     <message>
         <source>voxel type</source>
@@ -2173,11 +2173,11 @@
     </message>
     <message>
         <source>time of acquisition</source>
-        <translation>Aufnahmezeit</translation>
+        <translation>Zeit der Aufnahme</translation>
     </message>
     <message>
         <source>time of the image</source>
-        <translation>Bildzeit</translation>
+        <translation>Zeit des Bildes</translation>
     </message>
     <message>
         <source>patient&apos;s name</source>

@@ -338,6 +338,39 @@ bool isOneKind(const DicomFile& a, const DicomFile& b) {
   return true;
 }
 
+/// Which of the files at the place of one that is named are left out for it.
+enum class Beside { OfOneKind, OfAnyKind };
+
+/// The volumes with frames of a file, which counts instead of others at its place.
+std::vector<DicomSeries> seriesHolding(const DicomFile& named, std::vector<DicomFile> headers,
+                                       Beside left_out) {
+  const auto isNamed = [&](const DicomFile& file) { return file.path == named.path; };
+  const auto copies = std::erase_if(headers, [&](const DicomFile& file) {
+    // many are made anonymous by giving all images one identifier
+    const bool comparable = file.placed && named.placed;
+    const bool same_instance =
+        !comparable && !file.instance.empty() && file.instance == named.instance;
+    const bool same_place = comparable && isSamePlace(file.plane, named.plane);
+    return !isNamed(file) && file.series == named.series && file.identity == named.identity &&
+           (left_out == Beside::OfAnyKind || isOneKind(file, named)) &&
+           (same_instance || same_place);
+  });
+  std::vector<DicomSeries> found;
+  for (DicomSeries& series : seriesAmong(std::move(headers))) {
+    const bool holds = std::ranges::any_of(series.files, isNamed);
+    if (!holds && std::ranges::none_of(series.left_out, isNamed)) continue;
+    if (!holds) {  // it stands for itself
+      series = DicomSeries{};
+      series.files = {named};
+      series.stack = judge(series.files);
+    }
+    series.copies_left_out += static_cast<int>(copies);
+    found.push_back(std::move(series));
+    if (!holds) break;
+  }
+  return found;
+}
+
 tl::unexpected<haptics::Error> noSeries(const fs::path& path) {
   return malformed("unreadable", {"dicom-no-series", {quoted(path)}});
 }
@@ -391,30 +424,14 @@ Expected<std::vector<DicomSeries>> seriesOf(const fs::path& path, DicomHeader he
   // files without identifiers stand for themselves
   if (named.series.empty())
     std::erase_if(*headers, [&](const DicomFile& file) { return !isNamed(file); });
-  const auto copies = std::erase_if(*headers, [&](const DicomFile& file) {
-    // many are made anonymous by giving all images one identifier
-    const bool comparable = file.placed && named.placed;
-    const bool same_instance =
-        !comparable && !file.instance.empty() && file.instance == named.instance;
-    const bool same_place = comparable && isSamePlace(file.plane, named.plane);
-    return !isNamed(file) && file.series == named.series && file.identity == named.identity &&
-           isOneKind(file, named) && (same_instance || same_place);
-  });
-  std::vector<DicomSeries> found;
-  for (DicomSeries& series : seriesAmong(std::move(*headers))) {
-    const bool holds = std::ranges::any_of(series.files, isNamed);
-    if (!holds && std::ranges::none_of(series.left_out, isNamed)) continue;
-    if (!holds) {  // it stands for itself
-      series = DicomSeries{};
-      series.files = {named};
-      series.stack = judge(series.files);
-    }
-    series.copies_left_out += static_cast<int>(copies);
-    series.damaged_beside = static_cast<int>(damaged);
-    found.push_back(std::move(series));
-    if (!holds) break;
-  }
+  std::vector<DicomSeries> found = seriesHolding(named, *headers, Beside::OfOneKind);
+  const auto isRepeated = [](const DicomSeries& series) {
+    return !series.stack && series.stack.error().reason == "duplicate";
+  };
+  if (found.size() == 1 && isRepeated(found.front()))
+    found = seriesHolding(named, std::move(*headers), Beside::OfAnyKind);
   if (found.empty()) return noSeries(path);
+  for (DicomSeries& series : found) series.damaged_beside = static_cast<int>(damaged);
   return found;
 }
 

@@ -327,6 +327,19 @@ TEST(DicomGrouping, WhatHasNoIdentifierInCommonIsAskedAbout) {
   EXPECT_EQ(listOf(workshop.folder()), "3 3");
 }
 
+TEST(DicomGrouping, AFileThatIsNamedCountsInsteadOfOthersAtItsPlace) {
+  Workshop workshop;
+  write(workshop, {0, 0}, [](int n) {
+    return std::vector{
+        Element{8, 8, "CS", n == 0 ? "ORIGINAL\\PRIMARY\\AXIAL" : "DERIVED\\PRIMARY\\AXIAL"}};
+  });
+  for (int n = 0; n < 2; ++n) {
+    const auto v = readVolume(workshop.folder() / ("s10" + std::to_string(n)));
+    ASSERT_TRUE(v) << sentence(v.error());
+    EXPECT_EQ(voxelAt(*v, 1, 1, 0), n);
+  }
+}
+
 TEST(DicomGrouping, WhatIsNoImageIsLeftOutAndNamed) {
   const auto with = [](std::vector<Element> changes) {
     Workshop workshop;
