@@ -39,7 +39,7 @@ inline constexpr const char* kSignal = "signal ";
 /// Build identity of the module or "-", the address within it, and whether the address is that of
 /// the instruction (1) or of the one after a call (0); hexadecimal.
 inline constexpr const char* kAt = "at ";
-inline constexpr int kMostFrames = 64;
+inline constexpr int kMostFrames = 128;  ///< a window that is being painted has more than 64
 inline constexpr std::size_t kLongestIdentity = 32;  ///< bytes
 inline constexpr int kMostBytes = 65'536;            ///< of a file
 }  // namespace raw

@@ -425,11 +425,8 @@ Expected<std::vector<DicomSeries>> seriesOf(const fs::path& path, DicomHeader he
   if (named.series.empty())
     std::erase_if(*headers, [&](const DicomFile& file) { return !isNamed(file); });
   std::vector<DicomSeries> found = seriesHolding(named, *headers, Beside::OfOneKind);
-  const auto isRepeated = [](const DicomSeries& series) {
-    return !series.stack && series.stack.error().reason == "duplicate";
-  };
-  if (found.size() == 1 && isRepeated(found.front()))
-    found = seriesHolding(named, std::move(*headers), Beside::OfAnyKind);
+  const bool refused = found.size() == 1 && !found.front().stack && !named.fault;
+  if (refused) found = seriesHolding(named, std::move(*headers), Beside::OfAnyKind);
   if (found.empty()) return noSeries(path);
   for (DicomSeries& series : found) series.damaged_beside = static_cast<int>(damaged);
   return found;
