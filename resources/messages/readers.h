@@ -121,7 +121,8 @@ inline constexpr Row kReaders[] = {
      "The series holds several acquisitions whose slices lie between each other's, and it cannot "
      "be told which belong together; put each acquisition into a folder of its own."},
     {"dicom-several-volumes",
-     "The series seems to hold %1 volumes of %2 slices, which cannot be told apart; put each into a "
+     "The series seems to hold %1 volumes of %2 slices, which cannot be told apart; put each into "
+     "a "
      "folder of its own."},
     {"dicom-nothing-in-common",
      "%1 files of %1 studies fit together as one stack, though their identifiers do not say that "

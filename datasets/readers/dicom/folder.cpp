@@ -338,7 +338,7 @@ bool isOneKind(const DicomFile& a, const DicomFile& b) {
   return true;
 }
 
-/// Which of the files at the place of one that is named are left out for it.
+/// The files that a named one replaces at its place.
 enum class Beside { OfOneKind, OfAnyKind };
 
 /// The volumes with frames of a file, which counts instead of others at its place.

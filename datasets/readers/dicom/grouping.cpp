@@ -61,7 +61,7 @@ bool mayBelong(const DicomFile& broken, const DicomFile& to) {
          (isNoSlice(broken) || agrees(broken.identity.modality, to.identity.modality));
 }
 
-/// What a header does not state that could be read in part only is taken to be another slice's.
+/// Takes from another slice the attributes that a header of which only a part could be read lacks.
 void supply(DicomFile& broken, const DicomFile& slice) {
   for (std::size_t a = 0; a < kAttributes; ++a)
     if (broken.attributes[a].empty()) broken.attributes[a] = slice.attributes[a];
@@ -135,8 +135,8 @@ haptics::Message viewName(const SlicePlane& view, const SlicePlane& first, std::
   return {"part-of", {haptics::Message{"attribute-view", {}}, n, all}};
 }
 
-/// The slices of one series by their geometry. What is odd beside a stack that is whole without it
-/// is left out; what the stack lacks stays with it, so that it is refused by name.
+/// The slices of one series by their geometry. A stack that is whole without its odd images leaves
+/// them out; slices that it lacks stay with it, so that it is refused by name.
 std::vector<FileGroup> byGeometry(Slices slices) {
   std::vector<Slices> views = viewsOf(slices);
   Slices& stack = views.front();

@@ -89,17 +89,15 @@ std::vector<std::pair<double, std::size_t>> heightsOf(const std::vector<DicomFil
 
 /// The slices at each place, from the lowest place on.
 std::vector<std::vector<std::size_t>> placesOf(const std::vector<DicomFile>& slices) {
-  constexpr double kSame = 0.05;  // of the largest step
-  constexpr double kSame_mm = 1e-3;
   const auto heights_mm = heightsOf(slices);
   double largest_mm = 0.0;
   for (std::size_t k = 1; k < heights_mm.size(); ++k)
     largest_mm = std::max(largest_mm, heights_mm[k].first - heights_mm[k - 1].first);
-  const double none_mm = std::min(kSame * largest_mm, kSame_mm);
+  const double none_mm = samePlaceWithin_mm(largest_mm);
   std::vector<std::vector<std::size_t>> places;
   double last_mm = -std::numeric_limits<double>::infinity();
   for (const auto& [height_mm, n] : heights_mm) {
-    if (places.empty() || height_mm - last_mm > none_mm) places.emplace_back();
+    if (places.empty() || height_mm - last_mm >= none_mm) places.emplace_back();
     places.back().push_back(n);
     last_mm = height_mm;
   }

@@ -136,8 +136,7 @@ std::vector<double> stepsOf(const std::vector<double>& heights_mm) {
 
 /// Steps that are none.
 std::ptrdiff_t repeatedPlaces(const std::vector<double>& steps_mm) {
-  const double none_mm =
-      std::clamp(kSamePosition * std::ranges::max(steps_mm), kLeastStep_mm, kSamePosition_mm);
+  const double none_mm = samePlaceWithin_mm(std::ranges::max(steps_mm));
   return std::ranges::count_if(steps_mm, [&](double step) { return step < none_mm; });
 }
 
@@ -321,6 +320,10 @@ Expected<Stack> straightened(Stack stack, const std::vector<SlicePlane>& ordered
 }
 
 }  // namespace
+
+double samePlaceWithin_mm(double largest_step_mm) {
+  return std::clamp(kSamePosition * largest_step_mm, kLeastStep_mm, kSamePosition_mm);
+}
 
 double turnBetween(const SlicePlane& a, const SlicePlane& b) {
   return std::max(angleBetween(a.along_row, b.along_row),

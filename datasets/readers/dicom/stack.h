@@ -41,6 +41,9 @@ struct Stack {
   std::optional<Crooked> crooked = {};
 };
 
+/// Steps below this are none, mm: slices that lie so near to each other lie at one place.
+double samePlaceWithin_mm(double largest_step_mm);
+
 /// How far one plane is turned against another, rad: the larger of the angles of rows and columns.
 double turnBetween(const SlicePlane& a, const SlicePlane& b);
 

@@ -76,7 +76,7 @@ Expected<void> readNrrdType(const fs::path& path, const NrrdText& text, NrrdHead
 
 using Words = std::vector<std::string_view>;
 
-/// What a vector "(1, 0, 0)" holds.
+/// The components of a vector, "(1, 0, 0)".
 Words componentsOf(std::string_view vector) {
   Words words;
   for (std::size_t at = 0; at <= vector.size();) {
