@@ -233,10 +233,11 @@ const std::vector<DicomFile>& filesOf(const FileGroup& group) {
 std::vector<DicomSeries> judged(FileGroup group) {
   std::ranges::move(group.faulty, std::back_inserter(group.slices));
   const int copies = leaveOutCopies(group.slices);
-  const auto unplaced = std::ranges::stable_partition(
-      group.slices, [&](const DicomFile& f) { return f.placed || !f.fault; });
-  const std::vector<DicomFile> lacking(unplaced.begin(), unplaced.end());
-  group.slices.erase(unplaced.begin(), unplaced.end());
+  const auto unplaced =
+      std::stable_partition(group.slices.begin(), group.slices.end(),
+                            [](const DicomFile& f) { return f.placed || !f.fault; });
+  const std::vector<DicomFile> lacking(unplaced, group.slices.end());
+  group.slices.erase(unplaced, group.slices.end());
   std::vector<DicomSeries> all;
   std::vector<VolumePart> parts;
   if (group.slices.empty())

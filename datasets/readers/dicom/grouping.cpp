@@ -5,7 +5,6 @@
 #include <iterator>
 #include <map>
 #include <numbers>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -106,9 +105,9 @@ bool overlap(const Slices& a, const Slices& b) {
   const SlicePlane& any = a.front().plane;
   const haptics::Vec3 normal = any.along_row.cross(any.along_column);
   const auto extentOf = [&](const Slices& slices) {
-    return std::ranges::minmax(slices | std::views::transform([&](const DicomFile& f) {
-                                 return normal.dot(f.plane.position_mm);
-                               }));
+    std::vector<double> heights_mm;
+    for (const DicomFile& slice : slices) heights_mm.push_back(normal.dot(slice.plane.position_mm));
+    return std::ranges::minmax(heights_mm);
   };
   const auto one = extentOf(a), other = extentOf(b);
   return one.min <= other.max && other.min <= one.max;

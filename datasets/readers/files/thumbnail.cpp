@@ -72,13 +72,15 @@ Layout layoutOf(const SlicePixels& slice) {
 }  // namespace
 
 haptics::Expected<Thumbnail> thumbnailOf(const SlicePixels& slice, int longest) {
-  const auto [across, down, plane] = layoutOf(slice);
+  const Layout layout = layoutOf(slice);
+  const Side &across = layout.across, &down = layout.down;
   const double scale = longest / std::max(across.length(), down.length());
   if (!std::isfinite(scale)) return unsupported("bad-header", {"thumbnail-no-size", {}});
   const auto pixelsOf = [scale](const Side& side) {
     return std::max(1, static_cast<int>(std::lround(scale * side.length())));
   };
-  Thumbnail small{.width = pixelsOf(across), .height = pixelsOf(down), .grey = {}, .plane = plane};
+  Thumbnail small{
+      .width = pixelsOf(across), .height = pixelsOf(down), .grey = {}, .plane = layout.plane};
   std::vector<double> values;
   haptics::visitVoxels(slice.type, slice.pixels, [&](const auto* from) {
     for (int y = 0; y < small.height; ++y)
