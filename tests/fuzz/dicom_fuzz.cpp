@@ -42,8 +42,8 @@ void check(const datasets::DicomSeries& series) {
   const datasets::Stack& stack = *series.stack;
   fuzz::require(stack.order.size() == series.files.size(), "every slice has its place");
   fuzz::require(datasets::gridOf(stack.geometry).has_value(), "what can be loaded has a grid");
-  // dims of the box beyond its slices' are bounded by them
-  fuzz::require(stack.geometry.dims[2] <= 2 * static_cast<std::int64_t>(series.files.size()),
+  // dims of the box beyond its slices' are bounded by them; two regular steps make the most
+  fuzz::require(stack.geometry.dims[2] <= 8 * static_cast<std::int64_t>(series.files.size()),
                 "few planes are made up");
 }
 
@@ -54,7 +54,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const auto paths = filesOf(folder, std::string_view(reinterpret_cast<const char*>(bytes), size));
   if (const auto all = datasets::seriesAmong(paths))
     for (const datasets::DicomSeries& series : *all) check(series);
-  if (const auto one = datasets::seriesOf(paths.front())) check(*one);
+  const datasets::Beginning beginning(paths.front());
+  if (datasets::looksLikeDicom(beginning))
+    if (const auto some =
+            datasets::seriesOf(paths.front(), datasets::readDicomHeader(beginning), {}))
+      for (const datasets::DicomSeries& series : *some) check(series);
   for (const auto& path : paths) std::filesystem::remove(path);
   return 0;
 }
