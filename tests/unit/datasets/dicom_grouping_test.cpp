@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which files are one volume: attributes that differ part nothing that is one even stack.
+// The files of one volume: differing attributes part nothing that is one even stack.
 #include <gtest/gtest.h>
 
 #include <algorithm>
