@@ -145,7 +145,7 @@ inline constexpr Row kReaders[] = {
     {"attribute-trigger-time", "trigger time"},
     {"attribute-breath", "phase of breath"},
     {"attribute-time", "time"},
-    {"attribute-moment", "moment"},
+    {"attribute-pass", "pass"},
     {"attribute-echo", "echo"},
     {"attribute-echo-time", "echo time"},
     {"attribute-b-value", "b-value"},

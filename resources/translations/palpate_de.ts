@@ -2120,10 +2120,6 @@
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>moment</source>
-        <translation>Zeitpunkt</translation>
-    </message>
-    <message>
         <source>echo</source>
         <translation>Echo</translation>
     </message>
@@ -2294,6 +2290,10 @@
     <message>
         <source>modality</source>
         <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>Durchgang</translation>
     </message>
 </context>
 <context>

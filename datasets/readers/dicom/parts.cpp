@@ -107,7 +107,7 @@ std::vector<std::vector<std::size_t>> placesOf(const std::vector<DicomFile>& sli
 /// A way to part slices into volumes.
 struct Parting {
   std::vector<std::vector<std::size_t>> parts;
-  std::vector<const Values*> by;  ///< none: the order in time
+  std::vector<const Values*> by;  ///< none: passes of the scanner
   std::size_t even_slices = 0;    ///< in parts that are even stacks
 
   bool isWhole(std::size_t all) const { return even_slices == all; }
@@ -260,6 +260,30 @@ std::optional<Parting> passesInTime(const Union& all) {
   return {};
 }
 
+/// Two passes that nothing tells apart but their places: the slices at equal steps from the lowest
+/// on, and the others, each even, where both lie in each other's place.
+std::optional<Parting> passesBetween(const Union& all) {
+  constexpr std::size_t kMostBetween = 3;  // candidates for the second slice of the lowest pass
+  constexpr double kOnStep = 0.1;          // of the step
+  const auto stack = stackOf(planesOf(all.slices, allOf(all.slices)));
+  if (!stack || !stack->crooked || stack->crooked->two_steps) return {};
+  const auto heights_mm = heightsOf(all.slices);
+  for (std::size_t second = 1; second <= kMostBetween && second < heights_mm.size(); ++second) {
+    const double step_mm = heights_mm[second].first - heights_mm.front().first;
+    double next_mm = heights_mm.front().first;
+    std::vector<std::size_t> which(all.slices.size(), 1);
+    for (const auto& [height_mm, n] : heights_mm) {
+      if (std::abs(height_mm - next_mm) > kOnStep * step_mm) continue;
+      which[n] = 0;
+      next_mm = height_mm + step_mm;
+    }
+    Parting parting = partedBy(all, which, {}, Wanted::AllEven);
+    if (parting.parts.size() == 2 && parting.isWhole(all.slices.size()) && !areApart(all, parting))
+      return parting;
+  }
+  return {};
+}
+
 /// By one attribute, so that no part has two images at one place, though none may be even.
 std::optional<Parting> partsOfOneImageEach(const Union& all, const std::vector<Values>& values) {
   if (!all.repeated) return {};
@@ -306,7 +330,7 @@ Message nameOf(const Values& values, std::size_t which) {
 Message nameOf(const Parting& parting, std::size_t part) {
   if (parting.by.empty())
     return {"part-of",
-            {Message{"attribute-moment", {}}, std::to_string(part + 1),
+            {Message{"attribute-pass", {}}, std::to_string(part + 1),
              std::to_string(parting.parts.size())}};
   const std::size_t slice = parting.parts[part].front();
   Message name = nameOf(*parting.by.front(), parting.by.front()->which[slice]);
@@ -343,6 +367,7 @@ std::vector<VolumePart> partsOf(const std::vector<DicomFile>& slices) {
   if (const auto parting = evenParts(all, values)) return named(*parting);
   if (const auto parting = partsInTime(all)) return named(*parting);
   if (const auto parting = passesInTime(all)) return named(*parting);
+  if (const auto parting = passesBetween(all)) return named(*parting);
   if (const auto parting = someEvenParts(all, values)) return named(*parting);
   if (const auto parting = partsOfOneImageEach(all, values)) return named(*parting);
   return {{allOf(slices), {}}};

@@ -155,17 +155,27 @@ TEST(DicomGrouping, WhatLiesAtTheSamePlacesIsPartedByWhatTellsItApart) {
 
 TEST(DicomGrouping, PassesThatOverlapAreNeverOne) {
   for (const Soft& soft : softAttributes()) {
-    const std::string name = soft.name;
     const auto listed = [&](Pattern pattern) {
       Workshop workshop;
       write(workshop, {0, 1, 2, 3, 2.5, 3.5, 4.5, 5.5},
             [&](int n) { return std::vector{elementFor(soft, pattern, n, 8)}; });
       return listOf(workshop.folder());
     };
-    EXPECT_EQ(listed(Pattern::Halves), "4 4") << name;
-    EXPECT_EQ(listed(Pattern::Constant), "8?") << name;
-    EXPECT_EQ(listed(Pattern::Alternating), name == "acquisition" ? "mixed-acquisitions" : "8?")
-        << name;
+    // their places alone tell them apart
+    for (const Pattern pattern : {Pattern::Halves, Pattern::Constant, Pattern::Alternating})
+      EXPECT_EQ(listed(pattern), "4 4") << soft.name << " " << int(pattern);
+  }
+}
+
+TEST(DicomGrouping, UnevenStacksAreNoPasses) {
+  const std::vector<std::pair<std::vector<double>, const char*>> stacks{
+      {{0, 1, 2, 3.5, 4.5, 5.5}, "6?"},      // one behind the other
+      {{0, 1, 2, 2.5, 3, 4}, "6?"},          // one slice more
+      {{0, 2, 4, 6, 8, 12, 16, 20}, "8?"}};  // two regular steps
+  for (const auto& [heights_mm, expected] : stacks) {
+    Workshop workshop;
+    write(workshop, heights_mm, [](int) { return std::vector<Element>(); });
+    EXPECT_EQ(listOf(workshop.folder()), expected) << heights_mm.size();
   }
 }
 
@@ -180,7 +190,7 @@ TEST(DicomGrouping, PassesOneAfterTheOtherInTimeAreTwo) {
       return std::vector{Element{8, 0x33, "TM", std::to_string(101000 + n + (n < 5 ? 0 : 500))}};
     });
     EXPECT_EQ(listOf(workshop.folder()), "5 5");
-    EXPECT_NE(messageOf(workshop.folder(), 1).find("moment 2 of 2"), std::string::npos);
+    EXPECT_NE(messageOf(workshop.folder(), 1).find("pass 2 of 2"), std::string::npos);
   }
 }
 
