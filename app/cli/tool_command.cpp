@@ -71,6 +71,8 @@ Outcome writeShell(const ToolOptions& options) {
   outcome.json["triangles"] = loaded->tool.mesh.triangles.size();
   outcome.json["radius_mm"] = shell.radius * 1e3;
   outcome.json["spacing_mm"] = shell.spacing * 1e3;
+  const haptics::Vec3 origin_mm = shell.origin * 1e3;
+  outcome.json["origin_mm"] = {origin_mm.x(), origin_mm.y(), origin_mm.z()};
   auto& warnings = outcome.json["warnings"] = nlohmann::ordered_json::array();
   for (const haptics::Message& warning : loaded->warnings)
     warnings.push_back(resources::sentence(warning));

@@ -39,6 +39,7 @@ ordered_json factsOf(const haptics::RecordedScene& scene) {
   ordered_json facts = {
       {"tool", plain(scene.tool.name)},
       {"points", scene.tool.shell.points.size()},
+      {"tool_origin_m", listOf(scene.tool.shell.origin)},
       {"dims", volume.grid.dims},
       {"spacing_m", listOf(volume.grid.spacing)},
       {"origin_m", listOf(volume.grid.origin)},

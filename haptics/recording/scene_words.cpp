@@ -124,7 +124,8 @@ json settingsOf(const Scene& scene) {
           {"triangles", scene.tool.mesh.triangles.size()},
           {"shell_radius_m", shell.radius},
           {"shell_inertia_m2", listOf(shell.inertia)},
-          {"shell_spacing_m", shell.spacing}};
+          {"shell_spacing_m", shell.spacing},
+          {"shell_origin_m", listOf(shell.origin)}};
 }
 
 json volumeWords(const Volume& volume) {
@@ -192,6 +193,8 @@ void takeSettings(const json& words, const SceneWords& stored, RecordedScene& sc
   shell.radius = words.at("shell_radius_m").get<double>();
   take(words.at("shell_inertia_m2"), shell.inertia);
   shell.spacing = words.at("shell_spacing_m").get<double>();
+  // recordings of earlier versions do not say it
+  if (words.contains("shell_origin_m")) take(words.at("shell_origin_m"), shell.origin);
   TriangleMesh& mesh = scene.tool.mesh;
   mesh.vertices = unpacked<Vec3>(stored.vertices, whole<std::size_t>(words.at("vertices")));
   mesh.triangles = unpacked<std::array<std::uint32_t, 3>>(
@@ -202,7 +205,8 @@ void takeSettings(const json& words, const SceneWords& stored, RecordedScene& sc
         throw json::other_error::create(501, "no such corner", nullptr);
   for (const Vec3& point : shell.points)
     if (!point.allFinite()) throw json::other_error::create(501, "not finite", nullptr);
-  if (shell.points.empty() || !shell.inertia.allFinite() || !std::isfinite(shell.radius))
+  if (shell.points.empty() || !shell.inertia.allFinite() || !shell.origin.allFinite() ||
+      !std::isfinite(shell.radius))
     throw json::other_error::create(501, "no shell", nullptr);
 }
 

@@ -74,6 +74,7 @@ Expected<PointShell> makeShell(std::vector<Vec3> points) {
       return tl::unexpected(Error{Error::Kind::Malformed, {"tool-point-too-far", {}}});
 
   PointShell shell;
+  shell.origin = centroid;
   shell.points = std::move(points);
   Mat3 inertia = Mat3::Zero();
   for (Vec3& p : shell.points) {
@@ -102,12 +103,9 @@ Expected<Tool> makeTool(std::string name, TriangleMesh mesh, int point_count) {
   if (point_count > 0 && mesh.triangles.empty())
     return tl::unexpected(Error{Error::Kind::Malformed, {"tool-no-triangle", {name}}});
   std::vector<Vec3> points = point_count > 0 ? sampleByArea(mesh, point_count) : mesh.vertices;
-  Vec3 centroid = Vec3::Zero();
-  for (const Vec3& p : points) centroid += p;
-  if (!points.empty()) centroid /= double(points.size());
   Expected<PointShell> shell = makeShell(std::move(points));
   if (!shell) return tl::unexpected(shell.error());
-  for (Vec3& v : mesh.vertices) v -= centroid;
+  for (Vec3& v : mesh.vertices) v -= shell->origin;
   return Tool{std::move(name), std::move(mesh), std::move(*shell)};
 }
 

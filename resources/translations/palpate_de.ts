@@ -2295,6 +2295,18 @@
         <source>pass</source>
         <translation>Durchgang</translation>
     </message>
+    <message>
+        <source>The element &quot;%2&quot; of %1 must have the property &quot;%3&quot; once; export the mesh again.</source>
+        <translation>Das Element „%2“ von %1 muss die Eigenschaft „%3“ einmal haben; exportieren Sie das Netz neu.</translation>
+    </message>
+    <message>
+        <source>%1 goes on behind the rows that its header states; export the mesh again.</source>
+        <translation>%1 geht hinter den Zeilen weiter, die der Kopf nennt; exportieren Sie das Netz neu.</translation>
+    </message>
+    <message>
+        <source>A face of %1 has more than %2 corners; export the mesh again as triangles.</source>
+        <translation>Eine Fläche von %1 hat mehr als %2 Ecken; exportieren Sie das Netz neu als Dreiecke.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>

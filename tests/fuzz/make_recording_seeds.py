@@ -39,7 +39,7 @@ SETTINGS = json.dumps({
                                      "central_differences", "still_rows")},
     "epsilon": 0.05, "sub_steps": 8, "points": 1, "vertices": 1, "triangles": 0,
     "shell_radius_m": 0.001, "shell_inertia_m2": [1, 0, 0, 0, 1, 0, 0, 0, 1],
-    "shell_spacing_m": 0})
+    "shell_spacing_m": 0, "shell_origin_m": [0, 0, 0]})
 VOLUME = json.dumps({
     "dims": [8, 8, 8], "spacing_m": [0.001] * 3, "origin_m": [0, 0, 0],
     "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1], "scalar": "int16", "least": 0, "greatest": 100,

@@ -289,7 +289,8 @@ def from_mcap(path):
     file = read_mcap.read(path)
     topics = file["topics"]
     check(file["order"] == sorted(file["order"]), "messages are not in order of time")
-    check(file["metadata"]["scene 1"]["tool"] == "probe", "the scene's facts in MCAP")
+    check(file["metadata"]["scene 1"]["tool"] == "probe" and
+          len(json.loads(file["metadata"]["scene 1"]["tool_origin_m"])) == 3, "the scene's facts in MCAP")
     try:
         import jsonschema
         for topic, schema in file["schemas"].items():

@@ -1,32 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/readers/meshes/tool_mesh.h"
 
-#include <vtkAbstractPolyDataReader.h>
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
 #include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <exception>
 #include <fstream>
 #include <map>
+#include <new>
 #include <string_view>
 #include <utility>
 
-#include "datasets/readers/files/c_locale.h"
-#include "datasets/readers/files/memory_file.h"
 #include "datasets/readers/files/refusal.h"
 #include "datasets/readers/files/vtk_errors.h"
-#include "datasets/readers/meshes/checks.h"
+#include "datasets/readers/meshes/polygons.h"
 
 namespace datasets {
 
@@ -78,58 +73,38 @@ Expected<std::string> bytesIn(const fs::path& path) {
   return bytes;
 }
 
-/// The polygons in the file's bytes, counted by us.
-Expected<std::int64_t> countedPolygons(MeshFormat format, const fs::path& path,
-                                       std::string_view bytes) {
+Expected<Polygons> polygonsIn(MeshFormat format, const fs::path& path, std::string_view bytes) {
   switch (format) {
     case MeshFormat::Stl:
-      return checkStl(path, bytes);
+      return readStl(path, bytes);
     case MeshFormat::Obj:
-      return checkObj(path, bytes);
+      return readObj(path, bytes);
     case MeshFormat::Ply:
       break;
   }
-  return checkPly(path, bytes);
+  return readPly(path, bytes);
 }
 
-vtkSmartPointer<vtkAbstractPolyDataReader> readerFor(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::Stl: {
-      // merging is ours: VTK's would drop triangles before they are counted
-      const auto stl = vtkSmartPointer<vtkSTLReader>::New();
-      stl->MergingOff();
-      return stl;
-    }
-    case MeshFormat::Obj:
-      return vtkSmartPointer<vtkOBJReader>::New();
-    case MeshFormat::Ply:
-      break;
+/// The polygons as triangles, which VTK cuts them into.
+Expected<vtkSmartPointer<vtkPolyData>> triangulated(const fs::path& path,
+                                                    const Polygons& polygons) {
+  vtkNew<vtkPoints> places;  // of float32
+  for (const Polygons::Place& place : polygons.places) places->InsertNextPoint(place.data());
+  vtkNew<vtkCellArray> cells;
+  std::size_t begin = 0;
+  for (const std::size_t end : polygons.ends) {
+    cells->InsertNextCell(static_cast<int>(end - begin));
+    for (; begin < end; ++begin) cells->InsertCellPoint(polygons.corners[begin]);
   }
-  return vtkSmartPointer<vtkPLYReader>::New();
-}
-
-/// VTK's view of the file as triangles; refused where it differs from our count.
-Expected<vtkSmartPointer<vtkPolyData>> triangulated(MeshFormat format, const fs::path& path,
-                                                    std::string_view bytes, std::int64_t polygons) {
-  const CLocale numbers_with_points;
-  const auto reader = readerFor(format);
+  vtkNew<vtkPolyData> read;
+  read->SetPoints(places);
+  read->SetPolys(cells);
   vtkNew<VtkErrors> errors;
-  errors->watch(reader);
-  MemoryFile places;
-  if (format == MeshFormat::Obj && !places.append(placesOfObj(bytes)))
-    return unsupported("too-large", {"mesh-memory", {quoted(path)}});
-  reader->SetFileName(format == MeshFormat::Obj ? places.path().c_str() : path.c_str());
-  reader->Update();
-  vtkPolyData* read = reader->GetOutput();
-  if (errors->errors() > 0 || reader->GetErrorCode() != 0 || read == nullptr ||
-      read->GetNumberOfPolys() != polygons)
-    return malformed("unreadable", {"mesh-unreadable", {quoted(path)}});
   vtkNew<vtkTriangleFilter> triangles;
   errors->watch(triangles);
-  triangles->PassLinesOff();
-  triangles->PassVertsOff();
   triangles->SetInputData(read);
   triangles->Update();
+  if (errors->errors() > 0) return malformed("unreadable", {"mesh-unreadable", {quoted(path)}});
   return vtkSmartPointer<vtkPolyData>(triangles->GetOutput());
 }
 
@@ -147,8 +122,6 @@ Expected<TriangleMesh> meshOf(const fs::path& path, vtkPolyData* poly, double me
     for (int i = 0; i < 3; ++i) {
       std::array<double, 3> p{};
       poly->GetPoint(corners->GetId(i), p.data());
-      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-        return malformed("non-finite", {"mesh-vertex-not-finite", {quoted(path)}});
       for (double& x : p) x += 0.0;  // one zero, without a sign
       const auto [it, is_new] =
           index_of.try_emplace(p, static_cast<std::uint32_t>(mesh.vertices.size()));
@@ -190,10 +163,9 @@ Expected<ToolMesh> read(const fs::path& path, MeshUnit unit) {
   if (!format) return tl::unexpected(format.error());
   const auto bytes = bytesIn(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto polygons = countedPolygons(*format, path, *bytes);
+  const auto polygons = polygonsIn(*format, path, *bytes);
   if (!polygons) return tl::unexpected(polygons.error());
-  if (*polygons == 0) return malformed("no-triangle", {"mesh-no-triangle", {quoted(path)}});
-  const auto poly = triangulated(*format, path, *bytes, *polygons);
+  const auto poly = triangulated(path, *polygons);
   if (!poly) return tl::unexpected(poly.error());
   auto mesh = meshOf(path, *poly, metresIn(unit));
   if (!mesh) return tl::unexpected(std::move(mesh.error()));
@@ -215,6 +187,8 @@ std::optional<MeshUnit> meshUnitNamed(std::string_view name) {
 Expected<ToolMesh> readToolMesh(const fs::path& path, MeshUnit unit) {
   try {
     return read(path, unit);
+  } catch (const std::bad_alloc&) {
+    return unsupported("too-large", {"mesh-memory", {quoted(path)}});
   } catch (const std::exception&) {
     return malformed("unreadable", {"mesh-unreadable", {quoted(path)}});
   }

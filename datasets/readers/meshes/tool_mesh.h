@@ -22,7 +22,7 @@ struct ToolMesh {
   std::vector<haptics::Message> warnings;  ///< open, non-manifold, suspiciously long or short
 };
 
-/// Reads STL, OBJ or PLY through VTK. Refuses a mesh without a triangle, with a non-finite
+/// Reads STL, OBJ or PLY. Refuses a mesh without a triangle, with a non-finite
 /// vertex, truncated, or with an index out of range; says when it is open or non-manifold, longer
 /// than 0.5 m or shorter than 1 mm.
 haptics::Expected<ToolMesh> readToolMesh(const std::filesystem::path& path, MeshUnit unit);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "tests/support/comma_locale.h"
+#include "tests/support/places.h"
 #include "tests/support/sentence.h"
 #include "tests/unit/datasets/scans.h"
 
@@ -182,6 +183,81 @@ TEST(ToolMesh, BrokenFilesAreRefusedByName) {
   EXPECT_EQ(reason("p.ply", "not a mesh"), "bad-header");
   EXPECT_EQ(reason("x.3ds", binaryStl()), "unreadable");
   EXPECT_EQ(reasonForTool(workshop.folder() / "absent.stl"), "unreadable");
+}
+
+TEST(ToolMesh, APlyIsReadRowByRowHoweverItIsLaidOut) {
+  for (const char* name : {"no_final_newline.ply", "faces_first.ply", "blank_line.ply"}) {
+    const auto tool = readToolMesh(places::source(std::string("tests/cases/reports/ply/") + name),
+                                   MeshUnit::Millimetre);
+    ASSERT_TRUE(tool) << name << ": " << sentence(tool.error());
+    EXPECT_EQ(tool->mesh.vertices.size(), 8u) << name;
+    EXPECT_EQ(tool->mesh.triangles.size(), 12u) << name;
+    EXPECT_TRUE(tool->warnings.empty()) << name;
+  }
+  Workshop workshop;
+  // all rows on one line, a list before the coordinates, other elements between
+  const std::string text =
+      "ply\nformat ascii 1.0\nobj_info a\nelement camera 1\nproperty list uchar float f\n"
+      "element vertex 4\nproperty list uchar short near\nproperty double z\nproperty double y\n"
+      "property double x\nelement edge 0\nproperty int a\nelement face 4\n"
+      "property uchar red\nproperty list uchar int vertex_index\nend_header\n"
+      "2 nan 1 0 0 0 0 0 0 0 20 1 5 0 30 0 0 40 0 0 7 3 0 2 1 7 3 0 1 3 7 3 0 3 2 7 3 1 2 3";
+  const auto tool = readToolMesh(workshop.write("t.ply", text), MeshUnit::Millimetre);
+  ASSERT_TRUE(tool) << sentence(tool.error());
+  EXPECT_EQ(tool->mesh.triangles.size(), 4u);
+  EXPECT_TRUE(tool->warnings.empty());
+  EXPECT_EQ(tool->mesh.vertices[1], Vec3(0.0, 0.03, 0.0));
+}
+
+TEST(ToolMesh, APlyThatFitsOnlyByGuessingIsRefused) {
+  Workshop workshop;
+  const fs::path hostile = places::source("tests/cases/hostile");
+  EXPECT_EQ(reasonForTool(hostile / "no_z.ply"), "bad-header");
+  EXPECT_EQ(reasonForTool(hostile / "long_line.ply"), "");
+  const std::string rows = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  const auto with = [&](const std::string& part, const std::string& instead) {
+    std::string text = kPlyHeader + rows;
+    text.replace(text.find(part), part.size(), instead);
+    return reasonForTool(workshop.write("p.ply", text));
+  };
+  EXPECT_EQ(with("vertex 4", "vertex 4"), "");
+  EXPECT_EQ(with("element vertex", "element vertices"), "bad-header");
+  EXPECT_EQ(with("property float z\n", "property float z\nproperty float z\n"), "bad-header");
+  EXPECT_EQ(with("property float z\n", "property float z\nelement vertex 0\nproperty float x\n"),
+            "bad-header");
+  EXPECT_EQ(with("property float z", "property list uchar float z"), "bad-header");
+  EXPECT_EQ(with("vertex_indices", "corners"), "bad-header");
+  EXPECT_EQ(with("format ascii 1.0", "format ascii 1.0\nrows four"), "bad-header");
+  // a row has a number more than its header says
+  EXPECT_EQ(with("20 0 0\n", "20 0 0 1\n"), "truncated");
+  EXPECT_EQ(with("3 1 2 3\n", "3 1 2 3 0\n"), "too-long");
+  EXPECT_EQ(with("20 0 0\n", "20,5 0 0\n"), "truncated");
+  EXPECT_EQ(with("20 0 0\n", "1e39 0 0\n"), "non-finite");
+  EXPECT_EQ(with("20 0 0\n", "nan 0 0\n"), "non-finite");
+  EXPECT_EQ(with("3 1 2 3\n", "3 1 2 2.5\n"), "bad-index");
+  EXPECT_EQ(with("3 1 2 3\n", "2.5 1 2 3\n"), "truncated");
+  EXPECT_EQ(with("3 1 2 3\n", "3 1 2 -1\n"), "bad-index");
+}
+
+TEST(ToolMesh, APolygonWithVeryManyCornersIsRefused) {
+  Workshop workshop;
+  const auto withCorners = [&](int corners) {
+    std::string text, face = "f";
+    for (int i = 0; i < corners; ++i) {
+      const double turn = 2 * M_PI * i / corners;
+      text += "v " + std::to_string(9 * std::cos(turn)) + " " + std::to_string(9 * std::sin(turn)) +
+              " 0\n";
+      face += " " + std::to_string(i + 1);
+    }
+    return readToolMesh(workshop.write("p.obj", text + face + "\n"), MeshUnit::Millimetre);
+  };
+  const auto most = withCorners(1000);
+  ASSERT_TRUE(most) << sentence(most.error());
+  EXPECT_EQ(most->mesh.triangles.size(), 998u);
+  const auto more = withCorners(1001);
+  ASSERT_FALSE(more);
+  EXPECT_NE(sentence(more.error()).find("more than 1000 corners"), std::string::npos)
+      << sentence(more.error());
 }
 
 TEST(ToolMesh, FacesMayStateTextureAndNormalAtSomeCornersOnly) {

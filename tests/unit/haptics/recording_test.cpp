@@ -467,6 +467,15 @@ TEST(Recording, KnowsHowManySlicesItsVolumeLacks) {
   EXPECT_EQ(read->volume.slices_left_out, 7);
 }
 
+TEST(Recording, KnowsWhereTheToolsOriginWasInItsFile) {
+  const auto whole = scene();
+  Tool tool = whole->tool;
+  tool.shell.origin = {0.1, -0.2, 0.3};
+  const auto read = sceneFrom(wordsOf(**makeScene(whole->volume, tool)));
+  ASSERT_TRUE(read) << sentence(read.error());
+  EXPECT_EQ(read->tool.shell.origin, tool.shell.origin);
+}
+
 TEST(Recording, MarksLieWhereTheyWereSet) {
   const ScratchFolder scratch;
   Bench bench(scratch / "r.palpate");

@@ -131,6 +131,18 @@ TEST(Tool, WithoutANumberOfPointsIsItsVerticesAndMeshAndShellShareAFrame) {
     EXPECT_LT((tool.shell.points[i] - tool.mesh.vertices[i]).norm(), 1e-15);
 }
 
+TEST(Tool, KnowsWhereItsOriginWasInTheFrameItWasMadeIn) {
+  TriangleMesh mesh = box(Vec3{0.01, 0.02, 0.03});
+  const Vec3 away{0.1, -0.2, 0.3};
+  for (Vec3& v : mesh.vertices) v += away;
+  EXPECT_TRUE(makeTool("box", mesh)->shell.origin.isApprox(away, 1e-12));
+  EXPECT_TRUE(makeShell(mesh.vertices)->origin.isApprox(away, 1e-12));
+  // with points spread evenly it is their centroid, to which the mesh was moved as well
+  const auto sampled = makeTool("box", mesh, 500);
+  EXPECT_TRUE(Vec3{sampled->mesh.vertices[7] + sampled->shell.origin}.isApprox(mesh.vertices[7]));
+  EXPECT_NEAR((sampled->shell.origin - away).norm(), 0.0, 1e-3);
+}
+
 TEST(Tool, EvenSamplingIsTheSameEveryTimeAndEvenByArea) {
   const Vec3 half{1e-2, 2e-2, 3e-2};
   const haptics::Tool tool = makeTool("box", box(half), 2000).value();
