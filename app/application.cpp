@@ -27,6 +27,7 @@
 #include "app/window/tool_controller.h"
 #include "app/window/view_controller.h"
 #include "app/window/view_file_controller.h"
+#include "resources/messages/messages.h"
 #include "ui/main_window.h"
 #include "ui/volume_view.h"
 
@@ -74,7 +75,7 @@ class Application::Parts : public QObject {
   DeviceController device;
   MeasurementController measurement{window, shared};
   MarksController marks{window, shared};
-  ViewFileController view_file{window, shared, identity, marks};
+  ViewFileController view_file;
   RecordingController recording;
   ReplayController replay;
   EditController edit{window, shared};
@@ -84,6 +85,7 @@ class Application::Parts : public QObject {
   PacsController pacs{window, arguments.fetch_program};
   LogController log{window, shared, arguments.state};
   CrashController crash{window, arguments.state};
+  bool view_awaited = false;  ///< a view is being opened, of which a picture may be wanted
 };
 
 Application::Application(Arguments arguments)
@@ -113,6 +115,7 @@ Application::Parts::Parts(Application& application_, Arguments arguments_)
       opening(window, shared, preferences, arguments.free_memory, arguments.screenshot.empty()),
       hand(window, shared, arguments.hand, preferences.firstStiffness()),
       device(window, shared, preferences, arguments.devices),
+      view_file(window, shared, identity, marks, arguments.screenshot.empty()),
       recording(window, shared, recordings, identity),
       replay(window, shared, identity),
       exporting(window, shared, recordings, identity),
@@ -172,8 +175,9 @@ void Application::Parts::begin() {
   arguments.load.ahead.reset();  // what is not taken does not stay in memory
   if (!arguments.paths.isEmpty()) return opening.openTogether(arguments.paths, request);
   if (request.path && QString::fromStdString(request.path->extension().string())
-                              .compare(QLatin1String(kViewEnding), Qt::CaseInsensitive) == 0)
-    return view_file.open(*request.path);  // a view may know its scan
+                              .compare(QLatin1String(kViewEnding), Qt::CaseInsensitive) == 0) {
+    return emit opening.viewWanted(*request.path);  // a view may know its scan
+  }
   if (request.path || request.phantom)
     return opening.load(std::move(request), Application::tr("Loading"));
   starting.drawLastScans();
@@ -197,11 +201,16 @@ void Application::Parts::wireOpening() {
   connect(&opening, &Opening::shown, &edit, &EditController::showScene);
   connect(&opening, &Opening::shown, &hand, &HandController::resume);
   connect(&opening, &Opening::shown, &device, &DeviceController::openWaiting);
-  connect(&opening, &Opening::shown, &screenshot, &ScreenshotController::prepare);
+  connect(&opening, &Opening::shown, &screenshot, [this](bool new_volume) {
+    if (!view_awaited) screenshot.prepare(new_volume);
+  });
   connect(&opening, &Opening::shown, &application, &Application::adopted);
   connect(&opening, &Opening::failed, &tool, &ToolController::show);
   connect(&opening, &Opening::failed, &measurement, &MeasurementController::resume);
-  connect(&opening, &Opening::failed, &screenshot, &ScreenshotController::fail);
+  connect(&opening, &Opening::failed, &screenshot, [this](const haptics::Error& error) {
+    view_awaited = false;
+    screenshot.fail(QString::fromStdString(resources::sentence(error)));
+  });
   connect(&screenshot, &ScreenshotController::finished, &application, &Application::finished);
   connect(
       &pacs, &PacsController::openWanted, &opening,
@@ -265,6 +274,8 @@ void Application::Parts::wireRecordings() {
           [this] { noteHand(QString::fromStdString(hand.name())); });
   connect(&replay, &ReplayController::forcesCleared, &picture, &PictureController::clearForces);
   connect(&replay, &ReplayController::forcesAppended, &picture, &PictureController::appendForces);
+  connect(&replay, &ReplayController::refused, &screenshot, &ScreenshotController::fail);
+  connect(&replay, &ReplayController::opened, &screenshot, [this] { screenshot.prepare(true); });
   connect(&replay, &ReplayController::opened, this, [this] {
     recording.recording().stop();
     measurement.end(
@@ -302,12 +313,24 @@ void Application::Parts::wireMarks() {
       if (error.reason == asked) return;
     view_file.drop();
   });
-  connect(&opening, &OpeningController::viewWanted, &view_file, &ViewFileController::open);
+  connect(&opening, &OpeningController::viewWanted, this,
+          [this](const std::filesystem::path& path) {
+            view_awaited = true;
+            view_file.open(path);
+          });
   connect(&picture, &PictureController::refreshing, &marks, &MarksController::refresh);
   connect(&view_file, &ViewFileController::scanWanted, &opening,
           [this](const std::filesystem::path& path) {
-            opening.open(QString::fromStdString(path.string()));
+            opening.load({.path = path}, Application::tr("Reading"));
           });
+  connect(&view_file, &ViewFileController::refused, &screenshot, [this](const QString& sentence) {
+    view_awaited = false;
+    screenshot.fail(sentence);
+  });
+  connect(&view_file, &ViewFileController::finished, &screenshot, [this](bool done) {
+    if (!std::exchange(view_awaited, false)) return;
+    done ? screenshot.prepare(true) : screenshot.fail(Application::tr("The view was not opened."));
+  });
   connect(&view_file, &ViewFileController::editsWanted, &edit, &EditController::restore);
   connect(&view_file, &ViewFileController::toolWanted, &tool,
           [this](const QString& name) { tool.changeTool({.name = name.toStdString()}); });

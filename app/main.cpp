@@ -10,6 +10,7 @@
 #include "app/program.h"
 #include "app/read_ahead.h"
 #include "datasets/readers/volume_header.h"
+#include "haptics/core/process_limits.h"
 
 namespace {
 
@@ -49,6 +50,7 @@ std::shared_ptr<app::ReadAhead> readAhead(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  haptics::forbidCoreDumps();  // names and scans lie in memory
   auto ahead = readAhead(argc, argv);
   // functions of other libraries are sought when they are first called, as in any program
   void* const loaded = dlopen(library().c_str(), RTLD_LAZY);
@@ -60,5 +62,13 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "Palpate is not installed as a whole; install it anew. (%s)\n", dlerror());
     return kFailed;
   }
-  return program(argc, argv, std::move(ahead));
+  try {
+    return program(argc, argv, std::move(ahead));
+  } catch (const std::exception&) {
+    std::fprintf(
+        stderr,
+        "The system has no thread or no memory left for this; close other programs and try "
+        "again.\n");
+    return kFailed;
+  }
 }

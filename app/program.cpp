@@ -6,10 +6,13 @@
 #include <vtkVersion.h>
 
 #include <QApplication>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "app/application.h"
@@ -32,6 +35,21 @@
 namespace {
 
 constexpr int kUsage = 2, kFailed = 4;
+
+/// CLI11's own range takes "nan" for a number within it.
+CLI::Validator numberIn(double least, double greatest) {
+  return {[least, greatest](const std::string& text) {
+            double number = 0.0;
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, number);
+            const bool holds =
+                error == std::errc{} && stop == end && number >= least && number <= greatest;
+            std::ostringstream words;
+            words << '"' << text << "\" is no number from " << least << " to " << greatest;
+            return holds ? std::string{} : words.str();
+          },
+          "NUMBER"};
+}
 
 // a list of names as CLI11 wants it
 template <class Names>
@@ -69,7 +87,8 @@ int palpateProgram(int argc, char** argv, std::shared_ptr<app::ReadAhead> ahead)
                             ->check(oneOf(datasets::phantomNames()));
   path_given->excludes(phantom_given);
   auto* isovalue_given =
-      cli.add_option("--isovalue", isovalue, "Intensity of the surface, in the volume's unit");
+      cli.add_option("--isovalue", isovalue, "Intensity of the surface, in the volume's unit")
+          ->check(numberIn(-1e38, 1e38));
   auto* tool_given =
       cli.add_option("--tool", tool, resources::namesOfTools() + ", or an STL, OBJ or PLY file");
   cli.add_option("--tool-unit", tool_unit, "Unit of a tool file")
@@ -83,7 +102,7 @@ int palpateProgram(int argc, char** argv, std::shared_ptr<app::ReadAhead> ahead)
   auto* screenshot_given =
       cli.add_option("--screenshot", arguments.screenshot, "Write the window as a PNG and quit");
   cli.add_option("--after", arguments.screenshot_after, "Seconds before the screenshot")
-      ->check(CLI::NonNegativeNumber)
+      ->check(numberIn(0.0, 3600.0))
       ->needs(screenshot_given);
   cli.add_flag("--no-notice", no_notice, "Do not show the notice of the first start");
   cli.add_option("--log-level", log_level, "What goes into the log: this and what is graver")

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -121,11 +122,17 @@ class Session::Loop {
   Handling handling;
 
   /// Takes over, with the proxy at X_WP.
-  void begin(std::unique_ptr<ServoLoop> loop, const Pose& X_WP) {
+  Expected<void> begin(std::unique_ptr<ServoLoop> loop, const Pose& X_WP) {
     servo = std::move(loop);
     servo->scenes.offer(std::make_unique<Engagement>(scene, X_WP));
     servo->recording.store(ring.get());
-    servo->start();
+    try {
+      servo->start();
+    } catch (const std::system_error&) {
+      servo.reset();
+      return tl::unexpected(Error{Error::Kind::Unsupported, {"touch-no-thread", {}}, "no-thread"});
+    }
+    return {};
   }
   bool armed = true;          ///< the user's word, through every hand and scene
   std::uint64_t left_at = 0;  ///< the boundary behind which they do no more
@@ -154,7 +161,7 @@ Expected<void> Session::open(HandKind hand, const std::optional<Pose>& from) {
   const std::optional<Pose> legal = legalPoseNear(*loop_->scene, loop_->settings.isovalue, X_start);
   if (!legal) return tl::unexpected(noRoom());
 
-  // from here on nothing can fail: the old hand lets go, the new one takes over
+  // from here on only a thread can lack: the old hand lets go, the new one takes over
   close();
   loop_->rate = rate;
   loop_->X_start = X_start;
@@ -166,9 +173,8 @@ Expected<void> Session::open(HandKind hand, const std::optional<Pose>& from) {
     loop_->mouse.publish(X_start);
     device = openMouse(loop_->mouse, grip, rate.period());
   }
-  loop_->begin(std::make_unique<ServoLoop>(std::move(device), settings, loop_->armed, rate),
-               *legal);
-  return {};
+  return loop_->begin(std::make_unique<ServoLoop>(std::move(device), settings, loop_->armed, rate),
+                      *legal);
 }
 
 Expected<void> Session::open(std::unique_ptr<Device> device) {
@@ -183,8 +189,7 @@ Expected<void> Session::open(std::unique_ptr<Device> device) {
   auto servo = std::make_unique<ServoLoop>(std::move(device), inForce(), *legal,
                                            loop_->warmth.of(*loop_->rating), loop_->rate);
   servo->handling.publish(loop_->handling);
-  loop_->begin(std::move(servo), *legal);
-  return {};
+  return loop_->begin(std::move(servo), *legal);
 }
 
 void Session::close() {

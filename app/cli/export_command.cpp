@@ -87,7 +87,7 @@ void addExport(CLI::App& program, Chosen& chosen) {
       ->add_option(
           "--out", options->out,
           "File to write; for csv the beginning of the files' names: OUT_motion.tsv and so on; "
-          "a video is an .mp4, or without ffmpeg an .ogv")
+          "a video is an .mp4 or .ogv; without ffmpeg an .ogv")
       ->required()
       ->check(notEmpty());
   command->add_option("--from", options->options.from, "Leave out everything before this time [s]")

@@ -2,16 +2,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <string_view>
+#include <system_error>
 
 #include "app/build_info/build_info.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/terminal.h"
-#include "haptics/core/core_dump.h"
 #include "haptics/core/helper_program.h"
 #include "haptics/core/process_limits.h"
 #include "haptics/servo/emergency.h"
@@ -58,14 +59,13 @@ std::string sentenceOf(const CLI::ParseError& error, const CLI::App& program) {
   return sentence + " (palpate-cli --help tells more).";
 }
 
-}  // namespace
+constexpr const char* kNoThread =
+    "The system has no thread or no memory left for this; close other programs and try again.";
 
-int main(int argc, char** argv) {
+int palpateCli(int argc, char** argv) {
   // a sanitizer has handlers of its own
-  if constexpr (!haptics::kSanitized) {
-    haptics::installCrashStop();
-    haptics::setAfterCrashStop([](int, void*) { haptics::keepHeapOutOfCoreDump(); });
-  }
+  if constexpr (!haptics::kSanitized) haptics::installCrashStop();
+  haptics::forbidCoreDumps();  // a scan lies in memory
   using namespace app::cli;
   openStandardStreams();
 #ifndef PALPATE_FILM
@@ -117,8 +117,21 @@ int main(int argc, char** argv) {
 #endif
   try {
     return print(chosen(), json);
+  } catch (const std::system_error&) {
+    return print(failed(kNoThread), json);
   } catch (const std::exception&) {
     // libraries may throw where memory ends; there is nothing better to say of it
     return print(failed("Palpate ran out of memory; try a smaller volume."), json);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return palpateCli(argc, argv);
+  } catch (const std::exception&) {  // before a command began
+    std::fprintf(stderr, "%s\n", kNoThread);
+    return static_cast<int>(app::cli::Exit::Failed);
   }
 }

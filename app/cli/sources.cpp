@@ -14,6 +14,8 @@
 #include "app/cli/interrupts.h"
 #include "app/cli/options.h"
 #include "datasets/phantoms/phantoms.h"
+#include "haptics/core/input_file.h"
+#include "haptics/core/output_file.h"
 #include "resources/named_tools.h"
 #ifdef PALPATE_READERS
 #include "datasets/readers/meshes/tool_mesh.h"
@@ -29,6 +31,8 @@ tl::unexpected<Error> malformed(haptics::Message message) {
 }
 
 constexpr std::uint64_t kMostIndex = 1'000'000'000;
+constexpr std::uintmax_t kLargestTable = std::uintmax_t{4} << 30;  // bytes: hours of a hand
+constexpr std::size_t kLongestLine = 64 << 10;                     // bytes
 constexpr double kLongest = 0.5;  // m, a tool above this is probably in another unit
 
 bool isPointFile(const ToolChoice& choice) {
@@ -107,6 +111,7 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const Volum
     return std::make_shared<const haptics::Volume>(std::move(phantom->volume));
   }
 #ifdef PALPATE_READERS
+  haptics::keepInput(choice.path);
   auto volume = datasets::readVolume(choice.path, readingOf(choice), {.cancel = &interruption()});
   if (!volume) return tl::unexpected(volume.error());
   return std::make_shared<const haptics::Volume>(std::move(*volume));
@@ -132,6 +137,7 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
   const std::string named_unit = choice.unit.value_or("mm");
   const auto unit = datasets::meshUnitNamed(named_unit);
   if (!unit) return tl::unexpected(Error{Error::Kind::Unsupported, {"unit-unknown", {named_unit}}});
+  haptics::keepInput(choice.name);
   auto read = datasets::readToolMesh(choice.name, *unit);
   if (!read) return tl::unexpected(read.error());
   auto tool = haptics::makeTool("file", std::move(read->mesh), choice.points);
@@ -186,28 +192,31 @@ std::optional<std::string> overwritten(const std::vector<Target>& targets,
 
 haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,
                                                                 std::size_t columns) {
-  std::error_code unknown;
-  const bool regular = std::filesystem::is_regular_file(path, unknown);
-  std::ifstream file;
-  if (regular) file.open(path);
-  if (!regular || !file)
-    return tl::unexpected(Error{Error::Kind::NotFound, {"table-unreadable", {path}}});
-  std::string line;
-  if (!std::getline(file, line)) return malformed({"table-empty", {path}});
-  const auto withoutReturn = [&] {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+  haptics::keepInput(path);
+  auto file = haptics::openInput(path, kLargestTable);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  using haptics::LineRead;
+  const auto tooLong = [&](std::size_t number) {
+    return malformed({"table-line-long", {path, std::to_string(number)}});
   };
-  withoutReturn();
+  std::string line;
+  LineRead read = haptics::takeLine(*file, line, kLongestLine);
+  if (read == LineRead::End) return malformed({"table-empty", {path}});
+  if (read == LineRead::TooLong) return tooLong(1);
+  const auto names = static_cast<std::size_t>(std::ranges::count(line, ',')) + 1;
   if (const auto numbers = numbersIn(line); numbers && !numbers->empty())
     return malformed({"table-no-names", {path}});
   std::vector<std::vector<double>> rows;
-  for (std::size_t number = 2; std::getline(file, line); ++number) {
-    withoutReturn();
+  for (std::size_t number = 2;
+       (read = haptics::takeLine(*file, line, kLongestLine)) != LineRead::End; ++number) {
+    if (read == LineRead::TooLong) return tooLong(number);
     if (line.empty()) continue;
     auto row = numbersIn(line);
     if (!row || row->size() < columns)
       return malformed(
           {"table-row-short", {path, std::to_string(columns), std::to_string(number)}});
+    // "0,5,1,5": decimal commas
+    if (row->size() > names) return malformed({"table-row-long", {path, std::to_string(number)}});
     rows.push_back(std::move(*row));
   }
   if (rows.empty()) return malformed({"table-no-rows", {path}});

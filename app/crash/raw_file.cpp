@@ -20,7 +20,6 @@
 #include "app/build_info/build_identity.h"
 #include "app/build_info/build_info.h"
 #include "app/log/log.h"
-#include "haptics/core/core_dump.h"
 #include "haptics/servo/emergency.h"
 
 namespace app::crash {
@@ -145,8 +144,6 @@ _Unwind_Reason_Code step(_Unwind_Context* context, void* state) {
 }
 
 void onCrash(int signal, void* context) {
-  // first, since what follows may fail
-  haptics::keepHeapOutOfCoreDump();
   Line line;
   line.add(raw::kSignal);
   line.addHex(static_cast<unsigned>(signal));

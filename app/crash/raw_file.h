@@ -10,9 +10,8 @@
 namespace app::crash {
 
 /// The raw file of this process, in the user's folder for logs, readable by the user alone. It says
-/// which build this is. After a crash has stopped the motors, it keeps the heap out of the core
-/// dump, and adds the signal and the addresses of the functions that were under way. The destructor
-/// removes the file.
+/// which build this is. After a crash has stopped the motors, it adds the signal and the addresses
+/// of the functions that were under way. The destructor removes the file.
 ///
 /// One object, made by the thread that calls main() before another exists. Where the folder cannot
 /// be written, a crash leaves nothing.

@@ -16,6 +16,7 @@
 #include "app/fetch/input.h"
 #include "app/fetch/job.h"
 #include "app/fetch/supervisor.h"
+#include "haptics/core/input_file.h"
 #include "resources/messages/messages.h"
 
 namespace {
@@ -103,6 +104,13 @@ haptics::Expected<void> complete(Options& options) {
     return usage({"fetch-options-of-dimse", {}});
   }
   if (server.certificate.empty() != server.key.empty()) return usage({"fetch-key-missing", {}});
+  // before a TLS library opens them, and waits for a pipe
+  constexpr std::uintmax_t kLargest = 16 << 20;  // bytes
+  for (const auto& [file, message] : {std::pair{server.authority, "fetch-certificate-file"},
+                                      {server.certificate, "fetch-certificate-file"},
+                                      {server.key, "fetch-key-file"}})
+    if (!file.empty() && !haptics::openInput(file, kLargest))
+      return refused("certificate-file", {message, {file}});
   if (!options.move.empty()) {
     server.move = true;
     if (!split(options.move, server.listen_address, server.listen_port))

@@ -12,7 +12,7 @@ using haptics::Expected;
 namespace {
 
 constexpr std::size_t kMostHeader = 8192;     // bytes of the header of a part
-constexpr std::size_t kMostPreamble = 65536;  // bytes before the first part
+constexpr std::size_t kMostAside = 65536;     // bytes before the first part and behind the last
 constexpr std::size_t kLongestBoundary = 70;  // RFC 2046
 
 tl::unexpected<haptics::Error> noMultipart() {
@@ -85,7 +85,7 @@ Expected<bool> Multipart::step(std::string_view& bytes) {
           if (auto ended = sink_.ended(); !ended) return tl::unexpected(ended.error());
           ++parts_;
         }
-      } else if ((preamble_ += sure) > kMostPreamble) {
+      } else if ((aside_ += sure) > kMostAside) {
         return noMultipart();
       }
       bytes.remove_prefix(sure + (found ? delimiter_.size() : 0));
@@ -96,7 +96,6 @@ Expected<bool> Multipart::step(std::string_view& bytes) {
       // "--" closes; else white space, and the end of the line
       if (bytes.size() >= 2 && bytes.starts_with("--")) {
         state_ = State::Epilogue;
-        bytes = {};
         return true;
       }
       const auto end = bytes.find("\r\n");
@@ -118,7 +117,9 @@ Expected<bool> Multipart::step(std::string_view& bytes) {
       return true;
     }
     case State::Epilogue:
+      aside_ += bytes.size();
       bytes = {};
+      if (aside_ > kMostAside) return noMultipart();
       return false;
   }
   return false;

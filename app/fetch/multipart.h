@@ -39,7 +39,8 @@ class Multipart {
   Sink sink_;
   std::string held_;  ///< not consumed yet
   State state_ = State::Preamble;
-  std::uint64_t parts_ = 0, preamble_ = 0;
+  std::uint64_t parts_ = 0;
+  std::uint64_t aside_ = 0;  ///< bytes before the first part and behind the last
 
   haptics::Expected<void> consume(std::string_view& bytes);
   haptics::Expected<bool> step(std::string_view& bytes);

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "haptics/core/input_file.h"
+
 namespace app::fetch {
 
 using haptics::Expected;
@@ -19,15 +21,9 @@ tl::unexpected<haptics::Error> noList() { return refused("answer", {"fetch-json-
 Expected<json> parsed(std::string_view text) {
   if (text.size() > kMostJson) return refused("too-many", {"fetch-answer-too-large", {}});
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return json::array();
-  bool deep = false;
-  json all = json::parse(
-      text,
-      [&](int depth, json::parse_event_t, json&) {
-        deep = deep || depth > kDeepest;
-        return !deep;
-      },
-      false);
-  if (deep || all.is_discarded() || !all.is_array()) return noList();
+  if (haptics::isNestedDeeper(text, kDeepest)) return noList();
+  json all = json::parse(text, nullptr, false);
+  if (!all.is_array()) return noList();
   return all;
 }
 

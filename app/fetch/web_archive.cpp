@@ -27,6 +27,7 @@ namespace {
 using haptics::Expected;
 
 constexpr qint64 kBuffer = qint64{1} << 20;  // bytes that wait to be read, at most
+constexpr qint64 kMostRefusal = 65536;       // bytes of words behind an error's status
 constexpr int kLook_ms = 100;
 constexpr int kRedirects = 3;
 constexpr int kNoContent = 204;      // HTTP status
@@ -204,19 +205,24 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   QList<QSslError> errors;
   std::optional<haptics::Error> trouble;
   bool begun = false, sent = false;
+  bool refused_at_length = false;  // what more is said of it, nobody reads
   qint64 read = 0;
   Pace pace{server_.patience_s};
   const auto begun_at = Pace::Clock::now();
 
   const auto give = [&] {
-    while (!trouble && reply->bytesAvailable() > 0) {
+    while (!trouble && !refused_at_length && reply->bytesAvailable() > 0) {
       const int status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
       const qint64 size = reply->read(piece_.data(), kBuffer);
       if (size <= 0) break;
       const std::span<const char> bytes{piece_.data(), static_cast<std::size_t>(size)};
       read += size;
       pace.came(bytes.size());
-      if (status < 200 || status > 299) continue;  // words for people, in an error
+      if (status < 200 || status > 299) {  // words for people, in an error
+        refused_at_length = read > kMostRefusal;
+        if (refused_at_length) break;
+        continue;
+      }
       if (!std::exchange(begun, true)) {
         const QByteArray packed = reply->rawHeader("Content-Encoding").toLower();
         if (!packed.isEmpty() && packed != "identity") {
@@ -231,7 +237,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
       }
       if (auto taken = body.bytes(bytes); !taken) trouble = taken.error();
     }
-    if (trouble) loop.quit();
+    if (trouble || refused_at_length) loop.quit();
   };
   QObject::connect(reply.get(), &QNetworkReply::sslErrors, &loop,
                    [&](const QList<QSslError>& all) { errors = all; });
@@ -259,12 +265,12 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
   if (!reply->isFinished()) loop.exec();
   if (!trouble) give();
   timer.stop();
-  if (trouble) {
+  const int status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
+  if (trouble || refused_at_length) {
     reply->disconnect(&loop);
     reply->abort();
-    return tl::unexpected(std::move(*trouble));
   }
-  const int status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
+  if (trouble) return tl::unexpected(std::move(*trouble));
   if (status >= 300 && status < 400) return refused("redirect", {"fetch-redirect", {name()}});
   if (status >= 400) return statusTrouble(status);
   if (reply->error() != QNetworkReply::NoError) return troubleOf(*reply, errors, begun || sent);

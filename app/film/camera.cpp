@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "haptics/core/input_file.h"
+
 namespace app {
 namespace {
 
@@ -39,6 +41,7 @@ std::string wordsOf(const FilmCamera& camera) {
 }
 
 std::optional<FilmCamera> cameraFrom(const std::string& text) {
+  if (haptics::isNestedDeeper(text, haptics::kDeepestJson)) return {};
   try {
     const json words = json::parse(text);
     const FilmCamera camera{vectorFrom(words.at("position_mm")), vectorFrom(words.at("focus_mm")),

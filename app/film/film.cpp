@@ -27,6 +27,7 @@ using haptics::RecordedStep;
 using haptics::Vec3;
 
 constexpr std::int64_t kMostFrames = 1'000'000;
+constexpr const char *kMp4 = ".mp4", *kOgg = ".ogv", *kTable = ".frames.csv";
 
 tl::unexpected<Error> refused(haptics::Message message, const char* reason) {
   return tl::unexpected(Error{Error::Kind::Unsupported, std::move(message), reason});
@@ -91,7 +92,7 @@ class StepFinder {
 /// OUT without an ending that says what kind of film it is.
 fs::path stemOf(const fs::path& out) {
   const std::string ending = out.extension().string();
-  return ending == ".mp4" || ending == ".ogv" ? fs::path{out}.replace_extension() : out;
+  return ending == kMp4 || ending == kOgg ? fs::path{out}.replace_extension() : out;
 }
 
 /// Whether a file can be made in the folder, and takes the name of none that is not one.
@@ -236,7 +237,8 @@ Expected<void> check(const FilmOptions& options) {
 
 std::vector<fs::path> filesOfFilm(const fs::path& out) {
   const std::string stem = stemOf(out).string();
-  return {stem + ".mp4", stem + ".ogv", stem + ".frames.csv"};
+  if (out.extension() == kOgg) return {stem + kTable, out};
+  return {stem + kTable, stem + kMp4, stem + kOgg};
 }
 
 Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene& volume,
@@ -256,21 +258,27 @@ Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene
   Drawing drawing{recording, volume, options, *timing, **stage};
   if (auto begun = drawing.begin(); !begun) return tl::unexpected(begun.error());
 
-  auto rows = haptics::OutputFile::open(names[2]);
+  auto rows = haptics::OutputFile::open(names.front());
   if (!rows) return tl::unexpected(rows.error());
   rows->write("frame,sequence,time_ns,film_time_s\n");
   const FilmFormat format{options.width, options.height, options.frames_per_second};
-  auto film = haptics::Output::at(names[0]);
-  if (!film) return tl::unexpected(film.error());
-  std::optional<haptics::Output> other;  // where there is no ffmpeg
+  fs::path named = names[1];
+  std::optional film{haptics::Output::at(named)};
+  if (!*film) return tl::unexpected(film->error());
   std::optional<FilmFile> file;
-  if (auto ffmpeg = FfmpegFile::start(options.ffmpeg, film->part(), format)) {
+  if (named.extension() == kOgg) {
+    file.emplace(TheoraFile{(*film)->part(), format});
+  } else if (auto ffmpeg = FfmpegFile::start(options.ffmpeg, (*film)->part(), format)) {
     file.emplace(std::move(*ffmpeg));
   } else {
-    auto ogg = haptics::Output::at(names[1]);
-    if (!ogg) return tl::unexpected(ogg.error());
-    other.emplace(std::move(*ogg));
-    file.emplace(TheoraFile{other->part(), format});
+    named = names[2];
+    // nobody named it
+    std::error_code error;
+    if (fs::exists(named, error))
+      return refused({"film-other-name", {named.string()}}, "unwritable");
+    film.emplace(haptics::Output::at(named));
+    if (!*film) return tl::unexpected(film->error());
+    file.emplace(TheoraFile{(*film)->part(), format});
   }
   auto* const ffmpeg = std::get_if<FfmpegFile>(&*file);
   auto* const theora = std::get_if<TheoraFile>(&*file);
@@ -288,15 +296,15 @@ Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene
     return tl::unexpected(whole.error());
   if (!wanted()) return filmCancelled();
   if (auto closed = rows->close(); !closed) return tl::unexpected(closed.error());
-  if (auto named = (other ? *other : *film).finish(); !named) return tl::unexpected(named.error());
-  if (auto named = rows->finish(); !named) {
+  if (auto whole = (*film)->finish(); !whole) return tl::unexpected(whole.error());
+  if (auto whole = rows->finish(); !whole) {
     std::error_code ignored;
-    fs::remove(other ? names[1] : names[0], ignored);  // not without its table
-    return tl::unexpected(named.error());
+    fs::remove(named, ignored);  // not without its table
+    return tl::unexpected(whole.error());
   }
 
-  FilmResult result{.film = other ? names[1] : names[0],
-                    .times = names[2],
+  FilmResult result{.film = named,
+                    .times = names.front(),
                     .frames = timing->count(),
                     .seconds = double(timing->count()) / options.frames_per_second,
                     .codec = ffmpeg != nullptr ? "h264" : "theora",

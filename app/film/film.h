@@ -46,7 +46,7 @@ struct FilmResult {
   ui::SurfaceMode surface = ui::SurfaceMode::Mesh;
 };
 
-/// The files that makeFilm may write for `out`: the possible names of the film, and the table.
+/// The files that makeFilm may write for `out`: the table, and the possible names of the film.
 std::vector<std::filesystem::path> filesOfFilm(const std::filesystem::path& out);
 
 /// The volume of a scene of the recording; null: only the tool is drawn.
@@ -54,8 +54,9 @@ using VolumeOfScene = std::function<std::shared_ptr<const haptics::Volume>(std::
 
 /// Draws a recording and writes it as a film: frame i shows the last step at or before from + i
 /// speed / frames_per_second. `out` may end in .mp4, .ogv or neither; the film has the ending of
-/// its format. Files get their names when they are complete. After a refusal or cancellation no
-/// file remains.
+/// its format: .ogv if `out` has it, else .mp4, or .ogv where there is no ffmpeg, which then
+/// replaces no file. Files get their names when they are complete. After a refusal or cancellation
+/// no file remains.
 ///
 /// Any thread: it has its own graphics context, and waits for the drawing. Refusals: "options" (a
 /// number out of range), "nothing" (no step between `from` and `to`), "no-display", "no-graphics",

@@ -16,12 +16,16 @@
 #include <memory>
 #include <system_error>
 
+#include "haptics/core/input_file.h"
+
 namespace app::log {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t kFileBytes = 1'000'000, kOlderFiles = 2;
+constexpr std::uintmax_t kLargestRead = 10 * kFileBytes;
+constexpr std::size_t kLongestLine = 64 << 10;
 constexpr const char* kFile = "palpate.log";
 // in the order of Level
 constexpr std::array<std::string_view, 5> kNames{"debug", "info", "warning", "error", "off"};
@@ -76,6 +80,10 @@ bool open(const fs::path& folder, Level level) {
   try {
     fs::create_directories(folder);
     fs::permissions(folder, fs::perms::owner_all);
+    // to open a pipe is to wait for its reader
+    if (const auto what = fs::status(folder / kFile);
+        fs::exists(what) && !fs::is_regular_file(what))
+      return false;
     spdlog::file_event_handlers events;
     events.after_open = [](const spdlog::filename_t&, std::FILE* file) {
       fchmod(fileno(file), S_IRUSR | S_IWUSR);
@@ -120,8 +128,10 @@ std::vector<std::string> lines(const fs::path& folder, std::size_t most,
   const std::string of = " [" + session + "] ";
   std::deque<std::string> kept;
   for (const char* name : {"palpate.2.log", "palpate.1.log", kFile}) {
-    std::ifstream file{folder / name};
-    for (std::string line; std::getline(file, line);) {
+    auto file = haptics::openInput(folder / name, kLargestRead);
+    if (!file) continue;
+    for (std::string line;
+         haptics::takeLine(*file, line, kLongestLine) == haptics::LineRead::Whole;) {
       if (!session.empty() && line.find(of) == std::string::npos) continue;
       kept.push_back(std::move(line));
       if (kept.size() > most) kept.pop_front();

@@ -18,6 +18,7 @@
 #include <string>
 #include <system_error>
 
+#include "haptics/core/input_file.h"
 #include "haptics/edit/edited.h"
 
 namespace app {
@@ -52,12 +53,9 @@ tl::unexpected<Error> unusable(const std::string& path, int why) {
 
 /// The key that is kept; NotFound where there is none yet.
 Expected<QByteArray> keptKey(const std::string& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return unusable(path, errno);
-  QByteArray key(kKeyBytes + 1, '\0');
-  const ssize_t bytes = ::read(file, key.data(), static_cast<std::size_t>(key.size()));
-  ::close(file);
-  if (bytes == kKeyBytes) return key.first(kKeyBytes);
+  if (::access(path.c_str(), R_OK) != 0) return unusable(path, errno);
+  const auto key = haptics::readInput(path, kKeyBytes);
+  if (key && key->size() == kKeyBytes) return QByteArray::fromStdString(*key);
   // a new one in its place would know nothing of what was recorded under it
   return tl::unexpected(Error{Error::Kind::Malformed, {"volume-key-damaged", {path}}, "no-key"});
 }

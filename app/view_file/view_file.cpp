@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "haptics/core/input_file.h"
 #include "haptics/core/output_file.h"
 
 namespace app {
@@ -399,6 +399,8 @@ std::string textOf(const ViewFile& view) {
 
 haptics::Expected<ViewFile> viewFileFrom(std::string_view text, const std::string& name) {
   if (text.size() > kMostViewBytes) return refusedView({"view-too-large", {name}}, "too-large");
+  if (haptics::isNestedDeeper(text, haptics::kDeepestJson))
+    return refusedView({"view-of-another-program", {name}}, "damaged");
   try {
     return viewFrom(json::parse(text), name);
   } catch (const Refused& refused) {
@@ -409,15 +411,9 @@ haptics::Expected<ViewFile> viewFileFrom(std::string_view text, const std::strin
 }
 
 haptics::Expected<ViewFile> readViewFile(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  std::error_code error;
-  std::ifstream in(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !in)
-    return tl::unexpected(Error{Error::Kind::NotFound, {"view-unreadable", {name}}, "unreadable"});
-  std::string text(kMostViewBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return viewFileFrom(text, name);
+  auto text = haptics::readInput(path, kMostViewBytes);
+  if (!text) return tl::unexpected(std::move(text.error()));
+  return viewFileFrom(*text, path.string());
 }
 
 haptics::Expected<void> writeViewFile(const std::filesystem::path& path, const ViewFile& view) {

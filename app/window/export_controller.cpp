@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QTimer>
 
 #include "app/export/export.h"
 #include "app/film/face.h"
@@ -35,6 +36,7 @@ ExportController::ExportController(ui::MainWindow& window, SharedState& shared,
                                    const Recordings& recordings, const VolumeIdentity& identity)
     : window_(window), shared_(shared), recordings_(recordings), identity_(identity) {
   connect(&window, &ui::MainWindow::cancelWanted, &task_, &ExportTask::cancel);
+  connect(&window, &ui::MainWindow::cancelWanted, this, [this] { opener_.cancel(); });
   connect(&task_, &ExportTask::progressed, &window, &ui::MainWindow::showProgress);
   connect(&task_, &ExportTask::finished, this, [this](bool well, const QString& what) {
     window_.endLoading();
@@ -46,9 +48,24 @@ ExportController::ExportController(ui::MainWindow& window, SharedState& shared,
 
 void ExportController::exportRecording(const QString& id) {
   const std::filesystem::path path = recordings_.pathOf(id);
-  const auto recording = haptics::Recording::open(path);
-  if (!recording) return window_.showMessage(sentenceOf(recording.error()));
-  const auto wish = ui::askForExport(&window_, recording->begin(), recording->end(), tables());
+  window_.showLoading(tr("Reading the recording"));
+  opener_.start(
+      [path](const background::Watch& watch) -> haptics::Expected<Exported> {
+        const auto recording = haptics::Recording::open(path, &watch.cancel);
+        if (!recording) return tl::unexpected(recording.error());
+        return Exported{path, recording->begin(), recording->end(), leastIsovalue(*recording)};
+      },
+      [this](const haptics::Expected<Exported>& recording) {
+        window_.endLoading();
+        if (!recording) return window_.showMessage(sentenceOf(recording.error()));
+        // the questions wait for the user: outside of what delivers the result
+        QTimer::singleShot(0, this, [this, recording = *recording] { askAndExport(recording); });
+      });
+}
+
+void ExportController::askAndExport(const Exported& recording) {
+  const std::filesystem::path& path = recording.path;
+  const auto wish = ui::askForExport(&window_, recording.begin, recording.end, tables());
   if (!wish) return;
   ExportRequest request{.recording = path, .out = {}, .wish = *wish};
   const exporting::Format* const table = wish->table ? &exporting::kFormats[*wish->table] : nullptr;
@@ -59,7 +76,7 @@ void ExportController::exportRecording(const QString& id) {
       request.camera = cameraOf(window_.view());
     // said once for each film, before anything is written
     if (shared_.shown && !shared_.shown->place.empty() &&
-        mayShowAFace(*request.volume, leastIsovalue(*recording)) &&
+        mayShowAFace(*request.volume, recording.least_isovalue) &&
         !window_.askWhether(
             tr("This film may show a face."),
             tr("At this isovalue the skin is drawn, and skin can be a face that somebody knows. "

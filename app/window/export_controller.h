@@ -26,11 +26,20 @@ class ExportController : public QObject {
   ExportTask& task() { return task_; }
 
  private:
+  /// What is asked of a recording before its export.
+  struct Exported {
+    std::filesystem::path path;
+    double begin = 0.0, end = 0.0;  ///< s
+    double least_isovalue = 0.0;
+  };
+  void askAndExport(const Exported& recording);
+
   ui::MainWindow& window_;
   SharedState& shared_;
   const Recordings& recordings_;
   const VolumeIdentity& identity_;
   ExportTask task_;
+  background::Task<Exported> opener_;
   QString folder_;  ///< of the present or last export
 };
 

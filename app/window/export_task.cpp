@@ -6,6 +6,7 @@
 #include "app/export/export.h"
 #include "app/film/film.h"
 #include "app/window/sentence.h"
+#include "haptics/core/output_file.h"
 #include "haptics/recording/replay.h"
 
 namespace app {
@@ -57,6 +58,7 @@ haptics::Expected<QString> table(haptics::Recording& recording, const ExportRequ
 }
 
 haptics::Expected<QString> exported(const ExportRequest& request, const background::Watch& watch) {
+  haptics::keepInput(request.recording);
   auto recording = haptics::Recording::open(request.recording);
   if (!recording) return tl::unexpected(recording.error());
   const auto goes_on = [&](double fraction) {

@@ -4,12 +4,13 @@
 #include <libdeflate.h>
 
 #include <QStandardPaths>
-#include <fstream>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "haptics/core/input_file.h"
 #include "haptics/core/output_file.h"
 
 namespace app {
@@ -18,6 +19,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::int64_t kMostVoxels = std::int64_t{1} << 28;
+constexpr double kLargest_m = 100.0;
 
 std::size_t bytesOf(const haptics::Grid& grid) {
   return static_cast<std::size_t>(grid.voxelCount()) * sizeof(std::int16_t);
@@ -38,39 +40,52 @@ std::filesystem::path fileOfDemo() {
 // one line of JSON that says what the voxels are, then the voxels, as they lie in memory
 std::optional<datasets::Phantom> keptPhantom(const std::filesystem::path& file,
                                              const std::string& build) {
-  std::ifstream stream{file, std::ios::binary};
+  constexpr std::size_t kLongestHead = 4096;  // bytes
+  auto stream = haptics::openInput(file, kLongestHead + kMostVoxels * sizeof(std::int16_t));
   std::string line;
-  if (!std::getline(stream, line)) return {};
+  if (!stream || haptics::takeLine(*stream, line, kLongestHead) != haptics::LineRead::Whole)
+    return {};
+  if (haptics::isNestedDeeper(line, haptics::kDeepestJson)) return {};
   const json head = json::parse(line, nullptr, false);
-  if (!head.is_object() || head.value("build", "") != build) return {};
+  if (!head.is_object()) return {};
   haptics::Grid grid;
   datasets::Phantom phantom;
   std::uint32_t checksum = 0;
+  std::string unit, modality;
   try {
+    if (head.at("build").get<std::string>() != build) return {};
     for (std::size_t a = 0; a < 3; ++a) {
       const auto axis = static_cast<Eigen::Index>(a);
-      grid.dims[a] = head.at("dims").at(a);
+      const double voxels = head.at("dims").at(a);
+      if (!(voxels >= 1.0 && voxels <= double{kMostVoxels})) return {};
+      grid.dims[a] = static_cast<std::int64_t>(voxels);
       grid.spacing[axis] = head.at("spacing_m").at(a);
       grid.origin[axis] = head.at("origin_m").at(a);
-      if (grid.dims[a] < 1 || grid.dims[a] > kMostVoxels) return {};
+      if (!(grid.spacing[axis] > 0.0 && grid.spacing[axis] < kLargest_m)) return {};
+      if (!(std::abs(grid.origin[axis]) < kLargest_m)) return {};
     }
     phantom.isovalue = head.at("isovalue");
     phantom.tool = head.at("tool");
     checksum = head.at("crc32");
+    unit = head.value("unit", "");
+    modality = head.value("modality", "");
   } catch (const json::exception&) {
     return {};
   }
   if (grid.dims[0] * grid.dims[1] > kMostVoxels || grid.voxelCount() > kMostVoxels) return {};
+  if (!std::isfinite(phantom.isovalue)) return {};
   const std::size_t bytes = bytesOf(grid);
+  // before memory is taken that the file cannot fill
+  std::error_code error;
+  if (const auto size = std::filesystem::file_size(file, error); error || size < bytes) return {};
   auto voxels = haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16);
   if (!voxels) return {};
-  stream.read(static_cast<char*>(voxels->get()), static_cast<std::streamsize>(bytes));
-  if (static_cast<std::size_t>(stream.gcount()) != bytes ||
+  stream->read(static_cast<char*>(voxels->get()), static_cast<std::streamsize>(bytes));
+  if (static_cast<std::size_t>(stream->gcount()) != bytes ||
       checksumOf(voxels->get(), bytes) != checksum)
     return {};
-  auto volume =
-      haptics::makeVolume(grid, haptics::ScalarType::Int16, std::move(*voxels),
-                          {.unit = head.value("unit", ""), .modality = head.value("modality", "")});
+  auto volume = haptics::makeVolume(grid, haptics::ScalarType::Int16, std::move(*voxels),
+                                    {.unit = unit, .modality = modality});
   if (!volume) return {};
   phantom.volume = std::move(*volume);
   return phantom;

@@ -18,6 +18,7 @@
 #include "datasets/readers/meshes/tool_mesh.h"
 #include "datasets/readers/volume_file.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/core/output_file.h"
 #include "haptics/tool/point_shell.h"
 #include "resources/named_tools.h"
 #include "ui/panels/isosurface_panel.h"
@@ -210,6 +211,8 @@ Expected<Source> readChosen(const LoadRequest& request, const Watch& watch) {
       .cancel = &watch.cancel};
   const bool as_stored = request.geometry == datasets::Geometry::AsStored &&
                          !request.largest_part && request.part.isWhole();
+  for (const auto& file : datasets::filesReadFor(series)) haptics::keepInput(file);
+  haptics::keepInput(*request.path);  // an archive
   Source source;
   source.place = request.chosen->place;
   if (request.ahead && as_stored)
@@ -270,6 +273,7 @@ Expected<haptics::Tool> readTool(const ToolSource& source, QString& note) {
                    Loader::tr("There is no unit \"%1\"; choose one of m, mm, cm, in.")
                        .arg(QString::fromStdString(source.unit)),
                    "unit");
+  haptics::keepInput(*source.file);
   auto file = datasets::readToolMesh(*source.file, *unit);
   if (!file) return tl::unexpected(file.error());
   for (const haptics::Message& warning : file->warnings) addTo(note, sentenceOf(warning));

@@ -5,10 +5,12 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSettings>
+#include <algorithm>
 #include <utility>
 
 #include "app/log/log.h"
 #include "app/window/sentence.h"
+#include "app/window/stored_values.h"
 #include "haptics/core/helper_program.h"
 
 namespace app {
@@ -88,22 +90,26 @@ std::optional<qint64> countIn(const QJsonObject& object, const char* name) {
 
 }  // namespace
 
+// a settings file may state any number
+constexpr int kMostServers = 1000;
+
 QList<ui::PacsServer> loadPacsServers() {
   QSettings settings;
   QList<ui::PacsServer> servers;
-  const int count = settings.beginReadArray("pacs/servers");
+  const int count = std::min(settings.beginReadArray("pacs/servers"), kMostServers);
+  StoredValues stored(settings);
   for (int n = 0; n < count; ++n) {
     settings.setArrayIndex(n);
     const auto text = [&](const char* name) { return settings.value(name).toString(); };
     ui::PacsServer server;
     server.name = text("name");
-    server.web = settings.value("web", true).toBool();
+    server.web = stored.flag("web").value_or(true);
     server.url = text("url");
     server.host = text("host");
-    server.port = settings.value("port", server.port).toInt();
+    server.port = stored.whole("port", 1, 65'535).value_or(server.port);
     server.called = text("called");
     server.calling = text("calling");
-    server.tls = settings.value("tls", false).toBool();
+    server.tls = stored.flag("tls").value_or(false);
     server.authority = text("authority");
     server.certificate = text("certificate");
     server.key = text("key");

@@ -2,31 +2,31 @@
 #include "app/window/preferences.h"
 
 #include <QSettings>
+#include <QStandardPaths>
+#include <filesystem>
 
 #include "app/window/recent_places.h"
+#include "app/window/stored_values.h"
+#include "haptics/core/input_file.h"
 #include "haptics/session.h"
 #include "haptics/settings.h"
 
 namespace app {
 namespace {
 
-// what cannot be is left at what it is without preferences
-ui::Mapping loadMapping(const QSettings& settings) {
+ui::Mapping loadMapping(StoredValues& stored) {
   ui::Mapping mapping;
   const auto scale = [&](const char* key, double& value) {
-    const double stored = settings.value(key, value).toDouble();
-    if (haptics::kScaleRange.holds(stored)) value = stored;
+    value = stored.number(key, haptics::kScaleRange).value_or(value);
   };
   const auto button = [&](const char* key, int& value) {
-    bool is_number = false;
-    const int stored = settings.value(key, value).toInt(&is_number);
-    if (is_number && stored >= 0 && stored < haptics::kButtons) value = stored;
+    value = stored.whole(key, 0, haptics::kButtons - 1).value_or(value);
   };
   scale("device/position_scale", mapping.position_scale);
   scale("device/force_scale", mapping.force_scale);
-  mapping.follow_camera = settings.value("device/follow_camera", true).toBool();
+  mapping.follow_camera = stored.flag("device/follow_camera").value_or(true);
   button("device/clutch_button", mapping.clutch_button);
-  mapping.hold_to_run = settings.value("device/hold_to_run", false).toBool();
+  mapping.hold_to_run = stored.flag("device/hold_to_run").value_or(false);
   button("device/hold_button", mapping.hold_button);
   return mapping;
 }
@@ -47,6 +47,21 @@ void saveKeys(const ui::OwnKeys& keys) {
   for (auto key = keys.begin(); key != keys.end(); ++key) settings.setValue(key.key(), key.value());
 }
 
+/// Qt waits for a pipe in the place of the settings, and reads what does not end. Such a file is
+/// left alone, and nothing is kept then.
+bool settingsCanBeRead() {
+  constexpr std::uintmax_t kLargest = 1'000'000;  // bytes
+  const std::filesystem::path folder =
+      QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation).toStdString();
+  for (const char* name : {"Palpate/Palpate.conf", "Palpate.conf"})
+    if (const std::filesystem::path file = folder / name;
+        std::filesystem::exists(file) && !haptics::openInput(file, kLargest)) {
+      QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, "/dev/null");
+      return false;
+    }
+  return true;
+}
+
 /// Leaves nothing in the file where there is nothing to say.
 void setOrRemove(QSettings& settings, const char* key, bool kept, const QVariant& value) {
   if (kept)
@@ -58,39 +73,47 @@ void setOrRemove(QSettings& settings, const char* key, bool kept, const QVariant
 }  // namespace
 
 Preferences loadPreferences() {
+  const bool readable = settingsCanBeRead();
   const QSettings settings;
+  StoredValues stored(settings);
   Preferences preferences;
+  const auto flag = [&](const char* key, bool otherwise) {
+    return stored.flag(key).value_or(otherwise);
+  };
+  constexpr int kWidest = 100'000;  // pixels
   preferences.geometry = settings.value("window/geometry").toByteArray();
   preferences.layout = {.views = settings.value("window/views").toString(),
                         .borders = settings.value("window/borders").toString(),
                         .panels = {.tab = settings.value("window/tab").toString(),
                                    .folded = settings.value("window/folded").toStringList(),
                                    .unfolded = settings.value("window/unfolded").toStringList()},
-                        .panel_width = settings.value("window/panel_width", 0).toInt(),
-                        .details = settings.value("window/details", false).toBool()};
+                        .panel_width = stored.whole("window/panel_width", 0, kWidest).value_or(0),
+                        .details = flag("window/details", false)};
   preferences.theme = settings.value("window/theme").toString();
   preferences.language = settings.value("window/language").toString();
-  preferences.hints = settings.value("window/hints", true).toBool();
-  preferences.notice_seen = settings.value("notice/seen", false).toBool();
-  preferences.tour_seen = settings.value("tour/seen", false).toBool();
-  const double stiffness = settings.value("coupling/stiffness", 1000.0).toDouble();
-  if (haptics::kStiffnessRange.holds(stiffness)) preferences.stiffness = stiffness;
-  const double always = settings.value("coupling/stiffness_always", -1.0).toDouble();
-  if (haptics::kStiffnessRange.holds(always)) preferences.stiffness_always = always;
-  const int hz = settings.value("servo/rate", 0).toInt();
-  if (haptics::isServoRate(hz)) preferences.servo_rate = hz;
+  preferences.hints = flag("window/hints", true);
+  preferences.notice_seen = flag("notice/seen", false);
+  preferences.tour_seen = flag("tour/seen", false);
+  if (const auto stiffness = stored.number("coupling/stiffness", haptics::kStiffnessRange))
+    preferences.stiffness = *stiffness;
+  preferences.stiffness_always =
+      stored.number("coupling/stiffness_always", haptics::kStiffnessRange);
+  if (const auto hz = stored.whole("servo/rate", 1, 1'000'000); hz && haptics::isServoRate(*hz))
+    preferences.servo_rate = hz;
   if (settings.value("units/lengths").toString() == QLatin1String("cm"))
     preferences.lengths = ui::LengthUnit::Centimetres;
   if (settings.value("mouse/at_first").toString() == QLatin1String("hand"))
     preferences.mouse.at_first = ui::MouseMode::Hand;
-  preferences.mouse.slices_reversed = settings.value("mouse/slices_reversed", false).toBool();
-  preferences.mouse.zoom_reversed = settings.value("mouse/zoom_reversed", false).toBool();
+  preferences.mouse.slices_reversed = flag("mouse/slices_reversed", false);
+  preferences.mouse.zoom_reversed = flag("mouse/zoom_reversed", false);
   preferences.keys = loadKeys();
   preferences.recordings = settings.value("recordings/folder").toString();
-  preferences.mapping = loadMapping(settings);
-  preferences.places_remembered = settings.value("places/remembered", true).toBool();
+  preferences.mapping = loadMapping(stored);
+  preferences.places_remembered = flag("places/remembered", true);
   if (preferences.places_remembered)
     preferences.places = settings.value("places/recent").toStringList().mid(0, kMostPlaces);
+  preferences.unread = stored.unread();
+  if (!readable) preferences.unread << QStringLiteral("Palpate.conf");
   return preferences;
 }
 

@@ -2,6 +2,7 @@
 #include "app/window/preferences_controller.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/window/recordings.h"
 #include "ui/style/style.h"
@@ -35,6 +36,9 @@ void PreferencesController::restoreWindow() {
   window_.setMouse(preferences_.mouse);
   window_.setHintsShown(preferences_.hints);
   window_.setTheme(ui::style::themeOf(preferences_.theme));
+  if (const QStringList unread = std::exchange(preferences_.unread, {}); !unread.isEmpty())
+    window_.showMessage(tr("Some preferences could not be read and are as they were at first: %1.")
+                            .arg(unread.join(", ")));
   if (preferences_.geometry.isEmpty()) return;
   window_.restoreGeometry(preferences_.geometry);
   window_.restoreLayout(preferences_.layout);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "app/window/sentence.h"
 #include "app/window/view_camera.h"
@@ -60,9 +61,10 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
                                                                   : std::nullopt);
           });
   connect(&recording_, &SessionRecording::finished, this, [this](bool well, const QString& what) {
-    showRecordings();
     // the newest stands first
-    if (!finished_.isEmpty()) panel_->choose(finished_.front());
+    showRecordings([this] {
+      if (!finished_.isEmpty()) panel_->choose(finished_.front());
+    });
     if (!well) window_.showMessage(what);
   });
   showRecordings();
@@ -79,25 +81,40 @@ void RecordingController::refresh() {
   noteCamera();
 }
 
-void RecordingController::showRecordings() {
-  QList<ui::PastRecording> recordings = recordings_.list(recording_.present());
-  for (ui::PastRecording& recording : recordings) recording.curve = curves_.of(recording.id);
-  panel_->show(recordings);
-  finished_.clear();
-  for (const ui::PastRecording& recording : recordings)
-    if (recording.finished) finished_ << recording.id;
-  if (panel_->isVisible()) readCurves();
+void RecordingController::showRecordings(std::function<void()> then) {
+  if (then) after_list_.push_back(std::move(then));
+  lister_.start(
+      [recordings = recordings_, present = recording_.present()](
+          const background::Watch& watch) -> haptics::Expected<QList<ui::PastRecording>> {
+        return recordings.list(present, watch.cancel);
+      },
+      [this](haptics::Expected<QList<ui::PastRecording>> recordings) {
+        finished_.clear();
+        unfinished_.clear();
+        if (!recordings) recordings.emplace();  // no thread, no memory: an empty list
+        for (ui::PastRecording& recording : *recordings) {
+          recording.curve = curves_.of(recording.id);
+          if (recording.finished)
+            finished_ << recording.id;
+          else if (unfinished_.isEmpty())
+            unfinished_ = recording.name;
+        }
+        panel_->show(*recordings);
+        if (panel_->isVisible()) readCurves();
+        for (const auto& waiting : std::exchange(after_list_, {})) waiting();
+      });
 }
 
 void RecordingController::readCurves() { curves_.want(recordings_.folder(), finished_); }
 
 void RecordingController::offerRecovery() {
-  for (const ui::PastRecording& recording : recordings_.list(recording_.present()))
-    if (!recording.finished)
-      return window_.showMessage(
+  showRecordings([this] {
+    if (!unfinished_.isEmpty())
+      window_.showMessage(
           tr("The recording \"%1\" was never finished. View > Recording lists it: Recover brings "
              "back what is in it.")
-              .arg(recording.name));
+              .arg(unfinished_));
+  });
 }
 
 void RecordingController::record(bool record) {
@@ -126,22 +143,29 @@ void RecordingController::noteCamera() {
 }
 
 void RecordingController::deleteRecording(const QString& id) {
+  if (deleter_.isRunning()) return;
   const std::filesystem::path path = recordings_.pathOf(id);
   emit deleting(path);
-  if (path.extension() == ".part" && haptics::isInUse(path))
-    return window_.showMessage(tr("Another window is writing this recording; stop it there."));
-  std::error_code error;
-  std::filesystem::remove(path, error);
-  // what an unfinished one has beside it
-  for (const char* ending : {"-wal", "-shm", "-journal"}) {
-    std::error_code ignored;
-    std::filesystem::remove(path.string() + ending, ignored);
-  }
-  if (!error) recordings_.setLabel(id, {});
-  if (error)
-    window_.showMessage(
-        tr("The recording could not be deleted; check the permissions of its folder."));
-  showRecordings();
+  deleter_.start(
+      [path](const background::Watch&) -> haptics::Expected<Deletion> {
+        const bool part = path.extension() == ".part";
+        if (part && haptics::isInUse(path)) return Deletion::InUse;
+        std::error_code error, ignored;
+        std::filesystem::remove(path, error);
+        // the log of an unfinished one; what else lies there is not Palpate's
+        if (part && !error) std::filesystem::remove(path.string() + "-wal", ignored);
+        return error ? Deletion::Failed : Deletion::Done;
+      },
+      [this, id](const haptics::Expected<Deletion>& deletion) {
+        const Deletion done = deletion.value_or(Deletion::Failed);
+        if (done == Deletion::InUse)
+          window_.showMessage(tr("Another window is writing this recording; stop it there."));
+        if (done == Deletion::Failed)
+          window_.showMessage(
+              tr("The recording could not be deleted; check the permissions of its folder."));
+        if (done == Deletion::Done) recordings_.setLabel(id, {});
+        showRecordings();
+      });
 }
 
 void RecordingController::recover(const QString& id) {

@@ -5,7 +5,9 @@
 #include <QObject>
 #include <QString>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "app/background/task.h"
 #include "app/window/force_curve.h"
@@ -31,8 +33,8 @@ class RecordingController : public QObject {
   void note(const char* kind, const QString& text) { recording_.note(kind, text); }
   /// Sets whether a recording may begin.
   void setReady(bool ready);
-  /// Lists what is in the folder now.
-  void showRecordings();
+  /// Lists what is in the folder now, in the background, and then calls `then`.
+  void showRecordings(std::function<void()> then = {});
   /// Called at display rate.
   void refresh();
   /// Offers to recover a recording that an ended process left unfinished.
@@ -60,8 +62,13 @@ class RecordingController : public QObject {
   ui::RecordingPanel* panel_;  ///< the window's
   SessionRecording recording_;
   background::Task<std::filesystem::path> recoverer_;
+  enum class Deletion { Done, InUse, Failed };
+  background::Task<Deletion> deleter_;
+  background::Task<QList<ui::PastRecording>> lister_;
+  std::vector<std::function<void()>> after_list_;  ///< what waits for the list
   ForceCurves curves_;
   QList<QString> finished_;     ///< ids of the recordings in the list that have a curve
+  QString unfinished_;          ///< name of the newest in the list that was not finished
   std::string camera_noted_;    ///< text of the last recorded camera
   QElapsedTimer since_camera_;  ///< time since the last recorded camera
 };

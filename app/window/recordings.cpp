@@ -2,7 +2,6 @@
 #include "app/window/recordings.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QSaveFile>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "app/window/loader.h"
+#include "haptics/core/input_file.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr qint64 kLongestLabels = 1'000'000;  // bytes
+constexpr std::uintmax_t kLongestLabels = 1'000'000;  // bytes
 
 /// Of a recording, finished or not.
 QString keyOf(const QString& id) { return id.section(QStringLiteral(".palpate"), 0, 0); }
@@ -82,9 +82,9 @@ fs::path Recordings::labelFile() const {
 }
 
 QJsonObject Recordings::labels() const {
-  QFile file(QString::fromStdString(labelFile().string()));
-  if (!file.open(QIODevice::ReadOnly) || file.size() > kLongestLabels) return {};
-  return QJsonDocument::fromJson(file.readAll()).object();
+  const auto text = haptics::readInput(labelFile(), kLongestLabels);
+  if (!text) return {};
+  return QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object();
 }
 
 bool Recordings::setLabel(const QString& id, const QString& label) const {
@@ -102,7 +102,8 @@ bool Recordings::setLabel(const QString& id, const QString& label) const {
   return file.commit();
 }
 
-QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
+QList<ui::PastRecording> Recordings::list(const fs::path& present,
+                                          const std::atomic<bool>& cancel) const {
   std::vector<fs::path> paths;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder_, error)) {
@@ -117,6 +118,7 @@ QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
   const QJsonObject labels = this->labels();
   QList<ui::PastRecording> recordings;
   for (const fs::path& path : paths) {
+    if (cancel) break;
     const auto id = QString::fromStdString(path.filename().string());
     if (path.extension() == ".part") {
       recordings.append({.id = id,
@@ -127,7 +129,7 @@ QList<ui::PastRecording> Recordings::list(const fs::path& present) const {
                          .changed = changedAt(path)});
       continue;
     }
-    const auto summary = haptics::summaryOf(path);
+    const auto summary = haptics::summaryOf(path, &cancel);
     ui::PastRecording recording{.id = id,
                                 .name = QString::fromStdString(path.stem().string()),
                                 .label = labels.value(keyOf(id)).toString(),

@@ -4,6 +4,7 @@
 #include <QJsonObject>
 #include <QList>
 #include <QString>
+#include <atomic>
 #include <filesystem>
 
 #include "ui/panels/recording_panel.h"
@@ -12,7 +13,7 @@ namespace app {
 
 /// The folder of recordings and its content. Names have numbers, and no person or date. The labels
 /// that the user gives stand in a file beside that folder, so that neither a recording nor an
-/// export holds them. GUI thread.
+/// export holds them. GUI thread, but for list().
 class Recordings {
  public:
   /// An empty path: the user's own folder for Palpate's files.
@@ -23,8 +24,10 @@ class Recordings {
   void setFolder(std::filesystem::path folder);
   /// A path that does not exist yet, without a label; makes the folder.
   std::filesystem::path next() const;
-  /// All recordings except `present`, which is being written; the newest first.
-  QList<ui::PastRecording> list(const std::filesystem::path& present) const;
+  /// All recordings except `present`, which is being written; the newest first. On a thread of its
+  /// own, with a copy: each file is opened, and may be anybody's. Ends early once `cancel` is true.
+  QList<ui::PastRecording> list(const std::filesystem::path& present,
+                                const std::atomic<bool>& cancel) const;
   std::filesystem::path pathOf(const QString& id) const { return folder_ / id.toStdString(); }
   /// The label of a recording; an empty one is forgotten. False: it could not be kept.
   bool setLabel(const QString& id, const QString& label) const;

@@ -8,6 +8,7 @@
 
 #include "app/window/force_curve.h"
 #include "app/window/sentence.h"
+#include "haptics/core/output_file.h"
 
 namespace app {
 namespace {
@@ -21,18 +22,20 @@ double timeOf(const haptics::RecordedStep& step) {
 
 }  // namespace
 
-haptics::Expected<std::unique_ptr<Replay>> Replay::open(const std::filesystem::path& path) {
-  auto recording = haptics::Recording::open(path);
+haptics::Expected<std::unique_ptr<Replay::Beginning>> Replay::read(
+    const std::filesystem::path& path, const std::atomic<bool>& cancel) {
+  haptics::keepInput(path);
+  auto recording = haptics::Recording::open(path, &cancel);
   if (!recording) return tl::unexpected(recording.error());
   auto first = recording->block(0);
   if (!first) return tl::unexpected(first.error());
-  std::unique_ptr<Replay> replay(new Replay(std::move(*recording), path));
-  replay->steps_ = std::move(*first);
-  return replay;
+  return std::make_unique<Beginning>(Beginning{std::move(*recording), std::move(*first)});
 }
 
-Replay::Replay(haptics::Recording recording, std::filesystem::path path)
-    : recording_{std::move(recording)}, path_{std::move(path)} {
+Replay::Replay(Beginning beginning, std::filesystem::path path)
+    : recording_{std::move(beginning.recording)},
+      path_{std::move(path)},
+      steps_{std::move(beginning.steps)} {
   track_.begin = time_ = recording_.begin();
   track_.end = recording_.end();
   for (const haptics::RecordedEvent& event : recording_.events())

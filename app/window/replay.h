@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -22,7 +23,15 @@ namespace app {
 class Replay : public QObject {
   Q_OBJECT
  public:
-  static haptics::Expected<std::unique_ptr<Replay>> open(const std::filesystem::path& path);
+  /// A recording with the steps of its first block.
+  struct Beginning {
+    haptics::Recording recording;
+    std::vector<haptics::RecordedStep> steps;
+  };
+  /// Not on the GUI thread: the file may be large, and anybody's. Refuses like Recording::open.
+  static haptics::Expected<std::unique_ptr<Beginning>> read(const std::filesystem::path& path,
+                                                            const std::atomic<bool>& cancel);
+  Replay(Beginning beginning, std::filesystem::path path);
 
   haptics::Recording& recording() { return recording_; }
   const std::filesystem::path& path() const { return path_; }
@@ -50,7 +59,6 @@ class Replay : public QObject {
   void failed(const QString& why);
 
  private:
-  explicit Replay(haptics::Recording recording, std::filesystem::path path);
   bool load(std::size_t block);
   void advance();
 

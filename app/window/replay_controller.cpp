@@ -57,6 +57,7 @@ ReplayController::ReplayController(ui::MainWindow& window, SharedState& shared,
                                    VolumeIdentity& identity)
     : window_(window), shared_(shared), identity_(identity) {
   connectBar();
+  connect(&window, &ui::MainWindow::cancelWanted, this, [this] { opener_.cancel(); });
   connect(&identity, &VolumeIdentity::sought, this, &ReplayController::compareVolumes);
 }
 
@@ -78,10 +79,20 @@ void ReplayController::connectBar() {
 }
 
 void ReplayController::open(const std::filesystem::path& path) {
-  auto read = Replay::open(path);
-  if (!read) return window_.showMessage(sentenceOf(read.error()));
+  window_.showLoading(tr("Reading the recording"));
+  opener_.start([path](const background::Watch& watch) { return Replay::read(path, watch.cancel); },
+                [this, path](haptics::Expected<std::unique_ptr<Replay::Beginning>> read) {
+                  window_.endLoading();
+                  if (read) return begin(std::make_unique<Replay>(std::move(**read), path));
+                  const QString why = sentenceOf(read.error());
+                  window_.showMessage(why);
+                  emit refused(why);
+                });
+}
+
+void ReplayController::begin(std::unique_ptr<Replay> replay) {
   emit opened();
-  replay_ = std::move(*read);
+  replay_ = std::move(replay);
   shared_.replaying = true;
   scene_.reset();
   connect(replay_.get(), &Replay::moved, this, &ReplayController::show);

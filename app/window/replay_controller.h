@@ -23,6 +23,7 @@ class ReplayController : public QObject {
  public:
   ReplayController(ui::MainWindow& window, SharedState& shared, VolumeIdentity& identity);
 
+  /// Reads the recording in the background, and shows it then.
   void open(const std::filesystem::path& path);
   /// Closes the recording and shows the live scene again.
   void close();
@@ -38,6 +39,8 @@ class ReplayController : public QObject {
  signals:
   /// A recording is about to be shown; the hand or device must be closed.
   void opened();
+  /// Why a recording was not opened, as it is shown.
+  void refused(const QString& why);
   /// The recording was closed; a hand may hold the device again.
   void closed();
   /// Another isovalue is to be shown over this picture, and not to be touched.
@@ -48,6 +51,7 @@ class ReplayController : public QObject {
 
  private:
   void connectBar();
+  void begin(std::unique_ptr<Replay> replay);
   void show(double time);
   void compareVolumes();
   /// Shows the scan on view as it was when this scene was touched.
@@ -62,6 +66,7 @@ class ReplayController : public QObject {
   ui::MainWindow& window_;
   SharedState& shared_;
   VolumeIdentity& identity_;
+  background::Task<std::unique_ptr<Replay::Beginning>> opener_;
   std::unique_ptr<Replay> replay_;
   std::optional<std::uint32_t> scene_;  ///< scene of the recording whose tool is on view
   std::optional<double> isovalue_;      ///< isovalue on view

@@ -25,9 +25,9 @@ void ScreenshotController::prepare(bool new_volume) {
     QTimer::singleShot(static_cast<int>(after_ * 1000.0), this, &ScreenshotController::take);
 }
 
-void ScreenshotController::fail(const haptics::Error& error) {
+void ScreenshotController::fail(const QString& sentence) {
   if (!isWanted()) return;
-  std::fprintf(stderr, "%s\n", resources::sentence(error).c_str());
+  std::fprintf(stderr, "%s\n", qUtf8Printable(sentence));
   emit finished(3);
 }
 
@@ -45,9 +45,13 @@ void ScreenshotController::take() {
   const QImage image = ui::screenshotOf(
       window_, window_.view(), {.whole_window = true, .scale = ui::screenScaleOf(window_)});
   const bool drawn = image.save(&picture, ending.isEmpty() ? "PNG" : qPrintable(ending));
-  const bool saved = drawn && haptics::writeFile(path_, {picture.data().constData(),
-                                                         std::size_t(picture.data().size())});
-  if (!saved) std::fprintf(stderr, "The picture could not be written.\n");
+  if (!drawn) {
+    std::fprintf(stderr, "The picture could not be drawn.\n");
+    return emit finished(4);
+  }
+  const auto saved =
+      haptics::writeFile(path_, {picture.data().constData(), std::size_t(picture.data().size())});
+  if (!saved) std::fprintf(stderr, "%s\n", resources::sentence(saved.error()).c_str());
   emit finished(saved ? 0 : 4);
 }
 

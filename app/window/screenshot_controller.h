@@ -21,8 +21,8 @@ class ScreenshotController : public QObject {
   bool isWanted() const { return !path_.empty(); }
   /// A scene is shown.
   void prepare(bool new_volume);
-  /// There is no volume to show.
-  void fail(const haptics::Error& error);
+  /// There is nothing to show, and why.
+  void fail(const QString& sentence);
 
  signals:
   /// With the exit code of the program.

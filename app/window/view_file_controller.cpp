@@ -32,13 +32,20 @@ std::vector<std::string> textsOf(const std::vector<haptics::Edit>& edits) {
   return texts;
 }
 
+/// A view or a recording, by its name.
+bool isOfPalpate(const std::filesystem::path& path) {
+  const QString name = QString::fromStdString(path.string());
+  return name.endsWith(QLatin1String(kViewEnding), Qt::CaseInsensitive) ||
+         name.endsWith(QLatin1String(".palpate"), Qt::CaseInsensitive);
+}
+
 bool isNamedTool(const std::string& name) { return resources::findNamedTool(name) != nullptr; }
 
 }  // namespace
 
 ViewFileController::ViewFileController(ui::MainWindow& window, SharedState& shared,
-                                       VolumeIdentity& identity, MarksController& marks)
-    : window_(window), shared_(shared), identity_(identity), marks_(marks) {
+                                       VolumeIdentity& identity, MarksController& marks, bool asks)
+    : window_(window), shared_(shared), identity_(identity), marks_(marks), asks_(asks) {
   connect(&window, &ui::MainWindow::viewWanted, this,
           [this](const QString& path) { open(path.toStdString()); });
   connect(&window, &ui::MainWindow::viewSaveWanted, this, &ViewFileController::askAndSave);
@@ -62,11 +69,9 @@ bool ViewFileController::liesOnView() const {
 }
 
 void ViewFileController::open(const std::filesystem::path& path) {
-  if (shared_.replaying) {
-    window_.showMessage(
+  if (shared_.replaying)
+    return refuse(
         tr("%1 was not opened: a recording is on view; close it first.").arg(inQuotes(path)));
-    return;
-  }
   auto read = readViewFile(path);
   if (!read) return refuse(sentenceOf(read.error()));
   opening_ = std::move(*read);
@@ -94,6 +99,11 @@ bool ViewFileController::seekScan() {
       (opening_path_.parent_path() / opening_.place).lexically_normal();
   std::error_code error;
   if (!std::filesystem::exists(scan, error)) return false;
+  if (isOfPalpate(scan)) {
+    refuse(tr("%1 was not opened: it names %2 as its scan, which is none; open the scan first.")
+               .arg(inQuotes(opening_path_), inQuotes(scan)));
+    return true;
+  }
   step_ = Step::Scan;
   emit scanWanted(scan);
   return true;
@@ -140,12 +150,14 @@ void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& 
     case haptics::SameVolume::Unknown:
       break;
   }
-  const bool agreed = window_.askWhether(
-      tr("Is %1 a view of this scan?").arg(inQuotes(opening_path_)),
+  const QString unknown =
       tr("It was saved by another installation, so its scan cannot be recognised. The geometry is "
          "the same: %1. Marks of another scan would lie in wrong places.")
-          .arg(geometryWords(opening_.grid, opening_.type)),
-      tr("Open it over this scan"));
+          .arg(geometryWords(opening_.grid, opening_.type));
+  if (!asks_) return refuse(unknown);
+  const bool agreed =
+      window_.askWhether(tr("Is %1 a view of this scan?").arg(inQuotes(opening_path_)), unknown,
+                         tr("Open it over this scan"));
   // the scan may have changed while the question was open
   if (agreed && step_ == Step::Hash && liesOnView()) return restore();
   drop();
@@ -203,6 +215,7 @@ void ViewFileController::restoreRest() {
 void ViewFileController::refuse(const QString& sentence) {
   step_ = Step::Nothing;
   window_.showMessage(sentence);
+  emit refused(sentence);
   emit finished(false);
 }
 

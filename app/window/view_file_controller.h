@@ -26,12 +26,13 @@ enum class Leaving { Window, Scan, Edits };
 /// saving and opening wait for it, and the user can cancel.
 ///
 /// A view is opened over the same scan only. On the installation that saved it the keyed hash
-/// decides; on another one, or without a hash, the geometry must agree and the user is asked.
+/// decides; on another one, or without a hash, the geometry must agree and the user is asked, or,
+/// without `asks`, it is refused.
 class ViewFileController : public QObject {
   Q_OBJECT
  public:
   ViewFileController(ui::MainWindow& window, SharedState& shared, VolumeIdentity& identity,
-                     MarksController& marks);
+                     MarksController& marks, bool asks);
 
   /// Opens a file of a view. If the scan on view is not the one and the file tells its place, the
   /// scan is opened first.
@@ -58,6 +59,8 @@ class ViewFileController : public QObject {
   void toolWanted(const QString& name);
   /// An isovalue that the volume on view can have.
   void isovalueWanted(double isovalue);
+  /// Why a view was not opened, as it is shown.
+  void refused(const QString& sentence);
   /// A view was opened whole, was saved, or could not be.
   void finished(bool done);
 
@@ -82,6 +85,7 @@ class ViewFileController : public QObject {
   SharedState& shared_;
   VolumeIdentity& identity_;
   MarksController& marks_;
+  bool asks_;
   Step step_ = Step::Nothing;  ///< what the view that is being opened waits for
   ViewFile opening_;
   std::filesystem::path opening_path_;

@@ -348,6 +348,10 @@ std::vector<fs::path> filesReadFor(const fs::path& path, const ReadProgress& pro
   return files;
 }
 
+std::vector<fs::path> filesReadFor(const SeriesVerdict& chosen) {
+  return filesReadFor(*chosen.found);
+}
+
 Expected<Thumbnail> thumbnailOf(const SeriesVerdict& chosen, int longest) {
   return guarded<Thumbnail>("the scan", [&]() -> Expected<Thumbnail> {
     if (const auto* series = std::get_if<DicomSeries>(&chosen.found->source))

@@ -32,6 +32,8 @@ haptics::Expected<haptics::Volume> readVolume(const std::filesystem::path& path,
 /// Thumbnail of the middle slice, at most `longest` pixels per side.
 haptics::Expected<Thumbnail> thumbnailOf(const SeriesVerdict& chosen, int longest);
 
+/// The files that an entry is read from.
+std::vector<std::filesystem::path> filesReadFor(const SeriesVerdict& chosen);
 /// The files that the scans at a path are read from, the path itself first: slices, headers, and
 /// the voxels that lie beside a header. For an archive, and for a path that cannot be read, only
 /// the path.

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <mutex>
 #include <random>
+#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -35,6 +36,27 @@ Error cannotWrite(const fs::path& named, int why) {
   const Message reason = why == ENOSPC || why == EDQUOT ? Message{"disk-full", {}}
                                                         : std::generic_category().message(why);
   return {Error::Kind::Unsupported, {"output-unwritable", {named.string(), reason}}, "unwritable"};
+}
+
+/// The files that are kept, by device and number.
+struct Kept {
+  std::mutex mutex;
+  std::set<std::pair<dev_t, ino_t>> files;
+};
+Kept& kept() {
+  static auto* const inputs = new Kept;  // for whoever writes after the last destructor
+  return *inputs;
+}
+bool isKept(const fs::path& path) {
+  struct stat what {};
+  if (::stat(path.c_str(), &what) != 0) return false;
+  const std::scoped_lock lock(kept().mutex);
+  return kept().files.contains({what.st_dev, what.st_ino});
+}
+
+tl::unexpected<Error> wouldReplaceInput(const fs::path& named) {
+  return tl::unexpected(
+      Error{Error::Kind::Unsupported, {"output-is-input", {named.string()}}, "unwritable"});
 }
 
 /// 0, or an errno.
@@ -91,12 +113,15 @@ Expected<Output> Output::at(const fs::path& path) {
       (fs::exists(output.target_, error) && !fs::is_regular_file(output.target_, error)))
     return tl::unexpected(
         Error{Error::Kind::Unsupported, {"output-no-regular-file", {path.string()}}, "unwritable"});
+  if (isKept(output.target_)) return wouldReplaceInput(path);
   // two may write at once, and what an earlier one left is not ours
   std::random_device lot;
   const std::scoped_lock lock(pending().mutex);
   int file = -1;
+  // names have 255 bytes, and this one may have them all
+  const std::string begin = output.target_.filename().string().substr(0, 230);
   do {
-    output.part_ = output.target_.string() + ".part" + std::to_string(lot());
+    output.part_ = output.target_.parent_path() / (begin + ".part" + std::to_string(lot()));
     file = ::open(output.part_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
   } while (file < 0 && errno == EEXIST);
   if (file < 0) return tl::unexpected(output.unwritable(errno));
@@ -122,6 +147,8 @@ Output::~Output() {
 
 Expected<std::int64_t> Output::finish() {
   if (const int why = sync(part_, 0); why != 0) return tl::unexpected(unwritable(why));
+  // while it was written, its name may have become another's
+  if (isKept(target_)) return wouldReplaceInput(named_);
   const std::scoped_lock lock(pending().mutex);
   std::error_code error;
   const auto bytes = fs::file_size(part_, error);
@@ -185,6 +212,13 @@ Expected<void> writeFile(const fs::path& path, std::string_view text) {
   if (auto closed = file->close(); !closed) return closed;
   if (auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
   return {};
+}
+
+void keepInput(const fs::path& path) {
+  struct stat what {};
+  if (::stat(path.c_str(), &what) != 0 || !S_ISREG(what.st_mode)) return;
+  const std::scoped_lock lock(kept().mutex);
+  kept().files.emplace(what.st_dev, what.st_ino);
 }
 
 void discardOutputs() {

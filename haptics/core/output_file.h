@@ -18,7 +18,8 @@ namespace haptics {
 class Output {
  public:
   /// Makes an empty file. Refused with the reason "unwritable", also if `path` is not a regular
-  /// file, for example a folder or a device. Links are followed.
+  /// file, for example a folder or a device, or leads to one that keepInput() was told of. Links
+  /// are followed.
   static Expected<Output> at(const std::filesystem::path& path);
   Output(Output&& other) noexcept;
   Output& operator=(Output&&) = delete;
@@ -65,6 +66,10 @@ class OutputFile {
 
 /// Writes a text as a file, whole or not at all.
 Expected<void> writeFile(const std::filesystem::path& path, std::string_view text);
+
+/// From now on no output of this process replaces the file, whatever name leads to it: what was
+/// read may be all that the user has of it. Any thread.
+void keepInput(const std::filesystem::path& path);
 
 /// Deletes all unfinished files, for a program that is about to end. After this call, any thread
 /// that begins, finishes or discards a file blocks. Any thread.

@@ -10,7 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "haptics/core/core_dump.h"
 #include "haptics/core/volume.h"
 
 #ifndef MADV_POPULATE_READ
@@ -77,7 +76,6 @@ Expected<std::shared_ptr<void>> VoxelMemory::view(int flags) const {
   const void* at = mmap(base, mapped, PROT_READ | PROT_WRITE, flags | MAP_FIXED | MAP_NORESERVE,
                         file_, static_cast<off_t>(offset_ - before));
   if (at == MAP_FAILED) return noRoom(bytes_);
-  keepOutOfCoreDumps(base, reserved);
   return std::shared_ptr<void>(pages, first);
 }
 

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "haptics/core/input_file.h"
 #include "haptics/edit/edit.h"
 
 namespace haptics {
@@ -185,7 +186,7 @@ std::string textOf(const Edit& edit) {
 
 Expected<Edit> editFrom(std::string_view text) {
   try {
-    if (text.size() > kLongestText) refuseWord();
+    if (text.size() > kLongestText || isNestedDeeper(text, kDeepestJson)) refuseWord();
     return editOfWords(json::parse(text));
   } catch (const json::exception&) {
     return tl::unexpected(Error{Error::Kind::Malformed, {"edit-damaged", {}}, "damaged"});

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,31 +53,45 @@ class Database {
   enum class Mode {
     Create,   ///< the file must not exist; locked against other processes
     Recover,  ///< the file may be changed; locked against other processes
-    Read      ///< the file is finished, and no process writes it
+    Read      ///< the file is finished, and no process writes it: it alone is read, and no log
   };
-  /// `vfs` names an SQLite file system to use instead of the operating system's; for tests.
+  /// A statement over the file ends as failed when it has taken more steps of SQLite's machine than
+  /// a file of this size can need (pages may form circles), or once `cancel`, which may be null, is
+  /// true. `vfs` names an SQLite file system to use instead of the operating system's; for tests.
   static Expected<Database> open(const std::filesystem::path& path, Mode mode,
+                                 const std::atomic<bool>* cancel = nullptr,
                                  const char* vfs = nullptr);
+  /// Whether a process, also this one, has a file open to write. The file is looked at and not
+  /// written, and no log is made.
+  static bool isLocked(const std::filesystem::path& path);
   ~Database();
   Database(Database&& other) noexcept;
   Database& operator=(Database&&) = delete;
 
   bool run(const char* sql);
-  Statement prepare(std::string_view sql) { return Statement{database_, sql}; }
+  Statement prepare(std::string_view sql);
   /// The first column of the first row, or 0.
   std::int64_t integer(std::string_view sql);
   bool isSound();  ///< the whole file is consistent
+  /// Whether the file has these tables and indices, word for word, and nothing else. To be asked
+  /// before any other query of a foreign file: a column could be computed, a table be a view.
+  bool hasSchema(const char* sql);
 
   /// Whether the last failure was a full disk, or a missing permission to write.
   bool isFull() const;
   bool isBusy() const;
   std::string complaint() const;  ///< SQLite's message for the last failure
+  /// `cancel` is looked at no longer.
+  void forgetCancel();
   /// On closing, leaves the log beside the file, because there may be no room to merge it.
   void keepLog();
 
  private:
-  explicit Database(sqlite3* database) : database_{database} {}
+  struct Bound;
+  explicit Database(sqlite3* database);
+
   sqlite3* database_;
+  std::unique_ptr<Bound> bound_;  ///< of the steps of a statement
 };
 
 }  // namespace haptics

@@ -2,9 +2,11 @@
 #include "haptics/recording/recorder.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <condition_variable>
@@ -18,6 +20,7 @@
 #include <vector>
 
 #include "haptics/core/clock.h"
+#include "haptics/core/input_file.h"
 #include "haptics/field/lanes.h"
 #include "haptics/recording/block.h"
 #include "haptics/recording/database.h"
@@ -55,6 +58,21 @@ void syncFolderOf(const fs::path& path) {
   ::close(file);
 }
 
+/// The identity that the file itself states, without what a log beside it says; 0 if it is no file
+/// of SQLite.
+std::int64_t applicationOf(const fs::path& part) {
+  constexpr std::size_t kHead = 100, kAt = 68;
+  std::array<char, kHead> head{};
+  auto in = openInput(part, std::uintmax_t{1} << 62);
+  if (!in || !in->read(head.data(), kHead) ||
+      std::string_view(head.data(), 16) != std::string_view("SQLite format 3\0", 16))
+    return 0;
+  std::int64_t application = 0;
+  for (std::size_t i = kAt; i < kAt + 4; ++i)
+    application = application << 8 | static_cast<unsigned char>(head[i]);
+  return application;
+}
+
 /// Brings the log into the file, checks it, closes it and gives it its name.
 Expected<fs::path> completed(std::optional<Database>& database, const fs::path& part,
                              const fs::path& target) {
@@ -77,7 +95,15 @@ Expected<fs::path> completed(std::optional<Database>& database, const fs::path& 
 
 }  // namespace
 
-fs::path partOf(const fs::path& target) { return fs::path(target.string() + ".part"); }
+fs::path partOf(const fs::path& target) {
+  // names have 255 bytes, and SQLite adds "-journal"
+  constexpr std::size_t kLongest = 255 - 8;
+  const std::string ending = target.extension().string() + ".part";
+  const std::string stem = target.stem().string();
+  if (stem.size() + ending.size() <= kLongest) return fs::path(target.string() + ".part");
+  return target.parent_path() /
+         (stem.substr(0, kLongest - std::min(kLongest, ending.size())) + ending);
+}
 
 /// The thread that writes, and what others tell it.
 class Recorder::Writer {
@@ -442,10 +468,16 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
                                                      const RecordingFacts& facts,
                                                      const Options& options) {
   const fs::path part = partOf(target);
+  std::error_code ignored;
   const auto unwritable = [&](const Message& why) {
     return tl::unexpected(Error{
         Error::Kind::Unsupported, {"recording-unwritable", {target.string(), why}}, "unwritable"});
   };
+  if (options.vfs == nullptr)
+    for (const char* log : {"-journal", "-wal", "-shm"})
+      if (const fs::path left = part.string() + log; fs::exists(fs::symlink_status(left, ignored)))
+        return tl::unexpected(Error{
+            Error::Kind::Unsupported, {"recording-left-over", {left.string()}}, "unfinished"});
   // made here, or not at all: what is there is somebody's
   const int made = options.vfs != nullptr
                        ? -1
@@ -456,16 +488,17 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
   if (options.vfs == nullptr && made < 0)
     return tl::unexpected(
         Error{Error::Kind::Unsupported, {"recording-left-over", {part.string()}}, "unfinished"});
-  auto opened = Database::open(part, Database::Mode::Create, options.vfs);
+  auto opened = Database::open(part, Database::Mode::Create, nullptr, options.vfs);
   if (!opened) return unwritable(opened.error().message);
   std::optional<Database> database{std::move(*opened)};
   const Layout layout = layoutAt(options.rate);
   const int format = layout == Layout::Exact ? kFormatOfScans : kFormatOfRounding;
   const std::string setup =
+      // the identity before there is a log, so that the file itself has it: see recover()
       "PRAGMA page_size = " + std::to_string(kPageBytes) +
-      "; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA application_id = " +
-      std::to_string(kApplicationId) + "; PRAGMA user_version = " + std::to_string(format) +
-      "; BEGIN;" + kSchema;
+      "; PRAGMA application_id = " + std::to_string(kApplicationId) +
+      "; PRAGMA user_version = " + std::to_string(format) +
+      "; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; BEGIN;" + kSchema;
   const auto say = [&](const char* key, std::string_view value) {
     return database->prepare("INSERT INTO meta (key, value) VALUES (?, ?)")
         .bind(1, std::string_view{key})
@@ -505,10 +538,22 @@ void Recorder::note(std::string kind, std::string text) {
 RecorderStatus Recorder::status() const { return writer_->status(); }
 Expected<fs::path> Recorder::finish() { return writer_->finish(); }
 
-bool isInUse(const fs::path& part) {
-  auto database = Database::open(part, Database::Mode::Recover);
-  return database && !database->run("BEGIN IMMEDIATE; COMMIT;") && database->isBusy();
+std::optional<Error> foreignBeside(const fs::path& recording) {
+  for (const char* log : {"-journal", "-wal", "-shm"}) {
+    const fs::path beside = recording.string() + log;
+    struct stat what {};
+    if (::lstat(beside.c_str(), &what) != 0) continue;
+    // Palpate leaves a log, and SQLite empties or deletes what has the name of one
+    if (log != std::string_view{"-journal"} && S_ISREG(what.st_mode) && what.st_nlink == 1)
+      continue;
+    return Error{Error::Kind::Unsupported,
+                 {"recording-beside", {recording.string(), beside.filename().string()}},
+                 "beside"};
+  }
+  return {};
 }
+
+bool isInUse(const fs::path& part) { return Database::isLocked(part); }
 
 Expected<fs::path> recover(const fs::path& part) {
   const auto refused = [](Message why, const char* reason) {
@@ -518,6 +563,13 @@ Expected<fs::path> recover(const fs::path& part) {
   std::error_code error;
   if (!fs::is_regular_file(part, error))
     return refused({"recovery-no-file", {part.string()}}, "not-found");
+  // as it lies, before SQLite opens it to write: what is not ours is not touched
+  if (struct stat what{}; ::lstat(part.c_str(), &what) != 0 || what.st_nlink != 1)
+    return refused({"recovery-other-names", {part.string()}}, "beside");
+  if (auto beside = foreignBeside(part)) return tl::unexpected(std::move(*beside));
+  if (isInUse(part)) return refused({"recovery-in-use", {part.string()}}, "in-use");
+  if (applicationOf(part) != kApplicationId)
+    return refused({"recovery-no-recording", {part.string()}}, "no-recording");
   auto opened = Database::open(part, Database::Mode::Recover);
   if (!opened)
     return refused({"recovery-failed", {part.string(), opened.error().message}}, "unreadable");
@@ -526,7 +578,7 @@ Expected<fs::path> recover(const fs::path& part) {
     return database->isBusy()
                ? refused({"recovery-in-use", {part.string()}}, "in-use")
                : refused({"recovery-failed", {part.string(), database->complaint()}}, "damaged");
-  if (database->integer("PRAGMA application_id") != kApplicationId)
+  if (database->integer("PRAGMA application_id") != kApplicationId || !database->hasSchema(kSchema))
     return refused({"recovery-no-recording", {part.string()}}, "no-recording");
   if (database->integer("SELECT count(*) FROM step") == 0)
     return refused({"recovery-empty", {part.string()}}, "empty");

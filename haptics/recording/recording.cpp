@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "haptics/recording/recorder.h"
 #include "haptics/recording/schema.h"
 
 namespace haptics {
@@ -26,7 +27,7 @@ tl::unexpected<Error> empty(const fs::path& path) {
 }
 
 /// A finished recording that this Palpate can read.
-Expected<Database> opened(const fs::path& path) {
+Expected<Database> opened(const fs::path& path, const std::atomic<bool>* cancel) {
   const auto refused = [](Error::Kind kind, Message message, const char* reason) {
     return tl::unexpected(Error{kind, std::move(message), reason});
   };
@@ -36,39 +37,61 @@ Expected<Database> opened(const fs::path& path) {
   if (path.extension() == ".part" || fs::exists(path.string() + "-wal", error))
     return refused(Error::Kind::Unsupported, {"recording-unfinished", {path.string()}},
                    "unfinished");
-  auto database = Database::open(path, Database::Mode::Read);
+  if (const auto beside = foreignBeside(path)) return tl::unexpected(*beside);
+  auto database = Database::open(path, Database::Mode::Read, cancel);
   if (!database)
     return refused(Error::Kind::NotFound, {"recording-not-opened", {path.string()}}, "not-found");
   if (database->integer("PRAGMA application_id") != kApplicationId)
     return refused(Error::Kind::Unsupported, {"recording-of-another-program", {path.string()}},
                    "no-recording");
-  if (database->integer("PRAGMA user_version") > kHighestFormat)
+  const std::int64_t format = database->integer("PRAGMA user_version");
+  if (format > kHighestFormat)
     return refused(Error::Kind::Unsupported, {"recording-of-later-palpate", {path.string()}},
                    "newer");
+  if (format < kFormatOfScans || !database->hasSchema(kSchema))
+    return refused(Error::Kind::Malformed, {"recording-other-tables", {path.string()}}, "damaged");
   return database;
+}
+
+tl::unexpected<Error> cancelledReading() {
+  return tl::unexpected(
+      Error{Error::Kind::Cancelled, {"recording-reading-cancelled", {}}, "cancelled"});
+}
+
+std::int64_t bytesInFile(const fs::path& path) {
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  return error ? 0 : static_cast<std::int64_t>(size);
 }
 
 }  // namespace
 
-Expected<Recording> Recording::open(const fs::path& path) {
-  auto database = opened(path);
-  if (!database) return tl::unexpected(database.error());
-  Recording recording{std::move(*database)};
-  if (recording.database_.integer("PRAGMA user_version") >= kFormatOfRounding)
-    recording.layout_ = Layout::Rounded;
-  Statement meta = recording.database_.prepare("SELECT key, value FROM meta LIMIT 100");
-  while (meta.step() == Statement::Step::Row) {
-    const std::string key = meta.text(0);
-    if (key == "palpate") recording.version_ = meta.text(1);
-    if (key == "build") recording.build_ = meta.text(1);
-    if (key == "machine") recording.machine_ = meta.text(1);
-    if (key == "vectors") recording.vectors_ = meta.text(1);
-  }
-  if (auto read = recording.readBlocks(); !read) return tl::unexpected(read.error());
-  if (auto read = recording.readEvents(); !read) return tl::unexpected(read.error());
-  if (auto read = recording.readScenes(); !read) return tl::unexpected(read.error());
+Expected<Recording> Recording::open(const fs::path& path, const std::atomic<bool>* cancel) {
+  auto database = opened(path, cancel);
+  if (!database)
+    return cancel != nullptr && *cancel ? cancelledReading() : tl::unexpected(database.error());
+  Recording recording{std::move(*database), bytesInFile(path)};
+  const auto read = recording.read();
+  if (cancel != nullptr && *cancel) return cancelledReading();
+  if (!read) return tl::unexpected(read.error());
+  recording.database_.forgetCancel();
   if (recording.blocks_.empty()) return empty(path);
   return recording;
+}
+
+Expected<void> Recording::read() {
+  if (database_.integer("PRAGMA user_version") >= kFormatOfRounding) layout_ = Layout::Rounded;
+  Statement meta = database_.prepare("SELECT key, value FROM meta LIMIT 100");
+  while (meta.step() == Statement::Step::Row) {
+    const std::string key = meta.text(0);
+    if (key == "palpate") version_ = meta.text(1);
+    if (key == "build") build_ = meta.text(1);
+    if (key == "machine") machine_ = meta.text(1);
+    if (key == "vectors") vectors_ = meta.text(1);
+  }
+  if (auto read = readBlocks(); !read) return read;
+  if (auto read = readEvents(); !read) return read;
+  return readScenes();
 }
 
 Expected<void> Recording::readBlocks() {
@@ -93,13 +116,19 @@ Expected<void> Recording::readBlocks() {
 }
 
 Expected<void> Recording::readEvents() {
-  Statement rows = database_.prepare(
-      "SELECT sequence, time_ns, kind, value, text FROM event ORDER BY time_ns, id");
+  Statement rows =
+      database_.prepare("SELECT sequence, time_ns, kind, value, text, id FROM event ORDER BY id");
   Statement::Step at;
+  std::optional<std::int64_t> before;
+  std::int64_t bytes = 0;
   for (at = rows.step(); at == Statement::Step::Row; at = rows.step()) {
     RecordedEvent event{static_cast<std::uint64_t>(rows.integer(0)), rows.integer(1), rows.text(2)};
     if (!rows.isNull(3)) event.value = rows.real(3);
     event.text = rows.text(4);
+    // pages that are there twice show their rows twice
+    bytes += static_cast<std::int64_t>(event.kind.size() + event.text.size());
+    if (bytes > bytes_ || (before && *before >= rows.integer(5))) return damagedRecording();
+    before = rows.integer(5);
     if (event.kind == "start") {
       auto start = startFrom(event.text);
       if (!start) return tl::unexpected(start.error());
@@ -111,6 +140,7 @@ Expected<void> Recording::readEvents() {
     events_.push_back(std::move(event));
   }
   if (at == Statement::Step::Failed) return damagedRecording();
+  std::ranges::stable_sort(events_, {}, &RecordedEvent::time_ns);
   // what was lost at the end no later step shows
   const std::int64_t behind = blocks_.empty() ? 0 : blocks_.back().first + blocks_.back().count;
   for (const RecordedEvent& event : events_)
@@ -127,12 +157,18 @@ Expected<void> Recording::readScenes() {
   constexpr std::size_t kMostScenes = 10'000;
   constexpr double kMostBytes = 1e9;  // of all tools together
   double bytes = 0.0;
+  std::int64_t stored = 0;
   Statement rows = database_.prepare(
       "SELECT id, tool, settings, volume, volume_hash, points, vertices, triangles FROM scene "
       "ORDER BY id");
   Statement::Step at;
   for (at = rows.step(); at == Statement::Step::Row; at = rows.step()) {
-    auto scene = sceneFrom({rows.text(2), rows.text(3), rows.blob(5), rows.blob(6), rows.blob(7)});
+    const SceneWords words{rows.text(2), rows.text(3), rows.blob(5), rows.blob(6), rows.blob(7)};
+    stored += static_cast<std::int64_t>(words.settings.size() + words.volume.size() +
+                                        words.points.size() + words.vertices.size() +
+                                        words.triangles.size());
+    if (stored > bytes_) return damagedRecording();
+    auto scene = sceneFrom(words);
     if (!scene) return tl::unexpected(scene.error());
     bytes +=
         double(scene->tool.shell.points.size() + scene->tool.mesh.vertices.size()) * sizeof(Vec3) +
@@ -199,8 +235,8 @@ Expected<void> Recording::forEach(double from, double to,
   return {};
 }
 
-Expected<RecordingSummary> summaryOf(const fs::path& path) {
-  auto database = opened(path);
+Expected<RecordingSummary> summaryOf(const fs::path& path, const std::atomic<bool>* cancel) {
+  auto database = opened(path, cancel);
   if (!database) return tl::unexpected(database.error());
   RecordingSummary summary;
   Statement steps = database->prepare("SELECT sum(count), min(from_ns), max(to_ns) FROM step");
@@ -210,8 +246,7 @@ Expected<RecordingSummary> summaryOf(const fs::path& path) {
   summary.duration = (steps.real(2) - steps.real(1)) * 1e-9;
   Statement tool = database->prepare("SELECT tool FROM scene ORDER BY id LIMIT 1");
   if (tool.step() == Statement::Step::Row) summary.tool = tool.text(0);
-  std::error_code error;
-  summary.bytes = static_cast<std::int64_t>(fs::file_size(path, error));
+  summary.bytes = bytesInFile(path);
   return summary;
 }
 

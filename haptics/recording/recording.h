@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -25,12 +26,16 @@ struct RecordedEvent {
 };
 
 /// A finished recording, open for reading. Steps are read block by block; events, starts and scenes
-/// are read when the file is opened. One thread at a time. All contents of the file are checked.
+/// are read when the file is opened. One thread at a time, and not the one of a window: a large
+/// file takes a while. All contents of the file are checked, since it may come from anybody: its
+/// tables first, and what is read of it is never more than the file holds.
 class Recording {
  public:
-  /// Refusals: "not-found", "no-recording", "unfinished" (use recover()), "newer" (made by a later
-  /// Palpate), "damaged", "empty".
-  static Expected<Recording> open(const std::filesystem::path& path);
+  /// Refusals: "not-found", "no-recording", "unfinished" (use recover()), "beside" (a file lies
+  /// beside it that SQLite would act on), "newer" (made by a later Palpate), "damaged", "empty";
+  /// "cancelled" if meanwhile `cancel` is true, which may be null.
+  static Expected<Recording> open(const std::filesystem::path& path,
+                                  const std::atomic<bool>* cancel = nullptr);
 
   /// The program that recorded: Palpate's version and build, the machine, and its SIMD target.
   const std::string& version() const { return version_; }
@@ -62,12 +67,15 @@ class Recording {
   struct Entry {
     std::int64_t first, count, from_ns, to_ns;
   };
-  explicit Recording(Database database) : database_{std::move(database)} {}
+  Recording(Database database, std::int64_t bytes)
+      : database_{std::move(database)}, bytes_{bytes} {}
+  Expected<void> read();
   Expected<void> readBlocks();
   Expected<void> readEvents();
   Expected<void> readScenes();
 
   Database database_;
+  std::int64_t bytes_;  ///< of the file
   Layout layout_ = Layout::Exact;
   std::string version_, build_, machine_, vectors_;
   std::int64_t step_count_ = 0, lost_ = 0;
@@ -86,7 +94,8 @@ struct RecordingSummary {
 };
 
 /// Does not read the steps. Refuses like Recording::open.
-Expected<RecordingSummary> summaryOf(const std::filesystem::path& path);
+Expected<RecordingSummary> summaryOf(const std::filesystem::path& path,
+                                     const std::atomic<bool>* cancel = nullptr);
 
 /// Whether two volumes have the same number, type and positions of voxels.
 bool liesLike(const Volume& one, const Volume& other);

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "haptics/core/input_file.h"
 #include "haptics/edit/edit_history.h"
 #include "haptics/edit/edited.h"
 
@@ -57,6 +58,11 @@ T whole(const json& word) {
                                                : false;
   if (!fits) throw json::other_error::create(501, "no such number", nullptr);
   return word.get<T>();
+}
+
+json parsed(const std::string& text) {
+  if (isNestedDeeper(text, kDeepestJson)) throw json::other_error::create(501, "too deep", nullptr);
+  return json::parse(text);
 }
 
 /// Row by row.
@@ -250,8 +256,8 @@ SceneWords wordsOf(const Scene& scene) {
 Expected<RecordedScene> sceneFrom(const SceneWords& words) {
   RecordedScene scene;
   try {
-    takeSettings(json::parse(words.settings), words, scene);
-    const json volume = json::parse(words.volume);
+    takeSettings(parsed(words.settings), words, scene);
+    const json volume = parsed(words.volume);
     takeVolume(volume, scene.volume);
     takeEdits(volume, scene);
   } catch (const json::exception&) {
@@ -310,7 +316,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
   Safety::Memory& safety = start.safety;
   PassivityGuard::Memory& guard = safety.passivity;
   try {
-    const json words = json::parse(text);
+    const json words = parsed(text);
     start.scene = whole<std::uint32_t>(words.at("scene"));
     Eigen::Matrix<double, 3, 4> pose;
     take(words.at("proxy"), pose);

@@ -21,12 +21,19 @@ inline constexpr Row kApp[] = {
     {"build-without-mesh-readers",
      "This palpate-cli was built without readers and opens no mesh files; use a named tool or a "
      "CSV of points."},
-    {"table-unreadable", "\"%1\" cannot be opened; check the path."},
+    {"input-unreadable", "\"%1\" cannot be opened; check the path and who may read it."},
+    {"input-no-file",
+     "\"%1\" is no regular file: it is a folder, a pipe or a device; name a file."},
+    {"input-too-large", "\"%1\" is larger than %2, and no such file is; choose another."},
     {"table-empty", "\"%1\" is empty."},
     {"table-no-names",
      "The first line of \"%1\" holds numbers, where the columns' names belong, and would be lost; "
      "write a line of names above it."},
     {"table-row-short", "\"%1\" needs %2 numbers, separated by commas, in line %3."},
+    {"table-row-long",
+     "\"%1\" has more numbers in line %2 than names in its first line; write them with decimal "
+     "points, separated by commas."},
+    {"table-line-long", "Line %2 of \"%1\" is longer than 64 kB; check that it is a table."},
     {"table-no-rows", "\"%1\" holds a header and no rows."},
     {"poses-no-rotation", "\"%1\" has a rotation that is no unit quaternion."},
     {"poses-too-far",
@@ -48,7 +55,6 @@ inline constexpr Row kApp[] = {
      "that one."},
     {"view-of-later-palpate", "\"%1\" was saved by a later Palpate; use that one."},
     {"view-too-large", "\"%1\" is larger than 1 MB, and no view is; choose another file."},
-    {"view-unreadable", "\"%1\" is no file that can be read; check the path."},
     {"view-not-saved-too-large",
      "\"%1\" was not saved: with so many notes and edits it would be larger than 1 MB; delete some "
      "and save again."},

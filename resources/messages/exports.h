@@ -10,6 +10,7 @@ inline constexpr Row kExports[] = {
     {"disk-full", "the disk is full"},
     {"output-unwritable",
      "\"%1\" cannot be written (%2); choose a folder that can be written and has room."},
+    {"output-is-input", "\"%1\" is a file that was read here, and would be lost; name another."},
     {"output-no-regular-file", "\"%1\" is no regular file, and is not written over; name a file."},
     {"film-other-volume",
      "The volume is not the one that was recorded: its voxels are others, or lie elsewhere; give "
@@ -32,6 +33,9 @@ inline constexpr Row kExports[] = {
      "libx264."},
     {"film-unwritable",
      "\"%1\" cannot be written; check that its folder exists, may be written to and has room."},
+    {"film-other-name",
+     "There is no ffmpeg, so the film would be \"%1\", which is there already; name it to write "
+     "over it, or remove it."},
     {"film-no-step", "The recording has no step in that stretch of time; choose another."},
     {"film-too-long",
      "The film would have more than a million frames; take a shorter stretch, or a greater speed."},

@@ -108,6 +108,15 @@ inline constexpr Row kReaders[] = {
      "export it with a rescale slope and intercept."},
     {"dicom-rescale-incomplete",
      "The file %1 states one of rescale slope and intercept without the other; export it again."},
+    {"dicom-rescale-of-some",
+     "The file %1 states no rescale slope and intercept, and others of the series do, so its "
+     "values "
+     "would be off by them; export the series again."},
+    {"dicom-element-twice",
+     "The file %1 states the element %2 twice, with two values; export it again."},
+    {"dicom-float-pixels",
+     "The file %1 holds its pixels as floating-point numbers (%2), which is not read; export it "
+     "with whole numbers."},
     {"dicom-rescale-slope-zero", "The file %1 states a rescale slope of 0; export it again."},
     {"dicom-sign-missing",
      "The file %1 does not say whether its pixels have a sign (Pixel Representation); export it "
@@ -165,6 +174,8 @@ inline constexpr Row kReaders[] = {
     {"attribute-acquisition-time", "time of acquisition"},
     {"attribute-content-time", "time of the image"},
     {"attribute-name", "patient's name"},
+    {"attribute-birth-date", "patient's date of birth"},
+    {"attribute-issuer", "issuer of the patient's identifier"},
     {"attribute-patient", "patient"},
     {"attribute-study", "study"},
     {"attribute-modality", "modality"},

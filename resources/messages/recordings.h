@@ -44,6 +44,17 @@ inline constexpr Row kRecordings[] = {
     {"recording-of-another-program",
      "\"%1\" is no recording of Palpate's; recordings end in .palpate."},
     {"recording-of-later-palpate", "\"%1\" was recorded by a later Palpate; use that one."},
+    {"recording-other-tables",
+     "\"%1\" does not have the tables of a recording, and is not read; use a recording that "
+     "Palpate "
+     "made."},
+    {"recording-beside",
+     "Beside \"%1\" lies \"%2\", which Palpate did not make and which would change the recording; "
+     "move it elsewhere first."},
+    {"recording-reading-cancelled", "The recording was not read: it was cancelled."},
+    {"recovery-other-names",
+     "\"%1\" cannot be recovered: the file has another name too, and would be changed under it; "
+     "recover a copy."},
     {"replay-other-edits",
      "What was taken away from the scan in the recording comes out otherwise here: the scan or "
      "this "

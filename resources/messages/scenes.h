@@ -66,6 +66,8 @@ inline constexpr Row kScenes[] = {
     {"plan-still-rows", "rows anew while the tool is still"},
     {"plan-still-rows-why", "at the same pose they are the same"},
     {"session-nothing-to-touch", "There is nothing to touch yet; open a volume."},
+    {"touch-no-thread",
+     "The system has no thread left for the touch; close other programs and try again."},
     {"session-no-room",
      "The tool would start inside the solid, with no room within 50 mm; raise the isovalue."},
     {"hand-starts-inside",

@@ -32,10 +32,6 @@
         <translation>Dieses palpate-cli wurde ohne Leser gebaut und öffnet keine Netzdateien; verwenden Sie ein benanntes Werkzeug oder eine CSV-Datei mit Punkten.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be opened; check the path.</source>
-        <translation>„%1“ lässt sich nicht öffnen; prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is empty.</source>
         <translation>„%1“ ist leer.</translation>
     </message>
@@ -2307,6 +2303,74 @@
         <source>A face of %1 has more than %2 corners; export the mesh again as triangles.</source>
         <translation>Eine Fläche von %1 hat mehr als %2 Ecken; exportieren Sie das Netz neu als Dreiecke.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; cannot be opened; check the path and who may read it.</source>
+        <translation>„%1“ kann nicht geöffnet werden; prüfen Sie den Pfad und wer die Datei lesen darf.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no regular file: it is a folder, a pipe or a device; name a file.</source>
+        <translation>„%1“ ist keine gewöhnliche Datei, sondern ein Ordner, eine Pipe oder ein Gerät; nennen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is larger than %2, and no such file is; choose another.</source>
+        <translation>„%1“ ist größer als %2, und das ist keine solche Datei; wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has more numbers in line %2 than names in its first line; write them with decimal points, separated by commas.</source>
+        <translation>„%1“ hat in Zeile %2 mehr Zahlen als Namen in der ersten Zeile; schreiben Sie sie mit Dezimalpunkten, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>Line %2 of &quot;%1&quot; is longer than 64 kB; check that it is a table.</source>
+        <translation>Zeile %2 von „%1“ ist länger als 64 kB; prüfen Sie, ob es eine Tabelle ist.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not have the tables of a recording, and is not read; use a recording that Palpate made.</source>
+        <translation>„%1“ hat nicht die Tabellen einer Aufzeichnung und wird nicht gelesen; verwenden Sie eine Aufzeichnung von Palpate.</translation>
+    </message>
+    <message>
+        <source>Beside &quot;%1&quot; lies &quot;%2&quot;, which Palpate did not make and which would change the recording; move it elsewhere first.</source>
+        <translation>Neben „%1“ liegt „%2“; Palpate hat diese Datei nicht gemacht, und sie würde die Aufzeichnung ändern. Legen Sie sie zuerst woanders hin.</translation>
+    </message>
+    <message>
+        <source>The recording was not read: it was cancelled.</source>
+        <translation>Die Aufzeichnung wurde nicht gelesen: das Lesen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be recovered: the file has another name too, and would be changed under it; recover a copy.</source>
+        <translation>„%1“ kann nicht wiederhergestellt werden: die Datei hat noch einen anderen Namen und würde auch unter ihm geändert; stellen Sie eine Kopie wieder her.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a file that was read here, and would be lost; name another.</source>
+        <translation>„%1“ ist eine Datei, die hier gelesen wurde und verloren ginge; nennen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>There is no ffmpeg, so the film would be &quot;%1&quot;, which is there already; name it to write over it, or remove it.</source>
+        <translation>Ohne ffmpeg wäre der Film „%1“, und diese Datei gibt es schon; nennen Sie sie, um sie zu überschreiben, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The file %1 states no rescale slope and intercept, and others of the series do, so its values would be off by them; export the series again.</source>
+        <translation>Die Datei %1 nennt weder Rescale Slope noch Intercept, andere der Serie aber schon; ihre Werte lägen um sie daneben. Exportieren Sie die Serie neu.</translation>
+    </message>
+    <message>
+        <source>The file %1 states the element %2 twice, with two values; export it again.</source>
+        <translation>Die Datei %1 nennt das Element %2 zweimal, mit zwei Werten; exportieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The file %1 holds its pixels as floating-point numbers (%2), which is not read; export it with whole numbers.</source>
+        <translation>Die Datei %1 enthält ihre Pixel als Gleitkommazahlen (%2), die nicht gelesen werden; exportieren Sie sie mit ganzen Zahlen.</translation>
+    </message>
+    <message>
+        <source>patient&apos;s date of birth</source>
+        <translation>Geburtsdatum des Patienten</translation>
+    </message>
+    <message>
+        <source>issuer of the patient&apos;s identifier</source>
+        <translation>Aussteller der Patientenkennung</translation>
+    </message>
+    <message>
+        <source>The system has no thread left for the touch; close other programs and try again.</source>
+        <translation>Das System hat keinen Thread mehr für das Tasten; schließen Sie andere Programme und versuchen Sie es erneut.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -2375,6 +2439,14 @@
     <message>
         <source>A recording was opened: the device was disconnected.</source>
         <translation>Eine Aufzeichnung wurde geöffnet: Das Gerät wurde getrennt.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Wird gelesen</translation>
+    </message>
+    <message>
+        <source>The view was not opened.</source>
+        <translation>Die Ansicht wurde nicht geöffnet.</translation>
     </message>
 </context>
 <context>
@@ -2633,6 +2705,10 @@
     <message>
         <source>Exporting</source>
         <translation>Wird exportiert</translation>
+    </message>
+    <message>
+        <source>Reading the recording</source>
+        <translation>Die Aufzeichnung wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -2978,6 +3054,13 @@
     </message>
 </context>
 <context>
+    <name>app::PreferencesController</name>
+    <message>
+        <source>Some preferences could not be read and are as they were at first: %1.</source>
+        <translation>Einige Einstellungen ließen sich nicht lesen und sind wie am Anfang: %1.</translation>
+    </message>
+</context>
+<context>
     <name>app::RecordingController</name>
     <message>
         <source>Recording</source>
@@ -3040,6 +3123,10 @@
     <message>
         <source>The volume on view is not the one that was touched: %1; open that one to see it.</source>
         <translation>Das gezeigte Volumen ist nicht das, das berührt wurde: %1; öffnen Sie jenes, um es zu sehen.</translation>
+    </message>
+    <message>
+        <source>Reading the recording</source>
+        <translation>Die Aufzeichnung wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -3351,6 +3438,10 @@
     <message>
         <source>The view was saved as %1.</source>
         <translation>Die Ansicht wurde als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: it names %2 as its scan, which is none; open the scan first.</source>
+        <translation>%1 wurde nicht geöffnet: die Datei nennt %2 als ihre Aufnahme, und das ist keine; öffnen Sie zuerst die Aufnahme.</translation>
     </message>
 </context>
 <context>

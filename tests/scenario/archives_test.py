@@ -38,7 +38,7 @@ def cpu_seconds():
 
 def info(cli, path, temporary):
     began = cpu_seconds()
-    done = subprocess.run([cli, "info", str(path), "--json"], capture_output=True, timeout=120,
+    done = subprocess.run([cli, "info", str(path), "--json"], capture_output=True, timeout=900,
                           env={**os.environ, "TMPDIR": str(temporary)})
     said = json.loads(done.stdout)
     return said, done.returncode, cpu_seconds() - began

@@ -16,7 +16,7 @@ RATED = {"force_N", "continuous_force_N", "torque_Nm", "stiffness_N_m", "angular
 
 
 def run(*arguments, code=0):
-    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=900)
     assert done.returncode == code, (arguments, done.returncode, done.stdout, done.stderr)
     return done
 

@@ -81,7 +81,7 @@ def same(what, ours, theirs):
 
 
 def cli(*words, expect=0, **how):
-    done = subprocess.run([CLI, *map(str, words), "--json"], capture_output=True, timeout=300, **how)
+    done = subprocess.run([CLI, *map(str, words), "--json"], capture_output=True, timeout=900, **how)
     check(done.returncode == expect,
           f"{' '.join(map(str, words))}: {done.returncode} in place of {expect}: {done.stderr}")
     said = json.loads(done.stdout) if done.stdout else {}

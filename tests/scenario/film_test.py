@@ -22,7 +22,7 @@ ISOVALUE = 1000.0
 
 
 def cli_said(cli, *arguments, **options):
-    done = subprocess.run([cli, *map(str, arguments), "--json"], capture_output=True, timeout=300,
+    done = subprocess.run([cli, *map(str, arguments), "--json"], capture_output=True, timeout=900,
                           **options)
     return json.loads(done.stdout), done
 
@@ -178,7 +178,7 @@ def main():
             assert process.poll() is None, process.stderr.read()
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
-        said = json.loads(process.communicate(timeout=60)[0])
+        said = json.loads(process.communicate(timeout=900)[0])
         assert process.returncode == 130 and said["error"]["code"] == 130, said
         assert os.listdir(out) == [], os.listdir(out)
 
@@ -197,7 +197,7 @@ def main():
             assert process.poll() is None, process.stderr.read()
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=60)
+        process.communicate(timeout=900)
         assert process.returncode == 130
         for _ in range(60):  # ended with the program, or still to find that nobody draws
             if (late / "done").exists():

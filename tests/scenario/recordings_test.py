@@ -129,7 +129,7 @@ while running.poll() is None and not i.with_suffix(".palpate.part").exists():
     time.sleep(0.01)
 time.sleep(1)
 running.send_signal(signal.SIGINT)
-running.communicate(timeout=60)
+running.communicate(timeout=900)
 assert running.returncode == 130 and i.exists(), running
 said = call("replay", i, "--volume", folder / "ball.nrrd")
 assert said["steps"] > 500 and said["differing"] == 0, said

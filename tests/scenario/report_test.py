@@ -50,7 +50,7 @@ def browse(browser, *arguments):
         return subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu",
                                "--disable-dev-shm-usage", f"--user-data-dir={profile}",
                                "--window-size=1200,1600", *arguments],
-                              capture_output=True, text=True, timeout=200)
+                              capture_output=True, text=True, timeout=900)
 
 
 def distinct_rows(png):

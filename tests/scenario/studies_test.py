@@ -67,7 +67,7 @@ def main():
     begun.send_signal(signal.SIGINT)
     with open(told, "rb") as words:  # until here it could not tell of its first job, and so not go on
         words.read()
-    assert begun.wait(timeout=120) == 130, f"stopped it exits with {begun.returncode}, not 130"
+    assert begun.wait(timeout=900) == 130, f"stopped it exits with {begun.returncode}, not 130"
     some = read(first)
     assert some["jobs"] and some["missing"], "stopped, a study keeps what is done and says what is not"
     done = {job["job"]: job["seconds"] for job in some["jobs"]}

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The window crashes while it shows a scan. Its core dump holds no slice, its log and its report name
-nobody, and the next start says what happened. The core dump of palpate-cli holds no slice either.
+"""The window crashes while it shows a scan. It leaves no core dump, whatever signal ends it, its log and
+its report name nobody, and the next start says what happened. palpate-cli leaves no core dump either.
 
 Use: crash_test.py PALPATE FOLDER PALPATE-CLI (with a display)
 """
@@ -10,7 +10,6 @@ import pathlib
 import random
 import resource
 import signal
-import struct
 import subprocess
 import sys
 import time
@@ -95,52 +94,47 @@ assert code == 3, code
 assert log() == before, log()
 assert subprocess.run([program, "--log-level", "loud"], env=environment, capture_output=True).returncode == 2
 
-# slices that are nowhere else
-chance = random.Random(7)
-SIDE, SLICES = 96, 80
-slices = [[chance.randrange(-1000, 3000) for _ in range(SIDE * SIDE)] for _ in range(SLICES)]
+# no signal that dumps leaves a dump, also where the system makes them
 volume = folder / "PLNTVOLUME.nrrd"
-volume.write_bytes(f"NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\nsizes: {SIDE} {SIDE} {SLICES}\n"
-                   "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nendian: little\n\n"
-                   .encode() + b"".join(struct.pack(f"<{SIDE * SIDE}h", *one) for one in slices))
+volume.write_bytes(b"NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\nsizes: 96 96 80\n"
+                   b"space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nendian: little\n\n"
+                   + random.Random(7).randbytes(2 * 96 * 96 * 80))
+DUMPING = [signal.SIGSEGV, signal.SIGTRAP, signal.SIGSYS, signal.SIGXCPU, signal.SIGILL, signal.SIGABRT, signal.SIGBUS,
+           signal.SIGFPE, signal.SIGQUIT]
 pattern = pathlib.Path("/proc/sys/kernel/core_pattern").read_text().strip()
-cores_are_here = not pattern.startswith(("|", "/"))
+sleeper = begun("/bin/sleep", LONG)
+sleeper.send_signal(signal.SIGSEGV)
+sleeper.wait()
+cores_are_here = bool(list(folder.glob("core*")))
+for core in folder.glob("core*"):
+    core.unlink()
 
 
-def crash(process):
-    process.send_signal(signal.SIGSEGV)
+def crash(process, how):
+    process.send_signal(how)
     code = process.wait(timeout=LONG)
-    assert code == -signal.SIGSEGV, code
-    if not cores_are_here:
-        return
-    [path] = folder.glob("core*")
-    core = path.read_bytes()
-    path.unlink()
-    # it can be read: the first stack holds the environment
-    assert f"XDG_STATE_HOME={folder / 'state'}".encode() in core, len(core)
-    looked = 0
-    for one in slices:
-        for first in range(0, SIDE * SIDE, 16 * SIDE):
-            row = one[first:first + 16]
-            for kind in "hf":
-                looked += 1
-                assert struct.pack(f"<16{kind}", *row) not in core, f"a row of a slice is in the core dump, as {kind}"
-    print(f"{looked} pieces of slices sought in {len(core) / 1e6:.0f} MB: none found")
+    # the window and the command line take the first SIGQUIT for a wish to end
+    assert code == -how or how == signal.SIGQUIT, (how, code)
+    assert not list(folder.glob("core*")), (how, list(folder.glob("core*")))
 
 
-process = begun(os.path.abspath(sys.argv[3]), "run", "--volume", volume, "--isovalue", 1500, "--tool", "sphere", "--hand", "slide",
-                "--stiffness", 500, "--seconds", 3600)
-work(process, 1.0)  # it touches by then
-crash(process)
-process = started(volume, "--isovalue", 1500, "--surface", "raycast")
-wait_for(process, " scan-opened ", 2)
-work(process, 1.5)  # it is drawn by then, and its textures are made
-crash(process)
+for how in DUMPING:
+    process = begun(os.path.abspath(sys.argv[3]), "run", "--volume", volume, "--isovalue", 1500, "--tool", "sphere", "--hand",
+                    "slide", "--stiffness", 500, "--seconds", 3600)
+    work(process, 0.3)
+    crash(process, how)
+opened = log().count(" scan-opened ")
+for how in (DUMPING if os.environ.get("PALPATE_TEST_ALL") else DUMPING[1:4]) + [signal.SIGSEGV]:
+    process = started(volume, "--isovalue", 1500, "--surface", "raycast")
+    opened += 1
+    wait_for(process, " scan-opened ", opened)
+    crash(process, how)
 assert len(list(state.glob("crash-*.raw"))) == 1, list(state.iterdir())
 
 # the next start makes a report of it, and leaves the crash itself no longer there
+told = log().count(" crash-report")
 process = started("--phantom", "sphere")
-wait_for(process, " crash-report")
+wait_for(process, " crash-report", told + 1)
 ended(process)
 report = (state / "crash-report.txt").read_text()
 assert "SIGSEGV" in report and "palpate+0x" in report and " main" in report, report

@@ -234,7 +234,7 @@ TEST_F(Editing, AReplayShowsTheScanAsItWasThen) {
   ASSERT_TRUE(waitFor([&] { return !finished().empty(); }));
   QTest::qWait(300);
   emit window().recordingWanted(QString::fromStdString(finished().string()));
-  ASSERT_NE(application_->replay(), nullptr);
+  ASSERT_TRUE(waitFor([&] { return application_->replay() != nullptr; }));
   EXPECT_FALSE(panel().isEnabled());
   window().setCross(kSmallAt);
   // the picture at rest, the slices and the contour in them

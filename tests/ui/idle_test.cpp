@@ -175,7 +175,7 @@ TEST(Idle, OfAMovingHandOnlyWhatChangedIsPainted) {
   QTest::qWait(500);
   list->selectRow(0);
   QTest::mouseClick(panel.findChild<QPushButton*>("openRecording"), Qt::LeftButton);
-  ASSERT_NE(application.replay(), nullptr);
+  ASSERT_TRUE(waitFor([&] { return application.replay() != nullptr; }));
   awaitRest();
   const Cost paused = costOf(2.0, "replay, paused");
   EXPECT_LE(paused.paints, 2) << paused.words;

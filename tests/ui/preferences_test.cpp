@@ -30,6 +30,34 @@ TEST(Preferences, RememberHowAHandIsTakenToTheScan) {
   EXPECT_EQ(app::loadPreferences().mapping, ui::Mapping{});
 }
 
+TEST(Preferences, AValueThatCannotBeReadWholeIsAsAtFirstAndTold) {
+  const double first = app::Preferences{}.stiffness;
+  for (const QVariant& wrong :
+       {QVariant("2,5"), QVariant(QStringList{"2", "5"}), QVariant("abc"), QVariant("1000 N/m"),
+        QVariant("nan"), QVariant("1e999"), QVariant("-1"), QVariant("20001"), QVariant("")}) {
+    QSettings().clear();
+    QSettings().setValue("coupling/stiffness", wrong);
+    const app::Preferences loaded = app::loadPreferences();
+    EXPECT_EQ(loaded.stiffness, first) << wrong.toString().toStdString();
+    EXPECT_EQ(loaded.unread, QStringList{"coupling/stiffness"}) << wrong.toString().toStdString();
+  }
+  QSettings().setValue("coupling/stiffness", "2000");
+  QSettings().setValue("window/hints", "perhaps");
+  QSettings().setValue("device/clutch_button", "1.5");
+  QSettings().setValue("device/force_scale", "1000");
+  const app::Preferences loaded = app::loadPreferences();
+  EXPECT_EQ(loaded.stiffness, 2000.0);
+  EXPECT_TRUE(loaded.hints);
+  EXPECT_EQ(loaded.mapping, ui::Mapping{});
+  EXPECT_EQ(loaded.unread,
+            (QStringList{"window/hints", "device/force_scale", "device/clutch_button"}));
+  QSettings().clear();
+  EXPECT_TRUE(app::loadPreferences().unread.isEmpty());
+  // what is written can be read
+  app::savePreferences({});
+  EXPECT_TRUE(app::loadPreferences().unread.isEmpty());
+}
+
 TEST(Preferences, RememberUnitsMouseKeysStiffnessAndFolder) {
   QSettings().clear();
   app::Preferences preferences = app::loadPreferences();

@@ -16,6 +16,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -138,6 +139,7 @@ TEST(RecordedSession, IsRecordedMarkedAndReplayedToTheBit) {
 /// What the user is asked when the first recording is to become a film, and says no to.
 QString askedBeforeAFilm(app::Application& application) {
   QString asked;
+  bool ended = false;
   QTimer answers;
   QObject::connect(&answers, &QTimer::timeout, [&] {
     QWidget* dialog = QApplication::activeModalWidget();
@@ -148,14 +150,19 @@ QString askedBeforeAFilm(app::Application& application) {
     } else if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
       asked = box->text();
       box->reject();
+      ended = true;
     } else if (dialog != nullptr) {
       dialog->close();  // where to write it: nothing was asked
+      ended = true;
     }
   });
   answers.start(50);
   ui::RecordingPanel& panel = *application.window().findChild<ui::RecordingPanel*>();
-  child<QTableWidget>(panel, "recordings")->selectRow(0);
+  auto* list = child<QTableWidget>(panel, "recordings");
+  EXPECT_TRUE(waitFor([&] { return list->rowCount() == 1; }));
+  list->selectRow(0);
   QTest::mouseClick(child<QPushButton>(panel, "exportRecording"), Qt::LeftButton);
+  EXPECT_TRUE(waitFor([&] { return ended; }));
   return asked;
 }
 
@@ -195,11 +202,11 @@ TEST(RecordedSession, IsGoneThroughInTheWindow) {
   if (HasFatalFailure()) return;
   ui::MainWindow& window = application.window();
   auto* list = child<QTableWidget>(*window.findChild<ui::RecordingPanel*>(), "recordings");
-  ASSERT_EQ(list->rowCount(), 1);
+  ASSERT_TRUE(waitFor([&] { return list->rowCount() == 1; }));
   list->selectRow(0);
   QTest::mouseClick(child<QPushButton>(*window.findChild<ui::RecordingPanel*>(), "openRecording"),
                     Qt::LeftButton);
-  ASSERT_NE(application.replay(), nullptr);
+  ASSERT_TRUE(waitFor([&] { return application.replay() != nullptr; }));
   EXPECT_TRUE(window.replayBar().isVisible());
   EXPECT_FALSE(application.session().isOpen());
   // wherever one goes, the tool is where it was
@@ -275,7 +282,7 @@ TEST(RecordedSession, OverVoxelsThatAreOthersInTheSamePlaceSaysSo) {
   if (HasFatalFailure()) return;
   ui::MainWindow& window = application.window();
   emit window.recordingWanted(QString::fromStdString(filesIn(folder).front().string()));
-  ASSERT_NE(application.replay(), nullptr);
+  ASSERT_TRUE(waitFor([&] { return application.replay() != nullptr; }));
   QTest::qWait(500);
   auto* warning = child<QLabel>(window.replayBar(), "replayWarning");
   EXPECT_FALSE(warning->isVisible());
@@ -312,13 +319,14 @@ TEST(RecordedSession, ALabelAndACurveStandInTheListAndInNoFileOfARecording) {
   const fs::path path = recordings.next();
   written(path, 400);
   if (HasFatalFailure()) return;
-  QList<ui::PastRecording> listed = recordings.list({});
+  const std::atomic<bool> goes_on = false;
+  QList<ui::PastRecording> listed = recordings.list({}, goes_on);
   ASSERT_EQ(listed.size(), 1);
   EXPECT_EQ(listed[0].label, "");
   ASSERT_TRUE(listed[0].changed.isValid());
   EXPECT_LT(std::abs(listed[0].changed.secsTo(QDateTime::currentDateTime())), 600);
   ASSERT_TRUE(recordings.setLabel(listed[0].id, "Rim of the window"));
-  EXPECT_EQ(recordings.list({})[0].label, "Rim of the window");
+  EXPECT_EQ(recordings.list({}, goes_on)[0].label, "Rim of the window");
   // beside the folder, for the user alone, and nowhere in it
   const fs::path labels = fs::path(place.path().toStdString()) / "recordings-labels.json";
   ASSERT_TRUE(fs::exists(labels));
@@ -342,7 +350,7 @@ TEST(RecordedSession, ALabelAndACurveStandInTheListAndInNoFileOfARecording) {
   fs::remove(path);
   EXPECT_EQ(recordings.next(), path);
   written(path, 4);
-  EXPECT_EQ(recordings.list({})[0].label, "");
+  EXPECT_EQ(recordings.list({}, goes_on)[0].label, "");
 }
 
 TEST(RecordedSession, IsExportedBehindTheWindow) {
@@ -404,9 +412,10 @@ TEST(RecordedSession, ThatWasNeverFinishedIsOfferedAtTheNextStart) {
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   ui::MainWindow& window = application.window();
-  EXPECT_TRUE(child<QLabel>(window, "message")->text().contains("session-0001"));
+  EXPECT_TRUE(
+      waitFor([&] { return child<QLabel>(window, "message")->text().contains("session-0001"); }));
   auto* list = child<QTableWidget>(*window.findChild<ui::RecordingPanel*>(), "recordings");
-  ASSERT_EQ(list->rowCount(), 1);
+  ASSERT_TRUE(waitFor([&] { return list->rowCount() == 1; }));
   list->selectRow(0);
   QTest::mouseClick(child<QPushButton>(*window.findChild<ui::RecordingPanel*>(), "openRecording"),
                     Qt::LeftButton);

@@ -63,7 +63,7 @@ class Installation {
 /// A window that saves and opens views.
 struct Views : window::MarkedScan {
   app::VolumeIdentity identity;
-  app::ViewFileController files{window, shared, identity, controller};
+  app::ViewFileController files{window, shared, identity, controller, true};
 
   Views() {
     QObject::connect(&files, &app::ViewFileController::isovalueWanted, &isosurface,

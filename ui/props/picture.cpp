@@ -29,8 +29,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "haptics/core/core_dump.h"
-
 namespace ui {
 namespace {
 
@@ -192,11 +190,6 @@ void unfoldNormals(vtkPolyData* mesh) {
       normals->SetTuple(static_cast<vtkIdType>(n), own[n].normalized().eval().data());
 }
 
-void keepOutOfCoreDumps(vtkImageData& image) {
-  haptics::keepOutOfCoreDumps(image.GetScalarPointer(),
-                              static_cast<std::size_t>(image.GetNumberOfPoints()) * sizeof(float));
-}
-
 Picture pictureWith(std::shared_ptr<const haptics::Volume> volume,
                     vtkSmartPointer<vtkImageData> reduced) {
   const haptics::Grid& grid = volume->grid;
@@ -255,7 +248,6 @@ vtkSmartPointer<vtkImageData> reducedImageOf(const haptics::Volume& volume,
   image->SetSpacing(spacing_mm);
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* out = static_cast<float*>(image->GetScalarPointer());
-  keepOutOfCoreDumps(*image);
   std::fill_n(out, image->GetNumberOfPoints(), static_cast<float>(volume.least));
   haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
     averageBlocks(voxels, grid.dims, cubes, {{}, cubes.blocks}, out, cancel);
@@ -313,7 +305,6 @@ Picture pictureOf(std::shared_ptr<const haptics::Volume> volume, const Picture& 
   const Reduction cubes = reductionOf(volume->bounds(), kReducedVoxels);
   auto reduced = vtkSmartPointer<vtkImageData>::New();
   reduced->DeepCopy(before.reduced);
-  keepOutOfCoreDumps(*reduced);
   auto* out = static_cast<float*>(reduced->GetScalarPointer());
   haptics::visitVoxels(volume->type, volume->voxels.get(), [&](const auto* voxels) {
     for (const haptics::VoxelBox& box : changed)

@@ -50,6 +50,16 @@ Expected<void> copyPictures(const std::vector<fs::path>& folders, const fs::path
   return {};
 }
 
+/// No result replaces a scan or a recording, whatever links lie in the folder.
+void keepInputs(const Manifest& manifest, const fs::path& out) {
+  std::error_code failed;
+  if (!fs::exists(out, failed) || fs::is_empty(out, failed)) return;  // nothing to replace
+  for (const Line& line : manifest.lines) {
+    haptics::keepInput(line.recording);
+    for (const fs::path& file : datasets::filesReadFor(line.path)) haptics::keepInput(file);
+  }
+}
+
 }  // namespace
 
 study::Study studyOf(const Manifest& manifest, const fs::path& out,
@@ -73,6 +83,7 @@ study::Study studyOf(const Manifest& manifest, const fs::path& out,
 
 Expected<Summary> run(const Manifest& manifest, const study::RunOptions& options,
                       const std::atomic<bool>& cancel) {
+  keepInputs(manifest, options.out);
   const auto results = study::runJobs(studyOf(manifest, options.out, cancel), options);
   if (!results) return tl::unexpected(results.error());
   if (options.shard.count > 1 || cancel) {
@@ -87,6 +98,7 @@ Expected<Summary> run(const Manifest& manifest, const study::RunOptions& options
 
 Expected<Summary> merge(const Manifest& manifest, const std::vector<fs::path>& folders,
                         const fs::path& out, const fs::path& before) {
+  keepInputs(manifest, out);
   const std::atomic<bool> never = false;
   const auto results = study::mergeJobs(folders, out, [&](const study::Identity& identity) {
     return identity.study == nameOf(manifest) ? std::optional{studyOf(manifest, out, never)}

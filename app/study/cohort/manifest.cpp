@@ -7,11 +7,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "haptics/core/input_file.h"
+#include "haptics/core/output_file.h"
 #include "haptics/settings.h"
 #include "resources/named_tools.h"
 
@@ -23,6 +24,7 @@ using haptics::Error;
 using haptics::Expected;
 
 constexpr std::uintmax_t kLargestManifest = 64 << 20;  // bytes
+constexpr std::size_t kLongestLine = 64 << 10;         // bytes
 constexpr int kMostRepetitions = 10'000;
 constexpr double kLongest = 3600.0;  // s of a touch
 constexpr std::size_t kLongestLabel = 64;
@@ -147,20 +149,19 @@ Manifest manifestOf(std::vector<Line> lines) {
 }
 
 Expected<Manifest> readTable(const fs::path& path, const Touching& otherwise) {
-  std::error_code failed;
-  if (fs::file_size(path, failed) > kLargestManifest && !failed)
-    return refused("The manifest is larger than 64 MB; parts of it can be run one by one.");
-  std::ifstream file(path);
-  if (!file)
-    return tl::unexpected(Error{
-        Error::Kind::NotFound, "The manifest " + path.string() + " cannot be read; check its name.",
-        "not-readable"});
+  haptics::keepInput(path);
+  auto file = haptics::openInput(path, kLargestManifest);
+  if (!file) return tl::unexpected(std::move(file.error()));
   std::vector<std::string> heads;
   std::vector<Line> lines;
   std::set<std::string> labels;
   std::string text;
-  for (int n = 1; std::getline(file, text); ++n) {
-    if (!text.empty() && text.back() == '\r') text.pop_back();
+  using haptics::LineRead;
+  LineRead read = LineRead::Whole;
+  for (int n = 1; (read = haptics::takeLine(*file, text, kLongestLine)) != LineRead::End; ++n) {
+    if (read == LineRead::TooLong)
+      return refused("Line " + std::to_string(n) +
+                     " of the manifest is longer than 64 kB; check that it is a manifest.");
     if (text.empty()) continue;
     const std::vector<std::string> cells = partsOf(text, '\t');
     if (heads.empty()) {

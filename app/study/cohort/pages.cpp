@@ -14,6 +14,7 @@
 #include "app/study/cohort/touch.h"
 #include "app/study/page/page.h"
 #include "app/study/quantile.h"
+#include "haptics/core/input_file.h"
 #include "haptics/core/output_file.h"
 
 namespace cohort {
@@ -175,7 +176,9 @@ std::string pageOf(const std::string& label) { return "scans/" + label + ".html"
 /// The rows of an earlier cohort, by scan and touch.
 Expected<std::map<std::string, std::map<std::string, std::string>>> earlier(
     const fs::path& folder) {
-  std::ifstream file(folder / "group_touches.tsv");
+  constexpr std::uintmax_t kLargest = 1 << 30;  // bytes
+  constexpr std::size_t kLongestLine = 1 << 20;
+  auto file = haptics::openInput(folder / "group_touches.tsv", kLargest);
   if (!file)
     return tl::unexpected(Error{Error::Kind::NotFound,
                                 folder.string() + " holds no group_touches.tsv; name the folder of "
@@ -183,7 +186,8 @@ Expected<std::map<std::string, std::map<std::string, std::string>>> earlier(
                                 "no-cohort"});
   std::map<std::string, std::map<std::string, std::string>> rows;
   std::vector<std::string> head;
-  for (std::string line; std::getline(file, line);) {
+  for (std::string line;
+       haptics::takeLine(*file, line, kLongestLine) == haptics::LineRead::Whole;) {
     std::vector<std::string> cells;
     std::istringstream stream(line);
     for (std::string one; std::getline(stream, one, '\t');) cells.push_back(one);

@@ -8,10 +8,13 @@
 #include <numeric>
 
 #include "app/build_info/build_info.h"
+#include "haptics/core/input_file.h"
 #include "haptics/core/output_file.h"
 
 namespace study {
 namespace {
+
+constexpr std::uintmax_t kLargestJob = 256 << 20;  // bytes
 
 namespace fs = std::filesystem;
 using haptics::Error;
@@ -38,9 +41,12 @@ Expected<std::vector<Finished>> jobsIn(const fs::path& folder, std::optional<Ide
   fs::directory_iterator entry{folder / "jobs", failed};
   for (; !failed && entry != fs::directory_iterator{}; entry.increment(failed)) {
     if (entry->path().extension() != ".json" || !entry->is_regular_file(failed)) continue;
-    std::ifstream file{entry->path()};
+    const auto text = haptics::readInput(entry->path(), kLargestJob);
+    if (!text) return tl::unexpected(text.error());
     const std::string name = entry->path().string();
-    const Json json = Json::parse(file, nullptr, false);
+    const Json json = haptics::isNestedDeeper(*text, haptics::kDeepestJson)
+                          ? Json(Json::value_t::discarded)
+                          : Json::parse(*text, nullptr, false);
     const auto its = identityOf(json, name);
     if (!its) return tl::unexpected(its.error());
     if (!identity) identity = *its;

@@ -21,7 +21,6 @@
 
 #include "datasets/readers/dicom/decode_protocol.h"
 #include "datasets/readers/files/refusal.h"
-#include "haptics/core/core_dump.h"
 #include "haptics/core/helper_program.h"
 
 namespace datasets {
@@ -143,7 +142,6 @@ Expected<Decoder> Decoder::start(std::size_t codestream_bytes, std::size_t pixel
   void* mapped = mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
   if (mapped == MAP_FAILED) return notStarted({"decoder-no-memory", {kProgram}});
   decoder.memory_ = static_cast<std::byte*>(mapped);
-  haptics::keepOutOfCoreDumps(mapped, all);
   std::array<int, 2> ends{-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     return notStarted({"decoder-not-connected", {kProgram}});

@@ -420,6 +420,8 @@ DicomHeader readDicomHeader(const Beginning& beginning) {
   file.pixels_begin = static_cast<std::int64_t>(parser->GetFileOffset());
   file.series = textOf(meta, DC::SeriesInstanceUID);
   file.name = textOf(meta, DC::PatientName);
+  file.birth_date = textOf(meta, DC::PatientBirthDate);
+  file.issuer = textOf(meta, DC::IssuerOfPatientID);
   file.identity = {.patient = textOf(meta, DC::PatientID),
                    .study = textOf(meta, DC::StudyInstanceUID),
                    .modality = textOf(meta, DC::Modality)};

@@ -38,8 +38,9 @@ struct DicomFile {
   std::string series;             ///< SeriesInstanceUID
   std::string instance;           ///< SOPInstanceUID
   SliceIdentity identity;
-  std::string name;       ///< of the patient; one person's is spelled in several ways
-  std::string sop_class;  ///< what kind of object it is
+  std::string name;                ///< of the patient; one person's is spelled in several ways
+  std::string birth_date, issuer;  ///< of the patient, and of the patient's identifier
+  std::string sop_class;           ///< what kind of object it is
   Attributes attributes;
   int series_number = 0;
   std::string modality;

@@ -38,6 +38,10 @@ Expected<Stack> judge(const std::vector<DicomFile>& files) {
                        {error.message, std::to_string(alike), std::to_string(files.size())}};
     return tl::unexpected(std::move(error));
   }
+  const auto changes = [](const DicomFile& f) { return f.slope != 1.0 || f.intercept != 0.0; };
+  const auto bare = std::ranges::find(files, false, &DicomFile::rescaled);
+  if (bare != files.end() && std::ranges::any_of(files, changes))
+    return malformed("bad-header", {"dicom-rescale-of-some", {quoted(bare->path)}});
   std::vector<SlicePlane> planes;
   planes.reserve(files.size());
   for (const DicomFile& file : files) planes.push_back(file.plane);

@@ -386,6 +386,8 @@ std::vector<Message> differencesAmong(const std::vector<DicomFile>& slices) {
     if (traits.told) tell(traits.name, [&](const DicomFile& f) { return f.attributes[a]; });
   }
   tell({"attribute-name", {}}, [](const DicomFile& f) { return f.name; });
+  tell({"attribute-birth-date", {}}, [](const DicomFile& f) { return f.birth_date; });
+  tell({"attribute-issuer", {}}, [](const DicomFile& f) { return f.issuer; });
   tell({"attribute-patient", {}}, [](const DicomFile& f) { return f.identity.patient; });
   tell({"attribute-study", {}}, [](const DicomFile& f) { return f.identity.study; });
   tell({"attribute-modality", {}}, [](const DicomFile& f) { return f.identity.modality; });

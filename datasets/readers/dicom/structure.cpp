@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -26,7 +28,8 @@ constexpr int kMostBackwards = 1000;          // elements of an item before whic
 constexpr std::uint32_t kUndefined = 0xffffffffu;
 constexpr std::uint32_t kItem = 0xfffee000u, kItemEnd = 0xfffee00du, kSequenceEnd = 0xfffee0ddu;
 constexpr std::uint32_t kTransferSyntax = 0x00020010u;
-constexpr std::uint32_t kFirstPixels = 0x7fe00008u, kLastPixels = 0x7fe00010u;
+constexpr std::uint32_t kFloatPixels = 0x7fe00008u, kDoublePixels = 0x7fe00009u;
+constexpr std::uint32_t kFirstPixels = kFloatPixels, kLastPixels = 0x7fe00010u;
 constexpr std::int64_t kPreamble = 128;
 constexpr std::string_view kBigEndian = "1.2.840.10008.1.2.2", kImplicit = "1.2.840.10008.1.2",
                            kDeflated = "1.2.840.10008.1.2.1.99";
@@ -137,6 +140,7 @@ struct Level {
   std::uint32_t delimiter = 0;
   std::uint32_t last = 0;  ///< tag
   int backwards = 0;       ///< elements whose tag is below that of the one before
+  std::map<std::uint32_t, Element> seen = {};  ///< of a data set or an item
 
   bool isFull() const { return kind == Kind::Item && backwards > kMostBackwards; }
 };
@@ -176,6 +180,24 @@ tl::expected<std::optional<Level>, std::monostate> levelOf(const Element& elemen
   return level;
 }
 
+/// Whether an element was there before with another value. Private ones are nobody's here.
+bool isOtherThanBefore(Bytes& bytes, const Element& element, Level& level) {
+  if (level.kind != Level::Kind::DataSet && level.kind != Level::Kind::Item) return false;
+  if ((element.tag >> 16) % 2 == 1 || (element.tag & 0xffff) == 0) return false;
+  const auto [before, is_first] = level.seen.try_emplace(element.tag, element);
+  if (is_first) return false;
+  const Element& first = before->second;
+  if (element.length == 0 && first.length == 0) return false;
+  const std::string one(bytes.at(first.value, first.length));
+  return one.empty() || one != bytes.at(element.value, element.length);
+}
+
+std::string nameOf(std::uint32_t tag) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "(%04X,%04X)", tag >> 16, tag & 0xffff);
+  return text.data();
+}
+
 /// The elements after the file's own group.
 void walk(const std::filesystem::path& named, Bytes& bytes, std::int64_t at,
           const Encoding& encoding, DicomStructure& structure) {
@@ -190,6 +212,18 @@ void walk(const std::filesystem::path& named, Bytes& bytes, std::int64_t at,
     if (!is_outermost && element->tag == levels.back().delimiter) {
       levels.pop_back();
       continue;
+    }
+    if (is_outermost && (element->tag == kFloatPixels || element->tag == kDoublePixels)) {
+      structure.fault = unsupported("unsupported-type",
+                                    {"dicom-float-pixels", {quoted(named), nameOf(element->tag)}})
+                            .value();
+      return;
+    }
+    if (isOtherThanBefore(bytes, *element, levels.back())) {
+      structure.fault =
+          malformed("bad-header", {"dicom-element-twice", {quoted(named), nameOf(element->tag)}})
+              .value();
+      return;
     }
     if (!element->isOpen() && element->length > bytes.size() - at) {
       // whether the pixels are whole is asked once it is known what they should be

@@ -14,8 +14,10 @@ namespace datasets {
 /// every length; deep nesting overflows its stack and many elements take too long.
 struct DicomStructure {
   std::string syntax;  ///< TransferSyntaxUID; empty if it is not stated
-  /// Why the walk stopped: a value exceeds the file ("truncated"), or an item has too many elements
-  /// or sequences are nested too deep ("bad-header").
+  /// Why the walk stopped: a value exceeds the file ("truncated"); an item has too many elements,
+  /// sequences are nested too deep, or an element is there twice with two values, of which one
+  /// might be taken for the other ("bad-header"); the pixels are floating-point numbers
+  /// ("unsupported-type").
   std::optional<haptics::Error> fault;
   /// With a fault: position of the outermost element that contains it.
   std::int64_t sound_bytes = 0;

@@ -36,6 +36,7 @@ constexpr std::int64_t kMostBytes = 32 * kGiB;
 constexpr std::int64_t kAnyway = kGiB;  // whatever the archive's size
 constexpr std::int64_t kExpansion = 100;
 constexpr std::int64_t kMostFiles = 200'000;
+constexpr std::int64_t kMostEntries = 2 * kMostFiles;
 constexpr int kDeepestPath = 32;
 
 /// The lock of a folder, if it can be had; the caller closes it.
@@ -125,15 +126,12 @@ std::optional<fs::path> placeOf(std::string_view name) {
 /// What has been taken out so far, and may be at most.
 struct Tally {
   std::int64_t files = 0, bytes = 0, most_bytes = 0;
+  std::int64_t entries = 0;  ///< folders and links too
 };
 
-/// Writes the entry at which the archive stands.
-Expected<void> extract(archive* a, const fs::path& to, const fs::path& path, Tally& tally,
-                       const ReadProgress& progress) {
-  std::error_code error;
-  fs::create_directories(to.parent_path(), error);
-  std::ofstream out(to, std::ios::binary | std::ios::trunc);
-  if (error || !out) return damaged(path);
+/// Takes out what the entry holds at which the archive stands, to a file or to nowhere.
+Expected<void> take(archive* a, std::ofstream* out, const fs::path& path, Tally& tally,
+                    const ReadProgress& progress) {
   const void* block = nullptr;
   std::size_t size = 0;
   la_int64_t offset = 0;
@@ -143,11 +141,22 @@ Expected<void> extract(archive* a, const fs::path& to, const fs::path& path, Tal
     tally.bytes += static_cast<std::int64_t>(size);
     // and a hole counts as long as it claims to be
     if (std::max<std::int64_t>(tally.bytes, offset) > tally.most_bytes) return tooLarge(path);
-    out.seekp(offset);
-    out.write(static_cast<const char*>(block), static_cast<std::streamsize>(size));
-    if (!out) return tooLarge(path);
+    if (out == nullptr) continue;
+    out->seekp(offset);
+    out->write(static_cast<const char*>(block), static_cast<std::streamsize>(size));
+    if (!*out) return tooLarge(path);
   }
   return result == ARCHIVE_EOF ? Expected<void>{} : damaged(path);
+}
+
+/// Writes the entry at which the archive stands.
+Expected<void> extract(archive* a, const fs::path& to, const fs::path& path, Tally& tally,
+                       const ReadProgress& progress) {
+  std::error_code error;
+  fs::create_directories(to.parent_path(), error);
+  std::ofstream out(to, std::ios::binary | std::ios::trunc);
+  if (error || !out) return damaged(path);
+  return take(a, &out, path, tally, progress);
 }
 
 Expected<void> extractAll(archive* a, const fs::path& folder, const fs::path& path, Tally& tally,
@@ -161,8 +170,12 @@ Expected<void> extractAll(archive* a, const fs::path& folder, const fs::path& pa
     progress.advanced(std::min(1.0, static_cast<double>(archive_filter_bytes(a, -1)) / size));
     if (archive_entry_is_encrypted(entry) == 1)
       return unsupported("unreadable", {"archive-locked", {quoted(path)}});
-    if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr)
+    if (++tally.entries > kMostEntries) return tooLarge(path);
+    if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr) {
+      // libarchive would pass over it in one step, however long it is, and ask nobody
+      if (auto done = take(a, nullptr, path, tally, progress); !done) return done;
       continue;
+    }
     ++tally.files;
     const char* name = archive_entry_pathname_utf8(entry);
     if (name == nullptr) name = archive_entry_pathname(entry);

@@ -30,11 +30,22 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::string modalityFrom(std::string_view stated) {
-  constexpr std::size_t kLongest = 8;
-  const bool code = stated.size() <= kLongest && std::ranges::all_of(stated, [](char c) {
-                      return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-                    });
-  return code ? std::string(stated) : std::string();
+  static constexpr std::string_view kWords[] = {
+      "ANN",      "AR",         "AS",      "ASMT",     "AU",     "BDUS",  "BI",       "BMD",
+      "CD",       "CF",         "CFM",     "CP",       "CR",     "CS",    "CT",       "CTPROTOCOL",
+      "DD",       "DF",         "DG",      "DM",       "DMS",    "DOC",   "DS",       "DX",
+      "EC",       "ECG",        "EEG",     "EMG",      "EOG",    "EPS",   "ES",       "FA",
+      "FID",      "FS",         "GM",      "HC",       "HD",     "IO",    "IOL",      "IVOCT",
+      "IVUS",     "KER",        "KO",      "LEN",      "LP",     "LS",    "M3D",      "MA",
+      "MG",       "MR",         "MS",      "NM",       "OAM",    "OCT",   "OP",       "OPM",
+      "OPR",      "OPT",        "OPTBSV",  "OPTENF",   "OPV",    "OSS",   "OT",       "PA",
+      "PLAN",     "POS",        "PR",      "PT",       "PX",     "REG",   "RESP",     "RF",
+      "RG",       "RTDOSE",     "RTIMAGE", "RTINTENT", "RTPLAN", "RTRAD", "RTRECORD", "RTSEGANN",
+      "RTSTRUCT", "RWV",        "SEG",     "SM",       "SMR",    "SR",    "SRF",      "ST",
+      "STAIN",    "TEXTUREMAP", "TG",      "US",       "VA",     "VF",    "XA",       "XAPROTOCOL",
+      "XC"};
+  return std::ranges::find(kWords, stated) != std::end(kWords) ? std::string(stated)
+                                                               : std::string();
 }
 
 std::string lowered(std::string_view text) {

@@ -14,7 +14,9 @@ namespace datasets {
 
 inline constexpr std::int64_t kLongestHeader = 1 << 20;  ///< bytes of text, lists of files included
 
-/// The modality that a file states if it is a code such as "CT", else nothing: never free text.
+/// The modality that a file states if it is a word of the standard, such as "CT"; else nothing,
+/// since it might be anything, a name too. Source: DICOM PS3.3, C.7.3.1.1.1, retired words
+/// included.
 std::string modalityFrom(std::string_view stated);
 
 std::string lowered(std::string_view text);

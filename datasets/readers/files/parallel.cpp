@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -32,8 +33,10 @@ bool onAllCores(std::size_t count, const ReadProgress& progress,
   std::mutex mutex;
   std::condition_variable news;
   std::size_t running = workersFor(count), done = 0;
+  const std::thread::id caller = std::this_thread::get_id();
   const auto worker = [&] {
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
+    if (std::this_thread::get_id() != caller)
+      setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowPriority);
     try {
       for (std::size_t i = next++; i < count && !stop; i = next++) {
         if (progress.isCancelled() || !work(i)) stop = true;
@@ -53,7 +56,15 @@ bool onAllCores(std::size_t count, const ReadProgress& progress,
   // VTK sets up its factories with the first object made, which two threads may not do at once
   vtkObjectFactory::GetRegisteredFactories();
   std::vector<std::jthread> workers;
-  for (std::size_t n = workersFor(count); n > 0; --n) workers.emplace_back(worker);
+  const std::size_t wanted = running;
+  try {
+    while (workers.size() < wanted) workers.emplace_back(worker);
+  } catch (const std::system_error&) {  // no thread to be had: those that run do it
+    const std::scoped_lock lock(mutex);
+    running -= wanted - workers.size();
+    if (workers.empty()) ++running;
+  }
+  if (workers.empty()) worker();
   std::unique_lock lock(mutex);
   for (std::size_t told = 0; running > 0;) {
     news.wait(lock, [&] { return running == 0 || done > told; });

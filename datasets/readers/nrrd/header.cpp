@@ -352,8 +352,8 @@ Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHea
   return {};
 }
 
-/// How many voxel bytes one stored byte can stand for at most.
-double expansion(NrrdEncoding encoding, int bytes_per_voxel) {
+/// How many voxel bytes one stored byte can stand for at most. `needed`: bytes of the voxels.
+double expansion(NrrdEncoding encoding, int bytes_per_voxel, std::int64_t needed) {
   switch (encoding) {
     case NrrdEncoding::Raw:
       return 1.0;
@@ -366,7 +366,10 @@ double expansion(NrrdEncoding encoding, int bytes_per_voxel) {
     case NrrdEncoding::Bzip2:
       break;
   }
-  return 1.2e6;  // 45 MB of one value in a block of some forty bytes
+  // 45 MB of one value in a block of some forty bytes; but no scan is of one value, and what claims
+  // to be one would take gigabytes
+  constexpr std::int64_t kLarge = std::int64_t{1} << 28;
+  return needed > kLarge ? 1e5 : 1.2e6;
 }
 
 /// The unpacked length of a gzip file of one member, as its last four bytes state it.
@@ -407,8 +410,8 @@ Expected<void> checkCapacity(const fs::path& path, const NrrdHeader& header) {
     if (header.data_files.empty()) stored -= header.header_bytes;
     if (header.encoding == NrrdEncoding::Raw) stored -= header.line_skip;
     if (header.encoding == NrrdEncoding::Raw) stored -= std::max<std::int64_t>(header.byte_skip, 0);
-    const double most =
-        expansion(header.encoding, header.bytes_per_voxel) * static_cast<double>(stored + 1);
+    const double most = expansion(header.encoding, header.bytes_per_voxel, needed) *
+                        static_cast<double>(stored + 1);
     const bool holds = header.encoding == NrrdEncoding::Raw ? stored >= needed
                                                             : most >= static_cast<double>(needed);
     if (!holds)

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 #include <thread>
 
@@ -14,6 +16,7 @@
 #include "haptics/edit/edit_history.h"
 #include "haptics/edit/edited.h"
 #include "haptics/recording/columns.h"
+#include "haptics/recording/database.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/recording.h"
 #include "haptics/recording/replay.h"
@@ -400,6 +403,146 @@ TEST(Recording, WhatAProcessLeftIsRecoveredOnce) {
   EXPECT_EQ(recording->stepCount(), 700);
   EXPECT_FALSE(fs::exists(partOf(path)));
   EXPECT_FALSE(recover(partOf(path)));
+}
+
+TEST(Recording, HasItsTablesAndNothingElse) {
+  const ScratchFolder scratch;
+  const fs::path path = scratch / "r.palpate";
+  const auto reasonAfter = [&](const char* change) {
+    fs::remove(path);
+    recorded(path, HandMotion::Tap, 50);
+    {
+      auto database = Database::open(path, Database::Mode::Recover);
+      EXPECT_TRUE(database && database->run(change)) << change;
+    }
+    const auto recording = Recording::open(path);
+    EXPECT_EQ(summaryOf(path).has_value(), recording.has_value()) << change;
+    return recording ? "" : recording.error().reason;
+  };
+  EXPECT_EQ(reasonAfter("SELECT 1"), "");
+  EXPECT_EQ(reasonAfter("CREATE TABLE more (id INTEGER)"), "damaged");
+  EXPECT_EQ(reasonAfter("CREATE VIEW v AS SELECT first FROM step"), "damaged");
+  EXPECT_EQ(reasonAfter("CREATE INDEX i ON event (kind)"), "damaged");
+  EXPECT_EQ(reasonAfter("CREATE TRIGGER t AFTER INSERT ON meta BEGIN SELECT 1; END"), "damaged");
+  EXPECT_EQ(reasonAfter("DROP INDEX step_times"), "damaged");
+  EXPECT_EQ(reasonAfter("ALTER TABLE event ADD COLUMN more TEXT AS (hex(zeroblob(1000000)))"),
+            "damaged");
+  EXPECT_EQ(
+      reasonAfter("DROP TABLE event; CREATE VIEW event AS SELECT 0 AS id, 0 AS sequence, 0 AS "
+                  "time_ns, 'a' AS kind, 0.0 AS value, 'b' AS text"),
+      "damaged");
+  EXPECT_EQ(reasonAfter("PRAGMA user_version = 1"), "damaged");
+  for (const char* name : {"deep_edits", "generated_texts"}) {
+    const auto read =
+        Recording::open(places::source(std::string("tests/cases/hostile/") + name + ".palpate"));
+    ASSERT_FALSE(read) << name;
+    EXPECT_EQ(read.error().reason, "damaged") << name;
+  }
+}
+
+TEST(Recording, IsNotReadOnceItIsCancelled) {
+  const ScratchFolder scratch;
+  recorded(scratch / "r.palpate", HandMotion::Tap, 50);
+  const std::atomic<bool> cancel = true;
+  const auto read = Recording::open(scratch / "r.palpate", &cancel);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().kind, Error::Kind::Cancelled);
+}
+
+TEST(Recording, WhatAnotherLaidBesideItIsLeftAlone) {
+  const ScratchFolder scratch;
+  const fs::path path = scratch / "r.palpate", part = partOf(path);
+  const auto leave = [&] {
+    for (const auto& entry : fs::directory_iterator(scratch.folder())) fs::remove(entry.path());
+    Bench bench(path);
+    bench.loop->recording.store(&bench.recorder->ring());
+    bench.run(100);
+    while (bench.recorder->status().steps == 0) bench.recorder->hurry();
+  };
+  const auto reason = [&] {
+    EXPECT_FALSE(isInUse(part));
+    const auto recovered = recover(part);
+    return recovered ? "" : recovered.error().reason;
+  };
+  leave();
+  EXPECT_EQ(reason(), "");
+  // a log that names another file as the one above it, which SQLite would delete
+  leave();
+  const fs::path precious = scratch.write("precious", "mine");
+  std::string journal("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
+  journal.append(504, '\0');
+  const std::string name = precious.string();
+  std::uint32_t sum = 0;
+  for (const char c : name) sum += static_cast<unsigned char>(c);
+  const auto number = [](std::uint32_t n) {
+    return std::string{char(n >> 24), char(n >> 16), char(n >> 8), char(n)};
+  };
+  // its end: a page number, the name, its length, its sum, and the mark again
+  journal += number(0x10001) + name + number(std::uint32_t(name.size())) + number(sum) +
+             journal.substr(0, 8);
+  scratch.write("r.palpate.part-journal", journal);
+  EXPECT_EQ(reason(), "beside");
+  EXPECT_TRUE(fs::exists(precious));
+  // a second name, of the recording and of its log
+  leave();
+  fs::create_hard_link(part, scratch / "second");
+  EXPECT_EQ(reason(), "beside");
+  leave();
+  scratch.write("precious", "mine");
+  fs::remove(part.string() + "-wal");
+  fs::create_hard_link(scratch / "precious", part.string() + "-wal");
+  EXPECT_EQ(reason(), "beside");
+  fs::remove(part.string() + "-wal");
+  fs::create_symlink(scratch / "precious", part.string() + "-wal");
+  EXPECT_EQ(reason(), "beside");
+  EXPECT_EQ(fs::file_size(scratch / "precious"), 4U);
+  // another program's file of such a name, with its log
+  leave();
+  fs::remove(part);
+  fs::remove(part.string() + "-wal");
+  {
+    auto database = Database::open(scratch / "other.part", Database::Mode::Create);
+    ASSERT_TRUE(database && database->run("PRAGMA journal_mode = WAL; CREATE TABLE t (a); "
+                                          "INSERT INTO t VALUES (1)"));
+    database->keepLog();
+  }
+  ASSERT_TRUE(fs::exists(scratch / "other.part-wal"));
+  const auto recovered = recover(scratch / "other.part");
+  ASSERT_FALSE(recovered);
+  EXPECT_EQ(recovered.error().reason, "no-recording");
+  EXPECT_TRUE(fs::exists(scratch / "other.part-wal"));
+  // a new recording does not begin over a log that is there
+  for (const char* log : {"-journal", "-wal", "-shm"}) {
+    const fs::path left = scratch.write(std::string("n.palpate.part") + log, "mine");
+    const auto begun = Recorder::create(scratch / "n.palpate", {"test", "", ""});
+    ASSERT_FALSE(begun);
+    EXPECT_EQ(begun.error().reason, "unfinished");
+    EXPECT_EQ(fs::file_size(left), 4U);
+    fs::remove(left);
+  }
+}
+
+TEST(Recording, IsListedWithoutBeingOpenedToWrite) {
+  const ScratchFolder scratch;
+  const fs::path path = scratch / "r.palpate";
+  {
+    Bench bench(path);
+    bench.loop->recording.store(&bench.recorder->ring());
+    bench.run(100);
+    while (bench.recorder->status().steps == 0) bench.recorder->hurry();
+    EXPECT_TRUE(isInUse(partOf(path)));
+    EXPECT_TRUE(isInUse(partOf(path))) << "asking has let go of the recorder's lock";
+  }
+  const auto files = [&] {
+    std::map<std::string, std::pair<std::uintmax_t, fs::file_time_type>> all;
+    for (const auto& entry : fs::directory_iterator(scratch.folder()))
+      all[entry.path().filename()] = {entry.file_size(), entry.last_write_time()};
+    return all;
+  };
+  const auto before = files();
+  EXPECT_EQ(before.size(), 1U);
+  EXPECT_FALSE(isInUse(partOf(path)));
+  EXPECT_EQ(files(), before);
 }
 
 TEST(Recording, IsMadeAndReadWhereAFolderOnTheWayIsALink) {

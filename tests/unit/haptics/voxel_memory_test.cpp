@@ -24,7 +24,6 @@
 #include <vector>
 
 #include "datasets/phantoms/sampling.h"
-#include "haptics/core/core_dump.h"
 #include "haptics/core/volume.h"
 #include "tests/support/scratch_folder.h"
 
@@ -36,21 +35,6 @@ using haptics::Volume;
 using haptics::VoxelMemory;
 
 constexpr std::size_t kPage = 4096;  // bytes
-
-/// Whether the mapping that holds this place is kept out of core dumps.
-bool isKeptOut(const void* place) {
-  std::ifstream in("/proc/self/smaps");
-  const auto address = reinterpret_cast<std::uintptr_t>(place);
-  bool here = false;
-  for (std::string line; std::getline(in, line);) {
-    unsigned long long from = 0, to = 0;
-    if (std::sscanf(line.c_str(), "%llx-%llx ", &from, &to) == 2)
-      here = address >= from && address < to;
-    else if (here && line.starts_with("VmFlags:"))
-      return line.find(" dd") != std::string::npos;
-  }
-  return false;
-}
 
 /// kB of the mapping that holds this place which are its own: copied pages.
 long ownMemoryOf(const void* place) {
@@ -202,29 +186,6 @@ TEST_F(VoxelsOfAFile, ThatAreNoNumbersAreReplacedInEveryView) {
   EXPECT_EQ(static_cast<const float*>(view.get())[500], 6.0F);
 }
 
-TEST(VoxelMemory, CoreDumpsHoldNoView) {
-  const auto memory = VoxelMemory::allocate(5 * kPage + 10);
-  ASSERT_TRUE(memory);
-  const auto shared = (*memory)->sharedView(), own = (*memory)->privateView();
-  ASSERT_TRUE(shared && own);
-  const support::ScratchFolder folder;
-  const auto path = folder.write("scan", std::string(4 * kPage, 'v'));
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const auto of_file = VoxelMemory::ofFile(file, 100, 3 * kPage);
-  close(file);
-  ASSERT_TRUE(of_file);
-  const auto mapped = (*of_file)->privateView();
-  ASSERT_TRUE(mapped);
-  for (const auto& view : {*shared, *own, *mapped}) {
-    auto* const bytes = static_cast<char*>(view.get());
-    bytes[0] = 'w';  // a page of its own is memory that belongs to no file
-    EXPECT_TRUE(isKeptOut(bytes));
-    EXPECT_TRUE(isKeptOut(bytes + 2 * kPage));
-  }
-  const std::vector<char> plain(16 * kPage);
-  EXPECT_FALSE(isKeptOut(plain.data()));
-}
-
 /// What a process of its own returns, since what is done there lasts.
 template <class Work>
 int returnedBy(Work work) {
@@ -235,54 +196,13 @@ int returnedBy(Work work) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(CoreDump, OfACrashHoldsNeitherHeapNorLargeMemory) {
-  if (haptics::kSanitized) GTEST_SKIP() << "a sanitizer's heap is in pieces that are too small";
+TEST(ProcessLimits, AProcessThatForbidsThemLeavesNoCoreDump) {
   EXPECT_EQ(returnedBy([] {
-              const auto small = std::make_unique<int>(1);
-              const std::vector<char> large(1'000'000);
-              const void* const shared = mmap(nullptr, 64 * kPage, PROT_READ | PROT_WRITE,
-                                              MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-              const std::array<const void*, 3> out{small.get(), large.data() + 500'000, shared};
-              static int variable = 1;
-              int on_stack = 1;
-              for (const void* place : out)
-                if (isKeptOut(place)) return 1;
-              haptics::keepHeapOutOfCoreDump();
-              for (const void* place : out)
-                if (!isKeptOut(place)) return 2;
-              return isKeptOut(&variable) || isKeptOut(&on_stack) ? 3 : 0;
-            }),
-            0);
-}
-
-TEST(CoreDump, HoldsNoByteOfWhatIsKeptOut) {
-  std::vector<char> plain(16 * kPage);
-  haptics::keepOutOfCoreDumps(plain.data() + 100, 10 * kPage);  // amid pages
-  EXPECT_TRUE(isKeptOut(plain.data() + 100));
-  EXPECT_TRUE(isKeptOut(plain.data() + 10 * kPage + 99));
-  EXPECT_FALSE(isKeptOut(plain.data() + 13 * kPage));
-}
-
-TEST(CoreDump, IsNotMadeWhereItsContentsCannotBeChosen) {
-  EXPECT_EQ(returnedBy([] {
-              const rlimit none{};
-              setrlimit(RLIMIT_NOFILE, &none);
               if (prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) != 1) return 1;
-              haptics::keepHeapOutOfCoreDump();
-              return prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0 ? 0 : 2;
-            }),
-            0);
-}
-
-TEST(CoreDump, HoldsTheStacksOfTheFirstThreadAndOfTheOneThatCrashes) {
-  EXPECT_EQ(returnedBy([] {
-              bool is_kept_out = true;
-              std::thread{[&] {
-                const int there = 1;
-                haptics::keepHeapOutOfCoreDump();
-                is_kept_out = isKeptOut(&there) || isKeptOut(&is_kept_out);
-              }}.join();
-              return is_kept_out ? 1 : 0;
+              if (!haptics::forbidCoreDumps()) return 2;
+              rlimit most{1, 1};
+              getrlimit(RLIMIT_CORE, &most);
+              return prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0 && most.rlim_max == 0 ? 0 : 3;
             }),
             0);
 }

@@ -83,6 +83,11 @@ TEST(Multipart, RefusesWhatWouldFillTheMemory) {
   std::string header = "--edge\r\n";
   for (int n = 0; n < 2000; ++n) header += "Name: value\r\n";
   EXPECT_FALSE(partsOf(header + "\r\na\r\n--edge--", 1000));
+  // nobody reads what comes behind the last part
+  const std::string whole = "--edge\r\n\r\na\r\n--edge--";
+  EXPECT_TRUE(partsOf(whole + std::string(60'000, 'x'), 1000));
+  EXPECT_FALSE(partsOf(whole + std::string(100'000, 'x'), 1000));
+  EXPECT_FALSE(partsOf(whole + std::string(100'000, 'x'), 200'000));
   EXPECT_FALSE(partsOf("--edgeless\r\n\r\na\r\n--edge--", 1000));
 }
 

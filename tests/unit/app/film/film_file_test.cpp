@@ -43,6 +43,7 @@ TEST_F(Film, WithoutFfmpegIsOggTheora) {
   for (const char* program : {"", "no-such-program", "/no/such/program", "/"}) {
     FilmOptions chosen = options();
     chosen.ffmpeg = program;
+    std::filesystem::remove(scratch / "f.ogv");
     const auto film = app::makeFilm(recording, none, scratch / "f.mp4", chosen);
     ASSERT_TRUE(film) << sentence(film.error());
     EXPECT_EQ(film->film, scratch / "f.ogv");
@@ -57,6 +58,23 @@ TEST_F(Film, WithoutFfmpegIsOggTheora) {
       EXPECT_NEAR(seen[1], proxy[1], 1.5) << i;
     }
   }
+}
+
+TEST_F(Film, WritesNoFileThatNobodyNamed) {
+  auto recording = recorded(scratch, {});
+  const auto mine = scratch.write("f.mp4", "mine");
+  const auto ogg = app::makeFilm(recording, none, scratch / "f.ogv", options());
+  ASSERT_TRUE(ogg) << sentence(ogg.error());
+  EXPECT_EQ(ogg->film, scratch / "f.ogv");
+  EXPECT_EQ(ogg->codec, "theora");
+  EXPECT_EQ(std::filesystem::file_size(mine), 4U);
+  // without ffmpeg it would be f.ogv, which is there
+  FilmOptions bare = options();
+  bare.ffmpeg = "";
+  const auto refused = app::makeFilm(recording, none, mine, bare);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(sentence(refused.error()).find("f.ogv\", which is there already"), std::string::npos);
+  EXPECT_EQ(std::filesystem::file_size(mine), 4U);
 }
 
 /// What a program says on both outputs.
