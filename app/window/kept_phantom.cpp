@@ -98,6 +98,9 @@ void keepPhantom(const std::filesystem::path& file, const std::string& build,
   if (volume.type != haptics::ScalarType::Int16 || !grid.direction.isIdentity()) return;
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
+  // a pipe would be written to, and its reader waited for
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
+    return;
   auto out = haptics::OutputFile::open(file);
   if (!out) return;
   const std::size_t bytes = bytesOf(grid);

@@ -20,7 +20,7 @@ ui::Mapping loadMapping(StoredValues& stored) {
     value = stored.number(key, haptics::kScaleRange).value_or(value);
   };
   const auto button = [&](const char* key, int& value) {
-    value = stored.whole(key, 0, haptics::kButtons - 1).value_or(value);
+    value = stored.whole(key, -1, haptics::kButtons - 1).value_or(value);
   };
   scale("device/position_scale", mapping.position_scale);
   scale("device/force_scale", mapping.force_scale);

@@ -82,13 +82,15 @@ Expected<Recording> Recording::open(const fs::path& path, const std::atomic<bool
 Expected<void> Recording::read() {
   if (database_.integer("PRAGMA user_version") >= kFormatOfRounding) layout_ = Layout::Rounded;
   Statement meta = database_.prepare("SELECT key, value FROM meta LIMIT 100");
-  while (meta.step() == Statement::Step::Row) {
+  Statement::Step at;
+  for (at = meta.step(); at == Statement::Step::Row; at = meta.step()) {
     const std::string key = meta.text(0);
     if (key == "palpate") version_ = meta.text(1);
     if (key == "build") build_ = meta.text(1);
     if (key == "machine") machine_ = meta.text(1);
     if (key == "vectors") vectors_ = meta.text(1);
   }
+  if (at == Statement::Step::Failed) return damagedRecording();
   if (auto read = readBlocks(); !read) return read;
   if (auto read = readEvents(); !read) return read;
   return readScenes();

@@ -94,7 +94,7 @@ complete -c palpate-cli -n '__fish_seen_subcommand_from recover' -l help -s h -d
 complete -c palpate-cli -n '__fish_seen_subcommand_from recover' -l json -d 'Print one JSON object and nothing else'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l help -s h -d 'Print this help message and exit'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l format -x -a 'csv hdf5 mcap video' -d 'csv (Motion-BIDS), hdf5, mcap, or video'
-complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l out -r -F -d 'File to write; for csv the beginning of the files'\'' names - OUT_motion.tsv and so on; a video is an .mp4, or without ffmpeg an .ogv'
+complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l out -r -F -d 'File to write; for csv the beginning of the files'\'' names - OUT_motion.tsv and so on; a video is an .mp4 or .ogv; without ffmpeg an .ogv'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l from -r -F -d 'Leave out everything before this time (s)'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l to -r -F -d 'Leave out everything after this time (s)'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l rate -r -F -d 'Steps per second (Hz); by default all steps'

@@ -132,11 +132,12 @@ def main():
     expect(3, '"z"', "tool", HOSTILE / "no_z.ply", "--out", out, limit=limited)
     expect(0, "triangles: 1", "tool", HOSTILE / "long_line.ply", "--out", out, limit=limited)
 
-    # a recording whose pages lead to each other: of steps, of events, of scenes
+    # a recording whose pages lead to each other
     session = folder / "session.palpate"
     session.unlink(missing_ok=True)
     expect(0, "", "run", "--phantom", "sphere", *touch, "--record", session)
-    for table in ("step", "event", "scene", "meta"):
+    # (that of the steps is sought by its numbers, which lead to its one leaf whatever lies between: what is read is right)
+    for table in ("step_times", "event", "scene", "meta"):
         with sqlite3.connect(session) as file:
             page = file.execute("SELECT rootpage FROM sqlite_schema WHERE name = ?", (table,)).fetchone()[0]
         circle = folder / f"{table}.palpate"

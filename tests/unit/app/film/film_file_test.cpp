@@ -97,6 +97,7 @@ TEST_F(Film, NothingIsSaidAgainstIt) {
       chosen.ffmpeg = program;
       chosen.width = width;
       chosen.frames_per_second = rate;
+      std::filesystem::remove(scratch / "f.ogv");
       const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
       ASSERT_TRUE(film) << sentence(film.error());
       const std::string named = " -i '" + film->film.string() + "'";
