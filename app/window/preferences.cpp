@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <filesystem>
+#include <system_error>
 
 #include "app/window/recent_places.h"
 #include "app/window/stored_values.h"
@@ -53,9 +54,11 @@ bool settingsCanBeRead() {
   constexpr std::uintmax_t kLargest = 1'000'000;  // bytes
   const std::filesystem::path folder =
       QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation).toStdString();
+  std::error_code error;
   for (const char* name : {"Palpate/Palpate.conf", "Palpate.conf"})
     if (const std::filesystem::path file = folder / name;
-        std::filesystem::exists(file) && !haptics::openInput(file, kLargest)) {
+        std::filesystem::exists(std::filesystem::symlink_status(file, error)) &&
+        !haptics::openInput(file, kLargest)) {
       QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, "/dev/null");
       return false;
     }
