@@ -20,8 +20,8 @@ struct PointShell {
   /// a Scene replaces it by an inertia from the voxel's size.
   Mat3 inertia = Mat3::Identity();
   double spacing = 0.0;  ///< m, median distance to the nearest other point
-  /// m, where the tool frame's origin was in the frame of what the tool was made of: the points that
-  /// were given, or a mesh in its file.
+  /// m, where the tool frame's origin was in the frame of what the tool was made of: the points
+  /// that were given, or a mesh in its file.
   Vec3 origin = Vec3::Zero();
 };
 

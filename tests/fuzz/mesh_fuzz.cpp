@@ -12,9 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   static const support::ScratchFolder scratch;
   if (size == 0) return 0;
   constexpr const char* kNames[] = {"tool.stl", "tool.obj", "tool.ply"};
-  const auto path =
-      scratch.write(kNames[bytes[0] % 3],
-                    std::string_view(reinterpret_cast<const char*>(bytes) + 1, size - 1));
+  const auto path = scratch.write(
+      kNames[bytes[0] % 3], std::string_view(reinterpret_cast<const char*>(bytes) + 1, size - 1));
   const auto tool = datasets::readToolMesh(path, datasets::MeshUnit::Millimetre);
   if (!tool) {
     fuzz::require(!tool.error().message.empty() && !tool.error().reason.empty(),
