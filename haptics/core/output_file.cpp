@@ -12,6 +12,7 @@
 #include <random>
 #include <set>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,20 +39,32 @@ Error cannotWrite(const fs::path& named, int why) {
   return {Error::Kind::Unsupported, {"output-unwritable", {named.string(), reason}}, "unwritable"};
 }
 
-/// The files that are kept, by device and number.
+/// What tells a regular file from all others: device, number, and when it was made, since the
+/// number of a file that is gone is given to another.
+using FileIdentity = std::tuple<std::uint64_t, std::uint64_t, std::int64_t, std::uint32_t>;
+
+std::optional<FileIdentity> identityOf(const fs::path& path) {
+  struct statx what {};
+  if (::statx(AT_FDCWD, path.c_str(), 0, STATX_TYPE | STATX_INO | STATX_BTIME, &what) != 0 ||
+      !S_ISREG(what.stx_mode))
+    return {};
+  return FileIdentity{std::uint64_t{what.stx_dev_major} << 32 | what.stx_dev_minor, what.stx_ino,
+                      what.stx_btime.tv_sec, what.stx_btime.tv_nsec};
+}
+
+/// The files that are kept.
 struct Kept {
   std::mutex mutex;
-  std::set<std::pair<dev_t, ino_t>> files;
+  std::set<FileIdentity> files;
 };
 Kept& kept() {
   static auto* const inputs = new Kept;  // for whoever writes after the last destructor
   return *inputs;
 }
 bool isKept(const fs::path& path) {
-  struct stat what {};
-  if (::stat(path.c_str(), &what) != 0) return false;
+  const auto file = identityOf(path);
   const std::scoped_lock lock(kept().mutex);
-  return kept().files.contains({what.st_dev, what.st_ino});
+  return file && kept().files.contains(*file);
 }
 
 tl::unexpected<Error> wouldReplaceInput(const fs::path& named) {
@@ -215,10 +228,10 @@ Expected<void> writeFile(const fs::path& path, std::string_view text) {
 }
 
 void keepInput(const fs::path& path) {
-  struct stat what {};
-  if (::stat(path.c_str(), &what) != 0 || !S_ISREG(what.st_mode)) return;
+  const auto file = identityOf(path);
+  if (!file) return;
   const std::scoped_lock lock(kept().mutex);
-  kept().files.emplace(what.st_dev, what.st_ino);
+  kept().files.insert(*file);
 }
 
 void discardOutputs() {

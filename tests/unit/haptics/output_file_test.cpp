@@ -65,6 +65,38 @@ TEST(OutputFile, TwoAtOnceAreNotMixed) {
   EXPECT_EQ(namesIn(folder.path), std::vector<std::string>{"f"});
 }
 
+TEST(OutputFile, ReplacesNoFileThatIsKept) {
+  const support::ScratchFolder scratch;
+  const fs::path scan = scratch.write("scan", "mine");
+  haptics::keepInput(scan);
+  fs::create_symlink("scan", scratch / "link");
+  fs::create_hard_link(scan, scratch / "second");
+  for (const char* name : {"scan", "link", "second"}) {
+    const auto written = haptics::writeFile(scratch / name, "other");
+    ASSERT_FALSE(written) << name;
+    EXPECT_NE(sentence(written.error()).find("would be lost"), std::string::npos) << name;
+  }
+  EXPECT_EQ(contentOf(scan), "mine");
+  EXPECT_EQ(scratch.names(), (std::vector<std::string>{"link", "scan", "second"}));
+  // its number may be given to a file that is made when it is gone
+  for (const char* name : {"scan", "link", "second"}) fs::remove(scratch / name);
+  for (int n = 0; n < 20; ++n) {
+    const std::string name = "new-" + std::to_string(n);
+    ASSERT_TRUE(haptics::writeFile(scratch / name, "1"));
+    ASSERT_TRUE(haptics::writeFile(scratch / name, "2")) << n;
+  }
+}
+
+TEST(OutputFile, MayHaveAsLongANameAsThereIs) {
+  const support::ScratchFolder scratch;
+  for (const std::size_t length : {240U, 250U, 255U}) {
+    const std::string name(length, 'x');
+    ASSERT_TRUE(haptics::writeFile(scratch / name, "1")) << length;
+    EXPECT_EQ(contentOf(scratch / name), "1");
+  }
+  EXPECT_FALSE(haptics::writeFile(scratch / std::string(256, 'x'), "1"));
+}
+
 TEST(OutputFile, UnfinishedLeavesWhatWasThere) {
   const Place folder;
   ASSERT_TRUE(haptics::writeFile(folder.path / "f", "old"));
