@@ -16,8 +16,23 @@ namespace {
 constexpr int kFrameMs = 16;
 constexpr std::size_t kBins = 2000;  // of the force's curve: more than a screen has pixels
 
+constexpr double kAhead = 2.0;            // s: what is read beforehand
+constexpr std::size_t kMostBlocks = 256;  // kept; a recording has some ten a second
+
 double timeOf(const haptics::RecordedStep& step) {
   return static_cast<double>(step.step.time_ns) * 1e-9;
+}
+
+haptics::Expected<Replay::Part> partOf(haptics::Recording& recording, std::size_t block,
+                                       bool with_steps) {
+  auto steps = recording.block(block);
+  if (!steps) return tl::unexpected(steps.error());
+  Replay::Part part;
+  for (const haptics::RecordedStep& step : *steps)
+    part.forces.push_back({timeOf(step), static_cast<float>(step.step.sent_W.force.norm()),
+                           static_cast<float>(step.step.sent_W.torque.norm())});
+  if (with_steps) part.steps = std::move(*steps);
+  return part;
 }
 
 }  // namespace
@@ -27,15 +42,17 @@ haptics::Expected<std::unique_ptr<Replay::Beginning>> Replay::read(
   haptics::keepInput(path);
   auto recording = haptics::Recording::open(path, &cancel);
   if (!recording) return tl::unexpected(recording.error());
-  auto first = recording->block(0);
+  auto first = partOf(*recording, 0, true);
   if (!first) return tl::unexpected(first.error());
-  return std::make_unique<Beginning>(Beginning{std::move(*recording), std::move(*first)});
+  Parts parts;
+  parts.emplace(0, std::move(first));
+  return std::make_unique<Beginning>(Beginning{std::move(*recording), std::move(parts)});
 }
 
 Replay::Replay(Beginning beginning, std::filesystem::path path)
     : recording_{std::move(beginning.recording)},
       path_{std::move(path)},
-      steps_{std::move(beginning.steps)} {
+      parts_{std::move(beginning.parts)} {
   track_.begin = time_ = recording_.begin();
   track_.end = recording_.end();
   for (const haptics::RecordedEvent& event : recording_.events())
@@ -47,28 +64,20 @@ Replay::Replay(Beginning beginning, std::filesystem::path path)
   timer_.setInterval(kFrameMs);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &Replay::advance);
-  reader_.start([path = path_](
-                    const background::Watch& watch) { return forceCurveOf(path, kBins, 0, watch); },
-                [this](haptics::Expected<ForceCurve> curve) {
-                  if (!curve) return;  // then there is no curve
-                  track_.force_least = std::move(curve->least);
-                  track_.force_most = std::move(curve->most);
-                  emit trackRead();
-                });
+  curve_reader_.start(
+      [path = path_](const background::Watch& watch) {
+        return forceCurveOf(path, kBins, 0, watch);
+      },
+      [this](haptics::Expected<ForceCurve> curve) {
+        if (!curve) return;  // then there is no curve
+        track_.force_least = std::move(curve->least);
+        track_.force_most = std::move(curve->most);
+        emit trackRead();
+      });
 }
 
-bool Replay::load(std::size_t block) {
-  if (block == block_) return true;
-  auto steps = recording_.block(block);
-  if (!steps) {
-    play(false);
-    emit failed(sentenceOf(steps.error()));
-    return false;
-  }
-  block_ = block;
-  steps_ = std::move(*steps);
-  at_ = 0;
-  return true;
+const haptics::RecordedStep& Replay::step() const {
+  return parts_.at(present_.block)->steps[present_.step];
 }
 
 void Replay::play(bool play) {
@@ -86,51 +95,133 @@ void Replay::setSpeed(double factor) { speed_ = factor; }
 
 void Replay::advance() {
   const double passed = static_cast<double>(since_.restart()) * 1e-3;
+  if (wish_) return;  // its steps are being read
   const double time = time_ + passed * speed_;
-  seek(std::min(time, track_.end));
+  seek(time);
   if (time >= track_.end) play(false);
 }
 
 void Replay::seek(double time) {
-  time_ = std::clamp(time, track_.begin, track_.end);
-  if (!load(recording_.blockAt(time_))) return;
-  const auto after = std::upper_bound(
-      steps_.begin(), steps_.end(), time_,
-      [](double t, const haptics::RecordedStep& step) { return t < timeOf(step); });
-  at_ = after == steps_.begin() ? 0 : static_cast<std::size_t>(after - steps_.begin()) - 1;
-  emit moved(time_);
+  time = std::clamp(time, track_.begin, track_.end);
+  goTo({.block = recording_.blockAt(time), .step = {}, .time = time});
 }
 
 void Replay::stepBy(int ticks) {
   play(false);
+  Place to = present_;
+  if (wish_ && wish_->step) to = {wish_->block, *wish_->step};
   for (; ticks > 0; --ticks) {
-    if (at_ + 1 < steps_.size())
-      ++at_;
-    else if (block_ + 1 == recording_.blockCount() || !load(block_ + 1))
-      break;
+    if (to.step + 1 < recording_.stepsIn(to.block))
+      ++to.step;
+    else if (to.block + 1 < recording_.blockCount())
+      to = {to.block + 1, 0};
   }
   for (; ticks < 0; ++ticks) {
-    if (at_ > 0) {
-      --at_;
-    } else {
-      if (block_ == 0 || !load(block_ - 1)) break;
-      at_ = steps_.size() - 1;
-    }
+    if (to.step > 0)
+      --to.step;
+    else if (to.block > 0)
+      to = {to.block - 1, recording_.stepsIn(to.block - 1) - 1};
   }
-  time_ = timeOf(step());
+  goTo({.block = to.block, .step = to.step});
+}
+
+void Replay::goTo(Wish wish) {
+  wish_ = wish;
+  arrive();
+  readAround();
+}
+
+void Replay::arrive() {
+  if (!wish_) return;
+  const auto part = parts_.find(wish_->block);
+  if (!isRead(wish_->block, wanted())) return;
+  const Wish wish = *std::exchange(wish_, {});
+  if (!part->second) {
+    play(false);
+    const QString why = sentenceOf(part->second.error());
+    parts_.erase(part);  // it is tried again where one goes there again
+    emit failed(why);
+    return;
+  }
+  const auto& steps = part->second->steps;
+  if (wish.step) {
+    present_ = {wish.block, *wish.step};
+    time_ = timeOf(step());
+  } else {
+    const auto after = std::upper_bound(
+        steps.begin(), steps.end(), wish.time,
+        [](double t, const haptics::RecordedStep& step) { return t < timeOf(step); });
+    present_ = {wish.block,
+                static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - steps.begin() - 1))};
+    time_ = wish.time;
+  }
   emit moved(time_);
 }
 
-std::vector<haptics::ForceSample> Replay::forces(double from, double to) {
-  std::vector<haptics::ForceSample> points;
-  // a part that cannot be read is told of where one goes to it
-  (void)recording_.forEach(
-      std::max(from, to - ui::ForcePlot::kSeconds), to, [&](const haptics::RecordedStep& step) {
-        if (timeOf(step) > from)
-          points.push_back({timeOf(step), static_cast<float>(step.step.sent_W.force.norm()),
-                            static_cast<float>(step.step.sent_W.torque.norm())});
-        return true;
+Replay::Range Replay::wanted() const {
+  const std::size_t to = wish_ ? wish_->block : present_.block;
+  const double time = wish_ ? recording_.beginOf(to) : time_;
+  const std::size_t first = recording_.blockAt(time - ui::ForcePlot::kSeconds);
+  const std::size_t last = recording_.blockAt(time + kAhead);
+  return {.first = std::max(first, to - std::min(to, kMostBlocks)),
+          .steps_from = to - std::min<std::size_t>(to, 1),
+          .last = std::clamp(last, to, to + kMostBlocks)};
+}
+
+bool Replay::isRead(std::size_t block, const Range& range) const {
+  const auto part = parts_.find(block);
+  if (part == parts_.end()) return false;
+  return !part->second || block < range.steps_from || !part->second->steps.empty();
+}
+
+void Replay::readAround() {
+  const Range range = wanted();
+  if (block_reader_.isRunning()) {
+    if (wish_ && (wish_->block < reading_.steps_from || wish_->block > reading_.last))
+      block_reader_.cancel();
+    return;
+  }
+  std::vector<std::size_t> missing;
+  for (std::size_t block = range.first; block <= range.last; ++block)
+    if (!isRead(block, range)) missing.push_back(block);
+  if (missing.empty()) return;
+  reading_ = range;
+  block_reader_.start(
+      [this, missing, range](const background::Watch& watch) -> haptics::Expected<Parts> {
+        Parts parts;
+        for (const std::size_t block : missing) {
+          if (watch.cancelled()) break;
+          parts.emplace(block, partOf(recording_, block, block >= range.steps_from));
+        }
+        return parts;
+      },
+      [this](haptics::Expected<Parts> parts) {
+        if (parts) return keep(std::move(*parts));
+        play(false);  // no thread or no memory
+        wish_.reset();
+        emit failed(sentenceOf(parts.error()));
       });
+}
+
+void Replay::keep(Parts parts) {
+  for (auto& [block, part] : parts) parts_.insert_or_assign(block, std::move(part));
+  arrive();
+  const Range range = wanted();
+  std::erase_if(parts_, [&](const auto& part) {
+    return part.first != present_.block && (part.first < range.first || part.first > range.last);
+  });
+  for (auto& [block, part] : parts_)
+    if (part && block != present_.block && block < range.steps_from) part->steps = {};
+  readAround();
+}
+
+std::vector<haptics::ForceSample> Replay::forces(double from, double to) const {
+  std::vector<haptics::ForceSample> points;
+  for (const auto& [block, part] : parts_)
+    if (part)  // a part that cannot be read is told of where one goes to it
+      for (const haptics::ForceSample& point : part->forces)
+        if (point.time > std::max(from, to - ui::ForcePlot::kSeconds) && point.time <= to)
+          points.push_back(point);
   return points;
 }
 

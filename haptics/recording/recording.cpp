@@ -189,6 +189,7 @@ Expected<void> Recording::readScenes() {
 }
 
 double Recording::begin() const { return double(blocks_.front().from_ns) * 1e-9; }
+double Recording::beginOf(std::size_t block) const { return double(blocks_[block].from_ns) * 1e-9; }
 double Recording::end() const { return double(blocks_.back().to_ns) * 1e-9; }
 
 const RecordedScene* Recording::scene(std::uint32_t id) const {

@@ -26,9 +26,10 @@ struct RecordedEvent {
 };
 
 /// A finished recording, open for reading. Steps are read block by block; events, starts and scenes
-/// are read when the file is opened. One thread at a time, and not the one of a window: a large
-/// file takes a while. All contents of the file are checked, since it may come from anybody: its
-/// tables first, and what is read of it is never more than the file holds.
+/// are read when the file is opened. One thread at a time calls block() and forEach(), and not the
+/// one of a window: a large file takes a while. All else may be asked meanwhile. All contents of
+/// the file are checked, since it may come from anybody: its tables first, and what is read of it
+/// is never more than the file holds.
 class Recording {
  public:
   /// Refusals: "not-found", "no-recording", "unfinished" (use recover()), "beside" (a file lies
@@ -56,6 +57,8 @@ class Recording {
   std::size_t blockCount() const { return blocks_.size(); }
   /// The block with the last step at or before a time [s]; the first block for earlier times.
   std::size_t blockAt(double time) const;
+  std::size_t stepsIn(std::size_t block) const { return std::size_t(blocks_[block].count); }
+  double beginOf(std::size_t block) const;  ///< s: time of the block's first step
   Expected<std::vector<RecordedStep>> block(std::size_t index);
 
   /// Calls `each` with every step from `from` to `to` [s], both included, in order, until `each`

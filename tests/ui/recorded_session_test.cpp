@@ -30,6 +30,7 @@
 #include "app/window/session_recording.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/recording/database.h"
 #include "haptics/recording/recorder.h"
 #include "haptics/recording/replay.h"
 #include "haptics/session.h"
@@ -214,9 +215,12 @@ TEST(RecordedSession, IsGoneThroughInTheWindow) {
   const double begin = replay.track().begin, length = replay.track().end - begin;
   QPointF last;
   for (const double share : {0.1, 0.5, 0.95}) {
-    emit window.replayBar().timeWanted(begin + share * length);
+    const double time = begin + share * length;
+    emit window.replayBar().timeWanted(time);
+    ASSERT_TRUE(waitFor([&] {
+      return std::abs(1e-9 * double(replay.step().step.time_ns) - time) < 0.1;
+    })) << share;
     const haptics::Step& step = replay.step().step;
-    EXPECT_NEAR(double(step.time_ns) * 1e-9, begin + share * length, 0.1);
     window.view().lookFromTool();
     const QImage picture = window::pictureAtRest(window.view());
     const QPointF seen = window::centroid(picture, window::proxyColoured);
@@ -232,6 +236,7 @@ TEST(RecordedSession, IsGoneThroughInTheWindow) {
   EXPECT_EQ(replay.step().step.sequence, sequence - 299);
   // played, it gets on as fast as time
   emit window.replayBar().timeWanted(begin);
+  ASSERT_TRUE(waitFor([&] { return 1e-9 * double(replay.step().step.time_ns) < begin + 1e-6; }));
   const auto first = replay.step().step.time_ns;
   const auto played = [&] { return 1e-9 * double(replay.step().step.time_ns - first); };
   QElapsedTimer clock;
@@ -299,6 +304,81 @@ TEST(RecordedSession, OverVoxelsThatAreOthersInTheSamePlaceSaysSo) {
   EXPECT_TRUE(warning->text().contains("both have 40 x 40 x 40 voxels"))
       << warning->text().toStdString();
   EXPECT_TRUE(warning->text().contains("the voxels differ")) << warning->text().toStdString();
+}
+
+/// A finished recording: a step a millisecond, its force [N] a thousandth of its time [s].
+void writeRamp(const fs::path& path, int steps) {
+  auto recorder = haptics::Recorder::create(path, {"test", "a build", "a machine"});
+  ASSERT_TRUE(recorder) << sentence(recorder.error());
+  (*recorder)->ring().start({});
+  for (int i = 0; i < steps; ++i) {
+    while ((*recorder)->ring().full()) QTest::qWait(1);
+    haptics::Step step;
+    step.sequence = std::uint64_t(i) + 1;
+    step.time_ns = i * std::int64_t{1'000'000};
+    step.sent_W.force = haptics::Vec3(1e-6 * i, 0.0, 0.0);
+    ASSERT_TRUE((*recorder)->ring().push(step));
+  }
+  ASSERT_TRUE((*recorder)->finish());
+}
+
+std::unique_ptr<app::Replay> opened(const fs::path& path) {
+  auto beginning = app::Replay::read(path, std::atomic<bool>{false});
+  EXPECT_TRUE(beginning) << sentence(beginning.error());
+  return std::make_unique<app::Replay>(std::move(**beginning), path);
+}
+
+TEST(RecordedSession, WhereverOneGoesTheStepsAreReadInTheBackground) {
+  const QTemporaryDir place;
+  const fs::path path = fs::path(place.path().toStdString()) / "long.palpate";
+  ASSERT_NO_FATAL_FAILURE(writeRamp(path, 60'000));
+  const auto replay = opened(path);
+  const auto millisecond = [&] { return replay->step().step.time_ns / 1'000'000; };
+  EXPECT_EQ(millisecond(), 0);
+  // what has not been read is not there at once; of many wishes the last one counts
+  for (const double time : {55.0, 20.0, 42.0}) replay->seek(time);
+  EXPECT_EQ(millisecond(), 0);
+  ASSERT_TRUE(waitFor([&] { return millisecond() == 42'000; }));
+  const auto forces = replay->forces(30.0, 42.0);
+  ASSERT_EQ(forces.size(), 10'000U);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    ASSERT_NEAR(forces[i].time, 32.001 + 1e-3 * double(i), 1e-9);
+    ASSERT_NEAR(forces[i].force, 1e-3 * forces[i].time, 1e-6);
+  }
+  // step by step, over the ends of blocks
+  replay->stepBy(-5'000);
+  ASSERT_TRUE(waitFor([&] { return millisecond() == 37'000; }));
+  replay->stepBy(1);
+  EXPECT_EQ(millisecond(), 37'001);
+  replay->stepBy(-100'000);
+  ASSERT_TRUE(waitFor([&] { return millisecond() == 0; }));
+  replay->stepBy(30'000);
+  replay->stepBy(30'000);
+  ASSERT_TRUE(waitFor([&] { return millisecond() == 59'999; }));
+  EXPECT_EQ(replay->forces(0.0, 60.0).size(), 9'999U);
+}
+
+TEST(RecordedSession, APartThatCannotBeReadIsNamedWhereOneGoesToIt) {
+  const QTemporaryDir place;
+  const fs::path path = fs::path(place.path().toStdString()) / "damaged.palpate";
+  ASSERT_NO_FATAL_FAILURE(writeRamp(path, 30'000));
+  {
+    auto database = haptics::Database::open(path, haptics::Database::Mode::Recover);
+    ASSERT_TRUE(database);
+    ASSERT_TRUE(database->run("UPDATE step SET data = x'0102' WHERE from_ns > 15000000000"));
+  }
+  const auto replay = opened(path);
+  QSignalSpy failed(replay.get(), &app::Replay::failed);
+  replay->seek(5.0);
+  ASSERT_TRUE(waitFor([&] { return replay->step().step.time_ns == 5'000'000'000; }));
+  for (int i = 1; i <= 2; ++i) {
+    replay->seek(25.0);
+    ASSERT_TRUE(waitFor([&] { return failed.count() == i; }));
+    EXPECT_EQ(replay->step().step.time_ns, 5'000'000'000);
+  }
+  replay->seek(6.0);
+  ASSERT_TRUE(waitFor([&] { return replay->step().step.time_ns == 6'000'000'000; }));
+  EXPECT_EQ(failed.count(), 2);
 }
 
 TEST(RecordedSession, ALabelAndACurveStandInTheListAndInNoFileOfARecording) {
