@@ -22,7 +22,7 @@ struct DeviceRating {
   double resolution = 0.0;         ///< m, of the handle's position
   double rate = 1000.0;            ///< Hz, the highest rate of its link
   double delay = 0.0;              ///< s by which its force is late (devices/README.md)
-  double lead = 0.0;               ///< s of it that a lead makes good (servo/lead.h)
+  double lead = 0.0;               ///< s of it that a lead makes good (servo/pose_predictor.h)
   std::string_view source = {};    ///< where the values are from, and which are not verified
 };
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "haptics/core/realtime.h"
+#include "haptics/proxy/proxy.h"
 #include "haptics/scene/scene.h"
-#include "haptics/servo/proxy.h"
 
 namespace haptics {
 

@@ -11,9 +11,9 @@
 #include "haptics/coupling/safety.h"
 #include "haptics/devices/device.h"
 #include "haptics/servo/engagement.h"
-#include "haptics/servo/lead.h"
 #include "haptics/servo/mapping.h"
 #include "haptics/servo/motion_guard.h"
+#include "haptics/servo/pose_predictor.h"
 #include "haptics/servo/rate.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/servo/step_ring.h"
@@ -73,7 +73,7 @@ class ServoLoop {
           mapping{X_WD, rate.period()} {}
     Watchdog watchdog;
     MotionGuard motion;
-    Lead lead;
+    PosePredictor lead;
     Mapping mapping;
     Handling handling;
     std::int64_t silent_ns = 0;   ///< when the last reading first came again; 0: it is new

@@ -6,7 +6,7 @@
 #include "haptics/core/realtime.h"
 #include "haptics/coupling/safety.h"
 #include "haptics/devices/ratings.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/tick.h"
 #include "haptics/settings.h"
 
 namespace haptics {

@@ -6,7 +6,7 @@
 #include "haptics/core/fixed_vector.h"
 #include "haptics/core/geometry.h"
 #include "haptics/coupling/safety.h"
-#include "haptics/servo/proxy.h"
+#include "haptics/proxy/proxy.h"
 #include "haptics/servo/rate.h"
 #include "haptics/settings.h"
 

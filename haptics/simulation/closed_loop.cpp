@@ -3,7 +3,7 @@
 
 #include "haptics/coupling/passivity.h"
 #include "haptics/scene/legal_pose.h"
-#include "haptics/servo/lead.h"
+#include "haptics/servo/pose_predictor.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/servo/step.h"
 
@@ -46,7 +46,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   Linkage link = linkage;
   device.X_WD = link.handleAt(hand.at(0.0));
   const std::int64_t period_ns = rate.period_ns();
-  Lead ahead{lead, linkage.encoder};
+  PosePredictor ahead{lead, linkage.encoder};
   Pose X_WD = ahead.ahead(link.read(device.X_WD), 0);
   const std::optional<Pose> start = legalPoseNear(*scene, settings.isovalue, X_WD);
   if (!start) return tl::unexpected(Error{Error::Kind::Unsupported, {"hand-starts-inside", {}}});

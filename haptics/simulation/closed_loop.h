@@ -7,8 +7,8 @@
 
 #include "haptics/core/geometry.h"
 #include "haptics/coupling/safety.h"
+#include "haptics/proxy/proxy.h"
 #include "haptics/scene/scene.h"
-#include "haptics/servo/proxy.h"
 #include "haptics/servo/rate.h"
 #include "haptics/settings.h"
 #include "haptics/simulation/device_model.h"
@@ -46,7 +46,7 @@ struct ClosedLoop {
   bool hand_is_device = false;
   ServoRate rate = {};
   Linkage linkage = {};
-  double lead = 0.0;     ///< s, of the pose that the tick takes (servo/lead.h)
+  double lead = 0.0;     ///< s, of the pose that the tick takes (servo/pose_predictor.h)
   double damping = 0.0;  ///< N·s/m, virtual damping while the wrench is not zero
   /// Damping that a passivity controller may use, N·s/m; 0: no controller.
   double passivity_damping = 0.0;

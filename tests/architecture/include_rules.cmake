@@ -14,11 +14,13 @@ endmacro()
 rule(FOLDERS "haptics" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|resources/)"
      WHY "haptics knows neither window nor picture nor files")
 rule(FOLDERS "haptics/(core|field|tool|collision|solver|coupling)"
-     FORBIDS "^haptics/(servo|devices|simulation|recording|session)"
-     WHY "the algorithm knows neither threads nor devices")
-rule(FOLDERS "haptics/edit" FORBIDS "^haptics/(scene|servo|devices|simulation|recording|session)"
+     FORBIDS "^haptics/(proxy|servo|devices|simulation|recording|session)"
+     WHY "the algorithm knows neither proxy nor threads nor devices")
+rule(FOLDERS "haptics/(scene|proxy)" FORBIDS "^haptics/(servo|devices|simulation|recording|session)"
+     WHY "the proxy knows neither threads nor devices")
+rule(FOLDERS "haptics/edit" FORBIDS "^haptics/(scene|proxy|servo|devices|simulation|recording|session)"
      WHY "edits know volumes and fields, and nothing that runs")
-rule(FOLDERS "haptics/(field|tool|collision|solver|coupling|servo|devices)"
+rule(FOLDERS "haptics/(field|tool|collision|solver|coupling|proxy|servo|devices)"
      FORBIDS "^haptics/edit/" WHY "the touch knows voxels, not how they came about")
 rule(FOLDERS "haptics/core" FORBIDS "^haptics/" PERMITS "^haptics/core/"
      WHY "the common words depend on nothing")
@@ -34,7 +36,7 @@ rule(FOLDERS "datasets/phantoms" FORBIDS "^vtk" WHY "phantoms build without VTK"
 rule(FOLDERS "resources" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|haptics/)"
      PERMITS "^haptics/core/" WHY "resources are read by all")
 rule(FOLDERS "app" EXCEPT "app/(study|cli)"
-     FORBIDS "^haptics/(field|collision|solver|coupling|servo|devices)/"
+     FORBIDS "^haptics/(field|collision|solver|coupling|proxy|servo|devices)/"
      PERMITS "^haptics/(devices/(catalogue|combined)|servo/emergency|field/lanes)[.]h$"
      WHY "the application uses haptics through its root headers")
 rule(FOLDERS "app/(study|cli)" EXCEPT "app/study/rendering" FORBIDS "^(Q[A-Za-z]|vtk|ui/)"

@@ -5,7 +5,8 @@ cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${SCRATCH})
 
 file(WRITE ${SCRATCH}/haptics/field/planted.cpp "int a[3]; // a \\\n\n#include <QWidget>\n")
-file(WRITE ${SCRATCH}/haptics/solver/planted.h "#pragma once\n  #  include \"haptics/servo/tick.h\"\n")
+file(WRITE ${SCRATCH}/haptics/solver/planted.h "#pragma once\n  #  include \"haptics/proxy/tick.h\"\n")
+file(WRITE ${SCRATCH}/haptics/proxy/planted.h "#pragma once\n#include \"haptics/servo/rate.h\"\n")
 file(WRITE ${SCRATCH}/haptics/devices/planted.cpp
      "#include \"haptics/devices/device.h\"\n#include \"haptics/field/isosurface.h\"\n")
 file(WRITE ${SCRATCH}/ui/planted.h "#include \"haptics/snapshot.h\"\n#include \"haptics/session.h\"\n")
@@ -34,12 +35,12 @@ execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${SCRATCH} -P ${RULES}
                 RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE complained)
 set(said "${said}${complained}")
 set(expected
-  "haptics/field/planted.cpp:3:" "haptics/solver/planted.h:2:" "haptics/devices/planted.cpp:2:"
+  "haptics/field/planted.cpp:3:" "haptics/solver/planted.h:2:" "haptics/proxy/planted.h:2:" "haptics/devices/planted.cpp:2:"
   "ui/planted.h:2:" "datasets/phantoms/planted.cpp:1:"
   "datasets/readers/planted.cpp:1:" "ui/worded.cpp:1:" "app/planted.cpp:1:" "app/driven.cpp:2:"
   "resources/planted.cpp:1:" "haptics/tool/planted.cpp:1:" "app/cli/planted.cpp:1:"
   "app/study/plan/planted.h:2:" "app/study/rendering/planted.cpp:1:"
-  "app/fetch/planted.cpp:2:" "app/window/planted.cpp:1:" "haptics/servo/planted.cpp:1:" "17 includes point")
+  "app/fetch/planted.cpp:2:" "app/window/planted.cpp:1:" "haptics/servo/planted.cpp:1:" "18 includes point")
 foreach(violation IN LISTS expected)
   string(FIND "${said}" "${violation}" at)
   if(at EQUAL -1)

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <map>
 
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/tick.h"
 #include "tests/bench/report.h"
 #include "tests/support/sentence.h"
 

@@ -11,8 +11,8 @@
 #include "app/study/comparison/scenes.h"
 #include "haptics/collision/motion_rows.h"
 #include "haptics/collision/sweep.h"
-#include "haptics/servo/proxy.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/proxy.h"
+#include "haptics/proxy/tick.h"
 #include "haptics/simulation/hand.h"
 #include "haptics/solver/constrained_motion.h"
 

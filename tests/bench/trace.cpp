@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "app/study/comparison/course.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/tick.h"
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>

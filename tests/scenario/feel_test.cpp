@@ -246,7 +246,8 @@ TEST(Feel, AFallToTheOtherSideOfARidgeIsNoBlow) {
     trial.allowance = rate.budget_work();
     trial.carry(at(0, -6e-3, 3e-3), at(0, -6e-3, -3e-3), 100 * fine);
     const double step = 0.02 * rate.period();  // m: 20 mm/s
-    const double fall = haptics::kMostFall * rate.period(), by_hand = stiffness * step;  // N
+    const double fall = haptics::TouchConstants::kMostFall * rate.period(),
+                 by_hand = stiffness * step;  // N
     Vec3 last = trial.last.wrench_W.force;
     double largest = 0.0, seconds = 0.0, deepest = 0.0;
     for (int n = 0; n < 450 * fine; ++n) {
@@ -285,7 +286,7 @@ TEST(Feel, AProxyThatRestsGoesOnWhenTheCouplingTurnsSofter) {
       const Pose D = hand.at(0.9);
       trial.hold(D, 200);
       trial.coupling.angular_stiffness = angular;
-      if (fresh) trial.proxy.acceptance = {};
+      if (fresh) trial.proxy.following.filter = {};
       trial.hold(D, 400);
       settled[fresh] = trial.proxy.X_WP;
       EXPECT_GT(trial.last.contacts, 0);

@@ -11,7 +11,7 @@
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/phantoms/shapes.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/tick.h"
 
 namespace study::accuracy {
 namespace {

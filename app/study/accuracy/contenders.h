@@ -7,7 +7,7 @@
 
 #include "app/study/comparison/methods.h"
 #include "app/study/page/plot.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/tick.h"
 
 namespace study::accuracy {
 

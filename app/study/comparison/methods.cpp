@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "haptics/servo/proxy.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/proxy.h"
+#include "haptics/proxy/tick.h"
 
 namespace comparison {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/study/comparison/measures.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/tick.h"
 #include "haptics/simulation/hand.h"
 
 namespace comparison {

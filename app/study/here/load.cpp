@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "app/study/quantile.h"
-#include "haptics/servo/proxy.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/proxy.h"
+#include "haptics/proxy/tick.h"
 #include "haptics/solver/unconstrained_motion.h"
 
 namespace study {

@@ -7,8 +7,8 @@
 
 #include "app/study/plan/left_out_work.h"
 #include "app/study/quantile.h"
+#include "haptics/proxy/tick.h"
 #include "haptics/scene/legal_pose.h"
-#include "haptics/servo/tick.h"
 #include "haptics/simulation/grip.h"
 #include "resources/messages/messages.h"
 

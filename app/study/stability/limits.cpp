@@ -6,7 +6,7 @@
 #include "app/study/stability/failures.h"
 #include "app/study/stability/loops.h"
 #include "haptics/coupling/passivity.h"
-#include "haptics/servo/lead.h"
+#include "haptics/servo/pose_predictor.h"
 
 namespace study::stability {
 namespace {
@@ -233,7 +233,7 @@ Pressed pressOn(const Wall& wall, double stiffness,
   haptics::Wrench held;
   Shaking shaking;
   const std::int64_t period_ns = wall.rate().period_ns();
-  haptics::Lead ahead{wall.lead, linkage.encoder};
+  haptics::PosePredictor ahead{wall.lead, linkage.encoder};
   Pose X_WD = ahead.ahead(linkage.read(grip.X_WD), 0);
   const int ticks = int(std::lround(kPressTime / wall.period));
   bool going_on = true;

@@ -23,7 +23,7 @@ struct Wall {
   double period = 1e-3;     ///< s
   double damping = 0.0;     ///< N·s/m, virtual
   double controller = 0.0;  ///< N·s/m that the passivity controller may use; 0: none
-  double lead = 0.0;        ///< s (servo/lead.h)
+  double lead = 0.0;        ///< s (servo/pose_predictor.h)
 
   haptics::ServoRate rate() const { return {int(std::lround(1.0 / period))}; }
   /// N·s/m: of device, hand and virtual damper.

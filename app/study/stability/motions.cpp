@@ -8,7 +8,8 @@ namespace {
 
 void leaps(Trials& found) {
   // what the sphere held on the way is let go slowly
-  const double released = 1e3 * haptics::kMostReleased / 1000.0 / haptics::releaseSpeed(1000.0);
+  const double released =
+      1e3 * haptics::TouchConstants::kMostReleased / 1000.0 / haptics::releaseSpeed(1000.0);
   struct Row {
     double aside, bound;  // m; ticks
   };

@@ -12,7 +12,7 @@
 #include "app/study/comparison/measures.h"
 #include "app/study/reference/evaluator.h"
 #include "datasets/phantoms/making.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/tick.h"
 
 namespace study::stability {
 

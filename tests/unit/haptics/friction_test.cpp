@@ -9,7 +9,7 @@
 
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/tick.h"
 #include "haptics/simulation/penetration.h"
 #include "tests/support/made.h"
 #include "tests/support/millimetre.h"

@@ -7,7 +7,7 @@
 
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
-#include "haptics/servo/tick.h"
+#include "haptics/proxy/tick.h"
 #include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 #include "tests/support/sentence.h"

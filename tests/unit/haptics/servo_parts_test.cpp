@@ -6,19 +6,19 @@
 #include "datasets/phantoms/making.h"
 #include "haptics/core/budget.h"
 #include "haptics/core/fixed_vector.h"
-#include "haptics/servo/acceptance.h"
+#include "haptics/proxy/catch_up.h"
+#include "haptics/proxy/pose_filter.h"
 #include "haptics/servo/rate.h"
-#include "haptics/servo/release.h"
 #include "haptics/servo/tick_stats.h"
 #include "tests/support/made.h"
 
 namespace {
 
 using datasets::Random;
-using haptics::Acceptance;
 using haptics::Budget;
 using haptics::FixedVector;
 using haptics::Pose;
+using haptics::PoseFilter;
 using haptics::Quat;
 using haptics::TickStats;
 using made::at;
@@ -26,22 +26,22 @@ using made::at;
 constexpr double kRadius = 0.01, kTolerance = 2e-3;  // m
 
 /// Begins a tick with the proxy above the device.
-void begin(Acceptance& filter, const Pose& X_WD) {
+void begin(PoseFilter& filter, const Pose& X_WD) {
   const haptics::MassMetric metric{haptics::Mat3::Identity() * 1e-4};
   filter.begin(X_WD, at(X_WD.translation() + Eigen::Vector3d{0.0, 0.0, 10e-3}), metric, kRadius,
                kTolerance);
 }
 
 /// A filter that has just begun at the device pose of the origin, from a pose 10 mm away.
-Acceptance begun() {
-  Acceptance filter;
+PoseFilter begun() {
+  PoseFilter filter;
   begin(filter, Pose::Identity());
   filter.start(10e-3, 1e-3);
   return filter;
 }
 
-TEST(Acceptance, TakesANearerPoseOrAShorterStepButNotOneThatIsAsGoodInNeither) {
-  Acceptance filter = begun();
+TEST(PoseFilter, TakesANearerPoseOrAShorterStepButNotOneThatIsAsGoodInNeither) {
+  PoseFilter filter = begun();
   EXPECT_TRUE(filter.take(9e-3, 2e-3));      // nearer
   EXPECT_TRUE(filter.take(9.5e-3, 0.5e-3));  // less to do
   EXPECT_FALSE(filter.take(9.5e-3, 2e-3));   // worse than one in one, equal in one
@@ -51,11 +51,11 @@ TEST(Acceptance, TakesANearerPoseOrAShorterStepButNotOneThatIsAsGoodInNeither) {
 }
 
 // a dominated pose is never taken, however the poses come, and detours come to an end
-TEST(Acceptance, NeverTakesWhatAnEarlierPoseDominatesAndEndsItsDetours) {
+TEST(PoseFilter, NeverTakesWhatAnEarlierPoseDominatesAndEndsItsDetours) {
   Random random{61};
   int refused = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    Acceptance filter = begun();
+    PoseFilter filter = begun();
     std::vector<std::pair<double, double>> taken{{10e-3, 1e-3}};
     int detours = 0;
     double nearest = 10e-3;
@@ -79,8 +79,8 @@ TEST(Acceptance, NeverTakesWhatAnEarlierPoseDominatesAndEndsItsDetours) {
 }
 
 // what was visited is known by its distance to the device: no motion is too small to void that
-TEST(Acceptance, ForgetsPosesWhenTheDeviceMovesAtAllAndNotWhileItRests) {
-  Acceptance filter = begun();
+TEST(PoseFilter, ForgetsPosesWhenTheDeviceMovesAtAllAndNotWhileItRests) {
+  PoseFilter filter = begun();
   begin(filter, Pose::Identity());
   filter.start(10e-3, 1e-3);
   EXPECT_FALSE(filter.take(10e-3, 1e-3));
@@ -89,15 +89,15 @@ TEST(Acceptance, ForgetsPosesWhenTheDeviceMovesAtAllAndNotWhileItRests) {
   EXPECT_TRUE(filter.take(10e-3, 1e-3));
 }
 
-int detours(Acceptance& filter) {
+int detours(PoseFilter& filter) {
   int taken = 0;
   for (int n = 1; n <= 40; ++n) taken += filter.take(10e-3, 1e-3 - n * 0.0025 * kTolerance);
   return taken;
 }
 
 // a slide has what it needs; a hand that trembles or wanders about one place has a dozen in all
-TEST(Acceptance, GivesNewDetoursForTravelAndNoneWithinThePlay) {
-  Acceptance filter = begun();
+TEST(PoseFilter, GivesNewDetoursForTravelAndNoneWithinThePlay) {
+  PoseFilter filter = begun();
   EXPECT_EQ(detours(filter), 12);
   Random random{63};
   for (int n = 0; n < 200; ++n) {
@@ -141,11 +141,11 @@ TEST(Acceptance, GivesNewDetoursForTravelAndNoneWithinThePlay) {
 
 // the spring's energy over the stiffness is half of the distance squared
 // of a hand that stays within the play
-TEST(Acceptance, RaisesTheSpringByNoMoreThanMovesLetGoOf) {
+TEST(PoseFilter, RaisesTheSpringByNoMoreThanMovesLetGoOf) {
   Random random{64};
   int detours = 0, refused = 0;
   for (int trial = 0; trial < 150; ++trial) {
-    Acceptance filter;
+    PoseFilter filter;
     double distance = 5e-3, given = 0.0;
     for (int tick = 0; tick < 100; ++tick) {
       // the device moves, the proxy does not
@@ -180,8 +180,8 @@ TEST(Acceptance, RaisesTheSpringByNoMoreThanMovesLetGoOf) {
 }
 
 // a long way that the spring let go of pays for four tolerances against its pull, not for more
-TEST(Acceptance, SavesLittleOfALongWay) {
-  Acceptance filter;
+TEST(PoseFilter, SavesLittleOfALongWay) {
+  PoseFilter filter;
   begin(filter, Pose::Identity());
   filter.start(100e-3, 1e-3);
   ASSERT_TRUE(filter.take(50e-3, 1e-3));
@@ -199,7 +199,7 @@ TEST(Acceptance, SavesLittleOfALongWay) {
 /// tick. In each `follows`-th tick the proxy follows it first, and so the spring releases what that
 /// way raised; 0: never.
 double raisedAlong(const Eigen::Vector3d& along, double tolerances, int ticks, int follows) {
-  Acceptance filter = begun();
+  PoseFilter filter = begun();
   const double pull = 10e-3, way = tolerances * kTolerance;
   double given = 0.0;
   for (int tick = 1; tick <= ticks; ++tick) {
@@ -222,7 +222,7 @@ double raisedAlong(const Eigen::Vector3d& along, double tolerances, int ticks, i
 
 // a slide raises the spring again and again, by 0.03 of its pull over what it travels, and no
 // faster; a press does not
-TEST(Acceptance, ForgivesWhatDetoursRaisedAsTheDeviceTravelsAcrossThePull) {
+TEST(PoseFilter, ForgivesWhatDetoursRaisedAsTheDeviceTravelsAcrossThePull) {
   const int ticks = 20'000;
   const double pull = 10e-3, travel = (0.01 * ticks - 4.0) * kTolerance;
   const double lent = 0.5 * kTolerance * pull;
@@ -233,7 +233,7 @@ TEST(Acceptance, ForgivesWhatDetoursRaisedAsTheDeviceTravelsAcrossThePull) {
 }
 
 // in a fast slide, following the device seems to release more than is forgiven
-TEST(Acceptance, DoesNotCountWhatFollowingAcrossThePullReleases) {
+TEST(PoseFilter, DoesNotCountWhatFollowingAcrossThePullReleases) {
   const int ticks = 500;
   const double pull = 10e-3, way = 1.0 * kTolerance;
   const double seems = 0.5 * ticks * way * way, forgiven = 0.03 * pull * ticks * way;
@@ -277,7 +277,7 @@ struct Released {
   double stiffness, period;
   haptics::Twist lag;
   haptics::MassMetric metric{haptics::Mat3::Identity() * 1e-4};
-  haptics::Release release;
+  haptics::CatchUp release;
 };
 
 TEST(Release, GoesTheWayOfAMillisecondAtOnceAndNoMoreInAnyMillisecond) {
@@ -355,7 +355,8 @@ TEST(Release, ALegIsAsLongAsTheToolWentAlongIt) {
   proxy.release.look(proxy.lag, proxy.whole());
   const auto place = proxy.release.placeToWait();
   ASSERT_TRUE(place);
-  EXPECT_NEAR(place->share * 0.5 * motion.norm(), haptics::kMostFall / 1000.0 * 1e-3, 1e-9);
+  EXPECT_NEAR(place->share * 0.5 * motion.norm(),
+              haptics::TouchConstants::kMostFall / 1000.0 * 1e-3, 1e-9);
 }
 
 TEST(Release, ASearchThatGoesOnWaitsOnItsWayOfEarlierTicks) {
@@ -371,7 +372,7 @@ TEST(Release, ASearchThatGoesOnWaitsOnItsWayOfEarlierTicks) {
   proxy.release.look(proxy.lag, proxy.whole());
   const auto place = proxy.release.placeToWait();
   ASSERT_TRUE(place);
-  const double fall = haptics::kMostFall / 1000.0 * 0.25e-3;  // m
+  const double fall = haptics::TouchConstants::kMostFall / 1000.0 * 0.25e-3;  // m
   EXPECT_NEAR(place->share * motion.norm(), by.norm() + fall, 1e-9);
   // what comes after contact was lost has no way
   proxy.release.hold(proxy.lag);

@@ -10,9 +10,9 @@
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
 #include "haptics/core/latest_value.h"
+#include "haptics/proxy/tick.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/step_ring.h"
-#include "haptics/servo/tick.h"
 #include "haptics/session.h"
 #include "tests/support/made.h"
 

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "haptics/core/budget.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
 #include "haptics/coupling/virtual_coupling.h"
+#include "haptics/proxy/proxy.h"
+#include "haptics/proxy/touch_constants.h"
 #include "haptics/scene/scene.h"
-#include "haptics/servo/proxy.h"
 
 namespace haptics {
-
-/// Units of work in a tick's default budget: about 200 us.
-inline constexpr std::int64_t kTickWork = 20'000;
 
 /// Result of one tick.
 struct TickResult {
@@ -32,11 +29,11 @@ struct TickResult {
 };
 
 /// One period of the servo loop: the six steps of [Chan 2011], 2.1, with changes
-/// (haptics/README.md, "One tick, in order"). The proxy moves towards the device as far as the
+/// (haptics/README.md, "The tick"). The proxy moves towards the device as far as the
 /// solid allows. A proxy that was in contact and has not been at the device since follows the
 /// device's motion, and approaches the device by at most releaseSpeed() times `period` [s]. In
-/// contact it moves so that the force changes by at most kMostFall beside what the device's motion
-/// makes of it, where the way there has a place to wait.
+/// contact it moves so that the force changes by at most TouchConstants::kMostFall beside what the
+/// device's motion makes of it, where the way there has a place to wait.
 TickResult tick(const Scene& scene, double isovalue, const VirtualCoupling& coupling,
                 const Pose& X_WD, Proxy& proxy, Budget& budget, double period) HAPTICS_RT;
 

@@ -11,7 +11,7 @@
 #include "haptics/core/fixed_vector.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
-#include "haptics/servo/rate.h"
+#include "haptics/proxy/touch_constants.h"
 #include "haptics/solver/mass_metric.h"
 
 namespace haptics {
@@ -20,17 +20,9 @@ namespace haptics {
 /// stiffness [N/m]. From 3000 N/m on, the force falls by 90 N per second (haptics/MEASURED.md,
 /// "Release").
 inline double releaseSpeed(double stiffness) HAPTICS_RT {
-  constexpr double kStiff = 3000.0, kFall = 90.0;  // N/m, N/s
-  const double softer = std::max(1.0, kStiff / stiffness);
-  return kFall / stiffness * softer * softer;
+  const double softer = std::max(1.0, TouchConstants::kStiff / stiffness);
+  return TouchConstants::kRelease / stiffness * softer * softer;
 }
-/// N/s: fastest change of the force in contact by the proxy's own motion (haptics/MEASURED.md,
-/// "Slow slides"). A proxy whose place at an edge is no longer the nearest falls to another place,
-/// often over a tenth of a millimetre or more.
-inline constexpr double kMostFall = 150.0;
-/// N: a proxy pulled by a larger force approaches at once until this is left, because no device
-/// renders more.
-inline constexpr double kMostReleased = 50.0;
 
 /// A part of the way since the last accepted pose. All of it is proven free.
 struct Leg {
@@ -52,19 +44,22 @@ using Legs = FixedVector<Leg, 32>;
 /// In contact a step may take the way of a whole millisecond at once, if the ticks before it did
 /// not. A facet often meets the next one at a low ridge. The way of a shorter period may end on the
 /// ridge, at a pose that the filter refuses, and the proxy would be held there.
-class Release {
+class CatchUp {
  public:
+  static constexpr std::size_t kRecent = 3;  ///< ticks before one within a millisecond, at most
+
   /// Begins a tick of a held proxy. `now`: its motion to the device, whose centre is at `p_WD`.
   /// `R`: its rotation.
   void begin(const Twist& now, const MassMetric& metric, const Mat3& R, const Vec3& p_WD,
              double stiffness, double period) HAPTICS_RT {
     const double time = period * (1 + ticks_behind_), speed = releaseSpeed(stiffness);
-    const double rendered = kMostReleased / stiffness;
+    const double rendered = TouchConstants::kMostReleased / stiffness;
     before_ = metric.whitened(behind_, R);
     const double distance = before_.norm();
     const double most = std::max(speed * time, distance - rendered);
     most_change_ = std::max(0.0, most + spare(speed, period));
-    most_fall_ = std::max(kMostFall / stiffness * time, behind_.linear.norm() - rendered);
+    most_fall_ =
+        std::max(TouchConstants::kMostFall / stiffness * time, behind_.linear.norm() - rendered);
     least_change_ = least_fall_ = std::numeric_limits<double>::infinity();
     // the hand may bring the two together faster by itself
     const double nearer = (before_ - metric.whitened(now, R)).dot(before_) / distance;
@@ -186,9 +181,6 @@ class Release {
   double leastChange(const Vector6& motion) const HAPTICS_RT {
     return std::min(least_change_, leastAlong(change_, motion));
   }
-
-  static constexpr std::size_t kRecent = 3;  ///< ticks before one within a millisecond, at most
-  static_assert(int(kRecent) == kServoRates.back().hz / 1000 - 1);
 
   Twist behind_;          ///< the lag after the last tick that followed
   int ticks_behind_ = 0;  ///< ticks since then

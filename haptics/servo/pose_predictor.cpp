@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/servo/lead.h"
+#include "haptics/servo/pose_predictor.h"
 
 #include <algorithm>
 
 namespace haptics {
 
-Pose Lead::ahead(const Pose& X, std::int64_t time_ns) HAPTICS_RT {
+Pose PosePredictor::ahead(const Pose& X, std::int64_t time_ns) HAPTICS_RT {
   if (lead_ == 0.0 || !X.matrix().allFinite()) return X;
   if (count_ > 0) {
     const std::int64_t since = time_ns - ago(1).time_ns;
@@ -31,13 +31,14 @@ Pose Lead::ahead(const Pose& X, std::int64_t time_ns) HAPTICS_RT {
   return X_ahead_;
 }
 
-std::size_t Lead::beginOf(std::int64_t window_ns, std::int64_t time_ns) const HAPTICS_RT {
+std::size_t PosePredictor::beginOf(std::int64_t window_ns, std::int64_t time_ns) const HAPTICS_RT {
   for (std::size_t n = 1; n <= std::min(count_, readings_.size()); ++n)
     if (time_ns - ago(n).time_ns >= window_ns - kEarly_ns) return n;
   return 0;
 }
 
-bool Lead::isStraight(std::size_t n, const Vec3& p, std::int64_t time_ns) const HAPTICS_RT {
+bool PosePredictor::isStraight(std::size_t n, const Vec3& p,
+                               std::int64_t time_ns) const HAPTICS_RT {
   const Reading& begin = ago(n);
   const Vec3 way = p - begin.X.translation();
   const double duration = double(time_ns - begin.time_ns);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/servo/lead.h"
+#include "haptics/servo/pose_predictor.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 
 namespace {
 
-using haptics::Lead;
 using haptics::Pose;
+using haptics::PosePredictor;
 using haptics::Quat;
 using haptics::ServoRate;
 using haptics::Vec3;
@@ -31,9 +31,9 @@ Pose evenly(double time) {
             Quat{Eigen::AngleAxisd{0.4 + 3.0 * time, Vec3{1.0, 2.0, -1.0}.normalized()}});
 }
 
-TEST(Lead, TakesAHandThatMovesEvenlyToWhereItWillBe) {
+TEST(PosePredictor, TakesAHandThatMovesEvenlyToWhereItWillBe) {
   for (const ServoRate rate : haptics::kServoRates) {
-    Lead lead{kLead, 1e-5};
+    PosePredictor lead{kLead, 1e-5};
     for (int n = 0; n < 100; ++n) {
       // readings come up to 5 % early or late
       const double time = rate.period() * (n + 0.05 * std::sin(2.0 * n));
@@ -44,10 +44,10 @@ TEST(Lead, TakesAHandThatMovesEvenlyToWhereItWillBe) {
   }
 }
 
-TEST(Lead, IsWrongByNoMoreThanItsHandAccelerates) {
+TEST(PosePredictor, IsWrongByNoMoreThanItsHandAccelerates) {
   constexpr double kAcceleration = 10.0;  // m/s^2
   for (const ServoRate rate : haptics::kServoRates) {
-    Lead lead{kLead, 0.0};
+    PosePredictor lead{kLead, 0.0};
     const auto place = [](double t) { return at(0.5 * kAcceleration * t * t, 0, 0); };
     for (int n = 0; n < 100; ++n) {
       const double time = rate.period() * n;
@@ -65,11 +65,11 @@ Vec3 stepped(const Vec3& place, double step) {
 }
 
 // an encoder's step is no motion of the hand
-TEST(Lead, IsNotAheadOfASlowHandByWhatItsEncoderSteps) {
+TEST(PosePredictor, IsNotAheadOfASlowHandByWhatItsEncoderSteps) {
   constexpr double kStep = 1e-5;  // m
   const Vec3 velocity{1.5e-3, -0.7e-3, 0.2e-3};
   for (const ServoRate rate : haptics::kServoRates) {
-    Lead lead{kLead, kStep};
+    PosePredictor lead{kLead, kStep};
     double most = 0.0;
     for (int n = 0; n < rate.hz; ++n) {
       const double time = rate.period() * n;
@@ -84,10 +84,10 @@ TEST(Lead, IsNotAheadOfASlowHandByWhatItsEncoderSteps) {
 }
 
 // what bends by more than a step is led as if encoders were exact
-TEST(Lead, FollowsAHandThatShakes) {
+TEST(PosePredictor, FollowsAHandThatShakes) {
   constexpr double kStep = 1e-5, kAmplitude = 2e-4, kTurn = 2.0 * 3.14159 * 60.0;  // m, rad/s
   for (const ServoRate rate : haptics::kServoRates) {
-    Lead lead{kLead, kStep};
+    PosePredictor lead{kLead, kStep};
     for (int n = 0; n < rate.hz / 4; ++n) {
       const double time = rate.period() * n;
       const auto place = [&](double t) {
@@ -102,10 +102,10 @@ TEST(Lead, FollowsAHandThatShakes) {
   }
 }
 
-TEST(Lead, SaysNothingOfAHandItHasNotSeen) {
-  Lead lead{kLead, 0.0}, none{0.0, 0.0};
+TEST(PosePredictor, SaysNothingOfAHandItHasNotSeen) {
+  PosePredictor lead{kLead, 0.0}, none{0.0, 0.0};
   std::int64_t now = 0;
-  const auto next = [&](Lead& one, const Pose& X) { return one.ahead(X, now += 250'000); };
+  const auto next = [&](PosePredictor& one, const Pose& X) { return one.ahead(X, now += 250'000); };
   for (int n = 0; n < 20; ++n) next(lead, evenly(1e-9 * double(now)));
   // the same reading again
   const Pose X = evenly(1e-9 * double(now));
@@ -127,7 +127,7 @@ TEST(Lead, SaysNothingOfAHandItHasNotSeen) {
 }
 
 // the lead is of the hand: what the mapping makes of it grows as its motion does
-TEST(Lead, ADeviceInItsRatingIsLed) {
+TEST(PosePredictor, ADeviceInItsRatingIsLed) {
   constexpr double kScale = 3.0, kSpeed = 0.2;  // m/s, of the hand
   for (const ServoRate rate : haptics::kServoRates) {
     Vec3 places[2];
@@ -152,7 +152,7 @@ TEST(Lead, ADeviceInItsRatingIsLed) {
 
 // what comes after is another motion: a velocity over the break would be one that the hand never
 // had
-TEST(Lead, BeginsAnewWhenTheDeviceWasNotReadyOrJumped) {
+TEST(PosePredictor, BeginsAnewWhenTheDeviceWasNotReadyOrJumped) {
   const ServoRate rate{4000};
   for (const bool jumped : {false, true}) {
     auto made = std::make_unique<FakeDevice>(at(0, 0, 0));

@@ -11,9 +11,9 @@
 #include "haptics/collision/second_look.h"
 #include "haptics/collision/sweep.h"
 #include "haptics/core/geometry.h"
+#include "haptics/proxy/catch_up.h"
+#include "haptics/proxy/pose_filter.h"
 #include "haptics/scene/scene.h"
-#include "haptics/servo/acceptance.h"
-#include "haptics/servo/release.h"
 
 namespace haptics {
 
@@ -59,6 +59,11 @@ struct Search {
   double way = 0.0, turned = 0.0;  ///< m, rad
   Contacts contacts_taken;         ///< the contacts at that pose
   bool atTaken() const HAPTICS_RT { return way == 0.0 && turned == 0.0; }
+  /// The proxy takes X, with these contacts.
+  void take(const Contacts& contacts) HAPTICS_RT {
+    way = turned = 0.0;
+    contacts_taken = contacts;
+  }
 
   template <class P>
   void begin(const P& proxy) HAPTICS_RT {
@@ -68,8 +73,7 @@ struct Search {
     advance = 0.0;
     trust = INFINITY;
     tries = 0;
-    way = turned = 0.0;
-    contacts_taken = proxy.contacts;
+    take(proxy.contacts);
   }
 };
 
@@ -80,6 +84,18 @@ struct BearingContact {
   double push = 0.0;        ///< N, force along the normal, from the coupling's stiffness
 };
 using Bearing = FixedVector<BearingContact, 6>;
+
+/// What Following remembers between ticks.
+struct FollowingState {
+  PoseFilter filter;
+  /// m^2: of the metric in the last tick, by which the filter measures: angular stiffness over
+  /// stiffness; 0: the tool's own
+  double squared_gyration = 0.0;
+  /// True from contact until the proxy is at the device again. While true, the proxy approaches the
+  /// device at a limited speed.
+  bool held = false;
+  CatchUp catch_up;  ///< while held
+};
 
 /// The proxy and its memory between ticks. The constructor allocates all memory.
 struct Proxy {
@@ -96,16 +112,9 @@ struct Proxy {
   SurfaceRows surface;  ///< rows of the points near the surface
   Sweep sweep;
   Search search;
-  Acceptance acceptance;
+  FollowingState following;
   Recovery recovery;
   double isovalue = std::numeric_limits<double>::quiet_NaN();  ///< isovalue of the last tick
-  /// m^2: of the metric in the last tick, by which `acceptance` measures: angular stiffness over
-  /// stiffness; 0: the tool's own
-  double squared_gyration = 0.0;
-  /// True from contact until the proxy is at the device again. While true, tick() limits the speed
-  /// at which the proxy approaches the device.
-  bool held = false;
-  Release release;  ///< while held
   /// Does the work that ticks leave out; null except in studies and tests.
   SecondLook* second_look = nullptr;
 
@@ -115,11 +124,19 @@ struct Proxy {
     bearing.clear();
     clearance.forget();
     search = {};
-    acceptance = {};
+    following.filter = {};
+    following.held = false;
+    following.catch_up.forget();
     recovery = {};
     isovalue = std::numeric_limits<double>::quiet_NaN();
-    held = false;
-    release.forget();
+  }
+  /// The same for another isovalue, but what the hand feels stays what it is until the proxy has
+  /// caught up.
+  void meet(double other_isovalue) HAPTICS_RT {
+    const bool held = following.held;
+    forget();
+    isovalue = other_isovalue;
+    following.held = held;
   }
 };
 

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/servo/recovery.h"
+#include "haptics/proxy/recovery.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "haptics/collision/motion.h"
+#include "haptics/proxy/touch_constants.h"
 #include "haptics/scene/legal_pose.h"
 #include "haptics/solver/constrained_motion.h"
 
 namespace haptics {
 namespace {
 
-constexpr double kPushTime = 0.006;  // s of following the gradients
-constexpr double kLongest = 0.017;   // s, then the certain way out
-constexpr int kPushes = 4;           // pushes a tick
 constexpr std::size_t kRows = 48;
 
 /// Moves the trial pose by the least motion that takes its deepest points out, to first order.
@@ -103,13 +101,13 @@ bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, double p
   recovery.time += period;
   bool found = false;
   Pose X = recovery.X_WT;
-  if (time < kPushTime) {
-    for (int i = 0; i < kPushes && !found && budget.left(); ++i) {
+  if (time < TouchConstants::kPushTime) {
+    for (int i = 0; i < TouchConstants::kPushes && !found && budget.left(); ++i) {
       push(scene, solid, recovery.X_WT, budget);
       X = recovery.X_WT;
       found = legal(solid, shell, X, budget);
     }
-  } else if (time < kLongest) {
+  } else if (time < TouchConstants::kLongestRecovery) {
     while (!found && budget.left()) {
       placeAround(proxy.X_WP, solid.field.voxel(), recovery.candidate++, X);
       found = legal(solid, shell, X, budget);
@@ -122,7 +120,7 @@ bool recover(const Scene& scene, const Isosurface& solid, Proxy& proxy, double p
   proxy.X_WP = X;
   proxy.contacts.clear();
   proxy.clearance.forget();
-  proxy.acceptance.forget();
+  proxy.following.filter.forget();
   recovery.active = false;
   return true;
 }

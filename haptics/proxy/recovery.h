@@ -2,7 +2,7 @@
 #pragma once
 
 #include "haptics/core/budget.h"
-#include "haptics/servo/proxy.h"
+#include "haptics/proxy/proxy.h"
 
 namespace haptics {
 

@@ -7,6 +7,7 @@
 #include "haptics/core/fixed_vector.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
+#include "haptics/proxy/touch_constants.h"
 #include "haptics/solver/mass_metric.h"
 #include "haptics/solver/unconstrained_motion.h"
 
@@ -45,7 +46,7 @@ namespace haptics {
 /// Taking only the nearest pose sticks and slips on real surfaces, since the direction of a step
 /// (a smooth normal) and the distance (the facets of the field) disagree by microns; taking every
 /// pose shakes at rest. The filter does neither.
-class Acceptance {
+class PoseFilter {
  public:
   /// Begins a tick in which the proxy is at X_WP. `metric` is that of the distances. `radius` [m]
   /// converts a turn of the device [rad] to a length. `tolerance` [m] is that of contact, epsilon.
@@ -84,8 +85,8 @@ class Acceptance {
   /// Whether take() would take it.
   bool wouldTake(double distance, double step) const HAPTICS_RT {
     if (distance == 0.0) return true;
-    if (!affords(distance, kLent)) return false;
-    const double resolution = kResolution * tolerance_;
+    if (!affords(distance, C::kLent)) return false;
+    const double resolution = C::kResolution * tolerance_;
     for (const Visit& earlier : visited_)
       if (distance > earlier.distance - resolution && step > earlier.step - resolution)
         return false;
@@ -99,7 +100,7 @@ class Acceptance {
     return true;
   }
   /// Whether the energy and the detours allow to wait at this distance, on such a way.
-  bool mayWait(double distance) const HAPTICS_RT { return affords(distance, kLentToWait); }
+  bool mayWait(double distance) const HAPTICS_RT { return affords(distance, C::kLentToWait); }
   /// Records the pose at which the tick starts. The tick before has taken it.
   void start(double distance, double step) HAPTICS_RT {
     if (!visited_.empty()) return;
@@ -111,28 +112,16 @@ class Acceptance {
   struct Visit {
     double distance = 0.0, step = 0.0;
   };
-  static constexpr int kDetours = 12;
-  // in tolerances:
-  static constexpr double kResolution = 0.002;  // smallest difference of distances that counts
-  static constexpr double kPlay = 4.0;          // with less than 3, handles wander on noise of 10 %
-  static constexpr double kRenewal = 0.5;       // of travel
-  // most released energy that is kept, over the pull
-  static constexpr double kMostSaved = 4.0;
-  static constexpr double kLent = 0.5;  // energy a detour may add beyond that, over the pull
-  // the same for a place to wait: what bars the way there is released on the rest of it
-  static constexpr double kLentToWait = 1.0;
-  // of the pull, over the travel across it: as much as normals that are 0.03 rad off the facets ask
-  // for (MEASURED.md, "Filter acceptance")
-  static constexpr double kForgiven = 0.03;
+  using C = TouchConstants;
 
   bool nearer(double distance) const HAPTICS_RT {
-    return distance < nearest_ - kResolution * tolerance_;
+    return distance < nearest_ - C::kResolution * tolerance_;
   }
   bool affords(double distance, double lent) const HAPTICS_RT {
     if (nearer(distance)) return true;
     const double farthest = nearest_ * (nearest_ + 2.0 * tolerance_);
     return riseTo(distance) <= saved_ + lent * tolerance_ * last_ &&
-           distance * distance <= farthest && detours_ < kDetours && !visited_.full();
+           distance * distance <= farthest && detours_ < C::kDetours && !visited_.full();
   }
   double riseTo(double distance) const HAPTICS_RT {
     return 0.5 * (distance * distance - last_ * last_);
@@ -149,7 +138,7 @@ class Acceptance {
       seeming_ -= seeming;
       released -= seeming;
     }
-    saved_ = std::min(saved_ + released, kMostSaved * tolerance_ * last_);
+    saved_ = std::min(saved_ + released, C::kMostSaved * tolerance_ * last_);
     last_ = distance;
     visited_.push({distance, step});
   }
@@ -176,7 +165,7 @@ class Acceptance {
     const Vec3 way = X_WD.translation() - X_WA_.translation();
     const Eigen::AngleAxisd turn{X_WD.linear() * X_WA_.linear().transpose()};
     const double off = way.norm() + radius * std::abs(turn.angle());
-    const double beyond = off - kPlay * tolerance_;
+    const double beyond = off - C::kPlay * tolerance_;
     if (beyond <= 0.0) return;
     const double share = beyond / off;
     X_WA_.translation() += share * way;
@@ -186,9 +175,9 @@ class Acceptance {
     const double squared = pull_W.squaredNorm();
     if (saved_ < 0.0 && squared > 0.0) {
       const Vec3 across = share * (way - way.dot(pull_W) / squared * pull_W);
-      saved_ = std::min(0.0, saved_ + kForgiven * last_ * across.norm());
+      saved_ = std::min(0.0, saved_ + C::kForgiven * last_ * across.norm());
     }
-    if (travel_ > kRenewal * tolerance_) forget();
+    if (travel_ > C::kRenewal * tolerance_) forget();
   }
 
   FixedVector<Visit, 64> visited_;
