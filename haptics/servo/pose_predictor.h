@@ -25,10 +25,10 @@ namespace haptics {
 /// each axis. Windows that adapt to the motion are due to Janabi-Sharifi, Hayward and Chen,
 /// "Discrete-time adaptive windowing for velocity estimation" (2000); those between 1 and 8 ms that
 /// they use as well, delay what shakes, and the loop carries up to a quarter less.
-class Lead {
+class PosePredictor {
  public:
   /// `lead` [s]. `step` [m]: of the encoders at the handle; 0: exact.
-  Lead(double lead, double step) : lead_{lead}, straight_{std::numbers::sqrt3 * step} {}
+  PosePredictor(double lead, double step) : lead_{lead}, straight_{std::numbers::sqrt3 * step} {}
 
   /// The pose at `lead` [s] after the measurement of `X` at `time_ns`. It is X itself for the first
   /// millisecond, and after a gap. The same time again gives the same pose. Numbers that are not
