@@ -256,7 +256,11 @@ HWY_INLINE M reached(const Lattice& lattice, const Segments& s) {
   const V low = hn::Min(hn::Min(sum[0], sum[1]), hn::Min(sum[2], sum[3]));
   greatest.take(0, sum);
   const V high = hn::Max(hn::Max(sum[0], sum[1]), hn::Max(sum[2], sum[3]));
-  // an eighth of what |d²F/dt²| may be, as a share of the voxels' range (MEASURED.md, "Lanes")
+  // What F can bend up between the ends: an eighth of the greatest |d²F/dt²|, which is at most
+  //   R (2 (dx² + dy² + dz²) + 9/4 (|dx dy| + |dy dz| + |dz dx|)),  R the range of the 64 voxels.
+  // On one axis it is a mean of a - 2 b + c, at most 2 R. A mixed one is a sum of voxels with
+  // weights that add up to 0, the positive ones to at most 9/8: on each of two axes the sizes of
+  // the cubics' slopes add up to at most 3/2, on the third the weights to 1.
   const V squares =
       hn::Add(hn::Add(hn::Mul(way[0], way[0]), hn::Mul(way[1], way[1])), hn::Mul(way[2], way[2]));
   const V mixed =

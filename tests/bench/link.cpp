@@ -3,10 +3,6 @@
 // palpate-link: how late a force is over a link with a thread of its own, in step with the servo
 // loop and not.
 
-#include <pthread.h>
-#include <sched.h>
-#include <semaphore.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -98,42 +94,6 @@ class Noted final : public support::PassingDevice {
   std::int64_t read_at_ = 0;
 };
 
-/// Half of the time in which two real-time threads wake each other by turns [us], in the median:
-/// what it costs on this machine that one thread waits for another.
-double wakeUp() {
-  sem_t there, back;
-  sem_init(&there, 0, 0);
-  sem_init(&back, 0, 0);
-  constexpr int kTimes = 2000;
-  const auto inRealTime = [] {
-    const sched_param parameters{.sched_priority = 79};
-    pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
-  };
-  std::vector<double> us;
-  std::thread other{[&] {
-    inRealTime();
-    for (int n = 0; n < kTimes; ++n) {
-      sem_wait(&there);
-      sem_post(&back);
-    }
-  }};
-  std::thread{[&] {
-    inRealTime();
-    for (int n = 0; n < kTimes; ++n) {
-      haptics::sleepUntil(haptics::monotonicNs() + 100'000);  // the other waits
-      const std::int64_t begun = haptics::monotonicNs();
-      sem_post(&there);
-      sem_wait(&back);
-      us.push_back(0.5e-3 * double(haptics::monotonicNs() - begun));
-    }
-  }}.join();
-  other.join();
-  sem_destroy(&there);
-  sem_destroy(&back);
-  std::ranges::sort(us);
-  return study::quantile(us, 0.5);
-}
-
 Json run(const std::shared_ptr<const haptics::Scene>& scene, double isovalue,
          const haptics::Hand& hand, haptics::ServoRate rate, bool in_step, std::int64_t transfer_ns,
          double seconds) {
@@ -186,7 +146,7 @@ int main(int argc, char** argv) {
   const auto scene = haptics::makeScene(touched.volume, comparison::toolOf(touched)).value();
   const auto hand =
       haptics::Hand::aimed(haptics::HandMotion::Slide, *scene, touched.isovalue, 2e-3, 1).value();
-  Json json{{"machine", app::machineHere()}, {"wake_up_us", wakeUp()}, {"runs", Json::array()}};
+  Json json{{"machine", app::machineHere()}, {"runs", Json::array()}};
   for (int round = 0; round < rounds; ++round)
     for (const std::int64_t transfer_ns : {0, 50'000})
       for (const haptics::ServoRate rate : haptics::kServoRates)

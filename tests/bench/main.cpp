@@ -4,30 +4,166 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 
+#include "app/build_info/build_info.h"
+#include "app/study/comparison/course.h"
+#include "app/study/comparison/feel.h"
+#include "app/study/comparison/holds.h"
+#include "app/study/comparison/sweep.h"
 #include "haptics/proxy/tick.h"
-#include "tests/bench/report.h"
 #include "tests/support/sentence.h"
 
-namespace bench {
 namespace {
+
+using namespace comparison;  // its words are what is reported here
+using Json = nlohmann::ordered_json;
 
 struct Options {
   bool json = false, quick = false, counted = false, no_sweep = false, rates = false;
-  std::string scans, out;
+  std::string scans;
   std::vector<std::string> only;
   double seconds = 0.0;  ///< 0: 3, or less when quick
-  int budget_us = 200;
-  unsigned hands = 1;  ///< of each kind, at the rates
+  unsigned hands = 1;    ///< of each kind, at the rates
   haptics::NormalKind normal = haptics::NormalKind::Central;
+
+  double handSeconds() const { return seconds > 0.0 ? seconds : quick ? 0.3 : 3.0; }
+  std::size_t judgedPose() const { return quick ? 20 : 5; }
 };
 
-double secondsSince(std::chrono::steady_clock::time_point begun) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+/// Everything measured in one scene, literal first and ours last.
+struct SceneReport {
+  std::string scene;
+  double samples_per_point = 0.0;  ///< of literal
+  std::vector<Summary> summaries;
+  std::vector<Summary> rates = {};  ///< ours alone at each rate of the servo; may be empty
+  std::vector<HoldSummary> holds = {};
+  std::vector<FeelSummary> feel = {};  ///< empty: no even stretch was found
+};
+
+/// Whether literal is the fair rival that a ratio needs: its search does not look more often than
+/// the paper's.
+bool isHonest(const SceneReport& report) {
+  return report.samples_per_point >= 1.3 && report.samples_per_point <= 2.0;
+}
+
+double over(double a, double b) { return b > 0.0 ? a / b : 0.0; }
+
+/// The method's entry of a list that may be empty.
+template <class T>
+const T* entry(const std::vector<T>& list, const std::string& method) {
+  const auto found = std::ranges::find(list, method, &T::method);
+  return found == list.end() ? nullptr : &*found;
+}
+
+Json resultOf(const SceneReport& report, const Summary& s) {
+  Json json{{"scene", report.scene},
+            {"method", s.method},
+            {"mean_us", s.mean_us},
+            {"p50_us", s.p50_us},
+            {"p99_us", s.p99_us},
+            {"p999_us", s.p999_us},
+            {"max_us", s.max_us},
+            {"p999_work", s.p999_work},
+            {"coupling_mm", s.coupling_mm},
+            {"coupling_tap_slide_hook_mm", s.guided_mm},
+            {"frozen", s.frozen},
+            {"wall_passages", s.wall_passages},
+            {"penetration_mm", s.penetration_mm},
+            {"samples_per_tick", s.counts.samples},
+            {"work_per_tick", s.counts.work},
+            {"contacts_max", s.contacts_max},
+            {"cut", s.cut},
+            {"ticks", s.ticks}};
+  if (const FeelSummary* feel = entry(report.feel, s.method))
+    json.update(Json{{"fine_noise_N", feel->fine_noise_N},
+                     {"force_step_N", feel->largest_step_N},
+                     {"surface_step_N", feel->surface_step_N},
+                     {"ideal_step_N", feel->ideal_step_N},
+                     {"slide_force_N", feel->mean_force_N},
+                     {"surface_fine_mm", feel->surface_fine_mm}});
+  if (const HoldSummary* hold = entry(report.holds, s.method))
+    json.update(Json{{"residual_mm_median", hold->residual_median_mm},
+                     {"residual_mm_mean", hold->residual_mean_mm},
+                     {"same_start_mm_median", hold->same_start_median_mm},
+                     {"same_start_mm_mean", hold->same_start_mean_mm},
+                     {"settled_mm_median", hold->settled_median_mm},
+                     {"settled_mm_mean", hold->settled_mean_mm},
+                     {"rest_mm_p99", hold->rest_p99_mm},
+                     {"rest_mm_max", hold->rest_max_mm},
+                     {"slack_mm", hold->legal > 0 ? Json(hold->slack_mm) : Json()}});
+  for (const Part& part : s.parts)
+    json["hands"].push_back({{"hand", part.hand},
+                             {"mean_us", part.mean_us},
+                             {"coupling_mm", part.coupling_mm},
+                             {"frozen", part.frozen},
+                             {"contact", part.contact},
+                             {"cut", part.cut}});
+  return json;
+}
+
+Json jsonOf(const std::vector<SceneReport>& reports, const std::vector<SweepRow>& sweep) {
+  Json json{{"machine", app::machineHere()},
+            {"results", Json::array()},
+            {"rates", Json::array()},
+            {"ratios", Json::array()},
+            {"sweep", Json::array()}};
+  for (const SceneReport& report : reports) {
+    for (const Summary& summary : report.summaries)
+      json["results"].push_back(resultOf(report, summary));
+    for (const Summary& summary : report.rates) json["rates"].push_back(resultOf(report, summary));
+    const Summary &literal = report.summaries.front(), &own = report.summaries.back();
+    const auto ratio = [&](double a, double b) {
+      return isHonest(report) ? Json(over(a, b)) : Json();
+    };
+    json["ratios"].push_back({{"scene", report.scene},
+                              {"mean", ratio(literal.mean_us, own.mean_us)},
+                              {"p999", ratio(literal.p999_us, own.p999_us)},
+                              {"max", ratio(literal.max_us, own.max_us)},
+                              {"coupling", ratio(literal.coupling_mm, own.coupling_mm)},
+                              {"literal_samples_per_point", report.samples_per_point}});
+  }
+  for (const SweepRow& r : sweep)
+    json["sweep"].push_back({{"scene", r.scene},
+                             {"points", r.points},
+                             {"budget_us", r.budget_us},
+                             {"build_ms", r.build_ms},
+                             {"mean_us", r.mean_us},
+                             {"p50_us", r.p50_us},
+                             {"p99_us", r.p99_us},
+                             {"max_us", r.max_us},
+                             {"coupling_mm", r.coupling_mm},
+                             {"lag_mm", r.lag_mm},
+                             {"penetration_mm", r.penetration_mm},
+                             {"cut", r.cut}});
+  return json;
+}
+
+/// A row for each method, as soon as its scene is done.
+void tell(const SceneReport& report, std::FILE* to) {
+  std::vector<Summary> rows = report.summaries;
+  rows.insert(rows.end(), report.rates.begin(), report.rates.end());
+  for (const Summary& s : rows) {
+    std::fprintf(to,
+                 "| %s | %s | %.1f | %.0f | %.0f | %.0f | %.2f | %.1f %% | %.4f | %d | %.1f %% |",
+                 report.scene.c_str(), s.method.c_str(), s.mean_us, s.p99_us, s.p999_us, s.max_us,
+                 s.coupling_mm, 100 * s.frozen, s.penetration_mm, s.wall_passages, 100 * s.cut);
+    const HoldSummary* hold = entry(report.holds, s.method);
+    const FeelSummary* feel = entry(report.feel, s.method);
+    if (hold) std::fprintf(to, " %.4f / %.3f", hold->residual_median_mm, hold->residual_mean_mm);
+    std::fprintf(to, " |");
+    if (feel) std::fprintf(to, " %.4f | %.3f", feel->fine_noise_N, feel->largest_step_N);
+    std::fprintf(to, feel ? " |\n" : " | |\n");
+  }
+  std::fflush(to);
+}
+
+/// Adds what the sweep finds in this scene.
+void swept(const Touched& scene, const Options& options, std::vector<SweepRow>& rows) {
+  const SweepPlan plan = options.quick ? SweepPlan{{1'000, 100'000}, {200}, 200} : SweepPlan{};
+  std::ranges::move(sweep(scene, plan), std::back_inserter(rows));
 }
 
 haptics::Expected<Touched> caseOf(const std::string& name, const Options& options) {
@@ -55,26 +191,22 @@ std::vector<Part> byKind(const std::vector<Part>& parts, unsigned hands) {
 }
 
 /// Ours alone along the same hands, at each rate of the servo and with its budget.
-haptics::Expected<std::vector<Summary>> atEveryRate(const Touched& scene, const Options& options,
-                                                    const Judge& judge) {
-  const auto built = haptics::makeScene(scene.volume, toolOf(scene),
-                                        {haptics::FieldKind::Trilinear, options.normal});
-  if (!built) return tl::unexpected(built.error());
-  const double seconds = options.seconds > 0.0 ? options.seconds : options.quick ? 0.3 : 3.0;
+haptics::Expected<std::vector<Summary>> atEveryRate(
+    const std::shared_ptr<const haptics::Scene>& built, const Touched& scene,
+    const Options& options, const Judge& judge) {
   std::vector<Summary> summaries;
   for (const haptics::ServoRate rate : haptics::kServoRates) {
     std::vector<Course> courses;
     for (unsigned seed = 1; seed <= options.hands; ++seed) {
-      auto one = coursesIn(**built, scene, seconds, rate, seed);
+      auto one = coursesIn(*built, scene, options.handSeconds(), rate, seed);
       if (!one) return tl::unexpected(one.error());
       std::ranges::move(*one, std::back_inserter(courses));
     }
     std::vector<std::unique_ptr<Method>> methods;
-    methods.push_back(ours(*built, scene.isovalue,
+    methods.push_back(ours(built, scene.isovalue,
                            {rate.budget_ns(), options.counted ? rate.budget_work() : 0, rate}));
     const Track track = std::move(follow(methods, courses).front());
-    Summary summary =
-        summaryOf(track, courses, (*built)->tool.shell, judge, options.quick ? 20 : 5);
+    Summary summary = summaryOf(track, courses, built->tool.shell, judge, options.judgedPose());
     summary.method = "ours, " + std::to_string(rate.hz / 1000) + " kHz";
     summary.parts = byKind(summary.parts, options.hands);
     summaries.push_back(std::move(summary));
@@ -83,29 +215,22 @@ haptics::Expected<std::vector<Summary>> atEveryRate(const Touched& scene, const 
 }
 
 haptics::Expected<SceneReport> measured(const Touched& scene, const Options& options) {
-  const Limit limit{1000LL * options.budget_us,
-                    options.counted ? haptics::kTickWork * options.budget_us / 200 : 0};
-  SceneReport report{scene.name, scene.tool, scene.points};
-  report.literal_us = scene.literal_us;
-  const auto begun = std::chrono::steady_clock::now();
+  const Limit limit{.work = options.counted ? haptics::kTickWork : 0};
   const auto built = haptics::makeScene(scene.volume, toolOf(scene),
                                         {haptics::FieldKind::Trilinear, options.normal});
   if (!built) return tl::unexpected(built.error());
-  report.build_ms = 1e3 * secondsSince(begun);
-  report.structures = (*built)->structures;
-  report.voxel_mm = 1e3 * scene.volume->grid.spacing.minCoeff();
-  report.rest_gap_mm = 1e3 * (*built)->lengths.rest_gap;
-
-  const double seconds = options.seconds > 0.0 ? options.seconds : options.quick ? 0.3 : 3.0;
-  const auto courses = coursesIn(**built, scene, seconds);
+  const auto courses = coursesIn(**built, scene, options.handSeconds());
   if (!courses) return tl::unexpected(courses.error());
   auto methods = allMethods(scene, *built, limit);
   const std::vector<Track> tracks = follow(methods, *courses);
   const haptics::PointShell& shell = (*built)->tool.shell;
   const FreeBlocks blocks{*scene.volume, scene.isovalue};
   const Judge judge{scene, shell, blocks};
+  SceneReport report;
+  report.scene = scene.name;
   for (const Track& track : tracks)
-    report.summaries.push_back(summaryOf(track, *courses, shell, judge, options.quick ? 20 : 5));
+    report.summaries.push_back(summaryOf(track, *courses, shell, judge, options.judgedPose()));
+  report.samples_per_point = report.summaries.front().counts.samples / scene.points;
 
   const HoldPlan holds = options.quick ? HoldPlan{4, 120, 4, 100} : HoldPlan{};
   const auto unhurried = ours(*built, scene.isovalue, {0, 1'000'000});
@@ -117,60 +242,10 @@ haptics::Expected<SceneReport> measured(const Touched& scene, const Options& opt
   if (scene.name == "scan-tooth") slide = {0.001, 0.005, 0.002, 0.008};
   report.feel = compareFeel(scene, **built, blocks, slide, limit);
   if (!options.rates) return report;
-  auto rates = atEveryRate(scene, options, judge);
+  auto rates = atEveryRate(*built, scene, options, judge);
   if (!rates) return tl::unexpected(rates.error());
   report.rates = std::move(*rates);
   return report;
-}
-
-/// A line for each method, on standard error: what is known before the whole is done.
-void tell(const SceneReport& report) {
-  std::vector<Summary> lines = report.summaries;
-  lines.insert(lines.end(), report.rates.begin(), report.rates.end());
-  for (const Summary& s : lines)
-    std::fprintf(
-        stderr,
-        "%-12s %-13s mean %6.1f p50 %6.1f p99 %7.1f p99.9 %8.1f max %9.1f us | coupling "
-        "%6.2f mm, frozen %4.1f %%, deepest %.4f mm, walls %d | contacts %d, samples %.0f, "
-        "work %.0f, cut %.1f %%\n",
-        report.scene.c_str(), s.method.c_str(), s.mean_us, s.p50_us, s.p99_us, s.p999_us, s.max_us,
-        s.coupling_mm, 100 * s.frozen, s.penetration_mm, s.wall_passages, s.contacts_max,
-        s.counts.samples, s.counts.work, 100 * s.cut);
-  for (const HoldSummary& h : report.holds)
-    std::fprintf(stderr,
-                 "  %-13s %d holds: residual @8 median %.4f mean %.3f (same start %.4f / "
-                 "%.3f), @64 %.4f / %.3f mm; rest "
-                 "p99 %.2g max %.2g um; slack %.4f mm (%.2f rest gaps) over %d legal\n",
-                 h.method.c_str(), h.holds, h.residual_median_mm, h.residual_mean_mm,
-                 h.same_start_median_mm, h.same_start_mean_mm, h.settled_median_mm,
-                 h.settled_mean_mm, 1e3 * h.rest_p99_mm, 1e3 * h.rest_max_mm, h.slack_mm,
-                 h.slack_mm / report.rest_gap_mm, h.legal);
-  for (const FeelSummary& f : report.feel)
-    std::fprintf(
-        stderr,
-        "  %-13s slow slide: fine %.4f N, largest step %.3f N/ms (lowered ball %.4f, ideal "
-        "proxy %.3f), mean %.2f N\n",
-        f.method.c_str(), f.fine_noise_N, f.largest_step_N, f.surface_step_N, f.ideal_step_N,
-        f.mean_force_N);
-  for (const LongTick& tick : report.summaries.back().long_ticks)
-    std::fprintf(stderr, "  long tick: %s %zu, %.0f us, work %lld, %ld faults, %ld switches\n",
-                 tick.hand.c_str(), tick.tick, tick.us, static_cast<long long>(tick.work),
-                 tick.faults, tick.switches);
-  if (const std::string why = whyNotHonest(report); !why.empty())
-    std::fprintf(stderr, "  no ratio for %s: %s\n", report.scene.c_str(), why.c_str());
-}
-
-/// Adds what the sweep finds in this scene.
-void swept(const Touched& scene, const Options& options, std::vector<SweepRow>& rows) {
-  const SweepPlan plan = options.quick ? SweepPlan{{1'000, 100'000}, {200}, 200} : SweepPlan{};
-  for (const SweepRow& r : sweep(scene, plan)) {
-    std::fprintf(stderr,
-                 "sweep %-6s %7d points %3d us: mean %6.1f p50 %6.1f p99 %6.1f max %6.1f us, "
-                 "coupling %.3f lag %.3f mm, deepest %.4f mm, cut %.0f %%\n",
-                 r.scene.c_str(), r.points, r.budget_us, r.mean_us, r.p50_us, r.p99_us, r.max_us,
-                 r.coupling_mm, r.lag_mm, r.penetration_mm, 100 * r.cut);
-    rows.push_back(r);
-  }
 }
 
 int run(const Options& options) {
@@ -180,19 +255,23 @@ int run(const Options& options) {
     return options.only.empty() ||
            std::find(options.only.begin(), options.only.end(), name) != options.only.end();
   };
+  std::FILE* table = options.json ? stderr : stdout;
+  std::fprintf(
+      table,
+      "| scene | method | mean | p99 | p99.9 | longest us | coupling mm | frozen | deepest "
+      "mm | walls | cut | residual median / mean mm | fine N | step N |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   const bool sweeps = !options.no_sweep && wanted("sweep");
   std::vector<SceneReport> reports;
   std::vector<SweepRow> rows;
   for (const std::string& name : names) {
     const bool slides = sweeps && name == "bunny";
     if (!wanted(name) && !slides) continue;
-    const auto begun = std::chrono::steady_clock::now();
     const auto scene = caseOf(name, options);
     if (!scene) {
       std::fprintf(stderr, "%s is left out: %s\n", name.c_str(), sentence(scene.error()).c_str());
       continue;
     }
-    const double made = secondsSince(begun);
     // while the volume is there: one of this size at a time
     if (slides) swept(*scene, options, rows);
     if (!wanted(name)) continue;
@@ -201,37 +280,33 @@ int run(const Options& options) {
       std::fprintf(stderr, "%s: %s\n", name.c_str(), sentence(report.error()).c_str());
       return 4;
     }
-    tell(*report);
-    std::fprintf(stderr, "  %.1f s, of which making the volume %.1f s\n", secondsSince(begun),
-                 made);
+    tell(*report, table);
     reports.push_back(std::move(*report));
   }
-  if (sweeps) swept(plane(), options, rows);
-  const Json json = jsonOf(reports, rows);
-  if (options.json)
-    std::printf("%s\n", json.dump(1).c_str());
-  else
-    std::printf("%s", tableOf(reports, rows).c_str());
-  if (!options.out.empty()) {
-    std::ofstream file{options.out};
-    file << json.dump(1) << '\n';
-    if (!file.flush()) {
-      std::fprintf(stderr, "%s cannot be written.\n", options.out.c_str());
-      return 4;
-    }
+  if (sweeps) {
+    swept(plane(), options, rows);
+    std::fprintf(
+        table,
+        "\n| sweep | points | budget us | mean | p99 | longest us | coupling mm | lag mm | "
+        "cut |\n|---|---|---|---|---|---|---|---|---|\n");
+    for (const SweepRow& r : rows)
+      std::fprintf(table, "| %s | %d | %d | %.0f | %.0f | %.0f | %.3f | %.3f | %.0f %% |\n",
+                   r.scene.c_str(), r.points, r.budget_us, r.mean_us, r.p99_us, r.max_us,
+                   r.coupling_mm, r.lag_mm, 100 * r.cut);
   }
+  if (options.json) std::printf("%s\n", jsonOf(reports, rows).dump(1).c_str());
   return 0;
 }
 
 }  // namespace
-}  // namespace bench
 
 int main(int argc, char** argv) {
-  bench::Options options;
+  Options options;
   CLI::App app{
       "Leads the literal, charitable and accept-inside readings of the paper and "
       "Palpate's own tick along the same hands, and compares them."};
-  app.add_flag("--json", options.json, "One JSON object on standard output, no table");
+  app.add_flag("--json", options.json,
+               "One JSON object on standard output, the table on the other");
   app.add_flag("--quick", options.quick, "Shorter hands, fewer checks: under 40 s");
   app.add_flag("--counted", options.counted,
                "Counted work in place of the clock, so that all but the times repeat");
@@ -241,8 +316,6 @@ int main(int argc, char** argv) {
   app.add_option("--hands", options.hands, "Hands of each kind at the rates")
       ->needs(rates)
       ->check(CLI::Range(1, 1000));
-  app.add_option("--budget", options.budget_us, "Of a tick of ours [us]")
-      ->check(CLI::Range(1, 100000));
   const std::map<std::string, haptics::NormalKind> normals{
       {"central", haptics::NormalKind::Central},
       {"cell", haptics::NormalKind::Cell},
@@ -256,11 +329,6 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingDirectory);
 #endif
   app.add_option("--only", options.only, "These scenes, scan-… or sweep, alone");
-  app.add_option("--out", options.out, "Write the JSON here, too");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return bench::run(options);
+  CLI11_PARSE(app, argc, argv);
+  return run(options);
 }

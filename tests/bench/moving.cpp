@@ -5,13 +5,11 @@
 
 #include <QApplication>
 #include <QMouseEvent>
-#include <QPaintEvent>
 #include <QTemporaryDir>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -42,43 +40,6 @@ double cpuOf(clockid_t clock) {
   clock_gettime(clock, &now);
   return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
 }
-
-/// CPU time of all threads of the process whose name begins so, ms.
-double cpuOfThreads(const std::string& name) {
-  double sum = 0.0;
-  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
-    std::string named;
-    std::ifstream(task.path() / "comm") >> named;
-    if (!named.starts_with(name)) continue;
-    double ns = 0.0;
-    std::ifstream(task.path() / "schedstat") >> ns;
-    sum += ns * 1e-6;
-  }
-  return sum;
-}
-
-/// Knows how long each kind of widget takes to paint, and how often it does.
-class TimedApplication : public QApplication {
- public:
-  using QApplication::QApplication;
-  struct Paint {
-    int count = 0;
-    double ms = 0.0;
-  };
-  bool notify(QObject* target, QEvent* event) override {
-    const bool paint = event->type() == QEvent::Paint;
-    if (!paint && event->type() != QEvent::UpdateRequest)
-      return QApplication::notify(target, event);
-    const double begun = cpuOf(CLOCK_THREAD_CPUTIME_ID);
-    const bool done = QApplication::notify(target, event);
-    const std::string kind = paint ? target->metaObject()->className() : "whole window";
-    Paint& sum = paints[kind];
-    ++sum.count;
-    sum.ms += cpuOf(CLOCK_THREAD_CPUTIME_ID) - begun;
-    return done;
-  }
-  std::map<std::string, Paint> paints;
-};
 
 void turn(ui::VolumeView& view, QPointF& at, QPointF by) {
   at += by;
@@ -118,25 +79,26 @@ void rest(double seconds) {
 
 int main(int argc, char** argv) {
   CLI::App cli{"What a picture of the 3-D view costs while the camera turns."};
-  std::string path, pictures_in, out;
+  std::string path, out;
   double isovalue = 0.0, second = 0.0, settle_s = 8.0;
   int pictures = 120;
-  bool fixed = false;
+  bool ray_cast = false;
   cli.add_option("scan", path, "A scan to open")->required();
   cli.add_option("--isovalue", isovalue, "Isovalue of the surface")->required();
   auto* second_given = cli.add_option("--second", second, "Isovalue of a second surface");
   cli.add_option("--pictures", pictures, "Pictures that count")->check(CLI::Range(10, 10'000));
   cli.add_option("--settle", settle_s, "Seconds of rest before, for the fine mesh");
-  cli.add_option("--keep", pictures_in, "Folder for pictures of the view in motion and at rest");
-  cli.add_flag("--view-alone", fixed, "Draw the 3-D view alone, without the window around it");
+  cli.add_flag("--ray-cast", ray_cast, "The surface ray-cast, for machines with a graphics card");
   cli.add_option("--out", out, "JSON, besides what is printed");
   CLI11_PARSE(cli, argc, argv);
 
   ui::Viewport::prepareApplication();
   int qt_argc = 1;
-  TimedApplication qt(qt_argc, argv);
+  QApplication qt(qt_argc, argv);
   const QTemporaryDir home;
-  app::Application application(bench::unattended(home, path, isovalue));
+  app::Arguments arguments = bench::unattended(home, path, isovalue);
+  if (ray_cast) arguments.surface = ui::SurfaceMode::RayCast;
+  app::Application application(std::move(arguments));
   application.window().resize(1280, 900);
   application.start();
   ui::VolumeView& view = application.window().view();
@@ -146,62 +108,40 @@ int main(int argc, char** argv) {
   }
   if (*second_given) view.setSecondSurface(second);
   rest(settle_s);
-  const auto keep = [&](const char* name) {
-    if (pictures_in.empty()) return;
-    std::filesystem::create_directories(pictures_in);
-    view.grabFramebuffer().save(QString::fromStdString(pictures_in + "/" + name + ".png"));
-  };
-  keep("rest");
 
   QPointF at = view.rect().center();
   QMouseEvent press(QEvent::MouseButtonPress, at, view.mapToGlobal(at), Qt::LeftButton,
                     Qt::LeftButton, {});
   QCoreApplication::sendEvent(&view, &press);
   std::vector<double> wall, cpu, gui;
-  double llvmpipe = 0.0;
   for (int n = -kWarm; n < pictures; ++n) {
-    if (n == 0) {
-      qt.paints.clear();
-      llvmpipe = cpuOfThreads("llvmpipe");
-    }
     const int before = view.frames();
     const auto begun = Clock::now();
     const double all = cpuOf(CLOCK_PROCESS_CPUTIME_ID), mine = cpuOf(CLOCK_THREAD_CPUTIME_ID);
     // a third of them tilt the view
     turn(view, at,
          n % 3 == 0 ? QPointF{0.0, n % 2 == 0 ? kTurn_px : -kTurn_px} : QPointF{kTurn_px, 0.0});
-    if (fixed) {
-      static_cast<void>(view.grabFramebuffer());
-    } else {
-      while (view.frames() == before && msSince(begun) < 5'000.0)
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
-    }
+    while (view.frames() == before && msSince(begun) < 5'000.0)
+      QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
     if (n < 0) continue;
     wall.push_back(msSince(begun));
     cpu.push_back(cpuOf(CLOCK_PROCESS_CPUTIME_ID) - all);
     gui.push_back(cpuOf(CLOCK_THREAD_CPUTIME_ID) - mine);
   }
-  llvmpipe = (cpuOfThreads("llvmpipe") - llvmpipe) / pictures;
-  keep("moving");
   std::printf("%s at %g%s: view of %d x %d, %d pictures\n",
               std::filesystem::path(path).filename().c_str(), isovalue,
               *second_given ? ", with a second surface" : "", view.width(), view.height(),
               pictures);
   std::printf(
       "  median of a picture: wall %.1f ms (%.1f a second), CPU %.1f ms of all threads, "
-      "%.1f of the GUI's; mean of llvmpipe's %.1f\n",
-      median(wall), 1e3 / median(wall), median(cpu), median(gui), llvmpipe);
-  for (const auto& [kind, paint] : qt.paints)
-    std::printf("    %-24s %5d paints, %7.2f ms of the GUI's thread a picture\n", kind.c_str(),
-                paint.count, paint.ms / pictures);
+      "%.1f of the GUI's\n",
+      median(wall), 1e3 / median(wall), median(cpu), median(gui));
   QMouseEvent release(QEvent::MouseButtonRelease, at, view.mapToGlobal(at), Qt::LeftButton,
                       Qt::NoButton, {});
   QCoreApplication::sendEvent(&view, &release);
   rest(settle_s);
-  keep("after");
 
   const std::vector<double> wanted_to_drawn = drag(application, isovalue, pictures);
-  keep("dragged");
   std::printf("  isovalue dragged, from wanted to drawn: median %.1f ms, nine of ten within %.1f\n",
               median(wanted_to_drawn), share(wanted_to_drawn, 0.9));
   if (!out.empty())

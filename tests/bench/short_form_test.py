@@ -11,7 +11,7 @@ import math
 import subprocess
 import sys
 
-RESULT = ["scene", "method", "mean_us", "p50_us", "p99_us", "p999_us", "p9999_us", "max_us",
+RESULT = ["scene", "method", "mean_us", "p50_us", "p99_us", "p999_us", "max_us",
           "coupling_mm", "frozen", "wall_passages", "fine_noise_N", "residual_mm_median",
           "residual_mm_mean", "penetration_mm", "samples_per_tick", "contacts_max"]
 RATIO = ["scene", "mean", "p999", "max", "coupling"]

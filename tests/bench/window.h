@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/application.h"
+#include "app/study/quantile.h"
 
 namespace bench {
 
@@ -26,9 +27,8 @@ inline double msSince(Clock::time_point begun) {
 
 /// What this share of the values does not exceed.
 inline double share(std::vector<double> values, double of) {
-  std::sort(values.begin(), values.end());
-  if (values.empty()) return 0.0;
-  return values[static_cast<std::size_t>(of * static_cast<double>(values.size() - 1))];
+  std::ranges::sort(values);
+  return study::quantile(values, of);
 }
 inline double median(std::vector<double> values) { return share(std::move(values), 0.5); }
 

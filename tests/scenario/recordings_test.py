@@ -39,10 +39,10 @@ call("convert", "--phantom", "sphere", folder / "ball.nrrd")
 r = folder / "r.palpate"
 
 # made, twice the same path, replayed to the bit
-made = call(*touch(3, "--friction", "0.3", "--record", r))["recording"]
-assert made["steps"] == 3000 and made["lost"] == 0 and made["bytes_per_step"] <= 300, made
+made = call(*touch(40, "--friction", "0.3", "--record", r))["recording"]
+assert made["steps"] == 40000 and made["lost"] == 0 and made["bytes_per_step"] <= 300, made
 said = call("replay", r, "--volume", folder / "ball.nrrd")
-assert said["steps"] == 3000 and said["differing"] == 0 and said["skipped"] == 0, said
+assert said["steps"] == 40000 and said["differing"] == 0 and said["skipped"] == 0, said
 assert said["volume"] == "same" and said["same_build"], said
 # through the limits of a device, its ramp included
 call(*touch(2, "--device", "falcon", "--record", r))

@@ -26,7 +26,7 @@
 namespace ui {
 namespace {
 
-enum Column { Words, Force, kColumns };
+constexpr int kWords = 0, kForce = 1, kListColumns = 2;
 
 constexpr int kLongestNote = 200;
 constexpr int kLongestLabel = 60;
@@ -40,7 +40,7 @@ WarningLabel* label(const char* name) {
   return made;
 }
 
-WarningLabel* sentence(const char* name) {
+WarningLabel* wrappedLabel(const char* name) {
   WarningLabel* made = label(name);
   made->setWordWrap(true);
   made->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -95,12 +95,12 @@ RecordingPanel::RecordingPanel(QWidget* parent)
     : QWidget(parent),
       record_(new QPushButton),
       elapsed_(new Figure(tr("Time recorded"))),
-      state_(sentence("recordState")),
+      state_(wrappedLabel("recordState")),
       samples_(label("recordSamples")),
       gaps_(label("recordGaps")),
       bytes_(label("recordSize")),
       room_(label("recordRoom")),
-      lost_(sentence("recordLost")),
+      lost_(wrappedLabel("recordLost")),
       note_(new QLineEdit),
       mark_(new QPushButton),
       marked_(label("marked")),
@@ -184,7 +184,7 @@ QWidget* RecordingPanel::buildFigures() {
 QWidget* RecordingPanel::buildList() {
   list_->setObjectName("recordings");
   list_->setAccessibleName(tr("Recordings"));
-  list_->setColumnCount(kColumns);
+  list_->setColumnCount(kListColumns);
   list_->setItemDelegate(new RecordingLines(list_));
   style::makeLines(*list_, tr("No recordings yet"));
   list_->setMinimumHeight(180);
@@ -192,8 +192,8 @@ QWidget* RecordingPanel::buildList() {
   list_->setToolTip(tr("Enter or a double-click opens a recording"));
   list_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->hide();
-  list_->horizontalHeader()->setSectionResizeMode(Force, QHeaderView::ResizeToContents);
-  list_->horizontalHeader()->setSectionResizeMode(Words, QHeaderView::Stretch);
+  list_->horizontalHeader()->setSectionResizeMode(kForce, QHeaderView::ResizeToContents);
+  list_->horizontalHeader()->setSectionResizeMode(kWords, QHeaderView::Stretch);
   label_->setObjectName("recordingLabel");
   label_->setMaxLength(kLongestLabel);
   label_->setAccessibleName(tr("Label of the recording"));
@@ -299,7 +299,7 @@ void RecordingPanel::show(const QList<PastRecording>& recordings) {
 void RecordingPanel::fillRow(int row) {
   const PastRecording& recording = recordings_[row];
   const QString words = linesOf(recording);
-  list_->setItem(row, Words, itemOf(words, words));
+  list_->setItem(row, kWords, itemOf(words, words));
   const QString force = recording.curve.isEmpty()
                             ? tr("force not known")
                             : tr("force up to %L1 N")
@@ -308,7 +308,7 @@ void RecordingPanel::fillRow(int row) {
   curve->setData(Qt::AccessibleTextRole, force);
   if (!recording.curve.isEmpty())
     curve->setData(RecordingLines::kCurve, QVariant::fromValue(recording.curve));
-  list_->setItem(row, Force, curve);
+  list_->setItem(row, kForce, curve);
 }
 
 void RecordingPanel::showCurve(const QString& id, const QList<float>& curve) {

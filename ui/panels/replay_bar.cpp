@@ -19,7 +19,7 @@
 namespace ui {
 namespace {
 
-constexpr int kLongestNote = 60;  // characters in the list of marks
+constexpr int kListedNote = 60;  // characters in the list of marks
 constexpr std::array<double, 7> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0};
 
 }  // namespace
@@ -148,7 +148,7 @@ void ReplayBar::listMarks() {
     if (mark.kind != QLatin1String("mark")) continue;
     const QString note = mark.note.simplified();
     const QString shown =
-        note.size() > kLongestNote ? note.left(kLongestNote) + QStringLiteral("…") : note;
+        note.size() > kListedNote ? note.left(kListedNote) + QStringLiteral("…") : note;
     marks_->addItem(tr("%1  %2").arg(clockTime(mark.time, 1), shown).trimmed(), mark.time);
   }
   marks_->setCurrentIndex(-1);

@@ -12,7 +12,7 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
-#include <vtk_glew.h>
+#include <qopengl.h>
 
 namespace ui {
 namespace {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -45,7 +44,9 @@ std::size_t placeOf(const Table& table, const std::string& column) {
 }
 const std::string& cell(const Table& table, const std::vector<std::string>& row,
                         const std::string& column) {
-  return row[placeOf(table, column)];
+  static const std::string kNone;
+  const std::size_t place = placeOf(table, column);
+  return place < row.size() ? row[place] : kNone;
 }
 std::optional<double> numberIn(const std::string& text) {
   double value = 0.0;
@@ -173,9 +174,8 @@ std::vector<Outlier> outliersOf(const Table& touches) {
 
 std::string pageOf(const std::string& label) { return "scans/" + label + ".html"; }
 
-/// The rows of an earlier cohort, by scan and touch.
-Expected<std::map<std::string, std::map<std::string, std::string>>> earlier(
-    const fs::path& folder) {
+/// The touches of an earlier cohort.
+Expected<Table> earlier(const fs::path& folder) {
   constexpr std::uintmax_t kLargest = 1 << 30;  // bytes
   constexpr std::size_t kLongestLine = 1 << 20;
   auto file = haptics::openInput(folder / "group_touches.tsv", kLargest);
@@ -184,50 +184,45 @@ Expected<std::map<std::string, std::map<std::string, std::string>>> earlier(
                                 folder.string() + " holds no group_touches.tsv; name the folder of "
                                                   "an earlier cohort.",
                                 "no-cohort"});
-  std::map<std::string, std::map<std::string, std::string>> rows;
-  std::vector<std::string> head;
+  Table table;
   for (std::string line;
        haptics::takeLine(*file, line, kLongestLine) == haptics::LineRead::Whole;) {
-    std::vector<std::string> cells;
     std::istringstream stream(line);
+    auto& cells = table.head.empty() ? table.head : table.rows.emplace_back();
     for (std::string one; std::getline(stream, one, '\t');) cells.push_back(one);
-    if (head.empty()) {
-      head = cells;
-      continue;
-    }
-    std::map<std::string, std::string> row;
-    for (std::size_t c = 0; c < std::min(head.size(), cells.size()); ++c) row[head[c]] = cells[c];
-    rows[row["label"] + ": " + row["tool"] + ", " + row["hand"] + ", " + row["repetition"]] = row;
   }
-  return rows;
+  return table;
 }
 
 Expected<void> compare(const Table& touches, const fs::path& before, Page& page) {
   const auto then = earlier(before);
   if (!then) return tl::unexpected(then.error());
+  const auto keyOf = [](const Table& table, const std::vector<std::string>& row) {
+    return cell(table, row, "label") + ": " + touchOf(table, row);
+  };
+  std::map<std::string, const std::vector<std::string>*> rows;
+  for (const auto& row : then->rows) rows[keyOf(*then, row)] = &row;
   Table changes{"Touches that changed", {"scan and touch", "column", "before", "now"}, {}};
-  std::size_t compared = 0, changed = 0, absent = 0;
+  std::size_t compared = 0, changed = 0;
   for (const auto& row : touches.rows) {
-    const std::string key = cell(touches, row, "label") + ": " + touchOf(touches, row);
-    const auto found = then->find(key);
-    if (found == then->end()) {
-      ++absent;
-      continue;
-    }
+    const std::string key = keyOf(touches, row);
+    const auto found = rows.find(key);
+    if (found == rows.end()) continue;
     ++compared;
-    bool other = false;
-    for (std::size_t c = 0; c < touches.head.size(); ++c) {
-      const auto old = found->second.find(touches.head[c]);
-      if (old == found->second.end() || old->second == row[c]) continue;
-      other = true;
-      if (changes.rows.size() < kMostChanges)
-        changes.rows.push_back({key, touches.head[c], old->second, row[c]});
+    bool differs = false;
+    for (const std::string& column : touches.head) {
+      const std::string &old = cell(*then, *found->second, column),
+                        &now = cell(touches, row, column);
+      if (old == now || placeOf(*then, column) == then->head.size()) continue;
+      differs = true;
+      if (changes.rows.size() < kMostChanges) changes.rows.push_back({key, column, old, now});
     }
-    changed += other;
+    changed += differs;
   }
   page.heading("Against the earlier cohort");
   page.paragraph(std::to_string(compared) + " touches are in both; " + std::to_string(changed) +
-                 " of them differ, and " + std::to_string(absent) + " are new.");
+                 " of them differ, and " + std::to_string(touches.rows.size() - compared) +
+                 " are new.");
   if (!changes.rows.empty()) page.table(changes);
   return {};
 }
@@ -245,10 +240,9 @@ Expected<void> writePages(const study::Results& results, const Table& touches, c
                  ". The tables are group_touches.tsv, group_costs.tsv and group_replays.tsv; the "
                  ".json beside each says what its columns mean.");
   if (!summary.missing.empty()) {
-    Table missing{"Not run yet", {"scan"}, {}};
-    for (const std::string& label : summary.missing) missing.rows.push_back({label});
-    page.heading("Missing");
-    page.table(missing);
+    std::string labels;
+    for (const std::string& label : summary.missing) labels += (labels.empty() ? "" : ", ") + label;
+    page.paragraph("Not run yet: " + labels + ".");
   }
   if (!before.empty())
     if (auto compared = compare(touches, before, page); !compared) return compared;
@@ -278,22 +272,6 @@ Expected<void> writePages(const study::Results& results, const Table& touches, c
     const study::Plot plot = distributionOf(touches, column, words);
     if (!plot.series.empty()) page.plot(plot);
   }
-  std::map<std::string, std::size_t> left_out;
-  std::size_t touched = 0;
-  for (const auto& row : touches.rows) {
-    if (cell(touches, row, "status") == "refused") continue;
-    ++touched;
-    std::istringstream words(cell(touches, row, "left_out"));
-    for (std::string one; std::getline(words, one, ';');)
-      ++left_out[one.substr(std::min(one.size(), one.find_first_not_of(' ')))];
-  }
-  Table omissions{"Work that was left out", {"work", "touches", "of"}, {}};
-  for (const auto& [work, count] : left_out)
-    omissions.rows.push_back({work, std::to_string(count), std::to_string(touched)});
-  if (!omissions.rows.empty()) {
-    page.heading("Left out");
-    page.table(omissions);
-  }
   page.heading("Scans");
   std::vector<Page::Link> links;
   for (const study::Finished& one : results.finished) links.push_back({pageOf(one.job), one.job});
@@ -301,7 +279,6 @@ Expected<void> writePages(const study::Results& results, const Table& touches, c
   if (auto written = haptics::writeFile(out / "index.html", page.html()); !written) return written;
 
   const auto rowsOf = [](const Table& table, const std::string& label) {
-    Table own{{}, {"", ""}, {}};
     Table rows{table.caption, table.head, {}};
     for (const auto& row : table.rows)
       if (cell(table, row, "label") == label) rows.rows.push_back(row);
@@ -316,7 +293,7 @@ Expected<void> writePages(const study::Results& results, const Table& touches, c
     for (const char* plane : {"axial", "coronal", "sagittal"}) {
       const std::string file = "pictures/" + one.job + "_" + plane + ".bmp";
       if (!fs::exists(out / file, failed)) continue;
-      Page::Picture picture{"../" + file, plane};
+      Page::Picture picture{.file = "../" + file, .name = plane};
       if (!own.rows.empty() && cell(own, own.rows.front(), "orientation") == "known")
         std::ranges::copy(lettersOf(plane), picture.letters.begin());
       pictures.push_back(std::move(picture));

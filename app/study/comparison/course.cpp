@@ -12,10 +12,9 @@ namespace {
 
 using haptics::HandMotion;
 
-constexpr double kReach = 0.008;        // m that the hands go beyond the surface
-constexpr double kLeadIn = 0.5;         // s
-constexpr double kApart = 1e-6;         // m
-constexpr double kLongTick_us = 300.0;  // worth a line of its own
+constexpr double kReach = 0.008;  // m that the hands go beyond the surface
+constexpr double kLeadIn = 0.5;   // s
+constexpr double kApart = 1e-6;   // m
 
 constexpr std::pair<const char*, HandMotion> kHands[] = {
     {"tap", HandMotion::Tap}, {"slide", HandMotion::Slide}, {"wedge", HandMotion::Wedge},
@@ -96,8 +95,6 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
       summary.counts.add(tick, ticks_in_all);
       part_cut += tick.cut;
       summary.contacts_max = std::max(summary.contacts_max, tick.contacts);
-      if (us > kLongTick_us)
-        summary.long_ticks.push_back({course.hand, n, us, tick.work, tick.faults, tick.switches});
 
       if (!course.jerk) {
         const auto apart = coupledBy(tick, course.device[n], shell);
@@ -113,10 +110,8 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
           if (is_guided) guided.push_back(coupling.back());
         }
       }
-      if (n % (course.jerk ? (every + 4) / 5 : every) == 0) {
-        ++summary.judged_poses;
+      if (n % (course.jerk ? (every + 4) / 5 : every) == 0)
         summary.penetration_mm = std::max(summary.penetration_mm, 1e3 * judge.depth(tick.X_WP));
-      }
       if (n > 0 && (n % 2 == 0 || course.jerk))
         summary.wall_passages +=
             judge.passages(track.ticks[c][n - 1].X_WP, tick.X_WP, track.sub_steps);
@@ -139,7 +134,6 @@ Summary summaryOf(const Track& track, const std::vector<Course>& courses,
   summary.p50_us = quantile(times, 0.5);
   summary.p99_us = quantile(times, 0.99);
   summary.p999_us = quantile(times, 0.999);
-  summary.p9999_us = quantile(times, 0.9999);
   summary.max_us = quantile(times, 1.0);
   std::sort(work.begin(), work.end());
   summary.p999_work = quantile(work, 0.999);

@@ -42,15 +42,6 @@ struct Track {
 std::vector<Track> follow(std::vector<std::unique_ptr<Method>>& methods,
                           const std::vector<Course>& courses);
 
-/// A tick that took longer than 300 us, and what could explain it.
-struct LongTick {
-  std::string hand;
-  std::size_t tick = 0;
-  double us = 0.0;
-  std::int64_t work = 0;
-  long faults = 0, switches = 0;
-};
-
 /// One hand's part of it.
 struct Part {
   std::string hand;
@@ -61,7 +52,7 @@ struct Part {
 /// A track in numbers. Times are thread CPU.
 struct Summary {
   std::string method;
-  double mean_us = 0.0, p50_us = 0.0, p99_us = 0.0, p999_us = 0.0, p9999_us = 0.0, max_us = 0.0;
+  double mean_us = 0.0, p50_us = 0.0, p99_us = 0.0, p999_us = 0.0, max_us = 0.0;
   double coupling_mm = 0.0;  ///< mean distance in the mass metric over contact ticks, jerk left out
   double guided_mm = 0.0;    ///< the same over tap, slide and hook
   double frozen = 0.0;       ///< share of milliseconds in contact, jerk left out
@@ -71,8 +62,7 @@ struct Summary {
   double cut = 0.0;             ///< share of ticks that the budget ended
   double penetration_mm = 0.0;  ///< deepest of the judged poses
   int wall_passages = 0;        ///< points, over the judged ticks
-  std::size_t ticks = 0, judged_poses = 0;
-  std::vector<LongTick> long_ticks;
+  std::size_t ticks = 0;
   std::vector<Part> parts;  ///< hand by hand
 };
 

@@ -10,7 +10,6 @@
 #include "app/study/reference/evaluator.h"
 #include "app/study/reference/motion.h"
 #include "app/study/reference/projection.h"
-#include "app/study/reference/solid.h"
 
 namespace comparison {
 
@@ -98,24 +97,14 @@ bool Judge::inside(const Vec3& p_W) const {
 }
 
 double Judge::depth(const Pose& X_WP) const {
-  double deepest = 0.0;
+  double deepest_mm = 0.0;
   for (const Vec3& r_P : shell_.points) {
     const Vec3 p_W = X_WP * r_P;
-    if (blocks_.free(p_W, 0.0)) continue;
-    const double excess = evaluator::fieldAt(*scene_.volume, p_W) - scene_.isovalue;
-    if (excess < 0.0) continue;
-    const double slope = evaluator::slopeAt(*scene_.volume, p_W);
-    if (slope > 0.0) {
-      deepest = std::max(deepest, excess / slope);
-      continue;
-    }
-    // on a plateau: the search that starts at the point
-    const reference::Solid solid{
-        *scene_.volume, scene_.isovalue,
-        reference::choicesFor(scene_.volume->grid, reference::Variant::Literal)};
-    deepest = std::max(deepest, solid.penetration(p_W));
+    if (!blocks_.free(p_W, 0.0))
+      deepest_mm =
+          std::max(deepest_mm, evaluator::penetrationAt_mm(*scene_.volume, scene_.isovalue, p_W));
   }
-  return deepest;
+  return 1e-3 * deepest_mm;
 }
 
 bool Judge::legal(const Pose& X_WP) const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/comparison/methods.h"
 
-#include <sys/resource.h>
-
 #include <optional>
 #include <utility>
 
@@ -84,14 +82,9 @@ class Rival final : public Method {
 
 Tick Method::tick(const Pose& X_WD) {
   Tick tick;
-  rusage before{}, after{};
-  getrusage(RUSAGE_THREAD, &before);
   const std::int64_t begun = haptics::Budget::threadTime();
   step(X_WD, tick);
   tick.cpu_ns = haptics::Budget::threadTime() - begun;
-  getrusage(RUSAGE_THREAD, &after);
-  tick.faults = after.ru_minflt - before.ru_minflt;
-  tick.switches = after.ru_nivcsw - before.ru_nivcsw;
   return tick;
 }
 

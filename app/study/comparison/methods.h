@@ -34,8 +34,6 @@ struct Tick {
   haptics::Counts counts;   ///< what it did
   std::int64_t work = 0;    ///< units of work (core/budget.h); of ours only
   bool cut = false;         ///< the budget ended it
-  long faults = 0;          ///< minor page faults of the thread meanwhile
-  long switches = 0;        ///< how often the thread was put aside
 };
 
 /// What ticks did on the mean.

@@ -181,7 +181,7 @@ Touched bunnyLike() {
   const Scanner scanner{.inside = 3100, .noise = 25, .blur = 0.0006, .lipschitz = 1.4, .seed = 3};
   auto volume = scanned<std::int16_t>(grid, scanner, haptics::ScalarType::Int16,
                                       [](const Vec3& p) { return 1e-3 * bunnyDistance(1e3 * p); });
-  return {"bunny", std::move(volume), 1500, "cane", 403, 43};
+  return {"bunny", std::move(volume), 1500, "cane", 403};
 }
 
 Touched engineLike() {
@@ -189,14 +189,13 @@ Touched engineLike() {
   const Scanner scanner{.outside = 8, .inside = 190, .noise = 2, .blur = 0.0009, .seed = 5};
   auto volume = scanned<std::uint8_t>(grid, scanner, haptics::ScalarType::UInt8,
                                       [](const Vec3& p) { return 1e-3 * engineDistance(1e3 * p); });
-  return {"engine", std::move(volume), 90, "wrench", 2126, 186};
+  return {"engine", std::move(volume), 90, "wrench", 2126};
 }
 
 Touched hole() {
   Touched scene = phantomScene("hole");
   scene.tool = "peg";
   scene.points = 1307;
-  scene.literal_us = 161;
   // the peg's end 8 mm down in the hole; off the middle, and not quite upright, so that it catches
   const haptics::Quat tilt{Eigen::AngleAxisd{0.005, Vec3{1, 2, 0}.normalized()}};
   const Vec3 p_WE{0.00008, 0.00004, 0.012}, p_EP_P{0.0, 0.0, 0.025};
@@ -209,7 +208,7 @@ Touched boneLike() {
   const Scanner scanner{.inside = 2800, .noise = 40, .blur = 0.00035, .lipschitz = 1.6, .seed = 7};
   auto volume = scanned<std::int16_t>(grid, scanner, haptics::ScalarType::Int16,
                                       [](const Vec3& p) { return 1e-3 * boneDistance(1e3 * p); });
-  return {"bone", std::move(volume), 1400, "drill", 518, 82};
+  return {"bone", std::move(volume), 1400, "drill", 518};
 }
 
 }  // namespace

@@ -19,9 +19,6 @@ struct Touched {
   double isovalue = 0.0;
   std::string tool;  ///< of resources/named_tools
   int points = 0;    ///< of its shell
-  /// What the literal method's mean tick should be near on a machine of the present kind [us];
-  /// none where nothing is known.
-  std::optional<double> literal_us = {};
   /// Where the hands begin; without it they aim themselves.
   std::optional<haptics::Pose> place = {};
 };

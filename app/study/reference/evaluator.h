@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -81,21 +82,29 @@ inline double slopeAt(const haptics::Volume& volume, const Vec3& p_W) {
   return std::sqrt(squares);
 }
 
-/// Distance from p to the nearest voxel with F < isovalue, in m, voxels beyond the grid included.
-/// Looks at the whole grid: for the rare point on a plateau.
+/// Distance from p to the nearest voxel with F < isovalue, in m, voxels beyond the grid included:
+/// for the rare point on a plateau.
 inline double distanceToLegal(const haptics::Volume& volume, double isovalue, const Vec3& p_W) {
-  const auto& dims = volume.grid.dims;
+  const haptics::Grid& grid = volume.grid;
+  const std::array<std::int64_t, 3> centre = cellOf(volume, p_W).low;
+  const double side = grid.spacing.minCoeff();
+  const std::int64_t widest = std::max({grid.dims[0], grid.dims[1], grid.dims[2]}) + 1;
+  // growing cubes of voxels, until no voxel beyond the cube can be nearer
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::int64_t k = -1; k <= dims[2]; ++k)
-    for (std::int64_t j = -1; j <= dims[1]; ++j)
-      for (std::int64_t i = -1; i <= dims[0]; ++i)
-        if (voxelAt(volume, {i, j, k}) < isovalue) {
-          const Vec3 there_W = volume.grid.origin +
-                               volume.grid.direction.col(0) * (volume.grid.spacing[0] * i) +
-                               volume.grid.direction.col(1) * (volume.grid.spacing[1] * j) +
-                               volume.grid.direction.col(2) * (volume.grid.spacing[2] * k);
+  for (std::int64_t n = 0; n <= widest && double(n - 1) * side < nearest; ++n)
+    for (std::int64_t k = -n; k <= n; ++k)
+      for (std::int64_t j = -n; j <= n; ++j) {
+        // the faces of the cube only: its inside has been looked at
+        const bool face = std::abs(k) == n || std::abs(j) == n;
+        for (std::int64_t i = -n; i <= n; i += face ? 1 : 2 * n) {
+          const std::array<std::int64_t, 3> at{centre[0] + i, centre[1] + j, centre[2] + k};
+          if (voxelAt(volume, at) >= isovalue) continue;
+          Vec3 there_W = grid.origin;
+          for (int axis = 0; axis < 3; ++axis)
+            there_W += grid.direction.col(axis) * (grid.spacing[axis] * double(at[axis]));
           nearest = std::fmin(nearest, (there_W - p_W).norm());
         }
+      }
   return nearest;
 }
 

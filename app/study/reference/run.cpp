@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/reference/run.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "app/study/reference/evaluator.h"
 #include "app/study/reference/motion.h"
 
 namespace reference {
@@ -21,16 +21,12 @@ std::vector<Record> run(const Scene& scene, std::span<const Pose> device_poses) 
     record.samples = scene.solid.samples() - before;
     record.X_WP = state.X_WP;
     record.contacts = static_cast<int>(state.contacts.size());
-    record.penetration = deepestPoint(scene.solid, scene.shell, state.X_WP);
+    record.penetration =
+        1e-3 * evaluator::penetration_mm(scene.solid.volume(), scene.solid.isovalue(),
+                                         scene.shell.points, state.X_WP);
     records.push_back(record);
   }
   return records;
-}
-
-double deepestPoint(const Solid& solid, const haptics::PointShell& shell, const Pose& X_WP) {
-  double deepest = 0.0;
-  for (const Vec3& r_P : shell.points) deepest = std::max(deepest, solid.penetration(X_WP * r_P));
-  return deepest;
 }
 
 double frozenShare(std::span<const Record> records, std::span<const Pose> device_poses,

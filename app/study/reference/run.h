@@ -21,9 +21,6 @@ struct Record {
 /// Runs one tick for each device pose; the proxy starts at the first, which must be outside.
 std::vector<Record> run(const Scene& scene, std::span<const Pose> device_poses);
 
-/// The deepest point of the shell at a pose, in m; 0 if all are outside.
-double deepestPoint(const Solid& solid, const haptics::PointShell& shell, const Pose& X_WP);
-
 /// A tick is frozen if the proxy has moved less than 1e-9 m (translation + radius x rotation)
 /// while it is more than 1e-4 m, by the mass metric, from a device that has moved more than that
 /// 1e-9 m. The share of the ticks in contact; 0 if there is none. Records and poses belong

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/reference/solid.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -96,73 +95,6 @@ double Solid::gap(const Vec3& p_W) const {
   const double slope = gradient(p_W).norm();
   if (slope > 0.0) return room / slope;
   return std::copysign(std::numeric_limits<double>::infinity(), room);
-}
-
-double Solid::penetration(const Vec3& p_W) const {
-  const double excess = value(p_W) - isovalue_;
-  if (excess < 0.0) return 0.0;
-  const double slope = cellGradient(p_W).norm();
-  return slope > 0.0 ? excess / slope : distanceToLegalVoxel(p_W);
-}
-
-double Solid::voxel(std::int64_t i, std::int64_t j, std::int64_t k) const {
-  const auto& dims = volume_.grid.dims;
-  if (i < 0 || j < 0 || k < 0 || i >= dims[0] || j >= dims[1] || k >= dims[2]) return volume_.least;
-  return haptics::visitVoxels(volume_.type, volume_.voxels.get(), [&](const auto* voxels) {
-    return static_cast<double>(voxels[i + dims[0] * (j + dims[1] * k)]);
-  });
-}
-
-Vec3 Solid::cellGradient(const Vec3& p_W) const {
-  const Vec3 index = volume_.grid.indexOf(p_W);
-  const Vec3 low = index.array().floor();
-  const Vec3 t = index - low;
-  const auto i = static_cast<std::int64_t>(low.x());
-  const auto j = static_cast<std::int64_t>(low.y());
-  const auto k = static_cast<std::int64_t>(low.z());
-
-  // the four edges along each axis, so that equal voxels give exactly zero
-  Vec3 slope = Vec3::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-    for (int edge = 0; edge < 4; ++edge) {
-      std::array<std::int64_t, 3> at = {i, j, k};
-      at[next] += edge & 1;
-      at[last] += edge >> 1;
-      const double weight =
-          (edge & 1 ? t[next] : 1.0 - t[next]) * (edge >> 1 ? t[last] : 1.0 - t[last]);
-      const double below = voxel(at[0], at[1], at[2]);
-      ++at[axis];
-      slope[axis] += weight * (voxel(at[0], at[1], at[2]) - below);
-    }
-  }
-  return volume_.grid.direction * slope.cwiseQuotient(volume_.grid.spacing);
-}
-
-double Solid::distanceToLegalVoxel(const Vec3& p_W) const {
-  const Vec3 index = volume_.grid.indexOf(p_W);
-  const auto& dims = volume_.grid.dims;
-  const auto centre = [&](int axis) {
-    return static_cast<std::int64_t>(std::llround(index[axis]));
-  };
-  const double side = volume_.grid.spacing.minCoeff();
-  const std::int64_t widest = *std::max_element(dims.begin(), dims.end()) + 1;
-
-  // growing cubes of voxels, until no voxel beyond the cube can be nearer; outside the grid all
-  // are background, which is legal
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::int64_t n = 0; n <= widest && (n - 1.5) * side < nearest; ++n)
-    for (std::int64_t k = centre(2) - n; k <= centre(2) + n; ++k)
-      for (std::int64_t j = centre(1) - n; j <= centre(1) + n; ++j) {
-        // the faces of the cube only: its inside has been looked at
-        const bool face = std::abs(k - centre(2)) == n || std::abs(j - centre(1)) == n;
-        for (std::int64_t i = centre(0) - n; i <= centre(0) + n; i += face ? 1 : 2 * n)
-          if (voxel(i, j, k) < isovalue_) {
-            const Vec3 at_W = volume_.grid.worldOf({double(i), double(j), double(k)});
-            nearest = std::min(nearest, (at_W - p_W).norm());
-          }
-      }
-  return nearest;
 }
 
 }  // namespace reference

@@ -32,10 +32,8 @@ class Solid {
   /// gradient: |grad F| is at most the volume's range over two voxels along each axis. Saves the
   /// gradient and never changes an answer.
   bool farOutside(double F, double reach) const { return isovalue_ - F > reach * steepest_; }
-  /// m: 0 where F < s; else (F - s) over the slope of the trilinear cell at p, and where that
-  /// vanishes the distance to the nearest voxel with F < s.
-  double penetration(const Vec3& p_W) const;
 
+  const haptics::Volume& volume() const { return volume_; }
   double isovalue() const { return isovalue_; }
   const Choices& choices() const { return choices_; }
   // since construction
@@ -43,10 +41,7 @@ class Solid {
   std::int64_t gradients() const { return gradients_; }  ///< central differences: six look-ups each
 
  private:
-  double voxel(std::int64_t i, std::int64_t j, std::int64_t k) const;
   Vec3 differences(const Vec3& p_W) const;
-  Vec3 cellGradient(const Vec3& p_W) const;
-  double distanceToLegalVoxel(const Vec3& p_W) const;
 
   haptics::Volume volume_;
   double isovalue_;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/study/arcs/arcs.h"
 #include "app/study/stability/failures.h"
 
 namespace study::stability {
@@ -45,25 +44,6 @@ void thinPlate(Trials& found) {
   found.none("shots that pass", passed);
   found.atLeast("shots that arrive", arrived, shots, "",
                 "all of them: to stop halfway is no answer");
-}
-
-// arcs of one point in white noise: a point-by-point test misses 7 to 47 % of the hits
-void arcsInNoise(Trials& found) {
-  Random random{found.seed + 221};
-  const arcs::Target target = arcs::noise(found.seed + 222);
-  Series series{"latest", {}};
-  arcs::Tally tally;
-  for (int n = 0; n < 20; ++n) {
-    const arcs::Tally some = arcs::shootPoints(target, 10 * found.tries, random);
-    tally += some;
-    series.points.push_back({double(tally.arcs), some.latest});
-  }
-  found.plot("F1b arcs in white noise: how late",
-             "How far beyond the first place inside an arc was stopped at most, in voxels of "
-             "path, for each twentieth of the arcs",
-             {"arcs shot"}, {"latest [voxels]", Scale::Log}, {series});
-  found.atMost("hits missed or late", double(tally.missed + tally.late), 0.0, "",
-               "against a dense sampling; " + std::to_string(tally.met) + " hits");
 }
 
 // at 95 % of the peak central differences straddle the ridge and may point into the plate
@@ -176,7 +156,6 @@ void longVoxels(Trials& found) {
 FailureGroup surfaces() {
   return {"Thin, noisy and long",
           {{"thin plate", "F1a thin plate, 26 mm in a tick", 1.0, 1.0, thinPlate},
-           {"arcs", "F1b arcs in white noise", 0.0, 0.5, arcsInNoise},
            {"plate with noise", "F2 normals of a thin plate", 1.0, 0.0, plateWithNoise},
            {"noise on a sphere", "F3 freezing", 3.0, 0.0, noiseOnASphere},
            {"long voxels", "F6d long voxels", 1.0, 0.0, longVoxels}}};

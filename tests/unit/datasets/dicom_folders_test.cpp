@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Folders of DICOM files made here: order, places, refusals by name, encodings, enhanced frames.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <atomic>
@@ -16,6 +15,7 @@
 #include "tests/support/codestreams.h"
 #include "tests/support/dicom_bytes.h"
 #include "tests/support/sentence.h"
+#include "tests/unit/datasets/packed.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -281,16 +281,7 @@ TEST(DicomFolder, EveryTransferSyntaxGivesEqualVoxels) {
            data_set;
   };
   const auto deflatedBare = [](const std::string& bytes) {
-    z_stream zlib{};
-    deflateInit2(&zlib, 6, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-    std::string out(deflateBound(&zlib, bytes.size()), '\0');
-    zlib.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    zlib.avail_in = static_cast<uInt>(bytes.size());
-    zlib.next_out = reinterpret_cast<Bytef*>(out.data());
-    zlib.avail_out = static_cast<uInt>(out.size());
-    deflate(&zlib, Z_FINISH);
-    out.resize(zlib.total_out);
-    deflateEnd(&zlib);
+    const std::string out = testing::deflatedWith(-MAX_WBITS, bytes);
     return out + (out.size() % 2 == 1 ? std::string(1, '\0') : "");
   };
   // a codec of unsigned values sees the bits

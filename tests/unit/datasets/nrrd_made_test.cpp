@@ -359,17 +359,7 @@ std::string packedMegabytes(unsigned count) {
   std::mt19937 random(3);
   while (noise.size() < kMegabyte) noise += char('a' + random() % 16);
   const auto packed = [](const std::string& bytes, int flush) {
-    z_stream zlib{};
-    deflateInit2(&zlib, 1, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-    std::string out(deflateBound(&zlib, bytes.size()) + 64, '\0');
-    zlib.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    zlib.avail_in = static_cast<uInt>(bytes.size());
-    zlib.next_out = reinterpret_cast<Bytef*>(out.data());
-    zlib.avail_out = static_cast<uInt>(out.size());
-    deflate(&zlib, flush);
-    out.resize(zlib.total_out);
-    deflateEnd(&zlib);
-    return out;
+    return testing::deflatedWith(-MAX_WBITS, bytes, 1, flush);
   };
   const std::string once = packed(noise, Z_FULL_FLUSH);
   const uLong check_once = crc32(0, reinterpret_cast<const Bytef*>(noise.data()), kMegabyte);

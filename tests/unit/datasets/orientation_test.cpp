@@ -11,6 +11,7 @@
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/dicom_bytes.h"
 #include "tests/support/sentence.h"
+#include "tests/support/turned_scan.h"
 #include "tests/unit/datasets/nifti_bytes.h"
 #include "tests/unit/datasets/scans.h"
 
@@ -26,21 +27,6 @@ using testing::Workshop;
 /// What the phantom is at a place of the patient, LPS: no two voxels alike.
 double valueAt(const Vec3& p_mm) {
   return std::round(p_mm.x()) + 40.0 * std::round(p_mm.y()) + 1000.0 * std::round(p_mm.z());
-}
-
-/// All ways to lay three axes along those of the patient.
-std::vector<Mat3> orientations() {
-  std::vector<Mat3> all;
-  std::array<int, 3> order{0, 1, 2};
-  do {
-    for (int signs = 0; signs < 8; ++signs) {
-      Mat3 m = Mat3::Zero();
-      for (int axis = 0; axis < 3; ++axis)
-        m(order[std::size_t(axis)], axis) = (signs >> axis & 1) != 0 ? -1.0 : 1.0;
-      all.push_back(m);
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return all;
 }
 
 constexpr std::array<int, 3> kOrientedDims{5, 6, 7};
@@ -75,7 +61,7 @@ void expectThePhantom(const haptics::Volume& v, const std::string& what) {
 // the third axis of a DICOM series runs along row x column: half of all orientations
 TEST(Orientation, OfEveryDicomSeriesIsThePatients) {
   int series = 0;
-  for (const Mat3& axes : orientations()) {
+  for (const Mat3& axes : turned::orientations()) {
     if (axes.determinant() < 0.0) continue;
     Workshop workshop;
     for (int k = 0; k < kOrientedDims[2]; ++k) {
@@ -110,7 +96,7 @@ TEST(Orientation, OfEveryNrrdIsThePatients) {
                                                          {"right-anterior-superior", {-1, -1, 1}},
                                                          {"left-anterior-superior", {1, -1, 1}}};
   for (const auto& [space, signs] : spaces)
-    for (const Mat3& axes : orientations()) {
+    for (const Mat3& axes : turned::orientations()) {
       const auto vector = [&signs = signs](const Vec3& v) {
         const Vec3 w = signs.cwiseProduct(v);
         return "(" + std::to_string(w.x()) + "," + std::to_string(w.y()) + "," +
@@ -134,7 +120,7 @@ TEST(Orientation, OfEveryNrrdIsThePatients) {
 }
 
 TEST(Orientation, OfEveryMetaImageIsThePatients) {
-  for (const Mat3& axes : orientations()) {
+  for (const Mat3& axes : turned::orientations()) {
     std::ostringstream header;
     header << "ObjectType = Image\nNDims = 3\nBinaryData = True\nTransformMatrix =";
     // one axis after the other
@@ -155,7 +141,7 @@ TEST(Orientation, OfEveryMetaImageIsThePatients) {
 TEST(Orientation, OfEveryNiftiFileIsThePatients) {
   const Vec3 ras(-1, -1, 1);
   for (const bool by_matrix : {true, false})
-    for (const Mat3& axes : orientations()) {
+    for (const Mat3& axes : turned::orientations()) {
       const Mat3 turned = ras.asDiagonal() * axes;
       const Vec3 origin = ras.cwiseProduct(kOrigin_mm);
       testing::Nifti n;

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <iostream>
-
-#include "app/study/arcs/one_point.h"
 #include "app/study/reference/evaluator.h"
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
-#include "haptics/collision/sweep.h"
 #include "haptics/field/scalar_field.h"
 #include "tests/support/made.h"
 #include "tests/support/millimetre.h"
@@ -15,8 +11,6 @@
 
 namespace {
 
-namespace arcs = study::arcs;
-using arcs::Crossing;
 using datasets::Random;
 using haptics::Budget;
 using haptics::FieldKind;
@@ -26,7 +20,6 @@ using haptics::Isosurface;
 using haptics::MaxPyramid;
 using haptics::ScalarField;
 using haptics::ScalarType;
-using haptics::Tolerances;
 using haptics::Vec3;
 using haptics::Volume;
 using millimetre::h;
@@ -102,25 +95,6 @@ TEST(SplineField, GradientIsTheSlopeOfTheField) {
     }
   }
   EXPECT_GT(falling, 300);
-}
-
-TEST(SplineField, GradientOfALinearFieldIsItsSlopeInAnyFrameWhateverTheKind) {
-  Random random{3};
-  for (int k = 0; k < 12; ++k) {
-    const Grid grid = made::oddGrid(k, {12, 12, 12}, random);
-    const Vec3 slope_W = 1e5 * random.direction();  // per m
-    const auto volume = made::shared(
-        datasets::sampledFloat(grid, [&](const Vec3& p) { return slope_W.dot(p - grid.origin); }));
-    for (const FieldKind kind : {FieldKind::Trilinear, FieldKind::CubicSpline}) {
-      const ScalarField field{volume, kind};
-      for (int n = 0; n < 50; ++n) {
-        const Vec3 u{random.in(1.0, 10.0), random.in(1.0, 10.0), random.in(1.0, 10.0)};
-        // voxels are floats: 24 bits of values up to 1e5 · 30 mm, over 0.3 mm
-        EXPECT_LT((field.splineGradient(u) - slope_W).norm(), 2.0);
-        EXPECT_LT((field.sample(u).gradient_W - slope_W).norm(), 4.0);
-      }
-    }
-  }
 }
 
 TEST(SplineField, PyramidStatesOnlyBoundsThatHold) {
@@ -263,79 +237,6 @@ TEST(FirstReach, OfBothKindsIsTheFirstThatDenseSamplesSee) {
     EXPECT_GT(met, made::trials(400));
     EXPECT_GT(passed, made::trials(500));
   }
-}
-
-/// What was shot, and what met.
-struct Tally {
-  int arcs = 0, met = 0, early = 0;
-  double latest = 0.0;  // voxels of path
-};
-
-/// Sends arcs through a spline field from outside, and looks at each with dense samples.
-void shoot(const Volume& made_volume, const std::vector<double>& isovalues, double half, int arcs,
-           int samples, Random& random, Tally& tally) {
-  const auto volume = made::shared(made_volume);
-  const ScalarField field{volume, FieldKind::CubicSpline};
-  while (arcs > 0) {
-    const double s = isovalues[static_cast<std::size_t>(random.below(int(isovalues.size())))];
-    const Isosurface solid{field, s};
-    const Vec3 r = random.in(0.0, 0.02) * random.direction();
-    const arcs::Arc path{random.box(half) - r,
-                         r,
-                         {3e-3 * random.in(0.0, 1.0) * random.direction(),
-                          0.35 * random.in(0.0, 1.0) * random.direction()}};
-    const double start = field.value(field.indexOf(path.at(0.0)));
-    if (start >= solid.ceiling()) continue;
-    --arcs;
-    ++tally.arcs;
-    const Crossing crossing = arcs::crossed(solid, path, Tolerances{h});
-    double first = 2.0;
-    for (int n = 0; n <= samples && first > 1.0; ++n) {
-      const double t = double(n) / samples;
-      if (field.value(field.indexOf(path.at(t))) >= s) first = t;
-    }
-    if (first <= 1.0) {
-      ASSERT_TRUE(crossing.met) << "missed at " << path.at(first).transpose();
-      const double late = (crossing.time - first) * path.speed() / h;
-      tally.latest = std::max(tally.latest, late);
-      ASSERT_LE(late, 1e-3) << "met at " << crossing.time << ", inside at " << first;
-    }
-    if (crossing.met) {
-      ++tally.met;
-      const Vec3 u = field.indexOf(path.at(crossing.time));
-      const double F = field.value(u);
-      tally.early += F < s - 5e-4 * h * field.pyramid().lipschitz(u);
-    }
-  }
-}
-
-TEST(FirstCrossing, OfASplineMissesNothingInWhiteNoise) {
-  Random random{7};
-  Tally tally;
-  // a spline leaves noise of 100 some 33
-  shoot(datasets::whiteNoise(datasets::centredGrid(40, h), 8), {15.0, 33.0, 50.0, 80.0}, 18 * h,
-        made::trials(4'000), 500, random, tally);
-  std::cout << tally.arcs << " arcs in noise, " << tally.met << " met, " << tally.early
-            << " early, latest " << tally.latest << " voxel\n";
-  EXPECT_GT(tally.met, tally.arcs / 10);
-  EXPECT_LT(tally.met, tally.arcs);
-  EXPECT_LT(tally.early, std::max(2, tally.met / 100));
-}
-
-// one voxel of plate, seen near the peak that the spline leaves of it
-TEST(FirstCrossing, OfASplineMissesNoThinPlate) {
-  Random random{9};
-  Tally tally;
-  const auto upright =
-      datasets::filled(datasets::centredGrid(40, h), ScalarType::Int16,
-                       [&](auto i, auto, auto) { return i % 8 == 4 ? 1000. : 0.; });
-  const double peak = 1000.0 * 2.0 / 3.0;
-  shoot(upright, {0.8 * peak, 0.95 * peak, 0.99 * peak, 0.9999 * peak}, 15 * h, made::trials(3'000),
-        1000, random, tally);
-  std::cout << tally.arcs << " arcs at plates, " << tally.met << " met, latest " << tally.latest
-            << " voxel\n";
-  EXPECT_GT(tally.met, tally.arcs / 20);
-  EXPECT_LT(tally.met, tally.arcs);
 }
 
 }  // namespace

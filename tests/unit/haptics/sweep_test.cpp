@@ -124,7 +124,7 @@ void expectExact(const char* what, const arcs::Tally& tally, long least_met, lon
   EXPECT_LE(tally.early, most_early);
 }
 
-// by the ten thousand here; palpate-arcs shoots a million
+// by the ten thousand here; the study of accuracy shoots two hundred thousand
 TEST(FirstCrossing, MissesNothingInWhiteNoise) {
   Random random{34};
   const arcs::Tally tally = arcs::shootPoints(arcs::noise(35), made::trials(20'000), random);
@@ -144,6 +144,35 @@ TEST(FirstCrossing, MissesNothingOfAGyroid) {
   Random random{39};
   const arcs::Tally tally = arcs::shootPoints(arcs::gyroid(), made::trials(10'000), random);
   expectExact("gyroid", tally, tally.arcs / 10, tally.met / 100);
+}
+
+TEST(FirstCrossing, OfASplineMissesNothingInWhiteNoise) {
+  Random random{7};
+  // a spline leaves noise of 100 some 33
+  const arcs::Target target{"noise",
+                            datasets::whiteNoise(datasets::centredGrid(40, h), 8),
+                            {15.0, 33.0, 50.0, 80.0},
+                            18 * h,
+                            500,
+                            haptics::FieldKind::CubicSpline};
+  const arcs::Tally tally = arcs::shootPoints(target, made::trials(4'000), random);
+  expectExact("noise, spline", tally, tally.arcs / 10, std::max(1L, tally.met / 100));
+}
+
+// one voxel of plate, seen near the peak that the spline leaves of it
+TEST(FirstCrossing, OfASplineMissesNoThinPlate) {
+  Random random{9};
+  const double peak = 1000.0 * 2.0 / 3.0;
+  const arcs::Target target{
+      "plates",
+      datasets::filled(datasets::centredGrid(40, h), haptics::ScalarType::Int16,
+                       [](auto i, auto, auto) { return i % 8 == 4 ? 1000.0 : 0.0; }),
+      {0.8 * peak, 0.95 * peak, 0.99 * peak, 0.9999 * peak},
+      15 * h,
+      1000,
+      haptics::FieldKind::CubicSpline};
+  const arcs::Tally tally = arcs::shootPoints(target, made::trials(3'000), random);
+  expectExact("plates, spline", tally, tally.arcs / 20, tally.arcs);
 }
 
 TEST(Sweep, OfAWholeShellMissesNothing) {

@@ -63,6 +63,10 @@ TEST(Evaluator, MeasuresDepthAlongTheSlopeAndOnAPlateauByDistance) {
   const auto block = turned([](int i, int, int) { return i < 3 ? 0 : 1000; });
   EXPECT_NEAR(evaluator::penetrationAt_mm(block, 500.0, at(block, 5.3, 4.2, 4.1)),
               std::hypot(3.3, 0.4, 0.3), 1e-9);
+  // fewer voxels to the one below, and a longer way
+  const auto corner = turned([](int i, int, int k) { return i < 1 || k < 2 ? 0 : 1000; });
+  EXPECT_NEAR(evaluator::penetrationAt_mm(corner, 500.0, at(corner, 5.3, 4.2, 4.1)),
+              std::hypot(5.3, 0.4, 0.3), 1e-9);
 }
 
 TEST(Evaluator, FindsTheOnePointOfAShellThatIsInside) {

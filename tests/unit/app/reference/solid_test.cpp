@@ -63,19 +63,6 @@ TEST(ReferenceSolid, CallsTheIsovalueItselfInsideUnlessThePapersWordIsTaken) {
   EXPECT_FALSE(Solid(volume, 1000.0, strict).inside(on_the_plateau));
 }
 
-TEST(ReferenceSolid, MeasuresPenetrationBySlopeAndOnAPlateauByDistance) {
-  const auto ramp = reference_test::halfSpace(20, 1e-3);
-  EXPECT_EQ(Solid(ramp, 0.0, {}).penetration({0, 0, 1e-9}), 0.0);
-  EXPECT_NEAR(Solid(ramp, 0.0, {}).penetration({0, 0, -2e-3}), 2e-3, 1e-9);
-
-  // a block of one value: the nearest voxel below the isovalue tells. A value that weights sum to
-  // with rounding must not pass for a slope.
-  const auto block =
-      sampled(20, Vec3::Constant(1e-3), [](const Vec3& p) { return p.z() < 0 ? 1000.0 : 0.0; });
-  const double depth = Solid(block, 500.0, {}).penetration({0, 0, -3e-3});
-  EXPECT_NEAR(depth, 3.5e-3, 0.3e-3);  // the first voxel above lies at z = 0.5 mm
-}
-
 TEST(ReferenceSolid, CountsEveryLookUp) {
   const Solid solid{reference_test::halfSpace(8, 1e-3), 0.0, {}};
   solid.value(Vec3::Zero());
