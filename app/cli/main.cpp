@@ -24,12 +24,10 @@
 namespace {
 
 #ifndef PALPATE_FILM
-/// What films and a study's pictures need is in palpate-draw, where it is installed: the same
-/// program with the window's libraries. It takes the place of this one and reads the same line.
+/// What films need is in palpate-draw, where it is installed: the same program with the window's
+/// libraries. It takes the place of this one and reads the same line.
 void handOver(int argc, char** argv) {
-  if (argc < 2) return;
-  const std::string_view command = argv[1];
-  if (command != "export" && command != "study") return;
+  if (argc < 2 || std::string_view{argv[1]} != "export") return;
   const std::filesystem::path draw = haptics::helperProgram("palpate-draw");
   if (!draw.empty()) ::execv(draw.c_str(), argv);
 }

@@ -8,10 +8,11 @@
 
 namespace datasets::decode {
 
-/// Decodes a codestream that parseCodestream accepted, into exactly rows x columns pixels. Returns
-/// false if the decoder reports an error or a warning, needs more data than there are, or makes an
-/// image of another size; the pixels are then invalid. Throws the exceptions of the codecs.
-bool decodeFrame(const Request& request, std::span<const std::byte> codestream,
-                 std::span<std::byte> pixels);
+/// Decodes a codestream into exactly rows x columns pixels, if its own header has the size, depth,
+/// sign and single component of the request and its coding; only then is memory taken for pixels.
+/// It is damaged if the codec reports an error or a warning, needs more data than there are, or
+/// ends before them; the pixels are then invalid. Throws the exceptions of the codecs.
+Answer decodeFrame(const Request& request, std::span<const std::byte> codestream,
+                   std::span<std::byte> pixels);
 
 }  // namespace datasets::decode

@@ -30,7 +30,9 @@ bool readWhole(T& value) {
   return true;
 }
 
-bool say(Answer answer) { return write(STDOUT_FILENO, &answer, 1) == 1; }
+bool say(const Answer& answer) {
+  return write(STDOUT_FILENO, &answer, sizeof answer) == sizeof answer;
+}
 
 /// What the codecs need beside the frame: four copies as their widest numbers, and tables.
 std::uint64_t workingBytes(const Room& room) {
@@ -46,7 +48,7 @@ int serve() {
   void* memory = mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_SHARED, kMemoryDescriptor, 0);
   if (memory == MAP_FAILED) return kFailed;
   close(kMemoryDescriptor);
-  if (!confine(workingBytes(room)) || !say(Answer::Ready)) return kFailed;
+  if (!confine(workingBytes(room)) || !say({Verdict::Ready})) return kFailed;
   auto* first = static_cast<std::byte*>(memory);
   const std::span codestreams{first, room.codestream_bytes};
   const std::span pixels{first + room.codestream_bytes, room.pixel_bytes};

@@ -9,10 +9,10 @@
 namespace datasets::decode {
 
 bool isSound(const Request& request, const Room& room) {
-  const bool known = request.coding >= Coding::Jpeg && request.coding <= Coding::Rle;
+  const bool known = request.coding >= Coding::JpegBaseline && request.coding <= Coding::Rle;
   const std::uint32_t width = request.bytes_per_pixel;
-  const bool shaped = (width == 1 || width == 2 || width == 4) && request.precision >= 1 &&
-                      request.precision <= 8 * width && request.is_signed <= 1 &&
+  const bool shaped = (width == 1 || width == 2 || width == 4) && request.bits_stored >= 1 &&
+                      request.bits_stored <= 8 * width && request.is_signed <= 1 &&
                       request.columns >= 1 && request.rows >= 1;
   return known && shaped && request.codestream_bytes >= 1 &&
          request.codestream_bytes <= room.codestream_bytes &&
@@ -26,9 +26,9 @@ Answer answer(const Request& request, std::span<const std::byte> codestreams,
   std::ranges::fill(place, std::byte{0});
   try {
     const auto codestream = codestreams.first(static_cast<std::size_t>(request.codestream_bytes));
-    return decodeFrame(request, codestream, place) ? Answer::Decoded : Answer::Refused;
+    return decodeFrame(request, codestream, place);
   } catch (const std::exception&) {
-    return Answer::Refused;
+    return {Verdict::Damaged};
   }
 }
 

@@ -780,14 +780,6 @@
         <translation>Die Serie ist größer als %1 GiB, und nichts davon wurde behalten.</translation>
     </message>
     <message>
-        <source>it is cut off</source>
-        <translation>es ist abgeschnitten</translation>
-    </message>
-    <message>
-        <source>more data follows its end</source>
-        <translation>auf sein Ende folgen weitere Daten</translation>
-    </message>
-    <message>
         <source>its %1 has %2 components, not one</source>
         <translation>sein %1 hat %2 Komponenten und nicht eine</translation>
     </message>
@@ -800,104 +792,20 @@
         <translation>sein %1 hat Werte von %2 Bit, und der Kopf nennt %3 von %4</translation>
     </message>
     <message>
-        <source>its %1 bytes are too few for %2 pixels</source>
-        <translation>seine %1 Bytes sind zu wenige für %2 Pixel</translation>
-    </message>
-    <message>
-        <source>its Huffman tables are no code</source>
-        <translation>seine Huffman-Tabellen sind kein Code</translation>
-    </message>
-    <message>
-        <source>it maps its values through a table or states its size twice</source>
-        <translation>es bildet seine Werte durch eine Tabelle ab oder nennt seine Größe zweimal</translation>
-    </message>
-    <message>
-        <source>its coding parameters contradict each other</source>
-        <translation>seine Parameter der Codierung widersprechen einander</translation>
-    </message>
-    <message>
         <source>it is coded by another JPEG process than its transfer syntax names</source>
         <translation>es ist durch ein anderes JPEG-Verfahren codiert, als seine Transfersyntax nennt</translation>
-    </message>
-    <message>
-        <source>its values have a depth that JPEG does not know</source>
-        <translation>seine Werte haben eine Tiefe, die JPEG nicht kennt</translation>
-    </message>
-    <message>
-        <source>its frame header is senseless</source>
-        <translation>der Kopf seines Bildes ergibt keinen Sinn</translation>
-    </message>
-    <message>
-        <source>its coded data come before its size</source>
-        <translation>seine codierten Daten kommen vor seiner Größe</translation>
-    </message>
-    <message>
-        <source>its scan header is senseless</source>
-        <translation>der Kopf seines Scans ergibt keinen Sinn</translation>
     </message>
     <message>
         <source>it is coded with loss and its transfer syntax is lossless</source>
         <translation>es ist mit Verlust codiert, und seine Transfersyntax ist verlustfrei</translation>
     </message>
     <message>
-        <source>it does not begin like JPEG</source>
-        <translation>es beginnt nicht wie JPEG</translation>
-    </message>
-    <message>
-        <source>it states its size twice</source>
-        <translation>es nennt seine Größe zweimal</translation>
-    </message>
-    <message>
-        <source>a marker stands in its header that has no place there</source>
-        <translation>in seinem Kopf steht ein Marker, der dort keinen Platz hat</translation>
-    </message>
-    <message>
-        <source>its coded data are broken off by another marker</source>
-        <translation>seine codierten Daten werden von einem anderen Marker abgebrochen</translation>
-    </message>
-    <message>
         <source>its JPEG 2000 image and the header differ on whether values have a sign</source>
         <translation>sein JPEG-2000-Bild und der Kopf sind sich nicht einig, ob Werte ein Vorzeichen haben</translation>
     </message>
     <message>
-        <source>it is coded as High-Throughput JPEG 2000</source>
-        <translation>es ist als High-Throughput JPEG 2000 codiert</translation>
-    </message>
-    <message>
-        <source>its pixels lie on another grid than an image&apos;s</source>
-        <translation>seine Pixel liegen auf einem anderen Gitter als dem eines Bildes</translation>
-    </message>
-    <message>
-        <source>it has more tiles than JPEG 2000 knows</source>
-        <translation>es hat mehr Kacheln, als JPEG 2000 kennt</translation>
-    </message>
-    <message>
-        <source>its coding style is senseless</source>
-        <translation>sein Codierungsstil ergibt keinen Sinn</translation>
-    </message>
-    <message>
-        <source>its tiles do not follow each other</source>
-        <translation>seine Kacheln folgen nicht aufeinander</translation>
-    </message>
-    <message>
-        <source>it does not begin like a JPEG 2000 codestream</source>
-        <translation>es beginnt nicht wie ein JPEG-2000-Codestrom</translation>
-    </message>
-    <message>
-        <source>its main header is incomplete</source>
-        <translation>sein Hauptkopf ist unvollständig</translation>
-    </message>
-    <message>
         <source>its RLE table has %1 segments where %2 bits need %3</source>
         <translation>seine RLE-Tabelle hat %1 Segmente, wo %2 Bit %3 brauchen</translation>
-    </message>
-    <message>
-        <source>its RLE table is senseless</source>
-        <translation>seine RLE-Tabelle ergibt keinen Sinn</translation>
-    </message>
-    <message>
-        <source>its transfer syntax is not known here</source>
-        <translation>seine Transfersyntax ist hier nicht bekannt</translation>
     </message>
     <message>
         <source>it has %1 pixels, more than any slice does</source>

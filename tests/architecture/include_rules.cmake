@@ -39,10 +39,8 @@ rule(FOLDERS "app" EXCEPT "app/(study|cli)"
      FORBIDS "^haptics/(field|collision|solver|coupling|proxy|servo|devices)/"
      PERMITS "^haptics/(devices/(catalogue|combined)|servo/emergency|field/lanes)[.]h$"
      WHY "the application uses haptics through its root headers")
-rule(FOLDERS "app/(study|cli)" EXCEPT "app/study/rendering" FORBIDS "^(Q[A-Za-z]|vtk|ui/)"
+rule(FOLDERS "app/(study|cli)" FORBIDS "^(Q[A-Za-z]|vtk|ui/)"
      WHY "the command line and the studies build without Qt and VTK")
-rule(FOLDERS "app/study/rendering" FORBIDS "^(Q[A-Za-z]|ui/)" PERMITS "^ui/props/"
-     WHY "the study of rendering uses only the props of the window")
 rule(FOLDERS "app/fetch" FORBIDS "^(vtk|ui/|datasets/|QtWidgets|Q(Widget|Application|Dialog)$)"
      WHY "palpate-fetch has neither window nor readers")
 rule(FOLDERS "(haptics|ui|datasets|resources|app)" EXCEPT "app/fetch"

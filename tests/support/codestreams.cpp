@@ -49,7 +49,7 @@ std::string asJpegLs(const Raster& raster, int near) {
   return {coded.begin(), coded.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
-std::string asJpeg2000(const Raster& raster, bool is_signed) {
+std::string asJpeg2000(const Raster& raster, const Jpeg2000Ways& ways) {
   std::vector<opj_image_cmptparm_t> components(static_cast<std::size_t>(raster.components));
   for (opj_image_cmptparm_t& c : components) {
     c = {};
@@ -57,7 +57,7 @@ std::string asJpeg2000(const Raster& raster, bool is_signed) {
     c.w = static_cast<OPJ_UINT32>(raster.columns);
     c.h = static_cast<OPJ_UINT32>(raster.rows);
     c.prec = static_cast<OPJ_UINT32>(raster.bits);
-    c.sgnd = is_signed ? 1 : 0;
+    c.sgnd = ways.is_signed ? 1 : 0;
   }
   opj_image_t* image =
       opj_image_create(static_cast<OPJ_UINT32>(raster.components), components.data(),
@@ -69,13 +69,16 @@ std::string asJpeg2000(const Raster& raster, bool is_signed) {
   for (std::size_t c = 0; c < step; ++c)
     for (std::size_t n = 0; n < raster.values.size() / step; ++n) {
       const std::uint16_t v = raster.values[n * step + c];
-      image->comps[c].data[n] = is_signed ? static_cast<std::int16_t>(v) : v;
+      image->comps[c].data[n] = ways.is_signed ? static_cast<std::int16_t>(v) : v;
     }
   opj_cparameters_t parameters;
   opj_set_default_encoder_parameters(&parameters);
   parameters.tcp_numlayers = 1;
   parameters.cp_disto_alloc = 1;
   parameters.numresolution = std::min(raster.columns, raster.rows) < 8 ? 1 : 3;
+  parameters.irreversible = ways.with_loss ? 1 : 0;
+  parameters.tile_size_on = ways.tile > 0 ? OPJ_TRUE : OPJ_FALSE;
+  parameters.cp_tdx = parameters.cp_tdy = ways.tile;
   opj_codec_t* codec = opj_create_compress(OPJ_CODEC_J2K);
   opj_stream_t* stream = opj_stream_create(1 << 20, OPJ_FALSE);
   std::string coded;

@@ -18,7 +18,12 @@ struct Raster {
 
 /// `near`: the greatest loss of a value; 0 for none.
 std::string asJpegLs(const Raster& raster, int near = 0);
-std::string asJpeg2000(const Raster& raster, bool is_signed = false);
+struct Jpeg2000Ways {
+  bool is_signed = false;
+  bool with_loss = false;
+  int tile = 0;  ///< its side; 0: one for all
+};
+std::string asJpeg2000(const Raster& raster, const Jpeg2000Ways& ways = {});
 /// Lossless, by dcmtk's first predictor; of one component.
 std::string asLosslessJpeg(const Raster& raster);
 /// The bytes of each value from high to low; of one component, 8 or 16 bits.

@@ -7,7 +7,6 @@
 #include "app/study/accuracy/projection.h"
 #include "app/study/accuracy/scenes.h"
 #include "app/study/comparison/scenes.h"
-#include "app/study/rendering/rendering.h"
 
 namespace study::accuracy {
 namespace {
@@ -44,11 +43,10 @@ Study accuracyStudy(Depth depth) {
   Study study{"accuracy",
               "Error against run time",
               {"How wrong each method is, and what it costs, all methods in one process. Times are "
-               "CPU time of the thread, of a picture those of the clock. The references share no "
-               "code with what they judge: closed forms, sampling in double, enumeration in long "
-               "double. Two do: the best of many starts, which is our own tick with nothing to "
-               "hurry it, or any method's legal end if that is nearer; and the finest ray cast, "
-               "which a formula checks on the sphere.",
+               "CPU time of the thread. The references share no code with what they judge: closed "
+               "forms, sampling in double, enumeration in long double. One does: the best of many "
+               "starts, which is our own tick with nothing to hurry it, or any method's legal end "
+               "if that is nearer.",
                "Literal, charitable and accept-inside are readings of Chan, Conti, Blevins and "
                "Salisbury (2011); ours is what Palpate runs."}};
   const auto add = [&](std::string name, const char* section, double cost,
@@ -95,7 +93,6 @@ Study accuracyStudy(Depth depth) {
     add("points bunny", "Many points", 90.0, [=](std::uint64_t) {
       return pointStudy(false, {1'000, 10'000, 100'000, 1'000'000}, {100, 200, 500});
     });
-  for (Job& job : renderingJobs(depth)) study.jobs.push_back(std::move(job));
   add("omissions", "Omissions", 0.1, [](std::uint64_t) { return omissions(); });
   return study;
 }

@@ -19,7 +19,6 @@
 #include <string_view>
 #include <utility>
 
-#include "datasets/readers/dicom/decode_protocol.h"
 #include "datasets/readers/files/refusal.h"
 #include "haptics/core/helper_program.h"
 
@@ -125,6 +124,39 @@ pid_t spawn(const std::filesystem::path& program, int socket, int memory) {
   return failed == 0 ? process : -1;
 }
 
+std::string sizeText(std::uint32_t columns, std::uint32_t rows) {
+  return std::to_string(columns) + " x " + std::to_string(rows);
+}
+
+haptics::Message differenceOf(const decode::Request& frame, const decode::Answer& answer) {
+  const char* what = frame.coding <= Coding::JpegLossless ? "JPEG frame"
+                     : frame.coding <= Coding::JpegLs     ? "JPEG-LS frame"
+                                                          : "JPEG 2000 image";
+  const decode::FrameHeader& own = answer.frame;
+  const std::string bits_allocated = std::to_string(8 * frame.bytes_per_pixel);
+  switch (answer.verdict) {
+    case decode::Verdict::Components:
+      return {"codestream-components", {what, std::to_string(own.components)}};
+    case decode::Verdict::Size:
+      return {"codestream-size-differs",
+              {what, sizeText(own.columns, own.rows), sizeText(frame.columns, frame.rows)}};
+    case decode::Verdict::Depth:
+      return {
+          "codestream-depth-differs",
+          {what, std::to_string(own.precision), std::to_string(frame.bits_stored), bits_allocated}};
+    case decode::Verdict::Sign:
+      return {"codestream-sign-differs", {}};
+    case decode::Verdict::Loss:
+      return {"codestream-loss-undeclared", {}};
+    case decode::Verdict::Segments:
+      return {
+          "codestream-rle-segments",
+          {std::to_string(own.components), bits_allocated, std::to_string(frame.bytes_per_pixel)}};
+    default:
+      return {"codestream-other-process", {}};
+  }
+}
+
 }  // namespace
 
 Expected<Decoder> Decoder::start(std::size_t codestream_bytes, std::size_t pixel_bytes) {
@@ -153,10 +185,10 @@ Expected<Decoder> Decoder::start(std::size_t codestream_bytes, std::size_t pixel
   }
   if (decoder.process_ < 0) return notStarted({"decoder-not-started", {kProgram}});
   const decode::Room room{decoder.codestream_bytes_, decoder.pixel_bytes_};
-  std::byte said{};
+  decode::Answer answer;
   if (!sendWhole(decoder.socket_, &room, sizeof room) ||
-      decoder.listen(said, kStartTime, {}) != Outcome::Decoded ||
-      said != std::byte{static_cast<std::uint8_t>(decode::Answer::Ready)})
+      decoder.listen(answer, kStartTime, {}) != Outcome::Decoded ||
+      answer.verdict != decode::Verdict::Ready)
     return notStarted({"decoder-not-confined", {kProgram}});
   return decoder;
 }
@@ -182,7 +214,8 @@ void Decoder::end() {
   process_ = -1;
 }
 
-Decoder::Outcome Decoder::listen(std::byte& said, double seconds, const ReadProgress& progress) {
+Decoder::Outcome Decoder::listen(decode::Answer& answer, double seconds,
+                                 const ReadProgress& progress) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + std::chrono::duration<double>(seconds);
   for (;;) {
@@ -190,34 +223,33 @@ Decoder::Outcome Decoder::listen(std::byte& said, double seconds, const ReadProg
     pollfd waited{socket_, POLLIN, 0};
     const int ready = poll(&waited, 1, kListen_ms);
     if (ready < 0 && errno != EINTR) return Outcome::Died;
-    if (ready > 0) return recv(socket_, &said, 1, 0) == 1 ? Outcome::Decoded : Outcome::Died;
+    if (ready > 0)
+      return recv(socket_, &answer, sizeof answer, 0) == sizeof answer ? Outcome::Decoded
+                                                                       : Outcome::Died;
     if (Clock::now() > until) return Outcome::TooLong;
   }
 }
 
-Decoder::Outcome Decoder::decode(const Codestream& codestream, std::span<const std::byte> bytes,
-                                 const CodedImage& image, const ReadProgress& progress) {
-  if (process_ < 0 || codestream.size > codestream_bytes_ || codestream.size > bytes.size() ||
-      image.byteCount() > pixel_bytes_)
+Decoder::Outcome Decoder::decode(decode::Request frame, std::span<const std::byte> bytes,
+                                 const ReadProgress& progress) {
+  using enum decode::Verdict;
+  const double pixels = double(frame.columns) * double(frame.rows);
+  if (process_ < 0 || bytes.size() > codestream_bytes_ ||
+      pixels * frame.bytes_per_pixel > double(pixel_bytes_))
     return Outcome::Died;
-  std::memcpy(memory_, bytes.data(), codestream.size);
-  decode::Request request;
-  request.codestream_bytes = codestream.size;
-  request.coding = codestream.coding;
-  request.columns = static_cast<std::uint32_t>(image.columns);
-  request.rows = static_cast<std::uint32_t>(image.rows);
-  request.bytes_per_pixel = static_cast<std::uint32_t>(image.bits_allocated / 8);
-  request.precision = static_cast<std::uint32_t>(codestream.precision);
-  request.is_signed = image.is_signed ? 1 : 0;
+  std::memcpy(memory_, bytes.data(), bytes.size());
+  frame.codestream_bytes = bytes.size();
   Outcome outcome = Outcome::Died;
-  std::byte said{};
-  if (sendWhole(socket_, &request, sizeof request))
-    outcome = listen(said, kFrameTime + kTimeOfAPixel * double(image.columns) * double(image.rows),
-                     progress);
-  const auto answer = static_cast<decode::Answer>(said);
+  decode::Answer answer;
+  if (sendWhole(socket_, &frame, sizeof frame))
+    outcome = listen(answer, kFrameTime + kTimeOfAPixel * pixels, progress);
   if (outcome == Outcome::Decoded) {
-    if (answer == decode::Answer::Decoded) return Outcome::Decoded;
-    if (answer == decode::Answer::Refused) return Outcome::Refused;
+    if (answer.verdict == Decoded) return Outcome::Decoded;
+    if (answer.verdict == Damaged) return Outcome::Damaged;
+    if (answer.verdict >= Components && answer.verdict <= Segments) {
+      difference_ = differenceOf(frame, answer);
+      return Outcome::Differs;
+    }
     outcome = Outcome::Died;
   }
   end();

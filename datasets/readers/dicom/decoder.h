@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "datasets/readers/dicom/codestream.h"
+#include "datasets/readers/dicom/decode_protocol.h"
 #include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 
@@ -20,7 +20,8 @@ class Decoder {
  public:
   enum class Outcome {
     Decoded,
-    Refused,    ///< the codec says that the frame is damaged
+    Damaged,    ///< the codec says so
+    Differs,    ///< the frame's own header is at odds with the request
     Died,       ///< it crashed, made a forbidden system call, or gave an invalid answer
     TooLong,    ///< it took too long and was ended
     Cancelled,  ///< the user cancelled and it was ended
@@ -33,24 +34,27 @@ class Decoder {
   Decoder(Decoder&& other) noexcept;
   Decoder& operator=(Decoder&&) = delete;
 
-  /// Decodes a frame that parseCodestream accepted. After any outcome except Decoded and Refused
-  /// the process has ended.
-  Outcome decode(const Codestream& codestream, std::span<const std::byte> bytes,
-                 const CodedImage& image, const ReadProgress& progress);
+  /// Decodes a frame that the DICOM header describes so; sets the size of the codestream in
+  /// `frame`. The process goes on after Decoded, Damaged and Differs, and has ended otherwise.
+  Outcome decode(decode::Request frame, std::span<const std::byte> bytes,
+                 const ReadProgress& progress);
+  /// After Differs: a clause, "its JPEG frame has 64 x 32 pixels and the header says 512 x 512".
+  const haptics::Message& difference() const { return difference_; }
   /// Pixels of the last decoded frame, valid until the next one: whole rows, values as bits.
   const std::byte* pixels() const { return memory_ + codestream_bytes_; }
 
  private:
   Decoder() = default;
-  /// Receives the next byte of the program into `said` (Decoded). Died if the program ended,
-  /// TooLong after `seconds`, Cancelled on Cancel.
-  Outcome listen(std::byte& said, double seconds, const ReadProgress& progress);
+  /// Receives the program's next answer (Decoded). Died if the program ended, TooLong after
+  /// `seconds`, Cancelled on Cancel.
+  Outcome listen(decode::Answer& answer, double seconds, const ReadProgress& progress);
   void end();
 
   pid_t process_ = -1;
   int socket_ = -1;
   std::byte* memory_ = nullptr;
   std::size_t codestream_bytes_ = 0, pixel_bytes_ = 0;
+  haptics::Message difference_;
 };
 
 /// Decoders for the threads that read a series: one for each thread that is decoding.

@@ -111,21 +111,28 @@ class CompressedFrames : public FileFrames {
     }
     const auto bytes = frames_->bytesOf(frame.frame);
     if (!bytes) return tl::unexpected(bytes.error());
-    const CodedImage image = codedImageOf(frame);
-    Codestream codestream;
-    if (const auto fault = parseCodestream(*bytes, image, codestream))
-      return malformed(fault->disagrees ? "bad-header" : "truncated",
-                       {"dicom-frame-refused", {quoted(frame.path), fault->why}});
+    // what a decoder takes for a frame must fit any machine; mammograms have a third of it
+    constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
+    if (frame.plane.columns * frame.plane.rows > kMostPixels)
+      return malformed(
+          "truncated",
+          {"dicom-frame-refused",
+           {quoted(frame.path),
+            {"codestream-too-many-pixels",
+             {std::to_string(frame.plane.columns) + " x " + std::to_string(frame.plane.rows)}}}});
     if (!decoder_) {
       auto taken = decoders_.take();
       if (!taken) return tl::unexpected(std::move(taken.error()));
       decoder_ = std::move(*taken);
     }
-    switch (decoder_->decode(codestream, *bytes, image, progress)) {
+    switch (decoder_->decode(requestFor(frame), *bytes, progress)) {
       case Decoder::Outcome::Decoded:
         return Pixels{storedTypeOf(frame), decoder_->pixels()};
-      case Decoder::Outcome::Refused:
+      case Decoder::Outcome::Damaged:
         return tl::unexpected(undecodable(frame));
+      case Decoder::Outcome::Differs:
+        return malformed("bad-header",
+                         {"dicom-frame-refused", {quoted(frame.path), decoder_->difference()}});
       case Decoder::Outcome::Cancelled:
         decoder_.reset();
         return cancelled();
@@ -138,13 +145,13 @@ class CompressedFrames : public FileFrames {
   }
 
  private:
-  static CodedImage codedImageOf(const DicomFile& file) {
-    return {.syntax = file.syntax,
-            .columns = file.plane.columns,
-            .rows = file.plane.rows,
-            .bits_allocated = file.bits_allocated,
-            .bits_stored = file.bits_stored,
-            .is_signed = file.is_signed};
+  static decode::Request requestFor(const DicomFile& file) {
+    return {.coding = *codingOf(file.syntax),
+            .columns = static_cast<std::uint32_t>(file.plane.columns),
+            .rows = static_cast<std::uint32_t>(file.plane.rows),
+            .bytes_per_pixel = static_cast<std::uint32_t>(file.bits_allocated / 8),
+            .bits_stored = static_cast<std::uint32_t>(file.bits_stored),
+            .is_signed = file.is_signed ? 1U : 0U};
   }
 
   Decoders& decoders_;

@@ -26,6 +26,7 @@
 namespace datasets {
 namespace {
 
+using decode::Verdict;
 using support::Raster;
 using testing::DicomSlice;
 using testing::edited;
@@ -71,12 +72,24 @@ std::span<const std::byte> asBytes(const std::string& text) {
   return std::as_bytes(std::span{text.data(), text.size()});
 }
 
-CodedImage imageOf(const Way& way) {
-  return {.syntax = way.syntax,
+Coding codingOf(const Way& way) { return datasets::codingOf(way.syntax).value(); }
+
+decode::Request requestFor(Coding coding, std::uint32_t bits = 16) {
+  return {.coding = coding,
           .columns = kColumns,
           .rows = kRows,
-          .bits_allocated = 16,
-          .bits_stored = 16};
+          .bytes_per_pixel = bits > 8 ? 2U : 1U,
+          .bits_stored = bits};
+}
+
+/// As palpate-decode answers, in this process.
+decode::Answer answerTo(decode::Request request, const std::string& coded) {
+  request.codestream_bytes = coded.size();
+  // copies of their own size, so that a sanitizer sees what is touched beyond them
+  const std::vector<std::byte> exact(asBytes(coded).begin(), asBytes(coded).end());
+  std::vector<std::byte> pixels(std::size_t{request.columns} * request.rows *
+                                request.bytes_per_pixel);
+  return decode::answer(request, exact, pixels);
 }
 
 /// A slice of unsigned 16-bit pixels; not compressed.
@@ -94,90 +107,112 @@ std::string messageFor(const std::filesystem::path& path) {
   return volume ? "" : sentence(volume.error());
 }
 
-TEST(Codestream, AgreesWithItsHeaderOrSaysWhatDiffers) {
+TEST(Codestream, AgreesWithItsHeaderOrIsNotDecoded) {
   const auto values = pictureOf(kColumns, kRows, 16);
   for (const Way& way : ways()) {
     SCOPED_TRACE(way.name);
     const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
-    const CodedImage right = imageOf(way);
-    Codestream parsed;
-    const auto fault = parseCodestream(asBytes(coded), right, parsed);
-    ASSERT_FALSE(fault) << sentence(fault->why);
-    EXPECT_EQ(parsed.precision, 16);
-    const auto differs = [&](const CodedImage& wrong) {
-      const auto found = parseCodestream(asBytes(coded), wrong, parsed);
-      return found && found->disagrees && sentence(found->why).size() > 20;
-    };
-    CodedImage wrong = right;
-    wrong.bits_allocated = wrong.bits_stored = 8;
-    EXPECT_TRUE(differs(wrong));
-    if (*codingOf(way.syntax) == Coding::Rle) continue;  // it states nothing else
-    for (auto CodedImage::*side : {&CodedImage::columns, &CodedImage::rows}) {
-      wrong = right;
-      wrong.*side += 1;
-      EXPECT_TRUE(differs(wrong));
+    const decode::Request right = requestFor(codingOf(way));
+    ASSERT_EQ(answerTo(right, coded).verdict, Verdict::Decoded);
+    const bool is_rle = codingOf(way) == Coding::Rle;
+    for (const std::uint32_t bytes : {1, 4}) {
+      decode::Request wrong = right;
+      wrong.bytes_per_pixel = bytes;
+      wrong.bits_stored = 8 * bytes;
+      EXPECT_EQ(answerTo(wrong, coded).verdict, is_rle ? Verdict::Segments : Verdict::Depth);
     }
-    wrong = right;
-    wrong.bits_allocated = wrong.bits_stored = 32;
-    EXPECT_TRUE(differs(wrong));
-    wrong = right;
-    wrong.is_signed = true;
-    EXPECT_EQ(differs(wrong), *codingOf(way.syntax) == Coding::Jpeg2000);
+    if (is_rle) continue;  // it states nothing else
+    for (auto decode::Request::*side : {&decode::Request::columns, &decode::Request::rows}) {
+      decode::Request wrong = right;
+      wrong.*side += 1;
+      const decode::Answer answer = answerTo(wrong, coded);
+      EXPECT_EQ(answer.verdict, Verdict::Size);
+      EXPECT_EQ(answer.frame.columns, 0U + kColumns);
+      EXPECT_EQ(answer.frame.rows, 0U + kRows);
+      EXPECT_EQ(answer.frame.precision, 16U);
+    }
+    decode::Request wrong = right;
+    wrong.is_signed = 1;
+    EXPECT_EQ(answerTo(wrong, coded).verdict,
+              codingOf(way) == Coding::Jpeg2000Lossless ? Verdict::Sign : Verdict::Decoded);
   }
 }
 
 TEST(Codestream, OfColourIsNoSlice) {
   const auto values = pictureOf(kColumns, kRows, 8, 3);
   const Raster colour{kColumns, kRows, 8, 3, values};
-  Codestream parsed;
-  for (const auto& [syntax, coded] :
-       {std::pair{"1.2.840.10008.1.2.4.80", support::asJpegLs(colour)},
-        std::pair{"1.2.840.10008.1.2.4.90", support::asJpeg2000(colour)}}) {
-    const CodedImage grey{syntax, kColumns, kRows, 8, 8, false};
-    const auto fault = parseCodestream(asBytes(coded), grey, parsed);
-    ASSERT_TRUE(fault);
-    EXPECT_NE(sentence(fault->why).find("3 components"), std::string::npos) << sentence(fault->why);
+  for (const auto& [coding, coded] :
+       {std::pair{Coding::JpegLsLossless, support::asJpegLs(colour)},
+        std::pair{Coding::Jpeg2000Lossless, support::asJpeg2000(colour)}}) {
+    const decode::Answer answer = answerTo(requestFor(coding, 8), coded);
+    EXPECT_EQ(answer.verdict, Verdict::Components);
+    EXPECT_EQ(answer.frame.components, 3U);
   }
 }
 
 TEST(Codestream, WithLossIsNotWhatALosslessSyntaxNames) {
   const auto values = pictureOf(kColumns, kRows, 12);
-  const std::string coded = support::asJpegLs({kColumns, kRows, 12, 1, values}, 2);
-  Codestream parsed;
-  CodedImage image{"1.2.840.10008.1.2.4.80", kColumns, kRows, 16, 12, false};
-  const auto fault = parseCodestream(asBytes(coded), image, parsed);
-  EXPECT_TRUE(fault && fault->disagrees);
-  image.syntax = "1.2.840.10008.1.2.4.81";
-  EXPECT_FALSE(parseCodestream(asBytes(coded), image, parsed));
-  // and no JPEG-LS is JPEG
-  image.syntax = "1.2.840.10008.1.2.4.70";
-  EXPECT_TRUE(parseCodestream(asBytes(coded), image, parsed)->disagrees);
+  const Raster raster{kColumns, kRows, 12, 1, values};
+  const std::string ls = support::asJpegLs(raster, 2);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLsLossless, 12), ls).verdict, Verdict::Loss);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLs, 12), ls).verdict, Verdict::Decoded);
+  const std::string j2k = support::asJpeg2000(raster, {.with_loss = true});
+  EXPECT_EQ(answerTo(requestFor(Coding::Jpeg2000Lossless, 12), j2k).verdict, Verdict::Loss);
+  EXPECT_EQ(answerTo(requestFor(Coding::Jpeg2000, 12), j2k).verdict, Verdict::Decoded);
+}
+
+TEST(Codestream, OfAnotherProcessIsNotWhatTheSyntaxNames) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  const Raster raster{kColumns, kRows, 16, 1, values};
+  const std::string ls = support::asJpegLs(raster), lossless = support::asLosslessJpeg(raster);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), ls).verdict, Verdict::Process);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLs), lossless).verdict, Verdict::Process);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegBaseline), lossless).verdict, Verdict::Process);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegExtended), lossless).verdict, Verdict::Process);
+  std::string progressive = lossless;
+  progressive.replace(progressive.find("\xff\xc3"), 2, "\xff\xc2");
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), progressive).verdict, Verdict::Process);
 }
 
 TEST(Codestream, ThatIsCutAnywhereIsRefused) {
   const auto values = pictureOf(kColumns, kRows, 16);
   for (const Way& way : ways()) {
-    if (*codingOf(way.syntax) == Coding::Rle) continue;  // only its decoder can tell
-    const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
-    Codestream parsed;
-    ASSERT_FALSE(parseCodestream(asBytes(coded), imageOf(way), parsed));
-    for (std::size_t size = 0; size < parsed.size; ++size)
-      ASSERT_TRUE(parseCodestream(asBytes(coded).first(size), imageOf(way), parsed))
+    const decode::Request request = requestFor(codingOf(way));
+    std::string coded = way.encode({kColumns, kRows, 16, 1, values});
+    while (coded.back() == '\0') coded.pop_back();  // RLE and dcmtk fill up
+    for (std::size_t size = 1; size < coded.size(); ++size)
+      ASSERT_EQ(answerTo(request, coded.substr(0, size)).verdict, Verdict::Damaged)
           << way.name << " of " << size;
-    EXPECT_FALSE(parseCodestream(asBytes(coded + std::string(3, '\0')), imageOf(way), parsed));
-    EXPECT_TRUE(parseCodestream(asBytes(coded + "more"), imageOf(way), parsed));
+    EXPECT_EQ(answerTo(request, coded + std::string(3, '\0')).verdict, Verdict::Decoded);
+    EXPECT_EQ(answerTo(request, coded + "more").verdict, Verdict::Damaged);
+    EXPECT_EQ(answerTo(request, coded + coded).verdict, Verdict::Damaged);
+  }
+}
+
+// planted: without the look at the tile-parts, OpenJPEG decodes the others and tells nothing
+TEST(Codestream, OfTilesHasThemAll) {
+  const auto values = pictureOf(kColumns, kRows, 16);
+  const std::string coded = support::asJpeg2000({kColumns, kRows, 16, 1, values}, {.tile = 8});
+  const decode::Request request = requestFor(Coding::Jpeg2000Lossless);
+  ASSERT_EQ(answerTo(request, coded).verdict, Verdict::Decoded);
+  std::vector<std::size_t> tiles;
+  for (std::size_t at = 0; (at = coded.find("\xff\x90", at)) != std::string::npos; ++at)
+    tiles.push_back(at);
+  ASSERT_EQ(tiles.size(), 6U);
+  tiles.push_back(coded.size() - 2);
+  for (std::size_t n = 0; n < 6; ++n) {
+    std::string without = coded;
+    without.erase(tiles[n], tiles[n + 1] - tiles[n]);
+    EXPECT_EQ(answerTo(request, without).verdict, Verdict::Damaged) << n;
   }
 }
 
 TEST(Codestream, OfRleHasATableThatFits) {
   const auto values = pictureOf(kColumns, kRows, 16);
   const std::string coded = support::asRle({kColumns, kRows, 16, 1, values});
-  const Way& rle = ways().back();
-  Codestream parsed;
   const auto refused = [&](std::size_t at, std::size_t value) {
-    return parseCodestream(asBytes(std::string(coded).replace(at, 4, number(value, 4))),
-                           imageOf(rle), parsed)
-        .has_value();
+    return answerTo(requestFor(Coding::Rle), std::string(coded).replace(at, 4, number(value, 4)))
+               .verdict != Verdict::Decoded;
   };
   for (const std::size_t segments : {0, 1, 3, 15, 16, 1 << 30}) EXPECT_TRUE(refused(0, segments));
   for (const std::size_t first : {0, 63, 65, 1 << 30}) EXPECT_TRUE(refused(4, first));
@@ -186,38 +221,33 @@ TEST(Codestream, OfRleHasATableThatFits) {
   EXPECT_FALSE(refused(0, 2));
 }
 
-TEST(Codestream, OfASmallFileAsksForNoLargeImage) {
+TEST(Codestream, OfASmallFileIsNoLargeImage) {
   // 8,000 x 8,000 pixels of nothing
   const auto values = pictureOf(kColumns, kRows, 16);
   std::string coded = support::asLosslessJpeg({kColumns, kRows, 16, 1, values});
   const auto frame = coded.find("\xff\xc3");
   ASSERT_NE(frame, std::string::npos);
   coded.replace(frame + 5, 4, "\x1f\x40\x1f\x40");
-  CodedImage image = imageOf(ways().front());
-  image.columns = image.rows = 8'000;
-  Codestream parsed;
-  const auto fault = parseCodestream(asBytes(coded), image, parsed);
-  ASSERT_TRUE(fault);
-  EXPECT_NE(sentence(fault->why).find("too few"), std::string::npos) << sentence(fault->why);
-  image.columns = image.rows = 65'500;
-  EXPECT_NE(sentence(parseCodestream(asBytes(coded), image, parsed)->why).find("any slice"),
-            std::string::npos);
+  // a header that states less is not followed
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), coded).verdict, Verdict::Size);
+  decode::Request request = requestFor(Coding::JpegLossless);
+  request.columns = request.rows = 8'000;
+  EXPECT_EQ(answerTo(request, coded).verdict, Verdict::Damaged);
 }
 
 TEST(Codestream, OfAnyBytesIsReadWithinThem) {
   const auto values = pictureOf(kColumns, kRows, 16);
   std::mt19937 random(8);
   for (const Way& way : ways()) {
+    // the headers that are parsed here: the codecs are confined because theirs are not ours
+    if (codingOf(way) == Coding::Jpeg2000Lossless) continue;
     const std::string whole = way.encode({kColumns, kRows, 16, 1, values});
-    for (int n = 0; n < made::trials(20'000); ++n) {
+    for (int n = 0; n < made::trials(2'000); ++n) {
       std::string changed =
           whole.substr(0, random() % 4 == 0 ? random() % whole.size() : whole.size());
       for (std::size_t k = random() % 4; k > 0 && !changed.empty(); --k)
         changed[random() % std::min<std::size_t>(changed.size(), 120)] = char(random());
-      // a copy of its own size, so that a sanitizer sees what is read beyond it
-      const std::vector<char> exact(changed.begin(), changed.end());
-      Codestream parsed;
-      parseCodestream(std::as_bytes(std::span{exact}), imageOf(way), parsed);
+      if (!changed.empty()) answerTo(requestFor(codingOf(way)), changed);
     }
   }
 }
@@ -247,8 +277,8 @@ TEST(CompressedSlice, WithSignIsThePlainOneToTheVoxel) {
   const std::string plain = edited(plainSlice(values), {{0x28, 0x103, "US", number(1, 2)}});
   for (const Way& way : ways()) {
     const Raster raster{kColumns, kRows, 16, 1, values};
-    const std::string coded = *codingOf(way.syntax) == Coding::Jpeg2000
-                                  ? support::asJpeg2000(raster, true)
+    const std::string coded = codingOf(way) == Coding::Jpeg2000Lossless
+                                  ? support::asJpeg2000(raster, {.is_signed = true})
                                   : way.encode(raster);
     const auto v = readVolume(
         workshop.write(std::string(way.name) + "/0", encapsulated(plain, way.syntax, {coded})));
@@ -267,7 +297,7 @@ TEST(CompressedSlice, OfAnotherShapeIsRefusedByName) {
   for (const Way& way : ways())
     for (const auto& [columns, rows] : {std::pair{48, 32}, std::pair{480, 320}, std::pair{12, 8},
                                         std::pair{16, 24}, std::pair{1, 1}}) {
-      const bool known = *codingOf(way.syntax) != Coding::Rle;
+      const bool known = codingOf(way) != Coding::Rle;
       if (!known && columns * rows == kColumns * kRows) continue;
       const std::string coded = way.encode({columns, rows, 16, 1, pictureOf(columns, rows, 16)});
       const auto path = workshop.write(std::string(way.name) + "/" + std::to_string(columns),
@@ -291,9 +321,9 @@ TEST(CompressedSlice, ThatDoesNotDecodeIsRefused) {
   for (const Way& way : ways()) {
     const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
     std::string shorter = coded;
-    if (*codingOf(way.syntax) == Coding::Rle)
+    if (codingOf(way) == Coding::Rle)
       shorter.resize(shorter.size() - 20);
-    else if (*codingOf(way.syntax) != Coding::Jpeg2000)
+    else if (codingOf(way) != Coding::Jpeg2000Lossless)
       shorter.erase(shorter.size() / 2, 40);  // the end still stands, and comes too early
     else
       shorter.erase(shorter.size() - 42, 40);
@@ -329,7 +359,7 @@ TEST(Decoding, LeavesNothingOfWhatItsMemoryHeld) {
   const std::string nothing(64, '\0');
   std::vector<std::byte> pixels(2 * kColumns * kRows, std::byte{0xab});
   const decode::Request request{nothing.size(), Coding::Rle, kColumns, kRows, 2, 16, 0};
-  EXPECT_EQ(decode::answer(request, asBytes(nothing), pixels), decode::Answer::Refused);
+  EXPECT_EQ(decode::answer(request, asBytes(nothing), pixels).verdict, Verdict::Segments);
   for (const std::byte b : pixels) ASSERT_EQ(b, std::byte{0});
 }
 
@@ -349,7 +379,7 @@ TEST(Decoding, AnswersNoRequestBeyondItsMemory) {
   EXPECT_TRUE(refuses([](auto& r) { r.rows = 0; }));
   EXPECT_TRUE(refuses([](auto& r) { r.bytes_per_pixel = 3; }));
   EXPECT_TRUE(refuses([](auto& r) { r.bytes_per_pixel = 4; }));
-  EXPECT_TRUE(refuses([](auto& r) { r.precision = 17; }));
+  EXPECT_TRUE(refuses([](auto& r) { r.bits_stored = 17; }));
   EXPECT_TRUE(refuses([](auto& r) { r.is_signed = 2; }));
   EXPECT_TRUE(refuses([](auto& r) { r.coding = Coding{9}; }));
 }
@@ -399,24 +429,24 @@ TEST(Decoder, ThatDiesOrHangsIsNoneOfOurs) {
   const auto values = pictureOf(kColumns, kRows, 16);
   const Way& way = ways()[1];
   const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
-  const CodedImage image = imageOf(way);
-  Codestream parsed;
-  ASSERT_FALSE(parseCodestream(asBytes(coded), image, parsed));
-  const auto start = [&] { return Decoder::start(coded.size(), image.byteCount()).value(); };
+  const decode::Request request = requestFor(codingOf(way));
+  const auto start = [&] {
+    return Decoder::start(coded.size(), std::size_t{2} * kColumns * kRows).value();
+  };
   using enum Decoder::Outcome;
   {
     Decoder decoder = start();
-    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {}), Decoded);
-    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {}), Decoded);
+    EXPECT_EQ(decoder.decode(request, asBytes(coded), {}), Decoded);
+    EXPECT_EQ(decoder.decode(request, asBytes(coded), {}), Decoded);
     kill(decodersRunning().front(), SIGKILL);
-    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {}), Died);
-    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {}), Died);
+    EXPECT_EQ(decoder.decode(request, asBytes(coded), {}), Died);
+    EXPECT_EQ(decoder.decode(request, asBytes(coded), {}), Died);
   }
   {
     Decoder decoder = start();
-    Codestream nonsense = parsed;
-    nonsense.precision = 40;  // it ends rather than answer
-    EXPECT_EQ(decoder.decode(nonsense, asBytes(coded), image, {}), Died);
+    decode::Request nonsense = request;
+    nonsense.bits_stored = 40;  // it ends rather than answer
+    EXPECT_EQ(decoder.decode(nonsense, asBytes(coded), {}), Died);
   }
   {
     Decoder decoder = start();
@@ -426,7 +456,7 @@ TEST(Decoder, ThatDiesOrHangsIsNoneOfOurs) {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
       cancel = true;
     });
-    EXPECT_EQ(decoder.decode(parsed, asBytes(coded), image, {.cancel = &cancel}), Cancelled);
+    EXPECT_EQ(decoder.decode(request, asBytes(coded), {.cancel = &cancel}), Cancelled);
   }
   EXPECT_TRUE(decodersRunning().empty());
 }

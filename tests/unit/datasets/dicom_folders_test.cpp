@@ -299,7 +299,9 @@ TEST(DicomFolder, EveryTransferSyntaxGivesEqualVoxels) {
       {"deflated", withMeta("1.2.840.10008.1.2.1.99", deflatedBare(data)), 0},
       {"JPEG", encapsulated(plain, "1.2.840.10008.1.2.4.57", {support::asLosslessJpeg(raster)}), 0},
       {"JPEG 2000",
-       encapsulated(plain, "1.2.840.10008.1.2.4.91", {support::asJpeg2000(raster, true)}), 0},
+       encapsulated(plain, "1.2.840.10008.1.2.4.91",
+                    {support::asJpeg2000(raster, {.is_signed = true})}),
+       0},
       {"RLE", encapsulated(plain, "1.2.840.10008.1.2.5", {support::asRle(raster)}), 0},
       {"JPEG-LS", encapsulated(plain, "1.2.840.10008.1.2.4.80", {support::asJpegLs(raster)}), 0},
       {"JPEG-LS with loss", encapsulated(plain, lossy, {support::asJpegLs(raster, 2)}), 2}};
