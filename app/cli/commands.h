@@ -15,13 +15,11 @@ using Chosen = std::function<Outcome()>;
 void addTool(CLI::App& program, Chosen& chosen);
 void addRun(CLI::App& program, Chosen& chosen);
 void addExport(CLI::App& program, Chosen& chosen);
-void addStudy(CLI::App& program, Chosen& chosen);
 void addReplay(CLI::App& program, Chosen& chosen);
 void addRecover(CLI::App& program, Chosen& chosen);
 #ifdef PALPATE_READERS
 void addInfo(CLI::App& program, Chosen& chosen);
 void addConvert(CLI::App& program, Chosen& chosen);
-void addCohort(CLI::App& program, Chosen& chosen);
 #endif
 #ifdef PALPATE_DEVICES
 void addDevices(CLI::App& program, Chosen& chosen);

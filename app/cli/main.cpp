@@ -1,90 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unistd.h>
-
-#include <algorithm>
-#include <cstdio>
-#include <exception>
-#include <filesystem>
-#include <iostream>
-#include <string_view>
-#include <system_error>
-
-#include "app/build_info/build_info.h"
 #include "app/cli/commands.h"
-#include "app/cli/interrupts.h"
-#include "app/cli/terminal.h"
-#include "haptics/core/helper_program.h"
-#include "haptics/core/process_limits.h"
-#include "haptics/servo/emergency.h"
-#ifdef PALPATE_READERS
-#include "app/recording/volume_hash.h"
-#include "datasets/readers/files/archive.h"
-#endif
+#include "app/cli/program.h"
 
 namespace {
 
-#ifndef PALPATE_FILM
-/// What films need is in palpate-draw, where it is installed: the same program with the window's
-/// libraries. It takes the place of this one and reads the same line.
+using namespace app::cli;
+
+constexpr const char* kNoStudies =
+    "Studies and cohorts are run by palpate-study, which was not found; build the target "
+    "palpate-study, or install Palpate anew.";
+
+/// Commands that another program has take its place here, where it is installed.
 void handOver(int argc, char** argv) {
-  if (argc < 2 || std::string_view{argv[1]} != "export") return;
-  const std::filesystem::path draw = haptics::helperProgram("palpate-draw");
-  if (!draw.empty()) ::execv(draw.c_str(), argv);
-}
-#endif
-
-/// --json is wanted even when the rest of the line cannot be parsed.
-bool asksForJson(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i)
-    if (std::string_view(argv[i]) == "--json") return true;
-  return false;
-}
-
-/// A sentence for a line that cannot be parsed.
-std::string sentenceOf(const CLI::ParseError& error, const CLI::App& program) {
-  const CLI::App* command = &program;
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-  const auto choices = command->get_subcommands([](const CLI::App*) { return true; });
-  const std::vector<std::string> left = command->remaining();
-  const auto named =
-      std::ranges::find_if(left, [](const std::string& word) { return !word.starts_with('-'); });
-  std::string sentence = error.what();
-  if (!choices.empty() && named != left.end()) {
-    sentence = "There is no command \"" + *named + "\"; choose one of ";
-    for (const CLI::App* choice : choices)
-      sentence += (choice == choices.front() ? "" : ", ") + choice->get_name();
-  }
-  return sentence + " (palpate-cli --help tells more).";
-}
-
-constexpr const char* kNoThread =
-    "The system has no thread or no memory left for this; close other programs and try again.";
-
-int palpateCli(int argc, char** argv) {
-  // a sanitizer has handlers of its own
-  if constexpr (!haptics::kSanitized) haptics::installCrashStop();
-  haptics::forbidCoreDumps();  // a scan lies in memory
-  using namespace app::cli;
-  openStandardStreams();
+  const std::string_view command = firstWord(argc, argv);
 #ifndef PALPATE_FILM
-  handOver(argc, argv);
+  // the same program with what films need: the window's libraries
+  if (command == "export") becomeProgram("palpate-draw", argv);
 #endif
+  bool studies = command == "study";
 #ifdef PALPATE_READERS
-  app::nameApplication();
+  studies = studies || command == "cohort";
 #endif
-  bool json = asksForJson(argc, argv);
-  const Interrupts interrupts{json};
-  CLI::App program{
-      "Palpate without a window: describe scans and tools, and touch scans with tools.\n"
-      "Not a medical device, not for diagnosis.",
-      "palpate-cli"};
-  program.set_version_flag("--version", app::versionHere());
-  program.require_subcommand(1);
-  Chosen chosen;
+  if (!studies) return;
+  static char name[] = "palpate-cli";
+  argv[0] = name;
+  becomeProgram("palpate-study", argv);
+}
+
+/// A command of palpate-study. It runs here only if that program is missing.
+void addMissing(CLI::App& program, Chosen& chosen, const char* name, const char* title) {
+  CLI::App* command = program.add_subcommand(name, title);
+  command->set_help_flag();
+  command->allow_extras();
+  command->callback([&chosen] { chosen = [] { return failed(kNoStudies); }; });
+}
+
+void addCommands(CLI::App& program, Chosen& chosen) {
 #ifdef PALPATE_READERS
   addInfo(program, chosen);
   addConvert(program, chosen);
-  addCohort(program, chosen);
+  addMissing(program, chosen, "cohort", kCohortTitle);
 #endif
 #ifdef PALPATE_DEVICES
   addDevices(program, chosen);
@@ -94,42 +49,16 @@ int palpateCli(int argc, char** argv) {
   addReplay(program, chosen);
   addRecover(program, chosen);
   addExport(program, chosen);
-  addStudy(program, chosen);
-  for (CLI::App* command : program.get_subcommands({})) {
-    auto answering = command->get_subcommands({});
-    if (command->get_require_subcommand_min() == 0) answering.push_back(command);
-    for (CLI::App* one : answering)
-      one->add_flag("--json", json, "Print one JSON object and nothing else");
-  }
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    program.exit(help);
-    std::cout.flush();
-    return static_cast<int>(std::cout ? Exit::Done : Exit::Failed);
-  } catch (const CLI::ParseError& error) {
-    return print(usage(sentenceOf(error, program)), json);
-  }
-#ifdef PALPATE_READERS
-  datasets::sweepTemporaryFolders();
-#endif
-  try {
-    return print(chosen(), json);
-  } catch (const std::system_error&) {
-    return print(failed(kNoThread), json);
-  } catch (const std::exception&) {
-    // libraries may throw where memory ends; there is nothing better to say of it
-    return print(failed("Palpate ran out of memory; try a smaller volume."), json);
-  }
+  addMissing(program, chosen, "study", kStudyTitle);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return palpateCli(argc, argv);
-  } catch (const std::exception&) {  // before a command began
-    std::fprintf(stderr, "%s\n", kNoThread);
-    return static_cast<int>(app::cli::Exit::Failed);
-  }
+  handOver(argc, argv);
+  return runProgram(
+      argc, argv, kCommandLine,
+      "Palpate without a window: describe scans and tools, and touch scans with tools.\n"
+      "Not a medical device, not for diagnosis.",
+      addCommands);
 }

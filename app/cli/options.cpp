@@ -46,16 +46,4 @@ CLI::Validator notEmpty() {
           "TEXT"};
 }
 
-std::optional<study::Shard> shardOf(const std::string& text) {
-  study::Shard shard;
-  const char* end = text.data() + text.size();
-  const auto [slash, first] = std::from_chars(text.data(), end, shard.index);
-  if (first != std::errc{} || slash == end || *slash != '/') return {};
-  const auto [stop, second] = std::from_chars(slash + 1, end, shard.count);
-  if (second != std::errc{} || stop != end) return {};
-  if (shard.count < 1 || shard.count > 10'000 || shard.index < 1 || shard.index > shard.count)
-    return {};
-  return shard;
-}
-
 }  // namespace app::cli

@@ -3,10 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <optional>
-#include <string>
-
-#include "app/study/report/run_study.h"
 
 namespace app::cli {
 
@@ -19,8 +15,5 @@ CLI::Validator finiteNumber();
 CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t greatest);
 /// A text that is not empty.
 CLI::Validator notEmpty();
-
-/// "2/8": the second of eight; none for all else.
-std::optional<study::Shard> shardOf(const std::string& text);
 
 }  // namespace app::cli

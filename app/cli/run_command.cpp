@@ -12,7 +12,7 @@
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
 #include "app/cli/trace.h"
-#include "app/study/quantile.h"
+#include "app/measurement/quantile.h"
 #include "haptics/devices/ratings.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/allowed_stiffness.h"
@@ -115,7 +115,7 @@ struct Tally {
   nlohmann::ordered_json report() const {
     std::vector<double> sorted = tick_us;
     std::sort(sorted.begin(), sorted.end());
-    const auto quantile = [&](double q) { return study::quantile(sorted, q); };
+    const auto quantile = [&](double q) { return measurement::quantile(sorted, q); };
     nlohmann::ordered_json json;
     json["ticks"] = ticks;
     json["mean_us"] =

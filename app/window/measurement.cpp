@@ -12,7 +12,7 @@ Measurement::Measurement(QObject* parent)
         if (under_way_ && !next_) emit progressed(fraction);
       }) {}
 
-void Measurement::start(study::HereRequest request) {
+void Measurement::start(measurement::CapacityRequest request) {
   cancel();
   under_way_ = true;
   // beside one that still runs its times would mean nothing
@@ -22,13 +22,13 @@ void Measurement::start(study::HereRequest request) {
     begin(std::move(request));
 }
 
-void Measurement::begin(study::HereRequest request) {
+void Measurement::begin(measurement::CapacityRequest request) {
   task_.start(
       [request = std::move(request)](const background::Watch& watch) {
-        return study::measureHere(request, watch.stop,
-                                  [&](double fraction) { watch.advanced(fraction); });
+        return measurement::measureCapacity(request, watch.stop,
+                                            [&](double fraction) { watch.advanced(fraction); });
       },
-      [this](const haptics::Expected<study::Here>& result) { end(result); });
+      [this](const haptics::Expected<measurement::Capacity>& result) { end(result); });
 }
 
 bool Measurement::cancel() {
@@ -38,7 +38,7 @@ bool Measurement::cancel() {
   return true;
 }
 
-void Measurement::end(const haptics::Expected<study::Here>& result) {
+void Measurement::end(const haptics::Expected<measurement::Capacity>& result) {
   if (next_) return begin(*std::exchange(next_, std::nullopt));
   if (!std::exchange(under_way_, false)) return;
   if (result) return emit measured(*result);

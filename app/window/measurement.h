@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/background/task.h"
-#include "app/study/here/here.h"
+#include "app/measurement/capacity.h"
 
 namespace app {
 
@@ -21,23 +21,24 @@ class Measurement : public QObject {
   explicit Measurement(QObject* parent = nullptr);
 
   /// Starts a measurement and cancels the present one.
-  void start(study::HereRequest request);
+  void start(measurement::CapacityRequest request);
   /// Cancels the measurement; no signal follows. Returns false if none was running.
   bool cancel();
 
  signals:
   void progressed(double fraction);
-  void measured(const study::Here& here);
+  void measured(const measurement::Capacity& capacity);
   /// A sentence for the user.
   void failed(const QString& why);
 
  private:
-  void begin(study::HereRequest request);
-  void end(const haptics::Expected<study::Here>& result);
+  void begin(measurement::CapacityRequest request);
+  void end(const haptics::Expected<measurement::Capacity>& result);
 
-  bool under_way_ = false;                  ///< a measurement runs and is not cancelled
-  std::optional<study::HereRequest> next_;  ///< begins when the cancelled measurement has ended
-  background::Task<study::Here> task_;
+  bool under_way_ = false;  ///< a measurement runs and is not cancelled
+  std::optional<measurement::CapacityRequest>
+      next_;  ///< begins when the cancelled measurement has ended
+  background::Task<measurement::Capacity> task_;
 };
 
 }  // namespace app

@@ -50,7 +50,7 @@ void MeasurementController::measure() {
           .arg(labelOf(shown.tool), QLocale().toString(settings.isovalue, 'g', 6) +
                                         (unit.isEmpty() ? QString() : ' ' + unit))
           .arg(settings.stiffness, 0, 'f', 0)
-          .arg(study::kMostLag);
+          .arg(measurement::kMostLag);
   before_ = shared_.snapshot;
   panel_->showMeasuring();
   const haptics::ServoRate rate = shared_.session.rate();
@@ -65,28 +65,28 @@ void MeasurementController::end(const QString& why) {
   if (measurement_.cancel()) panel_->showNothing(why);
 }
 
-void MeasurementController::showMeasured(const study::Here& here) {
-  const auto timesOf = [](const study::Load& load) {
+void MeasurementController::showMeasured(const measurement::Capacity& capacity) {
+  const auto timesOf = [](const measurement::Load& load) {
     return ui::TickTimes{load.points, load.median, load.p99, load.longest, load.carried};
   };
   const haptics::Snapshot& now = shared_.snapshot;
   ui::Performance shown{.conditions = conditions_,
-                        .present = timesOf(here.present),
-                        .ticks = here.present.ticks,
-                        .cut = here.present.cut,
-                        .missed = here.present.missed,
-                        .lag = here.present.lag,
-                        .budget = here.budget,
-                        .most = here.most,
-                        .too_many = here.too_many,
-                        .dense = here.dense,
-                        .suggested = here.suggested,
-                        .suggested_spacing = here.spacing(here.suggested),
-                        .voxel = here.voxel,
+                        .present = timesOf(capacity.present),
+                        .ticks = capacity.present.ticks,
+                        .cut = capacity.present.cut,
+                        .missed = capacity.present.missed,
+                        .lag = capacity.present.lag,
+                        .budget = capacity.budget,
+                        .most = capacity.most,
+                        .too_many = capacity.too_many,
+                        .dense = capacity.dense,
+                        .suggested = capacity.suggested,
+                        .suggested_spacing = capacity.spacing(capacity.suggested),
+                        .voxel = capacity.voxel,
                         .live_ticks = now.tick - before_.tick,
                         .live_late = now.late_ticks - before_.late_ticks,
                         .live_missed = now.missed_ticks - before_.missed_ticks};
-  for (const study::Load& load : here.tried) shown.tried.push_back(timesOf(load));
+  for (const measurement::Load& load : capacity.tried) shown.tried.push_back(timesOf(load));
   panel_->show(shown);
 }
 

@@ -29,7 +29,7 @@ class MeasurementController : public QObject {
 
  private:
   void measure();
-  void showMeasured(const study::Here& here);
+  void showMeasured(const measurement::Capacity& capacity);
 
   SharedState& shared_;
   ui::PerformancePanel* panel_;  ///< the window's

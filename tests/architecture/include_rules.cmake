@@ -35,12 +35,13 @@ rule(FOLDERS "datasets" FORBIDS "^(Q[A-Za-z]|ui/|app/|haptics/|resources/)" PERM
 rule(FOLDERS "datasets/phantoms" FORBIDS "^vtk" WHY "phantoms build without VTK")
 rule(FOLDERS "resources" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|haptics/)"
      PERMITS "^haptics/core/" WHY "resources are read by all")
-rule(FOLDERS "app" EXCEPT "app/(study|cli)"
+rule(FOLDERS "app" EXCEPT "app/(study|cli|measurement)"
      FORBIDS "^haptics/(field|collision|solver|coupling|proxy|servo|devices)/"
      PERMITS "^haptics/(devices/(catalogue|combined)|servo/emergency|field/lanes)[.]h$"
      WHY "the application uses haptics through its root headers")
-rule(FOLDERS "app/(study|cli)" FORBIDS "^(Q[A-Za-z]|vtk|ui/)"
+rule(FOLDERS "app/(study|cli|measurement)" FORBIDS "^(Q[A-Za-z]|vtk|ui/)"
      WHY "the command line and the studies build without Qt and VTK")
+rule(FOLDERS "app" EXCEPT "app/study" FORBIDS "^app/study/" WHY "studies are a program of their own")
 rule(FOLDERS "app/fetch" FORBIDS "^(vtk|ui/|datasets/|QtWidgets|Q(Widget|Application|Dialog)$)"
      WHY "palpate-fetch has neither window nor readers")
 rule(FOLDERS "(haptics|ui|datasets|resources|app)" EXCEPT "app/fetch"

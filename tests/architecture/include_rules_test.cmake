@@ -24,6 +24,8 @@ file(WRITE ${SCRATCH}/resources/planted.cpp "#include \"app/application.h\"\n")
 file(WRITE ${SCRATCH}/app/fetch/fine.cpp "#include <QNetworkReply>\n#include <dcmtk/dcmnet/dimse.h>\n")
 file(WRITE ${SCRATCH}/app/fetch/planted.cpp "#include <QNetworkReply>\n#include <QDialog>\n")
 file(WRITE ${SCRATCH}/app/window/planted.cpp "#include <QTcpSocket>\n")
+file(WRITE ${SCRATCH}/app/cli/studied.cpp "#include \"app/study/studies.h\"\n")
+file(WRITE ${SCRATCH}/app/study/program/fine.cpp "#include \"app/study/studies.h\"\n")
 file(WRITE ${SCRATCH}/app/log/fine.cpp "#include <spdlog/logger.h>\n")
 file(WRITE ${SCRATCH}/haptics/servo/planted.cpp "#include <spdlog/logger.h>\n")
 file(WRITE ${SCRATCH}/haptics/tool/planted.cpp "#include \"../core/error.h\"\n")
@@ -37,7 +39,7 @@ set(expected
   "datasets/readers/planted.cpp:1:" "ui/worded.cpp:1:" "app/planted.cpp:1:" "app/driven.cpp:2:"
   "resources/planted.cpp:1:" "haptics/tool/planted.cpp:1:" "app/cli/planted.cpp:1:"
   "app/study/plan/planted.h:2:"
-  "app/fetch/planted.cpp:2:" "app/window/planted.cpp:1:" "haptics/servo/planted.cpp:1:" "17 includes point")
+  "app/fetch/planted.cpp:2:" "app/window/planted.cpp:1:" "app/cli/studied.cpp:1:" "haptics/servo/planted.cpp:1:" "18 includes point")
 foreach(violation IN LISTS expected)
   string(FIND "${said}" "${violation}" at)
   if(at EQUAL -1)

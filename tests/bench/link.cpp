@@ -18,8 +18,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/build_info/build_info.h"
+#include "app/measurement/quantile.h"
 #include "app/study/comparison/scenes.h"
-#include "app/study/quantile.h"
 #include "haptics/core/clock.h"
 #include "haptics/devices/threaded.h"
 #include "haptics/servo/servo_loop.h"
@@ -123,9 +123,9 @@ Json run(const std::shared_ptr<const haptics::Scene>& scene, double isovalue,
   std::vector<double>& ages = seen->ages_us;
   std::ranges::sort(ages);
   json["answers"] = ages.size();
-  json["late_us"] = {{"median", study::quantile(ages, 0.5)},
-                     {"p90", study::quantile(ages, 0.9)},
-                     {"p99", study::quantile(ages, 0.99)},
+  json["late_us"] = {{"median", measurement::quantile(ages, 0.5)},
+                     {"p90", measurement::quantile(ages, 0.9)},
+                     {"p99", measurement::quantile(ages, 0.99)},
                      {"mean", std::reduce(ages.begin(), ages.end()) / double(ages.size())}};
   return json;
 }

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/application.h"
-#include "app/study/quantile.h"
+#include "app/measurement/quantile.h"
 
 namespace bench {
 

@@ -28,6 +28,7 @@ assert not list(stage.rglob("*.*")), "something was installed outside the prefix
 files = {path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if path.is_file()}
 wanted = {
     "bin/palpate", "bin/palpate-cli", "bin/palpate-fetch", "libexec/palpate/palpate-decode", "libexec/palpate/palpate-draw",
+    "libexec/palpate/palpate-study", "libexec/palpate/palpate-study-draw",
     "libexec/palpate/palpate-window.so",
     "lib/udev/rules.d/70-palpate.rules", "share/applications/palpate.desktop",
     "share/metainfo/org.palpate.palpate.metainfo.xml", "share/mime/packages/palpate.xml",
@@ -91,6 +92,9 @@ refused = json.loads(said("convert", slice_, out, "--json", code=3))
 assert "no-decoder" in refused["reasons"], refused
 (scratch / "palpate-decode").rename(prefix / "libexec/palpate/palpate-decode")
 
+# studies are another program's
+assert "stability" in said("study", "--help")
+
 # films are another program's, and without it the sentence says so
 said("run", "--phantom", "sphere", "--isovalue", 1000, "--tool", "sphere", "--hand", "tap", "--seconds", 0.2,
      "--stiffness", 500, "--record", scratch / "t.palpate")
@@ -124,8 +128,9 @@ assert build in window.read_bytes() and build not in (prefix / "bin/palpate").re
 # a scan is read while the library is loaded, so what reads it needs none of that
 libraries = subprocess.run(["ldd", prefix / "bin/palpate"], capture_output=True, text=True).stdout
 assert not any(library in libraries for library in ("libQt6", "libvtk", "libGL.so")), libraries
-# and neither of the commands needs a library of the window, and the window and palpate-cli none of the network
-for name, not_needed in (("palpate-cli", ("libQt6Widgets", "libGL.so", "libQt6Network", "libdcmnet")),
+# and no command needs a library of the window, and the window and palpate-cli none of the network
+windowless = ("libQt6Widgets", "libGL.so", "libQt6Network", "libdcmnet")
+for name, not_needed in (("palpate-cli", windowless), ("../libexec/palpate/palpate-study", windowless),
                          ("palpate-fetch", ("libQt6Widgets", "libGL.so", "libvtk")),
                          ("../libexec/palpate/palpate-window.so", ("libQt6Network", "libdcmnet"))):
     libraries = subprocess.run(["ldd", prefix / "bin" / name], capture_output=True, text=True).stdout

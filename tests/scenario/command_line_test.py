@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate-cli among other programs: interrupted, with nowhere to answer to, given files that it
+"""palpate-cli among other programs: interrupted, without a program that it starts, with nowhere to answer to, given files that it
 would write over, names that steer a terminal and numbers that are none, thirty of it at once, and a
 system that speaks German.
 
@@ -338,6 +338,26 @@ def reads_numbers_whole():
         call(*line, code=2)
 
 
+def starts_the_studies():
+    studies = program.parent / "palpate-study"
+    for words in (("accuracy", "--help"), ("merge", "--help")):
+        done = subprocess.run([studies, *words], env=environment, capture_output=True)
+        check(done.stdout.replace(b"palpate-study", b"palpate-cli study") == call("study", *words).stdout,
+              f"palpate-study {words} says {done}")
+    # where they are missing
+    place = folder / "alone"
+    place.mkdir()
+    alone = shutil.copy(program, place)
+    for words in (("study", "accuracy", "--out", place / "o"), ("study", "--help"), ("cohort", "m.tsv", place / "o")):
+        for json_too in ((), ("--json",)):
+            done = subprocess.run([alone, *words, *json_too], env=environment, capture_output=True)
+            check(done.returncode == 4 and b"palpate-study" in done.stderr and done.stderr.count(b"\n") == 1,
+                  f"alone, {words}: {done}")
+            check(not json_too or json.loads(done.stdout)["error"]["code"] == 4, f"alone, {words}: {done}")
+    check(left(place) == ["palpate-cli"], f"alone: left {left(place)}")
+    shutil.rmtree(place)
+
+
 def reads_the_part_that_is_named():
     place = folder / "part"
     place.mkdir()
@@ -429,7 +449,7 @@ def speaks_one_language():
 
 
 for test in (is_interrupted, answers_or_fails, is_whole_or_not_there, loses_no_input,
-             steers_no_terminal, reads_numbers_whole, reads_the_part_that_is_named, keeps_one_key,
+             steers_no_terminal, reads_numbers_whole, starts_the_studies, reads_the_part_that_is_named, keeps_one_key,
              speaks_one_language):
     begun = time.monotonic()
     test()

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "app/build_info/build_info.h"
+#include "app/measurement/quantile.h"
 #include "app/study/cohort/touch.h"
 #include "app/study/page/page.h"
-#include "app/study/quantile.h"
 #include "haptics/core/input_file.h"
 #include "haptics/core/output_file.h"
 
@@ -122,7 +122,7 @@ study::Plot distributionOf(const Table& touches, const std::string& column,
     const std::size_t places = std::min<std::size_t>(values.size(), 200);
     for (std::size_t n = 1; n <= places; ++n) {
       const double share = double(n) / double(places);
-      series.points.push_back({share, study::quantile(values, share)});
+      series.points.push_back({share, measurement::quantile(values, share)});
     }
     plot.series.push_back(std::move(series));
   }
@@ -152,11 +152,11 @@ std::vector<Outlier> outliersOf(const Table& touches) {
         if (const auto value = numberIn(cell(touches, *row, column))) sorted.push_back(*value);
       if (sorted.size() < 5) continue;
       std::ranges::sort(sorted);
-      const double middle = study::quantile(sorted, 0.5);
+      const double middle = measurement::quantile(sorted, 0.5);
       std::vector<double> apart;
       for (const double value : sorted) apart.push_back(std::abs(value - middle));
       std::ranges::sort(apart);
-      const double spread = study::quantile(apart, 0.5) / 0.6745;
+      const double spread = measurement::quantile(apart, 0.5) / 0.6745;
       if (!(spread > 0.0)) continue;
       for (const auto* row : rows) {
         const auto value = numberIn(cell(touches, *row, column));

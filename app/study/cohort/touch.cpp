@@ -14,9 +14,9 @@
 #include <memory>
 #include <numeric>
 
+#include "app/measurement/quantile.h"
 #include "app/study/comparison/course.h"
 #include "app/study/comparison/measures.h"
-#include "app/study/quantile.h"
 #include "app/study/reference/run.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/recording/replay.h"
@@ -264,7 +264,7 @@ class ScanAtHand {
           word(reference::frozenShare(tally.records, tally.device, scene.tool.shell));
       cells["force_mean_N"] =
           word(std::accumulate(tally.force.begin(), tally.force.end(), 0.0) / contacts);
-      cells["force_p95_N"] = word(study::quantile(tally.force, 0.95));
+      cells["force_p95_N"] = word(measurement::quantile(tally.force, 0.95));
       cells["force_max_N"] = word(tally.force.back());
       cells["torque_max_Nm"] = word(tally.torque);
     }
@@ -290,7 +290,7 @@ class ScanAtHand {
                {"scene_s", word(scene_s_)},
                {"tick_mean_us",
                 word(std::accumulate(tally.tick_us.begin(), tally.tick_us.end(), 0.0) / ticks)},
-               {"tick_p99_us", word(study::quantile(tally.tick_us, 0.99))},
+               {"tick_p99_us", word(measurement::quantile(tally.tick_us, 0.99))},
                {"structures_MB", word(double(bytes) / 1048576.0)},
                {"peak_MB", word(peak_MB())}}));
     const std::string name =

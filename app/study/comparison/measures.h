@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "app/measurement/quantile.h"
 #include "app/study/comparison/methods.h"
-#include "app/study/quantile.h"
 #include "haptics/core/volume.h"
 #include "haptics/tool/point_shell.h"
 
@@ -24,7 +24,7 @@ inline Pose between(const Pose& X_a, const Pose& X_b, double share) {
                          haptics::Quat{X_a.linear()}.slerp(share, haptics::Quat{X_b.linear()}));
 }
 
-using study::quantile;
+using measurement::quantile;
 double mean(std::span<const double> values);  ///< 0 for none
 double median(std::vector<double> values);    ///< 0 for none
 

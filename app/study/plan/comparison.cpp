@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "app/measurement/quantile.h"
 #include "app/study/plan/left_out_work.h"
-#include "app/study/quantile.h"
 #include "haptics/proxy/tick.h"
 #include "haptics/scene/legal_pose.h"
 #include "haptics/simulation/grip.h"
@@ -62,7 +62,7 @@ double clockCost() {
 
 double quantileOf(std::vector<double> values, double q) {
   std::sort(values.begin(), values.end());
-  return quantile(values, q);
+  return measurement::quantile(values, q);
 }
 
 std::shared_ptr<const haptics::Scene> rebuilt(const haptics::Scene& scene,

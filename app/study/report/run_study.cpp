@@ -2,6 +2,7 @@
 #include "app/study/report/run_study.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -143,6 +144,18 @@ std::string duration(double seconds) {
 }
 
 }  // namespace
+
+std::optional<Shard> shardOf(const std::string& text) {
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto [slash, first] = std::from_chars(text.data(), end, shard.index);
+  if (first != std::errc{} || slash == end || *slash != '/') return {};
+  const auto [stop, second] = std::from_chars(slash + 1, end, shard.count);
+  if (second != std::errc{} || stop != end) return {};
+  if (shard.count < 1 || shard.count > 10'000 || shard.index < 1 || shard.index > shard.count)
+    return {};
+  return shard;
+}
 
 Expected<Results> runJobs(const Study& study, const RunOptions& options) {
   const Identity identity{study.name, app::versionHere(), app::buildHere(), options.depth,

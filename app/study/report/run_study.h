@@ -15,6 +15,8 @@ namespace study {
 struct Shard {
   int index = 1, count = 1;
 };
+/// "2/8": the second of eight; none for all else.
+std::optional<Shard> shardOf(const std::string& text);
 
 struct RunOptions {
   Depth depth = Depth::Full;

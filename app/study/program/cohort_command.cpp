@@ -11,16 +11,19 @@
 #include <memory>
 #include <thread>
 
-#include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
+#include "app/cli/program.h"
 #include "app/cli/terminal.h"
 #include "app/study/cohort/cohort.h"
+#include "app/study/program/commands.h"
 #include "haptics/settings.h"
 
 extern char** environ;
 
-namespace app::cli {
+namespace app::study_program {
 namespace {
+
+using namespace app::cli;
 
 struct CohortOptions {
   std::string manifest, out;
@@ -124,7 +127,7 @@ Outcome run(CohortOptions options) {
   options.touching.tools = listed(options.tool);
   options.touching.hands = listed(options.hand);
   if (options.out.empty() && !options.plan) return usage("cohort needs a folder for its results.");
-  const auto shard = shardOf(options.shard);
+  const auto shard = study::shardOf(options.shard);
   if (!shard) return usage("--shard \"" + options.shard + "\" is not i/n with i from 1 to n.");
   if (options.jobs > 1 && shard->count > 1)
     return usage("--jobs splits the work by itself; leave out --shard.");
@@ -200,8 +203,7 @@ void addTouching(CLI::App& command, CohortOptions& options) {
 
 void addCohort(CLI::App& program, Chosen& chosen) {
   auto options = std::make_shared<CohortOptions>();
-  CLI::App* command =
-      program.add_subcommand("cohort", "Touch many scans, and report on all of them");
+  CLI::App* command = program.add_subcommand("cohort", kCohortTitle);
   command->add_option("manifest", options->manifest, "TSV of scans, or a BIDS folder");
   command->add_option("out", options->out, "Folder for tables and pages");
   addTouching(*command, *options);
@@ -234,4 +236,4 @@ void addCohort(CLI::App& program, Chosen& chosen) {
   });
 }
 
-}  // namespace app::cli
+}  // namespace app::study_program

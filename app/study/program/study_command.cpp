@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <charconv>
+#include <algorithm>
 #include <limits>
 #include <memory>
 
-#include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
+#include "app/cli/program.h"
 #include "app/cli/terminal.h"
+#include "app/study/program/commands.h"
 #include "app/study/report/run_study.h"
 #include "app/study/studies.h"
 
-namespace app::cli {
+namespace app::study_program {
 namespace {
+
+using namespace app::cli;
 
 struct StudyOptions {
   bool quick = false;
@@ -59,7 +62,7 @@ Outcome outcomeOf(const haptics::Expected<study::Results>& results, const std::s
 
 Outcome run(const std::string& name, const StudyOptions& options) {
   const auto depth = options.quick ? study::Depth::Quick : study::Depth::Full;
-  const auto shard = shardOf(options.shard);
+  const auto shard = study::shardOf(options.shard);
   if (!shard) return usage("--shard \"" + options.shard + "\" is not i/n with i from 1 to n.");
   study::RunOptions how{depth, options.seed, *shard, options.out};
   how.stop = [] { return interrupted(); };
@@ -78,14 +81,12 @@ Outcome merge(const std::vector<std::string>& folders, const std::string& out) {
 
 }  // namespace
 
-void addStudy(CLI::App& program, Chosen& chosen) {
-  CLI::App* command =
-      program.add_subcommand("study", "Measure error against run time, stability, or the plan");
-  command->require_subcommand(1);
+void addStudies(CLI::App& program, Chosen& chosen) {
+  program.require_subcommand(1);
   for (const std::string& name : study::studyNames()) {
     auto options = std::make_shared<StudyOptions>();
     CLI::App* one =
-        command->add_subcommand(name, study::makeStudy(name, study::Depth::Quick)->title);
+        program.add_subcommand(name, study::makeStudy(name, study::Depth::Quick)->title);
     one->add_flag("--quick", options->quick,
                   "About a minute; the full form takes 2 (plan) to 40 minutes (stability)");
     one->add_option("--seed", options->seed, "Seed of all random numbers")
@@ -100,7 +101,7 @@ void addStudy(CLI::App& program, Chosen& chosen) {
   }
   auto folders = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
-  CLI::App* merging = command->add_subcommand("merge", "Merge the shards of a study");
+  CLI::App* merging = program.add_subcommand("merge", "Merge the shards of a study");
   merging->add_option("folders", *folders, "The --out folder of each shard")
       ->required()
       ->check(CLI::ExistingDirectory);
@@ -109,4 +110,4 @@ void addStudy(CLI::App& program, Chosen& chosen) {
       [folders, out, &chosen] { chosen = [folders, out] { return merge(*folders, *out); }; });
 }
 
-}  // namespace app::cli
+}  // namespace app::study_program

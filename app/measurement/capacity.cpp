@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/study/here/here.h"
+#include "app/measurement/capacity.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 #include "haptics/simulation/hand.h"
 #include "haptics/tool/point_shell.h"
 
-namespace study {
+namespace measurement {
 namespace {
 
 using haptics::Error;
@@ -28,7 +28,7 @@ tl::unexpected<Error> cancelled() {
   return tl::unexpected(Error{Error::Kind::Cancelled, {"measurement-cancelled", {}}, "cancelled"});
 }
 
-Expected<std::vector<Path>> aimedPaths(const HereRequest& request, std::stop_token stop) {
+Expected<std::vector<Path>> aimedPaths(const CapacityRequest& request, std::stop_token stop) {
   const double period = request.allowance.rate.period();
   std::vector<Path> paths;
   for (const HandMotion motion : kHands) {
@@ -67,7 +67,7 @@ const Load* fewestNotCarried(std::span<const Load> tried) {
 
 }  // namespace
 
-double Here::spacing(int points) const { return std::sqrt(area / double(points)); }
+double Capacity::spacing(int points) const { return std::sqrt(area / double(points)); }
 
 std::optional<int> nextToTry(std::span<const Load> tried, int dense, int most_points) {
   if (tried.empty()) return std::min(kFirst, most_points);
@@ -102,19 +102,19 @@ std::vector<Path> pathsFor(const haptics::Tool& other, const haptics::Tool& tool
   return paths;
 }
 
-void conclude(Here& here) {
-  const Load* failed = fewestNotCarried(here.tried);
-  here.too_many = failed ? std::optional{failed->points} : std::nullopt;
-  here.most = 0;
-  for (const Load& load : here.tried) {
+void conclude(Capacity& capacity) {
+  const Load* failed = fewestNotCarried(capacity.tried);
+  capacity.too_many = failed ? std::optional{failed->points} : std::nullopt;
+  capacity.most = 0;
+  for (const Load& load : capacity.tried) {
     if (&load == failed) break;
-    here.most = load.points;
+    capacity.most = load.points;
   }
-  here.suggested = std::min(here.dense, here.most);
+  capacity.suggested = std::min(capacity.dense, capacity.most);
 }
 
-Expected<Here> measureHere(const HereRequest& request, std::stop_token stop,
-                           const std::function<void(double fraction)>& advanced) {
+Expected<Capacity> measureCapacity(const CapacityRequest& request, std::stop_token stop,
+                                   const std::function<void(double fraction)>& advanced) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
@@ -129,19 +129,19 @@ Expected<Here> measureHere(const HereRequest& request, std::stop_token stop,
   const auto present =
       loadOf(scene, request.isovalue, request.coupling, *paths, request.allowance, goOn);
   if (!present) return cancelled();
-  Here here;
-  here.present = *present;
-  here.budget = 1e-9 * double(request.allowance.nanoseconds);
-  here.voxel = scene.lengths.voxel;
+  Capacity capacity;
+  capacity.present = *present;
+  capacity.budget = 1e-9 * double(request.allowance.nanoseconds);
+  capacity.voxel = scene.lengths.voxel;
   const haptics::TriangleMesh& mesh = scene.tool.mesh;
-  here.area = areaOf(mesh);
-  if (here.area > 0.0) {
-    const double dense = here.area / (here.voxel * here.voxel);
-    here.dense = rounded(std::clamp(dense, double(kFewest), 1e9));
+  capacity.area = areaOf(mesh);
+  if (capacity.area > 0.0) {
+    const double dense = capacity.area / (capacity.voxel * capacity.voxel);
+    capacity.dense = rounded(std::clamp(dense, double(kFewest), 1e9));
   }
 
-  while (here.area > 0.0 && elapsed() < request.seconds) {
-    const auto points = nextToTry(here.tried, here.dense, request.most_points);
+  while (capacity.area > 0.0 && elapsed() < request.seconds) {
+    const auto points = nextToTry(capacity.tried, capacity.dense, request.most_points);
     if (!points) break;
     auto tool = haptics::makeTool(scene.tool.name, mesh, *points);
     if (!tool) return tl::unexpected(tool.error());
@@ -153,14 +153,14 @@ Expected<Here> measureHere(const HereRequest& request, std::stop_token stop,
     const auto load =
         loadOf(**other, request.isovalue, request.coupling, same, request.allowance, goOn);
     if (!load) return cancelled();
-    here.tried.insert(
-        std::upper_bound(here.tried.begin(), here.tried.end(), load->points,
+    capacity.tried.insert(
+        std::upper_bound(capacity.tried.begin(), capacity.tried.end(), load->points,
                          [](int points_, const Load& l) { return points_ < l.points; }),
         *load);
   }
-  conclude(here);
+  conclude(capacity);
   advanced(1.0);
-  return here;
+  return capacity;
 }
 
-}  // namespace study
+}  // namespace measurement

@@ -10,7 +10,7 @@
 #include "haptics/scene/scene.h"
 #include "haptics/servo/rate.h"
 
-namespace study {
+namespace measurement {
 
 /// Where a hand leads the device: one pose a tick, off the surface at first.
 struct Path {
@@ -52,4 +52,4 @@ std::optional<Load> loadOf(const haptics::Scene& scene, double isovalue,
                            const haptics::VirtualCoupling& coupling, const std::vector<Path>& paths,
                            const Allowance& allowance, const std::function<bool()>& goOn);
 
-}  // namespace study
+}  // namespace measurement

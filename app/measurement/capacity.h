@@ -8,14 +8,14 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/study/here/load.h"
+#include "app/measurement/load.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"
 
-namespace study {
+namespace measurement {
 
 /// What to measure: the scene that is being touched, and how.
-struct HereRequest {
+struct CapacityRequest {
   std::shared_ptr<const haptics::Scene> scene;
   double isovalue = 0.0;
   haptics::VirtualCoupling coupling = {};
@@ -27,7 +27,7 @@ struct HereRequest {
 
 /// What this machine carries, measured. Times are CPU time of one thread: what other programs and
 /// the live loop take beside it does not count as the tick's, though it may slow it a little.
-struct Here {
+struct Capacity {
   Load present;             ///< the tool as it is
   std::vector<Load> tried;  ///< its mesh with other numbers of points, fewest first
   int most = 0;  ///< the most points that were carried, as were all fewer that were tried; or 0
@@ -53,13 +53,13 @@ std::vector<Path> pathsFor(const haptics::Tool& other, const haptics::Tool& tool
                            std::vector<Path> paths);
 
 /// Sets most, too_many and suggested from what was tried.
-void conclude(Here& here);
+void conclude(Capacity& capacity);
 
 /// Measures on the calling thread, which should be neither the servo's nor the GUI's. The hands
 /// slide, tap, hook and wedge; every tool is led along the paths that were aimed with the present
 /// one. Refused where a hand finds nothing to touch; of kind Cancelled once `stop` asks for it.
 /// `advanced` is told how far it is, 0 to 1.
-haptics::Expected<Here> measureHere(const HereRequest& request, std::stop_token stop,
-                                    const std::function<void(double fraction)>& advanced);
+haptics::Expected<Capacity> measureCapacity(const CapacityRequest& request, std::stop_token stop,
+                                            const std::function<void(double fraction)>& advanced);
 
-}  // namespace study
+}  // namespace measurement

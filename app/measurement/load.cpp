@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/study/here/load.h"
+#include "app/measurement/load.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/study/quantile.h"
+#include "app/measurement/quantile.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/proxy/tick.h"
 #include "haptics/solver/unconstrained_motion.h"
 
-namespace study {
+namespace measurement {
 namespace {
 
 using haptics::Budget;
@@ -79,4 +79,4 @@ std::optional<Load> loadOf(const haptics::Scene& scene, double isovalue,
   return load;
 }
 
-}  // namespace study
+}  // namespace measurement

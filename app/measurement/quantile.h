@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace study {
+namespace measurement {
 
 /// The least of the sorted values that a share q of them does not exceed, by nearest rank, so that
 /// of few the tail is the greatest; 0 for none.
@@ -16,4 +16,4 @@ inline double quantile(std::span<const double> sorted, double q) {
   return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
 }
 
-}  // namespace study
+}  // namespace measurement
