@@ -19,7 +19,7 @@ namespace {
 constexpr double kDepth = 0.004;  // m that a simulated hand brings the device beyond the surface
 constexpr std::uint64_t kSeed = 1;
 
-Error nothingToTouch() { return {Error::Kind::NotFound, {"session-nothing-to-touch", {}}}; }
+Error nothingToTouch() { return {Error::Kind::NotFound, {"scene-no-volume", {}}}; }
 Error noRoom() { return {Error::Kind::Unsupported, {"session-no-room", {}}}; }
 
 /// What Settings allows; a number that is not finite stays what it was.

@@ -78,6 +78,18 @@ QString helpPageOf(const QWidget* widget) {
   return QStringLiteral("index");
 }
 
+QString helpPlaceOf(std::string_view reason) {
+  if (reason.empty()) return {};
+  const QString word = QStringLiteral("`%1`").arg(QLatin1String(reason.data(), reason.size()));
+  QString heading;
+  for (const QString& line : textOf("messages").split('\n'))
+    if (line.startsWith(QLatin1String("## ")))
+      heading = line.mid(3);
+    else if (line.startsWith('`') && line.contains(word))
+      return "messages#" + anchorOf(heading);
+  return {};
+}
+
 QStringList helpPages() {
   static const QRegularExpression link(QStringLiteral("\\]\\(([a-z0-9-]+)\\.md"));
   QStringList pages{"index"};
@@ -109,11 +121,8 @@ void HelpPage::doSetSource(const QUrl& url, QTextDocument::ResourceType) {
 bool HelpPage::goTo(const QString& anchor) {
   if (anchor.isEmpty()) return true;
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
-    const bool heading = block.blockFormat().headingLevel() > 0;
-    if (heading ? anchorOf(block.text()) != anchor : !block.text().startsWith(anchor + ':'))
-      continue;
-    QTextCursor cursor(block);
-    if (!heading) cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+    if (block.blockFormat().headingLevel() == 0 || anchorOf(block.text()) != anchor) continue;
+    const QTextCursor cursor(block);
     // from the end, so that the place comes to the top of the page
     moveCursor(QTextCursor::End);
     setTextCursor(cursor);

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <QTextBrowser>
 #include <QWidget>
+#include <string_view>
 
 class QLineEdit;
 class QListWidget;
@@ -15,11 +16,14 @@ namespace ui {
 /// where a part has none. `widget` may be null.
 QString helpPageOf(const QWidget* widget);
 
+/// The entry of a reason (haptics::Error::reason) on the page of messages; empty if it has none.
+QString helpPlaceOf(std::string_view reason);
+
 /// The names of all pages, in the order of the contents.
 QStringList helpPages();
 
 /// Shows one page of resources/help. A place is a page, and behind a "#" a heading in small letters
-/// with hyphens or the id of a message.
+/// with hyphens.
 class HelpPage : public QTextBrowser {
   Q_OBJECT
  public:

@@ -41,7 +41,7 @@ Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& pat
   const fs::path target = fs::weakly_canonical(path, error);
   if (error || (fs::exists(target, error) && !fs::is_regular_file(target, error)))
     return tl::unexpected(haptics::Error{
-        haptics::Error::Kind::Unsupported, {"recording-no-regular-file", {path}}, "unwritable"});
+        haptics::Error::Kind::Unsupported, {"output-no-regular-file", {path}}, "unwritable"});
   auto recorder = haptics::Recorder::create(target, recordingFacts(), {.rate = loop.rate});
   if (!recorder) return tl::unexpected(recorder.error());
   const auto id = static_cast<std::uint32_t>(loop.scene->id);

@@ -142,8 +142,8 @@ haptics::Expected<haptics::Hand> handFor(const RunOptions& options, const haptic
     if (options.hand.find('.') == std::string::npos) {
       std::string names;
       for (const auto& [name, motion] : motions()) names += (names.empty() ? "" : ", ") + name;
-      return tl::unexpected(
-          haptics::Error{haptics::Error::Kind::NotFound, {"hand-unknown", {options.hand, names}}});
+      return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
+                                           {"name-or-file-unknown", {options.hand, names}}});
     }
     return readHand(options.hand);
   }

@@ -130,13 +130,14 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
   }
   if (isPointFile(choice)) return toolFromPoints(choice);
   if (!std::filesystem::path(choice.name).has_extension() && !std::filesystem::exists(choice.name))
-    return tl::unexpected(
-        Error{Error::Kind::NotFound,
-              {"tool-unknown-or-no-mesh", {choice.name, resources::namesOfTools()}}});
+    return tl::unexpected(Error{
+        Error::Kind::NotFound, {"name-or-file-unknown", {choice.name, resources::namesOfTools()}}});
 #ifdef PALPATE_READERS
   const std::string named_unit = choice.unit.value_or("mm");
   const auto unit = datasets::meshUnitNamed(named_unit);
-  if (!unit) return tl::unexpected(Error{Error::Kind::Unsupported, {"unit-unknown", {named_unit}}});
+  if (!unit)
+    return tl::unexpected(
+        Error{Error::Kind::Unsupported, {"name-unknown", {named_unit, "m, mm, cm, in"}}});
   haptics::keepInput(choice.name);
   auto read = datasets::readToolMesh(choice.name, *unit);
   if (!read) return tl::unexpected(read.error());
@@ -144,7 +145,7 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
   if (!tool) return tl::unexpected(tool.error());
   return LoadedTool{std::move(*tool), std::move(read->warnings)};
 #else
-  return tl::unexpected(Error{Error::Kind::Unsupported, {"build-without-mesh-readers", {}}});
+  return tl::unexpected(Error{Error::Kind::Unsupported, {"build-without-readers", {}}});
 #endif
 }
 
@@ -219,7 +220,7 @@ haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::strin
     if (row->size() > names) return malformed({"table-row-long", {path, std::to_string(number)}});
     rows.push_back(std::move(*row));
   }
-  if (rows.empty()) return malformed({"table-no-rows", {path}});
+  if (rows.empty()) return malformed({"table-empty", {path}});
   return rows;
 }
 

@@ -37,17 +37,11 @@ std::int64_t dueAt(std::int64_t time_ns, double rate) {
   return std::llround(n * 1e9 / rate);
 }
 
-tl::unexpected<Error> nothingChosen(const haptics::Recording& recording,
-                                    const ExportOptions& options) {
-  Message from, to, rate;
-  if (std::isfinite(options.from)) from = {"export-from", {numberOf(options.from)}};
-  if (std::isfinite(options.to)) to = {"export-to", {numberOf(options.to)}};
-  if (options.rate > 0.0) rate = {"export-at-rate", {numberOf(options.rate)}};
-  return tl::unexpected(Error{Error::Kind::NotFound,
-                              {"export-no-step",
-                               {numberOf(recording.begin()), numberOf(recording.end()),
-                                std::move(from), std::move(to), std::move(rate)}},
-                              "empty"});
+tl::unexpected<Error> nothingChosen(const haptics::Recording& recording) {
+  return tl::unexpected(
+      Error{Error::Kind::NotFound,
+            {"recording-not-then", {numberOf(recording.begin()), numberOf(recording.end())}},
+            "empty"});
 }
 
 }  // namespace
@@ -89,12 +83,11 @@ haptics::Expected<void> forEachChosen(haptics::Recording& recording, const Expor
       });
   if (!done) return done;
   if (damaged)
-    return tl::unexpected(
-        Error{Error::Kind::Malformed, {"recording-time-backwards", {}}, "damaged"});
+    return tl::unexpected(Error{Error::Kind::Malformed, {"recording-damaged", {}}, "damaged"});
   if (cancelled)
-    return tl::unexpected(Error{Error::Kind::Cancelled, {"export-cancelled", {}}, "cancelled"});
+    return tl::unexpected(Error{Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
   if (wanted && pending && dueAt(pending->step.time_ns, options.rate) <= last_due) take(*pending);
-  if (chosen == 0) return nothingChosen(recording, options);
+  if (chosen == 0) return nothingChosen(recording);
   return {};
 }
 

@@ -261,12 +261,12 @@ Expected<void> Association::finalOf(DIC_US status) const {
   if (status == 0x0124) return refused("permission", {"fetch-permission", {name}});
   char word[8];
   std::snprintf(word, sizeof word, "%04X", status);
-  return refused("answer", {"fetch-dimse-status", {name, word}});
+  return refused("answer", {"fetch-status", {name, std::string{"DIMSE "} + word}});
 }
 
 Expected<void> Association::echo() {
   const auto context = contextOf(
-      UID_VerificationSOPClass, {"fetch-no-echo", {wire_.server().name(), wire_.server().calling}});
+      UID_VerificationSOPClass, {"fetch-no-find", {wire_.server().name(), wire_.server().calling}});
   if (!context) return tl::unexpected(context.error());
   const Wire::Waiting waiting{wire_};
   const Wire::Bound bound{kLongestMessage};
@@ -300,7 +300,7 @@ Expected<void> Association::find(DcmDataset& keys, std::size_t most,
     auto answer = next(*context, request.MessageID, came, {});
     if (!answer) return tl::unexpected(answer.error());
     if (answer->CommandField != DIMSE_C_FIND_RSP)
-      return refused("answer", {"fetch-dimse-senseless", {wire_.server().name()}});
+      return refused("answer", {"fetch-answer-senseless", {wire_.server().name()}});
     const T_DIMSE_C_FindRSP& response = answer->msg.CFindRSP;
     std::unique_ptr<DcmDataset> match;
     if (response.DataSetType != DIMSE_DATASET_NULL) {
@@ -366,7 +366,7 @@ Expected<Retrieved> Association::get(DcmDataset& keys, Arrivals& arrivals) {
       continue;
     }
     if (answer->CommandField != DIMSE_C_GET_RSP)
-      return refused("answer", {"fetch-dimse-senseless", {wire_.server().name()}});
+      return refused("answer", {"fetch-answer-senseless", {wire_.server().name()}});
     auto ended = endOf(answer->msg.CGetRSP, came, arrivals, O_GET_NUMBEROFCOMPLETEDSUBOPERATIONS,
                        O_GET_NUMBEROFFAILEDSUBOPERATIONS);
     if (!ended) return tl::unexpected(ended.error());
@@ -394,7 +394,7 @@ Expected<Retrieved> Association::move(DcmDataset& keys, Arrivals& arrivals,
     auto answer = next(*context, request.MessageID, came, healthy);
     if (!answer) return tl::unexpected(answer.error());
     if (answer->CommandField != DIMSE_C_MOVE_RSP)
-      return refused("answer", {"fetch-dimse-senseless", {wire_.server().name()}});
+      return refused("answer", {"fetch-answer-senseless", {wire_.server().name()}});
     auto ended = endOf(answer->msg.CMoveRSP, came, arrivals, O_MOVE_NUMBEROFCOMPLETEDSUBOPERATIONS,
                        O_MOVE_NUMBEROFFAILEDSUBOPERATIONS);
     if (!ended) return tl::unexpected(ended.error());

@@ -16,7 +16,7 @@ constexpr std::size_t kMostAside = 65536;     // bytes before the first part and
 constexpr std::size_t kLongestBoundary = 70;  // RFC 2046
 
 tl::unexpected<haptics::Error> noMultipart() {
-  return refused("answer", {"fetch-multipart-senseless", {}});
+  return refused("answer", {"fetch-web-answer-senseless", {}});
 }
 
 std::string lowered(std::string_view text) {

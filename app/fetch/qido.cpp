@@ -15,7 +15,9 @@ namespace {
 constexpr int kDeepest = 32;                // sequences in sequences
 constexpr std::size_t kLongestText = 1024;  // bytes of a value that is kept
 
-tl::unexpected<haptics::Error> noList() { return refused("answer", {"fetch-json-senseless", {}}); }
+tl::unexpected<haptics::Error> noList() {
+  return refused("answer", {"fetch-web-answer-senseless", {}});
+}
 
 /// The array of an answer; an empty answer is an empty array.
 Expected<json> parsed(std::string_view text) {

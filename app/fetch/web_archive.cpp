@@ -172,9 +172,9 @@ tl::unexpected<haptics::Error> WebArchive::statusTrouble(int status) const {
     case 405:
       return refused("path", {"fetch-no-dicomweb", {name()}});
     case 413:
-      return refused("too-many", {"fetch-too-many-for-server", {name()}});
+      return refused("too-many", {"fetch-answer-too-large", {}});
     default:
-      return refused("answer", {"fetch-status", {name(), std::to_string(status)}});
+      return refused("answer", {"fetch-status", {name(), "HTTP " + std::to_string(status)}});
   }
 }
 
@@ -226,7 +226,7 @@ Expected<void> WebArchive::request(const std::string& path, const QUrlQuery& que
       if (!std::exchange(begun, true)) {
         const QByteArray packed = reply->rawHeader("Content-Encoding").toLower();
         if (!packed.isEmpty() && packed != "identity") {
-          trouble = refused("answer", {"fetch-packed", {name()}}).value();
+          trouble = refused("answer", {"fetch-answer-senseless", {name()}}).value();
           break;
         }
         if (auto begins = body.begins(reply->header(QNetworkRequest::ContentTypeHeader).toString());
@@ -322,7 +322,7 @@ Expected<Findings> WebArchive::find(const Query& query) {
   const auto studies = findingsFrom(*text, Level::Study);
   if (!studies) return tl::unexpected(studies.error());
   if (studies->series.size() > kMostStudies)
-    return refused("too-many", {"fetch-too-many-studies", {std::to_string(kMostStudies)}});
+    return refused("too-many", {"fetch-too-many-matches", {std::to_string(kMostStudies)}});
 
   Findings all;
   all.refused = studies->refused;
@@ -353,7 +353,7 @@ Expected<Findings> WebArchive::find(const Query& query) {
       all.series.push_back(std::move(series));
     }
     if (all.series.size() > kMostSeries)
-      return refused("too-many", {"fetch-too-many-series", {std::to_string(kMostSeries)}});
+      return refused("too-many", {"fetch-too-many-matches", {std::to_string(kMostSeries)}});
   }
   return all;
 }

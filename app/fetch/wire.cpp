@@ -251,7 +251,7 @@ std::optional<haptics::Error> Wire::trouble() {
   }
   if (stop_asked) return cancelled().value();
   if (std::exchange(too_much, false))
-    return refused("answer", {"fetch-dimse-too-long", {name}}).value();
+    return refused("answer", {"fetch-answer-senseless", {name}}).value();
   if (verdict == Pace::Verdict::Silent)
     return failed("silent",
                   {"fetch-silent", {name, std::to_string(static_cast<int>(server_.patience_s))}})

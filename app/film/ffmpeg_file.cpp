@@ -32,7 +32,7 @@ void shut(int& descriptor) {
 }
 
 tl::unexpected<Error> cancelled() {
-  return tl::unexpected(Error{Error::Kind::Cancelled, {"film-cancelled", {}}, "cancelled"});
+  return tl::unexpected(Error{Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
 }
 
 constexpr int kFilm = 3;  // its descriptor of the file
@@ -184,8 +184,8 @@ Error FfmpegFile::failure() {
   std::string quoted = said_.substr(0, said_.find('\n'));
   if (quoted.size() > kMostQuoted) quoted = quoted.substr(0, kMostQuoted) + "…";
   return {Error::Kind::Unsupported,
-          quoted.empty() ? haptics::Message{"ffmpeg-ended", {}}
-                         : haptics::Message{"ffmpeg-ended-saying", {quoted}},
+          quoted.empty() ? haptics::Message{"film-not-written", {}}
+                         : haptics::Message{"ffmpeg-ended", {quoted}},
           "encoder"};
 }
 

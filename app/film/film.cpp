@@ -33,7 +33,7 @@ tl::unexpected<Error> refused(haptics::Message message, const char* reason) {
   return tl::unexpected(Error{Error::Kind::Unsupported, std::move(message), reason});
 }
 tl::unexpected<Error> filmCancelled() {
-  return tl::unexpected(Error{Error::Kind::Cancelled, {"film-cancelled", {}}, "cancelled"});
+  return tl::unexpected(Error{Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
 }
 tl::unexpected<Error> unwritable(const fs::path& file) {
   return tl::unexpected(
@@ -225,11 +225,10 @@ class Drawing {
 
 Expected<void> check(const FilmOptions& options) {
   const auto size = [](int pixels) { return pixels >= 64 && pixels <= 7680 && pixels % 2 == 0; };
-  if (!size(options.width) || !size(options.height)) return refused({"film-size", {}}, "options");
-  if (options.frames_per_second < 1 || options.frames_per_second > 240)
-    return refused({"film-rate", {}}, "options");
-  if (!(options.speed >= 0.001 && options.speed <= 1000.0))
-    return refused({"film-speed", {}}, "options");
+  const bool sound = size(options.width) && size(options.height) &&
+                     options.frames_per_second >= 1 && options.frames_per_second <= 240 &&
+                     options.speed >= 0.001 && options.speed <= 1000.0;
+  if (!sound) return refused({"film-options", {}}, "options");
   return {};
 }
 

@@ -96,13 +96,13 @@ class Field {
     if (!value_.is_object()) refuse();
     for (const char* name : needed)
       if (!value_.contains(name))
-        throw Refused{{"view-field-missing", {file_, inside(name)}}, "damaged"};
+        throw Refused{{"view-field-wrong", {file_, inside(name)}}, "damaged"};
     const auto isIn = [](std::initializer_list<const char*> names, const std::string& name) {
       return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
     };
     for (const auto& [name, value] : value_.items())
       if (!isIn(needed, name) && !isIn(optional, name))
-        throw Refused{{"view-field-unknown", {file_}}, "damaged"};
+        throw Refused{{"view-of-another-program", {file_}}, "damaged"};
   }
   bool has(const char* name) const { return value_.contains(name); }
   Field at(const char* name) const { return {file_, inside(name), value_.at(name)}; }
@@ -308,7 +308,7 @@ ViewFile viewFrom(const json& words, const std::string& file) {
     throw Refused{{"view-of-another-program", {file}}, "damaged"};
   const std::int64_t version =
       all.at("palpate_view").whole(1, std::numeric_limits<std::int64_t>::max());
-  if (version > kVersion) throw Refused{{"view-of-later-palpate", {file}}, "later"};
+  if (version > kVersion) throw Refused{{"file-of-later-palpate", {file}}, "later"};
   if (version < kVersion) throw Refused{{"view-of-earlier-palpate", {file}}, "earlier"};
   all.hasOnly({"palpate_view", "scan", "edits", "isovalue", "marks", "view"}, {"tool"});
   ViewFile view;
@@ -398,7 +398,8 @@ std::string textOf(const ViewFile& view) {
 }
 
 haptics::Expected<ViewFile> viewFileFrom(std::string_view text, const std::string& name) {
-  if (text.size() > kMostViewBytes) return refusedView({"view-too-large", {name}}, "too-large");
+  if (text.size() > kMostViewBytes)
+    return refusedView({"input-too-large", {name, "1 MB"}}, "too-large");
   if (haptics::isNestedDeeper(text, haptics::kDeepestJson))
     return refusedView({"view-of-another-program", {name}}, "damaged");
   try {

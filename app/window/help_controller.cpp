@@ -2,23 +2,14 @@
 #include "app/window/help_controller.h"
 
 #include <QApplication>
-#include <QFile>
 
 #include "app/window/sentence.h"
 
 namespace app {
 
 QString helpPlaceOf(const QString& sentence) {
-  const std::string id{resources::idOf(sentence.toStdString(), windowsLanguage())};
-  if (id.empty()) return {};
-  const QString entry = QStringLiteral("- `%1`:").arg(QString::fromStdString(id));
-  for (const QString& page : ui::helpPages()) {
-    if (!page.startsWith(QLatin1String("messages-"))) continue;
-    QFile file(QStringLiteral(":/help/%1.md").arg(page));
-    if (file.open(QIODevice::ReadOnly) && QString::fromUtf8(file.readAll()).contains(entry))
-      return page + '#' + QString::fromStdString(id);
-  }
-  return {};
+  const resources::Row* row = resources::rowIn(sentence.toStdString(), windowsLanguage());
+  return row != nullptr ? ui::helpPlaceOf(row->reason) : QString{};
 }
 
 HelpController::HelpController(ui::MainWindow& window) : window_(window) {

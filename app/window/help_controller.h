@@ -9,12 +9,12 @@
 
 namespace app {
 
-/// The place in the help of a sentence that the program shows: the entry of the message of which it
-/// is made; empty if it is none of resources/messages.
+/// The place in the help of a sentence that the program shows: the entry of its reason; empty if it
+/// is none of resources/messages, or has no reason.
 QString helpPlaceOf(const QString& sentence);
 
 /// Shows the help: the page of the part of the window that has the focus, or the entry of a
-/// message.
+/// reason.
 class HelpController : public QObject {
   Q_OBJECT
  public:

@@ -34,8 +34,8 @@ haptics::Expected<Phantom> makePhantom(const std::string& name, const std::atomi
     known += (known.empty() ? "" : ", ") + std::string{entry.name};
   }
   return tl::unexpected(haptics::Error{.kind = haptics::Error::Kind::NotFound,
-                                       .message = {"phantom-unknown", {name, known}},
-                                       .reason = "unknown_phantom"});
+                                       .message = {"name-unknown", {name, known}},
+                                       .reason = "unknown-name"});
 }
 
 }  // namespace datasets

@@ -36,9 +36,9 @@ Expected<T> guarded(const fs::path& path, F&& read) {
   try {
     return read();
   } catch (const std::bad_alloc&) {
-    return unsupported("too-large", {"memory-too-small-for-series", {quoted(path)}});
+    return unsupported("too-large", {"memory-too-small", {quoted(path)}});
   } catch (const std::exception&) {
-    return malformed("unreadable", {"path-not-read", {quoted(path)}});
+    return malformed("unreadable", {"file-unreadable", {quoted(path)}});
   }
 }
 
@@ -64,7 +64,7 @@ Message listedAlone(const SeriesVerdict& v) {
 
 Message listed(const SeriesVerdict& v) {
   if (v.part.empty()) return listedAlone(v);
-  return {"series-listed-part", {listedAlone(v), v.part}};
+  return {"part-and", {listedAlone(v), v.part}};
 }
 
 Message listOf(const std::vector<SeriesVerdict>& all) {
@@ -138,18 +138,14 @@ struct Closed {
 /// A copy that broke off leaves files without a byte, one by another user files that are forbidden,
 /// and a stack may lack its last slices.
 void sayClosed(SeriesVerdict& series, const Closed& closed) {
-  const auto say = [&](int count, const Message& one, const Message& more) {
+  const auto say = [&](int count, const Message& sentence) {
     if (count == 0) return;
-    const Message& sentence = count == 1 ? one : more;
     series.message = bothOf(std::move(series.message), sentence);
     series.faults.push_back(sentence);
   };
-  say(closed.empty, {"folder-empty-file", {}},
-      {"folder-empty-files", {std::to_string(closed.empty)}});
-  say(closed.damaged, {"folder-damaged-file", {}},
-      {"folder-damaged-files", {std::to_string(closed.damaged)}});
-  say(closed.forbidden, {"folder-forbidden-file", {}},
-      {"folder-forbidden-files", {std::to_string(closed.forbidden)}});
+  say(closed.empty, {"folder-empty-files", {std::to_string(closed.empty)}});
+  say(closed.damaged, {"folder-damaged-files", {std::to_string(closed.damaged)}});
+  say(closed.forbidden, {"folder-forbidden-files", {std::to_string(closed.forbidden)}});
 }
 
 bool isForbidden(const fs::path& path) {
@@ -270,8 +266,7 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     if (!folder) return tl::unexpected(folder.error());
     auto found = surveyOf((*folder)->path(), progress.part(0.5, 1.0));
     if (!found) return found;
-    if (found->series.empty())
-      return unsupported("unreadable", {"archive-no-scan", {quoted(path)}});
+    if (found->series.empty()) return unsupported("unreadable", {"folder-no-scan", {quoted(path)}});
     survey = std::move(*found);
     for (SeriesVerdict& series : survey.series) series.place = *folder;
   } else if (auto packed = whyNoArchive(path)) {

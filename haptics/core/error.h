@@ -12,7 +12,7 @@ namespace haptics {
 /// and what stands in its places. Without a row it is plain text that is put in as it is: a name, a
 /// number, words of the operating system.
 struct Message {
-  std::string id;                  ///< of the row: "nrrd-data-cut-off"; empty: plain text
+  std::string id;                  ///< of the row: "header-unreadable"; empty: plain text
   std::vector<Message> arguments;  ///< for %1, %2, …
   std::string text;                ///< the plain text, without a row
   bool of_numbers = false;         ///< the text's points are decimal marks

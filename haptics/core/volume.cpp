@@ -148,11 +148,11 @@ Error malformed(Message message, std::string reason) {
 Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<void> voxels,
                             VolumeFacts facts, const std::function<bool(double)>& goes_on) {
   for (const std::int64_t n : grid.dims)
-    if (n < 1) return tl::unexpected(malformed({"volume-axis-empty", {}}, "bad-header"));
+    if (n < 1) return tl::unexpected(malformed({"geometry-axis-empty", {}}, "bad-header"));
   if (!grid.spacing.allFinite() || grid.spacing.minCoeff() <= 0.0)
-    return tl::unexpected(malformed({"volume-spacing", {}}, "bad-header"));
+    return tl::unexpected(malformed({"geometry-not-finite", {}}, "bad-header"));
   if (!grid.origin.allFinite() || !grid.direction.allFinite())
-    return tl::unexpected(malformed({"volume-place-not-finite", {}}, "bad-header"));
+    return tl::unexpected(malformed({"geometry-not-finite", {}}, "bad-header"));
   const Mat3 gram = grid.direction.transpose() * grid.direction;
   if ((gram - Mat3::Identity()).cwiseAbs().maxCoeff() > 1e-4)
     return tl::unexpected(malformed({"volume-axes-not-right-angled", {}}, "sheared"));
@@ -164,7 +164,7 @@ Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<v
   const auto found = visitVoxels(type, static_cast<const void*>(voxels.get()),
                                  [&](const auto* v) { return rangeOf(v, count, goes_on); });
   if (!found)
-    return tl::unexpected(Error{Error::Kind::Cancelled, {"volume-cancelled", {}}, "cancelled"});
+    return tl::unexpected(Error{Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
   const Range range = *found;
   if (range.non_finite == count)
     return tl::unexpected(malformed({"volume-no-finite-voxel", {}}, "no-pixels"));

@@ -218,7 +218,7 @@ std::string idOf(const CapstanArm& arm, const HidPlace& place) {
 }
 
 Error notThere(const CapstanArm& arm) {
-  return refusal(Trouble::NotPluggedIn, {"capstan-not-plugged-in", {nameOf(arm)}});
+  return refusal(Trouble::NotPluggedIn, {"device-not-plugged-in", {nameOf(arm)}});
 }
 
 }  // namespace
@@ -299,7 +299,7 @@ Expected<std::unique_ptr<Device>> armAt(const CapstanArm& arm, std::unique_ptr<H
   while (clock() - begun < kLongestWakeUpNs) {
     const bool sent = port->write(std::span{zero}.first(1 + report));
     const auto length = port->read(bytes, Transport::kLongestWait);
-    if (!length) return tl::unexpected(refusal(Trouble::Lost, {"capstan-lost", {name}}));
+    if (!length) return tl::unexpected(refusal(Trouble::Lost, {"device-gone", {name}}));
     old = old || *length == kOldReport;
     if (sent && *length == report) {
       // an answer may be 20 ms old: a round waits 5, and three that fail end it

@@ -274,17 +274,17 @@ class Link final : public Transport {
   bool trusted_ = false;  ///< the last exchange brought a reading: the next may carry force
 };
 
-Error lostWhileOpening() { return refusal(Trouble::Lost, {"falcon-lost-while-opened", {}}); }
+Error lostWhileOpening() { return refusal(Trouble::Lost, {"device-gone", {kFalcon}}); }
 
 }  // namespace
 
 std::vector<DeviceEntry> entriesOf(std::span<const FalconPlace> places) {
   const DeviceEntry absent{.id = "falcon",
-                           .name = "Novint Falcon",
+                           .name = kFalcon,
                            .sensed = 3,
                            .actuated = 3,
                            .trouble = Trouble::NotPluggedIn,
-                           .why = {"falcon-not-plugged-in", {}}};
+                           .why = {"device-not-plugged-in", {kFalcon}}};
   if (places.empty()) return {absent};
   std::vector<DeviceEntry> entries;
   for (const FalconPlace& place : places) {
@@ -295,10 +295,10 @@ std::vector<DeviceEntry> entriesOf(std::span<const FalconPlace> places) {
     entry.why = {};
     if (!place.permitted) {
       entry.trouble = Trouble::NoPermission;
-      entry.why = {"falcon-not-permitted", {}};
+      entry.why = {"device-not-permitted", {kFalcon}};
     } else if (place.claimed) {
       entry.trouble = Trouble::InUse;
-      entry.why = {"falcon-in-use", {}};
+      entry.why = {"device-in-use", {kFalcon}};
     }
     entries.push_back(std::move(entry));
   }
@@ -313,13 +313,13 @@ Expected<std::vector<std::uint8_t>> readFirmware(const std::filesystem::path& fi
   std::ifstream stream;
   // what is not a file, a pipe say, could keep the reader waiting
   if (std::filesystem::is_regular_file(file, absent)) stream.open(file, std::ios::binary);
-  if (!stream.is_open()) return refused({"falcon-firmware-unreadable", {file.string()}});
+  if (!stream.is_open()) return refused({"falcon-firmware-unusable", {file.string()}});
   std::vector<std::uint8_t> bytes(kMostFirmware + 1);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (stream.bad()) return refused({"falcon-firmware-unreadable", {file.string()}});
+  if (stream.bad()) return refused({"falcon-firmware-unusable", {file.string()}});
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  if (bytes.empty()) return refused({"falcon-firmware-empty", {file.string()}});
-  if (bytes.size() > kMostFirmware) return refused({"falcon-firmware-too-large", {file.string()}});
+  if (bytes.empty()) return refused({"falcon-firmware-unusable", {file.string()}});
+  if (bytes.size() > kMostFirmware) return refused({"falcon-firmware-unusable", {file.string()}});
   return bytes;
 }
 

@@ -13,6 +13,8 @@
 
 namespace haptics::falcon {
 
+inline constexpr const char* kFalcon = "Novint Falcon";
+
 /// Result of handing bytes to the bus.
 enum class Sent : std::uint8_t {
   Taken,

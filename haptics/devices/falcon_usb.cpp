@@ -212,14 +212,14 @@ void forEachFalcon(libusb_context* context, Visit visit) {
 Error refusalOf(int code) {
   switch (code) {
     case LIBUSB_ERROR_ACCESS:
-      return refusal(Trouble::NoPermission, {"falcon-not-permitted", {}});
+      return refusal(Trouble::NoPermission, {"device-not-permitted", {kFalcon}});
     case LIBUSB_ERROR_BUSY:
-      return refusal(Trouble::InUse, {"falcon-in-use-elsewhere", {}});
+      return refusal(Trouble::InUse, {"device-in-use", {kFalcon}});
     case LIBUSB_ERROR_NO_DEVICE:
     case LIBUSB_ERROR_NOT_FOUND:
-      return refusal(Trouble::NotPluggedIn, {"falcon-gone", {}});
+      return refusal(Trouble::NotPluggedIn, {"device-gone", {kFalcon}});
     default:
-      return refusal(Trouble::Refused, {"falcon-not-opened", {libusb_error_name(code)}});
+      return refusal(Trouble::Refused, {"device-not-opened", {kFalcon, libusb_error_name(code)}});
   }
 }
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::string_view kDriver = "force-dimension";
 constexpr const char* kName = "Force Dimension device";
+Message thisDevice() { return {"force-dimension-device", {}}; }
 
 constexpr std::tuple kOldest{3, 3, 2};           // with the watchdog
 constexpr int kNewestMajor = 3;                  // another one may have other functions
@@ -105,8 +106,7 @@ Mat3 axes() {
 }
 
 Expected<Dhd> load(std::span<const std::string> libraries) {
-  auto library = SharedLibrary::open(libraries, {"force-dimension-product", {}},
-                                     {"force-dimension-install-library", {}});
+  auto library = SharedLibrary::open(libraries, {"force-dimension-product", {}});
   if (!library) return tl::unexpected(library.error());
   Dhd dhd{std::move(*library)};
   SharedLibrary& of = dhd.library;
@@ -133,7 +133,8 @@ Expected<Dhd> load(std::span<const std::string> libraries) {
 
   if (!of.lacks().empty())
     return tl::unexpected(
-        refusal(Trouble::NoLibrary, {"force-dimension-library-old", {of.name(), of.lacks()}}));
+        refusal(Trouble::NoLibrary,
+                {"library-old", {{"force-dimension-product", {}}, of.name(), of.lacks()}}));
   int major = 0, minor = 0, release = 0, revision = 0;
   dhd.version(&major, &minor, &release, &revision);
   if (std::tuple{major, minor, release} < kOldest || major > kNewestMajor)
@@ -287,15 +288,16 @@ Error notOpened(int error) {
   switch (error) {
     case kErrorInUse:
     case kErrorBusy:
-      return refusal(Trouble::InUse, {"force-dimension-in-use", {}});
+      return refusal(Trouble::InUse, {"device-in-use", {thisDevice()}});
     case kErrorNoDriver:
-      return refusal(Trouble::NoPermission, {"force-dimension-not-permitted", {}});
+      return refusal(Trouble::NoPermission, {"device-not-permitted", {thisDevice()}});
     case kErrorNoDevice:
-      return refusal(Trouble::NotPluggedIn, {"force-dimension-gone", {}});
+      return refusal(Trouble::NotPluggedIn, {"device-gone", {thisDevice()}});
     case kErrorCommunication:
       return refusal(Trouble::NoPermission, {"force-dimension-no-answer", {}});
     default:
-      return refusal(Trouble::Refused, {"force-dimension-not-opened", {std::to_string(error)}});
+      return refusal(Trouble::Refused,
+                     {"device-not-opened", {thisDevice(), std::to_string(error)}});
   }
 }
 
@@ -315,7 +317,8 @@ Expected<std::unique_ptr<Device>> openUnit(int unit, std::span<const std::string
   auto dhd = load(libraries);
   if (!dhd) return tl::unexpected(dhd.error());
   if (dhd->count() <= unit)
-    return tl::unexpected(refusal(Trouble::NotPluggedIn, {"force-dimension-not-found", {}}));
+    return tl::unexpected(
+        refusal(Trouble::NotPluggedIn, {"device-not-plugged-in", {thisDevice()}}));
   if (dhd->open(static_cast<char>(unit)) < 0) return tl::unexpected(notOpened(dhd->lastError()));
 
   auto transport = std::make_unique<ForceDimension>(std::move(*dhd), unit);
@@ -339,7 +342,7 @@ std::vector<DeviceEntry> surveyForceDimension(std::span<const std::string> libra
   if (taken.load()) {
     entry.present = true;
     entry.trouble = Trouble::InUse;
-    entry.why = {"force-dimension-open", {}};
+    entry.why = {"device-open", {thisDevice()}};
     return {entry};
   }
   const auto dhd = load(libraries);
@@ -351,7 +354,7 @@ std::vector<DeviceEntry> surveyForceDimension(std::span<const std::string> libra
   const int count = std::clamp(dhd->count(), 0, kMostUnits);
   if (count == 0) {
     entry.trouble = Trouble::NotPluggedIn;
-    entry.why = {"force-dimension-not-found", {}};
+    entry.why = {"device-not-plugged-in", {thisDevice()}};
     return {entry};
   }
   std::vector<DeviceEntry> entries;
@@ -372,7 +375,7 @@ Expected<std::unique_ptr<Device>> openForceDimension(const OpenRequest& request,
     return tl::unexpected(
         Error{Error::Kind::NotFound, {"device-unknown", {request.id}}, "unknown-device"});
   if (taken.exchange(true))
-    return tl::unexpected(refusal(Trouble::InUse, {"force-dimension-open-already", {}}));
+    return tl::unexpected(refusal(Trouble::InUse, {"device-open", {thisDevice()}}));
   auto device = openUnit(*unit, libraries);
   if (!device) taken.store(false);
   return device;

@@ -43,9 +43,9 @@ class OpenHid final : public HidPort {
 /// What the system's word means for the user.
 HidObstacle obstacleFor(int error, const std::string& name) {
   if (error == EACCES || error == EPERM)
-    return {Trouble::NoPermission, {"hid-not-permitted", {name}}};
-  if (error == EBUSY || error == EWOULDBLOCK) return {Trouble::InUse, {"hid-in-use", {name}}};
-  return {Trouble::NotPluggedIn, {"hid-gone", {name}}};
+    return {Trouble::NoPermission, {"device-not-permitted", {name}}};
+  if (error == EBUSY || error == EWOULDBLOCK) return {Trouble::InUse, {"device-in-use", {name}}};
+  return {Trouble::NotPluggedIn, {"device-gone", {name}}};
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ Expected<std::unique_ptr<HidPort>> openHid(const HidPlace& place, const std::str
   if (hid_device* const device = hid_open_path(place.path.c_str()))
     return std::make_unique<OpenHid>(device, lock);
   ::close(lock);
-  return tl::unexpected(refusal(Trouble::Refused, {"hid-not-opened", {name}}));
+  return tl::unexpected(refusal(Trouble::Refused, {"device-not-opened", {name, "hidapi"}}));
 }
 
 }  // namespace haptics

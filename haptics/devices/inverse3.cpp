@@ -75,7 +75,7 @@ bool readStatus(const json& status, Inverse3State& state) {
   };
   static const std::array kFlags{
       Flag{"power_supply", Trouble::NotStarted, {"inverse3-no-power", {}}},
-      Flag{"started", Trouble::NotStarted, {"inverse3-not-started", {}}},
+      Flag{"started", Trouble::NotStarted, {"inverse3-not-ready", {}}},
       Flag{"ready", Trouble::NotStarted, {"inverse3-not-ready", {}}},
       Flag{"calibrated", Trouble::NeedsCalibration, {"inverse3-not-calibrated", {}}}};
   for (const Flag& flag : kFlags) {

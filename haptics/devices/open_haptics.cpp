@@ -20,6 +20,7 @@ using namespace std::chrono_literals;
 constexpr std::string_view kDriver = "openhaptics";
 constexpr const char* kName = "Touch or PHANTOM (OpenHaptics)";
 constexpr const char* kProduct = "OpenHaptics";
+Message thisDevice() { return {"openhaptics-device", {}}; }
 
 constexpr std::chrono::milliseconds kFresh = 15ms, kSilent = 500ms;
 constexpr std::chrono::milliseconds kLastCall = 100ms;  // that closing waits for zero to be sent
@@ -82,7 +83,7 @@ struct Hd {
 std::atomic<bool> taken{false};
 
 Expected<Hd> load(std::span<const std::string> libraries) {
-  auto library = SharedLibrary::open(libraries, kProduct, {"openhaptics-install-library", {}});
+  auto library = SharedLibrary::open(libraries, kProduct);
   if (!library) return tl::unexpected(library.error());
   Hd hd{std::move(*library)};
   SharedLibrary& of = hd.library;
@@ -106,7 +107,7 @@ Expected<Hd> load(std::span<const std::string> libraries) {
   of.need(hd.stop, "hdStopScheduler");
   if (!of.lacks().empty())
     return tl::unexpected(
-        refusal(Trouble::NoLibrary, {"openhaptics-library-old", {of.name(), of.lacks()}}));
+        refusal(Trouble::NoLibrary, {"library-old", {kProduct, of.name(), of.lacks()}}));
   return hd;
 }
 
@@ -343,14 +344,14 @@ class Unit {
 };
 
 Error notOpened(unsigned error) {
-  if (error == kAlreadyOpen) return refusal(Trouble::InUse, {"openhaptics-in-use", {}});
+  if (error == kAlreadyOpen) return refusal(Trouble::InUse, {"device-in-use", {thisDevice()}});
   if (error == kLicence) return refusal(Trouble::Refused, {"openhaptics-no-licence", {}});
   if (isFault(error))
     return refusal(Trouble::NotPluggedIn, error == kLink ? Message{"openhaptics-no-answer", {}}
                                                          : Message{"openhaptics-not-found", {}});
   std::array<char, 16> code{};
   std::snprintf(code.data(), code.size(), "0x%04x", error);
-  return refusal(Trouble::Refused, {"openhaptics-not-opened", {std::string{code.data()}}});
+  return refusal(Trouble::Refused, {"device-not-opened", {thisDevice(), std::string{code.data()}}});
 }
 
 tl::unexpected<Error> Unit::refused(unsigned error) const {
@@ -411,7 +412,7 @@ std::vector<DeviceEntry> surveyOpenHaptics(std::span<const std::string> librarie
   if (taken.load()) {
     entry.present = true;
     entry.trouble = Trouble::InUse;
-    entry.why = {"openhaptics-open", {}};
+    entry.why = {"device-open", {thisDevice()}};
   } else if (const auto hd = load(libraries); !hd) {
     entry.trouble = Trouble::NoLibrary;
     entry.why = hd.error().message;
@@ -425,7 +426,7 @@ Expected<std::unique_ptr<Device>> openOpenHaptics(const OpenRequest& request,
                                                   std::span<const std::string> libraries) {
   const std::size_t colon = request.id.find(':');
   if (taken.exchange(true))
-    return tl::unexpected(refusal(Trouble::InUse, {"openhaptics-open-already", {}}));
+    return tl::unexpected(refusal(Trouble::InUse, {"device-open", {thisDevice()}}));
   auto device = openUnit(colon == std::string::npos ? "" : request.id.substr(colon + 1), libraries);
   if (!device) taken.store(false);
   return device;

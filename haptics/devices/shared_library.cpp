@@ -14,7 +14,7 @@ void SharedLibrary::Close::operator()(void* handle) const { dlclose(handle); }
 void* SharedLibrary::address(const char* symbol) const { return dlsym(handle_.get(), symbol); }
 
 Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names,
-                                            const Message& product, const Message& advice) {
+                                            const Message& product) {
   std::string looked_for;
   std::optional<Message> fault;
   for (const std::string& name : names) {
@@ -26,11 +26,11 @@ Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names,
     const char* const said = dlerror();
     const std::string why = said != nullptr ? said : "";
     const bool absent = why.starts_with(name + ": cannot open shared object file: No such file");
-    if (!absent && !fault) fault = Message{"library-not-loadable", {product, name, why, advice}};
+    if (!absent && !fault) fault = Message{"library-not-loadable", {product, name, why}};
   }
   if (fault) return tl::unexpected(refusal(Trouble::NoLibrary, *fault));
   return tl::unexpected(
-      refusal(Trouble::NoLibrary, {"library-not-installed", {product, looked_for, advice}}));
+      refusal(Trouble::NoLibrary, {"library-not-installed", {product, looked_for}}));
 }
 
 }  // namespace haptics

@@ -17,10 +17,9 @@ namespace haptics {
 class SharedLibrary {
  public:
   /// The first of `names` that the system's loader finds and can load; a name with a slash is a
-  /// path. Refused as Trouble::NoLibrary, in words that begin with what it is a library of and end
-  /// with `advice`: none is installed, or one is that cannot be loaded, and why.
-  static Expected<SharedLibrary> open(std::span<const std::string> names, const Message& product,
-                                      const Message& advice);
+  /// path. Refused as Trouble::NoLibrary, in words that begin with `product`, what it is a library
+  /// of: none is installed, or one is that cannot be loaded, and why.
+  static Expected<SharedLibrary> open(std::span<const std::string> names, const Message& product);
 
   /// The name that was found.
   const std::string& name() const { return name_; }

@@ -188,7 +188,9 @@ std::vector<HidPlace> allPlaces() {
   return places;
 }
 
-Error notThere() { return refusal(Trouble::NotPluggedIn, {"space-mouse-not-plugged-in", {}}); }
+Error notThere() {
+  return refusal(Trouble::NotPluggedIn, {"device-not-plugged-in", {"SpaceMouse"}});
+}
 
 }  // namespace
 

@@ -353,19 +353,19 @@ Expected<std::shared_ptr<const Volume>> EditHistory::apply(const Edit& edit,
 }
 
 Expected<std::shared_ptr<const Volume>> EditHistory::undo(const EditWatch& watch) {
-  if (!canUndo()) return editRefused({"edit-none-to-undo", {}}, "nothing");
+  if (!canUndo()) return editRefused({"edit-no-such", {}}, "nothing");
   return withinMemory([&] { return state_->takeBack(1, watch); });
 }
 
 Expected<std::shared_ptr<const Volume>> EditHistory::redo(const EditWatch& watch) {
-  if (!canRedo()) return editRefused({"edit-none-to-redo", {}}, "nothing");
+  if (!canRedo()) return editRefused({"edit-no-such", {}}, "nothing");
   auto volume = withinMemory([&] { return state_->apply(state_->undone.back(), watch); });
   if (volume) state_->undone.pop_back();
   return volume;
 }
 
 Expected<std::shared_ptr<const Volume>> EditHistory::reset(const EditWatch& watch) {
-  if (!canUndo()) return editRefused({"edit-none-to-undo", {}}, "nothing");
+  if (!canUndo()) return editRefused({"edit-no-such", {}}, "nothing");
   return withinMemory([&] { return state_->takeBack(state_->steps.size(), watch); });
 }
 

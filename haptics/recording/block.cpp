@@ -118,7 +118,7 @@ Pose poseFrom(const PoseNumbers& n) {
 }
 
 tl::unexpected<Error> damagedBlock() {
-  return tl::unexpected(Error{Error::Kind::Malformed, {"recording-part-damaged", {}}, "damaged"});
+  return tl::unexpected(Error{Error::Kind::Malformed, {"recording-damaged", {}}, "damaged"});
 }
 
 /// The rotation, exact, from the quaternion and the bits in which it differs from it.

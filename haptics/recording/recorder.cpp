@@ -189,7 +189,7 @@ class Recorder::Writer {
   void noteChanges(const Step& step);
   std::uint64_t sequenceAt(std::int64_t time_ns) const;
   void fail();
-  void fail(const Message& why, bool full);
+  void fail(const Message& why);
 
   fs::path target_;
   std::optional<Database> database_;
@@ -240,7 +240,7 @@ void Recorder::Writer::run() {
       }
     } catch (const std::exception&) {
       // libraries may throw where memory ends
-      return fail({"memory-exhausted", {}}, false);
+      return fail({"memory-exhausted", {}});
     }
     const std::int64_t now = monotonicNs();
     const std::int64_t bytes =
@@ -273,17 +273,15 @@ void Recorder::Writer::discard() {
   fs::remove(partOf(target_).string() + "-wal", ignored);
 }
 
-void Recorder::Writer::fail() { fail(complaintOf(*database_), database_->isFull()); }
+void Recorder::Writer::fail() { fail(complaintOf(*database_)); }
 
-void Recorder::Writer::fail(const Message& why, bool full) {
+void Recorder::Writer::fail(const Message& why) {
   database_->run("ROLLBACK");
   database_->keepLog();
   const std::scoped_lock lock(mutex_);
   const std::string name = partOf(target_).filename().string();
   if (written_ == 0)
     status_.failure = {"recording-stopped-empty", {why}};
-  else if (full)
-    status_.failure = {"recording-stopped-disk-full", {why, name}};
   else
     status_.failure = {"recording-stopped", {why, name}};
 }
@@ -471,7 +469,7 @@ Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& target,
   std::error_code ignored;
   const auto unwritable = [&](const Message& why) {
     return tl::unexpected(Error{
-        Error::Kind::Unsupported, {"recording-unwritable", {target.string(), why}}, "unwritable"});
+        Error::Kind::Unsupported, {"output-unwritable", {target.string(), why}}, "unwritable"});
   };
   if (options.vfs == nullptr)
     for (const char* log : {"-journal", "-wal", "-shm"})
@@ -559,7 +557,8 @@ Expected<fs::path> recover(const fs::path& part) {
   const auto refused = [](Message why, const char* reason) {
     return tl::unexpected(Error{Error::Kind::Malformed, std::move(why), reason});
   };
-  if (part.extension() != ".part") return refused({"recovery-name", {part.string()}}, "no-part");
+  if (part.extension() != ".part")
+    return refused({"recovery-no-recording", {part.string()}}, "no-part");
   std::error_code error;
   if (!fs::is_regular_file(part, error))
     return refused({"recovery-no-file", {part.string()}}, "not-found");

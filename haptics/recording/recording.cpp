@@ -33,29 +33,28 @@ Expected<Database> opened(const fs::path& path, const std::atomic<bool>* cancel)
   };
   std::error_code error;
   if (!fs::is_regular_file(path, error))
-    return refused(Error::Kind::NotFound, {"recording-unreadable", {path.string()}}, "not-found");
+    return refused(Error::Kind::NotFound, {"input-unreadable", {path.string()}}, "not-found");
   if (path.extension() == ".part" || fs::exists(path.string() + "-wal", error))
     return refused(Error::Kind::Unsupported, {"recording-unfinished", {path.string()}},
                    "unfinished");
   if (const auto beside = foreignBeside(path)) return tl::unexpected(*beside);
   auto database = Database::open(path, Database::Mode::Read, cancel);
   if (!database)
-    return refused(Error::Kind::NotFound, {"recording-not-opened", {path.string()}}, "not-found");
+    return refused(Error::Kind::NotFound, {"input-unreadable", {path.string()}}, "not-found");
   if (database->integer("PRAGMA application_id") != kApplicationId)
     return refused(Error::Kind::Unsupported, {"recording-of-another-program", {path.string()}},
                    "no-recording");
   const std::int64_t format = database->integer("PRAGMA user_version");
   if (format > kHighestFormat)
-    return refused(Error::Kind::Unsupported, {"recording-of-later-palpate", {path.string()}},
-                   "newer");
+    return refused(Error::Kind::Unsupported, {"file-of-later-palpate", {path.string()}}, "newer");
   if (format < kFormatOfScans || !database->hasSchema(kSchema))
-    return refused(Error::Kind::Malformed, {"recording-other-tables", {path.string()}}, "damaged");
+    return refused(Error::Kind::Malformed, {"recording-of-another-program", {path.string()}},
+                   "damaged");
   return database;
 }
 
 tl::unexpected<Error> cancelledReading() {
-  return tl::unexpected(
-      Error{Error::Kind::Cancelled, {"recording-reading-cancelled", {}}, "cancelled"});
+  return tl::unexpected(Error{Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
 }
 
 std::int64_t bytesInFile(const fs::path& path) {

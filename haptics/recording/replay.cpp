@@ -113,7 +113,7 @@ Expected<ReplayDifference> replay(
   if (auto read = recording.forEach(-everything, everything, each); !read)
     return tl::unexpected(read.error());
   if (cancelled)
-    return tl::unexpected(Error{Error::Kind::Cancelled, {"replay-cancelled", {}}, "cancelled"});
+    return tl::unexpected(Error{Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
   return difference;
 }
 

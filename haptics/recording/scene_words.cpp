@@ -261,7 +261,7 @@ Expected<RecordedScene> sceneFrom(const SceneWords& words) {
     takeVolume(volume, scene.volume);
     takeEdits(volume, scene);
   } catch (const json::exception&) {
-    return damagedWords({"recording-scene-damaged", {}});
+    return damagedWords({"recording-damaged", {}});
   }
   return scene;
 }
@@ -324,7 +324,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     take(words.at("turn"), start.turn);
     // of the first recordings, which were all at 1 kHz, none has it
     if (words.contains("rate")) start.rate.hz = whole<int>(words.at("rate"));
-    if (!isServoRate(start.rate.hz)) return damagedWords({"recording-start-damaged", {}});
+    if (!isServoRate(start.rate.hz)) return damagedWords({"recording-damaged", {}});
     const json& limit = words.at("limits");
     limits = {limitFrom(limit.at("force")),           limitFrom(limit.at("torque")),
               limit.at("ramp_time").get<double>(),    limit.at("slew_time").get<double>(),
@@ -335,7 +335,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     constexpr int kReasons = static_cast<int>(ForceReason::Stalled);
     if (state < 0 || state > static_cast<int>(ForceState::Fault) || reason < 0 ||
         reason > kReasons || withheld < 0 || withheld > kReasons)
-      return damagedWords({"recording-start-damaged", {}});
+      return damagedWords({"recording-damaged", {}});
     safety.state = static_cast<ForceState>(state);
     safety.reason = static_cast<ForceReason>(reason);
     safety.withheld = static_cast<ForceReason>(withheld);
@@ -363,7 +363,7 @@ Expected<ProxyStart> startFrom(const std::string& text) {
     guard.since = passivity.at("since").get<double>();
     guard.share = passivity.at("share").get<double>();
   } catch (const json::exception&) {
-    return damagedWords({"recording-start-damaged", {}});
+    return damagedWords({"recording-damaged", {}});
   }
   return start;
 }

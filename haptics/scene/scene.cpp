@@ -71,7 +71,7 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
     build_time = secondsSince(begun);
   }
   if (options.cancel != nullptr && *options.cancel)
-    return tl::unexpected(Error{Error::Kind::Cancelled, {"scene-cancelled", {}}, "cancelled"});
+    return tl::unexpected(Error{Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
   if (&scan == volume.get()) scan_field = field;
   const Tolerances lengths{field->voxel(), options.fineness.epsilon};
   // a tool that is one point has no length of its own: the voxel's stands in

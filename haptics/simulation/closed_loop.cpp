@@ -49,7 +49,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   PosePredictor ahead{lead, linkage.encoder};
   Pose X_WD = ahead.ahead(link.read(device.X_WD), 0);
   const std::optional<Pose> start = legalPoseNear(*scene, settings.isovalue, X_WD);
-  if (!start) return tl::unexpected(Error{Error::Kind::Unsupported, {"hand-starts-inside", {}}});
+  if (!start) return tl::unexpected(Error{Error::Kind::Unsupported, {"session-no-room", {}}});
   if (on_start) on_start(*start);
   Proxy proxy{*scene, *start};
   Safety safety{limits};

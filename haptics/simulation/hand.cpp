@@ -155,8 +155,8 @@ Expected<Hand> Hand::aimed(HandMotion motion, const Scene& scene, double isovalu
   const Isosurface solid{scene.field, isovalue};
   const std::optional<Vec3> middle = middleOfSolid(scene, isovalue);
   if (!middle)
-    return tl::unexpected(Error{
-        Error::Kind::NotFound, {"hand-isovalue-not-reached", {plain(isovalue)}}, "nothing-inside"});
+    return tl::unexpected(
+        Error{Error::Kind::NotFound, {"hand-no-surface", {plain(isovalue)}}, "nothing-inside"});
   const Grid& grid = scene.volume->grid;
   const VoxelBox& box = scene.field.bounds();
   Vec3 first, last;  // voxels

@@ -99,9 +99,10 @@ Expected<Tool> makeTool(std::string name, TriangleMesh mesh, int point_count) {
   for (const auto& triangle : mesh.triangles)
     for (const std::uint32_t v : triangle)
       if (v >= mesh.vertices.size())
-        return tl::unexpected(Error{Error::Kind::Malformed, {"tool-triangle-no-vertices", {name}}});
+        return tl::unexpected(
+            Error{Error::Kind::Malformed, {"mesh-face-wrong", {'"' + name + '"'}}});
   if (point_count > 0 && mesh.triangles.empty())
-    return tl::unexpected(Error{Error::Kind::Malformed, {"tool-no-triangle", {name}}});
+    return tl::unexpected(Error{Error::Kind::Malformed, {"mesh-no-triangle", {'"' + name + '"'}}});
   std::vector<Vec3> points = point_count > 0 ? sampleByArea(mesh, point_count) : mesh.vertices;
   Expected<PointShell> shell = makeShell(std::move(points));
   if (!shell) return tl::unexpected(shell.error());

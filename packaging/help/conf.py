@@ -31,10 +31,7 @@ def adapt(app, name, source):
     text = source[0]
     if name == "index":  # what the window lists by itself
         text += "\n```{toctree}\n:hidden:\n:glob:\n*\n```\n"
-    if app.builder.name == "html":
-        # the ids of messages are places that links may name
-        text = re.sub(r"^- `([a-z0-9-]+)`: ", r'- <a id="\1"></a>`\1`: ', text, flags=re.M)
-    else:  # a man page does not show where a link leads
+    if app.builder.name != "html":  # a man page does not show where a link leads
         text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     source[0] = text
 

@@ -22,7 +22,7 @@ import xml.etree.ElementTree as ElementTree
 STRINGS = r'("(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*)'  # that the compiler joins
 FOLDERS = ("app", "ui")
 COMMENT = re.compile(r'//[^\n]*|("(?:[^"\\\n]|\\.)*")')
-ROW = re.compile(r'\{\s*"[^"]*"\s*,\s*%s\s*\}' % STRINGS)
+ROW = re.compile(r'\{\s*"[^"]*"\s*,\s*%s\s*(?:,\s*"[a-z-]*"\s*)?\}' % STRINGS)
 OWN = re.compile(r'translate\(\s*"([^"]+)"\s*,\s*(\w+)\)')
 MACRO = re.compile(r'#define (\w+)\(\w+\) QT_TRANSLATE_NOOP\("([^"]+)"')
 FORMAT = re.compile(r'\{\s*"\w+",\s*"[^"]*",\s*%s,\s*%s,\s*%s' % (STRINGS, STRINGS, STRINGS))

@@ -89,9 +89,9 @@ std::string sentence(const haptics::Message& message, const Wording& wording) {
   return words;
 }
 
-std::string_view idOf(std::string_view words, const Wording& wording) {
+const Row* rowIn(std::string_view words, const Wording& wording) {
   constexpr std::size_t kTooLittle = 12;  // "%1: %2" stands in nearly every sentence
-  std::string_view best;
+  const Row* best = nullptr;
   std::size_t most = kTooLittle;
   for (const Row& row : rows()) {
     // the parts between the arguments, in their order
@@ -110,7 +110,7 @@ std::string_view idOf(std::string_view words, const Wording& wording) {
     }
     if (all && matched > most) {
       most = matched;
-      best = row.id;
+      best = &row;
     }
   }
   return best;

@@ -25,8 +25,8 @@ struct Wording {
 std::string sentence(const haptics::Message& message, const Wording& wording = {});
 std::string sentence(const haptics::Error& error, const Wording& wording = {});
 
-/// The id of the message whose words stand in `words`, which may have more around them; of several
-/// the one of which most stands there. Empty if there is none. `wording`: as they were worded.
-std::string_view idOf(std::string_view words, const Wording& wording = {});
+/// The row whose words stand in `words`, which may have more around them; of several the one of
+/// which most stands there. Null if there is none. `wording`: as they were worded.
+const Row* rowIn(std::string_view words, const Wording& wording = {});
 
 }  // namespace resources

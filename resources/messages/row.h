@@ -10,6 +10,7 @@ namespace resources {
 struct Row {
   std::string_view id;
   std::string_view english;
+  std::string_view reason = {};  ///< whose entry in the help explains it; empty: it needs none
 };
 
 }  // namespace resources

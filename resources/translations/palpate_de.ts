@@ -4,36 +4,12 @@
 <context>
     <name>Messages</name>
     <message>
-        <source>There is no hand &quot;%1&quot;; choose one of %2, or a CSV of poses.</source>
-        <translation>Es gibt keine Hand „%1“; wählen Sie %2 oder eine CSV-Datei mit Posen.</translation>
-    </message>
-    <message>
         <source>The isovalue %1 is at or below the background %2, where everything would be solid; choose a higher one.</source>
         <translation>Der Isowert %1 liegt nicht über dem Hintergrund %2, wo alles fest wäre; wählen Sie einen höheren.</translation>
     </message>
     <message>
         <source>The tool is up to %1 mm long, which is unusual; the points are taken to be in metres.</source>
         <translation>Das Werkzeug ist bis zu %1 mm lang, was ungewöhnlich ist; die Punkte werden in Metern verstanden.</translation>
-    </message>
-    <message>
-        <source>This palpate-cli was built without readers and opens no files; use --phantom, or the desktop build.</source>
-        <translation>Dieses palpate-cli wurde ohne Leser gebaut und öffnet keine Dateien; verwenden Sie --phantom oder das Programm mit Fenster.</translation>
-    </message>
-    <message>
-        <source>There is no tool &quot;%1&quot;; choose one of %2, or a mesh file.</source>
-        <translation>Es gibt kein Werkzeug „%1“; wählen Sie %2 oder eine Netzdatei.</translation>
-    </message>
-    <message>
-        <source>There is no unit &quot;%1&quot;; choose one of m, mm, cm, in.</source>
-        <translation>Es gibt keine Einheit „%1“; wählen Sie m, mm, cm oder in.</translation>
-    </message>
-    <message>
-        <source>This palpate-cli was built without readers and opens no mesh files; use a named tool or a CSV of points.</source>
-        <translation>Dieses palpate-cli wurde ohne Leser gebaut und öffnet keine Netzdateien; verwenden Sie ein benanntes Werkzeug oder eine CSV-Datei mit Punkten.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is empty.</source>
-        <translation>„%1“ ist leer.</translation>
     </message>
     <message>
         <source>The first line of &quot;%1&quot; holds numbers, where the columns&apos; names belong, and would be lost; write a line of names above it.</source>
@@ -44,10 +20,6 @@
         <translation>„%1“ braucht %2 durch Kommas getrennte Zahlen in Zeile %3.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; holds a header and no rows.</source>
-        <translation>„%1“ enthält eine Kopfzeile und keine weiteren Zeilen.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; has a rotation that is no unit quaternion.</source>
         <translation>„%1“ enthält eine Drehung, die kein Einheitsquaternion ist.</translation>
     </message>
@@ -56,36 +28,8 @@
         <translation>„%1“ führt die Hand weiter als 100 m weg, wohin keine Hand kommt; die Positionen gelten in Metern.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not opened: its field &quot;%2&quot; has a value that no view has; use a copy of the file.</source>
-        <translation>„%1“ wurde nicht geöffnet: Das Feld „%2“ hat einen Wert, den keine Ansicht hat; verwenden Sie eine Kopie der Datei.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was not opened: its field &quot;%2&quot; is missing; use a copy of the file.</source>
-        <translation>„%1“ wurde nicht geöffnet: Das Feld „%2“ fehlt; verwenden Sie eine Kopie der Datei.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was not opened: it has a field that this version of views does not have; use a copy of the file.</source>
-        <translation>„%1“ wurde nicht geöffnet: Die Datei hat ein Feld, das diese Version der Ansichten nicht kennt; verwenden Sie eine Kopie der Datei.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is damaged, or is no view of Palpate&apos;s; views end in .palpate-view.</source>
-        <translation>„%1“ ist beschädigt oder keine Ansicht von Palpate; Ansichten enden auf .palpate-view.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; was saved by an earlier Palpate, in a version of views that this one does not read; use that one.</source>
         <translation>„%1“ wurde von einem früheren Palpate gespeichert, in einer Version der Ansichten, die dieses nicht liest; verwenden Sie jenes.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was saved by a later Palpate; use that one.</source>
-        <translation>„%1“ wurde von einem späteren Palpate gespeichert; verwenden Sie jenes.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is larger than 1 MB, and no view is; choose another file.</source>
-        <translation>„%1“ ist größer als 1 MB, und das ist keine Ansicht; wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no file that can be read; check the path.</source>
-        <translation>„%1“ ist keine lesbare Datei; prüfen Sie den Pfad.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was not saved: with so many notes and edits it would be larger than 1 MB; delete some and save again.</source>
@@ -104,14 +48,6 @@
         <translation>Polhem und WoodenHaptics haben die gleichen Platinen: Verbinden Sie den Arm, der es wirklich ist, sonst wird er in falsche Richtungen gedrückt.</translation>
     </message>
     <message>
-        <source>No %1 is plugged in; switch its power on and plug its USB cable in.</source>
-        <translation>Kein Gerät „%1“ ist angeschlossen; schalten Sie es ein und stecken Sie sein USB-Kabel an.</translation>
-    </message>
-    <message>
-        <source>The %1 went away; plug it in again.</source>
-        <translation>Die Verbindung zu %1 ist abgebrochen; stecken Sie das Gerät wieder an.</translation>
-    </message>
-    <message>
         <source>The board of the %1 has firmware of before October 2019, which is not supported; load a newer one of its makers.</source>
         <translation>Die Platine von %1 hat eine Firmware von vor Oktober 2019, die nicht unterstützt wird; laden Sie eine neuere ihrer Hersteller.</translation>
     </message>
@@ -122,34 +58,6 @@
     <message>
         <source>There is no device &apos;%1&apos;; `palpate-cli devices` lists those that are known.</source>
         <translation>Es gibt kein Gerät „%1“; „palpate-cli devices“ nennt die bekannten.</translation>
-    </message>
-    <message>
-        <source>The Novint Falcon was lost while it was opened; plug it in again, best into the computer itself, and open it again.</source>
-        <translation>Die Verbindung zum Novint Falcon brach beim Öffnen ab; stecken Sie ihn wieder an, am besten direkt am Computer, und öffnen Sie ihn noch einmal.</translation>
-    </message>
-    <message>
-        <source>No Novint Falcon is plugged in; plug in its USB cable and its power supply.</source>
-        <translation>Kein Novint Falcon ist angeschlossen; stecken Sie sein USB-Kabel und sein Netzteil an.</translation>
-    </message>
-    <message>
-        <source>The system does not let you use the Novint Falcon; install Palpate&apos;s rules for devices, 70-palpate.rules, and plug it in again.</source>
-        <translation>Das System lässt Sie den Novint Falcon nicht verwenden; installieren Sie Palpates Geräteregeln, 70-palpate.rules, und stecken Sie ihn wieder an.</translation>
-    </message>
-    <message>
-        <source>The Novint Falcon is in use; close the program that has it.</source>
-        <translation>Der Novint Falcon ist in Gebrauch; schließen Sie das Programm, das ihn verwendet.</translation>
-    </message>
-    <message>
-        <source>The Novint Falcon&apos;s firmware file &apos;%1&apos; cannot be read; choose the one that came with the Falcon&apos;s own software.</source>
-        <translation>Die Firmwaredatei „%1“ des Novint Falcon lässt sich nicht lesen; wählen Sie die aus der Software, die dem Falcon beilag.</translation>
-    </message>
-    <message>
-        <source>The Novint Falcon&apos;s firmware file &apos;%1&apos; is empty; choose the one that came with the Falcon&apos;s own software.</source>
-        <translation>Die Firmwaredatei „%1“ des Novint Falcon ist leer; wählen Sie die aus der Software, die dem Falcon beilag.</translation>
-    </message>
-    <message>
-        <source>The Novint Falcon&apos;s firmware file &apos;%1&apos; is larger than the Falcon&apos;s memory; choose the one that came with the Falcon&apos;s own software.</source>
-        <translation>Die Firmwaredatei „%1“ des Novint Falcon ist größer als der Speicher des Falcon; wählen Sie die aus der Software, die dem Falcon beilag.</translation>
     </message>
     <message>
         <source>The Novint Falcon has had no firmware since it was switched on; choose the firmware file that came with the Falcon&apos;s own software.</source>
@@ -168,26 +76,6 @@
         <translation>Der Novint Falcon hat „%1“ angenommen, führt es aber nicht aus; schalten Sie ihn aus und ein, und wählen Sie die Firmwaredatei aus der Software, die dem Falcon beilag.</translation>
     </message>
     <message>
-        <source>Another program uses the Novint Falcon; close that program first.</source>
-        <translation>Ein anderes Programm verwendet den Novint Falcon; schließen Sie es zuerst.</translation>
-    </message>
-    <message>
-        <source>The Novint Falcon is not plugged in, or not where it was; plug in its USB cable and its power supply.</source>
-        <translation>Der Novint Falcon ist nicht angeschlossen oder nicht, wo er war; stecken Sie sein USB-Kabel und sein Netzteil an.</translation>
-    </message>
-    <message>
-        <source>The Novint Falcon could not be opened (%1); unplug it and plug it in again.</source>
-        <translation>Der Novint Falcon ließ sich nicht öffnen (%1); ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
-    </message>
-    <message>
-        <source>install it from its maker&apos;s site, where the system looks for libraries.</source>
-        <translation>installieren Sie es von der Website des Herstellers an einem Ort, an dem das System nach Bibliotheken sucht.</translation>
-    </message>
-    <message>
-        <source>The Force Dimension SDK is too old (%1 lacks %2); install a newer one from its maker&apos;s site.</source>
-        <translation>Das SDK von Force Dimension ist zu alt (%1 hat kein %2); installieren Sie ein neueres von der Website des Herstellers.</translation>
-    </message>
-    <message>
         <source>The Force Dimension SDK is of version %1.%2.%3, and Palpate knows 3.3.2 to 3.x; install one of these from its maker&apos;s site.</source>
         <translation>Das SDK von Force Dimension hat die Version %1.%2.%3, und Palpate kennt 3.3.2 bis 3.x; installieren Sie eine davon von der Website des Herstellers.</translation>
     </message>
@@ -200,40 +88,12 @@
         <translation>%1 nimmt keine Zeitüberwachung an; ohne sie bliebe die Kraft eingeschaltet, wenn ein Programm abstürzt. Aktualisieren Sie die Firmware.</translation>
     </message>
     <message>
-        <source>Another program uses the Force Dimension device; close that program first.</source>
-        <translation>Ein anderes Programm verwendet das Gerät von Force Dimension; schließen Sie es zuerst.</translation>
-    </message>
-    <message>
-        <source>The system does not let you use the Force Dimension device; install Palpate&apos;s rules for devices, 70-palpate.rules, and plug it in again.</source>
-        <translation>Das System lässt Sie das Gerät von Force Dimension nicht verwenden; installieren Sie Palpates Geräteregeln, 70-palpate.rules, und stecken Sie es wieder an.</translation>
-    </message>
-    <message>
-        <source>The Force Dimension device is gone; plug it in and switch it on.</source>
-        <translation>Das Gerät von Force Dimension ist weg; stecken Sie es an und schalten Sie es ein.</translation>
-    </message>
-    <message>
         <source>The Force Dimension device does not answer; switch it on, and see that Palpate&apos;s rules for devices, 70-palpate.rules, are installed.</source>
         <translation>Das Gerät von Force Dimension antwortet nicht; schalten Sie es ein, und prüfen Sie, ob Palpates Geräteregeln, 70-palpate.rules, installiert sind.</translation>
     </message>
     <message>
-        <source>The Force Dimension device could not be opened (error %1); switch it off and on again.</source>
-        <translation>Das Gerät von Force Dimension ließ sich nicht öffnen (Fehler %1); schalten Sie es aus und wieder ein.</translation>
-    </message>
-    <message>
-        <source>No Force Dimension device is found; plug it in and switch it on.</source>
-        <translation>Kein Gerät von Force Dimension wurde gefunden; stecken Sie es an und schalten Sie es ein.</translation>
-    </message>
-    <message>
-        <source>Palpate has a Force Dimension device open.</source>
-        <translation>Palpate hat ein Gerät von Force Dimension geöffnet.</translation>
-    </message>
-    <message>
         <source>Opening it tells which model it is.</source>
         <translation>Erst das Öffnen zeigt, welches Modell es ist.</translation>
-    </message>
-    <message>
-        <source>Palpate has a Force Dimension device open; close that one first.</source>
-        <translation>Palpate hat ein Gerät von Force Dimension geöffnet; schließen Sie dieses zuerst.</translation>
     </message>
     <message>
         <source>The system does not let you use the %1; install Palpate&apos;s rules for devices, 70-palpate.rules, and plug it in again.</source>
@@ -248,16 +108,8 @@
         <translation>%1 ist weg; stecken Sie das Gerät wieder an.</translation>
     </message>
     <message>
-        <source>The %1 could not be opened; unplug it and plug it in again.</source>
-        <translation>%1 ließ sich nicht öffnen; ziehen Sie das Gerät ab und stecken Sie es wieder an.</translation>
-    </message>
-    <message>
         <source>The Haply Inverse3 has no power; plug in its power supply.</source>
         <translation>Der Haply Inverse3 hat keinen Strom; stecken Sie sein Netzteil ein.</translation>
-    </message>
-    <message>
-        <source>The Haply Inverse3 is not started; switch it off and on, and wait.</source>
-        <translation>Der Haply Inverse3 ist nicht gestartet; schalten Sie ihn aus und ein, und warten Sie.</translation>
     </message>
     <message>
         <source>The Haply Inverse3 is not ready; wait, or switch it off and on.</source>
@@ -284,18 +136,6 @@
         <translation>Der Haply Inverse3 %1 ist auf andere Achsen gestellt als die des Herstellers; stellen Sie seine Basis in Haply Hub auf XYZ.</translation>
     </message>
     <message>
-        <source>install it and the device&apos;s driver from 3D Systems&apos; site, where the system looks for libraries.</source>
-        <translation>installieren Sie es und den Treiber des Geräts von der Website von 3D Systems an einem Ort, an dem das System nach Bibliotheken sucht.</translation>
-    </message>
-    <message>
-        <source>OpenHaptics is too old (%1 lacks %2); install a newer one from 3D Systems&apos; site.</source>
-        <translation>OpenHaptics ist zu alt (%1 hat kein %2); installieren Sie ein neueres von der Website von 3D Systems.</translation>
-    </message>
-    <message>
-        <source>Another program uses the Touch or PHANTOM; close that program first.</source>
-        <translation>Ein anderes Programm verwendet den Touch oder PHANTOM; schließen Sie es zuerst.</translation>
-    </message>
-    <message>
         <source>OpenHaptics finds no valid licence; run its licence tool, or install the developer edition from 3D Systems&apos; site.</source>
         <translation>OpenHaptics findet keine gültige Lizenz; starten Sie sein Lizenzprogramm, oder installieren Sie die Entwicklerausgabe von der Website von 3D Systems.</translation>
     </message>
@@ -308,32 +148,8 @@
         <translation>OpenHaptics findet keinen Touch oder PHANTOM; stecken Sie ihn an, schalten Sie ihn ein, und richten Sie ihn mit dem Programm des Herstellers ein.</translation>
     </message>
     <message>
-        <source>OpenHaptics could not open the Touch or PHANTOM (error %1); try the maker&apos;s diagnostic tool.</source>
-        <translation>OpenHaptics konnte den Touch oder PHANTOM nicht öffnen (Fehler %1); versuchen Sie das Diagnoseprogramm des Herstellers.</translation>
-    </message>
-    <message>
-        <source>Palpate has a Touch or PHANTOM open.</source>
-        <translation>Palpate hat einen Touch oder PHANTOM geöffnet.</translation>
-    </message>
-    <message>
         <source>OpenHaptics is installed; opening tells whether a device is there.</source>
         <translation>OpenHaptics ist installiert; erst das Öffnen zeigt, ob ein Gerät da ist.</translation>
-    </message>
-    <message>
-        <source>Palpate has a Touch or PHANTOM open; close that one first.</source>
-        <translation>Palpate hat einen Touch oder PHANTOM geöffnet; schließen Sie diesen zuerst.</translation>
-    </message>
-    <message>
-        <source>%1: %2 cannot be loaded (%3); %4</source>
-        <translation>%1: %2 lässt sich nicht laden (%3); %4</translation>
-    </message>
-    <message>
-        <source>%1 is not installed (looked for %2); %3</source>
-        <translation>%1 ist nicht installiert (gesucht wurde %2); %3</translation>
-    </message>
-    <message>
-        <source>No SpaceMouse is plugged in; plug it or its receiver in.</source>
-        <translation>Keine SpaceMouse ist angeschlossen; stecken Sie sie oder ihren Empfänger an.</translation>
     </message>
     <message>
         <source>The service spacenavd does not answer at &apos;%1&apos;; start it, or use the SpaceMouse without it.</source>
@@ -348,10 +164,6 @@
         <translation>der Datenträger ist voll</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be written (%2); choose a folder that can be written and has room.</source>
-        <translation>„%1“ lässt sich nicht schreiben (%2); wählen Sie einen Ordner, der beschreibbar ist und Platz hat.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is no regular file, and is not written over; name a file.</source>
         <translation>„%1“ ist keine gewöhnliche Datei und wird nicht überschrieben; nennen Sie eine Datei.</translation>
     </message>
@@ -364,42 +176,6 @@
         <translation>„%1“ nennt einen Ordner; fügen Sie hinzu, wie die Namen der Dateien beginnen, etwa sub-01_task-touch.</translation>
     </message>
     <message>
-        <source>The recording goes from %1 s to %2 s and holds no step%3%4%5; choose others.</source>
-        <translation>Die Aufzeichnung reicht von %1 s bis %2 s und enthält keinen Schritt%3%4%5; wählen Sie andere Angaben.</translation>
-    </message>
-    <message>
-        <source> from %1 s</source>
-        <translation> ab %1 s</translation>
-    </message>
-    <message>
-        <source> to %1 s</source>
-        <translation> bis %1 s</translation>
-    </message>
-    <message>
-        <source> at %1 Hz</source>
-        <translation> mit %1 Hz</translation>
-    </message>
-    <message>
-        <source>The recording is damaged: its time goes backwards; use a copy.</source>
-        <translation>Die Aufzeichnung ist beschädigt: Ihre Zeit läuft rückwärts; verwenden Sie eine Kopie.</translation>
-    </message>
-    <message>
-        <source>Stopped; nothing was exported.</source>
-        <translation>Angehalten; nichts wurde exportiert.</translation>
-    </message>
-    <message>
-        <source>The film was cancelled.</source>
-        <translation>Der Film wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>ffmpeg ended before the film was whole; check the room on the disk, and that ffmpeg has libx264.</source>
-        <translation>ffmpeg endete, bevor der Film vollständig war; prüfen Sie den Platz auf dem Datenträger, und ob ffmpeg libx264 enthält.</translation>
-    </message>
-    <message>
-        <source>ffmpeg ended before the film was whole (%1); check the room on the disk, and that ffmpeg has libx264.</source>
-        <translation>ffmpeg endete, bevor der Film vollständig war (%1); prüfen Sie den Platz auf dem Datenträger, und ob ffmpeg libx264 enthält.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; cannot be written; check that its folder exists, may be written to and has room.</source>
         <translation>„%1“ lässt sich nicht schreiben; prüfen Sie, ob der Ordner besteht, beschreibbar ist und Platz hat.</translation>
     </message>
@@ -410,18 +186,6 @@
     <message>
         <source>The film would have more than a million frames; take a shorter stretch, or a greater speed.</source>
         <translation>Der Film hätte mehr als eine Million Bilder; nehmen Sie eine kürzere Spanne oder eine größere Geschwindigkeit.</translation>
-    </message>
-    <message>
-        <source>A film&apos;s width and height are even numbers of 64 to 7680 pixels.</source>
-        <translation>Breite und Höhe eines Films sind gerade Zahlen von 64 bis 7680 Pixeln.</translation>
-    </message>
-    <message>
-        <source>A film has 1 to 240 frames a second.</source>
-        <translation>Ein Film hat 1 bis 240 Bilder in der Sekunde.</translation>
-    </message>
-    <message>
-        <source>A film&apos;s speed is 0.001 to 1000 times that of the session.</source>
-        <translation>Die Geschwindigkeit eines Films ist das 0,001- bis 1000-Fache der Sitzung.</translation>
     </message>
     <message>
         <source>There is no X display to draw a film on; set DISPLAY, or where there is no screen put &quot;xvfb-run -a&quot; before the command.</source>
@@ -632,16 +396,8 @@
         <translation>„%1“ nimmt vorerst keine Assoziationen mehr an; versuchen Sie es später noch einmal.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; does not permit &quot;%2&quot; an echo; ask its administrator for permission.</source>
-        <translation>„%1“ erlaubt „%2“ kein Echo; bitten Sie den Administrator um Erlaubnis.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; ended the association at the first request: it does not know &quot;%2&quot; or does not permit it to search; ask its administrator.</source>
         <translation>„%1“ beendete die Assoziation bei der ersten Anfrage: Der Server kennt „%2“ nicht oder erlaubt ihm keine Suche; fragen Sie den Administrator.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; does not permit &quot;%2&quot; to search; ask its administrator for permission.</source>
-        <translation>„%1“ erlaubt „%2“ keine Suche; bitten Sie den Administrator um Erlaubnis.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; offers no C-GET to this program; ask its administrator for permission, or switch C-MOVE on for it.</source>
@@ -680,48 +436,8 @@
         <translation>Die Antwort des Servers brach ab; versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; answered with HTTP status %2; ask its administrator.</source>
-        <translation>„%1“ antwortete mit HTTP-Status %2; fragen Sie den Administrator.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; answered with DIMSE status %2 (hexadecimal); ask its administrator.</source>
-        <translation>„%1“ antwortete mit DIMSE-Status %2 (hexadezimal); fragen Sie den Administrator.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; answered with a message that has no place there; ask its administrator.</source>
-        <translation>„%1“ antwortete mit einer Nachricht, die dort keinen Platz hat; fragen Sie den Administrator.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; sent a message that is longer than any it was asked for; ask its administrator.</source>
-        <translation>„%1“ sendete eine Nachricht, die länger ist als jede, um die gebeten wurde; fragen Sie den Administrator.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; packed its answer although it was asked not to; ask its administrator.</source>
-        <translation>„%1“ hat die Antwort gepackt, obwohl darum gebeten wurde, es nicht zu tun; fragen Sie den Administrator.</translation>
-    </message>
-    <message>
-        <source>The server&apos;s answer is no multipart message as DICOMweb has them; ask its administrator.</source>
-        <translation>Die Antwort des Servers ist keine mehrteilige Nachricht, wie DICOMweb sie hat; fragen Sie den Administrator.</translation>
-    </message>
-    <message>
-        <source>The server&apos;s answer is no list as DICOMweb has them; check the path of the URL.</source>
-        <translation>Die Antwort des Servers ist keine Liste, wie DICOMweb sie hat; prüfen Sie den Pfad der URL.</translation>
-    </message>
-    <message>
         <source>The server&apos;s answer is too long; search more narrowly.</source>
         <translation>Die Antwort des Servers ist zu lang; suchen Sie enger.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; finds too much; search more narrowly.</source>
-        <translation>„%1“ findet zu viel; suchen Sie enger.</translation>
-    </message>
-    <message>
-        <source>More than %1 studies match; search more narrowly.</source>
-        <translation>Mehr als %1 Studien passen; suchen Sie enger.</translation>
-    </message>
-    <message>
-        <source>More than %1 series match; search more narrowly.</source>
-        <translation>Mehr als %1 Serien passen; suchen Sie enger.</translation>
     </message>
     <message>
         <source>More than %1 entries match; search more narrowly.</source>
@@ -816,26 +532,6 @@
         <translation>Komprimierte Bilder decodiert das Programm %1, das nicht installiert ist; installieren Sie Palpate noch einmal, oder exportieren Sie die Bilder als Explicit Little Endian.</translation>
     </message>
     <message>
-        <source>Compressed images are decoded by the program %1, which could not be given memory; install Palpate again, or export the images as explicit little endian.</source>
-        <translation>Komprimierte Bilder decodiert das Programm %1, das keinen Speicher bekommen konnte; installieren Sie Palpate noch einmal, oder exportieren Sie die Bilder als Explicit Little Endian.</translation>
-    </message>
-    <message>
-        <source>Compressed images are decoded by the program %1, which could not be connected; install Palpate again, or export the images as explicit little endian.</source>
-        <translation>Komprimierte Bilder decodiert das Programm %1, das sich nicht verbinden ließ; installieren Sie Palpate noch einmal, oder exportieren Sie die Bilder als Explicit Little Endian.</translation>
-    </message>
-    <message>
-        <source>Compressed images are decoded by the program %1, which could not be started; install Palpate again, or export the images as explicit little endian.</source>
-        <translation>Komprimierte Bilder decodiert das Programm %1, das sich nicht starten ließ; installieren Sie Palpate noch einmal, oder exportieren Sie die Bilder als Explicit Little Endian.</translation>
-    </message>
-    <message>
-        <source>Compressed images are decoded by the program %1, which could not be confined to its work on this system; install Palpate again, or export the images as explicit little endian.</source>
-        <translation>Komprimierte Bilder decodiert das Programm %1, das sich auf diesem System nicht auf seine Arbeit beschränken ließ; installieren Sie Palpate noch einmal, oder exportieren Sie die Bilder als Explicit Little Endian.</translation>
-    </message>
-    <message>
-        <source>The compressed pixels of %1 are damaged or cut off; fetch the file again.</source>
-        <translation>Die komprimierten Pixel von %1 sind beschädigt oder abgeschnitten; holen Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>The file %1 states a %2 that is not written as DICOM writes numbers (&quot;1.5&quot;, with a point and without a unit), or too many or too few of them; export it again.</source>
         <translation>Die Datei %1 nennt %2 nicht so, wie DICOM Zahlen schreibt („1.5“, mit einem Punkt und ohne Einheit), oder mit zu vielen oder zu wenigen Zahlen; exportieren Sie sie noch einmal.</translation>
     </message>
@@ -844,36 +540,12 @@
         <translation>Die Datei %1 wurde kopiert, als wäre sie Text, wodurch Bytes zwischen ihre Pixel gerieten; kopieren Sie sie noch einmal, im Binärmodus.</translation>
     </message>
     <message>
-        <source>The file %1 goes on after its pixels with something that is no DICOM; copy or fetch it again.</source>
-        <translation>Die Datei %1 geht nach ihren Pixeln mit etwas weiter, das kein DICOM ist; kopieren oder holen Sie sie noch einmal.</translation>
-    </message>
-    <message>
         <source>A file of the series describes an image and ends without its pixels; fetch it again.</source>
         <translation>Eine Datei der Serie beschreibt ein Bild und endet ohne seine Pixel; holen Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>The series holds no image (modality not stated); choose the series of the scan.</source>
-        <translation>Die Serie enthält kein Bild (Modalität nicht angegeben); wählen Sie die Serie der Aufnahme.</translation>
-    </message>
-    <message>
-        <source>The series holds no image (modality %1); choose the series of the scan.</source>
-        <translation>Die Serie enthält kein Bild (Modalität %1); wählen Sie die Serie der Aufnahme.</translation>
-    </message>
-    <message>
         <source>The series holds colour pictures, which have no isosurface; choose the series of the scan.</source>
         <translation>Die Serie enthält Farbbilder, und diese haben keine Isofläche; wählen Sie die Serie der Aufnahme.</translation>
-    </message>
-    <message>
-        <source>The file %1 ends before its pixels do; copy or fetch it again.</source>
-        <translation>Die Datei %1 endet vor ihren Pixeln; kopieren oder holen Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The file %1 states %2 frames, more than any scan has; export it again.</source>
-        <translation>Die Datei %1 nennt %2 Einzelbilder, mehr als jede Aufnahme hat; exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The file %1 states a number of pixels or bits that no image has; export it again.</source>
-        <translation>Die Datei %1 nennt eine Zahl von Pixeln oder Bits, die kein Bild hat; exportieren Sie sie noch einmal.</translation>
     </message>
     <message>
         <source>A file of the series holds more pixels than the slices it states; export it again, as one file per slice.</source>
@@ -900,24 +572,8 @@
         <translation>Die Datei %1 bildet ihre gespeicherten Werte durch eine Tabelle ab (Modality LUT), was hier nicht gemacht wird; exportieren Sie sie mit Rescale Slope und Rescale Intercept.</translation>
     </message>
     <message>
-        <source>The file %1 states one of rescale slope and intercept without the other; export it again.</source>
-        <translation>Die Datei %1 nennt von Rescale Slope und Rescale Intercept nur eines; exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The file %1 states a rescale slope of 0; export it again.</source>
-        <translation>Die Datei %1 nennt einen Rescale Slope von 0; exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
         <source>The file %1 does not say whether its pixels have a sign (Pixel Representation); export it again.</source>
         <translation>Die Datei %1 sagt nicht, ob ihre Pixel ein Vorzeichen haben (Pixel Representation); exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The file %1 states %2 stored of %3 bits, up to bit %4, which cannot be; export it again.</source>
-        <translation>Die Datei %1 nennt %2 gespeicherte von %3 Bit, bis zu Bit %4, was nicht sein kann; exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 is damaged or cut off; copy or fetch it again.</source>
-        <translation>Der Kopf von %1 ist beschädigt oder abgeschnitten; kopieren oder holen Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>The header of %1 cannot be understood; export it again.</source>
@@ -956,18 +612,6 @@
         <translation>Eine einzelne Schicht, so dick angenommen, wie sie angibt.</translation>
     </message>
     <message>
-        <source>A single slice of unstated thickness, taken to be 1 mm thick.</source>
-        <translation>Eine einzelne Schicht ohne Angabe der Dicke, mit 1 mm angenommen.</translation>
-    </message>
-    <message>
-        <source>%(1); 1 other copy of a slice in the folder is left out.</source>
-        <translation>%(1); 1 weitere Kopie einer Schicht im Ordner wird weggelassen.</translation>
-    </message>
-    <message>
-        <source>%(1); %2 other copies of slices in the folder are left out.</source>
-        <translation>%(1); %2 weitere Kopien von Schichten im Ordner werden weggelassen.</translation>
-    </message>
-    <message>
         <source>The pixels of %1 cannot be decoded: they are cut off, damaged or in a form unknown here; fetch the file again or export it as explicit little endian.</source>
         <translation>Die Pixel von %1 lassen sich nicht decodieren: Sie sind abgeschnitten, beschädigt oder in einer hier unbekannten Form; holen Sie die Datei noch einmal, oder exportieren Sie sie als Explicit Little Endian.</translation>
     </message>
@@ -992,20 +636,8 @@
         <translation>%1 ist größer oder wird entpackt größer, als die Datei einer Aufnahme sein sollte; exportieren Sie sie unkomprimiert.</translation>
     </message>
     <message>
-        <source>The compressed data of %1 end early or are damaged; copy or fetch it again.</source>
-        <translation>Die komprimierten Daten von %1 enden zu früh oder sind beschädigt; kopieren oder holen Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>%1 cannot be read; copy or fetch it again.</source>
         <translation>%1 lässt sich nicht lesen; kopieren oder holen Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>A slice of the series has a position or pixel spacing that is no positive number; export the series again.</source>
-        <translation>Eine Schicht der Serie hat eine Position oder einen Pixelabstand, der keine positive Zahl ist; exportieren Sie die Serie noch einmal.</translation>
-    </message>
-    <message>
-        <source>A slice of the series has an orientation that is not two perpendicular directions; export the series again.</source>
-        <translation>Eine Schicht der Serie hat eine Ausrichtung, die nicht aus zwei senkrechten Richtungen besteht; exportieren Sie die Serie noch einmal.</translation>
     </message>
     <message>
         <source>The series mixes slices of %1 x %2 and %3 x %4 pixels; put them into folders of their own.</source>
@@ -1064,20 +696,8 @@
         <translation>%(1); sie lassen sich auf ein rechtwinkliges Gitter mit gleichen Abständen umrechnen.</translation>
     </message>
     <message>
-        <source>The series holds no slice.</source>
-        <translation>Die Serie enthält keine Schicht.</translation>
-    </message>
-    <message>
-        <source>The header of %1 nests more sequences, or has more elements out of order, than any scan&apos;s, or cannot be understood; export it again.</source>
-        <translation>Der Kopf von %1 verschachtelt mehr Sequenzen oder hat mehr Elemente in falscher Reihenfolge als jede Aufnahme, oder er ist nicht zu verstehen; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>The archive %1 holds more than a study, or more than the disk for temporary files has room for; unpack it yourself and open the folder of one series.</source>
         <translation>Das Archiv %1 enthält mehr als eine Studie oder mehr, als der Datenträger für temporäre Dateien fasst; entpacken Sie es selbst, und öffnen Sie den Ordner einer Serie.</translation>
-    </message>
-    <message>
-        <source>The archive %1 is cut off or damaged; copy or fetch it again.</source>
-        <translation>Das Archiv %1 ist abgeschnitten oder beschädigt; kopieren oder holen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The archive %1 is locked with a password; unpack it yourself and open the folder.</source>
@@ -1100,10 +720,6 @@
         <translation>Das Volumen hat eine Achse ohne Voxel; sein Kopf ist fehlerhaft.</translation>
     </message>
     <message>
-        <source>The volume&apos;s spacing, orientation or origin is not a number; export it again with its geometry.</source>
-        <translation>Abstand, Ausrichtung oder Ursprung des Volumens ist keine Zahl; exportieren Sie es noch einmal mit seiner Geometrie.</translation>
-    </message>
-    <message>
         <source>The volume&apos;s voxel spacing of %1 x %2 x %3 mm cannot be right; export it again with its geometry.</source>
         <translation>Der Voxelabstand des Volumens von %1 x %2 x %3 mm kann nicht stimmen; exportieren Sie es noch einmal mit seiner Geometrie.</translation>
     </message>
@@ -1124,10 +740,6 @@
         <translation>%1 lässt sich nicht öffnen, ohne alles zu laden; kopieren Sie die Datei auf einen Datenträger dieses Rechners, oder lesen Sie einen Teil davon.</translation>
     </message>
     <message>
-        <source>%1 is too short for its voxels; copy or fetch it again.</source>
-        <translation>%1 ist zu kurz für seine Voxel; kopieren oder holen Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>Every %1th voxel is none; take every second, say.</source>
         <translation>Jedes %1. Voxel ist keines; nehmen Sie zum Beispiel jedes zweite.</translation>
     </message>
@@ -1138,10 +750,6 @@
     <message>
         <source>There is no file or folder %1 that can be read; check its name and its permissions.</source>
         <translation>Es gibt keine lesbare Datei und keinen lesbaren Ordner %1; prüfen Sie Namen und Zugriffsrechte.</translation>
-    </message>
-    <message>
-        <source>Loading was cancelled.</source>
-        <translation>Das Laden wurde abgebrochen.</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -1164,10 +772,6 @@
         <translation>speichern Sie es mit Zahlen in jedem Voxel</translation>
     </message>
     <message>
-        <source>The header of %1 states a size that is no positive number; export it again.</source>
-        <translation>Der Kopf von %1 nennt eine Größe, die keine positive Zahl ist; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>The header of %1 states more voxels than any memory holds; export it again.</source>
         <translation>Der Kopf von %1 nennt mehr Voxel, als jeder Speicher fasst; exportieren Sie die Datei noch einmal.</translation>
     </message>
@@ -1180,72 +784,12 @@
         <translation>%1 ist zu kurz für die Voxel, die der Kopf nennt; kopieren oder holen Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>The voxels of %1 end early or are damaged; copy or fetch the file again.</source>
-        <translation>Die Voxel von %1 enden zu früh oder sind beschädigt; kopieren oder holen Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The slice has no size.</source>
-        <translation>Die Schicht hat keine Größe.</translation>
-    </message>
-    <message>
-        <source>A vertex of %1 is not a finite number; export the mesh again.</source>
-        <translation>Ein Eckpunkt von %1 ist keine endliche Zahl; exportieren Sie das Netz noch einmal.</translation>
-    </message>
-    <message>
-        <source>A vertex of %1 is not three numbers; export the mesh again.</source>
-        <translation>Ein Eckpunkt von %1 besteht nicht aus drei Zahlen; exportieren Sie das Netz noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 begins a facet inside a facet; export it again.</source>
-        <translation>%1 beginnt eine Facette in einer Facette; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>A facet of %1 has %2 vertices and not three; export the mesh again as triangles.</source>
-        <translation>Eine Facette von %1 hat %2 Eckpunkte und nicht drei; exportieren Sie das Netz noch einmal als Dreiecke.</translation>
-    </message>
-    <message>
-        <source>%1 ends before its solid does; copy it again.</source>
-        <translation>%1 endet vor seinem Körper; kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 ends within its header; copy it again.</source>
-        <translation>%1 endet innerhalb seines Kopfes; kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 states %2 triangles and has room for %3; copy or export it again.</source>
-        <translation>%1 nennt %2 Dreiecke und hat Platz für %3; kopieren oder exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>Face %1 of %2 has fewer than three corners or names a vertex that the file does not have; export the mesh again.</source>
-        <translation>Fläche %1 von %2 hat weniger als drei Ecken oder nennt einen Eckpunkt, den die Datei nicht hat; exportieren Sie das Netz noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 is not one of a PLY file; export the mesh again.</source>
-        <translation>Der Kopf von %1 ist nicht der einer PLY-Datei; exportieren Sie das Netz noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 ends before its %2 rows of an element do; copy or export it again.</source>
-        <translation>%1 endet vor den %2 Zeilen eines Elements; kopieren oder exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>A face of %1 has fewer than three corners or names a vertex that the file does not have; export the mesh again.</source>
-        <translation>Eine Fläche von %1 hat weniger als drei Ecken oder nennt einen Eckpunkt, den die Datei nicht hat; exportieren Sie das Netz noch einmal.</translation>
-    </message>
-    <message>
         <source>%1 is not a mesh that can be read; save the tool as STL, OBJ or PLY.</source>
         <translation>%1 ist kein lesbares Netz; speichern Sie das Werkzeug als STL, OBJ oder PLY.</translation>
     </message>
     <message>
         <source>%1 is larger than 1 GB; reduce the mesh first.</source>
         <translation>%1 ist größer als 1 GB; verkleinern Sie zuerst das Netz.</translation>
-    </message>
-    <message>
-        <source>The memory of this machine does not hold %1; reduce the mesh first.</source>
-        <translation>Der Speicher dieses Rechners fasst %1 nicht; verkleinern Sie zuerst das Netz.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read as a mesh; export it again as binary STL.</source>
-        <translation>%1 lässt sich nicht als Netz lesen; exportieren Sie die Datei noch einmal als binäres STL.</translation>
     </message>
     <message>
         <source>%1 holds no triangle; a tool needs a surface, so export one.</source>
@@ -1264,244 +808,48 @@
         <translation>Das Werkzeug ist %1 mm lang, was ungewöhnlich ist; prüfen Sie die Einheit des Netzes.</translation>
     </message>
     <message>
-        <source>The header of %1 is longer than 1 MB; export it again.</source>
-        <translation>Der Kopf von %1 ist länger als 1 MB; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 has a line that is no key and value; export it again.</source>
-        <translation>Der Kopf von %1 hat eine Zeile, die nicht aus Schlüssel und Wert besteht; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states a field twice; export it again.</source>
-        <translation>Der Kopf von %1 nennt ein Feld zweimal; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 names no data file; export it again.</source>
-        <translation>Der Kopf von %1 nennt keine Datendatei; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states no ElementType; export it again.</source>
-        <translation>Der Kopf von %1 nennt keinen ElementType; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The voxels of %1 are colours or vectors; export a volume of one value per voxel.</source>
-        <translation>Die Voxel von %1 sind Farben oder Vektoren; exportieren Sie ein Volumen mit einem Wert je Voxel.</translation>
-    </message>
-    <message>
-        <source>The voxels of %1 are 64-bit integers, which cannot be shown or touched exactly; convert them to 32-bit integers or float.</source>
-        <translation>Die Voxel von %1 sind ganze Zahlen mit 64 Bit und lassen sich nicht genau zeigen oder tasten; wandeln Sie sie in ganze Zahlen mit 32 Bit oder in Gleitkommazahlen um.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states an unknown ElementType; export it again.</source>
-        <translation>Der Kopf von %1 nennt einen unbekannten ElementType; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states no NDims; export it again.</source>
-        <translation>Der Kopf von %1 nennt kein NDims; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>%1 has %2 axes; export a volume of three.</source>
         <translation>%1 hat %2 Achsen; exportieren Sie ein Volumen mit drei.</translation>
-    </message>
-    <message>
-        <source>The header of %1 does not state a size of each axis; export it again.</source>
-        <translation>Der Kopf von %1 nennt nicht für jede Achse eine Größe; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 does not state %2 numbers as its %3; export it again.</source>
-        <translation>Der Kopf von %1 nennt nicht %2 Zahlen als %3; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 measures in a unit that is no length known here; export it again.</source>
-        <translation>Der Kopf von %1 misst in einer Einheit, die keine hier bekannte Länge ist; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states a spacing that is not positive; export it again.</source>
-        <translation>Der Kopf von %1 nennt einen Abstand, der nicht positiv ist; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states directions that are no unit vectors; export it again.</source>
-        <translation>Der Kopf von %1 nennt Richtungen, die keine Einheitsvektoren sind; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 rescales its voxels by a slope that makes no sense; export it again.</source>
-        <translation>Der Kopf von %1 rechnet seine Voxel mit einer Steigung um, die keinen Sinn ergibt; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The voxels of %1 are text and no bytes; save them as binary data.</source>
-        <translation>Die Voxel von %1 sind Text und keine Bytes; speichern Sie sie als binäre Daten.</translation>
     </message>
     <message>
         <source>The voxels of %1 are spread over several files; save them as one.</source>
         <translation>Die Voxel von %1 sind auf mehrere Dateien verteilt; speichern Sie sie als eine.</translation>
     </message>
     <message>
-        <source>The header of %1 states a HeaderSize that makes no sense; export it again.</source>
-        <translation>Der Kopf von %1 nennt eine HeaderSize, die keinen Sinn ergibt; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states a HeaderSize that ends within it; export it again.</source>
-        <translation>Der Kopf von %1 nennt eine HeaderSize, die in ihm selbst endet; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>The header of %1 says nothing of the %2 bytes that its data file holds beside the voxels; export it again.</source>
         <translation>Der Kopf von %1 sagt nichts über die %2 Bytes, die die Datendatei neben den Voxeln enthält; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states a size of its voxels that is not that of their type; export it again.</source>
-        <translation>Der Kopf von %1 nennt eine Größe der Voxel, die nicht die ihrer Art ist; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The voxels of %1 are colours or complex numbers; export a volume of one value per voxel.</source>
-        <translation>Die Voxel von %1 sind Farben oder komplexe Zahlen; exportieren Sie ein Volumen mit einem Wert je Voxel.</translation>
     </message>
     <message>
         <source>The voxels of %1 are of a type that cannot be shown or touched exactly; convert them to 32-bit integers or float.</source>
         <translation>Die Voxel von %1 sind von einer Art, die sich nicht genau zeigen oder tasten lässt; wandeln Sie sie in ganze Zahlen mit 32 Bit oder in Gleitkommazahlen um.</translation>
     </message>
     <message>
-        <source>The header of %1 states a number of axes that makes no sense; export it again.</source>
-        <translation>Der Kopf von %1 nennt eine Zahl von Achsen, die keinen Sinn ergibt; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>Axis %1 of %2, counted from 1, holds the components of vectors and no places; export a volume of one value per voxel.</source>
-        <translation>Achse %1 von %2, von 1 an gezählt, enthält die Komponenten von Vektoren und keine Orte; exportieren Sie ein Volumen mit einem Wert je Voxel.</translation>
-    </message>
-    <message>
-        <source>The header of %1 places the voxels where none can be; export it again.</source>
-        <translation>Der Kopf von %1 legt die Voxel dorthin, wo keine sein können; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states an orientation that is no rotation; export it again.</source>
-        <translation>Der Kopf von %1 nennt eine Ausrichtung, die keine Drehung ist; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>The header of %1 places the voxels twice, by its qform and by its sform, and not alike; export it with one of them.</source>
         <translation>Der Kopf von %1 legt die Voxel zweimal fest, durch qform und durch sform, und nicht gleich; exportieren Sie die Datei mit einem davon.</translation>
-    </message>
-    <message>
-        <source>The header of %1 rescales its voxels by what is no number; export it again.</source>
-        <translation>Der Kopf von %1 rechnet seine Voxel mit etwas um, das keine Zahl ist; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 does not begin as that of a NIfTI file in one piece; export it again.</source>
-        <translation>Der Kopf von %1 beginnt nicht wie der einer NIfTI-Datei in einem Stück; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states no type; export it again.</source>
-        <translation>Der Kopf von %1 nennt keinen Typ; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The voxels of %1 are blocks of bytes and no numbers; export a scalar volume.</source>
-        <translation>Die Voxel von %1 sind Blöcke von Bytes und keine Zahlen; exportieren Sie ein skalares Volumen.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states an unknown type; export it again.</source>
-        <translation>Der Kopf von %1 nennt einen unbekannten Typ; exportieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>Axis %1 of %2, counted from 0, is of kind %3 and holds no places; export a volume of three axes and one value per voxel.</source>
         <translation>Achse %1 von %2, von 0 an gezählt, ist von der Art %3 und enthält keine Orte; exportieren Sie ein Volumen mit drei Achsen und einem Wert je Voxel.</translation>
     </message>
     <message>
-        <source>The header of %1 does not state a kind of each axis; export it again.</source>
-        <translation>Der Kopf von %1 nennt nicht für jede Achse eine Art; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>The header of %1 calls %2 of its four axes places, by direction or by kind; export it with three of them and one that counts volumes.</source>
         <translation>Der Kopf von %1 nennt %2 seiner vier Achsen Orte, nach Richtung oder Art; exportieren Sie die Datei mit dreien davon und einer, die Volumen zählt.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states no dimension; export it again.</source>
-        <translation>Der Kopf von %1 nennt keine Dimension; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The dimension of %1 is %2; only volumes of three axes and one value per voxel can be loaded, one or several in a file, so export one such volume.</source>
-        <translation>Die Dimension von %1 ist %2; laden lassen sich nur Volumen mit drei Achsen und einem Wert je Voxel, eines oder mehrere in einer Datei, also exportieren Sie ein solches Volumen.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states no sizes; export it again.</source>
-        <translation>Der Kopf von %1 nennt keine Größen; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 states no encoding; export it again.</source>
-        <translation>Der Kopf von %1 nennt keine Codierung; exportieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>The voxels of %1 are in an encoding that is unknown here; save them as raw or gzip.</source>
         <translation>Die Voxel von %1 sind in einer Codierung, die hier unbekannt ist; speichern Sie sie als raw oder gzip.</translation>
     </message>
     <message>
-        <source>The header of %1 does not state the byte order; export it again.</source>
-        <translation>Der Kopf von %1 nennt nicht die Reihenfolge der Bytes; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 skips a number of lines or bytes that makes no sense; export it again.</source>
-        <translation>Der Kopf von %1 überspringt eine Zahl von Zeilen oder Bytes, die keinen Sinn ergibt; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 ends with its header; fetch it again whole.</source>
-        <translation>%1 endet mit dem Kopf; holen Sie die Datei noch einmal vollständig.</translation>
-    </message>
-    <message>
-        <source>The header of %1 names its data files in a way that cannot be followed; export it again.</source>
-        <translation>Der Kopf von %1 nennt seine Datendateien so, dass ihm nicht gefolgt werden kann; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The data file of %1 holds %2 bytes more than its voxels need and the header does not say which; add a byte skip to the header.</source>
-        <translation>Die Datendatei von %1 enthält %2 Bytes mehr, als ihre Voxel brauchen, und der Kopf sagt nicht, welche; fügen Sie dem Kopf ein „byte skip“ hinzu.</translation>
-    </message>
-    <message>
-        <source>%1 is too short for the %2 voxels that its header states; copy or fetch it again.</source>
-        <translation>%1 ist zu kurz für die %2 Voxel, die der Kopf nennt; kopieren oder holen Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>%1 is no NRRD file: it does not begin with NRRD0001 to NRRD0005. Open the file itself, or export it again.</source>
         <translation>%1 ist keine NRRD-Datei: Sie beginnt nicht mit NRRD0001 bis NRRD0005. Öffnen Sie die Datei selbst, oder exportieren Sie sie neu.</translation>
-    </message>
-    <message>
-        <source>The header of %1 lists too many files; export it again.</source>
-        <translation>Der Kopf von %1 listet zu viele Dateien auf; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 has a field that is too long; export it again.</source>
-        <translation>Der Kopf von %1 hat ein Feld, das zu lang ist; exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>The header of %1 measures its axes in a unit that is no length known here; export it in millimetres.</source>
-        <translation>Der Kopf von %1 misst seine Achsen in einer Einheit, die keine hier bekannte Länge ist; exportieren Sie die Datei in Millimetern.</translation>
-    </message>
-    <message>
-        <source>The header of %1 measures its axes in different units; export it in millimetres.</source>
-        <translation>Der Kopf von %1 misst seine Achsen in verschiedenen Einheiten; exportieren Sie die Datei in Millimetern.</translation>
-    </message>
-    <message>
-        <source>An axis of %1 has no direction in space; export it again with its geometry.</source>
-        <translation>Eine Achse von %1 hat keine Richtung im Raum; exportieren Sie die Datei noch einmal mit ihrer Geometrie.</translation>
     </message>
     <message>
         <source>The header of %1 states spacings that do not lead from its axis mins to its axis maxs; export it again with its geometry.</source>
         <translation>Der Kopf von %1 nennt Abstände, die nicht von „axis mins“ zu „axis maxs“ führen; exportieren Sie die Datei noch einmal mit ihrer Geometrie.</translation>
     </message>
     <message>
-        <source>The header of %1 does not state the spacing of every axis; export it again with its geometry.</source>
-        <translation>Der Kopf von %1 nennt nicht für jede Achse den Abstand; exportieren Sie die Datei noch einmal mit ihrer Geometrie.</translation>
-    </message>
-    <message>
-        <source>The header of %1 cannot be understood; export the volume again.</source>
-        <translation>Der Kopf von %1 ist nicht zu verstehen; exportieren Sie das Volumen noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 ends within what its header says to skip; copy or fetch it again.</source>
-        <translation>%1 endet in dem, was der Kopf zu überspringen verlangt; kopieren oder holen Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>Voxel %1 of %2 is written as something that is no value of its type; export it again as raw.</source>
         <translation>Voxel %1 von %2 ist als etwas geschrieben, das kein Wert seiner Art ist; exportieren Sie die Datei noch einmal als raw.</translation>
-    </message>
-    <message>
-        <source>No NRRD file has been read yet.</source>
-        <translation>Noch wurde keine NRRD-Datei gelesen.</translation>
     </message>
     <message>
         <source>One evenly spaced stack.</source>
@@ -1522,14 +870,6 @@
     <message>
         <source>Volume %1 of %2, counted from 0. %3</source>
         <translation>Volumen %1 von %2, von 0 an gezählt. %3</translation>
-    </message>
-    <message>
-        <source>The memory of this machine does not hold %1; close other programs or try a smaller series.</source>
-        <translation>Der Speicher dieses Rechners fasst %1 nicht; schließen Sie andere Programme, oder versuchen Sie eine kleinere Serie.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read; copy it to another folder and try again.</source>
-        <translation>%1 lässt sich nicht lesen; kopieren Sie die Datei in einen anderen Ordner, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>%1 is %2, %3, %4 mm</source>
@@ -1572,48 +912,12 @@
         <translation>Der Ordner enthält mehr Volumen, als sich auflisten lassen; öffnen Sie diese Datei für sich.</translation>
     </message>
     <message>
-        <source>1 empty file lies beside the slices; if the series lacks some, copy it again.</source>
-        <translation>1 leere Datei liegt neben den Schichten; wenn der Serie welche fehlen, kopieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 empty files lie beside the slices; if the series lacks some, copy it again.</source>
-        <translation>%1 leere Dateien liegen neben den Schichten; wenn der Serie welche fehlen, kopieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>1 damaged DICOM file lies beside the slices and may be one of them; copy the folder again.</source>
-        <translation>1 beschädigte DICOM-Datei liegt neben den Schichten und kann eine von ihnen sein; kopieren Sie den Ordner noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 damaged DICOM files lie beside the slices and may be one of them; copy the folder again.</source>
-        <translation>%1 beschädigte DICOM-Dateien liegen neben den Schichten und können welche von ihnen sein; kopieren Sie den Ordner noch einmal.</translation>
-    </message>
-    <message>
-        <source>1 file beside the slices may not be read; if the series lacks some, change their permissions.</source>
-        <translation>1 Datei neben den Schichten darf nicht gelesen werden; wenn der Serie welche fehlen, ändern Sie die Zugriffsrechte.</translation>
-    </message>
-    <message>
-        <source>%1 files beside the slices may not be read; if the series lacks some, change their permissions.</source>
-        <translation>%1 Dateien neben den Schichten dürfen nicht gelesen werden; wenn der Serie welche fehlen, ändern Sie die Zugriffsrechte.</translation>
-    </message>
-    <message>
-        <source>The folder %1 holds no scan that is known here (DICOM, NRRD, MetaImage or NIfTI); open the folder of a series.</source>
-        <translation>Der Ordner %1 enthält keine Aufnahme, die hier bekannt ist (DICOM, NRRD, MetaImage oder NIfTI); öffnen Sie den Ordner einer Serie.</translation>
-    </message>
-    <message>
-        <source>The archive %1 holds no scan that is known here (DICOM, NRRD, MetaImage or NIfTI); open the folder of a series.</source>
-        <translation>Das Archiv %1 enthält keine Aufnahme, die hier bekannt ist (DICOM, NRRD, MetaImage oder NIfTI); öffnen Sie den Ordner einer Serie.</translation>
-    </message>
-    <message>
         <source>%1 may not be read by this user; change its permissions or copy it.</source>
         <translation>%1 darf von diesem Benutzer nicht gelesen werden; ändern Sie die Zugriffsrechte, oder machen Sie eine Kopie.</translation>
     </message>
     <message>
         <source>%1 is no DICOM, NRRD, MetaImage or NIfTI file; open the folder of a DICOM series, one of its files, or an .nrrd, .nhdr, .mhd, .mha, .nii or .nii.gz file.</source>
         <translation>%1 ist keine Datei von DICOM, NRRD, MetaImage oder NIfTI; öffnen Sie den Ordner einer DICOM-Serie, eine ihrer Dateien oder eine Datei .nrrd, .nhdr, .mhd, .mha, .nii oder .nii.gz.</translation>
-    </message>
-    <message>
-        <source>A part of the recording is damaged and cannot be read.</source>
-        <translation>Ein Teil der Aufzeichnung ist beschädigt und lässt sich nicht lesen.</translation>
     </message>
     <message>
         <source>The recording could not be finished: %1. It stays &quot;%2&quot; and can be recovered once there is room.</source>
@@ -1636,16 +940,8 @@
         <translation>Die Aufzeichnung endete, das Tasten geht weiter: %1. Bis dahin wurde nichts aufgezeichnet.</translation>
     </message>
     <message>
-        <source>The recording stopped, and touch goes on: %1. What was recorded until then is in &quot;%2&quot; and can be recovered once there is room.</source>
-        <translation>Die Aufzeichnung endete, das Tasten geht weiter: %1. Was bis dahin aufgezeichnet wurde, ist in „%2“ und lässt sich wiederherstellen, sobald Platz ist.</translation>
-    </message>
-    <message>
         <source>The recording stopped, and touch goes on: %1. What was recorded until then is in &quot;%2&quot; and can be recovered.</source>
         <translation>Die Aufzeichnung endete, das Tasten geht weiter: %1. Was bis dahin aufgezeichnet wurde, ist in „%2“ und lässt sich wiederherstellen.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be recorded to (%2); choose a folder that can be written and has room.</source>
-        <translation>Nach „%1“ lässt sich nicht aufzeichnen (%2); wählen Sie einen Ordner, der beschreibbar ist und Platz hat.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is what an earlier recording left; recover it with palpate-cli recover, or remove it.</source>
@@ -1656,20 +952,12 @@
         <translation>„%1“ lässt sich nicht wiederherstellen: %2.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be recovered: its name does not end in .part.</source>
-        <translation>„%1“ lässt sich nicht wiederherstellen: Der Name endet nicht auf .part.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; cannot be recovered: there is no such file.</source>
         <translation>„%1“ lässt sich nicht wiederherstellen: Es gibt diese Datei nicht.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be recovered: it is being written.</source>
         <translation>„%1“ lässt sich nicht wiederherstellen: Die Datei wird gerade geschrieben.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be recovered: it is no recording.</source>
-        <translation>„%1“ lässt sich nicht wiederherstellen: Es ist keine Aufzeichnung.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be recovered: nothing was recorded yet; remove it.</source>
@@ -1688,36 +976,8 @@
         <translation>„%1“ wurde nie abgeschlossen; palpate-cli recover holt zurück, was darin ist.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be opened; check its permissions.</source>
-        <translation>„%1“ lässt sich nicht öffnen; prüfen Sie die Zugriffsrechte.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no recording of Palpate&apos;s; recordings end in .palpate.</source>
-        <translation>„%1“ ist keine Aufzeichnung von Palpate; Aufzeichnungen enden auf .palpate.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was recorded by a later Palpate; use that one.</source>
-        <translation>„%1“ wurde von einem späteren Palpate aufgezeichnet; verwenden Sie jenes.</translation>
-    </message>
-    <message>
         <source>What was taken away from the scan in the recording comes out otherwise here: the scan or this version of Palpate is another; replay with the version that recorded it.</source>
         <translation>Was in der Aufzeichnung von der Aufnahme weggenommen wurde, fällt hier anders aus: Die Aufnahme oder diese Version von Palpate ist eine andere; spielen Sie sie mit der Version ab, die aufgezeichnet hat.</translation>
-    </message>
-    <message>
-        <source>The replay was cancelled.</source>
-        <translation>Die Wiedergabe wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>What the recording says of its scene is damaged; nothing can be replayed.</source>
-        <translation>Was die Aufzeichnung über ihre Szene sagt, ist beschädigt; nichts lässt sich wiedergeben.</translation>
-    </message>
-    <message>
-        <source>What the recording says of a start is damaged; nothing can be replayed.</source>
-        <translation>Was die Aufzeichnung über einen Start sagt, ist beschädigt; nichts lässt sich wiedergeben.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no regular file, and a recording needs one; name a file.</source>
-        <translation>„%1“ ist keine gewöhnliche Datei, und eine Aufzeichnung braucht eine; nennen Sie eine Datei.</translation>
     </message>
     <message>
         <source>The key of this installation, &quot;%1&quot;, cannot be used (%2); volumes of recordings are not recognised until it can.</source>
@@ -1728,32 +988,12 @@
         <translation>Der Schlüssel dieser Installation, „%1“, ist beschädigt; holen Sie ihn aus einer Kopie zurück. Oder entfernen Sie ihn, damit ein neuer entsteht: Dann wird kein Volumen einer früheren Aufzeichnung mehr wiedererkannt.</translation>
     </message>
     <message>
-        <source>There is no phantom named &apos;%1&apos;; known phantoms are %2.</source>
-        <translation>Es gibt kein Phantom namens „%1“; bekannt sind die Phantome %2.</translation>
-    </message>
-    <message>
         <source>The volume needs %1 MB of memory, which this machine does not give; try a smaller series or close other programs.</source>
         <translation>Das Volumen braucht %1 MB Speicher, den dieser Rechner nicht hergibt; versuchen Sie eine kleinere Serie, oder schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>The volume has an axis without voxels.</source>
-        <translation>Das Volumen hat eine Achse ohne Voxel.</translation>
-    </message>
-    <message>
-        <source>The volume&apos;s voxel spacing is not a positive number; its header cannot be used.</source>
-        <translation>Der Voxelabstand des Volumens ist keine positive Zahl; sein Kopf ist nicht verwendbar.</translation>
-    </message>
-    <message>
-        <source>The volume&apos;s position or orientation is not a number; its header cannot be used.</source>
-        <translation>Position oder Ausrichtung des Volumens ist keine Zahl; sein Kopf ist nicht verwendbar.</translation>
-    </message>
-    <message>
         <source>The volume&apos;s axes are not at right angles; only right-angled stacks can be loaded.</source>
         <translation>Die Achsen des Volumens stehen nicht im rechten Winkel; laden lassen sich nur rechtwinklige Stapel.</translation>
-    </message>
-    <message>
-        <source>Making the volume was cancelled.</source>
-        <translation>Das Erzeugen des Volumens wurde abgebrochen.</translation>
     </message>
     <message>
         <source>The volume holds no finite voxel; there is nothing to see or touch.</source>
@@ -1796,24 +1036,8 @@
         <translation>Die Aufnahme hat %1 Bearbeitungen, und mehr werden nicht behalten; nehmen Sie zuerst einige zurück.</translation>
     </message>
     <message>
-        <source>There is no edit to undo.</source>
-        <translation>Es gibt keine Bearbeitung, die sich rückgängig machen lässt.</translation>
-    </message>
-    <message>
-        <source>There is no edit to redo.</source>
-        <translation>Es gibt keine Bearbeitung, die sich wiederholen lässt.</translation>
-    </message>
-    <message>
-        <source>There is no volume to touch; open one.</source>
-        <translation>Es gibt kein Volumen zu tasten; öffnen Sie eines.</translation>
-    </message>
-    <message>
         <source>The tool has no points; a tool needs at least one.</source>
         <translation>Das Werkzeug hat keine Punkte; ein Werkzeug braucht mindestens einen.</translation>
-    </message>
-    <message>
-        <source>Making the scene was cancelled.</source>
-        <translation>Das Erzeugen der Szene wurde abgebrochen.</translation>
     </message>
     <message>
         <source>There is nothing to touch yet; open a volume.</source>
@@ -1822,10 +1046,6 @@
     <message>
         <source>The tool would start inside the solid, with no room within 50 mm; raise the isovalue.</source>
         <translation>Das Werkzeug würde im Festen beginnen, ohne Platz innerhalb von 50 mm; erhöhen Sie den Isowert.</translation>
-    </message>
-    <message>
-        <source>The tool starts inside the solid and there is no room for it within 50 mm; start the hand outside or raise the isovalue.</source>
-        <translation>Das Werkzeug beginnt im Festen, und innerhalb von 50 mm ist kein Platz für es; beginnen Sie mit der Hand außerhalb, oder erhöhen Sie den Isowert.</translation>
     </message>
     <message>
         <source>The hand has no poses.</source>
@@ -1840,10 +1060,6 @@
         <translation>Die Zeit der Hand nimmt in Zeile %1 nicht zu.</translation>
     </message>
     <message>
-        <source>Nothing in the volume reaches the isovalue %1; choose a lower one.</source>
-        <translation>Nichts im Volumen erreicht den Isowert %1; wählen Sie einen niedrigeren.</translation>
-    </message>
-    <message>
         <source>The tool finds no surface at the isovalue %1; choose a lower one.</source>
         <translation>Das Werkzeug findet beim Isowert %1 keine Oberfläche; wählen Sie einen niedrigeren.</translation>
     </message>
@@ -1854,18 +1070,6 @@
     <message>
         <source>The tool has a point more than 10 m from its middle, and no hand holds that; check its unit.</source>
         <translation>Das Werkzeug hat einen Punkt, der mehr als 10 m von seiner Mitte entfernt ist, und das hält keine Hand; prüfen Sie die Einheit.</translation>
-    </message>
-    <message>
-        <source>The tool &quot;%1&quot; has a triangle without vertices.</source>
-        <translation>Das Werkzeug „%1“ hat ein Dreieck ohne Eckpunkte.</translation>
-    </message>
-    <message>
-        <source>The tool &quot;%1&quot; has no triangle to spread points over.</source>
-        <translation>Das Werkzeug „%1“ hat kein Dreieck, über das Punkte verteilt werden könnten.</translation>
-    </message>
-    <message>
-        <source>There is no tool named &apos;%1&apos;; known tools are %2.</source>
-        <translation>Es gibt kein Werkzeug namens „%1“; bekannt sind die Werkzeuge %2.</translation>
     </message>
     <message>
         <source>collision detection and contact rows in free space</source>
@@ -1956,28 +1160,12 @@
         <translation>Die Bilder nennen eine Transfer-Syntax, die keine Kennung ist; exportieren Sie sie als Explicit Little Endian.</translation>
     </message>
     <message>
-        <source>The images are stored in the transfer syntax %1, which is not known here and cannot be decoded; export them as explicit little endian.</source>
-        <translation>Die Bilder sind in der Transfer-Syntax %1 gespeichert, die hier nicht bekannt ist und nicht dekodiert werden kann; exportieren Sie sie als Explicit Little Endian.</translation>
-    </message>
-    <message>
-        <source>The images are stored in the transfer syntax %2 (%1), which cannot be decoded; export them as explicit little endian.</source>
-        <translation>Die Bilder sind in der Transfer-Syntax %2 (%1) gespeichert, die nicht dekodiert werden kann; exportieren Sie sie als Explicit Little Endian.</translation>
-    </message>
-    <message>
         <source>%(1); its files state several values of %2.</source>
         <translation>%(1); ihre Dateien nennen mehrere Werte für %2.</translation>
     </message>
     <message>
         <source>The series holds several volumes; this is %1.</source>
         <translation>Die Serie enthält mehrere Volumen; dies ist %1.</translation>
-    </message>
-    <message>
-        <source>The file %1 is no image of this stack and is left out.</source>
-        <translation>Die Datei %1 ist kein Bild dieses Stapels und wird ausgelassen.</translation>
-    </message>
-    <message>
-        <source>%1 files are no images of this stack and are left out; the first is %2.</source>
-        <translation>%1 Dateien sind keine Bilder dieses Stapels und werden ausgelassen; die erste ist %2.</translation>
     </message>
     <message>
         <source>It shows another view or has another size than the slices, as a scout has.</source>
@@ -2128,10 +1316,6 @@
         <translation>Der Kopf von %1 hat in „%2“ etwas anderes als Zahlen („1.5“, mit Punkt und ohne Einheit) oder zu viele oder zu wenige davon; berichtigen Sie ihn, oder exportieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>The header of %1 has something other than whole numbers in &quot;%2&quot;; correct it or export it again.</source>
-        <translation>Der Kopf von %1 hat in „%2“ etwas anderes als ganze Zahlen; berichtigen Sie ihn, oder exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
         <source>The axes of the sform are %1 degrees off their right angles, so the qform places the volume.</source>
         <translation>Die Achsen der sform weichen um %1 Grad von ihren rechten Winkeln ab; darum gilt die qform.</translation>
     </message>
@@ -2142,10 +1326,6 @@
     <message>
         <source>The header of %1 places its axes in a space of %2 dimensions; export it with a space of three, such as left-posterior-superior.</source>
         <translation>Der Kopf von %1 legt seine Achsen in einen Raum von %2 Dimensionen; exportieren Sie es mit einem von dreien, etwa left-posterior-superior.</translation>
-    </message>
-    <message>
-        <source>%1 goes on for %2 bytes behind the %3 triangles that it states; export it again.</source>
-        <translation>%1 geht %2 Bytes hinter den %3 Dreiecken weiter, die sie nennt; exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>dimension index</source>
@@ -2172,10 +1352,6 @@
         <translation>Serienbeschreibung</translation>
     </message>
     <message>
-        <source>A single slice whose thickness is no number that can be read, taken to be 1 mm thick.</source>
-        <translation>Eine einzelne Schicht, deren Dicke keine lesbare Zahl ist; sie gilt als 1 mm dick.</translation>
-    </message>
-    <message>
         <source>%1 holds a dose and no image; choose the series of the scan.</source>
         <translation>%1 enthält eine Dosis und kein Bild; wählen Sie die Serie des Scans.</translation>
     </message>
@@ -2200,20 +1376,8 @@
         <translation>Durchgang</translation>
     </message>
     <message>
-        <source>The element &quot;%2&quot; of %1 must have the property &quot;%3&quot; once; export the mesh again.</source>
-        <translation>Das Element „%2“ von %1 muss die Eigenschaft „%3“ einmal haben; exportieren Sie das Netz neu.</translation>
-    </message>
-    <message>
-        <source>%1 goes on behind the rows that its header states; export the mesh again.</source>
-        <translation>%1 geht hinter den Zeilen weiter, die der Kopf nennt; exportieren Sie das Netz neu.</translation>
-    </message>
-    <message>
         <source>A face of %1 has more than %2 corners; export the mesh again as triangles.</source>
         <translation>Eine Fläche von %1 hat mehr als %2 Ecken; exportieren Sie das Netz neu als Dreiecke.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be opened; check the path and who may read it.</source>
-        <translation>„%1“ kann nicht geöffnet werden; prüfen Sie den Pfad und wer die Datei lesen darf.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no regular file: it is a folder, a pipe or a device; name a file.</source>
@@ -2232,16 +1396,8 @@
         <translation>Zeile %2 von „%1“ ist länger als 64 kB; prüfen Sie, ob es eine Tabelle ist.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; does not have the tables of a recording, and is not read; use a recording that Palpate made.</source>
-        <translation>„%1“ hat nicht die Tabellen einer Aufzeichnung und wird nicht gelesen; verwenden Sie eine Aufzeichnung von Palpate.</translation>
-    </message>
-    <message>
         <source>Beside &quot;%1&quot; lies &quot;%2&quot;, which Palpate did not make and which would change the recording; move it elsewhere first.</source>
         <translation>Neben „%1“ liegt „%2“; Palpate hat diese Datei nicht gemacht, und sie würde die Aufzeichnung ändern. Legen Sie sie zuerst woanders hin.</translation>
-    </message>
-    <message>
-        <source>The recording was not read: it was cancelled.</source>
-        <translation>Die Aufzeichnung wurde nicht gelesen: das Lesen wurde abgebrochen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be recovered: the file has another name too, and would be changed under it; recover a copy.</source>
@@ -2278,6 +1434,218 @@
     <message>
         <source>The system has no thread left for the touch; close other programs and try again.</source>
         <translation>Das System hat keinen Thread mehr für das Tasten; schließen Sie andere Programme und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>There is no &quot;%1&quot;; choose one of %2, or a file.</source>
+        <translation>„%1“ gibt es nicht; wählen Sie eines von %2, oder eine Datei.</translation>
+    </message>
+    <message>
+        <source>This palpate-cli was built without readers and opens no scans or meshes; use --phantom, a named tool or a CSV of points, or the desktop build.</source>
+        <translation>Dieses palpate-cli wurde ohne Leser gebaut und öffnet keine Aufnahmen oder Netze; verwenden Sie --phantom, ein benanntes Werkzeug oder eine CSV-Datei von Punkten, oder den Desktop-Build.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds no rows.</source>
+        <translation>„%1“ enthält keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not opened: its field &quot;%2&quot; is missing or wrong; use a copy of the file.</source>
+        <translation>„%1“ wurde nicht geöffnet: Das Feld „%2“ fehlt oder ist falsch; verwenden Sie eine Kopie der Datei.</translation>
+    </message>
+    <message>
+        <source>No %1 is plugged in; plug in its cables, and switch it on.</source>
+        <translation>Kein Gerät „%1“ ist angeschlossen; stecken Sie seine Kabel an, und schalten Sie es ein.</translation>
+    </message>
+    <message>
+        <source>The Novint Falcon&apos;s firmware file &apos;%1&apos; is empty, too large or cannot be read; choose the one that came with the Falcon&apos;s own software.</source>
+        <translation>Die Firmwaredatei „%1“ des Novint Falcon ist leer, zu groß oder lässt sich nicht lesen; wählen Sie die aus der Software, die dem Falcon beilag.</translation>
+    </message>
+    <message>
+        <source>The %1 could not be opened (%2); switch it off and on, or unplug it and plug it in again.</source>
+        <translation>%1 ließ sich nicht öffnen (%2); schalten Sie das Gerät aus und ein, oder ziehen Sie es ab und stecken Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be loaded (%3); install it from its maker&apos;s site, where the system looks for libraries.</source>
+        <translation>%1: %2 lässt sich nicht laden (%3); installieren Sie es von der Website des Herstellers an einem Ort, an dem das System nach Bibliotheken sucht.</translation>
+    </message>
+    <message>
+        <source>%1 is not installed (looked for %2); install it from its maker&apos;s site, where the system looks for libraries.</source>
+        <translation>%1 ist nicht installiert (gesucht wurde %2); installieren Sie es von der Website des Herstellers an einem Ort, an dem das System nach Bibliotheken sucht.</translation>
+    </message>
+    <message>
+        <source>Palpate has the %1 open; disconnect it first.</source>
+        <translation>Palpate hat %1 geöffnet; trennen Sie zuerst die Verbindung.</translation>
+    </message>
+    <message>
+        <source>Force Dimension device</source>
+        <translation>Gerät von Force Dimension</translation>
+    </message>
+    <message>
+        <source>Touch or PHANTOM</source>
+        <translation>Touch oder PHANTOM</translation>
+    </message>
+    <message>
+        <source>%1 is too old (%2 lacks %3); install a newer one from its maker&apos;s site.</source>
+        <translation>%1 ist zu alt (%2 hat kein %3); installieren Sie eine neuere Version von der Website des Herstellers.</translation>
+    </message>
+    <message>
+        <source>The recording goes from %1 s to %2 s and has no step in the chosen time; choose another.</source>
+        <translation>Die Aufzeichnung reicht von %1 s bis %2 s und hat in der gewählten Zeit keinen Schritt; wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>A film is 64 to 7680 pixels wide and high, both even, has 1 to 240 frames a second, and runs at 0.001 to 1000 times the speed of the session.</source>
+        <translation>Ein Film ist 64 bis 7680 Pixel breit und hoch, beides gerade, hat 1 bis 240 Bilder je Sekunde und läuft mit dem 0,001- bis 1000-Fachen der Geschwindigkeit der Sitzung.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not permit &quot;%2&quot; this; ask its administrator for permission to search and retrieve.</source>
+        <translation>„%1“ erlaubt „%2“ dies nicht; bitten Sie den Administrator um die Erlaubnis, zu suchen und abzurufen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; answered with the status %2; ask its administrator.</source>
+        <translation>„%1“ antwortete mit dem Status %2; fragen Sie den Administrator.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; sent an answer that is not understood; ask its administrator.</source>
+        <translation>„%1“ sendete eine Antwort, die nicht zu verstehen ist; fragen Sie den Administrator.</translation>
+    </message>
+    <message>
+        <source>The server&apos;s answer is not one that DICOMweb has; check the path of the URL.</source>
+        <translation>Die Antwort des Servers ist keine, die DICOMweb kennt; prüfen Sie den Pfad der URL.</translation>
+    </message>
+    <message>
+        <source>Compressed images are decoded by the program %1, which could not be started, or not confined to its work on this system; install Palpate again, or export the images as explicit little endian.</source>
+        <translation>Komprimierte Bilder decodiert das Programm %1, das sich nicht starten oder auf diesem System nicht auf seine Arbeit beschränken ließ; installieren Sie Palpate noch einmal, oder exportieren Sie die Bilder als Explicit Little Endian.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged or cut off; copy or fetch it again.</source>
+        <translation>%1 ist beschädigt oder abgeschnitten; kopieren oder holen Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The images are stored in the transfer syntax %1, which cannot be decoded; export them as explicit little endian.</source>
+        <translation>Die Bilder sind in der Transfersyntax %1 gespeichert, die sich nicht decodieren lässt; exportieren Sie sie als Explicit Little Endian.</translation>
+    </message>
+    <message>
+        <source>The series holds no image; choose the series of the scan.</source>
+        <translation>Die Serie enthält kein Bild; wählen Sie die Serie der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The file %1 states a number, size or depth of its pixels that no image has; export it again.</source>
+        <translation>Die Datei %1 nennt eine Zahl, Größe oder Tiefe ihrer Pixel, die kein Bild hat; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file %1 states no usable pair of rescale slope and intercept; export it again.</source>
+        <translation>Die Datei %1 nennt kein brauchbares Paar von Rescale Slope und Intercept; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Files that are no images of this stack are left out: %1; the first is %2.</source>
+        <translation>Dateien, die keine Bilder dieses Stapels sind, werden ausgelassen: %1; die erste ist %2.</translation>
+    </message>
+    <message>
+        <source>A single slice of unknown thickness, taken to be 1 mm thick.</source>
+        <translation>Eine einzelne Schicht unbekannter Dicke, die als 1 mm dick gilt.</translation>
+    </message>
+    <message>
+        <source>%(1); copies of its slices in the folder are left out: %2.</source>
+        <translation>%(1); Kopien seiner Schichten im Ordner wurden ausgelassen: %2.</translation>
+    </message>
+    <message>
+        <source>A slice of the series has a position, orientation or pixel spacing that makes no sense; export the series again.</source>
+        <translation>Eine Schicht der Serie hat eine Position, eine Ausrichtung oder einen Pixelabstand, der keinen Sinn ergibt; exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s spacing, orientation or origin is not a number, or not one that can be; export it again with its geometry.</source>
+        <translation>Abstand, Ausrichtung oder Ursprung des Volumens ist keine Zahl oder keine mögliche; exportieren Sie es noch einmal mit seiner Geometrie.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>A vertex of %1 is not three finite numbers; export the mesh again.</source>
+        <translation>Ein Eckpunkt von %1 besteht nicht aus drei endlichen Zahlen; exportieren Sie das Netz noch einmal.</translation>
+    </message>
+    <message>
+        <source>A face of %1 has fewer than three corners or names a vertex that is not there; export the mesh again.</source>
+        <translation>Eine Fläche von %1 hat weniger als drei Ecken oder nennt einen Eckpunkt, den es nicht gibt; exportieren Sie das Netz noch einmal.</translation>
+    </message>
+    <message>
+        <source>The memory of this machine does not hold %1; close other programs, or choose something smaller.</source>
+        <translation>Der Speicher dieses Rechners fasst %1 nicht; schließen Sie andere Programme, oder wählen Sie etwas Kleineres.</translation>
+    </message>
+    <message>
+        <source>The voxels of %1 are colours, vectors or complex numbers; export a volume of one value per voxel.</source>
+        <translation>Die Voxel von %1 sind Farben, Vektoren oder komplexe Zahlen; exportieren Sie ein Volumen mit einem Wert je Voxel.</translation>
+    </message>
+    <message>
+        <source>The header of %1 states a &quot;%2&quot; that makes no sense; correct it or export it again.</source>
+        <translation>Der Kopf von %1 nennt für „%2“ etwas, das keinen Sinn ergibt; berichtigen Sie ihn, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The header of %1 measures in a unit that is no length known here, or in several; export it in millimetres.</source>
+        <translation>Der Kopf von %1 misst in einer Einheit, die keine hier bekannte Länge ist, oder in mehreren; exportieren Sie die Datei in Millimetern.</translation>
+    </message>
+    <message>
+        <source>The header of %1 does not state the spacing and direction of every axis; export it again with its geometry.</source>
+        <translation>Der Kopf von %1 nennt nicht für jede Achse Abstand und Richtung; exportieren Sie die Datei noch einmal mit ihrer Geometrie.</translation>
+    </message>
+    <message>
+        <source>Empty files beside the slices: %1; if the series lacks slices, copy it again.</source>
+        <translation>Leere Dateien neben den Schichten: %1; wenn der Serie Schichten fehlen, kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Damaged DICOM files beside the slices, which may belong to them: %1; copy the folder again.</source>
+        <translation>Beschädigte DICOM-Dateien neben den Schichten, die zu ihnen gehören können: %1; kopieren Sie den Ordner noch einmal.</translation>
+    </message>
+    <message>
+        <source>Files beside the slices that may not be read: %1; if the series lacks slices, change their permissions.</source>
+        <translation>Dateien neben den Schichten, die nicht gelesen werden dürfen: %1; wenn der Serie Schichten fehlen, ändern Sie die Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>%1 holds no scan that is known here (DICOM, NRRD, MetaImage or NIfTI); open the folder of a series.</source>
+        <translation>%1 enthält keine hier bekannte Aufnahme (DICOM, NRRD, MetaImage oder NIfTI); öffnen Sie den Ordner einer Serie.</translation>
+    </message>
+    <message>
+        <source>The header of %1 lacks the field &quot;%2&quot;; export it again.</source>
+        <translation>Im Kopf von %1 fehlt das Feld „%2“; exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be recovered: it is no unfinished recording; those end in .palpate.part.</source>
+        <translation>„%1“ lässt sich nicht wiederherstellen: Es ist keine unfertige Aufzeichnung; diese enden auf .palpate.part.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged, or is no recording of Palpate&apos;s; recordings end in .palpate.</source>
+        <translation>„%1“ ist beschädigt oder keine Aufzeichnung von Palpate; Aufzeichnungen enden auf .palpate.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of a later Palpate; use that one.</source>
+        <translation>„%1“ ist von einem neueren Palpate; verwenden Sie dieses.</translation>
+    </message>
+    <message>
+        <source>There is no &quot;%1&quot;; choose one of %2.</source>
+        <translation>„%1“ gibt es nicht; wählen Sie eines von %2.</translation>
+    </message>
+    <message>
+        <source>There is no edit to undo or redo.</source>
+        <translation>Es gibt keine Bearbeitung zum Rückgängigmachen oder Wiederholen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be opened; check the path and who may read it.</source>
+        <translation>„%1“ kann nicht geöffnet werden; prüfen Sie den Pfad und wer die Datei lesen darf.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged, or is no view of Palpate&apos;s; views end in .palpate-view.</source>
+        <translation>„%1“ ist beschädigt oder keine Ansicht von Palpate; Ansichten enden auf .palpate-view.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written (%2); choose a folder that can be written and has room.</source>
+        <translation>„%1“ lässt sich nicht schreiben (%2); wählen Sie einen Ordner, der beschreibbar ist und Platz hat.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a mesh; export it again as binary STL.</source>
+        <translation>%1 lässt sich nicht als Netz lesen; exportieren Sie die Datei noch einmal als binäres STL.</translation>
+    </message>
+    <message>
+        <source>ffmpeg ended before the film was whole (%1); check the room on the disk, and that ffmpeg has libx264.</source>
+        <translation>ffmpeg endete, bevor der Film vollständig war (%1); prüfen Sie den Platz auf dem Datenträger, und ob ffmpeg libx264 enthält.</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,7 @@ inline double msSince(Clock::time_point begun) {
 /// What this share of the values does not exceed.
 inline double share(std::vector<double> values, double of) {
   std::ranges::sort(values);
-  return study::quantile(values, of);
+  return measurement::quantile(values, of);
 }
 inline double median(std::vector<double> values) { return share(std::move(values), 0.5); }
 

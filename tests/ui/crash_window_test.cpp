@@ -105,7 +105,7 @@ TEST_F(CrashWindow, TheLogSaysWhatWasDoneAndNamesNobody) {
   const std::string text = allOfTheLog();
   EXPECT_NE(text.find(" info graphics opengl_major="), std::string::npos) << text;
   EXPECT_NE(text.find(" info scan-opened from=phantom columns="), std::string::npos) << text;
-  EXPECT_NE(text.find(" warning not-opened id=nrrd-"), std::string::npos) << text;
+  EXPECT_NE(text.find(" warning not-opened id=header-"), std::string::npos) << text;
   EXPECT_NE(text.find(" info servo ticks="), std::string::npos) << text;
   EXPECT_EQ(text.find("PLNT"), std::string::npos) << text;
   EXPECT_EQ(text.find("Jane"), std::string::npos) << text;

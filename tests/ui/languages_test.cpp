@@ -334,13 +334,13 @@ TEST_F(German, SentencesHaveTheirEntryInTheHelp) {
   for (const resources::Row& row : resources::rows()) {
     const haptics::Message message{std::string{row.id}.c_str(), {"A", "B", "C", "D", "E"}};
     const std::string english = resources::sentence(message);
-    if (resources::idOf(english) != row.id) continue;  // its words are those of others
+    if (resources::rowIn(english) != &row) continue;  // its words are those of others
     ++found;
-    EXPECT_EQ(resources::idOf(app::sentenceOf(message).toStdString(), app::windowsLanguage()),
-              row.id)
+    EXPECT_EQ(resources::rowIn(app::sentenceOf(message).toStdString(), app::windowsLanguage()),
+              &row)
         << app::sentenceOf(message).toStdString();
   }
-  EXPECT_GT(found, 400);
+  EXPECT_GT(found, 300);
 }
 
 std::map<std::string, std::string> filesIn(const std::filesystem::path& folder) {

@@ -170,26 +170,26 @@ Expected<Decoder> Decoder::start(std::size_t codestream_bytes, std::size_t pixel
   const Descriptor memory{memfd_create("frame", MFD_CLOEXEC | MFD_ALLOW_SEALING)};
   if (memory.get() < 0 || ftruncate(memory.get(), static_cast<off_t>(all)) != 0 ||
       fcntl(memory.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW) != 0)
-    return notStarted({"decoder-no-memory", {kProgram}});
+    return notStarted({"decoder-unusable", {kProgram}});
   void* mapped = mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
-  if (mapped == MAP_FAILED) return notStarted({"decoder-no-memory", {kProgram}});
+  if (mapped == MAP_FAILED) return notStarted({"decoder-unusable", {kProgram}});
   decoder.memory_ = static_cast<std::byte*>(mapped);
   std::array<int, 2> ends{-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-    return notStarted({"decoder-not-connected", {kProgram}});
+    return notStarted({"decoder-unusable", {kProgram}});
   decoder.socket_ = ends[0];
   {
     // closed here at once, so that its end is seen
     const Descriptor theirs{ends[1]};
     decoder.process_ = spawn(program, theirs.get(), memory.get());
   }
-  if (decoder.process_ < 0) return notStarted({"decoder-not-started", {kProgram}});
+  if (decoder.process_ < 0) return notStarted({"decoder-unusable", {kProgram}});
   const decode::Room room{decoder.codestream_bytes_, decoder.pixel_bytes_};
   decode::Answer answer;
   if (!sendWhole(decoder.socket_, &room, sizeof room) ||
       decoder.listen(answer, kStartTime, {}) != Outcome::Decoded ||
       answer.verdict != decode::Verdict::Ready)
-    return notStarted({"decoder-not-confined", {kProgram}});
+    return notStarted({"decoder-unusable", {kProgram}});
   return decoder;
 }
 

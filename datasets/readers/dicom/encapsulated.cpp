@@ -21,7 +21,7 @@ constexpr std::int64_t kHead = 8;  // bytes of an item's tag and length
 constexpr std::size_t kMostFragments = 1 << 20;
 
 tl::unexpected<haptics::Error> cutOffPixels(const std::filesystem::path& file) {
-  return malformed("truncated", {"dicom-frames-damaged", {quoted(file)}});
+  return malformed("truncated", {"file-damaged", {quoted(file)}});
 }
 
 std::uint32_t littleEndian(const unsigned char* bytes) {

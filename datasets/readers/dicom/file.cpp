@@ -85,8 +85,9 @@ haptics::Error syntaxFault(const std::string& syntax) {
     return fault(unsupported("unsupported-syntax", {"dicom-syntax-no-identifier", {}}));
   const char* name = vtkDICOMUtilities::GetUIDName(syntax.c_str());
   if (name == nullptr || *name == '\0')
-    return fault(unsupported("unsupported-syntax", {"dicom-syntax-unnamed", {syntax}}));
-  return fault(unsupported("unsupported-syntax", {"dicom-syntax-unknown", {name, syntax}}));
+    return fault(unsupported("unsupported-syntax", {"dicom-syntax-unknown", {syntax}}));
+  return fault(
+      unsupported("unsupported-syntax", {"dicom-syntax-unknown", {syntax + " (" + name + ")"}}));
 }
 
 /// Whether the items of compressed pixel data end before the file does.
@@ -135,8 +136,7 @@ std::optional<haptics::Error> checkBehindPixels(const DicomFile& file, std::int6
   std::ifstream in(file.path, std::ios::binary);
   in.seekg(end);
   for (char c = 0; in.get(c);)
-    if (c != '\0')
-      return fault(malformed("truncated", {"dicom-continues-after-pixels", {quoted(file.path)}}));
+    if (c != '\0') return fault(malformed("truncated", {"file-damaged", {quoted(file.path)}}));
   return {};
 }
 
@@ -149,23 +149,20 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
   if (!parser->GetPixelDataFound()) {
     if (file.plane.rows > 0 && file.plane.columns > 0)
       return fault(malformed("no-pixels", {"dicom-pixels-missing", {}}));
-    return fault(unsupported(
-        "no-pixels", file.modality.empty() ? haptics::Message{"dicom-no-image-or-modality", {}}
-                                           : haptics::Message{"dicom-no-image", {file.modality}}));
+    return fault(unsupported("no-pixels", {"dicom-no-image", {}}));
   }
   if (samples > 1 || meaning == "RGB" || meaning == "PALETTE COLOR")
     return fault(unsupported("not-scalar", {"dicom-colour", {}}));
   const auto cutOff = [&] {
-    return fault(malformed("truncated", {"dicom-pixels-cut-off", {quoted(file.path)}}));
+    return fault(malformed("truncated", {"file-damaged", {quoted(file.path)}}));
   };
   if (file.frame_count > size) return cutOff();
   if (file.frame_count > kMostFrames)
-    return fault(unsupported("too-large", {"dicom-too-many-frames",
-                                           {quoted(file.path), std::to_string(file.frame_count)}}));
+    return fault(unsupported("too-large", {"dicom-pixels-impossible", {quoted(file.path)}}));
   constexpr std::int64_t kMostSide = 65'535;
   if (file.plane.rows > kMostSide || file.plane.columns > kMostSide || file.bits_allocated > 64 ||
       file.plane.rows < 0 || file.plane.columns < 0 || file.bits_allocated < 0)
-    return fault(malformed("bad-header", {"dicom-pixel-count-impossible", {quoted(file.path)}}));
+    return fault(malformed("bad-header", {"dicom-pixels-impossible", {quoted(file.path)}}));
   const std::int64_t slice = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
   const std::int64_t needed = slice * file.frame_count;
   const bool compressed = parser->GetPixelDataVL() == kUndefinedLength;
@@ -225,9 +222,8 @@ std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file
   plane.column_step_mm = spacing->back();
   // needed of a single slice only, so a number that is none is not stated
   const auto thickness = numbersIn(ofGroup(DC::PixelMeasuresSequence, DC::SliceThickness));
-  const bool stated = thickness && thickness->size() == 1 && thickness->front() > 0.0;
-  if (stated) plane.thickness_mm = thickness->front();
-  file.thickness_unreadable = !stated && !(thickness && thickness->empty());
+  if (thickness && thickness->size() == 1 && thickness->front() > 0.0)
+    plane.thickness_mm = thickness->front();
   return {};
 }
 
@@ -244,13 +240,13 @@ std::optional<haptics::Error> readRescale(vtkDICOMMetaData* meta, DicomFile& fil
           readNumbers(file, "rescale intercept", transformation(DC::RescaleIntercept), intercept))
     return bad;
   if (slope.has_value() != intercept.has_value())
-    return fault(malformed("bad-header", {"dicom-rescale-incomplete", {quoted(file.path)}}));
+    return fault(malformed("bad-header", {"dicom-rescale-unusable", {quoted(file.path)}}));
   if (!slope) return {};
   file.rescaled = true;
   file.slope = slope->front();
   file.intercept = intercept->front();
   if (file.slope == 0.0)
-    return fault(malformed("bad-header", {"dicom-rescale-slope-zero", {quoted(file.path)}}));
+    return fault(malformed("bad-header", {"dicom-rescale-unusable", {quoted(file.path)}}));
   const std::string type = trimmedValue(transformation(DC::RescaleType));
   const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 0
                                ? meta->Get(DC::ImageType).GetString(0)
@@ -348,10 +344,7 @@ std::optional<haptics::Error> bitsFault(const DicomFile& file, vtkDICOMMetaData*
                     file.high_bit >= file.bits_stored - 1 && file.high_bit < file.bits_allocated;
   const bool moved = file.high_bit != file.bits_stored - 1;
   if (fits && !(moved && codingOf(file.syntax))) return {};
-  return fault(malformed("bad-header",
-                         {"dicom-bits-impossible",
-                          {quoted(file.path), std::to_string(file.bits_stored),
-                           std::to_string(file.bits_allocated), std::to_string(file.high_bit)}}));
+  return fault(malformed("bad-header", {"dicom-pixels-impossible", {quoted(file.path)}}));
 }
 
 /// A parsed header.
@@ -452,12 +445,12 @@ DicomHeader readDicomHeader(const Beginning& beginning) {
     return {.frames = {file}};
   }
   if (!header->isSound()) {
-    file.fault = fault(malformed("truncated", {"dicom-header-cut-off", {quoted(path)}}));
+    file.fault = fault(malformed("truncated", {"file-damaged", {quoted(path)}}));
     placeSlice(meta, file);  // likewise
     return {.frames = {file}};
   }
   if (!understood) {
-    file.fault = fault(malformed("bad-header", {"dicom-header-unreadable", {quoted(path)}}));
+    file.fault = fault(malformed("bad-header", {"header-unreadable", {quoted(path)}}));
     return {.frames = {file}};
   }
   file.fault = readFrameCount(meta, file);

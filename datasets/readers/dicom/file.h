@@ -46,8 +46,7 @@ struct DicomFile {
   std::string modality;
   Labels labels;
   SlicePlane plane;
-  bool placed = false;                ///< the plane is the file's; else unknown
-  bool thickness_unreadable = false;  ///< stated, but no positive number
+  bool placed = false;  ///< the plane is the file's; else unknown
   int bits_allocated = 0;
   int bits_stored = 0;
   int high_bit = 0;  ///< the highest of the stored bits; above and below there may be anything

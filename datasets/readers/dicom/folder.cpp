@@ -299,11 +299,9 @@ void sayPartAndLeftOut(const DicomSeries& series, SeriesVerdict& verdict) {
     verdict.message = bothOf(std::move(verdict.message), {"dicom-part", {series.part}});
   if (series.left_out.empty()) return;
   const std::string first = quoted(series.left_out.front().path);
-  verdict.message = bothOf(std::move(verdict.message),
-                           series.left_out.size() == 1
-                               ? haptics::Message{"dicom-file-left-out", {first}}
-                               : haptics::Message{"dicom-files-left-out",
-                                                  {std::to_string(series.left_out.size()), first}});
+  verdict.message =
+      bothOf(std::move(verdict.message),
+             {"dicom-files-left-out", {std::to_string(series.left_out.size()), first}});
   for (const DicomFile& file : series.left_out)
     verdict.faults.push_back({"file-fault", {quoted(file.path), file.fault->message}});
 }
@@ -480,9 +478,8 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
   verdict.spacing_mm = series.stack->geometry.steps_mm.colwise().norm().transpose();
   verdict.message = {"dicom-one-stack", {std::to_string(series.files.size())}};
   if (series.files.size() == 1)
-    verdict.message = first.plane.thickness_mm > 0.0 ? haptics::Message{"dicom-single-slice", {}}
-                      : first.thickness_unreadable
-                          ? haptics::Message{"dicom-single-slice-unreadable", {}}
+    verdict.message = first.plane.thickness_mm > 0.0
+                          ? haptics::Message{"dicom-single-slice", {}}
                           : haptics::Message{"dicom-single-slice-unstated", {}};
   if (series.stack->crooked) {
     verdict.reasons.push_back(series.stack->crooked->why.reason);
@@ -498,11 +495,8 @@ SeriesVerdict verdictOf(const DicomSeries& series) {
     verdict.message = {"dicom-differing", {verdict.message, listOf(series.differences)}};
   if (series.copies_left_out > 0) {
     verdict.reasons.push_back("duplicate");
-    verdict.message =
-        series.copies_left_out == 1
-            ? haptics::Message{"dicom-copy-left-out", {verdict.message}}
-            : haptics::Message{"dicom-copies-left-out",
-                               {verdict.message, std::to_string(series.copies_left_out)}};
+    verdict.message = {"dicom-copies-left-out",
+                       {verdict.message, std::to_string(series.copies_left_out)}};
   }
   sayPartAndLeftOut(series, verdict);
   return verdict;

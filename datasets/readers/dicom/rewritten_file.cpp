@@ -139,7 +139,7 @@ Expected<RewrittenFile> RewrittenFile::of(const std::filesystem::path& path) {
   const auto bare = bareDataSetOf(bytes);
   const auto [meta, data] =
       bare ? std::pair{syntaxElement(bare->syntax), bare->begin} : inflatedMetaOf(bytes);
-  if (meta.empty()) return malformed("bad-header", {"dicom-header-unreadable", {quoted(path)}});
+  if (meta.empty()) return malformed("bad-header", {"header-unreadable", {quoted(path)}});
   RewrittenFile file;
   std::string head = std::string(kMeta - 4, '\0') + "DICM" + std::string{"\x02\0\0\0UL\x04\0", 8};
   for (int n = 0; n < 4; ++n) head += static_cast<char>(meta.size() >> (8 * n) & 0xff);
@@ -155,7 +155,7 @@ Expected<RewrittenFile> RewrittenFile::of(const std::filesystem::path& path) {
     if (outcome == Inflated::TooLarge) return tooLarge();
     sound = sound && outcome == Inflated::Whole;
   }
-  if (!sound) return malformed("truncated", {"dicom-deflated-damaged", {quoted(path)}});
+  if (!sound) return malformed("truncated", {"file-damaged", {quoted(path)}});
   return file;
 }
 

@@ -56,12 +56,12 @@ bool hasEqualSpacing(const SlicePlane& a, const SlicePlane& b) {
 Expected<void> checkPlane(const SlicePlane& s) {
   if (!s.position_mm.allFinite() || !std::isfinite(s.column_step_mm) ||
       !std::isfinite(s.row_step_mm) || s.column_step_mm <= 0.0 || s.row_step_mm <= 0.0)
-    return malformed("bad-header", {"dicom-position-or-spacing", {}});
+    return malformed("bad-header", {"dicom-plane-wrong", {}});
   const bool unit = std::abs(s.along_row.norm() - 1.0) < kUnitError &&
                     std::abs(s.along_column.norm() - 1.0) < kUnitError;
   if (!s.along_row.allFinite() || !s.along_column.allFinite() || !unit ||
       std::abs(s.along_row.dot(s.along_column)) > kUnitError)
-    return malformed("bad-header", {"dicom-orientation", {}});
+    return malformed("bad-header", {"dicom-plane-wrong", {}});
   return {};
 }
 
@@ -343,7 +343,7 @@ std::optional<haptics::Mat3> directionOf(const SlicePlane& slice) {
 }
 
 Expected<Stack> stackOf(const std::vector<SlicePlane>& slices) {
-  if (slices.empty()) return malformed("no-pixels", {"dicom-no-slice", {}});
+  if (slices.empty()) return malformed("no-pixels", {"dicom-no-image", {}});
   for (const SlicePlane& s : slices)
     if (const auto sound = checkPlane(s); !sound) return tl::unexpected(sound.error());
   if (const auto alike = checkAlike(slices); !alike) return tl::unexpected(alike.error());

@@ -146,11 +146,11 @@ struct Level {
 };
 
 haptics::Error cutOff(const std::filesystem::path& path) {
-  return malformed("truncated", {"dicom-header-cut-off", {quoted(path)}}).value();
+  return malformed("truncated", {"file-damaged", {quoted(path)}}).value();
 }
 
 haptics::Error senseless(const std::filesystem::path& path) {
-  return malformed("bad-header", {"dicom-header-too-deep", {quoted(path)}}).value();
+  return malformed("bad-header", {"header-unreadable", {quoted(path)}}).value();
 }
 
 /// The level that an element opens: none where it is only a value, unexpected where it has no

@@ -86,7 +86,7 @@ tl::unexpected<haptics::Error> tooLarge(const fs::path& path) {
 }
 
 tl::unexpected<haptics::Error> damaged(const fs::path& path) {
-  return malformed("truncated", {"archive-damaged", {quoted(path)}});
+  return malformed("truncated", {"file-damaged", {quoted(path)}});
 }
 
 struct CloseArchive {

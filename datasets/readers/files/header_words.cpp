@@ -74,9 +74,14 @@ tl::unexpected<haptics::Error> noNumbers(const std::filesystem::path& header, co
   return malformed("bad-header", {"header-no-numbers", {quoted(header), field}});
 }
 
-tl::unexpected<haptics::Error> noWholeNumbers(const std::filesystem::path& header,
-                                              const char* field) {
-  return malformed("bad-header", {"header-no-whole-numbers", {quoted(header), field}});
+tl::unexpected<haptics::Error> wrongField(const std::filesystem::path& header,
+                                          const std::string& field) {
+  return malformed("bad-header", {"header-field-wrong", {quoted(header), field}});
+}
+
+tl::unexpected<haptics::Error> missingField(const std::filesystem::path& header,
+                                            const char* field) {
+  return malformed("bad-header", {"header-field-missing", {quoted(header), field}});
 }
 
 }  // namespace datasets

@@ -30,8 +30,10 @@ std::optional<double> numberOf(std::string_view word);
 /// The refusal ("bad-header") of a header that has something else where this field needs numbers,
 /// or more or fewer of them than it needs.
 tl::unexpected<haptics::Error> noNumbers(const std::filesystem::path& header, const char* field);
-/// The same where it needs whole numbers.
-tl::unexpected<haptics::Error> noWholeNumbers(const std::filesystem::path& header,
-                                              const char* field);
+/// The refusal of a header in which this field has a value that makes no sense.
+tl::unexpected<haptics::Error> wrongField(const std::filesystem::path& header,
+                                          const std::string& field);
+/// The refusal of a header that lacks this field.
+tl::unexpected<haptics::Error> missingField(const std::filesystem::path& header, const char* field);
 
 }  // namespace datasets

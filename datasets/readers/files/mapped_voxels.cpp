@@ -48,7 +48,7 @@ Expected<std::shared_ptr<void>> mapVoxels(const StoredVoxels& stored, int number
   std::error_code error;
   const auto length = static_cast<std::int64_t>(fs::file_size(stored.file, error));
   if (error || length < begin + bytes)
-    return malformed("truncated", {"voxels-too-short", {quoted(stored.file)}});
+    return malformed("truncated", {"file-shorter-than-header", {quoted(stored.file)}});
   const int file = open(stored.file.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return notFound(stored.file);
   const auto memory = haptics::VoxelMemory::ofFile(file, static_cast<std::size_t>(begin),

@@ -25,7 +25,7 @@ tl::unexpected<Error> notFound(const std::filesystem::path& path) {
 }
 
 tl::unexpected<Error> cancelled() {
-  return tl::unexpected(Error{Error::Kind::Cancelled, {"loading-cancelled", {}}, "cancelled"});
+  return tl::unexpected(Error{Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
 }
 
 Message bothOf(Message first, Message second) {

@@ -140,7 +140,7 @@ Expected<void> checkStored(const StoredVoxels& voxels, const std::filesystem::pa
   const VoxelLayout& layout = voxels.layout;
   std::int64_t room = std::numeric_limits<std::int64_t>::max() / 64;
   for (const std::int64_t size : layout.sizes) {
-    if (size < 1) return malformed("bad-header", {"header-size-not-positive", {quoted(header)}});
+    if (size < 1) return malformed("bad-header", {"geometry-axis-empty", {}});
     if (size > std::min<std::int64_t>(room, std::numeric_limits<std::int32_t>::max()))
       return unsupported("too-large", {"header-too-many-voxels", {quoted(header)}});
     room /= size;

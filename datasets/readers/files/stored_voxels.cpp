@@ -230,7 +230,7 @@ bool inflateAtOnce(const StoredVoxels& stored, const std::shared_ptr<void>& to, 
 }
 
 tl::unexpected<haptics::Error> endsEarly(const fs::path& file) {
-  return malformed("truncated", {"voxels-damaged", {quoted(file)}});
+  return malformed("truncated", {"file-damaged", {quoted(file)}});
 }
 
 /// Memory for the voxels of a window, unless it exceeds what is free.

@@ -75,7 +75,7 @@ haptics::Expected<Thumbnail> thumbnailOf(const SlicePixels& slice, int longest) 
   const Layout layout = layoutOf(slice);
   const Side &across = layout.across, &down = layout.down;
   const double scale = longest / std::max(across.length(), down.length());
-  if (!std::isfinite(scale)) return unsupported("bad-header", {"thumbnail-no-size", {}});
+  if (!std::isfinite(scale)) return unsupported("bad-header", {"geometry-not-finite", {}});
   const auto pixelsOf = [scale](const Side& side) {
     return std::max(1, static_cast<int>(std::lround(scale * side.length())));
   };

@@ -95,9 +95,7 @@ Expected<Polygons> readObj(const fs::path& path, std::string_view bytes) {
     const std::size_t corners = polygons.corners.size() - begin;
     polygons.ends.push_back(polygons.corners.size());
     if (!fits || corners < 3)
-      wrong = malformed("bad-index",
-                        {"obj-face-index", {std::to_string(polygons.ends.size()), quoted(path)}})
-                  .value();
+      wrong = malformed("bad-index", {"mesh-face-wrong", {quoted(path)}}).value();
     else if (corners > kMostCorners)
       wrong = tooManyCorners(path).value();
     return !wrong;

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "datasets/readers/files/header_words.h"
@@ -163,21 +162,16 @@ Meaning meaningOf(const PlyElement& element, const Property& property) {
   return element.name == "face" && property.count && corners ? Meaning::Corners : Meaning::Nothing;
 }
 
-/// The element and the property that a header has not, or has twice; empty: each is there once.
-std::vector<std::string> lackOf(const PlyHeader& header) {
-  constexpr std::tuple<Meaning, const char*, const char*> kNeeded[] = {
-      {Meaning::X, "vertex", "x"},
-      {Meaning::Y, "vertex", "y"},
-      {Meaning::Z, "vertex", "z"},
-      {Meaning::Corners, "face", "vertex_indices"}};
-  for (const auto& [meaning, name, property_name] : kNeeded) {
+/// Whether each property that is needed is there once.
+bool hasPolygons(const PlyHeader& header) {
+  for (const Meaning meaning : {Meaning::X, Meaning::Y, Meaning::Z, Meaning::Corners}) {
     int found = 0;
     for (const PlyElement& element : header.elements)
       for (const Property& property : element.properties)
         found += meaningOf(element, property) == meaning ? 1 : 0;
-    if (found != 1) return {name, property_name};
+    if (found != 1) return false;
   }
-  return {};
+  return true;
 }
 
 bool isIndex(double number) {
@@ -203,7 +197,7 @@ class Rows {
           continue;
         }
         const auto number = numbers_.next(property.value);
-        if (!number) return cutOff(element);
+        if (!number) return cutOff();
         if (meaning != Meaning::Nothing) place[static_cast<std::size_t>(meaning)] = *number;
       }
       if (element.name != "vertex") continue;
@@ -216,7 +210,7 @@ class Rows {
 
   /// Once all elements are read.
   Expected<Polygons> polygons() {
-    if (!numbers_.atEnd()) return malformed("too-long", {"ply-goes-on", {quoted(path_)}});
+    if (!numbers_.atEnd()) return malformed("truncated", {"file-damaged", {quoted(path_)}});
     for (const std::uint32_t corner : polygons_.corners)
       if (corner >= polygons_.places.size()) return badFace();
     return std::move(polygons_);
@@ -225,12 +219,12 @@ class Rows {
  private:
   Expected<void> readList(const PlyElement& element, const Property& property, bool corners) {
     const auto count = numbers_.next(*property.count);
-    if (!count || !isIndex(*count)) return cutOff(element);
+    if (!count || !isIndex(*count)) return cutOff();
     if (corners && *count < 3.0) return badFace();
     if (corners && *count > double{kMostCorners}) return tooManyCorners(path_);
     for (double i = 0.0; i < *count; ++i) {
       const auto number = numbers_.next(property.value);
-      if (!number) return cutOff(element);
+      if (!number) return cutOff();
       if (!corners) continue;
       if (!isIndex(*number)) return badFace();
       polygons_.corners.push_back(static_cast<std::uint32_t>(*number));
@@ -238,11 +232,11 @@ class Rows {
     if (corners) polygons_.ends.push_back(polygons_.corners.size());
     return {};
   }
-  tl::unexpected<haptics::Error> cutOff(const PlyElement& element) const {
-    return malformed("truncated", {"ply-cut-off", {quoted(path_), std::to_string(element.count)}});
+  tl::unexpected<haptics::Error> cutOff() const {
+    return malformed("truncated", {"file-damaged", {quoted(path_)}});
   }
   tl::unexpected<haptics::Error> badFace() const {
-    return malformed("bad-index", {"ply-face-index", {quoted(path_)}});
+    return malformed("bad-index", {"mesh-face-wrong", {quoted(path_)}});
   }
 
   const fs::path& path_;
@@ -255,9 +249,8 @@ class Rows {
 Expected<Polygons> readPly(const fs::path& path, std::string_view bytes) {
   std::string_view rest = bytes;
   const auto header = plyHeaderOf(rest);
-  if (!header) return malformed("bad-header", {"ply-header", {quoted(path)}});
-  if (const auto lack = lackOf(*header); !lack.empty())
-    return malformed("bad-header", {"ply-property", {quoted(path), lack[0], lack[1]}});
+  if (!header || !hasPolygons(*header))
+    return malformed("bad-header", {"mesh-unreadable", {quoted(path)}});
   Rows rows(path, rest, header->form);
   for (const PlyElement& element : header->elements)
     if (auto read = rows.read(element); !read) return tl::unexpected(read.error());

@@ -35,7 +35,7 @@ Expected<Polygons::Place> takePlace(const fs::path& path, std::string_view& text
   std::array<double, 3> numbers{};
   for (double& number : numbers) {
     const auto word = numberOf(takeWord(text));
-    if (!word) return malformed("truncated", {"mesh-vertex-incomplete", {quoted(path)}});
+    if (!word) return malformed("truncated", {"mesh-vertex-wrong", {quoted(path)}});
     number = *word;
   }
   return placeOf(path, numbers);
@@ -46,7 +46,7 @@ Expected<Polygons::Place> placeOf(const fs::path& path, const std::array<double,
   for (std::size_t c = 0; c < place.size(); ++c) {
     // beyond float32, and NaN
     if (!(std::abs(numbers[c]) <= double{std::numeric_limits<float>::max()}))
-      return malformed("non-finite", {"mesh-vertex-not-finite", {quoted(path)}});
+      return malformed("non-finite", {"mesh-vertex-wrong", {quoted(path)}});
     place[c] = static_cast<float>(numbers[c]);
   }
   return place;

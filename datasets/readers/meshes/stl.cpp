@@ -50,25 +50,24 @@ Expected<Polygons> readAscii(const fs::path& path, std::string_view text) {
     } else if (word == "endsolid") {
       closed = !inside;
     } else if (word == "facet") {
-      if (inside) return malformed("bad-header", {"stl-facet-in-facet", {quoted(path)}});
+      if (inside) return malformed("bad-header", {"mesh-unreadable", {quoted(path)}});
       inside = true;
       vertices = 0;
     } else if (word == "vertex") {
       const auto place = takePlace(path, line);
       if (!place) return tl::unexpected(place.error());
       if (!takeWord(line).empty())
-        return malformed("truncated", {"mesh-vertex-incomplete", {quoted(path)}});
+        return malformed("truncated", {"mesh-vertex-wrong", {quoted(path)}});
       ++vertices;
       polygons.places.push_back(*place);
     } else if (word == "endfacet") {
       if (!inside || vertices != 3)
-        return malformed("bad-header",
-                         {"stl-facet-vertices", {quoted(path), std::to_string(vertices)}});
+        return malformed("bad-header", {"mesh-unreadable", {quoted(path)}});
       inside = false;
       endPolygon(polygons);
     }
   }
-  if (inside || !closed) return malformed("truncated", {"stl-cut-off", {quoted(path)}});
+  if (inside || !closed) return malformed("truncated", {"file-damaged", {quoted(path)}});
   return polygons;
 }
 
@@ -82,14 +81,7 @@ Expected<Polygons> readStl(const fs::path& path, std::string_view bytes) {
   std::string_view start = bytes;
   if (lowered(takeWord(start)) == "solid" && bytes.find('\0') == bytes.npos)
     return readAscii(path, bytes);
-  if (bytes.size() < kHead) return malformed("truncated", {"stl-header-cut-off", {quoted(path)}});
-  if (bytes.size() > stated)
-    return malformed("truncated", {"stl-goes-on",
-                                   {quoted(path), std::to_string(bytes.size() - stated),
-                                    std::to_string(count)}});
-  return malformed("truncated", {"stl-too-few-triangles",
-                                 {quoted(path), std::to_string(count),
-                                  std::to_string((bytes.size() - kHead) / kFacet)}});
+  return malformed("truncated", {"file-damaged", {quoted(path)}});
 }
 
 }  // namespace datasets

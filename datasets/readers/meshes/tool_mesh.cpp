@@ -188,7 +188,7 @@ Expected<ToolMesh> readToolMesh(const fs::path& path, MeshUnit unit) {
   try {
     return read(path, unit);
   } catch (const std::bad_alloc&) {
-    return unsupported("too-large", {"mesh-memory", {quoted(path)}});
+    return unsupported("too-large", {"memory-too-small", {quoted(path)}});
   } catch (const std::exception&) {
     return malformed("unreadable", {"mesh-unreadable", {quoted(path)}});
   }

@@ -49,7 +49,7 @@ Expected<MetaText> readText(const fs::path& path) {
   std::string line;
   for (char c = 0; in.get(c);) {
     if (++text.bytes > kLongestHeader)
-      return malformed("bad-header", {"header-too-long", {quoted(path)}});
+      return malformed("bad-header", {"header-unreadable", {quoted(path)}});
     if (c != '\n') {
       line.push_back(c);
       if (in.peek() != std::ifstream::traits_type::eof()) continue;
@@ -58,15 +58,15 @@ Expected<MetaText> readText(const fs::path& path) {
     const auto equals = content.find('=');
     if (!content.empty()) {
       if (equals == content.npos)
-        return malformed("bad-header", {"meta-image-line", {quoted(path)}});
+        return malformed("bad-header", {"header-unreadable", {quoted(path)}});
       const std::string key(trimmed(content.substr(0, equals)));
       if (!text.fields.emplace(key, trimmed(content.substr(equals + 1))).second)
-        return malformed("bad-header", {"header-field-twice", {quoted(path)}});
+        return malformed("bad-header", {"header-unreadable", {quoted(path)}});
       if (key == "ElementDataFile") return text;
     }
     line.clear();
   }
-  return malformed("bad-header", {"meta-image-no-data-file", {quoted(path)}});
+  return missingField(path, "ElementDataFile");
 }
 
 struct ElementType {
@@ -86,7 +86,7 @@ constexpr ElementType kMetaTypes[] = {
 Expected<void> readMetaType(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   const std::string* channels = text.find({"ElementNumberOfChannels"});
   const std::string* type = text.find({"ElementType"});
-  if (type == nullptr) return malformed("bad-header", {"meta-image-no-type", {quoted(path)}});
+  if (type == nullptr) return missingField(path, "ElementType");
   if ((channels != nullptr && *channels != "1") || type->ends_with("_ARRAY"))
     return unsupported("not-scalar", {"volume-colours-or-vectors", {quoted(path)}});
   for (const ElementType& known : kMetaTypes)
@@ -96,24 +96,23 @@ Expected<void> readMetaType(const fs::path& path, const MetaText& text, StoredVo
       return {};
     }
   if (type->find("LONG") != type->npos)
-    return unsupported("unsupported-type", {"volume-64-bit-integers", {quoted(path)}});
-  return malformed("bad-header", {"meta-image-type-unknown", {quoted(path)}});
+    return unsupported("unsupported-type", {"volume-type-unsupported", {quoted(path)}});
+  return wrongField(path, "ElementType");
 }
 
 Expected<void> readMetaSizes(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   const std::string* dims = text.find({"NDims"});
-  if (dims == nullptr) return malformed("bad-header", {"meta-image-no-dimensions", {quoted(path)}});
+  if (dims == nullptr) return missingField(path, "NDims");
   const auto axes = integerOf(*dims);
-  if (!axes) return noWholeNumbers(path, "NDims");
+  if (!axes) return wrongField(path, "NDims");
   if (*axes != 3 && *axes != 4)
     return unsupported("not-scalar", {"volume-axis-count", {quoted(path), std::to_string(*axes)}});
   const std::string* sizes = text.find({"DimSize"});
   const auto words = sizes != nullptr ? wordsOf(*sizes) : std::vector<std::string_view>();
-  if (static_cast<std::int64_t>(words.size()) != *axes)
-    return malformed("bad-header", {"header-no-sizes", {quoted(path)}});
+  if (static_cast<std::int64_t>(words.size()) != *axes) return wrongField(path, "DimSize");
   for (std::size_t a = 0; a < words.size(); ++a) {
     const auto size = integerOf(words[a]);
-    if (!size) return noWholeNumbers(path, "DimSize");
+    if (!size) return wrongField(path, "DimSize");
     stored.voxels.layout.sizes[a] = *size;
   }
   return {};
@@ -132,8 +131,7 @@ Expected<std::vector<double>> numbersOf(const fs::path& path, const MetaText& te
     numbers.push_back(numberOf(word).value_or(std::nan("")));
   if (numbers.size() != count ||
       !std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }))
-    return malformed("bad-header",
-                     {"meta-image-numbers", {quoted(path), std::to_string(count), *name}});
+    return wrongField(path, *name);
   return numbers;
 }
 
@@ -162,13 +160,12 @@ Expected<void> readMetaGeometry(const fs::path& path, const MetaText& text, Stor
   for (int a = 0; a < 3; ++a) {
     const auto axis = static_cast<std::size_t>(a);
     const double step = spacing->empty() ? 1.0 : *unit * (*spacing)[axis];
-    if (step <= 0.0)
-      return malformed("bad-header", {"header-spacing-not-positive", {quoted(path)}});
+    if (step <= 0.0) return wrongField(path, "ElementSpacing");
     for (int c = 0; c < 3 && !matrix->empty(); ++c)
       geometry.steps_mm(c, a) = (*matrix)[axis * axes + static_cast<std::size_t>(c)];
     // the matrix turns, and does not stretch
     if (std::abs(geometry.steps_mm.col(a).norm() - 1.0) > 1e-3)
-      return malformed("bad-header", {"meta-image-directions", {quoted(path)}});
+      return wrongField(path, "TransformMatrix");
     geometry.steps_mm.col(a) *= step / geometry.steps_mm.col(a).norm();
     if (!origin->empty()) geometry.origin_mm[a] = *unit * (*origin)[axis];
   }
@@ -184,7 +181,7 @@ Expected<void> readMetaValues(const fs::path& path, const MetaText& text, Stored
     if (!*numbers) return tl::unexpected(numbers->error());
   if (!slope->empty()) stored.slope = slope->front();
   if (stored.slope == 0.0 || !std::isfinite(stored.slope))
-    return malformed("bad-header", {"meta-image-slope", {quoted(path)}});
+    return wrongField(path, "ElementToIntensityFunctionSlope");
   if (!offset->empty()) stored.intercept = offset->front();
   const std::string* modality = text.find({"Modality"});
   for (const char* code : {"CT", "MR", "NM", "US"})
@@ -196,7 +193,7 @@ Expected<void> readMetaValues(const fs::path& path, const MetaText& text, Stored
 Expected<void> readMetaPlace(const fs::path& path, const MetaText& text, StoredVolumes& stored) {
   StoredVoxels& voxels = stored.voxels;
   if (text.find({"BinaryData"}) != nullptr && !text.isTrue({"BinaryData"}))
-    return unsupported("unsupported-syntax", {"meta-image-text", {quoted(path)}});
+    return unsupported("unsupported-syntax", {"voxels-encoding-unknown", {quoted(path)}});
   voxels.deflated = text.isTrue({"CompressedData"});
   voxels.layout.swapped = voxels.layout.bytesPerVoxel() > 1 &&
                           text.isTrue({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
@@ -214,11 +211,10 @@ Expected<void> readMetaPlace(const fs::path& path, const MetaText& text, StoredV
   }
   const std::string* field = text.find({"HeaderSize"});
   const auto header = field != nullptr ? integerOf(*field) : std::optional<std::int64_t>(0);
-  if (!header) return noWholeNumbers(path, "HeaderSize");
-  if (*header < -1 || (*header == -1 && voxels.deflated))
-    return malformed("bad-header", {"meta-image-header-size", {quoted(path)}});
-  if (local && *header > 0 && *header < text.bytes)
-    return malformed("bad-header", {"meta-image-header-size-too-small", {quoted(path)}});
+  if (!header) return wrongField(path, "HeaderSize");
+  if (*header < -1 || (*header == -1 && voxels.deflated) ||
+      (local && *header > 0 && *header < text.bytes))
+    return wrongField(path, "HeaderSize");
   // from the beginning of the file, also where that is the header's
   if (*header > 0) voxels.offset = *header;
   if (auto holds = checkStored(voxels, path); !holds) return holds;
@@ -228,8 +224,8 @@ Expected<void> readMetaPlace(const fs::path& path, const MetaText& text, StoredV
   if (*header == -1) voxels.offset = length - needed;
   // a foreign header before the voxels would shift them all
   if (field == nullptr && !local && !voxels.deflated && length > needed)
-    return malformed("bad-header", {"meta-image-bytes-unexplained",
-                                    {quoted(path), std::to_string(length - needed)}});
+    return malformed("bad-header",
+                     {"header-bytes-unexplained", {quoted(path), std::to_string(length - needed)}});
   return {};
 }
 

@@ -149,8 +149,7 @@ Expected<void> readNiftiType(const fs::path& path, const Fields& fields, StoredV
   for (const DataType& known : kNiftiTypes)
     if (fields.datatype == known.code) {
       // some writers leave it at 0
-      if (fields.bits != 0 && fields.bits != known.bits)
-        return malformed("bad-header", {"nifti-voxel-size-contradicts", {quoted(path)}});
+      if (fields.bits != 0 && fields.bits != known.bits) return wrongField(path, "bitpix");
       stored.voxels.layout.type = known.type;
       stored.voxels.layout.doubles = known.is_double;
       stored.voxels.layout.swapped = fields.swapped && known.bits > 8;
@@ -158,18 +157,18 @@ Expected<void> readNiftiType(const fs::path& path, const Fields& fields, StoredV
     }
   const bool composed = fields.datatype == 32 || fields.datatype == 128 ||
                         fields.datatype == 1792 || fields.datatype == 2304;
-  if (composed) return unsupported("not-scalar", {"nifti-colours-or-complex", {quoted(path)}});
-  return unsupported("unsupported-type", {"nifti-type", {quoted(path)}});
+  if (composed) return unsupported("not-scalar", {"volume-colours-or-vectors", {quoted(path)}});
+  return unsupported("unsupported-type", {"volume-type-unsupported", {quoted(path)}});
 }
 
 Expected<void> readNiftiSizes(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
   const std::int64_t axes = fields.dim[0];
-  if (axes < 1 || axes > 7) return malformed("bad-header", {"nifti-axis-count", {quoted(path)}});
+  if (axes < 1 || axes > 7) return wrongField(path, "dim");
   if (axes < 3)
     return unsupported("not-scalar", {"volume-axis-count", {quoted(path), std::to_string(axes)}});
   for (std::size_t a = 4; a < static_cast<std::size_t>(axes); ++a)
     if (fields.dim[a + 1] != 1)
-      return unsupported("not-scalar", {"nifti-vectors", {std::to_string(a + 1), quoted(path)}});
+      return unsupported("not-scalar", {"volume-colours-or-vectors", {quoted(path)}});
   for (std::size_t a = 0; a < static_cast<std::size_t>(std::min<std::int64_t>(axes, 4)); ++a)
     stored.voxels.layout.sizes[a] = fields.dim[a + 1];
   return {};
@@ -181,7 +180,7 @@ Expected<void> readNiftiPlace(const fs::path& path, const Fields& fields, Stored
       fields.first_voxel == 0.0 ? static_cast<double>(fields.least_offset) : fields.first_voxel;
   if (!(first >= static_cast<double>(fields.least_offset)) || first > 1e15 ||
       std::floor(first) != first)
-    return malformed("bad-header", {"nifti-voxels-placed", {quoted(path)}});
+    return wrongField(path, "vox_offset");
   stored.voxels.file = path;
   stored.voxels.deflated = fields.deflated;
   (stored.voxels.deflated ? stored.voxels.skip : stored.voxels.offset) =
@@ -246,8 +245,7 @@ Expected<Affine> affineOf(const fs::path& path, const Fields& fields,
   const auto turned = byQuaternion(fields);
   const Affine placed = byMatrix(fields);
   const bool by_quaternion = fields.quaternion_code > 0, by_matrix = fields.matrix_code > 0;
-  if (by_quaternion && !turned)
-    return malformed("bad-header", {"nifti-no-rotation", {quoted(path)}});
+  if (by_quaternion && !turned) return wrongField(path, "quatern");
   constexpr double kLeastStep = 1e-9;  // of the file's unit
   const bool places = placed.steps.allFinite() && placed.origin.allFinite() &&
                       placed.steps.colwise().norm().minCoeff() > kLeastStep;
@@ -282,7 +280,7 @@ Expected<void> readNiftiGeometry(const fs::path& path, const Fields& fields,
   const bool placed = fields.quaternion_code > 0 || fields.matrix_code > 0;
   const auto steps = std::span(fields.pixdim).subspan(1, 3);
   if (fields.matrix_code <= 0 && std::ranges::any_of(steps, [](double p) { return p < 0.0; }))
-    return malformed("bad-header", {"header-spacing-not-positive", {quoted(path)}});
+    return wrongField(path, "pixdim");
   stored.spacing_stated = placed || std::ranges::none_of(steps, [](double p) { return p == 0.0; });
   geometry.steps_mm = *unit * affine->steps;
   geometry.origin_mm = *unit * affine->origin;
@@ -294,8 +292,7 @@ Expected<void> readNiftiGeometry(const fs::path& path, const Fields& fields,
 Expected<void> readNiftiValues(const fs::path& path, const Fields& fields, StoredVolumes& stored) {
   // a slope of 0, or of none, says that nothing is to be rescaled
   if (!std::isfinite(fields.slope) || fields.slope == 0.0) return {};
-  if (!std::isfinite(fields.intercept))
-    return malformed("bad-header", {"nifti-rescale", {quoted(path)}});
+  if (!std::isfinite(fields.intercept)) return wrongField(path, "scl_inter");
   stored.slope = fields.slope;
   stored.intercept = fields.intercept;
   return {};
@@ -317,7 +314,7 @@ Expected<StoredVolumes> describeNifti(const fs::path& path) {
   const Beginning beginning(path);
   if (!beginning.is_open) return notFound(path);
   const auto fields = readFields(path, beginning.bytes.starts_with(kGzip));
-  if (!fields) return malformed("bad-header", {"nifti-no-beginning", {quoted(path)}});
+  if (!fields) return malformed("bad-header", {"header-unreadable", {quoted(path)}});
   StoredVolumes stored;
   for (const auto step :
        {readNiftiType, readNiftiSizes, readNiftiPlace, readNiftiGeometry, readNiftiValues})

@@ -60,7 +60,7 @@ constexpr TypeName kNrrdTypes[] = {{"signed char", "signed char", 1},
 
 Expected<void> readNrrdType(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* type = text.find("type");
-  if (type == nullptr) return malformed("bad-header", {"nrrd-no-type", {quoted(path)}});
+  if (type == nullptr) return missingField(path, "type");
   const std::string name = lowered(*type);
   for (const TypeName& known : kNrrdTypes)
     if (name == known.name) {
@@ -69,9 +69,10 @@ Expected<void> readNrrdType(const fs::path& path, const NrrdText& text, NrrdHead
       return {};
     }
   if (name.find("long") != name.npos || name.find("int64") != name.npos)
-    return unsupported("unsupported-type", {"volume-64-bit-integers", {quoted(path)}});
-  if (name == "block") return unsupported("not-scalar", {"nrrd-blocks", {quoted(path)}});
-  return malformed("bad-header", {"nrrd-type-unknown", {quoted(path)}});
+    return unsupported("unsupported-type", {"volume-type-unsupported", {quoted(path)}});
+  if (name == "block")
+    return unsupported("not-scalar", {"volume-colours-or-vectors", {quoted(path)}});
+  return wrongField(path, "type");
 }
 
 using Words = std::vector<std::string_view>;
@@ -142,7 +143,7 @@ Expected<void> checkNumbers(const fs::path& path, const NrrdText& text, NrrdHead
     if (words.size() != header.sizes.size() || !areNumbers(words)) return noNumbers(path, name);
   }
   if (const std::string* field = text.find("space dimension"); field && !integerOf(*field))
-    return noWholeNumbers(path, "space dimension");
+    return wrongField(path, "space dimension");
   const auto dimension =
       static_cast<std::size_t>(std::max<std::int64_t>(spaceDimensionOf(text), 0));
   for (const char* name : {"space directions", "space origin"}) {
@@ -167,8 +168,7 @@ Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& 
   std::vector<std::string> kinds(sizes.size());
   if (const std::string* field = text.find("kinds"); field != nullptr) {
     const auto words = wordsOf(*field);
-    if (words.size() != sizes.size())
-      return malformed("bad-header", {"nrrd-no-kinds", {quoted(path)}});
+    if (words.size() != sizes.size()) return wrongField(path, "kinds");
     std::ranges::transform(words, kinds.begin(), lowered);
   }
   const std::vector<bool> directed = directedAxes(text);
@@ -203,21 +203,19 @@ Expected<void> readAxes(const fs::path& path, const NrrdText& text, NrrdHeader& 
 
 Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* dimension = text.find("dimension");
-  if (dimension == nullptr) return malformed("bad-header", {"nrrd-no-dimension", {quoted(path)}});
+  if (dimension == nullptr) return missingField(path, "dimension");
   const auto axes = integerOf(*dimension);
-  if (!axes) return noWholeNumbers(path, "dimension");
+  if (!axes) return wrongField(path, "dimension");
   if (*axes != 3 && *axes != 4)
-    return unsupported("not-scalar", {"nrrd-dimension", {quoted(path), std::to_string(*axes)}});
+    return unsupported("not-scalar", {"volume-axis-count", {quoted(path), std::to_string(*axes)}});
   const std::string* sizes = text.find("sizes");
-  if (sizes == nullptr) return malformed("bad-header", {"nrrd-no-sizes", {quoted(path)}});
+  if (sizes == nullptr) return missingField(path, "sizes");
   const auto words = wordsOf(*sizes);
-  if (static_cast<std::int64_t>(words.size()) != *axes)
-    return malformed("bad-header", {"header-no-sizes", {quoted(path)}});
+  if (static_cast<std::int64_t>(words.size()) != *axes) return wrongField(path, "sizes");
   std::int64_t room = std::numeric_limits<std::int64_t>::max() / 64;
   for (const std::string_view word : words) {
     const auto size = integerOf(word);
-    if (!size) return noWholeNumbers(path, "sizes");
-    if (*size < 1) return malformed("bad-header", {"header-size-not-positive", {quoted(path)}});
+    if (!size || *size < 1) return wrongField(path, "sizes");
     if (*size > std::min<std::int64_t>(room, std::numeric_limits<std::int32_t>::max()))
       return unsupported("too-large", {"header-too-many-voxels", {quoted(path)}});
     room /= *size;
@@ -228,7 +226,7 @@ Expected<void> readNrrdSizes(const fs::path& path, const NrrdText& text, NrrdHea
 
 Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* encoding = text.find("encoding");
-  if (encoding == nullptr) return malformed("bad-header", {"nrrd-no-encoding", {quoted(path)}});
+  if (encoding == nullptr) return missingField(path, "encoding");
   const std::string name = lowered(*encoding);
   if (name == "raw")
     header.encoding = NrrdEncoding::Raw;
@@ -241,11 +239,11 @@ Expected<void> readEncoding(const fs::path& path, const NrrdText& text, NrrdHead
   else if (name == "bz2" || name == "bzip2")
     header.encoding = NrrdEncoding::Bzip2;
   else
-    return unsupported("unsupported-syntax", {"nrrd-encoding-unknown", {quoted(path)}});
+    return unsupported("unsupported-syntax", {"voxels-encoding-unknown", {quoted(path)}});
   const std::string* endian = text.find("endian");
   header.big_endian = endian != nullptr && lowered(*endian) == "big";
   if (header.encoding != NrrdEncoding::Ascii && header.bytes_per_voxel > 1 && endian == nullptr)
-    return malformed("bad-header", {"nrrd-no-byte-order", {quoted(path)}});
+    return missingField(path, "endian");
   return {};
 }
 
@@ -257,9 +255,9 @@ Expected<void> readSkips(const fs::path& path, const NrrdText& text, NrrdHeader&
     if (field == nullptr) return {};
     header.skip_stated = true;
     const auto number = integerOf(*field);
-    if (!number) return noWholeNumbers(path, name);
+    if (!number) return wrongField(path, name);
     count = *number;
-    if (count < least) return malformed("bad-header", {"nrrd-skips", {quoted(path)}});
+    if (count < least) return wrongField(path, name);
     return {};
   };
   if (auto lines = skip("line skip", "lineskip", 0, header.line_skip); !lines) return lines;
@@ -335,11 +333,11 @@ DataFileNames namesIn(const std::string& field, const NrrdText& text, std::size_
 Expected<void> readDataFiles(const fs::path& path, const NrrdText& text, NrrdHeader& header) {
   const std::string* field = text.find("data file", "datafile");
   if (field == nullptr) {
-    if (text.bytes == 0) return malformed("truncated", {"nrrd-ends-with-header", {quoted(path)}});
+    if (text.bytes == 0) return malformed("truncated", {"file-damaged", {quoted(path)}});
     return {};
   }
   const auto [names, axes] = namesIn(*field, text, header.sizes.size());
-  if (names.empty()) return malformed("bad-header", {"nrrd-data-file-names", {quoted(path)}});
+  if (names.empty()) return malformed("bad-header", {"header-unreadable", {quoted(path)}});
   for (const std::string& name : names) {
     auto file = dataFileOf(path, name);
     if (!file) return tl::unexpected(std::move(file.error()));
@@ -393,8 +391,8 @@ Expected<void> checkNothingElse(const fs::path& path, const NrrdHeader& header,
       length = static_cast<std::int64_t>(fs::file_size(file, error));
     if (header.encoding == NrrdEncoding::Gzip) length = gzipLength(file);
     if (!error && length > needed)
-      return malformed("bad-header",
-                       {"nrrd-bytes-unexplained", {quoted(path), std::to_string(length - needed)}});
+      return malformed("bad-header", {"header-bytes-unexplained",
+                                      {quoted(path), std::to_string(length - needed)}});
   }
   return {};
 }
@@ -414,8 +412,7 @@ Expected<void> checkCapacity(const fs::path& path, const NrrdHeader& header) {
                         static_cast<double>(stored + 1);
     const bool holds = header.encoding == NrrdEncoding::Raw ? stored >= needed
                                                             : most >= static_cast<double>(needed);
-    if (!holds)
-      return malformed("truncated", {"nrrd-data-cut-off", {quoted(file), inWords(header.sizes)}});
+    if (!holds) return malformed("truncated", {"file-shorter-than-header", {quoted(file)}});
   }
   return checkNothingElse(path, header, needed);
 }

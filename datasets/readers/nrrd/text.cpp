@@ -48,12 +48,12 @@ Expected<NrrdText> readNrrdText(const fs::path& path) {
   bool listing = false, closed = false;
   while (nextLine(line)) {
     if (static_cast<std::int64_t>(in.tellg()) > kLongestHeader)
-      return malformed("bad-header", {"header-too-long", {quoted(path)}});
+      return malformed("bad-header", {"header-unreadable", {quoted(path)}});
     const std::string_view content = trimmed(line);
     if (listing) {
       if (!content.empty()) text.listed_files.emplace_back(content);
       if (text.listed_files.size() > kMostDataFiles)
-        return malformed("bad-header", {"nrrd-too-many-files", {quoted(path)}});
+        return malformed("bad-header", {"header-unreadable", {quoted(path)}});
       continue;
     }
     if (content.empty()) {
@@ -71,11 +71,11 @@ Expected<NrrdText> readNrrdText(const fs::path& path) {
     if (named && content.substr(colon + 1).starts_with('=')) continue;  // key and value
     // teem writes what it cannot parse into a message of fixed size, with words around it
     if (content.size() > kLongestField && field != "content")
-      return malformed("bad-header", {"nrrd-field-too-long", {quoted(path)}});
+      return malformed("bad-header", {"header-unreadable", {quoted(path)}});
     if (!named) continue;
     const std::string_view value = trimmed(content.substr(colon + 1));
     if (!text.fields.emplace(field, value).second)
-      return malformed("bad-header", {"header-field-twice", {quoted(path)}});
+      return malformed("bad-header", {"header-unreadable", {quoted(path)}});
     listing = names_data && isList(value);
   }
   if (!closed) in.clear();

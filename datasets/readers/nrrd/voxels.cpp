@@ -117,11 +117,7 @@ bool hasPlaces(const Nrrd& nrrd) {
 }
 
 tl::unexpected<haptics::Error> badUnit(const std::filesystem::path& path) {
-  return unsupported("bad-header", {"nrrd-unit-unknown", {quoted(path)}});
-}
-
-tl::unexpected<haptics::Error> mixedUnits(const std::filesystem::path& path) {
-  return unsupported("bad-header", {"nrrd-units-differ", {quoted(path)}});
+  return unsupported("bad-header", {"header-unit-unknown", {quoted(path)}});
 }
 
 bool isSameUnit(const char* a, const char* b) {
@@ -136,8 +132,7 @@ Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const
   Vec3 scale = Vec3::Ones();  // mm per unit of each coordinate of the space
   for (unsigned int c = 0; c < 3; ++c) {
     const auto millimetres = millimetresIn(nrrd.spaceUnits[c]);
-    if (!millimetres) return badUnit(path);
-    if (!isSameUnit(nrrd.spaceUnits[c], nrrd.spaceUnits[0])) return mixedUnits(path);
+    if (!millimetres || !isSameUnit(nrrd.spaceUnits[c], nrrd.spaceUnits[0])) return badUnit(path);
     scale[c] = *millimetres;
   }
   for (unsigned int a = 0; a < 3; ++a)
@@ -145,7 +140,7 @@ Expected<FileGeometry> orientedGeometry(const std::filesystem::path& path, const
       geometry.steps_mm(c, a) = nrrd.axis[header.axes[a]].spaceDirection[c] * scale[c];
   if (!geometry.steps_mm.allFinite() ||
       (geometry.steps_mm.colwise().squaredNorm().array() == 0.0).any())
-    return malformed("bad-header", {"nrrd-axis-no-direction", {quoted(path)}});
+    return malformed("bad-header", {"nrrd-spacing-missing", {quoted(path)}});
   for (unsigned int c = 0; c < 3; ++c) {
     const double origin = nrrd.spaceOrigin[c];
     geometry.origin_mm[c] = std::isnan(origin) ? 0.0 : origin * scale[c];
@@ -171,8 +166,8 @@ Expected<FileGeometry> plainGeometry(const std::filesystem::path& path, const Nr
   for (unsigned int a = 0; a < 3; ++a) {
     const NrrdAxisInfo& axis = nrrd.axis[header.axes[a]];
     const auto millimetres = millimetresIn(axis.units);
-    if (!millimetres) return badUnit(path);
-    if (!isSameUnit(axis.units, nrrd.axis[header.axes[0]].units)) return mixedUnits(path);
+    if (!millimetres || !isSameUnit(axis.units, nrrd.axis[header.axes[0]].units))
+      return badUnit(path);
     const double spacing = spacingOf(axis);
     if (std::isnan(spacing)) continue;
     ++known;
@@ -209,7 +204,7 @@ std::string unitOf(const Nrrd& nrrd) {
 }
 
 tl::unexpected<haptics::Error> headerRefused(const std::filesystem::path& path) {
-  return malformed("bad-header", {"nrrd-header-unreadable", {quoted(path)}});
+  return malformed("bad-header", {"header-unreadable", {quoted(path)}});
 }
 
 std::optional<ScalarType> typeOfTeem(int teem_type) {
@@ -268,7 +263,7 @@ Expected<FileBytes> foundIn(const std::filesystem::path& file, std::int64_t offs
     found.offset = error ? -1 : length - header.voxelsPerFile() * header.bytes_per_voxel;
     found.skip = 0;
   }
-  if (found.offset < 0) return malformed("truncated", {"nrrd-ends-within-skip", {quoted(file)}});
+  if (found.offset < 0) return malformed("truncated", {"file-damaged", {quoted(file)}});
   return found;
 }
 
@@ -426,7 +421,7 @@ Expected<NrrdPtr> decodedByTeem(const std::filesystem::path& path, const NrrdHea
                             detached ? header.data_files.front() : path, true, progress);
   if (progress.isCancelled()) return cancelled();
   if (!nrrd || nrrd->data == nullptr)
-    return malformed("truncated", {"voxels-damaged", {quoted(path)}});
+    return malformed("truncated", {"file-damaged", {quoted(path)}});
   if (nrrdElementNumber(nrrd.get()) != static_cast<std::size_t>(count)) return headerRefused(path);
   return nrrd;
 }

@@ -65,9 +65,7 @@ void lend(const haptics::Volume& volume, vtkImageData& image) {
 
 }  // namespace
 
-VtkNrrdReader::VtkNrrdReader() : volume_(malformed("unreadable", {"nrrd-nothing-read", {}})) {
-  SetNumberOfInputPorts(0);
-}
+VtkNrrdReader::VtkNrrdReader() : volume_(notFound({})) { SetNumberOfInputPorts(0); }
 
 void VtkNrrdReader::setPath(const std::filesystem::path& path) {
   path_ = path;

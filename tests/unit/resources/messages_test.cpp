@@ -13,11 +13,11 @@ using haptics::Message;
 
 TEST(Messages, FillTheirRow) {
   EXPECT_EQ(
-      sentence(Message{"nrrd-data-cut-off", {"\"a.nrrd\"", "2 x 3 x 4"}}),
-      "\"a.nrrd\" is too short for the 2 x 3 x 4 voxels that its header states; copy or fetch "
-      "it again.");
-  const Error error{Error::Kind::Cancelled, {"replay-cancelled", {}}, "cancelled"};
-  EXPECT_EQ(sentence(error), "The replay was cancelled.");
+      sentence(Message{"header-field-wrong", {"\"a.nrrd\"", "sizes"}}),
+      "The header of \"a.nrrd\" states a \"sizes\" that makes no sense; correct it or export it "
+      "again.");
+  const Error error{Error::Kind::Cancelled, {"measurement-cancelled", {}}, "cancelled"};
+  EXPECT_EQ(sentence(error), "The measurement was cancelled.");
 }
 
 TEST(Messages, OfPlainTextAreTheText) {
@@ -43,9 +43,9 @@ TEST(Messages, AreArgumentsOfOthers) {
 // where the sentence goes on behind another one
 TEST(Messages, LoseTheirFullStop) {
   const Message stack{"dicom-one-stack", {"9"}};
-  EXPECT_EQ(sentence(Message{"dicom-copy-left-out", {stack}}),
-            "One evenly spaced stack of 9 slices; 1 other copy of a slice in the folder is left "
-            "out.");
+  EXPECT_EQ(sentence(Message{"dicom-copies-left-out", {stack, "2"}}),
+            "One evenly spaced stack of 9 slices; copies of its slices in the folder are left out: "
+            "2.");
   EXPECT_EQ(sentence(Message{"dicom-fault-shared", {"No full stop", "1", "2"}}),
             "No full stop (1 of 2 files).");
 }
@@ -72,9 +72,13 @@ TEST(Messages, ArePutIntoAnotherLanguage) {
   EXPECT_EQ(sentence(aside, other),
             "«A slice of the series lies 0,5 mm beside the others; ask for a reconstruction as one "
             "straight stack.»");
-  EXPECT_EQ(idOf(sentence(aside, other), other), "dicom-slice-aside");
+  const Row* row = rowIn(sentence(aside, other), other);
+  ASSERT_NE(row, nullptr);
+  EXPECT_EQ(row->id, "dicom-slice-aside");
+  EXPECT_EQ(row->reason, "sheared");
+  EXPECT_EQ(rowIn("The view was saved."), nullptr);
   // the name of a file is no number
-  EXPECT_EQ(sentence(Message{"table-empty", {"a.1.csv"}}, other), "«\"a.1.csv\" is empty.»");
+  EXPECT_EQ(sentence(Message{"table-empty", {"a.1.csv"}}, other), "«\"a.1.csv\" holds no rows.»");
 }
 
 TEST(Messages, AreListed) {

@@ -49,9 +49,9 @@ TEST_F(Log, ALineIsTheEventAndItsFacts) {
 TEST_F(Log, AnErrorIsItsIdentifierWithoutWhatItNames) {
   using haptics::Error;
   const Error planted{
-      Error::Kind::Malformed, {"nrrd-data-cut-off", {"Doe^Jane.nrrd"}}, "truncated"};
+      Error::Kind::Malformed, {"file-shorter-than-header", {"Doe^Jane.nrrd"}}, "truncated"};
   const Error plain{Error::Kind::Malformed, "Doe^Jane.nrrd is cut off.", "truncated"};
-  EXPECT_EQ(log::nameOf(planted).text(), "nrrd-data-cut-off");
+  EXPECT_EQ(log::nameOf(planted).text(), "file-shorter-than-header");
   EXPECT_EQ(log::nameOf(plain).text(), "truncated");
   // what is no name is none
   for (const char* text : {"", "Doe Jane", "/home/scan", "a\nb", "Doe^Jane"})

@@ -698,10 +698,10 @@ TEST(FalconOpening, SaysWhatIsWrongWithTheFirmware) {
   EXPECT_TRUE(says(refusedWith("/nowhere/firmware.bin"), "cannot be read"));
   EXPECT_TRUE(says(refusedWith(testing::TempDir()), "cannot be read"));
   EXPECT_TRUE(says(refusedWith("/dev/zero"), "cannot be read"));
-  EXPECT_TRUE(says(refusedWith(fileOf("empty", {})), "is empty"));
+  EXPECT_TRUE(says(refusedWith(fileOf("empty", {})), "empty"));
   const Bytes most(haptics::falcon::kMostFirmware);
   EXPECT_TRUE(haptics::falcon::readFirmware(fileOf("most", most)));
-  EXPECT_TRUE(says(refusedWith(fileOf("absurd", Bytes(most.size() + 1))), "larger"));
+  EXPECT_TRUE(says(refusedWith(fileOf("absurd", Bytes(most.size() + 1))), "too large"));
   FakeFalcon falcon;
   falcon.firmware_runs = false;
   falcon.takes_firmware = false;

@@ -13,27 +13,27 @@ using haptics::SharedLibrary;
 
 TEST(SharedLibrary, TakesTheFirstNameThatIsThere) {
   const std::vector<std::string> names{"libpalpate-absent.so", stubs::dhd()};
-  auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
+  auto library = SharedLibrary::open(names, "Its product");
   ASSERT_TRUE(library) << sentence(library.error());
   EXPECT_EQ(library->name(), stubs::dhd());
 }
 
 TEST(SharedLibrary, NamesAllThatItLookedFor) {
   const std::vector<std::string> names{"libpalpate-absent.so.3", "libpalpate-absent.so"};
-  const auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
+  const auto library = SharedLibrary::open(names, "Its product");
   ASSERT_FALSE(library);
   EXPECT_EQ(library.error().reason, "no-library");
   EXPECT_EQ(sentence(library.error()),
             "Its product is not installed (looked for libpalpate-absent.so.3, "
-            "libpalpate-absent.so); look "
-            "elsewhere.");
+            "libpalpate-absent.so); install it from its maker's site, where the system looks for "
+            "libraries.");
 }
 
 TEST(SharedLibrary, SaysOfOneThatIsThereWhyItCannotBeLoaded) {
   const support::ScratchFolder folder;
   const std::string broken = folder.write("broken.so", "no library").string();
   const std::vector<std::string> names{"libpalpate-absent.so", broken};
-  const auto library = SharedLibrary::open(names, "Its product", "look elsewhere.");
+  const auto library = SharedLibrary::open(names, "Its product");
   ASSERT_FALSE(library);
   EXPECT_EQ(sentence(library.error()).find("Its product: " + broken + " cannot be loaded ("), 0u)
       << sentence(library.error());
@@ -41,7 +41,7 @@ TEST(SharedLibrary, SaysOfOneThatIsThereWhyItCannotBeLoaded) {
 
 TEST(SharedLibrary, KeepsTheFirstFunctionThatIsNotThere) {
   const std::vector<std::string> names{stubs::dhd()};
-  auto library = SharedLibrary::open(names, "", "");
+  auto library = SharedLibrary::open(names, "");
   ASSERT_TRUE(library);
   int (*there)() = nullptr;
   int (*absent)() = nullptr;
