@@ -34,10 +34,10 @@ struct TickInput {
 
 /// The pose that the search has got to, and the motions from it.
 struct Arrival {
-  Twist lag;                   ///< to the device, nothing in the way
-  Vec3 turn = Vec3::Zero();    ///< unwrapped, of the lag [rad]
-  Vector6 whitened_lag = Vector6::Zero();///< by the metric
-  ConstrainedMotion allowed;   ///< towards the device, as contacts allow
+  Twist lag;                               ///< to the device, nothing in the way
+  Vec3 turn = Vec3::Zero();                ///< unwrapped, of the lag [rad]
+  Vector6 whitened_lag = Vector6::Zero();  ///< by the metric
+  ConstrainedMotion allowed;               ///< towards the device, as contacts allow
 };
 
 /// How the proxy follows the device in a tick: which of the poses that the search gets to it takes,

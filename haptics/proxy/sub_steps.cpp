@@ -259,8 +259,7 @@ void SubSteps::shorten(double length) HAPTICS_RT {
 }
 
 void SubSteps::go() HAPTICS_RT {
-  const Impact impact =
-      proxy_.sweep.impact(given_.solid, given_.scene.tree, lengths(), budget_);
+  const Impact impact = proxy_.sweep.impact(given_.solid, given_.scene.tree, lengths(), budget_);
   const double length = search_.length;
   double advance = impact.time;
   if (impact.time < 1.0) advance = std::max(0.0, impact.time - lengths().least_way / length);
@@ -276,8 +275,7 @@ void SubSteps::go() HAPTICS_RT {
     return;
   }
   arrive(advance);
-  search_.trust =
-      advance < 1.0 ? C::kBeyondImpact * advance * length : C::kLonger * search_.trust;
+  search_.trust = advance < 1.0 ? C::kBeyondImpact * advance * length : C::kLonger * search_.trust;
 }
 
 /// Moves on by this share of the motion.
@@ -286,8 +284,8 @@ void SubSteps::arrive(double advance) HAPTICS_RT {
   search_.X_before = search_.X;
   search_.advance = advance;
   search_.halvings = 0;
-  search_.X = search_.whole && advance == 1.0 ? search_.X_goal
-                                              : moved(search_.X, search_.motion, advance);
+  search_.X =
+      search_.whole && advance == 1.0 ? search_.X_goal : moved(search_.X, search_.motion, advance);
   travel(search_.motion.linear.norm() * advance, search_.motion.angular.norm() * advance);
   gone_ += advance * search_.length;
   search_.fresh = true;
