@@ -28,7 +28,7 @@ assert not list(stage.rglob("*.*")), "something was installed outside the prefix
 files = {path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if path.is_file()}
 wanted = {
     "bin/palpate", "bin/palpate-cli", "bin/palpate-fetch", "libexec/palpate/palpate-decode", "libexec/palpate/palpate-draw",
-    "libexec/palpate/palpate-study", "libexec/palpate/palpate-study-draw",
+    "libexec/palpate/palpate-study",
     "libexec/palpate/palpate-window.so",
     "lib/udev/rules.d/70-palpate.rules", "share/applications/palpate.desktop",
     "share/metainfo/org.palpate.palpate.metainfo.xml", "share/mime/packages/palpate.xml",

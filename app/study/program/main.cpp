@@ -4,10 +4,6 @@
 
 int main(int argc, char** argv) {
   using namespace app;
-#ifndef PALPATE_PICTURES
-  // the same program with what a study's pictures need: the window's libraries
-  if (cli::firstWord(argc, argv) != "cohort") cli::becomeProgram("palpate-study-draw", argv);
-#endif
   // palpate-cli has the studies below a command
   const bool by_cli = argc > 0 && std::string_view(argv[0]) == cli::kCommandLine;
   return cli::runProgram(
