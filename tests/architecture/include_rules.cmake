@@ -49,6 +49,8 @@ rule(FOLDERS "(haptics|ui|datasets|resources|app)" EXCEPT "app/fetch"
      WHY "palpate-fetch alone speaks to a network")
 rule(FOLDERS "(haptics|ui|datasets|resources|app)" EXCEPT "app/log" FORBIDS "^(spdlog|fmt)/"
      WHY "a line of the log is made in app/log, which the servo thread and patient text do not reach")
+rule(FOLDERS "(haptics|ui|datasets|resources|app)" FORBIDS "^vtk(PLY|OBJ|STL)Reader"
+     WHY "datasets/readers/meshes alone reads a mesh, so that no other parser sees the file")
 rule(FOLDERS "(haptics|ui|datasets|resources|app)" FORBIDS "^[.][.]/"
      WHY "an include names its path from the root, so that these rules can read it")
 

@@ -12,6 +12,7 @@ file(WRITE ${SCRATCH}/haptics/devices/planted.cpp
 file(WRITE ${SCRATCH}/ui/planted.h "#include \"haptics/snapshot.h\"\n#include \"haptics/session.h\"\n")
 file(WRITE ${SCRATCH}/datasets/phantoms/planted.cpp "#include <vtkImageData.h>\n")
 file(WRITE ${SCRATCH}/datasets/readers/fine.cpp "#include <vtkImageData.h>\n")
+file(WRITE ${SCRATCH}/datasets/readers/parsed.cpp "#include <vtkPLYReader.h>\n")
 file(WRITE ${SCRATCH}/datasets/readers/planted.cpp "#include \"resources/messages/messages.h\"\n")
 file(WRITE ${SCRATCH}/ui/worded.cpp "#include \"resources/messages/messages.h\"\n")
 file(WRITE ${SCRATCH}/app/planted.cpp "#include \"haptics/collision/sweep.h\"\n")
@@ -36,10 +37,10 @@ set(said "${said}${complained}")
 set(expected
   "haptics/field/planted.cpp:3:" "haptics/solver/planted.h:2:" "haptics/proxy/planted.h:2:" "haptics/devices/planted.cpp:2:"
   "ui/planted.h:2:" "datasets/phantoms/planted.cpp:1:"
-  "datasets/readers/planted.cpp:1:" "ui/worded.cpp:1:" "app/planted.cpp:1:" "app/driven.cpp:2:"
+  "datasets/readers/planted.cpp:1:" "datasets/readers/parsed.cpp:1:" "ui/worded.cpp:1:" "app/planted.cpp:1:" "app/driven.cpp:2:"
   "resources/planted.cpp:1:" "haptics/tool/planted.cpp:1:" "app/cli/planted.cpp:1:"
   "app/study/plan/planted.h:2:"
-  "app/fetch/planted.cpp:2:" "app/window/planted.cpp:1:" "app/cli/studied.cpp:1:" "haptics/servo/planted.cpp:1:" "18 includes point")
+  "app/fetch/planted.cpp:2:" "app/window/planted.cpp:1:" "app/cli/studied.cpp:1:" "haptics/servo/planted.cpp:1:" "19 includes point")
 foreach(violation IN LISTS expected)
   string(FIND "${said}" "${violation}" at)
   if(at EQUAL -1)
