@@ -26,7 +26,6 @@
 namespace datasets {
 namespace {
 
-using decode::Verdict;
 using support::Raster;
 using testing::DicomSlice;
 using testing::edited;
@@ -113,20 +112,20 @@ TEST(Codestream, AgreesWithItsHeaderOrIsNotDecoded) {
     SCOPED_TRACE(way.name);
     const std::string coded = way.encode({kColumns, kRows, 16, 1, values});
     const decode::Request right = requestFor(codingOf(way));
-    ASSERT_EQ(answerTo(right, coded).verdict, Verdict::Decoded);
+    ASSERT_EQ(answerTo(right, coded).verdict, decode::Verdict::Decoded);
     const bool is_rle = codingOf(way) == Coding::Rle;
     for (const std::uint32_t bytes : {1, 4}) {
       decode::Request wrong = right;
       wrong.bytes_per_pixel = bytes;
       wrong.bits_stored = 8 * bytes;
-      EXPECT_EQ(answerTo(wrong, coded).verdict, is_rle ? Verdict::Segments : Verdict::Depth);
+      EXPECT_EQ(answerTo(wrong, coded).verdict, is_rle ? decode::Verdict::Segments : decode::Verdict::Depth);
     }
     if (is_rle) continue;  // it states nothing else
     for (auto decode::Request::*side : {&decode::Request::columns, &decode::Request::rows}) {
       decode::Request wrong = right;
       wrong.*side += 1;
       const decode::Answer answer = answerTo(wrong, coded);
-      EXPECT_EQ(answer.verdict, Verdict::Size);
+      EXPECT_EQ(answer.verdict, decode::Verdict::Size);
       EXPECT_EQ(answer.frame.columns, 0U + kColumns);
       EXPECT_EQ(answer.frame.rows, 0U + kRows);
       EXPECT_EQ(answer.frame.precision, 16U);
@@ -134,7 +133,7 @@ TEST(Codestream, AgreesWithItsHeaderOrIsNotDecoded) {
     decode::Request wrong = right;
     wrong.is_signed = 1;
     EXPECT_EQ(answerTo(wrong, coded).verdict,
-              codingOf(way) == Coding::Jpeg2000Lossless ? Verdict::Sign : Verdict::Decoded);
+              codingOf(way) == Coding::Jpeg2000Lossless ? decode::Verdict::Sign : decode::Verdict::Decoded);
   }
 }
 
@@ -145,7 +144,7 @@ TEST(Codestream, OfColourIsNoSlice) {
        {std::pair{Coding::JpegLsLossless, support::asJpegLs(colour)},
         std::pair{Coding::Jpeg2000Lossless, support::asJpeg2000(colour)}}) {
     const decode::Answer answer = answerTo(requestFor(coding, 8), coded);
-    EXPECT_EQ(answer.verdict, Verdict::Components);
+    EXPECT_EQ(answer.verdict, decode::Verdict::Components);
     EXPECT_EQ(answer.frame.components, 3U);
   }
 }
@@ -154,24 +153,24 @@ TEST(Codestream, WithLossIsNotWhatALosslessSyntaxNames) {
   const auto values = pictureOf(kColumns, kRows, 12);
   const Raster raster{kColumns, kRows, 12, 1, values};
   const std::string ls = support::asJpegLs(raster, 2);
-  EXPECT_EQ(answerTo(requestFor(Coding::JpegLsLossless, 12), ls).verdict, Verdict::Loss);
-  EXPECT_EQ(answerTo(requestFor(Coding::JpegLs, 12), ls).verdict, Verdict::Decoded);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLsLossless, 12), ls).verdict, decode::Verdict::Loss);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLs, 12), ls).verdict, decode::Verdict::Decoded);
   const std::string j2k = support::asJpeg2000(raster, {.with_loss = true});
-  EXPECT_EQ(answerTo(requestFor(Coding::Jpeg2000Lossless, 12), j2k).verdict, Verdict::Loss);
-  EXPECT_EQ(answerTo(requestFor(Coding::Jpeg2000, 12), j2k).verdict, Verdict::Decoded);
+  EXPECT_EQ(answerTo(requestFor(Coding::Jpeg2000Lossless, 12), j2k).verdict, decode::Verdict::Loss);
+  EXPECT_EQ(answerTo(requestFor(Coding::Jpeg2000, 12), j2k).verdict, decode::Verdict::Decoded);
 }
 
 TEST(Codestream, OfAnotherProcessIsNotWhatTheSyntaxNames) {
   const auto values = pictureOf(kColumns, kRows, 16);
   const Raster raster{kColumns, kRows, 16, 1, values};
   const std::string ls = support::asJpegLs(raster), lossless = support::asLosslessJpeg(raster);
-  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), ls).verdict, Verdict::Process);
-  EXPECT_EQ(answerTo(requestFor(Coding::JpegLs), lossless).verdict, Verdict::Process);
-  EXPECT_EQ(answerTo(requestFor(Coding::JpegBaseline), lossless).verdict, Verdict::Process);
-  EXPECT_EQ(answerTo(requestFor(Coding::JpegExtended), lossless).verdict, Verdict::Process);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), ls).verdict, decode::Verdict::Process);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLs), lossless).verdict, decode::Verdict::Process);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegBaseline), lossless).verdict, decode::Verdict::Process);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegExtended), lossless).verdict, decode::Verdict::Process);
   std::string progressive = lossless;
   progressive.replace(progressive.find("\xff\xc3"), 2, "\xff\xc2");
-  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), progressive).verdict, Verdict::Process);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), progressive).verdict, decode::Verdict::Process);
 }
 
 TEST(Codestream, ThatIsCutAnywhereIsRefused) {
@@ -181,11 +180,11 @@ TEST(Codestream, ThatIsCutAnywhereIsRefused) {
     std::string coded = way.encode({kColumns, kRows, 16, 1, values});
     while (coded.back() == '\0') coded.pop_back();  // RLE and dcmtk fill up
     for (std::size_t size = 1; size < coded.size(); ++size)
-      ASSERT_EQ(answerTo(request, coded.substr(0, size)).verdict, Verdict::Damaged)
+      ASSERT_EQ(answerTo(request, coded.substr(0, size)).verdict, decode::Verdict::Damaged)
           << way.name << " of " << size;
-    EXPECT_EQ(answerTo(request, coded + std::string(3, '\0')).verdict, Verdict::Decoded);
-    EXPECT_EQ(answerTo(request, coded + "more").verdict, Verdict::Damaged);
-    EXPECT_EQ(answerTo(request, coded + coded).verdict, Verdict::Damaged);
+    EXPECT_EQ(answerTo(request, coded + std::string(3, '\0')).verdict, decode::Verdict::Decoded);
+    EXPECT_EQ(answerTo(request, coded + "more").verdict, decode::Verdict::Damaged);
+    EXPECT_EQ(answerTo(request, coded + coded).verdict, decode::Verdict::Damaged);
   }
 }
 
@@ -194,7 +193,7 @@ TEST(Codestream, OfTilesHasThemAll) {
   const auto values = pictureOf(kColumns, kRows, 16);
   const std::string coded = support::asJpeg2000({kColumns, kRows, 16, 1, values}, {.tile = 8});
   const decode::Request request = requestFor(Coding::Jpeg2000Lossless);
-  ASSERT_EQ(answerTo(request, coded).verdict, Verdict::Decoded);
+  ASSERT_EQ(answerTo(request, coded).verdict, decode::Verdict::Decoded);
   std::vector<std::size_t> tiles;
   for (std::size_t at = 0; (at = coded.find("\xff\x90", at)) != std::string::npos; ++at)
     tiles.push_back(at);
@@ -203,7 +202,7 @@ TEST(Codestream, OfTilesHasThemAll) {
   for (std::size_t n = 0; n < 6; ++n) {
     std::string without = coded;
     without.erase(tiles[n], tiles[n + 1] - tiles[n]);
-    EXPECT_EQ(answerTo(request, without).verdict, Verdict::Damaged) << n;
+    EXPECT_EQ(answerTo(request, without).verdict, decode::Verdict::Damaged) << n;
   }
 }
 
@@ -212,7 +211,7 @@ TEST(Codestream, OfRleHasATableThatFits) {
   const std::string coded = support::asRle({kColumns, kRows, 16, 1, values});
   const auto refused = [&](std::size_t at, std::size_t value) {
     return answerTo(requestFor(Coding::Rle), std::string(coded).replace(at, 4, number(value, 4)))
-               .verdict != Verdict::Decoded;
+               .verdict != decode::Verdict::Decoded;
   };
   for (const std::size_t segments : {0, 1, 3, 15, 16, 1 << 30}) EXPECT_TRUE(refused(0, segments));
   for (const std::size_t first : {0, 63, 65, 1 << 30}) EXPECT_TRUE(refused(4, first));
@@ -229,10 +228,10 @@ TEST(Codestream, OfASmallFileIsNoLargeImage) {
   ASSERT_NE(frame, std::string::npos);
   coded.replace(frame + 5, 4, "\x1f\x40\x1f\x40");
   // a header that states less is not followed
-  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), coded).verdict, Verdict::Size);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), coded).verdict, decode::Verdict::Size);
   decode::Request request = requestFor(Coding::JpegLossless);
   request.columns = request.rows = 8'000;
-  EXPECT_EQ(answerTo(request, coded).verdict, Verdict::Damaged);
+  EXPECT_EQ(answerTo(request, coded).verdict, decode::Verdict::Damaged);
 }
 
 TEST(Codestream, OfAnyBytesIsReadWithinThem) {
@@ -359,7 +358,7 @@ TEST(Decoding, LeavesNothingOfWhatItsMemoryHeld) {
   const std::string nothing(64, '\0');
   std::vector<std::byte> pixels(2 * kColumns * kRows, std::byte{0xab});
   const decode::Request request{nothing.size(), Coding::Rle, kColumns, kRows, 2, 16, 0};
-  EXPECT_EQ(decode::answer(request, asBytes(nothing), pixels).verdict, Verdict::Segments);
+  EXPECT_EQ(decode::answer(request, asBytes(nothing), pixels).verdict, decode::Verdict::Segments);
   for (const std::byte b : pixels) ASSERT_EQ(b, std::byte{0});
 }
 
