@@ -192,8 +192,7 @@ class Rows {
       for (const Property& property : element.properties) {
         const Meaning meaning = meaningOf(element, property);
         if (property.count) {
-          if (auto list = readList(element, property, meaning == Meaning::Corners); !list)
-            return list;
+          if (auto list = readList(property, meaning == Meaning::Corners); !list) return list;
           continue;
         }
         const auto number = numbers_.next(property.value);
@@ -217,7 +216,7 @@ class Rows {
   }
 
  private:
-  Expected<void> readList(const PlyElement& element, const Property& property, bool corners) {
+  Expected<void> readList(const Property& property, bool corners) {
     const auto count = numbers_.next(*property.count);
     if (!count || !isIndex(*count)) return cutOff();
     if (corners && *count < 3.0) return badFace();
