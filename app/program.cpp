@@ -105,7 +105,7 @@ int palpateProgram(int argc, char** argv, std::shared_ptr<app::ReadAhead> ahead)
       ->check(numberIn(0.0, 3600.0))
       ->needs(screenshot_given);
   cli.add_flag("--no-notice", no_notice, "Do not show the notice of the first start");
-  cli.add_option("--log-level", log_level, "What goes into the log: this and what is graver")
+  cli.add_option("--log-level", log_level, "Least severity that the log keeps")
       ->check(CLI::IsMember({"error", "warning", "info", "debug", "off"}));
   try {
     const std::vector<std::string> words = wordsOf(argc, argv);

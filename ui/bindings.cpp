@@ -67,7 +67,7 @@ Binding over(Over what, Binding binding) {
 
 }  // namespace binding_lines
 
-/// Lines that follow one another with the same place and words are one row of Help and README.
+/// Lines that follow one another with the same place and words are one row of Help.
 std::vector<Binding> allBindings() {
   using enum Action;
   using enum MouseMode;
@@ -91,9 +91,9 @@ std::vector<Binding> allBindings() {
       key(Anywhere, CTRL | Key_Q, WORDS("quits"), Quit, "quit"),
       key(Anywhere, Key_Escape,
           WORDS("force off; puts away the tool of an edit and a measure that is being placed")),
-      key(Anywhere, Key_F1, WORDS("shows the help for what has the focus"), ShowHelp, "help"),
+      key(Anywhere, Key_F1, WORDS("shows the help for the focused control"), ShowHelp, "help"),
       key(Anywhere, SHIFT | Key_F1, WORDS("shows all controls"), ShowControls, "controls"),
-      key(Anywhere, Key_F6, WORDS("goes to the next view"), NextView, "next_view"),
+      key(Anywhere, Key_F6, WORDS("selects the next view"), NextView, "next_view"),
       key(Anywhere, Key_M, WORDS("while recording: sets a mark"), SetMark, "mark"),
 
       key(View, Key_F, WORDS("shows a view alone, or all again"), ViewAlone, "view_alone"),
@@ -130,9 +130,9 @@ std::vector<Binding> allBindings() {
       key(Space, SHIFT | Key_Right, WORDS("shifts the picture"), Pan, "shift_right"),
       key(Space, SHIFT | Key_Up, WORDS("shifts the picture"), Pan, "shift_up"),
       key(Space, SHIFT | Key_Down, WORDS("shifts the picture"), Pan, "shift_down"),
-      key(Space, Key_Plus, WORDS("comes nearer at the pointer"), Nearer, "nearer"),
-      key(Space, Key_Equal, WORDS("comes nearer at the pointer"), Nearer, "nearer_too"),
-      key(Space, Key_Minus, WORDS("goes away from the pointer"), Farther, "farther"),
+      key(Space, Key_Plus, WORDS("zooms in at the pointer"), Nearer, "nearer"),
+      key(Space, Key_Equal, WORDS("zooms in at the pointer"), Nearer, "nearer_too"),
+      key(Space, Key_Minus, WORDS("zooms out at the pointer"), Farther, "farther"),
       held(Space, Key_C, WORDS("clutch; released when the view loses the focus"), Clutch, "clutch"),
       held(Space, Key_H, WORDS("hold-to-run; released when the view loses the focus"), HoldToRun,
            "hold_to_run"),
@@ -144,9 +144,9 @@ std::vector<Binding> allBindings() {
       key(Slice, Key_PageDown, WORDS("ten slices back"), TenSlicesBack, "ten_slices_back"),
       key(Slice, Key_Home, WORDS("first slice"), FirstSlice, "first_slice"),
       key(Slice, Key_End, WORDS("last slice"), LastSlice, "last_slice"),
-      key(Slice, Key_Plus, WORDS("comes nearer at the pointer"), Nearer, "slice_nearer"),
-      key(Slice, Key_Equal, WORDS("comes nearer at the pointer"), Nearer, "slice_nearer_too"),
-      key(Slice, Key_Minus, WORDS("goes away from the pointer"), Farther, "slice_farther"),
+      key(Slice, Key_Plus, WORDS("zooms in at the pointer"), Nearer, "slice_nearer"),
+      key(Slice, Key_Equal, WORDS("zooms in at the pointer"), Nearer, "slice_nearer_too"),
+      key(Slice, Key_Minus, WORDS("zooms out at the pointer"), Farther, "slice_farther"),
       key(Slice, Key_R, WORDS("shows the whole slice"), ShowEverything, "whole_slice"),
       key(Slice, SHIFT | Key_Up, WORDS("shifts the picture"), Pan, "slice_shift_up"),
       key(Slice, SHIFT | Key_Down, WORDS("shifts the picture"), Pan, "slice_shift_down"),
@@ -177,8 +177,7 @@ std::vector<Binding> allBindings() {
       over(Over::Editing, key(View, Key_Backspace, WORDS("takes the scalpel's last corner back"),
                               TakeCornerBack, "corner_back")),
 
-      key(Marks, Key_Return, WORDS("goes to the place; again: to its next"), GoToMark,
-          "go_to_mark"),
+      key(Marks, Key_Return, WORDS("shows the place; again: its next one"), GoToMark, "go_to_mark"),
       key(Marks, Key_F2, WORDS("renames the mark, or edits the note"), RenameMark, "rename_mark"),
       key(Marks, Key_Delete, WORDS("deletes the mark"), DeleteMark, "list_delete_mark"),
       key(Border, Key_Left, WORDS("moves it"), MoveBorder, "border_left"),
@@ -208,20 +207,20 @@ std::vector<Binding> allBindings() {
            shift(drag(Space, left, WORDS("turns the tool, if the mouse is the hand"), TurnTool))),
       drag(Space, middle, WORDS("shifts the picture"), Pan),
       in(Look, drag(Space, left, WORDS("turns the picture"), Rotate)),
-      in(Look, drag(Space, right, WORDS("comes nearer (up) or goes away (down)"), Zoom)),
-      in(Look, wheel(Space, WORDS("comes nearer at the pointer"), Zoom)),
+      in(Look, drag(Space, right, WORDS("zooms in (up) or out (down)"), Zoom)),
+      in(Look, wheel(Space, WORDS("zooms in at the pointer"), Zoom)),
       in(Look, twice(Space, left, WORDS("on the surface: brings the tool there"), BringTool)),
       in(Hand, drag(Space, left, WORDS("moves the tool in the plane of the screen"), MoveTool)),
       in(Hand, shift(drag(Space, left, WORDS("turns the tool"), TurnTool))),
       in(Hand, drag(Space, right, WORDS("turns the picture"), Rotate)),
       in(Hand, wheel(Space, WORDS("moves the tool in depth"), PushTool)),
-      in(Hand, ctrl(wheel(Space, WORDS("comes nearer at the pointer"), Zoom))),
+      in(Hand, ctrl(wheel(Space, WORDS("zooms in at the pointer"), Zoom))),
 
       click(Slice, left, WORDS("moves the crosshair")),
       drag(Slice, left, WORDS("moves the crosshair")),
       twice(Slice, left, WORDS("brings the tool to the surface there"), BringTool),
-      wheel(Slice, WORDS("goes through the slices")),
-      ctrl(wheel(Slice, WORDS("comes nearer at the pointer"))),
+      wheel(Slice, WORDS("scrolls through the slices")),
+      ctrl(wheel(Slice, WORDS("zooms in at the pointer"))),
       drag(Slice, middle, WORDS("shifts the picture")),
       shift(drag(Slice, left, WORDS("shifts the picture"))),
       drag(Slice, right, WORDS("brightness (up and down), contrast (left and right)")),
@@ -314,13 +313,13 @@ QString refusalOf(const Binding& binding, QKeyCombination keys) {
   const bool strong = modifiers & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
   if (keys == binding.at_first) return {};
   if (key == Qt::Key_Escape || key == Qt::Key_Space)
-    return bindingWords("Escape and Space stop the force, and stay what they are.");
+    return bindingWords("Escape and Space stop the force and cannot be changed.");
   if (key == Qt::Key_Tab || key == Qt::Key_Backtab)
-    return bindingWords("Tab goes from one control to the next, and stays what it is.");
+    return bindingWords("Tab selects the next control and cannot be changed.");
   if (modifiers == Qt::AltModifier && isPrinted(key))
     return bindingWords("Alt with a letter opens menus; choose another key.");
   if (binding.gesture == Gesture::HeldKey && modifiers != Qt::NoModifier)
-    return bindingWords("What works while a key is held needs one key alone.");
+    return bindingWords("A function that works while a key is held needs a single key.");
   static constexpr int kOfControls[] = {Qt::Key_Left,      Qt::Key_Right,    Qt::Key_Up,
                                         Qt::Key_Down,      Qt::Key_Home,     Qt::Key_End,
                                         Qt::Key_PageUp,    Qt::Key_PageDown, Qt::Key_Return,
@@ -455,7 +454,7 @@ QString changeKey(const QString& name, QKeyCombination key) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Binding& binding) {
     return !name.isEmpty() && name == QLatin1String(binding.name);
   });
-  if (found == all.end()) return bindingWords("This key stays what it is.");
+  if (found == all.end()) return bindingWords("This key cannot be changed.");
   const QKeyCombination plain = plainKey(key.key(), key.keyboardModifiers());
   if (const QString refusal = refusalOf(*found, plain); !refusal.isEmpty()) return refusal;
   const QKeyCombination before = keysOf(*found);

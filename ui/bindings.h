@@ -119,7 +119,7 @@ enum class Action {
 };
 
 /// One thing that a key or the mouse does. Views look up what to do here, menus take their keys
-/// from here, and Help, tooltips and the README say what is written here.
+/// from here, and Help and tooltips say what is written here.
 struct Binding {
   Action action = Action::Elsewhere;
   Where place = Where::Anywhere;
@@ -192,13 +192,13 @@ void showKey(QAction& entry, Action action, const QString& sentence = {});
 /// Calls `tell` now, and whenever keys have changed until `context` goes.
 void whenKeysChange(QObject& context, const std::function<void()>& tell);
 
-/// Key or mouse gesture in words, as Help and README write it: "Ctrl and wheel".
+/// Key or mouse gesture in words, as Help writes it: "Ctrl and wheel".
 QString triggerOf(const Binding& binding);
 /// Where it works: "3-D view".
 QString placeOf(const Binding& binding);
 QString wordsOf(const Binding& binding);
 
-/// What Help and README say in one row. Keys of the same place and words share it.
+/// One row of Help. Keys of the same place and words share it.
 struct ControlRow {
   QString triggers, place, words;
   bool mouse = false;

@@ -48,7 +48,7 @@ ExportDialog::ExportDialog(double begin, double end, std::vector<ExportFormat> f
       figures_(new QCheckBox(tr("Write force and time into the picture"))) {
   setWindowTitle(tr("Export a recording"));
   formats_->setObjectName("exportFormat");
-  formats_->setToolTip(tr("What the recording becomes"));
+  formats_->setToolTip(tr("Format of the exported recording"));
   for (const ExportFormat& table : tables_) formats_->addItem(table.title);
   formats_->addItem(tr("Film"));
   from_->setAccessibleName(tr("From"));

@@ -102,7 +102,7 @@ QStringList helpPages() {
 HelpPage::HelpPage(QWidget* parent) : QTextBrowser(parent) {
   setObjectName("helpPage");
   setAccessibleName(tr("Page of the help"));
-  setToolTip(tr("The arrow keys move through the page, Tab goes from link to link"));
+  setToolTip(tr("The arrow keys move through the page, Tab selects the next link"));
 }
 
 bool HelpPage::open(const QString& place) {
@@ -162,8 +162,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   search_->setPlaceholderText(tr("Search"));
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Words to look for in all pages"));
-  search_->setToolTip(
-      tr("Lists the pages that have all these words; Enter goes to the next place"));
+  search_->setToolTip(tr("Lists the pages that have all these words; Enter shows the next place"));
   connect(search_, &QLineEdit::textChanged, this, &HelpWindow::search);
   connect(search_, &QLineEdit::returnPressed, this, &HelpWindow::markFound);
   contents_->setObjectName("helpContents");

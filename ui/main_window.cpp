@@ -115,7 +115,7 @@ void MainWindow::buildBanners() {
   more_of_message_ = message_->addButton("messageMore");
   for (QPushButton* more : {more_of_fault_, more_of_message_}) {
     more->setText(tr("More"));
-    more->setToolTip(tr("Shows in the help what lies behind this, and what helps"));
+    more->setToolTip(tr("Shows the cause and the remedy in the help"));
     connect(more, &QPushButton::clicked, this,
             [this, more] { emit helpWanted(more->property("place").toString()); });
   }
@@ -232,8 +232,8 @@ void MainWindow::showTour() {
     // the user may have gone to another tab meanwhile
     if (surface != nullptr)
       add(surface->findChild<HistogramSlider*>(), tr("Choose the surface"),
-          tr("Drag the line: what you see and touch is where the scan has this value. Picture and "
-             "touch change at once."),
+          tr("Drag the line: the surface is where the scan has this value. Picture and touch "
+             "change at once."),
           [this, surface] { reveal(surface); });
     add(view_, tr("Touch it"),
         tr("Press %1 and the mouse holds the tool, or drag the tool itself. The tool stops at the "
@@ -314,7 +314,7 @@ void MainWindow::buildStatusBar() {
   auto* cancel = new QToolButton;
   cancel->setObjectName("cancelLoading");
   cancel->setText(tr("Cancel"));
-  cancel->setToolTip(tr("Ends what is loading or being worked out"));
+  cancel->setToolTip(tr("Cancels the loading or the computation"));
   connect(cancel, &QToolButton::clicked, this, &MainWindow::cancelWanted);
   progress_->setRange(0, 1000);
   progress_->setMaximumWidth(180);
@@ -602,7 +602,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls())
     if (url.isLocalFile()) paths << url.toLocalFile();
   if (paths.isEmpty())
-    return showMessage(tr("What was dropped is not on this machine's disks; copy it there first."));
+    return showMessage(tr("The dropped item is not on this machine's disks; copy it there first."));
   event->acceptProposedAction();
   emit dropped(paths);
 }

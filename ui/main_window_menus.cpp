@@ -258,8 +258,8 @@ void MainWindow::showControls() {
   text->setHtml(
       tr("<p><b>Force off</b>: Escape anywhere, Space in the 3-D view, or the stop button.</p>"
          "<p><b>Haptic device</b> (View > Haptic device): Connect, then Arm. While %1 is held in "
-         "the 3-D view the tool stays and the hand moves freely; while %2 is held the force is on "
-         "if it is to be held.</p>"
+         "the 3-D view the tool stays and the hand moves freely; with hold-to-run, the force is "
+         "on while %2 is held.</p>"
          "<p><b>Mouse</b>: it turns the picture until you take the tool (%3, or the button), and "
          "then moves the tool. The tool itself can be dragged at any time.</p>"
          "<p><b>Measures</b>: click where the places are, or drag a distance. Handles can be "

@@ -71,13 +71,13 @@ PacsServerDialog::PacsServerDialog(const PacsServer& server, QWidget* parent)
     : QDialog(parent), form_(new QFormLayout) {
   setObjectName("pacsServer");
   setWindowTitle(tr("Server"));
-  name_ = field("pacsName", tr("&Name"), tr("What you call the server"), server.name);
+  name_ = field("pacsName", tr("&Name"), tr("Your name for the server"), server.name);
   kind_ = new QComboBox;
   kind_->setObjectName("pacsKind");
   kind_->addItem(tr("DICOMweb"), true);
   kind_->addItem(tr("DIMSE (C-FIND, C-GET)"), false);
   kind_->setCurrentIndex(server.web ? 0 : 1);
-  kind_->setToolTip(tr("How the server is asked; DICOMweb where it has it"));
+  kind_->setToolTip(tr("Protocol of the server; DICOMweb if the server has it"));
   form_->addRow(tr("&Protocol"), kind_);
   url_ = field("pacsUrl", tr("&Address"), tr("The URL that ends before /studies"), server.url);
   url_->setPlaceholderText(QStringLiteral("https://pacs.example.org/dicom-web"));
@@ -116,14 +116,14 @@ PacsServerDialog::PacsServerDialog(const PacsServer& server, QWidget* parent)
   login_->addItem(tr("token, asked each time"), int(Login::Bearer));
   login_->addItem(tr("from the desktop's keyring"), int(Login::Keyring));
   login_->setCurrentIndex(login_->findData(int(server.login)));
-  login_->setToolTip(tr("How the server knows who asks; no password is stored by Palpate"));
+  login_->setToolTip(tr("Sign-in at the server; Palpate stores no password"));
   form_->addRow(tr("&Login"), login_);
   user_ = field("pacsUser", tr("&User"), tr("The user's name at the server"), server.user);
   authority_ =
       file("pacsAuthority", tr("&Trusted certificates"),
            tr("Certificates (PEM) that are trusted beside the system's"), server.authority);
   certificate_ = file("pacsCertificate", tr("Own &certificate"),
-                      tr("Certificate (PEM) of this computer, where the server asks for one"),
+                      tr("Certificate (PEM) of this computer, if the server requires one"),
                       server.certificate);
   key_ = file("pacsKey", tr("Its private &key"), tr("Private key (PEM) of that certificate"),
               server.key);
@@ -225,14 +225,13 @@ QWidget* PacsWindow::buildServers() {
   server_ = new QComboBox;
   server_->setObjectName("pacsServers");
   server_->setAccessibleName(tr("Server"));
-  server_->setToolTip(tr("The archive that is asked"));
+  server_->setToolTip(tr("The archive to search"));
   server_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   server_->setMinimumContentsLength(24);
   add_ = button("pacsAdd", tr("&Add…"), tr("Describes another server"));
-  edit_ = button("pacsEdit", tr("&Edit…"), tr("Changes what is known of the server"));
+  edit_ = button("pacsEdit", tr("&Edit…"), tr("Changes the entries for the server"));
   remove_ = button("pacsRemove", tr("&Remove"), tr("Forgets the server"));
-  test_ = button("pacsTest", tr("&Test"),
-                 tr("Asks the server whether it answers; a sentence says what is wrong"));
+  test_ = button("pacsTest", tr("&Test"), tr("Tests the connection and names the fault"));
   secret_words_ = new QLabel;
   secret_ = line("pacsSecret", tr("Password or token"),
                  tr("For the server; it is stored in no file of Palpate, and forgotten when the "
@@ -281,7 +280,7 @@ QWidget* PacsWindow::buildSearch() {
   modality_ = new QComboBox;
   modality_->setObjectName("pacsModality");
   modality_->setAccessibleName(tr("Modality"));
-  modality_->setToolTip(tr("Which kind of scan is sought"));
+  modality_->setToolTip(tr("Kind of scan to search for"));
   modality_->addItem(tr("CT"), "CT");
   modality_->addItem(tr("MR"), "MR");
   modality_->addItem(tr("any"), "");
@@ -339,7 +338,7 @@ QWidget* PacsWindow::buildResults() {
       button("pacsFetch", tr("&Fetch and open"),
              tr("Fetches the chosen series into a folder that is emptied in the end, and opens "
                 "it"));
-  cancel_ = button("pacsCancel", tr("Cancel"), tr("Ends what the server is being asked"));
+  cancel_ = button("pacsCancel", tr("Cancel"), tr("Cancels the request to the server"));
   auto* close = button("pacsClose", tr("Close"), tr("Closes this window"));
   auto* row = new QHBoxLayout;
   row->addWidget(names_wanted_);
@@ -474,7 +473,7 @@ void PacsWindow::showChosen() {
   remember_->setEnabled(!busy && !secret_->text().isEmpty());
   const bool token = login == Login::Bearer || (login == Login::Keyring && user.isEmpty());
   secret_words_->setText(token ? tr("Token") : tr("Password of %1").arg(user));
-  secret_->setPlaceholderText(login == Login::Keyring ? tr("comes from the keyring") : QString{});
+  secret_->setPlaceholderText(login == Login::Keyring ? tr("from the keyring") : QString{});
 }
 
 QString PacsWindow::secret() const { return secret_->text(); }

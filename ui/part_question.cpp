@@ -58,7 +58,7 @@ BoxDialog::BoxDialog(const LargeVolume& volume, QWidget* parent)
   grid->addWidget(new QLabel(tr("First")), 0, 1);
   grid->addWidget(new QLabel(tr("Last")), 0, 2);
   auto* column = new QVBoxLayout(this);
-  column->addWidget(new QLabel(tr("Which voxels to read, counted from 1:")));
+  column->addWidget(new QLabel(tr("Voxels to read, counted from 1:")));
   column->addLayout(grid);
   size_->setObjectName("boxSize");
   size_->setWordWrap(true);

@@ -113,12 +113,12 @@ void PreferencesWindow::buildGeneral() {
                       tr("The unit of measures, positions, slabs and rulers"),
                       {{tr("Millimetres"), int(LengthUnit::Millimetres)},
                        {tr("Centimetres"), int(LengthUnit::Centimetres)}});
-  hints_ = new QCheckBox(tr("Say below each view what the mouse does there"));
+  hints_ = new QCheckBox(tr("Show the mouse's functions below each view"));
   hints_->setObjectName("hintsChoice");
   hints_->setToolTip(tr("Shows a line of hints at the foot of each view"));
   form->addRow(tr("&Theme"), theme_);
   form->addRow(tr("L&anguage"), language_);
-  form->addRow(explained(tr("Another language comes with the next start.")));
+  form->addRow(explained(tr("The language changes at the next start.")));
   form->addRow(tr("&Lengths"), lengths_);
   form->addRow(
       explained(tr("In measures and slices. Voxels, tools and the fields of edits stay in "
@@ -145,17 +145,18 @@ void PreferencesWindow::buildGeneral() {
 
 void PreferencesWindow::buildMouse() {
   auto* form = new QFormLayout(addPage(tr("Mouse")));
-  mouse_at_first_ = choiceOf("mouseChoice", tr("At first the mouse"),
-                             tr("What a drag does in the 3-D view when the mouse becomes the hand"),
-                             {{tr("looks: a drag turns the picture"), int(MouseMode::Look)},
-                              {tr("holds the tool: a drag moves it"), int(MouseMode::Hand)}});
+  mouse_at_first_ =
+      choiceOf("mouseChoice", tr("At first the mouse"),
+               tr("Function of a drag in the 3-D view when the mouse becomes the hand"),
+               {{tr("looks: a drag turns the picture"), int(MouseMode::Look)},
+                {tr("takes the tool: a drag moves it"), int(MouseMode::Hand)}});
   slice_wheel_ = choiceOf("sliceWheelChoice", tr("Wheel over slices, turned away"),
-                          tr("Which slice comes when the wheel is turned away from you"),
+                          tr("Slice that follows when the wheel is turned away from you"),
                           {{tr("next slice"), 0}, {tr("slice before"), 1}});
-  zoom_wheel_ = choiceOf("zoomWheelChoice", tr("Wheel for the size, turned away"),
-                         tr("What the wheel does in 3-D, and with Ctrl over slices, when it is "
-                            "turned away from you"),
-                         {{tr("comes nearer"), 0}, {tr("goes away"), 1}});
+  zoom_wheel_ =
+      choiceOf("zoomWheelChoice", tr("Wheel for the size, turned away"),
+               tr("Zoom in 3-D, and with Ctrl over slices, when the wheel is turned away from you"),
+               {{tr("zooms in"), 0}, {tr("zooms out"), 1}});
   form->addRow(tr("&At first the mouse"), mouse_at_first_);
   form->addRow(tr("Wheel over &slices, turned away"), slice_wheel_);
   form->addRow(tr("Wheel for the si&ze, turned away"), zoom_wheel_);
@@ -178,7 +179,7 @@ void PreferencesWindow::buildTouch() {
   auto* form = new QFormLayout(addPage(tr("Touch")));
   stiffness_always_ = new QCheckBox(tr("Begin each time with the &stiffness"));
   stiffness_always_->setObjectName("stiffnessAlways");
-  stiffness_always_->setToolTip(tr("Else the stiffness is what it was when the window closed"));
+  stiffness_always_->setToolTip(tr("If not set, the stiffness of the last session is used"));
   stiffness_ = new NumberBox;
   stiffness_->setObjectName("stiffnessAtFirst");
   stiffness_->setAccessibleName(tr("Stiffness at first"));
@@ -189,7 +190,7 @@ void PreferencesWindow::buildTouch() {
   stiffness_->setSuffix(tr(" N/m"));
   form->addRow(stiffness_always_);
   form->addRow(stiffness_);
-  form->addRow(explained(tr("A haptic device begins with half of what it is rated for.")));
+  form->addRow(explained(tr("A haptic device begins with half of its rated stiffness.")));
   servo_rate_ = new QComboBox;
   servo_rate_->setObjectName("servoRate");
   servo_rate_->setToolTip(tr("How often in a second the touch is computed"));
@@ -197,10 +198,10 @@ void PreferencesWindow::buildTouch() {
   for (const int hz : kServoRateChoices)
     servo_rate_->addItem(tr("%1 times a second").arg(QLocale().toString(hz)), hz);
   form->addRow(tr("Touch is &computed"), servo_rate_);
-  form->addRow(explained(
-      tr("More often carries a stiffer touch, and needs as much more of the processor. It "
-         "holds from the next device or hand that is opened; a device gets no more than "
-         "its link carries, the mouse 1 kHz unless you choose.")));
+  form->addRow(
+      explained(tr("A higher rate allows a stiffer touch, and needs as much more of the processor. "
+                   "It applies to the next device or hand that is opened; a device gets no more "
+                   "than its link allows, the mouse 1 kHz unless you choose.")));
   connect(servo_rate_, &QComboBox::activated, this, [this] {
     const int hz = servo_rate_->currentData().toInt();
     choices_.servo_rate = hz > 0 ? std::optional{hz} : std::nullopt;
@@ -272,10 +273,10 @@ void PreferencesWindow::buildPrivacy() {
   column->addWidget(places_);
   column->addWidget(places_said_);
   column->addLayout(row);
-  column->addWidget(explained(
-      tr("Palpate keeps no name, no date and no picture of a scan, and uses the network only "
-         "where you open a scan from a PACS. "
-         "Before a picture leaves it that may show a face, it asks.")));
+  column->addWidget(
+      explained(tr("Palpate keeps no name, no date and no picture of a scan, and uses the network "
+                   "only if you open a scan from a PACS. It asks before it saves or copies a "
+                   "picture that may show a face.")));
   column->addStretch();
   connect(places_, &QCheckBox::clicked, this, [this](bool on) {
     choices_.places_remembered = on;

@@ -127,7 +127,7 @@ SeriesBrowser::SeriesBrowser(const QString& place, const QList<SeriesRow>& rows,
   setWindowTitle(tr("Series of %1").arg(place));
   auto* patients = new QCheckBox(tr("Show patients' &names"));
   patients->setObjectName("showPatients");
-  patients->setToolTip(tr("Shows whose the series are, until the list is closed"));
+  patients->setToolTip(tr("Shows the patients' names until the list is closed"));
   connect(patients, &QCheckBox::toggled, this, &SeriesBrowser::showPatients);
   auto* top = new QHBoxLayout;
   top->addWidget(new QLabel(tr("%n series found", nullptr, static_cast<int>(rows.size()))));
@@ -147,15 +147,15 @@ SeriesBrowser::SeriesBrowser(const QString& place, const QList<SeriesRow>& rows,
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SeriesBrowser::showDetails);
 
   details_->setObjectName("seriesDetails");
-  details_->setAccessibleName(tr("What is to be said of the selected series"));
-  details_->setToolTip(tr("What is to be said of the selected series"));
+  details_->setAccessibleName(tr("Details of the selected series"));
+  details_->setToolTip(tr("Details of the selected series"));
   details_->setReadOnly(true);
   details_->setTabChangesFocus(true);
   details_->setFixedHeight(QFontMetrics(details_->font()).lineSpacing() * 5);
 
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   buttons->button(QDialogButtonBox::Close)
-      ->setToolTip(tr("Closes the list; what is on view stays"));
+      ->setToolTip(tr("Closes the list; the present scan stays"));
   // Enter belongs to the selected row
   for (auto* button : buttons->findChildren<QPushButton*>()) button->setAutoDefault(false);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

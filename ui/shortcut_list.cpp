@@ -57,7 +57,7 @@ void KeyButton::setListening(bool listens) {
   listens_ = listens;
   setChecked(listens);
   setText(listens ? tr("Press the key…") : tr("&Change…"));
-  setToolTip(listens ? tr("The next key is taken; Escape takes none")
+  setToolTip(listens ? tr("Press the new key, or Escape to cancel")
                      : tr("Takes another key for the chosen line: the next that is pressed"));
 }
 
@@ -99,14 +99,14 @@ ShortcutList::ShortcutList(QWidget* parent)
       said_(new WarningLabel) {
   search_->setObjectName("shortcutSearch");
   search_->setAccessibleName(tr("Search shortcuts"));
-  search_->setPlaceholderText(tr("Search: a key, a place or what it does"));
+  search_->setPlaceholderText(tr("Search: a key, a place or a function"));
   search_->setToolTip(tr("Shows the lines that have all these words"));
   search_->setClearButtonEnabled(true);
   list_->setObjectName("shortcuts");
   list_->setAccessibleName(tr("Shortcuts"));
   list_->setToolTip(tr("Enter or a double-click changes the key of a line"));
   list_->setColumnCount(kShortcutColumns);
-  list_->setHorizontalHeaderLabels({tr("Key"), tr("Where"), tr("What it does")});
+  list_->setHorizontalHeaderLabels({tr("Key"), tr("Where"), tr("Function")});
   style::makeLines(*list_);
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setSectionResizeMode(ShortcutWords, QHeaderView::Stretch);
@@ -202,8 +202,8 @@ void ShortcutList::showChosen() {
                   ? tr("At first: %1")
                       .arg(QKeySequence(bindingAt(row).at_first).toString(QKeySequence::NativeText))
                   : tr("Press Change, then the key.")
-        : key ? tr("Escape and Space stop the force, and stay what they are.")
-            : tr("What the mouse does stays what it is."));
+        : key ? tr("Escape and Space stop the force and cannot be changed.")
+            : tr("The mouse's functions cannot be changed."));
 }
 
 void ShortcutList::change(QKeyCombination key) {

@@ -94,7 +94,7 @@ SidePanel::SidePanel(QWidget* parent)
   auto* group = new QButtonGroup(this);
   const std::array<QString, kTabs.size()> words{tr("Scan"), tr("Touch"), tr("Device"),
                                                 tr("Record")};
-  const std::array<QString, kTabs.size()> tips{tr("What is in the way, measures and marks"),
+  const std::array<QString, kTabs.size()> tips{tr("Remove parts, measures and marks"),
                                                tr("Surface, hand and tool, performance"),
                                                tr("The haptic device"), tr("Recordings")};
   for (std::size_t n = 0; n < kTabs.size(); ++n) {

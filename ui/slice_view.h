@@ -37,7 +37,7 @@ struct CrossedPlane {
 /// outline of proxy (solid) and device (dashed), and what is said in corners and on the margin.
 /// Zoomed and shifted on its own; what concerns all slices is asked for by signals.
 ///
-/// What the keys do here is in ui/bindings.h; ui/README.md lists the mouse, too.
+/// Keys and mouse are in ui/bindings.h.
 class SliceView : public QWidget, public Spoken {
   Q_OBJECT
  public:

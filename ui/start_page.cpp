@@ -214,8 +214,8 @@ QWidget* StartPage::makeCards() {
   connect(demo->add("startDemo", tr("Try it"), tr("Shows the demo skull with a drill")),
           &QPushButton::clicked, this, &StartPage::demoWanted);
   auto* device = new Card("device", tr("Connect a haptic device"),
-                          tr("Feel the scan: a Falcon, Touch, Inverse3 and others. The list says "
-                             "what is found and what it needs."));
+                          tr("Feel the scan: a Falcon, Touch, Inverse3 and others. The list shows "
+                             "the devices found and their needs."));
   connect(device->add("startDevice", tr("Show devices"),
                       tr("Shows the list of haptic devices on the tab Device")),
           &QPushButton::clicked, this, &StartPage::deviceWanted);
@@ -246,7 +246,7 @@ QWidget* StartPage::makeLoading() {
   progress_->setTextVisible(false);
   auto* cancel = new QPushButton(tr("Cancel"));
   cancel->setObjectName("startCancel");
-  cancel->setToolTip(tr("Ends loading and goes back to the start"));
+  cancel->setToolTip(tr("Cancels loading and shows the start page"));
   connect(cancel, &QPushButton::clicked, this, &StartPage::cancelWanted);
   auto* loading = new QWidget;
   loading->setFixedWidth(kLoadingWidth);

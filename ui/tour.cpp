@@ -38,7 +38,7 @@ Tour::Tour(QWidget& window)
   skip->setObjectName("tourSkip");
   skip->setToolTip(tr("Ends the tour; Help shows it again"));
   next_->setObjectName("tourNext");
-  next_->setToolTip(tr("Goes on to the next control"));
+  next_->setToolTip(tr("Shows the next control"));
   // a click leaves the focus in the view
   for (QPushButton* button : {skip, next_}) button->setFocusPolicy(Qt::TabFocus);
   connect(skip, &QPushButton::clicked, this, &Tour::end);

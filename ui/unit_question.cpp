@@ -125,10 +125,9 @@ QString likelyUnit(const std::array<double, 3>& numbers) {
 UnitDialog::UnitDialog(const QString& file, const std::array<double, 3>& numbers, QWidget* parent)
     : QDialog(parent), choices_(new QButtonGroup(this)) {
   setWindowTitle(tr("Unit of the tool"));
-  auto* what = new QLabel(
-      tr("In which unit are the numbers of \"%1\"? The file does not say. Beside the box of the "
-         "tool stands a hand of 18 cm.")
-          .arg(file));
+  auto* what = new QLabel(tr("In which unit are the numbers of \"%1\"? The file does not say. The "
+                             "picture shows a hand of 18 cm beside the box of the tool.")
+                              .arg(file));
   what->setTextFormat(Qt::PlainText);
   what->setWordWrap(true);
   auto* grid = new QGridLayout;

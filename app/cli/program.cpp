@@ -46,7 +46,7 @@ std::string sentenceOf(const CLI::ParseError& error, const CLI::App& program) {
     for (const CLI::App* choice : choices)
       sentence += (choice == choices.front() ? "" : ", ") + choice->get_name();
   }
-  return sentence + " (" + program.get_name() + " --help tells more).";
+  return sentence + " (see " + program.get_name() + " --help).";
 }
 
 constexpr const char* kNoThread =

@@ -91,12 +91,12 @@ Outcome replay(const ReplayOptions& options) {
     outcome.code = Exit::Failed;
     outcome.error =
         std::string{"The volume is not the one that was recorded: its voxels have other values. "} +
-        (difference->differing > 0 ? "The replay differs from what was recorded."
+        (difference->differing > 0 ? "The replay differs from the recording."
                                    : "No step that was recorded came across them.");
     outcome.json["reasons"] = {"another-volume"};
   } else if (difference->differing > 0) {
     outcome.code = Exit::Failed;
-    outcome.error = "The replay differs from what was recorded.";
+    outcome.error = "The replay differs from the recording.";
   }
   return outcome;
 }

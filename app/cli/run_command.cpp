@@ -284,7 +284,7 @@ Outcome run(const RunOptions& options) {
   if (!traced) return {Exit::Failed, outcome.json, {}, resources::sentence(traced.error())};
   if (stopped) {
     outcome.code = Exit::Interrupted;
-    outcome.error = "Stopped; what was run until then is reported.";
+    outcome.error = "Stopped; the report covers the run until then.";
   } else if (tally.non_finite > 0 || tally.penetration_mm > 0.0) {
     outcome.code = Exit::Failed;
     outcome.error = tally.non_finite > 0 ? notFinite(tally, options.stiffness, allowed)

@@ -237,7 +237,7 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i)
       options.json = options.json || std::string_view(argv[i]) == "--json";
     Outcome outcome{Exit::Usage};
-    outcome.error = std::string{error.what()} + " (palpate-fetch --help tells more).";
+    outcome.error = std::string{error.what()} + " (see palpate-fetch --help).";
     outcome.reason = "usage";
     return print(outcome, options.json);
   }

@@ -29,11 +29,11 @@ void CrashController::look() {
 }
 
 void CrashController::show(const QString& report) {
-  auto* shown = new ui::TextWindow(
-      "crashReport", tr("Crash report"),
-      tr("What Palpate was doing when it ended. It holds no names of patients, files or servers, "
-         "and stays on this machine unless you copy it."),
-      report, &window_);
+  auto* shown =
+      new ui::TextWindow("crashReport", tr("Crash report"),
+                         tr("A report of Palpate's last actions. It contains no names of patients, "
+                            "files or servers, and stays on this machine unless you copy it."),
+                         report, &window_);
   shown->offerDelete();
   connect(shown, &ui::TextWindow::deleteWanted, this, [this] {
     std::error_code failed;

@@ -65,7 +65,7 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
         window.showLoading(tr("Saving"));
         window.showProgress(fraction);
       }) {
-  window.addPanel(panel_, tr("In the way"), tr("In the &way"), "editSection", ui::Tab::Scan);
+  window.addPanel(panel_, tr("Remove parts"), tr("R&emove parts"), "editSection", ui::Tab::Scan);
   for (ui::Overlay* overlay :
        std::initializer_list<ui::Overlay*>{&shade_, &plane_, &crop_, &pick_, &lasso_})
     window.addOverlay(*overlay);

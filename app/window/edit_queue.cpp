@@ -269,9 +269,9 @@ void EditQueue::paint() {
       },
       [this](const haptics::Expected<ui::Picture>& picture) {
         if (picture) return emit pictured(*picture);
-        window_.showMessage(
-            tr("The picture of the edited volume could not be made: it shows the volume before the "
-               "edit, and is not what is touched. Close other programs and undo the edit."));
+        window_.showMessage(tr(
+            "The picture of the edited volume could not be made: it still shows the volume before "
+            "the edit, but you touch the edited volume. Close other programs and undo the edit."));
       });
 }
 

@@ -79,8 +79,8 @@ void ExportController::askAndExport(const Exported& recording) {
         mayShowAFace(*request.volume, recording.least_isovalue) &&
         !window_.askWhether(
             tr("This film may show a face."),
-            tr("At this isovalue the skin is drawn, and skin can be a face that somebody knows. "
-               "Raise the isovalue to bone, or give the film only to those who may see it."),
+            tr("The skin is drawn at this isovalue, and a face can be recognised. Raise the "
+               "isovalue to bone, or give the film only to people with permission to see it."),
             tr("Make the film")))
       return;
   }

@@ -102,12 +102,11 @@ Expected<datasets::SeriesVerdict> entryOf(const LoadRequest& request,
   using datasets::Verdict;
   const int count = static_cast<int>(all.size());
   if (request.series && (*request.series < 0 || *request.series >= count))
-    return refused(
-        Error::Kind::NotFound,
-        Loader::tr("There is no series %1 in \"%2\": it holds %n, counted from 0.", nullptr, count)
-            .arg(*request.series)
-            .arg(nameOf(request)),
-        "no-such-series");
+    return refused(Error::Kind::NotFound,
+                   Loader::tr("\"%2\" has no series %1: it has %n, counted from 0.", nullptr, count)
+                       .arg(*request.series)
+                       .arg(nameOf(request)),
+                   "no-such-series");
   if (request.series) return all[static_cast<std::size_t>(*request.series)];
   const bool correct = request.geometry == datasets::Geometry::Corrected;
   const auto sound = [&](const datasets::SeriesVerdict& s) {
@@ -131,11 +130,10 @@ Expected<datasets::SeriesVerdict> entryOf(const LoadRequest& request,
                    Loader::tr("None of the %n series in \"%1\" can be loaded.", nullptr, count)
                        .arg(nameOf(request)),
                    kWhichSeries);
-  return refused(
-      Error::Kind::Unsupported,
-      Loader::tr("\"%1\" holds %n series; choose one of those that can be loaded.", nullptr, count)
-          .arg(nameOf(request)),
-      kWhichSeries);
+  return refused(Error::Kind::Unsupported,
+                 Loader::tr("\"%1\" has %n series; choose one that can be loaded.", nullptr, count)
+                     .arg(nameOf(request)),
+                 kWhichSeries);
 }
 
 Expected<void> choose(LoadRequest& request, const Watch& watch) {
@@ -305,7 +303,8 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
       ui::allowedIsovalue(volume, std::isfinite(wanted) ? wanted : firstIsovalue(volume));
   if (request.isovalue && loaded.isovalue != wanted)
     addTo(loaded.note,
-          Loader::tr("The isovalue is %1 instead of %2: this volume goes from %3 to %4.")
+          Loader::tr(
+              "The isovalue is %1 instead of %2: the values of this volume are between %3 and %4.")
               .arg(loaded.isovalue)
               .arg(wanted)
               .arg(volume.least)

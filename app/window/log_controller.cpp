@@ -93,11 +93,11 @@ void LogController::show() {
     return window_.showMessage(
         tr("There is no log: it was switched off, or Palpate's own folder for it cannot be "
            "written; start palpate with --log-level info."));
-  auto* shown = new ui::TextWindow(
-      "log", tr("Log"),
-      tr("What Palpate did. It holds no names of patients, files or servers, and stays on this "
-         "machine unless you copy it."),
-      text, &window_);
+  auto* shown =
+      new ui::TextWindow("log", tr("Log"),
+                         tr("A log of Palpate's actions. It contains no names of patients, files "
+                            "or servers, and stays on this machine unless you copy it."),
+                         text, &window_);
   shown->show();
 }
 

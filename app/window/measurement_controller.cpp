@@ -20,7 +20,7 @@ MeasurementController::MeasurementController(ui::MainWindow& window, SharedState
 }
 
 void MeasurementController::pause() {
-  end(tr("The measurement was cancelled: something else is being loaded."));
+  end(tr("The measurement was cancelled: another scan or tool is being loaded."));
   panel_->setReady(false);
 }
 
@@ -42,15 +42,14 @@ void MeasurementController::measure() {
   const Loaded& shown = *shared_.shown;
   const haptics::Settings& settings = shared_.settings;
   const QString unit = QString::fromStdString(shown.volume()->unit);
-  conditions_ =
-      tr("Touched with %1 at the isovalue %2, %3 N/m: simulated hands slid, tapped, hooked and "
-         "wedged, on one thread of ordinary priority. Carried is what keeps the tool, on "
-         "average, within %L4 of a voxel of where ticks without a budget would bring it, with at "
-         "most one tick in a thousand longer than its period.")
-          .arg(labelOf(shown.tool), QLocale().toString(settings.isovalue, 'g', 6) +
-                                        (unit.isEmpty() ? QString() : ' ' + unit))
-          .arg(settings.stiffness, 0, 'f', 0)
-          .arg(measurement::kMostLag);
+  conditions_ = tr("Touched with %1 at the isovalue %2, %3 N/m: simulated hands slid, tapped, "
+                   "hooked and wedged, on one thread of ordinary priority. A rate is carried if "
+                   "the tool stays, on average, within %L4 of a voxel of its place without a "
+                   "budget, and at most one tick in a thousand is longer than its period.")
+                    .arg(labelOf(shown.tool), QLocale().toString(settings.isovalue, 'g', 6) +
+                                                  (unit.isEmpty() ? QString() : ' ' + unit))
+                    .arg(settings.stiffness, 0, 'f', 0)
+                    .arg(measurement::kMostLag);
   before_ = shared_.snapshot;
   panel_->showMeasuring();
   const haptics::ServoRate rate = shared_.session.rate();

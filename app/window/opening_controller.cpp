@@ -177,8 +177,8 @@ void OpeningController::openTogether(const QStringList& paths, const LoadRequest
     return open(folder, request);
   open(paths.first(), request);
   window_.showMessage(
-      tr("%1 things are not files of one folder: only the first, \"%2\", is opened; open the "
-         "folder that holds them all to choose among its series.")
+      tr("The %1 items are not files of one folder: only the first, \"%2\", is opened; open the "
+         "folder that contains them all to choose among its series.")
           .arg(paths.size())
           .arg(QDir(paths.first()).dirName()));
 }

@@ -163,9 +163,9 @@ void PacsController::open() {
   if (program_.isEmpty())
     program_ = QString::fromStdString(haptics::helperProgram("palpate-fetch").string());
   if (program_.isEmpty())
-    return window_.showMessage(tr(
-        "Scans from a PACS need palpate-fetch, a program of its own, which is not installed; fetch "
-        "the scan with another program and open its folder."));
+    return window_.showMessage(
+        tr("Scans from a PACS need the program palpate-fetch, which is not installed; fetch the "
+           "scan with another program and open its folder."));
   if (shown_ == nullptr) {
     shown_ = new ui::PacsWindow(&window_);
     servers_ = loadPacsServers();

@@ -110,10 +110,9 @@ void RecordingController::readCurves() { curves_.want(recordings_.folder(), fini
 void RecordingController::offerRecovery() {
   showRecordings([this] {
     if (!unfinished_.isEmpty())
-      window_.showMessage(
-          tr("The recording \"%1\" was never finished. View > Recording lists it: Recover brings "
-             "back what is in it.")
-              .arg(unfinished_));
+      window_.showMessage(tr("The recording \"%1\" was never finished. View > Recording lists it: "
+                             "Recover restores its contents.")
+                              .arg(unfinished_));
   });
 }
 

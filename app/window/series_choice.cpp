@@ -133,8 +133,8 @@ bool SeriesChoice::offerLargestPart(LoadRequest request) {
   // the sentence of the survey says which part that is
   const QString why = sentenceOf(request.chosen->series.message);
   if (window_.askWhether(why,
-                         tr("Only these slices are then seen and felt, as they are; of what lies "
-                            "beyond the gaps nothing is shown. The files stay as they are."),
+                         tr("Only these slices are then seen and felt, unchanged; nothing is shown "
+                            "beyond the gaps. The files stay unchanged."),
                          tr("Load the largest unbroken part"))) {
     request.largest_part = true;
     emit wanted(request);
@@ -147,12 +147,12 @@ void SeriesChoice::offerCorrection(LoadRequest request, const QString& why,
   const bool agreed =
       reason == kIdentifiersDiffer
           ? window_.askWhether(why,
-                               tr("Look at the slices before you rely on what you see and feel: "
-                                  "they may be of several people. The files stay as they are."),
+                               tr("Look at the slices before you rely on picture and touch: they "
+                                  "may be of several people. The files stay unchanged."),
                                tr("Load as one stack"))
           : window_.askWhether(why,
-                               tr("What is seen and felt is then interpolated between the scan's "
-                                  "own slices. The files stay as they are."),
+                               tr("Picture and touch are then interpolated between the scan's own "
+                                  "slices. The files stay unchanged."),
                                tr("Resample and load"));
   if (!agreed) return;
   request.geometry = datasets::Geometry::Corrected;

@@ -124,11 +124,9 @@ void ToolController::showField() {
   const haptics::SmoothingEffect effect =
       haptics::smoothingEffect(*shared_.shown->volume(), shared_.settings.isovalue);
   panel_.showField(
-      kSpline,
-      tr("Smoothing erases %L1 % of this solid and adds %L2 %: what is felt is not all that "
-         "is seen.")
-          .arg(effect.erased * 100.0, 0, 'f', 1)
-          .arg(effect.gained * 100.0, 0, 'f', 1));
+      kSpline, tr("Smoothing erases %L1 % of this solid and adds %L2 %: touch and picture differ.")
+                   .arg(effect.erased * 100.0, 0, 'f', 1)
+                   .arg(effect.gained * 100.0, 0, 'f', 1));
 }
 
 }  // namespace app

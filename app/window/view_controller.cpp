@@ -90,16 +90,15 @@ bool ViewController::mayLeave(bool with_slices) {
   // a slice shows the skin whatever the isovalue, and may be a profile
   if (with_slices) least = shown->volume()->least;
   return !mayShowAFace(*shown->volume(), least) ||
-         window_.askWhether(
-             tr("This picture may show a face."),
-             with_slices
-                 ? tr("Slices show the skin, and a profile can be a face that somebody knows. Take "
-                      "a picture of the 3-D view alone at the isovalue of bone, or give this one "
-                      "only to those who may see it.")
-                 : tr("At this isovalue the skin is drawn, and skin can be a face that somebody "
-                      "knows. Raise the isovalue to bone, or give the picture only to those who "
-                      "may see it."),
-             tr("Take the picture"));
+         window_.askWhether(tr("This picture may show a face."),
+                            with_slices
+                                ? tr("Slices show the skin, and a profile can be recognised. Take "
+                                     "a picture of the 3-D view alone at the isovalue of bone, or "
+                                     "give this one only to people with permission to see it.")
+                                : tr("The skin is drawn at this isovalue, and a face can be "
+                                     "recognised. Raise the isovalue to bone, or give the picture "
+                                     "only to people with permission to see it."),
+                            tr("Take the picture"));
 }
 
 void ViewController::savePicture(const ui::SliceView* first) {

@@ -100,8 +100,9 @@ bool ViewFileController::seekScan() {
   std::error_code error;
   if (!std::filesystem::exists(scan, error)) return false;
   if (isOfPalpate(scan)) {
-    refuse(tr("%1 was not opened: it names %2 as its scan, which is none; open the scan first.")
-               .arg(inQuotes(opening_path_), inQuotes(scan)));
+    refuse(
+        tr("%1 was not opened: it names %2 as its scan, but %2 is not a scan; open the scan first.")
+            .arg(inQuotes(opening_path_), inQuotes(scan)));
     return true;
   }
   step_ = Step::Scan;
@@ -199,7 +200,7 @@ void ViewFileController::restoreRest() {
   edits_in_file_ = editsOnView();
   window_.setLook(opening_.look);
   if (std::abs(isovalue - opening_.isovalue) > 1e-6 * std::abs(opening_.isovalue) + 1e-9)
-    window_.showMessage(tr("The isovalue of %1, %2, is none of this scan; %3 is shown.")
+    window_.showMessage(tr("The isovalue of %1, %2, is outside this scan's range; %3 is shown.")
                             .arg(inQuotes(opening_path_))
                             .arg(opening_.isovalue)
                             .arg(isovalue));
@@ -250,9 +251,9 @@ ViewFileController::Leave ViewFileController::leave(Leaving what,
   if (!marks && !edits)
     return window_.askWhether(of_others, consequence, tr("&Discard")) ? Leave::Now : Leave::Stay;
   const QString present_words = marks && edits
-                                    ? tr("The marks and edits of this scan are in no file.")
-                                : marks ? tr("The marks of this scan are in no file.")
-                                        : tr("The edits of this scan are in no file.");
+                                    ? tr("The marks and edits of this scan are not saved.")
+                                : marks ? tr("The marks of this scan are not saved.")
+                                        : tr("The edits of this scan are not saved.");
   switch (window_.askToSave(present_words, (consequence + ' ' + of_others).trimmed())) {
     case ui::Unsaved::Discard:
       return Leave::Now;

@@ -1740,8 +1740,8 @@
         <translation>Absturzbericht</translation>
     </message>
     <message>
-        <source>What Palpate was doing when it ended. It holds no names of patients, files or servers, and stays on this machine unless you copy it.</source>
-        <translation>Was Palpate tat, als es endete. Der Bericht enthält keine Namen von Patienten, Dateien oder Servern und bleibt auf diesem Rechner, solange Sie ihn nicht kopieren.</translation>
+        <source>A report of Palpate&apos;s last actions. It contains no names of patients, files or servers, and stays on this machine unless you copy it.</source>
+        <translation>Ein Bericht über die letzten Aktionen von Palpate. Er enthält keine Namen von Patienten, Dateien oder Servern und bleibt auf diesem Rechner, solange Sie ihn nicht kopieren.</translation>
     </message>
 </context>
 <context>
@@ -1799,14 +1799,6 @@
     <message>
         <source>Saving</source>
         <translation>Wird gespeichert</translation>
-    </message>
-    <message>
-        <source>In the way</source>
-        <translation>Im Weg</translation>
-    </message>
-    <message>
-        <source>In the &amp;way</source>
-        <translation>Im &amp;Weg</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -1904,6 +1896,14 @@
         <source>to</source>
         <translation>bis</translation>
     </message>
+    <message>
+        <source>Remove parts</source>
+        <translation>Teile entfernen</translation>
+    </message>
+    <message>
+        <source>R&amp;emove parts</source>
+        <translation>Teile &amp;entfernen</translation>
+    </message>
 </context>
 <context>
     <name>app::EditQueue</name>
@@ -1936,8 +1936,8 @@
         <translation>Die Bearbeitung ließ sich nicht machen: %1</translation>
     </message>
     <message>
-        <source>The picture of the edited volume could not be made: it shows the volume before the edit, and is not what is touched. Close other programs and undo the edit.</source>
-        <translation>Das Bild des bearbeiteten Volumens ließ sich nicht machen: Es zeigt das Volumen vor der Bearbeitung und nicht das, was getastet wird. Schließen Sie andere Programme, und machen Sie die Bearbeitung rückgängig.</translation>
+        <source>The picture of the edited volume could not be made: it still shows the volume before the edit, but you touch the edited volume. Close other programs and undo the edit.</source>
+        <translation>Das Bild des bearbeiteten Volumens ließ sich nicht machen: Es zeigt noch das Volumen vor der Bearbeitung, Sie tasten aber das bearbeitete. Schließen Sie andere Programme, und machen Sie die Bearbeitung rückgängig.</translation>
     </message>
 </context>
 <context>
@@ -1945,10 +1945,6 @@
     <message>
         <source>This film may show a face.</source>
         <translation>Dieser Film kann ein Gesicht zeigen.</translation>
-    </message>
-    <message>
-        <source>At this isovalue the skin is drawn, and skin can be a face that somebody knows. Raise the isovalue to bone, or give the film only to those who may see it.</source>
-        <translation>Bei diesem Isowert wird die Haut gezeichnet, und die Haut kann ein Gesicht sein, das jemand kennt. Erhöhen Sie den Isowert auf Knochen, oder geben Sie den Film nur denen, die ihn sehen dürfen.</translation>
     </message>
     <message>
         <source>Make the film</source>
@@ -1985,6 +1981,10 @@
     <message>
         <source>Reading the recording</source>
         <translation>Die Aufzeichnung wird gelesen</translation>
+    </message>
+    <message>
+        <source>The skin is drawn at this isovalue, and a face can be recognised. Raise the isovalue to bone, or give the film only to people with permission to see it.</source>
+        <translation>Bei diesem Isowert wird die Haut gezeichnet, und ein Gesicht kann erkannt werden. Erhöhen Sie den Isowert auf Knochen, oder geben Sie den Film nur Personen, die ihn sehen dürfen.</translation>
     </message>
 </context>
 <context>
@@ -2066,24 +2066,10 @@
         <translation>Das Laden wurde abgebrochen.</translation>
     </message>
     <message numerus="yes">
-        <source>There is no series %1 in &quot;%2&quot;: it holds %n, counted from 0.</source>
-        <translation>
-            <numerusform>Es gibt keine Serie %1 in „%2“: Dort ist %n, von 0 an gezählt.</numerusform>
-            <numerusform>Es gibt keine Serie %1 in „%2“: Dort sind %n, von 0 an gezählt.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>None of the %n series in &quot;%1&quot; can be loaded.</source>
         <translation>
             <numerusform>Die %n Serie in „%1“ lässt sich nicht laden.</numerusform>
             <numerusform>Keine der %n Serien in „%1“ lässt sich laden.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>&quot;%1&quot; holds %n series; choose one of those that can be loaded.</source>
-        <translation>
-            <numerusform>„%1“ enthält %n Serie; wählen Sie eine, die sich laden lässt.</numerusform>
-            <numerusform>„%1“ enthält %n Serien; wählen Sie eine, die sich laden lässt.</numerusform>
         </translation>
     </message>
     <message>
@@ -2123,10 +2109,6 @@
         <translation>Es gibt keine Einheit „%1“; wählen Sie m, mm, cm oder in.</translation>
     </message>
     <message>
-        <source>The isovalue is %1 instead of %2: this volume goes from %3 to %4.</source>
-        <translation>Der Isowert ist %1 und nicht %2: Dieses Volumen reicht von %3 bis %4.</translation>
-    </message>
-    <message>
         <source>%1 voxels were not numbers and count as background.</source>
         <translation>%1 Voxel waren keine Zahlen und zählen als Hintergrund.</translation>
     </message>
@@ -2150,6 +2132,24 @@
         <source>%1 voxels have bits beyond those that the files state as stored; their values may be wrong.</source>
         <translation>%1 Voxel haben Bits jenseits derer, die die Dateien als gespeichert angeben; ihre Werte können falsch sein.</translation>
     </message>
+    <message numerus="yes">
+        <source>&quot;%2&quot; has no series %1: it has %n, counted from 0.</source>
+        <translation>
+            <numerusform>„%2“ hat keine Serie %1: Es gibt %n, von 0 an gezählt.</numerusform>
+            <numerusform>„%2“ hat keine Serie %1: Es gibt %n, von 0 an gezählt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n series; choose one that can be loaded.</source>
+        <translation>
+            <numerusform>„%1“ hat %n Serie; wählen Sie eine, die sich laden lässt.</numerusform>
+            <numerusform>„%1“ hat %n Serien; wählen Sie eine, die sich laden lässt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The isovalue is %1 instead of %2: the values of this volume are between %3 and %4.</source>
+        <translation>Der Isowert ist %1 und nicht %2: Die Werte dieses Volumens liegen zwischen %3 und %4.</translation>
+    </message>
 </context>
 <context>
     <name>app::LogController</name>
@@ -2162,8 +2162,8 @@
         <translation>Protokoll</translation>
     </message>
     <message>
-        <source>What Palpate did. It holds no names of patients, files or servers, and stays on this machine unless you copy it.</source>
-        <translation>Was Palpate tat. Das Protokoll enthält keine Namen von Patienten, Dateien oder Servern und bleibt auf diesem Rechner, solange Sie es nicht kopieren.</translation>
+        <source>A log of Palpate&apos;s actions. It contains no names of patients, files or servers, and stays on this machine unless you copy it.</source>
+        <translation>Ein Protokoll der Aktionen von Palpate. Es enthält keine Namen von Patienten, Dateien oder Servern und bleibt auf diesem Rechner, solange Sie es nicht kopieren.</translation>
     </message>
 </context>
 <context>
@@ -2219,12 +2219,12 @@
         <translation>Die Messung wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>The measurement was cancelled: something else is being loaded.</source>
-        <translation>Die Messung wurde abgebrochen: Etwas anderes wird geladen.</translation>
+        <source>The measurement was cancelled: another scan or tool is being loaded.</source>
+        <translation>Die Messung wurde abgebrochen: Eine andere Aufnahme oder ein anderes Werkzeug wird geladen.</translation>
     </message>
     <message>
-        <source>Touched with %1 at the isovalue %2, %3 N/m: simulated hands slid, tapped, hooked and wedged, on one thread of ordinary priority. Carried is what keeps the tool, on average, within %L4 of a voxel of where ticks without a budget would bring it, with at most one tick in a thousand longer than its period.</source>
-        <translation>Getastet mit %1 beim Isowert %2, %3 N/m: Simulierte Hände glitten, tippten, hakten und keilten, in einem Thread mit gewöhnlicher Priorität. Getragen ist, was das Werkzeug im Mittel innerhalb von %L4 eines Voxels dort hält, wohin es Takte ohne Budget brächten, wobei höchstens ein Takt von tausend länger als seine Periode dauert.</translation>
+        <source>Touched with %1 at the isovalue %2, %3 N/m: simulated hands slid, tapped, hooked and wedged, on one thread of ordinary priority. A rate is carried if the tool stays, on average, within %L4 of a voxel of its place without a budget, and at most one tick in a thousand is longer than its period.</source>
+        <translation>Getastet mit %1 beim Isowert %2, %3 N/m: Simulierte Hände glitten, tippten, hakten und keilten, in einem Thread mit gewöhnlicher Priorität. Eine Rate ist getragen, wenn das Werkzeug im Mittel innerhalb von %L4 eines Voxels von seinem Ort ohne Budget bleibt und höchstens ein Takt von tausend länger als seine Periode dauert.</translation>
     </message>
 </context>
 <context>
@@ -2258,16 +2258,12 @@
         <translation>Werkzeug wird vorbereitet</translation>
     </message>
     <message>
-        <source>%1 things are not files of one folder: only the first, &quot;%2&quot;, is opened; open the folder that holds them all to choose among its series.</source>
-        <translation>%1 Dinge sind keine Dateien eines Ordners: Nur das erste, „%2“, wird geöffnet; öffnen Sie den Ordner, der alle enthält, um unter seinen Serien zu wählen.</translation>
+        <source>The %1 items are not files of one folder: only the first, &quot;%2&quot;, is opened; open the folder that contains them all to choose among its series.</source>
+        <translation>Die %1 Objekte sind keine Dateien eines Ordners: Nur das erste, „%2“, wird geöffnet; öffnen Sie den Ordner, der alle enthält, um unter seinen Serien zu wählen.</translation>
     </message>
 </context>
 <context>
     <name>app::PacsController</name>
-    <message>
-        <source>Scans from a PACS need palpate-fetch, a program of its own, which is not installed; fetch the scan with another program and open its folder.</source>
-        <translation>Aufnahmen aus einem PACS brauchen palpate-fetch, ein eigenes Programm, das nicht installiert ist; holen Sie die Aufnahme mit einem anderen Programm, und öffnen Sie ihren Ordner.</translation>
-    </message>
     <message>
         <source>Asking the server</source>
         <translation>Server wird gefragt</translation>
@@ -2328,6 +2324,10 @@
         <source>From the PACS</source>
         <translation>Vom PACS</translation>
     </message>
+    <message>
+        <source>Scans from a PACS need the program palpate-fetch, which is not installed; fetch the scan with another program and open its folder.</source>
+        <translation>Aufnahmen aus einem PACS brauchen das Programm palpate-fetch, das nicht installiert ist; holen Sie die Aufnahme mit einem anderen Programm, und öffnen Sie ihren Ordner.</translation>
+    </message>
 </context>
 <context>
     <name>app::PreferencesController</name>
@@ -2355,16 +2355,16 @@
         <translation>Wählen Sie eine Aufzeichnung in der Liste auf dem Reiter Rekorder; dann lässt sie sich exportieren.</translation>
     </message>
     <message>
-        <source>The recording &quot;%1&quot; was never finished. View &gt; Recording lists it: Recover brings back what is in it.</source>
-        <translation>Die Aufzeichnung „%1“ wurde nie abgeschlossen. Ansicht &gt; Aufzeichnung listet sie auf: Wiederherstellen holt zurück, was darin ist.</translation>
-    </message>
-    <message>
         <source>Another window is writing this recording; stop it there.</source>
         <translation>Ein anderes Fenster schreibt diese Aufzeichnung; beenden Sie sie dort.</translation>
     </message>
     <message>
         <source>The recording could not be deleted; check the permissions of its folder.</source>
         <translation>Die Aufzeichnung ließ sich nicht löschen; prüfen Sie die Zugriffsrechte ihres Ordners.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; was never finished. View &gt; Recording lists it: Recover restores its contents.</source>
+        <translation>Die Aufzeichnung „%1“ wurde nie abgeschlossen. Ansicht &gt; Aufzeichnung listet sie auf: Wiederherstellen rettet ihren Inhalt.</translation>
     </message>
 </context>
 <context>
@@ -2408,28 +2408,28 @@
 <context>
     <name>app::SeriesChoice</name>
     <message>
-        <source>Only these slices are then seen and felt, as they are; of what lies beyond the gaps nothing is shown. The files stay as they are.</source>
-        <translation>Zu sehen und zu fühlen sind dann nur diese Schichten, wie sie sind; was hinter den Lücken liegt, wird nicht gezeigt. Die Dateien bleiben, wie sie sind.</translation>
-    </message>
-    <message>
         <source>Load the largest unbroken part</source>
         <translation>Größten lückenlosen Teil laden</translation>
-    </message>
-    <message>
-        <source>What is seen and felt is then interpolated between the scan&apos;s own slices. The files stay as they are.</source>
-        <translation>Was Sie sehen und fühlen, ist dann zwischen den Schichten der Aufnahme interpoliert. Die Dateien bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>Resample and load</source>
         <translation>Umrechnen und laden</translation>
     </message>
     <message>
-        <source>Look at the slices before you rely on what you see and feel: they may be of several people. The files stay as they are.</source>
-        <translation>Sehen Sie die Schichten an, bevor Sie sich auf Bild und Gefühl verlassen: Sie können von mehreren Menschen sein. Die Dateien bleiben, wie sie sind.</translation>
-    </message>
-    <message>
         <source>Load as one stack</source>
         <translation>Als einen Stapel laden</translation>
+    </message>
+    <message>
+        <source>Only these slices are then seen and felt, unchanged; nothing is shown beyond the gaps. The files stay unchanged.</source>
+        <translation>Zu sehen und zu fühlen sind dann nur diese Schichten, unverändert; jenseits der Lücken wird nichts gezeigt. Die Dateien bleiben unverändert.</translation>
+    </message>
+    <message>
+        <source>Look at the slices before you rely on picture and touch: they may be of several people. The files stay unchanged.</source>
+        <translation>Sehen Sie die Schichten an, bevor Sie sich auf Bild und Tastgefühl verlassen: Sie können von mehreren Menschen sein. Die Dateien bleiben unverändert.</translation>
+    </message>
+    <message>
+        <source>Picture and touch are then interpolated between the scan&apos;s own slices. The files stay unchanged.</source>
+        <translation>Bild und Tastgefühl sind dann zwischen den Schichten der Aufnahme interpoliert. Die Dateien bleiben unverändert.</translation>
     </message>
 </context>
 <context>
@@ -2534,8 +2534,8 @@
         <translation>Zapfen</translation>
     </message>
     <message>
-        <source>Smoothing erases %L1 % of this solid and adds %L2 %: what is felt is not all that is seen.</source>
-        <translation>Das Glätten löscht %L1 % dieses Körpers und fügt %L2 % hinzu: Gefühlt wird nicht alles, was zu sehen ist.</translation>
+        <source>Smoothing erases %L1 % of this solid and adds %L2 %: touch and picture differ.</source>
+        <translation>Das Glätten löscht %L1 % dieses Körpers und fügt %L2 % hinzu: Tastgefühl und Bild unterscheiden sich.</translation>
     </message>
 </context>
 <context>
@@ -2555,14 +2555,6 @@
     <message>
         <source>This picture may show a face.</source>
         <translation>Dieses Bild kann ein Gesicht zeigen.</translation>
-    </message>
-    <message>
-        <source>Slices show the skin, and a profile can be a face that somebody knows. Take a picture of the 3-D view alone at the isovalue of bone, or give this one only to those who may see it.</source>
-        <translation>Schnittbilder zeigen die Haut, und ein Profil kann ein Gesicht sein, das jemand kennt. Machen Sie ein Bild der 3-D-Ansicht allein beim Isowert von Knochen, oder geben Sie dieses nur denen, die es sehen dürfen.</translation>
-    </message>
-    <message>
-        <source>At this isovalue the skin is drawn, and skin can be a face that somebody knows. Raise the isovalue to bone, or give the picture only to those who may see it.</source>
-        <translation>Bei diesem Isowert wird die Haut gezeichnet, und die Haut kann ein Gesicht sein, das jemand kennt. Erhöhen Sie den Isowert auf Knochen, oder geben Sie das Bild nur denen, die es sehen dürfen.</translation>
     </message>
     <message>
         <source>Take the picture</source>
@@ -2591,6 +2583,14 @@
     <message>
         <source>The picture of the 3-D view was copied.</source>
         <translation>Das Bild der 3-D-Ansicht wurde kopiert.</translation>
+    </message>
+    <message>
+        <source>Slices show the skin, and a profile can be recognised. Take a picture of the 3-D view alone at the isovalue of bone, or give this one only to people with permission to see it.</source>
+        <translation>Schnittbilder zeigen die Haut, und ein Profil kann erkannt werden. Machen Sie ein Bild der 3-D-Ansicht allein beim Isowert von Knochen, oder geben Sie dieses nur Personen, die es sehen dürfen.</translation>
+    </message>
+    <message>
+        <source>The skin is drawn at this isovalue, and a face can be recognised. Raise the isovalue to bone, or give the picture only to people with permission to see it.</source>
+        <translation>Bei diesem Isowert wird die Haut gezeichnet, und ein Gesicht kann erkannt werden. Erhöhen Sie den Isowert auf Knochen, oder geben Sie das Bild nur Personen, die es sehen dürfen.</translation>
     </message>
 </context>
 <context>
@@ -2626,10 +2626,6 @@
     <message>
         <source>%1 was not opened: it has edits of the scan, which this Palpate cannot make.</source>
         <translation>%1 wurde nicht geöffnet: Die Ansicht hat Bearbeitungen der Aufnahme, die dieses Palpate nicht machen kann.</translation>
-    </message>
-    <message>
-        <source>The isovalue of %1, %2, is none of this scan; %3 is shown.</source>
-        <translation>Der Isowert von %1, %2, ist keiner dieser Aufnahme; gezeigt wird %3.</translation>
     </message>
     <message>
         <source>The tool of %1 is not known here; the present tool stays.</source>
@@ -2672,18 +2668,6 @@
         <translation>&amp;Verwerfen</translation>
     </message>
     <message>
-        <source>The marks and edits of this scan are in no file.</source>
-        <translation>Die Markierungen und Bearbeitungen dieser Aufnahme sind in keiner Datei.</translation>
-    </message>
-    <message>
-        <source>The marks of this scan are in no file.</source>
-        <translation>Die Markierungen dieser Aufnahme sind in keiner Datei.</translation>
-    </message>
-    <message>
-        <source>The edits of this scan are in no file.</source>
-        <translation>Die Bearbeitungen dieser Aufnahme sind in keiner Datei.</translation>
-    </message>
-    <message>
         <source>There is no view to save; open a scan first.</source>
         <translation>Es gibt keine Ansicht zu speichern; öffnen Sie zuerst eine Aufnahme.</translation>
     </message>
@@ -2716,8 +2700,24 @@
         <translation>Die Ansicht wurde als %1 gespeichert.</translation>
     </message>
     <message>
-        <source>%1 was not opened: it names %2 as its scan, which is none; open the scan first.</source>
-        <translation>%1 wurde nicht geöffnet: die Datei nennt %2 als ihre Aufnahme, und das ist keine; öffnen Sie zuerst die Aufnahme.</translation>
+        <source>%1 was not opened: it names %2 as its scan, but %2 is not a scan; open the scan first.</source>
+        <translation>%1 wurde nicht geöffnet: Die Datei nennt %2 als ihre Aufnahme, aber %2 ist keine Aufnahme; öffnen Sie zuerst die Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The isovalue of %1, %2, is outside this scan&apos;s range; %3 is shown.</source>
+        <translation>Der Isowert von %1, %2, liegt außerhalb des Bereichs dieser Aufnahme; gezeigt wird %3.</translation>
+    </message>
+    <message>
+        <source>The marks and edits of this scan are not saved.</source>
+        <translation>Die Markierungen und Bearbeitungen dieser Aufnahme sind nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The marks of this scan are not saved.</source>
+        <translation>Die Markierungen dieser Aufnahme sind nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The edits of this scan are not saved.</source>
+        <translation>Die Bearbeitungen dieser Aufnahme sind nicht gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -2854,10 +2854,6 @@
         <translation>Letzte</translation>
     </message>
     <message>
-        <source>Which voxels to read, counted from 1:</source>
-        <translation>Welche Voxel gelesen werden, von 1 an gezählt:</translation>
-    </message>
-    <message>
         <source>Read the box</source>
         <translation>Box lesen</translation>
     </message>
@@ -2913,6 +2909,10 @@
         <source>Choose a box…</source>
         <translation>Eine Box wählen…</translation>
     </message>
+    <message>
+        <source>Voxels to read, counted from 1:</source>
+        <translation>Zu lesende Voxel, von 1 an gezählt:</translation>
+    </message>
 </context>
 <context>
     <name>ui::ClipPlane</name>
@@ -2966,10 +2966,6 @@
         <translation>Steifigkeit in N/m</translation>
     </message>
     <message>
-        <source>Who holds the tool: the mouse, or a simulated hand</source>
-        <translation>Wer das Werkzeug hält: die Maus oder eine simulierte Hand</translation>
-    </message>
-    <message>
         <source>The spring between hand and tool: stiff is hard, soft is yielding</source>
         <translation>Die Feder zwischen Hand und Werkzeug: steif ist hart, weich gibt nach</translation>
     </message>
@@ -2984,10 +2980,6 @@
     <message>
         <source> N/m</source>
         <translation> N/m</translation>
-    </message>
-    <message>
-        <source>How much the surface holds a tool that slides along it</source>
-        <translation>Wie sehr die Oberfläche ein Werkzeug hält, das an ihr entlang gleitet</translation>
     </message>
     <message>
         <source>none</source>
@@ -3021,20 +3013,20 @@
         <source>Meshes (*.stl *.obj *.ply);;All files (*)</source>
         <translation>Netze (*.stl *.obj *.ply);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>The hand on the tool: the mouse, or a simulated hand</source>
+        <translation>Die Hand am Werkzeug: die Maus oder eine simulierte Hand</translation>
+    </message>
+    <message>
+        <source>Friction of the surface on a tool that slides along it</source>
+        <translation>Reibung der Oberfläche an einem Werkzeug, das an ihr entlang gleitet</translation>
+    </message>
 </context>
 <context>
     <name>ui::EditPanel</name>
     <message>
-        <source>Choose what takes away what is in the way. The file never changes.</source>
-        <translation>Wählen Sie, was wegnimmt, was im Weg ist. Die Datei ändert sich nie.</translation>
-    </message>
-    <message>
         <source>Crop</source>
         <translation>Box</translation>
-    </message>
-    <message>
-        <source>Keeps what is inside a box</source>
-        <translation>Behält, was in einer Box ist</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -3129,10 +3121,6 @@
         <translation>Anwenden</translation>
     </message>
     <message>
-        <source>Keeps what is inside the box</source>
-        <translation>Behält, was in der Box ist</translation>
-    </message>
-    <message>
         <source>Lays the plane into this slice</source>
         <translation>Legt die Ebene in dieses Schnittbild</translation>
     </message>
@@ -3163,18 +3151,6 @@
     <message>
         <source>Slope of the cut</source>
         <translation>Neigung des Schnitts</translation>
-    </message>
-    <message>
-        <source>From the middle of the scan, towards what goes</source>
-        <translation>Von der Mitte der Aufnahme, dorthin, wo es wegfällt</translation>
-    </message>
-    <message>
-        <source>Where what goes lies: 0° to L, 90° to P, 180° to R, −90° to A</source>
-        <translation>Wo liegt, was wegfällt: 0° nach L, 90° nach P, 180° nach R, −90° nach A</translation>
-    </message>
-    <message>
-        <source>Where what goes lies: 90° to S, −90° to I</source>
-        <translation>Wo liegt, was wegfällt: 90° nach S, −90° nach I</translation>
     </message>
     <message>
         <source>Flip</source>
@@ -3237,24 +3213,12 @@
         <translation>Zeigt die kleinen Stücke, bevor sie wegfallen</translation>
     </message>
     <message>
-        <source>Click on a piece, in 3-D or in a slice. A piece is what hangs together at the present isovalue.</source>
-        <translation>Klicken Sie auf ein Stück, in 3-D oder in einem Schnittbild. Ein Stück ist, was beim jetzigen Isowert zusammenhängt.</translation>
-    </message>
-    <message>
         <source>All pieces smaller than</source>
         <translation>Alle Stücke kleiner als</translation>
     </message>
     <message>
         <source>Show table and holder</source>
         <translation>Tisch und Halter zeigen</translation>
-    </message>
-    <message>
-        <source>Shows what would go, with its volume</source>
-        <translation>Zeigt, was wegfiele, mit seinem Volumen</translation>
-    </message>
-    <message>
-        <source>Finds table and head holder by rule, and shows them before anything is taken away. Check that nothing of the patient goes with them.</source>
-        <translation>Findet Tisch und Kopfhalter nach einer Regel und zeigt sie, bevor etwas weggenommen wird. Prüfen Sie, dass nichts vom Patienten dabei ist.</translation>
     </message>
     <message>
         <source>Depth of the cut</source>
@@ -3267,18 +3231,6 @@
     <message>
         <source>In 3-D from the nearest surface inside the outline; in a slice to both sides. 0 cuts through everything.</source>
         <translation>In 3-D von der nächsten Oberfläche innerhalb des Umrisses; in einem Schnittbild nach beiden Seiten. 0 schneidet durch alles.</translation>
-    </message>
-    <message>
-        <source>Which side of the outline goes</source>
-        <translation>Welche Seite des Umrisses wegfällt</translation>
-    </message>
-    <message>
-        <source>What is inside goes</source>
-        <translation>Was innen ist, fällt weg</translation>
-    </message>
-    <message>
-        <source>What is outside goes</source>
-        <translation>Was außen ist, fällt weg</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -3309,14 +3261,6 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Removes what is shown</source>
-        <translation>Entfernt, was gezeigt wird</translation>
-    </message>
-    <message>
-        <source>Leaves what is shown where it is</source>
-        <translation>Lässt, was gezeigt wird, wo es ist</translation>
-    </message>
-    <message>
         <source>from</source>
         <translation>von</translation>
     </message>
@@ -3329,23 +3273,80 @@
         <translation>Seite %1 der Box</translation>
     </message>
     <message>
-        <source>Click three places on the surface: what is nearer to you goes. Or three in one slice: two on a line, and the third on the side that goes.</source>
-        <translation>Klicken Sie auf drei Stellen der Oberfläche: Was näher bei Ihnen ist, fällt weg. Oder auf drei in einem Schnittbild: zwei auf einer Linie und die dritte auf der Seite, die wegfällt.</translation>
-    </message>
-    <message>
         <source>One place is set: click two more.</source>
         <translation>Eine Stelle ist gesetzt: Klicken Sie auf zwei weitere.</translation>
     </message>
     <message>
-        <source>Two places are set: click the third, in a slice on the side that goes.</source>
-        <translation>Zwei Stellen sind gesetzt: Klicken Sie auf die dritte, in einem Schnittbild auf der Seite, die wegfällt.</translation>
+        <source>Choose a tool to remove parts. The file never changes.</source>
+        <translation>Wählen Sie ein Werkzeug, um Teile zu entfernen. Die Datei ändert sich nie.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edit(s)</source>
-        <translation>
-            <numerusform>%n Bearbeitung</numerusform>
-            <numerusform>%n Bearbeitungen</numerusform>
-        </translation>
+    <message>
+        <source>Keeps the inside of a box</source>
+        <translation>Behält das Innere einer Box</translation>
+    </message>
+    <message>
+        <source>Keeps the inside of the box</source>
+        <translation>Behält das Innere der Box</translation>
+    </message>
+    <message>
+        <source>From the middle of the scan, towards the side to remove</source>
+        <translation>Von der Mitte der Aufnahme zur Seite, die entfernt wird</translation>
+    </message>
+    <message>
+        <source>Direction of the side to remove: 0° is L, 90° is P, 180° is R, −90° is A</source>
+        <translation>Richtung der Seite, die entfernt wird: 0° ist L, 90° ist P, 180° ist R, −90° ist A</translation>
+    </message>
+    <message>
+        <source>Slope of the side to remove: 90° is S, −90° is I</source>
+        <translation>Neigung der Seite, die entfernt wird: 90° ist S, −90° ist I</translation>
+    </message>
+    <message>
+        <source>Click on a piece, in 3-D or in a slice. A piece is connected at the present isovalue.</source>
+        <translation>Klicken Sie auf ein Stück, in 3-D oder in einem Schnittbild. Ein Stück hängt beim jetzigen Isowert zusammen.</translation>
+    </message>
+    <message>
+        <source>Shows the parts to remove, with their volume</source>
+        <translation>Zeigt die Teile, die entfernt würden, mit ihrem Volumen</translation>
+    </message>
+    <message>
+        <source>Finds table and head holder by rule, and shows them before they are removed. Check that no part of the patient is removed with them.</source>
+        <translation>Findet Tisch und Kopfhalter nach einer Regel und zeigt sie, bevor sie entfernt werden. Prüfen Sie, dass kein Teil des Patienten mit entfernt wird.</translation>
+    </message>
+    <message>
+        <source>Side of the outline to remove</source>
+        <translation>Seite des Umrisses, die entfernt wird</translation>
+    </message>
+    <message>
+        <source>Remove the inside</source>
+        <translation>Innen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the outside</source>
+        <translation>Außen entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the parts shown</source>
+        <translation>Entfernt die gezeigten Teile</translation>
+    </message>
+    <message>
+        <source>Keeps the parts shown</source>
+        <translation>Behält die gezeigten Teile</translation>
+    </message>
+    <message>
+        <source>Click three places on the surface: everything on your side of the plane is removed. Or three in one slice: two on a line, and the third on the side to remove.</source>
+        <translation>Klicken Sie auf drei Stellen der Oberfläche: Alles auf Ihrer Seite der Ebene wird entfernt. Oder auf drei in einem Schnittbild: zwei auf einer Linie und die dritte auf der Seite, die entfernt wird.</translation>
+    </message>
+    <message>
+        <source>Two places are set: click the third, in a slice on the side to remove.</source>
+        <translation>Zwei Stellen sind gesetzt: Klicken Sie auf die dritte, in einem Schnittbild auf der Seite, die entfernt wird.</translation>
+    </message>
+    <message>
+        <source>1 edit</source>
+        <translation>1 Bearbeitung</translation>
+    </message>
+    <message>
+        <source>%L1 edits</source>
+        <translation>%L1 Bearbeitungen</translation>
     </message>
 </context>
 <context>
@@ -3369,10 +3370,6 @@
     <message>
         <source>Export a recording</source>
         <translation>Eine Aufzeichnung exportieren</translation>
-    </message>
-    <message>
-        <source>What the recording becomes</source>
-        <translation>Was aus der Aufzeichnung wird</translation>
     </message>
     <message>
         <source>Film</source>
@@ -3518,6 +3515,10 @@
         <source>%1, %2 pictures</source>
         <translation>%1, %2 Bilder</translation>
     </message>
+    <message>
+        <source>Format of the exported recording</source>
+        <translation>Format der exportierten Aufzeichnung</translation>
+    </message>
 </context>
 <context>
     <name>ui::ForcePanel</name>
@@ -3572,10 +3573,6 @@
 <context>
     <name>ui::ForceWords</name>
     <message>
-        <source>The device has not told yet where it is.</source>
-        <translation>Das Gerät hat noch nicht gemeldet, wo es ist.</translation>
-    </message>
-    <message>
         <source>The device does not know yet where it is.</source>
         <translation>Das Gerät weiß noch nicht, wo es ist.</translation>
     </message>
@@ -3604,16 +3601,8 @@
         <translation>Der Griff bewegte sich schneller als eine Hand.</translation>
     </message>
     <message>
-        <source>What was computed was not a number.</source>
-        <translation>Was berechnet wurde, war keine Zahl.</translation>
-    </message>
-    <message>
         <source>The device&apos;s readings came too late.</source>
         <translation>Die Messwerte des Geräts kamen zu spät.</translation>
-    </message>
-    <message>
-        <source>The device is gone, or silent.</source>
-        <translation>Das Gerät ist weg oder schweigt.</translation>
     </message>
     <message>
         <source>The device&apos;s position jumped.</source>
@@ -3723,6 +3712,18 @@
         <source>Fault: no force</source>
         <translation>Störung: keine Kraft</translation>
     </message>
+    <message>
+        <source>The device has not reported its position yet.</source>
+        <translation>Das Gerät hat seine Position noch nicht gemeldet.</translation>
+    </message>
+    <message>
+        <source>The computed force was not a number.</source>
+        <translation>Die berechnete Kraft war keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The device is disconnected, or does not answer.</source>
+        <translation>Das Gerät ist getrennt oder antwortet nicht.</translation>
+    </message>
 </context>
 <context>
     <name>ui::GreyPreset</name>
@@ -3814,10 +3815,6 @@
         <translation>nicht verstanden</translation>
     </message>
     <message>
-        <source>gone</source>
-        <translation>weg</translation>
-    </message>
-    <message>
         <source>key %1 only</source>
         <translation>nur Taste %1</translation>
     </message>
@@ -3844,10 +3841,6 @@
     <message>
         <source>Allow stiffness that may shake</source>
         <translation>Steifigkeit erlauben, die zittern kann</translation>
-    </message>
-    <message>
-        <source>Still connecting. Firmware takes a minute; what does not answer at all is given up with Cancel: unplug it, plug it in, and start Palpate again if that is not enough.</source>
-        <translation>Noch wird verbunden. Firmware braucht eine Minute; was gar nicht antwortet, geben Sie mit Abbrechen auf: Ziehen Sie es ab, stecken Sie es an, und starten Sie Palpate neu, wenn das nicht reicht.</translation>
     </message>
     <message>
         <source>Arm</source>
@@ -3886,10 +3879,6 @@
         <translation>Firmwaredatei</translation>
     </message>
     <message>
-        <source>The file with which the maker of this device starts it</source>
-        <translation>Die Datei, mit der der Hersteller dieses Gerät startet</translation>
-    </message>
-    <message>
         <source>Looks for the firmware file</source>
         <translation>Sucht die Firmwaredatei</translation>
     </message>
@@ -3918,10 +3907,6 @@
         <translation>Sucht Geräte, die inzwischen angeschlossen wurden</translation>
     </message>
     <message>
-        <source>Cables, permission, first use, and what can go wrong</source>
-        <translation>Kabel, Rechte, erster Gebrauch, und was misslingen kann</translation>
-    </message>
-    <message>
         <source>Right, up and towards you are the picture&apos;s; without it they stay as they are now.</source>
         <translation>Rechts, oben und zu Ihnen hin sind die des Bildes; ohne dies bleiben sie, wie sie jetzt sind.</translation>
     </message>
@@ -3940,10 +3925,6 @@
     <message>
         <source>Millimetres of the tool for a millimetre of the hand</source>
         <translation>Millimeter des Werkzeugs für einen Millimeter der Hand</translation>
-    </message>
-    <message>
-        <source>Up to what the device is rated for. Without it no stiffness can be set at which the device and a light hand may shake each other.</source>
-        <translation>Bis zum Nennwert des Geräts. Ohne dies lässt sich keine Steifigkeit einstellen, bei der das Gerät und eine leichte Hand einander zum Zittern bringen können.</translation>
     </message>
     <message>
         <source>The device may shake, hard and at once: hold it firmly, and keep Escape in reach.</source>
@@ -4040,6 +4021,26 @@
         <source>The stiffness is lowered to %1 % for now: the hand and the device shook.</source>
         <translation>Die Steifigkeit ist vorerst auf %1 % gesenkt: Hand und Gerät zitterten.</translation>
     </message>
+    <message>
+        <source>disconnected</source>
+        <translation>getrennt</translation>
+    </message>
+    <message>
+        <source>Still connecting. Firmware takes a minute. If nothing happens, press Cancel, unplug the device, plug it in, and retry. If that does not help, restart Palpate.</source>
+        <translation>Noch wird verbunden. Firmware braucht eine Minute. Wenn nichts geschieht, drücken Sie Abbrechen, ziehen Sie das Gerät ab, stecken Sie es wieder an, und versuchen Sie es noch einmal. Wenn das nicht hilft, starten Sie Palpate neu.</translation>
+    </message>
+    <message>
+        <source>The maker&apos;s firmware, which starts this device</source>
+        <translation>Die Firmware des Herstellers, die dieses Gerät startet</translation>
+    </message>
+    <message>
+        <source>Cables, permission, first use and troubleshooting</source>
+        <translation>Kabel, Rechte, erster Gebrauch und Fehlersuche</translation>
+    </message>
+    <message>
+        <source>Up to the device&apos;s rated stiffness. Without it, a stiffness at which the device and a light hand may shake each other cannot be set.</source>
+        <translation>Bis zum Nennwert des Geräts. Ohne dies lässt sich keine Steifigkeit einstellen, bei der das Gerät und eine leichte Hand einander zum Zittern bringen können.</translation>
+    </message>
 </context>
 <context>
     <name>ui::HelpPage</name>
@@ -4048,8 +4049,8 @@
         <translation>Seite der Hilfe</translation>
     </message>
     <message>
-        <source>The arrow keys move through the page, Tab goes from link to link</source>
-        <translation>Die Pfeiltasten gehen durch die Seite, Tab geht von Verweis zu Verweis</translation>
+        <source>The arrow keys move through the page, Tab selects the next link</source>
+        <translation>Die Pfeiltasten bewegen die Seite, Tab wählt den nächsten Verweis</translation>
     </message>
 </context>
 <context>
@@ -4083,16 +4084,16 @@
         <translation>Wörter, die auf allen Seiten gesucht werden</translation>
     </message>
     <message>
-        <source>Lists the pages that have all these words; Enter goes to the next place</source>
-        <translation>Listet die Seiten auf, die alle diese Wörter haben; Eingabe geht zur nächsten Stelle</translation>
-    </message>
-    <message>
         <source>Contents of the help</source>
         <translation>Inhalt der Hilfe</translation>
     </message>
     <message>
         <source>The pages of the help</source>
         <translation>Die Seiten der Hilfe</translation>
+    </message>
+    <message>
+        <source>Lists the pages that have all these words; Enter shows the next place</source>
+        <translation>Listet die Seiten auf, die alle diese Wörter haben; Eingabe zeigt die nächste Stelle</translation>
     </message>
 </context>
 <context>
@@ -4176,12 +4177,12 @@
         <translation>&amp;Ändern…</translation>
     </message>
     <message>
-        <source>The next key is taken; Escape takes none</source>
-        <translation>Die nächste Taste wird genommen; Esc nimmt keine</translation>
-    </message>
-    <message>
         <source>Takes another key for the chosen line: the next that is pressed</source>
         <translation>Nimmt eine andere Taste für die gewählte Zeile: die nächste, die gedrückt wird</translation>
+    </message>
+    <message>
+        <source>Press the new key, or Escape to cancel</source>
+        <translation>Drücken Sie die neue Taste oder Esc zum Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -4245,10 +4246,6 @@
         <translation>Mehr</translation>
     </message>
     <message>
-        <source>Shows in the help what lies behind this, and what helps</source>
-        <translation>Zeigt in der Hilfe, was dahinter liegt und was hilft</translation>
-    </message>
-    <message>
         <source>Show in folder</source>
         <translation>Im Ordner zeigen</translation>
     </message>
@@ -4273,10 +4270,6 @@
         <translation>Die Oberfläche wählen</translation>
     </message>
     <message>
-        <source>Drag the line: what you see and touch is where the scan has this value. Picture and touch change at once.</source>
-        <translation>Ziehen Sie die Linie: Was Sie sehen und tasten, liegt dort, wo die Aufnahme diesen Wert hat. Bild und Tastgefühl ändern sich sofort.</translation>
-    </message>
-    <message>
         <source>Touch it</source>
         <translation>Tasten</translation>
     </message>
@@ -4287,10 +4280,6 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Ends what is loading or being worked out</source>
-        <translation>Beendet, was geladen oder berechnet wird</translation>
     </message>
     <message>
         <source>Not a medical device</source>
@@ -4367,10 +4356,6 @@
     <message>
         <source>Keep hands and face clear of a device until it is at rest. Escape takes the force away at any time.</source>
         <translation>Halten Sie Hände und Gesicht von einem Gerät fern, bis es ruht. Esc nimmt die Kraft jederzeit weg.</translation>
-    </message>
-    <message>
-        <source>What was dropped is not on this machine&apos;s disks; copy it there first.</source>
-        <translation>Was abgelegt wurde, ist nicht auf den Datenträgern dieses Rechners; kopieren Sie es zuerst dorthin.</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -4577,8 +4562,8 @@
         <translation>Letzte Orte &amp;vergessen</translation>
     </message>
     <message>
-        <source>&lt;p&gt;&lt;b&gt;Force off&lt;/b&gt;: Escape anywhere, Space in the 3-D view, or the stop button.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptic device&lt;/b&gt; (View &gt; Haptic device): Connect, then Arm. While %1 is held in the 3-D view the tool stays and the hand moves freely; while %2 is held the force is on if it is to be held.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Mouse&lt;/b&gt;: it turns the picture until you take the tool (%3, or the button), and then moves the tool. The tool itself can be dragged at any time.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Measures&lt;/b&gt;: click where the places are, or drag a distance. Handles can be dragged in every view.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Slices&lt;/b&gt;: a right click, the key %4 or the button in the corner opens the choices: windows, slabs, contour, following the tool, the view down the tool.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Replay&lt;/b&gt;: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, ● force and device, × samples lost and ticks late.&lt;/p&gt;&lt;p&gt;Keys can be changed: Edit &gt; Preferences, Shortcuts.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;Kraft aus&lt;/b&gt;: Esc überall, die Leertaste in der 3-D-Ansicht oder der Stoppknopf.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptisches Gerät&lt;/b&gt; (Ansicht &gt; Haptisches Gerät): Verbinden, dann Freigeben. Solange %1 in der 3-D-Ansicht gehalten wird, bleibt das Werkzeug stehen, und die Hand bewegt sich frei; solange %2 gehalten wird, ist die Kraft ein, wenn sie gehalten werden muss.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maus&lt;/b&gt;: Sie dreht das Bild, bis Sie das Werkzeug nehmen (%3 oder der Knopf), und bewegt dann das Werkzeug. Das Werkzeug selbst lässt sich jederzeit ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maße&lt;/b&gt;: Klicken Sie auf die Stellen, oder ziehen Sie einen Abstand. Griffe lassen sich in jeder Ansicht ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Schnittbilder&lt;/b&gt;: Ein Rechtsklick, die Taste %4 oder der Knopf in der Ecke öffnet die Auswahl: Fensterung, Slabs, Kontur, dem Werkzeug folgen, der Blick entlang des Werkzeugs.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Wiedergabe&lt;/b&gt;: Auf ihrer Leiste sind ▼ Marken, ◆ Einstellungen, ■ Szene und Kamera, ● Kraft und Gerät, × verlorene Abtastwerte und verspätete Takte.&lt;/p&gt;&lt;p&gt;Tasten lassen sich ändern: Bearbeiten &gt; Einstellungen, Tastenkürzel.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;&lt;b&gt;Force off&lt;/b&gt;: Escape anywhere, Space in the 3-D view, or the stop button.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptic device&lt;/b&gt; (View &gt; Haptic device): Connect, then Arm. While %1 is held in the 3-D view the tool stays and the hand moves freely; with hold-to-run, the force is on while %2 is held.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Mouse&lt;/b&gt;: it turns the picture until you take the tool (%3, or the button), and then moves the tool. The tool itself can be dragged at any time.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Measures&lt;/b&gt;: click where the places are, or drag a distance. Handles can be dragged in every view.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Slices&lt;/b&gt;: a right click, the key %4 or the button in the corner opens the choices: windows, slabs, contour, following the tool, the view down the tool.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Replay&lt;/b&gt;: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, ● force and device, × samples lost and ticks late.&lt;/p&gt;&lt;p&gt;Keys can be changed: Edit &gt; Preferences, Shortcuts.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Kraft aus&lt;/b&gt;: Esc überall, die Leertaste in der 3-D-Ansicht oder der Stoppknopf.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptisches Gerät&lt;/b&gt; (Ansicht &gt; Haptisches Gerät): Verbinden, dann Freigeben. Solange %1 in der 3-D-Ansicht gehalten wird, bleibt das Werkzeug stehen, und die Hand bewegt sich frei; mit Zustimmtaste ist die Kraft ein, solange %2 gehalten wird.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maus&lt;/b&gt;: Sie dreht das Bild, bis Sie das Werkzeug nehmen (%3 oder der Knopf), und bewegt dann das Werkzeug. Das Werkzeug selbst lässt sich jederzeit ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maße&lt;/b&gt;: Klicken Sie auf die Stellen, oder ziehen Sie einen Abstand. Griffe lassen sich in jeder Ansicht ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Schnittbilder&lt;/b&gt;: Ein Rechtsklick, die Taste %4 oder der Knopf in der Ecke öffnet die Auswahl: Fensterung, Slabs, Kontur, dem Werkzeug folgen, der Blick entlang des Werkzeugs.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Wiedergabe&lt;/b&gt;: Auf ihrer Leiste sind ▼ Marken, ◆ Einstellungen, ■ Szene und Kamera, ● Kraft und Gerät, × verlorene Abtastwerte und verspätete Takte.&lt;/p&gt;&lt;p&gt;Tasten lassen sich ändern: Bearbeiten &gt; Einstellungen, Tastenkürzel.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Controls</source>
@@ -4599,6 +4584,22 @@
     <message>
         <source>&lt;p&gt;&lt;b&gt;Palpate %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;See a CT scan, and feel it through a haptic device.&lt;/p&gt;&lt;p&gt;&lt;b&gt;%2&lt;/b&gt;&lt;/p&gt;&lt;p&gt;BSD-3-Clause licence. Palpate uses Qt (LGPL-3), VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, libdeflate, hidapi and libusb (LGPL-2.1), libseccomp (LGPL-2.1), elfutils (LGPL-3), SQLite and others, as Debian packages them. The help lists all of them, with their licences.&lt;/p&gt;</source>
         <translation>&lt;p&gt;&lt;b&gt;Palpate %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Eine CT-Aufnahme sehen und mit einem haptischen Gerät ertasten.&lt;/p&gt;&lt;p&gt;&lt;b&gt;%2&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Lizenz BSD-3-Clause. Palpate verwendet Qt (LGPL-3), VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, libdeflate, hidapi und libusb (LGPL-2.1), libseccomp (LGPL-2.1), elfutils (LGPL-3), SQLite und andere, wie Debian sie verpackt. Die Hilfe führt alle auf, mit ihren Lizenzen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Shows the cause and the remedy in the help</source>
+        <translation>Zeigt in der Hilfe die Ursache und die Abhilfe</translation>
+    </message>
+    <message>
+        <source>Drag the line: the surface is where the scan has this value. Picture and touch change at once.</source>
+        <translation>Ziehen Sie die Linie: Die Oberfläche liegt dort, wo die Aufnahme diesen Wert hat. Bild und Tastgefühl ändern sich sofort.</translation>
+    </message>
+    <message>
+        <source>Cancels the loading or the computation</source>
+        <translation>Bricht das Laden oder die Berechnung ab</translation>
+    </message>
+    <message>
+        <source>The dropped item is not on this machine&apos;s disks; copy it there first.</source>
+        <translation>Das abgelegte Objekt ist nicht auf den Datenträgern dieses Rechners; kopieren Sie es zuerst dorthin.</translation>
     </message>
 </context>
 <context>
@@ -4624,10 +4625,6 @@
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Not for treatment.&lt;/b&gt; ± is what the voxels allow.</source>
-        <translation>&lt;b&gt;Nicht zur Behandlung.&lt;/b&gt; ± ist, was die Voxel zulassen.</translation>
-    </message>
-    <message>
         <source>Half a voxel diagonal for each place. Errors of the scanner and of the choice of the places are not in it.</source>
         <translation>Für jede Stelle eine halbe Diagonale eines Voxels. Fehler des Scanners und der Wahl der Stellen sind nicht darin.</translation>
     </message>
@@ -4638,10 +4635,6 @@
     <message>
         <source>Press at the end of one leg, at the corner, and at the end of the other leg</source>
         <translation>Am Ende des einen Schenkels, am Scheitel und am Ende des anderen Schenkels drücken</translation>
-    </message>
-    <message>
-        <source>Press where the value is to be read</source>
-        <translation>Dort drücken, wo der Wert abgelesen werden soll</translation>
     </message>
     <message>
         <source>Press where the note belongs, then type it</source>
@@ -4666,10 +4659,6 @@
     <message>
         <source>No measures or marks yet: choose one above, then click in a view</source>
         <translation>Noch keine Maße oder Markierungen: Wählen Sie oben eine Art, dann klicken Sie in eine Ansicht</translation>
-    </message>
-    <message>
-        <source>%1 goes to the place, %2 renames, %3 deletes</source>
-        <translation>%1 geht zur Stelle, %2 benennt um, %3 löscht</translation>
     </message>
     <message>
         <source>Moves the crosshair to the place; again, to its next place</source>
@@ -4706,6 +4695,18 @@
     <message>
         <source>Start at the tool</source>
         <translation>Am Werkzeug beginnen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Not for treatment.&lt;/b&gt; ± is the accuracy that the voxels allow.</source>
+        <translation>&lt;b&gt;Nicht zur Behandlung.&lt;/b&gt; ± ist die Genauigkeit, die die Voxel zulassen.</translation>
+    </message>
+    <message>
+        <source>Press at the place to read</source>
+        <translation>Drücken Sie an der Stelle, die gelesen werden soll</translation>
+    </message>
+    <message>
+        <source>%1 shows the place, %2 renames, %3 deletes</source>
+        <translation>%1 zeigt die Stelle, %2 benennt um, %3 löscht</translation>
     </message>
 </context>
 <context>
@@ -4773,20 +4774,12 @@
         <translation>&amp;Name</translation>
     </message>
     <message>
-        <source>What you call the server</source>
-        <translation>Wie Sie den Server nennen</translation>
-    </message>
-    <message>
         <source>DICOMweb</source>
         <translation>DICOMweb</translation>
     </message>
     <message>
         <source>DIMSE (C-FIND, C-GET)</source>
         <translation>DIMSE (C-FIND, C-GET)</translation>
-    </message>
-    <message>
-        <source>How the server is asked; DICOMweb where it has it</source>
-        <translation>Wie der Server gefragt wird; DICOMweb, wo er es hat</translation>
     </message>
     <message>
         <source>&amp;Protocol</source>
@@ -4873,10 +4866,6 @@
         <translation>aus dem Schlüsselbund des Desktops</translation>
     </message>
     <message>
-        <source>How the server knows who asks; no password is stored by Palpate</source>
-        <translation>Woran der Server erkennt, wer fragt; Palpate speichert kein Passwort</translation>
-    </message>
-    <message>
         <source>&amp;Login</source>
         <translation>Anmel&amp;dung</translation>
     </message>
@@ -4901,10 +4890,6 @@
         <translation>Eigenes &amp;Zertifikat</translation>
     </message>
     <message>
-        <source>Certificate (PEM) of this computer, where the server asks for one</source>
-        <translation>Zertifikat (PEM) dieses Computers, wenn der Server danach fragt</translation>
-    </message>
-    <message>
         <source>Its private &amp;key</source>
         <translation>Sein privater Schlüsse&amp;l</translation>
     </message>
@@ -4924,6 +4909,22 @@
         <source>Choose: %1</source>
         <translation>Wählen: %1</translation>
     </message>
+    <message>
+        <source>Your name for the server</source>
+        <translation>Ihr Name für den Server</translation>
+    </message>
+    <message>
+        <source>Protocol of the server; DICOMweb if the server has it</source>
+        <translation>Protokoll des Servers; DICOMweb, wenn der Server es hat</translation>
+    </message>
+    <message>
+        <source>Sign-in at the server; Palpate stores no password</source>
+        <translation>Anmeldung am Server; Palpate speichert kein Passwort</translation>
+    </message>
+    <message>
+        <source>Certificate (PEM) of this computer, if the server requires one</source>
+        <translation>Zertifikat (PEM) dieses Computers, wenn der Server eines verlangt</translation>
+    </message>
 </context>
 <context>
     <name>ui::PacsWindow</name>
@@ -4934,10 +4935,6 @@
     <message>
         <source>Server</source>
         <translation>Server</translation>
-    </message>
-    <message>
-        <source>The archive that is asked</source>
-        <translation>Das Archiv, das gefragt wird</translation>
     </message>
     <message>
         <source>&amp;Add…</source>
@@ -4952,10 +4949,6 @@
         <translation>&amp;Bearbeiten…</translation>
     </message>
     <message>
-        <source>Changes what is known of the server</source>
-        <translation>Ändert, was über den Server bekannt ist</translation>
-    </message>
-    <message>
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
     </message>
@@ -4966,10 +4959,6 @@
     <message>
         <source>&amp;Test</source>
         <translation>&amp;Testen</translation>
-    </message>
-    <message>
-        <source>Asks the server whether it answers; a sentence says what is wrong</source>
-        <translation>Fragt den Server, ob er antwortet; ein Satz sagt, was nicht stimmt</translation>
     </message>
     <message>
         <source>Password or token</source>
@@ -5014,10 +5003,6 @@
     <message>
         <source>Modality</source>
         <translation>Modalität</translation>
-    </message>
-    <message>
-        <source>Which kind of scan is sought</source>
-        <translation>Welche Art von Aufnahme gesucht wird</translation>
     </message>
     <message>
         <source>CT</source>
@@ -5116,10 +5101,6 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Ends what the server is being asked</source>
-        <translation>Beendet, wonach der Server gefragt wird</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -5168,8 +5149,28 @@
         <translation>Entfernt es aus dem Schlüsselbund des Desktops</translation>
     </message>
     <message>
-        <source>comes from the keyring</source>
-        <translation>kommt aus dem Schlüsselbund</translation>
+        <source>The archive to search</source>
+        <translation>Das Archiv, das durchsucht wird</translation>
+    </message>
+    <message>
+        <source>Changes the entries for the server</source>
+        <translation>Ändert die Angaben zum Server</translation>
+    </message>
+    <message>
+        <source>Tests the connection and names the fault</source>
+        <translation>Prüft die Verbindung und nennt den Fehler</translation>
+    </message>
+    <message>
+        <source>Kind of scan to search for</source>
+        <translation>Art der gesuchten Aufnahme</translation>
+    </message>
+    <message>
+        <source>Cancels the request to the server</source>
+        <translation>Bricht die Anfrage an den Server ab</translation>
+    </message>
+    <message>
+        <source>from the keyring</source>
+        <translation>aus dem Schlüsselbund</translation>
     </message>
 </context>
 <context>
@@ -5243,10 +5244,6 @@
         <translation>Keiner von %1 wurde vom Budget von %2 ms gekürzt.</translation>
     </message>
     <message>
-        <source>%1 of %2 were cut by the budget of %3 ms, which kept the tool %4 mm farther from the hand in the mean.</source>
-        <translation>%1 von %2 wurden vom Budget von %3 ms gekürzt, was das Werkzeug im Mittel %4 mm weiter von der Hand hielt.</translation>
-    </message>
-    <message>
         <source>less than 0.001</source>
         <translation>weniger als 0,001</translation>
     </message>
@@ -5269,6 +5266,10 @@
     <message>
         <source>Suggested: %1 points, spread evenly, %2 mm apart: the most that was carried. To be no farther apart than the voxels (%3 mm), the tool would need %4.</source>
         <translation>Vorschlag: %1 Punkte, gleichmäßig verteilt, %2 mm voneinander entfernt: das meiste, was getragen wurde. Um nicht weiter voneinander entfernt zu sein als die Voxel (%3 mm), bräuchte das Werkzeug %4.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 were cut by the budget of %3 ms, which kept the tool %4 mm farther from the hand on average.</source>
+        <translation>%1 von %2 wurden vom Budget von %3 ms gekürzt, was das Werkzeug im Mittel %4 mm weiter von der Hand hielt.</translation>
     </message>
 </context>
 <context>
@@ -5368,10 +5369,6 @@
         <translation>Zentimeter</translation>
     </message>
     <message>
-        <source>Say below each view what the mouse does there</source>
-        <translation>Unter jeder Ansicht sagen, was die Maus dort tut</translation>
-    </message>
-    <message>
         <source>Shows a line of hints at the foot of each view</source>
         <translation>Zeigt am Fuß jeder Ansicht eine Zeile mit Hinweisen</translation>
     </message>
@@ -5396,24 +5393,12 @@
         <translation>Am Anfang die Maus</translation>
     </message>
     <message>
-        <source>What a drag does in the 3-D view when the mouse becomes the hand</source>
-        <translation>Was ein Ziehen in der 3-D-Ansicht tut, wenn die Maus die Hand wird</translation>
-    </message>
-    <message>
         <source>looks: a drag turns the picture</source>
         <translation>schaut: Ziehen dreht das Bild</translation>
     </message>
     <message>
-        <source>holds the tool: a drag moves it</source>
-        <translation>hält das Werkzeug: Ziehen bewegt es</translation>
-    </message>
-    <message>
         <source>Wheel over slices, turned away</source>
         <translation>Rad über Schnittbildern, weggedreht</translation>
-    </message>
-    <message>
-        <source>Which slice comes when the wheel is turned away from you</source>
-        <translation>Welche Schicht kommt, wenn das Rad von Ihnen weggedreht wird</translation>
     </message>
     <message>
         <source>next slice</source>
@@ -5426,18 +5411,6 @@
     <message>
         <source>Wheel for the size, turned away</source>
         <translation>Rad für die Größe, weggedreht</translation>
-    </message>
-    <message>
-        <source>What the wheel does in 3-D, and with Ctrl over slices, when it is turned away from you</source>
-        <translation>Was das Rad in 3-D tut, und mit Strg über Schnittbildern, wenn es von Ihnen weggedreht wird</translation>
-    </message>
-    <message>
-        <source>comes nearer</source>
-        <translation>kommt näher</translation>
-    </message>
-    <message>
-        <source>goes away</source>
-        <translation>geht weg</translation>
     </message>
     <message>
         <source>&amp;At first the mouse</source>
@@ -5464,10 +5437,6 @@
         <translation>Jedes Mal beginnen mit der Stei&amp;figkeit</translation>
     </message>
     <message>
-        <source>Else the stiffness is what it was when the window closed</source>
-        <translation>Sonst ist die Steifigkeit so, wie sie beim Schließen des Fensters war</translation>
-    </message>
-    <message>
         <source>Stiffness at first</source>
         <translation>Steifigkeit am Anfang</translation>
     </message>
@@ -5478,10 +5447,6 @@
     <message>
         <source> N/m</source>
         <translation> N/m</translation>
-    </message>
-    <message>
-        <source>A haptic device begins with half of what it is rated for.</source>
-        <translation>Ein haptisches Gerät beginnt mit der Hälfte seines Nennwerts.</translation>
     </message>
     <message>
         <source>Recordings</source>
@@ -5532,10 +5497,6 @@
         <translation>Entfernt die letzten Orte sofort aus den Einstellungen</translation>
     </message>
     <message>
-        <source>Palpate keeps no name, no date and no picture of a scan, and uses the network only where you open a scan from a PACS. Before a picture leaves it that may show a face, it asks.</source>
-        <translation>Palpate behält keinen Namen, kein Datum und kein Bild einer Aufnahme und verwendet das Netzwerk nur, wo Sie eine Aufnahme aus einem PACS öffnen. Bevor ein Bild, das ein Gesicht zeigen kann, das Programm verlässt, fragt es.</translation>
-    </message>
-    <message>
         <source>Shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
@@ -5572,10 +5533,6 @@
         <translation>S&amp;prache</translation>
     </message>
     <message>
-        <source>Another language comes with the next start.</source>
-        <translation>Eine andere Sprache kommt mit dem nächsten Start.</translation>
-    </message>
-    <message>
         <source>How often in a second the touch is computed</source>
         <translation>Wie oft in der Sekunde die Berührung berechnet wird</translation>
     </message>
@@ -5592,8 +5549,52 @@
         <translation>Berührung wird &amp;berechnet</translation>
     </message>
     <message>
-        <source>More often carries a stiffer touch, and needs as much more of the processor. It holds from the next device or hand that is opened; a device gets no more than its link carries, the mouse 1 kHz unless you choose.</source>
-        <translation>Öfter trägt eine steifere Berührung und braucht entsprechend mehr vom Prozessor. Es gilt ab dem nächsten Gerät oder der nächsten Hand, die geöffnet wird; ein Gerät bekommt nicht mehr, als seine Verbindung trägt, die Maus 1 kHz, wenn Sie nichts wählen.</translation>
+        <source>Show the mouse&apos;s functions below each view</source>
+        <translation>Die Funktionen der Maus unter jeder Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>The language changes at the next start.</source>
+        <translation>Die Sprache ändert sich beim nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Function of a drag in the 3-D view when the mouse becomes the hand</source>
+        <translation>Funktion des Ziehens in der 3-D-Ansicht, wenn die Maus die Hand wird</translation>
+    </message>
+    <message>
+        <source>takes the tool: a drag moves it</source>
+        <translation>nimmt das Werkzeug: Ziehen bewegt es</translation>
+    </message>
+    <message>
+        <source>Slice that follows when the wheel is turned away from you</source>
+        <translation>Schicht, die folgt, wenn das Rad von Ihnen weggedreht wird</translation>
+    </message>
+    <message>
+        <source>Zoom in 3-D, and with Ctrl over slices, when the wheel is turned away from you</source>
+        <translation>Vergrößerung in 3-D, und mit Strg über Schnittbildern, wenn das Rad von Ihnen weggedreht wird</translation>
+    </message>
+    <message>
+        <source>zooms in</source>
+        <translation>vergrößert</translation>
+    </message>
+    <message>
+        <source>zooms out</source>
+        <translation>verkleinert</translation>
+    </message>
+    <message>
+        <source>If not set, the stiffness of the last session is used</source>
+        <translation>Wenn nicht gewählt, gilt die Steifigkeit der letzten Sitzung</translation>
+    </message>
+    <message>
+        <source>A haptic device begins with half of its rated stiffness.</source>
+        <translation>Ein haptisches Gerät beginnt mit der Hälfte seiner Nennsteifigkeit.</translation>
+    </message>
+    <message>
+        <source>A higher rate allows a stiffer touch, and needs as much more of the processor. It applies to the next device or hand that is opened; a device gets no more than its link allows, the mouse 1 kHz unless you choose.</source>
+        <translation>Eine höhere Rate erlaubt eine steifere Berührung und braucht entsprechend mehr vom Prozessor. Sie gilt für das nächste Gerät oder die nächste Hand, die geöffnet wird; ein Gerät bekommt nicht mehr, als seine Verbindung erlaubt, die Maus 1 kHz, wenn Sie nichts wählen.</translation>
+    </message>
+    <message>
+        <source>Palpate keeps no name, no date and no picture of a scan, and uses the network only if you open a scan from a PACS. It asks before it saves or copies a picture that may show a face.</source>
+        <translation>Palpate behält keinen Namen, kein Datum und kein Bild einer Aufnahme und verwendet das Netzwerk nur, wenn Sie eine Aufnahme aus einem PACS öffnen. Es fragt, bevor es ein Bild speichert oder kopiert, das ein Gesicht zeigen kann.</translation>
     </message>
 </context>
 <context>
@@ -5647,10 +5648,6 @@
         <translation>Notiz der Marke</translation>
     </message>
     <message>
-        <source>What is to be found again. Everyone who gets the recording can read it: do not write names of patients or staff.</source>
-        <translation>Was wiedergefunden werden soll. Wer die Aufzeichnung bekommt, kann es lesen: Schreiben Sie keine Namen von Patienten oder Personal.</translation>
-    </message>
-    <message>
         <source>Mark (%1)</source>
         <translation>Marke (%1)</translation>
     </message>
@@ -5693,10 +5690,6 @@
     <message>
         <source>Label: stays on this computer</source>
         <translation>Bezeichnung: bleibt auf diesem Computer</translation>
-    </message>
-    <message>
-        <source>Your own words for this recording. They are kept on this computer only: neither the recording nor an export holds them.</source>
-        <translation>Ihre eigenen Worte für diese Aufzeichnung. Sie bleiben nur auf diesem Computer: Weder die Aufzeichnung noch ein Export enthält sie.</translation>
     </message>
     <message>
         <source>Writes the chosen recording as tables or as a film</source>
@@ -5755,10 +5748,6 @@
         <translation>Gibt die gewählte Aufzeichnung in der Szene wieder</translation>
     </message>
     <message>
-        <source>Brings back what is in a recording that was never finished</source>
-        <translation>Holt zurück, was in einer nie abgeschlossenen Aufzeichnung ist</translation>
-    </message>
-    <message>
         <source>Delete it?</source>
         <translation>Löschen?</translation>
     </message>
@@ -5773,6 +5762,18 @@
     <message>
         <source>force up to %L1 N</source>
         <translation>Kraft bis %L1 N</translation>
+    </message>
+    <message>
+        <source>Note for this mark. Everyone with the recording can read it: do not write names of patients or staff.</source>
+        <translation>Notiz zu dieser Marke. Jeder, der die Aufzeichnung hat, kann sie lesen: Schreiben Sie keine Namen von Patienten oder Personal.</translation>
+    </message>
+    <message>
+        <source>Your own words for this recording. They are kept on this computer only: neither the recording nor an export contains them.</source>
+        <translation>Ihre eigenen Worte für diese Aufzeichnung. Sie bleiben nur auf diesem Computer: Weder die Aufzeichnung noch ein Export enthält sie.</translation>
+    </message>
+    <message>
+        <source>Restores a recording that was never finished</source>
+        <translation>Stellt eine nie abgeschlossene Aufzeichnung wieder her</translation>
     </message>
 </context>
 <context>
@@ -5826,10 +5827,6 @@
         <translation>Marken</translation>
     </message>
     <message>
-        <source>Goes to a mark that was set while this was recorded</source>
-        <translation>Geht zu einer Marke, die bei der Aufzeichnung gesetzt wurde</translation>
-    </message>
-    <message>
         <source>%1  %2</source>
         <translation>%1  %2</translation>
     </message>
@@ -5852,6 +5849,10 @@
     <message>
         <source>%L1 ×</source>
         <translation>%L1 ×</translation>
+    </message>
+    <message>
+        <source>Shows a mark that was set during the recording</source>
+        <translation>Zeigt eine Marke, die bei der Aufzeichnung gesetzt wurde</translation>
     </message>
 </context>
 <context>
@@ -5929,10 +5930,6 @@
         <translation>Zeit in der Aufzeichnung</translation>
     </message>
     <message>
-        <source>A click or a drag goes to another time; events say what they are</source>
-        <translation>Klicken oder Ziehen geht zu einer anderen Zeit; Ereignisse sagen, was sie sind</translation>
-    </message>
-    <message>
         <source>%1 in seconds</source>
         <translation>%1 in Sekunden</translation>
     </message>
@@ -5958,6 +5955,10 @@
     <message>
         <source>greatest force %L1 N</source>
         <translation>größte Kraft %L1 N</translation>
+    </message>
+    <message>
+        <source>Click or drag to choose the time; point at an event for its name</source>
+        <translation>Klicken oder ziehen Sie, um die Zeit zu wählen; zeigen Sie auf ein Ereignis, um seinen Namen zu sehen</translation>
     </message>
 </context>
 <context>
@@ -6017,10 +6018,6 @@
         <source>Show patients&apos; &amp;names</source>
         <translation>&amp;Namen der Patienten zeigen</translation>
     </message>
-    <message>
-        <source>Shows whose the series are, until the list is closed</source>
-        <translation>Zeigt, wem die Serien gehören, bis die Liste geschlossen wird</translation>
-    </message>
     <message numerus="yes">
         <source>%n series found</source>
         <translation>
@@ -6035,14 +6032,6 @@
     <message>
         <source>Enter or a double-click loads a series</source>
         <translation>Eingabe oder ein Doppelklick lädt eine Serie</translation>
-    </message>
-    <message>
-        <source>What is to be said of the selected series</source>
-        <translation>Was zur gewählten Serie zu sagen ist</translation>
-    </message>
-    <message>
-        <source>Closes the list; what is on view stays</source>
-        <translation>Schließt die Liste; was zu sehen ist, bleibt</translation>
     </message>
     <message>
         <source>Middle slice</source>
@@ -6092,6 +6081,18 @@
         <source>no picture</source>
         <translation>kein Bild</translation>
     </message>
+    <message>
+        <source>Shows the patients&apos; names until the list is closed</source>
+        <translation>Zeigt die Namen der Patienten, bis die Liste geschlossen wird</translation>
+    </message>
+    <message>
+        <source>Details of the selected series</source>
+        <translation>Einzelheiten der gewählten Serie</translation>
+    </message>
+    <message>
+        <source>Closes the list; the present scan stays</source>
+        <translation>Schließt die Liste; die jetzige Aufnahme bleibt</translation>
+    </message>
 </context>
 <context>
     <name>ui::SetUpDialog</name>
@@ -6135,10 +6136,6 @@
         <translation>Tastenkürzel suchen</translation>
     </message>
     <message>
-        <source>Search: a key, a place or what it does</source>
-        <translation>Suche: eine Taste, ein Ort oder eine Wirkung</translation>
-    </message>
-    <message>
         <source>Shows the lines that have all these words</source>
         <translation>Zeigt die Zeilen, die alle diese Wörter haben</translation>
     </message>
@@ -6159,10 +6156,6 @@
         <translation>Wo</translation>
     </message>
     <message>
-        <source>What it does</source>
-        <translation>Was sie tut</translation>
-    </message>
-    <message>
         <source>Gives the chosen line the key that it has at first</source>
         <translation>Gibt der gewählten Zeile die Taste, die sie am Anfang hat</translation>
     </message>
@@ -6179,12 +6172,20 @@
         <translation>Drücken Sie Ändern, dann die Taste.</translation>
     </message>
     <message>
-        <source>Escape and Space stop the force, and stay what they are.</source>
-        <translation>Esc und die Leertaste halten die Kraft an und bleiben, was sie sind.</translation>
+        <source>Search: a key, a place or a function</source>
+        <translation>Suche: eine Taste, ein Ort oder eine Funktion</translation>
     </message>
     <message>
-        <source>What the mouse does stays what it is.</source>
-        <translation>Was die Maus tut, bleibt, wie es ist.</translation>
+        <source>Function</source>
+        <translation>Funktion</translation>
+    </message>
+    <message>
+        <source>Escape and Space stop the force and cannot be changed.</source>
+        <translation>Esc und die Leertaste halten die Kraft an und lassen sich nicht ändern.</translation>
+    </message>
+    <message>
+        <source>The mouse&apos;s functions cannot be changed.</source>
+        <translation>Die Funktionen der Maus lassen sich nicht ändern.</translation>
     </message>
 </context>
 <context>
@@ -6206,10 +6207,6 @@
         <translation>Rekorder</translation>
     </message>
     <message>
-        <source>What is in the way, measures and marks</source>
-        <translation>Was im Weg ist, Maße und Markierungen</translation>
-    </message>
-    <message>
         <source>Surface, hand and tool, performance</source>
         <translation>Oberfläche, Hand und Werkzeug, Leistung</translation>
     </message>
@@ -6220,6 +6217,10 @@
     <message>
         <source>Recordings</source>
         <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Remove parts, measures and marks</source>
+        <translation>Teile entfernen, Maße und Markierungen</translation>
     </message>
 </context>
 <context>
@@ -6454,10 +6455,6 @@
         <translation>Ein haptisches Gerät verbinden</translation>
     </message>
     <message>
-        <source>Feel the scan: a Falcon, Touch, Inverse3 and others. The list says what is found and what it needs.</source>
-        <translation>Die Aufnahme fühlen: mit Falcon, Touch, Inverse3 und anderen. Die Liste sagt, was gefunden wurde und was es braucht.</translation>
-    </message>
-    <message>
         <source>Show devices</source>
         <translation>Geräte zeigen</translation>
     </message>
@@ -6468,10 +6465,6 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Ends loading and goes back to the start</source>
-        <translation>Beendet das Laden und geht zum Anfang zurück</translation>
     </message>
     <message>
         <source>Recent places are not remembered (File &gt; Open recent)</source>
@@ -6488,6 +6481,14 @@
     <message>
         <source>See a CT scan, and feel its surface.</source>
         <translation>Einen CT-Scan sehen und seine Oberfläche fühlen.</translation>
+    </message>
+    <message>
+        <source>Feel the scan: a Falcon, Touch, Inverse3 and others. The list shows the devices found and their needs.</source>
+        <translation>Die Aufnahme fühlen: mit Falcon, Touch, Inverse3 und anderen. Die Liste zeigt die gefundenen Geräte und was sie brauchen.</translation>
+    </message>
+    <message>
+        <source>Cancels loading and shows the start page</source>
+        <translation>Bricht das Laden ab und zeigt die Startseite</translation>
     </message>
 </context>
 <context>
@@ -6635,10 +6636,6 @@
         <translation>Beendet die Einführung; die Hilfe zeigt sie wieder</translation>
     </message>
     <message>
-        <source>Goes on to the next control</source>
-        <translation>Geht weiter zum nächsten Bedienelement</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
@@ -6649,6 +6646,10 @@
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Shows the next control</source>
+        <translation>Zeigt das nächste Bedienelement</translation>
     </message>
 </context>
 <context>
@@ -6672,12 +6673,12 @@
         <translation>Einheit des Werkzeugs</translation>
     </message>
     <message>
-        <source>In which unit are the numbers of &quot;%1&quot;? The file does not say. Beside the box of the tool stands a hand of 18 cm.</source>
-        <translation>In welcher Einheit sind die Zahlen von „%1“? Die Datei sagt es nicht. Neben der Box des Werkzeugs steht eine Hand von 18 cm.</translation>
-    </message>
-    <message>
         <source>Take the tool</source>
         <translation>Werkzeug nehmen</translation>
+    </message>
+    <message>
+        <source>In which unit are the numbers of &quot;%1&quot;? The file does not say. The picture shows a hand of 18 cm beside the box of the tool.</source>
+        <translation>In welcher Einheit sind die Zahlen von „%1“? Die Datei sagt es nicht. Das Bild zeigt eine Hand von 18 cm neben der Box des Werkzeugs.</translation>
     </message>
 </context>
 <context>
@@ -6898,20 +6899,8 @@
 <context>
     <name>ui::bindings</name>
     <message>
-        <source>Escape and Space stop the force, and stay what they are.</source>
-        <translation>Esc und die Leertaste halten die Kraft an und bleiben, was sie sind.</translation>
-    </message>
-    <message>
-        <source>Tab goes from one control to the next, and stays what it is.</source>
-        <translation>Tab geht von einem Bedienelement zum nächsten und bleibt, was es ist.</translation>
-    </message>
-    <message>
         <source>Alt with a letter opens menus; choose another key.</source>
         <translation>Alt mit einem Buchstaben öffnet Menüs; wählen Sie eine andere Taste.</translation>
-    </message>
-    <message>
-        <source>What works while a key is held needs one key alone.</source>
-        <translation>Was wirkt, solange eine Taste gehalten wird, braucht eine Taste allein.</translation>
     </message>
     <message>
         <source>Fields and lists need this key; choose one with Ctrl.</source>
@@ -6920,10 +6909,6 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>This key stays what it is.</source>
-        <translation>Diese Taste bleibt, was sie ist.</translation>
     </message>
     <message>
         <source>%1 is taken: %2, %3. Give that another key first.</source>
@@ -7074,16 +7059,8 @@
         <translation>Kraft aus; legt das Werkzeug einer Bearbeitung und ein Maß weg, das gerade gesetzt wird</translation>
     </message>
     <message>
-        <source>shows the help for what has the focus</source>
-        <translation>zeigt die Hilfe zu dem, was den Fokus hat</translation>
-    </message>
-    <message>
         <source>shows all controls</source>
         <translation>zeigt die ganze Bedienung</translation>
-    </message>
-    <message>
-        <source>goes to the next view</source>
-        <translation>geht zur nächsten Ansicht</translation>
     </message>
     <message>
         <source>while recording: sets a mark</source>
@@ -7182,14 +7159,6 @@
         <translation>verschiebt das Bild</translation>
     </message>
     <message>
-        <source>comes nearer at the pointer</source>
-        <translation>kommt beim Zeiger näher</translation>
-    </message>
-    <message>
-        <source>goes away from the pointer</source>
-        <translation>geht vom Zeiger weg</translation>
-    </message>
-    <message>
         <source>clutch; released when the view loses the focus</source>
         <translation>Kupplung; löst sich, wenn die Ansicht den Fokus verliert</translation>
     </message>
@@ -7252,10 +7221,6 @@
     <message>
         <source>takes the scalpel&apos;s last corner back</source>
         <translation>nimmt die letzte Ecke des Skalpells zurück</translation>
-    </message>
-    <message>
-        <source>goes to the place; again: to its next</source>
-        <translation>geht zur Stelle; noch einmal: zu ihrer nächsten</translation>
     </message>
     <message>
         <source>renames the mark, or edits the note</source>
@@ -7326,10 +7291,6 @@
         <translation>dreht das Werkzeug, wenn die Maus die Hand ist</translation>
     </message>
     <message>
-        <source>comes nearer (up) or goes away (down)</source>
-        <translation>kommt näher (hinauf) oder geht weg (hinunter)</translation>
-    </message>
-    <message>
         <source>on the surface: brings the tool there</source>
         <translation>auf der Oberfläche: bringt das Werkzeug dorthin</translation>
     </message>
@@ -7352,10 +7313,6 @@
     <message>
         <source>brings the tool to the surface there</source>
         <translation>bringt das Werkzeug dort an die Oberfläche</translation>
-    </message>
-    <message>
-        <source>goes through the slices</source>
-        <translation>geht durch die Schichten</translation>
     </message>
     <message>
         <source>brightness (up and down), contrast (left and right)</source>
@@ -7388,6 +7345,50 @@
     <message>
         <source>Page Down</source>
         <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Escape and Space stop the force and cannot be changed.</source>
+        <translation>Esc und die Leertaste halten die Kraft an und lassen sich nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Tab selects the next control and cannot be changed.</source>
+        <translation>Tab wählt das nächste Bedienelement und lässt sich nicht ändern.</translation>
+    </message>
+    <message>
+        <source>A function that works while a key is held needs a single key.</source>
+        <translation>Eine Funktion, die wirkt, solange eine Taste gehalten wird, braucht eine einzelne Taste.</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>Diese Taste lässt sich nicht ändern.</translation>
+    </message>
+    <message>
+        <source>shows the help for the focused control</source>
+        <translation>zeigt die Hilfe zum Bedienelement mit dem Fokus</translation>
+    </message>
+    <message>
+        <source>selects the next view</source>
+        <translation>wählt die nächste Ansicht</translation>
+    </message>
+    <message>
+        <source>zooms in at the pointer</source>
+        <translation>vergrößert beim Zeiger</translation>
+    </message>
+    <message>
+        <source>zooms out at the pointer</source>
+        <translation>verkleinert beim Zeiger</translation>
+    </message>
+    <message>
+        <source>shows the place; again: its next one</source>
+        <translation>zeigt die Stelle; noch einmal: ihre nächste</translation>
+    </message>
+    <message>
+        <source>zooms in (up) or out (down)</source>
+        <translation>vergrößert (hinauf) oder verkleinert (hinunter)</translation>
+    </message>
+    <message>
+        <source>scrolls through the slices</source>
+        <translation>blättert durch die Schichten</translation>
     </message>
 </context>
 </TS>

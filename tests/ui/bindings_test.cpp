@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/bindings.h"
-#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
-#include <QFile>
 #include <QKeyEvent>
 #include <QMainWindow>
 #include <QSignalSpy>
@@ -73,20 +71,11 @@ TEST(Bindings, GiveTheToolBeforeThePictureAndTheModeBeforeNothing) {
             std::nullopt);  // a key is not the same without its modifiers
 }
 
-TEST(Bindings, AreWhatTheReadmeSays) {
-  QFile file(QString::fromStdString(places::source("ui/README.md")));
-  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  const QString section =
-      QString::fromUtf8(file.readAll()).section("## Keys and mouse", 1).section("\n## ", 0, 0);
-  QStringList told, expected;
-  for (const QString& line : section.split('\n'))
-    if (line.startsWith("| ") && !line.startsWith("| key") && !line.startsWith("| mouse"))
-      told << line;
-  for (const ui::ControlRow& row : ui::controlRows()) {
-    expected << QString("| %1 | %2 | %3 |").arg(row.triggers, row.place, row.words);
-    EXPECT_TRUE(ui::controlsText().contains(row.words));
-  }
-  EXPECT_EQ(told, expected) << "ui/README.md should say:\n" << expected.join('\n').toStdString();
+TEST(Bindings, AreAllInTheListOfControls) {
+  const QString shown = ui::controlsText();
+  for (const ui::ControlRow& row : ui::controlRows())
+    for (const QString& part : {row.triggers, row.place, row.words})
+      EXPECT_TRUE(shown.contains(part)) << part.toStdString();
 }
 
 TEST(Bindings, HoldEveryShortcutOfTheMenus) {

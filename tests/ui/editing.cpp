@@ -56,7 +56,7 @@ void Editing::open(const std::filesystem::path& scan, double isovalue) {
   // a shortcut is the active window's
   window().activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));
-  press("View", "In the way");
+  press("View", "Remove parts");
 }
 
 void Editing::openBalls() {

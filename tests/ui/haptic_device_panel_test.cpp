@@ -419,7 +419,7 @@ TEST(HapticDevicePanel, EachStateIsToldByAWordAMarkAndWhy) {
     const char* word;
     const char* sentence;
   } cases[] = {
-      {ForceState::Off, ForceReason::NoReading, false, "No force yet", "has not told"},
+      {ForceState::Off, ForceReason::NoReading, false, "No force yet", "has not reported"},
       {ForceState::Ready, ForceReason::User, true, "Force off", "Arm the device"},
       {ForceState::Armed, ForceReason::Clutched, false, "Force withheld", "clutch"},
       {ForceState::Ramping, ForceReason::Gap, false, "Force rising", "gap"},
@@ -465,7 +465,7 @@ TEST(HapticDevicePanel, EachStateIsToldByAWordAMarkAndWhy) {
   shown.panel.display(gone);
   EXPECT_TRUE(reason->text().contains("connect it again"));
   EXPECT_FALSE(arm->isEnabled());
-  EXPECT_EQ(shown.list->topLevelItem(1)->text(1), "gone");
+  EXPECT_EQ(shown.list->topLevelItem(1)->text(1), "disconnected");
   shown.panel.showConnected("inverse3:1");
   EXPECT_EQ(shown.list->topLevelItem(1)->text(1), "connected");
 }
@@ -487,7 +487,7 @@ TEST(HapticDevicePanel, WhatHasNoMotorsIsNotArmed) {
   snapshot.force_state = ForceState::Fault;
   snapshot.reason = ForceReason::Lost;
   shown.panel.display(snapshot);
-  EXPECT_TRUE(shown.find<QLabel>("forceReason")->text().contains("gone"));
+  EXPECT_TRUE(shown.find<QLabel>("forceReason")->text().contains("disconnected"));
 }
 
 TEST(HapticDevicePanel, EveryReasonAndWhatTheDeviceAsksForHaveASentence) {

@@ -465,7 +465,7 @@ TEST(ViewFiles, ClosingAsksAboutMarksThatAreInNoFile) {
   {
     Answer answer("Cancel");
     window.close();
-    EXPECT_TRUE(answer.said.contains("marks of this scan are in no file"))
+    EXPECT_TRUE(answer.said.contains("marks of this scan are not saved"))
         << answer.said.toStdString();
   }
   EXPECT_TRUE(window.isVisible());
@@ -543,7 +543,7 @@ TEST(ViewFiles, AnotherScanAsksAboutEditsAndNotAboutMarks) {
     Answer answer("Cancel");
     emit application.window().phantomWanted("demo");
     EXPECT_TRUE(waitFor([&] { return !answer.said.isEmpty(); }));
-    EXPECT_TRUE(answer.said.contains("edits of this scan are in no file"))
+    EXPECT_TRUE(answer.said.contains("edits of this scan are not saved"))
         << answer.said.toStdString();
     EXPECT_FALSE(answer.said.contains("marks"));
   }

@@ -66,7 +66,7 @@ DevicePanel::DevicePanel(QWidget* parent)
       fields_(new QComboBox),
       effect_(new QLabel) {
   hands_->setObjectName("hands");
-  hands_->setToolTip(tr("Who holds the tool: the mouse, or a simulated hand"));
+  hands_->setToolTip(tr("The hand on the tool: the mouse, or a simulated hand"));
   tools_->setObjectName("tools");
   stiffness_->setObjectName("stiffness");
   stiffness_->setRange(0, kSliderSteps);
@@ -79,7 +79,7 @@ DevicePanel::DevicePanel(QWidget* parent)
   stiffness_typed_->setSingleStep(100);
   stiffness_typed_->setSuffix(tr(" N/m"));
   friction_->setObjectName("friction");
-  friction_->setToolTip(tr("How much the surface holds a tool that slides along it"));
+  friction_->setToolTip(tr("Friction of the surface on a tool that slides along it"));
   friction_->setRange(haptics::kFrictionRange.least, haptics::kFrictionRange.most);
   friction_->setSingleStep(0.05);
   friction_->setSpecialValueText(tr("none"));

@@ -59,8 +59,8 @@ QWidget* emptyPage() {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(hintLabel(
-      EditPanel::tr("Choose what takes away what is in the way. The file never changes.")));
+  column->addWidget(
+      hintLabel(EditPanel::tr("Choose a tool to remove parts. The file never changes.")));
   column->addStretch(1);
   return page;
 }
@@ -85,7 +85,7 @@ EditPanel::EditPanel(QWidget* parent)
     connect(button, &QToolButton::clicked, this,
             [this, which](bool on) { setTool(on ? which : EditTool::None); });
   };
-  tool(EditTool::Crop, tr("Crop"), tr("Keeps what is inside a box"), "cropTool");
+  tool(EditTool::Crop, tr("Crop"), tr("Keeps the inside of a box"), "cropTool");
   tool(EditTool::Plane, tr("Plane"), tr("Cuts along a plane"), "planeTool");
   tool(EditTool::Pieces, tr("Pieces"), tr("Keeps or removes connected pieces"), "piecesTool");
   tool(EditTool::Holder, tr("Holder"), tr("Removes table and head holder"), "holderTool");
@@ -166,7 +166,7 @@ QWidget* EditPanel::cropPage() {
   auto* whole = buttonOf(tr("Whole scan"), "cropReset");
   whole->setToolTip(tr("Takes the crop away"));
   auto* apply = buttonOf(tr("Apply"), "cropApply");
-  apply->setToolTip(tr("Keeps what is inside the box"));
+  apply->setToolTip(tr("Keeps the inside of the box"));
   connect(to_view, &QPushButton::clicked, this, &EditPanel::cropToViewWanted);
   connect(whole, &QPushButton::clicked, this, &EditPanel::cropResetWanted);
   connect(apply, &QPushButton::clicked, this, &EditPanel::cropApplyWanted);
@@ -207,9 +207,10 @@ QWidget* EditPanel::planePage() {
   plane_towards_ =
       numberOf("planeTowards", tr("Direction of the cut"), -180.0, 180.0, 5.0, 1, tr("°"));
   plane_raised_ = numberOf("planeRaised", tr("Slope of the cut"), -90.0, 90.0, 5.0, 1, tr("°"));
-  plane_position_->setToolTip(tr("From the middle of the scan, towards what goes"));
-  plane_towards_->setToolTip(tr("Where what goes lies: 0° to L, 90° to P, 180° to R, −90° to A"));
-  plane_raised_->setToolTip(tr("Where what goes lies: 90° to S, −90° to I"));
+  plane_position_->setToolTip(tr("From the middle of the scan, towards the side to remove"));
+  plane_towards_->setToolTip(
+      tr("Direction of the side to remove: 0° is L, 90° is P, 180° is R, −90° is A"));
+  plane_raised_->setToolTip(tr("Slope of the side to remove: 90° is S, −90° is I"));
   for (NumberBox* number : {plane_position_, plane_towards_, plane_raised_})
     connect(number, &NumberBox::valueChanged, this, &EditPanel::emitPlaneNumbers);
   auto* flip = buttonOf(tr("Flip"), "planeFlip");
@@ -261,9 +262,8 @@ QWidget* EditPanel::piecesPage() {
   row->addWidget(show_small);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(
-      hintLabel(tr("Click on a piece, in 3-D or in a slice. A piece is what hangs "
-                   "together at the present isovalue.")));
+  column->addWidget(hintLabel(
+      tr("Click on a piece, in 3-D or in a slice. A piece is connected at the present isovalue.")));
   column->addWidget(new QLabel(tr("All pieces smaller than")));
   column->addLayout(row);
   column->addStretch(1);
@@ -273,13 +273,13 @@ QWidget* EditPanel::piecesPage() {
 QWidget* EditPanel::holderPage() {
   auto* page = new QWidget;
   auto* find = buttonOf(tr("Show table and holder"), "showHolder");
-  find->setToolTip(tr("Shows what would go, with its volume"));
+  find->setToolTip(tr("Shows the parts to remove, with their volume"));
   connect(find, &QPushButton::clicked, this, &EditPanel::holderWanted);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(
-      hintLabel(tr("Finds table and head holder by rule, and shows them before "
-                   "anything is taken away. Check that nothing of the patient goes with them.")));
+      hintLabel(tr("Finds table and head holder by rule, and shows them before they are removed. "
+                   "Check that no part of the patient is removed with them.")));
   column->addWidget(find);
   column->addStretch(1);
   return page;
@@ -294,9 +294,9 @@ QWidget* EditPanel::scalpelPage() {
          "sides. 0 cuts through everything."));
   side_ = new QComboBox;
   side_->setObjectName("scalpelSide");
-  side_->setToolTip(tr("Which side of the outline goes"));
-  side_->addItem(tr("What is inside goes"));
-  side_->addItem(tr("What is outside goes"));
+  side_->setToolTip(tr("Side of the outline to remove"));
+  side_->addItem(tr("Remove the inside"));
+  side_->addItem(tr("Remove the outside"));
   auto* form = new QFormLayout;
   form->setVerticalSpacing(4);
   form->addRow(tr("Depth"), depth_);
@@ -320,9 +320,9 @@ QFrame* EditPanel::previewBar() {
   remove_piece_ = buttonOf(tr("Remove this"), "removePiece");
   remove_piece_->setToolTip(tr("Removes the piece that is shown"));
   remove_ = buttonOf(tr("Remove"), "applyRemoval");
-  remove_->setToolTip(tr("Removes what is shown"));
+  remove_->setToolTip(tr("Removes the parts shown"));
   auto* cancel = buttonOf(tr("Cancel"), "cancelPreview");
-  cancel->setToolTip(tr("Leaves what is shown where it is"));
+  cancel->setToolTip(tr("Keeps the parts shown"));
   connect(keep_, &QPushButton::clicked, this, &EditPanel::keepPieceWanted);
   connect(remove_piece_, &QPushButton::clicked, this, &EditPanel::removePieceWanted);
   connect(remove_, &QPushButton::clicked, this, &EditPanel::removalWanted);
@@ -384,10 +384,11 @@ void EditPanel::show(const std::optional<PlaneNumbers>& plane, std::size_t click
   plane_controls_->setVisible(plane.has_value());
   plane_hint_->setVisible(!plane);
   plane_hint_->setText(
-      clicks == 0   ? tr("Click three places on the surface: what is nearer to you goes. Or three "
-                           "in one slice: two on a line, and the third on the side that goes.")
+      clicks == 0 ? tr("Click three places on the surface: everything on your side of the plane is "
+                       "removed. Or three in one slice: two on a line, and the third on the side "
+                       "to remove.")
       : clicks == 1 ? tr("One place is set: click two more.")
-                    : tr("Two places are set: click the third, in a slice on the side that goes."));
+                    : tr("Two places are set: click the third, in a slice on the side to remove."));
   if (!plane) return;
   const QSignalBlocker quiet_position(plane_position_), quiet_towards(plane_towards_),
       quiet_raised(plane_raised_);
@@ -415,7 +416,9 @@ void EditPanel::show(const EditSteps& steps) {
   undo_->setEnabled(steps.undo);
   redo_->setEnabled(steps.redo);
   reset_->setEnabled(steps.in_force > 0);
-  steps_->setText(steps.in_force > 0 ? tr("%n edit(s)", nullptr, steps.in_force) : QString());
+  steps_->setText(steps.in_force == 0   ? QString()
+                  : steps.in_force == 1 ? tr("1 edit")
+                                        : tr("%L1 edits").arg(steps.in_force));
 }
 
 void EditPanel::showWait(const QString& sentence) {

@@ -21,7 +21,7 @@ QString whatHappened(ForceReason reason) {
     case ForceReason::User:
       return {};
     case ForceReason::NoReading:
-      return Words::tr("The device has not told yet where it is.");
+      return Words::tr("The device has not reported its position yet.");
     case ForceReason::NotHomed:
       return Words::tr("The device does not know yet where it is.");
     case ForceReason::Scene:
@@ -37,11 +37,11 @@ QString whatHappened(ForceReason reason) {
     case ForceReason::TooFast:
       return Words::tr("The handle moved faster than a hand does.");
     case ForceReason::NotFinite:
-      return Words::tr("What was computed was not a number.");
+      return Words::tr("The computed force was not a number.");
     case ForceReason::Stale:
       return Words::tr("The device's readings came too late.");
     case ForceReason::Lost:
-      return Words::tr("The device is gone, or silent.");
+      return Words::tr("The device is disconnected, or does not answer.");
     case ForceReason::Jump:
       return Words::tr("The device's position jumped.");
     case ForceReason::Stalled:

@@ -77,7 +77,7 @@ QString wordsFor(Trouble trouble, bool present) {
     case Trouble::Refused:
       return HapticDevicePanel::tr("not understood");
     case Trouble::Lost:
-      return HapticDevicePanel::tr("gone");
+      return HapticDevicePanel::tr("disconnected");
   }
   return {};
 }
@@ -183,8 +183,8 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
   patience_->setSingleShot(true);
   connect(patience_, &QTimer::timeout, this, [this] {
     link_words_->setText(
-        tr("Still connecting. Firmware takes a minute; what does not answer at all is given up "
-           "with Cancel: unplug it, plug it in, and start Palpate again if that is not enough."));
+        tr("Still connecting. Firmware takes a minute. If nothing happens, press Cancel, unplug "
+           "the device, plug it in, and retry. If that does not help, restart Palpate."));
   });
   lifted_words_->hide();
   show(Mapping{});
@@ -236,7 +236,7 @@ QWidget* HapticDevicePanel::buildList() {
   firmware_->setObjectName("firmware");
   firmware_->setPlaceholderText(tr("Its maker's firmware file"));
   firmware_->setAccessibleName(tr("Firmware file"));
-  firmware_->setToolTip(tr("The file with which the maker of this device starts it"));
+  firmware_->setToolTip(tr("The maker's firmware, which starts this device"));
   auto* choose = new QToolButton;
   choose->setObjectName("chooseFirmware");
   choose->setToolTip(tr("Looks for the firmware file"));
@@ -267,7 +267,7 @@ QWidget* HapticDevicePanel::buildList() {
   row->addWidget(set_up_);
   row->addWidget(again);
   set_up_->setObjectName("setUpDevice");
-  set_up_->setToolTip(tr("Cables, permission, first use, and what can go wrong"));
+  set_up_->setToolTip(tr("Cables, permission, first use and troubleshooting"));
   connect(set_up_, &QPushButton::clicked, this, &HapticDevicePanel::showSetUp);
 
   auto* box = new QWidget;
@@ -300,8 +300,8 @@ QWidget* HapticDevicePanel::buildMapping() {
   position_scale_->setToolTip(tr("Millimetres of the tool for a millimetre of the hand"));
   lift_->setObjectName("liftStiffness");
   lift_->setToolTip(
-      tr("Up to what the device is rated for. Without it no stiffness can be set at which the "
-         "device and a light hand may shake each other."));
+      tr("Up to the device's rated stiffness. Without it, a stiffness at which the device and a "
+         "light hand may shake each other cannot be set."));
   lifted_words_->setText(
       tr("The device may shake, hard and at once: hold it firmly, and keep Escape in reach."));
   force_scale_->setToolTip(tr("Newtons at the hand for a newton in the scan"));

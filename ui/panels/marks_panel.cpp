@@ -64,7 +64,8 @@ MarksPanel::MarksPanel(QWidget* parent)
   buttons->addWidget(restore_, 1, 1);
   column->addLayout(buttons);
   column->addWidget(buildTravel());
-  auto* warning = new QLabel(tr("<b>Not for treatment.</b> ± is what the voxels allow."));
+  auto* warning =
+      new QLabel(tr("<b>Not for treatment.</b> ± is the accuracy that the voxels allow."));
   warning->setObjectName("marksWarning");
   warning->setToolTip(
       tr("Half a voxel diagonal for each place. Errors of the scanner and of the choice of the "
@@ -82,7 +83,7 @@ QWidget* MarksPanel::buildTools() {
   const QString tips[] = {
       tr("Press at the two ends, or drag from one to the other"),
       tr("Press at the end of one leg, at the corner, and at the end of the other leg"),
-      tr("Press where the value is to be read"), tr("Press where the note belongs, then type it")};
+      tr("Press at the place to read"), tr("Press where the note belongs, then type it")};
   auto* tools = new QWidget;
   auto* grid = new QGridLayout(tools);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -123,7 +124,7 @@ void MarksPanel::buildList() {
   list_->horizontalHeader()->setSectionResizeMode(MarkText, QHeaderView::Stretch);
   list_->installEventFilter(this);
   whenKeysChange(*list_, [this] {
-    list_->setToolTip(tr("%1 goes to the place, %2 renames, %3 deletes")
+    list_->setToolTip(tr("%1 shows the place, %2 renames, %3 deletes")
                           .arg(keyOf(Action::GoToMark), keyOf(Action::RenameMark),
                                keyOf(Action::DeleteMark, Where::Marks)));
   });

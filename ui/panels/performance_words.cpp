@@ -54,7 +54,7 @@ QString detailsOf(const Performance& p) {
   else
     sentences << PerformancePanel::tr(
                      "%1 of %2 were cut by the budget of %3 ms, which kept the tool %4 mm farther "
-                     "from the hand in the mean.")
+                     "from the hand on average.")
                      .arg(counted(p.cut), counted(p.ticks), milliseconds(p.budget),
                           p.lag < 1e-6 ? PerformancePanel::tr("less than 0.001")
                                        : QLocale().toString(p.lag * 1e3, 'f', 3));

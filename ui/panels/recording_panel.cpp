@@ -115,8 +115,8 @@ RecordingPanel::RecordingPanel(QWidget* parent)
   note_->setPlaceholderText(tr("Note: write no names"));
   note_->setAccessibleName(tr("Note of the mark"));
   note_->setToolTip(
-      tr("What is to be found again. Everyone who gets the recording can read it: "
-         "do not write names of patients or staff."));
+      tr("Note for this mark. Everyone with the recording can read it: do not write names of "
+         "patients or staff."));
   mark_->setObjectName("mark");
   whenKeysChange(*this, [this] {
     const QString key = keyOf(Action::SetMark);
@@ -200,7 +200,7 @@ QWidget* RecordingPanel::buildList() {
   label_->setPlaceholderText(tr("Label: stays on this computer"));
   label_->setToolTip(
       tr("Your own words for this recording. They are kept on this computer only: neither the "
-         "recording nor an export holds them."));
+         "recording nor an export contains them."));
   open_->setObjectName("openRecording");
   export_->setObjectName("exportRecording");
   export_->setToolTip(tr("Writes the chosen recording as tables or as a film"));
@@ -353,7 +353,7 @@ void RecordingPanel::showSelected() {
   const bool finished = recording == nullptr || recording->finished;
   open_->setText(finished ? tr("Open") : tr("Recover"));
   open_->setToolTip(finished ? tr("Replays the chosen recording in the scene")
-                             : tr("Brings back what is in a recording that was never finished"));
+                             : tr("Restores a recording that was never finished"));
   open_->setEnabled(recording != nullptr);
   export_->setEnabled(recording != nullptr && finished);
   delete_->setEnabled(recording != nullptr);

@@ -60,7 +60,7 @@ ReplayBar::ReplayBar(QWidget* parent)
   speeds_->setCurrentIndex(speeds_->findData(1.0));
   marks_->setObjectName("replayMarks");
   marks_->setAccessibleName(tr("Marks"));
-  marks_->setToolTip(tr("Goes to a mark that was set while this was recorded"));
+  marks_->setToolTip(tr("Shows a mark that was set during the recording"));
   marks_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   marks_->setMinimumContentsLength(12);
   time_->setObjectName("replayTime");

@@ -165,7 +165,7 @@ ReplayTimeline::ReplayTimeline(QWidget* parent) : QWidget(parent) {
   offerSpoken();
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Time in the recording"));
-  setToolTip(tr("A click or a drag goes to another time; events say what they are"));
+  setToolTip(tr("Click or drag to choose the time; point at an event for its name"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

@@ -66,7 +66,7 @@ Outcome outcomeOf(const haptics::Expected<cohort::Summary>& summary, const std::
   }
   if (interrupted()) {
     outcome.code = Exit::Interrupted;
-    outcome.error = "Stopped; what was done until then is kept, and the same command goes on.";
+    outcome.error = "Stopped; finished work is kept, and the same command continues it.";
   } else if (summary->failing > 0 || summary->differing > 0) {
     outcome.code = Exit::Failed;
     outcome.error = "In " + std::to_string(summary->failing) +

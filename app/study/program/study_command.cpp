@@ -55,7 +55,7 @@ Outcome outcomeOf(const haptics::Expected<study::Results>& results, const std::s
   }
   if (interrupted()) {
     outcome.code = Exit::Interrupted;
-    outcome.error = "Stopped; what was done until then is kept, and the same command goes on.";
+    outcome.error = "Stopped; finished work is kept, and the same command continues it.";
   }
   return outcome;
 }
