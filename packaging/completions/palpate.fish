@@ -13,4 +13,4 @@ complete -c palpate -l correct -d 'Resample slices that are tilted or unevenly s
 complete -c palpate -l screenshot -r -F -d 'Write the window as a PNG and quit'
 complete -c palpate -l after -r -F -d 'Seconds before the screenshot'
 complete -c palpate -l no-notice -d 'Do not show the notice of the first start'
-complete -c palpate -l log-level -x -a 'error warning info debug off' -d 'What goes into the log - this and what is graver'
+complete -c palpate -l log-level -x -a 'error warning info debug off' -d 'Least severity that the log keeps'
