@@ -118,7 +118,8 @@ TEST(Codestream, AgreesWithItsHeaderOrIsNotDecoded) {
       decode::Request wrong = right;
       wrong.bytes_per_pixel = bytes;
       wrong.bits_stored = 8 * bytes;
-      EXPECT_EQ(answerTo(wrong, coded).verdict, is_rle ? decode::Verdict::Segments : decode::Verdict::Depth);
+      EXPECT_EQ(answerTo(wrong, coded).verdict,
+                is_rle ? decode::Verdict::Segments : decode::Verdict::Depth);
     }
     if (is_rle) continue;  // it states nothing else
     for (auto decode::Request::*side : {&decode::Request::columns, &decode::Request::rows}) {
@@ -132,8 +133,9 @@ TEST(Codestream, AgreesWithItsHeaderOrIsNotDecoded) {
     }
     decode::Request wrong = right;
     wrong.is_signed = 1;
-    EXPECT_EQ(answerTo(wrong, coded).verdict,
-              codingOf(way) == Coding::Jpeg2000Lossless ? decode::Verdict::Sign : decode::Verdict::Decoded);
+    EXPECT_EQ(answerTo(wrong, coded).verdict, codingOf(way) == Coding::Jpeg2000Lossless
+                                                  ? decode::Verdict::Sign
+                                                  : decode::Verdict::Decoded);
   }
 }
 
@@ -170,7 +172,8 @@ TEST(Codestream, OfAnotherProcessIsNotWhatTheSyntaxNames) {
   EXPECT_EQ(answerTo(requestFor(Coding::JpegExtended), lossless).verdict, decode::Verdict::Process);
   std::string progressive = lossless;
   progressive.replace(progressive.find("\xff\xc3"), 2, "\xff\xc2");
-  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), progressive).verdict, decode::Verdict::Process);
+  EXPECT_EQ(answerTo(requestFor(Coding::JpegLossless), progressive).verdict,
+            decode::Verdict::Process);
 }
 
 TEST(Codestream, ThatIsCutAnywhereIsRefused) {
