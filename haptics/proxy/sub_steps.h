@@ -11,7 +11,7 @@ namespace haptics {
 /// The sub-steps of a tick: passes of steps 1 to 5, until the proxy has arrived or rests, or the
 /// tick's tries or its budget are used up. Each step is a function, to be called in order. It
 /// returns whether it is done; if it is not, the sub-step has ended there, or the tick is cut and
-/// the next one goes on from it. What a cut may interrupt is in Proxy::search.
+/// the next one goes on from it. Proxy::search keeps all that a cut may interrupt.
 class SubSteps {
  public:
   SubSteps(const TickInput& given, Proxy& proxy, Budget& budget) HAPTICS_RT;

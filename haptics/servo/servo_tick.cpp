@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/servo/servo_tick.h"
 
+#include "haptics/servo/rate.h"
 #include "haptics/servo/step.h"
 
 namespace haptics {
+
+static_assert(int(CatchUp::kRecent) == kServoRates.back().hz / 1000 - 1,
+              "a step in contact may take the way of a whole millisecond, at the highest rate too");
 
 ForceLimits limitsOf(const DeviceRating& rating) {
   constexpr double kRampTime = 1.0, kSlewTime = 0.02, kRiseTime = 0.002;

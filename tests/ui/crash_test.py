@@ -60,6 +60,18 @@ def work(process, seconds):
         time.sleep(0.05)
 
 
+def rest(process):
+    """Waits until the main thread sleeps: where it draws by code that the graphics made as it ran, a stack has no
+    names."""
+    end = time.monotonic() + LONG
+    asleep = 0
+    while asleep < 10:
+        fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+        asleep = asleep + 1 if fields[0] == "S" else 0
+        assert time.monotonic() < end, fields
+        time.sleep(0.02)
+
+
 def ended(process):
     process.send_signal(signal.SIGTERM)
     code = process.wait(timeout=LONG)
@@ -128,6 +140,7 @@ for how in (DUMPING if os.environ.get("PALPATE_TEST_ALL") else DUMPING[1:4]) + [
     process = started(volume, "--isovalue", 1500, "--surface", "raycast")
     opened += 1
     wait_for(process, " scan-opened ", opened)
+    rest(process)
     crash(process, how)
 assert len(list(state.glob("crash-*.raw"))) == 1, list(state.iterdir())
 
