@@ -5,87 +5,99 @@
 #include <QUrl>
 #include <utility>
 
-#include "app/window/crash_controller.h"
-#include "app/window/device_controller.h"
-#include "app/window/edit_controller.h"
-#include "app/window/export_controller.h"
-#include "app/window/hand_controller.h"
-#include "app/window/help_controller.h"
-#include "app/window/isosurface_controller.h"
-#include "app/window/log_controller.h"
-#include "app/window/marks_controller.h"
-#include "app/window/measurement_controller.h"
-#include "app/window/opening_controller.h"
-#include "app/window/pacs_controller.h"
-#include "app/window/picture_controller.h"
-#include "app/window/preferences_controller.h"
-#include "app/window/recording_controller.h"
-#include "app/window/replay_controller.h"
-#include "app/window/screenshot_controller.h"
-#include "app/window/shared_state.h"
-#include "app/window/start_controller.h"
-#include "app/window/tool_controller.h"
-#include "app/window/view_controller.h"
-#include "app/window/view_file_controller.h"
+#include "app/window/device/device_controller.h"
+#include "app/window/edits/edit_controller.h"
+#include "app/window/opening/opening_controller.h"
+#include "app/window/opening/pacs_controller.h"
+#include "app/window/opening/start_controller.h"
+#include "app/window/program/crash_controller.h"
+#include "app/window/program/help_controller.h"
+#include "app/window/program/log_controller.h"
+#include "app/window/program/preferences_controller.h"
+#include "app/window/scan/shared_state.h"
+#include "app/window/sessions/export_controller.h"
+#include "app/window/sessions/recording_controller.h"
+#include "app/window/sessions/replay_controller.h"
+#include "app/window/touch/hand_controller.h"
+#include "app/window/touch/isosurface_controller.h"
+#include "app/window/touch/measurement_controller.h"
+#include "app/window/touch/tool_controller.h"
+#include "app/window/views/marks_controller.h"
+#include "app/window/views/picture_controller.h"
+#include "app/window/views/screenshot_controller.h"
+#include "app/window/views/view_controller.h"
+#include "app/window/views/view_file_controller.h"
 #include "resources/messages/messages.h"
-#include "ui/main_window.h"
-#include "ui/volume_view.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/loading.h"
+#include "ui/window/main_window.h"
+#include "ui/window/menus.h"
+#include "ui/window/messages.h"
+#include "ui/window/touch_state.h"
+#include "ui/window/views.h"
 
 namespace app {
 
 /// The window and its controllers, and what connects them.
 class Application::Parts : public QObject {
  public:
-  Parts(Application& application_, Arguments arguments_);
+  Parts(Application& application, Arguments arguments);
   ~Parts() override;
 
   void start();
   void end();
-  /// Opens what the command line names, or shows how to begin.
-  void begin();
-  void wireOpening();
-  void wireStart();
-  void wireIsosurface();
-  void wireHands();
-  void wireRecordings();
-  void wireEdits();
-  void wireMarks();
-  void wireLeaving();
-  void wireLog();
-  void wirePreferences();
-  void noteHand(const QString& id);
-  /// Ends touch, recording and measurement.
-  void close();
 
-  Application& application;
-  Arguments arguments;
   ui::MainWindow window;
   SharedState shared;
   PreferencesController preferences;
-  Recordings recordings;
-  VolumeIdentity identity;
   OpeningController opening;
   StartController starting{window, preferences};
   ViewController view{window, shared};
   // from here on, panels stand in the window in the order of their controllers
-  IsosurfaceController isosurface{window, shared};
+  IsosurfaceController isosurface{window.views(), window.messages(), window.panels(), shared};
   HandController hand;
   ToolController tool{hand.panel(), shared};
-  PictureController picture{window, shared};
+  PictureController picture{window.views(), window.touch(), shared};
   DeviceController device;
-  MeasurementController measurement{window, shared};
-  MarksController marks{window, shared};
+  MeasurementController measurement{window.panels(), shared};
+  MarksController marks{window.views(), window.menus(), window.panels(), window.bar(), shared};
   ViewFileController view_file;
   RecordingController recording;
-  ReplayController replay;
+  ReplayController replay{window.views(), window.messages(),  window.loading(),
+                          window.touch(), window.replayBar(), shared};
   EditController edit{window, shared};
-  ExportController exporting;
+  ExportController exporting{window.views(), window.messages(), window.loading(), shared,
+                             recording.recordings()};
   ScreenshotController screenshot;
-  HelpController help{window};
-  PacsController pacs{window, arguments.fetch_program};
-  LogController log{window, shared, arguments.state};
-  CrashController crash{window, arguments.state};
-  bool view_awaited = false;  ///< a view is being opened, of which a picture may be wanted
+  HelpController help{window.menus(), window.messages()};
+  PacsController pacs;
+  LogController log;
+  CrashController crash;
+
+ private:
+  /// Opens what the command line names, or shows how to begin.
+  void begin();
+  // what happens to a scan, in this order
+  void prepareScene(bool new_volume, bool placed);
+  void showScene(bool new_volume);
+  void refuseScan(const haptics::Error& error);
+  // and to a recording
+  void openReplay();
+  void closeReplay();
+  /// Ends touch, recording and measurement.
+  void close();
+  void noteHand(const QString& id);
+
+  void wireOpening();
+  void wireTouch();
+  void wireDevice();
+  void wireSessions();
+  void wireViews();
+  void wireProgram();
+  void wireLeaving();
+
+  Application& application_;
+  Arguments arguments_;
 };
 
 Application::Application(Arguments arguments)
@@ -105,41 +117,33 @@ MarksController& Application::marks() { return parts_->marks; }
 ViewFileController& Application::viewFile() { return parts_->view_file; }
 Replay* Application::replay() { return parts_->replay.replay(); }
 
-Application::Parts::Parts(Application& application_, Arguments arguments_)
-    : application(application_),
-      arguments(std::move(arguments_)),
-      preferences(window, arguments.screenshot.empty()),
-      recordings(arguments.recordings.empty()
-                     ? std::filesystem::path(preferences.present().recordings.toStdString())
-                     : arguments.recordings),
+Application::Parts::Parts(Application& application, Arguments arguments)
+    : preferences(window, arguments.screenshot.empty()),
       opening(window, shared, preferences, arguments.free_memory, arguments.screenshot.empty()),
-      hand(window, shared, arguments.hand, preferences.firstStiffness()),
-      device(window, shared, preferences, arguments.devices),
-      view_file(window, shared, identity, marks, arguments.screenshot.empty()),
-      recording(window, shared, recordings, identity),
-      replay(window, shared, identity),
-      exporting(window, shared, recordings, identity),
-      screenshot(window, shared, arguments.screenshot, arguments.screenshot_after) {
-  window.view().setSurfaceWish(arguments.surface);
+      hand(window.views(), window.messages(), window.panels(), window.touch(), shared,
+           arguments.hand, preferences.firstStiffness()),
+      device(window.views(), window.messages(), window.panels(), window.touch(), window.startPage(),
+             shared, preferences, arguments.devices),
+      view_file(window.views(), window.messages(), window.loading(), window.menus(), shared, marks,
+                arguments.screenshot.empty()),
+      recording(window, shared,
+                arguments.recordings.empty()
+                    ? std::filesystem::path(preferences.present().recordings.toStdString())
+                    : arguments.recordings),
+      screenshot(window, shared, arguments.screenshot, arguments.screenshot_after),
+      pacs(window.messages(), window.menus(), arguments.fetch_program),
+      log(window.views(), window.messages(), window.menus(), shared, arguments.state),
+      crash(window.messages(), arguments.state),
+      application_(application),
+      arguments_(std::move(arguments)) {
+  window.views().volume().setSurfaceWish(arguments_.surface);
   wireOpening();
-  wireStart();
-  wireIsosurface();
-  wireHands();
-  wireRecordings();
-  wireEdits();
-  wireMarks();
+  wireTouch();
+  wireDevice();
+  wireSessions();
+  wireViews();
+  wireProgram();
   wireLeaving();
-  wireLog();
-  wirePreferences();
-  connect(&window, &ui::MainWindow::folderWanted, this, [this](const QString& folder) {
-    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
-      window.showMessage(
-          Application::tr("No program here shows folders. The file is in \"%1\".").arg(folder));
-  });
-  connect(&window, &ui::MainWindow::closing, this, [this] {
-    close();
-    preferences.save();
-  });
 }
 
 Application::Parts::~Parts() {
@@ -157,7 +161,7 @@ void Application::Parts::end() {
 void Application::Parts::start() {
   preferences.restoreWindow();
   // nothing moves behind a notice that was not read yet
-  const bool notice = arguments.notice && !preferences.present().notice_seen;
+  const bool notice = arguments_.notice && !preferences.present().notice_seen;
   if (!notice) begin();  // beside it the window is shown
   window.show();
   picture.start();
@@ -167,13 +171,13 @@ void Application::Parts::start() {
     begin();
   }
   recording.offerRecovery();
-  if (arguments.screenshot.empty()) crash.look();
+  if (arguments_.screenshot.empty()) crash.look();
 }
 
 void Application::Parts::begin() {
-  LoadRequest request = arguments.load;
-  arguments.load.ahead.reset();  // what is not taken does not stay in memory
-  if (!arguments.paths.isEmpty()) return opening.openTogether(arguments.paths, request);
+  LoadRequest request = arguments_.load;
+  arguments_.load.ahead.reset();  // what is not taken does not stay in memory
+  if (!arguments_.paths.isEmpty()) return opening.openTogether(arguments_.paths, request);
   if (request.path && QString::fromStdString(request.path->extension().string())
                               .compare(QLatin1String(kViewEnding), Qt::CaseInsensitive) == 0) {
     return emit opening.viewWanted(*request.path);  // a view may know its scan
@@ -184,78 +188,62 @@ void Application::Parts::begin() {
   screenshot.prepare(true);
 }
 
-void Application::Parts::wireOpening() {
-  using Opening = OpeningController;
-  connect(&tool, &ToolController::wanted, &opening, &Opening::load);
-  connect(&opening, &Opening::loading, &measurement, &MeasurementController::pause);
-  // in this order: a recording knows a scene before the session has it
-  connect(&opening, &Opening::loaded, &measurement, &MeasurementController::showScene);
-  connect(&opening, &Opening::loaded, &recording, &RecordingController::describeScene);
-  connect(&opening, &Opening::loaded, &hand, &HandController::adopt);
-  // in this order: a view that is opened finds the panel of its scan, and a hand that cannot be
-  // opened has the last word
-  connect(&opening, &Opening::shown, &isosurface, &IsosurfaceController::showScene);
-  connect(&opening, &Opening::shown, &tool, &ToolController::show);
-  connect(&opening, &Opening::shown, &recording, [this] { recording.setReady(!shared.replaying); });
-  connect(&opening, &Opening::shown, &replay, &ReplayController::showScene);
-  connect(&opening, &Opening::shown, &edit, &EditController::showScene);
-  connect(&opening, &Opening::shown, &hand, &HandController::resume);
-  connect(&opening, &Opening::shown, &device, &DeviceController::openWaiting);
-  connect(&opening, &Opening::shown, &screenshot, [this](bool new_volume) {
-    if (!view_awaited) screenshot.prepare(new_volume);
-  });
-  connect(&opening, &Opening::shown, &application, &Application::adopted);
-  connect(&opening, &Opening::failed, &tool, &ToolController::show);
-  connect(&opening, &Opening::failed, &measurement, &MeasurementController::resume);
-  connect(&opening, &Opening::failed, &screenshot, [this](const haptics::Error& error) {
-    view_awaited = false;
-    screenshot.fail(QString::fromStdString(resources::sentence(error)));
-  });
-  connect(&screenshot, &ScreenshotController::finished, &application, &Application::finished);
-  connect(
-      &pacs, &PacsController::openWanted, &opening,
-      [this](const QString& folder, const QString& name) { opening.open(folder, {.name = name}); });
+void Application::Parts::prepareScene(bool new_volume, bool placed) {
+  measurement.showScene();
+  recording.describeScene();  // a recording knows a scene before the session has it
+  hand.adopt(new_volume, placed);
 }
 
-void Application::Parts::wireStart() {
-  connect(&opening, &OpeningController::loading, &starting, &StartController::stopDrawing);
-  connect(&opening, &OpeningController::failed, &starting, &StartController::drawLastScans);
-  if (arguments.notice)
-    connect(&opening, &OpeningController::shown, &starting, &StartController::offerTour);
+void Application::Parts::showScene(bool new_volume) {
+  isosurface.showScene(new_volume);
+  tool.show();
+  recording.setReady(!shared.replaying);
+  replay.showScene();
+  edit.showScene();
+  hand.resume();  // after the panels: a hand that cannot be opened has the last word
+  device.openWaiting();
+  screenshot.prepare(new_volume);
+  emit application_.adopted();
+  if (arguments_.notice) starting.offerTour();
+  marks.showScene();
+  view_file.showScene(new_volume);  // its marks come after those of the scan before are gone
+  log.noteScene(new_volume);
 }
 
-void Application::Parts::wireIsosurface() {
-  using Isosurface = IsosurfaceController;
-  connect(&isosurface, &Isosurface::changed, &tool, &ToolController::showFieldSoon);
-  connect(&isosurface, &Isosurface::changed, &marks.measures(), &ui::Measures::surfaceChanged);
-  connect(&isosurface, &Isosurface::changed, &edit, &EditController::endPreview);
-  connect(&replay, &ReplayController::isovalueShown, &isosurface, &Isosurface::show);
-  connect(&view_file, &ViewFileController::isovalueWanted, &isosurface, &Isosurface::set);
+void Application::Parts::refuseScan(const haptics::Error& error) {
+  tool.show();
+  measurement.resume();
+  screenshot.fail(QString::fromStdString(resources::sentence(error)));
+  starting.drawLastScans();
+  // where the user has a choice, the scan may still come
+  const bool asked =
+      error.reason == kWhichSeries || error.reason == kTooLarge || error.reason == kMissingSlices;
+  if (!asked) view_file.drop();
+  log.noteRefusal(error);
 }
 
-void Application::Parts::wireHands() {
-  connect(&hand, &HandController::opened, &device, [this] {
-    device.forget(Application::tr("Another hand was chosen: the device was disconnected."));
-  });
-  connect(&hand, &HandController::changed, this, [this](const QString& id) {
-    measurement.end(
-        Application::tr("The measurement was cancelled: another hand took the device."));
-    // which of several is nobody's business: a device's own name may tell whose it is
-    noteHand(id);
-  });
-  connect(&view, &ViewController::toolPlaced, &hand, &HandController::bring);
-  connect(&hand, &HandController::lookWanted, &picture, &PictureController::look);
-  connect(&hand, &HandController::replayEndWanted, &replay, &ReplayController::close);
-  connect(&device, &DeviceController::taking, &replay, &ReplayController::close);
-  connect(&device, &DeviceController::taken, &hand, &HandController::takeDevice);
-  connect(&device, &DeviceController::forgotten, &hand, &HandController::forgetDevice);
-  connect(&device, &DeviceController::released, &hand, &HandController::reopen);
-  connect(&device, &DeviceController::stiffnessWanted, &hand, &HandController::setStiffness);
-  connect(&device, &DeviceController::forceChanged, &recording,
-          [this](const QString& transition) { recording.note("force", transition); });
-  connect(&picture, &PictureController::refreshing, &recording, &RecordingController::refresh);
-  connect(&picture, &PictureController::refreshing, &device, &DeviceController::refresh);
-  connect(&picture, &PictureController::snapshotTaken, &device, &DeviceController::showForce);
+void Application::Parts::openReplay() {
+  screenshot.prepare(true);
+  recording.recording().stop();
+  measurement.end(Application::tr("The measurement was cancelled: a recording is being replayed."));
+  // the hand lets go: what is seen is what was
+  shared.session.close();
+  device.forget(Application::tr("A recording was opened: the device was disconnected."));
+  recording.setReady(false);
+  edit.setReplaying(true);
+}
+
+void Application::Parts::closeReplay() {
+  recording.setReady(shared.shown.has_value());
+  hand.reopen();
+  edit.setReplaying(false);
+}
+
+void Application::Parts::close() {
+  measurement.end({});
+  replay.drop();
+  shared.session.close();
+  recording.recording().end();
 }
 
 void Application::Parts::noteHand(const QString& id) {
@@ -263,8 +251,60 @@ void Application::Parts::noteHand(const QString& id) {
   recording.note("hand", id.section(':', 0, 0));
 }
 
-void Application::Parts::wireRecordings() {
-  connect(&opening, &OpeningController::recordingWanted, &replay, &ReplayController::open);
+void Application::Parts::wireOpening() {
+  using Opening = OpeningController;
+  connect(&opening, &Opening::loaded, this, &Parts::prepareScene);
+  connect(&opening, &Opening::shown, this, &Parts::showScene);
+  connect(&opening, &Opening::failed, this, &Parts::refuseScan);
+  connect(&opening, &Opening::loading, &measurement, &MeasurementController::pause);
+  connect(&opening, &Opening::loading, &starting, &StartController::stopDrawing);
+  connect(&opening, &Opening::pictureReplaced, &isosurface,
+          [this] { isosurface.showScene(false); });
+  connect(&opening, &Opening::recordingWanted, &replay, &ReplayController::open);
+  connect(&opening, &Opening::viewWanted, this, [this](const std::filesystem::path& path) {
+    screenshot.awaitView();
+    view_file.open(path);
+  });
+  connect(&tool, &ToolController::wanted, &opening, &Opening::load);
+  connect(&edit, &EditController::edited, &opening, &Opening::replace);
+  connect(&edit, &EditController::pictured, &opening, &Opening::replacePicture);
+  connect(
+      &pacs, &PacsController::openWanted, &opening,
+      [this](const QString& folder, const QString& name) { opening.open(folder, {.name = name}); });
+}
+
+void Application::Parts::wireTouch() {
+  using Isosurface = IsosurfaceController;
+  connect(&isosurface, &Isosurface::changed, &tool, &ToolController::showFieldSoon);
+  connect(&isosurface, &Isosurface::changed, &marks.measures(), &ui::Measures::surfaceChanged);
+  connect(&isosurface, &Isosurface::changed, &edit, &EditController::endPreview);
+  connect(&hand, &HandController::opened, &device, [this] {
+    device.forget(Application::tr("Another hand was chosen: the device was disconnected."));
+  });
+  connect(&hand, &HandController::changed, this, [this](const QString& id) {
+    measurement.end(
+        Application::tr("The measurement was cancelled: another hand took the device."));
+    noteHand(id);
+  });
+  connect(&hand, &HandController::lookWanted, &picture, &PictureController::look);
+  connect(&hand, &HandController::replayEndWanted, &replay, &ReplayController::close);
+  connect(&view, &ViewController::toolPlaced, &hand, &HandController::bring);
+  connect(&edit, &EditController::noted, &recording,
+          [this](const QString& what) { recording.note("edit", what); });
+}
+
+void Application::Parts::wireDevice() {
+  using Device = DeviceController;
+  connect(&device, &Device::taking, &replay, &ReplayController::close);
+  connect(&device, &Device::taken, &hand, &HandController::takeDevice);
+  connect(&device, &Device::forgotten, &hand, &HandController::forgetDevice);
+  connect(&device, &Device::released, &hand, &HandController::reopen);
+  connect(&device, &Device::stiffnessWanted, &hand, &HandController::setStiffness);
+  connect(&device, &Device::forceChanged, &recording,
+          [this](const QString& transition) { recording.note("force", transition); });
+}
+
+void Application::Parts::wireSessions() {
   connect(&recording, &RecordingController::openWanted, &replay, &ReplayController::open);
   connect(&recording, &RecordingController::exportWanted, &exporting,
           &ExportController::exportRecording);
@@ -272,68 +312,58 @@ void Application::Parts::wireRecordings() {
   connect(&recording, &RecordingController::starting, &replay, &ReplayController::close);
   connect(&recording, &RecordingController::started, this,
           [this] { noteHand(QString::fromStdString(hand.name())); });
+  connect(&replay, &ReplayController::opened, this, &Parts::openReplay);
+  connect(&replay, &ReplayController::closed, this, &Parts::closeReplay);
+  connect(&replay, &ReplayController::refused, &screenshot, &ScreenshotController::fail);
+  connect(&replay, &ReplayController::isovalueShown, &isosurface, &IsosurfaceController::show);
   connect(&replay, &ReplayController::forcesCleared, &picture, &PictureController::clearForces);
   connect(&replay, &ReplayController::forcesAppended, &picture, &PictureController::appendForces);
-  connect(&replay, &ReplayController::refused, &screenshot, &ScreenshotController::fail);
-  connect(&replay, &ReplayController::opened, &screenshot, [this] { screenshot.prepare(true); });
-  connect(&replay, &ReplayController::opened, this, [this] {
-    recording.recording().stop();
-    measurement.end(
-        Application::tr("The measurement was cancelled: a recording is being replayed."));
-    // the hand lets go: what is seen is what was
-    shared.session.close();
-    device.forget(Application::tr("A recording was opened: the device was disconnected."));
-    recording.setReady(false);
-  });
-  connect(&replay, &ReplayController::closed, this, [this] {
-    recording.setReady(shared.shown.has_value());
-    hand.reopen();
-  });
 }
 
-void Application::Parts::wireEdits() {
-  connect(&edit, &EditController::edited, &opening, &OpeningController::replace);
-  connect(&edit, &EditController::pictured, &opening, &OpeningController::replacePicture);
-  connect(&opening, &OpeningController::pictureReplaced, &isosurface,
-          [this] { isosurface.showScene(false); });
-  connect(&edit, &EditController::noted, &recording,
-          [this](const QString& what) { recording.note("edit", what); });
-  connect(&picture, &PictureController::refreshing, &edit, &EditController::refresh);
-  connect(&replay, &ReplayController::opened, &edit, [this] { edit.setReplaying(true); });
-  connect(&replay, &ReplayController::closed, &edit, [this] { edit.setReplaying(false); });
-}
-
-void Application::Parts::wireMarks() {
-  // in this order: the marks of a view come after those of the scan before are gone
-  connect(&opening, &OpeningController::shown, &marks, &MarksController::showScene);
-  connect(&opening, &OpeningController::shown, &view_file, &ViewFileController::showScene);
-  connect(&opening, &OpeningController::failed, &view_file, [this](const haptics::Error& error) {
-    // where the user has a choice, the scan may still come
-    for (const char* asked : {kWhichSeries, kTooLarge, kMissingSlices})
-      if (error.reason == asked) return;
-    view_file.drop();
+void Application::Parts::wireViews() {
+  connect(&picture, &PictureController::refreshing, this, [this] {
+    recording.refresh();
+    device.refresh();
+    edit.refresh();
+    marks.refresh();
   });
-  connect(&opening, &OpeningController::viewWanted, this,
-          [this](const std::filesystem::path& path) {
-            view_awaited = true;
-            view_file.open(path);
-          });
-  connect(&picture, &PictureController::refreshing, &marks, &MarksController::refresh);
-  connect(&view_file, &ViewFileController::scanWanted, &opening,
-          [this](const std::filesystem::path& path) {
-            opening.load({.path = path}, Application::tr("Reading"));
-          });
-  connect(&view_file, &ViewFileController::refused, &screenshot, [this](const QString& sentence) {
-    view_awaited = false;
-    screenshot.fail(sentence);
+  connect(&picture, &PictureController::snapshotTaken, &device, &DeviceController::showForce);
+  using ViewFile = ViewFileController;
+  connect(&view_file, &ViewFile::scanWanted, &opening, [this](const std::filesystem::path& path) {
+    opening.load({.path = path}, Application::tr("Reading"));
   });
-  connect(&view_file, &ViewFileController::finished, &screenshot, [this](bool done) {
-    if (!std::exchange(view_awaited, false)) return;
-    done ? screenshot.prepare(true) : screenshot.fail(Application::tr("The view was not opened."));
-  });
-  connect(&view_file, &ViewFileController::editsWanted, &edit, &EditController::restore);
-  connect(&view_file, &ViewFileController::toolWanted, &tool,
+  connect(&view_file, &ViewFile::editsWanted, &edit, &EditController::restore);
+  connect(&view_file, &ViewFile::toolWanted, &tool,
           [this](const QString& name) { tool.changeTool({.name = name.toStdString()}); });
+  connect(&view_file, &ViewFile::isovalueWanted, &isosurface, &IsosurfaceController::set);
+  connect(&view_file, &ViewFile::refused, &screenshot, &ScreenshotController::fail);
+  connect(&view_file, &ViewFile::finished, &screenshot, &ScreenshotController::viewOpened);
+  connect(&screenshot, &ScreenshotController::finished, &application_, &Application::finished);
+  connect(&window.messages(), &ui::Messages::folderWanted, this, [this](const QString& folder) {
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
+      window.messages().showMessage(
+          Application::tr("No program here shows folders. The file is in \"%1\".").arg(folder));
+  });
+}
+
+void Application::Parts::wireProgram() {
+  connect(&opening, &OpeningController::loading, &log, &LogController::noteLoading);
+  connect(&hand, &HandController::changed, &log, &LogController::noteHand);
+  connect(&device, &DeviceController::taken, &log, &LogController::noteHand);
+  connect(&device, &DeviceController::forceChanged, &log, &LogController::noteForce);
+  connect(&device, &DeviceController::forgotten, &log, &LogController::noteServo);
+  connect(&recording.recording(), &SessionRecording::statusChanged, &log,
+          &LogController::noteRecording);
+  connect(&recording.recording(), &SessionRecording::finished, &log, &LogController::noteRecorded);
+  using Choices = PreferencesController;
+  connect(&preferences, &Choices::stiffnessChosen, &device, &DeviceController::setStiffness);
+  const auto chooseRate = [this] { shared.session.chooseRate(preferences.servoRate()); };
+  chooseRate();
+  connect(&preferences, &Choices::servoRateChosen, this, chooseRate);
+  connect(&preferences, &Choices::recordingsChosen, &recording,
+          [this](const QString& folder) { recording.setFolder(folder.toStdString()); });
+  // the menu has the entries of the edits by now
+  window.menus().offerPreferences();
 }
 
 void Application::Parts::wireLeaving() {
@@ -347,41 +377,11 @@ void Application::Parts::wireLeaving() {
     const Leave now = view_file.leave(Leaving::Scan, answer);
     if (now != Leave::AfterSaving) answer(now == Leave::Now);
   });
-}
-
-void Application::Parts::wireLog() {
-  connect(&opening, &OpeningController::loading, &log, &LogController::noteLoading);
-  connect(&opening, &OpeningController::shown, &log, &LogController::noteScene);
-  connect(&opening, &OpeningController::failed, &log, &LogController::noteRefusal);
-  connect(&hand, &HandController::changed, &log, &LogController::noteHand);
-  connect(&device, &DeviceController::taken, &log, &LogController::noteHand);
-  connect(&device, &DeviceController::forceChanged, &log, &LogController::noteForce);
-  connect(&device, &DeviceController::forgotten, &log, &LogController::noteServo);
-  connect(&recording.recording(), &SessionRecording::statusChanged, &log,
-          &LogController::noteRecording);
-  connect(&recording.recording(), &SessionRecording::finished, &log, &LogController::noteRecorded);
-  connect(&window, &ui::MainWindow::closing, &log, &LogController::noteServo);
-}
-
-void Application::Parts::wirePreferences() {
-  using Choices = PreferencesController;
-  connect(&preferences, &Choices::stiffnessChosen, &device, &DeviceController::setStiffness);
-  const auto chooseRate = [this] { shared.session.chooseRate(preferences.servoRate()); };
-  chooseRate();
-  connect(&preferences, &Choices::servoRateChosen, this, chooseRate);
-  connect(&preferences, &Choices::recordingsChosen, &recording, [this](const QString& folder) {
-    recordings.setFolder(folder.toStdString());
-    recording.showRecordings();
+  connect(&window, &ui::MainWindow::closing, this, [this] {
+    close();
+    preferences.save();
+    log.noteServo();
   });
-  // the menu has the entries of the edits by now
-  window.offerPreferences();
-}
-
-void Application::Parts::close() {
-  measurement.end({});
-  replay.drop();
-  shared.session.close();
-  recording.recording().end();
 }
 
 }  // namespace app

@@ -10,10 +10,10 @@
 #include <optional>
 #include <string>
 
-#include "app/window/device_catalogue.h"
-#include "app/window/load_request.h"
+#include "app/window/device/device_catalogue.h"
+#include "app/window/scan/load_request.h"
 #include "datasets/readers/files/refusal.h"
-#include "ui/surface_choice.h"
+#include "ui/props/surface_choice.h"
 
 namespace haptics {
 class Session;

@@ -10,7 +10,7 @@
 #include "app/program.h"
 #include "app/read_ahead.h"
 #include "datasets/readers/volume_header.h"
-#include "haptics/core/process_limits.h"
+#include "haptics/process/process_limits.h"
 
 namespace {
 

@@ -22,15 +22,15 @@
 #include "app/log/log.h"
 #include "app/recording/volume_hash.h"
 #include "app/signals.h"
-#include "app/window/preferences.h"
-#include "app/window/scan_ahead.h"
+#include "app/window/program/preferences.h"
+#include "app/window/scan/scan_ahead.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/files/archive.h"
 #include "haptics/servo/emergency.h"
 #include "resources/named_tools.h"
-#include "ui/language.h"
+#include "ui/controls/language.h"
+#include "ui/props/viewport.h"
 #include "ui/style/style.h"
-#include "ui/viewport.h"
 
 namespace {
 

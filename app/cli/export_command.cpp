@@ -56,7 +56,7 @@ Outcome run(ExportCommand command) {
   if (format.files.empty()) targets.push_back({"--out", command.out});
   for (const char* ending : format.files) targets.push_back({"--out", command.out + ending});
   if (const auto wrong = overwritten(targets, {}, {command.file})) return usage(*wrong);
-  auto recording = haptics::Recording::open(command.file);
+  auto recording = Recording::open(command.file);
   if (!recording) return refused(recording.error());
   command.options.goes_on = [](double) { return !interrupted(); };
   const auto exported = format.write(*recording, command.out, command.options);

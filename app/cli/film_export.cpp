@@ -12,8 +12,8 @@
 #include "app/cli/terminal.h"
 #include "app/film/face.h"
 #include "app/film/film.h"
-#include "haptics/recording/recording.h"
-#include "haptics/recording/replay.h"
+#include "app/recording/recording.h"
+#include "app/recording/replay.h"
 
 namespace app::cli {
 namespace {
@@ -58,14 +58,13 @@ Outcome exportFilm(const FilmChoice& choice) {
     targets.push_back({"--out", file.string()});
   if (const auto wrong = overwritten(targets, choice.volume, {choice.recording}))
     return usage(*wrong);
-  auto recording = haptics::Recording::open(choice.recording);
+  auto recording = Recording::open(choice.recording);
   if (!recording) return refused(recording.error());
   std::shared_ptr<const haptics::Volume> volume;
-  std::optional<haptics::VolumeHash> hash;
+  std::optional<VolumeHash> hash;
   std::map<std::uint32_t, std::shared_ptr<const haptics::Volume>> touched;  // of each scene
-  const auto wasTouched = [&](const haptics::RecordedScene& scene) {
-    return haptics::liesLike(scene.volume, *volume) &&
-           haptics::compared(scene.hash, hash) != haptics::SameVolume::Another;
+  const auto wasTouched = [&](const RecordedScene& scene) {
+    return liesLike(scene.volume, *volume) && compared(scene.hash, hash) != SameVolume::Another;
   };
   bool face = false;
   if (!choice.volume.path.empty() || !choice.volume.phantom.empty()) {
@@ -73,9 +72,9 @@ Outcome exportFilm(const FilmChoice& choice) {
     if (!loaded) return refused(loaded.error());
     volume = *loaded;
     hash = hashHere(*volume);
-    for (const haptics::RecordedScene& scene : recording->scenes()) {
+    for (const RecordedScene& scene : recording->scenes()) {
       if (!wasTouched(scene)) continue;
-      auto edited = haptics::editedAsRecorded(volume, scene);
+      auto edited = editedAsRecorded(volume, scene);
       if (!edited) return refused(edited.error());
       touched[scene.id] = std::move(*edited);
     }

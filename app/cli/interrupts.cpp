@@ -8,7 +8,7 @@
 #include <csignal>
 
 #include "app/cli/outcome.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 
 namespace app::cli {
 namespace {

@@ -14,8 +14,8 @@
 #include "app/build_info/build_info.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/terminal.h"
-#include "haptics/core/helper_program.h"
-#include "haptics/core/process_limits.h"
+#include "haptics/process/helper_program.h"
+#include "haptics/process/process_limits.h"
 #include "haptics/servo/emergency.h"
 #ifdef PALPATE_READERS
 #include "app/recording/volume_hash.h"

@@ -19,7 +19,7 @@ namespace app::cli {
 
 using haptics::Expected;
 
-std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume) {
+std::optional<VolumeHash> hashHere(const haptics::Volume& volume) {
 #ifdef PALPATE_READERS
   const auto key = installationKey();
   if (!key) {
@@ -42,7 +42,7 @@ Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& pat
   if (error || (fs::exists(target, error) && !fs::is_regular_file(target, error)))
     return tl::unexpected(haptics::Error{
         haptics::Error::Kind::Unsupported, {"output-no-regular-file", {path}}, "unwritable"});
-  auto recorder = haptics::Recorder::create(target, recordingFacts(), {.rate = loop.rate});
+  auto recorder = Recorder::create(target, recordingFacts(), {.rate = loop.rate});
   if (!recorder) return tl::unexpected(recorder.error());
   const auto id = static_cast<std::uint32_t>(loop.scene->id);
   (*recorder)->describe(loop.scene, std::move(tool));
@@ -78,7 +78,7 @@ void RecordedRun::write(const haptics::TraceRow& row) {
 Expected<nlohmann::ordered_json> RecordedRun::finish() {
   const auto finished = recorder_->finish();
   if (!finished) return tl::unexpected(finished.error());
-  const haptics::RecorderStatus status = recorder_->status();
+  const RecorderStatus status = recorder_->status();
   std::error_code ignored;
   const auto bytes = std::filesystem::file_size(*finished, ignored);
   return nlohmann::ordered_json{

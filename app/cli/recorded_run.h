@@ -7,13 +7,13 @@
 #include <string>
 
 #include "app/cli/outcome.h"
-#include "haptics/recording/recorder.h"
+#include "app/recording/recorder.h"
 #include "haptics/simulation/closed_loop.h"
 
 namespace app::cli {
 
 /// The keyed hash of a volume; none without a key, as in a build without Qt.
-std::optional<haptics::VolumeHash> hashHere(const haptics::Volume& volume);
+std::optional<VolumeHash> hashHere(const haptics::Volume& volume);
 
 /// Records a closed loop in the same way as a session. The loop waits if the ring is full, so no
 /// step is lost.
@@ -28,9 +28,9 @@ class RecordedRun {
   haptics::Expected<nlohmann::ordered_json> finish();
 
  private:
-  RecordedRun(std::unique_ptr<haptics::Recorder> recorder, const haptics::ClosedLoop& loop)
+  RecordedRun(std::unique_ptr<Recorder> recorder, const haptics::ClosedLoop& loop)
       : recorder_{std::move(recorder)}, loop_{loop} {}
-  std::unique_ptr<haptics::Recorder> recorder_;
+  std::unique_ptr<Recorder> recorder_;
   const haptics::ClosedLoop& loop_;
   std::int64_t ticks_ = 0;
 };

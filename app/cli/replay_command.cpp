@@ -7,7 +7,7 @@
 #include "app/cli/recorded_run.h"
 #include "app/cli/sources.h"
 #include "app/recording/facts.h"
-#include "haptics/recording/replay.h"
+#include "app/recording/replay.h"
 #include "resources/messages/messages.h"
 
 namespace app::cli {
@@ -21,19 +21,19 @@ struct ReplayOptions {
 Outcome replay(const ReplayOptions& options) {
   if (options.volume.path.empty() == options.volume.phantom.empty())
     return usage("replay needs either --volume or --phantom: a recording holds no voxels.");
-  auto recording = haptics::Recording::open(options.file);
+  auto recording = Recording::open(options.file);
   if (!recording) return refused(recording.error());
   const auto volume = loadVolume(options.volume);
   if (!volume) return refused(volume.error());
 
   const auto hash = hashHere(**volume);
   bool fits = false, known = true, same = true;
-  for (const haptics::RecordedScene& scene : recording->scenes()) {
-    if (!haptics::liesLike(scene.volume, **volume)) continue;
+  for (const RecordedScene& scene : recording->scenes()) {
+    if (!liesLike(scene.volume, **volume)) continue;
     fits = true;
-    const haptics::SameVolume compared = haptics::compared(hash, scene.hash);
-    known = known && compared == haptics::SameVolume::Same;
-    same = same && compared != haptics::SameVolume::Another;
+    const SameVolume compared = app::compared(hash, scene.hash);
+    known = known && compared == SameVolume::Same;
+    same = same && compared != SameVolume::Another;
   }
   if (!fits) {
     Outcome outcome = failed(
@@ -46,9 +46,9 @@ Outcome replay(const ReplayOptions& options) {
   std::optional<haptics::Error> failed;
   std::shared_ptr<const haptics::Scene> last;
   const auto sceneOf = [&](std::uint32_t id) -> std::shared_ptr<const haptics::Scene> {
-    const haptics::RecordedScene* then = recording->scene(id);
-    if (then == nullptr || !haptics::liesLike(then->volume, **volume)) return nullptr;
-    const auto touched = haptics::editedAsRecorded(*volume, *then);
+    const RecordedScene* then = recording->scene(id);
+    if (then == nullptr || !liesLike(then->volume, **volume)) return nullptr;
+    const auto touched = editedAsRecorded(*volume, *then);
     if (!touched) {
       failed = touched.error();
       return nullptr;
@@ -60,8 +60,7 @@ Outcome replay(const ReplayOptions& options) {
     }
     return last = *made;
   };
-  const auto difference =
-      haptics::replay(*recording, sceneOf, [](double) { return !interrupted(); });
+  const auto difference = replay(*recording, sceneOf, [](double) { return !interrupted(); });
   if (!difference) return refused(difference.error());
   if (failed && failed->reason == "other-edits") {
     Outcome outcome = app::cli::failed(resources::sentence(*failed));
@@ -70,7 +69,7 @@ Outcome replay(const ReplayOptions& options) {
   }
   if (failed) return refused(*failed);
 
-  const haptics::RecordingFacts here = recordingFacts();
+  const RecordingFacts here = recordingFacts();
   Outcome outcome;
   outcome.json["steps"] = difference->steps;
   outcome.json["skipped"] = difference->skipped;
@@ -102,9 +101,9 @@ Outcome replay(const ReplayOptions& options) {
 }
 
 Outcome recover(const std::string& file) {
-  const auto recovered = haptics::recover(file);
+  const auto recovered = app::recover(file);
   if (!recovered) return refused(recovered.error());
-  auto recording = haptics::Recording::open(*recovered);
+  auto recording = Recording::open(*recovered);
   if (!recording) return refused(recording.error());
   Outcome outcome;
   outcome.json["file"] = recovered->string();

@@ -14,8 +14,8 @@
 #include "app/cli/interrupts.h"
 #include "app/cli/options.h"
 #include "datasets/phantoms/phantoms.h"
-#include "haptics/core/input_file.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/input_file.h"
+#include "haptics/process/output_file.h"
 #include "resources/named_tools.h"
 #ifdef PALPATE_READERS
 #include "datasets/readers/meshes/tool_mesh.h"

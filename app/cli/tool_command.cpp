@@ -8,7 +8,7 @@
 #include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 #include "resources/messages/messages.h"
 #include "resources/named_tools.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "haptics/core/error.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 #include "haptics/simulation/closed_loop.h"
 
 namespace app::cli {

@@ -27,7 +27,7 @@
 #include "app/build_info/build_identity.h"
 #include "app/crash/raw_file.h"
 #include "app/log/log.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 
 namespace app::crash {
 namespace {

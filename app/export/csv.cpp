@@ -11,14 +11,11 @@
 #include "app/export/facts.h"
 #include "app/export/selection.h"
 #include "app/export/text.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 
 namespace app::exporting {
 
 using haptics::OutputFile;
-using haptics::PoseNumbers;
-using haptics::RecordedEvent;
-using haptics::RecordedStep;
 using haptics::Step;
 using haptics::Vec3;
 using nlohmann::ordered_json;
@@ -104,9 +101,9 @@ Channel single(const char* name, const std::string& unit, std::string descriptio
 
 /// What the numbers in the channel of scenes stand for: in words without quotes, which readers of
 /// tables take in different ways.
-std::string scenesOf(const haptics::Recording& recording) {
+std::string scenesOf(const Recording& recording) {
   std::string words = "Number of the scene; 0: none";
-  for (const haptics::RecordedScene& scene : recording.scenes()) {
+  for (const RecordedScene& scene : recording.scenes()) {
     words += "; " + std::to_string(scene.id) + ":";
     const ordered_json facts = factsOf(scene);
     for (const auto& [name, value] : facts.items())
@@ -118,7 +115,7 @@ std::string scenesOf(const haptics::Recording& recording) {
   return words;
 }
 
-std::vector<Channel> motionChannels(const haptics::Recording& recording) {
+std::vector<Channel> motionChannels(const Recording& recording) {
   std::vector<Channel> all;
   const auto add = [&](std::vector<Channel> channels) {
     std::move(channels.begin(), channels.end(), std::back_inserter(all));
@@ -134,13 +131,13 @@ std::vector<Channel> motionChannels(const haptics::Recording& recording) {
                      [](const Step& step) -> const Vec3& { return step.sent_W.force; }));
   add(vectorChannels("torque", "N.m", "Torque sent to the hand, about the device's origin",
                      [](const Step& step) -> const Vec3& { return step.sent_W.torque; }));
-  for (const haptics::StepColumn& column : haptics::stepColumns())
+  for (const StepColumn& column : stepColumns())
     if (column.path != nullptr)
       all.push_back(single(
           column.name, column.unit,
           column.name == std::string_view{"scene"} ? scenesOf(recording) : sentence(column.meaning),
           [&column](std::string& line, const RecordedStep& row) {
-            haptics::withValue(column, row, [&](auto value) {
+            withValue(column, row, [&](auto value) {
               if constexpr (std::is_floating_point_v<decltype(value)>)
                 append(line, value);
               else
@@ -164,9 +161,9 @@ std::string channelsTable(const std::vector<Channel>& channels) {
   return table;
 }
 
-ordered_json framesOf(const haptics::Recording& recording) {
+ordered_json framesOf(const Recording& recording) {
   bool known = true;
-  for (const haptics::RecordedScene& scene : recording.scenes())
+  for (const RecordedScene& scene : recording.scenes())
     known = known && scene.volume.orientation_known;
   ordered_json frame;
   if (known) frame["SpatialAxes"] = "LPS";
@@ -185,20 +182,20 @@ struct Rows {
 // BIDS knows every key of _motion.json and has a place for what it does not: in words.
 
 /// What made the recording.
-std::string softwareOf(const haptics::Recording& recording) {
+std::string softwareOf(const Recording& recording) {
   return "Palpate " + plain(recording.version()) + ", build " + plain(recording.build()) +
          ", vectors " + plain(recording.vectors()) + ", on " + plain(recording.machine());
 }
 
 /// Hz, nominal: the highest at which the servo loop ran.
-double servoRateOf(const haptics::Recording& recording) {
+double servoRateOf(const Recording& recording) {
   double highest = haptics::ServoRate{}.hz;
   for (const haptics::ProxyStart& start : recording.starts())
     highest = std::max(highest, double(start.rate.hz));
   return highest;
 }
 
-ordered_json motionFacts(const haptics::Recording& recording, const std::vector<Channel>& channels,
+ordered_json motionFacts(const Recording& recording, const std::vector<Channel>& channels,
                          const Rows& rows, double rate) {
   const double most = servoRateOf(recording);
   ordered_json facts;
@@ -271,8 +268,7 @@ void appendContacts(std::string& lines, const Step& step, std::int64_t sample) {
 
 }  // namespace
 
-haptics::Expected<Exported> exportCsv(haptics::Recording& recording,
-                                      const std::filesystem::path& prefix,
+haptics::Expected<Exported> exportCsv(Recording& recording, const std::filesystem::path& prefix,
                                       const ExportOptions& options) {
   if (!prefix.has_filename())
     return tl::unexpected(haptics::Error{haptics::Error::Kind::Unsupported,

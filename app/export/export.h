@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "app/recording/recording.h"
 #include "haptics/core/error.h"
-#include "haptics/recording/recording.h"
 
 namespace app::exporting {
 
@@ -43,8 +43,7 @@ struct Exported {
 // Reasons of refusals, apart from those of reading the recording: "unwritable"; "empty" (no step
 // between `from` and `to`); "cancelled".
 
-using Export = haptics::Expected<Exported>(haptics::Recording& recording,
-                                           const std::filesystem::path& out,
+using Export = haptics::Expected<Exported>(Recording& recording, const std::filesystem::path& out,
                                            const ExportOptions& options);
 
 /// Tab-separated values in the shape of Motion-BIDS. `out` is the beginning of the files' names:

@@ -11,7 +11,7 @@ namespace {
 
 ordered_json listOf(const haptics::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-std::string hexOf(const haptics::VolumeHash& hash) {
+std::string hexOf(const VolumeHash& hash) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string hex;
   for (const std::uint8_t byte : hash) {
@@ -23,7 +23,7 @@ std::string hexOf(const haptics::VolumeHash& hash) {
 
 }  // namespace
 
-ordered_json factsOf(const haptics::Recording& recording) {
+ordered_json factsOf(const Recording& recording) {
   return {{"palpate", plain(recording.version())},
           {"build", plain(recording.build())},
           {"machine", plain(recording.machine())},
@@ -33,7 +33,7 @@ ordered_json factsOf(const haptics::Recording& recording) {
           {"lost_steps", recording.lostCount()}};
 }
 
-ordered_json factsOf(const haptics::RecordedScene& scene) {
+ordered_json factsOf(const RecordedScene& scene) {
   const haptics::Volume& volume = scene.volume;
   const haptics::Mat3& direction = volume.grid.direction;
   ordered_json facts = {

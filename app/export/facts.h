@@ -3,14 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "haptics/recording/recording.h"
+#include "app/recording/recording.h"
 
 namespace app::exporting {
 
 /// Metadata of a recording: texts and numbers.
-nlohmann::ordered_json factsOf(const haptics::Recording& recording);
+nlohmann::ordered_json factsOf(const Recording& recording);
 /// Metadata of a scene: texts, booleans, numbers, and lists of numbers, also as the rows of a
 /// matrix.
-nlohmann::ordered_json factsOf(const haptics::RecordedScene& scene);
+nlohmann::ordered_json factsOf(const RecordedScene& scene);
 
 }  // namespace app::exporting

@@ -11,14 +11,11 @@
 #include "app/export/facts.h"
 #include "app/export/selection.h"
 #include "app/export/text.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 
 namespace app::exporting {
 
 using haptics::Output;
-using haptics::RecordedEvent;
-using haptics::RecordedScene;
-using haptics::RecordedStep;
 using haptics::Step;
 using haptics::Vec3;
 
@@ -158,28 +155,28 @@ class ColumnTable {
   virtual bool flush() = 0;
   virtual bool sound() const = 0;
 
-  static std::unique_ptr<ColumnTable> of(const haptics::StepColumn& column, hid_t file);
+  static std::unique_ptr<ColumnTable> of(const StepColumn& column, hid_t file);
 };
 
 template <class T>
 class TypedColumnTable final : public ColumnTable {
  public:
-  TypedColumnTable(const haptics::StepColumn& column, hid_t file)
+  TypedColumnTable(const StepColumn& column, hid_t file)
       : column_{column}, table_{file, column.path, 0, column.unit, column.meaning} {}
   void add(const RecordedStep& row) override {
-    haptics::withValue(column_, row, [&](auto value) { table_.add(static_cast<T>(value)); });
+    withValue(column_, row, [&](auto value) { table_.add(static_cast<T>(value)); });
   }
   bool flush() override { return table_.flush(); }
   bool sound() const override { return table_.sound(); }
 
  private:
-  const haptics::StepColumn& column_;
+  const StepColumn& column_;
   Table<T> table_;
 };
 
-std::unique_ptr<ColumnTable> ColumnTable::of(const haptics::StepColumn& column, hid_t file) {
+std::unique_ptr<ColumnTable> ColumnTable::of(const StepColumn& column, hid_t file) {
   // the type is that of any step's value
-  return haptics::withValue(column, {}, [&](auto value) -> std::unique_ptr<ColumnTable> {
+  return withValue(column, {}, [&](auto value) -> std::unique_ptr<ColumnTable> {
     return std::make_unique<TypedColumnTable<decltype(value)>>(column, file);
   });
 }
@@ -195,7 +192,7 @@ struct StepTables {
         proxy_orientation{file, "proxy/orientation", 4, "1", "unit quaternion w, x, y, z"},
         force{file, "force", 3, "N", "force sent to the hand"},
         torque{file, "torque", 3, "N.m", "torque sent to the hand, about the device's origin"} {
-    for (const haptics::StepColumn& column : haptics::stepColumns())
+    for (const StepColumn& column : stepColumns())
       if (column.path != nullptr) columns.push_back(ColumnTable::of(column, file));
   }
 
@@ -313,7 +310,7 @@ void attachAll(hid_t object, const nlohmann::ordered_json& facts) {
   }
 }
 
-void writeFacts(hid_t file, const haptics::Recording& recording) {
+void writeFacts(hid_t file, const Recording& recording) {
   attachAll(file, factsOf(recording));
   const Handle scenes{H5Gcreate2(file, "scenes", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose};
   for (const RecordedScene& scene : recording.scenes()) {
@@ -326,8 +323,7 @@ void writeFacts(hid_t file, const haptics::Recording& recording) {
 
 }  // namespace
 
-haptics::Expected<Exported> exportHdf5(haptics::Recording& recording,
-                                       const std::filesystem::path& out,
+haptics::Expected<Exported> exportHdf5(Recording& recording, const std::filesystem::path& out,
                                        const ExportOptions& options) {
   // a file that could not be written stays open in the library, which crashes at exit over it
   H5dont_atexit();

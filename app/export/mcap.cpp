@@ -15,16 +15,12 @@
 #include "app/export/facts.h"
 #include "app/export/selection.h"
 #include "app/export/text.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 
 namespace app::exporting {
 
 using haptics::OutputFile;
-using haptics::PoseNumbers;
-using haptics::RecordedEvent;
-using haptics::RecordedStep;
 using haptics::Step;
-using haptics::StepColumn;
 using haptics::Vec3;
 
 namespace {
@@ -91,7 +87,7 @@ std::string keyOf(const StepColumn& column) {
 /// The columns of /settings, which change seldom, or of /tick.
 std::vector<const StepColumn*> columnsOf(TopicNumber topic) {
   std::vector<const StepColumn*> columns;
-  for (const StepColumn& column : haptics::stepColumns())
+  for (const StepColumn& column : stepColumns())
     if (column.path != nullptr && column.steady == (topic == Settings)) columns.push_back(&column);
   return columns;
 }
@@ -102,7 +98,7 @@ std::string propertiesOf(TopicNumber topic) {
     const std::string_view unit = column->unit;
     const bool named = !unit.empty() && unit != "1";
     const nlohmann::ordered_json property{
-        {"type", column->type == haptics::ColumnType::Float64 ? "number" : "integer"},
+        {"type", column->type == ColumnType::Float64 ? "number" : "integer"},
         {"description", column->meaning + (named ? " [" + std::string{unit} + "]" : "")}};
     properties += (properties.empty() ? "\"" : ",\"") + keyOf(*column) + "\":" + property.dump();
   }
@@ -380,7 +376,7 @@ void writeColumns(Json& json, const std::vector<const StepColumn*>& columns,
                   const RecordedStep& row, const char* separator) {
   for (const StepColumn* column : columns) {
     json.raw(separator).raw("\"").raw(keyOf(*column)).raw("\":");
-    haptics::withValue(*column, row, [&](auto value) {
+    withValue(*column, row, [&](auto value) {
       if constexpr (std::is_floating_point_v<decltype(value)>)
         json.number(value);
       else
@@ -410,8 +406,7 @@ void writeEvent(Json& json, const RecordedEvent& event) {
 
 }  // namespace
 
-haptics::Expected<Exported> exportMcap(haptics::Recording& recording,
-                                       const std::filesystem::path& out,
+haptics::Expected<Exported> exportMcap(Recording& recording, const std::filesystem::path& out,
                                        const ExportOptions& options) {
   auto file = OutputFile::open(out);
   if (!file) return tl::unexpected(file.error());
@@ -419,7 +414,7 @@ haptics::Expected<Exported> exportMcap(haptics::Recording& recording,
   exported.files = {out.string()};
   Writer writer{*file};
   writer.metadata("recording", factsOf(recording));
-  for (const haptics::RecordedScene& scene : recording.scenes())
+  for (const RecordedScene& scene : recording.scenes())
     writer.metadata("scene " + std::to_string(scene.id), factsOf(scene));
 
   Json json;

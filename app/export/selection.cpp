@@ -11,8 +11,6 @@ namespace app::exporting {
 
 using haptics::Error;
 using haptics::Message;
-using haptics::RecordedEvent;
-using haptics::RecordedStep;
 
 namespace {
 
@@ -37,7 +35,7 @@ std::int64_t dueAt(std::int64_t time_ns, double rate) {
   return std::llround(n * 1e9 / rate);
 }
 
-tl::unexpected<Error> nothingChosen(const haptics::Recording& recording) {
+tl::unexpected<Error> nothingChosen(const Recording& recording) {
   return tl::unexpected(
       Error{Error::Kind::NotFound,
             {"recording-not-then", {numberOf(recording.begin()), numberOf(recording.end())}},
@@ -46,7 +44,7 @@ tl::unexpected<Error> nothingChosen(const haptics::Recording& recording) {
 
 }  // namespace
 
-haptics::Expected<void> forEachChosen(haptics::Recording& recording, const ExportOptions& options,
+haptics::Expected<void> forEachChosen(Recording& recording, const ExportOptions& options,
                                       const std::function<bool(const RecordedStep&)>& each) {
   const Window window = windowOf(options);
   const double begin = std::max(options.from, recording.begin());
@@ -91,7 +89,7 @@ haptics::Expected<void> forEachChosen(haptics::Recording& recording, const Expor
   return {};
 }
 
-std::span<const RecordedEvent> eventsChosen(const haptics::Recording& recording,
+std::span<const RecordedEvent> eventsChosen(const Recording& recording,
                                             const ExportOptions& options) {
   const Window window = windowOf(options);
   const auto& events = recording.events();

@@ -11,12 +11,11 @@ namespace app::exporting {
 
 /// Calls `each` with every step that the options choose, in order, until it returns false. Refuses
 /// a recording without such a step, and one whose time goes backwards.
-haptics::Expected<void> forEachChosen(
-    haptics::Recording& recording, const ExportOptions& options,
-    const std::function<bool(const haptics::RecordedStep&)>& each);
+haptics::Expected<void> forEachChosen(Recording& recording, const ExportOptions& options,
+                                      const std::function<bool(const RecordedStep&)>& each);
 
 /// The events between `from` and `to`, in order of time.
-std::span<const haptics::RecordedEvent> eventsChosen(const haptics::Recording& recording,
-                                                     const ExportOptions& options);
+std::span<const RecordedEvent> eventsChosen(const Recording& recording,
+                                            const ExportOptions& options);
 
 }  // namespace app::exporting

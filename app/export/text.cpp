@@ -6,8 +6,8 @@
 
 namespace app::exporting {
 
-const haptics::StepColumn& columnNamed(std::string_view name) {
-  return *std::ranges::find_if(haptics::stepColumns(),
+const StepColumn& columnNamed(std::string_view name) {
+  return *std::ranges::find_if(stepColumns(),
                                [&](const auto& column) { return column.name == name; });
 }
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <string_view>
 
-#include "haptics/recording/columns.h"
+#include "app/recording/columns.h"
 
 namespace app::exporting {
 
 /// The column with this name, which must exist.
-const haptics::StepColumn& columnNamed(std::string_view name);
+const StepColumn& columnNamed(std::string_view name);
 
 /// Appends the shortest digits that round-trip to the same number.
 template <class Number>

@@ -16,7 +16,7 @@
 #include "app/fetch/input.h"
 #include "app/fetch/job.h"
 #include "app/fetch/supervisor.h"
-#include "haptics/core/input_file.h"
+#include "haptics/process/input_file.h"
 #include "resources/messages/messages.h"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "haptics/core/input_file.h"
+#include "haptics/process/input_file.h"
 
 namespace app::fetch {
 

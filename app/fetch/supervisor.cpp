@@ -18,7 +18,7 @@
 #include <new>
 #include <utility>
 
-#include "haptics/core/process_limits.h"
+#include "haptics/process/process_limits.h"
 
 namespace app::fetch {
 namespace {

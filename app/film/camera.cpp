@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "haptics/core/input_file.h"
+#include "haptics/process/input_file.h"
 
 namespace app {
 namespace {
@@ -52,8 +52,8 @@ std::optional<FilmCamera> cameraFrom(const std::string& text) {
   return {};
 }
 
-CameraPath::CameraPath(const haptics::Recording& recording) {
-  for (const haptics::RecordedEvent& event : recording.events()) {
+CameraPath::CameraPath(const Recording& recording) {
+  for (const RecordedEvent& event : recording.events()) {
     if (event.kind != "camera") continue;
     if (const auto camera = cameraFrom(event.text)) stations_.push_back({event.time_ns, *camera});
   }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/recording/recording.h"
 #include "haptics/core/geometry.h"
-#include "haptics/recording/recording.h"
 
 namespace app {
 
@@ -28,7 +28,7 @@ std::optional<FilmCamera> cameraFrom(const std::string& text);
 /// The cameras of a recording. Each is valid from its event until the next.
 class CameraPath {
  public:
-  explicit CameraPath(const haptics::Recording& recording);
+  explicit CameraPath(const Recording& recording);
   bool empty() const { return stations_.empty(); }
   /// Times before the first event use the first camera. The path must not be empty.
   const FilmCamera& at(std::int64_t time_ns) const;

@@ -24,9 +24,9 @@ bool mayShowAFace(const haptics::Volume& volume, double isovalue) {
   return volume.unit != "HU" || !(isovalue >= kAboveSkin_HU);
 }
 
-double leastIsovalue(const haptics::Recording& recording) {
+double leastIsovalue(const Recording& recording) {
   double least = std::numeric_limits<double>::infinity();
-  for (const haptics::RecordedEvent& event : recording.events())
+  for (const RecordedEvent& event : recording.events())
     if (event.kind == "isovalue" && event.value) least = std::min(least, *event.value);
   return least;
 }

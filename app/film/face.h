@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "app/recording/recording.h"
 #include "haptics/core/volume.h"
-#include "haptics/recording/recording.h"
 
 namespace app {
 
@@ -14,6 +14,6 @@ namespace app {
 bool mayShowAFace(const haptics::Volume& volume, double isovalue);
 
 /// The least isovalue of a recording, for mayShowAFace; infinity if it has none.
-double leastIsovalue(const haptics::Recording& recording);
+double leastIsovalue(const Recording& recording);
 
 }  // namespace app

@@ -14,7 +14,7 @@
 #include "app/film/ffmpeg_file.h"
 #include "app/film/stage.h"
 #include "app/film/theora_file.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 #include "ui/props/picture.h"
 
 namespace app {
@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using haptics::Error;
 using haptics::Expected;
-using haptics::RecordedStep;
 using haptics::Vec3;
 
 constexpr std::int64_t kMostFrames = 1'000'000;
@@ -43,7 +42,7 @@ tl::unexpected<Error> unwritable(const fs::path& file) {
 /// Which step each frame shows.
 class Timing {
  public:
-  static Expected<Timing> of(const haptics::Recording& recording, const FilmOptions& options) {
+  static Expected<Timing> of(const Recording& recording, const FilmOptions& options) {
     const double from = std::max(options.from, recording.begin());
     const double to = std::min(options.to, recording.end());
     if (!(from <= to)) return refused({"film-no-step", {}}, "nothing");
@@ -67,7 +66,7 @@ class Timing {
 /// Finds steps by their time, and keeps the block it was last in.
 class StepFinder {
  public:
-  explicit StepFinder(haptics::Recording& recording) : recording_{recording} {}
+  explicit StepFinder(Recording& recording) : recording_{recording} {}
   /// The last at or before a time, or the first; valid until the next is asked for.
   Expected<const RecordedStep*> at(std::int64_t time_ns) {
     const std::size_t block = recording_.blockAt(double(time_ns) * 1e-9);
@@ -84,7 +83,7 @@ class StepFinder {
   }
 
  private:
-  haptics::Recording& recording_;
+  Recording& recording_;
   std::optional<std::size_t> block_;
   std::vector<RecordedStep> steps_;
 };
@@ -123,7 +122,7 @@ std::string rowOf(std::int64_t frame, const haptics::Step& step, double seconds)
 /// Draws the frames of a recording, one after another.
 class Drawing {
  public:
-  Drawing(haptics::Recording& recording, const VolumeOfScene& volume, const FilmOptions& options,
+  Drawing(Recording& recording, const VolumeOfScene& volume, const FilmOptions& options,
           const Timing& timing, FilmStage& stage)
       : recording_{recording},
         volume_{volume},
@@ -173,7 +172,7 @@ class Drawing {
     const Vec3 centre = surface ? box.center() : Vec3::Zero().eval();
     // a device that flew away is not looked for
     const double reach = surface ? 1.5 * box.diagonal().norm() : 1e4;
-    const haptics::RecordedScene* scene = recording_.scene(first.step.scene);
+    const RecordedScene* scene = recording_.scene(first.step.scene);
     const double radius_mm = scene == nullptr ? 1.0 : scene->tool.shell.radius * ui::kMmPerM + 1.0;
     Vec3 sum = Vec3::Zero();
     int poses = 0;
@@ -208,12 +207,12 @@ class Drawing {
   void enter(std::uint32_t id) {
     if (id == scene_) return;
     scene_ = id;
-    const haptics::RecordedScene* scene = recording_.scene(id);
+    const RecordedScene* scene = recording_.scene(id);
     stage_.show(scene == nullptr ? nullptr : &scene->tool);
     stage_.show(scene == nullptr || !volume_ ? nullptr : volume_(id));
   }
 
-  haptics::Recording& recording_;
+  Recording& recording_;
   const VolumeOfScene& volume_;
   const FilmOptions& options_;
   const Timing& timing_;
@@ -240,7 +239,7 @@ std::vector<fs::path> filesOfFilm(const fs::path& out) {
   return {stem + kTable, stem + kMp4, stem + kOgg};
 }
 
-Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene& volume,
+Expected<FilmResult> makeFilm(Recording& recording, const VolumeOfScene& volume,
                               const fs::path& out, const FilmOptions& options) {
   if (auto sound = check(options); !sound) return tl::unexpected(sound.error());
   const auto timing = Timing::of(recording, options);

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "app/film/camera.h"
+#include "app/recording/recording.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
-#include "haptics/recording/recording.h"
 #include "ui/props/volume_prop.h"
 
 namespace app {
@@ -61,7 +61,7 @@ using VolumeOfScene = std::function<std::shared_ptr<const haptics::Volume>(std::
 /// Any thread: it has its own graphics context, and waits for the drawing. Refusals: "options" (a
 /// number out of range), "nothing" (no step between `from` and `to`), "no-display", "no-graphics",
 /// "unwritable", "encoder", "cancelled", and those of reading the recording.
-haptics::Expected<FilmResult> makeFilm(haptics::Recording& recording, const VolumeOfScene& volume,
+haptics::Expected<FilmResult> makeFilm(Recording& recording, const VolumeOfScene& volume,
                                        const std::filesystem::path& out,
                                        const FilmOptions& options);
 

@@ -21,7 +21,7 @@
 #include "ui/props/held_pass.h"
 #include "ui/props/letters.h"
 #include "ui/props/tool_prop.h"
-#include "ui/viewport.h"
+#include "ui/props/viewport.h"
 
 namespace app {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "app/film/camera.h"
 #include "app/film/frame.h"
+#include "app/recording/recording.h"
 #include "haptics/core/error.h"
-#include "haptics/recording/recording.h"
 #include "ui/props/volume_prop.h"
 
 namespace app {

@@ -16,7 +16,7 @@
 #include <memory>
 #include <system_error>
 
-#include "haptics/core/input_file.h"
+#include "haptics/process/input_file.h"
 
 namespace app::log {
 namespace {

@@ -5,8 +5,6 @@
 
 namespace app {
 
-haptics::RecordingFacts recordingFacts() {
-  return {versionHere(), buildHere(), machineHere().dump()};
-}
+RecordingFacts recordingFacts() { return {versionHere(), buildHere(), machineHere().dump()}; }
 
 }  // namespace app

@@ -18,8 +18,8 @@
 #include <string>
 #include <system_error>
 
-#include "haptics/core/input_file.h"
-#include "haptics/edit/edited.h"
+#include "datasets/edits/edited.h"
+#include "haptics/process/input_file.h"
 
 namespace app {
 namespace {
@@ -97,10 +97,10 @@ haptics::Expected<QByteArray> installationKey() {
   return keptKey(path);
 }
 
-std::optional<haptics::VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,
-                                          const std::atomic<bool>& cancel) {
+std::optional<VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,
+                                 const std::atomic<bool>& cancel) {
   if (key.isEmpty()) return {};
-  const haptics::Volume& scan = volume.edited ? *volume.edited->scan : volume;
+  const haptics::Volume& scan = volume.derivation ? *volume.derivation->scan : volume;
   QMessageAuthenticationCode code(QCryptographicHash::Sha256, key);
   add(code, scan.grid);
   add(code, static_cast<qint32>(scan.type));
@@ -114,7 +114,7 @@ std::optional<haptics::VolumeHash> hashOf(const haptics::Volume& volume, const Q
   const QByteArray mark =
       QMessageAuthenticationCode::hash("Palpate's key", key, QCryptographicHash::Sha256);
   const QByteArray result = mark.first(kMarkBytes) + code.result();
-  haptics::VolumeHash hash{};
+  VolumeHash hash{};
   std::memcpy(hash.data(), result.constData(), hash.size());
   return hash;
 }

@@ -5,9 +5,9 @@
 #include <atomic>
 #include <optional>
 
+#include "app/recording/scene_words.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
-#include "haptics/recording/scene_words.h"
 
 namespace app {
 
@@ -24,7 +24,7 @@ haptics::Expected<QByteArray> installationKey();
 
 /// HMAC-SHA256 over geometry and voxels of the scan, whatever was taken away from it. Takes seconds
 /// for a large volume. Nullopt if `key` is empty, or once `cancel` is true.
-std::optional<haptics::VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,
-                                          const std::atomic<bool>& cancel);
+std::optional<VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,
+                                 const std::atomic<bool>& cancel);
 
 }  // namespace app

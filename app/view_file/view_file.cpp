@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "haptics/core/input_file.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/input_file.h"
+#include "haptics/process/output_file.h"
 
 namespace app {
 namespace {
@@ -70,7 +70,7 @@ struct Refused {
 json listOfNumbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 json listOfMetres(const Eigen::Vector3d& v_mm) { return listOfNumbers(v_mm / kMmPerMetre); }
 
-std::string hexOf(const haptics::VolumeHash& hash) {
+std::string hexOf(const VolumeHash& hash) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string hex;
   for (const std::uint8_t byte : hash) {
@@ -205,8 +205,8 @@ void takeScan(const Field& scan, ViewFile& view) {
 
 void takeHash(const Field& field, const json& value, ViewFile& view) {
   if (value.is_null()) return;
-  const std::string hex = field.text(2 * std::tuple_size_v<haptics::VolumeHash>);
-  haptics::VolumeHash hash{};
+  const std::string hex = field.text(2 * std::tuple_size_v<VolumeHash>);
+  VolumeHash hash{};
   if (hex.size() != 2 * hash.size()) field.refuse();
   const auto digit = [&](char c) {
     if (c >= '0' && c <= '9') return c - '0';
@@ -315,7 +315,7 @@ ViewFile viewFrom(const json& words, const std::string& file) {
   takeScan(all.at("scan"), view);
   takeHash(all.at("scan").at("hash"), words.at("scan").at("hash"), view);
   for (const Field& field : all.at("edits").list(0, kMostEdits)) {
-    auto edit = haptics::editFrom(field.text(kMostViewBytes));
+    auto edit = datasets::editFrom(field.text(kMostViewBytes));
     if (!edit) field.refuse();
     view.edits.push_back(std::move(*edit));
   }
@@ -350,7 +350,7 @@ std::string textOf(const ViewFile& view) {
                       {"shift_m", json::array({slice.shift_mm.x() / kMmPerMetre,
                                                slice.shift_mm.y() / kMmPerMetre})}});
   json edits = json::array();
-  for (const haptics::Edit& edit : view.edits) edits.push_back(textOf(edit));
+  for (const datasets::Edit& edit : view.edits) edits.push_back(textOf(edit));
   json direction = json::array();
   for (int n = 0; n < 9; ++n) direction.push_back(view.grid.direction(n / 3, n % 3));
   const ui::ViewLook& look = view.look;

@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "app/recording/scene_words.h"
+#include "datasets/edits/edit.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
-#include "haptics/edit/edit.h"
-#include "haptics/recording/scene_words.h"
 #include "ui/overlays/measure.h"
-#include "ui/view_look.h"
+#include "ui/props/view_look.h"
 
 namespace app {
 
@@ -23,10 +23,10 @@ namespace app {
 struct ViewFile {
   haptics::Grid grid = {};  ///< of the scan
   haptics::ScalarType type = haptics::ScalarType::Int16;
-  std::optional<haptics::VolumeHash> hash = {};  ///< of the scan without edits
+  std::optional<VolumeHash> hash = {};  ///< of the scan without edits
   /// Where the scan lies, relative to the file's folder, UTF-8; empty: not to be told.
   std::string place = {};
-  std::vector<haptics::Edit> edits = {};  ///< in force, oldest first
+  std::vector<datasets::Edit> edits = {};  ///< in force, oldest first
   double isovalue = 0.0;
   std::string tool = {};  ///< one of the named tools; empty: another
   std::vector<ui::Measure> marks = {};

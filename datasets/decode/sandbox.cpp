@@ -10,7 +10,7 @@
 #include <initializer_list>
 #include <memory>
 
-#include "haptics/core/process_limits.h"
+#include "haptics/process/process_limits.h"
 
 namespace datasets::decode {
 namespace {

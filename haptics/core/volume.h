@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "haptics/core/error.h"
 #include "haptics/core/geometry.h"
@@ -45,7 +46,7 @@ struct VoxelBox {
 };
 
 class VoxelMemory;  // core/voxel_memory.h
-struct Edited;      // edit/edited.h
+struct Derivation;
 
 /// A scan: one evenly spaced, right-angled, single-component stack of voxels. Immutable once
 /// made, shared by picture, slices and touch; there is one copy of the voxels.
@@ -72,11 +73,30 @@ struct Volume {
   std::optional<VoxelBox> crop = {};
   /// The memory object that `voxels` is a view of; null: they cannot be edited.
   std::shared_ptr<const VoxelMemory> memory = {};
-  /// What was taken away from the scan; null: nothing.
-  std::shared_ptr<const Edited> edited = {};
+  /// How it came about from a scan; null: it is the scan.
+  std::shared_ptr<const Derivation> derivation = {};
 
   VoxelBox bounds() const { return crop ? *crop : VoxelBox{{}, grid.dims}; }
 };
+
+/// How a volume came about from a scan. Edits alone make one: it is a datasets::Edited.
+struct Derivation {
+  std::shared_ptr<const Volume> scan;
+  /// The volume of one step before or after this one, and boxes that hold every voxel and every
+  /// face of the crop that differs from it. For what was built over that volume and is renewed only
+  /// where it changed.
+  std::weak_ptr<const Volume> neighbour;
+  std::vector<VoxelBox> changed;
+};
+
+/// How one of the volumes differs from the other; null if they are not known to be neighbours.
+inline const Derivation* derivationBetween(const std::shared_ptr<const Volume>& one,
+                                           const std::shared_ptr<const Volume>& other) {
+  if (one->derivation && one->derivation->neighbour.lock() == other) return one->derivation.get();
+  if (other->derivation && other->derivation->neighbour.lock() == one)
+    return other->derivation.get();
+  return nullptr;
+}
 
 inline constexpr std::size_t kVoxelPadding = 64;  ///< bytes
 

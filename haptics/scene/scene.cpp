@@ -5,8 +5,6 @@
 #include <chrono>
 #include <utility>
 
-#include "haptics/edit/edited.h"
-
 namespace haptics {
 namespace {
 
@@ -29,9 +27,9 @@ std::shared_ptr<const ScalarField> scanFieldOf(const Volume& scan, FieldKind kin
 /// may be null.
 MaxPyramid pyramidOf(const std::shared_ptr<const Volume>& volume, const SceneOptions& options,
                      const Scene* previous, const ScalarField* of_scan) {
-  const Edited* edit = previous != nullptr && previous->field.kind() == options.field
-                           ? editBetween(volume, previous->volume)
-                           : nullptr;
+  const Derivation* edit = previous != nullptr && previous->field.kind() == options.field
+                               ? derivationBetween(volume, previous->volume)
+                               : nullptr;
   // what a crop leaves out costs nothing to renew; what it gives back has to be looked at
   const bool narrower = edit != nullptr && isWithin(volume->bounds(), previous->volume->bounds());
   if (of_scan != nullptr && volume->voxels == of_scan->volume().voxels && !narrower)
@@ -55,7 +53,7 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
     return std::chrono::duration<double>(Clock::now() - begun).count();
   };
   std::vector<Structure> structures;
-  const Volume& scan = volume->edited ? *volume->edited->scan : *volume;
+  const Volume& scan = volume->derivation ? *volume->derivation->scan : *volume;
   std::shared_ptr<const ScalarField> scan_field = scanFieldOf(scan, options.field, previous);
   std::shared_ptr<const ScalarField> field;
   double build_time = 0.0;

@@ -73,7 +73,7 @@ PlanLines linesOf(const Plan& plan, const SceneOptions& options, const Volume& v
 
 /// Builds a scene. It takes tens to hundreds of milliseconds, so do not call it on the GUI or servo
 /// thread. The field of `previous` is reused if volume and kind are the same, and its scan_field if
-/// the volume is the scan. If the volumes are neighbours (Edited::neighbour), its bounds are
+/// the volume is the scan. If the volumes are neighbours (Derivation::neighbour), its bounds are
 /// renewed only where the edit changed the voxels; a volume that is only cropped takes those of the
 /// scan.
 Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,

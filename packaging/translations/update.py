@@ -166,8 +166,8 @@ def plant(root, scratch):
     change("has %2 components, not one", lambda m: "")
     ts.write_text(text)
     for name, before, after in (
-            ("ui/tour.cpp", 'tr("Skip")', 'tr("Skip it all")'),
-            ("ui/bindings.cpp", 'bindingWords("replay bar")', 'bindingWords("bar of the replay")')):
+            ("ui/window/tour.cpp", 'tr("Skip")', 'tr("Skip it all")'),
+            ("ui/controls/bindings.cpp", 'bindingWords("replay bar")', 'bindingWords("bar of the replay")')):
         path = scratch / name
         assert before in path.read_text(), name
         path.write_text(path.read_text().replace(before, after))

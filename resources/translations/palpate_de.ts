@@ -1720,10 +1720,6 @@
         <source>Reading</source>
         <translation>Wird gelesen</translation>
     </message>
-    <message>
-        <source>The view was not opened.</source>
-        <translation>Die Ansicht wurde nicht geöffnet.</translation>
-    </message>
 </context>
 <context>
     <name>app::CrashController</name>
@@ -2403,6 +2399,13 @@
     <message>
         <source>Reading the recording</source>
         <translation>Die Aufzeichnung wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>app::ScreenshotController</name>
+    <message>
+        <source>The view was not opened.</source>
+        <translation>Die Ansicht wurde nicht geöffnet.</translation>
     </message>
 </context>
 <context>
@@ -4224,30 +4227,21 @@
     </message>
 </context>
 <context>
+    <name>ui::Loading</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancels the loading or the computation</source>
+        <translation>Bricht das Laden oder die Berechnung ab</translation>
+    </message>
+</context>
+<context>
     <name>ui::MainWindow</name>
     <message>
         <source>Force stopped by Escape</source>
         <translation>Kraft mit Esc angehalten</translation>
-    </message>
-    <message>
-        <source>Nothing to touch yet</source>
-        <translation>Noch nichts zu tasten</translation>
-    </message>
-    <message>
-        <source>Force stopped</source>
-        <translation>Kraft angehalten</translation>
-    </message>
-    <message>
-        <source>The force may come back: hold the handle</source>
-        <translation>Die Kraft kann wiederkommen: Halten Sie den Griff</translation>
-    </message>
-    <message>
-        <source>More</source>
-        <translation>Mehr</translation>
-    </message>
-    <message>
-        <source>Show in folder</source>
-        <translation>Im Ordner zeigen</translation>
     </message>
     <message>
         <source>Force stopped by Space</source>
@@ -4278,10 +4272,6 @@
         <translation>Drücken Sie %1, und die Maus hält das Werkzeug, oder ziehen Sie das Werkzeug selbst. Es bleibt an der Oberfläche stehen, und die Karte zeigt die Kraft. Esc hält die Kraft jederzeit an.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Not a medical device</source>
         <translation>Kein Medizinprodukt</translation>
     </message>
@@ -4306,296 +4296,12 @@
         <translation>%1 — Palpate</translation>
     </message>
     <message>
-        <source>The force is off after a fault</source>
-        <translation>Die Kraft ist nach einer Störung aus</translation>
-    </message>
-    <message>
-        <source>The device is ready: no force until you arm it</source>
-        <translation>Das Gerät ist bereit: keine Kraft, bis Sie es freigeben</translation>
-    </message>
-    <message>
-        <source>The force is off</source>
-        <translation>Die Kraft ist aus</translation>
-    </message>
-    <message>
-        <source>Arm again</source>
-        <translation>Wieder freigeben</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Freigeben</translation>
-    </message>
-    <message>
-        <source>Resume</source>
-        <translation>Fortsetzen</translation>
-    </message>
-    <message>
-        <source>Please confirm</source>
-        <translation>Bitte bestätigen</translation>
-    </message>
-    <message>
-        <source>Not saved</source>
-        <translation>Nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>&amp;Save view…</source>
-        <translation>Ansicht &amp;speichern…</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Verwerfen</translation>
-    </message>
-    <message>
-        <source>Not a medical device. Not for diagnosis. Force feedback hardware can move suddenly.</source>
-        <translation>Kein Medizinprodukt. Nicht zur Diagnose. Geräte mit Kraftrückkopplung können sich plötzlich bewegen.</translation>
-    </message>
-    <message>
-        <source>Before you begin</source>
-        <translation>Bevor Sie beginnen</translation>
-    </message>
-    <message>
-        <source>Keep hands and face clear of a device until it is at rest. Escape takes the force away at any time.</source>
-        <translation>Halten Sie Hände und Gesicht von einem Gerät fern, bis es ruht. Esc nimmt die Kraft jederzeit weg.</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>&amp;Open file…</source>
-        <translation>Datei ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Opens a scan in a file</source>
-        <translation>Öffnet eine Aufnahme in einer Datei</translation>
-    </message>
-    <message>
-        <source>Open &amp;folder…</source>
-        <translation>&amp;Ordner öffnen…</translation>
-    </message>
-    <message>
-        <source>Open a folder of slices</source>
-        <translation>Einen Ordner mit Schichten öffnen</translation>
-    </message>
-    <message>
-        <source>From &amp;PACS…</source>
-        <translation>Aus &amp;PACS…</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>Open &amp;phantom</source>
-        <translation>P&amp;hantom öffnen</translation>
-    </message>
-    <message>
-        <source>Open recor&amp;ding…</source>
-        <translation>&amp;Aufzeichnung öffnen…</translation>
-    </message>
-    <message>
-        <source>Open a recording</source>
-        <translation>Eine Aufzeichnung öffnen</translation>
-    </message>
-    <message>
-        <source>Recordings (*.palpate)</source>
-        <translation>Aufzeichnungen (*.palpate)</translation>
-    </message>
-    <message>
-        <source>&amp;Export recording…</source>
-        <translation>Aufzeichnung e&amp;xportieren…</translation>
-    </message>
-    <message>
-        <source>Open &amp;view…</source>
-        <translation>A&amp;nsicht öffnen…</translation>
-    </message>
-    <message>
-        <source>Open a view</source>
-        <translation>Eine Ansicht öffnen</translation>
-    </message>
-    <message>
-        <source>Views (*.palpate-view)</source>
-        <translation>Ansichten (*.palpate-view)</translation>
-    </message>
-    <message>
-        <source>Save view &amp;as…</source>
-        <translation>Ansicht speichern &amp;unter…</translation>
-    </message>
-    <message>
-        <source>&amp;Series of this folder…</source>
-        <translation>&amp;Serien dieses Ordners…</translation>
-    </message>
-    <message>
-        <source>Save &amp;edited volume as…</source>
-        <translation>Bearbeitetes &amp;Volumen speichern unter…</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Layout</source>
-        <translation>Anordn&amp;ung</translation>
-    </message>
-    <message>
-        <source>T&amp;heme</source>
-        <translation>F&amp;arbschema</translation>
-    </message>
-    <message>
-        <source>&amp;Reset layout</source>
-        <translation>Anordnung zu&amp;rücksetzen</translation>
-    </message>
-    <message>
-        <source>Hi&amp;nts</source>
-        <translation>Hin&amp;weise</translation>
-    </message>
-    <message>
-        <source>Layout of the views</source>
-        <translation>Anordnung der Ansichten</translation>
-    </message>
-    <message>
-        <source>Drawing of the &amp;surface</source>
-        <translation>Zeichnen der &amp;Oberfläche</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Ray casting</source>
-        <translation>Raycasting</translation>
-    </message>
-    <message>
-        <source>Mesh</source>
-        <translation>Netz</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>&amp;Controls</source>
-        <translation>&amp;Bedienung</translation>
-    </message>
-    <message>
-        <source>&amp;First steps</source>
-        <translation>&amp;Erste Schritte</translation>
-    </message>
-    <message>
-        <source>&amp;About Palpate</source>
-        <translation>Ü&amp;ber Palpate</translation>
-    </message>
-    <message>
-        <source>&amp;One view</source>
-        <translation>&amp;Eine Ansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Two by two</source>
-        <translation>&amp;Zwei mal zwei</translation>
-    </message>
-    <message>
-        <source>&amp;3-D large</source>
-        <translation>&amp;3-D groß</translation>
-    </message>
-    <message>
-        <source>&amp;Slices large</source>
-        <translation>&amp;Schnittbilder groß</translation>
-    </message>
-    <message>
-        <source>&amp;First sizes</source>
-        <translation>&amp;Anfangsgrößen</translation>
-    </message>
-    <message>
-        <source>View &amp;alone, or all</source>
-        <translation>Ansicht a&amp;llein oder alle</translation>
-    </message>
-    <message>
-        <source>&amp;Next view</source>
-        <translation>&amp;Nächste Ansicht</translation>
-    </message>
-    <message>
-        <source>Pre&amp;ferences…</source>
-        <translation>&amp;Einstellungen…</translation>
-    </message>
-    <message>
-        <source>As the &amp;desktop</source>
-        <translation>Wie der &amp;Desktop</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>D&amp;unkel</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Hell</translation>
-    </message>
-    <message>
-        <source>&amp;High contrast</source>
-        <translation>Hoher &amp;Kontrast</translation>
-    </message>
-    <message>
-        <source>Save edited volume as</source>
-        <translation>Bearbeitetes Volumen speichern unter</translation>
-    </message>
-    <message>
-        <source>NRRD (*.nrrd)</source>
-        <translation>NRRD (*.nrrd)</translation>
-    </message>
-    <message>
-        <source>&amp;Remember recent places</source>
-        <translation>Letzte Orte &amp;merken</translation>
-    </message>
-    <message>
-        <source>&amp;Forget recent places</source>
-        <translation>Letzte Orte &amp;vergessen</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;&lt;b&gt;Force off&lt;/b&gt;: Escape anywhere, Space in the 3-D view, or the stop button.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptic device&lt;/b&gt; (View &gt; Haptic device): Connect, then Arm. While %1 is held in the 3-D view the tool stays and the hand moves freely; with hold-to-run, the force is on while %2 is held.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Mouse&lt;/b&gt;: it turns the picture until you take the tool (%3, or the button), and then moves the tool. The tool itself can be dragged at any time.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Measures&lt;/b&gt;: click where the places are, or drag a distance. Handles can be dragged in every view.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Slices&lt;/b&gt;: a right click, the key %4 or the button in the corner opens the choices: windows, slabs, contour, following the tool, the view down the tool.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Replay&lt;/b&gt;: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, ● force and device, × samples lost and ticks late.&lt;/p&gt;&lt;p&gt;Keys can be changed: Edit &gt; Preferences, Shortcuts.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;Kraft aus&lt;/b&gt;: Esc überall, die Leertaste in der 3-D-Ansicht oder der Stoppknopf.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptisches Gerät&lt;/b&gt; (Ansicht &gt; Haptisches Gerät): Verbinden, dann Freigeben. Solange %1 in der 3-D-Ansicht gehalten wird, bleibt das Werkzeug stehen, und die Hand bewegt sich frei; mit Zustimmtaste ist die Kraft ein, solange %2 gehalten wird.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maus&lt;/b&gt;: Sie dreht das Bild, bis Sie das Werkzeug nehmen (%3 oder der Knopf), und bewegt dann das Werkzeug. Das Werkzeug selbst lässt sich jederzeit ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maße&lt;/b&gt;: Klicken Sie auf die Stellen, oder ziehen Sie einen Abstand. Griffe lassen sich in jeder Ansicht ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Schnittbilder&lt;/b&gt;: Ein Rechtsklick, die Taste %4 oder der Knopf in der Ecke öffnet die Auswahl: Fensterung, Slabs, Kontur, dem Werkzeug folgen, der Blick entlang des Werkzeugs.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Wiedergabe&lt;/b&gt;: Auf ihrer Leiste sind ▼ Marken, ◆ Einstellungen, ■ Szene und Kamera, ● Kraft und Gerät, × verlorene Abtastwerte und verspätete Takte.&lt;/p&gt;&lt;p&gt;Tasten lassen sich ändern: Bearbeiten &gt; Einstellungen, Tastenkürzel.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Controls</source>
-        <translation>Bedienung</translation>
-    </message>
-    <message>
-        <source>About Palpate</source>
-        <translation>Über Palpate</translation>
-    </message>
-    <message>
         <source>%1 × %2 × %3 voxels · %L4 × %L5 × %L6 mm</source>
         <translation>%1 × %2 × %3 Voxel · %L4 × %L5 × %L6 mm</translation>
     </message>
     <message>
-        <source>Show &amp;log</source>
-        <translation>&amp;Protokoll anzeigen</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;&lt;b&gt;Palpate %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;See a CT scan, and feel it through a haptic device.&lt;/p&gt;&lt;p&gt;&lt;b&gt;%2&lt;/b&gt;&lt;/p&gt;&lt;p&gt;BSD-3-Clause licence. Palpate uses Qt (LGPL-3), VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, libdeflate, hidapi and libusb (LGPL-2.1), libseccomp (LGPL-2.1), elfutils (LGPL-3), SQLite and others, as Debian packages them. The help lists all of them, with their licences.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;Palpate %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Eine CT-Aufnahme sehen und mit einem haptischen Gerät ertasten.&lt;/p&gt;&lt;p&gt;&lt;b&gt;%2&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Lizenz BSD-3-Clause. Palpate verwendet Qt (LGPL-3), VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, libdeflate, hidapi und libusb (LGPL-2.1), libseccomp (LGPL-2.1), elfutils (LGPL-3), SQLite und andere, wie Debian sie verpackt. Die Hilfe führt alle auf, mit ihren Lizenzen.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Shows the cause and the remedy in the help</source>
-        <translation>Zeigt in der Hilfe die Ursache und die Abhilfe</translation>
-    </message>
-    <message>
         <source>Drag the line: the surface is where the scan has this value. Picture and touch change at once.</source>
         <translation>Ziehen Sie die Linie: Die Oberfläche liegt dort, wo die Aufnahme diesen Wert hat. Bild und Tastgefühl ändern sich sofort.</translation>
-    </message>
-    <message>
-        <source>Cancels the loading or the computation</source>
-        <translation>Bricht das Laden oder die Berechnung ab</translation>
     </message>
     <message>
         <source>The dropped item is not on this machine&apos;s disks; copy it there first.</source>
@@ -4761,6 +4467,280 @@
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Menus</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>Datei ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a scan</source>
+        <translation>Eine Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Opens a scan in a file</source>
+        <translation>Öffnet eine Aufnahme in einer Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;folder…</source>
+        <translation>&amp;Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a folder of slices</source>
+        <translation>Einen Ordner mit Schichten öffnen</translation>
+    </message>
+    <message>
+        <source>From &amp;PACS…</source>
+        <translation>Aus &amp;PACS…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open &amp;phantom</source>
+        <translation>P&amp;hantom öffnen</translation>
+    </message>
+    <message>
+        <source>Open recor&amp;ding…</source>
+        <translation>&amp;Aufzeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Eine Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.palpate)</source>
+        <translation>Aufzeichnungen (*.palpate)</translation>
+    </message>
+    <message>
+        <source>&amp;Export recording…</source>
+        <translation>Aufzeichnung e&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Open &amp;view…</source>
+        <translation>A&amp;nsicht öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a view</source>
+        <translation>Eine Ansicht öffnen</translation>
+    </message>
+    <message>
+        <source>Views (*.palpate-view)</source>
+        <translation>Ansichten (*.palpate-view)</translation>
+    </message>
+    <message>
+        <source>Save view &amp;as…</source>
+        <translation>Ansicht speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Series of this folder…</source>
+        <translation>&amp;Serien dieses Ordners…</translation>
+    </message>
+    <message>
+        <source>Save &amp;edited volume as…</source>
+        <translation>Bearbeitetes &amp;Volumen speichern unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>Anordn&amp;ung</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>F&amp;arbschema</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Anordnung zu&amp;rücksetzen</translation>
+    </message>
+    <message>
+        <source>Hi&amp;nts</source>
+        <translation>Hin&amp;weise</translation>
+    </message>
+    <message>
+        <source>Layout of the views</source>
+        <translation>Anordnung der Ansichten</translation>
+    </message>
+    <message>
+        <source>Drawing of the &amp;surface</source>
+        <translation>Zeichnen der &amp;Oberfläche</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Ray casting</source>
+        <translation>Raycasting</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Controls</source>
+        <translation>&amp;Bedienung</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>&amp;Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Show &amp;log</source>
+        <translation>&amp;Protokoll anzeigen</translation>
+    </message>
+    <message>
+        <source>&amp;About Palpate</source>
+        <translation>Ü&amp;ber Palpate</translation>
+    </message>
+    <message>
+        <source>&amp;One view</source>
+        <translation>&amp;Eine Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Two by two</source>
+        <translation>&amp;Zwei mal zwei</translation>
+    </message>
+    <message>
+        <source>&amp;3-D large</source>
+        <translation>&amp;3-D groß</translation>
+    </message>
+    <message>
+        <source>&amp;Slices large</source>
+        <translation>&amp;Schnittbilder groß</translation>
+    </message>
+    <message>
+        <source>&amp;First sizes</source>
+        <translation>&amp;Anfangsgrößen</translation>
+    </message>
+    <message>
+        <source>View &amp;alone, or all</source>
+        <translation>Ansicht a&amp;llein oder alle</translation>
+    </message>
+    <message>
+        <source>&amp;Next view</source>
+        <translation>&amp;Nächste Ansicht</translation>
+    </message>
+    <message>
+        <source>Pre&amp;ferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>D&amp;unkel</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>Hoher &amp;Kontrast</translation>
+    </message>
+    <message>
+        <source>Save edited volume as</source>
+        <translation>Bearbeitetes Volumen speichern unter</translation>
+    </message>
+    <message>
+        <source>NRRD (*.nrrd)</source>
+        <translation>NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>&amp;Remember recent places</source>
+        <translation>Letzte Orte &amp;merken</translation>
+    </message>
+    <message>
+        <source>&amp;Forget recent places</source>
+        <translation>Letzte Orte &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Force off&lt;/b&gt;: Escape anywhere, Space in the 3-D view, or the stop button.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptic device&lt;/b&gt; (View &gt; Haptic device): Connect, then Arm. While %1 is held in the 3-D view the tool stays and the hand moves freely; with hold-to-run, the force is on while %2 is held.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Mouse&lt;/b&gt;: it turns the picture until you take the tool (%3, or the button), and then moves the tool. The tool itself can be dragged at any time.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Measures&lt;/b&gt;: click where the places are, or drag a distance. Handles can be dragged in every view.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Slices&lt;/b&gt;: a right click, the key %4 or the button in the corner opens the choices: windows, slabs, contour, following the tool, the view down the tool.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Replay&lt;/b&gt;: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, ● force and device, × samples lost and ticks late.&lt;/p&gt;&lt;p&gt;Keys can be changed: Edit &gt; Preferences, Shortcuts.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Kraft aus&lt;/b&gt;: Esc überall, die Leertaste in der 3-D-Ansicht oder der Stoppknopf.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptisches Gerät&lt;/b&gt; (Ansicht &gt; Haptisches Gerät): Verbinden, dann Freigeben. Solange %1 in der 3-D-Ansicht gehalten wird, bleibt das Werkzeug stehen, und die Hand bewegt sich frei; mit Zustimmtaste ist die Kraft ein, solange %2 gehalten wird.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maus&lt;/b&gt;: Sie dreht das Bild, bis Sie das Werkzeug nehmen (%3 oder der Knopf), und bewegt dann das Werkzeug. Das Werkzeug selbst lässt sich jederzeit ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maße&lt;/b&gt;: Klicken Sie auf die Stellen, oder ziehen Sie einen Abstand. Griffe lassen sich in jeder Ansicht ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Schnittbilder&lt;/b&gt;: Ein Rechtsklick, die Taste %4 oder der Knopf in der Ecke öffnet die Auswahl: Fensterung, Slabs, Kontur, dem Werkzeug folgen, der Blick entlang des Werkzeugs.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Wiedergabe&lt;/b&gt;: Auf ihrer Leiste sind ▼ Marken, ◆ Einstellungen, ■ Szene und Kamera, ● Kraft und Gerät, × verlorene Abtastwerte und verspätete Takte.&lt;/p&gt;&lt;p&gt;Tasten lassen sich ändern: Bearbeiten &gt; Einstellungen, Tastenkürzel.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>Bedienung</translation>
+    </message>
+    <message>
+        <source>About Palpate</source>
+        <translation>Über Palpate</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Palpate %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;See a CT scan, and feel it through a haptic device.&lt;/p&gt;&lt;p&gt;&lt;b&gt;%2&lt;/b&gt;&lt;/p&gt;&lt;p&gt;BSD-3-Clause licence. Palpate uses Qt (LGPL-3), VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, libdeflate, hidapi and libusb (LGPL-2.1), libseccomp (LGPL-2.1), elfutils (LGPL-3), SQLite and others, as Debian packages them. The help lists all of them, with their licences.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Palpate %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Eine CT-Aufnahme sehen und mit einem haptischen Gerät ertasten.&lt;/p&gt;&lt;p&gt;&lt;b&gt;%2&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Lizenz BSD-3-Clause. Palpate verwendet Qt (LGPL-3), VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, libdeflate, hidapi und libusb (LGPL-2.1), libseccomp (LGPL-2.1), elfutils (LGPL-3), SQLite und andere, wie Debian sie verpackt. Die Hilfe führt alle auf, mit ihren Lizenzen.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Messages</name>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Shows the cause and the remedy in the help</source>
+        <translation>Zeigt in der Hilfe die Ursache und die Abhilfe</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Please confirm</source>
+        <translation>Bitte bestätigen</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Save view…</source>
+        <translation>Ansicht &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Not a medical device. Not for diagnosis. Force feedback hardware can move suddenly.</source>
+        <translation>Kein Medizinprodukt. Nicht zur Diagnose. Geräte mit Kraftrückkopplung können sich plötzlich bewegen.</translation>
+    </message>
+    <message>
+        <source>Before you begin</source>
+        <translation>Bevor Sie beginnen</translation>
+    </message>
+    <message>
+        <source>Keep hands and face clear of a device until it is at rest. Escape takes the force away at any time.</source>
+        <translation>Halten Sie Hände und Gesicht von einem Gerät fern, bis es ruht. Esc nimmt die Kraft jederzeit weg.</translation>
     </message>
 </context>
 <context>
@@ -6623,6 +6603,45 @@
     <message>
         <source>REC %1</source>
         <translation>REC %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TouchState</name>
+    <message>
+        <source>Force stopped</source>
+        <translation>Kraft angehalten</translation>
+    </message>
+    <message>
+        <source>The force may come back: hold the handle</source>
+        <translation>Die Kraft kann wiederkommen: Halten Sie den Griff</translation>
+    </message>
+    <message>
+        <source>Nothing to touch yet</source>
+        <translation>Noch nichts zu tasten</translation>
+    </message>
+    <message>
+        <source>The force is off after a fault</source>
+        <translation>Die Kraft ist nach einer Störung aus</translation>
+    </message>
+    <message>
+        <source>The device is ready: no force until you arm it</source>
+        <translation>Das Gerät ist bereit: keine Kraft, bis Sie es freigeben</translation>
+    </message>
+    <message>
+        <source>The force is off</source>
+        <translation>Die Kraft ist aus</translation>
+    </message>
+    <message>
+        <source>Arm again</source>
+        <translation>Wieder freigeben</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
     </message>
 </context>
 <context>

@@ -52,16 +52,16 @@ def check_pages(root):
 
 
 def check_panels(root):
-    """Each section that a controller adds has a line in ui/help_window.cpp, with a page that is there."""
-    table = (root / "ui/help_window.cpp").read_text()
+    """Each section that a controller adds has a line in ui/dialogs/help_window.cpp, with a page that is there."""
+    table = (root / "ui/dialogs/help_window.cpp").read_text()
     pages = dict(re.findall(r'\{"(\w+)", "([\w-]+)"\}', table))
     panels, wrong = set(), []
-    for source in sorted((root / "app/window").glob("*.cpp")):
-        panels |= set(re.findall(r'addPanel\([^;]*?"(\w+Section)"', source.read_text()))
+    for source in sorted((root / "app/window").rglob("*.cpp")):
+        panels |= set(re.findall(r'\bpanels(?:\(\))?\.add\([^;]*?"(\w+Section)"', source.read_text()))
     for name in sorted(panels):
         if name not in pages:
-            wrong.append(f"ui/help_window.cpp has no page for the panel '{name}'")
-    wrong += [f"ui/help_window.cpp: no page is {page}.md" for page in pages.values()
+            wrong.append(f"ui/dialogs/help_window.cpp has no page for the panel '{name}'")
+    wrong += [f"ui/dialogs/help_window.cpp: no page is {page}.md" for page in pages.values()
               if not (root / f"resources/help/{page}.md").exists()]
     return len(panels), wrong
 
@@ -114,8 +114,8 @@ def plant(scratch):
 
     write("resources/messages/readers.h", '{"cut-off", "\\"%1\\" ends; " "fetch it.", "truncated"},\n{"a-word", "word"},\n')
     write("datasets/one.cpp", 'return malformed(\n  "bad-header", {"cut-off", {name}});')
-    write("app/window/one.cpp", 'w.addPanel(p, tr("One"), tr("&One"), "oneSection", ui::Tab::Scan);')
-    write("ui/help_window.cpp", '{"oneSection", "one"},')
+    write("app/window/one.cpp", 'panels.add(p, tr("One"), tr("&One"), "oneSection", ui::Tab::Scan);')
+    write("ui/dialogs/help_window.cpp", '{"oneSection", "one"},')
     write("resources/resources.qrc", "<file>help/one.md</file><file>help/index.md</file><file>help/messages.md</file>")
     write("resources/help/index.md", "# Help\n[one](one.md) [m](messages.md)\n")
     write("resources/help/one.md", "# One\n")
@@ -124,7 +124,7 @@ def plant(scratch):
     assert check(scratch) == (2, 1, []), "something was found that is not wrong"
     write("resources/help/messages.md", good.replace(", `bad-header`", "") + "\n## Other\n\n`truncated`\n")
     write("resources/help/two.md", "Two\n")
-    write("app/window/two.cpp", 'w.addPanel(p, tr("Two"), tr("T"),\n "twoSection", ui::Tab::Scan);')
+    write("app/window/two.cpp", 'panels.add(p, tr("Two"), tr("T"),\n "twoSection", ui::Tab::Scan);')
     write("resources/help/hazards.md", "# H\n`Hazards.IsThere` `Hazards.IsNot`\n")
     write("tests/one.cpp", "TEST(Hazards, IsThere) {}\n")
     write("resources/help/dicom-conformance.md", "# D\n| 1.2.840.10008.1.2 |\n")

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fails where folders include each other in a circle, and prints the includes that close it.
+"""Fails where folders include each other in a circle, and prints the includes that close it; and
+where a folder has more sources than a reader looks over.
 
 Usage: include_circles.py ROOT
        include_circles.py --plant SCRATCH   (proves that it can fail)
 
 A node is a folder at the first level below app, datasets, haptics and ui, or a file in the root of
-one of these (header and source are one). The folders and files in datasets/readers are nodes too.
+one of these (header and source are one). The folders and files in datasets/readers and app/window
+are nodes too.
 """
 import pathlib
 import re
@@ -17,7 +19,8 @@ TOPS = ("app", "datasets", "haptics", "ui")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"((?:%s)/[^"]+)"' % "|".join(TOPS), re.M)
 
 
-ROOMS = "datasets/readers/"  # whose folders are nodes of their own
+ROOMS = ("datasets/readers/", "app/window/")  # whose folders are nodes of their own
+MOST = 25  # sources (.cpp) of a folder
 
 
 def node(path):
@@ -59,6 +62,16 @@ def circles(edges):
                    for n in inside})
 
 
+def full(root):
+    """The folders with too many sources: ["folder has number sources"]."""
+    counts = {}
+    for top in TOPS:
+        for path in (root / top).rglob("*.cpp"):
+            folder = path.parent.relative_to(root).as_posix()
+            counts[folder] = counts.get(folder, 0) + 1
+    return [f"{folder} has {count} sources" for folder, count in sorted(counts.items()) if count > MOST]
+
+
 def check(root):
     edges, files = graph(root)
     found = circles(edges)
@@ -95,10 +108,16 @@ def plant(scratch):
     write("app/d/three.h", "haptics/a/one.h")
     files, found = check(scratch)
     assert found == [("app/d", "haptics/a", "haptics/b", "haptics/c")], found
+    for n in range(MOST):
+        write(f"haptics/b/deep/{n}.cpp")
+    assert full(scratch) == ["haptics/b/deep has 26 sources"], full(scratch)
 
 
 if sys.argv[1] == "--plant":
     plant(pathlib.Path(sys.argv[2]))
 else:
     files, found = check(pathlib.Path(sys.argv[1]))
-    sys.exit(1 if found or files < 100 else 0)
+    too_full = full(pathlib.Path(sys.argv[1]))
+    for line in too_full:
+        print(f"{line}, more than {MOST}: part the folder")
+    sys.exit(1 if found or too_full or files < 100 else 0)

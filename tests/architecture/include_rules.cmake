@@ -14,28 +14,27 @@ endmacro()
 rule(FOLDERS "haptics" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|resources/)"
      WHY "haptics knows neither window nor picture nor files")
 rule(FOLDERS "haptics/(core|field|tool|collision|solver|coupling)"
-     FORBIDS "^haptics/(proxy|servo|devices|simulation|recording|session)"
+     FORBIDS "^haptics/(proxy|servo|devices|simulation|session)"
      WHY "the algorithm knows neither proxy nor threads nor devices")
-rule(FOLDERS "haptics/(scene|proxy)" FORBIDS "^haptics/(servo|devices|simulation|recording|session)"
+rule(FOLDERS "haptics/(scene|proxy)" FORBIDS "^haptics/(servo|devices|simulation|session)"
      WHY "the proxy knows neither threads nor devices")
-rule(FOLDERS "haptics/edit" FORBIDS "^haptics/(scene|proxy|servo|devices|simulation|recording|session)"
-     WHY "edits know volumes and fields, and nothing that runs")
-rule(FOLDERS "haptics/(field|tool|collision|solver|coupling|proxy|servo|devices)"
-     FORBIDS "^haptics/edit/" WHY "the touch knows voxels, not how they came about")
+rule(FOLDERS "haptics" EXCEPT "haptics/process" FORBIDS "^(haptics/process/|sqlite3)" WHY "the touch has no files")
 rule(FOLDERS "haptics/core" FORBIDS "^haptics/" PERMITS "^haptics/core/"
      WHY "the common words depend on nothing")
+rule(FOLDERS "haptics/(process|carving)" FORBIDS "^haptics/" PERMITS "^haptics/(core|process|carving)/"
+     WHY "files, and what lowers voxels, know the common words alone")
 rule(FOLDERS "haptics/devices" FORBIDS "^haptics/"
      PERMITS "^haptics/((core|devices)/|settings[.]h$)"
      WHY "a driver sees its interface and the common words")
 rule(FOLDERS "ui" FORBIDS "^(haptics/|datasets/|app/|resources/messages/)"
      PERMITS "^haptics/(snapshot[.]h|settings[.]h|core/)"
      WHY "the window is told; it opens nothing")
-rule(FOLDERS "datasets" FORBIDS "^(Q[A-Za-z]|ui/|app/|haptics/|resources/)" PERMITS "^haptics/core/"
+rule(FOLDERS "datasets" FORBIDS "^(Q[A-Za-z]|ui/|app/|haptics/|resources/)" PERMITS "^haptics/(core|process|carving)/"
      WHY "datasets make volumes, and know of haptics only the words")
 rule(FOLDERS "datasets/phantoms" FORBIDS "^vtk" WHY "phantoms build without VTK")
 rule(FOLDERS "resources" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|haptics/)"
      PERMITS "^haptics/core/" WHY "resources are read by all")
-rule(FOLDERS "app" EXCEPT "app/(study|cli|measurement)"
+rule(FOLDERS "app" EXCEPT "app/(study|cli|measurement|recording)"
      FORBIDS "^haptics/(field|collision|solver|coupling|proxy|servo|devices)/"
      PERMITS "^haptics/(devices/(catalogue|combined)|servo/emergency|field/lanes)[.]h$"
      WHY "the application uses haptics through its root headers")

@@ -16,7 +16,7 @@ import shutil
 import sys
 
 FOLDERS = ("ui", "app/window")
-HERE = ("ui/style/", "ui/number_box.")
+HERE = ("ui/style/", "ui/controls/number_box.")
 LITERALS = {
     "a colour in hexadecimal": re.compile(r'"[^"\n]*#[0-9a-fA-F]{6}\b'),
     "a QColor of numbers": re.compile(r"\bQColor\s*\w*\s*[({]\s*(?:0x[0-9a-fA-F]+|\d+)\s*,"),

@@ -18,10 +18,11 @@
 
 #include "app/application.h"
 #include "app/build_info/build_info.h"
-#include "app/window/loader.h"
+#include "app/window/scan/loader.h"
 #include "tests/bench/window.h"
-#include "ui/main_window.h"
-#include "ui/volume_view.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -53,15 +54,15 @@ std::vector<double> drag(app::Application& application, double isovalue, int pic
   const haptics::Volume& volume = *application.shown()->volume();
   const double step = kDrag * (volume.greatest - volume.least);
   int swapped = 0;
-  const auto counted = QObject::connect(&application.window().view(), &QOpenGLWidget::frameSwapped,
-                                        [&] { ++swapped; });
+  const auto counted = QObject::connect(&application.window().views().volume(),
+                                        &QOpenGLWidget::frameSwapped, [&] { ++swapped; });
   std::vector<double> wall;
   for (int n = -kWarm; n < pictures; ++n) {
-    const int drawn = application.window().view().frames();
+    const int drawn = application.window().views().volume().frames();
     const auto begun = Clock::now();
-    emit application.window().isovalueWanted(isovalue + step * (1 + (n + kWarm) % 20));
+    emit application.window().views().isovalueWanted(isovalue + step * (1 + (n + kWarm) % 20));
     const bool done = waitFor([&] {
-      if (application.window().view().frames() == drawn) swapped = 0;
+      if (application.window().views().volume().frames() == drawn) swapped = 0;
       return swapped > 0;
     });
     if (done && n >= 0) wall.push_back(msSince(begun));
@@ -101,7 +102,7 @@ int main(int argc, char** argv) {
   app::Application application(std::move(arguments));
   application.window().resize(1280, 900);
   application.start();
-  ui::VolumeView& view = application.window().view();
+  ui::VolumeView& view = application.window().views().volume();
   if (!waitFor([&] { return application.snapshot().scene != 0; })) {
     std::fprintf(stderr, "'%s' was not opened within two minutes.\n", path.c_str());
     return 4;

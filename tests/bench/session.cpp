@@ -16,17 +16,18 @@
 
 #include "app/application.h"
 #include "app/build_info/build_info.h"
-#include "app/window/loader.h"
-#include "app/window/session_recording.h"
-#include "haptics/recording/recording.h"
+#include "app/recording/recording.h"
+#include "app/window/scan/loader.h"
+#include "app/window/sessions/session_recording.h"
 #include "haptics/servo/servo_loop.h"
 #include "haptics/session.h"
 #include "haptics/simulation/simulated.h"
 #include "tests/bench/ticks.h"
 #include "tests/bench/window.h"
 #include "tests/support/sentence.h"
-#include "ui/main_window.h"
-#include "ui/volume_view.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -44,7 +45,7 @@ bool isRealTime(const haptics::Snapshot& snapshot) {
 Json fileIn(const fs::path& folder, double seconds) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".palpate") continue;
-    const auto recording = haptics::Recording::open(entry.path());
+    const auto recording = app::Recording::open(entry.path());
     if (!recording) return {{"failed", sentence(recording.error())}};
     const auto bytes = fs::file_size(entry.path());
     return {{"steps", recording->stepCount()},
@@ -109,7 +110,7 @@ int main(int argc, char** argv) {
   }
   const bench::Ticks touch_before = ticksOf(application.snapshot()),
                      empty_before = ticksOf(turning);
-  const int drawn = application.window().view().frames();
+  const int drawn = application.window().views().volume().frames();
   std::vector<double> p99_us;
   const auto begun = bench::Clock::now();
   while (bench::msSince(begun) < 1e3 * seconds) {
@@ -117,7 +118,7 @@ int main(int argc, char** argv) {
     p99_us.push_back(1e6 * application.snapshot().tick_p99);
   }
   empty.snapshots.take(turning);
-  const int pictures = application.window().view().frames() - drawn;
+  const int pictures = application.window().views().volume().frames() - drawn;
   Json json{{"machine", app::machineHere()},
             {"version", app::versionHere()},
             {"rate_hz", hz},

@@ -14,9 +14,9 @@ import tempfile
 import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
-SCHEMA = re.search(r'R"\((.*?)\)"', (HERE / "../../haptics/recording/schema.h").read_text(),
+SCHEMA = re.search(r'R"\((.*?)\)"', (HERE / "../../app/recording/schema.h").read_text(),
                    re.S).group(1)
-# widths of the columns of a step and of a contact, as haptics/recording/block.cpp has them
+# widths of the columns of a step and of a contact, as app/recording/block.cpp has them
 STEP_WIDTH = 38 * 8 + 3 * 4 + 4
 CONTACT_WIDTH = 7 * 4
 STEP_COLUMNS = 38 + 3 + 3

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "haptics/edit/edit.h"
-#include "haptics/recording/recorder.h"
-#include "haptics/recording/recording.h"
+#include "app/recording/recorder.h"
+#include "app/recording/recording.h"
+#include "datasets/edits/edit.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scratch_folder.h"
 
@@ -39,11 +39,11 @@ std::vector<std::uint8_t> compressed(std::string_view bytes) {
 
 void readFile(std::string_view bytes) {
   const auto path = folder().write("r.palpate", bytes);
-  if (const auto summary = haptics::summaryOf(path); !summary) requireWords(summary.error());
-  auto recording = haptics::Recording::open(path);
+  if (const auto summary = app::summaryOf(path); !summary) requireWords(summary.error());
+  auto recording = app::Recording::open(path);
   if (!recording) return requireWords(recording.error());
   std::int64_t steps = 0;
-  const auto read = recording->forEach(-1e300, 1e300, [&](const haptics::RecordedStep& step) {
+  const auto read = recording->forEach(-1e300, 1e300, [&](const app::RecordedStep& step) {
     fuzz::require(step.step.contacts.size() <= 6, "no more contacts than bear");
     return ++steps < 100'000;
   });
@@ -52,7 +52,7 @@ void readFile(std::string_view bytes) {
 
 void recoverFile(std::string_view bytes) {
   const auto part = folder().write("p.palpate.part", bytes);
-  const auto recovered = haptics::recover(part);
+  const auto recovered = app::recover(part);
   if (!recovered) return requireWords(recovered.error());
   std::filesystem::remove(*recovered);
 }
@@ -61,9 +61,9 @@ void readScene(std::string_view text) {
   const auto first = text.find('\n'), second = text.find('\n', first + 1);
   if (first == text.npos || second == text.npos) return;
   const auto points = compressed(text.substr(second + 1));
-  const auto scene = haptics::sceneFrom({std::string(text.substr(0, first)),
-                                         std::string(text.substr(first + 1, second - first - 1)),
-                                         points, points, points});
+  const auto scene = app::sceneFrom({std::string(text.substr(0, first)),
+                                     std::string(text.substr(first + 1, second - first - 1)),
+                                     points, points, points});
   if (!scene) return requireWords(scene.error());
   fuzz::require(!scene->tool.shell.points.empty(), "a scene has a tool");
   for (const haptics::Vec3& point : scene->tool.shell.points)
@@ -71,22 +71,23 @@ void readScene(std::string_view text) {
 }
 
 void readEdit(std::string_view text) {
-  const auto edit = haptics::editFrom(text);
+  const auto edit = datasets::editFrom(text);
   if (!edit) return requireWords(edit.error());
-  const auto again = haptics::editFrom(haptics::textOf(*edit));
-  fuzz::require(again && haptics::textOf(*again) == haptics::textOf(*edit), "an edit is its text");
+  const auto again = datasets::editFrom(datasets::textOf(*edit));
+  fuzz::require(again && datasets::textOf(*again) == datasets::textOf(*edit),
+                "an edit is its text");
 }
 
-void readBlock(std::string_view bytes, haptics::Layout layout) {
+void readBlock(std::string_view bytes, app::Layout layout) {
   if (bytes.size() < 4) return;
   const auto at = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
-  haptics::Block block;
+  app::Block block;
   block.count = at(0);
   block.contact_count = at(1) + 256 * at(2);
   const std::size_t cut = std::min<std::size_t>(bytes.size() - 4, at(3) * 4U);
   if (cut > 0) block.contacts = compressed(bytes.substr(4, cut));
   block.steps = compressed(bytes.substr(4 + cut));
-  const auto steps = haptics::decoded(block, layout);
+  const auto steps = app::decoded(block, layout);
   if (!steps) return requireWords(steps.error());
   fuzz::require(static_cast<std::int64_t>(steps->size()) == block.count, "as many as it says");
 }
@@ -104,20 +105,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       recoverFile(rest);
       break;
     case 2:
-      if (const auto start = haptics::startFrom(std::string(rest)); !start)
-        requireWords(start.error());
+      if (const auto start = app::startFrom(std::string(rest)); !start) requireWords(start.error());
       break;
     case 3:
       readScene(rest);
       break;
     case 4:
-      readBlock(rest, haptics::Layout::Exact);
+      readBlock(rest, app::Layout::Exact);
       break;
     case 5:
       readEdit(rest);
       break;
     default:
-      readBlock(rest, haptics::Layout::Rounded);
+      readBlock(rest, app::Layout::Rounded);
       break;
   }
   return 0;

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <vector>
 
+#include "datasets/edits/edit_history.h"
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
-#include "haptics/edit/edit_history.h"
 #include "tests/scenario/trial.h"
 #include "tests/support/made.h"
 #include "tests/support/millimetre.h"
@@ -17,8 +17,8 @@
 
 namespace {
 
+using datasets::LassoCut;
 using datasets::Random;
-using haptics::LassoCut;
 using haptics::Pose;
 using haptics::Quat;
 using haptics::Vec3;
@@ -118,8 +118,8 @@ TEST(CutWall, IsFeltAsThePlaneThatItStandsFor) {
   for (const double speed : {0.01, 0.1})
     for (int n = 0; n < 3; ++n) {
       const SlantedCut slanted{random};
-      const std::vector<haptics::Edit> edits{slanted.cut};
-      const auto wall = haptics::edited(grainySolid(random), edits);
+      const std::vector<datasets::Edit> edits{slanted.cut};
+      const auto wall = datasets::edited(grainySolid(random), edits);
       ASSERT_TRUE(wall);
       const SlideFeel cut = slideOver(*wall, slanted, speed);
       const SlideFeel plane = slideOver(formulaPlane(slanted.out_W), slanted, speed);

@@ -4,7 +4,7 @@
 
 Usage: exports_test.py PALPATE_CLI ROOT
 
-Python's own sqlite3 and zlib (haptics/recording/rows.py), h5py, a reader of TSV and a reader of MCAP
+Python's own sqlite3 and zlib (app/recording/rows.py), h5py, a reader of TSV and a reader of MCAP
 written from its specification are held against the trace of the same run.
 """
 import bisect
@@ -34,7 +34,7 @@ except ImportError as missing:
     sys.exit(77)
 
 CLI, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
-sys.path[:0] = [str(ROOT / "haptics/recording"), str(ROOT / "tests/support")]
+sys.path[:0] = [str(ROOT / "app/recording"), str(ROOT / "tests/support")]
 import read_mcap  # noqa: E402
 import rows  # noqa: E402
 

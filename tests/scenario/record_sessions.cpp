@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
+#include "app/recording/recorder.h"
+#include "datasets/edits/edit_history.h"
 #include "datasets/phantoms/phantoms.h"
-#include "haptics/edit/edit_history.h"
-#include "haptics/recording/recorder.h"
 #include "haptics/scene/legal_pose.h"
 #include "haptics/servo/servo_loop.h"
 #include "haptics/simulation/hand.h"
@@ -22,6 +22,7 @@
 
 namespace {
 
+using namespace datasets;
 using namespace haptics;
 
 constexpr int kTicks = 1600;

@@ -18,8 +18,8 @@
 #include <thread>
 #include <vector>
 
-#include "haptics/recording/recorder.h"
-#include "haptics/recording/recording.h"
+#include "app/recording/recorder.h"
+#include "app/recording/recording.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/made.h"
 #include "tests/support/scratch_folder.h"
@@ -27,7 +27,11 @@
 
 extern char** environ;
 
-namespace haptics {
+namespace recording_loss {
+
+using namespace app;
+using namespace haptics;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -247,10 +251,11 @@ TEST(RecordingLoss, OfAFileSystemThatCannotBeWrittenIsToldAtOnce) {
 }
 
 }  // namespace
-}  // namespace haptics
+}  // namespace recording_loss
 
 int main(int argc, char** argv) {
-  if (const char* folder = std::getenv(haptics::kRecordIn)) return haptics::recordIn(folder);
+  if (const char* folder = std::getenv(recording_loss::kRecordIn))
+    return recording_loss::recordIn(folder);
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "datasets/phantoms/making.h"
-#include "haptics/core/process_limits.h"
 #include "haptics/core/volume.h"
+#include "haptics/process/process_limits.h"
 #include "haptics/scene/scene.h"
 #include "haptics/tool/point_shell.h"
 

@@ -25,23 +25,27 @@
 #include <vector>
 
 #include "app/application.h"
-#include "panelled_window.h"
-#include "sphere_in_hand.h"
-#include "ui/banner.h"
-#include "ui/bindings.h"
-#include "ui/export_question.h"
-#include "ui/main_window.h"
+#include "tests/ui/panelled_window.h"
+#include "tests/ui/views/sphere_in_hand.h"
+#include "tests/ui/window_support.h"
+#include "ui/controls/bindings.h"
+#include "ui/controls/section.h"
+#include "ui/controls/spoken.h"
+#include "ui/controls/state_chip.h"
+#include "ui/dialogs/export_question.h"
+#include "ui/dialogs/preferences_window.h"
+#include "ui/dialogs/series_browser.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/histogram_slider.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/replay_bar.h"
-#include "ui/preferences_window.h"
-#include "ui/section.h"
-#include "ui/series_browser.h"
-#include "ui/spoken.h"
-#include "ui/state_chip.h"
 #include "ui/style/style.h"
-#include "window_support.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/banner.h"
+#include "ui/window/main_window.h"
+#include "ui/window/menus.h"
+#include "ui/window/messages.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -147,8 +151,8 @@ class WholeWindow {
 TEST(Access, EveryControlHasARoleANameAndATooltip) {
   WholeWindow whole;
   whole.window().replayBar().show(ui::ReplayTrack{.begin = 0.0, .end = 4.0});
-  whole.window().showMessage("A message.");
-  whole.window().showFault("A fault.");
+  whole.window().messages().showMessage("A message.");
+  whole.window().messages().showFault("A fault.");
   whole.inEachTab([&](const char* tab) { expectSaid(whole.window(), tab); });
   // the tools of an edit have pages of their own
   QTest::mouseClick(whole.window().findChild<QAbstractButton*>("scanTab"), Qt::LeftButton);
@@ -235,7 +239,7 @@ TEST(Access, TabReachesEveryControlFromLeftToRightAndDown) {
     }
     EXPECT_GT(wanted.size(), 20U) << tab;
     std::vector<QWidget*> reached;
-    whole.window().view().setFocus();
+    whole.window().views().volume().setFocus();
     for (std::size_t n = 0; n < 2 * wanted.size() + 20; ++n) {
       QWidget* focus = QApplication::focusWidget();
       ASSERT_NE(focus, nullptr) << tab;
@@ -265,7 +269,7 @@ TEST(Access, TabReachesEveryControlFromLeftToRightAndDown) {
     const auto* details = whole.window().findChild<QWidget*>("details");
     EXPECT_LT(at(open), at(stop)) << tab << order;
     EXPECT_LT(at(stop), at(whole.window().findChild<QWidget*>(tab))) << tab << order;
-    EXPECT_LT(at(&whole.window().view()), at(details)) << tab << order;
+    EXPECT_LT(at(&whole.window().views().volume()), at(details)) << tab << order;
     // within a section, row by row
     const auto sectionOf = [](QWidget* widget) {
       QWidget* up = widget;
@@ -308,7 +312,7 @@ TEST(Access, TheFocusIsSeenOnEveryControlInEveryTheme) {
   whole.activate();
   for (const auto theme :
        {ui::style::Theme::Dark, ui::style::Theme::Light, ui::style::Theme::HighContrast}) {
-    whole.window().setTheme(theme);
+    whole.window().menus().setTheme(theme);
     whole.inEachTab([&](const char* tab) {
       auto* elsewhere = whole.window().findChild<QWidget*>("forceOff");
       auto* other = whole.window().findChild<QWidget*>("deviceTab");
@@ -316,7 +320,7 @@ TEST(Access, TheFocusIsSeenOnEveryControlInEveryTheme) {
       for (QWidget* control : controlsOf(whole.window())) {
         if (!isReached(*control)) continue;
         ++seen;
-        if (control == &whole.window().view())
+        if (control == &whole.window().views().volume())
           window::keep(control->grab().toImage(), "access_view");
         EXPECT_GE(changedByFocus(*control, control == elsewhere ? *other : *elsewhere), 16)
             << ui::style::nameOf(theme).toStdString() << ", " << tab << ": " << nameFor(*control);
@@ -324,7 +328,7 @@ TEST(Access, TheFocusIsSeenOnEveryControlInEveryTheme) {
       EXPECT_GT(seen, 20) << tab;
     });
   }
-  whole.window().setTheme(ui::style::Theme::Dark);
+  whole.window().menus().setTheme(ui::style::Theme::Dark);
 }
 
 TEST(Access, SlidersSayAndTakeTheirValueInItsUnit) {
@@ -348,7 +352,8 @@ TEST(Access, SlidersSayAndTakeTheirValueInItsUnit) {
   EXPECT_EQ(w.window.findChild<QDoubleSpinBox*>("isovalueTyped")->value(), 33.0);
   EXPECT_EQ(said.text(QAccessible::Value), "33 HU");
   EXPECT_EQ(w.shared.settings.isovalue, 33.0);
-  EXPECT_TRUE(spokenOf(w.window.view()).text(QAccessible::Name).contains("surface at 33 HU"));
+  EXPECT_TRUE(
+      spokenOf(w.window.views().volume()).text(QAccessible::Name).contains("surface at 33 HU"));
   // what cannot be is refused as when it is typed
   value->setCurrentValue(1e6);
   EXPECT_EQ(value->currentValue().toDouble(), volume->greatest);
@@ -447,16 +452,16 @@ TEST(Access, TheForceIsSaidWhereItBeginsAndByHalfANewtonOnceASecond) {
 
 TEST(Access, ViewsSayWhatTheyShow) {
   window::Panelled w;
-  const auto said = [&] { return spokenOf(w.window.view()).text(QAccessible::Name); };
+  const auto said = [&] { return spokenOf(w.window.views().volume()).text(QAccessible::Name); };
   EXPECT_EQ(said(), "3-D view: nothing is open");
   const auto volume = window::volumeOf(window::cubeGrid(24), haptics::ScalarType::Int16,
                                        window::ball({0, 0, 0}, 0.008), {.unit = "HU"});
   w.show(ui::pictureOf(volume), 50.0, "Ball");
   EXPECT_EQ(said(), "3-D view: surface at 50 HU");
-  w.window.setIsovalue(-12.5);
+  w.window.views().setIsovalue(-12.5);
   EXPECT_EQ(said(), "3-D view: surface at -12.5 HU");
   window::showAndWait(w.window, {1000, 760});
-  ui::SliceView& axial = w.window.slice(ui::Plane::Axial);
+  ui::SliceView& axial = w.window.views().slice(ui::Plane::Axial);
   const QString first = spokenOf(axial).text(QAccessible::Name);
   EXPECT_TRUE(first.startsWith("Axial slice: ") && first.contains("/ 24")) << first.toStdString();
   w.window.activateWindow();
@@ -468,7 +473,7 @@ TEST(Access, ViewsSayWhatTheyShow) {
   EXPECT_NE(told().filter("Axial slice").value(0), first);
   // where all slices change, one of them is said: that which has the focus
   told().clear();
-  w.window.setCross({5.5, -4.5, 3.5});
+  w.window.views().setCross({5.5, -4.5, 3.5});
   EXPECT_EQ(told().filter("Axial slice").size(), 1) << told().join('\n').toStdString();
   EXPECT_EQ(told().filter(" slice").size(), 1) << told().join('\n').toStdString();
 }

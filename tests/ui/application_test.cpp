@@ -23,17 +23,21 @@
 #include <vector>
 
 #include "haptics/session.h"
-#include "sphere_in_hand.h"
 #include "tests/support/made_scans.h"
-#include "ui/main_window.h"
+#include "tests/ui/views/sphere_in_hand.h"
+#include "tests/ui/window_support.h"
+#include "ui/controls/section.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/edit_panel.h"
 #include "ui/panels/histogram_slider.h"
 #include "ui/panels/isosurface_panel.h"
-#include "ui/section.h"
-#include "ui/side_panel.h"
-#include "ui/volume_view.h"
-#include "window_support.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/menus.h"
+#include "ui/window/side_panel.h"
+#include "ui/window/top_bar.h"
+#include "ui/window/view_layout.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -64,7 +68,7 @@ TEST(Application, AHandPressesOnASphereAndEscapeDropsTheForce) {
   ASSERT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.2; }));
   window::keep(window::pictureOf(application.window()), "application_touching");
   forcesOfTicks(application.session(), 0);
-  QTest::keyClick(&application.window().view(), Qt::Key_Escape);
+  QTest::keyClick(&application.window().views().volume(), Qt::Key_Escape);
   // what was sent until the key was handled; after it, a tick under way may still end
   forcesOfTicks(application.session(), 0);
   const std::vector<double> after = forcesOfTicks(application.session(), 300);
@@ -93,7 +97,7 @@ TEST(Application, NothingInAPanelIsCutAtTheFirstSizeOfTheWindow) {
     looked += window::expectNothingBeside(*side, tab);
     window::keep(window::pictureOf(window), QString("application_%1").arg(tab).toUtf8());
   }
-  window.reveal(window.findChild<ui::EditPanel*>());
+  window.panels().reveal(window.findChild<ui::EditPanel*>());
   for (const char* tool : {"cropTool", "planeTool", "piecesTool", "holderTool", "scalpelTool"}) {
     QTest::mouseClick(window.findChild<QToolButton*>(tool), Qt::LeftButton);
     QTest::qWait(100);
@@ -108,7 +112,7 @@ TEST(Application, NothingInAPanelIsCutAtTheFirstSizeOfTheWindow) {
   }
   EXPECT_GT(looked, 150);
   // the views keep most of the window
-  EXPECT_GT(window.views().width(), 0.7 * window.width());
+  EXPECT_GT(window.views().layout().width(), 0.7 * window.width());
 }
 
 // ctest runs it at other scales, too
@@ -118,7 +122,7 @@ TEST(Application, NothingIsCutInAnyTabAtAnyScale) {
   ui::MainWindow& window = application.window();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   window.resize(1280, 700);
-  window.showRecording(3'725.0);
+  window.bar().showRecording(3'725.0);
   for (ui::Section* section : window.findChildren<ui::Section*>()) section->setFolded(false);
   const auto scale = int(std::lround(window.devicePixelRatioF() * 100.0));
   for (const char* tab : {"scanTab", "touchTab", "deviceTab", "recordTab"}) {
@@ -134,7 +138,7 @@ TEST(Application, NothingIsCutInAnyTabAtAnyScale) {
                        QString("scale_%1_%2.png").arg(scale).arg(tab));
   }
   ASSERT_TRUE(waitFor([&] { return application.snapshot().force_state == ForceState::On; }));
-  QTest::keyClick(&window.view(), Qt::Key_Escape);
+  QTest::keyClick(&window.views().volume(), Qt::Key_Escape);
   auto* resume = window.findChild<QAbstractButton*>("forceOn");
   ASSERT_TRUE(waitFor([&] { return resume->isVisible(); }));
   QTest::qWait(50);
@@ -145,7 +149,7 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
   app::Application application(sphereInHand("mouse"));
   application.start();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
-  ui::VolumeView& view = application.window().view();
+  ui::VolumeView& view = application.window().views().volume();
   const auto push = [&](int notches) {
     QWheelEvent wheel({150, 150}, view.mapToGlobal(QPointF{150, 150}), {}, {0, 120 * notches}, {},
                       {}, Qt::NoScrollPhase, false);
@@ -191,7 +195,7 @@ TEST(Application, KeepsTheOldVolumeWhenTheNewOneCannotBeRead) {
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   const auto scene = application.snapshot().scene;
   QSignalSpy refused(&application, &app::Application::finished);
-  emit application.window().openWanted("/nowhere/at/all.nrrd");
+  emit application.window().menus().openWanted("/nowhere/at/all.nrrd");
   ASSERT_TRUE(waitFor([&] { return refused.count() > 0; }));
   EXPECT_EQ(refused.first().first().toInt(), 3);
   QTest::qWait(100);
@@ -275,7 +279,8 @@ TEST(Application, ThePictureOfTheCommandLineHasWhatIsDrawnOverTheView) {
   ui::MainWindow& window = application.window();
   ASSERT_EQ(image.size(), window.size());
   // the letters of the 3-D view, at its left and right edge
-  const QRect view(window.view().mapTo(&window, QPoint{}), window.view().size());
+  const QRect view(window.views().volume().mapTo(&window, QPoint{}),
+                   window.views().volume().size());
   const auto yellow = [](QColor c) { return c.red() > 170 && c.green() > 130 && c.blue() < 90; };
   const QRect left(view.left(), view.center().y() - 20, 30, 40);
   EXPECT_GT(window::count(image.copy(left), yellow), 20);

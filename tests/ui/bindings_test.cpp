@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/bindings.h"
+#include "ui/controls/bindings.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "ui/main_window.h"
-#include "window_support.h"
+#include "tests/ui/window_support.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -129,8 +131,8 @@ TEST(Bindings, AnotherKeyIsTakenByViewsMenusTooltipsAndHelp) {
   const KeysAtFirst at_first;
   ui::MainWindow window;
   window::showAndWait(window, {1000, 700});
-  QSignalSpy to_cross(&window.slice(ui::Plane::Axial), &ui::SliceView::toolToCrossWanted);
-  QSignalSpy hints(&window.view(), &ui::VolumeView::hintChanged);
+  QSignalSpy to_cross(&window.views().slice(ui::Plane::Axial), &ui::SliceView::toolToCrossWanted);
+  QSignalSpy hints(&window.views().volume(), &ui::VolumeView::hintChanged);
   auto* take = window.findChild<QAction*>("takeTool");
   auto* picture = window.findChild<QAction*>("savePicture");
   ASSERT_TRUE(take->text().endsWith("\tG"));
@@ -145,16 +147,16 @@ TEST(Bindings, AnotherKeyIsTakenByViewsMenusTooltipsAndHelp) {
   EXPECT_GT(hints.count(), 0);
   EXPECT_TRUE(ui::controlsText().contains("<b>F9</b>"));
   // the view knows the new key, and the old one no longer
-  ui::VolumeView& view = window.view();
+  ui::VolumeView& view = window.views().volume();
   view.setMouseHand(true);
   EXPECT_TRUE(view.hint().contains("take it with B")) << view.hint().toStdString();
   QTest::keyClick(&view, Qt::Key_G);
   EXPECT_EQ(view.mouseMode(), MouseMode::Look);
   QTest::keyClick(&view, Qt::Key_B);
   EXPECT_EQ(view.mouseMode(), MouseMode::Hand);
-  QTest::keyClick(&window.slice(ui::Plane::Axial), Qt::Key_J);
+  QTest::keyClick(&window.views().slice(ui::Plane::Axial), Qt::Key_J);
   EXPECT_EQ(to_cross.count(), 0);
-  QTest::keyClick(&window.slice(ui::Plane::Axial), Qt::Key_Y, Qt::ShiftModifier);
+  QTest::keyClick(&window.views().slice(ui::Plane::Axial), Qt::Key_Y, Qt::ShiftModifier);
   EXPECT_EQ(to_cross.count(), 1);
   EXPECT_EQ(ui::ownKeys(),
             (ui::OwnKeys{

@@ -20,15 +20,19 @@
 #include <vector>
 
 #include "app/read_ahead.h"
-#include "app/window/kept_phantom.h"
-#include "app/window/measurement_controller.h"
-#include "app/window/scan_ahead.h"
+#include "app/window/scan/kept_phantom.h"
+#include "app/window/scan/scan_ahead.h"
+#include "app/window/touch/measurement_controller.h"
 #include "datasets/phantoms/phantoms.h"
-#include "panelled_window.h"
+#include "tests/ui/panelled_window.h"
+#include "tests/ui/window_support.h"
+#include "ui/controls/section.h"
 #include "ui/panels/force_words.h"
 #include "ui/panels/performance_panel.h"
-#include "ui/section.h"
-#include "window_support.h"
+#include "ui/window/messages.h"
+#include "ui/window/side_panel.h"
+#include "ui/window/touch_state.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -176,7 +180,8 @@ TEST(Controllers, AToolAndAFieldAreWantedForTheVolumeOnView) {
 TEST(Controllers, AHandIsOpenedWithTheSceneAndChangedUnlessARecordingIsOnView) {
   ui::MainWindow window;
   app::SharedState shared;
-  app::HandController controller(window, shared, "mouse", 700.0);
+  app::HandController controller(window.views(), window.messages(), window.panels(), window.touch(),
+                                 shared, "mouse", 700.0);
   QSignalSpy changed(&controller, &app::HandController::changed);
   QSignalSpy replay_end(&controller, &app::HandController::replayEndWanted);
   EXPECT_EQ(shared.settings.stiffness, 700.0);
@@ -204,7 +209,7 @@ TEST(Controllers, AHandIsOpenedWithTheSceneAndChangedUnlessARecordingIsOnView) {
 TEST(Controllers, AnIsovalueIsShownAndTouchedOrOnlyShown) {
   ui::MainWindow window;
   app::SharedState shared;
-  app::IsosurfaceController controller(window, shared);
+  app::IsosurfaceController controller(window.views(), window.messages(), window.panels(), shared);
   QSignalSpy changed(&controller, &app::IsosurfaceController::changed);
   auto* typed = window.findChild<QDoubleSpinBox*>("isovalueTyped");
   EXPECT_FALSE(typed->isEnabled());
@@ -226,7 +231,7 @@ TEST(Controllers, AnIsovalueIsShownAndTouchedOrOnlyShown) {
   EXPECT_EQ(typed->value(), first + 9.0);
   EXPECT_EQ(shared.settings.isovalue, first + 9.0);
   // a preset of the View menu
-  emit window.isovalueWanted(first);
+  emit window.views().isovalueWanted(first);
   EXPECT_EQ(shared.settings.isovalue, first);
   EXPECT_EQ(changed.count(), 3);
   // another tool in the same volume: the isovalue stays
@@ -237,7 +242,7 @@ TEST(Controllers, AnIsovalueIsShownAndTouchedOrOnlyShown) {
 TEST(Controllers, TheForceIsShownByThePictureAndPlotted) {
   ui::MainWindow window;
   app::SharedState shared;
-  app::PictureController controller(window, shared);
+  app::PictureController controller(window.views(), window.touch(), shared);
   window::showAndWait(window, {1240, 840});
   auto* plot = window.findChild<ui::ForcePlot*>("forcePlot");
   const auto shows = [&](float force) {
@@ -249,13 +254,13 @@ TEST(Controllers, TheForceIsShownByThePictureAndPlotted) {
   EXPECT_TRUE(shows(0.0F));
   haptics::Snapshot snapshot;
   snapshot.felt_W.force = {0.0, 3.0, 4.0};
-  window.displayForce(snapshot);
+  window.touch().display(snapshot);
   EXPECT_EQ(window.findChild<QLabel*>("forceNow")->text(), "5.00");
 }
 
 TEST(Controllers, PanelsAreSectionsOfTheirTabsInTheOrderOfTheirControllers) {
   window::Panelled panelled;
-  app::MeasurementController measurement(panelled.window, panelled.shared);
+  app::MeasurementController measurement(panelled.window.panels(), panelled.shared);
   window::showAndWait(panelled.window, {1280, 900});
   const auto section = [&](const char* name) {
     auto* found = panelled.window.findChild<ui::Section*>(name);
@@ -293,7 +298,7 @@ TEST(Controllers, TheCardOfTheForceHasRoomForEveryReasonAndKeepsItsSize) {
   for (int n = static_cast<int>(ForceReason::NoReading);
        n <= static_cast<int>(ForceReason::Stalled); ++n) {
     snapshot.reason = static_cast<ForceReason>(n);
-    panelled.window.displayForce(snapshot);
+    panelled.window.touch().display(snapshot);
     ASSERT_TRUE(waitFor([&] {
       return words->text() == ui::sentenceFor(ForceState::Armed, snapshot.reason, {});
     })) << n;
@@ -303,7 +308,7 @@ TEST(Controllers, TheCardOfTheForceHasRoomForEveryReasonAndKeepsItsSize) {
   snapshot.force_state = ForceState::On;
   for (const int contacts : {0, 1, 7}) {
     snapshot.contacts = contacts;
-    panelled.window.displayForce(snapshot);
+    panelled.window.touch().display(snapshot);
     ASSERT_TRUE(waitFor([&] {
       return words->text() == (contacts == 0   ? "Nothing is touched"
                                : contacts == 1 ? "Touching at one place"
@@ -316,7 +321,7 @@ TEST(Controllers, TheCardOfTheForceHasRoomForEveryReasonAndKeepsItsSize) {
 TEST(Controllers, AMeasurementIsMadeAndEndedWithAReason) {
   ui::MainWindow window;
   app::SharedState shared;
-  app::MeasurementController controller(window, shared);
+  app::MeasurementController controller(window.panels(), shared);
   auto* button = window.findChild<QPushButton*>("measure");
   auto* details = window.findChild<QLabel*>("performanceDetails");
   EXPECT_FALSE(button->isEnabled());

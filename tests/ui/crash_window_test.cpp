@@ -13,8 +13,9 @@
 #include "app/application.h"
 #include "app/log/log.h"
 #include "tests/support/scratch_folder.h"
-#include "ui/main_window.h"
-#include "window_support.h"
+#include "tests/ui/window_support.h"
+#include "ui/window/main_window.h"
+#include "ui/window/menus.h"
 
 namespace {
 
@@ -88,7 +89,7 @@ TEST_F(CrashWindow, TheLogSaysWhatWasDoneAndNamesNobody) {
     app::Application application(std::move(with));
     application.start();
     ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
-    emit application.window().openWanted(QString::fromStdString(file.string()));
+    emit application.window().menus().openWanted(QString::fromStdString(file.string()));
     ASSERT_TRUE(waitFor([&] { return allOfTheLog().find(" not-opened ") != std::string::npos; }));
     ASSERT_TRUE(waitFor([&] { return application.snapshot().tick > 100; }));
 

@@ -29,31 +29,34 @@
 
 #include "app/application.h"
 #include "app/export/export.h"
-#include "app/window/help_controller.h"
-#include "app/window/sentence.h"
-#include "haptics/recording/recorder.h"
-#include "sphere_in_hand.h"
+#include "app/recording/recorder.h"
+#include "app/window/program/help_controller.h"
+#include "app/window/scan/sentence.h"
 #include "tests/support/places.h"
-#include "ui/bindings.h"
-#include "ui/export_question.h"
-#include "ui/help_window.h"
-#include "ui/language.h"
-#include "ui/main_window.h"
-#include "ui/number_box.h"
-#include "ui/pacs_window.h"
+#include "tests/ui/views/sphere_in_hand.h"
+#include "tests/ui/window_support.h"
+#include "ui/controls/bindings.h"
+#include "ui/controls/language.h"
+#include "ui/controls/number_box.h"
+#include "ui/controls/section.h"
+#include "ui/dialogs/export_question.h"
+#include "ui/dialogs/help_window.h"
+#include "ui/dialogs/pacs_window.h"
+#include "ui/dialogs/part_question.h"
+#include "ui/dialogs/preferences_window.h"
+#include "ui/dialogs/series_browser.h"
+#include "ui/dialogs/text_window.h"
+#include "ui/dialogs/unit_question.h"
 #include "ui/panels/edit_panel.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
-#include "ui/part_question.h"
-#include "ui/preferences_window.h"
-#include "ui/section.h"
-#include "ui/series_browser.h"
-#include "ui/side_panel.h"
-#include "ui/start_page.h"
-#include "ui/text_window.h"
-#include "ui/unit_question.h"
-#include "window_support.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/side_panel.h"
+#include "ui/window/start_page.h"
+#include "ui/window/top_bar.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -169,7 +172,7 @@ TEST(Languages, NoEnglishIsLeftInTheWindowAndNothingIsCut) {
   ui::MainWindow& window = application.window();
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
   window.resize(1280, 800);
-  window.showRecording(3'725.0);
+  window.bar().showRecording(3'725.0);
   for (ui::Section* section : window.findChildren<ui::Section*>()) section->setFolded(false);
   auto* side = window.findChild<ui::SidePanel*>("sidePanel");
   for (const char* tab : kTabs) {
@@ -188,7 +191,7 @@ TEST(Languages, NoEnglishIsLeftInTheWindowAndNothingIsCut) {
   // the window grows to what the bar needs
   const auto* time = window.findChild<QLabel*>("replayTime");
   EXPECT_TRUE(waitFor([&] { return time->width() >= time->minimumSizeHint().width(); }));
-  window.reveal(window.findChild<ui::EditPanel*>());
+  window.panels().reveal(window.findChild<ui::EditPanel*>());
   for (const char* tool : {"cropTool", "planeTool", "piecesTool", "holderTool", "scalpelTool"}) {
     QTest::mouseClick(window.findChild<QAbstractButton*>(tool), Qt::LeftButton);
     QTest::qWait(50);
@@ -198,7 +201,7 @@ TEST(Languages, NoEnglishIsLeftInTheWindowAndNothingIsCut) {
   window::keep(window::pictureOf(window), "language_scalpel");
   ASSERT_TRUE(
       waitFor([&] { return application.snapshot().force_state == haptics::ForceState::On; }));
-  QTest::keyClick(&window.view(), Qt::Key_Escape);
+  QTest::keyClick(&window.views().volume(), Qt::Key_Escape);
   auto* resume = window.findChild<QAbstractButton*>("forceOn");
   ASSERT_TRUE(waitFor([&] { return resume->isVisible(); }));
   QTest::qWait(50);
@@ -367,8 +370,7 @@ TEST_F(German, ChangesNoRecordingAndNoExport) {
     ASSERT_TRUE(waitFor([&] { return QFile::exists(folder.filePath("session-0001.palpate")); }));
   }
   const auto written = [&](const QTemporaryDir& out) {
-    auto recording =
-        haptics::Recording::open(folder.filePath("session-0001.palpate").toStdString());
+    auto recording = app::Recording::open(folder.filePath("session-0001.palpate").toStdString());
     for (const app::exporting::Format& format : app::exporting::kFormats)
       EXPECT_TRUE(format.write(*recording,
                                out.filePath(QString("touch") + format.ending).toStdString(), {}));

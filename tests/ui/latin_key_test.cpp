@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Keys mean the same on keyboards of every script. X numbers the places of keys: G is at 42
 // wherever it is engraved with another letter.
-#include "ui/latin_key.h"
+#include "ui/controls/latin_key.h"
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -16,10 +16,12 @@
 #include <QStandardPaths>
 #include <QTest>
 
-#include "ui/bindings.h"
-#include "ui/main_window.h"
-#include "ui/volume_view.h"
-#include "window_support.h"
+#include "tests/ui/window_support.h"
+#include "ui/controls/bindings.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/view_layout.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -171,17 +173,18 @@ TEST(Bindings, ShortcutsAndMenusTakeLettersOfAnyScriptAndFieldsWriteThem) {
   QApplication::setActiveWindow(&window);
   auto* alone = window.findChild<QAction*>("maximiseView");
   auto* picture = window.findChild<QAction*>("savePicture");
-  alone->disconnect(&window.views());
+  alone->disconnect(&window.views().layout());
   picture->disconnect();
   QSignalSpy shown_alone(alone, &QAction::triggered), pictures(picture, &QAction::triggered);
-  window.view().setFocus();
+  window.views().volume().setFocus();
   int times = 0;
   for (const Keyboard& keyboard : kKeyboards) {
     SCOPED_TRACE(keyboard.name);
-    send(window.view(), QEvent::KeyPress, keyboard.f, kPlaceF);
+    send(window.views().volume(), QEvent::KeyPress, keyboard.f, kPlaceF);
     EXPECT_EQ(shown_alone.count(), ++times);
   }
-  send(window.view(), QEvent::KeyPress, U'Ы', kPlaceS, Qt::ControlModifier | Qt::ShiftModifier);
+  send(window.views().volume(), QEvent::KeyPress, U'Ы', kPlaceS,
+       Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(pictures.count(), 1);
   // a field writes its letters, and copies with Ctrl and the key that has no C
   auto* field = new QLineEdit(&window);
@@ -255,11 +258,11 @@ TEST(Bindings, ARealKeyboardWithoutLatinLettersDoesTheSame) {
   window::showAndWait(window, {1000, 700});
   keyboard.giveTo(window);
   ASSERT_TRUE(window::waitFor([&] { return window.isActiveWindow(); }));
-  ui::VolumeView& view = window.view();
+  ui::VolumeView& view = window.views().volume();
   view.setFocus();
   view.setMouseHand(true);
   auto* alone = window.findChild<QAction*>("maximiseView");
-  alone->disconnect(&window.views());
+  alone->disconnect(&window.views().layout());
   QSignalSpy shown_alone(alone, &QAction::triggered), force(&view, &ui::VolumeView::forceHeld);
   int times = 0;
   for (const char* const layout : {"ru", "gr", "ru,us"}) {

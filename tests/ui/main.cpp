@@ -6,8 +6,8 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "ui/props/viewport.h"
 #include "ui/style/style.h"
-#include "ui/viewport.h"
 
 int main(int argc, char** argv) {
   // in English, with its numbers, wherever the tests run

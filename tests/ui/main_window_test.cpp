@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <gtest/gtest.h>
 
@@ -24,13 +24,19 @@
 #include <functional>
 #include <optional>
 
-#include "app/window/preferences.h"
-#include "panelled_window.h"
+#include "app/window/program/preferences.h"
+#include "tests/ui/panelled_window.h"
+#include "tests/ui/window_support.h"
+#include "ui/controls/section.h"
 #include "ui/panels/isosurface_panel.h"
-#include "ui/section.h"
 #include "ui/style/style.h"
-#include "ui/volume_view.h"
-#include "window_support.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/menus.h"
+#include "ui/window/messages.h"
+#include "ui/window/top_bar.h"
+#include "ui/window/touch_state.h"
+#include "ui/window/view_layout.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -52,18 +58,18 @@ TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheStopButtonWishTheForceOff) {
   panelled.show(ctPicture(), 300.0, "Ball");
   window::showAndWait(window, {1240, 840});
   int wishes = 0;
-  QObject::connect(&window, &ui::MainWindow::forceOffWanted, [&] { ++wishes; });
+  QObject::connect(&window.touch(), &ui::TouchState::forceOffWanted, [&] { ++wishes; });
   const auto wished = [&] { return std::exchange(wishes, 0) > 0; };
 
   auto* red = window.findChild<QToolButton*>("forceOff");
   ASSERT_TRUE(red && red->isVisible());
   QTest::mouseClick(red, Qt::LeftButton);
   EXPECT_TRUE(wished());
-  QTest::keyClick(&window.view(), Qt::Key_Space);
+  QTest::keyClick(&window.views().volume(), Qt::Key_Space);
   EXPECT_TRUE(wished());
   for (QWidget* focus :
-       {static_cast<QWidget*>(&window.view()),
-        static_cast<QWidget*>(&window.slice(ui::Plane::Axial)),
+       {static_cast<QWidget*>(&window.views().volume()),
+        static_cast<QWidget*>(&window.views().slice(ui::Plane::Axial)),
         static_cast<QWidget*>(window.findChild<QDoubleSpinBox*>("isovalueTyped"))}) {
     QTest::keyClick(focus, Qt::Key_Escape);
     EXPECT_TRUE(wished());
@@ -92,7 +98,8 @@ TEST(MainWindow, AsksBeforeItResamplesAndTakesEnterForNo) {
       EXPECT_EQ(box->text(), "The slices are tilted.");
       answer(*box);
     });
-    return window.askWhether("The slices are tilted.", "They are resampled.", "Resample");
+    return window.messages().askWhether("The slices are tilted.", "They are resampled.",
+                                        "Resample");
   };
   EXPECT_FALSE(answered([](QMessageBox& box) { QTest::keyClick(&box, Qt::Key_Return); }));
   EXPECT_FALSE(answered([](QMessageBox& box) { QTest::keyClick(&box, Qt::Key_Escape); }));
@@ -105,19 +112,19 @@ TEST(MainWindow, AsksBeforeItResamplesAndTakesEnterForNo) {
 TEST(MainWindow, TheSliderOnTheHistogramChangesPictureAndTouch) {
   window::Panelled panelled;
   ui::MainWindow& window = panelled.window;
-  window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
+  window.views().volume().setSurfaceWish(ui::SurfaceMode::Mesh);
   panelled.show(ctPicture(), 300.0, "Ball");
   window::showAndWait(window, {1240, 840});
   double felt = 0.0;
   QObject::connect(&panelled.isosurface, &app::IsosurfaceController::changed,
                    [&](double s) { felt = s; });
-  const QImage before = window::pictureAtRest(window.view());
+  const QImage before = window::pictureAtRest(window.views().volume());
   auto* slider = window.findChild<ui::HistogramSlider*>("isovalueSlider");
   const int x = static_cast<int>(std::lround(slider->width() * 0.35));
   QTest::mouseClick(slider, Qt::LeftButton, {}, {x, slider->height() / 2});
   EXPECT_NEAR(felt, slider->intensityAt(slider->value()), 1.0);
   EXPECT_LT(felt, 0.0);
-  const QImage after = window::pictureAtRest(window.view());
+  const QImage after = window::pictureAtRest(window.views().volume());
   EXPECT_GT(window::differing(before, after), 0.05);
   window::keep(window::pictureOf(window), "main_window");
 }
@@ -169,11 +176,11 @@ TEST(MainWindow, WhatWasWrittenIsToldApartFromAWarningAndShowsItsFolder) {
     return window::count(window::pictureOf(*words.parentWidget()),
                          [&](QColor c) { return c.rgb() == colour.rgb(); });
   };
-  QSignalSpy folders(&window, &ui::MainWindow::folderWanted);
-  window.showMessage("The disk is full; make room.");
+  QSignalSpy folders(&window.messages(), &ui::Messages::folderWanted);
+  window.messages().showMessage("The disk is full; make room.");
   QTest::qWait(30);
   EXPECT_GT(has(*message, ui::style::kDark.attention_ground), 2'000);
-  window.showDone("\"head.nrrd\" was saved.", "/home/somebody/scans");
+  window.messages().showDone("\"head.nrrd\" was saved.", "/home/somebody/scans");
   QTest::qWait(30);
   window::keep(window::pictureOf(window), "main_window_done");
   EXPECT_TRUE(done->isVisible());
@@ -186,10 +193,10 @@ TEST(MainWindow, WhatWasWrittenIsToldApartFromAWarningAndShowsItsFolder) {
   QTest::mouseClick(folder, Qt::LeftButton);
   ASSERT_EQ(folders.count(), 1);
   EXPECT_EQ(folders.at(0).at(0).toString(), "/home/somebody/scans");
-  window.showMessage("Another warning.");
+  window.messages().showMessage("Another warning.");
   EXPECT_FALSE(done->isVisible());
-  window.showDone("Saved.", "/tmp");
-  window.clearMessage();
+  window.messages().showDone("Saved.", "/tmp");
+  window.messages().clear();
   EXPECT_FALSE(done->isVisible());
 }
 
@@ -197,7 +204,7 @@ TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
   window::Panelled panelled;
   ui::MainWindow& window = panelled.window;
   panelled.show(ctPicture(), 300.0, "Ball");
-  window.show(window::octahedron(0.003));
+  window.views().show(window::octahedron(0.003));
   window::showAndWait(window, {1240, 840});
   haptics::Snapshot snapshot;
   snapshot.X_WP.translation() = Vec3{0.0, -0.03, 0.0};
@@ -209,7 +216,8 @@ TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
   snapshot.tick_p99 = 42e-6;
   snapshot.policy = haptics::SchedulingPolicy::RealTime;
   snapshot.force_state = haptics::ForceState::On;
-  window.display(snapshot);
+  window.views().display(snapshot);
+  window.touch().display(snapshot);
   std::vector<haptics::ForceSample> points;
   for (int i = 0; i < 12'000; ++i) {
     const double t = i * 1e-3;
@@ -230,10 +238,10 @@ TEST(MainWindow, SaysForceAndServoAndPlotsThem) {
 /// A window with a volume, and what it is told of the force.
 struct Told {
   explicit Told(QSize size = {1280, 860}) {
-    panelled.window.view().setSurfaceWish(ui::SurfaceMode::Mesh);
+    panelled.window.views().volume().setSurfaceWish(ui::SurfaceMode::Mesh);
     panelled.show(ctPicture(), 300.0, "Ball");
-    panelled.window.show(window::octahedron(0.003));
-    panelled.window.setHand("Mouse", ui::Feel::Shown);
+    panelled.window.views().show(window::octahedron(0.003));
+    panelled.window.touch().setHand("Mouse", ui::Feel::Shown);
     window::showAndWait(panelled.window, size);
   }
   void tell(haptics::ForceState state, haptics::ForceReason reason = haptics::ForceReason::User,
@@ -244,7 +252,8 @@ struct Told {
     snapshot.reason = reason;
     snapshot.felt_W.force = state == haptics::ForceState::On ? Vec3{0.0, -1.5, 0.0} : Vec3::Zero();
     if (live) snapshot.policy = haptics::SchedulingPolicy::Ordinary;
-    window.display(snapshot);
+    window.views().display(snapshot);
+    window.touch().display(snapshot);
     QTest::qWait(30);
   }
   std::string state() { return window.findChild<QLabel*>("forceStateBar")->text().toStdString(); }
@@ -259,8 +268,8 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   using haptics::ForceReason, haptics::ForceState;
   Told t;
   int wishes = 0, resumed = 0;
-  QObject::connect(&t.window, &ui::MainWindow::forceOffWanted, [&] { ++wishes; });
-  QObject::connect(&t.window, &ui::MainWindow::forceOnWanted, [&] { ++resumed; });
+  QObject::connect(&t.window.touch(), &ui::TouchState::forceOffWanted, [&] { ++wishes; });
+  QObject::connect(&t.window.touch(), &ui::TouchState::forceOnWanted, [&] { ++resumed; });
   const auto* stop = t.window.findChild<QToolButton*>("forceOff");
   EXPECT_EQ(stop->text(), "STOP FORCE");
   // of a mouse nothing is felt
@@ -268,7 +277,7 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   EXPECT_EQ(t.state(), "Force shown, not felt");
   EXPECT_FALSE(t.resume()->isVisible());
   // Escape where nothing has been stopped yet, and then who stopped it
-  QTest::keyClick(&t.window.view(), Qt::Key_Escape);
+  QTest::keyClick(&t.window.views().volume(), Qt::Key_Escape);
   EXPECT_GT(wishes, 0);
   t.tell(ForceState::Ready);
   EXPECT_EQ(t.state(), "Force stopped");
@@ -278,7 +287,7 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   EXPECT_TRUE(stop->isVisible());
   window::keep(window::pictureOf(t.window), "main_window_stopped");
   // a press more does not change who it was
-  QTest::keyClick(&t.window.view(), Qt::Key_Space);
+  QTest::keyClick(&t.window.views().volume(), Qt::Key_Space);
   t.tell(ForceState::Ready);
   EXPECT_EQ(t.sentence()->text(), "Force stopped by Escape");
   QTest::mouseClick(t.resume(), Qt::LeftButton);
@@ -287,12 +296,12 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   EXPECT_EQ(t.state(), "Force rising");
   EXPECT_FALSE(t.sentence()->isVisible());
   t.tell(ForceState::On);
-  QTest::keyClick(&t.window.view(), Qt::Key_Space);
+  QTest::keyClick(&t.window.views().volume(), Qt::Key_Space);
   t.tell(ForceState::Ready);
   EXPECT_EQ(t.sentence()->text(), "Force stopped by Space");
 
   // a device is felt, and armed first
-  t.window.setHand("omega.6", ui::Feel::Felt);
+  t.window.touch().setHand("omega.6", ui::Feel::Felt);
   t.tell(ForceState::Ready);
   EXPECT_EQ(t.state(), "Force off");
   EXPECT_EQ(t.resume()->text(), "Arm");
@@ -304,12 +313,12 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   window::keep(window::pictureOf(t.window), "main_window_fault");
   t.tell(ForceState::Fault, ForceReason::Lost);
   EXPECT_FALSE(t.resume()->isVisible());  // what is gone is not armed
-  t.window.setHand("SpaceMouse", ui::Feel::Nothing);
+  t.window.touch().setHand("SpaceMouse", ui::Feel::Nothing);
   t.tell(ForceState::Ready);
   EXPECT_EQ(t.state(), "No motors, no force");
   EXPECT_FALSE(t.resume()->isVisible());
   // what is shown of a recording is no force now
-  t.window.setHand("omega.6", ui::Feel::Felt);
+  t.window.touch().setHand("omega.6", ui::Feel::Felt);
   t.tell(ForceState::On, ForceReason::User, false);
   EXPECT_EQ(t.state(), "Replay");
   const auto* chip = t.window.findChild<QLabel*>("forceStateBar");
@@ -326,7 +335,7 @@ TEST(MainWindow, SaysThatItRecordsAsLongAsItDoes) {
   Told t;
   auto* chip = t.window.findChild<QLabel*>("recordingChip");
   EXPECT_FALSE(chip->isVisible());
-  t.window.showRecording(12.9);
+  t.window.bar().showRecording(12.9);
   QTest::qWait(50);
   EXPECT_EQ(chip->text(), "REC 0:12");
   EXPECT_EQ(chip->visibleRegion().boundingRect().size(), chip->size());
@@ -336,7 +345,7 @@ TEST(MainWindow, SaysThatItRecordsAsLongAsItDoes) {
   QTest::qWait(100);
   EXPECT_EQ(chip->visibleRegion().boundingRect().size(), chip->size());
   EXPECT_GE(chip->width(), chip->minimumSizeHint().width());
-  t.window.showRecording(std::nullopt);
+  t.window.bar().showRecording(std::nullopt);
   EXPECT_FALSE(chip->isVisible());
 }
 
@@ -368,7 +377,7 @@ TEST(MainWindow, WearsEveryThemeAndItsViewsStayDark) {
     return image.pixelColor(rail->mapTo(&t.window, QPoint{4, rail->height() - 20}));
   };
   int chosen = 0;
-  QObject::connect(&t.window, &ui::MainWindow::themeChanged, [&] { ++chosen; });
+  QObject::connect(&t.window.menus(), &ui::Menus::themeChanged, [&] { ++chosen; });
   for (const ui::style::Theme theme :
        {ui::style::Theme::Light, ui::style::Theme::HighContrast, ui::style::Theme::Dark}) {
     const QString name = ui::style::nameOf(theme);
@@ -376,7 +385,7 @@ TEST(MainWindow, WearsEveryThemeAndItsViewsStayDark) {
     QTest::qWait(100);
     EXPECT_EQ(ui::style::theme(), theme);
     EXPECT_EQ(ground().rgb(), ui::style::coloursOf(theme).ground.rgb()) << name.toStdString();
-    const QImage view = window::pictureAtRest(t.window.view());
+    const QImage view = window::pictureAtRest(t.window.views().volume());
     EXPECT_LT(view.pixelColor(5, view.height() / 3).lightness(), 30) << name.toStdString();
     window::keep(window::pictureOf(t.window), ("main_window_" + name).toUtf8());
   }
@@ -408,7 +417,7 @@ TEST(MainWindow, FitsASmallScreenAndALargeOne) {
       EXPECT_TRUE(all.contains(QRect(part->mapTo(&t.window, QPoint{}), part->size()))) << name;
     }
     // the anatomy has the most of it
-    EXPECT_GT(double(t.window.views().width()) * t.window.views().height(),
+    EXPECT_GT(double(t.window.views().layout().width()) * t.window.views().layout().height(),
               0.55 * size.width() * size.height());
     window::keep(window::pictureOf(t.window), QString("main_window_%1").arg(size.width()).toUtf8());
   }
@@ -428,7 +437,7 @@ TEST(MainWindow, RemembersItsPanelsAndGivesTheFirstOnesBack) {
     EXPECT_TRUE(t.window.findChild<QLabel*>("statusLine")->isVisible());
     auto* splitter = t.window.findChild<QSplitter*>("panelSplitter");
     splitter->setSizes({360, splitter->width() - 360});
-    emit t.window.views().findChildren<ui::ViewGap*>().front()->moved(40);
+    emit t.window.views().layout().findChildren<ui::ViewGap*>().front()->moved(40);
     moved = t.window.layoutState();
     app::Preferences preferences = app::loadPreferences();
     preferences.layout = moved;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The first minute: what an empty window offers, the notice, and the tour of the first steps.
-#include "ui/start_page.h"
+#include "ui/window/start_page.h"
 
 #include <gtest/gtest.h>
 
@@ -24,20 +24,22 @@
 #include <thread>
 
 #include "app/application.h"
-#include "app/window/loader.h"
-#include "app/window/preferences.h"
+#include "app/window/program/preferences.h"
+#include "app/window/scan/loader.h"
 #include "haptics/session.h"
 #include "tests/support/turned_scan.h"
-#include "ui/main_window.h"
+#include "tests/ui/window_support.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/haptic_device_panel.h"
 #include "ui/panels/histogram_slider.h"
-#include "ui/screenshot.h"
-#include "ui/side_panel.h"
 #include "ui/style/style.h"
-#include "ui/tour.h"
-#include "ui/volume_view.h"
-#include "window_support.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/menus.h"
+#include "ui/window/screenshot.h"
+#include "ui/window/side_panel.h"
+#include "ui/window/tour.h"
+#include "ui/window/views.h"
 
 namespace {
 
@@ -141,7 +143,8 @@ TEST_F(StartPage, AnEmptyWindowOffersThreeWaysToBeginAndTheDemoIsOneClickAway) {
   const QImage seen = window::pictureOf(window());
   window::keep(seen, "start_page");
   // a picture of the window has the cards, not the view that they cover
-  const QImage picture = ui::screenshotOf(window(), window().view(), {.whole_window = true});
+  const QImage picture =
+      ui::screenshotOf(window(), window().views().volume(), {.whole_window = true});
   EXPECT_LT(window::differing(picture, seen, 8), 0.002);
   window().activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));
@@ -223,7 +226,7 @@ TEST_F(StartPage, TheLastScansHavePicturesThatAreMadeAgainAndKeptNowhere) {
   window::keep(window::pictureOf(window()), "start_page_last_scans");
   EXPECT_EQ(folder.files(), before);
   // in the preferences there are their paths, and of the window its geometry
-  emit window().panelsChanged();  // they are saved
+  emit window().layoutChanged();  // they are saved
   QSettings settings;
   for (const QString& key : settings.allKeys()) {
     if (key == "window/geometry") continue;
@@ -335,9 +338,9 @@ TEST_F(StartPage, NoScanIsNamedOnceTheyAreForgotten) {
   startEmpty();
   ASSERT_EQ(tiles().size(), 1);
   EXPECT_EQ(named<QLabel>("lastScans")->text(), "Last scans");
-  emit window().forgetPlacesWanted();
+  emit window().menus().forgetPlacesWanted();
   EXPECT_TRUE(tiles().isEmpty());
-  emit window().rememberPlacesChanged(false);
+  emit window().menus().rememberPlacesChanged(false);
   EXPECT_TRUE(named<QLabel>("lastScans")->text().contains("not remembered"));
 }
 
@@ -397,9 +400,9 @@ TEST_F(StartPage, TheTourShowsThreeControlsOnceAndHelpShowsItAgain) {
   ASSERT_TRUE(isTouched());
   ASSERT_TRUE(waitFor([&] { return tour().isVisible(); }));
   // the focus stays where it is, also after a click on its button: Space takes the force away
-  window().view().setFocus();
+  window().views().volume().setFocus();
   const auto leavesTheFocus = [&] {
-    EXPECT_EQ(window().focusWidget(), &window().view()) << tour().step();
+    EXPECT_EQ(window().focusWidget(), &window().views().volume()) << tour().step();
   };
   const auto beside = [&](const QWidget* control) {
     // the bubble touches its control and leaves it free

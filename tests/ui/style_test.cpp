@@ -22,8 +22,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/ui/window_support.h"
 #include "ui/style/scene_colours.h"
-#include "window_support.h"
 
 namespace {
 

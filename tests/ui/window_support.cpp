@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window_support.h"
+#include "tests/ui/window_support.h"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/core/volume.h"
-#include "ui/export_question.h"
-#include "ui/slice_view.h"
-#include "ui/volume_view.h"
+#include "ui/dialogs/export_question.h"
+#include "ui/views/slice_view.h"
+#include "ui/views/volume_view.h"
 
 namespace window {
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "ui/lengths.h"
+#include "ui/controls/lengths.h"
 #include "ui/props/picture.h"
 
 namespace ui {

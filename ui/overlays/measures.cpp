@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/lengths.h"
+#include "ui/controls/lengths.h"
 #include "ui/props/picture.h"
 #include "ui/style/scene_colours.h"
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "ui/overlay.h"
 #include "ui/overlays/measure.h"
 #include "ui/overlays/measure_words.h"
+#include "ui/overlays/overlay.h"
 
 namespace ui {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "haptics/core/volume.h"
-#include "ui/overlay.h"
+#include "ui/overlays/overlay.h"
 
 namespace ui {
 

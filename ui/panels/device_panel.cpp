@@ -12,10 +12,10 @@
 #include <cmath>
 
 #include "haptics/settings.h"
-#include "ui/number_box.h"
+#include "ui/controls/number_box.h"
+#include "ui/controls/spoken.h"
+#include "ui/dialogs/unit_question.h"
 #include "ui/panels/tool_list.h"
-#include "ui/spoken.h"
-#include "ui/unit_question.h"
 
 namespace ui {
 namespace {

@@ -14,8 +14,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/bindings.h"
-#include "ui/number_box.h"
+#include "ui/controls/bindings.h"
+#include "ui/controls/number_box.h"
 #include "ui/style/look.h"
 
 namespace ui {

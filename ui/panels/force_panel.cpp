@@ -10,7 +10,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "ui/figure.h"
+#include "ui/controls/figure.h"
 #include "ui/panels/force_words.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"

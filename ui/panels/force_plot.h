@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "haptics/snapshot.h"
-#include "ui/spoken.h"
+#include "ui/controls/spoken.h"
 
 namespace ui {
 

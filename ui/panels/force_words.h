@@ -5,7 +5,7 @@
 
 #include "haptics/core/trouble.h"
 #include "haptics/snapshot.h"
-#include "ui/state_chip.h"
+#include "ui/controls/state_chip.h"
 
 namespace ui {
 

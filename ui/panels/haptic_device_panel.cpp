@@ -19,11 +19,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/bindings.h"
-#include "ui/number_box.h"
+#include "ui/controls/bindings.h"
+#include "ui/controls/number_box.h"
+#include "ui/controls/set_up_page.h"
+#include "ui/controls/state_chip.h"
 #include "ui/panels/force_words.h"
-#include "ui/set_up_page.h"
-#include "ui/state_chip.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
 

@@ -3,8 +3,8 @@
 
 #include <QAbstractSlider>
 
+#include "ui/controls/spoken.h"
 #include "ui/props/picture.h"
-#include "ui/spoken.h"
 
 namespace ui {
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/number_box.h"
+#include "ui/controls/number_box.h"
 #include "ui/style/style.h"
 
 namespace ui {

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/spoken.h"
+#include "ui/controls/spoken.h"
 
 namespace ui {
 

@@ -12,7 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/bindings.h"
+#include "ui/controls/bindings.h"
 #include "ui/overlays/measure_words.h"
 #include "ui/style/style.h"
 

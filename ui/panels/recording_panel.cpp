@@ -15,13 +15,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/bindings.h"
-#include "ui/figure.h"
+#include "ui/controls/bindings.h"
+#include "ui/controls/figure.h"
+#include "ui/controls/time_words.h"
+#include "ui/controls/warning_label.h"
 #include "ui/panels/recording_lines.h"
-#include "ui/panels/time_words.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
-#include "ui/warning_label.h"
 
 namespace ui {
 namespace {

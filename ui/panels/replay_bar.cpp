@@ -10,11 +10,11 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "ui/bindings.h"
-#include "ui/figure.h"
-#include "ui/panels/time_words.h"
+#include "ui/controls/bindings.h"
+#include "ui/controls/figure.h"
+#include "ui/controls/time_words.h"
+#include "ui/controls/warning_label.h"
 #include "ui/style/style.h"
-#include "ui/warning_label.h"
 
 namespace ui {
 namespace {

@@ -9,9 +9,9 @@
 #include <array>
 #include <cmath>
 
-#include "ui/bindings.h"
+#include "ui/controls/bindings.h"
+#include "ui/controls/time_words.h"
 #include "ui/panels/force_words.h"
-#include "ui/panels/time_words.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/spoken.h"
+#include "ui/controls/spoken.h"
 
 namespace ui {
 
@@ -31,7 +31,7 @@ struct ReplayTrack {
 /// The whole recording from left to right: the force as a curve over axes of newtons and of time,
 /// events as symbols that differ in colour and shape, late ticks as short dim lines at the foot,
 /// the present time as a line. A click or drag requests another time; while the mouse button is
-/// down the line follows the mouse. Its keys are in ui/bindings.h.
+/// down the line follows the mouse. Its keys are in ui/controls/bindings.h.
 class ReplayTimeline : public QWidget, public Spoken {
   Q_OBJECT
  public:

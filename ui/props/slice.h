@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ui/props/picture.h"
-#include "ui/view_look.h"
+#include "ui/props/view_look.h"
 
 class vtkImageReslice;
 

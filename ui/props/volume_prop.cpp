@@ -21,7 +21,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "ui/viewport.h"
+#include "ui/props/viewport.h"
 
 namespace ui {
 namespace {

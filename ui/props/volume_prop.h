@@ -9,7 +9,7 @@
 
 #include "ui/props/colouring.h"
 #include "ui/props/picture.h"
-#include "ui/surface_choice.h"
+#include "ui/props/surface_choice.h"
 
 class vtkActor;
 class vtkCamera;

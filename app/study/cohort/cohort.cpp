@@ -7,7 +7,7 @@
 #include "app/study/cohort/pages.h"
 #include "app/study/cohort/touch.h"
 #include "datasets/readers/volume_reader.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 
 namespace cohort {
 namespace {

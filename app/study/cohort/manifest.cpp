@@ -11,8 +11,8 @@
 #include <set>
 #include <sstream>
 
-#include "haptics/core/input_file.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/input_file.h"
+#include "haptics/process/output_file.h"
 #include "haptics/settings.h"
 #include "resources/named_tools.h"
 

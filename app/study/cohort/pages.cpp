@@ -13,8 +13,8 @@
 #include "app/measurement/quantile.h"
 #include "app/study/cohort/touch.h"
 #include "app/study/page/page.h"
-#include "haptics/core/input_file.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/input_file.h"
+#include "haptics/process/output_file.h"
 
 namespace cohort {
 namespace {

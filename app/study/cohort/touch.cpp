@@ -15,11 +15,11 @@
 #include <numeric>
 
 #include "app/measurement/quantile.h"
+#include "app/recording/replay.h"
 #include "app/study/comparison/course.h"
 #include "app/study/comparison/measures.h"
 #include "app/study/reference/run.h"
 #include "datasets/readers/volume_reader.h"
-#include "haptics/recording/replay.h"
 #include "haptics/simulation/closed_loop.h"
 #include "resources/messages/messages.h"
 #include "resources/named_tools.h"
@@ -305,14 +305,14 @@ class ScanAtHand {
   }
 
   void replay() {
-    auto recording = haptics::Recording::open(line_.recording);
+    auto recording = app::Recording::open(line_.recording);
     if (!recording) return refuse(reasonOf(recording.error()));
     std::optional<Error> failed;
     std::shared_ptr<const Scene> last;
     const auto sceneOf = [&](std::uint32_t id) -> std::shared_ptr<const Scene> {
-      const haptics::RecordedScene* then = recording->scene(id);
-      if (then == nullptr || !haptics::liesLike(then->volume, *volume_)) return nullptr;
-      const auto touched = haptics::editedAsRecorded(volume_, *then);
+      const app::RecordedScene* then = recording->scene(id);
+      if (then == nullptr || !app::liesLike(then->volume, *volume_)) return nullptr;
+      const auto touched = app::editedAsRecorded(volume_, *then);
       auto made = touched ? haptics::makeScene(*touched, then->tool, then->options, last.get())
                           : tl::unexpected(touched.error());
       if (!made) {
@@ -321,8 +321,7 @@ class ScanAtHand {
       }
       return last = *made;
     };
-    const auto difference =
-        haptics::replay(*recording, sceneOf, [this](double) { return !cancel_; });
+    const auto difference = app::replay(*recording, sceneOf, [this](double) { return !cancel_; });
     if (failed) return refuse(reasonOf(*failed));
     if (!difference) return refuse(reasonOf(difference.error()));
     if (difference->steps == 0) return refuse("another-volume");

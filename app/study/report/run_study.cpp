@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "app/build_info/build_info.h"
-#include "haptics/core/input_file.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/input_file.h"
+#include "haptics/process/output_file.h"
 
 namespace study {
 namespace {

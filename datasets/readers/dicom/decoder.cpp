@@ -20,7 +20,7 @@
 #include <utility>
 
 #include "datasets/readers/files/refusal.h"
-#include "haptics/core/helper_program.h"
+#include "haptics/process/helper_program.h"
 
 namespace datasets {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "datasets/readers/files/refusal.h"
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 
 namespace datasets {
 

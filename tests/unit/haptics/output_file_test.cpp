@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/core/output_file.h"
+#include "haptics/process/output_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -12,7 +12,6 @@
 #include "datasets/phantoms/sampling.h"
 #include "haptics/collision/motion_rows.h"
 #include "haptics/core/voxel_memory.h"
-#include "haptics/edit/edited.h"
 #include "tests/support/made.h"
 #include "tests/support/millimetre.h"
 
@@ -58,11 +57,11 @@ std::shared_ptr<const haptics::Volume> oneVoxelLowered(
   const auto view = before->memory->privateView().value();
   static_cast<float*>(view.get())[(2 * 24 + 12) * 24 + 12] = static_cast<float>(before->least);
   after.voxels = view;
-  auto edit = std::make_shared<haptics::Edited>();
+  auto edit = std::make_shared<haptics::Derivation>();
   edit->scan = before;
   edit->neighbour = before;
   edit->changed = told;
-  after.edited = edit;
+  after.derivation = edit;
   return made::shared(std::move(after));
 }
 
@@ -96,11 +95,11 @@ std::shared_ptr<const haptics::Volume> croppedTo(
     const std::optional<haptics::VoxelBox>& crop, const std::vector<haptics::VoxelBox>& told) {
   haptics::Volume after = *before;
   after.crop = crop;
-  auto edit = std::make_shared<haptics::Edited>();
-  edit->scan = before->edited ? before->edited->scan : before;
+  auto edit = std::make_shared<haptics::Derivation>();
+  edit->scan = before->derivation ? before->derivation->scan : before;
   edit->neighbour = before;
   edit->changed = told;
-  after.edited = edit;
+  after.derivation = edit;
   return made::shared(std::move(after));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/core/voxel_memory.h"
-#include "haptics/core/process_limits.h"
+#include "haptics/process/process_limits.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -7,9 +7,9 @@
 
 #include "tests/support/turned_scan.h"
 #include "tests/unit/ui/volumes.h"
-#include "ui/grey_presets.h"
-#include "ui/lengths.h"
-#include "ui/slice_readout.h"
+#include "ui/controls/lengths.h"
+#include "ui/views/grey_presets.h"
+#include "ui/views/slice_readout.h"
 
 namespace {
 

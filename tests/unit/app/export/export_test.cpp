@@ -15,7 +15,7 @@
 #include <random>
 #include <sstream>
 
-#include "haptics/recording/recorder.h"
+#include "app/recording/recorder.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/sentence.h"
 
@@ -23,8 +23,8 @@ namespace app::exporting {
 namespace {
 
 namespace fs = std::filesystem;
+using app::Recording;
 using haptics::Expected;
-using haptics::Recording;
 using haptics::Step;
 using support::ScratchFolder;
 
@@ -35,7 +35,7 @@ Step at(std::int64_t time_ns) {
 }
 
 Recording recorded(const fs::path& path, std::vector<Step> steps) {
-  auto recorder = haptics::Recorder::create(path, {"test", "build", "machine"});
+  auto recorder = app::Recorder::create(path, {"test", "build", "machine"});
   EXPECT_TRUE(recorder) << sentence(recorder.error());
   haptics::StepRing& ring = (*recorder)->ring();
   ring.start({});

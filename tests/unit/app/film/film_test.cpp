@@ -59,7 +59,7 @@ TEST_F(Film, ShowsTheLastStepAtOrBeforeTheTimeOfEachFrame) {
   };
   auto recording = recorded(scratch, session);
   std::vector<std::pair<std::int64_t, std::int64_t>> steps;
-  ASSERT_TRUE(recording.forEach(-1.0, 1e9, [&](const haptics::RecordedStep& step) {
+  ASSERT_TRUE(recording.forEach(-1.0, 1e9, [&](const app::RecordedStep& step) {
     steps.emplace_back(step.step.sequence, step.step.time_ns);
     return true;
   }));

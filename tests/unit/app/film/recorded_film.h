@@ -23,7 +23,7 @@
 
 #include "app/display.h"
 #include "app/film/film.h"
-#include "haptics/recording/recorder.h"
+#include "app/recording/recorder.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/sentence.h"
 
@@ -102,9 +102,9 @@ struct Session {
   std::shared_ptr<const haptics::Scene> scene = film::scene();
 };
 
-inline haptics::Recording recorded(const ScratchFolder& scratch, const Session& session) {
+inline app::Recording recorded(const ScratchFolder& scratch, const Session& session) {
   const fs::path path = scratch / "r.palpate";
-  auto recorder = haptics::Recorder::create(path, {"test", "a build", "a machine"});
+  auto recorder = app::Recorder::create(path, {"test", "a build", "a machine"});
   EXPECT_TRUE(recorder) << sentence(recorder.error());
   (*recorder)->describe(session.scene, "");
   (*recorder)->ring().start({});
@@ -116,7 +116,7 @@ inline haptics::Recording recorded(const ScratchFolder& scratch, const Session& 
   const auto finished = (*recorder)->finish();
   EXPECT_TRUE(finished) << sentence(finished.error());
   {
-    auto database = haptics::Database::open(path, haptics::Database::Mode::Recover);
+    auto database = app::Database::open(path, app::Database::Mode::Recover);
     EXPECT_TRUE(database);
     for (const auto& [time_ns, text] : session.cameras) {
       auto row = database->prepare(
@@ -125,7 +125,7 @@ inline haptics::Recording recorded(const ScratchFolder& scratch, const Session& 
     }
     EXPECT_TRUE(database->run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE;"));
   }
-  auto recording = haptics::Recording::open(path);
+  auto recording = app::Recording::open(path);
   EXPECT_TRUE(recording) << sentence(recording.error());
   return std::move(*recording);
 }

@@ -29,7 +29,7 @@ ViewFile someView() {
   for (std::size_t i = 0; i < view.hash->size(); ++i)
     (*view.hash)[i] = static_cast<std::uint8_t>(7 * i);
   view.place = "../scans/head.nrrd";
-  view.edits = {haptics::Crop{{{10, 20, 0}, {400, 500, 361}}}, haptics::RemoveHolder{300.1}};
+  view.edits = {datasets::Crop{{{10, 20, 0}, {400, 500, 361}}}, datasets::RemoveHolder{300.1}};
   view.isovalue = 300.1;
   view.tool = "probe";
   view.marks = {
@@ -81,7 +81,7 @@ TEST(ViewFile, ComesBackAsItWasSaved) {
   EXPECT_EQ(read->place, view.place);
   ASSERT_EQ(read->edits.size(), view.edits.size());
   for (std::size_t i = 0; i < view.edits.size(); ++i)
-    EXPECT_EQ(haptics::textOf(read->edits[i]), haptics::textOf(view.edits[i]));
+    EXPECT_EQ(datasets::textOf(read->edits[i]), datasets::textOf(view.edits[i]));
   EXPECT_EQ(read->isovalue, view.isovalue);
   EXPECT_EQ(read->tool, view.tool);
   ASSERT_EQ(read->marks.size(), view.marks.size());

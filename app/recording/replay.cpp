@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/recording/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include "datasets/edits/edited.h"
+#include "haptics/servo/engagement.h"
+#include "haptics/servo/servo_tick.h"
+
+namespace app {
+namespace {
+
+haptics::Vec3 placeOf(const PoseNumbers& n) { return {n[0], n[1], n[2]}; }
+haptics::Quat turnOf(const PoseNumbers& n) { return {n[3], n[4], n[5], n[6]}; }
+
+/// What was recorded and what came out, number by number.
+void compare(const RecordedStep& recorded, const haptics::Pose& X_WP, const haptics::Wrench& sent_W,
+             ReplayDifference& difference) {
+  ++difference.steps;
+  const PoseNumbers proxy = numbersOf(X_WP);
+  const haptics::Wrench& then = recorded.step.sent_W;
+  const bool same = recorded.check
+                        ? *recorded.check == checkOf(proxy, sent_W)
+                        : std::memcmp(&proxy, &recorded.proxy, sizeof proxy) == 0 &&
+                              std::memcmp(&then.force, &sent_W.force, sizeof(haptics::Vec3)) == 0 &&
+                              std::memcmp(&then.torque, &sent_W.torque, sizeof(haptics::Vec3)) == 0;
+  if (same) return;
+  ++difference.differing;
+  if (!difference.first) difference.first = recorded.step.sequence;
+  const auto grow = [](double& most, double value) {
+    // what is no number is as far away as can be
+    most = std::max(most, std::isnan(value) ? std::numeric_limits<double>::infinity() : value);
+  };
+  grow(difference.distance, (placeOf(proxy) - placeOf(recorded.proxy)).norm());
+  grow(difference.angle, turnOf(proxy).angularDistance(turnOf(recorded.proxy)));
+  grow(difference.force, (sent_W.force - then.force).norm());
+  grow(difference.torque, (sent_W.torque - then.torque).norm());
+}
+
+}  // namespace
+
+haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
+    std::shared_ptr<const haptics::Volume> scan, const RecordedScene& scene,
+    const datasets::EditWatch& watch) {
+  auto volume = edited(std::move(scan), scene.edits, watch);
+  if (volume && !scene.edits.empty() && datasets::editedOf(**volume)->digest != scene.edits_digest)
+    return tl::unexpected(haptics::Error{
+        haptics::Error::Kind::Unsupported, {"replay-other-edits", {}}, "other-edits"});
+  return volume;
+}
+
+haptics::Expected<ReplayDifference> replay(
+    Recording& recording,
+    const std::function<std::shared_ptr<const haptics::Scene>(std::uint32_t)>& scene,
+    const std::function<bool(double)>& goes_on) {
+  ReplayDifference difference;
+  std::map<std::uint32_t, std::shared_ptr<const haptics::Scene>> scenes;
+  std::unique_ptr<haptics::Engagement> touched;
+  std::uint32_t scene_touched = 0;
+  haptics::ServoRate rate;
+  std::optional<haptics::Safety> safety;
+  auto start = recording.starts().begin();
+  const double span = std::max(1e-9, recording.end() - recording.begin());
+  bool cancelled = false;
+  std::int64_t until_told = 0;
+  std::uint64_t expected = 0;
+  const auto each = [&](const RecordedStep& recorded) {
+    const haptics::Step& step = recorded.step;
+    if (--until_told < 0) {
+      until_told = 1000;
+      cancelled = !goes_on((double(step.time_ns) * 1e-9 - recording.begin()) / span);
+      if (cancelled) return false;
+    }
+    // what is missing before this step was not seen: without a new start nothing is known
+    if (step.sequence != expected) safety.reset();
+    expected = step.sequence + 1;
+    while (start != recording.starts().end() && start->sequence <= step.sequence) {
+      if (start->sequence == step.sequence) {
+        safety.emplace(start->limits, start->safety);
+        rate = start->rate;
+        touched.reset();
+        if (!scenes.contains(start->scene))
+          scenes[start->scene] = start->scene == 0 ? nullptr : scene(start->scene);
+        if (const auto& found = scenes[start->scene]) {
+          touched = std::make_unique<haptics::Engagement>(found, start->X_WP);
+          touched->proxy.turn = start->turn;
+          scene_touched = start->scene;
+        }
+      }
+      ++start;
+    }
+    const bool at_hand = step.scene == 0 || (touched && scene_touched == step.scene);
+    if (!safety || !at_hand) {
+      // what the gate let through depends on what was not computed
+      if (!at_hand) safety.reset();
+      ++difference.skipped;
+      return true;
+    }
+    // as much work as then, where it was cut then
+    haptics::Budget budget = haptics::Budget::counted(
+        step.cut_at > 0 ? step.cut_at : std::numeric_limits<std::int64_t>::max());
+    haptics::Engagement* const engaged = step.scene == 0 ? nullptr : touched.get();
+    const haptics::ServoResult result = haptics::servoTick(
+        {step.X_WD, step.settings, step.flags}, engaged ? engaged->scene.get() : nullptr,
+        engaged ? &engaged->proxy : nullptr, *safety, rate.period(), budget);
+    compare(recorded, engaged ? engaged->proxy.X_WP : step.X_WD, result.sent_W, difference);
+    return true;
+  };
+  const double everything = std::numeric_limits<double>::infinity();
+  if (auto read = recording.forEach(-everything, everything, each); !read)
+    return tl::unexpected(read.error());
+  if (cancelled)
+    return tl::unexpected(
+        haptics::Error{haptics::Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
+  return difference;
+}
+
+}  // namespace app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/recording/recording.h"
+#include "datasets/edits/edit_history.h"
+#include "haptics/core/error.h"
+#include "haptics/scene/scene.h"
+
+namespace app {
+
+/// Differences between the recording and the present algorithm on the recorded device path.
+struct ReplayDifference {
+  std::int64_t steps = 0;  ///< steps compared
+  /// Steps without a scene, with a scene that is not available, or without a start.
+  std::int64_t skipped = 0;
+  std::int64_t differing = 0;          ///< steps in which a bit of any number differs
+  std::optional<std::uint64_t> first;  ///< sequence of the first differing step
+  // The greatest differences from what was recorded, in the differing steps. A recording that
+  // rounds adds its rounding.
+  double distance = 0.0;  ///< m, between proxy and recorded proxy
+  double angle = 0.0;     ///< rad
+  double force = 0.0;     ///< N
+  double torque = 0.0;    ///< N·m
+};
+
+/// The volume of a recorded scene: the scan after the scene's edits. Refuses edits that do not fit
+/// the scan, and a volume whose digest is not the recorded one, reason "other-edits".
+haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
+    std::shared_ptr<const haptics::Volume> scan, const RecordedScene& scene,
+    const datasets::EditWatch& watch = {});
+
+/// Runs the algorithm with the recorded device path, settings and cuts. `scene` returns the scene
+/// with a number, or null if it is not available; it is called once for each scene. `goes_on` is
+/// called with the completed fraction. If it returns false, the replay ends with reason
+/// "cancelled".
+haptics::Expected<ReplayDifference> replay(
+    Recording& recording,
+    const std::function<std::shared_ptr<const haptics::Scene>(std::uint32_t)>& scene,
+    const std::function<bool(double)>& goes_on);
+
+}  // namespace app

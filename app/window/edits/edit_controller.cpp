@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/edits/edit_controller.h"
+
+#include <QLocale>
+#include <QMenu>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "app/window/edits/crop_numbers.h"
+#include "app/window/scan/edited_volume.h"
+#include "app/window/scan/sentence.h"
+#include "datasets/edits/edited.h"
+#include "ui/controls/bindings.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/escape_filter.h"
+
+namespace app {
+namespace {
+
+using datasets::Edit;
+using Step = EditQueue::Step;
+using ui::EditTool;
+using ui::kMmPerM;
+
+constexpr double kCm3PerM3 = 1e6;
+constexpr double kAnyIntensity = std::numeric_limits<double>::infinity();
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+/// Three significant figures, and cm³.
+QString cm3Of(double volume) {
+  const double cm3 = volume * kCm3PerM3;
+  const double magnitude = cm3 > 0.0 ? std::floor(std::log10(cm3)) : 0.0;
+  const int decimals = std::clamp(2 - static_cast<int>(magnitude), 0, 6);
+  return EditController::tr("%1 cm³").arg(QLocale().toString(cm3, 'f', decimals));
+}
+
+/// The voxels of these runs that reach `least`.
+std::shared_ptr<const ui::MarkedVoxels> marked(const haptics::Volume& volume,
+                                               const datasets::Removal& removal, double least) {
+  auto voxels = std::make_shared<ui::MarkedVoxels>(volume.grid);
+  const auto& dims = volume.grid.dims;
+  haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* first) {
+    for (const haptics::VoxelRun& run : removal.runs) {
+      const auto* row = first + (run.k * dims[1] + run.j) * dims[0];
+      for (std::int64_t i = run.i; i < run.i + run.count; ++i)
+        if (static_cast<double>(row[i]) >= least) voxels->add(i, run.j, run.k, 1);
+    }
+  });
+  voxels->finish();
+  return voxels;
+}
+
+}  // namespace
+
+EditController::EditController(ui::MainWindow& window, SharedState& shared)
+    : window_(window),
+      views_(window.views()),
+      messages_(window.messages()),
+      loading_(window.loading()),
+      menus_(window.menus()),
+      panels_(window.panels()),
+      bar_(window.bar()),
+      shared_(shared),
+      panel_(new ui::EditPanel),
+      jobs_(messages_, loading_, shared),
+      // with its words: a load that ended meanwhile has put the bar away
+      saver_([this](double fraction) {
+        loading_.begin(tr("Saving"));
+        loading_.advance(fraction);
+      }) {
+  window.panels().add(panel_, tr("Remove parts"), tr("R&emove parts"), "editSection",
+                      ui::Tab::Scan);
+  for (ui::Overlay* overlay :
+       std::initializer_list<ui::Overlay*>{&shade_, &plane_, &crop_, &pick_, &lasso_})
+    window.views().addOverlay(*overlay);
+  buildMenu();
+  connectJobs();
+  connectPanel();
+  connectOverlays();
+  connect(&window.loading(), &ui::Loading::cancelWanted, this, [this] {
+    jobs_.cancel();
+    saver_.cancel();
+  });
+  connect(&window.menus(), &ui::Menus::saveEditedWanted, this, &EditController::save);
+  // Escape is force off above all, and ends what the mouse is busy with
+  connect(new ui::EscapeFilter(this), &ui::EscapeFilter::pressed, this, &EditController::endTool);
+}
+
+void EditController::connectJobs() {
+  connect(&jobs_, &EditQueue::edited, this, &EditController::edited);
+  connect(&jobs_, &EditQueue::pictured, this, &EditController::pictured);
+  connect(&jobs_, &EditQueue::noted, this, &EditController::noted);
+  connect(&jobs_, &EditQueue::waitChanged, panel_, &ui::EditPanel::showWait);
+  connect(&jobs_, &EditQueue::failed, this, [this] {
+    showSteps();
+    // the box shows what is there
+    if (crop_.isShown()) changeTool(EditTool::Crop);
+  });
+}
+
+void EditController::buildMenu() {
+  QMenu& menu = menus_.edit();
+  undo_ = menu.addAction(tr("&Undo"), this, [this] { want({Step::Undo}); });
+  undo_->setObjectName("undo");
+  ui::giveKeys(*undo_, ui::Action::Undo, tr("Takes the last edit back"));
+  redo_ = menu.addAction(tr("&Redo"), this, [this] { want({Step::Redo}); });
+  redo_->setObjectName("redo");
+  ui::giveKeys(*redo_, ui::Action::Redo, tr("Makes the edit again that was taken back"));
+  reset_ = menu.addAction(tr("Take &all edits back"), this, [this] { want({Step::Reset}); });
+  reset_->setObjectName("reset");
+  bar_.add(ui::BarGroup::File, *undo_, "undo");
+  bar_.add(ui::BarGroup::File, *redo_, "redo");
+  menu.addSeparator();
+  addTool(tr("&Crop box"), EditTool::Crop);
+  addTool(tr("Clip &plane"), EditTool::Plane);
+  addTool(tr("P&ieces"), EditTool::Pieces);
+  addTool(tr("Table and &holder"), EditTool::Holder);
+  addTool(tr("&Scalpel"), EditTool::Scalpel);
+  showSteps();
+}
+
+void EditController::addTool(const QString& text, EditTool tool) {
+  QAction* action = menus_.edit().addAction(text, this, [this, tool] {
+    panels_.reveal(panel_);
+    panel_->setTool(tool);
+    panel_->setFocus();
+  });
+  tools_.push_back(action);
+  if (tool != EditTool::Crop) return;
+  action->setObjectName("cropBox");
+  bar_.add(ui::BarGroup::Tools, *action, "crop");
+}
+
+void EditController::connectPanel() {
+  using Panel = ui::EditPanel;
+  connect(panel_, &Panel::toolChosen, this, &EditController::changeTool);
+  connect(panel_, &Panel::cropNumberChanged, this, &EditController::moveCropFace);
+  connect(panel_, &Panel::cropToViewWanted, this, &EditController::cropToView);
+  connect(panel_, &Panel::cropResetWanted, this, [this] {
+    if (!scan_) return;
+    crop_.show(scan_->grid, {{}, scan_->grid.dims});
+    applyCrop();
+  });
+  connect(panel_, &Panel::cropApplyWanted, this, &EditController::applyCrop);
+  connect(panel_, &Panel::planeFromSliceWanted, this, &EditController::placePlane);
+  connect(panel_, &Panel::planeAgainWanted, this, [this] { changeTool(EditTool::Plane); });
+  connect(panel_, &Panel::planeFlipWanted, this, [this] {
+    plane_.place(plane_.point_mm(), -plane_.normal());
+    showPlane();
+  });
+  connect(panel_, &Panel::planeNumbersChanged, this, &EditController::turnPlane);
+  connect(panel_, &Panel::planeApplyWanted, this, &EditController::cutPlane);
+  connect(panel_, &Panel::smallWanted, this, [this](double least_cm3) {
+    preview(datasets::RemoveSmallPieces{.isovalue = shared_.settings.isovalue,
+                                        .least_volume = least_cm3 / kCm3PerM3},
+            ui::EditConfirm::Removal,
+            tr("All pieces smaller than %1: together %2.").arg(cm3Of(least_cm3 / kCm3PerM3)));
+  });
+  connect(panel_, &Panel::holderWanted, this, [this] {
+    preview(datasets::RemoveHolder{.isovalue = shared_.settings.isovalue}, ui::EditConfirm::Removal,
+            tr("Table and holder: %1 would go."));
+  });
+  connect(panel_, &Panel::keepPieceWanted, this, [this] { confirmPiece(true); });
+  connect(panel_, &Panel::removePieceWanted, this, [this] { confirmPiece(false); });
+  connect(panel_, &Panel::removalWanted, this, [this] {
+    if (previewed_) apply(*previewed_);
+  });
+  connect(panel_, &Panel::previewCancelled, this, &EditController::endPreview);
+  connect(panel_, &Panel::undoWanted, this, [this] { want({Step::Undo}); });
+  connect(panel_, &Panel::redoWanted, this, [this] { want({Step::Redo}); });
+  connect(panel_, &Panel::resetWanted, this, [this] { want({Step::Reset}); });
+  connect(panel_, &Panel::waitCancelled, &jobs_, &EditQueue::cancelWait);
+}
+
+void EditController::connectOverlays() {
+  connect(&crop_, &ui::CropBox::moved, this, &EditController::showCrop);
+  connect(&crop_, &ui::CropBox::released, this, &EditController::applyCrop);
+  connect(&plane_, &ui::ClipPlane::moved, this, &EditController::showPlane);
+  connect(&plane_, &ui::ClipPlane::refused, this, [this](const QString& why) {
+    showPlane();
+    messages_.showMessage(why);
+  });
+  connect(&lasso_, &ui::Lasso::drawn, this, &EditController::cutOutline);
+  connect(&pick_, &ui::PlacePick::picked, this, [this](const Eigen::Vector3d& place_W_mm) {
+    preview(datasets::RemovePiece{place_W_mm / kMmPerM, shared_.settings.isovalue},
+            ui::EditConfirm::Piece, tr("This piece: %1."));
+  });
+}
+
+void EditController::showScene() {
+  if (!shared_.shown) return;
+  const auto scan = scanOf(shared_.shown->volume());
+  if (scan != scan_) {
+    scan_ = scan;
+    jobs_.begin(scan);
+    panel_->setTool(EditTool::None);
+  }
+  panel_->setReady(!replaying_);
+  endPreview();
+  showSteps();
+  if (crop_.isShown() && !crop_.isHeld() && !jobs_.hasMore()) changeTool(EditTool::Crop);
+}
+
+void EditController::setReplaying(bool replaying) {
+  replaying_ = replaying;
+  if (replaying) endTool();
+  panel_->setReady(!replaying && shared_.shown.has_value());
+  showSteps();
+}
+
+std::vector<Edit> EditController::edits() const {
+  const datasets::Edited* edited =
+      shared_.shown ? datasets::editedOf(*shared_.shown->volume()) : nullptr;
+  return edited != nullptr ? edited->edits : std::vector<datasets::Edit>{};
+}
+
+void EditController::restore(std::vector<Edit> edits) { want({Step::Restore, std::move(edits)}); }
+
+void EditController::apply(Edit edit) {
+  endPreview();
+  want({Step::Apply, {std::move(edit)}});
+}
+
+void EditController::want(EditQueue::Job job) {
+  if (!shared_.shown || replaying_) return;
+  messages_.clear();
+  jobs_.want(std::move(job));
+}
+
+void EditController::showSteps() {
+  const int in_force = static_cast<int>(edits().size());
+  // while a job runs, its thread has the history
+  const datasets::EditHistory* history = jobs_.historyAtRest();
+  const ui::EditSteps steps{.in_force = in_force,
+                            .undo = history != nullptr ? history->canUndo() : in_force > 0,
+                            .redo = history != nullptr && history->canRedo()};
+  panel_->show(steps);
+  undo_->setEnabled(steps.undo && !replaying_);
+  redo_->setEnabled(steps.redo && !replaying_);
+  reset_->setEnabled(in_force > 0 && !replaying_);
+  for (QAction* tool : tools_) tool->setEnabled(shared_.shown.has_value() && !replaying_);
+  window_.setEdited(in_force > 0);
+}
+
+void EditController::changeTool(EditTool tool) {
+  endPreview();
+  crop_.hide();
+  plane_.hide();
+  lasso_.setActive(tool == EditTool::Scalpel);
+  pick_.setActive(tool == EditTool::Pieces);
+  if (!scan_ || !shared_.shown) return;
+  const haptics::VoxelBox bounds = shared_.shown->volume()->bounds();
+  if (tool == EditTool::Crop) {
+    crop_.show(scan_->grid, bounds);
+    showCrop();
+  } else if (tool == EditTool::Plane) {
+    plane_.begin(scan_->grid, bounds);
+    showPlane();
+  }
+}
+
+void EditController::endTool() {
+  jobs_.cancelWait();
+  previewer_.abandon();
+  panel_->setTool(EditTool::None);
+}
+
+void EditController::showCrop() {
+  const haptics::Volume& volume = *shared_.shown->volume();
+  panel_->show(cropRangesOf(volume, crop_.box()),
+               cropsAlongPatient(volume)
+                   ? tr("Millimetres along the patient's axes, from the scan's origin")
+                   : tr("Millimetres along the scan's own axes, from its first voxel"));
+}
+
+void EditController::moveCropFace(int axis, bool high, double mm) {
+  if (!crop_.isShown()) return;
+  const haptics::Volume& volume = *shared_.shown->volume();
+  crop_.show(volume.grid, withFace(volume, crop_.box(), axis, high, mm));
+  showCrop();
+}
+
+void EditController::cropToView() {
+  if (!crop_.isShown()) return;
+  const auto box = boxInSlices(views_, scan_->grid);
+  if (!box)
+    return messages_.showMessage(
+        tr("No slice is in view to crop to; show the slices, or set the box by its numbers."));
+  crop_.show(scan_->grid, *box);
+  showCrop();
+}
+
+void EditController::applyCrop() {
+  if (!crop_.isShown() || crop_.box() == shared_.shown->volume()->bounds()) return showCrop();
+  showCrop();
+  apply(datasets::Crop{crop_.box()});
+}
+
+void EditController::showPlane() {
+  if (!plane_.isPlaced()) return panel_->show(std::nullopt, plane_.clicks());
+  const Eigen::Vector3d& n = plane_.normal();
+  const Eigen::Vector3d middle = ui::boxOf_mm(scan_->grid).center();
+  panel_->show(
+      ui::EditPanel::PlaneNumbers{.position_mm = n.dot(plane_.point_mm() - middle),
+                                  // 0 straight up and down: adding 0 makes -0 a 0
+                                  .towards_deg = std::atan2(n.y() + 0.0, n.x() + 0.0) * kDegrees,
+                                  .raised_deg = std::asin(std::clamp(n.z(), -1.0, 1.0)) * kDegrees},
+      0);
+}
+
+void EditController::placePlane(ui::Plane plane) {
+  if (!plane_.isShown()) return;
+  plane_.place(views_.slice(plane).through_mm(), ui::axesOf(plane).normal);
+  showPlane();
+}
+
+void EditController::turnPlane(double position_mm, double towards_deg, double raised_deg) {
+  if (!plane_.isPlaced()) return;
+  const double towards = towards_deg / kDegrees, raised = raised_deg / kDegrees;
+  const Eigen::Vector3d n{std::cos(raised) * std::cos(towards),
+                          std::cos(raised) * std::sin(towards), std::sin(raised)};
+  const Eigen::Vector3d middle = ui::boxOf_mm(scan_->grid).center();
+  const double was = plane_.normal().dot(plane_.point_mm() - middle);
+  // turned about its point; shifted by what was typed
+  Eigen::Vector3d point = plane_.point_mm();
+  if (plane_.normal().dot(n) > 1.0 - 1e-9) point += plane_.normal() * (position_mm - was);
+  plane_.place(point, n);
+  showPlane();
+}
+
+void EditController::cutPlane() {
+  if (!plane_.isPlaced()) return;
+  const datasets::PlaneCut cut{plane_.point_mm() / kMmPerM, plane_.normal(),
+                               shared_.settings.isovalue};
+  changeTool(EditTool::Plane);
+  apply(cut);
+}
+
+void EditController::cutOutline(const ui::DrawnOutline& outline) {
+  if (!shared_.shown) return;
+  const ui::Projection& camera = outline.camera;
+  const double reach_mm = ui::boxOf_mm(scan_->grid).diagonal().norm() + 1.0;
+  const std::optional<double> depth_mm = panel_->depth_mm();
+  datasets::LassoCut cut;
+  cut.parallel = camera.parallel;
+  cut.inside = panel_->cutsInside();
+  cut.isovalue = shared_.settings.isovalue;
+  cut.outline = outline.corners;
+  if (camera.parallel)
+    for (auto& corner : cut.outline)
+      for (double& c : corner) c /= kMmPerM;
+  Eigen::Vector3d eye = camera.eye;
+  double from_mm = 0.0, until_mm = 0.0;
+  if (outline.in_slice) {
+    // to both sides of the slice
+    const double half = std::min(depth_mm.value_or(reach_mm), reach_mm);
+    eye += camera.axes.col(2) * reach_mm;
+    from_mm = reach_mm - half;
+    until_mm = reach_mm + half;
+  } else {
+    const double middle = camera.depthOf(ui::boxOf_mm(scan_->grid).center());
+    until_mm = middle + reach_mm;
+    if (depth_mm) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Eigen::Vector3d& place : outline.seen)
+        nearest = std::min(nearest, camera.depthOf(place));
+      if (!std::isfinite(nearest))
+        return messages_.showMessage(
+            tr("There is no surface inside the outline to measure the depth from; draw it over "
+               "the surface, or cut through everything."));
+      until_mm = nearest + *depth_mm;
+    }
+  }
+  cut.X_WC.linear() = camera.axes;
+  cut.X_WC.translation() = eye / kMmPerM;
+  cut.from = from_mm / kMmPerM;
+  cut.until = until_mm / kMmPerM;
+  apply(cut);
+}
+
+void EditController::preview(Edit edit, ui::EditConfirm confirm, const QString& words) {
+  if (!shared_.shown || replaying_) return;
+  endPreview();
+  messages_.clear();
+  previewer_.start(
+      [edit, volume = shared_.shown->volume(), isovalue = shared_.settings.isovalue](
+          const background::Watch& watch) -> haptics::Expected<Preview> {
+        const auto removal =
+            datasets::removalOf(*volume, edit, isovalue, {.cancel = &watch.cancel});
+        if (!removal) return tl::unexpected(removal.error());
+        // of a piece what is solid; it takes its rim with it, which nobody sees. A holder is foam,
+        // too
+        const bool solid = !std::holds_alternative<datasets::RemoveHolder>(edit);
+        return Preview{removal->volume,
+                       marked(*volume, *removal, solid ? isovalue : -kAnyIntensity)};
+      },
+      [this, edit, confirm, words](const haptics::Expected<Preview>& made) {
+        if (!made) {
+          if (made.error().kind != haptics::Error::Kind::Cancelled)
+            messages_.showMessage(made.error().reason == background::kNoMemory
+                                      ? tr("There is not enough memory to show this.")
+                                      : sentenceOf(made.error()));
+          return;
+        }
+        previewed_ = edit;
+        shade_.show(made->voxels);
+        panel_->showPreview(words.arg(cm3Of(made->volume)), confirm);
+      });
+}
+
+void EditController::endPreview() {
+  previewer_.abandon();
+  previewed_.reset();
+  shade_.show(nullptr);
+  panel_->hidePreview();
+}
+
+void EditController::confirmPiece(bool keep) {
+  if (!previewed_) return;
+  const auto* piece = std::get_if<datasets::RemovePiece>(&*previewed_);
+  if (piece == nullptr) return;
+  const datasets::RemovePiece wanted = *piece;
+  if (keep)
+    apply(datasets::KeepPiece{wanted.seed_W, wanted.isovalue});
+  else
+    apply(wanted);
+}
+
+void EditController::save(const QString& path) {
+  if (!shared_.shown) return;
+  if (saver_.isRunning())
+    return messages_.showMessage(tr("A volume is being saved; wait for it, or cancel it first."));
+  std::filesystem::path out = path.toStdString();
+  if (!path.endsWith(".nrrd", Qt::CaseInsensitive)) out += ".nrrd";
+  messages_.clear();
+  loading_.begin(tr("Saving"));
+  saver_.start(
+      [out, volume = shared_.shown->volume(),
+       place = shared_.shown->place](const background::Watch& watch) -> haptics::Expected<QString> {
+        const auto written = writeEdited(
+            *volume, out, place, [&](double done) { watch.advanced(done); }, watch.cancel);
+        if (!written) return tl::unexpected(written.error());
+        return QString::fromStdString(out.filename().string());
+      },
+      [this, folder = QString::fromStdString(out.parent_path().string())](
+          const haptics::Expected<QString>& name) {
+        loading_.end();
+        if (name) return messages_.showDone(tr("\"%1\" was saved.").arg(*name), folder);
+        if (name.error().kind != haptics::Error::Kind::Cancelled)
+          messages_.showMessage(name.error().reason == background::kNoMemory
+                                    ? tr("There is not enough memory to save this volume.")
+                                    : sentenceOf(name.error()));
+      });
+}
+
+}  // namespace app

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QAction>
+#include <QObject>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/background/task.h"
+#include "app/window/edits/edit_queue.h"
+#include "app/window/scan/shared_state.h"
+#include "datasets/edits/edit_history.h"
+#include "ui/overlays/clip_plane.h"
+#include "ui/overlays/crop_box.h"
+#include "ui/overlays/lasso.h"
+#include "ui/overlays/removal_shade.h"
+#include "ui/panels/edit_panel.h"
+#include "ui/window/loading.h"
+#include "ui/window/main_window.h"
+#include "ui/window/menus.h"
+#include "ui/window/messages.h"
+#include "ui/window/side_panel.h"
+#include "ui/window/top_bar.h"
+#include "ui/window/views.h"
+
+namespace app {
+
+/// Takes parts of the scan away: the panel "Edit", its menu, and what it draws over the views. The
+/// edits are carried out by EditQueue.
+class EditController : public QObject {
+  Q_OBJECT
+ public:
+  EditController(ui::MainWindow& window, SharedState& shared);
+
+  /// Call it when another scene is on view.
+  void showScene();
+  /// Call it at display rate, with a snapshot that is as new as can be.
+  void refresh() { jobs_.refresh(); }
+  /// During a replay nothing can be edited.
+  void setReplaying(bool replaying);
+
+  /// Puts away what an edit would take. Call it when the isovalue changed, too.
+  void endPreview();
+
+  /// The edits of the volume on view, oldest first.
+  std::vector<datasets::Edit> edits() const;
+  /// Applies these edits to the present scan, instead of its edits. They cannot be undone beyond
+  /// the first of them. On an error the present ones stay.
+  void restore(std::vector<datasets::Edit> edits);
+  /// Whether an edit is under way or waits, or its picture is not there yet.
+  bool isBusy() const { return jobs_.isBusy(); }
+
+ signals:
+  /// A new volume and scene of the same scan. The receiver puts it into `shared.shown`. Its picture
+  /// is still that from before.
+  void edited(const app::Loaded& loaded);
+  /// The picture of the newest volume.
+  void pictured(const ui::Picture& picture);
+  /// What was done, for a recording: the edit as text, or "undo", "redo", "reset", "restore".
+  void noted(const QString& text);
+
+ private:
+  struct Preview {
+    double volume = 0.0;  ///< m^3
+    std::shared_ptr<const ui::MarkedVoxels> voxels;
+  };
+
+  void buildMenu();
+  void connectJobs();
+  void connectPanel();
+  void connectOverlays();
+  void addTool(const QString& text, ui::EditTool tool);
+
+  void want(EditQueue::Job job);
+  void showSteps();
+  void changeTool(ui::EditTool tool);
+  void endTool();
+  void apply(datasets::Edit edit);
+  void showCrop();
+  void moveCropFace(int axis, bool high, double mm);
+  void cropToView();
+  void applyCrop();
+  void showPlane();
+  void placePlane(ui::Plane plane);
+  void turnPlane(double position_mm, double towards_deg, double raised_deg);
+  void cutPlane();
+  void cutOutline(const ui::DrawnOutline& outline);
+  void preview(datasets::Edit edit, ui::EditConfirm confirm, const QString& words);
+  void confirmPiece(bool keep);
+  void save(const QString& path);
+
+  ui::MainWindow& window_;
+  ui::Views& views_;
+  ui::Messages& messages_;
+  ui::Loading& loading_;
+  ui::Menus& menus_;
+  ui::SidePanel& panels_;
+  ui::TopBar& bar_;
+  SharedState& shared_;
+  ui::EditPanel* panel_;
+  ui::CropBox crop_;
+  ui::ClipPlane plane_;
+  ui::Lasso lasso_;
+  ui::PlacePick pick_;
+  ui::RemovalShade shade_;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *reset_ = nullptr;
+  std::vector<QAction*> tools_;
+  bool replaying_ = false;
+
+  std::shared_ptr<const haptics::Volume> scan_;  ///< of the volume on view
+  std::optional<datasets::Edit> previewed_;
+  EditQueue jobs_;
+  background::Task<Preview> previewer_;
+  background::Task<QString> saver_;  ///< the name of the written file
+};
+
+}  // namespace app

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/scan/start_pose.h"
+
+#include <cmath>
+
+#include "haptics/scene/legal_pose.h"
+
+namespace app {
+namespace {
+
+constexpr double kStandOff = 0.008;  // m between tool and surface at the start
+constexpr double kApproach = 0.001;  // m, the step towards it
+
+double nearestVoxel(const haptics::Volume& volume, const haptics::Vec3& p_W) {
+  const haptics::Grid& grid = volume.grid;
+  const haptics::VoxelBox box = volume.bounds();
+  const haptics::Vec3 index = grid.indexOf(p_W);
+  std::int64_t at[3];
+  for (int a = 0; a < 3; ++a) {
+    at[a] = std::llround(index[a]);
+    const auto axis = static_cast<std::size_t>(a);
+    if (at[a] < box.first[axis] || at[a] >= box.end[axis]) return volume.least;
+  }
+  const std::int64_t voxel = (at[2] * grid.dims[1] + at[1]) * grid.dims[0] + at[0];
+  return haptics::visitVoxels(volume.type, volume.voxels.get(),
+                              [&](const auto* v) { return static_cast<double>(v[voxel]); });
+}
+
+}  // namespace
+
+std::optional<haptics::Pose> startPose(const haptics::Scene& scene, double isovalue) {
+  const haptics::Volume& volume = *scene.volume;
+  const haptics::Grid& grid = volume.grid;
+  const haptics::VoxelBox box = volume.bounds();
+  haptics::Vec3 first, last;  // voxels
+  for (int a = 0; a < 3; ++a) {
+    first[a] = static_cast<double>(box.first[static_cast<std::size_t>(a)]);
+    last[a] = static_cast<double>(box.end[static_cast<std::size_t>(a)] - 1);
+  }
+  const haptics::Vec3 middle = grid.worldOf(0.5 * (first + last));
+  const double reach = 0.5 * (last - first).cwiseProduct(grid.spacing).norm();
+  const double step = 0.5 * grid.spacing.minCoeff();
+  // from the front of the patient (-y of LPS) inwards
+  const haptics::Vec3 inwards = haptics::Vec3::UnitY();
+  double depth = -reach;
+  while (depth < reach && nearestVoxel(volume, middle + inwards * depth) < isovalue) depth += step;
+  if (depth >= reach) depth = 0.0;  // nothing on this line
+  haptics::Pose X_WT = haptics::Pose::Identity();
+  // from where the whole tool is in front of the surface, nearer until something would touch
+  double offset = depth - scene.tool.shell.radius - kStandOff;
+  const auto touches = [&](double at) {
+    for (const haptics::Vec3& p : scene.tool.shell.points)
+      if (nearestVoxel(volume, middle + inwards * at + p) >= isovalue) return true;
+    return false;
+  };
+  for (; offset < depth && !touches(offset + kStandOff + kApproach); offset += kApproach) {
+  }
+  X_WT.translation() = middle + inwards * offset;
+  return haptics::legalPoseNear(scene, isovalue, X_WT);
+}
+
+}  // namespace app

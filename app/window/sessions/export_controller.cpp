@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/sessions/export_controller.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QTimer>
+
+#include "app/export/export.h"
+#include "app/film/face.h"
+#include "app/log/log.h"
+#include "app/window/scan/edited_volume.h"
+#include "app/window/scan/sentence.h"
+#include "app/window/scan/view_camera.h"
+#include "ui/dialogs/export_question.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/views/volume_view.h"
+
+namespace app {
+
+namespace {
+
+QString translated(const char* words) {
+  return QCoreApplication::translate("app::exporting", words);
+}
+
+std::vector<ui::ExportFormat> tables() {
+  std::vector<ui::ExportFormat> tables;
+  for (const exporting::Format& format : exporting::kFormats)
+    tables.push_back({translated(format.title), translated(format.about)});
+  return tables;
+}
+
+}  // namespace
+
+ExportController::ExportController(ui::Views& views, ui::Messages& messages, ui::Loading& loading,
+                                   SharedState& shared, const Recordings& recordings)
+    : views_(views),
+      messages_(messages),
+      loading_(loading),
+      shared_(shared),
+      recordings_(recordings) {
+  connect(&loading, &ui::Loading::cancelWanted, &task_, &ExportTask::cancel);
+  connect(&loading, &ui::Loading::cancelWanted, this, [this] { opener_.cancel(); });
+  connect(&task_, &ExportTask::progressed, &loading, &ui::Loading::advance);
+  connect(&task_, &ExportTask::finished, this, [this](bool well, const QString& what) {
+    loading_.end();
+    log::write(log::Level::Info, "export-ended", {{"whole", well}, {"cancelled", what.isEmpty()}});
+    if (well) return messages_.showDone(what, folder_);
+    if (!what.isEmpty()) messages_.showMessage(what);
+  });
+}
+
+void ExportController::exportRecording(const QString& id) {
+  const std::filesystem::path path = recordings_.pathOf(id);
+  loading_.begin(tr("Reading the recording"));
+  opener_.start(
+      [path](const background::Watch& watch) -> haptics::Expected<Exported> {
+        const auto recording = Recording::open(path, &watch.cancel);
+        if (!recording) return tl::unexpected(recording.error());
+        return Exported{path, recording->begin(), recording->end(), leastIsovalue(*recording)};
+      },
+      [this](const haptics::Expected<Exported>& recording) {
+        loading_.end();
+        if (!recording) return messages_.showMessage(sentenceOf(recording.error()));
+        // the questions wait for the user: outside of what delivers the result
+        QTimer::singleShot(0, this, [this, recording = *recording] { askAndExport(recording); });
+      });
+}
+
+void ExportController::askAndExport(const Exported& recording) {
+  const std::filesystem::path& path = recording.path;
+  const auto wish = ui::askForExport(messages_.window(), recording.begin, recording.end, tables());
+  if (!wish) return;
+  ExportRequest request{.recording = path, .out = {}, .wish = *wish};
+  const exporting::Format* const table = wish->table ? &exporting::kFormats[*wish->table] : nullptr;
+  if (table == nullptr) {
+    request.volume = shared_.shown ? scanOf(shared_.shown->volume()) : nullptr;
+    if (request.volume) request.hash = shared_.identity.of(request.volume);
+    if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed)
+      request.camera = cameraOf(views_.volume());
+    // said once for each film, before anything is written
+    if (shared_.shown && !shared_.shown->place.empty() &&
+        mayShowAFace(*request.volume, recording.least_isovalue) &&
+        !messages_.askWhether(
+            tr("This film may show a face."),
+            tr("The skin is drawn at this isovalue, and a face can be recognised. Raise the "
+               "isovalue to bone, or give the film only to people with permission to see it."),
+            tr("Make the film")))
+      return;
+  }
+  const QString ending = table != nullptr ? table->ending : ".mp4";
+  QFileDialog dialog(messages_.window(), tr("Export to"));
+  ui::askForOutput(dialog, table != nullptr ? translated(table->filter) : tr("Film (*.mp4 *.ogv)"),
+                   ending.mid(1));
+  dialog.selectFile(QString::fromStdString(path.stem().string()) + ending);
+  if (dialog.exec() != QDialog::Accepted) return;
+  QString out = dialog.selectedFiles().value(0);
+  if (table != nullptr && !out.endsWith(ending)) out += ending;
+  request.out = out.toStdString();
+  // the dialog asks about the name that was chosen; what is written may have others
+  std::filesystem::path beside = request.out;
+  if (table == nullptr)
+    beside.replace_extension(".frames.csv");
+  else if (!table->files.empty())
+    beside += table->files.front();
+  std::error_code error;
+  if (out != dialog.selectedFiles().value(0) || beside != request.out)
+    if (std::filesystem::exists(beside, error) &&
+        !messages_.askWhether(tr("An export of that name is there already."),
+                              tr("Its files are written over."), tr("Write over it")))
+      return;
+  exportTo(std::move(request));
+}
+
+void ExportController::exportTo(ExportRequest request) {
+  const QString folder = QString::fromStdString(request.out.parent_path().string());
+  if (!task_.start(std::move(request)))
+    return messages_.showMessage(tr("An export is under way; wait for it, or cancel it first."));
+  folder_ = folder;
+  messages_.clear();
+  loading_.begin(tr("Exporting"));
+}
+
+}  // namespace app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/background/task.h"
+#include "app/film/camera.h"
+#include "app/recording/scene_words.h"
+#include "haptics/core/volume.h"
+#include "ui/dialogs/export_question.h"
+
+namespace app {
+
+/// The recording to export, its options and its target.
+struct ExportRequest {
+  std::filesystem::path recording, out;
+  ui::ExportWish wish;
+  /// Scan for a film, before any edit; null: the film shows only the tool.
+  std::shared_ptr<const haptics::Volume> volume = {};
+  std::optional<VolumeHash> hash = {};    ///< hash of the volume, if it is known
+  std::optional<FilmCamera> camera = {};  ///< camera of a film with a fixed view
+};
+
+/// Exports on its own thread, one export at a time. Only the destructor waits for it.
+class ExportTask : public QObject {
+  Q_OBJECT
+ public:
+  explicit ExportTask(QObject* parent = nullptr);
+
+  /// Returns false and does nothing while another export runs.
+  bool start(ExportRequest request);
+  void cancel() { task_.cancel(); }
+
+ signals:
+  void progressed(double fraction);
+  /// The export ended. `what`: a sentence for the user, empty if the user cancelled.
+  void finished(bool well, const QString& what);
+
+ private:
+  background::Task<QString> task_;  ///< the name of the written file
+};
+
+}  // namespace app

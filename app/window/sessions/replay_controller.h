@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "app/background/task.h"
+#include "app/window/scan/shared_state.h"
+#include "app/window/sessions/replay.h"
+#include "haptics/scene/scene.h"
+#include "ui/panels/replay_bar.h"
+#include "ui/window/loading.h"
+#include "ui/window/messages.h"
+#include "ui/window/touch_state.h"
+#include "ui/window/views.h"
+
+namespace app {
+
+/// Opens a recording and shows it over the volume on view, controlled by the bar below the views.
+class ReplayController : public QObject {
+  Q_OBJECT
+ public:
+  ReplayController(ui::Views& views, ui::Messages& messages, ui::Loading& loading,
+                   ui::TouchState& touch, ui::ReplayBar& replay_bar, SharedState& shared);
+
+  /// Reads the recording in the background, and shows it then.
+  void open(const std::filesystem::path& path);
+  /// Closes the recording and shows the live scene again.
+  void close();
+  /// The same if this file is open.
+  void closeFile(const std::filesystem::path& path);
+  /// Closes the recording without showing the live scene, as the window closes.
+  void drop();
+  /// Call it when another scene is on view.
+  void showScene();
+  /// The recording that is on view; null: none.
+  Replay* replay() { return replay_.get(); }
+
+ signals:
+  /// A recording is about to be shown; the hand or device must be closed.
+  void opened();
+  /// Why a recording was not opened, as it is shown.
+  void refused(const QString& why);
+  /// The recording was closed; a hand may hold the device again.
+  void closed();
+  /// Another isovalue is to be shown over this picture, and not to be touched.
+  void isovalueShown(const ui::Picture& picture, double isovalue);
+  /// The plot of the force begins anew; these forces follow what it shows.
+  void forcesCleared();
+  void forcesAppended(std::span<const haptics::ForceSample> points);
+
+ private:
+  void connectBar();
+  void begin(std::unique_ptr<Replay> replay);
+  void show(double time);
+  void compareVolumes();
+  /// Shows the scan on view as it was when this scene was touched.
+  void showEdits(const RecordedScene& then);
+  /// The scan with some of its edits.
+  struct EditedScan {
+    ui::Picture picture;
+    std::shared_ptr<const haptics::Scene> scene;  ///< its field is what slices and clicks ask
+  };
+  void showOnView(const EditedScan& edited);
+
+  ui::Views& views_;
+  ui::Messages& messages_;
+  ui::Loading& loading_;
+  ui::TouchState& touch_;
+  ui::ReplayBar& replay_bar_;
+  SharedState& shared_;
+  background::Task<std::unique_ptr<Replay::Beginning>> opener_;
+  std::unique_ptr<Replay> replay_;
+  std::optional<std::uint32_t> scene_;  ///< scene of the recording whose tool is on view
+  std::optional<double> isovalue_;      ///< isovalue on view
+  double shown_to_ = 0.0;               ///< s: end of the plotted force
+  ui::Picture on_view_;                 ///< of the scan, with the edits of the recording
+  std::uint64_t edits_ = 0;             ///< digest of the edits on view, or being prepared
+  background::Task<EditedScan> editor_;
+  bool same_volume_ = false;  ///< the volume on view is the recorded one, as far as known
+};
+
+}  // namespace app

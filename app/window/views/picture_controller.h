@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <QObject>
+#include <QTimer>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/background/task.h"
+#include "app/window/scan/shared_state.h"
+#include "ui/panels/force_panel.h"
+#include "ui/window/touch_state.h"
+#include "ui/window/views.h"
+
+namespace app {
+
+/// Keeps the picture up to date: the newest snapshot and forces at display rate, and without a
+/// usable GPU the fine mesh of the surface. Its panel shows the force.
+class PictureController : public QObject {
+  Q_OBJECT
+ public:
+  PictureController(ui::Views& views, ui::TouchState& touch, SharedState& shared);
+
+  void start() { display_.start(); }
+  void stop() { display_.stop(); }
+  /// Whether the view turns to the tool at the next snapshot.
+  void look(bool at_tool) { look_ = at_tool; }
+  /// Clears the plot of the force, and appends to it.
+  void clearForces() { panel_->clear(); }
+  void appendForces(std::span<const haptics::ForceSample> points) { panel_->append(points); }
+
+ signals:
+  /// A picture is about to be drawn; emitted sixty times a second.
+  void refreshing();
+  /// `shared.snapshot` is new, and a scene is on view.
+  void snapshotTaken();
+
+ private:
+  void refresh();
+  void showForces();
+  void makeFineMesh(double isovalue);
+
+  ui::Views& views_;
+  ui::TouchState& touch_;
+  SharedState& shared_;
+  ui::ForcePanel* panel_;
+  QTimer display_;
+  std::vector<haptics::ForceSample> samples_;
+  bool look_ = false;
+  background::Task<vtkSmartPointer<vtkPolyData>> mesher_;
+  std::optional<double> mesh_next_;  ///< isovalue of the next mesh, while another is being made
+};
+
+}  // namespace app

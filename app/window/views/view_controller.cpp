@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/views/view_controller.h"
+
+#include <QBuffer>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QStatusBar>
+#include <algorithm>
+#include <limits>
+
+#include "app/film/face.h"
+#include "app/window/scan/tool_place.h"
+#include "haptics/core/budget.h"
+#include "haptics/process/output_file.h"
+#include "haptics/scene/legal_pose.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/views/volume_view.h"
+
+namespace app {
+namespace {
+
+constexpr int kPictureSaidMs = 6000;
+
+}  // namespace
+
+ViewController::ViewController(ui::MainWindow& window, SharedState& shared)
+    : window_(window), views_(window.views()), messages_(window.messages()), shared_(shared) {
+  connect(&window.views(), &ui::Views::toolWanted, this, &ViewController::bringTool);
+  connect(&window.views(), &ui::Views::toolToCrossWanted, this, &ViewController::bringToCross);
+  connect(&window.views(), &ui::Views::crossToToolWanted, this, &ViewController::moveCrossToTool);
+  connect(&window.views(), &ui::Views::pictureWanted, this, &ViewController::savePicture);
+  connect(&window.views(), &ui::Views::pictureCopyWanted, this, &ViewController::copyPicture);
+}
+
+bool ViewController::mayBring() {
+  if (!shared_.shown) return false;
+  if (!shared_.replaying) return true;
+  messages_.showBriefly(tr("The tool shows a recording; close the replay to move it."),
+                        kPictureSaidMs);
+  return false;
+}
+
+void ViewController::bringTool(const haptics::Vec3& p_W, const haptics::Vec3& normal_W) {
+  if (!mayBring()) return;
+  const haptics::Scene& scene = *shared_.shown->scene;
+  const double isovalue = shared_.settings.isovalue;
+  std::optional<ui::SurfacePlace> place = ui::SurfacePlace{p_W, normal_W};
+  if (normal_W.isZero()) place = nearestSurface(scene, isovalue, p_W);
+  if (!place)
+    return messages_.showBriefly(
+        tr("There is no surface within 30 mm of this place; lower the isovalue, or choose another "
+           "place."),
+        kPictureSaidMs);
+  const auto X_WT = poseAt(scene, isovalue, *place, shared_.snapshot.X_WP);
+  if (!X_WT)
+    return messages_.showBriefly(
+        tr("The tool does not fit there: it stays where it is. Choose a smaller tool, or a place "
+           "with more room."),
+        kPictureSaidMs);
+  emit toolPlaced(*X_WT);
+}
+
+void ViewController::bringToCross() {
+  if (!mayBring()) return;
+  const haptics::Scene& scene = *shared_.shown->scene;
+  const double isovalue = shared_.settings.isovalue;
+  const haptics::Vec3 cross_W = views_.cross_mm() / ui::kMmPerM;
+  // in the open the tip goes to the very place, and the tool keeps its direction
+  haptics::Pose X_WT = shared_.snapshot.X_WP;
+  X_WT.translation() = cross_W - X_WT.linear() * tipOf(scene.tool);
+  const haptics::Isosurface solid{scene.field, isovalue};
+  haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
+  if (haptics::legal(solid, scene.tool.shell, X_WT, unlimited)) return emit toolPlaced(X_WT);
+  bringTool(cross_W, haptics::Vec3::Zero());
+}
+
+void ViewController::moveCrossToTool() {
+  if (!shared_.shown || shared_.snapshot.scene != shared_.shown->scene->id) return;
+  const haptics::Vec3 tip_W = shared_.snapshot.X_WP * tipOf(shared_.shown->scene->tool);
+  views_.setCross(tip_W * ui::kMmPerM);
+}
+
+bool ViewController::mayLeave(bool with_slices) {
+  const std::optional<Loaded>& shown = shared_.shown;
+  if (!shown || shown->place.empty()) return true;
+  const double isovalue = shared_.settings.isovalue;
+  double least = std::min(isovalue, views_.volume().surface().second().value_or(isovalue));
+  // a slice shows the skin whatever the isovalue, and may be a profile
+  if (with_slices) least = shown->volume()->least;
+  return !mayShowAFace(*shown->volume(), least) ||
+         messages_.askWhether(
+             tr("This picture may show a face."),
+             with_slices ? tr("Slices show the skin, and a profile can be recognised. Take "
+                              "a picture of the 3-D view alone at the isovalue of bone, or "
+                              "give this one only to people with permission to see it.")
+                         : tr("The skin is drawn at this isovalue, and a face can be "
+                              "recognised. Raise the isovalue to bone, or give the picture "
+                              "only to people with permission to see it."),
+             tr("Take the picture"));
+}
+
+void ViewController::savePicture(const ui::SliceView* first) {
+  const auto wish = ui::askForScreenshot(window_, views_, first);
+  if (!wish || !mayLeave(wish->slice || (wish->whole_window && views_.showsSlices()))) return;
+  // before the next dialog lies over the window
+  const QImage picture = ui::screenshotOf(window_, views_.volume(), *wish);
+  if (picture.isNull())
+    return messages_.showMessage(
+        tr("The graphics cannot draw a picture of this size; choose a smaller one."));
+  QFileDialog dialog(&window_, tr("Save picture as"));
+  ui::askForOutput(dialog, tr("Picture (*.png)"), "png");
+  dialog.selectFile("palpate.png");
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString path = dialog.selectedFiles().value(0);
+  // pixels alone: nothing that names anybody is put beside them
+  QBuffer bytes;
+  const bool drawn = picture.save(&bytes, "PNG");
+  if (!drawn || !haptics::writeFile(path.toStdString(),
+                                    {bytes.data().constData(), std::size_t(bytes.data().size())}))
+    return messages_.showMessage(
+        tr("'%1' was not written; choose a folder with room that you may write to.").arg(path));
+  const QFileInfo file(path);
+  messages_.showDone(tr("The picture was saved as \"%1\".").arg(file.fileName()),
+                     file.absolutePath());
+}
+
+void ViewController::copyPicture() {
+  if (!mayLeave(false)) return;
+  const QImage picture =
+      ui::screenshotOf(window_, views_.volume(), {.scale = ui::screenScaleOf(window_)});
+  if (picture.isNull()) return;
+  QGuiApplication::clipboard()->setImage(picture);
+  messages_.showBriefly(tr("The picture of the 3-D view was copied."), kPictureSaidMs);
+}
+
+}  // namespace app

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/views/view_file_controller.h"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMetaMethod>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "app/recording/recording.h"
+#include "app/window/scan/edited_volume.h"
+#include "app/window/scan/sentence.h"
+#include "app/window/scan/volume_words.h"
+#include "datasets/edits/edited.h"
+#include "resources/named_tools.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/panels/isosurface_panel.h"
+
+namespace app {
+namespace {
+
+QString inQuotes(const std::filesystem::path& path) {
+  return "\"" + QString::fromStdString(path.filename().string()) + "\"";
+}
+
+std::vector<std::string> textsOf(const std::vector<datasets::Edit>& edits) {
+  std::vector<std::string> texts;
+  for (const datasets::Edit& edit : edits) texts.push_back(datasets::textOf(edit));
+  return texts;
+}
+
+/// A view or a recording, by its name.
+bool isOfPalpate(const std::filesystem::path& path) {
+  const QString name = QString::fromStdString(path.string());
+  return name.endsWith(QLatin1String(kViewEnding), Qt::CaseInsensitive) ||
+         name.endsWith(QLatin1String(".palpate"), Qt::CaseInsensitive);
+}
+
+bool isNamedTool(const std::string& name) { return resources::findNamedTool(name) != nullptr; }
+
+}  // namespace
+
+ViewFileController::ViewFileController(ui::Views& views, ui::Messages& messages,
+                                       ui::Loading& loading, ui::Menus& menus, SharedState& shared,
+                                       MarksController& marks, bool asks)
+    : views_(views),
+      messages_(messages),
+      loading_(loading),
+      shared_(shared),
+      marks_(marks),
+      asks_(asks) {
+  connect(&menus, &ui::Menus::viewWanted, this,
+          [this](const QString& path) { open(path.toStdString()); });
+  connect(&menus, &ui::Menus::viewSaveWanted, this, &ViewFileController::askAndSave);
+  connect(&shared.identity, &VolumeIdentity::sought, this, &ViewFileController::takeHash);
+  connect(&loading, &ui::Loading::cancelWanted, this, [this] {
+    if (step_ != Step::Hash && !saving_) return;
+    if (saving_) messages_.showMessage(tr("The view was not saved: it was cancelled."));
+    step_ = Step::Nothing;
+    saving_.reset();
+    loading_.end();
+    endSaving(false);
+  });
+}
+
+bool ViewFileController::liesOnView() const {
+  if (!shared_.shown) return false;
+  haptics::Volume wanted;
+  wanted.grid = opening_.grid;
+  wanted.type = opening_.type;
+  return liesLike(wanted, *shared_.shown->volume());
+}
+
+void ViewFileController::open(const std::filesystem::path& path) {
+  if (shared_.replaying)
+    return refuse(
+        tr("%1 was not opened: a recording is on view; close it first.").arg(inQuotes(path)));
+  auto read = readViewFile(path);
+  if (!read) return refuse(sentenceOf(read.error()));
+  opening_ = std::move(*read);
+  opening_path_ = path;
+  scan_sought_ = false;
+  compare();
+}
+
+/// Over the scan on view, or else over the one that the file knows.
+void ViewFileController::compare() {
+  if (liesOnView()) {
+    step_ = Step::Hash;
+    messages_.clear();
+    loading_.begin(tr("Comparing the scan"));
+    shared_.identity.seek(scanOf(shared_.shown->volume()));
+    return;
+  }
+  if (!seekScan()) refuseGeometry();
+}
+
+bool ViewFileController::seekScan() {
+  if (opening_.place.empty() || scan_sought_) return false;
+  scan_sought_ = true;
+  const std::filesystem::path scan =
+      (opening_path_.parent_path() / opening_.place).lexically_normal();
+  std::error_code error;
+  if (!std::filesystem::exists(scan, error)) return false;
+  if (isOfPalpate(scan)) {
+    refuse(
+        tr("%1 was not opened: it names %2 as its scan, but %2 is not a scan; open the scan first.")
+            .arg(inQuotes(opening_path_), inQuotes(scan)));
+    return true;
+  }
+  step_ = Step::Scan;
+  emit scanWanted(scan);
+  return true;
+}
+
+void ViewFileController::showScene(bool new_volume) {
+  if (!shared_.shown) return;
+  if (new_volume) edits_in_file_.clear();
+  if (step_ == Step::Edits && liesOnView() && hasEdits()) return restoreRest();
+  if (!new_volume) return;
+  switch (step_) {
+    case Step::Nothing:
+      break;
+    case Step::Scan:
+      compare();
+      break;
+    case Step::Hash:
+    case Step::Edits:
+      drop();  // another scan was opened meanwhile
+      break;
+  }
+}
+
+void ViewFileController::drop() {
+  if (step_ == Step::Nothing) return;
+  if (step_ == Step::Hash) loading_.end();
+  step_ = Step::Nothing;
+  emit finished(false);
+}
+
+void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& scan) {
+  if (saving_ && scan == saved_scan_) write();
+  if (step_ != Step::Hash || !shared_.shown || scan != scanOf(shared_.shown->volume())) return;
+  loading_.end();
+  switch (compared(opening_.hash, shared_.identity.of(scan))) {
+    case SameVolume::Same:
+      return restore();
+    case SameVolume::Another:
+      if (seekScan()) return;
+      return refuse(
+          tr("%1 was not opened: it belongs to another scan. The one on view has the same "
+             "geometry, %2, but other voxels; open the other scan first.")
+              .arg(inQuotes(opening_path_), geometryWords(opening_.grid, opening_.type)));
+    case SameVolume::Unknown:
+      break;
+  }
+  const QString unknown =
+      tr("It was saved by another installation, so its scan cannot be recognised. The geometry is "
+         "the same: %1. Marks of another scan would lie in wrong places.")
+          .arg(geometryWords(opening_.grid, opening_.type));
+  if (!asks_) return refuse(unknown);
+  const bool agreed =
+      messages_.askWhether(tr("Is %1 a view of this scan?").arg(inQuotes(opening_path_)), unknown,
+                           tr("Open it over this scan"));
+  // the scan may have changed while the question was open
+  if (agreed && step_ == Step::Hash && liesOnView()) return restore();
+  drop();
+}
+
+std::vector<std::string> ViewFileController::editsOnView() const {
+  const datasets::Edited* edited =
+      shared_.shown ? datasets::editedOf(*shared_.shown->volume()) : nullptr;
+  return edited != nullptr ? textsOf(edited->edits) : std::vector<std::string>{};
+}
+
+bool ViewFileController::hasEdits() const { return editsOnView() == textsOf(opening_.edits); }
+
+void ViewFileController::restore() {
+  if (hasEdits()) return restoreRest();
+  if (!isSignalConnected(QMetaMethod::fromSignal(&ViewFileController::editsWanted)))
+    return refuse(tr("%1 was not opened: it has edits of the scan, which this Palpate cannot make.")
+                      .arg(inQuotes(opening_path_)));
+  const auto want = [this] {
+    step_ = Step::Edits;
+    emit editsWanted(opening_.edits);
+  };
+  const Leave answer = leave(Leaving::Edits, [this, want](bool saved) {
+    // the scan may have changed while it was saved
+    if (saved && liesOnView()) return want();
+    emit finished(false);
+  });
+  if (answer == Leave::Now && liesOnView()) return want();
+  step_ = Step::Nothing;
+  if (answer != Leave::AfterSaving) emit finished(false);
+}
+
+void ViewFileController::restoreRest() {
+  step_ = Step::Nothing;
+  const Loaded& shown = *shared_.shown;
+  const double isovalue = ui::allowedIsovalue(*shown.volume(), opening_.isovalue);
+  emit isovalueWanted(isovalue);
+  marks_.measures().replace(opening_.marks);
+  marks_.setSaved(opening_.marks);
+  edits_in_file_ = editsOnView();
+  views_.setLook(opening_.look);
+  if (std::abs(isovalue - opening_.isovalue) > 1e-6 * std::abs(opening_.isovalue) + 1e-9)
+    messages_.showMessage(tr("The isovalue of %1, %2, is outside this scan's range; %3 is shown.")
+                              .arg(inQuotes(opening_path_))
+                              .arg(opening_.isovalue)
+                              .arg(isovalue));
+  const std::string& tool = opening_.tool;
+  if (!tool.empty() && !isNamedTool(tool))
+    messages_.showMessage(tr("The tool of %1 is not known here; the present tool stays.")
+                              .arg(inQuotes(opening_path_)));
+  else if (!tool.empty() && (shown.tool.file || shown.tool.name != tool))
+    emit toolWanted(QString::fromStdString(tool));
+  emit finished(true);
+}
+
+void ViewFileController::refuse(const QString& sentence) {
+  step_ = Step::Nothing;
+  messages_.showMessage(sentence);
+  emit refused(sentence);
+  emit finished(false);
+}
+
+void ViewFileController::refuseGeometry() {
+  QString here = tr("Nothing is on view");
+  if (shared_.shown) {
+    const haptics::Volume& volume = *shared_.shown->volume();
+    here = tr("The one on view has %1").arg(geometryWords(volume.grid, volume.type));
+    if (volume.grid.dims == opening_.grid.dims && volume.type == opening_.type)
+      here = tr("The one on view lies elsewhere or is turned");
+  }
+  refuse(tr("%1 was not opened: it belongs to a scan of %2. %3; open the other scan first.")
+             .arg(inQuotes(opening_path_), geometryWords(opening_.grid, opening_.type), here));
+}
+
+ViewFileController::Leave ViewFileController::leave(Leaving what,
+                                                    std::function<void(bool saved)> then) {
+  const bool marks = what == Leaving::Window && marks_.areUnsaved();
+  const int elsewhere = what == Leaving::Window ? marks_.scansUnsaved() : 0;
+  const std::vector<std::string> present = editsOnView();
+  const bool edits = !present.empty() && present != edits_in_file_;
+  if (!marks && !edits && elsewhere == 0) return Leave::Now;
+  const QString consequence = what == Leaving::Window ? tr("They are lost when the window closes.")
+                              : what == Leaving::Scan
+                                  ? tr("They are lost when another scan is opened.")
+                                  : tr("They are lost when a view with other edits is opened.");
+  const QString of_others =
+      elsewhere == 0 ? QString()
+                     : tr("Marks of other scans that were on view are in no file (%1). To save "
+                          "them, open the scan again.")
+                           .arg(elsewhere);
+  if (!marks && !edits)
+    return messages_.askWhether(of_others, consequence, tr("&Discard")) ? Leave::Now : Leave::Stay;
+  const QString present_words = marks && edits
+                                    ? tr("The marks and edits of this scan are not saved.")
+                                : marks ? tr("The marks of this scan are not saved.")
+                                        : tr("The edits of this scan are not saved.");
+  switch (messages_.askToSave(present_words, (consequence + ' ' + of_others).trimmed())) {
+    case ui::Unsaved::Discard:
+      return Leave::Now;
+    case ui::Unsaved::Cancel:
+      return Leave::Stay;
+    case ui::Unsaved::Save:
+      break;
+  }
+  if (!askAndSave()) return Leave::Stay;
+  then_ = std::move(then);
+  return Leave::AfterSaving;
+}
+
+bool ViewFileController::askAndSave() {
+  if (!shared_.shown) {
+    messages_.showMessage(tr("There is no view to save; open a scan first."));
+    return false;
+  }
+  QFileDialog dialog(messages_.window(), tr("Save the view as"));
+  dialog.setObjectName("saveViewDialog");
+  ui::askForOutput(dialog, tr("Views (*.palpate-view)"), QString(kViewEnding).mid(1));
+  auto* words = new QLabel(tr("Notes are saved as you wrote them: do not name the patient."));
+  words->setObjectName("notesWarning");
+  words->setWordWrap(true);
+  auto* place = new QCheckBox(tr("Remember where the scan lies, relative to this file"));
+  place->setObjectName("rememberScan");
+  place->setEnabled(!shared_.shown->place.empty());
+  place->setToolTip(
+      tr("The names of its folders are then in the file. Without it, the scan must be "
+         "on view to open the file."));
+  if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout())) {
+    grid->addWidget(words, grid->rowCount(), 0, 1, -1);
+    grid->addWidget(place, grid->rowCount(), 0, 1, -1);
+  }
+  if (dialog.exec() != QDialog::Accepted) return false;
+  save(dialog.selectedFiles().value(0).toStdString(), place->isChecked());
+  return saving_.has_value();
+}
+
+void ViewFileController::save(const std::filesystem::path& path, bool with_place) {
+  if (!shared_.shown || saving_) return;
+  const Loaded& shown = *shared_.shown;
+  saved_scan_ = scanOf(shown.volume());
+  saving_path_ = path;
+  ViewFile view;
+  view.grid = saved_scan_->grid;
+  view.type = saved_scan_->type;
+  if (with_place && !shown.place.empty()) {
+    std::error_code error;
+    const auto folder = std::filesystem::absolute(path, error).parent_path();
+    view.place = std::filesystem::relative(shown.place, folder, error).generic_string();
+  }
+  if (const auto* edited = datasets::editedOf(*shown.volume())) view.edits = edited->edits;
+  view.isovalue = shared_.settings.isovalue;
+  if (!shown.tool.file && isNamedTool(shown.tool.name)) view.tool = shown.tool.name;
+  view.marks = marks_.measures().all();
+  view.look = views_.look();
+  saving_ = std::move(view);
+  loading_.begin(tr("Saving the view"));
+  shared_.identity.seek(saved_scan_);
+}
+
+void ViewFileController::write() {
+  ViewFile view = std::move(*saving_);
+  saving_.reset();
+  view.hash = shared_.identity.of(saved_scan_);
+  const auto scan = std::exchange(saved_scan_, nullptr);
+  loading_.end();
+  const auto written = writeViewFile(saving_path_, view);
+  if (!written) {
+    messages_.showMessage(sentenceOf(written.error()));
+    return endSaving(false);
+  }
+  if (shared_.shown && scanOf(shared_.shown->volume()) == scan) {
+    marks_.setSaved(view.marks);
+    edits_in_file_ = textsOf(view.edits);
+  }
+  messages_.showDone(tr("The view was saved as %1.").arg(inQuotes(saving_path_)),
+                     QString::fromStdString(saving_path_.parent_path().string()));
+  endSaving(true);
+}
+
+void ViewFileController::endSaving(bool saved) {
+  emit finished(saved);
+  if (const auto then = std::exchange(then_, nullptr)) then(saved);
+}
+
+}  // namespace app

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/view_file/view_file.h"
+#include "app/window/scan/shared_state.h"
+#include "app/window/views/marks_controller.h"
+#include "ui/window/loading.h"
+#include "ui/window/menus.h"
+#include "ui/window/messages.h"
+#include "ui/window/views.h"
+
+namespace app {
+
+/// What goes: the window with all that it knows; the scan on view, whose marks come back when it is
+/// opened again; or its edits alone.
+enum class Leaving { Window, Scan, Edits };
+
+/// Saves views and opens them again (view_file/). The hash of the scan is made in the background;
+/// saving and opening wait for it, and the user can cancel.
+///
+/// A view is opened over the same scan only. On the installation that saved it the keyed hash
+/// decides; on another one, or without a hash, the geometry must agree and the user is asked, or,
+/// without `asks`, it is refused.
+class ViewFileController : public QObject {
+  Q_OBJECT
+ public:
+  ViewFileController(ui::Views& views, ui::Messages& messages, ui::Loading& loading,
+                     ui::Menus& menus, SharedState& shared, MarksController& marks, bool asks);
+
+  /// Opens a file of a view. If the scan on view is not the one and the file tells its place, the
+  /// scan is opened first.
+  void open(const std::filesystem::path& path);
+  /// Asks for a file and saves. Returns false if the user does not choose one.
+  bool askAndSave();
+  enum class Leave { Now, Stay, AfterSaving };
+  /// Asks about what is in no file and would be lost, if there is something. If the user saves it
+  /// first, `then` is called when that is done, with whether it was.
+  Leave leave(Leaving what, std::function<void(bool saved)> then);
+  /// Saves to this file; `with_place`: with the scan's place relative to it.
+  void save(const std::filesystem::path& path, bool with_place);
+  /// Call it when a scene is on view.
+  void showScene(bool new_volume);
+  /// Call it when a scan could not be opened.
+  void drop();
+
+ signals:
+  /// The scan of a view that is being opened.
+  void scanWanted(const std::filesystem::path& path);
+  /// The edits of a view that is being opened, in place of the present ones. When the volume that
+  /// results is on view, the rest of the view follows.
+  void editsWanted(const std::vector<datasets::Edit>& edits);
+  void toolWanted(const QString& name);
+  /// An isovalue that the volume on view can have.
+  void isovalueWanted(double isovalue);
+  /// Why a view was not opened, as it is shown.
+  void refused(const QString& sentence);
+  /// A view was opened whole, was saved, or could not be.
+  void finished(bool done);
+
+ private:
+  enum class Step { Nothing, Scan, Hash, Edits };
+
+  bool liesOnView() const;
+  void compare();
+  bool seekScan();
+  /// Whether the volume on view has the edits of the view that is being opened.
+  bool hasEdits() const;
+  void restore();
+  void restoreRest();
+  void refuse(const QString& sentence);
+  void refuseGeometry();
+  void takeHash(const std::shared_ptr<const haptics::Volume>& scan);
+  void write();
+  void endSaving(bool saved);
+  std::vector<std::string> editsOnView() const;
+
+  ui::Views& views_;
+  ui::Messages& messages_;
+  ui::Loading& loading_;
+  SharedState& shared_;
+  MarksController& marks_;
+  bool asks_;
+  Step step_ = Step::Nothing;  ///< what the view that is being opened waits for
+  ViewFile opening_;
+  std::filesystem::path opening_path_;
+  bool scan_sought_ = false;        ///< at the place that the file tells
+  std::optional<ViewFile> saving_;  ///< waits for its hash
+  std::filesystem::path saving_path_;
+  std::shared_ptr<const haptics::Volume> saved_scan_;
+  std::function<void(bool saved)> then_;    ///< waits for the file
+  std::vector<std::string> edits_in_file_;  ///< of the scan on view, as texts
+};
+
+}  // namespace app

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "haptics/core/error.h"
+#include "haptics/core/geometry.h"
+#include "haptics/core/volume.h"
+
+namespace datasets {
+
+/// Keeps the voxels of a box and writes none. It takes the place of the crop before it, so a box
+/// can be made larger again.
+struct Crop {
+  haptics::VoxelBox kept;  ///< indices of the scan, within its grid; at least one voxel
+};
+
+/// Cuts away the half-space to which the normal points.
+struct PlaneCut {
+  haptics::Vec3 point_W = haptics::Vec3::Zero();    ///< m
+  haptics::Vec3 normal_W = haptics::Vec3::UnitZ();  ///< unit
+  double isovalue = 0.0;  ///< the present one: at it the wall lies in the plane
+};
+
+/// Cuts along a closed outline drawn on a picture, through everything behind it (a scalpel).
+struct LassoCut {
+  /// Corners of the outline in the camera's axes, at least three: for a parallel camera x, y in m,
+  /// else x, y over the distance along the view (tangents). The last corner joins the first.
+  std::vector<std::array<double, 2>> outline;
+  haptics::Pose X_WC =
+      haptics::Pose::Identity();  ///< camera: its eye, x right, y up, z towards the viewer
+  bool parallel = false;
+  double from = 0.0;      ///< m along the view from the eye: where the cut begins
+  double until = 1e3;     ///< m, where it ends: the depth limit
+  bool inside = true;     ///< what is inside the outline goes; false: what is outside
+  double isovalue = 0.0;  ///< the present one: at it the wall lies on the outline
+};
+
+inline constexpr std::size_t kMostCorners = 4096;  ///< of a lasso's outline
+
+/// Takes away the connected part of the solid at a place.
+struct RemovePiece {
+  haptics::Vec3 seed_W = haptics::Vec3::Zero();  ///< m, in the solid or within two voxels of it
+  double isovalue = 0.0;
+};
+
+/// Takes away all parts of the solid but the one at a place.
+struct KeepPiece {
+  haptics::Vec3 seed_W = haptics::Vec3::Zero();
+  double isovalue = 0.0;
+};
+
+/// Takes away all connected parts that are smaller than this.
+struct RemoveSmallPieces {
+  double isovalue = 0.0;
+  double least_volume = 0.0;  ///< m^3
+};
+
+/// Takes away table and head holder: what is no part of the patient, by the rule in edit/README.md.
+struct RemoveHolder {
+  double isovalue = 0.0;
+};
+
+/// One thing that the user took away, as a command: applied to the same volume it gives the same
+/// voxels, to the bit. A session file and a recording store it as text.
+using Edit =
+    std::variant<Crop, PlaneCut, LassoCut, RemovePiece, KeepPiece, RemoveSmallPieces, RemoveHolder>;
+
+/// One line of JSON; numbers so that reading gives the same double.
+std::string textOf(const Edit& edit);
+/// Refuses text that textOf() did not write, and numbers out of range; reason "damaged".
+haptics::Expected<Edit> editFrom(std::string_view text);
+
+}  // namespace datasets

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+#include <utility>
+
+#include "datasets/edits/edit.h"
+#include "haptics/process/input_file.h"
+
+namespace datasets {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestText = 1 << 20;  // bytes; an outline of most corners has a quarter
+constexpr double kFarthest = 1e4;              // m, or a tangent
+constexpr double kSkew = 1e-6;                 // of unit vectors and rotations that were rounded
+
+json listOfNumbers(const haptics::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+json wordsOfEdit(const Crop& crop) {
+  return {{"edit", "crop"}, {"first", crop.kept.first}, {"end", crop.kept.end}};
+}
+json wordsOfEdit(const PlaneCut& cut) {
+  return {{"edit", "plane"},
+          {"point_m", listOfNumbers(cut.point_W)},
+          {"normal", listOfNumbers(cut.normal_W)},
+          {"isovalue", cut.isovalue}};
+}
+json wordsOfEdit(const LassoCut& cut) {
+  json outline = json::array();
+  for (const auto& corner : cut.outline) {
+    outline.push_back(corner[0]);
+    outline.push_back(corner[1]);
+  }
+  json camera = json::array();
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c) camera.push_back(cut.X_WC.matrix()(r, c));
+  return {{"edit", "lasso"},
+          {"outline", std::move(outline)},
+          {"camera", std::move(camera)},
+          {"parallel", cut.parallel},
+          {"from_m", cut.from},
+          {"until_m", cut.until},
+          {"inside", cut.inside},
+          {"isovalue", cut.isovalue}};
+}
+json wordsOfEdit(const RemovePiece& piece) {
+  return {{"edit", "remove-piece"},
+          {"seed_m", listOfNumbers(piece.seed_W)},
+          {"isovalue", piece.isovalue}};
+}
+json wordsOfEdit(const KeepPiece& piece) {
+  return {{"edit", "keep-piece"},
+          {"seed_m", listOfNumbers(piece.seed_W)},
+          {"isovalue", piece.isovalue}};
+}
+json wordsOfEdit(const RemoveSmallPieces& pieces) {
+  return {{"edit", "remove-small-pieces"},
+          {"isovalue", pieces.isovalue},
+          {"least_volume_m3", pieces.least_volume}};
+}
+json wordsOfEdit(const RemoveHolder& holder) {
+  return {{"edit", "remove-holder"}, {"isovalue", holder.isovalue}};
+}
+
+[[noreturn]] void refuseWord() {
+  throw json::other_error::create(501, "not what an edit holds", nullptr);
+}
+
+/// The words of one edit: each is taken once, and none may be left.
+class EditWords {
+ public:
+  explicit EditWords(const json& words) : words_{words} {
+    if (!words.is_object()) refuseWord();
+  }
+  const json& take(const char* key) {
+    ++taken_;
+    return words_.at(key);
+  }
+  /// A finite number of at most this size.
+  double number(const char* key, double most) { return numberOf(take(key), most); }
+  bool truth(const char* key) { return take(key).get<bool>(); }
+  haptics::Vec3 place(const char* key) {
+    const json& list = take(key);
+    if (!list.is_array() || list.size() != 3) refuseWord();
+    return {numberOf(list[0], kFarthest), numberOf(list[1], kFarthest),
+            numberOf(list[2], kFarthest)};
+  }
+  std::array<std::int64_t, 3> index(const char* key) {
+    const json& list = take(key);
+    if (!list.is_array() || list.size() != 3) refuseWord();
+    std::array<std::int64_t, 3> index{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (!list[a].is_number_integer()) refuseWord();
+      index[a] = list[a].get<std::int64_t>();
+      if (index[a] < 0 || index[a] > (std::int64_t{1} << 31)) refuseWord();
+    }
+    return index;
+  }
+  void end() const {
+    if (taken_ != words_.size()) refuseWord();
+  }
+
+  static double numberOf(const json& word, double most) {
+    if (!word.is_number()) refuseWord();
+    const double value = word.get<double>();
+    if (!(std::abs(value) <= most)) refuseWord();
+    return value;
+  }
+
+ private:
+  const json& words_;
+  std::size_t taken_ = 0;
+};
+
+constexpr double kGreatestValue = 1e38;  // of a voxel
+
+Edit lassoFrom(EditWords& words) {
+  LassoCut cut;
+  const json& outline = words.take("outline");
+  if (!outline.is_array() || outline.size() % 2 != 0 || outline.size() < 6 ||
+      outline.size() > 2 * kMostCorners)
+    refuseWord();
+  for (std::size_t n = 0; n < outline.size(); n += 2)
+    cut.outline.push_back({EditWords::numberOf(outline[n], kFarthest),
+                           EditWords::numberOf(outline[n + 1], kFarthest)});
+  const json& camera = words.take("camera");
+  if (!camera.is_array() || camera.size() != 12) refuseWord();
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c)
+      cut.X_WC.matrix()(r, c) =
+          EditWords::numberOf(camera[static_cast<std::size_t>(4 * r + c)], kFarthest);
+  const haptics::Mat3 turn = cut.X_WC.linear();
+  if ((turn.transpose() * turn - haptics::Mat3::Identity()).cwiseAbs().maxCoeff() > kSkew ||
+      turn.determinant() < 0.0)
+    refuseWord();
+  cut.parallel = words.truth("parallel");
+  cut.from = words.number("from_m", kFarthest);
+  cut.until = words.number("until_m", kFarthest);
+  if (!(cut.from < cut.until)) refuseWord();
+  cut.inside = words.truth("inside");
+  cut.isovalue = words.number("isovalue", kGreatestValue);
+  return cut;
+}
+
+Edit editOfWords(const json& all) {
+  EditWords words{all};
+  const std::string kind = words.take("edit").get<std::string>();
+  Edit edit;
+  if (kind == "crop") {
+    Crop crop{{words.index("first"), words.index("end")}};
+    for (std::size_t a = 0; a < 3; ++a)
+      if (crop.kept.first[a] >= crop.kept.end[a]) refuseWord();
+    edit = crop;
+  } else if (kind == "plane") {
+    PlaneCut cut{words.place("point_m"), words.place("normal"),
+                 words.number("isovalue", kGreatestValue)};
+    if (std::abs(cut.normal_W.norm() - 1.0) > kSkew) refuseWord();
+    edit = cut;
+  } else if (kind == "lasso") {
+    edit = lassoFrom(words);
+  } else if (kind == "remove-piece") {
+    edit = RemovePiece{words.place("seed_m"), words.number("isovalue", kGreatestValue)};
+  } else if (kind == "keep-piece") {
+    edit = KeepPiece{words.place("seed_m"), words.number("isovalue", kGreatestValue)};
+  } else if (kind == "remove-small-pieces") {
+    RemoveSmallPieces pieces{words.number("isovalue", kGreatestValue),
+                             words.number("least_volume_m3", kFarthest)};
+    if (pieces.least_volume < 0.0) refuseWord();
+    edit = pieces;
+  } else if (kind == "remove-holder") {
+    edit = RemoveHolder{words.number("isovalue", kGreatestValue)};
+  } else {
+    refuseWord();
+  }
+  words.end();
+  return edit;
+}
+
+}  // namespace
+
+std::string textOf(const Edit& edit) {
+  return std::visit([](const auto& kind) { return wordsOfEdit(kind).dump(); }, edit);
+}
+
+haptics::Expected<Edit> editFrom(std::string_view text) {
+  try {
+    if (text.size() > kLongestText || haptics::isNestedDeeper(text, haptics::kDeepestJson))
+      refuseWord();
+    return editOfWords(json::parse(text));
+  } catch (const json::exception&) {
+    return tl::unexpected(
+        haptics::Error{haptics::Error::Kind::Malformed, {"edit-damaged", {}}, "damaged"});
+  }
+}
+
+}  // namespace datasets

@@ -1,0 +1,570 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QThread>
+#include <QTimer>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "app/window/edits/edit_controller.h"
+#include "app/window/scan/edited_volume.h"
+#include "app/window/scan/loader.h"
+#include "app/window/sessions/replay.h"
+#include "app/window/sessions/session_recording.h"
+#include "datasets/edits/edited.h"
+#include "datasets/readers/nrrd/writer.h"
+#include "haptics/session.h"
+#include "tests/support/places.h"
+#include "tests/ui/edits/editing.h"
+#include "tests/ui/views/sphere_in_hand.h"
+#include "tests/ui/window_support.h"
+#include "ui/controls/number_box.h"
+#include "ui/panels/device_panel.h"
+#include "ui/panels/edit_panel.h"
+#include "ui/panels/replay_bar.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/loading.h"
+#include "ui/window/main_window.h"
+#include "ui/window/menus.h"
+#include "ui/window/views.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Vector3d;
+using window::Editing;
+using window::waitFor;
+
+/// Answers the question that comes before edits in no file are dropped.
+void discardWhenAsked(ui::MainWindow& window) {
+  auto* look = new QTimer(&window);
+  QObject::connect(look, &QTimer::timeout, look, [look] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (question == nullptr) return;
+    look->deleteLater();
+    for (QAbstractButton* button : question->buttons())
+      if (button->text().remove('&') == "Discard") return button->click();
+  });
+  look->start(50);
+}
+
+TEST_F(Editing, UndoAndRedoWaitUntilTheToolIsOutOfContactAndSaySo) {
+  openBalls();
+  click("piecesTool");
+  clickAt(window().views().volume(), inSpace(kSmallAt));
+  ASSERT_TRUE(previewed());
+  click("removePiece");
+  const Vector3d apart{-12, -29, 0}, in_contact{-12, -5, 0};
+  const auto wait = [&] { return child<QLabel>("editWait").text(); };
+  const auto waits = [&] { return child<QLabel>("editWait").isVisible(); };
+  const auto undoWanted = [&] { QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier); };
+  pulledTo(apart);
+  pulledTo(in_contact);
+  ASSERT_GT(application_->snapshot().contacts, 0);
+  undoWanted();
+  ASSERT_TRUE(waitFor(waits));
+  window::afterTicks(*application_, 300);
+  EXPECT_EQ(application_->editing().edits().size(), 1U);
+  EXPECT_EQ(wait(), "Undo waits until the tool no longer touches.");
+  EXPECT_TRUE(waits());
+  keepWindow("edit_waits");
+  // taken back
+  QTest::mouseClick(&child("cancelEditWait"), Qt::LeftButton);
+  EXPECT_FALSE(waits());
+  EXPECT_FALSE(application_->editing().isBusy());
+  // a window that was busy for a while does not take its silence for a tool out of contact
+  QThread::msleep(300);
+  undoWanted();
+  EXPECT_TRUE(waits());
+  QThread::msleep(300);
+  window::afterTicks(*application_, 300);
+  EXPECT_TRUE(waits());
+  EXPECT_EQ(application_->editing().edits().size(), 1U);
+  // until the hand lets go
+  const haptics::Vec3 before = application_->snapshot().X_WP.translation();
+  EXPECT_GT(application_->snapshot().felt_W.force.norm(), 0.0);
+  pulledTo(apart);
+  settle();
+  EXPECT_TRUE(application_->editing().edits().empty());
+  EXPECT_FALSE(waits());
+  EXPECT_GT((application_->snapshot().X_WP.translation() - before).norm(), 5e-3);
+  // redo, too
+  pulledTo(in_contact);
+  ASSERT_GT(application_->snapshot().contacts, 0);
+  QTest::keyClick(&window(), Qt::Key_Y, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor(waits));
+  window::afterTicks(*application_, 300);
+  EXPECT_EQ(wait(), "Redo waits until the tool no longer touches.");
+  EXPECT_TRUE(waits());
+  EXPECT_TRUE(application_->editing().edits().empty());
+  pulledTo(apart);
+  settle();
+  EXPECT_EQ(application_->editing().edits().size(), 1U);
+  EXPECT_FALSE(waits());
+}
+
+// An undo that began out of contact is not adopted under a tool that has come to touch meanwhile.
+TEST_F(Editing, AnUndoThatBeganWaitsAgainBeforeItIsAdopted) {
+  openBalls();
+  click("piecesTool");
+  clickAt(window().views().volume(), inSpace(kSmallAt));
+  ASSERT_TRUE(previewed());
+  click("removePiece");
+  pulledTo({-12, -22, 0});
+  // into contact while the window is busy: no snapshot is looked at
+  haptics::Pose hand = application_->snapshot().X_WD;
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(child<QLabel>("editWait").isVisible());
+  for (int n = 0; n < 60; ++n) {
+    hand.translation().y() += 17e-3 / 60;
+    application_->session().pull(hand);
+    QThread::msleep(10);
+  }
+  haptics::Snapshot pressed;
+  for (int n = 0; n < 10'000 && pressed.contacts == 0; ++n) {
+    application_->session().latest(pressed);
+    QThread::msleep(5);
+  }
+  ASSERT_GT(pressed.contacts, 0);
+  EXPECT_TRUE(waitFor([&] { return child<QLabel>("editWait").isVisible(); }));
+  EXPECT_GT(application_->snapshot().contacts, 0);
+  EXPECT_EQ(application_->editing().edits().size(), 1U);
+  pulledTo({-12, -29, 0});
+  settle();
+  EXPECT_TRUE(application_->editing().edits().empty());
+}
+
+TEST_F(Editing, AnEditLeavesToolAndCameraWhereTheyAre) {
+  openBalls();
+  window().views().volume().camera()->Azimuth(20.0);
+  pulledTo({-12, -29, 0});
+  pulledTo({-12, -5, 0});
+  ASSERT_GT(application_->snapshot().contacts, 0);
+  const haptics::Vec3 before = application_->snapshot().X_WP.translation();
+  const Vector3d eye{window().views().volume().camera()->GetPosition()};
+  click("piecesTool");
+  clickAt(window().views().volume(), inSpace(kSmallAt));
+  ASSERT_TRUE(previewed());
+  click("removePiece");
+  EXPECT_TRUE(
+      waitFor([&] { return application_->snapshot().scene == application_->shown()->scene->id; }));
+  window::afterTicks(*application_, 200);
+  EXPECT_LT((application_->snapshot().X_WP.translation() - before).norm(), 0.5e-3);
+  EXPECT_EQ((Vector3d{window().views().volume().camera()->GetPosition()} - eye).norm(), 0.0);
+  // Escape ends what the mouse was for, and the force
+  QTest::keyClick(&window().views().volume(), Qt::Key_Escape);
+  EXPECT_EQ(panel().tool(), ui::EditTool::None);
+  EXPECT_TRUE(
+      waitFor([&] { return application_->snapshot().force_state == haptics::ForceState::Ready; }));
+}
+
+TEST_F(Editing, AnotherToolKeepsTheEditsAndAnotherVolumeDropsThem) {
+  openBalls();
+  application_->editing().restore({datasets::Crop{{{0, 0, 0}, {40, 64, 64}}},
+                                   datasets::RemovePiece{haptics::Vec3{-12e-3, 0, 0}, 50.0}});
+  settle();
+  EXPECT_EQ(application_->editing().edits().size(), 2U);
+  EXPECT_FALSE(isThere(kLargeAt));
+  EXPECT_TRUE(window().windowTitle().contains("(edited)"));
+  const auto scene = application_->shown()->scene;
+  emit window::panelOf<ui::DevicePanel>(window()).toolChosen("peg");
+  ASSERT_TRUE(waitFor([&] { return application_->shown()->scene != scene; }));
+  QTest::qWait(100);
+  EXPECT_EQ(application_->editing().edits().size(), 2U);
+  EXPECT_FALSE(isThere(kLargeAt));
+  // an edit that cannot be made leaves what is there
+  application_->editing().restore(
+      {datasets::RemovePiece{haptics::Vec3{28e-3, 28e-3, 28e-3}, 50.0}});
+  settle();
+  EXPECT_TRUE(messageIsShown());
+  EXPECT_EQ(application_->editing().edits().size(), 2U);
+  discardWhenAsked(window());
+  emit window().menus().phantomWanted("torus");
+  ASSERT_TRUE(waitFor([&] { return application_->shown()->title.contains("torus"); }));
+  QTest::qWait(100);
+  EXPECT_TRUE(application_->editing().edits().empty());
+  EXPECT_FALSE(window().windowTitle().contains("(edited)"));
+  EXPECT_FALSE(window().findChild<QAction*>("undo")->isEnabled());
+}
+
+TEST_F(Editing, TheEditedVolumeIsSavedAndTheInputIsNotWrittenOver) {
+  openBalls();
+  const fs::path input = fs::path(scans_.path().toStdString()) / "balls.nrrd";
+  const auto input_time = fs::last_write_time(input);
+  application_->editing().restore({datasets::Crop{{{10, 0, 5}, {40, 64, 60}}}});
+  settle();
+  EXPECT_TRUE(window().findChild<QAction*>("saveEdited")->isEnabled());
+  emit window().menus().saveEditedWanted(QString::fromStdString(input.string()));
+  ASSERT_TRUE(waitFor([&] { return messageIsShown(); }));
+  EXPECT_TRUE(message().contains("is not written over")) << message().toStdString();
+  EXPECT_EQ(fs::last_write_time(input), input_time);
+  const fs::path out = fs::path(scans_.path().toStdString()) / "saved.nrrd";
+  emit window().menus().saveEditedWanted(QString::fromStdString(out.string()));
+  ASSERT_TRUE(waitFor([&] { return child<QLabel>("done").text().contains("was saved"); }));
+  discardWhenAsked(window());
+  emit window().menus().openWanted(QString::fromStdString(out.string()));
+  ASSERT_TRUE(waitFor([&] { return volume().grid.dims[0] == 30; }));
+  EXPECT_EQ(volume().grid.dims, (std::array<std::int64_t, 3>{30, 64, 55}));
+  QTest::qWait(100);
+  EXPECT_TRUE(isThere({-12, 0, 0}));
+  EXPECT_NEAR(volume().grid.origin.x(), -21.5e-3, 1e-9);
+  EXPECT_NEAR(volume().grid.origin.z(), -26.5e-3, 1e-9);
+}
+
+TEST_F(Editing, AReplayShowsTheScanAsItWasThen) {
+  openBalls();
+  auto* record = window().findChild<QAbstractButton*>("record");
+  ASSERT_NE(record, nullptr);
+  QTest::mouseClick(record, Qt::LeftButton);
+  window::afterTicks(*application_, 300);
+  application_->editing().restore({datasets::RemovePiece{kSmallAt * 1e-3, 50.0}});
+  settle();
+  window::afterTicks(*application_, 300);
+  undo();
+  window::afterTicks(*application_, 300);
+  QTest::mouseClick(record, Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return !application_->recording().isRecording(); }));
+  const auto finished = [&]() -> fs::path {
+    for (const auto& file : fs::directory_iterator(recordings_.path().toStdString()))
+      if (file.path().extension() == ".palpate") return file.path();
+    return {};
+  };
+  ASSERT_TRUE(waitFor([&] { return !finished().empty(); }));
+  QTest::qWait(300);
+  emit window().menus().recordingWanted(QString::fromStdString(finished().string()));
+  ASSERT_TRUE(waitFor([&] { return application_->replay() != nullptr; }));
+  EXPECT_FALSE(panel().isEnabled());
+  window().views().setCross(kSmallAt);
+  // the picture at rest, the slices and the contour in them
+  const auto shows = [&](bool small) {
+    const haptics::ScalarField field{window().views().volume().picture().volume};
+    expectSlicesShow([&](const Vector3d& p_mm) { return field.value(field.indexOf(p_mm * 1e-3)); });
+    EXPECT_EQ(isSeen(kSmallAt), small);
+    EXPECT_TRUE(isSeen(kLargeAt));
+  };
+  const auto seen = [&] { return window().views().volume().picture().volume; };
+  const ui::ReplayTrack& track = application_->replay()->track();
+  std::vector<double> edits;
+  for (const ui::ReplayMark& mark : track.marks)
+    if (mark.kind == "edit") edits.push_back(mark.time);
+  ASSERT_EQ(edits.size(), 2U);
+  const double before = 0.5 * (track.begin + edits[0]), after = 0.5 * (edits[0] + edits[1]);
+  const auto scan = application_->shown()->picture.volume;
+  ASSERT_EQ(seen(), scan);
+  shows(true);
+  // after the edit it is gone, and comes back with the time
+  emit window().replayBar().timeWanted(after);
+  ASSERT_TRUE(waitFor([&] { return seen() != scan; })) << message().toStdString();
+  shows(false);
+  keepWindow("edit_replayed");
+  emit window().replayBar().timeWanted(before);
+  ASSERT_TRUE(waitFor([&] { return seen() == scan; }));
+  shows(true);
+  emit window().replayBar().timeWanted(after);
+  ASSERT_TRUE(waitFor([&] { return seen() != scan; }));
+  shows(false);
+  emit window().replayBar().closeWanted();
+  EXPECT_EQ(seen(), scan);
+  shows(true);
+  EXPECT_TRUE(panel().isEnabled());
+}
+
+TEST_F(Editing, NewerEditsWaitTheirTurn) {
+  openBalls();
+  for (int n = 1; n <= 55; ++n) {
+    auto& number = child<ui::NumberBox>("crop0High");
+    if (n == 1) QTest::mouseClick(&child("cropTool"), Qt::LeftButton);
+    number.setValue(32.0 - 0.5 * n - 0.5 * (n % 2));
+    if (n % 2 == 0) continue;
+    QTest::mouseClick(&child("cropApply"), Qt::LeftButton);
+  }
+  settle();
+  const auto edits = application_->editing().edits();
+  EXPECT_GT(edits.size(), 20U);
+  for (std::size_t n = edits.size(); n > 0; --n) {
+    QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+    if (n % 7 == 0) settle();
+  }
+  settle();
+  EXPECT_TRUE(application_->editing().edits().empty());
+  EXPECT_FALSE(volume().crop);
+}
+
+TEST_F(Editing, FiftyEditsAreTakenBackOneByOneToTheByte) {
+  openBalls();
+  constexpr int kEdits = 52;
+  struct Was {
+    std::optional<haptics::VoxelBox> crop;
+    std::vector<char> voxels;
+  };
+  const auto now = [&] {
+    const auto* bytes = static_cast<const char*>(volume().voxels.get());
+    return Was{volume().crop, {bytes, bytes + volume().grid.voxelCount() * 2}};
+  };
+  std::vector<Was> was;
+  for (int n = 0; n < kEdits; ++n) {
+    was.push_back(now());
+    if (n % 2 == 0) {
+      if (n == 0 || panel().tool() != ui::EditTool::Crop) click("cropTool");
+      child<ui::NumberBox>("crop0High").setValue(31.0 - 0.5 * n);
+      click("cropApply");
+    } else {
+      if (panel().tool() != ui::EditTool::Plane) click("planeTool");
+      window().views().setCross({0, 0, 14.0 - 0.5 * n});
+      click("planeFromAxial");
+      click("planeApply");
+    }
+    ASSERT_EQ(int(application_->editing().edits().size()), n + 1) << message().toStdString();
+  }
+  for (int n = kEdits; n-- > 0;) {
+    QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(waitFor([&] { return !application_->editing().isBusy(); }));
+    const Was then = now();
+    EXPECT_EQ(then.crop, was[std::size_t(n)].crop) << n;
+    EXPECT_TRUE(then.voxels == was[std::size_t(n)].voxels) << n;
+  }
+  EXPECT_FALSE(window().windowTitle().contains("(edited)"));
+}
+
+TEST_F(Editing, TheTouchDoesNotWaitForThePicture) {
+  openBalls();
+  std::vector<bool> together;
+  const auto look = [&] {
+    together.push_back(application_->shown()->volume() ==
+                       window().views().volume().picture().volume);
+  };
+  QObject::connect(&application_->editing(), &app::EditController::edited, &window(), look);
+  QObject::connect(&application_->editing(), &app::EditController::pictured, &window(), look);
+  application_->editing().restore({datasets::Crop{{{0, 0, 0}, {64, 64, 40}}}});
+  settle();
+  EXPECT_EQ(together, (std::vector<bool>{false, true}));
+  expectTheSameEverywhere();
+}
+
+TEST_F(Editing, AnEditThatIsCancelledChangesNothing) {
+  openBalls();
+  click("planeTool");
+  window().views().setCross({0, 0, 10});
+  click("planeFromAxial");
+  click("planeApply");
+  const auto before = application_->shown()->picture.volume;
+  window().views().setCross({0, 0, 0});
+  click("planeFromAxial");
+  QTest::mouseClick(&child("planeApply"), Qt::LeftButton);
+  ASSERT_TRUE(application_->editing().isBusy());
+  emit window().loading().cancelWanted();
+  settle();
+  EXPECT_EQ(application_->shown()->picture.volume, before);
+  EXPECT_EQ(application_->editing().edits().size(), 1U);
+  EXPECT_FALSE(messageIsShown()) << message().toStdString();
+  EXPECT_TRUE(window().findChild<QAction*>("undo")->isEnabled());
+  EXPECT_FALSE(window().findChild<QAction*>("redo")->isEnabled());
+  // and the next is made
+  click("planeFromAxial");
+  click("planeApply");
+  EXPECT_EQ(application_->editing().edits().size(), 2U);
+  EXPECT_FALSE(isThere({-12, 0, 3}));
+}
+
+/// A ball as a mesh file, mm.
+fs::path ballFile(const QTemporaryDir& folder, double diameter_mm) {
+  constexpr int kRings = 12, kAround = 24;
+  const auto at = [&](int ring, int around) -> Vector3d {
+    const double down = 3.14159265358979 * ring / kRings;
+    const double turn = 2.0 * 3.14159265358979 * (around % kAround) / kAround;
+    return Vector3d{std::sin(down) * std::cos(turn), std::sin(down) * std::sin(turn),
+                    std::cos(down)} *
+           (0.5 * diameter_mm);
+  };
+  const fs::path path = fs::path(folder.path().toStdString()) / "burr.stl";
+  std::ofstream out{path};
+  out << "solid burr\n";
+  const auto triangle = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    out << "facet normal 0 0 0\nouter loop\n";
+    for (const Vector3d& p : {a, b, c}) out << "vertex " << p.transpose() << '\n';
+    out << "endloop\nendfacet\n";
+  };
+  for (int ring = 0; ring < kRings; ++ring)
+    for (int n = 0; n < kAround; ++n) {
+      const Vector3d a = at(ring, n), b = at(ring + 1, n), c = at(ring + 1, n + 1);
+      const Vector3d d = at(ring, n + 1);
+      if (ring + 1 < kRings) triangle(a, b, c);
+      if (ring > 0) triangle(a, c, d);
+    }
+  out << "endsolid burr\n";
+  return path;
+}
+
+/// In place of the real scan: a head about (0, 130, 708), and the wall of a holder on its left.
+fs::path madeHeadInHolder(const QTemporaryDir& folder) {
+  haptics::Grid grid;
+  grid.dims = {112, 112, 80};
+  grid.spacing = haptics::Vec3::Constant(2e-3);
+  const haptics::Vec3 middle{0.0, 0.130, 0.7082};
+  grid.origin = middle - 1e-3 * haptics::Vec3{111, 111, 79};
+  const auto filled = [](double depth) { return std::clamp(0.5 + depth / 2e-3, 0.0, 1.0); };
+  const auto scan =
+      window::volumeOf(grid, haptics::ScalarType::Int16, [&](const haptics::Vec3& p_W) {
+        const haptics::Vec3 p = p_W - middle;
+        const double wall = 2e-3 - std::abs(std::hypot(p.x(), p.y()) - 0.1005);
+        return std::max(1000.0 * filled(54.6e-3 - p.norm()),
+                        p.x() > 0.0 ? 1000.0 * filled(wall) : 0.0);
+      });
+  const fs::path path = fs::path(folder.path().toStdString()) / "head.nrrd";
+  EXPECT_TRUE(datasets::writeNrrd(*scan, path).has_value());
+  return path;
+}
+
+// What a surgeon does first: the holder goes, and the mastoid that it hid is touched with a burr.
+TEST_F(Editing, TheHolderOfAScanIsRemovedAndTheMastoidBehindItTouched) {
+  fs::path scan = places::scan("philips_head_phantom/bone_1mm");
+  if (!fs::exists(scan)) scan = madeHeadInHolder(scans_);
+  // behind the left ear canal, seen in the slices: bone begins at x = 54.6, the holder's wall lies
+  // at 99 to 102, in the way from the left
+  const Vector3d mastoid{54.6, 130.0, 708.2};
+  constexpr double kHolder_mm = 99.0, kBurr_mm = 4.0;
+  isovalue_ = 300.0;
+  const auto begin = std::chrono::steady_clock::now();
+  int actions = 1;  // the folder was opened
+  open(scan, isovalue_);
+  ASSERT_FALSE(HasFatalFailure());
+  ui::VolumeView& view = window().views().volume();
+  const auto act = [&](const auto& what) {
+    ++actions;
+    what();
+  };
+  act([&] {
+    const auto scene = application_->shown()->scene;
+    emit window::panelOf<ui::DevicePanel>(window()).toolFileChosen(
+        QString::fromStdString(ballFile(scans_, kBurr_mm).string()), "mm");
+    ASSERT_TRUE(waitFor([&] { return application_->snapshot().scene != scene->id; }));
+  });
+  EXPECT_NEAR(application_->shown()->scene->tool.shell.radius, 0.5 * kBurr_mm * 1e-3, 0.2e-3);
+  // a double click on a place brings the burr to what is seen there, and a hand presses it on
+  const auto bring = [&] {
+    const QPointF at = inSpace(mastoid);
+    clickAt(view, at);
+    mouse(view, QEvent::MouseButtonDblClick, at, Qt::LeftButton);
+    mouse(view, QEvent::MouseButtonRelease, at, Qt::NoButton);
+    QTest::qWait(1'500);
+  };
+  const auto press_on = [&] {
+    const Vector3d burr = pulledTo(mastoid - Vector3d{2.0, 0, 0});
+    std::printf("  the burr's middle comes to x = %.2f, y = %.2f, z = %.2f mm\n", burr.x(),
+                burr.y(), burr.z());
+    return burr;
+  };
+  act([&] { QTest::keyClick(&view, Qt::Key_3); });
+  const double until_holder =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+  // not counted: as it is without the edit
+  window::pictureAtRest(view);
+  bring();
+  EXPECT_GT(press_on().x(), kHolder_mm);
+  EXPECT_GT(application_->snapshot().contacts, 0);
+  pulledTo({108.0, mastoid.y(), mastoid.z()});
+
+  const auto again = std::chrono::steady_clock::now();
+  act([&] { press("Edit", "Table and holder"); });
+  EXPECT_EQ(panel().tool(), ui::EditTool::Holder);
+  act([&] { click("showHolder"); });
+  ASSERT_TRUE(previewed()) << message().toStdString();
+  const QString words = child<QLabel>("editPreview").text();
+  EXPECT_TRUE(words.contains("cm³")) << words.toStdString();
+  keepWindow("edit_holder");
+  act([&] { click("applyRemoval"); });
+  ASSERT_EQ(application_->editing().edits().size(), 1U);
+  window::pictureAtRest(view);
+  keepWindow("edit_holder_gone");
+  act(bring);
+  Vector3d burr;
+  act([&] { burr = press_on(); });
+  EXPECT_GT(application_->snapshot().contacts, 0);
+  // a ball that touches the bone there: half its diameter away
+  EXPECT_LT((burr - mastoid).norm(), 0.5 * kBurr_mm + 2.0) << burr.transpose();
+  EXPECT_GT(burr.x(), mastoid.x());
+  keepWindow("edit_mastoid_touched");
+  EXPECT_LT(actions, 12);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - again;
+  std::printf("holder removed, mastoid touched: %d actions, %.1f s; %s\n", actions,
+              until_holder + took.count(), words.toUtf8().constData());
+}
+
+// Not a check: prints how long edits of a large scan take, from wanting one to the new scene.
+TEST_F(Editing, DISABLED_TimesOfEditsOfALargeScan) {
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  };
+  {
+    haptics::Grid grid = window::cubeGrid(512);
+    grid.spacing *= 0.4;
+    grid.origin *= 0.4;
+    const auto large = window::ball({-25e-3, 0, 0}, 60e-3);
+    const auto small = window::ball({70e-3, 0, 40e-3}, 20e-3);
+    const auto scan =
+        window::volumeOf(grid, haptics::ScalarType::Int16, [&](const haptics::Vec3& p) {
+          return std::max(large(p), small(p)) * 20.0 + 40.0 * std::sin(p.x() * 5e3 + p.y() * 3e3);
+        });
+    const fs::path path = fs::path(scans_.path().toStdString()) / "large.nrrd";
+    ASSERT_TRUE(datasets::writeNrrd(*scan, path).has_value());
+    isovalue_ = 1000.0;
+    open(path, isovalue_);
+  }
+  const datasets::Edit box = datasets::Crop{{{40, 40, 40}, {470, 480, 500}}};
+  const datasets::Edit piece = datasets::RemovePiece{haptics::Vec3{70e-3, 0, 40e-3}, isovalue_};
+  datasets::LassoCut lasso;
+  for (int n = 0; n < 60; ++n)
+    lasso.outline.push_back(
+        {0.03 * std::cos(n * 6.2831853 / 60), 0.03 * std::sin(n * 6.2831853 / 60)});
+  lasso.parallel = true;
+  lasso.X_WC.translation() = haptics::Vec3{-25e-3, 0, 0.3};
+  lasso.isovalue = isovalue_;
+  const std::pair<const char*, datasets::Edit> all[] = {
+      {"box", box}, {"lasso", lasso}, {"piece", piece}};
+  for (int round = 0; round < 3; ++round) {
+    for (const auto& [name, edit] : all) {
+      const auto scene = application_->shown()->scene;
+      const Clock::time_point begin = Clock::now();
+      application_->editing().restore({edit});
+      while (application_->shown()->scene == scene && since(begin) < 60'000.0)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
+      std::printf("%-6s wanted to adopted: %.0f ms", name, since(begin));
+      // its parts, one after the other, on this thread
+      const auto scan = scene->volume->derivation ? scene->volume->derivation->scan : scene->volume;
+      datasets::EditHistory history{scan};
+      const ui::Picture before = ui::pictureOf(scan);
+      const auto base = haptics::makeScene(scan, scene->tool).value();
+      Clock::time_point part = Clock::now();
+      const auto volume = history.apply(edit).value();
+      std::printf("; edit %.0f", since(part));
+      part = Clock::now();
+      const auto built = haptics::makeScene(volume, scene->tool, {}, base.get());
+      std::printf(", scene %.0f", since(part));
+      part = Clock::now();
+      const auto picture = ui::pictureOf(volume, before, volume->derivation->changed);
+      std::printf(", picture %.0f", since(part));
+      part = Clock::now();
+      const auto whole = ui::pictureOf(volume);
+      std::printf(" (anew %.0f", since(part));
+      part = Clock::now();
+      const auto histogram = ui::histogramOf(*volume, 256);
+      std::printf(", histogram %.0f) ms\n", since(part));
+      const auto* a = static_cast<const float*>(picture.reduced->GetScalarPointer());
+      const auto* b = static_cast<const float*>(whole.reduced->GetScalarPointer());
+      EXPECT_TRUE(std::equal(a, a + picture.reduced->GetNumberOfPoints(), b));
+      application_->editing().restore({});
+      settle();
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An edit comes back from its text to the bit, and nothing else is taken for one.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "datasets/edits/edit.h"
+#include "datasets/phantoms/making.h"
+#include "tests/support/made.h"
+#include "tests/support/sentence.h"
+
+namespace {
+
+using namespace datasets;
+using namespace haptics;
+
+LassoCut triangle() {
+  LassoCut cut;
+  cut.outline = {{0.1, 0.2}, {1.0 / 3.0, -0.25}, {-0.1, 1e-17}};
+  cut.X_WC = poseOf({0.1, -0.2, 0.3}, Quat{0.5, 0.1, -0.7, 0.2});
+  cut.parallel = true;
+  cut.from = -0.01;
+  cut.until = 0.2;
+  cut.inside = false;
+  cut.isovalue = 300.1;
+  return cut;
+}
+
+std::vector<Edit> oneOfEach() {
+  return {Crop{{{0, 1, 2}, {3, 4, 500}}},
+          PlaneCut{{0.1, -0.2, 1.0 / 7.0}, Vec3{1, 2, 3}.normalized(), -299.7},
+          triangle(),
+          RemovePiece{{1e-3, 2e-3, -0.0}, 300.0},
+          KeepPiece{{0.1, 0.2, 0.3}, -300.0},
+          RemoveSmallPieces{128.5, 1e-8},
+          RemoveHolder{412.0}};
+}
+
+TEST(EditText, ComesBackToTheBit) {
+  for (const Edit& edit : oneOfEach()) {
+    const std::string text = textOf(edit);
+    EXPECT_EQ(text.find('\n'), std::string::npos);
+    const auto back = editFrom(text);
+    ASSERT_TRUE(back) << text;
+    EXPECT_EQ(back->index(), edit.index());
+    EXPECT_EQ(textOf(*back), text);
+  }
+  const LassoCut before = triangle();
+  const auto after = std::get<LassoCut>(editFrom(textOf(before)).value());
+  EXPECT_EQ(after.outline, before.outline);
+  EXPECT_EQ(after.X_WC.matrix(), before.X_WC.matrix());
+  EXPECT_EQ(after.parallel, before.parallel);
+  EXPECT_EQ(after.from, before.from);
+  EXPECT_EQ(after.until, before.until);
+  EXPECT_EQ(after.inside, before.inside);
+  EXPECT_EQ(after.isovalue, before.isovalue);
+  datasets::Random random{19};
+  for (int n = 0; n < 1000; ++n) {
+    const PlaneCut cut{random.box(1.0), random.direction(), random.in(-1000.0, 3000.0)};
+    const auto back = std::get<PlaneCut>(editFrom(textOf(cut)).value());
+    ASSERT_EQ(back.point_W, cut.point_W);
+    ASSERT_EQ(back.normal_W, cut.normal_W);
+    ASSERT_EQ(back.isovalue, cut.isovalue);
+  }
+}
+
+TEST(EditText, OfMostCornersIsRead) {
+  LassoCut cut = triangle();
+  while (cut.outline.size() < kMostCorners)
+    cut.outline.push_back({1.0 / double(cut.outline.size()), -1.0 / 3.0});
+  EXPECT_TRUE(editFrom(textOf(cut)));
+  cut.outline.push_back({0.0, 0.0});
+  EXPECT_FALSE(editFrom(textOf(cut)));
+}
+
+/// The text with a part of it replaced.
+std::string with(std::string text, const std::string& part, const std::string& other) {
+  const auto at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part << " in " << text;
+  return at == std::string::npos ? text : text.replace(at, part.size(), other);
+}
+
+TEST(EditText, RefusesWhatIsNone) {
+  const std::string crop = textOf(oneOfEach()[0]), plane = textOf(oneOfEach()[1]),
+                    lasso = textOf(oneOfEach()[2]), small = textOf(oneOfEach()[5]),
+                    holder = textOf(oneOfEach()[6]);
+  std::vector<std::string> wrong{
+      "",
+      "null",
+      "[]",
+      "{}",
+      "{\"edit\":\"drill\"}",
+      "{\"edit\":7}",
+      with(holder, "\"remove-holder\"", "\"crop\""),
+      with(holder, "}", ",\"note\":1}"),        // an unknown key
+      with(holder, ",\"isovalue\":412.0", ""),  // a missing one
+      with(holder, "412.0", "\"412\""),
+      with(holder, "412.0", "1e400"),
+      with(holder, "412.0", "null"),
+      with(holder, "412.0", "1e39"),
+      holder + holder,
+      holder.substr(0, holder.size() - 1),
+      with(crop, "[3,4,500]", "[3,4]"),
+      with(crop, "[3,4,500]", "[3,4,500,6]"),
+      with(crop, "[3,4,500]", "[0,4,500]"),  // empty
+      with(crop, "[3,4,500]", "[3,4,5e2]"),  // no whole number
+      with(crop, "[3,4,500]", "[3,4,99999999999]"),
+      with(crop, "[3,4,500]", "[3,4,18446744073709551615]"),
+      with(crop, "[0,1,2]", "[-1,1,2]"),
+      with(plane, "\"normal\":[", "\"normal\":[7.0,"),
+      with(small, "1e-08", "-1e-08"),
+      with(lasso, "\"until_m\":0.2", "\"until_m\":-0.2"),
+      with(lasso, "true", "1"),
+      with(lasso, "\"camera\":[", "\"camera\":[0.0,"),
+      with(lasso, "\"outline\":[0.1,", "\"outline\":["),      // an odd number
+      with(lasso, "\"outline\":[0.1,0.2,", "\"outline\":["),  // two corners
+      std::string(2 << 20, ' ') + holder,
+  };
+  PlaneCut slanted = std::get<PlaneCut>(oneOfEach()[1]);
+  slanted.normal_W *= 1.01;
+  wrong.push_back(textOf(slanted));
+  slanted = std::get<PlaneCut>(oneOfEach()[1]);
+  slanted.point_W.x() = 1e9;
+  wrong.push_back(textOf(slanted));
+  LassoCut skew = triangle();
+  skew.X_WC.linear().col(0) *= -1.0;
+  wrong.push_back(textOf(skew));
+  skew = triangle();
+  skew.X_WC.linear()(0, 1) += 0.01;
+  wrong.push_back(textOf(skew));
+  skew = triangle();
+  skew.outline[1][0] = std::numeric_limits<double>::quiet_NaN();
+  wrong.push_back(textOf(skew));
+  for (const std::string& text : wrong) {
+    const auto edit = editFrom(text);
+    ASSERT_FALSE(edit) << text.substr(0, 300);
+    EXPECT_EQ(edit.error().reason, "damaged");
+    EXPECT_FALSE(sentence(edit.error()).empty());
+  }
+}
+
+}  // namespace

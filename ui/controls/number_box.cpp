@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/controls/number_box.h"
+
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QLocale>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+bool isZero(const QString& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](QChar c) { return c == '0' || c == '.' || c == ','; });
+}
+
+}  // namespace
+
+NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
+  // wheel and arrow keys change it; buttons of some pixels would be hard to hit
+  setButtonSymbols(QAbstractSpinBox::NoButtons);
+  // else the first digits of what is refused in the end would count
+  setKeyboardTracking(false);
+  // a value that is set or comes back is not typed
+  connect(lineEdit(), &QLineEdit::textChanged, this, &NumberBox::typedChanged);
+  connect(this, &NumberBox::valueChanged, this, &NumberBox::typedChanged);
+  connect(this, &NumberBox::editingFinished, this, &NumberBox::typedChanged);
+}
+
+std::optional<double> NumberBox::numberIn(QString text) const {
+  if (!specialValueText().isEmpty() && text == specialValueText()) return minimum();
+  if (!prefix().isEmpty() && text.startsWith(prefix())) text.remove(0, prefix().size());
+  // twice where a number was pasted with its unit before the field's own
+  while (!suffix().isEmpty() && text.endsWith(suffix())) text.chop(suffix().size());
+  text = text.trimmed();
+  if (!negative_.isEmpty()) {
+    const bool to_negative = text.startsWith(negative_, Qt::CaseInsensitive);
+    if (to_negative || text.startsWith(positive_, Qt::CaseInsensitive)) {
+      text = text.mid((to_negative ? negative_ : positive_).size()).trimmed();
+      if (!text.isEmpty() && !text.front().isDigit() && text.front() != '.' && text.front() != ',')
+        return {};  // a letter and a sign
+      if (to_negative) text.prepend('-');
+    } else if (!text.isEmpty() && text.front().isDigit() && !isZero(text)) {
+      return {};  // of which side?
+    }
+  }
+  static const QRegularExpression number(QStringLiteral("^([+-]?)([0-9]*)(?:[.,]([0-9]*))?$"));
+  const QRegularExpressionMatch match = number.match(text.replace(QChar(0x2212), '-'));
+  const QString whole = match.captured(2), fraction = match.captured(3);
+  if (!match.hasMatch() || (whole.isEmpty() && fraction.isEmpty())) return {};
+  if (fraction.size() > decimals()) return {};
+  const double value =
+      QStringLiteral("%1%2.%3").arg(match.captured(1), whole, fraction + '0').toDouble();
+  if (value < minimum() || value > maximum()) return {};
+  return value;
+}
+
+QValidator::State NumberBox::validate(QString& text, int&) const {
+  return numberIn(text) ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+void NumberBox::fixup(QString&) const {}
+
+double NumberBox::valueFromText(const QString& text) const {
+  return numberIn(text).value_or(value());
+}
+
+QString NumberBox::textFromValue(double value) const {
+  const bool sided = !negative_.isEmpty();
+  QString text = QString::number(sided ? std::abs(value) : value, 'f', decimals());
+  if (sided) text.prepend((value < 0.0 ? negative_ : positive_) + ' ');
+  if (locale().decimalPoint() == QLatin1String(",")) text.replace('.', ',');
+  return text;
+}
+
+void NumberBox::setSides(const QString& negative, const QString& positive) {
+  if (negative == negative_ && positive == positive_) return;
+  negative_ = negative;
+  positive_ = positive;
+  lineEdit()->setText(prefix() + textFromValue(value()) + suffix());
+}
+
+void NumberBox::stepBy(int steps) {
+  const bool fine = QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier);
+  if (!fine_step_ || !fine) return QDoubleSpinBox::stepBy(steps);
+  setValue(value() + steps * *fine_step_);
+  selectAll();
+}
+
+void NumberBox::keyPressEvent(QKeyEvent* event) {
+  const bool refused = !typed();
+  QDoubleSpinBox::keyPressEvent(event);
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && refused) event->accept();
+}
+
+}  // namespace ui

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/dialogs/save_dialog.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace ui {
+
+void askForOutput(QFileDialog& dialog, const QString& filter, const QString& ending) {
+  static QString folder;
+  if (folder.isEmpty())
+    folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  // an account without one; the dialog would begin in the folder that the program was started from
+  if (!QFileInfo(folder).isDir()) folder = QDir::homePath();
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setNameFilter(filter);
+  dialog.setDefaultSuffix(ending);
+  dialog.setDirectory(folder);
+  QObject::connect(&dialog, &QFileDialog::fileSelected,
+                   [](const QString& file) { folder = QFileInfo(file).absolutePath(); });
+}
+
+}  // namespace ui

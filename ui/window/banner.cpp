@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/window/banner.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "ui/style/look.h"
+#include "ui/style/style.h"
+
+namespace ui {
+namespace {
+
+constexpr int kSymbol = 20;
+
+QColor groundOf(Banner::Kind kind) {
+  const style::Colours& c = style::colours();
+  switch (kind) {
+    case Banner::Kind::Fault:
+      return c.fault_ground;
+    case Banner::Kind::Done:
+      return c.panel;
+    case Banner::Kind::Attention:
+    case Banner::Kind::Stopped:
+      break;
+  }
+  return c.attention_ground;
+}
+
+QColor markOf(Banner::Kind kind) {
+  const style::Colours& c = style::colours();
+  switch (kind) {
+    case Banner::Kind::Fault:
+      return c.stop_words;
+    case Banner::Kind::Done:
+      return c.on;
+    case Banner::Kind::Attention:
+    case Banner::Kind::Stopped:
+      break;
+  }
+  return c.attention;
+}
+
+}  // namespace
+
+Banner::Banner(Kind kind, const char* name, QWidget* parent)
+    : QFrame(parent), kind_(kind), sentence_(new QLabel), row_(new QHBoxLayout(this)) {
+  offerSpoken();
+  sentence_->setObjectName(name);
+  sentence_->setWordWrap(true);
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  row_->setContentsMargins(style::kEdge + kSymbol + style::kGap, 6, style::kGap, 6);
+  row_->setSpacing(style::kGap);
+  row_->addWidget(sentence_, 1);
+  hide();
+}
+
+QString Banner::spokenName() const { return sentence_->text(); }
+
+void Banner::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  QAccessibleEvent alert(this, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
+  tellSpokenName(*this);
+}
+
+void Banner::setSentence(const QString& sentence) {
+  if (sentence == sentence_->text()) return;
+  sentence_->setText(sentence);
+  if (isVisible()) tellSpokenName(*this);
+}
+
+QPushButton* Banner::addButton(const char* name) {
+  auto* button = new QPushButton;
+  button->setObjectName(name);
+  // Space in the 3-D view stays force off
+  button->setFocusPolicy(Qt::TabFocus);
+  row_->addWidget(button);
+  return button;
+}
+
+void Banner::addClose() {
+  auto* close = new QToolButton;
+  close->setObjectName(sentence_->objectName() + "Close");
+  close->setIcon(style::icon("close"));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Close"));
+  close->setAccessibleName(tr("Close"));
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  row_->addWidget(close);
+}
+
+void Banner::paintEvent(QPaintEvent*) {
+  const style::Colours& c = style::colours();
+  QPainter painter(this);
+  painter.fillRect(rect(), groundOf(kind_));
+  painter.fillRect(QRect(0, height() - 1, width(), 1), c.line);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor colour = markOf(kind_);
+  painter.setPen(QPen(colour, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const QPointF middle(style::kEdge + 0.5 * kSymbol, 0.5 * (height() - 1));
+  const auto at = [&](double x, double y) { return middle + QPointF(x, y); };
+  if (kind_ == Kind::Stopped) {
+    // the outline of a stop sign
+    painter.drawPolygon(QPolygonF({at(-3.5, -8.5), at(3.5, -8.5), at(8.5, -3.5), at(8.5, 3.5),
+                                   at(3.5, 8.5), at(-3.5, 8.5), at(-8.5, 3.5), at(-8.5, -3.5)}));
+    painter.drawLine(at(-3.5, 0.0), at(3.5, 0.0));
+    return;
+  }
+  if (kind_ == Kind::Done) {
+    painter.drawEllipse(middle, 8.5, 8.5);
+    painter.drawPolyline(QPolygonF({at(-4.0, 0.5), at(-1.0, 3.5), at(4.5, -3.0)}));
+    return;
+  }
+  painter.drawPolygon(QPolygonF({at(0.0, -8.0), at(9.0, 7.5), at(-9.0, 7.5)}));
+  painter.drawLine(at(0.0, -2.5), at(0.0, 2.0));
+  painter.drawPoint(at(0.0, 4.8));
+}
+
+}  // namespace ui

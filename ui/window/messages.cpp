@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/window/messages.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "ui/window/banner.h"
+
+namespace ui {
+
+Messages::Messages(QStatusBar& status)
+    : status_(status),
+      fault_(new Banner(Banner::Kind::Fault, "fault")),
+      message_(new Banner(Banner::Kind::Attention, "message")),
+      done_(new Banner(Banner::Kind::Done, "done")),
+      offer_(new Banner(Banner::Kind::Attention, "offer")),
+      more_of_fault_(fault_->addButton("faultMore")),
+      more_of_message_(message_->addButton("messageMore")),
+      take_offer_(offer_->addButton("takeOffer")) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  for (Banner* banner : {fault_, message_, done_, offer_}) column->addWidget(banner);
+  for (QPushButton* more : {more_of_fault_, more_of_message_}) {
+    more->setText(tr("More"));
+    more->setToolTip(tr("Shows the cause and the remedy in the help"));
+    connect(more, &QPushButton::clicked, this,
+            [this, more] { emit helpWanted(more->property("place").toString()); });
+  }
+  QPushButton* folder = done_->addButton("showInFolder");
+  folder->setText(tr("Show in folder"));
+  connect(folder, &QPushButton::clicked, this, [this] { emit folderWanted(done_folder_); });
+  connect(take_offer_, &QPushButton::clicked, this, [this] {
+    offer_->hide();
+    offered_();
+  });
+  for (Banner* banner : {fault_, message_, done_, offer_}) banner->addClose();
+}
+
+void Messages::insert(Banner& banner) {
+  static_cast<QVBoxLayout*>(layout())->insertWidget(1, &banner);
+}
+
+void Messages::showMessage(const QString& sentence) {
+  done_->hide();
+  explain(*more_of_message_, sentence);
+  message_->setSentence(sentence);
+  message_->show();
+}
+
+void Messages::showBriefly(const QString& sentence, int ms) { status_.showMessage(sentence, ms); }
+
+void Messages::clear() {
+  message_->hide();
+  done_->hide();
+}
+
+void Messages::showDone(const QString& sentence, const QString& folder) {
+  message_->hide();
+  done_->setSentence(sentence);
+  done_folder_ = folder;
+  done_->show();
+}
+
+void Messages::showOffer(const QString& sentence, const QString& button,
+                         std::function<void()> take) {
+  offer_->setSentence(sentence);
+  take_offer_->setText(button);
+  offered_ = std::move(take);
+  offer_->show();
+}
+
+void Messages::showFault(const QString& sentence) {
+  explain(*more_of_fault_, sentence);
+  fault_->setSentence(sentence);
+  fault_->show();
+}
+
+void Messages::explain(QPushButton& more, const QString& sentence) {
+  const QString place = explainer_ ? explainer_(sentence) : QString{};
+  more.setProperty("place", place);
+  more.setVisible(!place.isEmpty());
+}
+
+bool Messages::askWhether(const QString& what, const QString& consequence, const QString& yes) {
+  QMessageBox question(QMessageBox::Question, tr("Please confirm"), what, QMessageBox::Cancel,
+                       window());
+  question.setInformativeText(consequence);
+  const QAbstractButton* agree = question.addButton(yes, QMessageBox::AcceptRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  return question.clickedButton() == agree;
+}
+
+Unsaved Messages::askToSave(const QString& what, const QString& consequence) {
+  QMessageBox question(QMessageBox::Question, tr("Not saved"), what, QMessageBox::Cancel, window());
+  question.setInformativeText(consequence);
+  const QAbstractButton* save = question.addButton(tr("&Save view…"), QMessageBox::AcceptRole);
+  const QAbstractButton* discard = question.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  if (question.clickedButton() == save) return Unsaved::Save;
+  return question.clickedButton() == discard ? Unsaved::Discard : Unsaved::Cancel;
+}
+
+QString noticeText() {
+  return Messages::tr(
+      "Not a medical device. Not for diagnosis. Force feedback hardware can move suddenly.");
+}
+
+void Messages::showNotice() {
+  QMessageBox box(QMessageBox::Warning, tr("Before you begin"), noticeText(), QMessageBox::Ok,
+                  window());
+  box.setInformativeText(
+      tr("Keep hands and face clear of a device until it is at rest. Escape takes the force away "
+         "at any time."));
+  box.exec();
+}
+
+}  // namespace ui

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <functional>
+
+class QPushButton;
+class QStatusBar;
+
+namespace ui {
+
+class Banner;
+
+/// What becomes of what is in no file.
+enum class Unsaved { Save, Discard, Cancel };
+
+/// Sentences above the views, each in a bar of its own kind, and questions that the user answers
+/// before anything else. GUI thread.
+class Messages : public QWidget {
+  Q_OBJECT
+ public:
+  /// `status`: the bar for what is said for a moment.
+  explicit Messages(QStatusBar& status);
+
+  /// Another bar among these, below the one of a fault.
+  void insert(Banner& banner);
+  /// Shows a sentence until the user closes it, or until clear().
+  void showMessage(const QString& sentence);
+  /// Hides what showMessage() or showDone() shows.
+  void clear();
+  /// Shows a sentence in the status bar for some time [ms].
+  void showBriefly(const QString& sentence, int ms);
+  /// Shows in place of a message that something was written, with a button for its folder.
+  void showDone(const QString& sentence, const QString& folder);
+  /// Shows a sentence in a bar of its own, with a button that hides the bar and calls `take`.
+  void showOffer(const QString& sentence, const QString& button, std::function<void()> take);
+  /// Shows a sentence in a separate bar, which only the user closes.
+  void showFault(const QString& sentence);
+  /// Names the place in the help that explains a sentence; empty: none. Where it names one, the bar
+  /// with the sentence has the button "More".
+  using Explainer = std::function<QString(const QString& sentence)>;
+  void setExplainer(Explainer explainer) { explainer_ = std::move(explainer); }
+
+  /// Asks whether to go on. Enter means Cancel. True if the user agrees.
+  bool askWhether(const QString& what, const QString& consequence, const QString& yes);
+  /// Asks what becomes of what is in no file. Enter means Cancel.
+  Unsaved askToSave(const QString& what, const QString& consequence);
+  /// Shows the safety notice, and returns when it was read.
+  void showNotice();
+
+ signals:
+  /// The user wants to read the place of the help that explains a sentence.
+  void helpWanted(const QString& place);
+  /// The user wants to see this folder in a program for folders.
+  void folderWanted(const QString& folder);
+
+ private:
+  /// Gives a bar with a sentence the button "More", for as long as the help explains it.
+  void explain(QPushButton& more, const QString& sentence);
+
+  QStatusBar& status_;
+  Banner* fault_;
+  Banner* message_;
+  Banner* done_;
+  Banner* offer_;
+  QPushButton* more_of_fault_;
+  QPushButton* more_of_message_;
+  QPushButton* take_offer_;
+  Explainer explainer_;
+  QString done_folder_;  ///< of what done_ tells
+  std::function<void()> offered_;
+};
+
+/// The safety notice that every user must read once.
+QString noticeText();
+
+}  // namespace ui

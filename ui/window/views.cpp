@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/window/views.h"
+
+#include <QAction>
+#include <algorithm>
+
+#include "ui/controls/bindings.h"
+#include "ui/panels/force_panel.h"
+#include "ui/style/scene_colours.h"
+#include "ui/views/plane_colours.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/view_actions.h"
+#include "ui/window/view_frame.h"
+#include "ui/window/view_layout.h"
+
+namespace ui {
+
+Views::Views(QWidget* window)
+    : QObject(window), volume_(new VolumeView), slices_(new SliceSet(window)) {
+  ViewLayout::Frames frames{};
+  frames[0] = new ViewFrame(volume_, style::kViewFrame, false);
+  frames[0]->setHint(volume_->hint());
+  connect(volume_, &VolumeView::hintChanged, frames[0], &ViewFrame::setHint);
+  for (SliceView* slice : slices_->slices()) {
+    auto* frame = new ViewFrame(slice, colourOf(slice->plane()), true);
+    frames[static_cast<std::size_t>(slice->plane()) + 1] = frame;
+    frame->setHint(slice->hint());
+    connect(slice, &SliceView::hintChanged, frame, &ViewFrame::setHint);
+    connect(slice, &SliceView::toolToCrossWanted, this, &Views::toolToCrossWanted);
+    connect(slice, &SliceView::crossToToolWanted, this, &Views::crossToToolWanted);
+    connect(frame, &ViewFrame::menuWanted, this,
+            [this, slice](QPoint at) { slices_->openMenu(*slice, at); });
+  }
+  for (const ViewFrame* frame : frames)
+    connect(frame, &ViewFrame::hintsUnwanted, this, &Views::hintsUnwanted);
+  layout_ = new ViewLayout(frames);
+  connect(slices_, &SliceSet::obliqueShownChanged, layout_, &ViewLayout::setObliqueShown);
+  connect(slices_, &SliceSet::doubleClicked, this, [this](const Eigen::Vector3d& p_W_mm) {
+    emit toolWanted(p_W_mm / kMmPerM, haptics::Vec3::Zero());
+  });
+  connect(slices_, &SliceSet::pictureWanted, this, [this] {
+    const auto& all = slices_->slices();
+    const auto shown = std::ranges::find_if(all, &SliceView::isVisible);
+    SliceView* first = shown == all.end() ? nullptr : *shown;
+    emit pictureWanted(activeSlice() != nullptr ? activeSlice() : first);
+  });
+  volume_->setObjectName("view");
+  connect(volume_, &VolumeView::toolWanted, this, &Views::toolWanted);
+  connect(volume_, &VolumeView::toolToCrossWanted, this, &Views::toolToCrossWanted);
+  connect(volume_, &VolumeView::crossToToolWanted, this, &Views::crossToToolWanted);
+}
+
+void Views::addActions(QMenu& menu, TopBar& bar) {
+  actions_ = new ViewActions(menu, bar, *volume_);
+  actions_->setParent(this);
+  connect(actions_, &ViewActions::isovalueWanted, this, &Views::isovalueWanted);
+  connect(actions_, &ViewActions::pictureWanted, this,
+          [this] { emit pictureWanted(activeSlice()); });
+  connect(actions_, &ViewActions::pictureCopyWanted, this, &Views::pictureCopyWanted);
+}
+
+void Views::show(const Picture& picture, double isovalue, const std::vector<GreyPreset>& stated) {
+  volume_->show(picture, isovalue);
+  actions_->show(picture);
+  slices_->show(picture, isovalue, stated);
+}
+
+void Views::show(const haptics::TriangleMesh& tool) {
+  volume_->show(tool);
+  slices_->show(tool);
+}
+
+void Views::replace(const Picture& picture) {
+  volume_->replace(picture);
+  slices_->replace(picture);
+}
+
+void Views::setIsovalue(double isovalue) {
+  volume_->setIsovalue(isovalue);
+  slices_->setIsovalue(isovalue);
+}
+
+void Views::setTouched(const TouchedSurface& touched) {
+  volume_->setTouched(touched);
+  slices_->setTouched(touched);
+}
+
+void Views::display(const haptics::Snapshot& snapshot) {
+  volume_->display(snapshot);
+  slices_->display(snapshot);
+}
+
+void Views::addOverlay(Overlay& overlay) {
+  volume_->addOverlay(overlay);
+  slices_->addOverlay(overlay);
+}
+
+void Views::addAction(QAction& action) {
+  volume_->addAction(&action);
+  for (SliceView* slice : slices_->slices()) slice->addAction(&action);
+}
+
+void Views::setForceCard(ForcePanel& card) {
+  static_cast<ViewFrame*>(volume_->parentWidget())->setCard(card);
+}
+
+void Views::setMouse(const MouseChoices& mouse) {
+  volume_->setMouse(mouse);
+  for (SliceView* slice : slices_->slices()) slice->setMouse(mouse);
+}
+
+ViewLook Views::look() const {
+  ViewLook look;
+  volume_->tell(look);
+  look.colours = actions_->colours();
+  look.second = volume_->surface().second();
+  slices_->tell(look);
+  look.layout = layout_->look();
+  return look;
+}
+
+void Views::setLook(const ViewLook& look) {
+  volume_->look(look);
+  actions_->look(look);
+  slices_->setObliqueShown(look.layout.tool_view);
+  layout_->look(look.layout);
+  slices_->look(look);
+}
+
+SliceView* Views::activeSlice() const {
+  return layout_->active() == 0 ? nullptr : slices_->slices()[layout_->active() - 1];
+}
+
+bool Views::showsSlices() const {
+  return std::ranges::any_of(slices_->slices(), &SliceView::isVisible);
+}
+
+QString Views::state() const {
+  return ViewLayout::nameOf(layout_->arrangement()) +
+         (slices_->obliqueShown() ? QStringLiteral("+tool") : QString());
+}
+
+void Views::restore(const QString& state) {
+  const auto arrangement = ViewLayout::arrangementOf(state.section('+', 0, 0));
+  if (!arrangement) return;
+  layout_->arrange(*arrangement);
+  slices_->setObliqueShown(state.section('+', 1) == QLatin1String("tool"));
+}
+
+void Views::reset() {
+  slices_->setObliqueShown(false);
+  layout_->reset();
+}
+
+}  // namespace ui

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <vector>
+
+#include "haptics/core/triangle_mesh.h"
+#include "haptics/snapshot.h"
+#include "ui/props/view_look.h"
+#include "ui/props/volume_prop.h"
+#include "ui/views/slice_set.h"
+
+class QAction;
+class QMenu;
+
+namespace ui {
+
+class ForcePanel;
+class Overlay;
+class TopBar;
+class ViewActions;
+class ViewLayout;
+class VolumeView;
+
+/// The 3-D view and the slices, which look at the same scan, and how they share the window. GUI
+/// thread.
+class Views : public QObject {
+  Q_OBJECT
+ public:
+  explicit Views(QWidget* window);
+
+  VolumeView& volume() { return *volume_; }
+  SliceSet& slices() { return *slices_; }
+  SliceView& slice(Plane plane) { return slices_->slice(plane); }
+  /// All of them, as they stand in the window.
+  ViewLayout& layout() { return *layout_; }
+  /// Adds the entries about the 3-D view to the menu and the bar.
+  void addActions(QMenu& menu, TopBar& bar);
+
+  /// Shows another volume instead of the present one. `stated`: the grey windows that its file
+  /// states.
+  void show(const Picture& picture, double isovalue, const std::vector<GreyPreset>& stated = {});
+  void show(const haptics::TriangleMesh& tool);
+  /// Shows other voxels of the same grid; camera, crosshair and grey window stay.
+  void replace(const Picture& picture);
+  /// The isovalue of surface and contour, without asking for it to be touched.
+  void setIsovalue(double isovalue);
+  /// The surface that is touched; given with every scene.
+  void setTouched(const TouchedSurface& touched);
+  /// Poses of the tool, at display rate.
+  void display(const haptics::Snapshot& snapshot);
+  /// Draws this above all views, and asks it first for mouse and keys.
+  void addOverlay(Overlay& overlay);
+  /// Its key works while a view has the focus.
+  void addAction(QAction& action);
+  /// Shows the force in the corner of the 3-D view.
+  void setForceCard(ForcePanel& card);
+  /// What the mouse does in all views.
+  void setMouse(const MouseChoices& mouse);
+
+  /// How the views look at the scan, and the same again.
+  ViewLook look() const;
+  void setLook(const ViewLook& look);
+  /// The linked crosshair of the slices.
+  const Eigen::Vector3d& cross_mm() const { return slices_->cross_mm(); }
+  void setCross(const Eigen::Vector3d& cross_W_mm) { slices_->moveCross(cross_W_mm); }
+  /// The slice that had the focus last; null: the 3-D view had it.
+  SliceView* activeSlice() const;
+  /// Whether a slice is in view, and so in a picture of the window.
+  bool showsSlices() const;
+  /// How the views are laid out, in a word for the preferences; one that is not known is left out.
+  QString state() const;
+  void restore(const QString& state);
+  /// As at the first start.
+  void reset();
+
+ signals:
+  /// The tool is to come to a place [m]. `normal_W`: unit, out of the solid there; zero if it is
+  /// not known, as in a slice.
+  void toolWanted(const haptics::Vec3& p_W, const haptics::Vec3& normal_W);
+  void toolToCrossWanted();
+  void crossToToolWanted();
+  /// The user wants a picture in a file, at first of this slice, or of the 3-D view (null); or one
+  /// in the clipboard.
+  void pictureWanted(ui::SliceView* first);
+  void pictureCopyWanted();
+  /// The user chose a preset in the View menu.
+  void isovalueWanted(double isovalue);
+  /// The user wants no hints, in any view.
+  void hintsUnwanted();
+
+ private:
+  VolumeView* volume_;
+  SliceSet* slices_;
+  ViewLayout* layout_;
+  ViewActions* actions_ = nullptr;
+};
+
+}  // namespace ui
