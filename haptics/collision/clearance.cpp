@@ -101,7 +101,7 @@ void Clearance::restart() HAPTICS_RT {
   found_ = 0;
   arm_ = 0.0;
   complete_ = goal_ = -1.0;
-  cursor_ = 0;
+  cursor_.set(0);
   opened_count_ = carried_count_ = aimed_ = 0;
   if (crowd_ > 0) crowded_ = crowd_ > kCrowd;
   crowd_ = 0;
@@ -293,7 +293,7 @@ bool Clearance::carried(const Isosurface& solid, const ShellTree& tree, int n, c
          standsFor(tree, box, -(ride.A[0].transpose() * normal), kAlike * ride.band, nearest);
 }
 
-/// From cursor_ to end_: finds the points with less than goal_ of clearance.
+/// From the cursor to end_: finds the points with less than goal_ of clearance.
 Clearance::Verdict Clearance::walk(const Isosurface& solid, const ShellTree& tree, const Ride& ride,
                                    Budget& budget) HAPTICS_RT {
   Batch batch;
@@ -308,25 +308,21 @@ Clearance::Verdict Clearance::walk(const Isosurface& solid, const ShellTree& tre
     batch.z[batch.count] = tree.z[p];
     return ++batch.count < lanes::kLanes || look(solid, tree, batch, budget);
   };
-  int n = cursor_;
-  while (n < end_) {
-    const auto at = static_cast<std::size_t>(n);
+  bool inside = false;
+  const auto hasRoom = [&](std::size_t n) HAPTICS_RT {
+    return node_epoch_[n] == epoch_ && node_until_[n] - travelled(tree.nodes[n].arm) >= goal_;
+  };
+  const auto pass = [&](std::size_t n) HAPTICS_RT {
+    while (n < end_ && hasRoom(n)) n = static_cast<std::size_t>(tree.nodes[n].next);
+    return n;
+  };
+  const auto visit = [&](std::size_t at) HAPTICS_RT -> std::size_t {
     const ShellTree::Node& node = tree.nodes[at];
+    const auto n = static_cast<int>(at);
+    const auto next = static_cast<std::size_t>(node.next);
     const double spent = travelled(node.arm);
     const bool known = node_epoch_[at] == epoch_;
-    if (known && node_until_[at] - spent >= goal_) {
-      n = node.next;
-      continue;
-    }
-    if (!budget.left()) {
-      // what waits in the batch belongs to leaves before this one
-      if (!look(solid, tree, batch, budget)) {
-        restart();
-        return Verdict::Inside;
-      }
-      cursor_ = n;
-      return Verdict::Cut;
-    }
+    node_epoch_[at] = epoch_;
     if (!node.leaf) {
       budget.spend(2);
       const MaxPyramid::Bound bound = solid.field.pyramid().bound(
@@ -334,9 +330,7 @@ Clearance::Verdict Clearance::walk(const Isosurface& solid, const ShellTree& tre
       const double free = bound.lipschitz == 0.0 ? bound.radius - node.radius : 0.0;
       if (free >= goal_) {
         node_until_[at] = free + spent;
-        node_epoch_[at] = epoch_;
-        n = node.next;
-        continue;
+        return next;
       }
       static_assert(ShellTree::kLeastBox > ShellTree::kLeaf, "a leaf is never carried");
       if (covers_.used() && (crowded_ || crowd_ > kCrowd) && n != open_ &&
@@ -351,25 +345,18 @@ Clearance::Verdict Clearance::walk(const Isosurface& solid, const ShellTree& tre
           }
           // free here; a step aside might not be
           node_until_[at] = spent;
-          node_epoch_[at] = epoch_;
-          if (nearest >= 0 && !holds(static_cast<std::size_t>(nearest)) && !add(nearest, n)) {
-            restart();
-            return Verdict::Inside;
-          }
-          n = node.next;
-          continue;
+          inside = nearest >= 0 && !holds(static_cast<std::size_t>(nearest)) && !add(nearest, n);
+          return inside ? end_ : next;
         }
       }
-      opened_[opened_count_++] = n++;
+      opened_[opened_count_++] = n;
       node_until_[at] = -std::numeric_limits<double>::infinity();
-      node_epoch_[at] = epoch_;
-      continue;
+      return at + 1;
     }
     if (!known)
       std::fill_n(until_.begin() + node.first, node.count,
                   -std::numeric_limits<double>::infinity());
     node_until_[at] = std::numeric_limits<double>::infinity();
-    node_epoch_[at] = epoch_;
     for (int i = node.first; i < node.first + node.count; ++i) {
       const auto place = static_cast<std::size_t>(i);
       const double left = until_[place] - travelled(tree.arm[place]);
@@ -379,18 +366,19 @@ Clearance::Verdict Clearance::walk(const Isosurface& solid, const ShellTree& tre
       }
       if (!add(i, n)) {
         node_until_[at] = -std::numeric_limits<double>::infinity();
-        restart();
-        return Verdict::Inside;
+        inside = true;
+        return end_;
       }
     }
-    ++n;
-  }
-  cursor_ = end_;
-  if (!look(solid, tree, batch, budget)) {
+    return at + 1;
+  };
+  const bool whole = cursor_.through(end_, budget, pass, visit);
+  // what waits in the batch belongs to leaves before the cursor
+  if (inside || !look(solid, tree, batch, budget)) {
     restart();
     return Verdict::Inside;
   }
-  return close(tree, budget) ? Verdict::Legal : Verdict::Cut;
+  return whole && close(tree, budget) ? Verdict::Legal : Verdict::Cut;
 }
 
 Clearance::Verdict Clearance::collect(const Isosurface& solid, const ShellTree& tree,
@@ -400,9 +388,9 @@ Clearance::Verdict Clearance::collect(const Isosurface& solid, const ShellTree& 
     // a pass that was cut is finished first
     if (goal_ < 0.0) {
       goal_ = reach;
-      cursor_ = 0;
+      cursor_.set(0);
       open_ = -1;
-      end_ = static_cast<int>(tree.nodes.size());
+      end_ = tree.nodes.size();
       opened_count_ = 0;
     }
     const Verdict verdict = walk(solid, tree, ride, budget);
@@ -434,8 +422,9 @@ Clearance::Verdict Clearance::carry(const Isosurface& solid, const ShellTree& tr
       // its parts may be
       carried_in_[at] = 0;
       goal_ = complete_;
-      cursor_ = open_ = n;
-      end_ = tree.nodes[at].next;
+      open_ = n;
+      cursor_.set(at);
+      end_ = static_cast<std::size_t>(tree.nodes[at].next);
       opened_count_ = 0;
       node_until_[at] = -std::numeric_limits<double>::infinity();
     }

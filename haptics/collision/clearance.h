@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "haptics/core/budget.h"
+#include "haptics/core/cursor.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
 #include "haptics/field/cell_covers.h"
@@ -75,19 +76,16 @@ class Clearance {
   bool carriesAny() const HAPTICS_RT { return carried_count_ > 0; }
   double farthestArm() const HAPTICS_RT { return arm_; }  ///< m, of the points in near()
 
-  /// Calls f with those of the first `count` points of near() that constrain the motion. These are
+  /// Those of the first `count` points of near() that constrain the motion, by number. These are
   /// all of them, or, if they are more than kFew, the point with the least clearance in each of
   /// kPatches patches of the shell.
   static constexpr int kFew = 512, kPatches = 128;
-  template <class F>
-  void eachNearest(std::size_t count, F&& f) const HAPTICS_RT {
-    if (count <= std::size_t{kFew}) {
-      for (std::size_t i = 0; i < count; ++i) f(near_[i]);
-      return;
-    }
-    for (int i = 0; i < patches_used_; ++i)
-      f(near_[static_cast<std::size_t>(
-          nearest_[static_cast<std::size_t>(used_[static_cast<std::size_t>(i)])])]);
+  std::size_t nearestCount(std::size_t count) const HAPTICS_RT {
+    return count <= std::size_t{kFew} ? count : static_cast<std::size_t>(patches_used_);
+  }
+  const NearPoint& nearest(std::size_t count, std::size_t i) const HAPTICS_RT {
+    if (count <= std::size_t{kFew}) return near_[i];
+    return near_[static_cast<std::size_t>(nearest_[static_cast<std::size_t>(used_[i])])];
   }
 
   /// Whether near() holds the point at this place of the shell's tree.
@@ -129,8 +127,8 @@ class Clearance {
   std::uint32_t search_ = 1;
   double complete_ = -1.0;   ///< m: near() holds all with less clearance than this; -1: none
   double goal_ = -1.0;       ///< m: reach of the pass that was cut; -1: none
-  int cursor_ = 0;           ///< node at which to continue
-  int end_ = 0;              ///< node at which this pass ends
+  Cursor cursor_;            ///< through the nodes
+  std::size_t end_ = 0;      ///< node at which this pass ends
   int open_ = -1;            ///< node that is not carried in this pass
   std::vector<int> opened_;  ///< inner nodes whose children were looked at, in order
   std::size_t opened_count_ = 0;

@@ -71,26 +71,29 @@ class Gathering {
 
   /// The nearest points of each patch of the shell whose first-order gap lies in the band.
   bool look() HAPTICS_RT {
-    Sixteen sixteen;
-    std::size_t seen = 0;
-    bool cut = false;
-    const auto through = [&]() HAPTICS_RT {
-      cut = !budget_.left();
-      if (cut) return;
-      lookAt(sixteen);
-      sixteen.count = 0;
-      surface_.looked = seen;
+    const Clearance& near = tool_.near;
+    const std::size_t end = near.nearestCount(surface_.near);
+    const auto isFar = [&](std::size_t i) HAPTICS_RT {
+      return near.nearest(surface_.near, i).free > lengths_.band;
     };
-    tool_.near.eachNearest(surface_.near, [&](const NearPoint& point) HAPTICS_RT {
-      if (cut || seen++ < surface_.looked || point.free > lengths_.band) return;
-      const auto place = static_cast<std::size_t>(point.place);
-      sixteen.x[sixteen.count] = tool_.tree.x[place];
-      sixteen.y[sixteen.count] = tool_.tree.y[place];
-      sixteen.z[sixteen.count] = tool_.tree.z[place];
-      if (++sixteen.count == lanes::kLanes) through();
-    });
-    if (!cut && sixteen.count > 0) through();
-    return !cut;
+    const auto pass = [&](std::size_t i) HAPTICS_RT {
+      while (i < end && isFar(i)) ++i;
+      return i;
+    };
+    const auto some = [&](std::size_t i) HAPTICS_RT {
+      Sixteen sixteen;
+      for (; i < end && sixteen.count < lanes::kLanes; ++i) {
+        if (isFar(i)) continue;
+        const auto place = static_cast<std::size_t>(near.nearest(surface_.near, i).place);
+        sixteen.x[sixteen.count] = tool_.tree.x[place];
+        sixteen.y[sixteen.count] = tool_.tree.y[place];
+        sixteen.z[sixteen.count] = tool_.tree.z[place];
+        ++sixteen.count;
+      }
+      lookAt(sixteen);
+      return i;
+    };
+    return surface_.looked.through(end, budget_, pass, some);
   }
 
   /// Of too many candidates, those with the least gaps and the outermost.
@@ -104,19 +107,20 @@ class Gathering {
     }
     // the outermost along the thirteen axes of a cube, either way
     std::array<double, Clearance::kFew> along;
-    for (; surface_.directions < 26; surface_.directions += 2) {
-      if (!budget_.left()) return false;
+    const auto eitherWay = [&](std::size_t direction) HAPTICS_RT {
       budget_.spend(static_cast<std::int64_t>(count) / kCandidatesOfAUnit);
-      const std::size_t d = surface_.directions / 2;
+      const std::size_t d = direction / 2;
       const double ax = double(d % 3) - 1, ay = double(d / 3 % 3) - 1, az = double(d / 9) - 1;
       for (std::size_t i = 0; i < count; ++i)
         along[i] =
             ax * candidates[i].r_W.x() + ay * candidates[i].r_W.y() + az * candidates[i].r_W.z();
       const auto [low, high] =
           std::minmax_element(along.begin(), along.begin() + std::ptrdiff_t(count));
-      surface_.outermost[surface_.directions] = static_cast<int>(low - along.begin());
-      surface_.outermost[surface_.directions + 1] = static_cast<int>(high - along.begin());
-    }
+      surface_.outermost[direction] = static_cast<int>(low - along.begin());
+      surface_.outermost[direction + 1] = static_cast<int>(high - along.begin());
+      return direction + 2;
+    };
+    if (!surface_.directions.through(surface_.outermost.size(), budget_, eitherWay)) return false;
     if (!budget_.left()) return false;
     budget_.spend(static_cast<std::int64_t>(count) / kCandidatesOfAUnit);
     struct Slot {
@@ -142,9 +146,7 @@ class Gathering {
   /// The rows of the chosen, sixteen at a time.
   bool write() HAPTICS_RT {
     const std::span<const int> chosen{surface_.chosen.begin(), surface_.chosen.size()};
-    while (surface_.rows.size() < chosen.size()) {
-      if (!budget_.left()) return false;
-      const std::size_t first = surface_.rows.size();
+    const auto write = [&](std::size_t first) HAPTICS_RT {
       const auto some =
           chosen.subspan(first, std::min<std::size_t>(lanes::kLanes, chosen.size() - first));
       if (later_) widen(field_, some, surface_, budget_);
@@ -157,8 +159,9 @@ class Gathering {
         }
         surface_.rows.push(rowOf(tool_.solid, point, lengths_));
       }
-    }
-    return true;
+      return first + some.size();
+    };
+    return surface_.written.through(chosen.size(), budget_, write);
   }
 
  private:
@@ -216,7 +219,7 @@ bool gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind norm
     if (!still) surface.near = tool.near.size();
     surface.search = tool.near.search();
     surface.stage = Stage::Look;
-    surface.looked = surface.directions = 0;
+    surface.looked = surface.directions = surface.written = {};
     surface.rows.clear();
     surface.candidates.clear();
     surface.chosen.clear();

@@ -6,6 +6,7 @@
 
 #include "haptics/collision/clearance.h"
 #include "haptics/collision/contact.h"
+#include "haptics/core/cursor.h"
 #include "haptics/core/fixed_vector.h"
 #include "haptics/plan.h"
 #include "haptics/solver/constrained_motion.h"
@@ -37,11 +38,12 @@ struct SurfaceRows {
     Write    ///< makes the rows of the chosen
   };
   Stage stage = Stage::Done;
-  std::size_t looked = 0;  ///< near points looked at
+  Cursor looked;  ///< through the near points
   FixedVector<RowCandidate, Clearance::kFew> candidates;
-  std::size_t directions = 0;                 ///< directions in which the outermost are known
+  Cursor directions;                          ///< in which the outermost are known
   std::array<int, 26> outermost{};            ///< candidates
   FixedVector<int, kMostSurfaceRows> chosen;  ///< candidates
+  Cursor written;                             ///< through the chosen
 };
 /// Rows of step 3.
 using MotionRows = FixedVector<MotionRow, kMostSurfaceRows + Contacts::capacity()>;

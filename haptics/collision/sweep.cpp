@@ -13,7 +13,7 @@ void Sweep::begin(const ScalarField& field, const Clearance& near, const Pose& X
   speed_ = motion.linear.norm();
   turn_ = motion.angular.norm();
   slab_ = 0.0;
-  cursor_ = 0;
+  cursor_.set(0);
   time_ = 1.0;
   met_ = -1;
   const double arm = near.farthestArm(), speed = speed_ + turn_ * arm;
@@ -31,23 +31,23 @@ bool Sweep::advance(const Isosurface& solid, const ShellTree& tree, const Cleara
     const Slab slab{slab_, std::min(1.0, slab_ + duration_),
                     solid.field.affine(moved(X_, motion_, slab_)),
                     solid.field.affine(moved(X_, motion_, std::min(1.0, slab_ + duration_)))};
-    while (cursor_ < near.size()) {
-      if (!budget.left()) return false;
+    const auto some = [&](std::size_t i) HAPTICS_RT {
       Group group;
-      const std::size_t stop = std::min(near.size(), cursor_ + kStride);
-      for (; cursor_ < stop && group.count < lanes::kLanes; ++cursor_) {
-        const NearPoint& point = near.near(cursor_);
-        double& clear = clear_until_[cursor_];
+      const std::size_t stop = std::min(near.size(), i + kStride);
+      for (; i < stop && group.count < lanes::kLanes; ++i) {
+        const NearPoint& point = near.near(i);
+        double& clear = clear_until_[i];
         if (slab_ == 0.0) {
           const double speed = speed_ + turn_ * tree.arm[static_cast<std::size_t>(point.place)];
           clear = speed > 0.0 ? point.free / speed : 2.0;
         }
-        if (clear < std::min(slab.end, time_))
-          group.points[group.count++] = static_cast<int>(cursor_);
+        if (clear < std::min(slab.end, time_)) group.points[group.count++] = static_cast<int>(i);
       }
       if (group.count > 0) look(solid, tree, near, slab, group, lengths, budget);
-    }
-    cursor_ = 0;
+      return i;
+    };
+    if (!cursor_.through(near.size(), budget, some)) return false;
+    cursor_.set(0);
     slab_ = slab.end;
     if (slab_ >= 1.0) break;
   }

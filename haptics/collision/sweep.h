@@ -7,6 +7,7 @@
 #include "haptics/collision/contact.h"
 #include "haptics/collision/motion.h"
 #include "haptics/core/budget.h"
+#include "haptics/core/cursor.h"
 
 namespace haptics {
 
@@ -67,7 +68,7 @@ class Sweep {
   double speed_ = 0.0, turn_ = 0.0;  ///< norms of the motion
   double duration_ = 1.0;            ///< duration of a slab
   double slab_ = 0.0;                ///< time at which the present slab begins
-  std::size_t cursor_ = 0;           ///< near point at which to continue in this slab
+  Cursor cursor_;                    ///< in this slab, through the near points
   double time_ = 1.0;                ///< of the earliest impact so far
   int met_ = -1;                     ///< place of the point that met the surface
   std::vector<double> clear_until_;  ///< time until which a near point is proven free

@@ -61,7 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
       start_(new StartPage),
       replay_(new ReplayBar),
       bar_(new TopBar),
-      messages_(new Messages(*statusBar())),
+      messages_(new Messages(*this)),
       loading_(new Loading(*start_)),
       status_(new StatusLine),
       stopped_(new Banner(Banner::Kind::Stopped, "stopped")),
@@ -77,7 +77,6 @@ MainWindow::MainWindow(QWidget* parent)
   setWindowIcon(QIcon(QStringLiteral(":/icons/palpate.svg")));
   setAcceptDrops(true);
   touch_->setParent(this);
-  messages_->insert(*stopped_);
   buildViews();
   buildStartPage();
   buildStatusBar();
@@ -101,7 +100,7 @@ void MainWindow::buildViews() {
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(messages_);
+  messages_->placeIn(*column, *stopped_);
   // in the same place: the page covers the views until there is something to see
   auto* views = new QGridLayout;
   views->addWidget(&views_->layout(), 0, 0);

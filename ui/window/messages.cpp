@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/window/messages.h"
 
+#include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStatusBar>
@@ -11,8 +12,9 @@
 
 namespace ui {
 
-Messages::Messages(QStatusBar& status)
-    : status_(status),
+Messages::Messages(QMainWindow& window)
+    : QObject(&window),
+      window_(window),
       fault_(new Banner(Banner::Kind::Fault, "fault")),
       message_(new Banner(Banner::Kind::Attention, "message")),
       done_(new Banner(Banner::Kind::Done, "done")),
@@ -20,10 +22,6 @@ Messages::Messages(QStatusBar& status)
       more_of_fault_(fault_->addButton("faultMore")),
       more_of_message_(message_->addButton("messageMore")),
       take_offer_(offer_->addButton("takeOffer")) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  for (Banner* banner : {fault_, message_, done_, offer_}) column->addWidget(banner);
   for (QPushButton* more : {more_of_fault_, more_of_message_}) {
     more->setText(tr("More"));
     more->setToolTip(tr("Shows the cause and the remedy in the help"));
@@ -40,9 +38,11 @@ Messages::Messages(QStatusBar& status)
   for (Banner* banner : {fault_, message_, done_, offer_}) banner->addClose();
 }
 
-void Messages::insert(Banner& banner) {
-  static_cast<QVBoxLayout*>(layout())->insertWidget(1, &banner);
+void Messages::placeIn(QVBoxLayout& column, Banner& below_fault) {
+  for (Banner* banner : {fault_, &below_fault, message_, done_, offer_}) column.addWidget(banner);
 }
+
+QWidget* Messages::window() { return &window_; }
 
 void Messages::showMessage(const QString& sentence) {
   done_->hide();
@@ -51,7 +51,9 @@ void Messages::showMessage(const QString& sentence) {
   message_->show();
 }
 
-void Messages::showBriefly(const QString& sentence, int ms) { status_.showMessage(sentence, ms); }
+void Messages::showBriefly(const QString& sentence, int ms) {
+  window_.statusBar()->showMessage(sentence, ms);
+}
 
 void Messages::clear() {
   message_->hide();

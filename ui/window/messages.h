@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QObject>
 #include <QString>
-#include <QWidget>
 #include <functional>
 
+class QMainWindow;
 class QPushButton;
-class QStatusBar;
+class QVBoxLayout;
+class QWidget;
 
 namespace ui {
 
@@ -17,14 +19,15 @@ enum class Unsaved { Save, Discard, Cancel };
 
 /// Sentences above the views, each in a bar of its own kind, and questions that the user answers
 /// before anything else. GUI thread.
-class Messages : public QWidget {
+class Messages : public QObject {
   Q_OBJECT
  public:
-  /// `status`: the bar for what is said for a moment.
-  explicit Messages(QStatusBar& status);
+  explicit Messages(QMainWindow& window);
 
-  /// Another bar among these, below the one of a fault.
-  void insert(Banner& banner);
+  /// Puts the bars into a column, with another one below that of a fault.
+  void placeIn(QVBoxLayout& column, Banner& below_fault);
+  /// The window, for dialogs.
+  QWidget* window();
   /// Shows a sentence until the user closes it, or until clear().
   void showMessage(const QString& sentence);
   /// Hides what showMessage() or showDone() shows.
@@ -59,7 +62,7 @@ class Messages : public QWidget {
   /// Gives a bar with a sentence the button "More", for as long as the help explains it.
   void explain(QPushButton& more, const QString& sentence);
 
-  QStatusBar& status_;
+  QMainWindow& window_;
   Banner* fault_;
   Banner* message_;
   Banner* done_;
