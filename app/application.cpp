@@ -176,7 +176,6 @@ void Application::Parts::start() {
 
 void Application::Parts::begin() {
   LoadRequest request = arguments_.load;
-  arguments_.load.ahead.reset();  // what is not taken does not stay in memory
   if (!arguments_.paths.isEmpty()) return opening.openTogether(arguments_.paths, request);
   if (request.path && QString::fromStdString(request.path->extension().string())
                               .compare(QLatin1String(kViewEnding), Qt::CaseInsensitive) == 0) {

@@ -29,7 +29,6 @@ files = {path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if pa
 wanted = {
     "bin/palpate", "bin/palpate-cli", "bin/palpate-fetch", "libexec/palpate/palpate-decode", "libexec/palpate/palpate-draw",
     "libexec/palpate/palpate-study",
-    "libexec/palpate/palpate-window.so",
     "lib/udev/rules.d/70-palpate.rules", "share/applications/palpate.desktop",
     "share/metainfo/org.palpate.palpate.metainfo.xml", "share/mime/packages/palpate.xml",
     "share/man/man1/palpate.1", "share/man/man1/palpate-cli.1", "share/man/man1/palpate-fetch.1",
@@ -115,24 +114,15 @@ assert ran.returncode == 0 and ran.stdout.strip(), ran
 for paths in (["a.dcm", "b.dcm"], ["[a]", "b.dcm"]):
     ran = subprocess.run([prefix / "bin/palpate", *paths], capture_output=True, text=True, env=quiet)
     assert ran.returncode == 4 and "X display" in ran.stderr, ran
-# and says so where its library is not there
-window = prefix / "libexec/palpate/palpate-window.so"
-window.rename(scratch / "palpate-window.so")
-alone = subprocess.run([prefix / "bin/palpate", "--version"], capture_output=True, text=True, env=quiet)
-assert alone.returncode == 4 and "install it anew" in alone.stderr, alone
-(scratch / "palpate-window.so").rename(window)
-# the build that its log names is the library's, which is what computes
+# its log names its build
 log = next(scratch.rglob("palpate.log")).read_text()
 build = bytes.fromhex(re.search(r"build\W+([0-9a-f]{40})", log).group(1))
-assert build in window.read_bytes() and build not in (prefix / "bin/palpate").read_bytes(), log
-# a scan is read while the library is loaded, so what reads it needs none of that
-libraries = subprocess.run(["ldd", prefix / "bin/palpate"], capture_output=True, text=True).stdout
-assert not any(library in libraries for library in ("libQt6", "libvtk", "libGL.so")), libraries
-# and no command needs a library of the window, and the window and palpate-cli none of the network
+assert build in (prefix / "bin/palpate").read_bytes(), log
+# no command needs a library of the window, and the window and palpate-cli none of the network
 windowless = ("libQt6Widgets", "libGL.so", "libQt6Network", "libdcmnet")
 for name, not_needed in (("palpate-cli", windowless), ("../libexec/palpate/palpate-study", windowless),
                          ("palpate-fetch", ("libQt6Widgets", "libGL.so", "libvtk")),
-                         ("../libexec/palpate/palpate-window.so", ("libQt6Network", "libdcmnet"))):
+                         ("palpate", ("libQt6Network", "libdcmnet"))):
     libraries = subprocess.run(["ldd", prefix / "bin" / name], capture_output=True, text=True).stdout
     assert not any(library in libraries for library in not_needed), (name, libraries)
 # what fetches scans runs where it was moved to, and its child too

@@ -19,9 +19,7 @@
 #include <tuple>
 #include <vector>
 
-#include "app/read_ahead.h"
 #include "app/window/scan/kept_phantom.h"
-#include "app/window/scan/scan_ahead.h"
 #include "app/window/touch/measurement_controller.h"
 #include "datasets/phantoms/phantoms.h"
 #include "tests/ui/panelled_window.h"
@@ -92,66 +90,6 @@ TEST(Controllers, APhantomIsKeptForTheNextStartOfTheSameBuild) {
   EXPECT_FALSE(isTaken("{\"build\":\"build\"}\n"));
   EXPECT_FALSE(isTaken("\n"));
   EXPECT_TRUE(isTaken(whole));
-}
-
-TEST(Controllers, AVolumeIsReadWhileTheWindowBegins) {
-  const QTemporaryDir folder;
-  const std::filesystem::path file =
-      std::filesystem::path(folder.path().toStdString()) / "ball.nrrd";
-  const auto write = [&](const QByteArray& voxels) {
-    QFile out(QString::fromStdString(file.string()));
-    ASSERT_TRUE(out.open(QFile::WriteOnly));
-    out.write(
-        "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 32 32 32\nspace: left-posterior-superior\n"
-        "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\n\n");
-    out.write(voxels);
-  };
-  QByteArray ball(32 * 32 * 32, '\0');
-  for (int at = 0; at < ball.size(); ++at) {
-    const double i = at % 32 - 16, j = at / 32 % 32 - 16, k = at / 1024 - 16;
-    ball[at] = char(std::max(0.0, 100.0 - 8.0 * std::hypot(i, j, k)));
-  }
-  app::Loader loader([] { return 1e12; });
-  std::optional<app::Loaded> loaded;
-  std::optional<haptics::Error> error;
-  QObject::connect(&loader, &app::Loader::loaded,
-                   [&](const app::Loaded& result) { loaded = result; });
-  QObject::connect(&loader, &app::Loader::failed,
-                   [&](const app::LoadRequest&, const haptics::Error& why) { error = why; });
-  const auto load = [&](app::LoadRequest request) {
-    loaded.reset();
-    error.reset();
-    loader.start(std::move(request));
-    EXPECT_TRUE(waitFor([&] { return loaded || error; }));
-    return loaded.has_value();
-  };
-  write(ball);
-  const auto readAhead = [&] {
-    return std::make_shared<app::ScanAhead>(std::make_shared<app::ReadAhead>(file));
-  };
-  auto ahead = readAhead();
-  ASSERT_TRUE(load({.path = file, .ahead = ahead}));
-  EXPECT_EQ(std::memcmp(loaded->volume()->voxels.get(), ball.data(), std::size_t(ball.size())), 0);
-  EXPECT_FALSE(ahead->take({})) << "it was not taken";
-  const auto pyramidTook = [&] {
-    const haptics::Structure& first = loaded->scene->structures.at(0);
-    EXPECT_EQ(first.name, "pyramid");
-    return first.build_time;
-  };
-  EXPECT_EQ(pyramidTook(), 0.0) << "the field was not taken over";
-  ASSERT_TRUE(load({.path = file, .ahead = ahead})) << "it is read where it was taken before";
-  EXPECT_GT(pyramidTook(), 0.0);
-
-  // another request than that of the whole file as it is stored
-  ahead = readAhead();
-  ASSERT_TRUE(load({.path = file, .ahead = ahead, .part = {.step = 2}}));
-  EXPECT_EQ(loaded->volume()->grid.dims[0], 16);
-  EXPECT_TRUE(ahead->take({}));
-
-  write(ball.first(1000));
-  ahead = readAhead();
-  EXPECT_FALSE(load({.path = file, .ahead = ahead}));
-  EXPECT_TRUE(error && error->kind == haptics::Error::Kind::Malformed);
 }
 
 TEST(Controllers, AToolAndAFieldAreWantedForTheVolumeOnView) {

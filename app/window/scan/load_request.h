@@ -12,7 +12,6 @@
 
 namespace app {
 
-class ScanAhead;
 struct Kept;
 
 /// A tool: a named one, or a file.
@@ -32,9 +31,8 @@ struct ChosenSeries {
 /// A request to load. Of path, phantom and keep, the first that is set is used.
 struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
-  std::shared_ptr<ScanAhead> ahead = {};  ///< that of the path; null: none
-  QString name = {};                      ///< of the path, for the user; empty: its own
-  std::optional<int> series = {};         ///< index of the entry in the path's survey
+  QString name = {};               ///< of the path, for the user; empty: its own
+  std::optional<int> series = {};  ///< index of the entry in the path's survey
   /// The entry itself. If not set, the path is surveyed and the only sound entry is taken, unless
   /// another is larger or correctable.
   std::optional<ChosenSeries> chosen = {};

@@ -10,7 +10,6 @@
 
 #include "app/build_info/build_info.h"
 #include "app/window/scan/kept_phantom.h"
-#include "app/window/scan/scan_ahead.h"
 #include "app/window/scan/sentence.h"
 #include "app/window/scan/start_pose.h"
 #include "datasets/phantoms/phantoms.h"
@@ -207,26 +206,16 @@ Expected<Source> readChosen(const LoadRequest& request, const Watch& watch) {
   const datasets::ReadProgress progress{
       .advanced = [&](double f) { watch.advanced(kSurveyed + (kRead - kSurveyed) * f); },
       .cancel = &watch.cancel};
-  const bool as_stored = request.geometry == datasets::Geometry::AsStored &&
-                         !request.largest_part && request.part.isWhole();
   for (const auto& file : datasets::filesReadFor(series)) haptics::keepInput(file);
   haptics::keepInput(*request.path);  // an archive
   Source source;
   source.place = request.chosen->place;
-  if (request.ahead && as_stored)
-    if (auto ahead = request.ahead->take(progress)) {
-      source.volume = std::move(ahead->volume);
-      source.picture = std::move(ahead->picture);
-      source.scene = std::move(ahead->scene);
-    }
-  if (!source.volume) {
-    auto volume = datasets::readVolume(
-        series,
-        {.geometry = request.geometry, .largest_part = request.largest_part, .part = request.part},
-        progress);
-    if (!volume) return tl::unexpected(volume.error());
-    source.volume = std::make_shared<const haptics::Volume>(std::move(*volume));
-  }
+  auto volume = datasets::readVolume(
+      series,
+      {.geometry = request.geometry, .largest_part = request.largest_part, .part = request.part},
+      progress);
+  if (!volume) return tl::unexpected(volume.error());
+  source.volume = std::make_shared<const haptics::Volume>(std::move(*volume));
   source.greys = greysOf(series);
   source.title = titleOf(request, *source.volume);
   return source;
