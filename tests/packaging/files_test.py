@@ -14,7 +14,7 @@ import xml.etree.ElementTree
 
 check, root, scratch = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 desktop = root / "packaging/desktop"
-METAINFO = desktop / "org.palpate.palpate.metainfo.xml"
+METAINFO = scratch.parents[1] / "packaging/org.palpate.palpate.metainfo.xml"  # as it is installed
 MIME = desktop / "palpate.mime.xml"
 SIZES = (16, 22, 24, 32, 48, 64, 128, 256, 512)
 
@@ -74,6 +74,7 @@ def check_modalias():
             rules.add(f"hid:b{bus}g*v0000{maker.upper()}p0000{product.upper()}")
     stated = {alias.text for alias in tree(METAINFO).iter("modalias")}
     assert len(rules) > 20 and rules == stated, rules ^ stated
+    assert {"usb:v0403pCB48d*", "usb:v1451p*d*", "hid:b0005g*v0000256Fp0000C63A"} <= stated, stated
 
 
 def check_mime():

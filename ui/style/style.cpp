@@ -23,7 +23,10 @@
 #include "ui/style/controls.h"
 
 // of a static library, whose resources nobody else asks for
-static void initResources() { Q_INIT_RESOURCE(resources); }
+static void initResources() {
+  Q_INIT_RESOURCE(resources);
+  Q_INIT_RESOURCE(help);
+}
 
 namespace ui::style {
 namespace {
