@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The patches of CONTRIBUTING.md, applied to a copy of the tree, build and do what they say.
+"""The patches of tests/scenario/contributing, of which CONTRIBUTING.md speaks, applied to a copy of the
+tree, build and do what they say.
 
 Use: contributing_test.py ROOT BINARY FOLDER [--apply]
 
@@ -48,13 +49,14 @@ def in_place(script):
 
 
 def build():
-    """Builds palpate-cli of the copy."""
+    """Builds palpate-cli of the copy, and the window where it is built here."""
     shutil.rmtree(BUILD, ignore_errors=True)
     BUILD.mkdir(parents=True)
     if BINARY.is_relative_to(ROOT) and in_place("true").returncode == 0:
         shutil.copytree(BINARY, BUILD, dirs_exist_ok=True, symlinks=True,
                         ignore=lambda folder, names: ["tests"] if folder == str(BINARY) else [])
-        return in_place(f'cmake --build "{BINARY}" --target app/cli/palpate-cli')
+        window = "app/palpate" if (BINARY / "app/palpate").exists() else ""
+        return in_place(f'cmake --build "{BINARY}" --target app/cli/palpate-cli {window}')
     print("no mount namespace: the copy is built from nothing")
     # not optimised, since it touches for a second only, and with sources joined: it is compiled sooner
     configured = run("cmake", "--preset", "headless", "-B", BUILD, "-DPALPATE_TESTS=OFF",
@@ -72,12 +74,13 @@ def run(*command):
 
 
 copy_tree()
-patches = re.findall(r"^```diff\n(.*?)^```$", (ROOT / "CONTRIBUTING.md").read_text(), re.M | re.S)
-check(len(patches) == 2, f"CONTRIBUTING.md has {len(patches)} patches, for a tool and for a format")
-for patch in patches:
-    applied = subprocess.run(["git", "apply", "-"], input=patch, text=True, cwd=TREE,
-                             capture_output=True, env=OUTSIDE)
-    check(applied.returncode == 0, "a patch of CONTRIBUTING.md does not apply: " + applied.stderr)
+FILES = {"tool": 5, "format": 5, "driver": 5, "panel": 5, "sentence": 2}  # that each may touch
+for name, most in FILES.items():
+    patch = ROOT / "tests/scenario/contributing" / f"{name}.diff"
+    applied = subprocess.run(["git", "apply", patch], text=True, cwd=TREE, capture_output=True, env=OUTSIDE)
+    check(applied.returncode == 0, f"{patch.name} does not apply: {applied.stderr}")
+    touched = len(re.findall("^diff --git", patch.read_text(), re.M))
+    check(touched <= most, f"{patch.name} touches {touched} files, more than {most}")
 if "--apply" in sys.argv:
     sys.exit(outcome())
 if not check(build().returncode == 0, "palpate-cli is not built"):
@@ -90,6 +93,9 @@ check("spike" in unknown.stderr, "the new tool is not among those that are liste
 check("Spike" in run(CLI, "tool").stdout, "the new tool is not in the list of tools")
 check(run(CLI, "tool", "spike", "--out", points).returncode == 0, "the new tool has no points")
 check(len(points.read_text().splitlines()) == 5, "the new tool has other points than its mesh")
+
+entries = json.loads(run(CLI, "devices", "--json").stdout)
+check("Foot pedal" in json.dumps(entries), "the new driver is not asked for its devices")
 
 recording, forces = FOLDER / "touch.palpate", FOLDER / "forces.tsv"
 recording.unlink(missing_ok=True)
