@@ -126,7 +126,7 @@ struct Proxy {
     search = {};
     following.filter = {};
     following.held = false;
-    following.catch_up.forget();
+    following.catch_up = {};
     recovery = {};
     isovalue = std::numeric_limits<double>::quiet_NaN();
   }
@@ -134,9 +134,12 @@ struct Proxy {
   /// caught up.
   void meet(double other_isovalue) HAPTICS_RT {
     const bool held = following.held;
+    const CatchUp catch_up = following.catch_up;
     forget();
     isovalue = other_isovalue;
     following.held = held;
+    following.catch_up = catch_up;
+    following.catch_up.forget();
   }
 };
 
