@@ -60,7 +60,8 @@ class Application::Parts : public QObject {
   PictureController picture{window.views(), window.touch(), shared};
   DeviceController device;
   MeasurementController measurement{window.panels(), shared};
-  MarksController marks{window.views(), window.menus(), window.panels(), window.bar(), shared};
+  MarksController marks{window.views(), window.menus(),  window.panels(),
+                        window.bar(),   window.escape(), shared};
   ViewFileController view_file;
   RecordingController recording;
   ReplayController replay{window.views(), window.messages(),  window.loading(),
@@ -77,7 +78,7 @@ class Application::Parts : public QObject {
  private:
   /// Opens what the command line names, or shows how to begin.
   void begin();
-  // what happens to a scan, in this order
+  // what happens to a scan that is loaded, in this order, and to one that is not
   void prepareScene(bool new_volume, bool placed);
   void showScene(bool new_volume);
   void refuseScan(const haptics::Error& error);
@@ -215,8 +216,9 @@ void Application::Parts::refuseScan(const haptics::Error& error) {
   screenshot.fail(QString::fromStdString(resources::sentence(error)));
   starting.drawLastScans();
   // where the user has a choice, the scan may still come
-  const bool asked =
-      error.reason == kWhichSeries || error.reason == kTooLarge || error.reason == kMissingSlices;
+  const bool asked = error.kind == haptics::Error::Kind::Correctable ||
+                     error.reason == kWhichSeries || error.reason == kTooLarge ||
+                     error.reason == kMissingSlices;
   if (!asked) view_file.drop();
   log.noteRefusal(error);
 }

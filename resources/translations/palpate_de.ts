@@ -4684,10 +4684,6 @@
         <translation>Letzte Orte &amp;vergessen</translation>
     </message>
     <message>
-        <source>&lt;p&gt;&lt;b&gt;Force off&lt;/b&gt;: Escape anywhere, Space in the 3-D view, or the stop button.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptic device&lt;/b&gt; (View &gt; Haptic device): Connect, then Arm. While %1 is held in the 3-D view the tool stays and the hand moves freely; with hold-to-run, the force is on while %2 is held.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Mouse&lt;/b&gt;: it turns the picture until you take the tool (%3, or the button), and then moves the tool. The tool itself can be dragged at any time.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Measures&lt;/b&gt;: click where the places are, or drag a distance. Handles can be dragged in every view.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Slices&lt;/b&gt;: a right click, the key %4 or the button in the corner opens the choices: windows, slabs, contour, following the tool, the view down the tool.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Replay&lt;/b&gt;: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, ● force and device, × samples lost and ticks late.&lt;/p&gt;&lt;p&gt;Keys can be changed: Edit &gt; Preferences, Shortcuts.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;Kraft aus&lt;/b&gt;: Esc überall, die Leertaste in der 3-D-Ansicht oder der Stoppknopf.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptisches Gerät&lt;/b&gt; (Ansicht &gt; Haptisches Gerät): Verbinden, dann Freigeben. Solange %1 in der 3-D-Ansicht gehalten wird, bleibt das Werkzeug stehen, und die Hand bewegt sich frei; mit Zustimmtaste ist die Kraft ein, solange %2 gehalten wird.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maus&lt;/b&gt;: Sie dreht das Bild, bis Sie das Werkzeug nehmen (%3 oder der Knopf), und bewegt dann das Werkzeug. Das Werkzeug selbst lässt sich jederzeit ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maße&lt;/b&gt;: Klicken Sie auf die Stellen, oder ziehen Sie einen Abstand. Griffe lassen sich in jeder Ansicht ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Schnittbilder&lt;/b&gt;: Ein Rechtsklick, die Taste %4 oder der Knopf in der Ecke öffnet die Auswahl: Fensterung, Slabs, Kontur, dem Werkzeug folgen, der Blick entlang des Werkzeugs.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Wiedergabe&lt;/b&gt;: Auf ihrer Leiste sind ▼ Marken, ◆ Einstellungen, ■ Szene und Kamera, ● Kraft und Gerät, × verlorene Abtastwerte und verspätete Takte.&lt;/p&gt;&lt;p&gt;Tasten lassen sich ändern: Bearbeiten &gt; Einstellungen, Tastenkürzel.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Controls</source>
         <translation>Bedienung</translation>
     </message>
@@ -4698,6 +4694,10 @@
     <message>
         <source>&lt;p&gt;&lt;b&gt;Palpate %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;See a CT scan, and feel it through a haptic device.&lt;/p&gt;&lt;p&gt;&lt;b&gt;%2&lt;/b&gt;&lt;/p&gt;&lt;p&gt;BSD-3-Clause licence. Palpate uses Qt (LGPL-3), VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, libdeflate, hidapi and libusb (LGPL-2.1), libseccomp (LGPL-2.1), elfutils (LGPL-3), SQLite and others, as Debian packages them. The help lists all of them, with their licences.&lt;/p&gt;</source>
         <translation>&lt;p&gt;&lt;b&gt;Palpate %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Eine CT-Aufnahme sehen und mit einem haptischen Gerät ertasten.&lt;/p&gt;&lt;p&gt;&lt;b&gt;%2&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Lizenz BSD-3-Clause. Palpate verwendet Qt (LGPL-3), VTK, vtk-dicom, Eigen, HDF5, DCMTK, CharLS, OpenJPEG, libarchive, libdeflate, hidapi und libusb (LGPL-2.1), libseccomp (LGPL-2.1), elfutils (LGPL-3), SQLite und andere, wie Debian sie verpackt. Die Hilfe führt alle auf, mit ihren Lizenzen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Force off&lt;/b&gt;: Escape anywhere, Space in the 3-D view, or the stop button. Without motors the first Escape closes what is open.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptic device&lt;/b&gt; (View &gt; Haptic device): Connect, then Arm. While %1 is held in the 3-D view the tool stays and the hand moves freely; with hold-to-run, the force is on while %2 is held.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Mouse&lt;/b&gt;: it turns the picture until you take the tool (%3, or the button), and then moves the tool. The tool itself can be dragged at any time.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Measures&lt;/b&gt;: click where the places are, or drag a distance. Handles can be dragged in every view.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Slices&lt;/b&gt;: a right click, the key %4 or the button in the corner opens the choices: windows, slabs, contour, following the tool, the view down the tool.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Replay&lt;/b&gt;: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, ● force and device, × samples lost and ticks late.&lt;/p&gt;&lt;p&gt;Keys can be changed: Edit &gt; Preferences, Shortcuts.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Kraft aus&lt;/b&gt;: Esc überall, die Leertaste in der 3-D-Ansicht oder der Stoppknopf. Ohne Motoren schließt das erste Esc, was offen ist.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptisches Gerät&lt;/b&gt; (Ansicht &gt; Haptisches Gerät): Verbinden, dann Freigeben. Solange %1 in der 3-D-Ansicht gehalten wird, bleibt das Werkzeug stehen, und die Hand bewegt sich frei; mit Zustimmtaste ist die Kraft ein, solange %2 gehalten wird.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maus&lt;/b&gt;: Sie dreht das Bild, bis Sie das Werkzeug nehmen (%3 oder der Knopf), und bewegt dann das Werkzeug. Das Werkzeug selbst lässt sich jederzeit ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maße&lt;/b&gt;: Klicken Sie auf die Stellen, oder ziehen Sie einen Abstand. Griffe lassen sich in jeder Ansicht ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Schnittbilder&lt;/b&gt;: Ein Rechtsklick, die Taste %4 oder der Knopf in der Ecke öffnet die Auswahl: Fensterung, Slabs, Kontur, dem Werkzeug folgen, der Blick entlang des Werkzeugs.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Wiedergabe&lt;/b&gt;: Auf ihrer Leiste sind ▼ Marken, ◆ Einstellungen, ■ Szene und Kamera, ● Kraft und Gerät, × verlorene Abtastwerte und verspätete Takte.&lt;/p&gt;&lt;p&gt;Tasten lassen sich ändern: Bearbeiten &gt; Einstellungen, Tastenkürzel.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -7074,10 +7074,6 @@
         <translation>beendet das Programm</translation>
     </message>
     <message>
-        <source>force off; puts away the tool of an edit and a measure that is being placed</source>
-        <translation>Kraft aus; legt das Werkzeug einer Bearbeitung und ein Maß weg, das gerade gesetzt wird</translation>
-    </message>
-    <message>
         <source>shows all controls</source>
         <translation>zeigt die ganze Bedienung</translation>
     </message>
@@ -7408,6 +7404,10 @@
     <message>
         <source>scrolls through the slices</source>
         <translation>blättert durch die Schichten</translation>
+    </message>
+    <message>
+        <source>force off; closes what is open, without motors at first that alone</source>
+        <translation>Kraft aus; schließt, was offen ist, ohne Motoren zuerst nur das</translation>
     </message>
 </context>
 </TS>

@@ -10,6 +10,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
@@ -35,6 +36,7 @@
 #include "ui/window/messages.h"
 #include "ui/window/top_bar.h"
 #include "ui/window/touch_state.h"
+#include "ui/window/tour.h"
 #include "ui/window/view_layout.h"
 #include "ui/window/views.h"
 
@@ -74,11 +76,35 @@ TEST(MainWindow, EscapeAnywhereSpaceInTheViewAndTheStopButtonWishTheForceOff) {
     QTest::keyClick(focus, Qt::Key_Escape);
     EXPECT_TRUE(wished());
   }
-  // with a modal dialog in front; Escape closes it as well
-  QDialog dialog(&window);
-  QTimer::singleShot(200, &dialog, [&] { QTest::keyClick(&dialog, Qt::Key_Escape); });
-  QTimer::singleShot(120'000, &dialog, [&] { dialog.done(77); });
-  EXPECT_EQ(dialog.exec(), QDialog::Rejected);
+  // with a modal dialog in front Escape closes it, and without motors that alone
+  const auto closeDialog = [&] {
+    QDialog dialog(&window);
+    QTimer::singleShot(200, &dialog, [&] { QTest::keyClick(&dialog, Qt::Key_Escape); });
+    QTimer::singleShot(120'000, &dialog, [&] { dialog.done(77); });
+    EXPECT_EQ(dialog.exec(), QDialog::Rejected);
+    return wished();
+  };
+  EXPECT_FALSE(closeDialog());
+  QTest::keyClick(&window.views().volume(), Qt::Key_Escape);
+  EXPECT_TRUE(wished()) << "nothing is open any more";
+  window.touch().setHand("omega.6", ui::Feel::Felt);
+  EXPECT_TRUE(closeDialog()) << "motors stop whatever else Escape closes";
+  window.touch().setHand("Mouse", ui::Feel::Shown);
+  // a menu, and a list that drops down
+  QMenu menu(&window);
+  menu.addAction("One");
+  menu.popup(window.mapToGlobal(QPoint{100, 100}));
+  QTest::keyClick(&menu, Qt::Key_Escape);
+  EXPECT_FALSE(menu.isVisible());
+  EXPECT_FALSE(wished());
+  // the first steps
+  window.showTour();
+  auto* tour = window.findChild<ui::Tour*>();
+  ASSERT_TRUE(tour->isVisible());
+  QTest::keyClick(&window.views().volume(), Qt::Key_Escape);
+  EXPECT_FALSE(tour->isVisible());
+  EXPECT_FALSE(wished());
+  QTest::keyClick(&window.views().volume(), Qt::Key_Escape);
   EXPECT_TRUE(wished());
   // even in the smallest window the button is there
   window.resize(window.minimumSizeHint());
@@ -277,12 +303,14 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   EXPECT_EQ(t.state(), "Force shown, not felt");
   EXPECT_FALSE(t.resume()->isVisible());
   // Escape where nothing has been stopped yet, and then who stopped it
+  const QRect views = t.window.views().layout().geometry();
   QTest::keyClick(&t.window.views().volume(), Qt::Key_Escape);
   EXPECT_GT(wishes, 0);
   t.tell(ForceState::Ready);
   EXPECT_EQ(t.state(), "Force stopped");
   ASSERT_TRUE(t.sentence()->isVisible());
   EXPECT_EQ(t.sentence()->text(), "Force stopped by Escape");
+  EXPECT_EQ(t.window.views().layout().geometry(), views) << "the sentence moved the views";
   EXPECT_EQ(t.resume()->text(), "Resume");
   EXPECT_TRUE(stop->isVisible());
   window::keep(window::pictureOf(t.window), "main_window_stopped");

@@ -90,7 +90,7 @@ std::vector<Binding> allBindings() {
           "preferences"),
       key(Anywhere, CTRL | Key_Q, WORDS("quits"), Quit, "quit"),
       key(Anywhere, Key_Escape,
-          WORDS("force off; puts away the tool of an edit and a measure that is being placed")),
+          WORDS("force off; closes what is open, without motors at first that alone")),
       key(Anywhere, Key_F1, WORDS("shows the help for the focused control"), ShowHelp, "help"),
       key(Anywhere, SHIFT | Key_F1, WORDS("shows all controls"), ShowControls, "controls"),
       key(Anywhere, Key_F6, WORDS("selects the next view"), NextView, "next_view"),

@@ -158,6 +158,8 @@ HelpWindow::HelpWindow(QWidget* parent)
   connect(page_, &QTextBrowser::forwardAvailable, forward_, &QWidget::setEnabled);
   // the source is the new one only once the history has it
   connect(page_, &QTextBrowser::historyChanged, this, &HelpWindow::showWhere);
+  connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this,
+          &QWidget::close);
   search_->setObjectName("helpSearch");
   search_->setPlaceholderText(tr("Search"));
   search_->setClearButtonEnabled(true);

@@ -41,7 +41,7 @@ class HelpPage : public QTextBrowser {
 };
 
 /// The help: contents with a search at the left, a page at the right, back and forward above. Not
-/// modal; the touch goes on, and Escape is force off as everywhere.
+/// modal; the touch goes on. Escape closes it.
 class HelpWindow : public QWidget {
   Q_OBJECT
  public:

@@ -66,6 +66,7 @@ MainWindow::MainWindow(QWidget* parent)
       status_(new StatusLine),
       stopped_(new Banner(Banner::Kind::Stopped, "stopped")),
       touch_(new TouchState(*bar_, *stopped_, *status_)),
+      escape_(new EscapeFilter(*this)),
       menus_(new Menus(*this, *bar_, *views_)),
       panels_(new SidePanel(menus_->view())),
       splitter_(new QSplitter),
@@ -81,8 +82,11 @@ MainWindow::MainWindow(QWidget* parent)
   buildStartPage();
   buildStatusBar();
   new LatinShortcuts(this);
-  connect(new EscapeFilter(this), &EscapeFilter::pressed, touch_,
-          [this] { touch_->stop(tr("Force stopped by Escape")); });
+  // motors stop whatever else it closes; what is only shown stays while there is something to close
+  connect(escape_, &EscapeFilter::pressed, touch_, [this](bool closes) {
+    if (!closes || touch_->hasMotors()) touch_->stop(tr("Force stopped by Escape"));
+  });
+  escape_->addEnder(*this, [this] { return tour_->close(); });
   connect(panels_, &SidePanel::changed, this, &MainWindow::layoutChanged);
   connect(tour_, &Tour::ended, this, &MainWindow::tourEnded);
   connect(menus_, &Menus::tourWanted, this, &MainWindow::showTour);
@@ -100,13 +104,16 @@ void MainWindow::buildViews() {
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  messages_->placeIn(*column, *stopped_);
+  messages_->placeIn(*column);
   // in the same place: the page covers the views until there is something to see
   auto* views = new QGridLayout;
   views->addWidget(&views_->layout(), 0, 0);
   views->addWidget(start_, 0, 0);
   start_->raise();
   start_->hide();  // until someone fills it
+  // over the views, so that they do not move
+  views->addWidget(stopped_, 0, 0, Qt::AlignTop);
+  stopped_->raise();
   column->addLayout(views, 1);
   column->addWidget(replay_);
   replay_->setObjectName("replayBar");

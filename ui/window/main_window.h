@@ -16,6 +16,7 @@ class QToolButton;
 namespace ui {
 
 class Banner;
+class EscapeFilter;
 class Loading;
 class Menus;
 class Messages;
@@ -37,8 +38,8 @@ struct WindowLayout {
   bool operator==(const WindowLayout&) const = default;
 };
 
-/// The window: its parts in their places. Each part is shown what it has to show, and emits what
-/// the user wants of it, by itself; controllers take the parts that they use. GUI thread.
+/// Makes the parts of the window and places them. Each part shows what it is given and emits what
+/// the user wishes; controllers take the parts that they use. GUI thread.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -50,6 +51,8 @@ class MainWindow : public QMainWindow {
   Menus& menus() { return *menus_; }
   SidePanel& panels() { return *panels_; }
   TouchState& touch() { return *touch_; }
+  /// Escape in every window.
+  EscapeFilter& escape() { return *escape_; }
   /// The bar below the menus, for the symbols of what controllers do.
   TopBar& bar() { return *bar_; }
   /// Below the views; hidden until it is given a recording.
@@ -77,10 +80,11 @@ class MainWindow : public QMainWindow {
  signals:
   /// Files and folders were dropped on the window: one or more.
   void dropped(const QStringList& paths);
-  /// The user chose another tab or layout of the panels.
+  /// The user changed tabs, panels, details or the layout of the views.
   void layoutChanged();
   /// The first steps were explained, or skipped.
   void tourEnded();
+  /// The window is about to close, also where nobody was asked.
   void closing();
 
  protected:
@@ -105,6 +109,7 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   Banner* stopped_;
   TouchState* touch_;
+  EscapeFilter* escape_;
   Menus* menus_;
   SidePanel* panels_;
   QSplitter* splitter_;

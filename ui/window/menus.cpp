@@ -261,7 +261,8 @@ void Menus::showControls() {
   // longer than many a screen is high
   auto* text = new QTextBrowser;
   text->setHtml(
-      tr("<p><b>Force off</b>: Escape anywhere, Space in the 3-D view, or the stop button.</p>"
+      tr("<p><b>Force off</b>: Escape anywhere, Space in the 3-D view, or the stop button. Without "
+         "motors the first Escape closes what is open.</p>"
          "<p><b>Haptic device</b> (View > Haptic device): Connect, then Arm. While %1 is held in "
          "the 3-D view the tool stays and the hand moves freely; with hold-to-run, the force is "
          "on while %2 is held.</p>"

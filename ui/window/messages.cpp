@@ -38,8 +38,8 @@ Messages::Messages(QMainWindow& window)
   for (Banner* banner : {fault_, message_, done_, offer_}) banner->addClose();
 }
 
-void Messages::placeIn(QVBoxLayout& column, Banner& below_fault) {
-  for (Banner* banner : {fault_, &below_fault, message_, done_, offer_}) column.addWidget(banner);
+void Messages::placeIn(QVBoxLayout& column) {
+  for (Banner* banner : {fault_, message_, done_, offer_}) column.addWidget(banner);
 }
 
 QWidget* Messages::window() { return &window_; }

@@ -24,8 +24,8 @@ class Messages : public QObject {
  public:
   explicit Messages(QMainWindow& window);
 
-  /// Puts the bars into a column, with another one below that of a fault.
-  void placeIn(QVBoxLayout& column, Banner& below_fault);
+  /// Puts the bars into a column.
+  void placeIn(QVBoxLayout& column);
   /// The window, for dialogs.
   QWidget* window();
   /// Shows a sentence until the user closes it, or until clear().

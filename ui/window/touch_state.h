@@ -29,6 +29,8 @@ class TouchState : public QObject {
   void display(const haptics::Snapshot& snapshot);
   /// The hand that holds the tool, and what comes of the force.
   void setHand(const QString& label, Feel feel);
+  /// Whether there are motors that may push the hand.
+  bool hasMotors() const { return feel_ == Feel::Felt; }
   /// Takes the force away. `by`: a sentence on who did.
   void stop(const QString& by);
 

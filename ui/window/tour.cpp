@@ -88,6 +88,12 @@ void Tour::next() {
   end();
 }
 
+bool Tour::close() {
+  if (step_ < 0) return false;
+  end();
+  return true;
+}
+
 void Tour::end() {
   window_.removeEventFilter(this);
   if (target_) target_->removeEventFilter(this);

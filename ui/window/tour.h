@@ -28,6 +28,8 @@ class Tour : public QWidget {
 
   /// Shows the first step. A tour that is under way begins anew.
   void begin(std::vector<TourStep> steps);
+  /// Ends the tour; returns whether there was one.
+  bool close();
   /// The step on view, from 0; -1: none.
   int step() const { return step_; }
 

@@ -85,8 +85,7 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
     saver_.cancel();
   });
   connect(&window.menus(), &ui::Menus::saveEditedWanted, this, &EditController::save);
-  // Escape is force off above all, and ends what the mouse is busy with
-  connect(new ui::EscapeFilter(this), &ui::EscapeFilter::pressed, this, &EditController::endTool);
+  window.escape().addEnder(*this, [this] { return endTool(); });
 }
 
 void EditController::connectJobs() {
@@ -262,10 +261,12 @@ void EditController::changeTool(EditTool tool) {
   }
 }
 
-void EditController::endTool() {
+bool EditController::endTool() {
+  const bool busy = panel_->tool() != EditTool::None || jobs_.isWaiting();
   jobs_.cancelWait();
   previewer_.abandon();
   panel_->setTool(EditTool::None);
+  return busy;
 }
 
 void EditController::showCrop() {

@@ -76,7 +76,8 @@ class EditController : public QObject {
   void want(EditQueue::Job job);
   void showSteps();
   void changeTool(ui::EditTool tool);
-  void endTool();
+  /// Returns whether a tool was on, or something was waited for.
+  bool endTool();
   void apply(datasets::Edit edit);
   void showCrop();
   void moveCropFace(int axis, bool high, double mm);

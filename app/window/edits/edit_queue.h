@@ -37,6 +37,8 @@ class EditQueue : public QObject {
   void want(Job job);
   /// Call it at display rate, with a snapshot that is as new as can be.
   void refresh();
+  /// Whether a job waits for the tool.
+  bool isWaiting() const { return held_.has_value() || (!running_ && !queue_.empty()); }
   /// Drops the job that waits for the tool.
   void cancelWait();
   /// The same, and ends the one that is under way.

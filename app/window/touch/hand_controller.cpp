@@ -114,6 +114,7 @@ void HandController::takeDevice(const QString& id, const QString& label, bool mo
 
 void HandController::forgetDevice() { hand_ = "mouse"; }
 
+/// What was stopped in another scan is not stopped in a new one, unless motors push the hand.
 void HandController::adopt(bool new_volume, bool placed) {
   const Loaded& shown = *shared_.shown;
   haptics::Session& session = shared_.session;
@@ -124,7 +125,9 @@ void HandController::adopt(bool new_volume, bool placed) {
   if (!session.isOpen() || !(mouse || device)) {
     session.close();
     shared_.apply();
-    return session.adopt(shown.scene, shown.start);
+    session.adopt(shown.scene, shown.start);
+    if (new_volume && !device) emit touch_.forceOnWanted();
+    return;
   }
   std::optional<haptics::Pose> start;
   if (!new_volume && placed)
@@ -135,6 +138,7 @@ void HandController::adopt(bool new_volume, bool placed) {
     views_.volume().setMouseHand(true);
   }
   session.adopt(shown.scene, start.value_or(shown.start));
+  if (new_volume && !device) emit touch_.forceOnWanted();
   // not before the scene: in the old volume this isovalue may make everything solid
   shared_.apply();
 }

@@ -10,7 +10,6 @@
 #include "app/window/scan/touched_surface.h"
 #include "ui/controls/lengths.h"
 #include "ui/panels/marks_panel.h"
-#include "ui/window/escape_filter.h"
 
 namespace app {
 namespace {
@@ -36,7 +35,7 @@ haptics::Volume factsOf(const haptics::Volume& scan) {
 }  // namespace
 
 MarksController::MarksController(ui::Views& views, ui::Menus& menus, ui::SidePanel& panels,
-                                 ui::TopBar& bar, SharedState& shared)
+                                 ui::TopBar& bar, ui::EscapeFilter& escape, SharedState& shared)
     : views_(views), panels_(panels), shared_(shared), panel_(new ui::MarksPanel) {
   panels.add(panel_, tr("Measures and marks"), tr("&Measures and marks"), "marksSection",
              ui::Tab::Scan);
@@ -45,6 +44,11 @@ MarksController::MarksController(ui::Views& views, ui::Menus& menus, ui::SidePan
   bar.add(ui::BarGroup::Tools, *panel_->placeAction(ui::MeasureKind::Distance), "distance");
   buildMenu(menus.addMenu(tr("&Measure")));
   connectPanel();
+  escape.addEnder(*this, [this] {
+    const bool placing = measures_.placing().has_value();
+    if (placing) measures_.setPlacing({});
+    return placing;
+  });
   ui::whenLengthUnitChanges(*this, [this] {
     if (way_ && way_->begun()) showWay();
   });
@@ -73,10 +77,6 @@ void MarksController::connectPanel() {
   connect(&measures_, &Measures::listChanged, this, &MarksController::showList);
   connect(&measures_, &Measures::selectionChanged, panel_, &MarksPanel::select);
   connect(&measures_, &Measures::placingChanged, panel_, &MarksPanel::showPlacing);
-  // Escape is force off above all, and ends what the mouse is busy with
-  connect(new ui::EscapeFilter(this), &ui::EscapeFilter::pressed, &measures_, [this] {
-    if (measures_.placing()) measures_.setPlacing({});
-  });
   connect(&measures_, &Measures::placed, this, [this](int index) {
     if (measures_.all()[static_cast<std::size_t>(index)].kind != ui::MeasureKind::Note) return;
     // its words are typed in the list

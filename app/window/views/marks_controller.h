@@ -13,6 +13,7 @@
 #include "app/window/scan/shared_state.h"
 #include "app/window/scan/tool_way.h"
 #include "ui/overlays/measures.h"
+#include "ui/window/escape_filter.h"
 #include "ui/window/menus.h"
 #include "ui/window/side_panel.h"
 #include "ui/window/top_bar.h"
@@ -32,7 +33,7 @@ class MarksController : public QObject {
   Q_OBJECT
  public:
   MarksController(ui::Views& views, ui::Menus& menus, ui::SidePanel& panels, ui::TopBar& bar,
-                  SharedState& shared);
+                  ui::EscapeFilter& escape, SharedState& shared);
 
   ui::Measures& measures() { return measures_; }
   /// Call it when a scene is on view.

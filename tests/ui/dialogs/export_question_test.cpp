@@ -153,8 +153,9 @@ TEST(ExportQuestion, AnEmptyRangeCannotBeChosen) {
   EXPECT_EQ(one.wish().to, 4.0);
 }
 
-TEST(ExportQuestion, EscapeInItCutsTheForce) {
+TEST(ExportQuestion, EscapeInItCutsTheForceOfMotors) {
   ui::MainWindow window;
+  window.touch().setHand("omega.6", ui::Feel::Felt);
   window::showAndWait(window, {1240, 840});
   int wishes = 0;
   QObject::connect(&window.touch(), &ui::TouchState::forceOffWanted, [&] { ++wishes; });

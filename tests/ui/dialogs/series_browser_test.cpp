@@ -207,8 +207,9 @@ TEST(SeriesBrowser, ThousandsOfVolumesAreListedToo) {
   EXPECT_EQ(wanted, 9'998);
 }
 
-TEST(SeriesBrowser, EscapeInItStillCutsTheForce) {
+TEST(SeriesBrowser, EscapeInItStillCutsTheForceOfMotors) {
   ui::MainWindow window;
+  window.touch().setHand("omega.6", ui::Feel::Felt);
   window::showAndWait(window, {1240, 840});
   ui::SeriesBrowser browser("CD", kRows, &window);
   window::showAndWait(browser, {1000, 480});

@@ -158,11 +158,20 @@ TEST_F(Editing, AnEditLeavesToolAndCameraWhereTheyAre) {
   window::afterTicks(*application_, 200);
   EXPECT_LT((application_->snapshot().X_WP.translation() - before).norm(), 0.5e-3);
   EXPECT_EQ((Vector3d{window().views().volume().camera()->GetPosition()} - eye).norm(), 0.0);
-  // Escape ends what the mouse was for, and the force
+  // Escape ends what the mouse was for, and the next one the force
   QTest::keyClick(&window().views().volume(), Qt::Key_Escape);
   EXPECT_EQ(panel().tool(), ui::EditTool::None);
+  window::afterTicks(*application_, 50);
+  EXPECT_NE(application_->snapshot().force_state, haptics::ForceState::Ready);
+  QTest::keyClick(&window().views().volume(), Qt::Key_Escape);
   EXPECT_TRUE(
       waitFor([&] { return application_->snapshot().force_state == haptics::ForceState::Ready; }));
+  // another scan is touched again
+  emit window().menus().phantomWanted("sphere");
+  EXPECT_TRUE(waitFor([&] {
+    return application_->snapshot().scene == application_->shown()->scene->id &&
+           application_->snapshot().force_state == haptics::ForceState::On;
+  }));
 }
 
 TEST_F(Editing, AnotherToolKeepsTheEditsAndAnotherVolumeDropsThem) {

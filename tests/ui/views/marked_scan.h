@@ -22,8 +22,8 @@ namespace window {
 
 /// The same with the controller of marks.
 struct MarkedScan : Panelled {
-  app::MarksController controller{window.views(), window.menus(), window.panels(), window.bar(),
-                                  shared};
+  app::MarksController controller{window.views(), window.menus(),  window.panels(),
+                                  window.bar(),   window.escape(), shared};
 
   MarkedScan() {
     QObject::connect(&isosurface, &app::IsosurfaceController::changed, &controller.measures(),

@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QWheelEvent>
 #include <cmath>
@@ -28,6 +29,7 @@
 #include "ui/overlays/measure_words.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/main_window.h"
+#include "ui/window/touch_state.h"
 #include "ui/window/views.h"
 
 namespace {
@@ -456,8 +458,12 @@ TEST(Marks, EscapePutsAMeasureAwayThatIsBeingPlaced) {
   QTest::keyClick(&axial, Qt::Key_A);
   click(axial, axial.projected({-5.0, 0.0, 0.0}));
   ASSERT_EQ(scan.measures().placing(), MeasureKind::Angle);
+  QSignalSpy stopped(&scan.window.touch(), &ui::TouchState::forceOffWanted);
   QTest::keyClick(&axial, Qt::Key_Escape);
   EXPECT_FALSE(scan.measures().placing());
+  EXPECT_EQ(stopped.count(), 0);  // of a mouse: the next one stops
+  QTest::keyClick(&axial, Qt::Key_Escape);
+  EXPECT_GT(stopped.count(), 0);
   EXPECT_FALSE(scan.panel().placeAction(MeasureKind::Angle)->isChecked());
   // the click of afterwards is the view's
   click(axial, axial.projected({5.0, 6.0, 0.0}));
