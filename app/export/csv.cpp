@@ -244,6 +244,7 @@ ordered_json eventFacts() {
       {"missed", "So many ticks as value were left out until now"},
       {"hand", "Another hand holds the device"},
       {"mark", "The user set a mark, with a note"},
+      {"edit", "A part of the scan was taken away or brought back: the command is in the note"},
       {"camera", "The view moved"}};
   return {{"onset", {{"Description", "Time since the first row of the motion"}, {"Units", "s"}}},
           {"duration", {{"Description", "0: events have none"}, {"Units", "s"}}},

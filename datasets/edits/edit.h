@@ -61,7 +61,7 @@ struct RemoveSmallPieces {
   double least_volume = 0.0;  ///< m^3
 };
 
-/// Takes away table and head holder: what is no part of the patient, by the rule in edit/README.md.
+/// Takes away table and head holder: what is no part of the patient, by the rule in README.md.
 struct RemoveHolder {
   double isovalue = 0.0;
 };

@@ -19,7 +19,7 @@ struct Edited : haptics::Derivation {
 
 /// What was taken away; null: nothing.
 inline const Edited* editedOf(const haptics::Volume& volume) {
-  return static_cast<const Edited*>(volume.derivation.get());
+  return dynamic_cast<const Edited*>(volume.derivation.get());
 }
 
 }  // namespace datasets

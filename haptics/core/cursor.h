@@ -8,16 +8,16 @@
 
 namespace haptics {
 
-/// A place in a row of items of work, kept from one tick to the next: work that the budget cuts
-/// goes on there.
+/// The position in a list of work that is done over several ticks: after a cut, the next call goes
+/// on there. Whoever begins a list anew sets it to 0.
 class Cursor {
  public:
   std::size_t at() const HAPTICS_RT { return at_; }
   void set(std::size_t at) HAPTICS_RT { at_ = at; }
 
   /// Works on the items before `end` that are left. work(i) does some, from item i on, and returns
-  /// the one after them. It is called as often as there is budget for it. False if the budget cut;
-  /// the next call then goes on.
+  /// the one after them, which is beyond i. Each call costs a unit of the budget. False if the
+  /// budget cut.
   template <class Work>
   bool through(std::size_t end, Budget& budget, Work&& work) HAPTICS_RT {
     return through(

@@ -79,12 +79,13 @@ struct Volume {
   VoxelBox bounds() const { return crop ? *crop : VoxelBox{{}, grid.dims}; }
 };
 
-/// How a volume came about from a scan. Edits alone make one: it is a datasets::Edited.
+/// How a volume came about from a scan. That of an edited volume is a datasets::Edited.
 struct Derivation {
+  virtual ~Derivation() = default;
   std::shared_ptr<const Volume> scan;
-  /// The volume of one step before or after this one, and boxes that hold every voxel and every
-  /// face of the crop that differs from it. For what was built over that volume and is renewed only
-  /// where it changed.
+  /// Another volume of the same scan, mostly one step away, and boxes that hold every voxel and
+  /// every face of the crop that differs from it. For what was built over that volume and is
+  /// renewed only where it changed.
   std::weak_ptr<const Volume> neighbour;
   std::vector<VoxelBox> changed;
 };

@@ -53,7 +53,7 @@ def check_panels(root):
     table = (root / "ui/dialogs/help_window.cpp").read_text()
     pages = dict(re.findall(r'\{"(\w+)", "([\w-]+)"\}', table))
     panels, wrong = set(), []
-    for source in sorted((root / "app/window").rglob("*.cpp")):
+    for source in sorted((root / "app/window").rglob("*.*")):
         panels |= set(re.findall(r'\bpanels(?:\(\))?\.add\([^;]*?"(\w+Section)"', source.read_text()))
     for name in sorted(panels):
         if name not in pages:

@@ -12,7 +12,7 @@ macro(rule)
 endmacro()
 
 rule(FOLDERS "haptics" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|resources/)"
-     WHY "haptics knows neither window nor picture nor files")
+     WHY "haptics knows neither window nor picture")
 rule(FOLDERS "haptics/(core|field|tool|collision|solver|coupling)"
      FORBIDS "^haptics/(proxy|servo|devices|simulation|session)"
      WHY "the algorithm knows neither proxy nor threads nor devices")
@@ -21,8 +21,10 @@ rule(FOLDERS "haptics/(scene|proxy)" FORBIDS "^haptics/(servo|devices|simulation
 rule(FOLDERS "haptics" EXCEPT "haptics/process" FORBIDS "^(haptics/process/|sqlite3)" WHY "the touch has no files")
 rule(FOLDERS "haptics/core" FORBIDS "^haptics/" PERMITS "^haptics/core/"
      WHY "the common words depend on nothing")
-rule(FOLDERS "haptics/(process|carving)" FORBIDS "^haptics/" PERMITS "^haptics/(core|process|carving)/"
-     WHY "files, and what lowers voxels, know the common words alone")
+rule(FOLDERS "haptics/process" FORBIDS "^haptics/" PERMITS "^haptics/(core|process)/"
+     WHY "files and limits know the common words alone")
+rule(FOLDERS "haptics/carving" FORBIDS "^haptics/" PERMITS "^haptics/(core|carving)/"
+     WHY "what lowers voxels knows the common words alone")
 rule(FOLDERS "haptics/devices" FORBIDS "^haptics/"
      PERMITS "^haptics/((core|devices)/|settings[.]h$)"
      WHY "a driver sees its interface and the common words")
