@@ -311,6 +311,10 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   ASSERT_TRUE(t.sentence()->isVisible());
   EXPECT_EQ(t.sentence()->text(), "Force stopped by Escape");
   EXPECT_EQ(t.window.views().layout().geometry(), views) << "the sentence moved the views";
+  const QWidget& bar = *t.sentence()->parentWidget();
+  const QWidget& space = t.window.views().volume();
+  EXPECT_EQ(bar.mapTo(&t.window, QPoint{}), space.mapTo(&t.window, QPoint{}));
+  EXPECT_EQ(bar.width(), space.width()) << "it hides what slices say";
   EXPECT_EQ(t.resume()->text(), "Resume");
   EXPECT_TRUE(stop->isVisible());
   window::keep(window::pictureOf(t.window), "main_window_stopped");

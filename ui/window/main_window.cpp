@@ -111,9 +111,11 @@ void MainWindow::buildViews() {
   views->addWidget(start_, 0, 0);
   start_->raise();
   start_->hide();  // until someone fills it
-  // over the views, so that they do not move
-  views->addWidget(stopped_, 0, 0, Qt::AlignTop);
-  stopped_->raise();
+  // over the 3-D view, so that no view moves, and no letter of a slice is hidden
+  stopped_->setParent(right);
+  for (QWidget* moved : {static_cast<QWidget*>(&views_->volume()), views_->volume().parentWidget(),
+                         static_cast<QWidget*>(stopped_)})
+    moved->installEventFilter(this);
   column->addLayout(views, 1);
   column->addWidget(replay_);
   replay_->setObjectName("replayBar");
@@ -266,6 +268,35 @@ void MainWindow::setEdited(bool edited) {
 void MainWindow::showTitle() {
   const QString title = edited_ ? tr("%1 (edited)").arg(title_) : title_;
   setWindowTitle(title.isEmpty() ? QStringLiteral("Palpate") : tr("%1 — Palpate").arg(title));
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::Resize:
+    case QEvent::Move:
+    case QEvent::Show:
+    case QEvent::Hide:
+    case QEvent::LayoutRequest:
+      placeStopped();
+      break;
+    default:
+      break;
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
+/// Over the top of the 3-D view, or of all views where that is hidden or too narrow for its words.
+void MainWindow::placeStopped() {
+  const QWidget& area = *stopped_->parentWidget();
+  const auto placeOf = [&](const QWidget& view) {
+    return QRect(view.mapTo(&area, QPoint{}), QSize(view.width(), stopped_->sizeHint().height()));
+  };
+  const QWidget& volume = views_->volume();
+  const bool fits = volume.isVisible() && volume.width() >= stopped_->minimumSizeHint().width();
+  const QRect place = placeOf(fits ? volume : views_->layout());
+  if (stopped_->geometry() == place) return;
+  stopped_->setGeometry(place);
+  stopped_->raise();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -88,6 +88,7 @@ class MainWindow : public QMainWindow {
   void closing();
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   /// Tab goes through bar, tabs, panels, views and status bar as they are laid out.
   bool focusNextPrevChild(bool next) override;
@@ -99,6 +100,7 @@ class MainWindow : public QMainWindow {
   void buildStartPage();
   void buildStatusBar();
   void showTitle();
+  void placeStopped();
 
   Views* views_;
   StartPage* start_;

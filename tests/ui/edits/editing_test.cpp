@@ -167,6 +167,7 @@ TEST_F(Editing, AnEditLeavesToolAndCameraWhereTheyAre) {
   EXPECT_TRUE(
       waitFor([&] { return application_->snapshot().force_state == haptics::ForceState::Ready; }));
   // another scan is touched again
+  discardWhenAsked(window());
   emit window().menus().phantomWanted("sphere");
   EXPECT_TRUE(waitFor([&] {
     return application_->snapshot().scene == application_->shown()->scene->id &&
