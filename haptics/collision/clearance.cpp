@@ -55,7 +55,6 @@ struct Clearance::Ride {
   }
   void at(const Isosurface& solid, const Pose& X, std::size_t end) HAPTICS_RT {
     const Vec3 origin = solid.field.indexOf(X.translation());
-    A[end] = Mat3{};
     for (int k = 0; k < 3; ++k) A[end].col(k) = solid.field.indexStepOf(X.linear().col(k));
     b[end] = origin;
   }
