@@ -29,7 +29,7 @@ class HeldPass;
 class VeilPass;
 
 /// The 3-D view: isosurface, a second surface as a veil, proxy, device, contacts and orientation,
-/// in W, millimetres. What keys and mouse do here is in ui/controls/bindings.h. The mouse is a hand
+/// in W, millimetres. Keys and mouse are in ui/controls/bindings.h. The mouse is a hand
 /// in a mode of its own, and wherever it takes hold of the tool that is drawn. C and H are released
 /// when the view loses the focus.
 class VolumeView : public Viewport, public Spoken {

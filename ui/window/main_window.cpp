@@ -39,7 +39,8 @@
 namespace ui {
 namespace {
 
-constexpr int kFrame = 40;  // px that a desktop takes for the title of a window
+constexpr int kFrame = 40;      // px that a desktop takes for the title of a window
+constexpr int kTopOfView = 36;  // px: a letter and a button, which stay in sight
 
 QString sizeWords(const haptics::Volume& volume) {
   const auto& dims = volume.grid.dims;
@@ -289,7 +290,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 void MainWindow::placeStopped() {
   const QWidget& area = *stopped_->parentWidget();
   const auto placeOf = [&](const QWidget& view) {
-    return QRect(view.mapTo(&area, QPoint{}), QSize(view.width(), stopped_->sizeHint().height()));
+    return QRect(view.mapTo(&area, QPoint{0, kTopOfView}),
+                 QSize(view.width(), stopped_->sizeHint().height()));
   };
   const QWidget& volume = views_->volume();
   const bool fits = volume.isVisible() && volume.width() >= stopped_->minimumSizeHint().width();

@@ -114,7 +114,7 @@ void HandController::takeDevice(const QString& id, const QString& label, bool mo
 
 void HandController::forgetDevice() { hand_ = "mouse"; }
 
-/// What was stopped in another scan is not stopped in a new one, unless motors push the hand.
+/// A stop ends with its scan, unless motors push the hand.
 void HandController::adopt(bool new_volume, bool placed) {
   const Loaded& shown = *shared_.shown;
   haptics::Session& session = shared_.session;

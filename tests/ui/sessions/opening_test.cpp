@@ -30,6 +30,7 @@
 #include "app/application.h"
 #include "app/window/program/recent_places.h"
 #include "app/window/scan/loader.h"
+#include "app/window/views/view_file_controller.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/session.h"
 #include "tests/support/dicom_bytes.h"
@@ -355,6 +356,29 @@ TEST_F(Opening, ACorrectableSeriesOfSeveralAsksFirst) {
   QTest::mouseClick(load, Qt::LeftButton);
   ASSERT_TRUE(waitFor([&] { return title().contains("(resampled)"); }));
   EXPECT_TRUE(volume().resampled);
+}
+
+TEST_F(Opening, AViewWaitsUntilItIsSaidWhetherItsScanIsResampled) {
+  const QTemporaryDir folder;
+  const std::filesystem::path root = folder.path().toStdString();
+  std::filesystem::copy(tiltedSeries(), root / "tilted");
+  app::Application& application = started();
+  answerNext("Resample");
+  open(root / "tilted");
+  ASSERT_TRUE(waitFor([&] { return title().contains("(resampled)"); }));
+  QSignalSpy finished(&application.viewFile(), &app::ViewFileController::finished);
+  application.viewFile().save(root / "tilted.palpate-view", true);
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }));
+  emit application.window().menus().phantomWanted("sphere");
+  ASSERT_TRUE(loadedBegins("sphere"));
+  asked_.clear();
+  answerNext("Resample");
+  emit application.window().menus().viewWanted(
+      QString::fromStdString((root / "tilted.palpate-view").string()));
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 1; }));
+  EXPECT_TRUE(finished[1][0].toBool());
+  EXPECT_TRUE(asked_.contains("tilt")) << asked_.toStdString();
+  EXPECT_TRUE(title().contains("(resampled)"));
 }
 
 TEST_F(Opening, FilesOfAStudyEachAreLoadedAsOneStackIfTheUserSaysSo) {

@@ -12,10 +12,13 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "app/recording/recorder.h"
+#include "tests/support/places.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/sentence.h"
 
@@ -248,6 +251,30 @@ TEST(Export, LeavesNothingWhereThereIsNoRoomAndWorksAgainOnceThereIs) {
     EXPECT_EQ(again->bytes, whole->bytes);
     for (const std::string& file : again->files) EXPECT_TRUE(fs::remove(file));
   }
+}
+
+/// The kinds of events are those that recordings have, by app/recording/README.md.
+TEST(ExportCsv, TheTableOfEventsExplainsEachKind) {
+  const ScratchFolder scratch;
+  Recording recording = recorded(scratch / "r.palpate", {at(0), at(1'000'000)});
+  ASSERT_TRUE(exportCsv(recording, scratch / "x", {}));
+  std::ifstream explained{scratch / "x_events.json"};
+  const auto levels =
+      nlohmann::json::parse(explained).at("trial_type").at("Levels").get<nlohmann::json>();
+  std::ifstream readme{places::source("app/recording/README.md")};
+  std::string line, bullet;
+  while (std::getline(readme, line) && !line.starts_with("- **Events**")) continue;
+  for (bullet = line; std::getline(readme, line) && line.starts_with("  ");) bullet += line;
+  std::set<std::string> kinds;
+  for (std::size_t from = 0; (from = bullet.find('`', from)) != std::string::npos;) {
+    const std::size_t to = bullet.find('`', from + 1);
+    kinds.insert(bullet.substr(from + 1, to - from - 1));
+    from = to + 1;
+  }
+  EXPECT_TRUE(kinds.erase("start"));  // how the program began to record
+  EXPECT_GT(kinds.size(), 10U);
+  for (const std::string& kind : kinds) EXPECT_TRUE(levels.contains(kind)) << kind;
+  EXPECT_EQ(levels.size(), kinds.size());
 }
 
 }  // namespace
