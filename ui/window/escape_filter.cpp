@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QWindow>
 
 namespace ui {
 
@@ -13,11 +14,14 @@ EscapeFilter::EscapeFilter(QWidget& main_window)
   QCoreApplication::instance()->installEventFilter(this);
 }
 
-bool EscapeFilter::isSomethingOpen() const {
+bool EscapeFilter::isSomethingOpen(const QObject& receiver) const {
   if (QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr)
     return true;
-  const QWidget* active = QApplication::activeWindow();
-  if (active != nullptr && active != &main_window_) return true;
+  // the receiver is a window of the system first, and then a widget within it
+  if (const auto* widget = qobject_cast<const QWidget*>(&receiver);
+      widget != nullptr && widget->window() != &main_window_)
+    return true;
+  if (receiver.isWindowType() && &receiver != main_window_.windowHandle()) return true;
   // what is typed in a list lies in the list's viewport
   const QWidget* field = QApplication::focusWidget();
   return qobject_cast<const QLineEdit*>(field) != nullptr && field->parentWidget() != nullptr &&
@@ -38,7 +42,7 @@ bool EscapeFilter::eventFilter(QObject* watched, QEvent* event) {
     if (!is_down_ || key.timestamp() != time_) {
       is_down_ = true;
       time_ = key.timestamp();
-      closes_ = isSomethingOpen();
+      closes_ = isSomethingOpen(*watched);
       for (const auto& [owner, end] : enders_)
         if (owner) closes_ = end() || closes_;
     }

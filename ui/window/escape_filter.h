@@ -32,8 +32,9 @@ class EscapeFilter : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// Whether a menu, a list, a dialog, another window or a field within a list is open.
-  bool isSomethingOpen() const;
+  /// Whether a menu, a list, a dialog or a field within a list is open, or the key is pressed in
+  /// another window.
+  bool isSomethingOpen(const QObject& receiver) const;
 
   QWidget& main_window_;
   std::vector<std::pair<QPointer<QObject>, Ender>> enders_;

@@ -39,8 +39,10 @@
 namespace ui {
 namespace {
 
-constexpr int kFrame = 40;      // px that a desktop takes for the title of a window
-constexpr int kTopOfView = 36;  // px: a letter and a button, which stay in sight
+constexpr int kFrame = 40;  // px that a desktop takes for the title of a window
+// px of the 3-D view that stay in sight beside a sentence over it
+constexpr int kTopOfView = 36;  // a letter and a button
+constexpr int kCube = 100;      // the cube, at the right
 
 QString sizeWords(const haptics::Volume& volume) {
   const auto& dims = volume.grid.dims;
@@ -286,16 +288,17 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   return QMainWindow::eventFilter(watched, event);
 }
 
-/// Over the top of the 3-D view, or of all views where that is hidden or too narrow for its words.
+/// Over the 3-D view, beside its cube; over all views where that is hidden or too narrow.
 void MainWindow::placeStopped() {
   const QWidget& area = *stopped_->parentWidget();
   const auto placeOf = [&](const QWidget& view) {
     return QRect(view.mapTo(&area, QPoint{0, kTopOfView}),
-                 QSize(view.width(), stopped_->sizeHint().height()));
+                 QSize(view.width() - kCube, stopped_->sizeHint().height()));
   };
   const QWidget& volume = views_->volume();
-  const bool fits = volume.isVisible() && volume.width() >= stopped_->minimumSizeHint().width();
-  const QRect place = placeOf(fits ? volume : views_->layout());
+  QRect place = placeOf(volume);
+  if (!volume.isVisible() || place.width() < stopped_->minimumSizeHint().width())
+    place = placeOf(views_->layout());
   if (stopped_->geometry() == place) return;
   stopped_->setGeometry(place);
   stopped_->raise();

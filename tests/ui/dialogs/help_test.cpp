@@ -29,6 +29,7 @@
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
 #include "ui/window/side_panel.h"
+#include "ui/window/touch_state.h"
 #include "ui/window/views.h"
 
 namespace {
@@ -119,7 +120,11 @@ TEST(Help, MoreBesideAMessageLeadsToItsEntry) {
     EXPECT_TRUE(top >= 0 && top < (bar.value() == bar.maximum() ? height : 60)) << top;
   };
   isRead();
-  shown->close();
+  // Escape closes it, and without motors that alone
+  QSignalSpy stopped(&window.touch(), &ui::TouchState::forceOffWanted);
+  QTest::keyClick(shown, Qt::Key_Escape);
+  EXPECT_FALSE(shown->isVisible());
+  EXPECT_EQ(stopped.count(), 0);
   QTest::mouseClick(more, Qt::LeftButton);
   isRead();
   window.messages().showFault(QString::fromStdString(resources::sentence(lost)));
