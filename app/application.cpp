@@ -56,7 +56,8 @@ class Application::Parts : public QObject {
   // from here on, panels stand in the window in the order of their controllers
   IsosurfaceController isosurface{window.views(), window.messages(), window.panels(), shared};
   HandController hand;
-  ToolController tool{hand.panel(), shared};
+  EditController edit{window, shared};
+  ToolController tool{hand.panel(), window.panels(), shared};
   PictureController picture{window.views(), window.touch(), shared};
   DeviceController device;
   MeasurementController measurement{window.panels(), shared};
@@ -66,7 +67,6 @@ class Application::Parts : public QObject {
   RecordingController recording;
   ReplayController replay{window.views(), window.messages(),  window.loading(),
                           window.touch(), window.replayBar(), shared};
-  EditController edit{window, shared};
   ExportController exporting{window.views(), window.messages(), window.loading(), shared,
                              recording.recordings()};
   ScreenshotController screenshot;

@@ -215,11 +215,11 @@ void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W) {
   loop_->servo->scenes.offer(std::make_unique<Engagement>(loop_->scene, X_legal));
 }
 
-void Session::bring(const Pose& X_WT) {
+void Session::bring(const Pose& X_WT, const Pose& X_WH) {
   loop_->X_start = X_WT;
   if (!loop_->servo || !loop_->scene) return;
   auto engagement = std::make_unique<Engagement>(loop_->scene, X_WT);
-  engagement->brings_hand = true;
+  engagement->X_WH = X_WH;
   loop_->servo->scenes.offer(std::move(engagement));
 }
 

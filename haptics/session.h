@@ -60,9 +60,9 @@ class Session {
   void adopt(std::shared_ptr<const Scene> scene, const Pose& start_W);
   void collectGarbage();
   /// Brings the tool to a pose in the present scene, with the force ramping from zero. The mouse
-  /// comes along; a real device stays where it is, and its mapping moves. The tool must be legal
-  /// there. Without an open hand, the next one starts there.
-  void bring(const Pose& X_WT);
+  /// comes along and pulls to X_WH from there; a real device stays where it is, and its mapping
+  /// moves. The tool must be legal at X_WT. Without an open hand, the next one starts there.
+  void bring(const Pose& X_WT, const Pose& X_WH);
 
   void set(const Settings& settings);
   /// The settings that the servo thread uses and a recording stores: those of set(), with the

@@ -51,9 +51,12 @@ class Device {
   virtual void stop() noexcept = 0;
   /// Servo thread only: writes have an effect again.
   virtual void resume() noexcept = 0;
-  /// Servo thread only: puts the handle at rest at a pose, where the device is one that can be put
-  /// somewhere: the mouse.
-  virtual void place(const Pose& X_BD) noexcept { static_cast<void>(X_BD); }
+  /// Servo thread only: puts the handle at rest at a pose, from where the hand pulls to another,
+  /// where the device is one that can be put somewhere: the mouse.
+  virtual void place(const Pose& X_BD, const Pose& X_pull) noexcept {
+    static_cast<void>(X_BD);
+    static_cast<void>(X_pull);
+  }
 };
 
 /// Counts polls that failed in a row, to give a driver the status of a read.

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "haptics/core/realtime.h"
@@ -18,8 +19,9 @@ struct Engagement {
       : scene{std::move(adopted)}, proxy{*scene, X_start} {}
   std::shared_ptr<const Scene> scene;
   Proxy proxy;
-  /// The mouse's grip comes along to the proxy's pose. A real device never does: its mapping moves.
-  bool brings_hand = false;
+  /// The mouse's grip comes along to the proxy's pose, and the mouse pulls to this one; none: it
+  /// stays. A real device always stays: its mapping moves.
+  std::optional<Pose> X_WH = {};
 };
 
 /// Hands engagements to the servo thread, and back after use. There is one setting thread and one

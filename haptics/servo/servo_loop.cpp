@@ -92,8 +92,8 @@ std::int64_t ServoLoop::awaitTick(std::int64_t due) {
 }
 
 void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {
-  if (period.has(StepFlags::kAdopted) && period.engaged->brings_hand)
-    device_->place(period.engaged->proxy.X_WP);
+  if (period.has(StepFlags::kAdopted) && period.engaged->X_WH)
+    device_->place(period.engaged->proxy.X_WP, *period.engaged->X_WH);
   const DeviceStatus read = lost_ ? DeviceStatus::Lost : device_->read(reading_);
   period.raise(StepFlags::kLost, read == DeviceStatus::Lost);
   period.raise(StepFlags::kNotReady, read == DeviceStatus::NotReady);

@@ -58,9 +58,9 @@ class Mouse final : public Gripped {
  public:
   Mouse(LatestValue<Pose>& target, Grip grip, double period)
       : Gripped{grip, period}, targets_{target}, X_WH_{grip.X_WD} {}
-  void place(const Pose& X_BD) noexcept override {
+  void place(const Pose& X_BD, const Pose& X_pull) noexcept override {
     targets_.take(X_WH_);  // the hand is not where it pointed before
-    X_WH_ = X_BD;
+    X_WH_ = X_pull;
     rest(X_BD);
   }
 

@@ -1900,6 +1900,34 @@
         <source>R&amp;emove parts</source>
         <translation>Teile &amp;entfernen</translation>
     </message>
+    <message>
+        <source>Table and head holder found</source>
+        <translation>Tisch und Kopfhalter gefunden</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes them away; Undo brings them back</source>
+        <translation>Nimmt sie weg; Rückgängig bringt sie zurück</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Shows in amber what would be removed</source>
+        <translation>Zeigt in Bernstein, was entfernt würde</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Leaves the scan as it is</source>
+        <translation>Lässt die Aufnahme, wie sie ist</translation>
+    </message>
 </context>
 <context>
     <name>app::EditQueue</name>
@@ -2540,6 +2568,10 @@
         <source>Smoothing erases %L1 % of this solid and adds %L2 %: touch and picture differ.</source>
         <translation>Das Glätten löscht %L1 % dieses Körpers und fügt %L2 % hinzu: Tastgefühl und Bild unterscheiden sich.</translation>
     </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
 </context>
 <context>
     <name>app::ViewController</name>
@@ -3005,10 +3037,6 @@
         <translation>Reibung</translation>
     </message>
     <message>
-        <source>Field</source>
-        <translation>Feld</translation>
-    </message>
-    <message>
         <source>Tool</source>
         <translation>Werkzeug</translation>
     </message>
@@ -3023,6 +3051,30 @@
     <message>
         <source>Friction of the surface on a tool that slides along it</source>
         <translation>Reibung der Oberfläche an einem Werkzeug, das an ihr entlang gleitet</translation>
+    </message>
+    <message>
+        <source>slight</source>
+        <translation>wenig</translation>
+    </message>
+    <message>
+        <source>some</source>
+        <translation>etwas</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>stark</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>sehr stark</translation>
+    </message>
+    <message>
+        <source>%1, %L2</source>
+        <translation>%1, %L2</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
     </message>
 </context>
 <context>
@@ -3530,14 +3582,6 @@
         <translation>Nichts wird berührt</translation>
     </message>
     <message>
-        <source>Touching at one place</source>
-        <translation>Berührung an einer Stelle</translation>
-    </message>
-    <message>
-        <source>Touching at %1 places</source>
-        <translation>Berührung an %1 Stellen</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>Kraft</translation>
     </message>
@@ -3556,6 +3600,34 @@
     <message>
         <source>%1 mN·m</source>
         <translation>%1 mN·m</translation>
+    </message>
+    <message>
+        <source>Touching</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>Touching %1</source>
+        <translation>Berührt: %1</translation>
+    </message>
+    <message>
+        <source>Touching %1, %2</source>
+        <translation>Berührt: %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 · %L2 kHz</source>
+        <translation>%1 · %L2 kHz</translation>
+    </message>
+    <message>
+        <source>%1 N · %2</source>
+        <translation>%1 N · %2</translation>
+    </message>
+    <message>
+        <source>Show force, torque and curve</source>
+        <translation>Kraft, Drehmoment und Kurve zeigen</translation>
+    </message>
+    <message>
+        <source>Fold to one line</source>
+        <translation>Auf eine Zeile falten</translation>
     </message>
 </context>
 <context>
@@ -4102,22 +4174,6 @@
 <context>
     <name>ui::HistogramSlider</name>
     <message>
-        <source>air</source>
-        <translation>Luft</translation>
-    </message>
-    <message>
-        <source>fat</source>
-        <translation>Fett</translation>
-    </message>
-    <message>
-        <source>soft tissue</source>
-        <translation>Weichteile</translation>
-    </message>
-    <message>
-        <source>bone</source>
-        <translation>Knochen</translation>
-    </message>
-    <message>
         <source>Drag, or press the arrow keys; with Shift in small steps</source>
         <translation>Ziehen, oder die Pfeiltasten drücken; mit Umschalt in kleinen Schritten</translation>
     </message>
@@ -4141,32 +4197,40 @@
         <translation>Isowert, eingetippt</translation>
     </message>
     <message>
-        <source>The intensity of the surface that is seen and felt</source>
-        <translation>Der Grauwert der Oberfläche, die zu sehen und zu fühlen ist</translation>
-    </message>
-    <message>
-        <source>A starting point, not a threshold for diagnosis</source>
-        <translation>Ein Anfang, keine Schwelle für eine Diagnose</translation>
-    </message>
-    <message>
-        <source>Bone %1 HU</source>
-        <translation>Knochen %1 HU</translation>
-    </message>
-    <message>
-        <source>Skin %1 HU</source>
-        <translation>Haut %1 HU</translation>
-    </message>
-    <message>
-        <source>%L1 to %L2 %3</source>
-        <translation>%L1 bis %L2 %3</translation>
-    </message>
-    <message>
         <source>The isovalue must lie above the volume&apos;s least value, %L1.</source>
         <translation>Der Isowert muss über dem kleinsten Wert des Volumens liegen, %L1.</translation>
     </message>
     <message>
         <source>Nothing in this volume is above %L1.</source>
         <translation>Nichts in diesem Volumen liegt über %L1.</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Airway</source>
+        <translation>Atemwege</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Zähne</translation>
+    </message>
+    <message>
+        <source>The intensity of the surface that is seen and felt, from %L1 to %L2 %3</source>
+        <translation>Der Wert der Fläche, die man sieht und fühlt, von %L1 bis %L2 %3</translation>
+    </message>
+    <message>
+        <source>%L1 %2: a starting point, not a threshold for diagnosis</source>
+        <translation>%L1 %2: ein Ausgangspunkt, keine Schwelle für die Diagnose</translation>
     </message>
 </context>
 <context>
@@ -6187,10 +6251,6 @@
         <translation>Rekorder</translation>
     </message>
     <message>
-        <source>Surface, hand and tool, performance</source>
-        <translation>Oberfläche, Hand und Werkzeug, Leistung</translation>
-    </message>
-    <message>
         <source>The haptic device</source>
         <translation>Das haptische Gerät</translation>
     </message>
@@ -6199,8 +6259,12 @@
         <translation>Aufzeichnungen</translation>
     </message>
     <message>
-        <source>Remove parts, measures and marks</source>
-        <translation>Teile entfernen, Maße und Markierungen</translation>
+        <source>Measures and marks</source>
+        <translation>Maße und Marken</translation>
+    </message>
+    <message>
+        <source>Surface, tool and hand, remove parts</source>
+        <translation>Fläche, Werkzeug und Hand, Teile entfernen</translation>
     </message>
 </context>
 <context>
@@ -6544,6 +6608,25 @@
     </message>
 </context>
 <context>
+    <name>ui::TissueBand</name>
+    <message>
+        <source>air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>fat</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>bone</source>
+        <translation>Knochen</translation>
+    </message>
+</context>
+<context>
     <name>ui::ToolList</name>
     <message>
         <source>length %1 mm</source>
@@ -6588,6 +6671,21 @@
     <message>
         <source>No scan, no tool yet</source>
         <translation>Keine Aufnahme, noch kein Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ToolTiles</name>
+    <message>
+        <source>Burr 4 mm</source>
+        <translation>Fräse 4 mm</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Hook</source>
+        <translation>Haken</translation>
     </message>
 </context>
 <context>
@@ -6803,10 +6901,6 @@
         <translation>Werkzeug nehmen</translation>
     </message>
     <message>
-        <source>The mouse holds the tool (%1 in the 3-D view). The tool itself can be dragged at any time.</source>
-        <translation>Die Maus hält das Werkzeug (%1 in der 3-D-Ansicht). Das Werkzeug selbst lässt sich jederzeit ziehen.</translation>
-    </message>
-    <message>
         <source>Tool to cross&amp;hair</source>
         <translation>Werkzeug zum Faden&amp;kreuz</translation>
     </message>
@@ -6817,6 +6911,10 @@
     <message>
         <source>Co&amp;ntacts and force</source>
         <translation>Kon&amp;takte und Kraft</translation>
+    </message>
+    <message>
+        <source>The mouse holds the tool. The tool itself can be dragged at any time</source>
+        <translation>Die Maus hält das Werkzeug. Das Werkzeug selbst lässt sich jederzeit ziehen</translation>
     </message>
 </context>
 <context>
@@ -6895,16 +6993,8 @@
         <translation>%1: Oberfläche bei %2</translation>
     </message>
     <message>
-        <source>Drag: moves the tool. Shift: turns it. Wheel: pushes it. Right drag: turns the picture. %1: lets go.</source>
-        <translation>Ziehen: bewegt das Werkzeug. Umschalt: dreht es. Rad: schiebt es. Rechts ziehen: dreht das Bild. %1: lässt los.</translation>
-    </message>
-    <message>
         <source>Drag: turns. Wheel: nearer. To touch: drag the tool, or take it with %1. Double-click: brings it there. Middle drag: shifts.</source>
         <translation>Ziehen: dreht. Rad: näher. Tasten: Werkzeug ziehen oder mit %1 nehmen. Doppelklick: bringt es hin. Mitte ziehen: verschiebt.</translation>
-    </message>
-    <message>
-        <source>Drag: turns. Wheel: nearer. Middle drag: shifts.</source>
-        <translation>Ziehen: dreht. Rad: näher. Mitte ziehen: verschiebt.</translation>
     </message>
     <message>
         <source>left/right unknown</source>
@@ -6913,6 +7003,14 @@
     <message>
         <source>%L1 N</source>
         <translation>%L1 N</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys: move the tool. Shift: turns it. Wheel: pushes it. Right drag: turns the picture. %1: lets go.</source>
+        <translation>Ziehen oder Pfeiltasten: bewegen das Werkzeug. Umschalt: dreht es. Rad: schiebt es. Rechts ziehen: dreht das Bild. %1: lässt los.</translation>
+    </message>
+    <message>
+        <source>Drag: turns. Wheel: nearer. Middle drag: shifts. %1 takes the tool only while the mouse is the hand (tab Touch).</source>
+        <translation>Ziehen: dreht. Rad: näher. Mitte ziehen: verschiebt. %1 nimmt das Werkzeug nur, solange die Maus die Hand ist (Reiter Tasten).</translation>
     </message>
 </context>
 <context>
@@ -7408,6 +7506,18 @@
     <message>
         <source>force off; closes what is open, without motors at first that alone</source>
         <translation>Kraft aus; schließt, was offen ist, ohne Motoren zuerst nur das</translation>
+    </message>
+    <message>
+        <source>moves the tool by 1 mm; Page Up: deeper</source>
+        <translation>bewegt das Werkzeug um 1 mm; Bild auf: tiefer</translation>
+    </message>
+    <message>
+        <source>moves the tool by 0.1 mm</source>
+        <translation>bewegt das Werkzeug um 0,1 mm</translation>
+    </message>
+    <message>
+        <source>turns the tool by 5 degrees</source>
+        <translation>dreht das Werkzeug um 5 Grad</translation>
     </message>
 </context>
 </TS>

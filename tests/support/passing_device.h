@@ -24,7 +24,9 @@ class PassingDevice : public haptics::Device {
   }
   void stop() noexcept override { device_->stop(); }
   void resume() noexcept override { device_->resume(); }
-  void place(const haptics::Pose& X_BD) noexcept override { device_->place(X_BD); }
+  void place(const haptics::Pose& X_BD, const haptics::Pose& X_pull) noexcept override {
+    device_->place(X_BD, X_pull);
+  }
 
  private:
   const std::unique_ptr<haptics::Device> device_;

@@ -445,7 +445,7 @@ TEST(Access, TheForceIsSaidWhereItBeginsAndByHalfANewtonOnceASecond) {
     card.display(snapshot);
     return told().filter("Touch");
   };
-  EXPECT_EQ(touching(3.0, 2), QStringList{"Touch: Touching at 2 places"});
+  EXPECT_EQ(touching(3.0, 2), QStringList{"Touch: Touching"});
   EXPECT_TRUE(touching(5.0, 3).isEmpty());
   EXPECT_EQ(touching(7.0, 0), QStringList{"Touch: Nothing is touched"});
 }

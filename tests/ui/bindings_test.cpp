@@ -37,7 +37,7 @@ TEST(Bindings, DoNotMeanTwoThingsAtOnce) {
     return ui::conflictsIn(all).size();
   };
   // a key of the window that the view has already, one in both modes, one held
-  EXPECT_EQ(with({.place = Where::Anywhere, .key = Qt::Key_G, .words = "planted"}), 1);
+  EXPECT_EQ(with({.place = Where::Anywhere, .key = Qt::Key_P, .words = "planted"}), 1);
   EXPECT_EQ(with({.place = Where::Space,
                   .mode = MouseMode::Hand,
                   .gesture = Gesture::Drag,
@@ -47,7 +47,7 @@ TEST(Bindings, DoNotMeanTwoThingsAtOnce) {
   EXPECT_EQ(with({.place = Where::Space, .key = Qt::Key_C, .words = "planted"}), 1);
   // a view's own key that all views have
   EXPECT_EQ(with({.place = Where::Slice, .key = Qt::Key_D, .words = "planted"}), 1);
-  EXPECT_EQ(with({.place = Where::Slice, .key = Qt::Key_G, .words = "not in conflict"}), 0);
+  EXPECT_EQ(with({.place = Where::Slice, .key = Qt::Key_P, .words = "not in conflict"}), 0);
 }
 
 TEST(Bindings, LeaveXToTheCutting) {
@@ -135,12 +135,12 @@ TEST(Bindings, AnotherKeyIsTakenByViewsMenusTooltipsAndHelp) {
   QSignalSpy hints(&window.views().volume(), &ui::VolumeView::hintChanged);
   auto* take = window.findChild<QAction*>("takeTool");
   auto* picture = window.findChild<QAction*>("savePicture");
-  ASSERT_TRUE(take->text().endsWith("\tG"));
+  EXPECT_EQ(take->shortcut(), QKeySequence(Qt::Key_G));
   EXPECT_EQ(ui::changeKey("take_tool", key(Qt::Key_B)), "");
   EXPECT_EQ(ui::changeKey("save_picture", key(Qt::Key_F9)), "");
   EXPECT_EQ(ui::changeKey("slice_tool_to_cross", key(Qt::Key_Y, Qt::ShiftModifier)), "");
-  EXPECT_TRUE(take->text().endsWith("\tB")) << take->text().toStdString();
-  EXPECT_TRUE(take->toolTip().contains("(B ")) << take->toolTip().toStdString();
+  EXPECT_EQ(take->shortcut(), QKeySequence(Qt::Key_B));
+  EXPECT_TRUE(take->toolTip().contains("(B)")) << take->toolTip().toStdString();
   EXPECT_EQ(picture->shortcut(), QKeySequence(Qt::Key_F9));
   EXPECT_TRUE(picture->toolTip().contains("(F9)"));
   EXPECT_TRUE(window.findChild<QAbstractButton*>("savePictureButton")->toolTip().contains("(F9)"));
@@ -150,6 +150,7 @@ TEST(Bindings, AnotherKeyIsTakenByViewsMenusTooltipsAndHelp) {
   ui::VolumeView& view = window.views().volume();
   view.setMouseHand(true);
   EXPECT_TRUE(view.hint().contains("take it with B")) << view.hint().toStdString();
+  QApplication::setActiveWindow(&window);
   QTest::keyClick(&view, Qt::Key_G);
   EXPECT_EQ(view.mouseMode(), MouseMode::Look);
   QTest::keyClick(&view, Qt::Key_B);
@@ -162,7 +163,7 @@ TEST(Bindings, AnotherKeyIsTakenByViewsMenusTooltipsAndHelp) {
             (ui::OwnKeys{
                 {"take_tool", "B"}, {"save_picture", "F9"}, {"slice_tool_to_cross", "Shift+Y"}}));
   ui::setOwnKeys({});
-  EXPECT_TRUE(take->text().endsWith("\tG"));
+  EXPECT_EQ(take->shortcut(), QKeySequence(Qt::Key_G));
   EXPECT_EQ(picture->shortcut(), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
 }
 
@@ -200,8 +201,8 @@ TEST(Bindings, AKeyThatIsTakenOrNeededIsRefusedWithTheReason) {
   EXPECT_NE(ui::changeKey("", key(Qt::Key_W)), "");
   EXPECT_NE(ui::changeKey("nothing", key(Qt::Key_W)), "");
   EXPECT_TRUE(ui::ownKeys().isEmpty());
-  // G where no key means anything else
-  EXPECT_EQ(ui::changeKey("whole_slice", key(Qt::Key_G)), "");
+  // P where no key means anything else
+  EXPECT_EQ(ui::changeKey("whole_slice", key(Qt::Key_P)), "");
 }
 
 TEST(Bindings, WhatIsStoredAndCannotBeIsLeftOut) {

@@ -6,6 +6,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -95,7 +96,9 @@ TEST(Controllers, APhantomIsKeptForTheNextStartOfTheSameBuild) {
 TEST(Controllers, AToolAndAFieldAreWantedForTheVolumeOnView) {
   app::SharedState shared;
   ui::DevicePanel panel;
-  app::ToolController controller(panel, shared);
+  QMenu entries;
+  ui::SidePanel panels(entries);
+  app::ToolController controller(panel, panels, shared);
   QSignalSpy wanted(&controller, &app::ToolController::wanted);
   emit panel.toolChosen("wrench");
   EXPECT_EQ(wanted.count(), 0);  // nothing is on view

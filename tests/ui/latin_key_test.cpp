@@ -98,17 +98,12 @@ TEST(Bindings, OfWhatIsLatinOrHasANameIsItself) {
   EXPECT_EQ(latin(U'П', 200), int(U'П'));
 }
 
-TEST(Bindings, ALetterOfAnyScriptTakesTheToolAndHoldsClutchAndForce) {
+TEST(Bindings, ALetterOfAnyScriptHoldsClutchAndForce) {
   ui::VolumeView view;
-  view.setMouseHand(true);
   QSignalSpy clutch(&view, &ui::VolumeView::clutchHeld);
   QSignalSpy force(&view, &ui::VolumeView::forceHeld);
   for (const Keyboard& keyboard : kKeyboards) {
     SCOPED_TRACE(keyboard.name);
-    EXPECT_EQ(view.mouseMode(), MouseMode::Look);
-    send(view, QEvent::KeyPress, keyboard.g, kPlaceG);
-    EXPECT_EQ(view.mouseMode(), MouseMode::Hand);
-    send(view, QEvent::KeyPress, keyboard.g, kPlaceG);
     for (auto* const spy : {&clutch, &force}) {
       spy->clear();
       const char32_t key = spy == &clutch ? keyboard.c : keyboard.h;
@@ -126,7 +121,7 @@ TEST(Bindings, ALetterOfAnyScriptTakesTheToolAndHoldsClutchAndForce) {
 TEST(Bindings, ALetterOfAnotherScriptThatTheUserChoseKeepsItsMeaning) {
   ui::setOwnKeys({{"take_tool", QString::fromUtf8("П")}});
   const QKeyEvent own = keyEvent(QEvent::KeyPress, U'П', kPlaceG);
-  const ui::Binding* meaning = ui::meaningOf(ui::Where::Space, own);
+  const ui::Binding* meaning = ui::meaningOf(ui::Where::Anywhere, own);
   ui::setOwnKeys({});
   ASSERT_NE(meaning, nullptr);
   EXPECT_EQ(meaning->action, ui::Action::TakeTool);
@@ -176,12 +171,19 @@ TEST(Bindings, ShortcutsAndMenusTakeLettersOfAnyScriptAndFieldsWriteThem) {
   alone->disconnect(&window.views().layout());
   picture->disconnect();
   QSignalSpy shown_alone(alone, &QAction::triggered), pictures(picture, &QAction::triggered);
+  window.views().volume().setMouseHand(true);
   window.views().volume().setFocus();
   int times = 0;
   for (const Keyboard& keyboard : kKeyboards) {
     SCOPED_TRACE(keyboard.name);
     send(window.views().volume(), QEvent::KeyPress, keyboard.f, kPlaceF);
     EXPECT_EQ(shown_alone.count(), ++times);
+    // the tool is taken from anywhere in the window
+    QWidget& panel = *window.findChild<QWidget*>("touchTab");
+    send(panel, QEvent::KeyPress, keyboard.g, kPlaceG);
+    EXPECT_EQ(window.views().volume().mouseMode(), MouseMode::Hand);
+    send(panel, QEvent::KeyPress, keyboard.g, kPlaceG);
+    EXPECT_EQ(window.views().volume().mouseMode(), MouseMode::Look);
   }
   send(window.views().volume(), QEvent::KeyPress, U'Ы', kPlaceS,
        Qt::ControlModifier | Qt::ShiftModifier);

@@ -6,6 +6,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -26,6 +27,7 @@
 #include <optional>
 
 #include "app/window/program/preferences.h"
+#include "haptics/settings.h"
 #include "tests/ui/panelled_window.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/section.h"
@@ -168,8 +170,19 @@ TEST(MainWindow, PresetsStandOnlyBesideHounsfieldUnits) {
   ASSERT_TRUE(bone->isVisible());
   QTest::mouseClick(bone, Qt::LeftButton);
   EXPECT_EQ(felt, 300.0);
+  EXPECT_TRUE(bone->isChecked());
+  QTest::mouseClick(bone, Qt::LeftButton);
+  EXPECT_TRUE(bone->isChecked());  // a second click changes nothing
   QTest::mouseClick(skin, Qt::LeftButton);
   EXPECT_EQ(felt, -300.0);
+  EXPECT_FALSE(bone->isChecked());
+  for (const auto& [name, isovalue] :
+       {std::pair{"presetAirway", -500.0}, {"presetVessels", 180.0}, {"presetTeeth", 1500.0}}) {
+    auto* chip = window.findChild<QAbstractButton*>(name);
+    QTest::mouseClick(chip, Qt::LeftButton);
+    // no farther than the volume's values go
+    EXPECT_EQ(felt, ui::allowedIsovalue(*ctPicture().volume, isovalue)) << name;
+  }
   panelled.show(ctPicture(""), 100.0, "Ball");
   QTest::qWait(50);
   EXPECT_FALSE(bone->isVisible());
@@ -506,22 +519,23 @@ TEST(MainWindow, RemembersItsPanelsAndGivesTheFirstOnesBack) {
   QSettings().remove("window");
 }
 
-TEST(MainWindow, TheFrictionThatIsTypedIsWished) {
+TEST(MainWindow, TheFrictionIsAListWithNumbers) {
   window::Panelled panelled;
   ui::MainWindow& window = panelled.window;
   window::showAndWait(window, {1240, 840});
   double wished = -1.0;
   QObject::connect(&panelled.hand.panel(), &ui::DevicePanel::frictionChanged,
                    [&](double coefficient) { wished = coefficient; });
-  auto* friction = window.findChild<QDoubleSpinBox*>("friction");
-  EXPECT_EQ(friction->value(), 0.0);
+  auto* friction = window.findChild<QComboBox*>("friction");
+  EXPECT_EQ(friction->currentText(), "none");
   friction->setFocus();
-  friction->selectAll();
-  QTest::keyClicks(friction, QLocale().toString(0.3));
-  QTest::keyClick(friction, Qt::Key_Return);
-  EXPECT_EQ(wished, 0.3);
-  friction->setValue(9.0);
-  EXPECT_EQ(wished, 1.5);  // no rougher than the settings allow
+  for (const double coefficient : {0.1, 0.3, 0.6, 1.0}) {
+    QTest::keyClick(friction, Qt::Key_Down);
+    EXPECT_EQ(wished, coefficient);
+    EXPECT_TRUE(friction->currentText().endsWith(QLocale().toString(coefficient, 'f', 1)))
+        << friction->currentText().toStdString();
+  }
+  EXPECT_LE(wished, haptics::kFrictionRange.most);
 }
 
 }  // namespace

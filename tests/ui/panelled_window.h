@@ -26,7 +26,7 @@ struct Panelled {
   app::IsosurfaceController isosurface{window.views(), window.messages(), window.panels(), shared};
   app::HandController hand{window.views(), window.messages(), window.panels(), window.touch(),
                            shared,         "mouse",           1000.0};
-  app::ToolController tool{hand.panel(), shared};
+  app::ToolController tool{hand.panel(), window.panels(), shared};
   app::PictureController picture{window.views(), window.touch(), shared};
   app::DeviceController device{window.views(),     window.messages(),
                                window.panels(),    window.touch(),

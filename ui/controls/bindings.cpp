@@ -95,6 +95,8 @@ std::vector<Binding> allBindings() {
       key(Anywhere, SHIFT | Key_F1, WORDS("shows all controls"), ShowControls, "controls"),
       key(Anywhere, Key_F6, WORDS("selects the next view"), NextView, "next_view"),
       key(Anywhere, Key_M, WORDS("while recording: sets a mark"), SetMark, "mark"),
+      key(Anywhere, Key_G, WORDS("takes the tool with the mouse, or lets it go"), TakeTool,
+          "take_tool"),
 
       key(View, Key_F, WORDS("shows a view alone, or all again"), ViewAlone, "view_alone"),
       key(View, Key_D, WORDS("places a distance; again: ends it"), PlaceDistance, "distance"),
@@ -106,8 +108,6 @@ std::vector<Binding> allBindings() {
       key(View, Key_Delete, WORDS("deletes the chosen mark"), DeleteMark, "delete_mark"),
 
       key(Space, Key_Space, WORDS("force off"), ForceOff),
-      key(Space, Key_G, WORDS("takes the tool with the mouse, or lets it go"), TakeTool,
-          "take_tool"),
       key(Space, Key_J, WORDS("brings the tool to the crosshair"), ToolToCross, "tool_to_cross"),
       key(Space, Key_K, WORDS("brings the crosshair to the tool"), CrossToTool, "cross_to_tool"),
       key(Space, Key_L, WORDS("looks along the tool"), LookAlongTool, "look_along_tool"),
@@ -122,14 +122,50 @@ std::vector<Binding> allBindings() {
       key(Space, Key_5, WORDS("from above (S)"), ViewSuperior, "view_superior"),
       key(Space, Key_6, WORDS("from below (I)"), ViewInferior, "view_inferior"),
       key(Space, Key_P, WORDS("parallel projection on or off"), ParallelProjection, "parallel"),
-      key(Space, Key_Left, WORDS("turns the picture"), Rotate, "turn_left"),
-      key(Space, Key_Right, WORDS("turns the picture"), Rotate, "turn_right"),
-      key(Space, Key_Up, WORDS("turns the picture"), Rotate, "turn_up"),
-      key(Space, Key_Down, WORDS("turns the picture"), Rotate, "turn_down"),
-      key(Space, SHIFT | Key_Left, WORDS("shifts the picture"), Pan, "shift_left"),
-      key(Space, SHIFT | Key_Right, WORDS("shifts the picture"), Pan, "shift_right"),
-      key(Space, SHIFT | Key_Up, WORDS("shifts the picture"), Pan, "shift_up"),
-      key(Space, SHIFT | Key_Down, WORDS("shifts the picture"), Pan, "shift_down"),
+      in(Look, key(Space, Key_Left, WORDS("turns the picture"), Rotate, "turn_left")),
+      in(Look, key(Space, Key_Right, WORDS("turns the picture"), Rotate, "turn_right")),
+      in(Look, key(Space, Key_Up, WORDS("turns the picture"), Rotate, "turn_up")),
+      in(Look, key(Space, Key_Down, WORDS("turns the picture"), Rotate, "turn_down")),
+      in(Look, key(Space, SHIFT | Key_Left, WORDS("shifts the picture"), Pan, "shift_left")),
+      in(Look, key(Space, SHIFT | Key_Right, WORDS("shifts the picture"), Pan, "shift_right")),
+      in(Look, key(Space, SHIFT | Key_Up, WORDS("shifts the picture"), Pan, "shift_up")),
+      in(Look, key(Space, SHIFT | Key_Down, WORDS("shifts the picture"), Pan, "shift_down")),
+      in(Hand, key(Space, Key_Left, WORDS("moves the tool by 1 mm; Page Up: deeper"), MoveTool,
+                   "tool_left")),
+      in(Hand, key(Space, Key_Right, WORDS("moves the tool by 1 mm; Page Up: deeper"), MoveTool,
+                   "tool_right")),
+      in(Hand,
+         key(Space, Key_Up, WORDS("moves the tool by 1 mm; Page Up: deeper"), MoveTool, "tool_up")),
+      in(Hand, key(Space, Key_Down, WORDS("moves the tool by 1 mm; Page Up: deeper"), MoveTool,
+                   "tool_down")),
+      in(Hand, key(Space, Key_PageUp, WORDS("moves the tool by 1 mm; Page Up: deeper"), PushTool,
+                   "tool_page_up")),
+      in(Hand, key(Space, Key_PageDown, WORDS("moves the tool by 1 mm; Page Up: deeper"), PushTool,
+                   "tool_page_down")),
+      in(Hand, key(Space, CTRL | Key_Left, WORDS("moves the tool by 0.1 mm"), MoveTool,
+                   "tool_fine_left")),
+      in(Hand, key(Space, CTRL | Key_Right, WORDS("moves the tool by 0.1 mm"), MoveTool,
+                   "tool_fine_right")),
+      in(Hand,
+         key(Space, CTRL | Key_Up, WORDS("moves the tool by 0.1 mm"), MoveTool, "tool_fine_up")),
+      in(Hand, key(Space, CTRL | Key_Down, WORDS("moves the tool by 0.1 mm"), MoveTool,
+                   "tool_fine_down")),
+      in(Hand, key(Space, CTRL | Key_PageUp, WORDS("moves the tool by 0.1 mm"), PushTool,
+                   "tool_fine_page_up")),
+      in(Hand, key(Space, CTRL | Key_PageDown, WORDS("moves the tool by 0.1 mm"), PushTool,
+                   "tool_fine_page_down")),
+      in(Hand, key(Space, SHIFT | Key_Left, WORDS("turns the tool by 5 degrees"), TurnTool,
+                   "tool_turn_left")),
+      in(Hand, key(Space, SHIFT | Key_Right, WORDS("turns the tool by 5 degrees"), TurnTool,
+                   "tool_turn_right")),
+      in(Hand, key(Space, SHIFT | Key_Up, WORDS("turns the tool by 5 degrees"), TurnTool,
+                   "tool_turn_up")),
+      in(Hand, key(Space, SHIFT | Key_Down, WORDS("turns the tool by 5 degrees"), TurnTool,
+                   "tool_turn_down")),
+      in(Hand, key(Space, SHIFT | Key_PageUp, WORDS("turns the tool by 5 degrees"), TurnTool,
+                   "tool_turn_page_up")),
+      in(Hand, key(Space, SHIFT | Key_PageDown, WORDS("turns the tool by 5 degrees"), TurnTool,
+                   "tool_turn_page_down")),
       key(Space, Key_Plus, WORDS("zooms in at the pointer"), Nearer, "nearer"),
       key(Space, Key_Equal, WORDS("zooms in at the pointer"), Nearer, "nearer_too"),
       key(Space, Key_Minus, WORDS("zooms out at the pointer"), Farther, "farther"),
@@ -209,7 +245,7 @@ std::vector<Binding> allBindings() {
       in(Look, drag(Space, left, WORDS("turns the picture"), Rotate)),
       in(Look, drag(Space, right, WORDS("zooms in (up) or out (down)"), Zoom)),
       in(Look, wheel(Space, WORDS("zooms in at the pointer"), Zoom)),
-      in(Look, twice(Space, left, WORDS("on the surface: brings the tool there"), BringTool)),
+      twice(Space, left, WORDS("on the surface: brings the tool there"), BringTool),
       in(Hand, drag(Space, left, WORDS("moves the tool in the plane of the screen"), MoveTool)),
       in(Hand, shift(drag(Space, left, WORDS("turns the tool"), TurnTool))),
       in(Hand, drag(Space, right, WORDS("turns the picture"), Rotate)),
@@ -382,12 +418,13 @@ QStringList conflictsIn(std::span<const Binding> bindings) {
   return conflicts;
 }
 
-const Binding* meaningOf(Where place, const QKeyEvent& event, Gesture gesture, Over over) {
+const Binding* meaningOf(Where place, const QKeyEvent& event, Gesture gesture, Over over,
+                         MouseMode mode) {
   // a user may have chosen a letter of another script
   for (const QKeyCombination pressed : {plainKey(event.key(), event.modifiers()), plainKey(event)})
     for (const Binding& binding : table())
-      if (binding.place == place && binding.gesture == gesture && binding.over == over &&
-          keysOf(binding) == pressed)
+      if (binding.place == place && (!binding.mode || *binding.mode == mode) &&
+          binding.gesture == gesture && binding.over == over && keysOf(binding) == pressed)
         return &binding;
   return nullptr;
 }

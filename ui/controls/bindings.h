@@ -146,7 +146,7 @@ std::optional<Action> actionOf(Where place, MouseMode mode, Gesture gesture, int
 /// What a key means there, by the user's own keys; null: nothing. Where one action has an arrow key
 /// for each direction, at_first tells which. It stays valid while the program runs.
 const Binding* meaningOf(Where place, const QKeyEvent& event, Gesture gesture = Gesture::Key,
-                         Over over = Over::Nothing);
+                         Over over = Over::Nothing, MouseMode mode = MouseMode::Look);
 /// The direction of an arrow key, in widget coordinates; (0, 0) of every other key.
 QPoint wayOf(const Binding& binding);
 

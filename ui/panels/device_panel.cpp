@@ -9,13 +9,16 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "haptics/settings.h"
 #include "ui/controls/number_box.h"
 #include "ui/controls/spoken.h"
 #include "ui/dialogs/unit_question.h"
 #include "ui/panels/tool_list.h"
+#include "ui/panels/tool_tiles.h"
 
 namespace ui {
 namespace {
@@ -59,10 +62,12 @@ class StiffnessSlider : public QSlider, public Spoken {
 DevicePanel::DevicePanel(QWidget* parent)
     : QWidget(parent),
       hands_(new QComboBox),
+      tiles_(new ToolTiles),
       tools_(new ToolList),
       stiffness_typed_(new NumberBox),
       stiffness_(new StiffnessSlider(*stiffness_typed_)),
-      friction_(new NumberBox),
+      friction_(new QComboBox),
+      details_(new QWidget),
       fields_(new QComboBox),
       effect_(new QLabel) {
   hands_->setObjectName("hands");
@@ -80,9 +85,15 @@ DevicePanel::DevicePanel(QWidget* parent)
   stiffness_typed_->setSuffix(tr(" N/m"));
   friction_->setObjectName("friction");
   friction_->setToolTip(tr("Friction of the surface on a tool that slides along it"));
-  friction_->setRange(haptics::kFrictionRange.least, haptics::kFrictionRange.most);
-  friction_->setSingleStep(0.05);
-  friction_->setSpecialValueText(tr("none"));
+  const std::array<std::pair<QString, double>, 5> frictions{{{tr("none"), 0.0},
+                                                             {tr("slight"), 0.1},
+                                                             {tr("some"), 0.3},
+                                                             {tr("strong"), 0.6},
+                                                             {tr("very strong"), 1.0}}};
+  for (const auto& [words, coefficient] : frictions)
+    friction_->addItem(
+        coefficient > 0.0 ? tr("%1, %L2").arg(words).arg(coefficient, 0, 'f', 1) : words,
+        coefficient);
   fields_->setObjectName("fields");
   fields_->setToolTip(tr("How the surface is made from the voxels"));
   effect_->setObjectName("fieldEffect");
@@ -93,21 +104,26 @@ DevicePanel::DevicePanel(QWidget* parent)
   stiff->addWidget(stiffness_typed_);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
-  form->addRow(tr("Hand"), hands_);
+  form->addRow(tiles_);
   form->addRow(tools_);
   form->addRow(tr("Stiffness"), stiff);
   form->addRow(tr("Friction"), friction_);
-  form->addRow(tr("Field"), fields_);
+  form->addRow(tr("Hand"), hands_);
   form->addRow(effect_);
+  auto* rare = new QFormLayout(details_);
+  rare->setContentsMargins(0, 0, 0, 0);
+  rare->addRow(tr("Voxels"), fields_);
   showStiffness(1000.0);
 
   connect(hands_, &QComboBox::activated, this,
           [this](int i) { emit handChosen(hands_->itemData(i).toString()); });
   connect(tools_, &ToolList::toolChosen, this, &DevicePanel::toolChosen);
+  connect(tiles_, &ToolTiles::toolChosen, this, &DevicePanel::toolChosen);
   connect(tools_, &ToolList::fileWanted, this, &DevicePanel::chooseFile);
   connect(fields_, &QComboBox::activated, this,
           [this](int i) { emit fieldChosen(fields_->itemData(i).toString()); });
-  connect(friction_, &NumberBox::valueChanged, this, &DevicePanel::frictionChanged);
+  connect(friction_, &QComboBox::activated, this,
+          [this](int n) { emit frictionChanged(friction_->itemData(n).toDouble()); });
   connect(stiffness_, &QSlider::valueChanged, this, [this](int step) {
     const double stiffness = std::round(stiffnessAt(step) / 10.0) * 10.0;
     const QSignalBlocker quiet(stiffness_typed_);

@@ -14,6 +14,7 @@ namespace ui {
 
 class NumberBox;
 class ToolList;
+class ToolTiles;
 
 /// A choice: its name in the program, and its text for the user.
 struct Choice {
@@ -21,7 +22,7 @@ struct Choice {
   QString label;
 };
 
-/// Hand, tool, stiffness, friction and field.
+/// Tool, stiffness, friction, hand and field.
 class DevicePanel : public QWidget {
   Q_OBJECT
  public:
@@ -29,6 +30,9 @@ class DevicePanel : public QWidget {
 
   /// Shows the present tool, and all that can be chosen.
   ToolList& tools() { return *tools_; }
+  ToolTiles& tiles() { return *tiles_; }
+  /// Rarely used: how the surface is made from the voxels. For a section of its own.
+  QWidget& details() { return *details_; }
   void setHands(const QList<Choice>& hands);
   void setFields(const QList<Choice>& fields);
   /// Shows the present choice. These functions emit no signal.
@@ -55,10 +59,12 @@ class DevicePanel : public QWidget {
  private:
   void chooseFile();
   QComboBox* hands_;
+  ToolTiles* tiles_;
   ToolList* tools_;
   NumberBox* stiffness_typed_;
   QSlider* stiffness_;
-  NumberBox* friction_;
+  QComboBox* friction_;
+  QWidget* details_;
   QComboBox* fields_;
   QLabel* effect_;
 };

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 
 #include "ui/controls/figure.h"
 #include "ui/panels/force_words.h"
+#include "ui/panels/tissue_bands.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
 
@@ -19,15 +21,22 @@ namespace ui {
 namespace {
 
 constexpr int kWidth = 248, kCompactWidth = 124;  // px
-constexpr int kInside = 12;
+constexpr int kInside = 12, kFold = 20;
 
 // what the tool is at, or why a force that is wanted is withheld
-QString touchWords(const haptics::Snapshot& snapshot) {
+QString touchWords(const haptics::Snapshot& snapshot, const std::optional<TouchedValue>& touched) {
   if (snapshot.force_state == haptics::ForceState::Armed)
     return sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
   if (snapshot.contacts == 0) return ForcePanel::tr("Nothing is touched");
-  if (snapshot.contacts == 1) return ForcePanel::tr("Touching at one place");
-  return ForcePanel::tr("Touching at %1 places").arg(snapshot.contacts);
+  if (!touched) return ForcePanel::tr("Touching");
+  const bool hu = touched->unit == QLatin1String("HU");
+  // no steadier than the hand is
+  const QString value = hu ? QLocale().toString(std::round(touched->value / 10.0) * 10.0, 'f', 0)
+                           : QLocale().toString(touched->value, 'g', 3);
+  const QString with_unit = touched->unit.isEmpty() ? value : value + ' ' + touched->unit;
+  const QString tissue = hu ? tissueAt(touched->value) : QString();
+  return tissue.isEmpty() ? ForcePanel::tr("Touching %1").arg(with_unit)
+                          : ForcePanel::tr("Touching %1, %2").arg(tissue, with_unit);
 }
 
 constexpr double kLeastForceSaid = 0.005;  // N: shown as 0.00
@@ -43,7 +52,11 @@ ForcePanel::ForcePanel(QWidget* parent)
     : QWidget(parent),
       force_(new Figure(tr("Force"), tr("N"))),
       torque_(new Figure(tr("Torque"))),
+      unit_(new QLabel(tr("N"))),
       touch_(new Figure(tr("Touch"))),
+      with_(new QLabel),
+      line_(new QLabel),
+      fold_(new QToolButton),
       plot_(new ForcePlot) {
   setObjectName("forceCard");
   setPalette(style::paletteOf(style::kDark));
@@ -52,8 +65,7 @@ ForcePanel::ForcePanel(QWidget* parent)
   style::setType(*force_, style::Type::Force);
   // the unit stays where it is
   force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("0.00")) + 2);
-  auto* unit = new QLabel(tr("N"));
-  style::setDim(*unit);
+  style::setDim(*unit_);
   torque_->setObjectName("torqueNow");
   torque_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   style::setDim(*torque_);
@@ -65,26 +77,47 @@ ForcePanel::ForcePanel(QWidget* parent)
   touch_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   // always as high, so that the card stays as it is
   touch_->setFixedHeight(2 * touch_->fontMetrics().lineSpacing() + 2);
+  with_->setObjectName("touchedWith");
+  style::setDim(*with_);
+  style::setType(*with_, style::Type::Small);
+  line_->setObjectName("forceLine");
+  line_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  fold_->setObjectName("foldCard");
+  fold_->setAutoRaise(true);
+  fold_->setFocusPolicy(Qt::TabFocus);
+  fold_->setFixedSize(kFold, kFold);
+  connect(fold_, &QToolButton::clicked, this, [this] { emit foldWanted(!folded_); });
   plot_->setObjectName("forcePlot");
   auto* figures = new QHBoxLayout;
   figures->setSpacing(6);
+  figures->addWidget(line_, 1);
   figures->addWidget(force_, 0, Qt::AlignBaseline);
-  figures->addWidget(unit, 0, Qt::AlignBaseline);
+  figures->addWidget(unit_, 0, Qt::AlignBaseline);
   figures->addStretch();
   figures->addWidget(torque_, 0, Qt::AlignBaseline);
+  figures->addWidget(fold_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kInside, 6, kInside, style::kGap);
   column->setSpacing(style::kStep);
   column->addLayout(figures);
   column->addWidget(plot_);
   column->addWidget(touch_);
+  column->addWidget(with_);
+  showParts();
   display({});
 }
 
-void ForcePanel::display(const haptics::Snapshot& snapshot) {
+void ForcePanel::setHand(const QString& label, int rate_hz) {
+  with_->setText(tr("%1 · %L2 kHz").arg(label).arg(rate_hz / 1000));
+}
+
+void ForcePanel::display(const haptics::Snapshot& snapshot,
+                         const std::optional<TouchedValue>& touched) {
   say(force_, QLocale().toString(snapshot.felt_W.force.norm(), 'f', 2));
   say(torque_, tr("%1 mN·m").arg(snapshot.felt_W.torque.norm() * 1000.0, 0, 'f', 0));
-  say(touch_, touchWords(snapshot));
+  const QString touch = touchWords(snapshot, touched);
+  say(touch_, touch);
+  say(line_, tr("%1 N · %2").arg(force_->text(), touch));
   sayForce(snapshot);
   sayTouch(snapshot);
 }
@@ -110,9 +143,40 @@ void ForcePanel::sayTouch(const haptics::Snapshot& snapshot) {
 }
 
 void ForcePanel::setCompact(bool compact) {
-  for (QWidget* part : std::initializer_list<QWidget*>{plot_, torque_, touch_})
-    part->setVisible(!compact);
-  setFixedWidth(compact ? kCompactWidth : kWidth);
+  if (compact == compact_) return;
+  compact_ = compact;
+  showParts();
+}
+
+void ForcePanel::setFolded(bool folded) {
+  if (folded == folded_) return;
+  folded_ = folded;
+  showParts();
+}
+
+int ForcePanel::heightIf(bool folded) const {
+  const QMargins inside = layout()->contentsMargins();
+  int height = inside.top() + inside.bottom();
+  if (folded && !compact_) return height + kFold;
+  height += force_->sizeHint().height();
+  if (compact_) return height;
+  for (const QWidget* part : std::initializer_list<QWidget*>{plot_, touch_, with_})
+    height += layout()->spacing() + std::max(part->sizeHint().height(), part->minimumHeight());
+  return height;
+}
+
+void ForcePanel::showParts() {
+  const bool whole = !compact_ && !folded_;
+  for (QWidget* part : std::initializer_list<QWidget*>{plot_, torque_, touch_, with_})
+    part->setVisible(whole);
+  for (QWidget* part : {force_, unit_}) part->setVisible(compact_ || !folded_);
+  line_->setVisible(!compact_ && folded_);
+  fold_->setVisible(!compact_);
+  fold_->setArrowType(folded_ ? Qt::UpArrow : Qt::DownArrow);
+  const QString tip = folded_ ? tr("Show force, torque and curve") : tr("Fold to one line");
+  fold_->setToolTip(tip);
+  fold_->setAccessibleName(tip);
+  setFixedWidth(compact_ ? kCompactWidth : kWidth);
 }
 
 void ForcePanel::paintEvent(QPaintEvent*) {

@@ -7,10 +7,9 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
+#include "ui/panels/tissue_bands.h"
 #include "ui/style/look.h"
 #include "ui/style/style.h"
 
@@ -19,20 +18,6 @@ namespace {
 
 constexpr int kBandHeight = 4;
 constexpr double kRoom = 8.0;  // pixels between two words of the axis
-
-/// Usual ranges in HU, of which partial volumes and contrast agents know nothing.
-struct TissueBand {
-  const char* name;
-  double from, to;  // HU
-};
-constexpr std::array<TissueBand, 4> kTissueBands{{
-    {QT_TRANSLATE_NOOP("ui::HistogramSlider", "air"), -std::numeric_limits<double>::infinity(),
-     -500.0},
-    {QT_TRANSLATE_NOOP("ui::HistogramSlider", "fat"), -150.0, -30.0},
-    {QT_TRANSLATE_NOOP("ui::HistogramSlider", "soft tissue"), 0.0, 100.0},
-    {QT_TRANSLATE_NOOP("ui::HistogramSlider", "bone"), 300.0,
-     std::numeric_limits<double>::infinity()},
-}};
 
 /// 1, 2 or 5 times a power of ten, so that about four of them fit.
 double tickOf(double range) {
@@ -158,7 +143,7 @@ void HistogramSlider::drawAxis(QPainter& painter) const {
     top += kBandHeight;
     for (const TissueBand& band : kTissueBands)
       if (band.to > histogram_.least && band.from < histogram_.greatest)
-        place(0.5 * (xOf(band.from) + xOf(band.to)), tr(band.name), free_from);
+        place(0.5 * (xOf(band.from) + xOf(band.to)), nameOf(band), free_from);
     top += line;
   }
   const double tick = tickOf(range);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/isosurface_panel.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -50,39 +51,28 @@ double allowedIsovalue(const haptics::Volume& volume, double isovalue) {
 }
 
 IsosurfacePanel::IsosurfacePanel(QWidget* parent)
-    : QWidget(parent),
-      slider_(new HistogramSlider),
-      typed_(new NumberBox),
-      presets_(new QWidget),
-      range_(new QLabel) {
+    : QWidget(parent), slider_(new HistogramSlider), typed_(new NumberBox), presets_(new QWidget) {
   slider_->setObjectName("isovalueSlider");
   slider_->setAccessibleName(tr("Isovalue"));
   typed_->setObjectName("isovalueTyped");
   typed_->setAccessibleName(tr("Isovalue, typed"));
-  typed_->setToolTip(tr("The intensity of the surface that is seen and felt"));
   presets_->setObjectName("presets");
 
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("Isovalue")));
   row->addWidget(typed_, 1);
-  auto* buttons = new QHBoxLayout(presets_);
-  buttons->setContentsMargins(0, 0, 0, 0);
-  const auto preset = [&](const QString& label, const char* name, double isovalue) {
-    auto* button = new QPushButton(label);
-    button->setObjectName(name);
-    button->setToolTip(tr("A starting point, not a threshold for diagnosis"));
-    connect(button, &QPushButton::clicked, this, [this, isovalue] { choose(isovalue); });
-    buttons->addWidget(button);
-  };
-  preset(tr("Bone %1 HU").arg(kBone_HU), "presetBone", kBone_HU);
-  preset(tr("Skin %1 HU").arg(kSkin_HU), "presetSkin", kSkin_HU);
+  auto* chips = new QGridLayout(presets_);
+  chips->setContentsMargins(0, 0, 0, 0);
+  chips->setSpacing(style::kStep);
+  addChip(Tissue::Bone, tr("Bone"), "presetBone", *chips);
+  addChip(Tissue::Skin, tr("Skin"), "presetSkin", *chips);
+  addChip(Tissue::Airway, tr("Airway"), "presetAirway", *chips);
+  addChip(Tissue::Vessels, tr("Vessels"), "presetVessels", *chips);
+  addChip(Tissue::Teeth, tr("Teeth"), "presetTeeth", *chips);
   presets_->hide();
-  style::setDim(*range_);
-  style::setType(*range_, style::Type::Small);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(slider_, 1);
-  column->addWidget(range_);
   column->addLayout(row);
   column->addWidget(presets_);
   setEnabled(false);
@@ -98,6 +88,22 @@ IsosurfacePanel::IsosurfacePanel(QWidget* parent)
   connect(typed_, &NumberBox::valueChanged, this, &IsosurfacePanel::choose);
 }
 
+void IsosurfacePanel::addChip(Tissue tissue, const QString& words, const char* name,
+                              QGridLayout& chips) {
+  constexpr int kInRow = 3;
+  const auto n = static_cast<std::size_t>(std::ranges::find(kTissues, tissue) - kTissues.begin());
+  auto* chip = chips_[n] = new QToolButton;
+  chip->setObjectName(name);
+  chip->setText(words);
+  chip->setCheckable(true);
+  chip->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(chip, &QToolButton::clicked, this, [this, n] {
+    choose(of_chips_[n]);
+    showValue(isovalue_);  // a click does not take the mark away
+  });
+  chips.addWidget(chip, static_cast<int>(n) / kInRow, static_cast<int>(n) % kInRow);
+}
+
 void IsosurfacePanel::show(const Picture& picture, double isovalue) {
   volume_ = picture.volume;
   const haptics::Volume& volume = *volume_;
@@ -109,11 +115,18 @@ void IsosurfacePanel::show(const Picture& picture, double isovalue) {
   typed_->setRange(volume.least - range - 1.0, volume.greatest);
   typed_->setSingleStep(stepsOf(volume).coarse);
   typed_->setFineStep(stepsOf(volume).fine);
-  typed_->setSuffix(volume.unit.empty() ? QString() : " " + QString::fromStdString(volume.unit));
-  range_->setText(tr("%L1 to %L2 %3")
-                      .arg(volume.least, 0, 'g', 6)
-                      .arg(volume.greatest, 0, 'g', 6)
-                      .arg(QString::fromStdString(volume.unit)));
+  const QString unit = QString::fromStdString(volume.unit);
+  typed_->setSuffix(unit.isEmpty() ? QString() : ' ' + unit);
+  typed_->setToolTip(tr("The intensity of the surface that is seen and felt, from %L1 to %L2 %3")
+                         .arg(volume.least, 0, 'g', 6)
+                         .arg(volume.greatest, 0, 'g', 6)
+                         .arg(unit)
+                         .trimmed());
+  for (std::size_t n = 0; n < kTissues.size(); ++n) {
+    of_chips_[n] = isovalueOf(kTissues[n], picture);
+    chips_[n]->setToolTip(
+        tr("%L1 %2: a starting point, not a threshold for diagnosis").arg(of_chips_[n]).arg(unit));
+  }
   presets_->setVisible(volume.unit == "HU");
   setEnabled(true);
   isovalue_ = isovalue;
@@ -144,6 +157,7 @@ void IsosurfacePanel::showValue(double isovalue) {
   const QSignalBlocker quiet_slider(slider_), quiet_typed(typed_);
   slider_->setIntensity(isovalue);
   typed_->setValue(isovalue);
+  for (std::size_t n = 0; n < chips_.size(); ++n) chips_[n]->setChecked(isovalue == of_chips_[n]);
 }
 
 }  // namespace ui

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 
 #include "ui/panels/histogram_slider.h"
+#include "ui/props/colouring.h"
 
-class QLabel;
+class QGridLayout;
+class QToolButton;
 
 namespace ui {
 
@@ -15,14 +18,11 @@ class NumberBox;
 /// and with no more decimals than the panel shows. Any thread.
 double allowedIsovalue(const haptics::Volume& volume, double isovalue);
 
-/// The isovalue: a slider on the histogram, a number field, and presets if the intensities are
-/// Hounsfield units.
+/// The isovalue: a slider on the histogram, a number field, and a chip for each tissue if the
+/// intensities are Hounsfield units.
 class IsosurfacePanel : public QWidget {
   Q_OBJECT
  public:
-  static constexpr double kBone_HU = 300.0;
-  static constexpr double kSkin_HU = -300.0;
-
   explicit IsosurfacePanel(QWidget* parent = nullptr);
 
   /// Shows another volume, at an isovalue within its range; emits nothing.
@@ -39,12 +39,14 @@ class IsosurfacePanel : public QWidget {
 
  private:
   void showValue(double isovalue);
+  void addChip(Tissue tissue, const QString& words, const char* name, QGridLayout& chips);
 
   HistogramSlider* slider_;
   NumberBox* typed_;
   QWidget* presets_;
-  QLabel* range_;
+  std::array<QToolButton*, kTissues.size()> chips_{};
   std::shared_ptr<const haptics::Volume> volume_;
+  std::array<double, kTissues.size()> of_chips_{};  ///< isovalues
   double isovalue_ = 0.0;
 };
 

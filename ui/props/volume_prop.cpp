@@ -356,16 +356,6 @@ Eigen::AlignedBox3d VolumeProp::bounds_mm() {
   if (picture_.volume == nullptr) return {};
   vtkPolyData* mesh = reducedMesh();
   if (mesh->GetNumberOfPoints() == 0) return boxOf_mm(*picture_.volume);
-  return boundsOf_mm(mesh);
-}
-
-Eigen::AlignedBox3d VolumeProp::secondBounds_mm() {
-  if (picture_.volume == nullptr || !second_value_) return {};
-  vtkPolyData* mesh = secondReduced();
-  return mesh->GetNumberOfPoints() == 0 ? Eigen::AlignedBox3d{} : boundsOf_mm(mesh);
-}
-
-Eigen::AlignedBox3d VolumeProp::boundsOf_mm(vtkPolyData* mesh) const {
   const double* b = mesh->GetBounds();
   Eigen::AlignedBox3d box;
   for (int corner = 0; corner < 8; ++corner)
@@ -373,6 +363,37 @@ Eigen::AlignedBox3d VolumeProp::boundsOf_mm(vtkPolyData* mesh) const {
                                                                   b[2 + ((corner >> 1) & 1)],
                                                                   b[4 + ((corner >> 2) & 1)]}});
   return box;
+}
+
+std::vector<Eigen::Vector3d> VolumeProp::outline_mm() {
+  std::vector<Eigen::Vector3d> outline;
+  if (picture_.volume == nullptr) return outline;
+  extendOutline(outline, *reducedMesh());
+  if (second_value_) extendOutline(outline, *secondReduced());
+  if (outline.empty())
+    for (int corner = 0; corner < 8; ++corner)
+      outline.push_back(
+          boxOf_mm(*picture_.volume).corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+  return outline;
+}
+
+/// Adds what lies farthest in 26 directions, but for a few places beyond.
+void VolumeProp::extendOutline(std::vector<Eigen::Vector3d>& outline, vtkPolyData& mesh) const {
+  constexpr vtkIdType kLooked = 20'000;  // points
+  constexpr double kBeyond = 0.003;      // of them
+  const vtkIdType count = mesh.GetNumberOfPoints(), step = std::max<vtkIdType>(1, count / kLooked);
+  std::vector<Eigen::Vector3d> points;
+  for (vtkIdType n = 0; n < count; n += step)
+    points.emplace_back(picture_.X_WL_mm * Eigen::Vector3d{mesh.GetPoint(n)});
+  if (points.empty()) return;
+  const auto last = points.begin() + static_cast<std::ptrdiff_t>(
+                                         (1.0 - kBeyond) * static_cast<double>(points.size() - 1));
+  for (int n = 0; n < 27; ++n) {
+    if (n == 13) continue;  // no direction
+    const Eigen::Vector3d way{n % 3 - 1.0, n / 3 % 3 - 1.0, n / 9 - 1.0};
+    std::ranges::nth_element(points, last, {}, [&](const auto& p) { return way.dot(p); });
+    outline.push_back(*last);
+  }
 }
 
 }  // namespace ui

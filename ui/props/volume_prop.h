@@ -61,8 +61,9 @@ class VolumeProp {
   void setHitRefinement(bool on);
   /// The box of W that the surface fills, mm; the volume's if there is no surface.
   Eigen::AlignedBox3d bounds_mm();
-  /// The same of the second surface; empty without one.
-  Eigen::AlignedBox3d secondBounds_mm();
+  /// Places between which nearly all of the surfaces lie [mm of W], whatever the direction: specks
+  /// of noise do not count. The corners of the volume where there is no surface.
+  std::vector<Eigen::Vector3d> outline_mm();
   /// Updates what is drawn; must be called before each drawing.
   void update();
   /// Leaves out faces that cannot be seen: back faces of a mesh that is closed and lies as a whole
@@ -81,7 +82,7 @@ class VolumeProp {
   vtkPolyData* reducedMesh();
   vtkPolyData* secondReduced();
   vtkPolyData* lightOf(Reduced& mesh) const;
-  Eigen::AlignedBox3d boundsOf_mm(vtkPolyData* mesh) const;
+  void extendOutline(std::vector<Eigen::Vector3d>& outline, vtkPolyData& mesh) const;
   void crop();
   void colourAll();
   void tellShader();

@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ui {
 namespace {
 
 constexpr double kTurnPerWidget = 180.0;  // degrees for a drag across the widget
 constexpr double kViewAngle_deg = 30.0;
+constexpr double kMargin = 1.08;  // of what is framed
 const double kHalf = std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180.0);
 
 }  // namespace
@@ -110,12 +112,12 @@ void SpaceCamera::zoom(double factor, const Eigen::Vector3d& at_mm) {
   }
 }
 
-void SpaceCamera::frame(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& from,
+void SpaceCamera::frame(std::vector<Eigen::Vector3d> outline_mm, const Eigen::Vector3d& from,
                         const Eigen::Vector3d& up) {
   const Eigen::Vector3d right = up.cross(from).normalized();
   Eigen::Matrix3d axes;
   axes << right, from.cross(right), from;
-  fit(box_mm, box_mm.center(), axes);
+  fit(std::move(outline_mm), axes);
   camera_->SetViewUp(up.x(), up.y(), up.z());
   camera_->OrthogonalizeViewUp();
 }
@@ -123,23 +125,22 @@ void SpaceCamera::frame(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d
 bool SpaceCamera::refit() {
   const double before = half_mm();
   if (!fit_ || std::abs(before - fit_->half_mm) > 1e-6 * before) return false;
-  const Eigen::AlignedBox3d box_mm = fit_->box_mm;
-  fit(box_mm, Eigen::Vector3d{camera_->GetFocalPoint()}, axes());
+  fit(std::move(fit_->outline_mm), axes());
   return std::abs(half_mm() - before) > 1e-6 * before;
 }
 
-/// Shows a box that lies about `centre_mm`.
-void SpaceCamera::fit(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& centre_mm,
-                      const Eigen::Matrix3d& axes) {
-  // half of what the box takes along right, up and towards the viewer
-  const Eigen::Vector3d reach = 0.5 * axes.cwiseAbs().transpose() * box_mm.sizes();
+void SpaceCamera::fit(std::vector<Eigen::Vector3d> outline_mm, const Eigen::Matrix3d& axes) {
+  // along right, up and towards the viewer
+  Eigen::AlignedBox3d taken_mm;
+  for (const Eigen::Vector3d& p_mm : outline_mm) taken_mm.extend(axes.transpose() * p_mm);
+  const Eigen::Vector3d reach = 0.5 * taken_mm.sizes(), centre_mm = axes * taken_mm.center();
   const double aspect =
       static_cast<double>(std::max(1, view_.width())) / std::max(1, view_.height());
-  const double half = std::max(reach.y(), reach.x() / aspect) + 0.06 * box_mm.sizes().norm();
+  const double half = std::max(reach.y(), reach.x() / aspect) + 0.03 * taken_mm.sizes().norm();
   // without perspective the middle is as large as the front is with it
-  camera_->SetParallelScale(1.15 * half);
-  set(centre_mm + axes.col(2) * (1.15 * half / kHalf + reach.z()), centre_mm);
-  fit_ = Fit{box_mm, half_mm()};
+  camera_->SetParallelScale(kMargin * half);
+  set(centre_mm + axes.col(2) * (kMargin * half / kHalf + reach.z()), centre_mm);
+  fit_ = Fit{std::move(outline_mm), half_mm()};
 }
 
 double SpaceCamera::half_mm() const {

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <QPointF>
 #include <optional>
+#include <vector>
 
 class QWidget;
 class vtkCamera;
@@ -33,10 +34,11 @@ class SpaceCamera {
   void pan(QPointF by);
   /// Comes nearer by this factor; the place keeps its pixel.
   void zoom(double factor, const Eigen::Vector3d& at_mm);
-  /// Shows a box from a direction (unit, towards the viewer), with another one up.
-  void frame(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& from,
+  /// Shows what lies between these places from a direction (unit, towards the viewer), with another
+  /// one up.
+  void frame(std::vector<Eigen::Vector3d> outline_mm, const Eigen::Vector3d& from,
              const Eigen::Vector3d& up);
-  /// Shows the whole box that was framed last, in a view of another shape, unless the zoom is the
+  /// Shows all that was framed last, in a view of another shape, unless the zoom is the
   /// user's. Whether it changed.
   bool refit();
   /// What is shown is the user's choice: refit() leaves it.
@@ -51,11 +53,10 @@ class SpaceCamera {
  private:
   /// What frame() shows, and half the height [mm] that the view then has at the focal point.
   struct Fit {
-    Eigen::AlignedBox3d box_mm;
+    std::vector<Eigen::Vector3d> outline_mm;
     double half_mm = 0.0;
   };
-  void fit(const Eigen::AlignedBox3d& box_mm, const Eigen::Vector3d& centre_mm,
-           const Eigen::Matrix3d& axes);
+  void fit(std::vector<Eigen::Vector3d> outline_mm, const Eigen::Matrix3d& axes);
   double half_mm() const;
   /// The distance at which perspective shows what parallel projection does.
   double distance() const;

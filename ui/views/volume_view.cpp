@@ -31,6 +31,7 @@ namespace {
 constexpr std::int64_t kMovingTriangles = 80'000;
 constexpr int kStillMs = 400;         // no movement for this long is rest
 constexpr double kBeside_deg = 40.0;  // between the device and the eye, about the patient's axis
+constexpr double kSeenAtLeast = 0.6;  // of the most that is seen of a box from anywhere
 constexpr double kVeil = 0.38;        // opacity of the second surface
 constexpr double kBehindTool_mm = 120.0;                 // of the eye, looking along the tool
 constexpr double kLetterSide = 28.0, kLetterEnd = 20.0;  // px, at the edges, where letters stand
@@ -125,7 +126,7 @@ void VolumeView::show(const Picture& picture, double isovalue) {
   hand_target_.reset();
   displayed_ = false;
   chooseMode();
-  resetCamera();
+  lookAtFirst();
 }
 
 void VolumeView::replace(const Picture& picture) {
@@ -275,6 +276,20 @@ void VolumeView::fitClippingRange() {
   veil_->forget();
 }
 
+/// From the front, a little from the left and above; a slab more from its broad side.
+void VolumeView::lookAtFirst() {
+  if (box_mm_.isEmpty()) return;
+  Eigen::Vector3d from = Eigen::Vector3d{0.45, -0.8, 0.4}.normalized();
+  Eigen::AlignedBox3d solid;
+  for (const Eigen::Vector3d& p_mm : surface_.outline_mm()) solid.extend(p_mm);
+  // how much of a box is seen from a direction: its sides, each by how much it faces there
+  const Eigen::Vector3d d = solid.sizes();
+  const Eigen::Vector3d sides{d.y() * d.z(), d.z() * d.x(), d.x() * d.y()};
+  if (sides.dot(from.cwiseAbs()) < kSeenAtLeast * sides.norm())
+    from = (from + 2.0 * sides.normalized().cwiseProduct(from.cwiseSign())).normalized();
+  frameSurface(from, Eigen::Vector3d::UnitZ());
+}
+
 void VolumeView::lookFrom(Side side) { frameSurface(directionOf(side), upOf(side)); }
 
 void VolumeView::lookFromTool() {
@@ -333,9 +348,7 @@ void VolumeView::setParallel(bool parallel) {
 void VolumeView::frameSurface(const Eigen::Vector3d& from, const Eigen::Vector3d& up) {
   if (box_mm_.isEmpty()) return;
   // the surface rather than the volume, which may be mostly air
-  Eigen::AlignedBox3d shown = surface_.bounds_mm();
-  if (surface_.second()) shown.extend(surface_.secondBounds_mm());
-  camera_.frame(shown, from, up);
+  camera_.frame(surface_.outline_mm(), from, up);
   cameraMoved();
 }
 

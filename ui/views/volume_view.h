@@ -92,6 +92,8 @@ class VolumeView : public Viewport, public Spoken {
   vtkCamera* camera() const { return camera_.vtk(); }
   /// Whether the mouse would take hold of the tool there.
   bool isOnTool(QPointF at) const;
+  /// Whether something of the tool is drawn in this part of the view.
+  bool isToolIn(const QRect& part) const;
   /// What the mouse does here, in a line.
   QString hint() const;
   /// The view's picture, `scale` times as large as its widget: with letters and overlays. Null if
@@ -148,6 +150,7 @@ class VolumeView : public Viewport, public Spoken {
   void redrawSurface();
   void cameraMoved();
   void settle();
+  void lookAtFirst();
   void frameSurface(const Eigen::Vector3d& from, const Eigen::Vector3d& up);
   void zoom(double factor, QPointF at);
   /// What the sight through a pixel is about: the surface, or the plane of the focal point.
@@ -163,6 +166,7 @@ class VolumeView : public Viewport, public Spoken {
   haptics::Pose& handTarget();
   void moveHand(QPointF by, bool turn);
   void pushHand(double notches);
+  void moveByKey(const Binding& meaning);
   void chooseCursor(QPointF at);
   void fitClippingRange();
   void paintOver(QPainter& painter, const QSizeF& size) const;

@@ -8,19 +8,22 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ui/controls/latin_key.h"
 
 namespace ui {
 namespace {
 
-constexpr double kHandTurn = 0.008;      // rad of hand for a pixel
-constexpr double kHandStep = 0.002;      // m of depth for a notch of the wheel
-constexpr double kViewZoomNotch = 1.1;   // nearer for a notch of the wheel
-constexpr double kZoomPixel = 1.006;     // nearer for a pixel of a drag
-constexpr double kTurnKey = 1.0 / 36.0;  // of the view, as a drag: 5 degrees
-constexpr double kShiftKey = 24.0;       // px
-constexpr double kGrab = 8.0;            // px about the tool that count as on it
+constexpr double kHandTurn = 0.008;                 // rad of hand for a pixel
+constexpr double kHandStep = 0.002;                 // m of depth for a notch of the wheel
+constexpr double kViewZoomNotch = 1.1;              // nearer for a notch of the wheel
+constexpr double kZoomPixel = 1.006;                // nearer for a pixel of a drag
+constexpr double kTurnKey = 1.0 / 36.0;             // of the view, as a drag: 5 degrees
+constexpr double kShiftKey = 24.0;                  // px
+constexpr double kMoveKey = 1e-3, kFineKey = 1e-4;  // m, of the tool for a key
+constexpr double kToolTurnKey = 5.0 * std::numbers::pi / 180.0;  // rad
+constexpr double kGrab = 8.0;  // px about the tool that count as on it
 
 double fromSegment(QPointF p, QPointF a, QPointF b) {
   const QPointF along = b - a;
@@ -28,6 +31,20 @@ double fromSegment(QPointF p, QPointF a, QPointF b) {
   const double share =
       length > 0.0 ? std::clamp(QPointF::dotProduct(p - a, along) / length, 0.0, 1.0) : 0.0;
   return std::hypot(p.x() - a.x() - share * along.x(), p.y() - a.y() - share * along.y());
+}
+
+/// Whether a line from `a` to `b` passes through a box.
+bool crosses(const QRectF& box, QPointF a, QPointF b) {
+  double from = 0.0, to = 1.0;
+  const auto clip = [&](double start, double step, double least, double most) {
+    if (step == 0.0) return start >= least && start <= most;
+    const double one = (least - start) / step, other = (most - start) / step;
+    from = std::max(from, std::min(one, other));
+    to = std::min(to, std::max(one, other));
+    return from <= to;
+  };
+  return clip(a.x(), b.x() - a.x(), box.left(), box.right()) &&
+         clip(a.y(), b.y() - a.y(), box.top(), box.bottom());
 }
 
 /// Whether a point lies in a triangle, whichever way round its corners go.
@@ -97,6 +114,28 @@ void VolumeView::pushHand(double notches) {
   emit handPulled(X_WH);
 }
 
+void VolumeView::moveByKey(const Binding& meaning) {
+  if (!displayed_) return;
+  const QPointF way = wayOf(meaning);
+  const int key = meaning.at_first.key();
+  // along right, up and towards the viewer
+  const Eigen::Vector3d along =
+      viewAxes() * Eigen::Vector3d{way.x(), -way.y(),
+                                   double(key == Qt::Key_PageDown) - double(key == Qt::Key_PageUp)};
+  haptics::Pose& X_WH = handTarget();
+  if (meaning.action != Action::TurnTool) {
+    const bool fine = meaning.at_first.keyboardModifiers() & Qt::ControlModifier;
+    X_WH.translation() += along * (fine ? kFineKey : kMoveKey);
+  } else {
+    // what is at the front turns the way of the arrow
+    const Eigen::Vector3d towards = viewAxes().col(2);
+    const Eigen::Vector3d about = way.isNull() ? along : towards.cross(along);
+    X_WH.linear() =
+        (Eigen::AngleAxisd(kToolTurnKey, about) * haptics::rotationOf(X_WH)).toRotationMatrix();
+  }
+  emit handPulled(X_WH);
+}
+
 bool VolumeView::isOnTool(QPointF at) const {
   if (!mouse_hand_ || !displayed_) return false;
   double nearest_mm = INFINITY;  // from the viewer
@@ -129,6 +168,21 @@ bool VolumeView::isOnTool(QPointF at) const {
   return !before || away.dot(before->p_W * kMmPerM - eye) > nearest_mm - 1.0;
 }
 
+bool VolumeView::isToolIn(const QRect& part) const {
+  if (!displayed_) return false;
+  const QRectF box(part);
+  const auto isIn = [&](const haptics::Pose& X) {
+    std::vector<QPointF> seen;
+    for (const haptics::Vec3& v : tool_mesh_.vertices) seen.push_back(projected(X * v));
+    for (const auto& [a, b, c] : tool_mesh_.triangles)
+      if (isWithin(box.center(), seen[a], seen[b], seen[c]) || crosses(box, seen[a], seen[b]) ||
+          crosses(box, seen[b], seen[c]) || crosses(box, seen[c], seen[a]))
+        return true;
+    return std::ranges::any_of(seen, [&](QPointF p) { return box.contains(p); });
+  };
+  return isIn(last_.X_WP) || (tool_.deviceShown() && isIn(last_.X_WD));
+}
+
 void VolumeView::bringTool(QPointF at) {
   if (const auto met = surfaceUnder(at)) emit toolWanted(met->p_W, met->normal_W);
 }
@@ -137,14 +191,17 @@ QString VolumeView::hint() const {
   const QString over = overlays_.hint();
   if (!over.isEmpty()) return over;
   if (mode_ == MouseMode::Hand)
-    return tr("Drag: moves the tool. Shift: turns it. Wheel: pushes it. Right drag: turns the "
-              "picture. %1: lets go.")
+    return tr("Drag or arrow keys: move the tool. Shift: turns it. Wheel: pushes it. Right drag: "
+              "turns the picture. %1: lets go.")
         .arg(keyOf(Action::TakeTool));
   if (mouse_hand_)
     return tr("Drag: turns. Wheel: nearer. To touch: drag the tool, or take it with %1. "
               "Double-click: brings it there. Middle drag: shifts.")
         .arg(keyOf(Action::TakeTool));
-  return tr("Drag: turns. Wheel: nearer. Middle drag: shifts.");
+  return tr("Drag: turns. Wheel: nearer. Middle drag: shifts. %1 takes the tool only while the "
+            "mouse "
+            "is the hand (tab Touch).")
+      .arg(keyOf(Action::TakeTool));
 }
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
@@ -271,8 +328,10 @@ bool VolumeView::perform(const Binding& meaning) {
     case Action::ForceOff:
       emit forceOffWanted();
       break;
-    case Action::TakeTool:
-      setMouseMode(mode_ == MouseMode::Hand ? MouseMode::Look : MouseMode::Hand);
+    case Action::MoveTool:
+    case Action::TurnTool:
+    case Action::PushTool:
+      moveByKey(meaning);
       break;
     case Action::ToolToCross:
       emit toolToCrossWanted();
@@ -311,7 +370,7 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
   if (event->key() != Qt::Key_Space && overlays_.key(*geometry_, *event, QRectF(rect()).center()))
     return;
   const Binding* held = meaningOf(Where::Space, *event, Gesture::HeldKey);
-  const Binding* meaning = meaningOf(Where::Space, *event);
+  const Binding* meaning = meaningOf(Where::Space, *event, Gesture::Key, Over::Nothing, mode_);
   // the layout may have changed since it was pressed
   const bool still_held = event->isAutoRepeat() && event->nativeScanCode() != 0 &&
                           std::ranges::count(held_places_, event->nativeScanCode()) > 0;

@@ -21,6 +21,7 @@ QColor groundOf(Banner::Kind kind) {
     case Banner::Kind::Fault:
       return c.fault_ground;
     case Banner::Kind::Done:
+    case Banner::Kind::Question:
       return c.panel;
     case Banner::Kind::Attention:
     case Banner::Kind::Stopped:
@@ -36,6 +37,8 @@ QColor markOf(Banner::Kind kind) {
       return c.stop_words;
     case Banner::Kind::Done:
       return c.on;
+    case Banner::Kind::Question:
+      return c.accent;
     case Banner::Kind::Attention:
     case Banner::Kind::Stopped:
       break;
@@ -112,6 +115,12 @@ void Banner::paintEvent(QPaintEvent*) {
   if (kind_ == Kind::Done) {
     painter.drawEllipse(middle, 8.5, 8.5);
     painter.drawPolyline(QPolygonF({at(-4.0, 0.5), at(-1.0, 3.5), at(4.5, -3.0)}));
+    return;
+  }
+  if (kind_ == Kind::Question) {
+    painter.drawEllipse(middle, 8.5, 8.5);
+    painter.drawLine(at(0.0, -0.5), at(0.0, 4.5));
+    painter.drawPoint(at(0.0, -4.0));
     return;
   }
   painter.drawPolygon(QPolygonF({at(0.0, -8.0), at(9.0, 7.5), at(-9.0, 7.5)}));

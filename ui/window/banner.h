@@ -16,7 +16,7 @@ namespace ui {
 class Banner : public QFrame, public Spoken {
   Q_OBJECT
  public:
-  enum class Kind { Attention, Fault, Stopped, Done };
+  enum class Kind { Attention, Fault, Stopped, Done, Question };
 
   /// `name` is that of the sentence.
   Banner(Kind kind, const char* name, QWidget* parent = nullptr);

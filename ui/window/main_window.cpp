@@ -91,6 +91,7 @@ MainWindow::MainWindow(QWidget* parent)
   });
   escape_->addEnder(*this, [this] { return tour_->close(); });
   connect(panels_, &SidePanel::changed, this, &MainWindow::layoutChanged);
+  connect(views_, &Views::cardFoldedChanged, this, &MainWindow::layoutChanged);
   connect(tour_, &Tour::ended, this, &MainWindow::tourEnded);
   connect(menus_, &Menus::tourWanted, this, &MainWindow::showTour);
   connect(menus_, &Menus::layoutResetWanted, this, [this] {
@@ -114,10 +115,7 @@ void MainWindow::buildViews() {
   views->addWidget(start_, 0, 0);
   start_->raise();
   start_->hide();  // until someone fills it
-  // over the 3-D view, so that no view moves, and no letter of a slice is hidden
-  stopped_->setParent(right);
-  for (QWidget* moved : {static_cast<QWidget*>(&views_->volume()), views_->volume().parentWidget(),
-                         static_cast<QWidget*>(stopped_)})
+  for (QWidget* moved : {static_cast<QWidget*>(&views_->volume()), views_->volume().parentWidget()})
     moved->installEventFilter(this);
   column->addLayout(views, 1);
   column->addWidget(replay_);
@@ -141,6 +139,7 @@ void MainWindow::buildViews() {
   all->addWidget(bar_);
   all->addLayout(row, 1);
   setCentralWidget(centre);
+  addOverView(*stopped_);
   connect(&views_->volume(), &VolumeView::forceOffWanted, touch_,
           [this] { touch_->stop(tr("Force stopped by Space")); });
   connect(&views_->volume(), &VolumeView::surfaceChosen, this, [this](const SurfaceChoice& choice) {
@@ -280,7 +279,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Show:
     case QEvent::Hide:
     case QEvent::LayoutRequest:
-      placeStopped();
+      placeOverView();
       break;
     default:
       break;
@@ -288,20 +287,31 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   return QMainWindow::eventFilter(watched, event);
 }
 
+void MainWindow::addOverView(Banner& banner) {
+  banner.setParent(splitter_->widget(1));
+  banner.installEventFilter(this);
+  over_view_.push_back(&banner);
+}
+
 /// Over the 3-D view, beside its cube; over all views where that is hidden or too narrow.
-void MainWindow::placeStopped() {
-  const QWidget& area = *stopped_->parentWidget();
-  const auto placeOf = [&](const QWidget& view) {
-    return QRect(view.mapTo(&area, QPoint{0, kTopOfView}),
-                 QSize(view.width() - kCube, stopped_->sizeHint().height()));
-  };
-  const QWidget& volume = views_->volume();
-  QRect place = placeOf(volume);
-  if (!volume.isVisible() || place.width() < stopped_->minimumSizeHint().width())
-    place = placeOf(views_->layout());
-  if (stopped_->geometry() == place) return;
-  stopped_->setGeometry(place);
-  stopped_->raise();
+void MainWindow::placeOverView() {
+  int top = kTopOfView;
+  for (Banner* banner : over_view_) {
+    if (banner->isHidden()) continue;
+    const auto placeOf = [&](const QWidget& view) {
+      const int width = view.width() - kCube;
+      return QRect(view.mapTo(banner->parentWidget(), QPoint{0, top}),
+                   QSize(width, banner->heightForWidth(width)));
+    };
+    const QWidget& volume = views_->volume();
+    QRect place = placeOf(volume);
+    if (!volume.isVisible() || place.width() < banner->minimumSizeHint().width())
+      place = placeOf(views_->layout());
+    top += place.height() + style::kStep;
+    if (banner->geometry() == place) continue;
+    banner->setGeometry(place);
+    banner->raise();
+  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

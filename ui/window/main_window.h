@@ -72,6 +72,8 @@ class MainWindow : public QMainWindow {
   void restoreLayout(const WindowLayout& layout);
   /// As at the first start.
   void resetLayout();
+  /// Lays a sentence over the 3-D view, so that no view moves, below those that were added before.
+  void addOverView(Banner& banner);
   /// Explains the first steps, in bubbles beside the controls.
   void showTour();
   /// Asked before the user closes the window; false keeps it open. Without one it closes.
@@ -100,7 +102,7 @@ class MainWindow : public QMainWindow {
   void buildStartPage();
   void buildStatusBar();
   void showTitle();
-  void placeStopped();
+  void placeOverView();
 
   Views* views_;
   StartPage* start_;
@@ -110,6 +112,7 @@ class MainWindow : public QMainWindow {
   Loading* loading_;
   StatusLine* status_;
   Banner* stopped_;
+  std::vector<Banner*> over_view_;
   TouchState* touch_;
   EscapeFilter* escape_;
   Menus* menus_;

@@ -95,8 +95,8 @@ SidePanel::SidePanel(QMenu& entries, QWidget* parent)
   auto* group = new QButtonGroup(this);
   const std::array<QString, kTabs.size()> words{tr("Scan"), tr("Touch"), tr("Device"),
                                                 tr("Record")};
-  const std::array<QString, kTabs.size()> tips{tr("Remove parts, measures and marks"),
-                                               tr("Surface, hand and tool, performance"),
+  const std::array<QString, kTabs.size()> tips{tr("Measures and marks"),
+                                               tr("Surface, tool and hand, remove parts"),
                                                tr("The haptic device"), tr("Recordings")};
   for (std::size_t n = 0; n < kTabs.size(); ++n) {
     auto* button = new RailButton(words[n], kNames[n]);

@@ -77,6 +77,7 @@ void TouchState::setHand(const QString& label, Feel feel) {
   stopped_by_.clear();
   status_.setHand(label);
   bar_.force().setDetail(label);
+  emit handNamed(label);
 }
 
 }  // namespace ui

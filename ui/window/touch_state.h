@@ -37,6 +37,7 @@ class TouchState : public QObject {
  signals:
   /// The state is due in words, at most ten times a second.
   void worded(const haptics::Snapshot& snapshot);
+  void handNamed(const QString& label);
   void forceOffWanted();
   void forceOnWanted();
 

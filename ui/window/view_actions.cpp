@@ -102,14 +102,10 @@ void ViewActions::buildColours(QMenu& menu) {
 
 void ViewActions::buildTool(QMenu& menu, TopBar& bar) {
   QAction* take = menu.addAction(tr("Ta&ke the tool with the mouse"));
-  showKey(*take, Action::TakeTool);
   take->setObjectName("takeTool");
   take->setIconText(tr("Take tool"));
-  whenKeysChange(*take, [take] {
-    take->setToolTip(tr("The mouse holds the tool (%1 in the 3-D view). The tool itself can be "
-                        "dragged at any time.")
-                         .arg(keyOf(Action::TakeTool)));
-  });
+  giveKeys(*take, Action::TakeTool,
+           tr("The mouse holds the tool. The tool itself can be dragged at any time"));
   take->setCheckable(true);
   connect(take, &QAction::triggered, &view_, [this, take](bool on) {
     view_.setMouseMode(on ? MouseMode::Hand : MouseMode::Look);

@@ -17,6 +17,9 @@ namespace {
 
 constexpr int kLine = 2;  // px, of the coloured line above the view
 constexpr int kCardMargin = 12;
+// px from the top of the view to a card there, and about the card that stay free
+constexpr int kBelowCube = 108, kBelowSentences = 84, kClear = 8;
+constexpr std::size_t kCorners = 4;
 constexpr QSize kRoomForPlot{420, 320}, kRoomForCard{150, 100};  // px, of the view
 constexpr int kButton = 20;                                      // px
 constexpr int kHint = 20;                                        // px, height of the line
@@ -154,11 +157,21 @@ QSize ViewFrame::minimumSizeHint() const {
   return view_->minimumSize().expandedTo({120, 100}) + QSize{0, kLine + hint};
 }
 
-void ViewFrame::setCard(ForcePanel& card) {
+void ViewFrame::setCard(ForcePanel& card, std::function<bool(const QRect& part)> taken) {
   card_ = &card;
+  taken_ = std::move(taken);
   card.setParent(this);
   card.show();
+  connect(&card, &ForcePanel::foldWanted, this, [this](bool folded) {
+    setCardFolded(folded);
+    emit cardFoldedChanged();
+  });
   place();
+}
+
+void ViewFrame::setCardFolded(bool folded) {
+  card_folded_ = folded;
+  keepCardClear();
 }
 
 bool ViewFrame::event(QEvent* event) {
@@ -185,7 +198,7 @@ void ViewFrame::place() {
     hide_hint_->raise();
   }
   view_->setGeometry(inner);
-  placeCard(inner);
+  keepCardClear();
   int x = width() - 4 - kButton;
   for (QToolButton* button : {maximise_, menu_}) {
     if (button == nullptr) continue;
@@ -195,18 +208,42 @@ void ViewFrame::place() {
   }
 }
 
-void ViewFrame::placeCard(const QRect& view) {
+QRect ViewFrame::cardIn(std::size_t corner, bool folded) const {
+  const QRect view = view_->geometry();
+  const int height = card_->heightIf(folded);
+  const int right = view.right() + 1 - kCardMargin - card_->width();
+  const int low = view.bottom() + 1 - kCardMargin - height;
+  const QPoint places[kCorners] = {{right, low},
+                                   {view.left() + kCardMargin, low},
+                                   {right, view.top() + kBelowCube},
+                                   {view.left() + kCardMargin, view.top() + kBelowSentences}};
+  return {places[corner], QSize(card_->width(), height)};
+}
+
+void ViewFrame::keepCardClear() {
   if (card_ == nullptr) return;
   const auto holds = [&](QSize room) {
-    return view.width() >= room.width() && view.height() >= room.height();
+    return view_->width() >= room.width() && view_->height() >= room.height();
   };
   card_->setVisible(holds(kRoomForCard));
   card_->setCompact(!holds(kRoomForPlot));
-  const int height = card_->hasHeightForWidth() ? card_->heightForWidth(card_->width())
-                                                : card_->sizeHint().height();
-  const QSize size(card_->width(), height);
-  card_->setGeometry(view.right() + 1 - kCardMargin - size.width(),
-                     view.bottom() + 1 - kCardMargin - size.height(), size.width(), size.height());
+  const auto isFree = [&](std::size_t corner, bool folded) {
+    const QRect part = cardIn(corner, folded).adjusted(-kClear, -kClear, kClear, kClear);
+    return !taken_(part.translated(-view_->pos()));
+  };
+  bool folded = true;
+  for (const bool one_line : {card_folded_, true}) {
+    std::size_t n = corner_;  // where it is, as long as it may
+    for (std::size_t other = 0; other < kCorners && !isFree(n, one_line); ++other) n = other;
+    if (!isFree(n, one_line)) continue;
+    corner_ = n;
+    folded = one_line;
+    break;
+  }
+  card_->setFolded(folded);
+  const QRect place = cardIn(corner_, folded);
+  if (card_->geometry() == place) return;
+  card_->setGeometry(place);
   card_->raise();
 }
 

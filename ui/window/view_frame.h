@@ -3,6 +3,8 @@
 
 #include <QColor>
 #include <QWidget>
+#include <cstddef>
+#include <functional>
 
 class QLabel;
 class QToolButton;
@@ -24,15 +26,23 @@ class ViewFrame : public QWidget {
   void setMaximised(bool maximised);
   void setHint(const QString& hint);
   void setHintShown(bool shown);
-  /// Shows the force in the lower right corner of the view: the figure alone where the view is
-  /// small, and not at all where it would cover the most of it.
-  void setCard(ForcePanel& card);
+  /// Shows the force in a corner of the view, at first the lower right one: the figure alone where
+  /// the view is small, and not at all where it would cover the most of it. `taken`: whether there
+  /// is something in this part of the view that must not be covered.
+  void setCard(ForcePanel& card, std::function<bool(const QRect& part)> taken);
+  /// Moves the card to a corner that is free, folded to one line where nothing else is.
+  void keepCardClear();
+  /// Whether the user folded the card.
+  bool cardFolded() const { return card_folded_; }
+  void setCardFolded(bool folded);
   QSize minimumSizeHint() const override;
 
  signals:
   /// The user wants no hints, in any view.
   void hintsUnwanted();
   void maximiseWanted();
+  /// The user folded the card, or unfolded it.
+  void cardFoldedChanged();
   void menuWanted(QPoint at);
 
  protected:
@@ -42,7 +52,7 @@ class ViewFrame : public QWidget {
 
  private:
   void place();
-  void placeCard(const QRect& view);
+  QRect cardIn(std::size_t corner, bool folded) const;
 
   QWidget* view_;
   QColor colour_;
@@ -54,6 +64,9 @@ class ViewFrame : public QWidget {
   bool hint_shown_ = true;
   bool maximised_ = false;
   ForcePanel* card_ = nullptr;
+  std::function<bool(const QRect&)> taken_;
+  bool card_folded_ = false;
+  std::size_t corner_ = 0;  ///< of the card
 };
 
 }  // namespace ui

@@ -14,6 +14,11 @@
 #include "ui/window/view_layout.h"
 
 namespace ui {
+namespace {
+
+constexpr int kCardMs = 100;  // between two looks whether the card covers the tool
+
+}  // namespace
 
 Views::Views(QWidget* window)
     : QObject(window), volume_(new VolumeView), slices_(new SliceSet(window)) {
@@ -88,6 +93,9 @@ void Views::setTouched(const TouchedSurface& touched) {
 void Views::display(const haptics::Snapshot& snapshot) {
   volume_->display(snapshot);
   slices_->display(snapshot);
+  if (card_placed_.isValid() && !card_placed_.hasExpired(kCardMs)) return;
+  card_placed_.start();
+  volumeFrame().keepCardClear();
 }
 
 void Views::addOverlay(Overlay& overlay) {
@@ -100,8 +108,11 @@ void Views::addAction(QAction& action) {
   for (SliceView* slice : slices_->slices()) slice->addAction(&action);
 }
 
+ViewFrame& Views::volumeFrame() const { return static_cast<ViewFrame&>(*volume_->parentWidget()); }
+
 void Views::setForceCard(ForcePanel& card) {
-  static_cast<ViewFrame*>(volume_->parentWidget())->setCard(card);
+  volumeFrame().setCard(card, [this](const QRect& part) { return volume_->isToolIn(part); });
+  connect(&volumeFrame(), &ViewFrame::cardFoldedChanged, this, &Views::cardFoldedChanged);
 }
 
 void Views::setMouse(const MouseChoices& mouse) {
@@ -137,17 +148,21 @@ bool Views::showsSlices() const {
 
 QString Views::state() const {
   return ViewLayout::nameOf(layout_->arrangement()) +
-         (slices_->obliqueShown() ? QStringLiteral("+tool") : QString());
+         (slices_->obliqueShown() ? QStringLiteral("+tool") : QString()) +
+         (volumeFrame().cardFolded() ? QStringLiteral("+folded") : QString());
 }
 
 void Views::restore(const QString& state) {
-  const auto arrangement = ViewLayout::arrangementOf(state.section('+', 0, 0));
+  const QStringList words = state.split('+');
+  const auto arrangement = ViewLayout::arrangementOf(words.first());
   if (!arrangement) return;
   layout_->arrange(*arrangement);
-  slices_->setObliqueShown(state.section('+', 1) == QLatin1String("tool"));
+  slices_->setObliqueShown(words.contains(QLatin1String("tool")));
+  volumeFrame().setCardFolded(words.contains(QLatin1String("folded")));
 }
 
 void Views::reset() {
+  volumeFrame().setCardFolded(false);
   slices_->setObliqueShown(false);
   layout_->reset();
 }

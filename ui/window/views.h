@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <vector>
@@ -20,6 +21,7 @@ class ForcePanel;
 class Overlay;
 class TopBar;
 class ViewActions;
+class ViewFrame;
 class ViewLayout;
 class VolumeView;
 
@@ -54,7 +56,7 @@ class Views : public QObject {
   void addOverlay(Overlay& overlay);
   /// Its key works while a view has the focus.
   void addAction(QAction& action);
-  /// Shows the force in the corner of the 3-D view.
+  /// Shows the force in a corner of the 3-D view that the tool leaves free.
   void setForceCard(ForcePanel& card);
   /// What the mouse does in all views.
   void setMouse(const MouseChoices& mouse);
@@ -89,12 +91,17 @@ class Views : public QObject {
   void isovalueWanted(double isovalue);
   /// The user wants no hints, in any view.
   void hintsUnwanted();
+  /// The user folded the card of the force, or unfolded it.
+  void cardFoldedChanged();
 
  private:
+  ViewFrame& volumeFrame() const;
+
   VolumeView* volume_;
   SliceSet* slices_;
   ViewLayout* layout_;
   ViewActions* actions_ = nullptr;
+  QElapsedTimer card_placed_;
 };
 
 }  // namespace ui

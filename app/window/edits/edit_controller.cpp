@@ -3,6 +3,7 @@
 
 #include <QLocale>
 #include <QMenu>
+#include <QPushButton>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,6 +27,7 @@ using ui::EditTool;
 using ui::kMmPerM;
 
 constexpr double kCm3PerM3 = 1e6;
+constexpr double kLeastOffered = 5e-6;  // m^3: less of a holder is in nobody's way
 constexpr double kAnyIntensity = std::numeric_limits<double>::infinity();
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
@@ -55,6 +57,16 @@ std::shared_ptr<const ui::MarkedVoxels> marked(const haptics::Volume& volume,
 
 }  // namespace
 
+haptics::Expected<EditController::Preview> EditController::previewOf(
+    const Edit& edit, const haptics::Volume& volume, double isovalue,
+    const background::Watch& watch) {
+  const auto removal = datasets::removalOf(volume, edit, isovalue, {.cancel = &watch.cancel});
+  if (!removal) return tl::unexpected(removal.error());
+  // of a piece what is solid; it takes its rim with it, which nobody sees. A holder is foam, too
+  const bool solid = !std::holds_alternative<datasets::RemoveHolder>(edit);
+  return Preview{removal->volume, marked(volume, *removal, solid ? isovalue : -kAnyIntensity)};
+}
+
 EditController::EditController(ui::MainWindow& window, SharedState& shared)
     : window_(window),
       views_(window.views()),
@@ -66,13 +78,14 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
       shared_(shared),
       panel_(new ui::EditPanel),
       jobs_(messages_, loading_, shared),
+      found_(new ui::Banner(ui::Banner::Kind::Question, "holderFound")),
       // with its words: a load that ended meanwhile has put the bar away
       saver_([this](double fraction) {
         loading_.begin(tr("Saving"));
         loading_.advance(fraction);
       }) {
   window.panels().add(panel_, tr("Remove parts"), tr("R&emove parts"), "editSection",
-                      ui::Tab::Scan);
+                      ui::Tab::Touch);
   for (ui::Overlay* overlay :
        std::initializer_list<ui::Overlay*>{&shade_, &plane_, &crop_, &pick_, &lasso_})
     window.views().addOverlay(*overlay);
@@ -80,6 +93,7 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
   connectJobs();
   connectPanel();
   connectOverlays();
+  offerHolder();
   connect(&window.loading(), &ui::Loading::cancelWanted, this, [this] {
     jobs_.cancel();
     saver_.cancel();
@@ -196,6 +210,7 @@ void EditController::showScene() {
     scan_ = scan;
     jobs_.begin(scan);
     panel_->setTool(EditTool::None);
+    lookForHolder();
   }
   panel_->setReady(!replaying_);
   endPreview();
@@ -205,7 +220,10 @@ void EditController::showScene() {
 
 void EditController::setReplaying(bool replaying) {
   replaying_ = replaying;
-  if (replaying) endTool();
+  if (replaying) {
+    endTool();
+    found_->hide();
+  }
   panel_->setReady(!replaying && shared_.shown.has_value());
   showSteps();
 }
@@ -242,10 +260,12 @@ void EditController::showSteps() {
   reset_->setEnabled(in_force > 0 && !replaying_);
   for (QAction* tool : tools_) tool->setEnabled(shared_.shown.has_value() && !replaying_);
   window_.setEdited(in_force > 0);
+  if (in_force > 0) found_->hide();
 }
 
 void EditController::changeTool(EditTool tool) {
   endPreview();
+  if (tool == EditTool::Holder) found_->hide();
   crop_.hide();
   plane_.hide();
   lasso_.setActive(tool == EditTool::Scalpel);
@@ -388,16 +408,7 @@ void EditController::preview(Edit edit, ui::EditConfirm confirm, const QString& 
   messages_.clear();
   previewer_.start(
       [edit, volume = shared_.shown->volume(), isovalue = shared_.settings.isovalue](
-          const background::Watch& watch) -> haptics::Expected<Preview> {
-        const auto removal =
-            datasets::removalOf(*volume, edit, isovalue, {.cancel = &watch.cancel});
-        if (!removal) return tl::unexpected(removal.error());
-        // of a piece what is solid; it takes its rim with it, which nobody sees. A holder is foam,
-        // too
-        const bool solid = !std::holds_alternative<datasets::RemoveHolder>(edit);
-        return Preview{removal->volume,
-                       marked(*volume, *removal, solid ? isovalue : -kAnyIntensity)};
-      },
+          const background::Watch& watch) { return previewOf(edit, *volume, isovalue, watch); },
       [this, edit, confirm, words](const haptics::Expected<Preview>& made) {
         if (!made) {
           if (made.error().kind != haptics::Error::Kind::Cancelled)
@@ -428,6 +439,49 @@ void EditController::confirmPiece(bool keep) {
     apply(datasets::KeepPiece{wanted.seed_W, wanted.isovalue});
   else
     apply(wanted);
+}
+
+void EditController::offerHolder() {
+  window_.addOverView(*found_);
+  found_->setSentence(tr("Table and head holder found"));
+  const auto button = [&](const char* name, const QString& text, const QString& tip,
+                          const std::function<void()>& take) {
+    QPushButton* one = found_->addButton(name);
+    one->setText(text);
+    one->setToolTip(tip);
+    connect(one, &QPushButton::clicked, this, take);
+  };
+  button("holderRemove", tr("Remove"), tr("Takes them away; Undo brings them back"), [this] {
+    found_->hide();
+    apply(holder_->edit);
+  });
+  button("holderShow", tr("Show"), tr("Shows in amber what would be removed"),
+         [this] { shade_.show(holder_->preview.voxels); });
+  button("holderKeep", tr("Keep"), tr("Leaves the scan as it is"), [this] {
+    found_->hide();
+    endPreview();
+  });
+}
+
+/// Of a scan from a file, and only where intensities say what is air.
+void EditController::lookForHolder() {
+  found_->hide();
+  holder_.reset();
+  looker_.abandon();
+  const auto volume = shared_.shown->volume();
+  if (shared_.shown->place.empty() || volume->unit != "HU") return;
+  const double isovalue = shared_.settings.isovalue;
+  const Edit edit = datasets::RemoveHolder{.isovalue = isovalue};
+  looker_.start(
+      [edit, volume, isovalue](const background::Watch& watch) {
+        background::goLast();
+        return previewOf(edit, *volume, isovalue, watch);
+      },
+      [this, edit](const haptics::Expected<Preview>& made) {
+        if (!made || made->volume < kLeastOffered || !edits().empty() || replaying_) return;
+        holder_ = Found{edit, *made};
+        found_->show();
+      });
 }
 
 void EditController::save(const QString& path) {

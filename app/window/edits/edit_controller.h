@@ -17,6 +17,7 @@
 #include "ui/overlays/lasso.h"
 #include "ui/overlays/removal_shade.h"
 #include "ui/panels/edit_panel.h"
+#include "ui/window/banner.h"
 #include "ui/window/loading.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menus.h"
@@ -67,6 +68,9 @@ class EditController : public QObject {
     std::shared_ptr<const ui::MarkedVoxels> voxels;
   };
 
+  static haptics::Expected<Preview> previewOf(const datasets::Edit& edit,
+                                              const haptics::Volume& volume, double isovalue,
+                                              const background::Watch& watch);
   void buildMenu();
   void connectJobs();
   void connectPanel();
@@ -90,6 +94,8 @@ class EditController : public QObject {
   void cutOutline(const ui::DrawnOutline& outline);
   void preview(datasets::Edit edit, ui::EditConfirm confirm, const QString& words);
   void confirmPiece(bool keep);
+  void offerHolder();
+  void lookForHolder();
   void save(const QString& path);
 
   ui::MainWindow& window_;
@@ -114,6 +120,14 @@ class EditController : public QObject {
   std::optional<datasets::Edit> previewed_;
   EditQueue jobs_;
   background::Task<Preview> previewer_;
+  ui::Banner* found_;  ///< offers to remove table and holder of a scan that has come
+  background::Task<Preview> looker_;
+  /// Table and holder that found_ tells of.
+  struct Found {
+    datasets::Edit edit;
+    Preview preview;
+  };
+  std::optional<Found> holder_;
   background::Task<QString> saver_;  ///< the name of the written file
 };
 

@@ -94,8 +94,22 @@ void OpeningController::load(LoadRequest request, const QString& what) {
   emit loading();
   if (!request.keep) choice_.close();
   request.options = shared_.options;
+  if (request.keep && request.tool) {
+    tool_ = request.tool;
+    if (!tool_->file) preferences_.present().tool = QString::fromStdString(tool_->name);
+  } else if (request.path && !request.tool) {
+    request.tool = rememberedTool();
+  }
   if (shared_.shown) request.previous = shared_.shown->scene;
   loader_.start(std::move(request));
+}
+
+/// The tool that the user chose last, also before this start.
+std::optional<ToolSource> OpeningController::rememberedTool() const {
+  std::error_code error;
+  if (tool_ && (!tool_->file || std::filesystem::exists(*tool_->file, error))) return tool_;
+  const std::string name = preferences_.present().tool.toStdString();
+  return name.empty() ? std::nullopt : std::optional{ToolSource{.name = name}};
 }
 
 void OpeningController::open(const QString& path, LoadRequest request) {

@@ -65,6 +65,7 @@ class OpeningController : public QObject {
   void adopt(const Loaded& loaded);
   void refuse(const LoadRequest& request, const haptics::Error& error);
   void keepPlace(const std::filesystem::path& place);
+  std::optional<ToolSource> rememberedTool() const;
   void forgetPlaces();
   void showPlaces();
 
@@ -82,6 +83,7 @@ class OpeningController : public QObject {
   QString what_;   ///< what the loader is at
   Loader loader_;
   SeriesChoice choice_;
+  std::optional<ToolSource> tool_;  ///< that the user chose last
 };
 
 }  // namespace app

@@ -11,6 +11,7 @@
 #include "haptics/process/input_file.h"
 #include "haptics/session.h"
 #include "haptics/settings.h"
+#include "resources/named_tools.h"
 
 namespace app {
 namespace {
@@ -115,6 +116,9 @@ Preferences loadPreferences() {
   preferences.places_remembered = flag("places/remembered", true);
   if (preferences.places_remembered)
     preferences.places = settings.value("places/recent").toStringList().mid(0, kMostPlaces);
+  if (const QString tool = settings.value("tool/name").toString();
+      resources::findNamedTool(tool.toStdString()) != nullptr)
+    preferences.tool = tool;
   preferences.unread = stored.unread();
   if (!readable) preferences.unread << QStringLiteral("Palpate.conf");
   return preferences;
@@ -157,6 +161,7 @@ void savePreferences(const Preferences& preferences) {
   settings.setValue("device/clutch_button", mapping.clutch_button);
   settings.setValue("device/hold_to_run", mapping.hold_to_run);
   settings.setValue("device/hold_button", mapping.hold_button);
+  setOrRemove(settings, "tool/name", !preferences.tool.isEmpty(), preferences.tool);
   settings.setValue("places/remembered", preferences.places_remembered);
   // nothing is left of them in the file once they are forgotten
   if (preferences.places.isEmpty())

@@ -35,6 +35,7 @@ struct Preferences {
   ui::Mapping mapping = {};  ///< mapping of haptic devices
   QStringList places = {};   ///< entries of File > Open recent, the newest first
   bool places_remembered = true;
+  QString tool = {};        ///< named tool that was used last; empty: none
   QStringList unread = {};  ///< keys of values that could not be read, and are as at first
 };
 

@@ -143,12 +143,12 @@ void HandController::adopt(bool new_volume, bool placed) {
   shared_.apply();
 }
 
-void HandController::bring(const haptics::Pose& X_WT) {
+void HandController::bring(const haptics::Pose& X_WT, const haptics::Pose& X_WH) {
   if (!shared_.shown || shared_.replaying) return;
   const Hand* hand = handOf(hand_);
   if (hand != nullptr && hand->kind != HandKind::Mouse) return void(open(hand_, X_WT));
-  shared_.session.bring(X_WT);
-  views_.volume().placeHand(X_WT);
+  shared_.session.bring(X_WT, X_WH);
+  views_.volume().placeHand(X_WH);
 }
 
 void HandController::reopen() {

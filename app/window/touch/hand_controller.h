@@ -38,7 +38,7 @@ class HandController : public QObject {
   void adopt(bool new_volume, bool placed);
   /// Brings the tool to a legal pose, with the force ramping from zero. A simulated hand begins its
   /// motion anew from there; the hand at a real device stays where it is.
-  void bring(const haptics::Pose& X_WT);
+  void bring(const haptics::Pose& X_WT, const haptics::Pose& X_WH);
   /// Opens the hand if none is open, there is a scene, and no recording is on view.
   void reopen();
   /// The same for a new scene. If a simulated hand finds no target, opens the mouse instead.

@@ -2,11 +2,13 @@
 #include "app/window/touch/tool_controller.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "datasets/readers/meshes/tool_mesh.h"
 #include "haptics/smoothing.h"
 #include "resources/named_tools.h"
 #include "ui/panels/tool_list.h"
+#include "ui/panels/tool_tiles.h"
 
 namespace app {
 namespace {
@@ -25,8 +27,9 @@ double lengthOf(const haptics::TriangleMesh& mesh) {
 
 }  // namespace
 
-ToolController::ToolController(ui::DevicePanel& panel, SharedState& shared)
+ToolController::ToolController(ui::DevicePanel& panel, ui::SidePanel& panels, SharedState& shared)
     : panel_(panel), shared_(shared) {
+  panels.add(&panel.details(), tr("Details"), {}, "touchDetails", ui::Tab::Touch, ui::Fold::Folded);
   QList<ui::ToolEntry> tools;
   for (const resources::NamedTool& tool : resources::namedTools())
     tools.append({.id = QString::fromStdString(tool.name),
@@ -36,7 +39,9 @@ ToolController::ToolController(ui::DevicePanel& panel, SharedState& shared)
                   .tip = tool.tip,
                   .mesh = resources::namedToolMesh(tool.name).value()});
   panel.tools().setTools(tools);
-  panel.tools().setEnabled(false);  // the first scan brings a tool
+  panel.tiles().setTools(tools);
+  for (QWidget* one : std::initializer_list<QWidget*>{&panel.tools(), &panel.tiles()})
+    one->setEnabled(false);  // the first scan brings a tool
   panel.setFields({{kTrilinear, tr("As scanned")}, {kSpline, tr("Smoothed")}});
   connect(&panel, &ui::DevicePanel::toolChosen, this,
           [this](const QString& id) { changeTool(toolNamed(id.toStdString())); });
@@ -56,18 +61,19 @@ ToolController::ToolController(ui::DevicePanel& panel, SharedState& shared)
 void ToolController::show() {
   if (!shared_.shown) return;
   panel_.tools().setEnabled(true);
+  panel_.tiles().setEnabled(true);
   const ToolSource& tool = shared_.shown->tool;
-  const QString id = QString::fromStdString(tool.name);
-  if (!tool.file && resources::findNamedTool(tool.name) != nullptr) {
-    panel_.tools().showTool(id);
-  } else {
-    const haptics::TriangleMesh& mesh = shared_.shown->scene->tool.mesh;
-    panel_.tools().showOther({.id = id,
-                              .use = tr("From a file"),
-                              .title = labelOf(tool),
-                              .length = lengthOf(mesh),
-                              .mesh = mesh});
-  }
+  const haptics::TriangleMesh& mesh = shared_.shown->scene->tool.mesh;
+  const ui::ToolEntry entry{.id = QString::fromStdString(tool.name),
+                            .use = tr("From a file"),
+                            .title = labelOf(tool),
+                            .length = lengthOf(mesh),
+                            .mesh = mesh};
+  panel_.tiles().showTool(entry);
+  if (!tool.file && resources::findNamedTool(tool.name) != nullptr)
+    panel_.tools().showTool(entry.id);
+  else
+    panel_.tools().showOther(entry);
   showField();
 }
 

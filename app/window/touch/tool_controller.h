@@ -10,6 +10,7 @@
 #include "app/window/scan/loader.h"
 #include "app/window/scan/shared_state.h"
 #include "ui/panels/device_panel.h"
+#include "ui/window/side_panel.h"
 
 namespace app {
 
@@ -17,7 +18,7 @@ namespace app {
 class ToolController : public QObject {
   Q_OBJECT
  public:
-  ToolController(ui::DevicePanel& panel, SharedState& shared);
+  ToolController(ui::DevicePanel& panel, ui::SidePanel& panels, SharedState& shared);
 
   /// Shows tool and field of the scene on view.
   void show();

@@ -3,6 +3,7 @@
 
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,7 +26,11 @@ PictureController::PictureController(ui::Views& views, ui::TouchState& touch, Sh
       panel_(new ui::ForcePanel),
       samples_(kSamplesAtOnce) {
   views.setForceCard(*panel_);
-  connect(&touch, &ui::TouchState::worded, panel_, &ui::ForcePanel::display);
+  connect(&touch, &ui::TouchState::worded, panel_, [this](const haptics::Snapshot& snapshot) {
+    panel_->display(snapshot, touchedIn(snapshot));
+  });
+  connect(&touch, &ui::TouchState::handNamed, panel_,
+          [this](const QString& label) { panel_->setHand(label, shared_.session.rate().hz); });
   connect(&views.volume(), &ui::VolumeView::fineMeshWanted, this, &PictureController::makeFineMesh);
   display_.setInterval(kDisplayMs);
   display_.setTimerType(Qt::PreciseTimer);
@@ -50,6 +55,22 @@ void PictureController::refresh() {
     look_ = false;
     views_.volume().lookFromTool();
   }
+}
+
+/// At the place that is pressed hardest.
+std::optional<ui::TouchedValue> PictureController::touchedIn(
+    const haptics::Snapshot& snapshot) const {
+  if (!shared_.shown || snapshot.scene != shared_.shown->scene->id || snapshot.contacts <= 0)
+    return {};
+  const auto places = std::span{snapshot.places}.first(
+      std::min<std::size_t>(static_cast<std::size_t>(snapshot.contacts), snapshot.places.size()));
+  const auto hardest = std::ranges::max_element(places, {}, &haptics::ContactPlace::push);
+  const haptics::ScalarField& field = shared_.shown->scene->field;
+  haptics::Vec3 p_W = Eigen::Map<const Eigen::Vector3f>(hardest->p_W.data()).cast<double>();
+  const haptics::Vec3 rise_W = field.sample(field.indexOf(p_W)).gradient_W;
+  if (rise_W.norm() > 0.0) p_W += 0.5 * field.voxel() * rise_W.normalized();
+  return ui::TouchedValue{field.value(field.indexOf(p_W)),
+                          QString::fromStdString(shared_.shown->volume()->unit)};
 }
 
 void PictureController::showForces() {

@@ -40,6 +40,7 @@ class PictureController : public QObject {
 
  private:
   void refresh();
+  std::optional<ui::TouchedValue> touchedIn(const haptics::Snapshot& snapshot) const;
   void showForces();
   void makeFineMesh(double isovalue);
 

@@ -22,6 +22,7 @@ namespace app {
 namespace {
 
 constexpr int kPictureSaidMs = 6000;
+constexpr double kRestForce = 0.3;  // N, of a tool that was brought to the surface
 
 }  // namespace
 
@@ -59,7 +60,12 @@ void ViewController::bringTool(const haptics::Vec3& p_W, const haptics::Vec3& no
         tr("The tool does not fit there: it stays where it is. Choose a smaller tool, or a place "
            "with more room."),
         kPictureSaidMs);
-  emit toolPlaced(*X_WT);
+  // the mouse goes on until the tip bears on the surface
+  const double press = kRestForce / shared_.settings.stiffness;
+  haptics::Pose X_WH = *X_WT;
+  X_WH.translation() += place->p_W - press * place->normal_W - *X_WT * tipOf(scene.tool);
+  emit toolPlaced(*X_WT, X_WH);
+  views_.setCross(place->p_W * ui::kMmPerM);
 }
 
 void ViewController::bringToCross() {
@@ -72,7 +78,7 @@ void ViewController::bringToCross() {
   X_WT.translation() = cross_W - X_WT.linear() * tipOf(scene.tool);
   const haptics::Isosurface solid{scene.field, isovalue};
   haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
-  if (haptics::legal(solid, scene.tool.shell, X_WT, unlimited)) return emit toolPlaced(X_WT);
+  if (haptics::legal(solid, scene.tool.shell, X_WT, unlimited)) return emit toolPlaced(X_WT, X_WT);
   bringTool(cross_W, haptics::Vec3::Zero());
 }
 

@@ -30,7 +30,7 @@ class ViewController : public QObject {
 
  signals:
   /// The tool is to be at this legal pose.
-  void toolPlaced(const haptics::Pose& X_WT);
+  void toolPlaced(const haptics::Pose& X_WT, const haptics::Pose& X_WH);
 
  private:
   /// Whether a tool can be brought anywhere now; if not, says why.

@@ -59,6 +59,7 @@ void Editing::open(const std::filesystem::path& scan, double isovalue) {
   window().activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));
   press("View", "Remove parts");
+  window().views().volume().resetCamera();  // from the front
 }
 
 void Editing::openBalls() {

@@ -312,7 +312,7 @@ TEST(Layout, HintsSayWhatTheMouseDoesAndCanBeHiddenForEver) {
     EXPECT_TRUE(hint->accessibleName().contains("To touch"));
     w.window.views().volume().setFocus();
     QTest::keyClick(&w.window.views().volume(), Qt::Key_G);
-    EXPECT_TRUE(hint->accessibleName().contains("moves the tool"));
+    EXPECT_TRUE(hint->accessibleName().contains("move the tool"));
     QTest::keyClick(&w.window.views().volume(), Qt::Key_G);
     w.window.views().volume().setMouseHand(false);
     EXPECT_EQ(hint->accessibleName(), looking);

@@ -93,7 +93,7 @@ TEST(NumberBox, EveryFieldOfTheWindowTakesBothMarksAndNoOtherNumberComesOfWhatIs
   ui::MainWindow& window = panelled.window;
   panelled.show(scan(3000.0), 300.0, "scan");
   window::showAndWait(window, {1240, 840});
-  takesNumbersAndNothingElse(window, 5);
+  takesNumbersAndNothingElse(window, 4);
 }
 
 TEST(NumberBox, EveryFieldOfTheDialogsDoes) {

@@ -297,9 +297,9 @@ std::string lettersIn(const QImage& image) {
 }
 
 /// All that is looked at: three slices; the 3-D view as it begins, from the front, from the left.
-class Views {
+class LetterViews {
  public:
-  Views() {
+  LetterViews() {
     space_.setSurfaceWish(ui::SurfaceMode::Mesh);
     for (ui::SliceView* slice : {&axial_, &coronal_, &sagittal_})
       window::showAndWait(*slice, {kLetterSide, kLetterSide});
@@ -319,6 +319,7 @@ class Views {
     }
     space_.show(picture, 1000.0);
     space_.camera()->ParallelProjectionOff();
+    space_.resetCamera();
     images.push_back(window::pictureAtRest(space_));
     // without perspective, in which the box's near face hides the small balls
     space_.camera()->ParallelProjectionOn();
@@ -377,7 +378,7 @@ void expectLettersAtTheirBalls(const std::vector<QImage>& images) {
 }
 
 TEST(Letters, StandWhereTheirSideIsHoweverAFileTurnsItsAxes) {
-  Views views;
+  LetterViews views;
   const std::vector<std::pair<std::string, Vec3>> spaces{{"left-posterior-superior", {1, 1, 1}},
                                                          {"right-anterior-superior", {-1, -1, 1}},
                                                          {"left-anterior-superior", {1, -1, 1}}};
@@ -412,7 +413,7 @@ TEST(Letters, StandWhereTheirSideIsHoweverAFileTurnsItsAxes) {
 }
 
 TEST(Letters, AreNowhereWhereAFileDoesNotSayHowItLies) {
-  Views views;
+  LetterViews views;
   const auto volume = throughNrrd(turned(Mat3::Identity()), "", Vec3::Ones());
   ASSERT_TRUE(volume);
   ASSERT_FALSE(volume->orientation_known);

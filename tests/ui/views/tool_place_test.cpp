@@ -141,7 +141,7 @@ std::pair<double, double> forcesFor(app::Application& application, std::size_t t
   return {greatest, steepest};
 }
 
-TEST(ToolPlace, TheMouseComesThereWithItsHandAndWithoutAForce) {
+TEST(ToolPlace, TheMouseComesThereWithItsHandAndRestsOnTheSurface) {
   app::Arguments arguments = window::sphereInHand("mouse");
   arguments.load.tool = app::ToolSource{.name = "sphere"};
   app::Application application(arguments);
@@ -156,14 +156,16 @@ TEST(ToolPlace, TheMouseComesThereWithItsHandAndWithoutAForce) {
   QTest::mouseDClick(&view, Qt::LeftButton, {}, middle.toPoint());
   // from the very tick on
   const auto [greatest, steepest] = forcesFor(application, 1'300);
-  EXPECT_LT(greatest, 0.02);  // N: it touches nothing
+  EXPECT_GT(greatest, 0.02);  // N: it rests on the surface
+  EXPECT_LT(greatest, 0.5);
   EXPECT_LT(steepest, 0.02);
   ASSERT_TRUE(
       waitFor([&] { return (application.snapshot().X_WP.translation() - before).norm() > 0.005; }));
   const haptics::Snapshot& now = application.snapshot();
   // from the left: the tool is in front of what is seen, its tip towards it
   EXPECT_GT(now.X_WP.translation().x(), before.x() + 0.005);
-  EXPECT_LT((now.X_WP.translation() - now.X_WD.translation()).norm(), 1e-4);
+  EXPECT_GT(now.contacts, 0);
+  EXPECT_LT((now.X_WP.translation() - now.X_WD.translation()).norm(), 5e-4);
   const auto touched = app::touchedSurfaceOf(application.shown()->scene);
   const Vec3 tip = now.X_WP * app::tipOf(application.shown()->scene->tool);
   const auto met =
@@ -173,7 +175,7 @@ TEST(ToolPlace, TheMouseComesThereWithItsHandAndWithoutAForce) {
   EXPECT_GT(met->normal_W.dot(now.X_WP.linear().col(2)), 0.99);
   EXPECT_LT(QLineF(view.projected(met->p_W), middle).length(), 3.0);
   // the hand goes on from there
-  QTest::keyClick(&view, Qt::Key_G);
+  view.setMouseMode(ui::MouseMode::Hand);
   for (int i = 0; i < 3; ++i) {
     QWheelEvent wheel(middle, view.mapToGlobal(middle), {}, {0, 120}, {}, {}, Qt::NoScrollPhase,
                       false);
@@ -181,9 +183,8 @@ TEST(ToolPlace, TheMouseComesThereWithItsHandAndWithoutAForce) {
   }
   EXPECT_TRUE(waitFor([&] { return application.snapshot().felt_W.force.norm() > 0.3; }));
   EXPECT_GT(application.snapshot().places[0].p_W[0], before.x());
-  // out of a contact, elsewhere: no jump
+  // out of a contact, elsewhere, while the mouse still holds it: no jump
   view.lookFrom(ui::Side::Anterior);
-  QTest::keyClick(&view, Qt::Key_G);
   window::afterTicks(application, 100);
   const Vec3 pressed = application.snapshot().X_WP.translation();
   QTest::mouseDClick(&view, Qt::LeftButton, {},
@@ -192,7 +193,7 @@ TEST(ToolPlace, TheMouseComesThereWithItsHandAndWithoutAForce) {
   ASSERT_TRUE(waitFor(
       [&] { return (application.snapshot().X_WP.translation() - pressed).norm() > 0.005; }));
   window::afterTicks(application, 200);
-  EXPECT_LT(application.snapshot().felt_W.force.norm(), 0.02);
+  EXPECT_LT(application.snapshot().felt_W.force.norm(), 0.5);
 }
 
 TEST(ToolPlace, AClickInASliceAndTheCrosshairAndASimulatedHand) {

@@ -33,6 +33,7 @@ class BallView {
                      .firstMet = meetBall});
     view.show(window::octahedron(0.003));
     view.setMouseHand(true);
+    view.resetCamera();  // from the front
     put({0.010, -0.030, 0.010});
     QObject::connect(&view, &ui::VolumeView::handPulled,
                      [this](const haptics::Pose& X) { pulled = X; });
@@ -167,10 +168,55 @@ TEST(ViewMouse, TakesHoldOfTheToolInAnyModeAndHidesBehindTheSurface) {
   EXPECT_FALSE(ball.view.isOnTool(at));
 }
 
-TEST(ViewMouse, IsAHandInAModeOfItsOwnWithItsKeyAndCursor) {
+TEST(ViewMouse, MovesAndTurnsTheToolByKeysWhileItHoldsIt) {
+  BallView ball;
+  ball.view.setMouseMode(MouseMode::Hand);
+  const Vec3 start{0.010, -0.030, 0.010}, eye = ball.eye();
+  // seen from the front: right is the patient's left, up the head, deeper the back
+  struct {
+    Qt::Key key;
+    Vec3 way;
+  } const keys[] = {{Qt::Key_Right, Vec3::UnitX()},  {Qt::Key_Left, -Vec3::UnitX()},
+                    {Qt::Key_Up, Vec3::UnitZ()},     {Qt::Key_Down, -Vec3::UnitZ()},
+                    {Qt::Key_PageUp, Vec3::UnitY()}, {Qt::Key_PageDown, -Vec3::UnitY()}};
+  for (const auto& [key, way] : keys)
+    for (const auto& [modifier, step] :
+         {std::pair<Qt::KeyboardModifier, double>{Qt::NoModifier, 1e-3},
+          {Qt::ControlModifier, 1e-4}}) {
+      ball.pulled.reset();
+      ball.view.placeHand(haptics::Pose(Eigen::Translation3d(start)));
+      QTest::keyClick(&ball.view, key, modifier);
+      ASSERT_TRUE(ball.pulled) << key;
+      EXPECT_LT((ball.pulled->translation() - start - step * way).norm(), 1e-12) << key;
+      EXPECT_TRUE(ball.pulled->linear().isIdentity(1e-12));
+    }
+  // what is in front turns the way of the arrow; the pages turn about the sight
+  const double five = 5.0 * std::numbers::pi / 180.0;
+  const std::pair<Qt::Key, Vec3> turns[] = {{Qt::Key_Right, Vec3::UnitZ()},
+                                            {Qt::Key_Up, -Vec3::UnitX()},
+                                            {Qt::Key_PageUp, Vec3::UnitY()}};
+  for (const auto& [key, about] : turns) {
+    ball.view.placeHand(haptics::Pose(Eigen::Translation3d(start)));
+    QTest::keyClick(&ball.view, key, Qt::ShiftModifier);
+    EXPECT_EQ(ball.pulled->translation(), start) << key;
+    EXPECT_TRUE(
+        ball.pulled->linear().isApprox(Eigen::AngleAxisd(five, about).toRotationMatrix(), 1e-9))
+        << key << '\n'
+        << ball.pulled->linear();
+  }
+  EXPECT_EQ((ball.eye() - eye).norm(), 0.0);  // the picture stays
+  // without it the same keys turn the picture
+  ball.view.setMouseMode(MouseMode::Look);
+  ball.pulled.reset();
+  QTest::keyClick(&ball.view, Qt::Key_Right);
+  EXPECT_FALSE(ball.pulled);
+  EXPECT_GT((ball.eye() - eye).norm(), 1.0);
+}
+
+TEST(ViewMouse, IsAHandInAModeOfItsOwnWithItsCursor) {
   BallView ball;
   QSignalSpy changed(&ball.view, &ui::VolumeView::mouseModeChanged);
-  QTest::keyClick(&ball.view, Qt::Key_G);
+  ball.view.setMouseMode(MouseMode::Hand);
   EXPECT_EQ(ball.view.mouseMode(), MouseMode::Hand);
   EXPECT_EQ(ball.view.cursor().shape(), Qt::OpenHandCursor);
   const Vec3 eye = ball.eye();
@@ -184,12 +230,12 @@ TEST(ViewMouse, IsAHandInAModeOfItsOwnWithItsKeyAndCursor) {
   EXPECT_GT((ball.eye() - eye).norm(), 1.0);
   ball.drag({60, 350}, {40, 0}, Qt::RightButton);  // the picture still turns
   EXPECT_GT(std::abs(ball.eye().x() - eye.x()), 1.0);
-  QTest::keyClick(&ball.view, Qt::Key_G);
-  EXPECT_EQ(ball.view.mouseMode(), MouseMode::Look);
+  ball.view.setMouseMode(MouseMode::Look);
   EXPECT_EQ(changed.count(), 2);
-  // without the mouse as the hand there is nothing to take
+  // without the mouse as the hand there is nothing to take, which the hint says
   ball.view.setMouseHand(false);
-  QTest::keyClick(&ball.view, Qt::Key_G);
+  EXPECT_TRUE(ball.view.hint().contains("G takes the tool only while the mouse is the hand"));
+  ball.view.setMouseMode(MouseMode::Hand);
   EXPECT_EQ(ball.view.mouseMode(), MouseMode::Look);
 }
 

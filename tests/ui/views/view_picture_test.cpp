@@ -93,6 +93,7 @@ TEST(ViewPicture, ShowsContactsAndForceOnRequest) {
   open(view, SurfaceMode::Mesh);
   view.show(ui::pictureOf(ballVolume(0.020)), 50.0);
   view.show(window::octahedron(0.003));
+  view.resetCamera();
   haptics::Snapshot snapshot = placed({0.0, -0.023, 0.0}, {0.0, -0.022, 0.0});
   snapshot.contacts = 1;
   snapshot.places[0] = {{0.0F, -0.020F, 0.0F}, 2.0F};
@@ -303,6 +304,7 @@ TEST(ViewPicture, LeavesOutWhatIsCroppedAndClosesTheCut) {
     open(view, mode);
     const auto whole = ballVolume(0.020);
     view.show(ui::pictureOf(whole), 50.0);
+    view.resetCamera();
     view.camera()->Azimuth(35.0);
     const double* eye = view.camera()->GetPosition();
     const Vec3 stood{eye};
@@ -498,6 +500,7 @@ TEST(ViewPicture, DarkensWhatLiesDeepIfTheGraphicsCan) {
         return block && !cut ? 100.0 : 0.0;
       });
   view.show(ui::pictureOf(slot), 50.0);
+  view.resetCamera();
   const QPoint floor = view.projected({0.0, -0.009, 0.0}).toPoint();
   const QPoint top = view.projected({0.010, -0.015, 0.0}).toPoint();
   const QImage without = window::pictureAtRest(view);
