@@ -3629,6 +3629,10 @@
         <source>Fold to one line</source>
         <translation>Auf eine Zeile falten</translation>
     </message>
+    <message>
+        <source>Force and touch</source>
+        <translation>Kraft und Berührung</translation>
+    </message>
 </context>
 <context>
     <name>ui::ForcePlot</name>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Controllers of the window, each made without the others and without the application.
 #include <gtest/gtest.h>
+#include <vtkCamera.h>
 
 #include <QAbstractButton>
 #include <QDoubleSpinBox>
@@ -26,8 +27,11 @@
 #include "tests/ui/panelled_window.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/section.h"
+#include "ui/panels/force_panel.h"
 #include "ui/panels/force_words.h"
 #include "ui/panels/performance_panel.h"
+#include "ui/props/picture.h"
+#include "ui/views/volume_view.h"
 #include "ui/window/messages.h"
 #include "ui/window/side_panel.h"
 #include "ui/window/touch_state.h"
@@ -251,12 +255,73 @@ TEST(Controllers, TheCardOfTheForceHasRoomForEveryReasonAndKeepsItsSize) {
     snapshot.contacts = contacts;
     panelled.window.touch().display(snapshot);
     ASSERT_TRUE(waitFor([&] {
-      return words->text() == (contacts == 0   ? "Nothing is touched"
-                               : contacts == 1 ? "Touching at one place"
-                                               : "Touching at 7 places");
+      // of no scan it says no intensity
+      return words->text() == (contacts == 0 ? "Nothing is touched" : "Touching");
     }));
     EXPECT_EQ(card->geometry(), place);
   }
+}
+
+TEST(Controllers, TheCardLeavesTheToolInSightAndFoldsToALine) {
+  window::Panelled panelled;
+  window::showAndWait(panelled.window, {1366, 768});
+  panelled.show(ui::pictureOf(window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
+                                               window::ball(haptics::Vec3::Zero(), 0.020))),
+                50.0, "Ball");
+  ui::VolumeView& view = panelled.window.views().volume();
+  view.resetCamera();
+  auto* card = panelled.window.findChild<ui::ForcePanel*>("forceCard");
+  const auto place = [&] {
+    return QRect(view.mapFrom(&panelled.window, card->mapTo(&panelled.window, QPoint{})),
+                 card->size());
+  };
+  const auto put = [&](QPointF at) {
+    haptics::Snapshot snapshot;
+    const haptics::Vec3 focus = haptics::Vec3{view.camera()->GetFocalPoint()} * 1e-3;
+    const Eigen::Matrix3d axes = view.viewAxes();
+    const double px_per_m =
+        1e3 * (view.projected(focus + axes.col(0) * 1e-3).x() - view.projected(focus).x());
+    const QPointF by = (at - view.projected(focus)) / px_per_m;
+    snapshot.X_WP.translation() = focus + axes.col(0) * by.x() - axes.col(1) * by.y();
+    snapshot.X_WD = snapshot.X_WP;
+    panelled.window.views().display(snapshot);
+    QTest::qWait(120);
+    panelled.window.views().display(snapshot);
+  };
+  view.show(window::octahedron(0.002));
+  panelled.window.views().show(window::octahedron(0.002));
+  const QRect first = place();
+  EXPECT_GT(first.center().x(), view.width() / 2);
+  EXPECT_GT(first.center().y(), view.height() / 2);
+  const QPoint corners[] = {first.center(),
+                            {first.center().x(), 30 + view.height() / 4},
+                            {view.width() - first.center().x(), first.center().y()}};
+  for (const QPoint corner : corners) {
+    put(corner);
+    EXPECT_TRUE(view.isToolIn(QRect(corner - QPoint(9, 9), QSize(18, 18))));
+    EXPECT_FALSE(view.isToolIn(place())) << corner.x() << ' ' << corner.y();
+    EXPECT_GT(card->height(), 100);
+    EXPECT_TRUE(view.rect().contains(place()));
+  }
+  // a tool that lies in every corner leaves room for a line alone, and no room is taken from it
+  panelled.window.views().show(window::octahedron(0.018));
+  put(QPointF(view.width() / 2.0, view.height() / 2.0));
+  EXPECT_FALSE(view.isToolIn(place()));
+  // the user folds it, which is remembered
+  panelled.window.views().show(window::octahedron(0.002));
+  put(QPointF(view.width() / 2.0, view.height() / 2.0));
+  auto* fold = card->findChild<QAbstractButton*>("foldCard");
+  QTest::mouseClick(fold, Qt::LeftButton);
+  EXPECT_LT(card->height(), 50);
+  EXPECT_TRUE(card->findChild<QLabel*>("forceLine")->isVisible());
+  EXPECT_TRUE(card->findChild<QLabel*>("forceLine")->text().contains("Nothing is touched"));
+  const QString state = panelled.window.views().state();
+  QTest::mouseClick(fold, Qt::LeftButton);
+  EXPECT_GT(card->height(), 100);
+  panelled.window.views().restore(state);
+  EXPECT_LT(card->height(), 50);
+  panelled.window.views().reset();
+  EXPECT_GT(card->height(), 100);
 }
 
 TEST(Controllers, AMeasurementIsMadeAndEndedWithAReason) {

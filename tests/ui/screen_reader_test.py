@@ -204,7 +204,7 @@ def main():
     press("Down")
     wait("the simulated hand", lambda: hands.get_name() == "Simulated: tap")
     wait("a force is said", lambda: any(name != "Force: 0.00 N" for name in said("Force: ", before)))
-    wait("a touch is said", lambda: said("Touching at", before))
+    wait("a touch is said", lambda: said("Touch: Touching bone, ", before))
 
     step("stops")
     # Escape takes the force away, and says so

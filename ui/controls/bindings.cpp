@@ -327,7 +327,12 @@ QString nameOfKey(QKeyCombination keys) {
       {Qt::Key_PageUp, WORDS("Page Up")},
       {Qt::Key_PageDown, WORDS("Page Down")}};
   for (const auto& [key, name] : kNames)
-    if (keys == QKeyCombination(key)) return bindingWords(name);
+    if (keys.key() == key) {
+      const QString held = QKeySequence(keys.keyboardModifiers() | Qt::Key_A)
+                               .toString(QKeySequence::NativeText)
+                               .chopped(1);
+      return held + bindingWords(name);
+    }
   return QKeySequence(keys).toString(QKeySequence::NativeText);
 }
 

@@ -55,7 +55,7 @@ ForcePanel::ForcePanel(QWidget* parent)
       unit_(new QLabel(tr("N"))),
       touch_(new Figure(tr("Touch"))),
       with_(new QLabel),
-      line_(new QLabel),
+      line_(new Figure(tr("Force and touch"))),
       fold_(new QToolButton),
       plot_(new ForcePlot) {
   setObjectName("forceCard");

@@ -13,6 +13,7 @@
 
 #include "ui/views/slice_readout.h"
 #include "ui/views/volume_view.h"
+#include "ui/window/banner.h"
 #include "ui/window/views.h"
 
 namespace ui {
@@ -82,6 +83,9 @@ QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wis
     for (auto* over : view.parentWidget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
       if (over != &view && over->isVisible() && over->geometry().intersects(view.geometry()))
         over->render(&painter, over->mapTo(&window, QPoint{}), {}, QWidget::DrawChildren);
+    for (auto* sentence : window.findChildren<Banner*>())
+      if (sentence->isVisible())
+        sentence->render(&painter, sentence->mapTo(&window, QPoint{}), {}, QWidget::DrawChildren);
   }
   image.setDevicePixelRatio(1.0);
   return image;

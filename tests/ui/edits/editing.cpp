@@ -2,14 +2,17 @@
 #include "tests/ui/edits/editing.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QColor>
 #include <QCoreApplication>
 #include <QImage>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QTimer>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -207,6 +210,18 @@ Eigen::Vector3d Editing::pulledTo(const Vector3d& p_mm) {
   }
   afterTicks(*application_, 300);
   return application_->snapshot().X_WP.translation() * 1e3;
+}
+
+void discardWhenAsked(ui::MainWindow& window) {
+  auto* look = new QTimer(&window);
+  QObject::connect(look, &QTimer::timeout, look, [look] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (question == nullptr) return;
+    look->deleteLater();
+    for (QAbstractButton* button : question->buttons())
+      if (button->text().remove('&') == "Discard") return button->click();
+  });
+  look->start(50);
 }
 
 }  // namespace window

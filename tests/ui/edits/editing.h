@@ -85,4 +85,7 @@ class Editing : public testing::Test {
   double isovalue_ = 50.0;
 };
 
+/// Answers the next question about unsaved work with Discard.
+void discardWhenAsked(ui::MainWindow& window);
+
 }  // namespace window

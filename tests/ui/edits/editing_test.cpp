@@ -42,19 +42,6 @@ using Eigen::Vector3d;
 using window::Editing;
 using window::waitFor;
 
-/// Answers the question that comes before edits in no file are dropped.
-void discardWhenAsked(ui::MainWindow& window) {
-  auto* look = new QTimer(&window);
-  QObject::connect(look, &QTimer::timeout, look, [look] {
-    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    if (question == nullptr) return;
-    look->deleteLater();
-    for (QAbstractButton* button : question->buttons())
-      if (button->text().remove('&') == "Discard") return button->click();
-  });
-  look->start(50);
-}
-
 TEST_F(Editing, UndoAndRedoWaitUntilTheToolIsOutOfContactAndSaySo) {
   openBalls();
   click("piecesTool");
@@ -167,7 +154,7 @@ TEST_F(Editing, AnEditLeavesToolAndCameraWhereTheyAre) {
   EXPECT_TRUE(
       waitFor([&] { return application_->snapshot().force_state == haptics::ForceState::Ready; }));
   // another scan is touched again
-  discardWhenAsked(window());
+  window::discardWhenAsked(window());
   emit window().menus().phantomWanted("sphere");
   EXPECT_TRUE(waitFor([&] {
     return application_->snapshot().scene == application_->shown()->scene->id &&
@@ -195,7 +182,7 @@ TEST_F(Editing, AnotherToolKeepsTheEditsAndAnotherVolumeDropsThem) {
   settle();
   EXPECT_TRUE(messageIsShown());
   EXPECT_EQ(application_->editing().edits().size(), 2U);
-  discardWhenAsked(window());
+  window::discardWhenAsked(window());
   emit window().menus().phantomWanted("torus");
   ASSERT_TRUE(waitFor([&] { return application_->shown()->title.contains("torus"); }));
   QTest::qWait(100);
@@ -218,7 +205,7 @@ TEST_F(Editing, TheEditedVolumeIsSavedAndTheInputIsNotWrittenOver) {
   const fs::path out = fs::path(scans_.path().toStdString()) / "saved.nrrd";
   emit window().menus().saveEditedWanted(QString::fromStdString(out.string()));
   ASSERT_TRUE(waitFor([&] { return child<QLabel>("done").text().contains("was saved"); }));
-  discardWhenAsked(window());
+  window::discardWhenAsked(window());
   emit window().menus().openWanted(QString::fromStdString(out.string()));
   ASSERT_TRUE(waitFor([&] { return volume().grid.dims[0] == 30; }));
   EXPECT_EQ(volume().grid.dims, (std::array<std::int64_t, 3>{30, 64, 55}));

@@ -99,7 +99,8 @@ TEST_F(Editing, EachFaceOfTheCropBoxHasAHandleInThreeDAndInTwoSlices) {
   openBalls();
   click("cropTool");
   window().views().setCross(Vector3d::Zero());
-  // so that no handle lies along the line of sight
+  // so that no handle lies beyond the view, or along the line of sight
+  window().views().volume().camera()->Dolly(0.6);
   drag(window().views().volume(), {{100, 600}, {180, 660}});
   keepWindow("edit_crop_handles");
   constexpr double kBy_mm = 4.0;

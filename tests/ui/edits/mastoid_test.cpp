@@ -20,6 +20,7 @@
 #include "ui/panels/force_panel.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/main_window.h"
+#include "ui/window/menus.h"
 #include "ui/window/views.h"
 
 namespace {
@@ -142,6 +143,8 @@ int Mastoid::touch(QSize size) {
   const auto words = [&] { return child<QLabel>("touchNow").text(); };
   EXPECT_TRUE(waitFor([&] { return words().startsWith("Touching bone, "); }, 20.0))
       << words().toStdString();
+  // half a voxel behind the surface bone is denser than its surface
+  EXPECT_GT(words().section(", ", 1).section(' ', 0, 0).toDouble(), isovalue_ + 20.0);
   EXPECT_GT(application_->snapshot().felt_W.force.norm(), 0.0);
   const Vector3d tip_mm = application_->snapshot().X_WP.translation() * 1e3;
   std::printf("  %d actions; \"%s\"; the tool is at x = %.1f, y = %.1f, z = %.1f mm\n", actions,
@@ -166,6 +169,11 @@ TEST_F(Mastoid, FiveActionsFromTheStartToTheTouch) {
   // another scan begins with the tool that was chosen
   QTest::mouseClick(&child("tile-hook"), Qt::LeftButton);
   EXPECT_TRUE(waitFor([&] { return application_->shown()->tool.name == "hook"; }));
+  const auto before = application_->shown()->scene->id;
+  window::discardWhenAsked(window());
+  emit window().menus().openWanted(QString::fromStdString(scan().string()));
+  EXPECT_TRUE(waitFor([&] { return application_->shown()->scene->id != before; }));
+  EXPECT_EQ(application_->shown()->tool.name, "hook");
 }
 
 TEST_F(Mastoid, FiveActionsOnAnotherScreen) { EXPECT_EQ(touch({1366, 768}), 5); }

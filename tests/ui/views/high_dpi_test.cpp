@@ -38,6 +38,7 @@ TEST_F(HighDpi, TheSurfaceIsDrawnAtTheScreensPixelsWhereItIs) {
     view.setSurfaceWish(mode);
     window::showAndWait(view, {300, 240});
     view.show(ballPictureOf(0.020), 50.0);
+    view.resetCamera();
     window::rest(view);
     const QImage image = view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     ASSERT_EQ(image.size(), view.size() * 2);

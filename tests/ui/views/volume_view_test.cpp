@@ -38,6 +38,49 @@ haptics::Snapshot at(const Vec3& proxy_W, const Vec3& device_W) {
   return snapshot;
 }
 
+TEST(VolumeView, LooksAtFirstFromTheFrontLeftAndAboveAndFillsTheViewWithTheSurface) {
+  ui::VolumeView view;
+  window::showAndWait(view, {500, 400});
+  // a ball beside the middle of the grid, and a few specks far away from it
+  const Vec3 centre{-0.008, 0.009, 0.008};
+  const auto ball = window::ball(centre, 0.020);
+  view.show(ui::pictureOf(window::volumeOf(
+                window::cubeGrid(64), haptics::ScalarType::Int16,
+                [&](const Vec3& p) {
+                  return (p - Vec3{0.029, -0.029, -0.029}).norm() < 0.0009 ? 100.0 : ball(p);
+                })),
+            50.0);
+  const Eigen::Matrix3d axes = view.viewAxes();
+  EXPECT_GT(axes(0, 2), 0.2);   // from the patient's left
+  EXPECT_LT(axes(1, 2), -0.5);  // and the front
+  EXPECT_GT(axes(2, 2), 0.2);   // and above
+  EXPECT_GT(axes(2, 1), 0.7);   // the head is up
+  const QPointF middle = view.projected(centre);
+  EXPECT_LT(QLineF(middle, QPointF(250, 200)).length(), 8.0);
+  const double radius = QLineF(middle, view.projected(centre + 0.020 * axes.col(1))).length();
+  EXPECT_GT(radius, 0.7 * 200.0);
+  EXPECT_LT(radius, 0.95 * 200.0);
+}
+
+TEST(VolumeView, LooksAtASlabFromItsBroadSide) {
+  ui::VolumeView view;
+  window::showAndWait(view, {500, 400});
+  for (int thin = 0; thin < 3; ++thin) {
+    view.show(ui::pictureOf(window::volumeOf(window::cubeGrid(64), haptics::ScalarType::Int16,
+                                             [&](const Vec3& p) {
+                                               Vec3 scaled = p;
+                                               scaled[thin] *= 10.0;
+                                               return scaled.cwiseAbs().maxCoeff() < 0.025 ? 100.0
+                                                                                           : 0.0;
+                                             })),
+              50.0);
+    EXPECT_GT(std::abs(view.viewAxes()(thin, 2)), 0.75) << thin;
+    EXPECT_GT(view.viewAxes()(0, 2), 0.0);
+    EXPECT_LT(view.viewAxes()(1, 2), 0.0);
+    EXPECT_GT(view.viewAxes()(2, 2), 0.0);
+  }
+}
+
 TEST(VolumeView, DrawsTheProxyWhereItIsAndTheDeviceInsideTheBone) {
   for (const SurfaceMode mode : {SurfaceMode::Mesh, SurfaceMode::RayCast}) {
     SCOPED_TRACE(nameOf(mode));
