@@ -47,7 +47,7 @@ TEST(VolumeView, LooksAtFirstFromTheFrontLeftAndAboveAndFillsTheViewWithTheSurfa
   view.show(ui::pictureOf(window::volumeOf(
                 window::cubeGrid(64), haptics::ScalarType::Int16,
                 [&](const Vec3& p) {
-                  return (p - Vec3{0.029, -0.029, -0.029}).norm() < 0.0009 ? 100.0 : ball(p);
+                  return (p - Vec3{0.0285, -0.0285, -0.0285}).norm() < 5e-4 ? 100.0 : ball(p);
                 })),
             50.0);
   const Eigen::Matrix3d axes = view.viewAxes();
