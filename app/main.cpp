@@ -149,8 +149,8 @@ int run(int argc, char** argv) {
   int qt_argc = 1;  // the arguments are ours
   QApplication qt(qt_argc, argv);
   const app::Preferences preferences = app::loadPreferences();
-  ui::speak(preferences.language);
-  ui::style::dress(qt, ui::style::themeOf(preferences.theme));
+  ui::setLanguage(preferences.language);
+  ui::style::applyTheme(qt, ui::style::themeOf(preferences.theme));
   display.reset();  // Qt holds its own
   datasets::sweepTemporaryFolders();
   // a file that may not grow further is an error like any other

@@ -45,13 +45,15 @@ constexpr std::array<const char*, 13> kTransferSyntaxes{
 constexpr std::array<const char*, 2> kPlain{UID_LittleEndianExplicitTransferSyntax,
                                             UID_LittleEndianImplicitTransferSyntax};
 
-/// What DCMTK is told to wait: longer than the wire does, which knows why.
-int seconds(const Wire& wire) { return static_cast<int>(wire.server().patience_s) + 2; }
+/// What DCMTK is told to wait: longer than the watch waits, which knows why.
+int seconds(const ConnectionWatch& watch) {
+  return static_cast<int>(watch.server().patience_s) + 2;
+}
 
 /// What a call of DCMTK that failed means where the connection stood.
-tl::unexpected<haptics::Error> lossOf(Wire& wire) {
-  if (auto known = wire.trouble()) return tl::unexpected(std::move(*known));
-  return failed("lost", {"fetch-lost", {wire.server().name()}});
+tl::unexpected<haptics::Error> lossOf(ConnectionWatch& watch) {
+  if (auto known = watch.trouble()) return tl::unexpected(std::move(*known));
+  return failed("lost", {"fetch-lost", {watch.server().name()}});
 }
 
 Expected<void> addContexts(T_ASC_Parameters* parameters, Association::Purpose purpose) {
@@ -81,8 +83,8 @@ Expected<void> addContexts(T_ASC_Parameters* parameters, Association::Purpose pu
   return {};
 }
 
-haptics::Error rejection(const Wire& wire, T_ASC_Parameters* parameters) {
-  const Server& server = wire.server();
+haptics::Error rejection(const ConnectionWatch& watch, T_ASC_Parameters* parameters) {
+  const Server& server = watch.server();
   const haptics::Message name = server.name();
   T_ASC_RejectParameters why{};
   ASC_getRejectParameters(parameters, &why);
@@ -104,8 +106,8 @@ haptics::Error rejection(const Wire& wire, T_ASC_Parameters* parameters) {
 std::span<const char* const> imageClasses() { return kImageClasses; }
 std::span<const char* const> transferSyntaxes() { return kTransferSyntaxes; }
 
-haptics::Error reachError(Wire& wire, DcmTransportLayer& layer) {
-  const Server& server = wire.server();
+haptics::Error reachError(ConnectionWatch& watch, DcmTransportLayer& layer) {
+  const Server& server = watch.server();
   const haptics::Message name = server.name();
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
@@ -124,7 +126,7 @@ haptics::Error reachError(Wire& wire, DcmTransportLayer& layer) {
     }
   }
   std::optional<haptics::Error> known;
-  if (why == 0 && server.tls) known = wire.refusalOn(layer, probe);
+  if (why == 0 && server.tls) known = watch.refusalOn(layer, probe);
   if (probe >= 0) close(probe);
   if (known) return std::move(*known);
   if (why == ECONNREFUSED) return failed("port", {"fetch-port-closed", {name}}).value();
@@ -141,13 +143,13 @@ bool awaitData(T_ASC_Association* association, int socket, int milliseconds) {
   return ASC_dataWaiting(association, 0);
 }
 
-Expected<std::unique_ptr<Association>> Association::open(Wire& wire, Purpose purpose,
+Expected<std::unique_ptr<Association>> Association::open(ConnectionWatch& watch, Purpose purpose,
                                                          const std::string& key_passphrase) {
-  const Server& server = wire.server();
-  auto layer = wire.layer(key_passphrase, false);
+  const Server& server = watch.server();
+  auto layer = watch.layer(key_passphrase, false);
   if (!layer) return tl::unexpected(layer.error());
-  std::unique_ptr<Association> made{new Association(wire, std::move(*layer))};
-  if (ASC_initializeNetwork(NET_REQUESTOR, 0, seconds(wire), &made->network_).bad() ||
+  std::unique_ptr<Association> made{new Association(watch, std::move(*layer))};
+  if (ASC_initializeNetwork(NET_REQUESTOR, 0, seconds(watch), &made->network_).bad() ||
       ASC_setTransportLayer(made->network_, made->layer_.get(), 0).bad())
     return failed("memory", {"fetch-memory", {}});
   T_ASC_Parameters* parameters = nullptr;
@@ -161,19 +163,19 @@ Expected<std::unique_ptr<Association>> Association::open(Wire& wire, Purpose pur
     ASC_destroyAssociationParameters(&parameters);
     return tl::unexpected(added.error());
   }
-  const Wire::Waiting waiting{wire};
-  const Wire::Bound bound{kLongestMessage};
+  const ConnectionWatch::Waiting waiting{watch};
+  const ConnectionWatch::Bound bound{kLongestMessage};
   const OFCondition asked = ASC_requestAssociation(made->network_, parameters, &made->association_,
-                                                   nullptr, nullptr, DUL_NOBLOCK, seconds(wire));
+                                                   nullptr, nullptr, DUL_NOBLOCK, seconds(watch));
   if (asked.bad()) {
     made->released_ = true;  // there is nothing to abort
-    if (asked == DUL_ASSOCIATIONREJECTED) return tl::unexpected(rejection(wire, parameters));
+    if (asked == DUL_ASSOCIATIONREJECTED) return tl::unexpected(rejection(watch, parameters));
     // without an association the parameters are this function's
     if (made->association_ == nullptr) ASC_destroyAssociationParameters(&parameters);
-    if (auto known = wire.trouble()) return tl::unexpected(std::move(*known));
-    return tl::unexpected(reachError(wire, *made->layer_));
+    if (auto known = watch.trouble()) return tl::unexpected(std::move(*known));
+    return tl::unexpected(reachError(watch, *made->layer_));
   }
-  made->socket_ = wire.newest();
+  made->socket_ = watch.newest();
   return made;
 }
 
@@ -190,16 +192,16 @@ Association::~Association() {
 }
 
 void Association::release() {
-  const Wire::Waiting waiting{wire_};
+  const ConnectionWatch::Waiting waiting{watch_};
   released_ = ASC_releaseAssociation(association_).good();
 }
 
 /// An abort is how some servers answer the first request of a program that they do not permit.
 tl::unexpected<haptics::Error> Association::lossOf(const OFCondition& why) {
-  auto lost = fetch::lossOf(wire_);
+  auto lost = fetch::lossOf(watch_);
   if (lost.value().reason == "lost" && why == DUL_PEERABORTEDASSOCIATION && !heard_)
     return refused("permission",
-                   {"fetch-aborted", {wire_.server().name(), wire_.server().calling}});
+                   {"fetch-aborted", {watch_.server().name(), watch_.server().calling}});
   return lost;
 }
 
@@ -216,7 +218,7 @@ Expected<void> Association::send(T_ASC_PresentationContextID context, T_DIMSE_Me
   if (DIMSE_sendMessageUsingMemoryData(association_, context, &message, nullptr, keys, nullptr,
                                        nullptr)
           .bad())
-    return fetch::lossOf(wire_);
+    return fetch::lossOf(watch_);
   return {};
 }
 
@@ -224,16 +226,16 @@ Expected<T_DIMSE_Message> Association::next(T_ASC_PresentationContextID request,
                                             T_ASC_PresentationContextID& context,
                                             const std::function<Expected<void>()>& healthy) {
   while (!awaitData(association_, socket_, kLook_ms)) {
-    if (Wire::stopping() && !std::exchange(cancel_sent_, true))
+    if (ConnectionWatch::stopping() && !std::exchange(cancel_sent_, true))
       DIMSE_sendCancelRequest(association_, request, id);
     if (healthy)
       if (auto sound = healthy(); !sound) return tl::unexpected(sound.error());
   }
   T_DIMSE_Message message{};
   DcmDataset* detail = nullptr;
-  const Wire::Bound bound{kLongestMessage};
-  const OFCondition received = DIMSE_receiveCommand(association_, DIMSE_NONBLOCKING, seconds(wire_),
-                                                    &context, &message, &detail);
+  const ConnectionWatch::Bound bound{kLongestMessage};
+  const OFCondition received = DIMSE_receiveCommand(association_, DIMSE_NONBLOCKING,
+                                                    seconds(watch_), &context, &message, &detail);
   const std::unique_ptr<DcmDataset> unused{detail};
   if (received.bad()) return lossOf(received);
   heard_ = true;
@@ -242,22 +244,23 @@ Expected<T_DIMSE_Message> Association::next(T_ASC_PresentationContextID request,
 
 Expected<std::unique_ptr<DcmDataset>> Association::dataset(T_ASC_PresentationContextID context) {
   DcmDataset* received = nullptr;
-  const Wire::Bound bound{kLongestMessage};
+  const ConnectionWatch::Bound bound{kLongestMessage};
   const OFCondition done = DIMSE_receiveDataSetInMemory(
-      association_, DIMSE_NONBLOCKING, seconds(wire_), &context, &received, nullptr, nullptr);
+      association_, DIMSE_NONBLOCKING, seconds(watch_), &context, &received, nullptr, nullptr);
   std::unique_ptr<DcmDataset> owned{received};
-  if (done.bad() || !owned) return fetch::lossOf(wire_);
+  if (done.bad() || !owned) return fetch::lossOf(watch_);
   return owned;
 }
 
 /// What the last response of a request means.
 Expected<void> Association::finalOf(DIC_US status) const {
-  const haptics::Message name = wire_.server().name();
-  if (Wire::stopping() || status == STATUS_FIND_Cancel_MatchingTerminatedDueToCancelRequest)
+  const haptics::Message name = watch_.server().name();
+  if (ConnectionWatch::stopping() ||
+      status == STATUS_FIND_Cancel_MatchingTerminatedDueToCancelRequest)
     return cancelled();
   if (status == STATUS_Success || (status & 0xf000) == 0xb000) return {};
   if (status == STATUS_MOVE_Refused_MoveDestinationUnknown)
-    return refused("destination", {"fetch-move-destination", {name, wire_.server().calling}});
+    return refused("destination", {"fetch-move-destination", {name, watch_.server().calling}});
   if (status == 0x0124) return refused("permission", {"fetch-permission", {name}});
   char word[8];
   std::snprintf(word, sizeof word, "%04X", status);
@@ -265,15 +268,16 @@ Expected<void> Association::finalOf(DIC_US status) const {
 }
 
 Expected<void> Association::echo() {
-  const auto context = contextOf(
-      UID_VerificationSOPClass, {"fetch-no-find", {wire_.server().name(), wire_.server().calling}});
+  const auto context =
+      contextOf(UID_VerificationSOPClass,
+                {"fetch-no-find", {watch_.server().name(), watch_.server().calling}});
   if (!context) return tl::unexpected(context.error());
-  const Wire::Waiting waiting{wire_};
-  const Wire::Bound bound{kLongestMessage};
+  const ConnectionWatch::Waiting waiting{watch_};
+  const ConnectionWatch::Bound bound{kLongestMessage};
   DIC_US status = 0;
   DcmDataset* detail = nullptr;
   const OFCondition answered = DIMSE_echoUser(association_, association_->nextMsgID++,
-                                              DIMSE_NONBLOCKING, seconds(wire_), &status, &detail);
+                                              DIMSE_NONBLOCKING, seconds(watch_), &status, &detail);
   const std::unique_ptr<DcmDataset> unused{detail};
   if (answered.bad()) return lossOf(answered);
   heard_ = true;
@@ -284,9 +288,9 @@ Expected<void> Association::find(DcmDataset& keys, std::size_t most,
                                  const std::function<void(DcmDataset&)>& found) {
   const auto context =
       contextOf(UID_FINDStudyRootQueryRetrieveInformationModel,
-                {"fetch-no-find", {wire_.server().name(), wire_.server().calling}});
+                {"fetch-no-find", {watch_.server().name(), watch_.server().calling}});
   if (!context) return tl::unexpected(context.error());
-  const Wire::Waiting waiting{wire_};
+  const ConnectionWatch::Waiting waiting{watch_};
   T_DIMSE_Message message{};
   message.CommandField = DIMSE_C_FIND_RQ;
   T_DIMSE_C_FindRQ& request = message.msg.CFindRQ;
@@ -300,7 +304,7 @@ Expected<void> Association::find(DcmDataset& keys, std::size_t most,
     auto answer = next(*context, request.MessageID, came, {});
     if (!answer) return tl::unexpected(answer.error());
     if (answer->CommandField != DIMSE_C_FIND_RSP)
-      return refused("answer", {"fetch-answer-senseless", {wire_.server().name()}});
+      return refused("answer", {"fetch-answer-senseless", {watch_.server().name()}});
     const T_DIMSE_C_FindRSP& response = answer->msg.CFindRSP;
     std::unique_ptr<DcmDataset> match;
     if (response.DataSetType != DIMSE_DATASET_NULL) {
@@ -342,9 +346,9 @@ Expected<std::optional<Retrieved>> Association::endOf(const Response& response,
 
 Expected<Retrieved> Association::get(DcmDataset& keys, Arrivals& arrivals) {
   const auto context = contextOf(UID_GETStudyRootQueryRetrieveInformationModel,
-                                 {"fetch-no-get", {wire_.server().name()}});
+                                 {"fetch-no-get", {watch_.server().name()}});
   if (!context) return tl::unexpected(context.error());
-  const Wire::Waiting waiting{wire_};
+  const ConnectionWatch::Waiting waiting{watch_};
   T_DIMSE_Message message{};
   message.CommandField = DIMSE_C_GET_RQ;
   T_DIMSE_C_GetRQ& request = message.msg.CGetRQ;
@@ -358,15 +362,15 @@ Expected<Retrieved> Association::get(DcmDataset& keys, Arrivals& arrivals) {
     auto answer = next(*context, request.MessageID, came, {});
     if (!answer) return tl::unexpected(answer.error());
     if (answer->CommandField == DIMSE_C_STORE_RQ) {
-      if (auto stored = receiveImage(wire_, association_, came, answer->msg.CStoreRQ, arrivals);
+      if (auto stored = receiveImage(watch_, association_, came, answer->msg.CStoreRQ, arrivals);
           !stored)
         return tl::unexpected(stored.error());
-      if (Wire::stopping() && !std::exchange(cancel_sent_, true))
+      if (ConnectionWatch::stopping() && !std::exchange(cancel_sent_, true))
         DIMSE_sendCancelRequest(association_, *context, request.MessageID);
       continue;
     }
     if (answer->CommandField != DIMSE_C_GET_RSP)
-      return refused("answer", {"fetch-answer-senseless", {wire_.server().name()}});
+      return refused("answer", {"fetch-answer-senseless", {watch_.server().name()}});
     auto ended = endOf(answer->msg.CGetRSP, came, arrivals, O_GET_NUMBEROFCOMPLETEDSUBOPERATIONS,
                        O_GET_NUMBEROFFAILEDSUBOPERATIONS);
     if (!ended) return tl::unexpected(ended.error());
@@ -377,15 +381,15 @@ Expected<Retrieved> Association::get(DcmDataset& keys, Arrivals& arrivals) {
 Expected<Retrieved> Association::move(DcmDataset& keys, Arrivals& arrivals,
                                       const std::function<Expected<void>()>& healthy) {
   const auto context = contextOf(UID_MOVEStudyRootQueryRetrieveInformationModel,
-                                 {"fetch-no-move", {wire_.server().name()}});
+                                 {"fetch-no-move", {watch_.server().name()}});
   if (!context) return tl::unexpected(context.error());
-  const Wire::Waiting waiting{wire_};
+  const ConnectionWatch::Waiting waiting{watch_};
   T_DIMSE_Message message{};
   message.CommandField = DIMSE_C_MOVE_RQ;
   T_DIMSE_C_MoveRQ& request = message.msg.CMoveRQ;
   request.MessageID = association_->nextMsgID++;
   std::strcpy(request.AffectedSOPClassUID, UID_MOVEStudyRootQueryRetrieveInformationModel);
-  std::strcpy(request.MoveDestination, wire_.server().calling.c_str());
+  std::strcpy(request.MoveDestination, watch_.server().calling.c_str());
   request.Priority = DIMSE_PRIORITY_MEDIUM;
   request.DataSetType = DIMSE_DATASET_PRESENT;
   if (auto sent = send(*context, message, &keys); !sent) return tl::unexpected(sent.error());
@@ -394,7 +398,7 @@ Expected<Retrieved> Association::move(DcmDataset& keys, Arrivals& arrivals,
     auto answer = next(*context, request.MessageID, came, healthy);
     if (!answer) return tl::unexpected(answer.error());
     if (answer->CommandField != DIMSE_C_MOVE_RSP)
-      return refused("answer", {"fetch-answer-senseless", {wire_.server().name()}});
+      return refused("answer", {"fetch-answer-senseless", {watch_.server().name()}});
     auto ended = endOf(answer->msg.CMoveRSP, came, arrivals, O_MOVE_NUMBEROFCOMPLETEDSUBOPERATIONS,
                        O_MOVE_NUMBEROFFAILEDSUBOPERATIONS);
     if (!ended) return tl::unexpected(ended.error());
@@ -402,15 +406,15 @@ Expected<Retrieved> Association::move(DcmDataset& keys, Arrivals& arrivals,
   }
 }
 
-Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
+Expected<void> receiveImage(ConnectionWatch& watch, T_ASC_Association* association,
                             T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request,
                             Arrivals& arrivals) {
   struct Counter {
-    Wire& wire;
+    ConnectionWatch& watch;
     Arrivals& arrivals;
     unsigned long seen = 0;
     Expected<void> fine = {};
-  } counter{wire, arrivals};
+  } counter{watch, arrivals};
   DcmOutputFileStream* opened = nullptr;
   const OFCondition created = DIMSE_createFilestream(OFFilename(arrivals.part().c_str()), &request,
                                                      association, context, 1, &opened);
@@ -418,11 +422,11 @@ Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
   if (created.bad() || !file)
     return failed("unwritable", {"fetch-disk", {arrivals.part().parent_path().string()}});
   const OFCondition received = DIMSE_receiveDataSetInFile(
-      association, DIMSE_NONBLOCKING, seconds(wire), &context, file.get(),
+      association, DIMSE_NONBLOCKING, seconds(watch), &context, file.get(),
       [](void* to, unsigned long bytes) {
         auto& c = *static_cast<Counter*>(to);
         if (c.fine) c.fine = c.arrivals.came(bytes - std::exchange(c.seen, bytes));
-        if (!c.fine) c.wire.end();
+        if (!c.fine) c.watch.end();
       },
       &counter);
   const bool written = file->good();
@@ -432,7 +436,7 @@ Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
     arrivals.drop();
     if (!written)
       return failed("unwritable", {"fetch-disk", {arrivals.part().parent_path().string()}});
-    return lossOf(wire);
+    return lossOf(watch);
   }
   const auto kept = arrivals.keep();
   T_DIMSE_C_StoreRSP response{};
@@ -443,7 +447,7 @@ Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
   std::strcpy(response.AffectedSOPInstanceUID, request.AffectedSOPInstanceUID);
   response.opts = O_STORE_AFFECTEDSOPCLASSUID | O_STORE_AFFECTEDSOPINSTANCEUID;
   if (DIMSE_sendStoreResponse(association, context, &request, &response, nullptr).bad())
-    return lossOf(wire);
+    return lossOf(watch);
   return kept;
 }
 

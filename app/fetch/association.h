@@ -10,7 +10,7 @@
 
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmnet/dimse.h>
-#include "app/fetch/wire.h"
+#include "app/fetch/connection_watch.h"
 
 namespace app::fetch {
 
@@ -36,7 +36,8 @@ struct Retrieved {
 class Association {
  public:
   enum class Purpose { Echo, Find, Get, Move };
-  static haptics::Expected<std::unique_ptr<Association>> open(Wire& wire, Purpose purpose,
+  static haptics::Expected<std::unique_ptr<Association>> open(ConnectionWatch& watch,
+                                                              Purpose purpose,
                                                               const std::string& key_passphrase);
   ~Association();
   Association(const Association&) = delete;
@@ -54,10 +55,10 @@ class Association {
   void release();
 
  private:
-  Association(Wire& wire, std::unique_ptr<DcmTransportLayer> layer)
-      : wire_{wire}, layer_{std::move(layer)} {}
+  Association(ConnectionWatch& watch, std::unique_ptr<DcmTransportLayer> layer)
+      : watch_{watch}, layer_{std::move(layer)} {}
 
-  Wire& wire_;
+  ConnectionWatch& watch_;
   std::unique_ptr<DcmTransportLayer> layer_;
   T_ASC_Network* network_ = nullptr;
   T_ASC_Association* association_ = nullptr;
@@ -84,7 +85,7 @@ class Association {
 
 /// Receives the image of a C-STORE request into `arrivals` and answers the request. An error ends
 /// the transfer.
-haptics::Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
+haptics::Expected<void> receiveImage(ConnectionWatch& watch, T_ASC_Association* association,
                                      T_ASC_PresentationContextID context,
                                      const T_DIMSE_C_StoreRQ& request, Arrivals& arrivals);
 
@@ -92,6 +93,6 @@ haptics::Expected<void> receiveImage(Wire& wire, T_ASC_Association* association,
 bool awaitData(T_ASC_Association* association, int socket, int milliseconds);
 
 /// Why no connection could be made, or what else is wrong.
-haptics::Error reachError(Wire& wire, DcmTransportLayer& layer);
+haptics::Error reachError(ConnectionWatch& watch, DcmTransportLayer& layer);
 
 }  // namespace app::fetch

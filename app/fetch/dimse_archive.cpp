@@ -47,14 +47,14 @@ DcmDataset keysOf(const char* level, const FoundSeries& series) {
 class DimseArchive final : public Archive {
  public:
   DimseArchive(const Server& server, std::string key_passphrase, bool fetches)
-      : wire_{server},
+      : watch_{server},
         key_passphrase_{std::move(key_passphrase)},
         found_for_{!fetches      ? Purpose::Find
                    : server.move ? Purpose::Move
                                  : Purpose::Get} {}
 
   Expected<void> echo() override {
-    auto association = Association::open(wire_, Purpose::Echo, key_passphrase_);
+    auto association = Association::open(watch_, Purpose::Echo, key_passphrase_);
     if (!association) return tl::unexpected(association.error());
     if (auto answered = (*association)->echo(); !answered) return answered;
     // what an echo does not show: whether this program may search. No study has this identifier
@@ -73,7 +73,7 @@ class DimseArchive final : public Archive {
   Expected<void> get(const FoundSeries& series, Arrivals& arrivals) override;
 
  private:
-  Wire wire_;
+  ConnectionWatch watch_;
   std::string key_passphrase_;
   Purpose found_for_;
   std::unique_ptr<Association> open_;  ///< of a search, for the transfer that follows
@@ -97,7 +97,7 @@ Expected<void> list(Association& association, const FoundSeries& series, Arrival
 }
 
 Expected<Findings> DimseArchive::find(const Query& query) {
-  auto association = Association::open(wire_, found_for_, key_passphrase_);
+  auto association = Association::open(watch_, found_for_, key_passphrase_);
   if (!association) return tl::unexpected(association.error());
   DcmDataset keys;
   put(keys, DCM_SpecificCharacterSet, "ISO_IR 192");
@@ -159,9 +159,9 @@ Expected<Findings> DimseArchive::find(const Query& query) {
 
 /// All images of the series, or those that are missing.
 Expected<void> DimseArchive::attempt(const FoundSeries& series, Arrivals& arrivals, bool all) {
-  const bool moves = wire_.server().move;
+  const bool moves = watch_.server().move;
   Expected<std::unique_ptr<Association>> association = std::move(open_);
-  if (!*association) association = Association::open(wire_, found_for_, key_passphrase_);
+  if (!*association) association = Association::open(watch_, found_for_, key_passphrase_);
   if (!association) return tl::unexpected(association.error());
   if (!all && !arrivals.listed())
     if (auto listed = list(**association, series, arrivals); !listed) return listed;
@@ -187,7 +187,7 @@ Expected<void> DimseArchive::attempt(const FoundSeries& series, Arrivals& arriva
       brought = (*association)->get(keys, arrivals);
       if (!brought) return tl::unexpected(brought.error());
     } else {
-      auto incoming = Incoming::open(wire_, arrivals, key_passphrase_);
+      auto incoming = Incoming::open(watch_, arrivals, key_passphrase_);
       if (!incoming) return tl::unexpected(incoming.error());
       brought = (*association)->move(keys, arrivals, [&] { return (*incoming)->health(); });
       if (brought) (*incoming)->settle(brought->sent);
@@ -215,10 +215,10 @@ Expected<void> DimseArchive::get(const FoundSeries& series, Arrivals& arrivals) 
     if (!brought && (number == kAttempts || !lost)) return brought;
     if (brought) continue;
     const auto until =
-        Pace::Clock::now() + std::chrono::duration<double>(wire_.server().pauseAfter(number));
-    while (Pace::Clock::now() < until && !Wire::stopping())
+        Pace::Clock::now() + std::chrono::duration<double>(watch_.server().pauseAfter(number));
+    while (Pace::Clock::now() < until && !ConnectionWatch::stopping())
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    if (Wire::stopping()) return cancelled();
+    if (ConnectionWatch::stopping()) return cancelled();
   }
 }
 

@@ -80,14 +80,14 @@ struct Accepted {
 
 }  // namespace
 
-Expected<std::unique_ptr<Incoming>> Incoming::open(Wire& wire, Arrivals& arrivals,
+Expected<std::unique_ptr<Incoming>> Incoming::open(ConnectionWatch& watch, Arrivals& arrivals,
                                                    const std::string& key_passphrase) {
-  const Server& server = wire.server();
+  const Server& server = watch.server();
   if (server.tls && server.certificate.empty())
     return refused("usage", {"fetch-move-needs-certificate", {}});
-  auto layer = wire.layer(key_passphrase, true);
+  auto layer = watch.layer(key_passphrase, true);
   if (!layer) return tl::unexpected(layer.error());
-  std::unique_ptr<Incoming> made{new Incoming(wire, arrivals, std::move(*layer))};
+  std::unique_ptr<Incoming> made{new Incoming(watch, arrivals, std::move(*layer))};
   addrinfo wanted{}, *found = nullptr;
   wanted.ai_socktype = SOCK_STREAM;
   if (getaddrinfo(server.host.c_str(), nullptr, &wanted, &found) != 0)
@@ -133,8 +133,8 @@ void Incoming::settle(std::optional<std::size_t> sent) {
   // what is in the backlog is taken within a look or two; an association that stays open is not
   // waited for longer than the server is
   const auto least = begun + std::chrono::milliseconds(3 * kLook_ms);
-  const auto most = begun + std::chrono::duration<double>(wire_.server().patience_s);
-  while (Clock::now() < most && !Wire::stopping()) {
+  const auto most = begun + std::chrono::duration<double>(watch_.server().patience_s);
+  while (Clock::now() < most && !ConnectionWatch::stopping()) {
     const bool all = sent && taken_ >= *sent, late = Clock::now() > least;
     if ((all && late) || (!busy_ && (all || late))) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -165,7 +165,7 @@ void Incoming::listen() {
 /// One connection of the server's, to its end. What it does wrong ends it alone, what is wrong here
 /// ends the transfer.
 Expected<void> Incoming::take(int socket) {
-  const Server& server = wire_.server();
+  const Server& server = watch_.server();
   const int patience = static_cast<int>(server.patience_s) + 2;
   dcmExternalSocketHandle.set(socket);
   Accepted accepted;
@@ -175,7 +175,7 @@ Expected<void> Incoming::take(int socket) {
     return failed("memory", {"fetch-memory", {}});
   }
   {
-    const Wire::Bound bound{kLongestMessage};
+    const ConnectionWatch::Bound bound{kLongestMessage};
     if (ASC_receiveAssociation(accepted.network, &accepted.association, ASC_MAXIMUMPDUSIZE, nullptr,
                                nullptr, server.tls, DUL_NOBLOCK, patience)
             .bad())
@@ -195,21 +195,21 @@ Expected<void> Incoming::take(int socket) {
     return {};
   }
   if (ASC_acknowledgeAssociation(association).bad()) return {};
-  const int connection = wire_.newest();
+  const int connection = watch_.newest();
   for (;;) {
     while (!awaitData(association, connection, kLook_ms))
-      if (over_ || Wire::stopping()) return {};
+      if (over_ || ConnectionWatch::stopping()) return {};
     T_DIMSE_Message message{};
     T_ASC_PresentationContextID context = 0;
     const OFCondition received = [&] {
-      const Wire::Bound bound{kLongestMessage};
+      const ConnectionWatch::Bound bound{kLongestMessage};
       return DIMSE_receiveCommand(association, DIMSE_NONBLOCKING, patience, &context, &message,
                                   nullptr);
     }();
     if (received == DUL_PEERREQUESTEDRELEASE)
       accepted.released = ASC_acknowledgeRelease(association).good();
     if (received.bad() || message.CommandField != DIMSE_C_STORE_RQ) return {};
-    if (auto stored = receiveImage(wire_, association, context, message.msg.CStoreRQ, arrivals_);
+    if (auto stored = receiveImage(watch_, association, context, message.msg.CStoreRQ, arrivals_);
         !stored) {
       // the server's own connection tells of a loss; here it may be another one's
       if (isLoss(stored.error())) return {};

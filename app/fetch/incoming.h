@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/fetch/arrivals.h"
-#include "app/fetch/wire.h"
+#include "app/fetch/connection_watch.h"
 
 namespace app::fetch {
 
@@ -19,7 +19,8 @@ namespace app::fetch {
 /// its own, which alone uses `arrivals` meanwhile.
 class Incoming {
  public:
-  static haptics::Expected<std::unique_ptr<Incoming>> open(Wire& wire, Arrivals& arrivals,
+  static haptics::Expected<std::unique_ptr<Incoming>> open(ConnectionWatch& watch,
+                                                           Arrivals& arrivals,
                                                            const std::string& key_passphrase);
   /// Stops listening and waits for the thread.
   ~Incoming();
@@ -33,10 +34,10 @@ class Incoming {
   void settle(std::optional<std::size_t> sent);
 
  private:
-  Incoming(Wire& wire, Arrivals& arrivals, std::unique_ptr<DcmTransportLayer> layer)
-      : wire_{wire}, arrivals_{arrivals}, layer_{std::move(layer)} {}
+  Incoming(ConnectionWatch& watch, Arrivals& arrivals, std::unique_ptr<DcmTransportLayer> layer)
+      : watch_{watch}, arrivals_{arrivals}, layer_{std::move(layer)} {}
 
-  Wire& wire_;
+  ConnectionWatch& watch_;
   Arrivals& arrivals_;
   std::unique_ptr<DcmTransportLayer> layer_;
   std::vector<std::string> peers_;  ///< numeric addresses of the server

@@ -8,7 +8,7 @@
 #include "haptics/collision/contact.h"
 #include "haptics/core/cursor.h"
 #include "haptics/core/fixed_vector.h"
-#include "haptics/plan.h"
+#include "haptics/omissions.h"
 #include "haptics/solver/constrained_motion.h"
 
 namespace haptics {

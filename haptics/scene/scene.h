@@ -12,7 +12,7 @@
 #include "haptics/core/geometry.h"
 #include "haptics/core/volume.h"
 #include "haptics/field/isosurface.h"
-#include "haptics/plan.h"
+#include "haptics/omissions.h"
 #include "haptics/solver/mass_metric.h"
 #include "haptics/tool/point_shell.h"
 #include "haptics/tool/shell_tree.h"

@@ -295,9 +295,9 @@ TEST(Languages, AreTheUsersChoiceOrTheFirstThatTheSystemPrefers) {
 /// The window speaks German.
 class German : public testing::Test {
  protected:
-  German() { ui::speak("de"); }
+  German() { ui::setLanguage("de"); }
   ~German() override {
-    ui::speak("en");
+    ui::setLanguage("en");
     QLocale::setDefault(QLocale::c());
   }
 };
@@ -378,7 +378,7 @@ TEST_F(German, ChangesNoRecordingAndNoExport) {
     return filesIn(out.path().toStdString());
   };
   const auto in_german = written(german);
-  ui::speak("en");
+  ui::setLanguage("en");
   const auto in_english = written(english);
   EXPECT_EQ(in_german.size(), in_english.size());
   EXPECT_GT(in_german.size(), 5U);

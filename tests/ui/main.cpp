@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   QLocale english = QLocale::c();
   english.setNumberOptions(QLocale::DefaultNumberOptions);  // with commas between thousands
   QLocale::setDefault(english);
-  ui::style::dress(application, ui::style::Theme::Dark);
+  ui::style::applyTheme(application, ui::style::Theme::Dark);
   // preferences of nobody
   const QTemporaryDir home;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());

@@ -39,7 +39,7 @@ QString languageFor(const QString& chosen, const QStringList& system_prefers) {
   return QStringLiteral("en");
 }
 
-void speak(const QString& code) {
+void setLanguage(const QString& code) {
   initTranslations();
   QLocale locale = QLocale::system();
   const QString language = languageFor(code, locale.uiLanguages());

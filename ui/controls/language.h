@@ -24,6 +24,6 @@ QString languageFor(const QString& chosen, const QStringList& system_prefers);
 /// it is not the system's; digits are not grouped, since a group's mark can be taken for a decimal
 /// one. The C library's numbers stay English, for files. Call it after the QApplication was made:
 /// widgets that are there keep their words.
-void speak(const QString& code);
+void setLanguage(const QString& code);
 
 }  // namespace ui

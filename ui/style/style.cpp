@@ -39,7 +39,7 @@ constexpr std::array<std::pair<Theme, const char*>, 4> kNames{{{Theme::System, "
 
 Theme worn = Theme::Dark;
 
-/// The desktop's own, before any was dressed.
+/// The desktop's own, before any theme was applied.
 struct Desktop {
   bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
   QFont font = QApplication::font();
@@ -157,7 +157,7 @@ QPalette paletteOf(const Colours& c) {
   return palette;
 }
 
-void dress(QApplication& application, Theme theme) {
+void applyTheme(QApplication& application, Theme theme) {
   desktop();  // before it is changed
   initResources();
   worn = theme;

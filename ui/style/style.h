@@ -21,9 +21,9 @@ enum class Type { Small, Body, Section, Figure, Force };
 QString nameOf(Theme theme);
 Theme themeOf(const QString& name);
 
-/// Dresses every window of the program: colours, type and the shapes of the controls.
-void dress(QApplication& application, Theme theme);
-/// The theme that was dressed last.
+/// Gives every window of the program its look: colours, type and the shapes of the controls.
+void applyTheme(QApplication& application, Theme theme);
+/// The theme that was applied last.
 Theme theme();
 /// Its colours. System is dark or light, as the desktop was at the start.
 const Colours& colours();

@@ -190,7 +190,7 @@ void Menus::offerPreferences() {
 }
 
 void Menus::setTheme(style::Theme theme) {
-  if (theme != style::theme()) style::dress(*qApp, theme);
+  if (theme != style::theme()) style::applyTheme(*qApp, theme);
   for (QAction* action : themes_->actions())
     action->setChecked(action->objectName() == themeAction(theme));
 }

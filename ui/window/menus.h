@@ -44,7 +44,7 @@ class Menus : public QObject {
   /// Whether each view says what the mouse does in it.
   bool hintsShown() const;
   void setHintsShown(bool shown);
-  /// Dresses the program.
+  /// Applies a theme to the program.
   void setTheme(style::Theme theme);
 
  signals:

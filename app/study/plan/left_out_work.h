@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "haptics/collision/second_look.h"
-#include "haptics/plan.h"
+#include "haptics/omissions.h"
 
 namespace study::plan {
 

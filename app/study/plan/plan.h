@@ -6,7 +6,7 @@
 namespace study::plan {
 
 /// What each scene leaves out, why, what it saves, and the proof that nothing changes: every
-/// omission of haptics/plan.h switched off against on, side by side in one process.
+/// omission of haptics/omissions.h switched off against on, side by side in one process.
 Study planStudy(Depth depth);
 
 }  // namespace study::plan

@@ -40,7 +40,7 @@ struct Untouched {
   ~Untouched() {
     ui::setOwnKeys({});
     ui::setLengthUnit(ui::LengthUnit::Millimetres);
-    ui::style::dress(*qApp, ui::style::Theme::Dark);
+    ui::style::applyTheme(*qApp, ui::style::Theme::Dark);
     QSettings().clear();
   }
 };
@@ -250,7 +250,7 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
   // the next start begins with them
   ui::setOwnKeys({});
   ui::setLengthUnit(ui::LengthUnit::Millimetres);
-  ui::style::dress(*qApp, ui::style::Theme::Dark);
+  ui::style::applyTheme(*qApp, ui::style::Theme::Dark);
   app::Arguments arguments = window::sphereInHand("mouse");
   arguments.screenshot = {};
   app::Application application(arguments);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/plan.h"
+#include "haptics/omissions.h"
 
 #include <gtest/gtest.h>
 

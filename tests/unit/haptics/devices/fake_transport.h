@@ -23,7 +23,7 @@ using haptics::Wrench;
 inline constexpr DeviceStatus kHang{100};  // what a test says for an exchange that does not return
 
 /// What the test says and sees of a transport that it has given away.
-struct Wire {
+struct ConnectionWatch {
   std::atomic<DeviceStatus> says{DeviceStatus::Ok};
   std::atomic<Trouble> trouble{Trouble::None};
   std::atomic<double> x{0.0};
@@ -40,7 +40,7 @@ struct Wire {
 
 class FakeTransport final : public haptics::Transport {
  public:
-  explicit FakeTransport(std::shared_ptr<Wire> wire) : wire_{std::move(wire)} {}
+  explicit FakeTransport(std::shared_ptr<ConnectionWatch> wire) : wire_{std::move(wire)} {}
   ~FakeTransport() override { wire_->destroyed_after = wire_->exchanges.load(); }
 
   DeviceStatus exchange(const Wrench& wrench_B, DeviceReading& reading) noexcept override {
@@ -66,7 +66,7 @@ class FakeTransport final : public haptics::Transport {
   }
 
  private:
-  std::shared_ptr<Wire> wire_;
+  std::shared_ptr<ConnectionWatch> wire_;
 };
 
 /// Until it holds; a minute is for ever.

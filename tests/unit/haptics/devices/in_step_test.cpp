@@ -18,10 +18,10 @@
 
 namespace {
 
+using fakes::ConnectionWatch;
 using fakes::FakeTransport;
 using fakes::kHang;
 using fakes::until;
-using fakes::Wire;
 using haptics::DeviceReading;
 using haptics::DeviceStatus;
 using haptics::Vec3;
@@ -81,7 +81,7 @@ struct InStep {
     return int(reading.X_BD.translation().x());
   }
 
-  std::shared_ptr<Wire> wire = std::make_shared<Wire>();
+  std::shared_ptr<ConnectionWatch> wire = std::make_shared<ConnectionWatch>();
   std::atomic<int> round{0};
   /// By the number of the exchange: when it began [ns], and the force that it carried.
   std::vector<std::atomic<std::int64_t>> begun = std::vector<std::atomic<std::int64_t>>(kMost);
@@ -139,7 +139,7 @@ TEST(InStep, AWaitEndsAtItsTimeWhereNothingComesAndLaterOnesGoOn) {
 
 // it keeps the reading, and a tick has nothing to answer
 TEST(InStep, AnExchangeThatBroughtNothingIsNoReading) {
-  Wire* raw = nullptr;
+  ConnectionWatch* raw = nullptr;
   std::atomic<bool> seldom{false};
   InStep it{[&](int n) {
     if (seldom) raw->says = n % 3 == 0 ? DeviceStatus::Ok : DeviceStatus::Stale;

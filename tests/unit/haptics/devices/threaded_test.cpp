@@ -18,10 +18,10 @@
 
 namespace {
 
+using fakes::ConnectionWatch;
 using fakes::FakeTransport;
 using fakes::kHang;
 using fakes::until;
-using fakes::Wire;
 using haptics::DeviceReading;
 using haptics::DeviceStatus;
 using haptics::Trouble;
@@ -53,7 +53,7 @@ struct Threaded {
     });
   }
 
-  std::shared_ptr<Wire> wire = std::make_shared<Wire>();
+  std::shared_ptr<ConnectionWatch> wire = std::make_shared<ConnectionWatch>();
   std::unique_ptr<haptics::Device> device;
   DeviceReading reading;
 };
@@ -276,7 +276,7 @@ TEST(Threaded, ThreeExchangesInARowThatFailMakeItLostAndItStaysSo) {
 
 TEST(Threaded, TwoThatFailAreForgivenByOneThatDoesNot) {
   std::atomic<int> n{0};
-  auto wire = std::make_shared<Wire>();
+  auto wire = std::make_shared<ConnectionWatch>();
   wire->during = [&, raw = wire.get()](const Wrench&) {
     raw->says = ++n % 3 == 0 ? DeviceStatus::Ok : DeviceStatus::Stale;
   };
@@ -327,7 +327,7 @@ TEST(Threaded, WhoseReadingsNeverAgeIsNotStale) {
 }
 
 TEST(Threaded, AnExchangeThatHangsIsLostAndClosingDoesNotHang) {
-  auto wire = std::make_shared<Wire>();
+  auto wire = std::make_shared<ConnectionWatch>();
   {
     Threaded it;
     wire = it.wire;
@@ -369,7 +369,7 @@ TEST(Threaded, ATransportThatNeverWaitsIsNotABusyLoop) {
 
 TEST(Threaded, TheDestructorSendsZeroLast) {
   for (int round = 0; round < 20; ++round) {
-    std::shared_ptr<Wire> wire;
+    std::shared_ptr<ConnectionWatch> wire;
     {
       Threaded it;
       wire = it.wire;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/fetch/wire.h"
+#include "app/fetch/connection_watch.h"
 
 #include <arpa/inet.h>
 #include <dcmtk/dcmnet/assoc.h>
@@ -32,21 +32,21 @@ constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max();
 thread_local std::size_t may_come = kUnbounded;
 thread_local bool too_much = false;
 
-/// A connection that tells the wire what it is and what came.
+/// A connection that tells the watch what it is and what came.
 template <class Base>
 class Watched final : public Base {
  public:
   template <class... Rest>
-  Watched(Wire& wire, int socket, Rest... rest)
-      : Base(socket, rest...), wire_{wire}, socket_{socket} {
-    wire_.took(socket);
+  Watched(ConnectionWatch& watch, int socket, Rest... rest)
+      : Base(socket, rest...), watch_{watch}, socket_{socket} {
+    watch_.took(socket);
   }
-  ~Watched() override { wire_.lost(socket_); }
+  ~Watched() override { watch_.lost(socket_); }
   ssize_t read(void* to, size_t most) override {
     const ssize_t size = Base::read(to, most);
     if (size <= 0) return size;
     const auto came = static_cast<std::size_t>(size);
-    wire_.came(came);
+    watch_.came(came);
     if (may_come == kUnbounded) return size;
     if (came > may_come) {
       too_much = true;
@@ -57,35 +57,35 @@ class Watched final : public Base {
     return size;
   }
   void close() override {
-    wire_.lost(socket_);
+    watch_.lost(socket_);
     Base::close();
   }
   void closeTransportConnection() override {
-    wire_.lost(socket_);
+    watch_.lost(socket_);
     Base::closeTransportConnection();
   }
 
  private:
-  Wire& wire_;
+  ConnectionWatch& watch_;
   int socket_;
 };
 
 class PlainLayer final : public DcmTransportLayer {
  public:
-  explicit PlainLayer(Wire& wire) : wire_{wire} {}
+  explicit PlainLayer(ConnectionWatch& watch) : watch_{watch} {}
   DcmTransportConnection* createConnection(DcmNativeSocketType socket, OFBool secure) override {
-    return secure ? nullptr : new Watched<DcmTCPConnection>(wire_, socket);
+    return secure ? nullptr : new Watched<DcmTCPConnection>(watch_, socket);
   }
 
  private:
-  Wire& wire_;
+  ConnectionWatch& watch_;
 };
 
 class TlsLayer final : public DcmTLSTransportLayer {
  public:
-  TlsLayer(Wire& wire, bool acceptor)
+  TlsLayer(ConnectionWatch& watch, bool acceptor)
       : DcmTLSTransportLayer(acceptor ? NET_ACCEPTOR : NET_REQUESTOR, nullptr, OFTrue),
-        wire_{wire},
+        watch_{watch},
         acceptor_{acceptor} {}
 
   DcmTransportConnection* createConnection(DcmNativeSocketType socket, OFBool secure) override {
@@ -97,16 +97,16 @@ class TlsLayer final : public DcmTLSTransportLayer {
       SSL_free(connection);
       return nullptr;
     }
-    return new Watched<DcmTLSConnection>(wire_, socket, connection);
+    return new Watched<DcmTLSConnection>(watch_, socket, connection);
   }
 
  private:
-  Wire& wire_;
+  ConnectionWatch& watch_;
   bool acceptor_;
 
   /// The certificate must name the host: DCMTK does not look.
   bool checkHost(SSL* connection) const {
-    const std::string& host = wire_.server().host;
+    const std::string& host = watch_.server().host;
     X509_VERIFY_PARAM* wanted = SSL_get0_param(connection);
     unsigned char ignored[sizeof(in6_addr)];
     if (inet_pton(AF_INET, host.c_str(), ignored) == 1 ||
@@ -171,14 +171,14 @@ std::optional<haptics::Error> tlsTrouble(const Server& server) {
 
 }  // namespace
 
-Wire::Wire(const Server& server) : server_{server}, pace_{server.patience_s} {
+ConnectionWatch::ConnectionWatch(const Server& server) : server_{server}, pace_{server.patience_s} {
   struct sigaction how {};
   how.sa_handler = [](int) { stop_asked = true; };
   sigaction(SIGTERM, &how, nullptr);
   thread_ = std::thread{[this] { watch(); }};
 }
 
-Wire::~Wire() {
+ConnectionWatch::~ConnectionWatch() {
   {
     const std::scoped_lock lock(mutex_);
     over_ = true;
@@ -187,9 +187,9 @@ Wire::~Wire() {
   thread_.join();
 }
 
-bool Wire::stopping() { return stop_asked; }
+bool ConnectionWatch::stopping() { return stop_asked; }
 
-void Wire::watch() {
+void ConnectionWatch::watch() {
   Pace::Clock::time_point asked{};
   std::unique_lock lock(mutex_);
   while (!ended_.wait_for(lock, kLook, [this] { return over_; })) {
@@ -202,7 +202,7 @@ void Wire::watch() {
   }
 }
 
-void Wire::wait(bool begins) {
+void ConnectionWatch::wait(bool begins) {
   const std::scoped_lock lock(mutex_);
   waiting_ = begins;
   if (!begins) return;
@@ -210,39 +210,39 @@ void Wire::wait(bool begins) {
   verdict_ = Pace::Verdict::Fine;
 }
 
-Wire::Bound::Bound(std::size_t most) {
+ConnectionWatch::Bound::Bound(std::size_t most) {
   may_come = most;
   too_much = false;
 }
 
-Wire::Bound::~Bound() { may_come = kUnbounded; }
+ConnectionWatch::Bound::~Bound() { may_come = kUnbounded; }
 
-void Wire::shutDown() {
+void ConnectionWatch::shutDown() {
   for (const int socket : sockets_) ::shutdown(socket, SHUT_RDWR);
 }
 
-void Wire::end() {
+void ConnectionWatch::end() {
   const std::scoped_lock lock(mutex_);
   shutDown();
 }
 
-void Wire::took(int socket) {
+void ConnectionWatch::took(int socket) {
   const std::scoped_lock lock(mutex_);
   sockets_.insert(socket);
   newest_ = socket;
 }
 
-int Wire::newest() {
+int ConnectionWatch::newest() {
   const std::scoped_lock lock(mutex_);
   return newest_;
 }
 
-void Wire::lost(int socket) {
+void ConnectionWatch::lost(int socket) {
   const std::scoped_lock lock(mutex_);
   sockets_.erase(socket);
 }
 
-std::optional<haptics::Error> Wire::trouble() {
+std::optional<haptics::Error> ConnectionWatch::trouble() {
   const haptics::Message name = server_.name();
   Pace::Verdict verdict{};
   {
@@ -261,7 +261,7 @@ std::optional<haptics::Error> Wire::trouble() {
   return tlsTrouble(server_);
 }
 
-std::optional<haptics::Error> Wire::refusalOn(DcmTransportLayer& tls_layer, int socket) {
+std::optional<haptics::Error> ConnectionWatch::refusalOn(DcmTransportLayer& tls_layer, int socket) {
   const std::unique_ptr<SSL, decltype(&SSL_free)> quiet{
       SSL_new(static_cast<TlsLayer&>(tls_layer).getNativeHandle()), &SSL_free};
   const timeval most{2, 0};
@@ -274,8 +274,8 @@ std::optional<haptics::Error> Wire::refusalOn(DcmTransportLayer& tls_layer, int 
   return trouble();
 }
 
-haptics::Expected<std::unique_ptr<DcmTransportLayer>> Wire::layer(const std::string& passphrase,
-                                                                  bool acceptor) {
+haptics::Expected<std::unique_ptr<DcmTransportLayer>> ConnectionWatch::layer(
+    const std::string& passphrase, bool acceptor) {
   if (!server_.tls) return std::make_unique<PlainLayer>(*this);
   auto tls = std::make_unique<TlsLayer>(*this, acceptor);
   if (!*tls || tls->setTLSProfile(TSP_Profile_BCP195).bad() || tls->activateCipherSuites().bad())

@@ -21,12 +21,12 @@ namespace app::fetch {
 /// The connections of DIMSE, watched by a thread: DCMTK's calls may wait as long as a server likes,
 /// so this shuts the sockets down when the server is silent or too slow, and 0.3 s after one asked
 /// to stop. One in a process.
-class Wire {
+class ConnectionWatch {
  public:
-  explicit Wire(const Server& server);
-  ~Wire();
-  Wire(const Wire&) = delete;
-  Wire& operator=(const Wire&) = delete;
+  explicit ConnectionWatch(const Server& server);
+  ~ConnectionWatch();
+  ConnectionWatch(const ConnectionWatch&) = delete;
+  ConnectionWatch& operator=(const ConnectionWatch&) = delete;
 
   /// What makes DCMTK's connections, by plain TCP or TLS as the server has it.
   haptics::Expected<std::unique_ptr<DcmTransportLayer>> layer(const std::string& key_passphrase,
@@ -34,13 +34,13 @@ class Wire {
   /// While it lives, the server is waited for, and timed.
   class Waiting {
    public:
-    explicit Waiting(Wire& wire) : wire_{wire} { wire_.wait(true); }
-    ~Waiting() { wire_.wait(false); }
+    explicit Waiting(ConnectionWatch& watch) : watch_{watch} { watch_.wait(true); }
+    ~Waiting() { watch_.wait(false); }
     Waiting(const Waiting&) = delete;
     Waiting& operator=(const Waiting&) = delete;
 
    private:
-    Wire& wire_;
+    ConnectionWatch& watch_;
   };
 
   /// While it lives, its thread receives so many bytes at most; with more its connection ends.
