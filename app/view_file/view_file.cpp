@@ -290,10 +290,12 @@ ui::ViewLook lookFrom(const Field& field) {
       .along = plane.at("along").flag(),
       .depth_mm = plane.at("depth_m").number(-kMostAway_m, kMostAway_m) * kMmPerMetre};
   const Field surface = field.at("surface");
-  surface.hasOnly({"colours", "second"});
+  surface.hasOnly({"colours", "second"}, {"second_opacity"});
   look.colours = surface.at("colours").oneOf(kColours);
   const Field second = surface.at("second");
   if (!second.isNull()) look.second = second.number(-kMostIntensity, kMostIntensity);
+  if (surface.has("second_opacity"))
+    look.second_opacity = surface.at("second_opacity").number(ui::kLeastOpacity, 1.0);
   look.layout = layoutFrom(field.at("layout"));
   grey.hasOnly({"level", "width"});
   look.grey_level = grey.at("level").number(-kMostIntensity, kMostIntensity);
@@ -383,7 +385,8 @@ std::string textOf(const ViewFile& view) {
          {{"along", look.tool_plane.along}, {"depth_m", look.tool_plane.depth_mm / kMmPerMetre}}},
         {"surface",
          {{"colours", wordOf(look.colours, kColours)},
-          {"second", look.second ? json(*look.second) : json()}}},
+          {"second", look.second ? json(*look.second) : json()},
+          {"second_opacity", look.second_opacity}}},
         {"layout",
          {{"arrangement", wordOf(look.layout.arrangement, kArrangements)},
           {"tool_view", look.layout.tool_view},

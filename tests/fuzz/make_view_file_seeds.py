@@ -39,7 +39,7 @@ def seeds():
     whole["view"]["camera"]["parallel"] = True
     whole["view"]["voxels"] = {"interpolation": "nearest", "slab": "mean", "thickness_m": 0.0073}
     whole["view"]["tool_plane"] = {"along": True, "depth_m": -0.0125}
-    whole["view"]["surface"] = {"colours": "vessels", "second": -300}
+    whole["view"]["surface"] = {"colours": "vessels", "second": -300, "second_opacity": 0.5}
     whole["view"]["layout"] = {"arrangement": "four_up", "tool_view": True, "active": 4,
                                "alone": True,
                                "shares": [[1.25, 0.5, 1.5], [0.75, 1, 1], [1, 1]]}

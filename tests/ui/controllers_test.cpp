@@ -26,11 +26,13 @@
 #include "datasets/phantoms/phantoms.h"
 #include "tests/ui/panelled_window.h"
 #include "tests/ui/window_support.h"
+#include "ui/controls/number_box.h"
 #include "ui/controls/section.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/force_words.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/props/picture.h"
+#include "ui/panels/second_surface.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/messages.h"
 #include "ui/window/side_panel.h"
@@ -182,6 +184,37 @@ TEST(Controllers, AnIsovalueIsShownAndTouchedOrOnlyShown) {
   // another tool in the same volume: the isovalue stays
   controller.showScene(false);
   EXPECT_EQ(typed->value(), first);
+}
+
+TEST(Controllers, TheSecondSurfaceHasItsIsovalueAndItsOpacityInThePanelWhileThereIsOne) {
+  ui::MainWindow window;
+  app::SharedState shared;
+  app::IsosurfaceController controller(window.views(), window.messages(), window.panels(), shared);
+  shared.shown = loadedSphere();
+  const double touched = shared.settings.isovalue = shared.shown->isovalue;
+  window.show(shared.shown->picture, touched, "Sphere");
+  controller.showScene(true);
+  ui::VolumeView& view = window.views().volume();
+  auto* row = window.findChild<ui::SecondSurface*>();
+  auto* isovalue = window.findChild<ui::NumberBox*>("secondIsovalue");
+  auto* opacity = window.findChild<ui::NumberBox*>("secondOpacity");
+  const QList<QAction*> seconds = window.findChild<QMenu*>("secondSurface")->actions();
+  EXPECT_TRUE(row->isHidden());
+  seconds.last()->trigger();  // the present isovalue
+  EXPECT_FALSE(row->isHidden());
+  EXPECT_EQ(isovalue->value(), touched);
+  EXPECT_EQ(opacity->value(), 38.0);
+  opacity->setValue(70.0);
+  EXPECT_EQ(view.secondOpacity(), 0.7);
+  isovalue->setValue(touched + 5.0);
+  EXPECT_EQ(view.surface().second(), touched + 5.0);
+  EXPECT_EQ(shared.settings.isovalue, touched);
+  // below the least value nothing is a surface
+  isovalue->setValue(isovalue->minimum());
+  EXPECT_GT(view.surface().second().value_or(-1e9), shared.shown->volume()->least);
+  EXPECT_EQ(isovalue->value(), view.surface().second());
+  seconds.first()->trigger();
+  EXPECT_TRUE(row->isHidden());
 }
 
 TEST(Controllers, TheForceIsShownByThePictureAndPlotted) {

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "ui/controls/number_box.h"
+#include "ui/panels/second_surface.h"
 #include "ui/style/style.h"
 
 namespace ui {
@@ -51,7 +52,11 @@ double allowedIsovalue(const haptics::Volume& volume, double isovalue) {
 }
 
 IsosurfacePanel::IsosurfacePanel(QWidget* parent)
-    : QWidget(parent), slider_(new HistogramSlider), typed_(new NumberBox), presets_(new QWidget) {
+    : QWidget(parent),
+      slider_(new HistogramSlider),
+      typed_(new NumberBox),
+      presets_(new QWidget),
+      second_(new SecondSurface) {
   slider_->setObjectName("isovalueSlider");
   slider_->setAccessibleName(tr("Isovalue"));
   typed_->setObjectName("isovalueTyped");
@@ -75,6 +80,7 @@ IsosurfacePanel::IsosurfacePanel(QWidget* parent)
   column->addWidget(slider_, 1);
   column->addLayout(row);
   column->addWidget(presets_);
+  column->addWidget(second_);
   setEnabled(false);
 
   connect(slider_, &QAbstractSlider::valueChanged, this,
@@ -117,6 +123,7 @@ void IsosurfacePanel::show(const Picture& picture, double isovalue) {
   typed_->setFineStep(stepsOf(volume).fine);
   const QString unit = QString::fromStdString(volume.unit);
   typed_->setSuffix(unit.isEmpty() ? QString() : ' ' + unit);
+  second_->setLike(*typed_);
   typed_->setToolTip(tr("The intensity of the surface that is seen and felt, from %L1 to %L2 %3")
                          .arg(volume.least, 0, 'g', 6)
                          .arg(volume.greatest, 0, 'g', 6)

@@ -13,6 +13,7 @@ class QToolButton;
 namespace ui {
 
 class NumberBox;
+class SecondSurface;
 
 /// The nearest isovalue that a volume can have: above its least intensity, not above its greatest,
 /// and with no more decimals than the panel shows. Any thread.
@@ -31,6 +32,8 @@ class IsosurfacePanel : public QWidget {
   void replace(const Picture& picture);
   /// As if the user had chosen it.
   void choose(double isovalue);
+  /// Below them, while there is one.
+  SecondSurface& second() { return *second_; }
 
  signals:
   void isovalueChanged(double isovalue);
@@ -45,6 +48,7 @@ class IsosurfacePanel : public QWidget {
   NumberBox* typed_;
   QWidget* presets_;
   std::array<QToolButton*, kTissues.size()> chips_{};
+  SecondSurface* second_;
   std::shared_ptr<const haptics::Volume> volume_;
   std::array<double, kTissues.size()> of_chips_{};  ///< isovalues
   double isovalue_ = 0.0;

@@ -25,6 +25,7 @@ class VeilPass : public vtkRenderPass {
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void forget() { held_ = false; }
   void setOpacity(double opacity) { opacity_ = opacity; }
+  double opacity() const { return opacity_; }
 
  protected:
   VeilPass();

@@ -56,6 +56,9 @@ struct ToolPlane {
 /// The colours of the surface: one, by tissue, or by tissue with vessels in red.
 enum class SurfaceColours { Ivory, Tissue, Vessels };
 
+/// Opacity of the second surface: at first, and the least that is still seen.
+inline constexpr double kFirstOpacity = 0.38, kLeastOpacity = 0.05;
+
 /// How the views look at a scan; millimetres of W.
 struct ViewLook {
   // the 3-D view
@@ -65,7 +68,8 @@ struct ViewLook {
   bool parallel = false;
   double half_height_mm = 1.0;  ///< of what a parallel view shows
   SurfaceColours colours = SurfaceColours::Ivory;
-  std::optional<double> second = {};  ///< isovalue of the second surface; none: no second
+  std::optional<double> second = {};      ///< isovalue of the second surface; none: no second
+  double second_opacity = kFirstOpacity;  ///< kLeastOpacity to 1
   // the slices
   Eigen::Vector3d cross_mm = Eigen::Vector3d::Zero();
   double grey_level = 0.0, grey_width = 1.0;

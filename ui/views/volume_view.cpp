@@ -32,7 +32,6 @@ constexpr std::int64_t kMovingTriangles = 80'000;
 constexpr int kStillMs = 400;         // no movement for this long is rest
 constexpr double kBeside_deg = 40.0;  // between the device and the eye, about the patient's axis
 constexpr double kSeenAtLeast = 0.6;  // of the most that is seen of a box from anywhere
-constexpr double kVeil = 0.38;        // opacity of the second surface
 constexpr double kBehindTool_mm = 120.0;                 // of the eye, looking along the tool
 constexpr double kLetterSide = 28.0, kLetterEnd = 20.0;  // px, at the edges, where letters stand
 
@@ -98,7 +97,7 @@ VolumeView::VolumeView(QWidget* parent)
   proxy_layer_->PreserveDepthBufferOn();
   veil_layer_->PreserveDepthBufferOn();
   veil_layer_->SetPass(veil_);
-  veil_->setOpacity(kVeil);
+  veil_->setOpacity(kFirstOpacity);
   surface_layer_->AddVolume(surface_.rayCast());
   surface_layer_->AddActor(surface_.mesh());
   veil_layer_->AddActor(surface_.secondMesh());
@@ -160,7 +159,16 @@ void VolumeView::setSecondSurface(std::optional<double> isovalue) {
   surface_.setSecond(isovalue);
   veil_layer_->SetDraw(isovalue.has_value());
   redrawSurface();
+  emit secondSurfaceChanged();
 }
+
+void VolumeView::setSecondOpacity(double opacity) {
+  veil_->setOpacity(opacity);
+  redraw();
+  emit secondSurfaceChanged();
+}
+
+double VolumeView::secondOpacity() const { return veil_->opacity(); }
 
 void VolumeView::showContacts(bool on) {
   contacts_shown_ = on;

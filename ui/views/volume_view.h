@@ -60,6 +60,8 @@ class VolumeView : public Viewport, public Spoken {
   void setColouring(const Colouring& colouring);
   /// A second surface, which is seen through and not felt; none: no second.
   void setSecondSurface(std::optional<double> isovalue);
+  void setSecondOpacity(double opacity);
+  double secondOpacity() const;
   /// Shows where the tool is touched and the force on it.
   void showContacts(bool on);
   /// Shows the mesh requested by fineMeshWanted.
@@ -121,6 +123,8 @@ class VolumeView : public Viewport, public Spoken {
   /// The pose to which the mouse pulls the tool, W.
   void handPulled(const haptics::Pose& X_WH);
   void surfaceChosen(const ui::SurfaceChoice& choice);
+  /// Another second surface, or none, or another opacity.
+  void secondSurfaceChanged();
   /// Nothing has moved for a while; a finer mesh may be shown.
   void fineMeshWanted(double isovalue);
 

@@ -95,7 +95,8 @@ void ViewActions::buildColours(QMenu& menu) {
     entry(nameOf(tissue), [this, tissue] { return std::optional{isovalueOf(tissue, *picture_)}; });
   entry(tr("The present isovalue, held"),
         [this] { return std::optional{view_.surface().isovalue()}; });
-  no_second_->setChecked(true);
+  markSecond();
+  connect(&view_, &VolumeView::secondSurfaceChanged, this, &ViewActions::markSecond);
   for (QMenu* part : {presets_, colours_, second_}) part->setEnabled(false);
   menu.addSeparator();
 }
@@ -134,7 +135,6 @@ void ViewActions::buildTool(QMenu& menu, TopBar& bar) {
 void ViewActions::show(const Picture& picture) {
   picture_ = picture;
   for (QMenu* part : {presets_, colours_, second_}) part->setEnabled(true);
-  no_second_->setChecked(true);
   // without a unit no intensity is a tissue until the user says so
   setColours(picture.volume->unit == "HU" ? SurfaceColours::Tissue : SurfaceColours::Ivory);
 }
@@ -152,10 +152,15 @@ void ViewActions::look(const ViewLook& look) {
   if (!picture_) return;
   setColours(look.colours);
   view_.setSecondSurface(look.second);
+  view_.setSecondOpacity(look.second_opacity);
+}
+
+void ViewActions::markSecond() {
+  const std::optional<double> second = view_.surface().second();
   // the entry of its tissue; another isovalue was held
-  QAction* entry = look.second ? second_->actions().last() : no_second_;
-  for (std::size_t n = 0; look.second && n < kTissues.size(); ++n)
-    if (isovalueOf(kTissues[n], *picture_) == *look.second)
+  QAction* entry = second ? second_->actions().last() : no_second_;
+  for (std::size_t n = 0; second && picture_ && n < kTissues.size(); ++n)
+    if (isovalueOf(kTissues[n], *picture_) == *second)
       entry = second_->actions()[static_cast<int>(n) + 1];
   entry->setChecked(true);
 }

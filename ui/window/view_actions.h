@@ -37,6 +37,7 @@ class ViewActions : public QObject {
  private:
   void buildSides(QMenu& menu);
   void buildColours(QMenu& menu);
+  void markSecond();
   void buildTool(QMenu& menu, TopBar& bar);
   void choose(Tissue tissue);
   void setColours(SurfaceColours colours);

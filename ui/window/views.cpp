@@ -125,6 +125,7 @@ ViewLook Views::look() const {
   volume_->tell(look);
   look.colours = actions_->colours();
   look.second = volume_->surface().second();
+  look.second_opacity = volume_->secondOpacity();
   slices_->tell(look);
   look.layout = layout_->look();
   return look;

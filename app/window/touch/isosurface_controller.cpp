@@ -3,6 +3,9 @@
 
 #include <QStatusBar>
 
+#include "ui/panels/second_surface.h"
+#include "ui/views/volume_view.h"
+
 namespace app {
 namespace {
 
@@ -18,6 +21,14 @@ IsosurfaceController::IsosurfaceController(ui::Views& views, ui::Messages& messa
   connect(panel_, &ui::IsosurfacePanel::refused, this,
           [&messages](const QString& sentence) { messages.showBriefly(sentence, kRefusedMs); });
   connect(&views, &ui::Views::isovalueWanted, panel_, &ui::IsosurfacePanel::choose);
+  ui::VolumeView& view = views.volume();
+  ui::SecondSurface& second = panel_->second();
+  connect(&view, &ui::VolumeView::secondSurfaceChanged, &second,
+          [&view, &second] { second.show(view.surface().second(), view.secondOpacity()); });
+  connect(&second, &ui::SecondSurface::opacityWanted, &view, &ui::VolumeView::setSecondOpacity);
+  connect(&second, &ui::SecondSurface::isovalueWanted, &view, [&view](double isovalue) {
+    view.setSecondSurface(ui::allowedIsovalue(*view.picture().volume, isovalue));
+  });
 }
 
 void IsosurfaceController::showScene(bool new_volume) {

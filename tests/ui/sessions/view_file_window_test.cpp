@@ -32,6 +32,7 @@
 #include "haptics/session.h"
 #include "tests/ui/views/marked_scan.h"
 #include "tests/ui/views/sphere_in_hand.h"
+#include "ui/controls/number_box.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/loading.h"
 #include "ui/window/main_window.h"
@@ -210,6 +211,7 @@ TEST(ViewFiles, WhatEachViewShowsComesBackToThePixel) {
   views.window.findChild<QMenu*>("tissuePresets")->actions()[3]->trigger();
   views.isosurface.set(250.0);
   second(views)->trigger();
+  views.window.findChild<ui::NumberBox*>("secondOpacity")->setValue(70.0);
   ui::SliceView& with_tool = views.slice(ui::Plane::Oblique);
   with_tool.scroll(3);
   with_tool.zoom(2.0, {60.0, 60.0});
@@ -234,6 +236,8 @@ TEST(ViewFiles, WhatEachViewShowsComesBackToThePixel) {
   EXPECT_TRUE(second(later)->isChecked());
   EXPECT_EQ(later.window.views().volume().surface().second(),
             views.window.views().volume().surface().second());
+  EXPECT_EQ(later.window.views().volume().secondOpacity(), 0.7);
+  EXPECT_EQ(later.window.findChild<ui::NumberBox*>("secondOpacity")->value(), 70.0);
   later.window.views().display(tool);
   later.window.touch().display(tool);
   // what tells of the saved file takes its room from the views

@@ -260,6 +260,9 @@ TEST(ViewPicture, ShowsASecondSurfaceAsAVeilThatHidesNothing) {
     const int veil = veiled.pixelColor(beside).red();
     EXPECT_GT(veil, 50);   // there is a veil
     EXPECT_LT(veil, 140);  // and only that
+    view.setSecondOpacity(0.8);
+    EXPECT_GT(window::pictureAtRest(view).pixelColor(beside).red(), veil + veil / 2);
+    view.setSecondOpacity(ui::kFirstOpacity);
     // bone and tool are seen through it
     const QPoint middle = view.projected({0.0, -0.010, 0.0}).toPoint();
     EXPECT_GT(veiled.pixelColor(middle).red(), 150);

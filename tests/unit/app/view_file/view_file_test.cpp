@@ -44,6 +44,7 @@ ViewFile someView() {
                .half_height_mm = 120.0,
                .colours = ui::SurfaceColours::Vessels,
                .second = -299.9,
+               .second_opacity = 0.75,
                .cross_mm = {1, 2, 3},
                .grey_level = 200.0,
                .grey_width = 1600.0,
@@ -102,6 +103,7 @@ TEST(ViewFile, ComesBackAsItWasSaved) {
   EXPECT_EQ(read->look.grey_width, view.look.grey_width);
   EXPECT_EQ(read->look.colours, ui::SurfaceColours::Vessels);
   EXPECT_EQ(read->look.second, -299.9);
+  EXPECT_EQ(read->look.second_opacity, 0.75);
   EXPECT_EQ(read->look.voxels.interpolation, ui::Interpolation::Nearest);
   EXPECT_EQ(read->look.voxels.slab, ui::SlabKind::Mean);
   EXPECT_NEAR(read->look.voxels.thickness_mm, 7.3, 1e-9);
@@ -291,6 +293,10 @@ TEST(ViewFile, RefusesEveryDamageByNameAndTakesNothing) {
        "view.surface.second"},
       {"second too large", [](json& v) { v["view"]["surface"]["second"] = 1e39; },
        "view.surface.second"},
+      {"opacity above 1", [](json& v) { v["view"]["surface"]["second_opacity"] = 1.01; },
+       "view.surface.second_opacity"},
+      {"invisible", [](json& v) { v["view"]["surface"]["second_opacity"] = 0.0; },
+       "view.surface.second_opacity"},
       {"no second", [](json& v) { v["view"]["surface"].erase("second"); },
        "\"view.surface.second\" is missing"},
       {"crosshair is text", [](json& v) { v["view"]["cross_m"][0] = "1"; }, "view.cross_m[0]"},
