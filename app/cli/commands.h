@@ -14,6 +14,7 @@ namespace app::cli {
 using Chosen = std::function<Outcome()>;
 void addTool(CLI::App& program, Chosen& chosen);
 void addRun(CLI::App& program, Chosen& chosen);
+void addSurface(CLI::App& program, Chosen& chosen);
 void addExport(CLI::App& program, Chosen& chosen);
 void addReplay(CLI::App& program, Chosen& chosen);
 void addRecover(CLI::App& program, Chosen& chosen);

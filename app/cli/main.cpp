@@ -48,6 +48,7 @@ void addCommands(CLI::App& program, Chosen& chosen) {
   addRun(program, chosen);
   addReplay(program, chosen);
   addRecover(program, chosen);
+  addSurface(program, chosen);
   addExport(program, chosen);
   addMissing(program, chosen, "study", kStudyTitle);
 }

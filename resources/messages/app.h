@@ -55,6 +55,9 @@ inline constexpr Row kApp[] = {
      "\"%1\" was not saved: with so many notes and edits it would be larger than 1 MB; delete some "
      "and save again.",
      "too-large"},
+    {"view-other-scan",
+     "The view \"%1\" belongs to another scan; give the view of this one, or none.",
+     "another-volume"},
     {"measurement-cancelled", "The measurement was cancelled.", "cancelled"},
     {"scan-unknown", "There is no scan named %1.", "unknown-name"},
 };

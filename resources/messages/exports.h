@@ -49,6 +49,17 @@ inline constexpr Row kExports[] = {
     {"recording-not-then",
      "The recording goes from %1 s to %2 s and has no step in the chosen time; choose another.",
      "empty"},
+    {"surface-none",
+     "There is no surface at the isovalue %1; choose one between %2 and %3, the range of the scan.",
+     "nothing"},
+    {"surface-too-large",
+     "The surface has %1 triangles, which is more than a file of this format can count; choose "
+     "another isovalue, or crop the scan.",
+     "too-large"},
+    {"surface-not-closed",
+     "The surface was not written, since a check found that it is not closed, or not turned "
+     "outwards; choose an isovalue beside this one.",
+     "not-closed"},
     {"film-options",
      "A film is 64 to 7680 pixels wide and high, both even, has 1 to 240 frames a second, and runs "
      "at 0.001 to 1000 times the speed of the session.",
