@@ -7,6 +7,7 @@
 
 #include "app/window/device/device_controller.h"
 #include "app/window/edits/edit_controller.h"
+#include "app/window/edits/surface_controller.h"
 #include "app/window/opening/opening_controller.h"
 #include "app/window/opening/pacs_controller.h"
 #include "app/window/opening/start_controller.h"
@@ -67,6 +68,7 @@ class Application::Parts : public QObject {
   RecordingController recording;
   ReplayController replay{window.views(), window.messages(),  window.loading(),
                           window.touch(), window.replayBar(), shared};
+  SurfaceController surface{window, shared};
   ExportController exporting{window.views(), window.messages(), window.loading(), shared,
                              recording.recordings()};
   ScreenshotController screenshot;

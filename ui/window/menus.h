@@ -60,6 +60,8 @@ class Menus : public QObject {
   void seriesWanted();
   /// The user wants the edited volume in this file.
   void saveEditedWanted(const QString& path);
+  /// The user wants the surface on view as a file.
+  void surfaceWanted();
   /// The user wants to open a recording, or to export the one that is chosen in their list.
   void recordingWanted(const QString& path);
   void exportWanted();
