@@ -2,6 +2,8 @@
 #include "app/application.h"
 
 #include <QDesktopServices>
+#include <QGuiApplication>
+#include <QMessageBox>
 #include <QUrl>
 #include <utility>
 
@@ -15,6 +17,7 @@
 #include "app/window/program/help_controller.h"
 #include "app/window/program/log_controller.h"
 #include "app/window/program/preferences_controller.h"
+#include "app/window/program/recent_places.h"
 #include "app/window/scan/shared_state.h"
 #include "app/window/sessions/export_controller.h"
 #include "app/window/sessions/recording_controller.h"
@@ -23,6 +26,7 @@
 #include "app/window/touch/isosurface_controller.h"
 #include "app/window/touch/measurement_controller.h"
 #include "app/window/touch/tool_controller.h"
+#include "app/window/views/journal_controller.h"
 #include "app/window/views/marks_controller.h"
 #include "app/window/views/picture_controller.h"
 #include "app/window/views/screenshot_controller.h"
@@ -65,6 +69,7 @@ class Application::Parts : public QObject {
   MarksController marks{window.views(), window.menus(),  window.panels(),
                         window.bar(),   window.escape(), shared};
   ViewFileController view_file;
+  JournalController journal;
   RecordingController recording;
   ReplayController replay{window.views(), window.messages(),  window.loading(),
                           window.touch(), window.replayBar(), shared};
@@ -90,6 +95,12 @@ class Application::Parts : public QObject {
   /// Ends touch, recording and measurement.
   void close();
   void noteHand(const QString& id);
+  /// Whether a file is being written that is not there before it is whole.
+  bool isWriting();
+  /// Asks what becomes of such a file. Returns false if the window is to stay.
+  bool settleWriting();
+  /// A file is whole, or was not written: why, for the user.
+  void endWriting(const QString& why);
 
   void wireOpening();
   void wireTouch();
@@ -101,6 +112,8 @@ class Application::Parts : public QObject {
 
   Application& application_;
   Arguments arguments_;
+  bool asked_ = false;       ///< the user was asked about what would be lost
+  bool background_ = false;  ///< the window is gone, and a file is still being written
 };
 
 Application::Application(Arguments arguments)
@@ -129,6 +142,7 @@ Application::Parts::Parts(Application& application, Arguments arguments)
              shared, preferences, arguments.devices),
       view_file(window.views(), window.messages(), window.loading(), window.menus(), shared, marks,
                 arguments.screenshot.empty()),
+      journal(window.messages(), shared, preferences, view_file, arguments.journal),
       recording(window, shared,
                 arguments.recordings.empty()
                     ? std::filesystem::path(preferences.present().recordings.toStdString())
@@ -175,6 +189,7 @@ void Application::Parts::start() {
   }
   recording.offerRecovery();
   if (arguments_.screenshot.empty()) crash.look();
+  if (!arguments_.load.path && arguments_.paths.isEmpty()) journal.look();
 }
 
 void Application::Parts::begin() {
@@ -208,6 +223,7 @@ void Application::Parts::showScene(bool new_volume) {
   emit application_.adopted();
   if (arguments_.notice) starting.offerTour();
   marks.showScene();
+  journal.showScene();
   view_file.showScene(new_volume);  // its marks come after those of the scan before are gone
   log.noteScene(new_volume);
 }
@@ -254,6 +270,32 @@ void Application::Parts::noteHand(const QString& id) {
   recording.note("hand", id.section(':', 0, 0));
 }
 
+bool Application::Parts::isWriting() { return exporting.task().isRunning() || edit.isSaving(); }
+
+bool Application::Parts::settleWriting() {
+  if (!isWriting()) return true;
+  switch (window.messages().askToFinish()) {
+    case ui::Unfinished::Cancel:
+      return false;
+    case ui::Unfinished::Stop:
+      exporting.task().cancel();
+      edit.stopSaving();
+      return true;
+    case ui::Unfinished::Finish:
+      break;
+  }
+  background_ = isWriting();
+  if (background_) QGuiApplication::setQuitOnLastWindowClosed(false);
+  return true;
+}
+
+void Application::Parts::endWriting(const QString& why) {
+  if (!background_ || isWriting()) return;
+  if (!why.isEmpty())
+    QMessageBox::warning(nullptr, Application::tr("The file was not written"), why);
+  emit application_.finished(0);
+}
+
 void Application::Parts::wireOpening() {
   using Opening = OpeningController;
   connect(&opening, &Opening::loaded, this, &Parts::prepareScene);
@@ -268,6 +310,7 @@ void Application::Parts::wireOpening() {
     screenshot.awaitView();
     view_file.open(path);
   });
+  connect(&opening, &Opening::placesForgotten, &journal, &JournalController::forget);
   connect(&tool, &ToolController::wanted, &opening, &Opening::load);
   connect(&edit, &EditController::edited, &opening, &Opening::replace);
   connect(&edit, &EditController::pictured, &opening, &Opening::replacePicture);
@@ -336,8 +379,22 @@ void Application::Parts::wireViews() {
     opening.load({.path = path}, Application::tr("Reading"));
   });
   connect(&view_file, &ViewFile::editsWanted, &edit, &EditController::restore);
-  connect(&view_file, &ViewFile::toolWanted, &tool,
-          [this](const QString& name) { tool.changeTool({.name = name.toStdString()}); });
+  view_file.setKnown({.place =
+                          [this](const VolumeHash& hash) {
+                            const QString hex = QString::fromStdString(hexOf(hash));
+                            const QString place =
+                                placeWith(preferences.present().place_hashes, hex);
+                            return std::filesystem::path(place.toStdString());
+                          },
+                      .tools =
+                          [this] {
+                            std::vector<std::filesystem::path> files;
+                            for (const QString& file : preferences.present().tools)
+                              files.emplace_back(file.toStdString());
+                            return files;
+                          }});
+  connect(&view_file, &ViewFile::toolWanted, &tool, &ToolController::changeTool);
+  connect(&view_file, &ViewFile::poseWanted, &view, &ViewController::bringBack);
   connect(&view_file, &ViewFile::isovalueWanted, &isosurface, &IsosurfaceController::set);
   connect(&view_file, &ViewFile::refused, &screenshot, &ScreenshotController::fail);
   connect(&view_file, &ViewFile::finished, &screenshot, &ScreenshotController::viewOpened);
@@ -372,15 +429,24 @@ void Application::Parts::wireProgram() {
 void Application::Parts::wireLeaving() {
   using Leave = ViewFileController::Leave;
   window.setCloseGuard([this] {
-    return view_file.leave(Leaving::Window, [this](bool saved) {
-      if (saved) end();
-    }) == Leave::Now;
+    const auto leave = view_file.leave(Leaving::Window, [this](bool saved) {
+      if (!saved || !settleWriting()) return;
+      asked_ = true;
+      end();
+    });
+    asked_ = leave == Leave::Now && settleWriting();
+    return asked_;
   });
+  connect(&exporting.task(), &ExportTask::finished, this,
+          [this](bool well, const QString& what) { endWriting(well ? QString{} : what); });
+  connect(&edit, &EditController::saved, this,
+          [this](bool, const QString& why) { endWriting(why); });
   opening.setGuard([this](const std::function<void(bool)>& answer) {
     const Leave now = view_file.leave(Leaving::Scan, answer);
     if (now != Leave::AfterSaving) answer(now == Leave::Now);
   });
   connect(&window, &ui::MainWindow::closing, this, [this] {
+    journal.close(asked_);
     close();
     preferences.save();
     log.noteServo();

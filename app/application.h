@@ -47,6 +47,7 @@ struct Arguments {
   QString fetch_program = {};             ///< palpate-fetch; empty: it is looked for
   std::filesystem::path recordings = {};  ///< folder of recordings; empty: that of the preferences
   std::filesystem::path state = {};       ///< folder of log and crash reports; empty: none
+  std::filesystem::path journal = {};     ///< folder of work that is not saved yet; empty: none
 };
 
 /// Makes the window and its controllers, and connects them. The controllers do the work.

@@ -20,6 +20,7 @@
 #include "app/log/log.h"
 #include "app/recording/volume_hash.h"
 #include "app/signals.h"
+#include "app/window/program/journal.h"
 #include "app/window/program/preferences.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/files/archive.h"
@@ -148,6 +149,7 @@ int run(int argc, char** argv) {
   QGuiApplication::setDesktopFileName("palpate");
   int qt_argc = 1;  // the arguments are ours
   QApplication qt(qt_argc, argv);
+  if (arguments.screenshot.empty()) arguments.journal = app::ownJournal();
   const app::Preferences preferences = app::loadPreferences();
   ui::setLanguage(preferences.language);
   ui::style::applyTheme(qt, ui::style::themeOf(preferences.theme));

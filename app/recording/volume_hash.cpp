@@ -60,6 +60,17 @@ Expected<QByteArray> keptKey(const std::string& path) {
   return tl::unexpected(Error{Error::Kind::Malformed, {"volume-key-damaged", {path}}, "no-key"});
 }
 
+/// What tells the key from others, and the hash that was made with it.
+VolumeHash withMark(const QByteArray& key, const QByteArray& hash) {
+  const QByteArray whole =
+      QMessageAuthenticationCode::hash("Palpate's key", key, QCryptographicHash::Sha256)
+          .first(kMarkBytes) +
+      hash;
+  VolumeHash marked{};
+  std::memcpy(marked.data(), whole.constData(), marked.size());
+  return marked;
+}
+
 }  // namespace
 
 void nameApplication() {
@@ -111,12 +122,16 @@ std::optional<VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray
     if (cancel) return {};
     code.addData(voxels + at, std::min(kChunk, bytes - at));
   }
-  const QByteArray mark =
-      QMessageAuthenticationCode::hash("Palpate's key", key, QCryptographicHash::Sha256);
-  const QByteArray result = mark.first(kMarkBytes) + code.result();
-  VolumeHash hash{};
-  std::memcpy(hash.data(), result.constData(), hash.size());
-  return hash;
+  return withMark(key, code.result());
+}
+
+std::optional<VolumeHash> hashOfFile(const std::filesystem::path& path, const QByteArray& key) {
+  constexpr std::uintmax_t kLargest = 1'000'000'000;  // bytes
+  const auto bytes = haptics::readInput(path, kLargest);
+  if (!bytes || key.isEmpty()) return {};
+  return withMark(key, QMessageAuthenticationCode::hash(
+                           QByteArray::fromRawData(bytes->data(), qsizetype(bytes->size())), key,
+                           QCryptographicHash::Sha256));
 }
 
 }  // namespace app

@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 #include <atomic>
+#include <filesystem>
 #include <optional>
 
 #include "app/recording/scene_words.h"
@@ -26,5 +27,8 @@ haptics::Expected<QByteArray> installationKey();
 /// for a large volume. Nullopt if `key` is empty, or once `cancel` is true.
 std::optional<VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,
                                  const std::atomic<bool>& cancel);
+
+/// The same of a file, such as a tool's. Nullopt if it cannot be read or is larger than 1 GB.
+std::optional<VolumeHash> hashOfFile(const std::filesystem::path& path, const QByteArray& key);
 
 }  // namespace app

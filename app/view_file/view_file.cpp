@@ -70,16 +70,6 @@ struct Refused {
 json listOfNumbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 json listOfMetres(const Eigen::Vector3d& v_mm) { return listOfNumbers(v_mm / kMmPerMetre); }
 
-std::string hexOf(const VolumeHash& hash) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string hex;
-  for (const std::uint8_t byte : hash) {
-    hex += kDigits[byte >> 4];
-    hex += kDigits[byte & 15];
-  }
-  return hex;
-}
-
 /// A value of the file, which knows where in the file it stands.
 class Field {
  public:
@@ -203,19 +193,24 @@ void takeScan(const Field& scan, ViewFile& view) {
   }
 }
 
-void takeHash(const Field& field, const json& value, ViewFile& view) {
-  if (value.is_null()) return;
-  const std::string hex = field.text(2 * std::tuple_size_v<VolumeHash>);
-  VolumeHash hash{};
-  if (hex.size() != 2 * hash.size()) field.refuse();
-  const auto digit = [&](char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c < 'a' || c > 'f') field.refuse();
-    return c - 'a' + 10;
-  };
-  for (std::size_t i = 0; i < hash.size(); ++i)
-    hash[i] = static_cast<std::uint8_t>(16 * digit(hex[2 * i]) + digit(hex[2 * i + 1]));
-  view.hash = hash;
+std::optional<VolumeHash> hashFrom(const Field& field) {
+  if (field.isNull()) return {};
+  const auto hash = hashFromHex(field.text(2 * std::tuple_size_v<VolumeHash>));
+  if (!hash) field.refuse();
+  return hash;
+}
+
+haptics::Pose poseFrom(const Field& field) {
+  field.hasOnly({"at_m", "axes"});
+  haptics::Pose X_WP = haptics::Pose::Identity();
+  X_WP.translation() = field.at("at_m").vector(kMostAway_m);
+  const std::vector<Field> axes = field.at("axes").list(9, 9);
+  haptics::Mat3 turn;
+  for (std::size_t n = 0; n < 9; ++n) turn(int(n / 3), int(n % 3)) = axes[n].number(-1.001, 1.001);
+  const haptics::Mat3 square = turn.transpose() * turn;
+  if (!square.isIdentity(1e-3) || turn.determinant() < 0.0) field.at("axes").refuse();
+  X_WP.linear() = turn;
+  return X_WP;
 }
 
 ui::Measure markFrom(const Field& field) {
@@ -312,10 +307,11 @@ ViewFile viewFrom(const json& words, const std::string& file) {
       all.at("palpate_view").whole(1, std::numeric_limits<std::int64_t>::max());
   if (version > kVersion) throw Refused{{"file-of-later-palpate", {file}}, "later"};
   if (version < kVersion) throw Refused{{"view-of-earlier-palpate", {file}}, "earlier"};
-  all.hasOnly({"palpate_view", "scan", "edits", "isovalue", "marks", "view"}, {"tool"});
+  all.hasOnly({"palpate_view", "scan", "edits", "isovalue", "marks", "view"},
+              {"tool", "tool_file", "tool_place"});
   ViewFile view;
   takeScan(all.at("scan"), view);
-  takeHash(all.at("scan").at("hash"), words.at("scan").at("hash"), view);
+  view.hash = hashFrom(all.at("scan").at("hash"));
   for (const Field& field : all.at("edits").list(0, kMostEdits)) {
     auto edit = datasets::editFrom(field.text(kMostViewBytes));
     if (!edit) field.refuse();
@@ -323,6 +319,13 @@ ViewFile viewFrom(const json& words, const std::string& file) {
   }
   view.isovalue = all.at("isovalue").number(-kMostIntensity, kMostIntensity);
   if (all.has("tool")) view.tool = all.at("tool").text(20);
+  if (all.has("tool_file")) {
+    const Field file_of_tool = all.at("tool_file");
+    file_of_tool.hasOnly({"hash", "unit"});
+    view.tool_file = hashFrom(file_of_tool.at("hash"));
+    view.tool_unit = file_of_tool.at("unit").text(2);
+  }
+  if (all.has("tool_place")) view.X_WP = poseFrom(all.at("tool_place"));
   for (const Field& mark : all.at("marks").list(0, kMostMarks))
     view.marks.push_back(markFrom(mark));
   view.look = lookFrom(all.at("view"));
@@ -336,7 +339,35 @@ tl::unexpected<Error> refusedView(Message message, const char* reason) {
   return tl::unexpected(Error{kind, std::move(message), reason});
 }
 
+json listOfRows(const haptics::Mat3& matrix) {
+  json rows = json::array();
+  for (int n = 0; n < 9; ++n) rows.push_back(matrix(n / 3, n % 3));
+  return rows;
+}
+
 }  // namespace
+
+std::string hexOf(const VolumeHash& hash) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string hex;
+  for (const std::uint8_t byte : hash) {
+    hex += kDigits[byte >> 4];
+    hex += kDigits[byte & 15];
+  }
+  return hex;
+}
+
+std::optional<VolumeHash> hashFromHex(std::string_view hex) {
+  VolumeHash hash{};
+  if (hex.size() != 2 * hash.size()) return {};
+  for (std::size_t i = 0; i < hex.size(); ++i) {
+    const char c = hex[i];
+    const bool letter = c >= 'a' && c <= 'f';
+    if (!letter && !(c >= '0' && c <= '9')) return {};
+    hash[i / 2] = static_cast<std::uint8_t>(16 * hash[i / 2] + (letter ? c - 'a' + 10 : c - '0'));
+  }
+  return hash;
+}
 
 std::string textOf(const ViewFile& view) {
   json marks = json::array();
@@ -353,8 +384,6 @@ std::string textOf(const ViewFile& view) {
                                                slice.shift_mm.y() / kMmPerMetre})}});
   json edits = json::array();
   for (const datasets::Edit& edit : view.edits) edits.push_back(textOf(edit));
-  json direction = json::array();
-  for (int n = 0; n < 9; ++n) direction.push_back(view.grid.direction(n / 3, n % 3));
   const ui::ViewLook& look = view.look;
   json words = {
       {"palpate_view", kVersion},
@@ -362,7 +391,7 @@ std::string textOf(const ViewFile& view) {
        {{"dims", view.grid.dims},
         {"spacing_m", listOfNumbers(view.grid.spacing)},
         {"origin_m", listOfNumbers(view.grid.origin)},
-        {"direction", direction},
+        {"direction", listOfRows(view.grid.direction)},
         {"scalar", nameOf(view.type)},
         {"hash", view.hash ? json(hexOf(*view.hash)) : json()}}},
       {"edits", edits},
@@ -396,6 +425,11 @@ std::string textOf(const ViewFile& view) {
         {"grey", {{"level", look.grey_level}, {"width", look.grey_width}}}}}};
   if (!view.place.empty()) words["scan"]["place"] = view.place;
   if (!view.tool.empty()) words["tool"] = view.tool;
+  if (view.tool_file)
+    words["tool_file"] = {{"hash", hexOf(*view.tool_file)}, {"unit", view.tool_unit}};
+  if (view.X_WP)
+    words["tool_place"] = {{"at_m", listOfNumbers(view.X_WP->translation())},
+                           {"axes", listOfRows(view.X_WP->linear())}};
   // the name of a folder may be no text
   return words.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }

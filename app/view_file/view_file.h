@@ -11,6 +11,7 @@
 #include "app/recording/scene_words.h"
 #include "datasets/edits/edit.h"
 #include "haptics/core/error.h"
+#include "haptics/core/geometry.h"
 #include "haptics/core/volume.h"
 #include "ui/overlays/measure.h"
 #include "ui/props/view_look.h"
@@ -29,6 +30,10 @@ struct ViewFile {
   std::vector<datasets::Edit> edits = {};  ///< in force, oldest first
   double isovalue = 0.0;
   std::string tool = {};  ///< one of the named tools; empty: another
+  /// The file of another tool, by its keyed hash, and the unit of that file.
+  std::optional<VolumeHash> tool_file = {};
+  std::string tool_unit = {};
+  std::optional<haptics::Pose> X_WP = {};  ///< where the tool is, m
   std::vector<ui::Measure> marks = {};
   ui::ViewLook look = {};
 };
@@ -37,6 +42,10 @@ inline constexpr std::size_t kMostViewBytes = 1'000'000;
 inline constexpr std::size_t kMostMarks = 10'000;
 inline constexpr std::size_t kMostEdits = 1'000;
 inline constexpr const char* kViewEnding = ".palpate-view";
+
+/// 80 hexadecimal digits, and back; none for other text.
+std::string hexOf(const VolumeHash& hash);
+std::optional<VolumeHash> hashFromHex(std::string_view hex);
 
 /// JSON, one object. Lengths are in metres of W, and numbers so that reading gives the same double.
 std::string textOf(const ViewFile& view);

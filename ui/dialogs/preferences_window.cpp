@@ -261,18 +261,23 @@ void PreferencesWindow::buildPrivacy() {
   places_ = new QCheckBox(tr("&Remember recent places"));
   places_->setObjectName("placesChoice");
   places_->setToolTip(
-      tr("Keeps the eight newest folders and files for File > Open recent; off forgets them"));
+      tr("Keeps the eight newest folders and files for File > Open recent, and your work on scans "
+         "until you save or discard it; off forgets both"));
   places_said_ = explained({});
   places_said_->setObjectName("placesSaid");
   forget_ = new QPushButton(tr("&Forget them now"));
   forget_->setObjectName("forgetPlacesNow");
-  forget_->setToolTip(tr("Removes the recent places from the preferences at once"));
+  forget_->setToolTip(tr("Removes the recent places and the work that was kept at once"));
   auto* row = new QHBoxLayout;
   row->addWidget(forget_);
   row->addStretch();
   column->addWidget(places_);
   column->addWidget(places_said_);
   column->addLayout(row);
+  column->addWidget(
+      explained(tr("While you work, marks, notes and edits are kept in your own folder, for your "
+                   "eyes alone, and offered again if Palpate ends before you saved them. Notes are "
+                   "kept as you wrote them.")));
   column->addWidget(
       explained(tr("Palpate keeps no name, no date and no picture of a scan, and uses the network "
                    "only if you open a scan from a PACS. It asks before it saves or copies a "

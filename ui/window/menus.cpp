@@ -83,9 +83,11 @@ void Menus::buildFileMenu() {
         &Menus::viewWanted);
   });
   view->setObjectName("openView");
-  QAction* save = file->addAction(tr("Save view &as…"), this, &Menus::viewSaveWanted);
+  QAction* save = file->addAction(tr("Save vie&w"), this, &Menus::viewSaveWanted);
   save->setObjectName("saveView");
   giveKeys(*save, Action::SaveView);
+  file->addAction(tr("Save view &as…"), this, &Menus::viewSaveAsWanted)
+      ->setObjectName("saveViewAs");
   file->addSeparator();
   series_ = file->addAction(tr("&Series of this folder…"), this, &Menus::seriesWanted);
   series_->setObjectName("seriesOfThisFolder");

@@ -68,6 +68,8 @@ class Menus : public QObject {
   /// The user wants to open what was saved of a view, or to save it.
   void viewWanted(const QString& path);
   void viewSaveWanted();
+  /// The same in a file that the user chooses.
+  void viewSaveAsWanted();
   void preferencesWanted();
   /// The help of the part with the focus.
   void helpWanted();

@@ -19,9 +19,11 @@ Messages::Messages(QMainWindow& window)
       message_(new Banner(Banner::Kind::Attention, "message")),
       done_(new Banner(Banner::Kind::Done, "done")),
       offer_(new Banner(Banner::Kind::Attention, "offer")),
+      work_(new Banner(Banner::Kind::Attention, "work")),
       more_of_fault_(fault_->addButton("faultMore")),
       more_of_message_(message_->addButton("messageMore")),
-      take_offer_(offer_->addButton("takeOffer")) {
+      take_offer_(offer_->addButton("takeOffer")),
+      take_work_(work_->addButton("takeWork")) {
   for (QPushButton* more : {more_of_fault_, more_of_message_}) {
     more->setText(tr("More"));
     more->setToolTip(tr("Shows the cause and the remedy in the help"));
@@ -35,11 +37,22 @@ Messages::Messages(QMainWindow& window)
     offer_->hide();
     offered_();
   });
-  for (Banner* banner : {fault_, message_, done_, offer_}) banner->addClose();
+  QPushButton* drop = work_->addButton("dropWork");
+  drop->setText(tr("Discard"));
+  const auto answer = [this](QPushButton* button, std::function<void()> Messages::*done) {
+    connect(button, &QPushButton::clicked, this, [this, done] {
+      work_->hide();
+      const auto call = this->*done;  // which may show another
+      call();
+    });
+  };
+  answer(take_work_, &Messages::work_taken_);
+  answer(drop, &Messages::work_dropped_);
+  for (Banner* banner : {fault_, message_, done_, offer_, work_}) banner->addClose();
 }
 
 void Messages::placeIn(QVBoxLayout& column) {
-  for (Banner* banner : {fault_, message_, done_, offer_}) column.addWidget(banner);
+  for (Banner* banner : {fault_, message_, done_, offer_, work_}) column.addWidget(banner);
 }
 
 QWidget* Messages::window() { return &window_; }
@@ -75,6 +88,17 @@ void Messages::showOffer(const QString& sentence, const QString& button,
   offer_->show();
 }
 
+void Messages::showWork(const QString& sentence, const QString& button, std::function<void()> take,
+                        std::function<void()> drop) {
+  work_->setSentence(sentence);
+  take_work_->setText(button);
+  work_taken_ = std::move(take);
+  work_dropped_ = std::move(drop);
+  work_->show();
+}
+
+void Messages::hideWork() { work_->hide(); }
+
 void Messages::showFault(const QString& sentence) {
   explain(*more_of_fault_, sentence);
   fault_->setSentence(sentence);
@@ -106,6 +130,21 @@ Unsaved Messages::askToSave(const QString& what, const QString& consequence) {
   question.exec();
   if (question.clickedButton() == save) return Unsaved::Save;
   return question.clickedButton() == discard ? Unsaved::Discard : Unsaved::Cancel;
+}
+
+Unfinished Messages::askToFinish() {
+  QMessageBox question(QMessageBox::Question, tr("Not finished"),
+                       tr("A file is still being written."), QMessageBox::Cancel, window());
+  question.setInformativeText(
+      tr("The window can close while it is finished in the background. If it is stopped, no file "
+         "remains."));
+  const QAbstractButton* finish =
+      question.addButton(tr("&Finish in the background"), QMessageBox::AcceptRole);
+  const QAbstractButton* stop = question.addButton(tr("&Stop it"), QMessageBox::DestructiveRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  if (question.clickedButton() == finish) return Unfinished::Finish;
+  return question.clickedButton() == stop ? Unfinished::Stop : Unfinished::Cancel;
 }
 
 QString noticeText() {

@@ -16,6 +16,8 @@ class Banner;
 
 /// What becomes of what is in no file.
 enum class Unsaved { Save, Discard, Cancel };
+/// What becomes of a file that is still being written.
+enum class Unfinished { Finish, Stop, Cancel };
 
 /// Sentences above the views, each in a bar of its own kind, and questions that the user answers
 /// before anything else. GUI thread.
@@ -38,6 +40,11 @@ class Messages : public QObject {
   void showDone(const QString& sentence, const QString& folder);
   /// Shows a sentence in a bar of its own, with a button that hides the bar and calls `take`.
   void showOffer(const QString& sentence, const QString& button, std::function<void()> take);
+  /// Shows in a bar of its own that work was kept: one button goes on with it, one drops it; each
+  /// hides the bar.
+  void showWork(const QString& sentence, const QString& button, std::function<void()> take,
+                std::function<void()> drop);
+  void hideWork();
   /// Shows a sentence in a separate bar, which only the user closes.
   void showFault(const QString& sentence);
   /// Names the place in the help that explains a sentence; empty: none. Where it names one, the bar
@@ -49,6 +56,8 @@ class Messages : public QObject {
   bool askWhether(const QString& what, const QString& consequence, const QString& yes);
   /// Asks what becomes of what is in no file. Enter means Cancel.
   Unsaved askToSave(const QString& what, const QString& consequence);
+  /// Asks what becomes of a file that is being written. Enter means Cancel.
+  Unfinished askToFinish();
   /// Shows the safety notice, and returns when it was read.
   void showNotice();
 
@@ -67,12 +76,15 @@ class Messages : public QObject {
   Banner* message_;
   Banner* done_;
   Banner* offer_;
+  Banner* work_;
   QPushButton* more_of_fault_;
   QPushButton* more_of_message_;
   QPushButton* take_offer_;
+  QPushButton* take_work_;
   Explainer explainer_;
   QString done_folder_;  ///< of what done_ tells
   std::function<void()> offered_;
+  std::function<void()> work_taken_, work_dropped_;
 };
 
 /// The safety notice that every user must read once.

@@ -503,11 +503,15 @@ void EditController::save(const QString& path) {
       [this, folder = QString::fromStdString(out.parent_path().string())](
           const haptics::Expected<QString>& name) {
         loading_.end();
-        if (name) return messages_.showDone(tr("\"%1\" was saved.").arg(*name), folder);
-        if (name.error().kind != haptics::Error::Kind::Cancelled)
-          messages_.showMessage(name.error().reason == background::kNoMemory
-                                    ? tr("There is not enough memory to save this volume.")
-                                    : sentenceOf(name.error()));
+        QString why;
+        if (name)
+          messages_.showDone(tr("\"%1\" was saved.").arg(*name), folder);
+        else if (name.error().kind != haptics::Error::Kind::Cancelled)
+          why = name.error().reason == background::kNoMemory
+                    ? tr("There is not enough memory to save this volume.")
+                    : sentenceOf(name.error());
+        if (!why.isEmpty()) messages_.showMessage(why);
+        emit saved(name.has_value(), why);
       });
 }
 

@@ -52,6 +52,9 @@ class EditController : public QObject {
   void restore(std::vector<datasets::Edit> edits);
   /// Whether an edit is under way or waits, or its picture is not there yet.
   bool isBusy() const { return jobs_.isBusy(); }
+  /// Whether an edited volume is being written.
+  bool isSaving() const { return saver_.isRunning(); }
+  void stopSaving() { saver_.cancel(); }
 
  signals:
   /// A new volume and scene of the same scan. The receiver puts it into `shared.shown`. Its picture
@@ -59,6 +62,8 @@ class EditController : public QObject {
   void edited(const app::Loaded& loaded);
   /// The picture of the newest volume.
   void pictured(const ui::Picture& picture);
+  /// An edited volume was written, or not. `what`: why not, for the user; empty: cancelled.
+  void saved(bool well, const QString& what);
   /// What was done, for a recording: the edit as text, or "undo", "redo", "reset", "restore".
   void noted(const QString& text);
 

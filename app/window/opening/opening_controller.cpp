@@ -208,12 +208,16 @@ void OpeningController::keepPlace(const std::filesystem::path& place) {
   if (place.empty() || !preferences_.present().places_remembered) return;
   preferences_.present().places =
       withPlace(preferences_.present().places, QString::fromStdString(place.string()));
+  preferences_.present().place_hashes =
+      hashesOf(preferences_.present().place_hashes, preferences_.present().places);
   preferences_.save();
 }
 
 void OpeningController::forgetPlaces() {
-  preferences_.present().places.clear();
+  Preferences& kept = preferences_.present();
+  for (QStringList* list : {&kept.places, &kept.place_hashes, &kept.tools}) list->clear();
   preferences_.save();
+  emit placesForgotten();
   // not by showPlaces(): the menu's own action may be what brought us here
   start_.setPlaces({}, preferences_.present().places_remembered);
 }

@@ -55,6 +55,8 @@ class OpeningController : public QObject {
   void loaded(bool new_volume, bool placed);
   /// The new scene is on view.
   void shown(bool new_volume);
+  /// The user wants nothing remembered of what was open.
+  void placesForgotten();
   /// So is the picture of its volume, which came later.
   void pictureReplaced();
   /// Loading failed; the previous volume stays on view.

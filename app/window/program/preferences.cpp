@@ -114,8 +114,12 @@ Preferences loadPreferences() {
   preferences.recordings = settings.value("recordings/folder").toString();
   preferences.mapping = loadMapping(stored);
   preferences.places_remembered = flag("places/remembered", true);
-  if (preferences.places_remembered)
+  if (preferences.places_remembered) {
     preferences.places = settings.value("places/recent").toStringList().mid(0, kMostPlaces);
+    preferences.place_hashes =
+        hashesOf(settings.value("places/hashes").toStringList(), preferences.places);
+    preferences.tools = settings.value("places/tools").toStringList().mid(0, kMostPlaces);
+  }
   if (const QString tool = settings.value("tool/name").toString();
       resources::findNamedTool(tool.toStdString()) != nullptr)
     preferences.tool = tool;
@@ -164,10 +168,12 @@ void savePreferences(const Preferences& preferences) {
   setOrRemove(settings, "tool/name", !preferences.tool.isEmpty(), preferences.tool);
   settings.setValue("places/remembered", preferences.places_remembered);
   // nothing is left of them in the file once they are forgotten
-  if (preferences.places.isEmpty())
-    settings.remove("places/recent");
-  else
-    settings.setValue("places/recent", preferences.places);
+  const auto setList = [&](const char* key, const QStringList& list) {
+    setOrRemove(settings, key, !list.isEmpty(), list);
+  };
+  setList("places/recent", preferences.places);
+  setList("places/hashes", preferences.place_hashes);
+  setList("places/tools", preferences.tools);
 }
 
 }  // namespace app

@@ -14,9 +14,9 @@
 
 namespace app {
 
-/// The values that are stored between runs. The only paths are the recent places, which are used
-/// only for their menu, and which the user can switch off, and the folder of recordings if the user
-/// chose one. No value from a scan is stored.
+/// The values that are stored between runs. The only paths are the recent places and files of
+/// tools, which the user can switch off, and the folder of recordings if the user chose one. Of a
+/// scan only its keyed hash is stored, beside its place.
 struct Preferences {
   QByteArray geometry = {};      ///< geometry of the window, as Qt writes it
   ui::WindowLayout layout = {};  ///< views, borders, panels
@@ -35,8 +35,10 @@ struct Preferences {
   ui::Mapping mapping = {};  ///< mapping of haptic devices
   QStringList places = {};   ///< entries of File > Open recent, the newest first
   bool places_remembered = true;
-  QString tool = {};        ///< named tool that was used last; empty: none
-  QStringList unread = {};  ///< keys of values that could not be read, and are as at first
+  QStringList place_hashes = {};  ///< of scans of these places: keyed hash, blank, path
+  QStringList tools = {};         ///< files of tools, the newest first
+  QString tool = {};              ///< named tool that the user chose last; empty: none
+  QStringList unread = {};        ///< keys of values that could not be read, and are as at first
 };
 
 Preferences loadPreferences();

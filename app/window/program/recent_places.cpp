@@ -15,6 +15,27 @@ QStringList withPlace(QStringList places, const QString& place) {
   return places.mid(0, kMostPlaces);
 }
 
+QStringList withHash(QStringList hashes, const QString& hash, const QString& place) {
+  constexpr qsizetype kMostHashes = 4 * kMostPlaces;  // a folder may have several series
+  const QString entry = hash + ' ' + place;
+  hashes.removeAll(entry);
+  hashes.prepend(entry);
+  return hashes.mid(0, kMostHashes);
+}
+
+QStringList hashesOf(const QStringList& hashes, const QStringList& places) {
+  QStringList kept;
+  for (const QString& entry : hashes)
+    if (places.contains(entry.section(' ', 1))) kept << entry;
+  return kept;
+}
+
+QString placeWith(const QStringList& hashes, const QString& hash) {
+  for (const QString& entry : hashes)
+    if (entry.section(' ', 0, 0) == hash) return entry.section(' ', 1);
+  return {};
+}
+
 bool isTemporary(const QString& path) {
   const QString real = QFileInfo(path).canonicalFilePath();
   QStringList folders = QStandardPaths::standardLocations(QStandardPaths::GenericCacheLocation);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/recording/scene_words.h"
 #include "datasets/readers/scan.h"
 #include "haptics/scene/scene.h"
 
@@ -18,7 +19,8 @@ struct Kept;
 struct ToolSource {
   std::string name = "probe";  ///< name of a named tool
   std::optional<std::filesystem::path> file = {};
-  std::string unit = "mm";  ///< unit of the file: m, mm, cm, in
+  std::string unit = "mm";              ///< unit of the file: m, mm, cm, in
+  std::optional<VolumeHash> hash = {};  ///< of the file, once it was read
 };
 
 /// An entry of a survey. It can be loaded without another survey.

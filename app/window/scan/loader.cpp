@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "app/build_info/build_info.h"
+#include "app/recording/volume_hash.h"
 #include "app/window/scan/kept_phantom.h"
 #include "app/window/scan/sentence.h"
 #include "app/window/scan/start_pose.h"
@@ -313,6 +314,8 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
   loaded.tool = request.tool.value_or(ToolSource{.name = source->tool});
   auto tool = readTool(loaded.tool, loaded.note);
   if (!tool) return tl::unexpected(tool.error());
+  if (loaded.tool.file)
+    if (const auto key = installationKey()) loaded.tool.hash = hashOfFile(*loaded.tool.file, *key);
   if (watch.cancel) return cancelled();
   watch.advanced(0.9);
   haptics::SceneOptions options = request.options;

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QTimer>
+#include <algorithm>
+#include <vector>
 
 #include "app/export/export.h"
 #include "app/film/face.h"
@@ -98,17 +100,20 @@ void ExportController::askAndExport(const Exported& recording) {
   if (table != nullptr && !out.endsWith(ending)) out += ending;
   request.out = out.toStdString();
   // the dialog asks about the name that was chosen; what is written may have others
-  std::filesystem::path beside = request.out;
+  std::vector<std::filesystem::path> written;
   if (table == nullptr)
-    beside.replace_extension(".frames.csv");
-  else if (!table->files.empty())
-    beside += table->files.front();
-  std::error_code error;
-  if (out != dialog.selectedFiles().value(0) || beside != request.out)
-    if (std::filesystem::exists(beside, error) &&
-        !messages_.askWhether(tr("An export of that name is there already."),
-                              tr("Its files are written over."), tr("Write over it")))
-      return;
+    written = {std::filesystem::path(request.out).replace_extension(".frames.csv")};
+  if (table != nullptr)
+    for (const char* file : table->files) written.emplace_back(request.out) += file;
+  if (out != dialog.selectedFiles().value(0)) written.push_back(request.out);
+  const auto isThere = [](const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::exists(file, error);
+  };
+  if (std::ranges::any_of(written, isThere) &&
+      !messages_.askWhether(tr("An export of that name is there already."),
+                            tr("Its files are written over."), tr("Write over it")))
+    return;
   exportTo(std::move(request));
 }
 

@@ -34,6 +34,7 @@ class ExportTask : public QObject {
   /// Returns false and does nothing while another export runs.
   bool start(ExportRequest request);
   void cancel() { task_.cancel(); }
+  bool isRunning() const { return task_.isRunning(); }
 
  signals:
   void progressed(double fraction);

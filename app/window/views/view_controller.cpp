@@ -68,6 +68,14 @@ void ViewController::bringTool(const haptics::Vec3& p_W, const haptics::Vec3& no
   views_.setCross(place->p_W * ui::kMmPerM);
 }
 
+void ViewController::bringBack(const haptics::Pose& X_WP) {
+  if (!mayBring()) return;
+  const auto X_WT = haptics::legalPoseNear(*shared_.shown->scene, shared_.settings.isovalue, X_WP);
+  if (X_WT) return emit toolPlaced(*X_WT);
+  messages_.showBriefly(tr("The tool does not fit where it was: it stays where it is."),
+                        kPictureSaidMs);
+}
+
 void ViewController::bringToCross() {
   if (!mayBring()) return;
   const haptics::Scene& scene = *shared_.shown->scene;

@@ -22,6 +22,8 @@ class ViewController : public QObject {
   /// to the place.
   void bringTool(const haptics::Vec3& p_W, const haptics::Vec3& normal_W);
   void bringToCross();
+  /// Brings the tool to a pose where it was, or, where the solid is there now, close to it.
+  void bringBack(const haptics::Pose& X_WP);
   void moveCrossToTool();
   /// Asks what to take a picture of and where to, and writes it. `first`: the slice that is offered
   /// first; null: the 3-D view.

@@ -2,15 +2,19 @@
 #include "app/window/views/view_file_controller.h"
 
 #include <QCheckBox>
+#include <QCursor>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QMetaMethod>
 #include <cmath>
 #include <system_error>
 #include <utility>
 
 #include "app/recording/recording.h"
+#include "app/recording/volume_hash.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/sentence.h"
 #include "app/window/scan/volume_words.h"
@@ -39,6 +43,13 @@ bool isOfPalpate(const std::filesystem::path& path) {
          name.endsWith(QLatin1String(".palpate"), Qt::CaseInsensitive);
 }
 
+/// The kind of scan, and when the view is saved: nothing of the patient or the files.
+QString proposedName(const haptics::Volume& volume) {
+  const QString kind =
+      volume.unit == "HU" ? ViewFileController::tr("CT") : ViewFileController::tr("Scan");
+  return kind + QDateTime::currentDateTime().toString(" yyyy-MM-dd hh.mm.ss") + kViewEnding;
+}
+
 bool isNamedTool(const std::string& name) { return resources::findNamedTool(name) != nullptr; }
 
 }  // namespace
@@ -54,7 +65,8 @@ ViewFileController::ViewFileController(ui::Views& views, ui::Messages& messages,
       asks_(asks) {
   connect(&menus, &ui::Menus::viewWanted, this,
           [this](const QString& path) { open(path.toStdString()); });
-  connect(&menus, &ui::Menus::viewSaveWanted, this, &ViewFileController::askAndSave);
+  connect(&menus, &ui::Menus::viewSaveWanted, this, &ViewFileController::saveOrAsk);
+  connect(&menus, &ui::Menus::viewSaveAsWanted, this, &ViewFileController::askAndSave);
   connect(&shared.identity, &VolumeIdentity::sought, this, &ViewFileController::takeHash);
   connect(&loading, &ui::Loading::cancelWanted, this, [this] {
     if (step_ != Step::Hash && !saving_) return;
@@ -75,15 +87,25 @@ bool ViewFileController::liesOnView() const {
 }
 
 void ViewFileController::open(const std::filesystem::path& path) {
-  if (shared_.replaying)
-    return refuse(
-        tr("%1 was not opened: a recording is on view; close it first.").arg(inQuotes(path)));
   auto read = readViewFile(path);
   if (!read) return refuse(sentenceOf(read.error()));
-  opening_ = std::move(*read);
+  begin(std::move(*read), path);
+}
+
+void ViewFileController::resume(ViewFile work) { begin(std::move(work), {}); }
+
+void ViewFileController::begin(ViewFile view, const std::filesystem::path& path) {
+  opening_ = std::move(view);
   opening_path_ = path;
-  scan_sought_ = false;
+  place_tried_ = known_tried_ = placing_ = false;
+  if (shared_.replaying)
+    return refuse(
+        tr("%1 was not opened: a recording is on view; close it first.").arg(openingName()));
   compare();
+}
+
+QString ViewFileController::openingName() const {
+  return opening_path_.empty() ? tr("The work that was kept") : inQuotes(opening_path_);
 }
 
 /// Over the scan on view, or else over the one that the file knows.
@@ -99,16 +121,21 @@ void ViewFileController::compare() {
 }
 
 bool ViewFileController::seekScan() {
-  if (opening_.place.empty() || scan_sought_) return false;
-  scan_sought_ = true;
-  const std::filesystem::path scan =
-      (opening_path_.parent_path() / opening_.place).lexically_normal();
+  if (!opening_.place.empty() && !std::exchange(place_tried_, true) &&
+      openScan((opening_path_.parent_path() / opening_.place).lexically_normal()))
+    return true;
+  if (!opening_.hash || !known_.place || std::exchange(known_tried_, true)) return false;
+  const std::filesystem::path known = known_.place(*opening_.hash);
+  return !known.empty() && openScan(known);
+}
+
+bool ViewFileController::openScan(const std::filesystem::path& scan) {
   std::error_code error;
   if (!std::filesystem::exists(scan, error)) return false;
   if (isOfPalpate(scan)) {
     refuse(
         tr("%1 was not opened: it names %2 as its scan, but %2 is not a scan; open the scan first.")
-            .arg(inQuotes(opening_path_), inQuotes(scan)));
+            .arg(openingName(), inQuotes(scan)));
     return true;
   }
   step_ = Step::Scan;
@@ -118,8 +145,13 @@ bool ViewFileController::seekScan() {
 
 void ViewFileController::showScene(bool new_volume) {
   if (!shared_.shown) return;
-  if (new_volume) edits_in_file_.clear();
+  if (new_volume) {
+    edits_in_file_.clear();
+    saved_as_.clear();
+    placing_ = false;
+  }
   if (step_ == Step::Edits && liesOnView() && hasEdits()) return restoreRest();
+  if (placing_) placeTool();
   if (!new_volume) return;
   switch (step_) {
     case Step::Nothing:
@@ -150,10 +182,10 @@ void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& 
       return restore();
     case SameVolume::Another:
       if (seekScan()) return;
-      return refuse(
+      return offerChoice(
           tr("%1 was not opened: it belongs to another scan. The one on view has the same "
              "geometry, %2, but other voxels; open the other scan first.")
-              .arg(inQuotes(opening_path_), geometryWords(opening_.grid, opening_.type)));
+              .arg(openingName(), geometryWords(opening_.grid, opening_.type)));
     case SameVolume::Unknown:
       break;
   }
@@ -162,9 +194,8 @@ void ViewFileController::takeHash(const std::shared_ptr<const haptics::Volume>& 
          "the same: %1. Marks of another scan would lie in wrong places.")
           .arg(geometryWords(opening_.grid, opening_.type));
   if (!asks_) return refuse(unknown);
-  const bool agreed =
-      messages_.askWhether(tr("Is %1 a view of this scan?").arg(inQuotes(opening_path_)), unknown,
-                           tr("Open it over this scan"));
+  const bool agreed = messages_.askWhether(tr("Is %1 a view of this scan?").arg(openingName()),
+                                           unknown, tr("Open it over this scan"));
   // the scan may have changed while the question was open
   if (agreed && step_ == Step::Hash && liesOnView()) return restore();
   drop();
@@ -182,7 +213,7 @@ void ViewFileController::restore() {
   if (hasEdits()) return restoreRest();
   if (!isSignalConnected(QMetaMethod::fromSignal(&ViewFileController::editsWanted)))
     return refuse(tr("%1 was not opened: it has edits of the scan, which this Palpate cannot make.")
-                      .arg(inQuotes(opening_path_)));
+                      .arg(openingName()));
   const auto want = [this] {
     step_ = Step::Edits;
     emit editsWanted(opening_.edits);
@@ -203,21 +234,65 @@ void ViewFileController::restoreRest() {
   const double isovalue = ui::allowedIsovalue(*shown.volume(), opening_.isovalue);
   emit isovalueWanted(isovalue);
   marks_.measures().replace(opening_.marks);
-  marks_.setSaved(opening_.marks);
-  edits_in_file_ = editsOnView();
+  if (!opening_path_.empty()) {
+    marks_.setSaved(opening_.marks);
+    edits_in_file_ = editsOnView();
+    saved_as_ = opening_path_;
+    saved_with_place_ = !opening_.place.empty();
+  }
   views_.setLook(opening_.look);
   if (std::abs(isovalue - opening_.isovalue) > 1e-6 * std::abs(opening_.isovalue) + 1e-9)
     messages_.showMessage(tr("The isovalue of %1, %2, is outside this scan's range; %3 is shown.")
-                              .arg(inQuotes(opening_path_))
+                              .arg(openingName())
                               .arg(opening_.isovalue)
                               .arg(isovalue));
-  const std::string& tool = opening_.tool;
-  if (!tool.empty() && !isNamedTool(tool))
-    messages_.showMessage(tr("The tool of %1 is not known here; the present tool stays.")
-                              .arg(inQuotes(opening_path_)));
-  else if (!tool.empty() && (shown.tool.file || shown.tool.name != tool))
-    emit toolWanted(QString::fromStdString(tool));
+  restoreTool();
   emit finished(true);
+}
+
+void ViewFileController::restoreTool() {
+  const ToolSource& present = shared_.shown->tool;
+  const std::string& tool = opening_.tool;
+  placing_ = opening_.X_WP.has_value();
+  const auto missing = [this](const QString& sentence) {
+    placing_ = false;
+    messages_.showMessage(sentence.arg(openingName()));
+  };
+  if (opening_.tool_file && present.hash != opening_.tool_file) {
+    tool_seeker_.start(
+        [files = known_.tools ? known_.tools() : std::vector<std::filesystem::path>{},
+         sought = *opening_.tool_file](
+            const background::Watch& watch) -> haptics::Expected<std::filesystem::path> {
+          const auto key = installationKey();
+          for (const std::filesystem::path& file : files)
+            if (!watch.cancelled() && key && hashOfFile(file, *key) == sought) return file;
+          return std::filesystem::path{};
+        },
+        [this, missing](const haptics::Expected<std::filesystem::path>& file) {
+          if (file && !file->empty())
+            return emit toolWanted(
+                {.name = file->string(), .file = *file, .unit = opening_.tool_unit});
+          missing(
+              tr("The tool of %1 comes from a file that was not found; the present tool stays. "
+                 "Load the tool, and open the view again."));
+        });
+  } else if (!tool.empty() && !isNamedTool(tool)) {
+    missing(tr("The tool of %1 is not known here; the present tool stays."));
+  } else if (!tool.empty() && (present.file || present.name != tool)) {
+    emit toolWanted({.name = tool});
+  } else {
+    placeTool();
+  }
+}
+
+/// Once the tool is the one of the view.
+void ViewFileController::placeTool() {
+  const ToolSource& present = shared_.shown->tool;
+  const bool there = opening_.tool_file      ? present.hash == opening_.tool_file
+                     : opening_.tool.empty() ? true
+                                             : !present.file && present.name == opening_.tool;
+  if (!there || !std::exchange(placing_, false)) return;
+  emit poseWanted(*opening_.X_WP);
 }
 
 void ViewFileController::refuse(const QString& sentence) {
@@ -225,6 +300,33 @@ void ViewFileController::refuse(const QString& sentence) {
   messages_.showMessage(sentence);
   emit refused(sentence);
   emit finished(false);
+}
+
+void ViewFileController::offerChoice(const QString& sentence) {
+  refuse(sentence);
+  if (!asks_ || opening_path_.empty()) return;
+  messages_.clear();
+  messages_.showOffer(sentence, tr("Choose the scan…"),
+                      [this, view = opening_, path = opening_path_] {
+                        QMenu menu(messages_.window());
+                        menu.setObjectName("scanChoice");
+                        const QAction* folder = menu.addAction(tr("A &folder of slices…"));
+                        menu.addAction(tr("A f&ile…"));
+                        const QAction* chosen = menu.exec(QCursor::pos());
+                        if (chosen == nullptr) return;
+                        opening_ = view;
+                        opening_path_ = path;
+                        chooseScan(chosen == folder);
+                      });
+}
+
+void ViewFileController::chooseScan(bool folder) {
+  // Qt's own dialog: in a foreign one Escape would not reach the application
+  QFileDialog dialog(messages_.window(), tr("Choose the scan of %1").arg(openingName()));
+  dialog.setFileMode(folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
+  dialog.setOption(QFileDialog::DontUseNativeDialog);
+  place_tried_ = known_tried_ = true;
+  if (dialog.exec() == QDialog::Accepted) openScan(dialog.selectedFiles().value(0).toStdString());
 }
 
 void ViewFileController::refuseGeometry() {
@@ -235,8 +337,8 @@ void ViewFileController::refuseGeometry() {
     if (volume.grid.dims == opening_.grid.dims && volume.type == opening_.type)
       here = tr("The one on view lies elsewhere or is turned");
   }
-  refuse(tr("%1 was not opened: it belongs to a scan of %2. %3; open the other scan first.")
-             .arg(inQuotes(opening_path_), geometryWords(opening_.grid, opening_.type), here));
+  offerChoice(tr("%1 was not opened: it belongs to a scan of %2. %3; open the other scan first.")
+                  .arg(openingName(), geometryWords(opening_.grid, opening_.type), here));
 }
 
 ViewFileController::Leave ViewFileController::leave(Leaving what,
@@ -269,9 +371,15 @@ ViewFileController::Leave ViewFileController::leave(Leaving what,
     case ui::Unsaved::Save:
       break;
   }
-  if (!askAndSave()) return Leave::Stay;
+  if (!saveOrAsk()) return Leave::Stay;
   then_ = std::move(then);
   return Leave::AfterSaving;
+}
+
+bool ViewFileController::saveOrAsk() {
+  if (!shared_.shown || saved_as_.empty()) return askAndSave();
+  save(saved_as_, saved_with_place_);
+  return saving_.has_value();
 }
 
 bool ViewFileController::askAndSave() {
@@ -282,6 +390,7 @@ bool ViewFileController::askAndSave() {
   QFileDialog dialog(messages_.window(), tr("Save the view as"));
   dialog.setObjectName("saveViewDialog");
   ui::askForOutput(dialog, tr("Views (*.palpate-view)"), QString(kViewEnding).mid(1));
+  dialog.selectFile(proposedName(*shared_.shown->volume()));
   auto* words = new QLabel(tr("Notes are saved as you wrote them: do not name the patient."));
   words->setObjectName("notesWarning");
   words->setWordWrap(true);
@@ -300,24 +409,37 @@ bool ViewFileController::askAndSave() {
   return saving_.has_value();
 }
 
+ViewFile ViewFileController::present() const {
+  const Loaded& shown = *shared_.shown;
+  const auto scan = scanOf(shown.volume());
+  ViewFile view;
+  view.grid = scan->grid;
+  view.type = scan->type;
+  if (const auto* edited = datasets::editedOf(*shown.volume())) view.edits = edited->edits;
+  view.isovalue = shared_.settings.isovalue;
+  if (!shown.tool.file && isNamedTool(shown.tool.name)) view.tool = shown.tool.name;
+  if (shown.tool.file && shown.tool.hash) {
+    view.tool_file = shown.tool.hash;
+    view.tool_unit = shown.tool.unit;
+  }
+  if (shared_.snapshot.scene == shown.scene->id) view.X_WP = shared_.snapshot.X_WP;
+  view.marks = marks_.measures().all();
+  view.look = views_.look();
+  return view;
+}
+
 void ViewFileController::save(const std::filesystem::path& path, bool with_place) {
   if (!shared_.shown || saving_) return;
   const Loaded& shown = *shared_.shown;
   saved_scan_ = scanOf(shown.volume());
   saving_path_ = path;
-  ViewFile view;
-  view.grid = saved_scan_->grid;
-  view.type = saved_scan_->type;
+  saving_with_place_ = with_place;
+  ViewFile view = present();
   if (with_place && !shown.place.empty()) {
     std::error_code error;
     const auto folder = std::filesystem::absolute(path, error).parent_path();
     view.place = std::filesystem::relative(shown.place, folder, error).generic_string();
   }
-  if (const auto* edited = datasets::editedOf(*shown.volume())) view.edits = edited->edits;
-  view.isovalue = shared_.settings.isovalue;
-  if (!shown.tool.file && isNamedTool(shown.tool.name)) view.tool = shown.tool.name;
-  view.marks = marks_.measures().all();
-  view.look = views_.look();
   saving_ = std::move(view);
   loading_.begin(tr("Saving the view"));
   shared_.identity.seek(saved_scan_);
@@ -337,6 +459,8 @@ void ViewFileController::write() {
   if (shared_.shown && scanOf(shared_.shown->volume()) == scan) {
     marks_.setSaved(view.marks);
     edits_in_file_ = textsOf(view.edits);
+    saved_as_ = saving_path_;
+    saved_with_place_ = saving_with_place_;
   }
   messages_.showDone(tr("The view was saved as %1.").arg(inQuotes(saving_path_)),
                      QString::fromStdString(saving_path_.parent_path().string()));

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/background/task.h"
 #include "app/view_file/view_file.h"
 #include "app/window/scan/shared_state.h"
 #include "app/window/views/marks_controller.h"
@@ -36,10 +37,25 @@ class ViewFileController : public QObject {
   ViewFileController(ui::Views& views, ui::Messages& messages, ui::Loading& loading,
                      ui::Menus& menus, SharedState& shared, MarksController& marks, bool asks);
 
-  /// Opens a file of a view. If the scan on view is not the one and the file tells its place, the
-  /// scan is opened first.
+  /// Where scans and files of tools are that were open before. Any function may be missing.
+  struct Known {
+    /// The place of the scan with this hash; empty: not known.
+    std::function<std::filesystem::path(const VolumeHash& hash)> place = {};
+    std::function<std::vector<std::filesystem::path>()> tools = {};
+  };
+  void setKnown(Known known) { known_ = std::move(known); }
+
+  /// Opens a file of a view. If the scan on view is not the one, the scan is opened first: from the
+  /// place that the file tells, or from that where it was open before. If it is not found, the
+  /// user can choose it.
   void open(const std::filesystem::path& path);
-  /// Asks for a file and saves. Returns false if the user does not choose one.
+  /// Goes on with work on the scan on view that is in no file.
+  void resume(ViewFile work);
+  /// The view as it is now, without the hash and the place of its scan. A scan must be on view.
+  ViewFile present() const;
+  /// Saves to the file that the view of this scan was saved to or opened from; if there is none,
+  /// asks for one. Returns false if the user does not choose one.
+  bool saveOrAsk();
   bool askAndSave();
   enum class Leave { Now, Stay, AfterSaving };
   /// Asks about what is in no file and would be lost, if there is something. If the user saves it
@@ -58,7 +74,9 @@ class ViewFileController : public QObject {
   /// The edits of a view that is being opened, in place of the present ones. When the volume that
   /// results is on view, the rest of the view follows.
   void editsWanted(const std::vector<datasets::Edit>& edits);
-  void toolWanted(const QString& name);
+  void toolWanted(const app::ToolSource& tool);
+  /// Where the tool was.
+  void poseWanted(const haptics::Pose& X_WP);
   /// An isovalue that the volume on view can have.
   void isovalueWanted(double isovalue);
   /// Why a view was not opened, as it is shown.
@@ -72,6 +90,14 @@ class ViewFileController : public QObject {
   bool liesOnView() const;
   void compare();
   bool seekScan();
+  bool openScan(const std::filesystem::path& scan);
+  /// Lets the user choose the scan, in place of what `sentence` says.
+  void offerChoice(const QString& sentence);
+  void chooseScan(bool folder);
+  QString openingName() const;
+  void begin(ViewFile view, const std::filesystem::path& path);
+  void restoreTool();
+  void placeTool();
   /// Whether the volume on view has the edits of the view that is being opened.
   bool hasEdits() const;
   void restore();
@@ -91,10 +117,17 @@ class ViewFileController : public QObject {
   bool asks_;
   Step step_ = Step::Nothing;  ///< what the view that is being opened waits for
   ViewFile opening_;
-  std::filesystem::path opening_path_;
-  bool scan_sought_ = false;        ///< at the place that the file tells
+  std::filesystem::path opening_path_;  ///< empty: work that is in no file
+  bool place_tried_ = false;            ///< that the file tells
+  bool known_tried_ = false;            ///< where the scan was open before
+  bool placing_ = false;                ///< the tool goes to its place once it is there
+  Known known_;
+  background::Task<std::filesystem::path> tool_seeker_;
+  std::filesystem::path saved_as_;  ///< of the scan on view; empty: no file yet
+  bool saved_with_place_ = false;
   std::optional<ViewFile> saving_;  ///< waits for its hash
   std::filesystem::path saving_path_;
+  bool saving_with_place_ = false;
   std::shared_ptr<const haptics::Volume> saved_scan_;
   std::function<void(bool saved)> then_;    ///< waits for the file
   std::vector<std::string> edits_in_file_;  ///< of the scan on view, as texts
