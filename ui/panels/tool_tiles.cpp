@@ -15,12 +15,12 @@
 namespace ui {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 3> kUsual{
+constexpr std::array<std::pair<const char*, const char*>, 3> kUsualTools{
     {{"burr-4", QT_TRANSLATE_NOOP("ui::ToolTiles", "Burr 4 mm")},
      {"probe", QT_TRANSLATE_NOOP("ui::ToolTiles", "Probe")},
      {"hook", QT_TRANSLATE_NOOP("ui::ToolTiles", "Hook")}}};
-constexpr QSize kPicture{60, 24};  // px
-constexpr int kInside = 5;
+constexpr QSize kTilePicture{60, 24};  // px
+constexpr int kTileInside = 5;
 
 /// A picture above its title.
 class Tile : public QToolButton {
@@ -35,8 +35,8 @@ class Tile : public QToolButton {
     update();
   }
   QSize sizeHint() const override {
-    return {kPicture.width() + 2 * kInside,
-            kPicture.height() + fontMetrics().lineSpacing() + 3 * kInside};
+    return {kTilePicture.width() + 2 * kTileInside,
+            kTilePicture.height() + fontMetrics().lineSpacing() + 3 * kTileInside};
   }
   QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -48,10 +48,10 @@ class Tile : public QToolButton {
     option.text.clear();
     style()->drawComplexControl(QStyle::CC_ToolButton, &option, &painter, this);
     const QColor ink = palette().color(QPalette::ButtonText);
-    painter.drawPixmap(QPoint((width() - kPicture.width()) / 2, kInside),
-                       picture_.pixmap(kPicture, devicePixelRatioF(), ink));
+    painter.drawPixmap(QPoint((width() - kTilePicture.width()) / 2, kTileInside),
+                       picture_.pixmap(kTilePicture, devicePixelRatioF(), ink));
     painter.setPen(ink);
-    painter.drawText(rect().adjusted(0, 0, 0, -kInside), Qt::AlignHCenter | Qt::AlignBottom,
+    painter.drawText(rect().adjusted(0, 0, 0, -kTileInside), Qt::AlignHCenter | Qt::AlignBottom,
                      text());
   }
 
@@ -79,7 +79,7 @@ void ToolTiles::put(QToolButton& tile, const ToolEntry& tool, const QString& wor
   tile.setObjectName("tile-" + tool.id);
   tile.setProperty("tool", tool.id);
   tile.setText(
-      tile.fontMetrics().elidedText(words, Qt::ElideRight, kPicture.width() + 2 * kInside));
+      tile.fontMetrics().elidedText(words, Qt::ElideRight, kTilePicture.width() + 2 * kTileInside));
   tile.setToolTip(tool.title);
   static_cast<Tile&>(tile).setPicture(ToolPicture(tool.mesh));
 }
@@ -87,7 +87,8 @@ void ToolTiles::put(QToolButton& tile, const ToolEntry& tool, const QString& wor
 void ToolTiles::setTools(const QList<ToolEntry>& tools) {
   for (std::size_t n = 0; n < tiles_.size(); ++n)
     for (const ToolEntry& tool : tools)
-      if (tool.id == QLatin1String(kUsual[n].first)) put(*tiles_[n], tool, tr(kUsual[n].second));
+      if (tool.id == QLatin1String(kUsualTools[n].first))
+        put(*tiles_[n], tool, tr(kUsualTools[n].second));
 }
 
 void ToolTiles::showTool(const ToolEntry& tool) {

@@ -71,7 +71,7 @@ void ViewController::bringTool(const haptics::Vec3& p_W, const haptics::Vec3& no
 void ViewController::bringBack(const haptics::Pose& X_WP) {
   if (!mayBring()) return;
   const auto X_WT = haptics::legalPoseNear(*shared_.shown->scene, shared_.settings.isovalue, X_WP);
-  if (X_WT) return emit toolPlaced(*X_WT);
+  if (X_WT) return emit toolPlaced(*X_WT, *X_WT);
   messages_.showBriefly(tr("The tool does not fit where it was: it stays where it is."),
                         kPictureSaidMs);
 }
