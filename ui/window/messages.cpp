@@ -38,7 +38,7 @@ Messages::Messages(QMainWindow& window)
     offered_();
   });
   QPushButton* drop = work_->addButton("dropWork");
-  drop->setText(tr("Discard"));
+  drop->setText(tr("&Discard"));
   const auto answer = [this](QPushButton* button, std::function<void()> Messages::*done) {
     connect(button, &QPushButton::clicked, this, [this, done] {
       work_->hide();

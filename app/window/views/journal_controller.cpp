@@ -68,6 +68,7 @@ JournalController::JournalController(ui::Messages& messages, SharedState& shared
   connect(&files, &ViewFileController::finished, this, [this](bool done) {
     const auto resumed = std::exchange(resuming_, {});
     if (!resumed || !done) return;
+    log::write(log::Level::Info, "work-resumed");
     taken_ = resumed;
     written_.reset();
   });
@@ -121,7 +122,7 @@ void JournalController::offer(const Work& work, bool on_view) {
   messages_.showWork(
       on_view ? tr("Your work on this scan was not saved when Palpate ended.")
               : tr("Your work on a scan that was open before was not saved when Palpate ended."),
-      tr("Continue where you were"),
+      tr("&Continue where you were"),
       [this, work] {
         resuming_ = work.left;
         files_.resume(work.view);

@@ -15,6 +15,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "app/window/edits/edit_controller.h"
 #include "datasets/edits/edit.h"
 #include "tests/ui/edits/editing.h"
 #include "tests/ui/window_support.h"

@@ -7,6 +7,8 @@
 #include <QDateTime>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QFileDialog>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -19,7 +21,9 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <tuple>
 
 #include "app/application.h"
 #include "app/recording/database.h"
@@ -483,6 +487,118 @@ TEST(RecordedSession, IsExportedBehindTheWindow) {
   EXPECT_FALSE(well);
   for (const fs::path& file : filesIn(exports))
     EXPECT_EQ(file.string().find("cancelled"), std::string::npos) << file;
+}
+
+/// Clicks this button of the next questions.
+struct Pressed {
+  explicit Pressed(const char* button) {
+    QObject::connect(&timer, &QTimer::timeout, [this, button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return;
+      ++asked;
+      for (QAbstractButton* choice : box->buttons())
+        if (choice->text().remove('&').startsWith(button)) return choice->click();
+    });
+    timer.start(20);
+  }
+  QTimer timer;
+  int asked = 0;
+};
+
+TEST(RecordedSession, AFilmThatIsMadeIsFinishedBehindAWindowThatCloses) {
+  const QTemporaryDir folder, exports;
+  const auto begin = [&](app::Application& application, const char* name) {
+    app::ExportRequest request{.recording = filesIn(folder).front(), .out = {}, .wish = {}};
+    request.wish.from = 0.0;
+    request.wish.to = 0.5;
+    request.wish.table = std::nullopt;
+    request.volume = application.shown()->picture.volume;
+    request.wish.film.width = 320;
+    request.wish.film.height = 240;
+    request.out = fs::path(exports.path().toStdString()) / name;
+    application.exporting().exportTo(request);
+  };
+  {
+    app::Application application(recordedSphere(folder));
+    application.start();
+    recordSome(application, folder, 600);
+    if (HasFatalFailure()) return;
+    begin(application, "film");
+    QSignalSpy finished(&application, &app::Application::finished);
+    {
+      Pressed pressed("Cancel");
+      application.window().close();
+      EXPECT_EQ(pressed.asked, 1);
+    }
+    EXPECT_TRUE(application.window().isVisible());
+    EXPECT_TRUE(application.session().isOpen());
+    Pressed pressed("Finish");
+    application.window().close();
+    EXPECT_EQ(pressed.asked, 1);
+    EXPECT_FALSE(application.window().isVisible());
+    EXPECT_FALSE(application.session().isOpen());
+    EXPECT_EQ(finished.count(), 0);
+    EXPECT_TRUE(waitFor([&] { return finished.count() > 0; }));
+    EXPECT_GE(filesIn(exports).size(), 2U);
+  }
+  QGuiApplication::setQuitOnLastWindowClosed(true);
+  for (const fs::path& file : filesIn(exports)) fs::remove(file);
+  app::Application application(recordedSphere(folder));
+  application.start();
+  ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
+  begin(application, "stopped");
+  Pressed pressed("Stop");
+  application.window().close();
+  EXPECT_FALSE(application.window().isVisible());
+  EXPECT_TRUE(waitFor([&] { return !application.exporting().task().isRunning(); }));
+  EXPECT_TRUE(filesIn(exports).empty());
+}
+
+TEST(RecordedSession, AnExportAsksBeforeItWritesOverAnyOfItsFiles) {
+  const QTemporaryDir folder, exports;
+  app::Application application(recordedSphere(folder));
+  application.start();
+  recordSome(application, folder, 300);
+  if (HasFatalFailure()) return;
+  ui::RecordingPanel& panel = *application.window().findChild<ui::RecordingPanel*>();
+  auto* list = child<QTableWidget>(panel, "recordings");
+  EXPECT_TRUE(waitFor([&] { return list->rowCount() == 1; }));
+  list->selectRow(0);
+  // the file of that name, and one of the several
+  for (const auto& [format, name, there] : {std::tuple{0, "a", "a_events.json"},
+                                            {0, "b", "b_motion.tsv"},
+                                            {1, "a.h5", "a.h5"},
+                                            {2, "a.mcap", "a.mcap"},
+                                            {3, "a.mp4", "a.mp4"},
+                                            {3, "b.mp4", "b.frames.csv"}}) {
+    const fs::path file = fs::path(exports.path().toStdString()) / there;
+    std::ofstream(file) << "mine";
+    QString asked;
+    bool ended = false;
+    QTimer answers;
+    QObject::connect(&answers, &QTimer::timeout, [&, format = format, name = name] {
+      QWidget* dialog = QApplication::activeModalWidget();
+      if (auto* wish = qobject_cast<ui::ExportDialog*>(dialog)) {
+        child<QComboBox>(*wish, "exportFormat")->setCurrentIndex(format);
+        child<QPushButton>(*wish, "exportAgree")->click();
+      } else if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
+        asked = box->text();
+        box->reject();
+        ended = true;
+      } else if (auto* where = qobject_cast<QFileDialog*>(dialog)) {
+        if (ended) return where->reject();
+        where->findChild<QLineEdit*>("fileNameEdit")->setText(exports.filePath(name));
+        QMetaObject::invokeMethod(where, "accept");
+      }
+    });
+    answers.start(30);
+    QTest::mouseClick(child<QPushButton>(panel, "exportRecording"), Qt::LeftButton);
+    EXPECT_TRUE(waitFor([&] { return ended && QApplication::activeModalWidget() == nullptr; }))
+        << there;
+    EXPECT_FALSE(asked.isEmpty()) << there;
+    EXPECT_EQ(fs::file_size(file), 4U) << there;
+    EXPECT_FALSE(application.exporting().task().isRunning()) << there;
+  }
 }
 
 TEST(RecordedSession, ThatWasNeverFinishedIsOfferedAtTheNextStart) {

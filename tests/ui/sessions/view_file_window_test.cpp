@@ -23,6 +23,7 @@
 #include <filesystem>
 
 #include "app/application.h"
+#include "app/recording/volume_hash.h"
 #include "app/window/edits/edit_controller.h"
 #include "app/window/scan/loader.h"
 #include "app/window/views/marks_controller.h"
@@ -69,7 +70,7 @@ class Installation {
 };
 
 /// A window that saves and opens views.
-struct Views : window::MarkedScan {
+struct FiledViews : window::MarkedScan {
   app::ViewFileController files{window.views(),
                                 window.messages(),
                                 window.loading(),
@@ -78,7 +79,7 @@ struct Views : window::MarkedScan {
                                 controller,
                                 true};
 
-  Views() {
+  FiledViews() {
     QObject::connect(&files, &app::ViewFileController::isovalueWanted, &isosurface,
                      &app::IsosurfaceController::set);
   }
@@ -128,7 +129,7 @@ TEST(ViewFiles, AViewComesBackOverTheSameScan) {
   const Installation here;
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("mine.palpate-view").toStdString();
-  Views views;
+  FiledViews views;
   views.show(ballAt(0.0), 50.0);
   window::showAndWait(views.window, {1240, 840});
   views.measures().replace(someMarks());
@@ -143,7 +144,7 @@ TEST(ViewFiles, AViewComesBackOverTheSameScan) {
   ASSERT_TRUE(views.save(path)) << views.message().toStdString();
 
   // another start of the program, with the same scan read again
-  Views later;
+  FiledViews later;
   later.show(ballAt(0.0), 50.0);
   window::showAndWait(later.window, {1240, 840});
   later.measures().replace({{MeasureKind::Point, "mine", {{0, 0, 0}}}});
@@ -185,24 +186,24 @@ TEST(ViewFiles, WhatEachViewShowsComesBackToThePixel) {
   tool.X_WP.linear() = Eigen::AngleAxisd(0.4, Vec3::UnitX()).toRotationMatrix();
   tool.X_WP.translation() = tool.X_WD.translation() = Vec3{0.003, -0.026, 0.002};
   tool.X_WD.linear() = tool.X_WP.linear();
-  const auto open = [&](Views& views) {
+  const auto open = [&](FiledViews& views) {
     views.show(scan, 300.0);
     window::showAndWait(views.window, {1240, 840});
     views.window.views().display(tool);
     views.window.touch().display(tool);
   };
-  const auto entry = [](Views& views, const char* name) {
+  const auto entry = [](FiledViews& views, const char* name) {
     return views.window.findChild<QAction*>(name);
   };
-  const auto thick = [](Views& views) {
+  const auto thick = [](FiledViews& views) {
     for (QAction* action : views.window.findChild<QMenu*>("voxelsMenu")->actions())
       if (action->text().startsWith("10")) return action;
     return static_cast<QAction*>(nullptr);
   };
-  const auto second = [](Views& views) {
+  const auto second = [](FiledViews& views) {
     return views.window.findChild<QMenu*>("secondSurface")->actions()[2];  // skin
   };
-  Views views;
+  FiledViews views;
   open(views);
   for (const char* name : {"four_up", "nearest", "slabMean", "showOblique", "obliqueAlong"})
     entry(views, name)->trigger();
@@ -224,7 +225,7 @@ TEST(ViewFiles, WhatEachViewShowsComesBackToThePixel) {
   ASSERT_TRUE(views.save(path)) << views.message().toStdString();
   const QString borders = views.window.views().layout().borders();
 
-  Views later;
+  FiledViews later;
   open(later);
   ASSERT_NE(later.window.views().layout().borders(), borders);
   ASSERT_TRUE(later.open(path)) << later.message().toStdString();
@@ -242,7 +243,7 @@ TEST(ViewFiles, WhatEachViewShowsComesBackToThePixel) {
   later.window.touch().display(tool);
   // what tells of the saved file takes its room from the views
   views.window.findChild<QAbstractButton*>("doneClose")->click();
-  for (Views* shown : {&views, &later}) {
+  for (FiledViews* shown : {&views, &later}) {
     window::pictureOf(shown->window);
     for (ui::SliceView* slice : shown->window.views().slices().slices()) window::rest(*slice);
   }
@@ -286,7 +287,7 @@ TEST(ViewFiles, AFileOfAnEarlierVersionIsRefusedAndSaysSo) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("{\"palpate_view\": 1, \"edits\": []}");
   file.close();
-  Views views;
+  FiledViews views;
   views.show(ballAt(0.0), 50.0);
   EXPECT_FALSE(views.open(path));
   EXPECT_TRUE(views.message().contains("earlier Palpate")) << views.message().toStdString();
@@ -296,7 +297,7 @@ TEST(ViewFiles, HoldNoPathAndNoNameUnlessThePlaceIsToBeRemembered) {
   const Installation here;
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("a.palpate-view").toStdString();
-  Views views;
+  FiledViews views;
   QDir(folder.path()).mkdir("Somebody");
   views.show(ballAt(0.0), 50.0, "Somebody^Jane",
              fs::path(folder.path().toStdString()) / "Somebody/s.nrrd");
@@ -317,14 +318,14 @@ TEST(ViewFiles, AnotherScanIsRefusedAndNothingChanges) {
   const Installation here;
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("a.palpate-view").toStdString();
-  Views views;
+  FiledViews views;
   views.show(ballAt(0.0), 50.0);
   window::showAndWait(views.window, {1240, 840});
   views.measures().replace(someMarks());
   ASSERT_TRUE(views.save(path));
 
   // another geometry: the sentence says which one the file wants
-  Views small;
+  FiledViews small;
   small.show(ballAt(0.0, 40), 50.0);
   EXPECT_FALSE(small.open(path));
   EXPECT_TRUE(small.message().contains("48 x 48 x 48 voxels of 1 x 1 x 1 mm (int16)"))
@@ -333,7 +334,7 @@ TEST(ViewFiles, AnotherScanIsRefusedAndNothingChanges) {
   EXPECT_TRUE(small.measures().all().empty());
 
   // the same geometry, other voxels
-  Views moved;
+  FiledViews moved;
   moved.show(ballAt(3.0), 50.0);
   moved.measures().replace({{MeasureKind::Point, "mine", {{0, 0, 0}}}});
   EXPECT_FALSE(moved.open(path));
@@ -361,13 +362,13 @@ TEST(ViewFiles, OnAnotherInstallationTheUserIsAsked) {
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("a.palpate-view").toStdString();
   {
-    Views views;
+    FiledViews views;
     views.show(ballAt(0.0), 50.0);
     views.measures().replace(someMarks());
     ASSERT_TRUE(views.save(path));
   }
   const Installation elsewhere;
-  Views views;
+  FiledViews views;
   views.show(ballAt(0.0), 50.0);
   window::showAndWait(views.window, {1240, 840});
   {
@@ -396,11 +397,11 @@ TEST(ViewFiles, EditsAreAskedForAndTheRestFollowsTheEditedVolume) {
   const auto scan = ballAt(0.0);
   const std::vector<datasets::Edit> edits{datasets::Crop{{{0, 0, 10}, {48, 48, 40}}}};
   const auto cropped = datasets::edited(scan, edits).value();
-  Views views;
+  FiledViews views;
   views.show(cropped, 50.0);
   views.measures().replace(someMarks());
   ASSERT_TRUE(views.save(path)) << views.message().toStdString();
-  Views later;
+  FiledViews later;
   later.show(scan, 50.0);
   // a program that cannot edit refuses them
   EXPECT_FALSE(later.open(path));
@@ -428,7 +429,7 @@ TEST(ViewFiles, EditsAreAskedForAndTheRestFollowsTheEditedVolume) {
 TEST(ViewFiles, TheDialogWarnsOfNamesAndOffersTheRelativePath) {
   const Installation here;
   const QTemporaryDir folder;
-  Views views;
+  FiledViews views;
   views.show(ballAt(0.0), 50.0, "A scan", fs::path(folder.path().toStdString()) / "s.nrrd");
   window::showAndWait(views.window, {1240, 840});
   QString warning;
@@ -454,6 +455,140 @@ TEST(ViewFiles, TheDialogWarnsOfNamesAndOffersTheRelativePath) {
   const auto read = app::readViewFile(folder.filePath("chosen.palpate-view").toStdString());
   ASSERT_TRUE(read);
   EXPECT_EQ(read->place, "s.nrrd");
+}
+
+TEST(ViewFiles, TheScanIsFoundWhereItWasOpenBefore) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("a.palpate-view").toStdString();
+  FiledViews views;
+  views.show(ballAt(0.0), 50.0);
+  views.measures().replace(someMarks());
+  ASSERT_TRUE(views.save(path));
+  const auto hash = app::readViewFile(path)->hash;
+  FiledViews later;
+  later.show(ballAt(3.0), 50.0);  // the same geometry, and another scan
+  later.files.setKnown({.place = [&](const app::VolumeHash& sought) {
+    return sought == hash ? fs::path(folder.path().toStdString()) : fs::path{};
+  }});
+  fs::path opened;
+  QObject::connect(&later.files, &app::ViewFileController::scanWanted, [&](const fs::path& wanted) {
+    opened = wanted;
+    later.show(ballAt(0.0), 50.0);
+    later.files.showScene(true);
+  });
+  EXPECT_TRUE(later.open(path)) << later.message().toStdString();
+  EXPECT_EQ(opened, fs::path(folder.path().toStdString()));
+  EXPECT_EQ(later.measures().all().size(), 2U);
+}
+
+TEST(ViewFiles, AScanThatIsNotFoundCanBeChosen) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("a.palpate-view").toStdString();
+  QFile(folder.filePath("s.nrrd")).open(QIODevice::WriteOnly);
+  FiledViews views;
+  views.show(ballAt(0.0), 50.0);
+  views.measures().replace(someMarks());
+  ASSERT_TRUE(views.save(path));
+  FiledViews later;
+  later.show(ballAt(0.0, 40), 50.0);
+  window::showAndWait(later.window, {1240, 840});
+  EXPECT_FALSE(later.open(path));
+  auto* choose = later.window.findChild<QPushButton*>("takeOffer");
+  ASSERT_TRUE(choose->isVisible());
+  EXPECT_EQ(choose->text(), "Choose the scan…");
+  fs::path opened;
+  QObject::connect(&later.files, &app::ViewFileController::scanWanted, [&](const fs::path& wanted) {
+    opened = wanted;
+    later.show(ballAt(0.0), 50.0);
+    later.files.showScene(true);
+  });
+  QTimer answers;
+  QObject::connect(&answers, &QTimer::timeout, [&] {
+    if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
+      menu->setActiveAction(menu->actions()[1]);
+      QTest::keyClick(menu, Qt::Key_Return);
+    } else if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+      dialog->findChild<QLineEdit*>("fileNameEdit")->setText(folder.filePath("s.nrrd"));
+      QMetaObject::invokeMethod(dialog, "accept");
+    }
+  });
+  answers.start(50);
+  QSignalSpy finished(&later.files, &app::ViewFileController::finished);
+  choose->click();
+  EXPECT_TRUE(waitFor([&] { return finished.count() > 0; }));
+  EXPECT_EQ(opened.filename(), "s.nrrd");
+  EXPECT_EQ(later.measures().all().size(), 2U) << later.message().toStdString();
+}
+
+TEST(ViewFiles, TheToolOfAFileIsFoundByItsHash) {
+  const Installation here;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("a.palpate-view").toStdString();
+  const fs::path tool = folder.filePath("mine.obj").toStdString();
+  const fs::path other = folder.filePath("other.obj").toStdString();
+  for (const fs::path& file : {tool, other}) {
+    QFile made(QString::fromStdString(file.string()));
+    ASSERT_TRUE(made.open(QIODevice::WriteOnly));
+    made.write(file.filename().string().c_str());
+  }
+  FiledViews views;
+  views.show(ballAt(0.0), 50.0);
+  views.shared.shown->tool = {.name = "mine",
+                              .file = tool,
+                              .unit = "cm",
+                              .hash = app::hashOfFile(tool, app::installationKey().value())};
+  ASSERT_TRUE(views.save(path));
+  FiledViews later;
+  later.show(ballAt(0.0), 50.0);
+  std::vector<fs::path> known{other};
+  later.files.setKnown({.tools = [&] { return known; }});
+
+  app::ToolSource wanted;
+  QObject::connect(&later.files, &app::ViewFileController::toolWanted,
+                   [&](const app::ToolSource& source) { wanted = source; });
+  EXPECT_TRUE(later.open(path));
+  EXPECT_TRUE(waitFor([&] { return later.message().contains("comes from a file"); }));
+  EXPECT_FALSE(wanted.file);
+  known.push_back(tool);
+  EXPECT_TRUE(later.open(path));
+  EXPECT_TRUE(waitFor([&] { return wanted.file == tool; }));
+  EXPECT_EQ(wanted.unit, "cm");
+}
+
+TEST(ViewFiles, SavingAgainAsksNothingAndTheFirstNameNamesNobody) {
+  const Installation here;
+  const QTemporaryDir folder;
+  FiledViews views;
+  views.show(ballAt(0.0), 50.0, "Somebody^Jane",
+             fs::path(folder.path().toStdString()) / "Somebody.nrrd");
+  window::showAndWait(views.window, {1240, 840});
+  QString proposed;
+  int dialogs = 0;
+  QTimer::singleShot(300, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    ++dialogs;
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    proposed = name->text();
+    name->setText(folder.filePath("chosen"));
+    QTest::keyClick(name, Qt::Key_Return);
+  });
+  const auto save = [&] {
+    QSignalSpy finished(&views.files, &app::ViewFileController::finished);
+    views.window.findChild<QAction*>("saveView")->trigger();
+    return waitFor([&] { return finished.count() > 0; });
+  };
+  ASSERT_TRUE(save());
+  static const QRegularExpression form(
+      R"(^(CT|Scan) \d{4}-\d\d-\d\d \d\d\.\d\d\.\d\d\.palpate-view$)");
+  EXPECT_TRUE(form.match(proposed).hasMatch()) << proposed.toStdString();
+  views.measures().replace(someMarks());
+  ASSERT_TRUE(save());
+  EXPECT_EQ(dialogs, 1);
+  EXPECT_EQ(app::readViewFile(folder.filePath("chosen.palpate-view").toStdString())->marks.size(),
+            2U);
 }
 
 /// Types a name into the next file dialog.

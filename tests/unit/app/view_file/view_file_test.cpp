@@ -32,6 +32,9 @@ ViewFile someView() {
   view.edits = {datasets::Crop{{{10, 20, 0}, {400, 500, 361}}}, datasets::RemoveHolder{300.1}};
   view.isovalue = 300.1;
   view.tool = "probe";
+  view.tool_file = view.hash;
+  view.tool_unit = "cm";
+  view.X_WP = haptics::poseOf({0.01, -0.02, 0.125}, haptics::Quat{0.5, 0.5, -0.5, 0.5});
   view.marks = {
       {ui::MeasureKind::Distance, "Distance 1", {{1.0, 2.0, 3.0}, {4.0, 5.5, -6.25}}},
       {ui::MeasureKind::Angle, "Angle 1", {{0, 0, 0}, {10, 0, 0}, {10, 20, 0}}},
@@ -85,6 +88,10 @@ TEST(ViewFile, ComesBackAsItWasSaved) {
     EXPECT_EQ(datasets::textOf(read->edits[i]), datasets::textOf(view.edits[i]));
   EXPECT_EQ(read->isovalue, view.isovalue);
   EXPECT_EQ(read->tool, view.tool);
+  EXPECT_EQ(read->tool_file, view.tool_file);
+  EXPECT_EQ(read->tool_unit, "cm");
+  ASSERT_TRUE(read->X_WP);
+  EXPECT_EQ(read->X_WP->matrix(), view.X_WP->matrix());
   ASSERT_EQ(read->marks.size(), view.marks.size());
   for (std::size_t i = 0; i < view.marks.size(); ++i) {
     EXPECT_EQ(read->marks[i].kind, view.marks[i].kind);
@@ -199,6 +206,14 @@ TEST(ViewFile, RefusesEveryDamageByNameAndTakesNothing) {
       {"spacing backwards", [](json& v) { v["scan"]["spacing_m"][1] = -1e-3; }, "scan.spacing_m"},
       {"far away", [](json& v) { v["scan"]["origin_m"][1] = 1e9; }, "scan.origin_m[1]"},
       {"axes askew", [](json& v) { v["scan"]["direction"][1] = 0.5; }, "scan.direction"},
+      {"tool askew", [](json& v) { v["tool_place"]["axes"][1] = 0.5; }, "tool_place.axes"},
+      {"tool mirrored",
+       [](json& v) {
+         for (json& x : v["tool_place"]["axes"]) x = -x.get<double>();
+       },
+       "tool_place.axes"},
+      {"tool far away", [](json& v) { v["tool_place"]["at_m"][0] = 1e4; }, "tool_place.at_m[0]"},
+      {"hash of a tool", [](json& v) { v["tool_file"]["hash"] = "ff"; }, "tool_file.hash"},
       {"eight of nine", [](json& v) { v["scan"]["direction"].erase(8); }, "scan.direction"},
       {"unknown voxels", [](json& v) { v["scan"]["scalar"] = "int64"; }, "scan.scalar"},
       {"short hash", [](json& v) { v["scan"]["hash"] = "00ff"; }, "scan.hash"},
